@@ -1,0 +1,20 @@
+# Flags of our own code. Targets opt in by linking adit::options, so that generated and foreign code
+# is compiled without our warnings.
+add_library(adit_options INTERFACE)
+add_library(adit::options ALIAS adit_options)
+target_compile_options(adit_options INTERFACE -Wall -Wextra -Werror)
+target_include_directories(adit_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR})
+
+set(ADIT_SANITIZE "" CACHE STRING "sanitizers, comma separated: address,undefined or thread")
+if(ADIT_SANITIZE)
+  add_compile_options(-fsanitize=${ADIT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${ADIT_SANITIZE})
+endif()
+
+# Kernels are vectorized for the machine at hand, but never contract a*b+c into a fused operation:
+# the same source then gives the same bits whatever the compiler finds to fuse.
+set(ADIT_ARCH "x86-64-v3" CACHE STRING "value of -march for the numerical kernels")
+if(ADIT_ARCH)
+  add_compile_options(-march=${ADIT_ARCH})
+endif()
+add_compile_options(-ffp-contract=off)

@@ -1,0 +1,42 @@
+// The two ways in which a run ends without being our bug.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace adit::protocol {
+
+// Exit codes of every program.
+enum ExitCode : int { kSuccess = 0, kInternalError = 1, kUserError = 2, kPeerLost = 3 };
+
+// The user's input cannot be computed. `path` names the scene field (`particles.loads[0].where`), empty
+// where none is to blame; the message says what is wrong, what was expected and what to do.
+class UserError : public std::runtime_error {
+ public:
+  UserError(std::string path, const std::string& message)
+      : std::runtime_error(message), path_(std::move(path)) {}
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+// The other end is gone, silent or unintelligible. `peer` names it.
+class PeerLost : public std::runtime_error {
+ public:
+  PeerLost(std::string peer, const std::string& message)
+      : std::runtime_error(peer + ": " + message), peer_(std::move(peer)) {}
+  const std::string& peer() const { return peer_; }
+
+ private:
+  std::string peer_;
+};
+
+// A value that must be finite is not, or energy grows without cause: the step, the place and the value.
+class Unstable : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace adit::protocol
