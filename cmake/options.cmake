@@ -3,7 +3,7 @@
 add_library(adit_options INTERFACE)
 add_library(adit::options ALIAS adit_options)
 target_compile_options(adit_options INTERFACE -Wall -Wextra -Werror)
-target_include_directories(adit_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR})
+target_include_directories(adit_options INTERFACE ${PROJECT_SOURCE_DIR})
 
 set(ADIT_SANITIZE "" CACHE STRING "sanitizers, comma separated: address,undefined or thread")
 if(ADIT_SANITIZE)
