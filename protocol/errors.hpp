@@ -8,7 +8,7 @@
 namespace adit::protocol {
 
 // Exit codes of every program.
-enum ExitCode : int { kSuccess = 0, kInternalError = 1, kUserError = 2, kPeerLost = 3 };
+enum ExitCode : int { kSuccess = 0, kInternalError = 1, kUserError = 2, kPeerLost = 3, kUnstable = 4 };
 
 // The user's input cannot be computed. `path` names the scene field (`particles.loads[0].where`), empty
 // where none is to blame; the message says what is wrong, what was expected and what to do.

@@ -1,11 +1,12 @@
 // What a solver fills in to take part in a run. The server calls these in the order of the conversation
-// (wire.proto), one participant object a run; each function reads the request and fills the answer, whose
-// memory is reused from step to step. Errors are thrown as UserError (the scene) or Unstable.
+// (wire.proto), one participant object a run; each function reads the request and fills the answer, which
+// arrives cleared but keeps its memory from step to step. Errors are thrown as UserError (the scene) or
+// Unstable.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
-#include <string>
 
 #include "protocol/wire.pb.h"
 
@@ -18,14 +19,35 @@ class Participant {
   virtual void weigh(const wire::Weights& weights, wire::Interface& interface) = 0;
   virtual void couple(const wire::Couple& couple, wire::Operator& op) = 0;
   virtual void advance(const wire::Advance& advance, wire::Predicted& predicted) = 0;
-  virtual void snapshot(wire::Snapshot& snapshot) = 0;
+  virtual void snapshot(const wire::SnapshotRequest& request, wire::Snapshot& snapshot) = 0;
   virtual void finish(wire::Bye& bye) = 0;
 };
 
 using ParticipantFactory = std::function<std::unique_ptr<Participant>()>;
 
-// Lets the participant answer one request (setup … finish). A request out of order, or one that no
-// participant answers, throws std::logic_error. The clock of `predicted.compute_seconds` runs here.
-void answer(Participant& participant, const wire::Frame& request, wire::Frame& reply);
+// One run as seen by a participant: hands it the requests, and only in their order:
+//
+//   setup, weights, [couple], then any number of advance (steps 0, 1, 2 ...) and snapshot
+//   finish at any time after setup
+class Conversation {
+ public:
+  explicit Conversation(Participant& participant) : participant_(participant) {}
+
+  // Answers one request. The clock of `predicted.compute_seconds` runs here. A request out of order, or one
+  // that no participant answers, throws std::logic_error.
+  void answer(const wire::Frame& request, wire::Frame& reply);
+
+  bool finished() const { return stage_ == Stage::kFinished; }
+
+ private:
+  enum class Stage { kConnected, kSetUp, kWeighed, kRunning, kFinished };
+
+  void require(bool in_order, const wire::Frame& request) const;
+  void advance(const wire::Advance& request, wire::Predicted& predicted);
+
+  Participant& participant_;
+  Stage stage_ = Stage::kConnected;
+  std::uint64_t next_step_ = 0;
+};
 
 }  // namespace adit::protocol

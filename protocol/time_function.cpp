@@ -41,6 +41,7 @@ double evaluate(const scene::TimeFunction& function, double t) {
 void check(const scene::TimeFunction& function, const std::string& path) {
   if (!function.has_table()) return;
   const auto& table = function.table();
+  if (table.time().empty()) throw UserError(path + ".table.time", "is empty; give at least one time");
   if (table.time_size() != table.value_size())
     throw UserError(path + ".table", "has " + std::to_string(table.time_size()) + " times and " +
                                          std::to_string(table.value_size()) +

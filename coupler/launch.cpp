@@ -1,0 +1,77 @@
+#include "coupler/launch.hpp"
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/read_until.hpp>
+#include <boost/process.hpp>
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "protocol/errors.hpp"
+
+namespace adit::coupler {
+namespace {
+
+namespace process = boost::process;
+using protocol::PeerLost;
+
+constexpr std::chrono::seconds kStartPatience{10};
+constexpr std::chrono::seconds kStopPatience{3};
+
+// Installed side by side, or in the build tree as <folder>/<program>/<program>.
+std::filesystem::path find_program(const std::string& program) {
+  const auto here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  for (const auto& candidate : {here / program, here.parent_path() / program / program})
+    if (std::filesystem::is_regular_file(candidate)) return candidate;
+  throw PeerLost(program, "is found neither in " + here.string() + " nor in " +
+                              (here.parent_path() / program).string() +
+                              "; build it, or start it yourself and give its address");
+}
+
+// The first line that the server prints: `listening on HOST:PORT`.
+std::string first_line(boost::asio::io_context& io, process::async_pipe& pipe) {
+  std::string text;
+  bool complete = false;
+  boost::asio::async_read_until(
+      pipe, boost::asio::dynamic_buffer(text, 1024), '\n',
+      [&](const boost::system::error_code& error, std::size_t) { complete = !error; });
+  io.run_for(kStartPatience);
+  return complete ? text.substr(0, text.find('\n')) : std::string();
+}
+
+}  // namespace
+
+struct ServerProcess::Child {
+  boost::asio::io_context io;
+  process::async_pipe output{io};
+  process::child process;
+};
+
+ServerProcess::ServerProcess(const std::string& program, const std::filesystem::path& log)
+    : child_(std::make_unique<Child>()) {
+  const auto path = find_program(program);
+  child_->process = process::child(path.string(), "--listen", "127.0.0.1:0", "--exit-with-parent",
+                                   process::std_in<process::null, process::std_out> child_->output,
+                                   process::std_err > log.string());
+  const std::string greeting = "listening on ";
+  const std::string line = first_line(child_->io, child_->output);
+  if (!line.starts_with(greeting)) {
+    child_->process.terminate();
+    throw PeerLost(program, "did not start listening within " + std::to_string(kStartPatience.count()) +
+                                " s; its log is " + log.string());
+  }
+  address_ = protocol::parse_address(line.substr(greeting.size()));
+}
+
+ServerProcess::~ServerProcess() {
+  std::error_code ignored;
+  if (!child_->process.running(ignored)) return;
+  ::kill(child_->process.id(), SIGTERM);
+  // Looking again and again: this Boost's wait_for() misses the end of a child and waits to its limit.
+  const auto limit = std::chrono::steady_clock::now() + kStopPatience;
+  while (child_->process.running(ignored) && std::chrono::steady_clock::now() < limit)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  if (child_->process.running(ignored)) child_->process.terminate(ignored);
+}
+
+}  // namespace adit::coupler

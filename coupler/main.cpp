@@ -1,0 +1,142 @@
+// coupler: reads a scene, starts or joins the servers that it needs, runs it and writes the results.
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "coupler/launch.hpp"
+#include "coupler/remote_peer.hpp"
+#include "coupler/run.hpp"
+#include "coupler/run_directory.hpp"
+#include "coupler/set_up.hpp"
+#include "protocol/errors.hpp"
+#include "protocol/greeting.hpp"
+#include "protocol/scene_hash.hpp"
+#include "protocol/scene_reader.hpp"
+#include "protocol/scene_writer.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+namespace protocol = adit::protocol;
+using namespace adit::coupler;
+
+struct Options {
+  std::string scene;
+  std::vector<std::string> sets;
+  std::string out;
+  std::string fdm, dem;  // addresses of servers that already listen
+};
+
+// The servers of a run: started here, or running elsewhere.
+struct Participants {
+  std::vector<std::unique_ptr<ServerProcess>> processes;
+  std::vector<Side> sides;
+  std::string versions = "coupler " + std::string(protocol::release());
+};
+
+const char* program_of(Role role) {
+  return role == Role::kContinuum ? "fdm_server" : "dem_server";
+}
+
+Participants join(const adit::scene::Scene& scene, const Options& options, const fs::path& log_folder) {
+  Participants participants;
+  for (const Role role : roles(scene)) {
+    const std::string program = program_of(role);
+    const std::string& given = role == Role::kContinuum ? options.fdm : options.dem;
+    protocol::Address address;
+    if (given.empty()) {
+      participants.processes.push_back(std::make_unique<ServerProcess>(
+          program, log_folder.empty() ? "/dev/null" : log_folder / (program + ".log")));
+      address = participants.processes.back()->address();
+    } else {
+      address = protocol::parse_address(given);
+    }
+    auto connection = protocol::connect(address, program);
+    const auto hello = protocol::handshake(*connection, "coupler");
+    participants.versions += ", " + hello.program() + " " + hello.release();
+    Side& side = participants.sides.emplace_back();
+    side.role = role;
+    side.peer = std::make_unique<RemotePeer>(std::move(connection));
+  }
+  return participants;
+}
+
+void run_scene(const Options& options, const protocol::SceneFile& file) {
+  const std::string name = case_name(options.scene);
+  const fs::path directory =
+      options.out.empty() ? fs::path("runs") / name / file.scene.name() : fs::path(options.out);
+  roles(file.scene);
+  prepare_run_directory(directory);
+  std::ofstream(directory / "scene.yaml") << protocol::to_yaml(file.scene);
+  Participants participants = join(file.scene, options, directory);
+  run(file.scene, std::move(participants.sides),
+      {.case_name = name, .scene_hash = protocol::scene_hash(file.scene), .versions = participants.versions},
+      directory);
+}
+
+void check_scene(const Options& options, const protocol::SceneFile& file) {
+  Participants participants = join(file.scene, options, {});
+  check(file.scene, std::move(participants.sides));
+  fmt::print("{} can be computed\n", options.scene);
+}
+
+// One sentence on standard error for every way in which a run ends early, and the exit code for it.
+template <class Work>
+int report_errors(const Options& options, Work work) {
+  protocol::SceneFile file;
+  try {
+    file = protocol::read_scene(options.scene, protocol::parse_overrides(options.sets));
+    work(options, file);
+    return protocol::kSuccess;
+  } catch (const protocol::UserError& error) {
+    fmt::print(stderr, "error: {}\n", protocol::describe(file, error));
+    return protocol::kUserError;
+  } catch (const protocol::PeerLost& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return protocol::kPeerLost;
+  } catch (const protocol::Unstable& error) {
+    fmt::print(stderr, "error: {}: {}\n", options.scene, error.what());
+    return protocol::kUnstable;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "internal error: {}\n", error.what());
+    return protocol::kInternalError;
+  }
+}
+
+void add_common_options(CLI::App& command, Options& options) {
+  command.add_option("scene", options.scene, "scene file (YAML)")->required();
+  command.add_option("--set", options.sets, "path=value: replaces a field of the scene; may be repeated")
+      ->take_all()
+      ->expected(1);
+  command.add_option("--fdm", options.fdm, "HOST:PORT of a continuum server that already listens");
+  command.add_option("--dem", options.dem, "HOST:PORT of a particle server that already listens");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  spdlog::set_default_logger(spdlog::stderr_color_mt("coupler"));
+  CLI::App app{"Couples a continuum and a particle solver over TCP and writes the results."};
+  app.set_version_flag("--version", "coupler " + std::string(protocol::release()));
+  app.require_subcommand(1);
+  Options options;
+  auto* run_command = app.add_subcommand("run", "computes a scene");
+  add_common_options(*run_command, options);
+  run_command->add_option("--out", options.out,
+                          "directory of the results; runs/<case>/<scene name> where absent");
+  auto* check_command = app.add_subcommand("check", "sets a scene up without computing it");
+  add_common_options(*check_command, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? protocol::kSuccess : protocol::kUserError;
+  }
+  return run_command->parsed() ? report_errors(options, run_scene) : report_errors(options, check_scene);
+}

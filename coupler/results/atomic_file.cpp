@@ -1,0 +1,24 @@
+#include "coupler/results/atomic_file.hpp"
+
+#include <cerrno>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+namespace adit::coupler {
+
+void replace_file(const std::filesystem::path& path, std::string_view content) {
+  std::filesystem::path part = path;
+  part += ".part";
+  errno = 0;
+  std::ofstream file(part, std::ios::binary | std::ios::trunc);
+  file.write(content.data(), static_cast<std::streamsize>(content.size()));
+  file.close();
+  if (!file) {
+    throw std::runtime_error("cannot write " + part.string() + ": " + std::generic_category().message(errno));
+  }
+  std::filesystem::rename(part, path);
+}
+
+}  // namespace adit::coupler

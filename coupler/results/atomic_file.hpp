@@ -1,0 +1,13 @@
+// Files that are whole or absent, whenever the run is killed.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace adit::coupler {
+
+// Replaces the file: writes `<path>.part` beside it and renames that. Throws std::runtime_error, with the
+// file and the system's reason, when the disk refuses.
+void replace_file(const std::filesystem::path& path, std::string_view content);
+
+}  // namespace adit::coupler

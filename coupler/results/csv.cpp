@@ -1,0 +1,91 @@
+#include "coupler/results/csv.hpp"
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+namespace adit::coupler {
+namespace {
+
+template <class T>
+void append_number(std::string& line, T value) {
+  std::array<char, 32> text{};  // the longest double takes 24
+  line.append(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
+}
+
+}  // namespace
+
+CsvFile::CsvFile(std::filesystem::path path, std::span<const std::string> columns)
+    : path_(std::move(path)), file_(path_, std::ios::binary | std::ios::trunc), columns_(columns.size()) {
+  if (!file_) {
+    throw std::runtime_error("cannot write " + path_.string() + ": " +
+                             std::generic_category().message(errno));
+  }
+  for (const std::string& column : columns) cell(std::string_view(column));
+  end_row();
+}
+
+void CsvFile::row(std::span<const double> values) {
+  for (const double value : values) cell(value);
+  end_row();
+}
+
+void CsvFile::next_cell() {
+  if (cells_++ > 0) line_ += ',';
+}
+
+CsvFile& CsvFile::cell(double value) {
+  next_cell();
+  append_number(line_, value);
+  return *this;
+}
+
+CsvFile& CsvFile::cell(std::uint64_t value) {
+  next_cell();
+  append_number(line_, value);
+  return *this;
+}
+
+CsvFile& CsvFile::cell(std::string_view text) {
+  next_cell();
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+    line_ += text;
+    return *this;
+  }
+  line_ += '"';
+  for (const char c : text) line_.append(c == '"' ? 2 : 1, c);
+  line_ += '"';
+  return *this;
+}
+
+void CsvFile::end_row() {
+  if (cells_ != columns_) {
+    throw std::logic_error(path_.string() + ": a row of " + std::to_string(cells_) + " cells under " +
+                           std::to_string(columns_) + " columns");
+  }
+  line_ += '\n';
+  file_.write(line_.data(), static_cast<std::streamsize>(line_.size()));
+  file_.flush();
+  if (!file_) {
+    throw std::runtime_error("cannot write " + path_.string() + ": " +
+                             std::generic_category().message(errno));
+  }
+  line_.clear();
+  cells_ = 0;
+}
+
+std::vector<std::string> crack_columns() {
+  return {"time_s", "step", "mode", "x_m", "y_m", "length_m", "orientation_rad", "parent_a", "parent_b"};
+}
+
+void write_crack(CsvFile& file, double time, const wire::Crack& crack) {
+  file.cell(time).cell(std::uint64_t{crack.step()});
+  file.cell(std::string_view(crack.mode() == wire::Crack::TENSILE ? "tensile" : "shear"));
+  file.cell(crack.x()).cell(crack.y()).cell(crack.length()).cell(crack.orientation());
+  file.cell(std::uint64_t{crack.parent_a()}).cell(std::uint64_t{crack.parent_b()}).end_row();
+}
+
+}  // namespace adit::coupler

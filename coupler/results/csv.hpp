@@ -1,0 +1,48 @@
+// Tables as text: one header line of names that end in their units, then one line a row.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "protocol/wire.pb.h"
+
+namespace adit::coupler {
+
+// Every finished row is handed to the system in one write, so that a killed run keeps all rows so far.
+// Numbers are the shortest decimals that read back to the same bits; text is quoted where CSV asks for it.
+// A disk that refuses is a std::runtime_error; a row of another length than the header a std::logic_error.
+class CsvFile {
+ public:
+  CsvFile(std::filesystem::path path, std::span<const std::string> columns);
+
+  // A whole row of numbers.
+  void row(std::span<const double> values);
+
+  // A row cell by cell.
+  CsvFile& cell(double value);
+  CsvFile& cell(std::uint64_t value);
+  CsvFile& cell(std::string_view text);
+  void end_row();
+
+ private:
+  void next_cell();
+
+  std::filesystem::path path_;
+  std::ofstream file_;
+  std::size_t columns_;
+  std::size_t cells_ = 0;  // of the unfinished row
+  std::string line_;       // the unfinished row
+};
+
+// The columns of cracks.csv.
+std::vector<std::string> crack_columns();
+
+// One row of cracks.csv: a bond that broke at `time` [s].
+void write_crack(CsvFile& file, double time, const wire::Crack& crack);
+
+}  // namespace adit::coupler

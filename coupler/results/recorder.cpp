@@ -1,0 +1,90 @@
+#include "coupler/results/recorder.hpp"
+
+#include <algorithm>
+
+#include "protocol/errors.hpp"
+
+namespace adit::coupler {
+namespace {
+
+// Names the columns of the scene's histories as scene.proto documents them.
+std::string column(const scene::History& history) {
+  switch (history.quantity()) {
+    case scene::DISPLACEMENT_X:
+      return history.name() + "_ux_m";
+    case scene::DISPLACEMENT_Y:
+      return history.name() + "_uy_m";
+    case scene::VELOCITY_X:
+      return history.name() + "_vx_m_per_s";
+    case scene::VELOCITY_Y:
+      return history.name() + "_vy_m_per_s";
+  }
+  return history.name();
+}
+
+std::vector<std::string> history_columns(const Model& model) {
+  std::vector<std::string> columns = {"time_s"};
+  for (const Side& side : model.sides)
+    for (const auto& history : side.role == Role::kContinuum ? model.scene.continuum().histories()
+                                                             : model.scene.particles().histories())
+      columns.push_back(column(history));
+  if (model.scene.has_particles()) columns.emplace_back("max_bond_force_N");
+  for (const Side& side : model.sides) {
+    const std::string role = to_string(side.role);
+    for (const char* energy :
+         {"_kinetic_J", "_strain_J", "_released_J", "_external_work_J", "_multiplier_work_J"})
+      columns.push_back(role + energy);
+  }
+  columns.emplace_back("energy_drift");
+  return columns;
+}
+
+}  // namespace
+
+Recorder::Recorder(const std::filesystem::path& directory, const Model& model)
+    : model_(model),
+      histories_(directory / "histories.csv", history_columns(model)),
+      fields_(directory / "fields") {
+  if (model.scene.has_particles()) cracks_.emplace(directory / "cracks.csv", crack_columns());
+}
+
+void Recorder::record_events(std::uint64_t n) {
+  const double time = static_cast<double>(n) * model_.dt;
+  for (const Side& side : model_.sides) {
+    const wire::Predicted& predicted = side.prediction();
+    if (predicted.max_bond_force() > findings_.peak_bond_force) {
+      findings_.peak_bond_force = predicted.max_bond_force();
+      findings_.peak = {time, predicted.max_bond_force_x(), predicted.max_bond_force_y()};
+    }
+    for (const wire::Crack& crack : predicted.cracks()) record_crack(crack, time);
+  }
+}
+
+void Recorder::record_crack(const wire::Crack& crack, double time) {
+  if (cracks_) write_crack(*cracks_, time, crack);
+  const Event event{time, crack.x(), crack.y()};
+  if (findings_.cracks++ == 0) findings_.first_crack = event;
+  if (!model_.overlap || !model_.overlap->contains(crack.x(), crack.y())) return;
+  if (findings_.cracks_in_overlap++ == 0) findings_.first_crack_in_overlap = event;
+}
+
+void Recorder::record_histories(std::uint64_t n, const Ledger& ledger) {
+  row_.assign(1, static_cast<double>(n) * model_.dt);
+  for (const Side& side : model_.sides) {
+    const auto& values = side.prediction().histories();
+    row_.insert(row_.end(), values.begin(), values.end());
+  }
+  for (const Side& side : model_.sides)
+    if (side.role == Role::kParticles) row_.push_back(side.prediction().max_bond_force());
+  for (const SideEnergies& e : ledger.sides())
+    row_.insert(row_.end(), {e.kinetic, e.strain, e.released, e.external_work, e.multiplier_work});
+  row_.push_back(ledger.drift());
+  histories_.row(row_);
+}
+
+void Recorder::record_fields(std::uint64_t n, const std::vector<wire::Snapshot>& snapshots) {
+  for (const wire::Snapshot& snapshot : snapshots)
+    write_snapshot(n, static_cast<double>(n) * model_.dt, snapshot, fields_);
+}
+
+}  // namespace adit::coupler

@@ -1,0 +1,52 @@
+// What a run leaves in its directory while it goes on: histories.csv, cracks.csv, fields/.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coupler/ledger.hpp"
+#include "coupler/results/csv.hpp"
+#include "coupler/results/vtk.hpp"
+#include "coupler/set_up.hpp"
+
+namespace adit::coupler {
+
+struct Event {
+  double time = 0, x = 0, y = 0;  // [s], [m]
+};
+
+// The largest bond force and the first crack so far, and cracks that say that a particle region is too small.
+struct Findings {
+  double peak_bond_force = 0;  // [N]
+  Event peak;
+  std::uint64_t cracks = 0;
+  Event first_crack;
+  std::uint64_t cracks_in_overlap = 0;
+  Event first_crack_in_overlap;
+};
+
+class Recorder {
+ public:
+  // Opens the files in `directory`, which exists.
+  Recorder(const std::filesystem::path& directory, const Model& model);
+
+  void record_events(std::uint64_t n);  // every step
+  void record_histories(std::uint64_t n, const Ledger& ledger);
+  void record_fields(std::uint64_t n, const std::vector<wire::Snapshot>& snapshots);
+
+  const Findings& findings() const { return findings_; }
+
+ private:
+  void record_crack(const wire::Crack& crack, double time);
+
+  const Model& model_;
+  CsvFile histories_;
+  std::optional<CsvFile> cracks_;  // of models with particles
+  Collection fields_;
+  Findings findings_;
+  std::vector<double> row_;
+};
+
+}  // namespace adit::coupler

@@ -1,0 +1,138 @@
+#include "coupler/results/run_summary.hpp"
+
+#include <spdlog/fmt/fmt.h>
+#include <sys/resource.h>
+
+#include <cstdio>
+
+namespace adit::coupler {
+namespace {
+
+double own_cpu_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+// The scene's own word for an enumerator.
+template <class Enum>
+std::string lower_case_name(Enum value, const std::string& (*name)(Enum)) {
+  std::string text = name(value);
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+std::string at(const Event& event) {
+  return fmt::format("at {:.2f} ms, x = {:.2f} m, y = {:.2f} m", 1e3 * event.time, event.x, event.y);
+}
+
+}  // namespace
+
+RunSummary::RunSummary(const RunLabels& labels, const Model& model) : model_(model) {
+  const scene::Scene& scene = model.scene;
+  summary_.set("case", labels.case_name);
+  summary_.set("scene", scene.name());
+  summary_.set("scene_hash", labels.scene_hash);
+  summary_.set("versions", labels.versions);
+  summary_.set("plane", lower_case_name(scene.plane(), scene::Plane_Name<scene::Plane>));
+  summary_.set("duration_s", scene.time().duration());
+  summary_.set("dt_s", model.dt);
+  summary_.set("critical_dt_s", model.critical_dt);
+  for (const Side& side : model.sides) {
+    if (side.role == Role::kContinuum) {
+      summary_.set("zones", side.counts.zones());
+      summary_.set("grid_points", side.counts.grid_points());
+    } else {
+      summary_.set("particles", side.counts.particles());
+      summary_.set("bonds", side.counts.bonds());
+    }
+  }
+  if (!model.overlap) return;
+  const auto& interface = scene.interface();
+  summary_.set("coupling_points", model.coupling_points.size() / 2);
+  summary_.set("solve", lower_case_name(interface.solve(), scene::Solve_Name<scene::Solve>));
+  summary_.set("overlap_particles_begin_x_m", interface.overlap().particles_begin().x());
+  summary_.set("overlap_particles_begin_y_m", interface.overlap().particles_begin().y());
+  summary_.set("overlap_continuum_ends_x_m", interface.overlap().continuum_ends().x());
+  summary_.set("overlap_continuum_ends_y_m", interface.overlap().continuum_ends().y());
+}
+
+void RunSummary::add_participant(const Side& side, const wire::Bye& bye) {
+  const std::string role = to_string(side.role);
+  summary_.set(role + "_cpu_s", bye.cpu_seconds());
+  summary_.set(side.role == Role::kContinuum ? "zone_updates" : "particle_updates", bye.updates());
+}
+
+void RunSummary::add_outcome(const Stepper& stepper, const Findings& findings, std::uint64_t steps,
+                             double wall_s, double stepping_s, const std::string& error) {
+  summary_.set("completed", error.empty());
+  if (!error.empty()) summary_.set("error", error);
+  if (model_.scene.has_particles()) add_findings(findings);
+  add_ledger(stepper.ledger());
+  add_cost(stepper, steps, wall_s, stepping_s);
+  warn(findings);
+}
+
+void RunSummary::add_findings(const Findings& findings) {
+  summary_.set("peak_bond_force_N", findings.peak_bond_force);
+  summary_.set("peak_bond_force_time_s", findings.peak.time);
+  summary_.set("peak_bond_force_x_m", findings.peak.x);
+  summary_.set("peak_bond_force_y_m", findings.peak.y);
+  summary_.set("crack_count", findings.cracks);
+  lines_.push_back(
+      fmt::format("peak force chain   {:.0f} kN {}", 1e-3 * findings.peak_bond_force, at(findings.peak)));
+  if (findings.cracks == 0) {
+    lines_.emplace_back("cracks             none");
+    return;
+  }
+  summary_.set("first_crack_time_s", findings.first_crack.time);
+  summary_.set("first_crack_x_m", findings.first_crack.x);
+  summary_.set("first_crack_y_m", findings.first_crack.y);
+  lines_.push_back(
+      fmt::format("cracks             {}, the first {}", findings.cracks, at(findings.first_crack)));
+}
+
+void RunSummary::add_ledger(const Ledger& ledger) {
+  double multiplier_work = 0;
+  for (const SideEnergies& side : ledger.sides()) multiplier_work += side.multiplier_work;
+  summary_.set("max_energy_drift", ledger.max_drift());
+  summary_.set("energy_kept", ledger.kept());
+  summary_.set("multiplier_work_J", multiplier_work);
+  lines_.push_back(fmt::format("energy error       {:.1e} of the peak energy", ledger.max_drift()));
+  if (model_.overlap) summary_.set("max_constraint_residual", ledger.max_constraint_residual());
+}
+
+void RunSummary::add_cost(const Stepper& stepper, std::uint64_t steps, double wall_s, double stepping_s) {
+  summary_.set("steps", steps);
+  summary_.set("wall_s", wall_s);
+  summary_.set("steps_per_s", static_cast<double>(steps) / stepping_s);
+  summary_.set("coupler_cpu_s", own_cpu_seconds());
+  summary_.set("coupler_wait_s", stepper.wait_s());
+  summary_.set("coupler_solve_s", stepper.solve_s());
+  for (const Side& side : model_.sides)
+    summary_.set(std::string(to_string(side.role)) + "_compute_s", side.compute_s);
+  lines_.push_back(
+      fmt::format("wall time          {:.2f} s, {} steps of {:.3g} s", wall_s, steps, model_.dt));
+}
+
+void RunSummary::warn(const Findings& findings) {
+  auto warnings = nlohmann::ordered_json::array();
+  if (findings.cracks_in_overlap > 0)
+    warnings.push_back(
+        fmt::format("{} cracks inside the overlap, the first {}: the particle region is too small, move "
+                    "the overlap away from the damage",
+                    findings.cracks_in_overlap, at(findings.first_crack_in_overlap)));
+  for (const auto& warning : warnings) lines_.push_back("warning            " + warning.get<std::string>());
+  summary_.set("warnings", std::move(warnings));
+}
+
+void RunSummary::print(const std::filesystem::path& directory) const {
+  fmt::print("results            {}\n", directory.string());
+  for (const std::string& line : lines_) fmt::print("{}\n", line);
+  std::fflush(stdout);
+}
+
+}  // namespace adit::coupler

@@ -1,0 +1,47 @@
+// What the summary of a run says: the model, the cost, the findings, the ledger.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "coupler/results/recorder.hpp"
+#include "coupler/results/summary.hpp"
+#include "coupler/stepper.hpp"
+
+namespace adit::coupler {
+
+struct RunLabels {
+  std::string case_name;  // the summary's `case`
+  std::string scene_hash;
+  std::string versions;  // of all programs that take part
+};
+
+class RunSummary {
+ public:
+  RunSummary(const RunLabels& labels, const Model& model);
+
+  // What a participant said at the end.
+  void add_participant(const Side& side, const wire::Bye& bye);
+
+  // `steps` were computed in `stepping_s` of `wall_s` seconds; `error` is empty for a complete run.
+  void add_outcome(const Stepper& stepper, const Findings& findings, std::uint64_t steps, double wall_s,
+                   double stepping_s, const std::string& error);
+
+  void write(const std::filesystem::path& path) const { summary_.write(path); }
+
+  // The essence, for a person: on standard output.
+  void print(const std::filesystem::path& directory) const;
+
+ private:
+  void add_findings(const Findings& findings);
+  void add_cost(const Stepper& stepper, std::uint64_t steps, double wall_s, double stepping_s);
+  void add_ledger(const Ledger& ledger);
+  void warn(const Findings& findings);
+
+  const Model& model_;
+  Summary summary_;
+  std::vector<std::string> lines_;  // of print()
+};
+
+}  // namespace adit::coupler

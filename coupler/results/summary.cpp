@@ -1,0 +1,21 @@
+#include "coupler/results/summary.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "coupler/results/atomic_file.hpp"
+
+namespace adit::coupler {
+
+void Summary::set(const std::string& name, nlohmann::ordered_json value) {
+  if (values_.contains(name)) throw std::logic_error("the summary holds " + name + " already");
+  values_[name] = std::move(value);
+}
+
+void Summary::write(const std::filesystem::path& path) const {
+  // dump() writes numbers that are not finite as null.
+  using Json = nlohmann::ordered_json;
+  replace_file(path, values_.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace adit::coupler

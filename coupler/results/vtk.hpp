@@ -1,0 +1,46 @@
+// Fields as files that ParaView and VTK open: VTU for zones, VTP for particles and bonds, one PVD that
+// names them all with their times. XML with inline base64 data: little-endian, 8-byte lengths, Float64
+// values to the last bit. Points, and fields of two components, get z = 0: viewers know vectors in space
+// only.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "protocol/wire.pb.h"
+
+namespace adit::coupler {
+
+// Writes QUADS as an unstructured grid, VERTICES and LINES as poly data. Pieces come from other programs:
+// one that contradicts itself (sizes that do not fit, a point that does not exist, a name that is no
+// name) is a std::runtime_error that says where. Any number may be NaN.
+void write_piece(const std::filesystem::path& path, const wire::Piece& piece);
+
+// The PVD file of a folder of pieces.
+class Collection {
+ public:
+  // Creates the folder where it is absent.
+  explicit Collection(std::filesystem::path folder);
+
+  // Names a file of the folder at a time [s]; a piece twice at one time is a std::runtime_error.
+  void add(double time, const std::string& piece, const std::string& file);
+  // Rewrites `fields.pvd`; a killed run leaves the previous one or this one.
+  void write() const;
+  const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  struct Entry {
+    double time;
+    std::string piece;
+    std::string file;
+  };
+  std::filesystem::path folder_;
+  std::vector<Entry> entries_;
+};
+
+// Writes every piece as `<piece>_<step, 8 digits>.vtu|vtp` into the collection's folder, then the PVD.
+void write_snapshot(std::uint64_t step, double time, const wire::Snapshot& snapshot, Collection& collection);
+
+}  // namespace adit::coupler

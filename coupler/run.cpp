@@ -1,0 +1,126 @@
+#include "coupler/run.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <set>
+
+#include "coupler/progress.hpp"
+#include "coupler/results/recorder.hpp"
+#include "coupler/set_up.hpp"
+#include "coupler/stepper.hpp"
+#include "protocol/errors.hpp"
+
+namespace adit::coupler {
+namespace {
+
+constexpr double kDefaultHistoryRows = 500;
+
+// Energy out of nothing: no scheme of ours creates a fifth of what the run ever held, an unstable one does so
+// within a few steps.
+constexpr double kRunawayShare = 0.2;
+
+// Steps at which something is written.
+struct Schedule {
+  std::uint64_t history_stride;
+  std::set<std::uint64_t> fields;
+
+  explicit Schedule(const Model& model) {
+    const auto& output = model.scene.output();
+    const double duration = static_cast<double>(model.steps) * model.dt;
+    const double interval =
+        output.has_history_interval() ? output.history_interval() : duration / kDefaultHistoryRows;
+    history_stride = static_cast<std::uint64_t>(std::max(1.0, std::round(interval / model.dt)));
+    for (const double time : output.field_times()) {
+      if (time > duration * (1 + 1e-12))
+        throw protocol::UserError(
+            "output.field_times",
+            fmt::format("asks for {:g} s, after the end of the run at {:g} s", time, duration));
+      fields.insert(static_cast<std::uint64_t>(std::round(time / model.dt)));
+    }
+    fields.insert(model.steps);
+  }
+  bool wants_history(std::uint64_t n, std::uint64_t last) const {
+    return n % history_stride == 0 || n == last || fields.contains(n);
+  }
+};
+
+void require_bounded_energy(const Ledger& ledger, const Model& model, std::uint64_t n) {
+  if (!(ledger.drift() <= kRunawayShare))
+    throw protocol::Unstable(
+        fmt::format("step {} (t = {:g} s): the energy of the model exceeds the work done on it by {:.0f} % "
+                    "of its peak; the run is "
+                    "unstable, choose a smaller time.dt_factor",
+                    n, static_cast<double>(n) * model.dt, 100 * ledger.drift()));
+}
+
+void finish(Model& model, RunSummary& summary) {
+  for (Side& side : model.sides) {
+    side.request.mutable_finish();
+    side.peer->post(side.request);
+  }
+  for (Side& side : model.sides) {
+    collect(side, wire::Frame::kBye);
+    summary.add_participant(side, side.reply.bye());
+  }
+}
+
+void step_to_the_end(Model& model, Stepper& stepper, Recorder& recorder, std::uint64_t& reached) {
+  const Schedule schedule(model);
+  Progress progress(model.steps, model.dt);
+  for (std::uint64_t n = 0; n <= model.steps; ++n) {
+    const bool row = schedule.wants_history(n, model.steps);
+    stepper.step(n, {.energies = row, .histories = row});
+    recorder.record_events(n);
+    if (row) {
+      recorder.record_histories(n, stepper.ledger());
+      require_bounded_energy(stepper.ledger(), model, n);
+    }
+    if (schedule.fields.contains(n)) recorder.record_fields(n, stepper.snapshots());
+    reached = n;
+    progress.update(n);
+  }
+}
+
+}  // namespace
+
+void run(const scene::Scene& scene, std::vector<Side> sides, const RunLabels& labels,
+         const std::filesystem::path& directory) {
+  const auto start = std::chrono::steady_clock::now();
+  Model model = set_up(scene, std::move(sides), labels.case_name + "/" + scene.name());
+  Stepper stepper(model);
+  Recorder recorder(directory, model);
+  RunSummary summary(labels, model);
+  const auto stepping_start = std::chrono::steady_clock::now();
+  std::uint64_t reached = 0;
+  const auto conclude = [&](const std::string& error) {
+    const auto now = std::chrono::steady_clock::now();
+    summary.add_outcome(stepper, recorder.findings(), reached,
+                        std::chrono::duration<double>(now - start).count(),
+                        std::chrono::duration<double>(now - stepping_start).count(), error);
+    summary.write(directory / "summary.json");
+  };
+  try {
+    step_to_the_end(model, stepper, recorder, reached);
+    finish(model, summary);
+  } catch (const std::exception& error) {
+    conclude(error.what());
+    throw;
+  }
+  conclude("");
+  summary.print(directory);
+}
+
+void check(const scene::Scene& scene, std::vector<Side> sides) {
+  Model model = set_up(scene, std::move(sides), "check/" + scene.name());
+  const Schedule schedule(model);
+  for (Side& side : model.sides) {
+    side.request.mutable_finish();
+    side.peer->post(side.request);
+    collect(side, wire::Frame::kBye);
+  }
+}
+
+}  // namespace adit::coupler

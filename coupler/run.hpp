@@ -1,0 +1,22 @@
+// A whole run: from the scene and its participants to the results in a directory.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "coupler/results/run_summary.hpp"
+#include "coupler/side.hpp"
+#include "protocol/scene.pb.h"
+
+namespace adit::coupler {
+
+// Runs to the end into `directory`, which exists, or until an error: then what was computed so far stays in
+// the directory, with a summary that says `"completed": false` and why. Shows progress, ends with what the
+// results say.
+void run(const scene::Scene& scene, std::vector<Side> sides, const RunLabels& labels,
+         const std::filesystem::path& directory);
+
+// Takes the participants through all of the set-up and ends there; throws what run() would throw.
+void check(const scene::Scene& scene, std::vector<Side> sides);
+
+}  // namespace adit::coupler

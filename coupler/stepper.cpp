@@ -1,0 +1,107 @@
+#include "coupler/stepper.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "protocol/errors.hpp"
+
+namespace adit::coupler {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void fill(google::protobuf::RepeatedField<double>& field, const std::vector<double>& values) {
+  field.Resize(static_cast<int>(values.size()), 0.0);
+  std::copy(values.begin(), values.end(), field.mutable_data());
+}
+
+void receive_prediction(Side& side) {
+  collect(side, wire::Frame::kPredicted);
+  const wire::Predicted& predicted = side.prediction();
+  side.compute_s += predicted.compute_seconds();
+  if (static_cast<std::size_t>(predicted.velocities_size()) != side.predicted.size())
+    throw protocol::PeerLost(side.peer->name(), "predicted " + std::to_string(predicted.velocities_size()) +
+                                                    " velocities where " +
+                                                    std::to_string(side.predicted.size()) + " were expected");
+  std::copy(predicted.velocities().begin(), predicted.velocities().end(), side.predicted.begin());
+}
+
+// corrected = predicted + N M⁻¹ Nᵀ impulses: what the participant will apply, at the coupling points.
+void correct_velocities(Side& side) {
+  const Interpolation& n = *side.interpolation;
+  n.gather(side.impulses, side.own);
+  n.divide_by_mass(side.own);
+  n.interpolate(side.own, side.corrected);
+  for (std::size_t i = 0; i < side.corrected.size(); ++i) side.corrected[i] += side.predicted[i];
+}
+
+}  // namespace
+
+Stepper::Stepper(Model& model)
+    : model_(model),
+      ledger_(model.sides.size(), model.coupling_points.size()),
+      gap_(model.coupling_points.size()),
+      multipliers_(model.coupling_points.size()) {
+  for (Side& side : model_.sides) side.request.mutable_advance()->set_dt(model_.dt);
+}
+
+void Stepper::step(std::uint64_t n, Wanted wanted) {
+  const auto start = Clock::now();
+  for (Side& side : model_.sides) post_advance(side, n, wanted);
+  impulses_pending_ = false;
+  for (Side& side : model_.sides) receive_prediction(side);
+  wait_s_ += seconds_since(start);
+
+  const auto answered = Clock::now();
+  if (model_.overlap) correct();
+  ledger_.add_step(n, model_.sides, wanted.energies);
+  solve_s_ += seconds_since(answered);
+}
+
+void Stepper::post_advance(Side& side, std::uint64_t n, Wanted wanted) {
+  wire::Advance& advance = *side.request.mutable_advance();
+  advance.set_step(n);
+  advance.set_dt(model_.dt);
+  advance.set_want_energies(wanted.energies);
+  advance.set_want_histories(wanted.histories);
+  if (impulses_pending_)
+    fill(*advance.mutable_impulses(), side.impulses);
+  else
+    advance.clear_impulses();
+  side.peer->post(side.request);
+}
+
+void Stepper::correct() {
+  Side& continuum = model_.sides[0];
+  Side& particles = model_.sides[1];
+  for (std::size_t i = 0; i < gap_.size(); ++i) gap_[i] = continuum.predicted[i] - particles.predicted[i];
+  model_.solve->solve(gap_, multipliers_);
+  for (std::size_t i = 0; i < gap_.size(); ++i) {
+    continuum.impulses[i] = -multipliers_[i];
+    particles.impulses[i] = multipliers_[i];
+  }
+  correct_velocities(continuum);
+  correct_velocities(particles);
+  impulses_pending_ = true;
+}
+
+std::vector<wire::Snapshot> Stepper::snapshots() {
+  for (Side& side : model_.sides) {
+    auto& request = *side.request.mutable_snapshot_request();
+    if (impulses_pending_) fill(*request.mutable_impulses(), side.impulses);
+    side.peer->post(side.request);
+  }
+  impulses_pending_ = false;
+  std::vector<wire::Snapshot> snapshots;
+  for (Side& side : model_.sides) {
+    collect(side, wire::Frame::kSnapshot);
+    snapshots.push_back(std::move(*side.reply.mutable_snapshot()));
+  }
+  return snapshots;
+}
+
+}  // namespace adit::coupler

@@ -1,0 +1,47 @@
+#include "dem_server/loads.hpp"
+
+#include <string>
+
+#include "dem_server/selection.hpp"
+#include "protocol/time_function.hpp"
+
+namespace adit::dem {
+
+Loads::Loads(const scene::Particles& scene, const Particles& particles, double tolerance) {
+  for (int i = 0; i < scene.loads_size(); ++i) {
+    const auto& load = scene.loads(i);
+    const std::string path = "particles.loads[" + std::to_string(i) + "]";
+    protocol::check(load.time(), path + ".time");
+    auto chosen = select(load.where(), particles, tolerance, path + ".where");
+    std::vector<double> share(chosen.size(), 1.0 / static_cast<double>(chosen.size()));
+    loads_.push_back({std::move(chosen), std::move(share), load.force().x(), load.force().y(), load.time()});
+  }
+  for (int i = 0; i < scene.body_loads_size(); ++i) {
+    const auto& load = scene.body_loads(i);
+    const std::string path = "particles.body_loads[" + std::to_string(i) + "]";
+    protocol::check(load.time(), path + ".time");
+    auto chosen = select(load.where(), particles, tolerance, path + ".where");
+    std::vector<double> share;
+    for (const std::uint32_t k : chosen) share.push_back(particles.mass[k]);
+    loads_.push_back(
+        {std::move(chosen), std::move(share), load.acceleration().x(), load.acceleration().y(), load.time()});
+  }
+}
+
+void Loads::apply(double time, double dt, Particles& p) {
+  for (Load& load : loads_) {
+    const double factor = protocol::evaluate(load.time, time);
+    const double fx = load.x * factor, fy = load.y * factor;
+    double unit_power = 0;
+    for (std::size_t k = 0; k < load.particles.size(); ++k) {
+      const std::uint32_t i = load.particles[k];
+      unit_power += load.share[k] * (load.x * p.vx[i] + load.y * p.vy[i]);
+      p.fx[i] += load.share[k] * fx;
+      p.fy[i] += load.share[k] * fy;
+    }
+    work_ += dt * unit_power * (load.factor + factor) / 2;
+    load.factor = factor;
+  }
+}
+
+}  // namespace adit::dem

@@ -1,0 +1,36 @@
+// Forces on particles from the scene: loads shared equally by what a box selects, body loads by mass.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dem_server/assembly.hpp"
+#include "protocol/scene.pb.h"
+
+namespace adit::dem {
+
+class Loads {
+ public:
+  // Resolves the boxes among the particles that exist, at rest. UserError at particles.loads[i] and
+  // particles.body_loads[i].
+  Loads(const scene::Particles& scene, const Particles& particles, double tolerance);
+
+  // Adds the forces at time n dt to the resultants and their work since n - 1, by the trapezoid
+  // dt v(n-1/2) (f(n-1) + f(n)) / 2, to work().
+  void apply(double time, double dt, Particles& particles);
+
+  double work() const { return work_; }  // [J]
+
+ private:
+  struct Load {
+    std::vector<std::uint32_t> particles;
+    std::vector<double> share;  // force = share * (x, y) * factor
+    double x, y;
+    scene::TimeFunction time;
+    double factor = 0;  // at the last step
+  };
+  std::vector<Load> loads_;
+  double work_ = 0;
+};
+
+}  // namespace adit::dem

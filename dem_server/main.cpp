@@ -1,0 +1,8 @@
+// Bonded particles on a socket: dem_server --help
+#include "dem_server/participant.hpp"
+#include "protocol/server.hpp"
+
+int main(int argc, char** argv) {
+  return adit::protocol::server_main(argc, argv, "dem_server",
+                                     [] { return std::make_unique<adit::dem::DemParticipant>(); });
+}

@@ -1,0 +1,188 @@
+#include "dem_server/participant.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "dem_server/crack.hpp"
+#include "dem_server/critical_step.hpp"
+#include "dem_server/motion.hpp"
+#include "dem_server/scene_checks.hpp"
+#include "dem_server/snapshot.hpp"
+#include "protocol/errors.hpp"
+
+namespace adit::dem {
+namespace {
+
+void assign(google::protobuf::RepeatedField<double>& field, std::span<const double> values) {
+  field.Assign(values.begin(), values.end());
+}
+
+std::span<const double> view(const google::protobuf::RepeatedField<double>& field) {
+  return {field.data(), static_cast<std::size_t>(field.size())};
+}
+
+// Weights of the particles' centres and the bonds' midpoints, from one list in the order of the sample
+// points.
+SampledWeights split_weights(const wire::Weights& sent, std::size_t centres, std::size_t midpoints) {
+  const auto& all = sent.weights();
+  if (static_cast<std::size_t>(all.size()) != centres + midpoints)
+    throw std::logic_error(
+        fmt::format("weights: {} weights came for {} sample points", all.size(), centres + midpoints));
+  if (!std::all_of(all.begin(), all.end(), [](double w) { return w >= 0 && w <= 1; }))
+    throw std::logic_error("weights: a weight lies outside [0, 1]");
+  if (!(sent.floor() > 0 && sent.floor() <= 1))
+    throw std::logic_error("weights: the floor lies outside (0, 1]");
+  return {{all.data(), centres}, {all.data() + centres, midpoints}, sent.floor()};
+}
+
+double selection_tolerance(const Rectangle& box) {
+  return 1e-9 * std::max(box.x_max - box.x_min, box.y_max - box.y_min);
+}
+
+void report(const Crack& crack, std::uint64_t step, wire::Crack& to) {
+  to.set_step(step);
+  to.set_mode(crack.mode == BondState::kTensileCrack ? wire::Crack::TENSILE : wire::Crack::SHEAR);
+  to.set_x(crack.x);
+  to.set_y(crack.y);
+  to.set_length(crack.length);
+  to.set_orientation(crack.orientation);
+  to.set_parent_a(crack.parent_a);
+  to.set_parent_b(crack.parent_b);
+}
+
+}  // namespace
+
+void DemParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
+  started_ = std::clock();
+  scene_ = setup.scene();
+  packing_ = checked_packing(scene_);
+  law_ = checked_bond_law(scene_);
+  assembly_ = assemble(packing_, cell_mass(scene_.material().density(), packing_.radius));
+  model.set_critical_dt(critical_step(assembly_, law_.stiffness));
+  model.set_x_min(packing_.cells.x_min);
+  model.set_x_max(packing_.cells.x_max);
+  model.set_y_min(packing_.cells.y_min);
+  model.set_y_max(packing_.cells.y_max);
+  std::vector<double> points;
+  points.reserve(2 * (packing_.x.size() + packing_.links.size()));
+  for (std::size_t i = 0; i < packing_.x.size(); ++i)
+    points.insert(points.end(), {packing_.x[i], packing_.y[i]});
+  for (std::uint32_t k = 0; k < assembly_.bonds.size(); ++k) {
+    const Place place = middle_of_bond(assembly_, k);
+    points.insert(points.end(), {place.x, place.y});
+  }
+  assign(*model.mutable_sample_points(), points);
+}
+
+void DemParticipant::weigh(const wire::Weights& weights, wire::Interface& interface) {
+  if (weights.weights_size() > 0) {
+    assembly_ = assemble(packing_, cell_mass(scene_.material().density(), packing_.radius),
+                         split_weights(weights, packing_.x.size(), packing_.links.size()));
+    if (assembly_.bonds.size() == 0)
+      throw protocol::UserError("interface.overlap",
+                                "leaves no bonded particles; move the strip so that particles lie behind "
+                                "particles_begin");
+    const auto offered = coupling_.offer(
+        assembly_.particles, {weights.x_min(), weights.x_max(), weights.y_min(), weights.y_max()});
+    assign(*interface.mutable_points(), offered);
+  }
+  const Particles& particles = assembly_.particles;
+  const double tolerance = selection_tolerance(packing_.cells);
+  loads_.emplace(scene_.particles(), particles, tolerance);
+  motions_.emplace(scene_.particles(), particles, tolerance);
+  histories_.emplace(scene_.particles(), particles);
+  interface.set_particles(particles.size());
+  interface.set_bonds(assembly_.bonds.size());
+}
+
+void DemParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
+  coupling_.tie(view(couple.points()), assembly_.particles, *motions_);
+  // Each coupling point is a particle: N is the identity.
+  op.add_row_starts(0);
+  for (std::uint32_t k = 0; k < coupling_.size(); ++k) {
+    op.add_columns(k);
+    op.add_values(1.0);
+    op.add_row_starts(k + 1);
+  }
+  assign(*op.mutable_inverse_masses(), coupling_.inverse_masses());
+}
+
+void DemParticipant::correct(std::span<const double> impulses) {
+  if (impulses.empty()) return;
+  if (impulses.size() != 2 * coupling_.size())
+    throw std::logic_error(
+        fmt::format("{} impulses came for {} coupling points", impulses.size(), coupling_.size()));
+  coupling_.push(impulses, assembly_.particles);
+}
+
+void DemParticipant::check_dt(double dt, bool start) {
+  if (start) dt_ = dt;
+  if (!(dt_ > 0) || !std::isfinite(dt_) || dt != dt_)
+    throw std::logic_error(fmt::format(
+        "advance: dt is {} s; it must be positive and the same in every step (it was {} s)", dt, dt_));
+}
+
+void DemParticipant::advance(const wire::Advance& advance, wire::Predicted& predicted) {
+  Particles& particles = assembly_.particles;
+  const std::uint64_t step = advance.step();
+  const bool start = step == 0;
+  check_dt(advance.dt(), start);
+  step_ = step;
+  const double time = static_cast<double>(step) * dt_, half_time = (static_cast<double>(step) + 0.5) * dt_;
+
+  correct(view(advance.impulses()));
+  if (!start) move(dt_, particles);
+  if (advance.want_histories()) histories_->read(particles, *predicted.mutable_histories());
+
+  broken_.clear();
+  const ContactResult contacts = compute_contact_forces(law_, dt_, particles, assembly_.bonds, broken_);
+  released_ += contacts.released;
+  loads_->apply(time, dt_, particles);
+
+  if (advance.want_energies()) remember(particles, before_);
+  kick(start ? dt_ / 2 : dt_, particles);
+  motions_->impose(half_time, dt_, start, particles);
+
+  predicted.set_step(step);
+  predicted.mutable_velocities()->Resize(static_cast<int>(2 * coupling_.size()), 0.0);
+  coupling_.read_velocities(particles,
+                            {predicted.mutable_velocities()->mutable_data(), 2 * coupling_.size()});
+  report_contacts(contacts, step, predicted);
+  if (advance.want_energies()) report_energies(start, *predicted.mutable_energies());
+}
+
+void DemParticipant::report_contacts(const ContactResult& contacts, std::uint64_t step,
+                                     wire::Predicted& predicted) const {
+  const Place place = middle_of_bond(assembly_, contacts.strongest_bond);
+  if (!std::isfinite(contacts.max_normal_force))
+    throw protocol::Unstable(fmt::format(
+        "step {}: the normal force of the bond at ({:.6g}, {:.6g}) m is {} N; reduce time.dt_factor", step,
+        place.x, place.y, contacts.max_normal_force));
+  predicted.set_max_bond_force(contacts.max_normal_force);
+  predicted.set_max_bond_force_x(place.x);
+  predicted.set_max_bond_force_y(place.y);
+  for (const std::uint32_t bond : broken_)
+    report(crack_of_bond(assembly_, bond), step, *predicted.add_cracks());
+}
+
+void DemParticipant::report_energies(bool start, wire::Energies& energies) const {
+  energies.set_kinetic(kinetic_energy(assembly_.particles, before_, start));
+  energies.set_strain(strain_energy(assembly_.bonds, law_.stiffness));
+  energies.set_external_work(loads_->work() + motions_->work());
+  energies.set_released(released_);
+}
+
+void DemParticipant::snapshot(const wire::SnapshotRequest& request, wire::Snapshot& snapshot) {
+  correct(view(request.impulses()));
+  write_snapshot(assembly_, snapshot);
+}
+
+void DemParticipant::finish(wire::Bye& bye) {
+  bye.set_cpu_seconds(static_cast<double>(std::clock() - started_) / CLOCKS_PER_SEC);
+  bye.set_updates(assembly_.particles.size() * step_);
+}
+
+}  // namespace adit::dem

@@ -1,0 +1,34 @@
+// The scene's loads, motions and histories on what is left of the grid.
+// Boxes select within a tolerance of 1e-9 of the block's diagonal. Errors: UserError with the scene's path.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fdm_server/continuum.hpp"
+#include "fdm_server/grid.hpp"
+#include "protocol/scene.pb.h"
+
+namespace adit::fdm {
+
+// Point loads in equal shares; edge loads by length over edges on the block's outline (an edge that appears
+// where zones vanished is no boundary of the body), half of an edge's share to each end; body loads on the
+// weighted masses of the points. Point and edge loads are not weighted: they are total forces.
+std::vector<Load> resolve_loads(const scene::Continuum& scene, const Block& block, const Grid& grid,
+                                std::span<const double> masses);
+
+// A component of a point that two motions prescribe differently is an error.
+std::vector<Motion> resolve_motions(const scene::Continuum& scene, const Block& block, const Grid& grid);
+
+// A quantity at one grid point.
+struct Probe {
+  scene::Quantity quantity;
+  std::uint32_t point;
+};
+
+// The grid point nearest to each history's place; an error where none is within a zone's diagonal.
+std::vector<Probe> resolve_histories(const scene::Continuum& scene, const Block& block, const Grid& grid);
+
+}  // namespace adit::fdm

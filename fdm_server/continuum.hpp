@@ -1,0 +1,102 @@
+// The continuum in motion: central differences with lumped masses.
+//
+//   v(n+1/2) = v(n-1/2) + dt f(n)/m,   u(n+1) = u(n) + dt v(n+1/2)
+//
+// The grid starts from rest at step 0, with half a kick: v(1/2) = dt/2 f(0)/m, as if v(-1/2) = -v(1/2).
+// All masses and internal forces carry the zones' weights.
+//
+// Energies at step n: kinetic 1/2 sum m v(n-1/2) v(n+1/2), strain energy of the stresses, work of loads and
+// prescribed motions summed as dt v(n+1/2) (F(n) + F(n+1))/2. Then kinetic + strain - work keeps its value
+// of step 0 to rounding: M (v(n+3/2) - v(n-1/2)) = dt (f(n) + f(n+1)), times v(n+1/2)/2, is the change of the
+// kinetic energy, and f = F - K u. That value is -1/2 sum m v(1/2)^2, 0 where nothing acts at t = 0.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fdm_server/columns.hpp"
+#include "fdm_server/zones.hpp"
+
+namespace adit::fdm {
+
+using TimeFactor = std::function<double(double t)>;
+
+// Forces of unit factor on some points.
+struct Load {
+  std::vector<std::uint32_t> points;
+  std::vector<double> fx, fy;  // [N], one of each a point
+  TimeFactor factor;
+};
+
+enum class Axis { kX, kY };
+
+// One velocity component of some points. No component of a point is named twice.
+struct Motion {
+  std::vector<std::uint32_t> points;
+  Axis axis;
+  double velocity;  // [m/s], times the factor
+  TimeFactor factor;
+};
+
+struct Energies {
+  double kinetic, strain, external_work;  // [J]
+};
+
+class Continuum {
+ public:
+  // `masses`: one weighted mass a point [kg].
+  Continuum(std::unique_ptr<Zones> zones, std::span<const double> masses, std::vector<Load> loads,
+            std::vector<Motion> motions);
+
+  // Adds an impulse [N s] to a point's velocity; a prescribed component does not yield.
+  void push(std::uint32_t point, double x, double y);
+
+  // Moves from step n - 1 to n (step 0: does not move), finds the forces at n dt and predicts the velocities
+  // at n + 1/2. Steps follow one another from 0 with the same dt [s]. Fills `energies` of step n where given.
+  void step(std::uint64_t n, double dt, Energies* energies = nullptr);
+
+  // One value a point.
+  std::span<const double> ux() const { return points_[kUx]; }  // at the last step [m]
+  std::span<const double> uy() const { return points_[kUy]; }
+  std::span<const double> vx() const { return points_[kVx]; }  // half a step later [m/s]
+  std::span<const double> vy() const { return points_[kVy]; }
+  std::span<double> vx() { return points_[kVx]; }
+  std::span<double> vy() { return points_[kVy]; }
+  std::span<const double> inverse_mass_x() const { return points_[kInverseMassX]; }  // 0: prescribed [1/kg]
+  std::span<const double> inverse_mass_y() const { return points_[kInverseMassY]; }
+  const Zones& zones() const { return *zones_; }
+
+  // A point whose velocity is not finite, if any.
+  std::optional<std::uint32_t> first_non_finite() const;
+
+ private:
+  enum Column { kUx, kUy, kVx, kVy, kFx, kFy, kInverseMassX, kInverseMassY, kMass, kColumns };
+  struct Loading {
+    Load load;
+    double factor = 0;  // of the last step
+  };
+  struct Prescribed {
+    Motion motion;
+    double mass;          // of all its points
+    double before = 0;    // velocity half a step ago
+    double after = 0;     // and half a step ahead
+    double reaction = 0;  // total force that the motion needed at the last step
+  };
+
+  void apply_loads(std::uint64_t n, double dt);
+  void find_reactions(std::uint64_t n, double dt);
+  Energies energies(std::uint64_t n, double dt) const;
+  void move_and_predict(double dt, double kick);
+
+  std::unique_ptr<Zones> zones_;
+  Columns<kColumns> points_;
+  std::vector<Loading> loads_;
+  std::vector<Prescribed> motions_;
+  double external_work_ = 0;
+};
+
+}  // namespace adit::fdm

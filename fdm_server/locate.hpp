@@ -1,0 +1,44 @@
+// Finding the zone that holds a point, and the point's place in it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "fdm_server/grid.hpp"
+
+namespace adit::fdm {
+
+// Bilinear shape functions at a point of a zone: non-negative, sum 1.
+struct Place {
+  std::uint32_t zone;
+  std::array<double, 4> shape;
+};
+
+// The point's natural coordinates in the quadrilateral (xi, eta in [-1, 1] inside), by Newton's method on the
+// bilinear map; no value where it does not converge, which for convex zones means far outside.
+std::optional<std::array<double, 2>> inverse_bilinear(const Corners& corners, double x, double y);
+
+// Zones sorted into square cells of about one zone each: a search costs a few zones, whatever their number.
+class ZoneLocator {
+ public:
+  explicit ZoneLocator(const Grid& grid);
+  // The zone that holds (x, y), within 1e-9 of its size; the first of several (points on an edge).
+  std::optional<Place> locate(double x, double y) const;
+
+ private:
+  struct Range {
+    std::size_t first, last;
+  };
+  Range columns(double low, double high) const;
+  Range rows(double low, double high) const;
+
+  const Grid& grid_;
+  double x_min_, y_min_, cell_;
+  std::size_t columns_, rows_;
+  std::vector<std::uint32_t> starts_;  // of each cell in zones_, by compressed rows
+  std::vector<std::uint32_t> zones_;
+};
+
+}  // namespace adit::fdm

@@ -1,0 +1,10 @@
+// fdm_server: computes the continuum of a run for the coupler.
+#include <memory>
+
+#include "fdm_server/participant.hpp"
+#include "protocol/server.hpp"
+
+int main(int argc, char** argv) {
+  return adit::protocol::server_main(argc, argv, "fdm_server",
+                                     [] { return std::make_unique<adit::fdm::FdmParticipant>(); });
+}

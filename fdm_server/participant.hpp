@@ -1,0 +1,51 @@
+// The continuum as a participant of a run: translates the conversation (wire.proto) to the solver.
+//
+// Sample points are those of grid.hpp. Velocity histories are v(n-1/2). Requests that
+// contradict an earlier one (counts, step numbers, dt) throw std::invalid_argument: the peer's bug.
+#pragma once
+
+#include <ctime>
+#include <memory>
+#include <vector>
+
+#include "fdm_server/conditions.hpp"
+#include "fdm_server/interface_operator.hpp"
+#include "fdm_server/setup.hpp"
+#include "protocol/participant.hpp"
+
+namespace adit::fdm {
+
+class FdmParticipant final : public protocol::Participant {
+ public:
+  void set_up(const wire::Setup& setup, wire::Model& model) override;
+  void weigh(const wire::Weights& weights, wire::Interface& interface) override;
+  void couple(const wire::Couple& couple, wire::Operator& op) override;
+  void advance(const wire::Advance& advance, wire::Predicted& predicted) override;
+  void snapshot(const wire::SnapshotRequest& request, wire::Snapshot& snapshot) override;
+  void finish(wire::Bye& bye) override;
+
+ private:
+  void check(const wire::Advance& advance) const;
+  // Corrects the predicted velocities by impulses at the coupling points, if any.
+  void push(const google::protobuf::RepeatedField<double>& impulses);
+  // v(n-1/2) of the velocity probes, before the step overwrites it.
+  void remember_probes();
+  void fill_histories(wire::Predicted& predicted) const;
+  // Throws Unstable; every step looks at the interface, every hundredth at the whole grid.
+  void check_finite(std::uint64_t step, const wire::Predicted& predicted) const;
+
+  scene::Scene scene_;
+  Setup setup_{};
+  double critical_dt_ = 0;
+  Grid grid_;
+  std::vector<double> weights_;  // of the zones
+  std::unique_ptr<Continuum> continuum_;
+  InterfaceOperator operator_;
+  std::vector<Probe> probes_;
+  std::vector<double> probe_before_;
+  std::uint64_t next_step_ = 0;
+  double dt_ = 0;
+  std::clock_t started_ = 0;
+};
+
+}  // namespace adit::fdm

@@ -1,0 +1,45 @@
+#include "fdm_server/zone_runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace adit::fdm {
+namespace {
+
+// Equal up to a translation and to the rounding of the coordinates.
+bool same_shape(const Corners& a, const Corners& b) {
+  double largest = 0, difference = 0;
+  for (std::size_t c = 0; c < 4; ++c) {
+    largest = std::max({largest, std::abs(a.x[c]), std::abs(a.y[c]), std::abs(b.x[c]), std::abs(b.y[c])});
+    difference = std::max({difference, std::abs((a.x[c] - a.x[0]) - (b.x[c] - b.x[0])),
+                           std::abs((a.y[c] - a.y[0]) - (b.y[c] - b.y[0]))});
+  }
+  return difference <= 8 * std::numeric_limits<double>::epsilon() * largest;
+}
+
+bool continues(const ZoneRun& run, const ZonePoints& zone) {
+  for (std::size_t c = 0; c < 4; ++c)
+    if (zone[c] != run.points[c] + static_cast<std::int32_t>(run.count)) return false;
+  return true;
+}
+
+}  // namespace
+
+ZoneLayout lay_out(const Grid& grid) {
+  ZoneLayout layout;
+  for (std::size_t z = 0; z < grid.zones.size(); ++z) {
+    const auto here = corners(grid, grid.zones[z]);
+    const bool same = !layout.shapes.empty() && same_shape(layout.shapes.back(), here);
+    if (!same) layout.shapes.push_back(here);
+    if (same && continues(layout.runs.back(), grid.zones[z]))
+      ++layout.runs.back().count;
+    else
+      layout.runs.push_back({static_cast<std::uint32_t>(z), 1,
+                             static_cast<std::uint32_t>(layout.shapes.size() - 1), grid.zones[z]});
+  }
+  return layout;
+}
+
+}  // namespace adit::fdm

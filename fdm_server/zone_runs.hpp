@@ -1,0 +1,57 @@
+// How zones are laid out for the kernels. A run is a row of consecutive zones of one shape whose four point
+// numbers all grow by one: their data are then contiguous, and the loop over them is vectorized without
+// gathering. A grid without any order has runs of one zone.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "fdm_server/grid.hpp"
+
+namespace adit::fdm {
+
+struct ZoneRun {
+  std::uint32_t first;  // zone
+  std::uint32_t count;
+  std::uint32_t shape;  // number of the shape
+  ZonePoints points;    // of the first zone
+};
+
+struct ZoneLayout {
+  std::vector<Corners> shapes;  // zones that differ by a translation only share one
+  std::vector<ZoneRun> runs;    // cover the zones in their order
+};
+
+ZoneLayout lay_out(const Grid& grid);
+
+// What the kernels read and add to, one value a grid point.
+struct PointView {
+  const double* vx;  // [m/s]
+  const double* vy;
+  double* fx;  // [N]
+  double* fy;
+};
+
+// Forces of a batch of zones at their corners, kept in the first-level cache until they are added.
+inline constexpr std::uint32_t kBatch = 64;
+struct CornerForces {
+  alignas(64) std::array<std::array<double, kBatch>, 4> x, y;
+};
+
+// Adds the forces of zones `done` … `done + count` of the run to their points.
+inline void scatter(const CornerForces& forces, const ZoneRun& run, std::uint32_t done, std::uint32_t count,
+                    const PointView& points) {
+  for (std::size_t c = 0; c < 4; ++c) {
+    double* fx = points.fx + run.points[c] + done;
+    double* fy = points.fy + run.points[c] + done;
+    const double *x = forces.x[c].data(), *y = forces.y[c].data();
+#pragma GCC ivdep
+    for (std::uint32_t i = 0; i < count; ++i) {
+      fx[i] += x[i];
+      fy[i] += y[i];
+    }
+  }
+}
+
+}  // namespace adit::fdm

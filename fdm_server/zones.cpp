@@ -1,0 +1,15 @@
+#include "fdm_server/zones.hpp"
+
+#include "fdm_server/assumed_strain.hpp"
+#include "fdm_server/mixed_discretization.hpp"
+
+namespace adit::fdm {
+
+std::unique_ptr<Zones> make_zones(ZoneKind kind, const Grid& grid, const PlaneLaw& law,
+                                  std::span<const double> weights) {
+  if (kind == ZoneKind::kMixedDiscretization)
+    return std::make_unique<MixedDiscretizationZones>(grid, law, weights);
+  return std::make_unique<AssumedStrainZones>(grid, law, weights);
+}
+
+}  // namespace adit::fdm

@@ -1,0 +1,34 @@
+// The zones of a grid with their stresses: what the solver needs to know of either kind.
+// Small strain: the geometry is that of the undeformed grid. Stresses grow by increments.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+
+#include "fdm_server/grid.hpp"
+#include "fdm_server/plane_law.hpp"
+#include "fdm_server/zone_runs.hpp"
+
+namespace adit::fdm {
+
+enum class ZoneKind { kAssumedStrain, kMixedDiscretization };
+
+class Zones {
+ public:
+  virtual ~Zones() = default;
+  virtual std::size_t count() const = 0;
+  // Adds the strain of dt times the points' velocities to the stresses, and the zones' weighted internal
+  // forces to the points' forces.
+  virtual void add_forces(double dt, const PointView& points) = 0;
+  // Weighted elastic energy of all zones [J].
+  virtual double strain_energy() const = 0;
+  // Mean stress of a zone, unweighted.
+  virtual Stress stress(std::size_t zone) const = 0;
+};
+
+// One weight a zone; it multiplies the zone's forces.
+std::unique_ptr<Zones> make_zones(ZoneKind kind, const Grid& grid, const PlaneLaw& law,
+                                  std::span<const double> weights);
+
+}  // namespace adit::fdm

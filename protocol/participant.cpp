@@ -1,0 +1,81 @@
+#include "protocol/participant.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <stdexcept>
+
+namespace adit::protocol {
+namespace {
+
+std::string name_of(const wire::Frame& frame) {
+  const auto* field = wire::Frame::descriptor()->FindFieldByNumber(frame.content_case());
+  return field != nullptr ? field->name() : "nothing";
+}
+
+// The answer's place in the reply, emptied; its memory stays when the last answer was of the same kind.
+template <class Message>
+Message& cleared(Message* message) {
+  message->Clear();
+  return *message;
+}
+
+}  // namespace
+
+void Conversation::answer(const wire::Frame& request, wire::Frame& reply) {
+  const bool ready = stage_ == Stage::kWeighed || stage_ == Stage::kRunning;
+  switch (request.content_case()) {
+    case wire::Frame::kSetup:
+      require(stage_ == Stage::kConnected, request);
+      participant_.set_up(request.setup(), cleared(reply.mutable_model()));
+      stage_ = Stage::kSetUp;
+      break;
+    case wire::Frame::kWeights:
+      require(stage_ == Stage::kSetUp, request);
+      participant_.weigh(request.weights(), cleared(reply.mutable_interface()));
+      stage_ = Stage::kWeighed;
+      break;
+    case wire::Frame::kCouple:
+      require(stage_ == Stage::kWeighed, request);
+      participant_.couple(request.couple(), cleared(reply.mutable_operator_()));
+      stage_ = Stage::kRunning;
+      break;
+    case wire::Frame::kAdvance:
+      require(ready && request.advance().step() == next_step_, request);
+      advance(request.advance(), cleared(reply.mutable_predicted()));
+      stage_ = Stage::kRunning;
+      break;
+    case wire::Frame::kSnapshotRequest:
+      require(ready, request);
+      participant_.snapshot(request.snapshot_request(), cleared(reply.mutable_snapshot()));
+      break;
+    case wire::Frame::kFinish:
+      require(stage_ == Stage::kSetUp || ready, request);
+      participant_.finish(cleared(reply.mutable_bye()));
+      stage_ = Stage::kFinished;
+      break;
+    default:
+      require(false, request);
+  }
+}
+
+void Conversation::advance(const wire::Advance& request, wire::Predicted& predicted) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  participant_.advance(request, predicted);
+  predicted.set_compute_seconds(std::chrono::duration<double>(Clock::now() - start).count());
+  ++next_step_;
+}
+
+void Conversation::require(bool in_order, const wire::Frame& request) const {
+  if (in_order) return;
+  constexpr const char* kExpected[] = {"setup", "weights or finish",
+                                       "couple, advance, snapshot_request or finish",
+                                       "advance, snapshot_request or finish", "nothing more"};
+  throw std::logic_error(
+      fmt::format("request out of order: {}{}, where {} was expected (next step: {})", name_of(request),
+                  request.has_advance() ? fmt::format(" to step {}", request.advance().step()) : "",
+                  kExpected[static_cast<int>(stage_)], next_step_));
+}
+
+}  // namespace adit::protocol

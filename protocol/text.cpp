@@ -1,0 +1,26 @@
+#include "protocol/text.hpp"
+
+#include <algorithm>
+
+namespace adit::protocol {
+
+std::string_view trim(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::string shorten(std::string_view text) {
+  constexpr std::size_t kLongest = 60;
+  std::string line(text.substr(0, kLongest));
+  if (text.size() > kLongest) line.replace(kLongest - 3, 3, "...");
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
+  return line;
+}
+
+std::string quote(std::string_view text) {
+  return "`" + shorten(text) + "`";
+}
+
+}  // namespace adit::protocol

@@ -1,0 +1,149 @@
+"""Pictures of the model at an instant: deformed shape, force chains (Fig. 8), bonds and cracks (Fig. 9)."""
+import math
+
+import numpy as np
+from matplotlib.collections import EllipseCollection, LineCollection, PolyCollection
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch, Polygon
+
+from adit_plots import style
+
+ZONE_FACE, ZONE_EDGE, DISC_FACE, DISC_EDGE = "#C6DBEF", style.BLUE, "#FDD9A0", "#A86400"
+OVERLAP_FACE = "#BDBDBD"
+INTACT, TENSILE_CRACK, SHEAR_CRACK = 0, 1, 2
+
+
+def deformed(run, time, pieces):
+    """Both domains where they have moved to, zones as quads, particles as discs of their size."""
+    grid, particles = pieces.get("grid"), pieces.get("particles")
+    models = [piece for piece in (grid, particles) if piece is not None]
+    if not models:
+        return None
+    scale = _scale(models)
+    figure, axes, add_legend = style.model_sheet(
+        style.bounds_of(*(p.points for p in models), *(p.moved(scale) for p in models)),
+        f"{run.name}: deformed model at t = {style.milliseconds(time)} ms, displacements × {scale:g}")
+    handles = _shade_overlap(axes, run)
+    if grid is not None:
+        _draw_zones(axes, grid, grid.moved(scale), fc=ZONE_FACE, ec="none", zorder=1)
+        _draw_zones(axes, grid, grid.moved(scale), fc="none", ec=ZONE_EDGE, lw=0.7, zorder=3)  # over the particles
+        handles.append(Patch(fc=ZONE_FACE, ec=ZONE_EDGE, label="zones"))
+    if particles is not None:
+        size = 2 * particles.field("radius_m", np.zeros(len(particles.points)))
+        axes.add_collection(EllipseCollection(
+            size, size, np.zeros_like(size), units="xy", offsets=particles.moved(scale),
+            offset_transform=axes.transData, fc=DISC_FACE, ec=DISC_EDGE, lw=0.35, zorder=2))
+        handles.append(Line2D([], [], ls="", marker="o", ms=6, mfc=DISC_FACE, mec=DISC_EDGE, label="particles"))
+    add_legend(handles)
+    return figure
+
+
+def force_chains(run, time, pieces):
+    """Bonds as lines as wide as their normal force is large; the largest is marked."""
+    bonds = pieces.get("bonds")
+    if bonds is None or len(bonds.cells) == 0:
+        return None
+    figure, axes, add_legend = _undeformed_sheet(run, time, pieces, "normal forces in the bonds")
+    lines, force = bonds.points[bonds.cells], bonds.field("normal_force_N")
+    handles = _draw_continuum_faintly(axes, run, pieces)
+    top = int(np.nanargmax(np.abs(force)))
+    largest = abs(force[top])
+    if largest > 0:
+        sample = _round_below(largest)
+        order = np.argsort(np.abs(force))  # the largest on top
+        widest = 4.0
+        axes.add_collection(LineCollection(
+            lines[order], lw=widest * np.abs(force[order]) / largest, capstyle="round",
+            color=np.where(force[order] > 0, style.RED, style.BLUE)))
+        x, y = lines[top].mean(axis=0)
+        axes.plot(x, y, "o", ms=11, mfc="none", mec=style.BLACK, mew=1.1, zorder=5)
+        handles += [
+            Line2D([], [], color=color, lw=widest * sample / largest, label=f"{sign} (width of {_kilonewton(sample)})")
+            for color, sign in ((style.RED, "tension"), (style.BLUE, "compression"))]
+        handles.append(Line2D([], [], ls="", marker="o", ms=9, mfc="none", mec=style.BLACK, label=(
+            f"largest: {_kilonewton(largest)} ({'tension' if force[top] > 0 else 'compression'})"
+            f" at x = {x:.2f} m, y = {y:.2f} m")))
+    add_legend(handles, columns=3)
+    return figure
+
+
+def bonds(run, time, pieces):
+    """Intact bonds as thin lines; a crack as a short line across its bond."""
+    piece = pieces.get("bonds")
+    if piece is None or len(piece.cells) == 0:
+        return None
+    lines, state = piece.points[piece.cells], piece.field("state")
+    counts = [int(np.sum(state == mode)) for mode in (INTACT, TENSILE_CRACK, SHEAR_CRACK)]
+    cracks = counts[TENSILE_CRACK] + counts[SHEAR_CRACK]
+    figure, axes, add_legend = _undeformed_sheet(
+        run, time, pieces, "no cracks" if cracks == 0 else _count(cracks, "crack"))
+    handles = _draw_continuum_faintly(axes, run, pieces)
+    axes.add_collection(LineCollection(lines[state == INTACT], lw=0.5, color=style.GREY))
+    handles.append(Line2D([], [], color=style.GREY, lw=0.8, label=_count(counts[INTACT], "intact bond")))
+    for mode, name, color in ((TENSILE_CRACK, "tensile", style.RED), (SHEAR_CRACK, "shear", style.BLUE)):
+        if counts[mode]:
+            across = lines[state == mode]
+            axes.add_collection(LineCollection(_across(across), lw=2.4, color=color, zorder=4))
+            handles.append(Line2D([], [], color=color, lw=2.4, label=_count(counts[mode], f"{name} crack")))
+    add_legend(handles)
+    return figure
+
+
+def _undeformed_sheet(run, time, pieces, what):
+    bounds = style.bounds_of(*(p.points for p in pieces.values()))
+    return style.model_sheet(bounds, f"{run.name}: {what} at t = {style.milliseconds(time)} ms")
+
+
+def _draw_zones(axes, grid, points, **look):
+    axes.add_collection(PolyCollection(points[grid.cells], **look))
+
+
+def _draw_continuum_faintly(axes, run, pieces):
+    handles = _shade_overlap(axes, run)
+    grid = pieces.get("grid")
+    if grid is not None:
+        _draw_zones(axes, grid, grid.points, fc="none", ec="#BBCFE0", lw=0.6)
+        handles.append(Patch(fc="white", ec="#BBCFE0", label="zones"))
+    return handles
+
+
+def _shade_overlap(axes, run):
+    """The strip between the point where particles begin and that where the continuum ends."""
+    ends = run.overlap()
+    if ends is None:
+        return []
+    direction = ends[1] - ends[0]
+    along = np.array([-direction[1], direction[0]]) / np.hypot(*direction)
+    far = along * (np.ptp(axes.get_xlim()) + np.ptp(axes.get_ylim()))
+    corners = [ends[0] - far, ends[1] - far, ends[1] + far, ends[0] + far]
+    axes.add_patch(Polygon(corners, fc=OVERLAP_FACE, ec="none", alpha=0.45, zorder=0))
+    return [Patch(fc=OVERLAP_FACE, alpha=0.45, label="overlap")]
+
+
+def _across(lines):
+    """Lines as long as the given ones, turned by a right angle about their middles."""
+    middle, half = lines.mean(axis=1), (lines[:, 1] - lines[:, 0]) / 2
+    turned = np.stack([-half[:, 1], half[:, 0]], axis=1)
+    return np.stack([middle - turned, middle + turned], axis=1)
+
+
+def _scale(models):
+    """The round factor that makes the largest displacement about a fourteenth of the model, at least 1."""
+    size = max(np.ptp(np.concatenate([p.points for p in models]), axis=0))
+    largest = max((np.nanmax(np.abs(p.moved(1) - p.points), initial=0) for p in models), default=0)
+    return max(1.0, _round_below(0.07 * size / largest)) if largest > 0 else 1.0
+
+
+def _round_below(value):
+    """The largest of 1, 2, 5, 10, … (and 0.5, 0.2, …) that is not above the value."""
+    power = 10.0 ** math.floor(math.log10(value))
+    return max(factor * power for factor in (1, 2, 5) if factor == 1 or factor * power <= value)
+
+
+def _kilonewton(force):
+    kilo = force / 1e3
+    return f"{kilo:,.0f} kN" if kilo >= 100 else f"{kilo:.3g} kN"
+
+
+def _count(number, noun):
+    return f"{number:,} {noun}" + ("" if number == 1 else "s")

@@ -1,0 +1,67 @@
+"""A run's folder as the pictures need it: summary, histories, snapshots."""
+import csv
+import json
+from pathlib import Path
+
+import numpy as np
+
+from adit_plots.vtk_files import Piece, read_collection
+
+
+class Unusable(Exception):
+    """A file is missing or is not what it should be; the message is one sentence for the user."""
+
+
+class Run:
+    def __init__(self, folder):
+        self.folder = Path(folder)
+        self.name = self.folder.resolve().name
+        self.summary = _read(self.folder / "summary.json", lambda path: json.loads(path.read_text()))
+        self.histories = _read(self.folder / "histories.csv", _read_columns)
+
+    def snapshots(self):
+        """Yields (time [s], {piece name: Piece}); nothing where no fields were written."""
+        collection = self.folder / "fields" / "fields.pvd"
+        if not collection.exists():
+            return
+        for time, files in _read(collection, read_collection):
+            yield time, {name: _read(path, Piece) for name, path in files.items()}
+
+    def number(self, name):
+        """A number of the summary, None where the run has none (null or absent)."""
+        value = self.summary.get(name)
+        return float(value) if isinstance(value, (int, float)) else None
+
+    def overlap(self):
+        """The points [m] at which particles begin and the continuum ends; None in an uncoupled run."""
+        ends = ("particles_begin", "continuum_ends")
+        values = [[self.number(f"overlap_{end}_{axis}_m") for axis in "xy"] for end in ends]
+        return None if any(v is None for end in values for v in end) else np.array(values)
+
+
+def runs_of_case(folder):
+    """All runs below a case's folder, by name; full models first."""
+    folder = Path(folder)
+    if not folder.is_dir():
+        raise Unusable(f"{folder} does not exist: give the folder of a case below runs/.")
+    found = sorted(path.parent for path in folder.glob("*/summary.json"))
+    if not found:
+        raise Unusable(f"{folder} holds no finished run (no */summary.json): run `scripts/run` first.")
+    return [Run(path) for path in sorted(found, key=lambda p: (not p.name.startswith("full_"), p.name))]
+
+
+def _read(path, reader):
+    if not path.exists():
+        raise Unusable(f"{path} does not exist: is {path.parent} the folder of a finished run?")
+    try:
+        return reader(path)
+    except Exception as error:  # whatever a damaged file provokes, the user needs to know which one
+        raise Unusable(f"{path} is damaged ({type(error).__name__}: {error}): run the scene again.") from error
+
+
+def _read_columns(path):
+    with open(path, newline="") as file:
+        header, *rows = csv.reader(file)
+    rows = [row for row in rows if len(row) == len(header)]  # a killed run may end in half a row
+    values = np.array(rows, float).reshape(len(rows), len(header))
+    return dict(zip(header, values.T))

@@ -1,0 +1,61 @@
+"""Colours, sizes and the sheet that all pictures share."""
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+# Okabe and Ito's palette: told apart with any colour vision.
+BLUE, RED, GREEN, ORANGE, SKY, PINK, YELLOW, BLACK = (
+    "#0072B2", "#D55E00", "#009E73", "#E69F00", "#56B4E9", "#CC79A7", "#F0E442", "#000000")
+GREY = "#8C8C8C"
+
+plt.rcParams.update({
+    "figure.dpi": 100, "savefig.dpi": 220, "font.size": 9, "axes.titlesize": 10, "axes.labelsize": 9,
+    "legend.fontsize": 8.5, "legend.frameon": False, "axes.linewidth": 0.7, "lines.linewidth": 1.3,
+    "axes.spines.top": False, "axes.spines.right": False, "axes.formatter.use_mathtext": True,
+    "path.simplify": True})
+
+
+def milliseconds(time):
+    return f"{1e3 * time:.4g}"
+
+
+def bounds_of(*point_sets):
+    """x_min, x_max, y_min, y_max of points, with a margin of 4 % of the larger side."""
+    points = np.concatenate([p for p in point_sets if len(p)])
+    low, high = points.min(axis=0), points.max(axis=0)
+    margin = 0.04 * max(*(high - low), 1e-12)
+    return low[0] - margin, high[0] + margin, low[1] - margin, high[1] + margin
+
+
+def model_sheet(bounds, title, width=9.0):
+    """A figure as high as the model needs: (figure, axes of equal aspect, legend function)."""
+    left, right, below, above = 0.65, 0.2, 0.95, 0.4  # inches for labels, legend and title
+    x_min, x_max, y_min, y_max = bounds
+    axes_width = width - left - right
+    axes_height = axes_width * (y_max - y_min) / (x_max - x_min)
+    if axes_height > 7.0:  # a tall model: the height decides
+        axes_width, axes_height = max(4.5, axes_width * 7.0 / axes_height), 7.0
+    axes_height = max(axes_height, 0.9)
+    figure_width, figure_height = axes_width + left + right, axes_height + below + above
+    figure = plt.figure(figsize=(figure_width, figure_height))
+    axes = figure.add_axes((left / figure_width, below / figure_height,
+                            axes_width / figure_width, axes_height / figure_height))
+    axes.set(xlim=(x_min, x_max), ylim=(y_min, y_max), aspect="equal", xlabel="x [m]", ylabel="y [m]")
+    axes.locator_params(axis="y", nbins=max(3, int(2.5 * axes_height)), min_n_ticks=2)
+    axes.set_title(title, loc="left")
+
+    def add_legend(handles, columns=None):
+        if handles:
+            figure.legend(handles=handles, loc="lower center", ncol=columns or len(handles),
+                          columnspacing=1.8, handlelength=2.2, borderaxespad=0.4)
+
+    return figure, axes, add_legend
+
+
+def save(figure, path):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(path)
+    plt.close(figure)
+    return path

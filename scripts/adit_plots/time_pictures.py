@@ -1,0 +1,98 @@
+"""Pictures over time: the energies of a run, and the models of a case side by side."""
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.lines import Line2D
+
+from adit_plots import style
+
+SIDES = {"continuum": "-", "particles": "--"}
+KINDS = {"kinetic": style.BLUE, "strain": style.ORANGE, "released": style.PINK, "external_work": style.GREEN,
+         "multiplier_work": style.SKY}
+
+
+def energy(run):
+    """Energies of both sides, and below them the drift of their balance."""
+    h = run.histories
+    names = [(side, kind) for side in SIDES for kind in KINDS if np.any(h.get(f"{side}_{kind}_J", 0))]
+    if "energy_drift" not in h or not len(h["time_s"]):
+        return None
+    time = 1e3 * h["time_s"]
+    figure, (upper, lower) = plt.subplots(2, 1, sharex=True, figsize=(8.0, 5.0), height_ratios=(3, 1),
+                                          gridspec_kw={"right": 0.68, "left": 0.1, "top": 0.93, "hspace": 0.16})
+    largest = max((np.nanmax(np.abs(h[f"{s}_{k}_J"])) for s, k in names), default=0)
+    unit, divisor = ("MJ", 1e6) if largest >= 1e6 else ("kJ", 1e3) if largest >= 1e3 else ("J", 1)
+    for side, kind in names:
+        upper.plot(time, h[f"{side}_{kind}_J"] / divisor, SIDES[side], color=KINDS[kind],
+                   label=f"{side}, {kind.replace('_', ' ').replace('multiplier', 'multipliers’')}")
+    total = sum(h[f"{s}_{k}_J"] for s, k in names if k in ("kinetic", "strain"))
+    upper.plot(time, total / divisor, ":", color=style.BLACK, label="kinetic + strain, all")
+    upper.set(ylabel=f"energy [{unit}]")
+    upper.set_title(f"{run.name}: energy", loc="left")
+    upper.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), handlelength=2.6)
+    lower.plot(time, h["energy_drift"], color=style.BLACK, lw=1)
+    lower.axhline(0, color=style.GREY, lw=0.5)
+    lower.set(xlabel="t [ms]", ylabel="drift [of the peak]", xlim=(time[0], time[-1] or 1))
+    lower.ticklabel_format(axis="y", scilimits=(-2, 3))
+    figure.align_ylabels()
+    return figure
+
+
+def comparison(case, runs):
+    """Tip deflection and largest bond force against time, all models in one picture; first cracks marked."""
+    rows = [(_tip(runs), 1.0, "tip deflection [m]"), ("max_bond_force_N", 1e6, "largest bond force [MN]")]
+    legend_columns = 4 if len(runs) <= 3 else 3
+    legend_rows = -(-(len(runs) + 1) // legend_columns)
+    figure, panels = plt.subplots(2, 1, sharex=True, figsize=(7.2, 5.6 + 0.2 * legend_rows))
+    handles = []
+    for i, run in enumerate(runs):
+        look = _look(i)
+        handles.append(Line2D([], [], label=run.name, **look))
+        for axes, (column, divisor, _) in zip(panels, rows):
+            if np.any(run.histories.get(column, 0)):  # a continuum has no bonds, a model perhaps no such history
+                axes.plot(1e3 * run.histories["time_s"], run.histories[column] / divisor, **look)
+        _mark_first_crack(panels[1], run, look["color"], 6 + 3 * sum(map(_cracked, runs[:i])))
+    if any(map(_cracked, runs)):
+        handles.append(Line2D([], [], label="first crack (in the model’s colour)", **_ring(style.BLACK, 7)))
+    for axes, (_, _, label) in zip(panels, rows):
+        axes.set_ylabel(label)
+        axes.grid(lw=0.3, color="#DDDDDD")
+    end = max((run.histories["time_s"][-1] for run in runs if len(run.histories["time_s"])), default=0)
+    panels[1].set(xlabel="t [ms]", xlim=(0, 1e3 * end or 1))
+    panels[0].set_title(f"{case}: the models compared", loc="left")
+    figure.align_ylabels()
+    height = figure.get_figheight()
+    figure.subplots_adjust(left=0.1, right=0.97, top=1 - 0.35 / height, hspace=0.1,
+                           bottom=(0.62 + 0.2 * legend_rows) / height)
+    figure.legend(handles=handles, loc="lower center", ncol=legend_columns, handlelength=3.2, borderaxespad=0.4)
+    return figure
+
+
+def _look(i):
+    """Colour and dashes of model i; only the first is solid, so that curves that coincide show through."""
+    colors = (style.BLACK, style.GREEN, style.RED, style.BLUE, style.ORANGE, style.PINK, style.SKY)
+    dashes = ("-", (0, (5, 2)), (0, (1.5, 1.2)), (0, (6, 1.5, 1.5, 1.5)), (0, (9, 3)), (0, (3, 4)), (0, (1, 3)))
+    return {"color": colors[i % len(colors)], "ls": dashes[(i + i // len(colors)) % len(dashes)],
+            "lw": 1.2 if i == 0 else 1.5}
+
+
+def _tip(runs):
+    """The vertical displacement that the runs record: tip_uy_m, else the first one of its kind."""
+    columns = [c for run in runs for c in run.histories if c.endswith("_uy_m")]
+    return "tip_uy_m" if "tip_uy_m" in columns or not columns else columns[0]
+
+
+def _cracked(run):
+    return run.number("first_crack_time_s") is not None
+
+
+def _ring(color, size):
+    return {"ls": "", "marker": "o", "ms": size, "mfc": "none", "mec": color, "mew": 1.4}
+
+
+def _mark_first_crack(axes, run, color, size):
+    """Rings of different sizes, for first cracks that coincide."""
+    if not _cracked(run) or "max_bond_force_N" not in run.histories:
+        return
+    time = run.number("first_crack_time_s")
+    force = np.interp(time, run.histories["time_s"], run.histories["max_bond_force_N"])
+    axes.plot(1e3 * time, force / 1e6, zorder=6, **_ring(color, size))

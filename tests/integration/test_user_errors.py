@@ -1,0 +1,91 @@
+"""Bad input never produces a result: exit code 2 and one sentence with file, line and what was expected."""
+
+import socket
+import subprocess
+import unittest
+
+from programs import BUILD, CASE, ProgramTest, Server, coupler
+
+SCENE = (CASE / "coupled.yaml").read_text().replace("base: full_dem.yaml", f"base: {CASE / 'full_dem.yaml'}")
+
+
+class UserErrors(ProgramTest):
+    def refusal(self, *arguments):
+        result = coupler("run", *arguments, "--out", self.folder / "run")
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        self.assertFalse((self.folder / "run" / "summary.json").exists())
+        return result.stderr
+
+    def refused_scene(self, old, new):
+        self.assertIn(old, SCENE)
+        path = self.scene(SCENE.replace(old, new, 1))
+        line = 1 + next(i for i, text in enumerate(path.read_text().split("\n")) if new.split("\n")[-1] in text)
+        return self.refusal(path), f"{path}:{line}:"
+
+    def assert_says(self, message, place, *texts):
+        self.assertIn(place, message)
+        for text in texts:
+            self.assertIn(text, message)
+
+    def test_misspelled_key(self):
+        message, place = self.refused_scene("edge_loads:", "edge_load:")
+        self.assert_says(message, place, "continuum.edge_load", "did you mean `edge_loads`")
+
+    def test_wrong_unit(self):
+        message, place = self.refused_scene("x_min: 0 m, x_max: 10 m", "x_min: 0 m, x_max: 10 kg")
+        self.assert_says(message, place, "continuum.block.x_max", "10 kg", "length")
+
+    def test_missing_field(self):
+        message, place = self.refused_scene(", zones_x: 20, zones_y: 4}", ", zones_x: 20}")
+        self.assert_says(message, place, "zones_y")
+
+    def test_overlap_outside_the_models(self):
+        message, place = self.refused_scene("continuum_ends: {x: 6 m", "continuum_ends: {x: 16 m")
+        self.assert_says(message, place, "interface.overlap.continuum_ends", "(16, 0) m", "(10, ")
+
+    def test_negative_radius(self):
+        message = self.refusal(CASE / "coupled.yaml", "--set", "particles.packing.radius=-0.1 m")
+        self.assert_says(message, "--set particles.packing.radius", "-0.1 m", "above 0")
+
+    def test_time_step_above_the_limit(self):
+        message = self.refusal(CASE / "coupled.yaml", "--set", "time.dt=1 ms")
+        self.assert_says(message, "--set time.dt", "0.001 s", "critical")
+
+    def test_a_load_that_selects_nothing_is_found_by_the_server_and_located_by_the_coupler(self):
+        message, place = self.refused_scene("where: {x_max: 0 m}", "where: {x_max: -1 m}")
+        self.assert_says(message, place, "continuum.edge_loads[0].where", "boundary")
+
+    def test_missing_file(self):
+        self.assert_says(self.refusal(self.folder / "absent.yaml"), str(self.folder / "absent.yaml"))
+
+    def test_output_folder_with_other_things_in_it(self):
+        (self.folder / "run").mkdir()
+        (self.folder / "run" / "thesis.tex").write_text("x")
+        self.assert_says(self.refusal(CASE / "coupled.yaml"), "thesis.tex", "--out")
+
+    def test_nobody_listens_at_the_address(self):
+        with socket.socket() as free:
+            free.bind(("127.0.0.1", 0))
+            address = f"127.0.0.1:{free.getsockname()[1]}"
+        self.assert_says(self.refusal(CASE / "coupled.yaml", "--dem", address), address)
+
+    def test_address_without_port(self):
+        self.assert_says(self.refusal(CASE / "coupled.yaml", "--dem", "localhost"), "localhost")
+
+    def test_port_in_use(self):
+        with Server("dem_server") as first:
+            second = subprocess.run([BUILD / "dem_server" / "dem_server", "--listen", first.address],
+                                    capture_output=True, text=True, timeout=20)
+        self.assertEqual(second.returncode, 2, second.stderr)
+        self.assertIn(first.address.split(":")[1], second.stderr)
+
+    def test_address_beyond_loopback_needs_consent(self):
+        result = subprocess.run([BUILD / "dem_server" / "dem_server", "--listen", "0.0.0.0:0"],
+                                capture_output=True, text=True, timeout=20)
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertIn("--insecure", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,39 @@
+// Results never destroy what is no result.
+#include "coupler/run_directory.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "protocol/errors.hpp"
+#include "tests/unit/coupler/scratch_folder.hpp"
+
+namespace adit::coupler {
+namespace {
+
+TEST(RunDirectory, CaseIsTheFolderOfTheScene) {
+  EXPECT_EQ(case_name("cases/cantilever/coupled.yaml"), "cantilever");
+  EXPECT_EQ(case_name("cases/cantilever/variants/elastic.yaml"), "cantilever");
+}
+
+TEST(RunDirectory, TakesAnOlderRunOut) {
+  const ScratchFolder scratch;
+  const auto directory = scratch / "run";
+  prepare_run_directory(directory);
+  std::ofstream(directory / "summary.json") << "{}";
+  std::filesystem::create_directory(directory / "fields");
+  prepare_run_directory(directory);
+  EXPECT_TRUE(std::filesystem::is_empty(directory));
+}
+
+TEST(RunDirectory, RefusesAFolderWithAnythingElseAndTouchesNothing) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "thesis.tex") << "x";
+  std::ofstream(scratch / "summary.json") << "{}";
+  EXPECT_THROW(prepare_run_directory(scratch / ""), protocol::UserError);
+  EXPECT_TRUE(std::filesystem::exists(scratch / "thesis.tex"));
+  EXPECT_TRUE(std::filesystem::exists(scratch / "summary.json"));
+}
+
+}  // namespace
+}  // namespace adit::coupler

@@ -1,0 +1,166 @@
+// The overlap from the particles' side: weights, candidate points, operator, impulses.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "protocol/errors.hpp"
+#include "tests/unit/dem_server/cantilever_scene.hpp"
+
+namespace adit::dem {
+namespace {
+
+using test::cantilever_scene;
+using test::InProcessRun;
+
+// The paper's overlap: particles have weight 0 at x = 4 and 1 at x = 6.
+wire::Weights overlap_weights(const wire::Model& model) {
+  wire::Weights weights;
+  for (int k = 0; k < model.sample_points_size(); k += 2)
+    weights.add_weights(std::clamp((model.sample_points(k) - 4) / 2, 0.0, 1.0));
+  weights.set_floor(1e-3);
+  weights.set_x_min(4);
+  weights.set_x_max(6);
+  weights.set_y_min(model.y_min());
+  weights.set_y_max(model.y_max());
+  return weights;
+}
+
+scene::Scene coupled_scene() {
+  auto scene = cantilever_scene();
+  scene.mutable_particles()->clear_loads();
+  return scene;
+}
+
+struct Coupled : InProcessRun {
+  wire::Operator op;
+  Coupled() : InProcessRun(coupled_scene(), overlap_weights(InProcessRun(coupled_scene()).model)) {
+    wire::Couple couple;
+    *couple.mutable_points() = interface.points();
+    participant.couple(couple, op);
+  }
+};
+
+// The coupled cantilever keeps 419 particles, of which 140 lie in the overlap.
+TEST(Coupling, OverlapOfTheCantileverHasItsCounts) {
+  const Coupled run;
+  EXPECT_EQ(run.interface.particles(), 419u);
+  EXPECT_EQ(run.interface.points_size(), 2 * 140);
+}
+
+// N is the identity, and the inverse masses are those of the weighted particles.
+TEST(Coupling, OperatorIsTheIdentity) {
+  const Coupled run;
+  ASSERT_EQ(run.op.row_starts_size(), 141);
+  ASSERT_EQ(run.op.columns_size(), 140);
+  ASSERT_EQ(run.op.inverse_masses_size(), 280);
+  const double mass = cell_mass(2500, test::kCantileverRadius);
+  for (int k = 0; k < 140; ++k) {
+    EXPECT_EQ(run.op.row_starts(k), static_cast<unsigned>(k));
+    EXPECT_EQ(run.op.columns(k), static_cast<unsigned>(k));
+    EXPECT_EQ(run.op.values(k), 1);
+    EXPECT_EQ(run.op.inverse_masses(2 * k), run.op.inverse_masses(2 * k + 1));
+    // Away from the ends of the ramp the mean of the bonds' weights is the centre's own weight.
+    const double x = run.interface.points(2 * k), y = run.interface.points(2 * k + 1);
+    if (x > 4.2 && x < 5.8 && y > 0.1 && y < 0.9) {
+      EXPECT_NEAR(1 / (mass * run.op.inverse_masses(2 * k)), (x - 4) / 2, 1e-12);
+    }
+  }
+}
+
+// An impulse changes its particle's velocity by impulse / mass, and nothing else, before the next step moves.
+TEST(Coupling, ImpulsesChangeThePredictedVelocities) {
+  Coupled run;
+  run.advance();
+  EXPECT_THAT(run.predicted.velocities(), testing::Each(0));
+  std::vector<double> impulses(280);
+  impulses[2 * 70] = 30;
+  impulses[2 * 70 + 1] = -20;
+  const double x = run.interface.points(140), y = run.interface.points(141);
+  wire::Snapshot snapshot;
+  run.advance(impulses);
+  run.participant.snapshot({}, snapshot);
+  const auto& points = snapshot.pieces(0).points();
+  const auto& displacement = snapshot.pieces(0).point_fields(0).values();
+  for (int i = 0; 2 * i < points.size(); ++i) {
+    const bool pushed = points[2 * i] == x && points[2 * i + 1] == y;
+    EXPECT_EQ(displacement[3 * i], pushed ? run.dt * 30 * run.op.inverse_masses(140) : 0.0);
+    EXPECT_EQ(displacement[3 * i + 1], pushed ? run.dt * -20 * run.op.inverse_masses(141) : 0.0);
+  }
+}
+
+// Impulses that come with a snapshot's request act as those of the next step would: the snapshot's momentum
+// is theirs, and the run goes on to the same bits.
+TEST(Coupling, SnapshotBringsTheCorrection) {
+  std::vector<double> impulses(280);
+  double momentum = 0;
+  for (std::size_t k = 0; k < impulses.size(); ++k) momentum += impulses[k] = static_cast<double>(k) - 100;
+  Coupled seen, unseen;
+  seen.advance();
+  unseen.advance();
+  wire::SnapshotRequest request;
+  request.mutable_impulses()->Assign(impulses.begin(), impulses.end());
+  wire::Snapshot snapshot;
+  seen.participant.snapshot(request, snapshot);
+  const auto& velocity = snapshot.pieces(0).point_fields(1);
+  const auto& weight = snapshot.pieces(0).point_fields(4);
+  ASSERT_EQ(velocity.name(), "velocity_m_per_s");
+  ASSERT_EQ(weight.name(), "weight");
+  double found = 0;
+  for (int i = 0; i < weight.values_size(); ++i)
+    found += cell_mass(2500, test::kCantileverRadius) * weight.values(i) *
+             (velocity.values(3 * i) + velocity.values(3 * i + 1));
+  EXPECT_NEAR(found, momentum, 1e-9 * momentum);
+  for (int n = 0; n < 3; ++n) {
+    EXPECT_EQ(seen.advance().SerializeAsString(),
+              unseen.advance(n == 0 ? impulses : std::vector<double>{}).SerializeAsString());
+  }
+}
+
+// Impulses on a particle whose motion is prescribed are ignored, and its inverse mass is 0.
+TEST(Coupling, PrescribedParticlesIgnoreImpulses) {
+  auto scene = coupled_scene();
+  auto& motion = *scene.mutable_particles()->add_motions();
+  motion.mutable_where()->set_x_max(5);
+  motion.mutable_velocity()->set_x(0.25);
+  InProcessRun run(scene, overlap_weights(InProcessRun(scene).model));
+  wire::Couple couple;
+  couple.add_points(run.interface.points(0));
+  couple.add_points(run.interface.points(1));
+  wire::Operator op;
+  run.participant.couple(couple, op);
+  EXPECT_EQ(op.inverse_masses(0), 0);
+  EXPECT_GT(op.inverse_masses(1), 0);
+  run.advance();
+  run.advance({1000.0, 0.0});
+  EXPECT_EQ(run.predicted.velocities(0), 0.25);
+}
+
+// Only offered points, each once, may come back.
+TEST(Coupling, RefusesPointsThatWereNotOffered) {
+  InProcessRun run(coupled_scene(), overlap_weights(InProcessRun(coupled_scene()).model));
+  const double x = run.interface.points(0), y = run.interface.points(1);
+  const auto tie = [&](const std::vector<double>& points) {
+    wire::Couple couple;
+    couple.mutable_points()->Assign(points.begin(), points.end());
+    wire::Operator op;
+    run.participant.couple(couple, op);
+  };
+  EXPECT_THROW(tie({std::nextafter(x, 10), y}), std::logic_error);
+  EXPECT_THROW(tie({x, y, x, y}), std::logic_error);
+  EXPECT_THROW(tie({x}), std::logic_error);
+  EXPECT_NO_THROW(tie({x, y}));
+}
+
+// Weights that do not fit the sample points, or lie outside [0, 1], are refused.
+TEST(Coupling, RefusesWeightsThatDoNotFit) {
+  const auto good = overlap_weights(InProcessRun(coupled_scene()).model);
+  auto few = good, above = good, nan = good, floor = good;
+  few.mutable_weights()->RemoveLast();
+  above.set_weights(5, 1.5);
+  nan.set_weights(5, std::nan(""));
+  floor.set_floor(0);
+  for (const auto& weights : {few, above, nan, floor})
+    EXPECT_THROW(InProcessRun(coupled_scene(), weights), std::logic_error);
+}
+
+}  // namespace
+}  // namespace adit::dem

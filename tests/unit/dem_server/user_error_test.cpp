@@ -1,0 +1,148 @@
+// Every scene that cannot be computed: the error names the field and says what to do.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "protocol/errors.hpp"
+#include "tests/unit/dem_server/cantilever_scene.hpp"
+
+namespace adit::dem {
+namespace {
+
+struct Case {
+  std::string name, path, message;
+  std::function<void(scene::Scene&)> spoil;
+};
+
+std::ostream& operator<<(std::ostream& out, const Case& c) {
+  return out << c.name;
+}
+
+class UserErrors : public testing::TestWithParam<Case> {};
+
+TEST_P(UserErrors, NamesTheFieldAndTheRemedy) {
+  auto scene = test::cantilever_scene();
+  GetParam().spoil(scene);
+  try {
+    test::InProcessRun run(scene);
+    FAIL() << "accepted";
+  } catch (const protocol::UserError& error) {
+    EXPECT_EQ(error.path(), GetParam().path);
+    EXPECT_THAT(error.what(), testing::HasSubstr(GetParam().message));
+  }
+}
+
+scene::HexagonalPacking& packing(scene::Scene& s) {
+  return *s.mutable_particles()->mutable_packing();
+}
+scene::Bonds& bonds(scene::Scene& s) {
+  return *s.mutable_particles()->mutable_bonds();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, UserErrors,
+    testing::Values(
+        Case{"NoParticles", "particles", "needs a scene with particles",
+             [](auto& s) { s.clear_particles(); }},
+        Case{"NegativeRadius", "particles.packing.radius", "above 0",
+             [](auto& s) { packing(s).set_radius(-1); }},
+        Case{"EmptyBox", "particles.packing.x_max", "not above x_min",
+             [](auto& s) { packing(s).set_x_max(0); }},
+        Case{"FlatBox", "particles.packing.y_max", "not above y_min",
+             [](auto& s) { packing(s).set_y_max(-1); }},
+        Case{"TooSmall", "particles.packing", "holds 0 particle(s)",
+             [](auto& s) { packing(s).set_radius(6); }},
+        Case{"OneParticle", "particles.packing", "holds 1 particle(s)",
+             [](auto& s) {
+               packing(s).set_x_max(1);
+               packing(s).set_radius(0.5);
+             }},
+        Case{"TooMany", "particles.packing.radius", "enlarge the radius",
+             [](auto& s) { packing(s).set_radius(1e-7); }},
+        Case{"PlaneStressLimit", "material.poisson_ratio", "0.3333 in plane stress",
+             [](auto& s) { s.mutable_material()->set_poisson_ratio(0.34); }},
+        Case{"PlaneStrainLimit", "material.poisson_ratio", "0.25 in plane strain",
+             [](auto& s) {
+               s.set_plane(scene::PLANE_STRAIN);
+               s.mutable_material()->set_poisson_ratio(0.26);
+             }},
+        Case{"AuxeticMaterial", "material.poisson_ratio", "normal_stiffness",
+             [](auto& s) { s.mutable_material()->set_poisson_ratio(-0.1); }},
+        Case{"NoDensity", "material.density", "above 0",
+             [](auto& s) { s.mutable_material()->set_density(0); }},
+        Case{"NoModulus", "material.young_modulus", "above 0",
+             [](auto& s) { s.mutable_material()->clear_young_modulus(); }},
+        Case{"NegativeNormal", "particles.bonds.normal_stiffness", "above 0",
+             [](auto& s) { bonds(s).set_normal_stiffness(-1); }},
+        Case{"NegativeShear", "particles.bonds.shear_stiffness", "0 or above",
+             [](auto& s) { bonds(s).set_shear_stiffness(-1); }},
+        Case{"NoTensileStrength", "particles.bonds.tensile_strength", "above 0",
+             [](auto& s) { bonds(s).set_tensile_strength(0); }},
+        Case{"NoShearStrength", "particles.bonds.shear_strength", "above 0",
+             [](auto& s) { bonds(s).set_shear_strength(-5); }},
+        Case{"LoadMisses", "particles.loads[0].where", "selects no particles",
+             [](auto& s) { s.mutable_particles()->mutable_loads(0)->mutable_where()->set_x_max(0.01); }},
+        Case{"LoadTable", "particles.loads[0].time.table", "one value for each time",
+             [](auto& s) {
+               s.mutable_particles()->mutable_loads(0)->mutable_time()->mutable_table()->add_time(1);
+             }},
+        Case{"BodyLoadMisses", "particles.body_loads[1].where", "selects no particles",
+             [](auto& s) {
+               s.mutable_particles()->add_body_loads();
+               s.mutable_particles()->add_body_loads()->mutable_where()->set_x_min(11);
+             }},
+        Case{"MotionMisses", "particles.motions[0].where", "selects no particles",
+             [](auto& s) { s.mutable_particles()->mutable_motions(0)->mutable_where()->set_x_min(11); }},
+        Case{"MotionOfNothing", "particles.motions[1]", "prescribes nothing",
+             [](auto& s) { s.mutable_particles()->add_motions(); }},
+        Case{"MotionsOverlap", "particles.motions[1].where", "earlier motion",
+             [](auto& s) { s.mutable_particles()->add_motions()->mutable_velocity()->set_y(1); }},
+        Case{"SpinsOverlap", "particles.motions[1].where", "spin",
+             [](auto& s) { s.mutable_particles()->add_motions()->set_spin(1); }}),
+    [](const auto& info) { return info.param.name; });
+
+// Stiffnesses given by the user need no calibration, so any Poisson ratio will do.
+TEST(UserStiffnesses, ReplaceTheCalibration) {
+  auto scene = test::cantilever_scene();
+  scene.mutable_material()->set_poisson_ratio(0.45);
+  bonds(scene).set_normal_stiffness(2e10);
+  bonds(scene).set_shear_stiffness(0);
+  const double mass = cell_mass(2500, test::kCantileverRadius);
+  EXPECT_NEAR(test::InProcessRun(scene).model.critical_dt(), 2 / std::sqrt(12 * 2e10 / mass),
+              0.3 * std::sqrt(mass / 2e10));
+}
+
+// An overlap that leaves no particles is the user's error at the overlap.
+TEST(UserErrors, OverlapLeavesNoParticles) {
+  const auto scene = test::cantilever_scene();
+  wire::Weights weights;
+  weights.set_floor(1e-3);
+  weights.mutable_weights()->Resize(698 + 1921, 0.0);
+  try {
+    test::InProcessRun run(scene, weights);
+    FAIL() << "accepted";
+  } catch (const protocol::UserError& error) {
+    EXPECT_EQ(error.path(), "interface.overlap");
+    EXPECT_THAT(error.what(), testing::HasSubstr("move the strip"));
+  }
+}
+
+// Loads must find particles among those that exist under the weights.
+TEST(UserErrors, LoadOnVanishedParticles) {
+  const auto scene = test::cantilever_scene();
+  const auto model = test::InProcessRun(scene).model;
+  wire::Weights weights;
+  weights.set_floor(1e-3);
+  for (int k = 0; k < model.sample_points_size(); k += 2)
+    weights.add_weights(std::clamp((model.sample_points(k) - 4) / 2, 0.0, 1.0));
+  try {
+    test::InProcessRun run(scene, weights);
+    FAIL() << "accepted";
+  } catch (const protocol::UserError& error) {
+    EXPECT_EQ(error.path(), "particles.loads[0].where");
+  }
+}
+
+}  // namespace
+}  // namespace adit::dem

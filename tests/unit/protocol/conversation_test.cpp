@@ -1,0 +1,113 @@
+#include <gmock/gmock.h>
+
+#include <stdexcept>
+#include <thread>
+
+#include "protocol/participant.hpp"
+
+namespace adit::protocol {
+namespace {
+
+using testing::HasSubstr;
+
+class Recorder : public Participant {
+ public:
+  void set_up(const wire::Setup&, wire::Model& model) override { model.set_critical_dt(1); }
+  void weigh(const wire::Weights&, wire::Interface& interface) override { interface.set_zones(4); }
+  void couple(const wire::Couple&, wire::Operator& op) override { op.add_values(1); }
+  void advance(const wire::Advance& advance, wire::Predicted& predicted) override {
+    EXPECT_FALSE(predicted.has_energies()) << "answers arrive cleared";
+    predicted.set_step(advance.step());
+    if (advance.want_energies()) predicted.mutable_energies();
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  void snapshot(const wire::SnapshotRequest&, wire::Snapshot& snapshot) override { snapshot.add_pieces(); }
+  void finish(wire::Bye& bye) override { bye.set_updates(9); }
+};
+
+wire::Frame request(wire::Frame::ContentCase kind, std::uint64_t step = 0) {
+  wire::Frame frame;
+  const auto* field = wire::Frame::descriptor()->FindFieldByNumber(kind);
+  wire::Frame::GetReflection()->MutableMessage(&frame, field);
+  if (frame.has_advance()) frame.mutable_advance()->set_step(step);
+  return frame;
+}
+
+struct ConversationTest : testing::Test {
+  Recorder participant;
+  Conversation conversation{participant};
+  wire::Frame reply;
+
+  wire::Frame::ContentCase ask(wire::Frame::ContentCase kind, std::uint64_t step = 0) {
+    conversation.answer(request(kind, step), reply);
+    return reply.content_case();
+  }
+};
+
+// Every request of a coupled run is answered by the message that wire.proto pairs with it.
+TEST_F(ConversationTest, AnswersACoupledRun) {
+  EXPECT_EQ(ask(wire::Frame::kSetup), wire::Frame::kModel);
+  EXPECT_EQ(ask(wire::Frame::kWeights), wire::Frame::kInterface);
+  EXPECT_EQ(ask(wire::Frame::kCouple), wire::Frame::kOperator);
+  EXPECT_EQ(ask(wire::Frame::kAdvance, 0), wire::Frame::kPredicted);
+  EXPECT_EQ(ask(wire::Frame::kSnapshotRequest), wire::Frame::kSnapshot);
+  EXPECT_EQ(ask(wire::Frame::kAdvance, 1), wire::Frame::kPredicted);
+  EXPECT_GE(reply.predicted().compute_seconds(), 0.002);
+  EXPECT_FALSE(conversation.finished());
+  EXPECT_EQ(ask(wire::Frame::kFinish), wire::Frame::kBye);
+  EXPECT_TRUE(conversation.finished());
+}
+
+TEST_F(ConversationTest, AnswersARunWithoutCoupling) {
+  ask(wire::Frame::kSetup);
+  ask(wire::Frame::kWeights);
+  EXPECT_EQ(ask(wire::Frame::kAdvance, 0), wire::Frame::kPredicted);
+}
+
+// What was wanted in one step does not stand in the answer to the next.
+TEST_F(ConversationTest, AnswersArriveCleared) {
+  ask(wire::Frame::kSetup);
+  ask(wire::Frame::kWeights);
+  auto advance = request(wire::Frame::kAdvance, 0);
+  advance.mutable_advance()->set_want_energies(true);
+  conversation.answer(advance, reply);
+  EXPECT_TRUE(reply.predicted().has_energies());
+  ask(wire::Frame::kAdvance, 1);
+  EXPECT_FALSE(reply.predicted().has_energies());
+}
+
+TEST_F(ConversationTest, RefusesWhatIsOutOfOrder) {
+  using Kind = wire::Frame::ContentCase;
+  const auto refuses = [&](Kind kind, std::uint64_t step = 0) {
+    EXPECT_THROW(ask(kind, step), std::logic_error) << "kind " << kind;
+  };
+  for (const Kind kind : {Kind::kWeights, Kind::kCouple, Kind::kAdvance, Kind::kSnapshotRequest,
+                          Kind::kFinish, Kind::kHello, Kind::kModel}) {
+    refuses(kind);
+  }
+  ask(Kind::kSetup);
+  for (const Kind kind : {Kind::kSetup, Kind::kCouple, Kind::kAdvance, Kind::kSnapshotRequest}) refuses(kind);
+  ask(Kind::kWeights);
+  for (const Kind kind : {Kind::kSetup, Kind::kWeights}) refuses(kind);
+  ask(Kind::kAdvance, 0);
+  refuses(Kind::kCouple);
+  ask(Kind::kFinish);
+  for (const Kind kind : {Kind::kSetup, Kind::kAdvance, Kind::kFinish}) refuses(kind);
+}
+
+// A step that is left out or repeated is named.
+TEST_F(ConversationTest, RefusesASkippedStep) {
+  ask(wire::Frame::kSetup);
+  ask(wire::Frame::kWeights);
+  ask(wire::Frame::kAdvance, 0);
+  try {
+    ask(wire::Frame::kAdvance, 2);
+    FAIL() << "accepted";
+  } catch (const std::logic_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("advance to step 2"));
+    EXPECT_THAT(error.what(), HasSubstr("next step: 1"));
+  }
+}
+
+}  // namespace
+}  // namespace adit::protocol
