@@ -12,13 +12,14 @@
 
 #include "coupler/launch.hpp"
 #include "coupler/remote_peer.hpp"
+#include "coupler/results/run_directory.hpp"
 #include "coupler/run.hpp"
-#include "coupler/run_directory.hpp"
 #include "coupler/set_up.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/greeting.hpp"
+#include "protocol/release.hpp"
 #include "protocol/scene_hash.hpp"
-#include "protocol/scene_reader.hpp"
+#include "protocol/scene_program.hpp"
 #include "protocol/scene_writer.hpp"
 
 namespace {
@@ -87,29 +88,6 @@ void check_scene(const Options& options, const protocol::SceneFile& file) {
   fmt::print("{} can be computed\n", options.scene);
 }
 
-// One sentence on standard error for every way in which a run ends early, and the exit code for it.
-template <class Work>
-int report_errors(const Options& options, Work work) {
-  protocol::SceneFile file;
-  try {
-    file = protocol::read_scene(options.scene, protocol::parse_overrides(options.sets));
-    work(options, file);
-    return protocol::kSuccess;
-  } catch (const protocol::UserError& error) {
-    fmt::print(stderr, "error: {}\n", protocol::describe(file, error));
-    return protocol::kUserError;
-  } catch (const protocol::PeerLost& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
-    return protocol::kPeerLost;
-  } catch (const protocol::Unstable& error) {
-    fmt::print(stderr, "error: {}: {}\n", options.scene, error.what());
-    return protocol::kUnstable;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "internal error: {}\n", error.what());
-    return protocol::kInternalError;
-  }
-}
-
 void add_common_options(CLI::App& command, Options& options) {
   command.add_option("scene", options.scene, "scene file (YAML)")->required();
   command.add_option("--set", options.sets, "path=value: replaces a field of the scene; may be repeated")
@@ -138,5 +116,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? protocol::kSuccess : protocol::kUserError;
   }
-  return run_command->parsed() ? report_errors(options, run_scene) : report_errors(options, check_scene);
+  const auto& work = run_command->parsed() ? run_scene : check_scene;
+  return protocol::with_scene(options.scene, options.sets,
+                              [&](const protocol::SceneFile& file) { work(options, file); });
 }

@@ -131,8 +131,14 @@ void choose_time_step(Model& model) {
 }  // namespace
 
 std::vector<Role> roles(const scene::Scene& scene) {
+  if (scene.has_simplified())
+    throw UserError("simplified", "is computed by the program `simplified`, not by `coupler`");
   if (!scene.has_continuum() && !scene.has_particles())
     throw UserError("", "has neither `continuum` nor `particles`; give at least one of them");
+  if (!scene.has_material())
+    throw UserError("material",
+                    "is missing; write for example `material: {young_modulus: 30 GPa, poisson_ratio: 0.25, "
+                    "density: 2.5 t/m^3}`");
   const bool both = scene.has_continuum() && scene.has_particles();
   if (both && !scene.has_interface())
     throw UserError("",

@@ -5,6 +5,7 @@
 #include <boost/asio/connect.hpp>
 
 #include "protocol/errors.hpp"
+#include "protocol/release.hpp"
 
 namespace adit::protocol {
 namespace {
@@ -42,10 +43,6 @@ std::string program_of_other_version(Connection& connection) {
 }
 
 }  // namespace
-
-std::string_view release() {
-  return ADIT_RELEASE;
-}
 
 std::unique_ptr<Connection> connect(const Address& address, std::string_view program,
                                     const Patience& patience) {

@@ -9,9 +9,6 @@
 
 namespace adit::protocol {
 
-// This program's version, as in "0.1.0".
-std::string_view release();
-
 // Connects to a server, `program`. An address where nothing listens, or nobody answers, is a UserError.
 std::unique_ptr<Connection> connect(const Address& address, std::string_view program,
                                     const Patience& patience = {});

@@ -70,7 +70,7 @@ YamlValue merge_layers(std::vector<YamlValue> layers) {
 
 }  // namespace
 
-std::string SceneFile::locate(std::string_view field) const {
+const YamlValue& SceneFile::nearest(std::string_view field) const {
   const YamlValue* value = &tree;
   const auto steps = parse_path(field);
   for (const PathStep& step : steps ? *steps : std::vector<PathStep>{}) {
@@ -81,7 +81,16 @@ std::string SceneFile::locate(std::string_view field) const {
     if (*step.index >= value->children.size()) break;
     value = &value->children[*step.index];
   }
-  return value->place.text();
+  return *value;
+}
+
+std::string SceneFile::locate(std::string_view field) const {
+  return nearest(field).place.text();
+}
+
+std::string SceneFile::folder(std::string_view field) const {
+  const Place& place = nearest(field).place;
+  return place.line > 0 ? fs::path(*place.source).parent_path().string() : "";
 }
 
 SceneFile read_scene(const std::string& path, std::span<const Override> sets) {

@@ -19,6 +19,12 @@ struct SceneFile {
 
   // "file:line:column" (or "--set path=value") of the field, or of the nearest field around it that is given.
   std::string locate(std::string_view field) const;
+
+  // Folder of the file in which the field is given, to which a path in it is relative; empty for `--set`.
+  std::string folder(std::string_view field) const;
+
+ private:
+  const YamlValue& nearest(std::string_view field) const;
 };
 
 // Larger files are refused: a list of short numbers needs some 120 bytes of memory for each byte of its file.

@@ -49,6 +49,10 @@ void emit_value(YAML::Emitter& out, const Message& message, const FieldDescripto
       out << (list ? reflection->GetRepeatedUInt32(message, field, index)
                    : reflection->GetUInt32(message, field));
       break;
+    case FieldDescriptor::CPPTYPE_BOOL:
+      out << (list ? reflection->GetRepeatedBool(message, field, index)
+                   : reflection->GetBool(message, field));
+      break;
     case FieldDescriptor::CPPTYPE_STRING:
       out << YAML::DoubleQuoted
           << (list ? reflection->GetRepeatedString(message, field, index)

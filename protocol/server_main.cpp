@@ -8,6 +8,7 @@
 
 #include "protocol/errors.hpp"
 #include "protocol/greeting.hpp"
+#include "protocol/release.hpp"
 #include "protocol/server.hpp"
 
 namespace adit::protocol {

@@ -2,7 +2,6 @@
 add_library(adit_transport STATIC
   address.cpp connection.cpp error_frame.cpp frame.cpp greeting.cpp heartbeat.cpp
   listener.cpp participant.cpp refusal.cpp server.cpp server_main.cpp)
-set_source_files_properties(greeting.cpp PROPERTIES COMPILE_DEFINITIONS ADIT_RELEASE="${PROJECT_VERSION}")
 target_link_libraries(adit_transport
   PUBLIC adit::options adit_messages Boost::boost
   PRIVATE adit_scene spdlog::spdlog CLI11::CLI11 Threads::Threads)

@@ -59,9 +59,20 @@ def _read(path, reader):
         raise Unusable(f"{path} is damaged ({type(error).__name__}: {error}): run the scene again.") from error
 
 
+def read_columns(path):
+    """{name: values} of a table; columns that are not numbers stay texts."""
+    return _read(path, _read_columns)
+
+
 def _read_columns(path):
     with open(path, newline="") as file:
         header, *rows = csv.reader(file)
     rows = [row for row in rows if len(row) == len(header)]  # a killed run may end in half a row
-    values = np.array(rows, float).reshape(len(rows), len(header))
-    return dict(zip(header, values.T))
+    return {name: _column([row[i] for row in rows]) for i, name in enumerate(header)}
+
+
+def _column(texts):
+    try:
+        return np.array(texts, float)
+    except ValueError:
+        return np.array(texts)

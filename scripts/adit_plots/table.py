@@ -13,7 +13,16 @@ ROWS = (  # what, key of summary.json, divisor, format
     ("  at y [m]", "first_crack_y_m", 1, "{:.2f}"),
     ("cracks", "crack_count", 1, "{:.0f}"),
     ("energy drift", "max_energy_drift", 1, "{:.1e}"),
+    ("axial force [MN]", "max_axial_force_N", 1e6, "{:,.1f}"),
+    ("lateral moment [MN m]", "max_moment_lateral_N_m", 1e6, "{:,.1f}"),
+    ("lateral shear [MN]", "max_shear_lateral_N", 1e6, "{:,.2f}"),
+    ("strain [1e-6]", "max_strain", 1e-6, "{:,.0f}"),
+    ("element joint opening [mm]", "element_joint_max_opening_m", 1e-3, "{:.2f}"),
+    ("  at [m]", "element_joint_max_opening_chainage_m", 1, "{:.0f}"),
+    ("segment joint opening [mm]", "segment_joint_max_opening_m", 1e-3, "{:.2f}"),
+    ("ring joint opening [mm]", "ring_joint_max_opening_m", 1e-3, "{:.3f}"),
     ("wall time [s]", "wall_s", 1, "{:.2f}"),
+    ("real-time factor", "real_time_factor", 1, "{:.0f}"),
 )
 
 
@@ -29,4 +38,6 @@ def column(folder):
 columns = [[""] + [row[0] for row in ROWS]] + [column(Path(folder)) for folder in sys.argv[1:]]
 widths = [max(map(len, cells)) for cells in columns]
 for line in zip(*columns):
+    if all(cell == "-" for cell in line[1:]):  # no run has it
+        continue
     print("  " + line[0].ljust(widths[0]), *(cell.rjust(width + 2) for cell, width in zip(line[1:], widths[1:])))

@@ -1,5 +1,5 @@
 // Results never destroy what is no result.
-#include "coupler/run_directory.hpp"
+#include "coupler/results/run_directory.hpp"
 
 #include <gtest/gtest.h>
 

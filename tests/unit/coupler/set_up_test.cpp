@@ -86,6 +86,14 @@ TEST(SetUp, RefusesModelsWithoutAnInterfaceAndAnInterfaceWithoutModels) {
   expect_refusal(scene, "", "neither `continuum` nor `particles`");
 }
 
+TEST(SetUp, RefusesASceneWithoutMaterialAndOneOfTheSimplifiedModels) {
+  scene::Scene scene = coupled_bar();
+  scene.clear_material();
+  expect_refusal(scene, "material", "is missing");
+  scene.mutable_simplified();
+  expect_refusal(scene, "simplified", "program `simplified`");
+}
+
 // Requirement: errors that a participant finds keep their place in the scene.
 TEST(SetUp, PassesOnWhatAParticipantRefuses) {
   scene::Scene scene = coupled_bar();

@@ -1,4 +1,5 @@
 #include "protocol/connection.hpp"
+#include "protocol/release.hpp"
 
 #include <gmock/gmock.h>
 

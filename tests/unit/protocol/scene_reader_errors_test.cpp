@@ -33,7 +33,7 @@ TEST(SceneErrors, UnknownKeyGetsTheNearestNameAndTheKnownOnes) {
   EXPECT_EQ(
       about("fluid: 3\n"),
       "x.yaml:3:1: fluid: unknown; known here: base, name, description, plane, material, time, continuum, "
-      "particles, interface, output");
+      "particles, interface, output, simplified");
   EXPECT_THAT(about("<<: {}\n"), StartsWith("x.yaml:3:1: <<: unknown; known here"));
 }
 
@@ -89,8 +89,7 @@ TEST(SceneErrors, UnknownEnumerator) {
 
 TEST(SceneErrors, MissingFieldNamesTheMappingAroundItAndWhatToWrite) {
   EXPECT_EQ(complaint_about("description: nothing else\n"),
-            "x.yaml:1:1: material: is missing; write for example `material: {young_modulus: 30 GPa, "
-            "poisson_ratio: 0.25, density: 2.5 t/m^3}`");
+            "x.yaml:1:1: time: is missing; write for example `time: {duration: 10 ms}`");
   EXPECT_EQ(complaint_about("material:\n  young_modulus: 1 GPa\n  poisson_ratio: 0.2\n"),
             "x.yaml:1:1: material.density: is missing; write for example `density: 2.5 t/m^3`");
   EXPECT_EQ(about("continuum:\n  histories:\n    - name: tip\n"),

@@ -1,4 +1,4 @@
-#include "coupler/run_directory.hpp"
+#include "coupler/results/run_directory.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,10 +11,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// All that a run, its servers' logs and its pictures leave.
-constexpr std::array<std::string_view, 8> kResults = {"summary.json",   "histories.csv", "cracks.csv",
-                                                      "scene.yaml",     "fields",        "pictures",
-                                                      "fdm_server.log", "dem_server.log"};
+// All that a run of `coupler` or `simplified`, its servers' logs and its pictures leave.
+constexpr std::array<std::string_view, 13> kResults = {
+    "summary.json",  "histories.csv",    "cracks.csv",
+    "scene.yaml",    "fields",           "pictures",
+    "zoom",          "fdm_server.log",   "dem_server.log",
+    "envelopes.csv", "soil_profile.csv", "time_distance.csv",
+    "joints.csv"};
 
 }  // namespace
 

@@ -1,0 +1,30 @@
+// What engineers state of a motion.
+#pragma once
+
+#include <vector>
+
+#include "protocol/motion/motion.hpp"
+
+namespace adit::motion {
+
+// Largest absolute values: PGA [m/s^2], PGV [m/s], PGD [m].
+struct Peaks {
+  double acceleration;
+  double velocity;
+  double displacement;
+};
+Peaks peaks(const Motion& motion);
+
+// Arias intensity [m/s]: pi / (2 g) times the integral of the acceleration squared, exact for the straight
+// lines between the values.
+double arias_intensity(const Motion& motion);
+
+// Amplitude |dt sum a_k exp(-2 pi i f k dt)| [m/s] at `frequency` [Hz] from 0 to Nyquist. The motion is
+// lengthened with zeros to a power of two, 2 m values; there are m + 1 frequencies at steps of 1 / (2 m dt).
+struct FourierSpectrum {
+  std::vector<double> frequency;
+  std::vector<double> amplitude;
+};
+FourierSpectrum fourier_spectrum(const Motion& motion);
+
+}  // namespace adit::motion

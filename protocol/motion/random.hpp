@@ -1,0 +1,30 @@
+// Random numbers that are the same on every machine: the standard fixes the output of mt19937_64, but not
+// that of its distributions.
+#pragma once
+
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <numbers>
+#include <random>
+
+namespace adit::motion {
+
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+
+  // Uniform in [0, 1): the upper 53 bits.
+  double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+
+  // Gaussian about zero, mean of |z|^2 one (Box & Muller).
+  std::complex<double> complex_gaussian() {
+    const double radius = std::sqrt(-std::log(1 - uniform()));
+    return std::polar(radius, 2 * std::numbers::pi * uniform());
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+}  // namespace adit::motion

@@ -1,0 +1,42 @@
+#include "protocol/motion/record_text.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+
+#include "protocol/errors.hpp"
+#include "protocol/text.hpp"
+
+namespace adit::motion {
+
+using protocol::quote;
+using protocol::UserError;
+
+void RecordText::refuse(std::size_t line, const std::string& message) const {
+  throw UserError("", fmt::format("{}:{}: {}", file, line + 1, message));
+}
+
+double RecordText::number(std::size_t line, std::string_view text) const {
+  const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
+  double value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
+    refuse(line, quote(text) + " is not a number; a number such as `-0.12E-3` is expected");
+  return value;
+}
+
+RecordText read_text(const std::filesystem::path& file) {
+  RecordText text{file.string(), {}};
+  std::ifstream stream(file, std::ios::binary);
+  if (std::filesystem::is_directory(file) || !stream)
+    throw UserError("", text.file + ": cannot be read; give the path of a record");
+  for (std::string line; std::getline(stream, line);) {
+    if (line.ends_with('\r')) line.pop_back();
+    text.lines.push_back(line);
+  }
+  return text;
+}
+
+}  // namespace adit::motion

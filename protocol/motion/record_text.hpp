@@ -1,0 +1,25 @@
+// What both readers need: the lines of a file, numbers in them, and messages that name the place.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace adit::motion {
+
+struct RecordText {
+  std::string file;
+  std::vector<std::string> lines;  // without their ends
+
+  // Throws UserError "file:line: message"; lines count from 0 here and from 1 in the message.
+  [[noreturn]] void refuse(std::size_t line, const std::string& message) const;
+
+  // The finite number that is all of `text`, found in `line`.
+  double number(std::size_t line, std::string_view text) const;
+};
+
+RecordText read_text(const std::filesystem::path& file);
+
+}  // namespace adit::motion

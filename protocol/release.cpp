@@ -1,0 +1,9 @@
+#include "protocol/release.hpp"
+
+namespace adit::protocol {
+
+std::string_view release() {
+  return ADIT_RELEASE;
+}
+
+}  // namespace adit::protocol

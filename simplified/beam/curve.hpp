@@ -1,0 +1,52 @@
+// A monotone piecewise linear force law f(e) without memory: gaskets, cables, keys and linear springs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace adit::simplified::beam {
+
+struct CurvePoint {
+  double elongation = 0;  // [m], or per metre
+  double force = 0;       // [N], or per metre; tension positive
+};
+
+// What a nonlinear spring answers when its elongation goes from e0 to e1 along a straight path.
+struct SpringAnswer {
+  double force = 0;    // to put into the equation of motion
+  double tangent = 0;  // its derivative by e1
+};
+
+// f is linear between the points and continues beyond the outer ones with the given end slopes.
+struct Curve {
+  std::vector<CurvePoint>
+      points;               // strictly increasing elongations, forces that do not decrease; at least one
+  double slope_before = 0;  // [N/m] below the first point, not negative
+  double slope_after = 0;   // [N/m] above the last point, not negative
+
+  double force(double e) const;
+  double tangent(double e) const;           // at a corner: that of the piece above
+  double work(double e0, double e1) const;  // ∫ f de from e0 to e1 [J], exact
+  // Mean of f over [e0, e1], work/(e1 − e0), and its derivative by e1: the force that conserves energy.
+  SpringAnswer mean(double e0, double e1) const;
+};
+
+Curve linear(double stiffness);                 // f = k e
+Curve cable(double stiffness, double slack);    // f = k (e − slack) for e > slack, else 0
+Curve key(double stiffness, double clearance);  // f = k (|e| − clearance) beyond the clearance, either way
+
+// A gasket that carries compression only. `compression` is its load curve (compression [m] from 0, force [N]
+// per metre of gasket, both positive here; beyond the last point the last slope goes on). In the installed
+// state it is compressed by `pre_compression` [N/m of gasket], which outside pressure balances; e counts from
+// there, and f is the force beyond that balance: f(0) = 0, and f = +pre_compression, constant, once the
+// gasket has let go.
+Curve gasket(const std::vector<CurvePoint>& compression, double pre_compression);
+
+// The compression [m] at which the load curve carries `force`.
+double compression_under(const std::vector<CurvePoint>& compression, double force);
+
+// Throw UserError at path[i] where a table is not monotone (`load curve`: starts at (0, 0), rises).
+void check(const Curve& curve, const std::string& path);
+void check_load_curve(const std::vector<CurvePoint>& compression, const std::string& path);
+
+}  // namespace adit::simplified::beam

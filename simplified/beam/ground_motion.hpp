@@ -1,0 +1,36 @@
+// How the far ends of the soil springs move: each point of the tunnel has its own ground.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace adit::simplified::beam {
+
+// Ground at the support points, by direction then point.
+struct GroundState {
+  std::array<std::vector<double>, 3> displacement;  // [m]
+  std::array<std::vector<double>, 3> velocity;      // [m/s]
+};
+
+// Fills the state, which has the size of `chainages` [m] (ascending, the same in every call of a run), for a
+// time [s].
+using GroundMotion = std::function<void(double time, std::span<const double> chainages, GroundState& state)>;
+
+// Motions known at stations and equal steps of time; linear between stations and between steps, constant
+// beyond the outer stations.
+struct StationMotions {
+  double dt = 0;                  // [s]
+  std::vector<double> chainages;  // [m] strictly increasing
+  // By direction (Direction of tunnel.hpp), station, step; an empty direction stands still.
+  std::array<std::vector<std::vector<double>>, 3> displacement, velocity;
+};
+
+// Throws UserError (path "stations…") where sizes differ, chainages do not increase or no
+// step is given; the motion itself throws UserError where a time beyond the last step is asked.
+GroundMotion interpolated(StationMotions motions);
+
+GroundMotion still();  // no motion
+
+}  // namespace adit::simplified::beam

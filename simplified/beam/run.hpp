@@ -1,0 +1,73 @@
+// One run of the mass-spring-beam model: static state, then the motion; envelopes and histories.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "simplified/beam/energy.hpp"
+#include "simplified/beam/ground_motion.hpp"
+#include "simplified/beam/scheme.hpp"
+#include "simplified/beam/tunnel.hpp"
+
+namespace adit::simplified::beam {
+
+struct RunOptions {
+  double dt = 0;   // [s]
+  long steps = 0;  // time ends at steps·dt
+  Scheme scheme = energy_conserving();
+  std::vector<double> stations;  // [m] chainages whose histories are wanted
+  int history_every = 1;         // steps between records of histories
+  int field_every = 0;  // steps between records along the whole axis (time–distance plots), 0: none
+};
+
+// Largest and smallest value of a quantity and when, by place.
+struct Envelope {
+  std::vector<double> minimum, minimum_time, maximum, maximum_time;
+};
+
+// Values at one record; along the axis for fields, at the stations for histories.
+struct Record {
+  double time = 0;
+  std::vector<double> displacement[3];  // [m] of the tube
+  std::vector<double> axial_force;      // [N]
+  std::vector<double> moment_lateral;   // [N m]
+  std::vector<double> moment_vertical;  // [N m]
+  std::vector<double> shear_lateral;    // [N]
+  std::vector<double> shear_vertical;   // [N]
+  std::vector<double> opening;          // [m] of every joint, at the point of its perimeter that opens most
+};
+
+struct JointResult {
+  double chainage = 0;
+  double installed_compression = 0;              // [m] of the gaskets, by the hydrostatic force
+  double largest_opening = 0, opening_time = 0;  // [m] at the point that opens most, from the installed state
+  double largest_compression = 0, compression_time = 0;  // [m] at the point that closes most
+  double largest_offset = 0, offset_time = 0;            // [m] across the axis
+  // Gaskets: first time at which some point lets go; Omega: first time at which its limit is passed.
+  // Infinite: never.
+  double contact_lost_time = std::numeric_limits<double>::infinity();
+  double omega_exceeded_time = std::numeric_limits<double>::infinity();
+};
+
+struct Results {
+  // At the middle of every element. Forces are those of the run beyond the installed state: the
+  // pre-compression of the joints (−hydrostatic force) is not in the axial force. Static loads are.
+  std::vector<double> chainage;
+  Envelope axial_force, moment_lateral, moment_vertical, shear_lateral, shear_vertical;
+  Envelope strain;  // axial strain of the outermost fibre: minimum compressive, maximum tensile
+  std::vector<JointResult> joints;
+  std::vector<Record> histories;  // by record; places are the elements and nodes nearest to the stations
+  std::vector<Record> fields;     // by record; places are `chainage`
+  Energy energy;                  // at the end
+  double energy_error = 0;        // largest |error| over the run / largest energy moved
+  double wall_s = 0;
+  long newton_iterations = 0, factorizations = 0;
+};
+
+// Throws UserError (tunnel, options), Unstable where Newton does not converge or a value is not finite, with
+// time.
+Results run(const Tunnel& tunnel, const GroundMotion& motion, const RunOptions& options);
+
+}  // namespace adit::simplified::beam

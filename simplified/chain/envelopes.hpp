@@ -1,0 +1,44 @@
+// The least and greatest of every result since the start.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace adit::simplified::chain {
+
+struct Extremes {
+  explicit Extremes(std::size_t size) : min(size), max(size) {}
+  std::vector<double> min, max;
+
+  void reset_to(std::span<const double> values) {
+    std::copy(values.begin(), values.end(), min.begin());
+    std::copy(values.begin(), values.end(), max.begin());
+  }
+  // By values[begin] … values[end - 1].
+  void widen_to(std::span<const double> values, std::size_t begin, std::size_t end) {
+    double *least = min.data(), *most = max.data();
+    for (std::size_t i = begin; i < end; ++i) {
+      least[i] = values[i] < least[i] ? values[i] : least[i];
+      most[i] = values[i] > most[i] ? values[i] : most[i];
+    }
+  }
+};
+
+struct Envelopes {
+  Envelopes(std::size_t bodies, std::size_t joints)
+      : x(bodies),
+        y(bodies),
+        opening(joints),
+        slip(joints),
+        rotation(joints),
+        axial_force(joints),
+        shear_force(joints),
+        moment(joints) {}
+  Extremes x, y;                              // of the centres [m], one a body
+  Extremes opening, slip, rotation;           // [m], [m], [rad], one a joint
+  Extremes axial_force, shear_force, moment;  // [N], [N], [N m], that at rest included
+};
+
+}  // namespace adit::simplified::chain

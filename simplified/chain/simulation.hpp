@@ -1,0 +1,105 @@
+// A chain in motion: implicit steps of fixed length, O(n) each, no allocation in the step.
+//
+//   Simulation run(chain, {.dt = 0.005});
+//   while (…) { …fill the ground motions of the next instant…; run.step({.ground_x = ux, .ground_vx = vx}); }
+//   run.joints().axial.deformation[j], run.envelopes().axial_force.max[j], …
+//
+// Body i = 0 … n - 1; joint j = 0 … n lies before body j: 0 and n are the ends, 1 … n - 1 the hinges. A free
+// end carries no force; its deformation is the end's motion relative to the ground there.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+
+#include "simplified/chain/chain.hpp"
+#include "simplified/chain/envelopes.hpp"
+#include "simplified/chain/integrator.hpp"
+
+namespace adit::simplified::chain {
+
+// Riccati is for use. The plain product of transfer matrices is for study: it loses digits with every joint.
+enum class Sweep { kRiccati, kTransferMatrix };
+
+struct Settings {
+  double dt = 0;  // [s]
+  Method method = Newmark{};
+  Sweep sweep = Sweep::kRiccati;
+  // Curves are re-linearized within the step until no joint's force is off its curve by more than this part
+  // of the largest force in its table.
+  double tolerance = 1e-9;
+  int max_iterations = 50;
+};
+
+// What acts at one instant: one value a body, or none at all for zero.
+struct Excitation {
+  std::span<const double> ground_x = {}, ground_y = {};    // displacement of the ground [m]
+  std::span<const double> ground_vx = {}, ground_vy = {};  // its velocity [m/s]
+  std::span<const double> load_x = {}, load_y = {};        // on the centres [N]
+  std::span<const double> moment = {};                     // [N m]
+};
+
+// One value a body, or none at all for zero.
+struct InitialMotion {
+  std::span<const double> x = {}, y = {}, rotation = {};  // [m], [rad]
+  std::span<const double> vx = {}, vy = {}, spin = {};    // [m/s], [rad/s]
+};
+
+// Of the bodies' centres, in the axes of the plane.
+struct BodyMotion {
+  std::span<const double> x, y, rotation;                // displacement [m], [rad]
+  std::span<const double> vx, vy, spin;                  // [m/s], [rad/s]
+  std::span<const double> ax, ay, angular_acceleration;  // [m/s^2], [rad/s^2]
+};
+
+// One value a joint, in the joint's axes.
+struct JointDirection {
+  std::span<const double> deformation;  // opening, slip [m] or rotation [rad]
+  std::span<const double> force;        // [N], [N m], that at rest included
+};
+struct Joints {
+  JointDirection axial, shear, rotation;
+};
+
+// How many of the 15.65 decimal digits of a double the plain product of transfer matrices loses in this
+// chain.
+struct DigitsLost {
+  double predicted = 0;  // sum over the hinges of log10 of the growth of one cell: acosh(1 + s/2k)/ln 10 in
+                         // axial direction, s the body's dynamic stiffness m A + K + C C_g, k the hinge's
+  double measured =
+      0;  // in the last step, against the Riccati sweep, capped at 15.65; only with kTransferMatrix
+  bool dead() const;  // no digit is left: what the product says is noise
+};
+
+class Simulation {
+ public:
+  // At rest. Throws protocol::UserError at a field of the chain, `dt`, `integrator.…`, `tolerance`,
+  // `max_iterations`, or where a hinge without stiffness meets kTransferMatrix.
+  Simulation(const Chain& chain, const Settings& settings);
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+
+  // Replaces the state at rest, before the first step; `at_start` acts at t = 0 and gives the first
+  // acceleration.
+  void start(const InitialMotion& motion, const Excitation& at_start = {});
+
+  // One step; `at_end` acts at its end. Throws std::invalid_argument for spans of a wrong size,
+  // protocol::Unstable with step and place where a value is not finite or a curve does not converge.
+  void step(const Excitation& at_end);
+
+  long steps() const;
+  double time() const;      // [s]
+  long iterations() const;  // solutions of the linear equations so far: more than the steps where curves bend
+  BodyMotion bodies() const;  // valid until the next step, as all that follows
+  Joints joints() const;
+  const Envelopes& envelopes() const;  // since the start
+  // Computes the prediction anew (O(n), some microseconds a joint): ask once a run, not once a step.
+  DigitsLost digits_lost() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace adit::simplified::chain

@@ -1,0 +1,47 @@
+// A horizontally layered soil deposit on rock, shaken by waves that travel vertically.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace adit::simplified::column {
+
+struct Layer {
+  double thickness;       // [m]
+  double density;         // [kg/m^3]
+  double wave_velocity;   // [m/s]: V_s for horizontal motion, V_p for vertical motion
+  double damping = 0.05;  // hysteretic damping ratio xi: the modulus is rho V^2 (1 + 2 i xi)
+
+  double modulus() const { return density * wave_velocity * wave_velocity; }  // [Pa]
+  double impedance() const { return density * wave_velocity; }                // [Pa s/m]
+  bool operator==(const Layer&) const = default;
+};
+
+// The half-space below: elastic, without damping.
+struct Rock {
+  double density;        // [kg/m^3]
+  double wave_velocity;  // [m/s]
+
+  double modulus() const { return density * wave_velocity * wave_velocity; }  // [Pa]
+  double impedance() const { return density * wave_velocity; }                // [Pa s/m]
+  bool operator==(const Rock&) const = default;
+};
+
+// Depths z are measured downwards from the surface [m].
+struct Deposit {
+  std::vector<Layer> layers;  // from the surface down
+  // Absent: rigid rock, the given motion is that of the deposit's base. Present: elastic rock, the given
+  // motion is that of its outcrop, twice the wave that rises.
+  std::optional<Rock> rock;
+
+  double thickness() const;  // H [m]
+  double mass() const;       // per area [kg/m^2]
+  bool operator==(const Deposit&) const = default;
+};
+
+// Throws protocol::UserError, with path `path` + ".layers[i].thickness" and the like, for a deposit without
+// layers, values that are not positive and finite, and damping ratios outside 0 <= xi < 0.5.
+void check(const Deposit& deposit, const std::string& path);
+
+}  // namespace adit::simplified::column

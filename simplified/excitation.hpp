@@ -1,0 +1,52 @@
+// The ground's motion along the tunnel, from the scene's motion: through the soil columns or as it is.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "protocol/motion/motion.hpp"
+#include "protocol/scene.pb.h"
+#include "simplified/ground.hpp"
+
+namespace adit::simplified {
+
+// The folder to which a path in the scene field is relative.
+using FolderOf = std::function<std::string(const std::string& field)>;
+
+// The scene's motion at steps of dt, as long as the duration. Throws UserError, such as for a record that is
+// shorter than the duration.
+motion::Motion ground_motion(const scene::GroundMotion& motion, const FolderOf& folder, double dt,
+                             double duration);
+
+// One direction of the ground's motion, absolute, at a few places along the tunnel and at every step; a row a
+// step, from time 0.
+struct Shaking {
+  std::size_t places = 0;
+  std::vector<double> displacement, velocity, acceleration;  // [m], [m/s], [m/s^2]
+};
+
+// The ground's motion at the tunnel.
+struct GroundField {
+  std::vector<double> chainage;              // of the places [m]
+  std::array<Shaking, kDirections> shaking;  // empty for a direction that is not excited
+};
+
+// At the tunnel's axis, through the soil columns where the scene asks for them; `steps` steps after time 0.
+GroundField shake(const scene::Simplified& scene, const motion::Motion& motion, double begin, double end,
+                  std::size_t steps);
+
+// Interpolates along the chainage, once for all steps: where a chainage lies between the places.
+class AlongChainage {
+ public:
+  AlongChainage(const std::vector<double>& places, const std::vector<double>& chainages);
+  // to[i]: the value of the row at chainage i.
+  void interpolate(const double* row, double* to) const;
+
+ private:
+  std::vector<std::size_t> before_;
+  std::vector<double> share_;
+};
+
+}  // namespace adit::simplified

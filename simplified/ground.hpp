@@ -1,0 +1,41 @@
+// The scene's ground along the tunnel: profiles between the given ones, soil columns, soil springs.
+#pragma once
+
+#include <vector>
+
+#include "protocol/scene.pb.h"
+#include "simplified/column/joined_columns.hpp"
+
+namespace adit::simplified {
+
+enum Direction { kAxial, kLateral, kVertical };
+inline constexpr int kDirections = 3;
+
+// Throws UserError at "simplified.ground.profiles…" for chainages that do not increase and profiles with
+// different numbers of layers.
+void check(const scene::Ground& ground);
+
+// Thickness and properties layer by layer, linear between the profiles.
+scene::SoilProfile profile_at(const scene::Ground& ground, double chainage);
+
+// The layer that holds the depth [m], the lowest one below all of them.
+const scene::Layer& layer_at(const scene::SoilProfile& profile, double depth);
+
+// Columns at equal distances of at most column_spacing from `begin` to `end`, for waves of shear (horizontal
+// directions) or of compression.
+std::vector<column::Column> columns(const scene::Ground& ground, double begin, double end,
+                                    Direction direction);
+
+// Of the soil's longitudinal springs in the direction (column/joined_columns.hpp); 0 where columns are not
+// joined.
+double modulus_ratio(const scene::Ground& ground, Direction direction);
+
+struct SoilStiffness {
+  double axial, lateral, vertical;  // per metre of tunnel [N/m^2]
+};
+
+// Given, or K = 16 pi G (1 - nu) / (3 - 4 nu) d / L by St John and Zahrah (1987, eq. 21), d the width [m].
+// Throws UserError where a stiffness is to be derived and the ground or the wavelength is missing.
+SoilStiffness soil_stiffness(const scene::Simplified& scene, double chainage, double width);
+
+}  // namespace adit::simplified

@@ -1,0 +1,141 @@
+#include "simplified/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "protocol/errors.hpp"
+#include "protocol/scene_hash.hpp"
+#include "simplified/joint.hpp"
+#include "simplified/results.hpp"
+#include "simplified/run_summary.hpp"
+#include "simplified/zoom.hpp"
+
+namespace adit::simplified {
+namespace {
+
+using protocol::UserError;
+using Scene = scene::Simplified;
+
+constexpr double kDefaultHistoryRows = 500;
+
+// The field's memory and a run's patience end before this.
+constexpr double kMostSteps = 1e7;
+
+void refuse_other_models(const scene::Scene& scene) {
+  if (!scene.has_simplified())
+    throw UserError("", "has no `simplified`; continuum and particles are computed by `coupler`");
+  if (scene.has_continuum() || scene.has_particles() || scene.has_interface())
+    throw UserError(scene.has_continuum()   ? "continuum"
+                    : scene.has_particles() ? "particles"
+                                            : "interface",
+                    "stands beside `simplified`; a scene is for one program: leave one of them out");
+}
+
+Clock clock_of(const scene::Scene& scene) {
+  if (!scene.time().has_dt())
+    throw UserError("time.dt",
+                    "is missing; the implicit models have no critical step, write for example `dt: 10 ms`");
+  const double duration = scene.time().duration();
+  const double steps = std::max(1.0, std::ceil(duration / scene.time().dt() * (1 - 1e-12)));
+  if (steps > kMostSteps)
+    throw UserError("time.dt", fmt::format("makes {:g} steps; at most {:g} are computed", steps, kMostSteps));
+  Clock clock{.dt = duration / steps, .steps = static_cast<std::uint64_t>(steps), .stride = 1};
+  const auto& output = scene.output();
+  const double interval =
+      output.has_history_interval() ? output.history_interval() : duration / kDefaultHistoryRows;
+  clock.stride = static_cast<std::uint64_t>(std::clamp(std::round(interval / clock.dt), 1.0, steps));
+  return clock;
+}
+
+void check_stations(const Scene& scene, double begin, double end) {
+  for (int i = 0; i < scene.stations_size(); ++i) {
+    const double chainage = scene.stations(i).chainage();
+    if (chainage < begin || chainage > end)
+      throw UserError(fmt::format("simplified.stations[{}].chainage", i),
+                      fmt::format("is {:g} m, outside the model from {:g} to {:g} m", chainage, begin, end));
+  }
+}
+
+void set_up_tunnel(Setup& setup) {
+  const Scene& scene = *setup.scene;
+  if (!scene.has_tunnel())
+    throw UserError("simplified.tunnel", "is missing; the models beam and chain need it");
+  for (int g = 0; g < scene.tunnel().joints_size(); ++g)
+    check(scene.tunnel().joints(g), fmt::format("simplified.tunnel.joints[{}]", g));
+  setup.line = divide(scene.tunnel());
+  setup.begin = setup.line.nodes.front();
+  setup.end = setup.line.nodes.back();
+  // What only one of the models cannot do is found in making it.
+  if (scene.model() == Scene::BEAM)
+    beam_model(scene, setup.line);
+  else
+    chain_model(scene, setup.line);
+}
+
+void set_up_column(Setup& setup) {
+  const Scene& scene = *setup.scene;
+  if (!scene.has_ground())
+    throw UserError("simplified.ground", "is missing; the model column is of the ground");
+  if (!scene.excitation().through_ground())
+    throw UserError("simplified.excitation.through_ground",
+                    "must be true: the model column carries the motion of the "
+                    "rock up through the ground");
+  setup.begin = scene.ground().profiles(0).chainage();
+  setup.end = scene.ground().profiles(scene.ground().profiles_size() - 1).chainage();
+}
+
+FolderOf folder_of(const protocol::SceneFile& file) {
+  return [&file](const std::string& field) { return file.folder(field); };
+}
+
+}  // namespace
+
+Setup set_up(const scene::Scene& scene, const FolderOf& folder) {
+  refuse_other_models(scene);
+  Setup setup;
+  setup.scene = &scene.simplified();
+  setup.clock = clock_of(scene);
+  if (setup.scene->has_ground()) check(setup.scene->ground());
+  if (setup.scene->model() == Scene::COLUMN)
+    set_up_column(setup);
+  else
+    set_up_tunnel(setup);
+  check_stations(*setup.scene, setup.begin, setup.end);
+  setup.motion =
+      ground_motion(setup.scene->excitation().motion(), folder, setup.clock.dt, scene.time().duration());
+  return setup;
+}
+
+Response solve(const Setup& setup) {
+  const GroundField ground = shake(*setup.scene, setup.motion, setup.begin, setup.end, setup.clock.steps);
+  switch (setup.scene->model()) {
+    case Scene::CHAIN:
+      return solve_chain(*setup.scene, setup.line, ground, setup.clock);
+    case Scene::COLUMN:
+      return solve_column(*setup.scene, ground, setup.clock);
+    case Scene::BEAM:
+      break;
+  }
+  return solve_beam(*setup.scene, setup.line, ground, setup.clock);
+}
+
+void run(const protocol::SceneFile& file, const std::string& case_name,
+         const std::filesystem::path& directory) {
+  const auto started = std::chrono::steady_clock::now();
+  const Setup setup = set_up(file.scene, folder_of(file));
+  const Response response = solve(setup);
+  const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  write_tables(directory, *setup.scene, response);
+  if (setup.scene->has_zoom() && !response.fields.time.empty())
+    write_zoom(directory / "zoom", response, setup.scene->zoom(), file.scene.time().duration());
+  summarize(file.scene, case_name, setup, response, wall_s, directory);
+}
+
+void check(const protocol::SceneFile& file) {
+  set_up(file.scene, folder_of(file));
+}
+
+}  // namespace adit::simplified

@@ -1,0 +1,35 @@
+// A whole run: from the scene to the results in a directory.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "protocol/scene_reader.hpp"
+#include "simplified/excitation.hpp"
+#include "simplified/solve.hpp"
+
+namespace adit::simplified {
+
+// A scene that can be computed, with all that does not depend on time.
+struct Setup {
+  const scene::Simplified* scene = nullptr;
+  Line line;                  // empty for the column
+  double begin = 0, end = 0;  // of the tunnel, or of the profiles [m]
+  Clock clock{};
+  motion::Motion motion;
+};
+
+// Checks all of the scene, reads its motion; throws UserError.
+Setup set_up(const scene::Scene& scene, const FolderOf& folder);
+
+// The response to the ground's motion; throws UserError and Unstable.
+Response solve(const Setup& setup);
+
+// Sets up, solves, writes the results into `directory`, which exists, and says what they are.
+void run(const protocol::SceneFile& file, const std::string& case_name,
+         const std::filesystem::path& directory);
+
+// Sets up alone.
+void check(const protocol::SceneFile& file);
+
+}  // namespace adit::simplified

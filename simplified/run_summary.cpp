@@ -1,0 +1,100 @@
+#include "simplified/run_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+
+#include "coupler/results/summary.hpp"
+#include "protocol/release.hpp"
+#include "protocol/scene_hash.hpp"
+#include "simplified/zoom.hpp"
+
+namespace adit::simplified {
+namespace {
+
+using coupler::Summary;
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+double peak_acceleration(const motion::Motion& motion) {
+  double peak = 0;
+  for (const double a : motion.acceleration) peak = std::max(peak, std::abs(a));
+  return peak;
+}
+
+void add_responses(Summary& summary, const Response& response) {
+  for (const Envelope& envelope : response.envelopes) {
+    const Peak top = peak(response.chainage, envelope);
+    const std::string unit = envelope.unit.empty() ? "" : "_" + envelope.unit;
+    summary.set("max_" + envelope.name + unit, top.value);
+    summary.set("max_" + envelope.name + "_chainage_m", top.chainage);
+  }
+}
+
+// The joints group by group name: a name may stand for several groups of one kind.
+void add_joints(Summary& summary, const scene::Tunnel& tunnel, const Response& response) {
+  std::vector<std::string> names;
+  for (const scene::Joints& group : tunnel.joints())
+    if (std::ranges::find(names, group.name()) == names.end()) names.push_back(group.name());
+  for (const std::string& name : names) {
+    JointResponse widest{};
+    int count = 0, failed = 0;
+    for (const JointResponse& joint : response.joints) {
+      const scene::Joints& group = tunnel.joints(static_cast<int>(joint.group));
+      if (group.name() != name) continue;
+      ++count;
+      if (group.has_seal_limit() && joint.opening > group.seal_limit()) ++failed;
+      if (joint.opening >= widest.opening) widest = joint;
+    }
+    summary.set(name + "_count", count);
+    summary.set(name + "_max_opening_m", widest.opening);
+    summary.set(name + "_max_opening_chainage_m", widest.chainage);
+    summary.set(name + "_seals_failed", failed);
+  }
+}
+
+void print(const scene::Scene& scene, const Response& response, double wall_s,
+           const std::filesystem::path& directory) {
+  fmt::print("results            {}\n", directory.string());
+  for (const Place& place : largest_responses(response))
+    fmt::print("largest {:<10} {:.4g} {} at {:.1f} m\n", place.name, place.value, place.unit, place.chainage);
+  fmt::print("wall time          {:.2f} s for {:g} s of motion ({:.0f} times as fast)\n", wall_s,
+             scene.time().duration(), scene.time().duration() / wall_s);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+void summarize(const scene::Scene& scene, const std::string& case_name, const Setup& setup,
+               const Response& response, double wall_s, const std::filesystem::path& directory) {
+  Summary summary;
+  summary.set("case", case_name);
+  summary.set("scene", scene.name());
+  summary.set("scene_hash", protocol::scene_hash(scene));
+  summary.set("versions", "simplified " + std::string(protocol::release()));
+  summary.set("model", lower(scene::Simplified::Model_Name(setup.scene->model())));
+  summary.set("duration_s", scene.time().duration());
+  summary.set("dt_s", setup.clock.dt);
+  summary.set("steps", setup.clock.steps);
+  summary.set("begin_m", setup.begin);
+  summary.set("end_m", setup.end);
+  summary.set("apparent_velocity_m_per_s", setup.scene->excitation().incidence().apparent_velocity());
+  summary.set("peak_input_acceleration_m_per_s2", peak_acceleration(setup.motion));
+  for (const auto& [name, value] : response.figures) summary.set(name, value);
+  add_responses(summary, response);
+  add_joints(summary, setup.scene->tunnel(), response);
+  summary.set("completed", true);
+  summary.set("wall_s", wall_s);
+  summary.set("model_wall_s", response.wall_s);
+  summary.set("real_time_factor", scene.time().duration() / wall_s);
+  summary.write(directory / "summary.json");
+  print(scene, response, wall_s, directory);
+}
+
+}  // namespace adit::simplified

@@ -1,0 +1,44 @@
+// A short tunnel that every test of the mapping changes in one place.
+#pragma once
+
+#include <google/protobuf/text_format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "protocol/scene.pb.h"
+
+namespace adit::simplified::testing {
+
+inline scene::Scene scene_of(const std::string& text) {
+  scene::Scene scene;
+  EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(text, &scene));
+  return scene;
+}
+
+// 200 m, two sections, a joint every 25 m, springs given, shaken by a wavelet that passes along it.
+inline scene::Scene tunnel() {
+  return scene_of(R"(
+    time { duration: 2 dt: 0.005 }
+    simplified {
+      model: BEAM
+      tunnel {
+        sections { from: 0 to: 100 width: 7 height: 7 area: 9.5 lateral_inertia: 48 vertical_inertia: 48
+                   young_modulus: 35e9 mass: 5e4 element_length: 1 }
+        sections { from: 100 to: 200 width: 7 height: 7 area: 9.5 lateral_inertia: 48 vertical_inertia: 48
+                   young_modulus: 35e9 mass: 5e4 element_length: 1 }
+        joints { name: "ring" from: 25 to: 175 spacing: 25 axial_stiffness: 5e9 rotation_stiffness: 3e10
+                 lateral_keys { stiffness: 2e10 } vertical_keys { stiffness: 2e10 } seal_limit: 0.01 }
+      }
+      soil_springs { axial: 5e7 lateral: 5e7 vertical: 5e7 dashpot_time: 0.01 }
+      excitation { motion { ricker { frequency: 2 time: 0.8 } peak: 3 }
+                   incidence { apparent_velocity: 300 } lateral: 1 }
+      stations { name: "middle" chainage: 100 }
+      zoom { width: 40 }
+    }
+  )");
+}
+
+inline const auto kNoFolder = [](const std::string&) { return std::string(); };
+
+}  // namespace adit::simplified::testing
