@@ -1,6 +1,7 @@
 #include "coupler/stepper.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 
 #include "protocol/errors.hpp"
@@ -39,6 +40,14 @@ void correct_velocities(Side& side) {
   for (std::size_t i = 0; i < side.corrected.size(); ++i) side.corrected[i] += side.predicted[i];
 }
 
+// The slower participant is asked first and heard last, so that the exchange with the other is hidden. At
+// most two take part; absent ones are null.
+std::array<Side*, 2> slower_first(std::vector<Side>& sides) {
+  if (sides.size() == 1) return {&sides[0], nullptr};
+  if (sides[0].compute_s > sides[1].compute_s) return {&sides[0], &sides[1]};
+  return {&sides[1], &sides[0]};
+}
+
 }  // namespace
 
 Stepper::Stepper(Model& model)
@@ -51,15 +60,28 @@ Stepper::Stepper(Model& model)
 
 void Stepper::step(std::uint64_t n, Wanted wanted) {
   const auto start = Clock::now();
-  for (Side& side : model_.sides) post_advance(side, n, wanted);
+  const std::array<Side*, 2> order = slower_first(model_.sides);
+  for (Side* side : order)
+    if (side) post_advance(*side, n, wanted);
   impulses_pending_ = false;
-  for (Side& side : model_.sides) receive_prediction(side);
+  book(false);  // the step before, while the participants compute this one
+  for (auto side = order.rbegin(); side != order.rend(); ++side)
+    if (*side) receive_prediction(**side);
   wait_s_ += seconds_since(start);
 
   const auto answered = Clock::now();
-  if (model_.overlap) correct();
-  ledger_.add_step(n, model_.sides, wanted.energies);
+  if (model_.overlap) solve();
+  unbooked_step_ = n;
+  if (wanted.energies) book(true);
   solve_s_ += seconds_since(answered);
+}
+
+void Stepper::book(bool with_energies) {
+  if (!unbooked_step_) return;
+  if (model_.overlap)
+    for (Side& side : model_.sides) correct_velocities(side);
+  ledger_.add_step(*unbooked_step_, model_.sides, with_energies);
+  unbooked_step_.reset();
 }
 
 void Stepper::post_advance(Side& side, std::uint64_t n, Wanted wanted) {
@@ -75,7 +97,7 @@ void Stepper::post_advance(Side& side, std::uint64_t n, Wanted wanted) {
   side.peer->post(side.request);
 }
 
-void Stepper::correct() {
+void Stepper::solve() {
   Side& continuum = model_.sides[0];
   Side& particles = model_.sides[1];
   for (std::size_t i = 0; i < gap_.size(); ++i) gap_[i] = continuum.predicted[i] - particles.predicted[i];
@@ -84,8 +106,6 @@ void Stepper::correct() {
     continuum.impulses[i] = -multipliers_[i];
     particles.impulses[i] = multipliers_[i];
   }
-  correct_velocities(continuum);
-  correct_velocities(particles);
   impulses_pending_ = true;
 }
 
