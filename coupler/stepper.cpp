@@ -20,14 +20,23 @@ void fill(google::protobuf::RepeatedField<double>& field, const std::vector<doub
   std::copy(values.begin(), values.end(), field.mutable_data());
 }
 
+void require(const Side& side, const char* what, int found, std::size_t expected) {
+  if (static_cast<std::size_t>(found) != expected)
+    throw protocol::PeerLost(side.peer->name(), "predicted " + std::to_string(found) + " " + what +
+                                                    " where " + std::to_string(expected) + " were expected");
+}
+
 void receive_prediction(Side& side) {
   collect(side, wire::Frame::kPredicted);
   const wire::Predicted& predicted = side.prediction();
   side.compute_s += predicted.compute_seconds();
-  if (static_cast<std::size_t>(predicted.velocities_size()) != side.predicted.size())
-    throw protocol::PeerLost(side.peer->name(), "predicted " + std::to_string(predicted.velocities_size()) +
-                                                    " velocities where " +
-                                                    std::to_string(side.predicted.size()) + " were expected");
+  const wire::Advance& asked = side.request.advance();
+  if (predicted.step() != asked.step() || predicted.has_energies() != asked.want_energies())
+    throw protocol::PeerLost(side.peer->name(), "predicted something else than step " +
+                                                    std::to_string(asked.step()) +
+                                                    ", or not the energies that were asked for");
+  require(side, "velocities", predicted.velocities_size(), side.predicted.size());
+  require(side, "histories", predicted.histories_size(), asked.want_histories() ? side.histories : 0);
   std::copy(predicted.velocities().begin(), predicted.velocities().end(), side.predicted.begin());
 }
 

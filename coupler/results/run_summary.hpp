@@ -14,7 +14,8 @@ namespace adit::coupler {
 struct RunLabels {
   std::string case_name;  // the summary's `case`
   std::string scene_hash;
-  std::string versions;  // of all programs that take part
+  std::string versions;    // of all programs that take part
+  std::string scene_yaml;  // what is computed
 };
 
 class RunSummary {

@@ -54,7 +54,7 @@ class Runs(ProgramTest):
         self.assertIn("max_bond_force_N", rows[0])
         listed = (run / "fields" / "fields.pvd").read_text()
         for piece in ("grid", "particles", "bonds"):
-            self.assertEqual(listed.count(f'part="') // 3, 2)
+            self.assertEqual(listed.count(f'file="{piece}_'), 2)
             self.assertEqual(len(list((run / "fields").glob(f"{piece}_*"))), 2)
 
     def test_the_scene_in_the_results_computes_the_same_again(self):

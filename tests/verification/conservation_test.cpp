@@ -116,6 +116,23 @@ TEST_P(Conservation, EachSideBalancesWithTheWorkOfTheMultipliers) {
 INSTANTIATE_TEST_SUITE_P(BothSolves, Conservation, testing::Values(scene::CONSISTENT, scene::LUMPED),
                          [](const auto& info) { return scene::Solve_Name(info.param); });
 
+// Requirement: the ledger closes also where a prescribed motion of the grid lies in the overlap and its
+// reaction takes up the multipliers' impulses.
+TEST(Conservation, PrescribedMotionInTheOverlapIsBooked) {
+  scene::Scene scene = free_bar(scene::CONSISTENT);
+  auto& motion = *scene.mutable_continuum()->add_motions();
+  motion.mutable_where()->set_x_min(1.9);
+  motion.mutable_where()->set_x_max(2.1);
+  motion.mutable_where()->set_y_max(0);
+  motion.mutable_velocity()->set_x(0.4);
+  motion.mutable_velocity()->set_y(0.3);
+  motion.mutable_time()->mutable_sine()->set_frequency(150);
+  coupler::Model model = test::local_model(scene);
+  coupler::Stepper stepper(model);
+  for (std::uint64_t n = 0; n <= model.steps; ++n) stepper.step(n, {.energies = true});
+  EXPECT_LE(stepper.ledger().max_drift(), 1e-5);
+}
+
 // Requirement: without load nothing moves, exactly.
 TEST(Conservation, RestStaysRest) {
   scene::Scene scene = free_bar(scene::CONSISTENT);
