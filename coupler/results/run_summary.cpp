@@ -5,6 +5,8 @@
 
 #include <cstdio>
 
+#include "protocol/text.hpp"
+
 namespace adit::coupler {
 namespace {
 
@@ -15,14 +17,6 @@ double own_cpu_seconds() {
     return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
   };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-// The scene's own word for an enumerator.
-template <class Enum>
-std::string lower_case_name(Enum value, const std::string& (*name)(Enum)) {
-  std::string text = name(value);
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
 }
 
 std::string at(const Event& event) {
@@ -37,7 +31,7 @@ RunSummary::RunSummary(const RunLabels& labels, const Model& model) : model_(mod
   summary_.set("scene", scene.name());
   summary_.set("scene_hash", labels.scene_hash);
   summary_.set("versions", labels.versions);
-  summary_.set("plane", lower_case_name(scene.plane(), scene::Plane_Name<scene::Plane>));
+  summary_.set("plane", protocol::lower_case(scene::Plane_Name(scene.plane())));
   summary_.set("duration_s", scene.time().duration());
   summary_.set("dt_s", model.dt);
   summary_.set("critical_dt_s", model.critical_dt);
@@ -53,7 +47,7 @@ RunSummary::RunSummary(const RunLabels& labels, const Model& model) : model_(mod
   if (!model.overlap) return;
   const auto& interface = scene.interface();
   summary_.set("coupling_points", model.coupling_points.size() / 2);
-  summary_.set("solve", lower_case_name(interface.solve(), scene::Solve_Name<scene::Solve>));
+  summary_.set("solve", protocol::lower_case(scene::Solve_Name(interface.solve())));
   summary_.set("overlap_particles_begin_x_m", interface.overlap().particles_begin().x());
   summary_.set("overlap_particles_begin_y_m", interface.overlap().particles_begin().y());
   summary_.set("overlap_continuum_ends_x_m", interface.overlap().continuum_ends().x());
