@@ -36,12 +36,14 @@ class RunSummary {
 
  private:
   void add_findings(const Findings& findings);
+  void add_event(const std::string& name, const Event& event, bool happened);
   void add_cost(const Stepper& stepper, std::uint64_t steps, double wall_s, double stepping_s);
   void add_ledger(const Ledger& ledger);
   void warn(const Findings& findings);
 
   const Model& model_;
   Summary summary_;
+  std::uint64_t particle_updates_ = 0, zone_updates_ = 0;
   std::vector<std::string> lines_;  // of print()
 };
 

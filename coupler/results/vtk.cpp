@@ -205,7 +205,8 @@ Collection::Collection(std::filesystem::path folder) : folder_(std::move(folder)
 void Collection::add(double time, const std::string& piece, const std::string& file) {
   for (const Entry& entry : entries_) {
     if (entry.time == time && entry.piece == piece) {
-      throw std::runtime_error("two pieces are named \"" + piece + "\" at " + protocol::shortest(time) + " s");
+      throw std::runtime_error("two pieces are named \"" + piece + "\" at " + protocol::shortest(time) +
+                               " s");
     }
   }
   entries_.push_back({time, piece, file});
