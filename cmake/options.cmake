@@ -13,10 +13,12 @@ if(ADIT_SANITIZE)
   add_link_options(-fsanitize=${ADIT_SANITIZE})
 endif()
 
-# Kernels are vectorized for the machine at hand, but never contract a*b+c into a fused operation:
-# the same source then gives the same bits whatever the compiler finds to fuse.
-set(ADIT_ARCH "x86-64-v3" CACHE STRING "value of -march for the numerical kernels")
-if(ADIT_ARCH)
-  add_compile_options(-march=${ADIT_ARCH})
+# Kernels are vectorized with AVX2, and never contract a*b+c into a fused operation: the same source then gives
+# the same bits on any x86-64 machine, whatever the compiler finds to fuse.
+if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
+  set(ADIT_ARCH "x86-64-v3" CACHE STRING "value of -march; empty: the compiler's default")
+  if(ADIT_ARCH)
+    add_compile_options(-march=${ADIT_ARCH})
+  endif()
 endif()
 add_compile_options(-ffp-contract=off)

@@ -56,9 +56,13 @@ ServerProcess::ServerProcess(const std::string& program, const std::filesystem::
   const std::string greeting = "listening on ";
   const std::string line = first_line(child_->io, child_->output);
   if (!line.starts_with(greeting)) {
-    child_->process.terminate();
-    throw PeerLost(program, "did not start listening within " + std::to_string(kStartPatience.count()) +
-                                " s; its log is " + log.string());
+    std::error_code ignored;
+    const bool alive = child_->process.running(ignored);
+    child_->process.terminate(ignored);
+    throw PeerLost(program,
+                   (alive ? "did not start listening within " + std::to_string(kStartPatience.count()) + " s"
+                          : "ended with exit code " + std::to_string(child_->process.exit_code())) +
+                       "; its log is " + log.string());
   }
   address_ = protocol::parse_address(line.substr(greeting.size()));
 }

@@ -29,12 +29,12 @@ class Ledger {
 
   // As of the last step with energies.
   const std::vector<SideEnergies>& sides() const { return energies_; }
-  double stored() const;       // kinetic, strain and released energy of all sides
+  double stored() const;  // kinetic, strain and released energy of all sides
   // Stored minus external work, since step 0: what drifted, or what a lossy solve took.
   double unexplained() const;
-  double drift() const;        // the same relative to the largest stored energy so far
-  double max_drift() const;    // the largest |unexplained| relative to the largest stored energy
-  double kept() const;         // stored over external work; 1 where there was none
+  double drift() const;      // the same relative to the largest stored energy so far
+  double max_drift() const;  // the largest |unexplained| relative to the largest stored energy
+  double kept() const;       // stored over external work; 1 where there was none
 
   // Largest gap of the corrected velocities over the largest velocity at the coupling points.
   double max_constraint_residual() const;

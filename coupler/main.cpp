@@ -1,11 +1,9 @@
 // coupler: reads a scene, starts or joins the servers that it needs, runs it and writes the results.
-#include <spdlog/sinks/stdout_color_sinks.h>
-#include <spdlog/spdlog.h>
+#include <spdlog/fmt/fmt.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -46,8 +44,29 @@ const char* program_of(Role role) {
   return role == Role::kContinuum ? "fdm_server" : "dem_server";
 }
 
+// Another code may stand in for a server under a name of its own; our other server may not.
+void require_program(const std::string& found, Role role, const std::string& peer) {
+  const std::string other = role == Role::kContinuum ? "dem_server" : "fdm_server";
+  if (found == other)
+    throw protocol::UserError("", peer + " is a " + other + "; a " + program_of(role) +
+                                      " is needed for the " + to_string(role) + ", exchange --fdm and --dem");
+}
+
+// Servers named on the command line that the scene has no use for.
+void require_wanted(const Options& options, const std::vector<Role>& wanted) {
+  for (const Role role : {Role::kContinuum, Role::kParticles}) {
+    const bool given = !(role == Role::kContinuum ? options.fdm : options.dem).empty();
+    if (given && std::find(wanted.begin(), wanted.end(), role) == wanted.end())
+      throw protocol::UserError("", std::string(role == Role::kContinuum ? "--fdm" : "--dem") +
+                                        " names a server, but the scene has no `" + to_string(role) + "`");
+  }
+  if (!options.fdm.empty() && options.fdm == options.dem)
+    throw protocol::UserError("", "--fdm and --dem are both " + options.fdm + "; a server takes part once");
+}
+
 Participants join(const adit::scene::Scene& scene, const Options& options, const fs::path& log_folder) {
   Participants participants;
+  require_wanted(options, roles(scene));
   for (const Role role : roles(scene)) {
     const std::string program = program_of(role);
     const std::string& given = role == Role::kContinuum ? options.fdm : options.dem;
@@ -61,6 +80,7 @@ Participants join(const adit::scene::Scene& scene, const Options& options, const
     }
     auto connection = protocol::connect(address, program);
     const auto hello = protocol::handshake(*connection, "coupler");
+    require_program(hello.program(), role, connection->peer());
     participants.versions += ", " + hello.program() + " " + hello.release();
     Side& side = participants.sides.emplace_back();
     side.role = role;
@@ -74,11 +94,13 @@ void run_scene(const Options& options, const protocol::SceneFile& file) {
   const fs::path directory =
       options.out.empty() ? fs::path("runs") / name / file.scene.name() : fs::path(options.out);
   roles(file.scene);
-  prepare_run_directory(directory);
-  std::ofstream(directory / "scene.yaml") << protocol::to_yaml(file.scene);
+  prepare_run_directory(directory, options.scene);
   Participants participants = join(file.scene, options, directory);
   run(file.scene, std::move(participants.sides),
-      {.case_name = name, .scene_hash = protocol::scene_hash(file.scene), .versions = participants.versions},
+      {.case_name = name,
+       .scene_hash = protocol::scene_hash(file.scene),
+       .versions = participants.versions,
+       .scene_yaml = protocol::to_yaml(file.scene)},
       directory);
 }
 
@@ -100,7 +122,6 @@ void add_common_options(CLI::App& command, Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  spdlog::set_default_logger(spdlog::stderr_color_mt("coupler"));
   CLI::App app{"Couples a continuum and a particle solver over TCP and writes the results."};
   app.set_version_flag("--version", "coupler " + std::string(protocol::release()));
   app.require_subcommand(1);

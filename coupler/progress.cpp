@@ -10,7 +10,6 @@ namespace {
 
 constexpr std::chrono::milliseconds kTerminalInterval{200};
 constexpr std::chrono::seconds kLogInterval{5};
-constexpr std::uint64_t kStepsBetweenLooks = 64;  // at the clock
 
 }  // namespace
 
@@ -22,7 +21,6 @@ Progress::~Progress() {
 }
 
 void Progress::update(std::uint64_t step) {
-  if (step % kStepsBetweenLooks != 0 && step != steps_) return;
   const auto now = Clock::now();
   if (now < next_ && step != steps_) return;
   next_ = now + (terminal_ ? kTerminalInterval

@@ -8,7 +8,9 @@
 #include <set>
 
 #include "coupler/progress.hpp"
+#include "coupler/results/atomic_file.hpp"
 #include "coupler/results/recorder.hpp"
+#include "coupler/results/run_directory.hpp"
 #include "coupler/set_up.hpp"
 #include "coupler/stepper.hpp"
 #include "protocol/errors.hpp"
@@ -32,7 +34,8 @@ struct Schedule {
     const double duration = static_cast<double>(model.steps) * model.dt;
     const double interval =
         output.has_history_interval() ? output.history_interval() : duration / kDefaultHistoryRows;
-    history_stride = static_cast<std::uint64_t>(std::max(1.0, std::round(interval / model.dt)));
+    history_stride = static_cast<std::uint64_t>(
+        std::clamp(std::round(interval / model.dt), 1.0, static_cast<double>(model.steps)));
     for (const double time : output.field_times()) {
       if (time > duration * (1 + 1e-12))
         throw protocol::UserError(
@@ -56,19 +59,17 @@ void require_bounded_energy(const Ledger& ledger, const Model& model, std::uint6
                     n, static_cast<double>(n) * model.dt, 100 * ledger.drift()));
 }
 
-void finish(Model& model, RunSummary& summary) {
+// Afterwards every side's reply is its farewell.
+void finish(Model& model) {
   for (Side& side : model.sides) {
     side.request.mutable_finish();
     side.peer->post(side.request);
   }
-  for (Side& side : model.sides) {
-    collect(side, wire::Frame::kBye);
-    summary.add_participant(side, side.reply.bye());
-  }
+  for (Side& side : model.sides) collect(side, wire::Frame::kBye);
 }
 
-void step_to_the_end(Model& model, Stepper& stepper, Recorder& recorder, std::uint64_t& reached) {
-  const Schedule schedule(model);
+void step_to_the_end(Model& model, const Schedule& schedule, Stepper& stepper, Recorder& recorder,
+                     std::uint64_t& reached) {
   Progress progress(model.steps, model.dt);
   for (std::uint64_t n = 0; n <= model.steps; ++n) {
     const bool row = schedule.wants_history(n, model.steps);
@@ -90,6 +91,9 @@ void run(const scene::Scene& scene, std::vector<Side> sides, const RunLabels& la
          const std::filesystem::path& directory) {
   const auto start = std::chrono::steady_clock::now();
   Model model = set_up(scene, std::move(sides), labels.case_name + "/" + scene.name());
+  const Schedule schedule(model);
+  clear_results(directory);  // only now is it sure that there will be new ones
+  replace_file(directory / "scene.yaml", labels.scene_yaml);
   Stepper stepper(model);
   Recorder recorder(directory, model);
   RunSummary summary(labels, model);
@@ -103,10 +107,15 @@ void run(const scene::Scene& scene, std::vector<Side> sides, const RunLabels& la
     summary.write(directory / "summary.json");
   };
   try {
-    step_to_the_end(model, stepper, recorder, reached);
-    finish(model, summary);
+    step_to_the_end(model, schedule, stepper, recorder, reached);
+    finish(model);
+    for (const Side& side : model.sides) summary.add_participant(side, side.reply.bye());
   } catch (const std::exception& error) {
-    conclude(error.what());
+    try {
+      conclude(error.what());
+    } catch (const std::exception& second) {  // a full disk, say: the first cause matters more
+      fmt::print(stderr, "the summary could not be written: {}\n", second.what());
+    }
     throw;
   }
   conclude("");
@@ -116,11 +125,7 @@ void run(const scene::Scene& scene, std::vector<Side> sides, const RunLabels& la
 void check(const scene::Scene& scene, std::vector<Side> sides) {
   Model model = set_up(scene, std::move(sides), "check/" + scene.name());
   const Schedule schedule(model);
-  for (Side& side : model.sides) {
-    side.request.mutable_finish();
-    side.peer->post(side.request);
-    collect(side, wire::Frame::kBye);
-  }
+  finish(model);
 }
 
 }  // namespace adit::coupler

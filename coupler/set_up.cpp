@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "protocol/errors.hpp"
 
@@ -11,6 +12,19 @@ namespace adit::coupler {
 namespace {
 
 using protocol::UserError;
+
+// Two histories of one name and quantity would be one column of the table.
+void require_distinct_histories(const scene::Scene& scene) {
+  std::set<std::pair<std::string, int>> columns;
+  for (const Role role : roles(scene))
+    for (int i = 0; i < histories_of(scene, role).size(); ++i) {
+      const scene::History& history = histories_of(scene, role)[i];
+      if (!columns.insert({history.name(), history.quantity()}).second)
+        throw UserError(
+            fmt::format("{}.histories[{}].name", to_string(role), i),
+            fmt::format("is `{}` a second time for the same quantity; choose another name", history.name()));
+    }
+}
 
 void ask_all(Model& model, wire::Frame::ContentCase expected) {
   for (Side& side : model.sides) side.peer->post(side.request);
@@ -30,6 +44,7 @@ scene::Scene part_of(const scene::Scene& scene, Role role) {
 
 void build_models(Model& model, const std::string& run_id) {
   for (Side& side : model.sides) {
+    side.histories = histories_of(model.scene, side.role).size();
     auto& setup = *side.request.mutable_setup();
     setup.set_run_id(run_id);
     *setup.mutable_scene() = part_of(model.scene, side.role);
@@ -37,8 +52,8 @@ void build_models(Model& model, const std::string& run_id) {
   ask_all(model, wire::Frame::kModel);
   for (Side& side : model.sides) {
     side.model.Swap(side.reply.mutable_model());
-    if (!(side.model.critical_dt() > 0))
-      throw protocol::PeerLost(side.peer->name(), "sent no positive critical time step");
+    if (!(side.model.critical_dt() > 0) || !std::isfinite(side.model.critical_dt()))
+      throw protocol::PeerLost(side.peer->name(), "sent no positive, finite critical time step");
   }
 }
 
@@ -57,6 +72,26 @@ void require_overlap_inside(const Overlap& overlap, const scene::Overlap& given,
   };
   if (!overlap.begins_in(box)) refuse("particles_begin", given.particles_begin());
   if (!overlap.ends_in(box)) refuse("continuum_ends", given.continuum_ends());
+}
+
+// Where the strip follows an axis, both models must fill its cross-section, or half of a weight would be
+// nobody's. A packing may lack a row at either side.
+void require_equal_cross_sections(const Model& model) {
+  constexpr double kTolerance = 0.15;
+  const auto [continuum, particles] = std::pair(bounds(model.sides[0].model), bounds(model.sides[1].model));
+  const auto require = [](const char* axis, double min_a, double max_a, double min_b, double max_b) {
+    const double slack = kTolerance * std::max(max_a - min_a, max_b - min_b);
+    if (std::abs(min_a - min_b) > slack || std::abs(max_a - max_b) > slack)
+      throw UserError(
+          "interface.overlap",
+          fmt::format("joins a continuum that reaches from {0} = {1:g} to {2:g} m with particles that reach "
+                      "from {0} = {3:g} to {4:g} m; both must fill the overlap's cross-section",
+                      axis, min_a, max_a, min_b, max_b));
+  };
+  if (model.overlap->follows_x())
+    require("y", continuum.y_min, continuum.y_max, particles.y_min, particles.y_max);
+  if (model.overlap->follows_y())
+    require("x", continuum.x_min, continuum.x_max, particles.x_min, particles.x_max);
 }
 
 void share_energy(Model& model) {
@@ -121,7 +156,7 @@ void choose_time_step(Model& model) {
                                 "one, or leave it out and state dt_factor",
                                 time.dt(), model.critical_dt, to_string(slowest.role)));
   const double wanted = time.has_dt() ? time.dt() : time.dt_factor() * model.critical_dt;
-  const double steps = std::ceil(time.duration() / wanted * (1 - 1e-12));
+  const double steps = std::ceil(time.duration() / wanted);
   if (steps > 1e15)
     throw UserError("time.duration", fmt::format("takes {:g} steps of {:g} s; shorten it", steps, wanted));
   model.steps = static_cast<std::uint64_t>(std::max(steps, 1.0));
@@ -130,19 +165,22 @@ void choose_time_step(Model& model) {
 
 }  // namespace
 
+const google::protobuf::RepeatedPtrField<scene::History>& histories_of(const scene::Scene& scene, Role role) {
+  return role == Role::kContinuum ? scene.continuum().histories() : scene.particles().histories();
+}
+
 std::vector<Role> roles(const scene::Scene& scene) {
   if (scene.has_simplified())
     throw UserError("simplified", "is computed by the program `simplified`, not by `coupler`");
   if (!scene.has_continuum() && !scene.has_particles())
-    throw UserError("", "has neither `continuum` nor `particles`; give at least one of them");
+    throw UserError("continuum", "is missing, and so is `particles`; give at least one of them");
   if (!scene.has_material())
     throw UserError("material",
                     "is missing; write for example `material: {young_modulus: 30 GPa, poisson_ratio: 0.25, "
                     "density: 2.5 t/m^3}`");
   const bool both = scene.has_continuum() && scene.has_particles();
   if (both && !scene.has_interface())
-    throw UserError("",
-                    "has `continuum` and `particles` but no `interface`; state the overlap that joins them");
+    throw UserError("interface", "is missing; state the overlap that joins `continuum` and `particles`");
   if (!both && scene.has_interface())
     throw UserError("interface", fmt::format("joins two models, but the scene has no `{}`",
                                              scene.has_continuum() ? "particles" : "continuum"));
@@ -155,8 +193,10 @@ Model set_up(const scene::Scene& scene, std::vector<Side> sides, const std::stri
   model.scene = scene;
   model.sides = std::move(sides);
   if (scene.has_interface()) model.overlap.emplace(scene.interface().overlap());
+  require_distinct_histories(scene);
   build_models(model, run_id);
   choose_time_step(model);
+  if (model.overlap) require_equal_cross_sections(model);
   share_energy(model);
   if (model.overlap) couple(model);
   return model;

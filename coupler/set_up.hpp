@@ -30,6 +30,9 @@ struct Model {
 // models with an interface.
 std::vector<Role> roles(const scene::Scene& scene);
 
+// What the scene wants to know of a participant, in the order of its answers.
+const google::protobuf::RepeatedPtrField<scene::History>& histories_of(const scene::Scene& scene, Role role);
+
 // Takes every side through setup, weights and couple. Throws protocol::UserError with the scene's path for
 // what cannot be computed: no overlap, an overlap outside a model or without particles, a time step above
 // the critical one.

@@ -28,6 +28,7 @@ struct Side {
   std::unique_ptr<Peer> peer;
   wire::Model model;
   wire::Interface counts;
+  std::size_t histories = 0;                   // that the scene asks of it
   std::optional<Interpolation> interpolation;  // of coupled runs
 
   // Reused in every step.

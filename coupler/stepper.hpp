@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "coupler/ledger.hpp"
@@ -26,18 +27,25 @@ class Stepper {
   // The state at the step reached, of every side in turn.
   std::vector<wire::Snapshot> snapshots();
 
+  // Complete up to the last step that wanted energies.
   const Ledger& ledger() const { return ledger_; }
-  double wait_s() const { return wait_s_; }    // between the last send and the last answer
-  double solve_s() const { return solve_s_; }  // multipliers and ledger
+  double wait_s() const {
+    return wait_s_;
+  }  // from the first send to the last answer, the ledger's work included
+  double solve_s() const {
+    return solve_s_;
+  }  // for the multipliers, and the ledger where it could not be hidden
 
  private:
   void post_advance(Side& side, std::uint64_t n, Wanted wanted);
-  void correct();
+  void solve();
+  void book(bool with_energies);
 
   Model& model_;
   Ledger ledger_;
   std::vector<double> gap_, multipliers_;
-  bool impulses_pending_ = false;  // computed, but not yet sent
+  bool impulses_pending_ = false;               // computed, but not yet sent
+  std::optional<std::uint64_t> unbooked_step_;  // computed, but not yet in the ledger
   double wait_s_ = 0, solve_s_ = 0;
 };
 

@@ -1,6 +1,11 @@
 #include "dem_server/histories.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <limits>
+
+#include "protocol/errors.hpp"
 
 namespace adit::dem {
 namespace {
@@ -35,8 +40,20 @@ double value(const Particles& p, scene::Quantity quantity, std::uint32_t i) {
 }  // namespace
 
 Histories::Histories(const scene::Particles& scene, const Particles& particles) {
-  for (const auto& history : scene.histories())
-    histories_.push_back({history.quantity(), nearest(particles, history.at().x(), history.at().y())});
+  const double reach = 2 * scene.packing().radius();
+  for (int i = 0; i < scene.histories_size(); ++i) {
+    const auto& history = scene.histories(i);
+    const double x = history.at().x(), y = history.at().y();
+    const std::uint32_t particle = nearest(particles, x, y);
+    if (const double distance = std::hypot(particles.x[particle] - x, particles.y[particle] - y);
+        distance > reach)
+      throw protocol::UserError(
+          fmt::format("particles.histories[{}].at", i),
+          fmt::format("is ({:g}, {:g}) m, but the nearest particle is {:g} m away; choose a "
+                      "place within a diameter of a particle",
+                      x, y, distance));
+    histories_.push_back({history.quantity(), particle});
+  }
 }
 
 void Histories::read(const Particles& particles, google::protobuf::RepeatedField<double>& values) const {

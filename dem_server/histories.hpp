@@ -11,7 +11,8 @@ namespace adit::dem {
 
 class Histories {
  public:
-  // The nearest centre at rest; of two equally near ones the first.
+  // The nearest centre at rest; of two equally near ones the first. A place farther than a diameter from all
+  // of them is a protocol::UserError.
   Histories(const scene::Particles& scene, const Particles& particles);
 
   // Values at step n in the scene's order: displacements at n, velocities at n - 1/2 (the last final ones).

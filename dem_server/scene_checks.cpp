@@ -5,14 +5,16 @@
 #include <cmath>
 
 #include "protocol/errors.hpp"
+#include "protocol/frame.hpp"
 
 namespace adit::dem {
 namespace {
 
 using protocol::UserError;
 
-// Ids and bonds are numbered by 32 bits, three bonds a particle.
-constexpr double kMostParticles = 1e9;
+// A snapshot travels in one frame, at about 260 bytes a particle with its bonds.
+constexpr double kBytesPerParticle = 260;
+constexpr double kMostParticles = protocol::kMaxFrameBytes / kBytesPerParticle;
 
 void require_positive(double value, const std::string& path, const std::string& unit) {
   if (!(value > 0) || !std::isfinite(value))

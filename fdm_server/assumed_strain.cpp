@@ -47,13 +47,10 @@ AssumedStrainZones::AssumedStrainZones(const Grid& grid, const PlaneLaw& law, st
 }
 
 void AssumedStrainZones::add_forces(double dt, const PointView& points) {
-  CornerForces forces;
-  for (const auto& run : runs_)
-    for (std::uint32_t done = 0; done < run.count; done += kBatch) {
-      const auto count = std::min(kBatch, run.count - done);
-      strain_batch(run, done, count, dt, points, forces);
-      scatter(forces, run, done, count, points);
-    }
+  add_batches(runs_, points,
+              [&](const ZoneRun& run, std::uint32_t done, std::uint32_t count, CornerForces& forces) {
+                strain_batch(run, done, count, dt, points, forces);
+              });
 }
 
 void AssumedStrainZones::strain_batch(const ZoneRun& run, std::uint32_t done, std::uint32_t count, double dt,

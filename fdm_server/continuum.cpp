@@ -27,6 +27,20 @@ Continuum::Continuum(std::unique_ptr<Zones> zones, std::span<const double> masse
 void Continuum::push(std::uint32_t point, double x, double y) {
   points_[kVx][point] += points_[kInverseMassX][point] * x;
   points_[kVy][point] += points_[kInverseMassY][point] * y;
+  if (points_[kInverseMassX][point] == 0) hold(Axis::kX, point, x);
+  if (points_[kInverseMassY][point] == 0) hold(Axis::kY, point, y);
+}
+
+// The impulse on a component that does not yield is taken up by the reaction of its motion, which was found
+// at the last step without it.
+void Continuum::hold(Axis axis, std::uint32_t point, double impulse) {
+  for (auto& prescribed : motions_) {
+    if (prescribed.motion.axis != axis || !std::ranges::binary_search(prescribed.motion.points, point))
+      continue;
+    const double force = impulse / last_kick_;
+    prescribed.reaction -= force;
+    external_work_ -= last_dt_ * prescribed.before * force / 2;
+  }
 }
 
 void Continuum::step(std::uint64_t n, double dt, Energies* wanted) {
@@ -35,7 +49,9 @@ void Continuum::step(std::uint64_t n, double dt, Energies* wanted) {
   apply_loads(n, dt);
   find_reactions(n, dt);
   if (wanted) *wanted = energies(n, dt);
-  move_and_predict(dt, n == 0 ? dt / 2 : dt);
+  last_dt_ = dt;
+  last_kick_ = n == 0 ? dt / 2 : dt;
+  move_and_predict(dt, last_kick_);
 }
 
 void Continuum::apply_loads(std::uint64_t n, double dt) {

@@ -34,7 +34,7 @@ struct Load {
 
 enum class Axis { kX, kY };
 
-// One velocity component of some points. No component of a point is named twice.
+// One velocity component of some points, ascending. No component of a point is named twice.
 struct Motion {
   std::vector<std::uint32_t> points;
   Axis axis;
@@ -87,6 +87,7 @@ class Continuum {
     double reaction = 0;  // total force that the motion needed at the last step
   };
 
+  void hold(Axis axis, std::uint32_t point, double impulse);
   void apply_loads(std::uint64_t n, double dt);
   void find_reactions(std::uint64_t n, double dt);
   Energies energies(std::uint64_t n, double dt) const;
@@ -97,6 +98,7 @@ class Continuum {
   std::vector<Loading> loads_;
   std::vector<Prescribed> motions_;
   double external_work_ = 0;
+  double last_dt_ = 0, last_kick_ = 0;
 };
 
 }  // namespace adit::fdm

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "protocol/errors.hpp"
+#include "protocol/frame.hpp"
 
 namespace adit::fdm {
 namespace {
@@ -29,9 +30,11 @@ Block read_block(const scene::Block& block) {
   require(block.zones_x() > 0, path + "zones_x", "is 0; give at least one zone");
   require(block.zones_y() > 0, path + "zones_y", "is 0; give at least one zone");
   const std::uint64_t points = (std::uint64_t{block.zones_x()} + 1) * (std::uint64_t{block.zones_y()} + 1);
-  require(points <= std::numeric_limits<std::int32_t>::max(), path + "zones_x",
-          fmt::format("and zones_y make {} grid points; at most {} can be numbered, use larger zones", points,
-                      std::numeric_limits<std::int32_t>::max()));
+  // A snapshot travels in one frame.
+  constexpr std::uint64_t kBytesPerPoint = 180, kMostPoints = protocol::kMaxFrameBytes / kBytesPerPoint;
+  require(points <= kMostPoints, path + "zones_x",
+          fmt::format("and zones_y make {} grid points; at most {} can be computed, use larger zones", points,
+                      kMostPoints));
   return {block.x_min(), block.x_max(), block.y_min(), block.y_max(), block.zones_x(), block.zones_y()};
 }
 

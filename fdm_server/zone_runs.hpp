@@ -3,6 +3,7 @@
 // gathering. A grid without any order has runs of one zone.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -52,6 +53,19 @@ inline void scatter(const CornerForces& forces, const ZoneRun& run, std::uint32_
       fy[i] += y[i];
     }
   }
+}
+
+// Takes all zones batch by batch: batch(run, done, count, forces) fills the forces of zones `done` …
+// `done` + `count` of the run, which are then added to their points.
+template <class Batch>
+void add_batches(const std::vector<ZoneRun>& runs, const PointView& points, Batch&& batch) {
+  CornerForces forces;
+  for (const auto& run : runs)
+    for (std::uint32_t done = 0; done < run.count; done += kBatch) {
+      const auto count = std::min(kBatch, run.count - done);
+      batch(run, done, count, forces);
+      scatter(forces, run, done, count, points);
+    }
 }
 
 }  // namespace adit::fdm

@@ -8,6 +8,7 @@
 #include <array>
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/error.hpp>
+#include <thread>
 
 #include "protocol/address.hpp"
 #include "protocol/error_frame.hpp"
@@ -19,9 +20,15 @@ namespace {
 namespace asio = boost::asio;
 using boost::system::error_code;
 
-// Spinning pays for short steps, sleeping for long ones; and where other work wants the core, a yield hands
-// it over for milliseconds. A yield longer than the spin shows that, and the next waits then sleep at once.
-constexpr std::chrono::microseconds kSpin{100};
+// Waking from a wait for the socket costs more than a whole round trip of spinning ends, so short waits spin.
+// The end that asks can do so for long ones too: answers take about as long as the ones before, so it sleeps
+// by the clock well into that time, and then spins. (An end that answers must not: it waits for the other's
+// naps, and both would keep each other asleep.) What is later than expected is waited for asleep. And where
+// other work wants the core, a yield hands it over for milliseconds: a yield longer than the spin shows that,
+// and the next waits then sleep at once.
+constexpr std::chrono::microseconds kSpin{200};
+constexpr double kNap = 0.8;                               // of the expected wait
+constexpr std::chrono::milliseconds kLongestForecast{50};  // beyond it, latency is no matter
 constexpr int kWaitsWithoutSpin = 1000;
 constexpr std::chrono::seconds kFarewell{2};  // for the peer to read our last frame
 
@@ -112,22 +119,33 @@ void Connection::await(Take take_complete, std::chrono::milliseconds within) {
   Watch watch(*this, within);
   const bool may_spin = waits_without_spin_ == 0;
   if (!may_spin) --waits_without_spin_;
+  const Clock::duration expected = may_spin ? expected_wait() : Clock::duration::zero();
+  if (expected > kSpin) std::this_thread::sleep_for(kNap * expected);
+  const Clock::duration spin = may_spin ? expected + kSpin : Clock::duration::zero();
   while (true) {
     const bool arrived = read_some();
     const auto now = Clock::now();
     if (arrived) watch.sign_of_life(now);
     if (arrived && take_complete()) {
       waited_ += watch.lasted(now);
+      last_waits_[waits_++ % last_waits_.size()] = watch.lasted(now);
       return;
     }
     watch.check(now);
-    if (may_spin && watch.quiet_for(now) < kSpin) {
+    if (watch.quiet_for(now) < spin) {
       sched_yield();
       if (Clock::now() - now > kSpin) waits_without_spin_ = kWaitsWithoutSpin;
     } else {
       sleep(watch.deadline(), true, false);
     }
   }
+}
+
+// The shortest of the last waits: one that was delayed by chance foretells nothing.
+Connection::Clock::duration Connection::expected_wait() const {
+  if (!forecasts_) return Clock::duration::zero();
+  const auto shortest = *std::min_element(last_waits_.begin(), last_waits_.end());
+  return shortest < kLongestForecast ? shortest : Clock::duration::zero();
 }
 
 bool Connection::take(wire::Frame& frame) {

@@ -6,6 +6,7 @@
 // computation does not.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -58,6 +59,9 @@ class Connection {
   void receive(wire::Frame& frame) { receive(frame, patience_.answer); }
   void receive(wire::Frame& frame, std::chrono::milliseconds within);
 
+  // Says that this end asks and the other answers: waits are then foretold from those before.
+  void expect_answers() { forecasts_ = true; }
+
   // The greeting (greeting.hpp): preambles, then what hello agreed on, from where on heartbeats go out.
   void send_preamble();
   std::uint32_t receive_preamble();
@@ -78,6 +82,7 @@ class Connection {
   template <class Take>
   void await(Take take_complete, std::chrono::milliseconds within);
   bool take(wire::Frame& frame);
+  Clock::duration expected_wait() const;
   bool read_some();
   void write(std::span<const std::byte> bytes);
   void sleep(Clock::time_point until, bool readable, bool writable);
@@ -91,6 +96,9 @@ class Connection {
   FrameDecoder decoder_;
   std::uint64_t bytes_received_ = 0;
   Clock::duration waited_{};
+  bool forecasts_ = false;
+  std::array<Clock::duration, 4> last_waits_{};
+  std::size_t waits_ = 0;
   int waits_without_spin_ = 0;
 
   std::mutex sending_;  // the frames of the owner and the heartbeats go out one after another

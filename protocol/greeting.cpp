@@ -61,7 +61,11 @@ std::unique_ptr<Connection> connect(const Address& address, std::string_view pro
                                [&](const error_code& result, const tcp::endpoint&) { error = result; });
                          });
   io.run_for(patience.connect);
-  if (!error) return std::make_unique<Connection>(std::move(socket), program, patience);
+  if (!error) {
+    auto connection = std::make_unique<Connection>(std::move(socket), program, patience);
+    connection->expect_answers();
+    return connection;
+  }
 
   const std::string where = to_string(address);
   if (error == asio::error::timed_out) {

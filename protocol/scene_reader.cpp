@@ -93,11 +93,24 @@ std::string SceneFile::folder(std::string_view field) const {
   return place.line > 0 ? fs::path(*place.source).parent_path().string() : "";
 }
 
+// Results go to a folder of this name: it must not lead anywhere else.
+void require_folder_name(const SceneFile& file) {
+  const std::string& name = file.scene.name();
+  const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) || c == '_' || c == '-' || c == '.' || c > 127;
+  });
+  if (!plain || name.empty() || name.front() == '.')
+    throw UserError("",
+                    file.locate("name") + ": name: is " + quote(name) +
+                        ", expected the name of a folder: letters, digits, `_`, `-`, and `.` but not first");
+}
+
 SceneFile read_scene(const std::string& path, std::span<const Override> sets) {
   SceneFile file{{}, merge_layers(load_layers(path))};
   for (const Override& set : sets) apply(set, file.tree, scene::Scene::descriptor());
   read_message(file.tree, "", file.scene);
   if (!file.scene.has_name()) file.scene.set_name(fs::path(path).stem().string());
+  require_folder_name(file);
   return file;
 }
 

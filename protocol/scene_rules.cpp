@@ -1,10 +1,9 @@
 #include "protocol/scene_rules.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 
 #include "protocol/quantity.hpp"
+#include "protocol/text.hpp"
 
 namespace adit::protocol {
 namespace {
@@ -12,11 +11,6 @@ namespace {
 using google::protobuf::Descriptor;
 using google::protobuf::EnumDescriptor;
 using google::protobuf::FieldDescriptor;
-
-std::string shortest(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
 
 // " above 0 m and below 3 m"
 std::string limits(const scene::Rule& rule) {
@@ -64,11 +58,7 @@ std::vector<std::string> field_names(const Descriptor* type) {
 
 std::vector<std::string> enumerators(const EnumDescriptor* type) {
   std::vector<std::string> names;
-  for (int i = 0; i < type->value_count(); ++i) {
-    std::string name = type->value(i)->name();
-    std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
-    names.push_back(std::move(name));
-  }
+  for (int i = 0; i < type->value_count(); ++i) names.push_back(lower_case(type->value(i)->name()));
   return names;
 }
 

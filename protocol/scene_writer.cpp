@@ -2,11 +2,10 @@
 
 #include <yaml-cpp/emitter.h>
 
-#include <algorithm>
-#include <array>
-#include <charconv>
-#include <string_view>
+#include <stdexcept>
 #include <vector>
+
+#include "protocol/text.hpp"
 
 namespace adit::protocol {
 namespace {
@@ -15,17 +14,6 @@ using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 
 void emit(YAML::Emitter& out, const Message& message);
-
-std::string shortest(double value) {
-  std::array<char, 32> text;
-  return {text.data(), std::to_chars(text.begin(), text.end(), value).ptr};
-}
-
-std::string lower_case(std::string_view name) {
-  std::string text(name);
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
 
 // One value of a field: the field's own where `index` is negative, an element of its list otherwise.
 void emit_value(YAML::Emitter& out, const Message& message, const FieldDescriptor* field, int index) {

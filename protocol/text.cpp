@@ -1,6 +1,9 @@
 #include "protocol/text.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
 
 namespace adit::protocol {
 
@@ -21,6 +24,17 @@ std::string shorten(std::string_view text) {
 
 std::string quote(std::string_view text) {
   return "`" + shorten(text) + "`";
+}
+
+std::string shortest(double value) {
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.begin(), text.end(), value).ptr};
+}
+
+std::string lower_case(std::string_view name) {
+  std::string text(name);
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
 }
 
 }  // namespace adit::protocol

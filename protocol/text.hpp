@@ -1,4 +1,4 @@
-// The user's text: trimmed for reading, and made fit for a one-line message.
+// Text that the user reads or wrote: numbers, names, and what fits into a one-line message.
 #pragma once
 
 #include <string>
@@ -14,5 +14,11 @@ std::string shorten(std::string_view text);
 
 // `text`, shortened, between backticks.
 std::string quote(std::string_view text);
+
+// The shortest decimal that reads back to the same bits.
+std::string shortest(double value);
+
+// The scene's own word for an enumerator, whose name is in capitals.
+std::string lower_case(std::string_view name);
 
 }  // namespace adit::protocol

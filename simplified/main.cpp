@@ -33,7 +33,8 @@ void run_scene(const Options& options, const protocol::SceneFile& file) {
   const fs::path directory =
       options.out.empty() ? fs::path("runs") / name / file.scene.name() : fs::path(options.out);
   simplified::check(file);  // before an older run's results go
-  adit::coupler::prepare_run_directory(directory);
+  adit::coupler::prepare_run_directory(directory, options.scene);
+  adit::coupler::clear_results(directory);
   std::ofstream(directory / "scene.yaml") << protocol::to_yaml(file.scene);
   simplified::run(file, name, directory);
 }

@@ -3,67 +3,63 @@
 #include <stdexcept>
 
 namespace adit::coupler {
-namespace {
 
-// Places of the grid points that are free in this direction; -1 where the motion is prescribed.
-std::vector<int> number_free_points(const Interpolation& grid, int direction) {
-  std::vector<int> numbers(grid.own_points(), -1);
-  int count = 0;
-  for (std::size_t j = 0; j < grid.own_points(); ++j)
-    if (grid.inverse_mass(j, direction) > 0) numbers[j] = count++;
-  return numbers;
+ConsistentSolve::ConsistentSolve(const Interpolation& continuum, const Interpolation& particles)
+    : interpolation_(continuum),
+      particle_masses_(2 * continuum.coupling_points()),
+      on_grid_(2 * continuum.own_points()) {
+  for (std::size_t i = 0; i < particle_masses_.size(); ++i)
+    particle_masses_[i] = 1.0 / particles.inverse_mass(particles.columns(i / 2)[0], static_cast<int>(i % 2));
+  for (const int direction : {0, 1}) factor(direction);
 }
 
-}  // namespace
-
-ConsistentSolve::ConsistentSolve(const Interpolation& continuum, const Interpolation& particles) {
-  const auto points = static_cast<Eigen::Index>(continuum.coupling_points());
-  for (int direction = 0; direction < 2; ++direction) {
-    Component& c = components_[direction];
-    const std::vector<int> numbers = number_free_points(continuum, direction);
-    const Eigen::Index free = numbers.size() - std::count(numbers.begin(), numbers.end(), -1);
-
-    std::vector<Eigen::Triplet<double>> entries;
-    c.particle_masses.resize(points);
-    for (Eigen::Index k = 0; k < points; ++k) {
-      c.particle_masses[k] = 1.0 / particles.inverse_mass(particles.columns(k)[0], direction);
-      for (std::size_t e = 0; e < continuum.columns(k).size(); ++e)
-        if (const int j = numbers[continuum.columns(k)[e]]; j >= 0)
-          entries.emplace_back(k, j, continuum.values(k)[e]);
+void ConsistentSolve::factor(int direction) {
+  Direction& d = directions_[direction];
+  constexpr int kPrescribed = -1;
+  std::vector<int> numbers(interpolation_.own_points(), kPrescribed);
+  for (std::size_t j = 0; j < numbers.size(); ++j)
+    if (interpolation_.inverse_mass(j, direction) > 0) {
+      numbers[j] = static_cast<int>(d.free.size());
+      d.free.push_back(j);
     }
-    c.interpolation.resize(points, free);
-    c.interpolation.setFromTriplets(entries.begin(), entries.end());
 
-    entries.clear();
-    for (std::size_t j = 0; j < numbers.size(); ++j)
-      if (numbers[j] >= 0)
-        entries.emplace_back(numbers[j], numbers[j], 1.0 / continuum.inverse_mass(j, direction));
-    Eigen::SparseMatrix<double> masses(free, free);
-    masses.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SparseMatrix<double> n = c.interpolation;
-    masses += Eigen::SparseMatrix<double>(n.transpose() * c.particle_masses.asDiagonal() * n);
-    c.factor.compute(masses);
-    if (c.factor.info() != Eigen::Success)
-      throw std::logic_error("the interface's mass matrix could not be factored");
-
-    for (Eigen::VectorXd* vector : {&c.gap, &c.weighted_gap, &c.multipliers}) vector->resize(points);
-    for (Eigen::VectorXd* vector : {&c.right_side, &c.grid_correction}) vector->resize(free);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t i = 0; i < d.free.size(); ++i) {
+    const int number = static_cast<int>(i);
+    entries.emplace_back(number, number, 1.0 / interpolation_.inverse_mass(d.free[i], direction));
   }
+  for (std::size_t k = 0; k < interpolation_.coupling_points(); ++k) {
+    const auto columns = interpolation_.columns(k);
+    const auto values = interpolation_.values(k);
+    const double mass = particle_masses_[2 * k + direction];
+    for (std::size_t a = 0; a < columns.size(); ++a)
+      for (std::size_t b = 0; b < columns.size(); ++b)
+        if (numbers[columns[a]] != kPrescribed && numbers[columns[b]] != kPrescribed)
+          entries.emplace_back(numbers[columns[a]], numbers[columns[b]], values[a] * mass * values[b]);
+  }
+  const auto size = static_cast<Eigen::Index>(d.free.size());
+  Eigen::SparseMatrix<double> masses(size, size);
+  masses.setFromTriplets(entries.begin(), entries.end());
+  d.factor.compute(masses);
+  if (d.factor.info() != Eigen::Success)
+    throw std::logic_error("the interface's mass matrix could not be factored");
+  d.right_side.resize(size);
+  d.correction.resize(size);
 }
 
 void ConsistentSolve::solve(std::span<const double> gap, std::span<double> multipliers) {
-  const auto points = static_cast<Eigen::Index>(gap.size() / 2);
-  for (int direction = 0; direction < 2; ++direction) {
-    Component& c = components_[direction];
-    for (Eigen::Index k = 0; k < points; ++k) c.gap[k] = gap[2 * k + direction];
-    c.weighted_gap = c.particle_masses.cwiseProduct(c.gap);
-    c.right_side.noalias() = c.interpolation.transpose() * c.weighted_gap;
-    c.grid_correction = c.factor.solve(c.right_side);
-    c.multipliers = c.gap;
-    c.multipliers.noalias() -= c.interpolation * c.grid_correction;
-    for (Eigen::Index k = 0; k < points; ++k)
-      multipliers[2 * k + direction] = c.particle_masses[k] * c.multipliers[k];
+  for (std::size_t i = 0; i < gap.size(); ++i) multipliers[i] = particle_masses_[i] * gap[i];
+  interpolation_.gather(multipliers, on_grid_);
+  for (const int direction : {0, 1}) {
+    Direction& d = directions_[direction];
+    for (std::size_t i = 0; i < d.free.size(); ++i) d.right_side[i] = on_grid_[2 * d.free[i] + direction];
+    d.correction = d.factor.solve(d.right_side);
+    for (std::size_t j = direction; j < on_grid_.size(); j += 2) on_grid_[j] = 0;
+    for (std::size_t i = 0; i < d.free.size(); ++i) on_grid_[2 * d.free[i] + direction] = d.correction[i];
   }
+  interpolation_.interpolate(on_grid_, multipliers);
+  for (std::size_t i = 0; i < gap.size(); ++i)
+    multipliers[i] = particle_masses_[i] * (gap[i] - multipliers[i]);
 }
 
 }  // namespace adit::coupler

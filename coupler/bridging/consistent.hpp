@@ -24,13 +24,17 @@ class ConsistentSolve : public MultiplierSolve {
   void solve(std::span<const double> gap, std::span<double> multipliers) override;
 
  private:
-  struct Component {                                             // the x or the y direction
-    Eigen::SparseMatrix<double, Eigen::RowMajor> interpolation;  // N_C restricted to free grid points
-    Eigen::VectorXd particle_masses;
+  struct Direction {                // x or y
+    std::vector<std::size_t> free;  // the grid points that are free in this direction
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor;
-    Eigen::VectorXd gap, weighted_gap, right_side, grid_correction, multipliers;
+    Eigen::VectorXd right_side, correction;
   };
-  std::array<Component, 2> components_;
+  void factor(int direction);
+
+  Interpolation interpolation_;          // N_C
+  std::vector<double> particle_masses_;  // m, interleaved like the multipliers
+  std::array<Direction, 2> directions_;
+  std::vector<double> on_grid_;  // one pair for each grid point
 };
 
 }  // namespace adit::coupler

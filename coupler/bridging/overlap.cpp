@@ -76,11 +76,11 @@ BoundingBox Overlap::bounds(const BoundingBox& model) const {
   // The strip is unbounded along its two lines; a strip along an axis cuts the model's box exactly, any
   // other is covered by the whole box, of which only a little is offered in vain.
   BoundingBox box = model;
-  if (gradient_y_ == 0.0) {
+  if (follows_x()) {
     box.x_min = std::max(box.x_min, std::min(begin_x_, begin_x_ + 1.0 / gradient_x_));
     box.x_max = std::min(box.x_max, std::max(begin_x_, begin_x_ + 1.0 / gradient_x_));
   }
-  if (gradient_x_ == 0.0) {
+  if (follows_y()) {
     box.y_min = std::max(box.y_min, std::min(begin_y_, begin_y_ + 1.0 / gradient_y_));
     box.y_max = std::min(box.y_max, std::max(begin_y_, begin_y_ + 1.0 / gradient_y_));
   }

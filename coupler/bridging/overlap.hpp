@@ -34,6 +34,10 @@ class Overlap {
   bool begins_in(const BoundingBox& model) const;
   bool ends_in(const BoundingBox& model) const;
 
+  // The weight changes along x only, along y only.
+  bool follows_x() const { return gradient_y_ == 0.0; }
+  bool follows_y() const { return gradient_x_ == 0.0; }
+
   // Weights at points x0 y0 x1 y1 …
   std::vector<double> continuum_weights(std::span<const double> points) const;
   std::vector<double> particle_weights(std::span<const double> points) const;

@@ -25,9 +25,7 @@ std::string column(const scene::History& history) {
 std::vector<std::string> history_columns(const Model& model) {
   std::vector<std::string> columns = {"time_s"};
   for (const Side& side : model.sides)
-    for (const auto& history : side.role == Role::kContinuum ? model.scene.continuum().histories()
-                                                             : model.scene.particles().histories())
-      columns.push_back(column(history));
+    for (const auto& history : histories_of(model.scene, side.role)) columns.push_back(column(history));
   if (model.scene.has_particles()) columns.emplace_back("max_bond_force_N");
   for (const Side& side : model.sides) {
     const std::string role = to_string(side.role);

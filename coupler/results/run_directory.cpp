@@ -11,13 +11,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// All that a run of `coupler` or `simplified`, its servers' logs and its pictures leave.
-constexpr std::array<std::string_view, 13> kResults = {
-    "summary.json",  "histories.csv",    "cracks.csv",
-    "scene.yaml",    "fields",           "pictures",
-    "zoom",          "fdm_server.log",   "dem_server.log",
-    "envelopes.csv", "soil_profile.csv", "time_distance.csv",
-    "joints.csv"};
+// All that a run of `coupler` or `simplified` and its pictures leave; `.part` files are those of a run that
+// was killed while writing.
+constexpr std::array<std::string_view, 12> kResults = {
+    "summary.json", "summary.json.part", "histories.csv",    "cracks.csv",        "scene.yaml", "fields",
+    "pictures",     "envelopes.csv",     "soil_profile.csv", "time_distance.csv", "joints.csv", "zoom"};
+
+bool is_result(const fs::path& file) {
+  return std::find(kResults.begin(), kResults.end(), file.filename().string()) != kResults.end();
+}
 
 }  // namespace
 
@@ -27,18 +29,22 @@ std::string case_name(const fs::path& scene_file) {
   return folder.filename().string();
 }
 
-void prepare_run_directory(const fs::path& directory) {
+void prepare_run_directory(const fs::path& directory, const fs::path& scene_file) {
+  const auto refuse = [&](const std::string& why) {
+    throw protocol::UserError(
+        "", "the results' directory " + directory.string() + " " + why + "; give another one by --out");
+  };
   std::error_code error;
   fs::create_directories(directory, error);
-  if (error)
-    throw protocol::UserError("", "cannot create the results' directory " + directory.string() + ": " +
-                                      error.message() + "; give another one by --out");
-  for (const auto& entry : fs::directory_iterator(directory)) {
-    const std::string name = entry.path().filename().string();
-    if (std::find(kResults.begin(), kResults.end(), name) == kResults.end())
-      throw protocol::UserError("", "the results' directory " + directory.string() + " holds `" + name +
-                                        "`, which is no result of a run; give another one by --out");
-  }
+  if (error) refuse("cannot be created: " + error.message());
+  if (fs::equivalent(directory, fs::absolute(scene_file).parent_path(), error))
+    refuse("holds the scene itself");
+  for (const auto& entry : fs::directory_iterator(directory))
+    if (!is_result(entry.path()) && entry.path().extension() != ".log")
+      refuse("holds `" + entry.path().filename().string() + "`, which is no result of a run");
+}
+
+void clear_results(const fs::path& directory) {
   for (const std::string_view name : kResults) fs::remove_all(directory / name);
 }
 

@@ -4,9 +4,15 @@
 #include <sys/resource.h>
 
 #include <cstdio>
+#include <limits>
+
+#include "protocol/text.hpp"
 
 namespace adit::coupler {
 namespace {
+
+// What a run has nothing to say of is null in its summary: every summary has the same names.
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 double own_cpu_seconds() {
   rusage usage{};
@@ -15,14 +21,6 @@ double own_cpu_seconds() {
     return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
   };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-// The scene's own word for an enumerator.
-template <class Enum>
-std::string lower_case_name(Enum value, const std::string& (*name)(Enum)) {
-  std::string text = name(value);
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
 }
 
 std::string at(const Event& event) {
@@ -37,23 +35,25 @@ RunSummary::RunSummary(const RunLabels& labels, const Model& model) : model_(mod
   summary_.set("scene", scene.name());
   summary_.set("scene_hash", labels.scene_hash);
   summary_.set("versions", labels.versions);
-  summary_.set("plane", lower_case_name(scene.plane(), scene::Plane_Name<scene::Plane>));
+  summary_.set("plane", protocol::lower_case(scene::Plane_Name(scene.plane())));
   summary_.set("duration_s", scene.time().duration());
   summary_.set("dt_s", model.dt);
   summary_.set("critical_dt_s", model.critical_dt);
+  wire::Interface counts;  // of all sides; a participant says nothing of what it does not have
   for (const Side& side : model.sides) {
-    if (side.role == Role::kContinuum) {
-      summary_.set("zones", side.counts.zones());
-      summary_.set("grid_points", side.counts.grid_points());
-    } else {
-      summary_.set("particles", side.counts.particles());
-      summary_.set("bonds", side.counts.bonds());
-    }
+    counts.set_particles(counts.particles() + side.counts.particles());
+    counts.set_bonds(counts.bonds() + side.counts.bonds());
+    counts.set_zones(counts.zones() + side.counts.zones());
+    counts.set_grid_points(counts.grid_points() + side.counts.grid_points());
   }
+  summary_.set("particles", counts.particles());
+  summary_.set("bonds", counts.bonds());
+  summary_.set("zones", counts.zones());
+  summary_.set("grid_points", counts.grid_points());
+  summary_.set("coupling_points", model.coupling_points.size() / 2);
   if (!model.overlap) return;
   const auto& interface = scene.interface();
-  summary_.set("coupling_points", model.coupling_points.size() / 2);
-  summary_.set("solve", lower_case_name(interface.solve(), scene::Solve_Name<scene::Solve>));
+  summary_.set("solve", protocol::lower_case(scene::Solve_Name(interface.solve())));
   summary_.set("overlap_particles_begin_x_m", interface.overlap().particles_begin().x());
   summary_.set("overlap_particles_begin_y_m", interface.overlap().particles_begin().y());
   summary_.set("overlap_continuum_ends_x_m", interface.overlap().continuum_ends().x());
@@ -61,38 +61,38 @@ RunSummary::RunSummary(const RunLabels& labels, const Model& model) : model_(mod
 }
 
 void RunSummary::add_participant(const Side& side, const wire::Bye& bye) {
-  const std::string role = to_string(side.role);
-  summary_.set(role + "_cpu_s", bye.cpu_seconds());
-  summary_.set(side.role == Role::kContinuum ? "zone_updates" : "particle_updates", bye.updates());
+  summary_.set(std::string(to_string(side.role)) + "_cpu_s", bye.cpu_seconds());
+  (side.role == Role::kContinuum ? zone_updates_ : particle_updates_) = bye.updates();
 }
 
 void RunSummary::add_outcome(const Stepper& stepper, const Findings& findings, std::uint64_t steps,
                              double wall_s, double stepping_s, const std::string& error) {
   summary_.set("completed", error.empty());
   if (!error.empty()) summary_.set("error", error);
-  if (model_.scene.has_particles()) add_findings(findings);
+  add_findings(findings);
   add_ledger(stepper.ledger());
   add_cost(stepper, steps, wall_s, stepping_s);
   warn(findings);
 }
 
 void RunSummary::add_findings(const Findings& findings) {
-  summary_.set("peak_bond_force_N", findings.peak_bond_force);
-  summary_.set("peak_bond_force_time_s", findings.peak.time);
-  summary_.set("peak_bond_force_x_m", findings.peak.x);
-  summary_.set("peak_bond_force_y_m", findings.peak.y);
+  add_event("peak_bond_force", findings.peak, findings.peak_bond_force > 0);
+  summary_.set("peak_bond_force_N", model_.scene.has_particles() ? findings.peak_bond_force : kNothing);
   summary_.set("crack_count", findings.cracks);
+  add_event("first_crack", findings.first_crack, findings.cracks > 0);
+  if (!model_.scene.has_particles()) return;
   lines_.push_back(
       fmt::format("peak force chain   {:.0f} kN {}", 1e-3 * findings.peak_bond_force, at(findings.peak)));
-  if (findings.cracks == 0) {
-    lines_.emplace_back("cracks             none");
-    return;
-  }
-  summary_.set("first_crack_time_s", findings.first_crack.time);
-  summary_.set("first_crack_x_m", findings.first_crack.x);
-  summary_.set("first_crack_y_m", findings.first_crack.y);
-  lines_.push_back(
-      fmt::format("cracks             {}, the first {}", findings.cracks, at(findings.first_crack)));
+  lines_.push_back("cracks             " +
+                   (findings.cracks == 0
+                        ? std::string("none")
+                        : fmt::format("{}, the first {}", findings.cracks, at(findings.first_crack))));
+}
+
+void RunSummary::add_event(const std::string& name, const Event& event, bool happened) {
+  summary_.set(name + "_time_s", happened ? event.time : kNothing);
+  summary_.set(name + "_x_m", happened ? event.x : kNothing);
+  summary_.set(name + "_y_m", happened ? event.y : kNothing);
 }
 
 void RunSummary::add_ledger(const Ledger& ledger) {
@@ -102,11 +102,13 @@ void RunSummary::add_ledger(const Ledger& ledger) {
   summary_.set("energy_kept", ledger.kept());
   summary_.set("multiplier_work_J", multiplier_work);
   lines_.push_back(fmt::format("energy error       {:.1e} of the peak energy", ledger.max_drift()));
-  if (model_.overlap) summary_.set("max_constraint_residual", ledger.max_constraint_residual());
+  summary_.set("max_constraint_residual", model_.overlap ? ledger.max_constraint_residual() : kNothing);
 }
 
 void RunSummary::add_cost(const Stepper& stepper, std::uint64_t steps, double wall_s, double stepping_s) {
   summary_.set("steps", steps);
+  summary_.set("particle_updates", particle_updates_);
+  summary_.set("zone_updates", zone_updates_);
   summary_.set("wall_s", wall_s);
   summary_.set("steps_per_s", static_cast<double>(steps) / stepping_s);
   summary_.set("coupler_cpu_s", own_cpu_seconds());

@@ -14,7 +14,8 @@ namespace adit::coupler {
 struct RunLabels {
   std::string case_name;  // the summary's `case`
   std::string scene_hash;
-  std::string versions;  // of all programs that take part
+  std::string versions;    // of all programs that take part
+  std::string scene_yaml;  // what is computed
 };
 
 class RunSummary {
@@ -35,12 +36,14 @@ class RunSummary {
 
  private:
   void add_findings(const Findings& findings);
+  void add_event(const std::string& name, const Event& event, bool happened);
   void add_cost(const Stepper& stepper, std::uint64_t steps, double wall_s, double stepping_s);
   void add_ledger(const Ledger& ledger);
   void warn(const Findings& findings);
 
   const Model& model_;
   Summary summary_;
+  std::uint64_t particle_updates_ = 0, zone_updates_ = 0;
   std::vector<std::string> lines_;  // of print()
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cstdio>
 #include <map>
 #include <set>
@@ -13,6 +12,7 @@
 #include <utility>
 
 #include "coupler/results/atomic_file.hpp"
+#include "protocol/text.hpp"
 
 namespace adit::coupler {
 namespace {
@@ -177,12 +177,6 @@ std::string document_end(std::string_view type) {
   return "</" + std::string(type) + ">\n</VTKFile>\n";
 }
 
-std::string shortest(double value) {
-  std::array<char, 32> text{};
-  char* const end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
-}
-
 }  // namespace
 
 void write_piece(const std::filesystem::path& path, const wire::Piece& piece) {
@@ -211,7 +205,8 @@ Collection::Collection(std::filesystem::path folder) : folder_(std::move(folder)
 void Collection::add(double time, const std::string& piece, const std::string& file) {
   for (const Entry& entry : entries_) {
     if (entry.time == time && entry.piece == piece) {
-      throw std::runtime_error("two pieces are named \"" + piece + "\" at " + shortest(time) + " s");
+      throw std::runtime_error("two pieces are named \"" + piece + "\" at " + protocol::shortest(time) +
+                               " s");
     }
   }
   entries_.push_back({time, piece, file});
@@ -223,7 +218,7 @@ void Collection::write() const {
       parts;  // pieces by number: the viewer shows the parts of one time together
   for (const Entry& entry : entries_) {
     const std::size_t part = parts.emplace(entry.piece, parts.size()).first->second;
-    out += "<DataSet timestep=\"" + shortest(entry.time) + "\" part=\"" + std::to_string(part) +
+    out += "<DataSet timestep=\"" + protocol::shortest(entry.time) + "\" part=\"" + std::to_string(part) +
            "\" name=\"" + entry.piece + "\" file=\"" + entry.file + "\"/>\n";
   }
   out += document_end("Collection");

@@ -38,18 +38,6 @@ class Run:
         values = [[self.number(f"overlap_{end}_{axis}_m") for axis in "xy"] for end in ends]
         return None if any(v is None for end in values for v in end) else np.array(values)
 
-
-def runs_of_case(folder):
-    """All runs below a case's folder, by name; full models first."""
-    folder = Path(folder)
-    if not folder.is_dir():
-        raise Unusable(f"{folder} does not exist: give the folder of a case below runs/.")
-    found = sorted(path.parent for path in folder.glob("*/summary.json"))
-    if not found:
-        raise Unusable(f"{folder} holds no finished run (no */summary.json): run `scripts/run` first.")
-    return [Run(path) for path in sorted(found, key=lambda p: (not p.name.startswith("full_"), p.name))]
-
-
 def _read(path, reader):
     if not path.exists():
         raise Unusable(f"{path} does not exist: is {path.parent} the folder of a finished run?")

@@ -73,6 +73,38 @@ class UserErrors(ProgramTest):
     def test_address_without_port(self):
         self.assert_says(self.refusal(CASE / "coupled.yaml", "--dem", "localhost"), "localhost")
 
+    def test_servers_exchanged(self):
+        with Server("dem_server") as dem, Server("fdm_server") as fdm:
+            message = self.refusal(CASE / "coupled.yaml", "--fdm", dem.address, "--dem", fdm.address)
+        self.assert_says(message, dem.address, "is a dem_server", "fdm_server is needed")
+
+    def test_a_server_that_the_scene_does_not_need(self):
+        self.assert_says(self.refusal(CASE / "full_fdm.yaml", "--dem", "127.0.0.1:1"), "--dem", "no `particles`")
+
+    def test_one_server_for_both_sides(self):
+        same = ("--dem", "127.0.0.1:1", "--fdm", "127.0.0.1:1")
+        self.assert_says(self.refusal(CASE / "coupled.yaml", *same), "127.0.0.1:1", "both")
+
+    def test_a_name_that_leads_out_of_the_results(self):
+        self.assert_says(self.refusal(CASE / "full_fdm.yaml", "--set", "name=../escape"), "--set name", "../escape")
+
+    def test_field_times_after_the_end(self):
+        message = self.refusal(CASE / "full_fdm.yaml", "--set", "output.field_times=[1 s]")
+        self.assert_says(message, "--set output.field_times", "1 s", "0.05 s")
+
+    def test_a_refused_run_leaves_the_results_of_the_one_before(self):
+        before = self.run_scene(CASE / "full_fdm.yaml")
+        names = sorted(path.name for path in before.rglob("*"))
+        for refused in (("--fdm", "127.0.0.1:1"), ("--set", "time.dt=1 s")):
+            result = coupler("run", CASE / "full_fdm.yaml", "--out", before, *refused)
+            self.assertEqual(result.returncode, 2, result.stderr)
+            self.assertEqual(sorted(path.name for path in before.rglob("*")), names)
+
+    def test_a_history_interval_longer_than_the_run_gives_its_ends(self):
+        run = self.run_scene(CASE / "full_fdm.yaml", "--set", "output.history_interval=1e30 s",
+                             "--set", "output.field_times=[]")
+        self.assertEqual(len((run / "histories.csv").read_text().splitlines()), 3)
+
     def test_port_in_use(self):
         with Server("dem_server") as first:
             second = subprocess.run([BUILD / "dem_server" / "dem_server", "--listen", first.address],

@@ -149,6 +149,7 @@ TEST(Cantilever, CracksAsTheParticlesAlone) {
   EXPECT_NEAR(coupled.cracks.front().time, dem.cracks.front().time, 0.4e-3);
   expect_within(coupled.force_at(0.032), dem.force_at(0.032), 0.02, "F(32 ms)");
   EXPECT_EQ(coupled.broken_places(0.032), dem.broken_places(0.032));
+  EXPECT_EQ(coupled.broken_places(0.050), dem.broken_places(0.050));
 }
 
 }  // namespace

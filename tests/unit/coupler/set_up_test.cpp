@@ -78,12 +78,40 @@ TEST(SetUp, RefusesAnOverlapWithoutParticles) {
 TEST(SetUp, RefusesModelsWithoutAnInterfaceAndAnInterfaceWithoutModels) {
   scene::Scene scene = coupled_bar();
   scene.clear_interface();
-  expect_refusal(scene, "", "no `interface`");
+  expect_refusal(scene, "interface", "is missing");
   scene = coupled_bar();
   scene.clear_continuum();
   expect_refusal(scene, "interface", "no `continuum`");
   scene.clear_particles();
-  expect_refusal(scene, "", "neither `continuum` nor `particles`");
+  expect_refusal(scene, "continuum", "give at least one");
+}
+
+TEST(SetUp, RefusesParticlesThatDoNotFillTheOverlap) {
+  scene::Scene scene = coupled_bar();
+  scene.mutable_particles()->mutable_packing()->set_y_max(0.5);
+  expect_refusal(scene, "interface.overlap", "cross-section");
+}
+
+TEST(SetUp, RefusesTwoHistoriesOfOneColumn) {
+  scene::Scene scene = coupled_bar();
+  for (int i = 0; i < 2; ++i) {
+    auto& history = *scene.mutable_particles()->add_histories();
+    history.set_name("tip");
+    history.set_quantity(scene::DISPLACEMENT_Y);
+    history.mutable_at()->set_x(3.9);
+    history.mutable_at()->set_y(0.5);
+  }
+  expect_refusal(scene, "particles.histories[1].name", "a second time");
+}
+
+TEST(SetUp, RefusesAHistoryFarFromEveryParticle) {
+  scene::Scene scene = coupled_bar();
+  auto& history = *scene.mutable_particles()->add_histories();
+  history.set_name("tip");
+  history.set_quantity(scene::DISPLACEMENT_Y);
+  history.mutable_at()->set_x(0);  // particles begin at 1 m
+  history.mutable_at()->set_y(0.5);
+  expect_refusal(scene, "particles.histories[0].at", "nearest particle");
 }
 
 TEST(SetUp, RefusesASceneWithoutMaterialAndOneOfTheSimplifiedModels) {

@@ -125,7 +125,7 @@ TEST(Conditions, HistoriesReadTheNearestParticle) {
        {scene::VELOCITY_Y, scene::DISPLACEMENT_X, scene::VELOCITY_X, scene::DISPLACEMENT_Y}) {
     auto& history = *particles.add_histories();
     history.set_quantity(quantity);
-    history.mutable_at()->set_x(50);
+    history.mutable_at()->set_x(0.9);
     history.mutable_at()->set_y(0.5);
   }
   InProcessRun run(scene);

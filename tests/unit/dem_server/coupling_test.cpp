@@ -27,6 +27,7 @@ wire::Weights overlap_weights(const wire::Model& model) {
 scene::Scene coupled_scene() {
   auto scene = cantilever_scene();
   scene.mutable_particles()->clear_loads();
+  scene.mutable_particles()->mutable_histories(0)->mutable_at()->set_x(4);  // the particles' new end
   return scene;
 }
 

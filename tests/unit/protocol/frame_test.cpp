@@ -98,7 +98,7 @@ TEST(Frame, LengthAboveTheLimitIsRefusedBeforeAnyAllocation) {
   EXPECT_EQ(decoder.space().size(), space);
 }
 
-// A peer that announces 256 MiB and sends four bytes makes us allocate nothing.
+// A peer that announces the largest frame and sends four bytes makes us allocate nothing.
 TEST(Frame, MemoryGrowsWithWhatArrived) {
   FrameDecoder decoder;
   decoder.set_limit(kMaxFrameBytes);

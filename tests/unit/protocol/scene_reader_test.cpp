@@ -128,7 +128,7 @@ TEST(SceneReader, SetsReplaceFieldsElementsAndWholeMappingsInTheirOrder) {
       {"particles.loads[0].force.y=1 MN", "particles.loads[0].force.y=-2 MN", "interface.weight_floor=0.01",
        "interface.overlap={particles_begin: {x: 4, y: 0}, continuum_ends: {x: 6 m, y: 0}}",
        "particles.bonds={tensile_strength: 10 MN}", "output.field_times=[1 ms, 2 ms]",
-       "output.field_times[1]=3 ms", "name=other = one"});
+       "output.field_times[1]=3 ms", "description=other = one"});
   EXPECT_EQ(scene.particles().loads(0).force().y(), -2e6);
   EXPECT_EQ(scene.particles().loads(0).time().sine().frequency(), 50);
   EXPECT_EQ(scene.interface().weight_floor(), 0.01);
@@ -136,7 +136,7 @@ TEST(SceneReader, SetsReplaceFieldsElementsAndWholeMappingsInTheirOrder) {
   EXPECT_EQ(scene.particles().bonds().tensile_strength(), 10e6);
   EXPECT_FALSE(scene.particles().bonds().has_shear_strength());
   EXPECT_THAT(scene.output().field_times(), ::testing::ElementsAre(0.001, 0.003));
-  EXPECT_EQ(scene.name(), "other = one");
+  EXPECT_EQ(scene.description(), "other = one");
 }
 
 // Errors that are found after reading are reported where the field, or what holds it, was written.

@@ -1,0 +1,75 @@
+"""One coupled step: what it takes, where the time goes, and what the bare machine takes for a round trip."""
+
+import json
+import statistics
+import subprocess
+import tempfile
+
+ROUNDS = 7
+SHORT = "cases/cantilever/variants/coupled_52x6.yaml"
+LONG = "cases/cantilever/variants/coupled_100k.yaml"
+OVERHEAD_BYTES = 40  # of a frame beside its interface values
+
+
+def run(root):
+    return small(root) + large(root)
+
+
+def median_by_key(samples):
+    return {key: statistics.median(sample[key] for sample in samples) for key in samples[0]}
+
+
+def coupled(root, scene):
+    """Microseconds a step, by what they were spent on, and the size of the model."""
+    with tempfile.TemporaryDirectory() as out:
+        subprocess.run([root / "build/release/coupler/coupler", "run", root / scene, "--out", out],
+                       check=True, capture_output=True)
+        with open(f"{out}/summary.json", encoding="utf-8") as file:
+            s = json.load(file)
+    us = 1e6 / s["steps"]
+    return {"step": us * (s["coupler_wait_s"] + s["coupler_solve_s"]), "waiting": us * s["coupler_wait_s"], "coupler": us * s["coupler_solve_s"],
+            "continuum": us * s["continuum_compute_s"], "particles": us * s["particles_compute_s"],
+            "size": s["particles"], "points": s["coupling_points"]}
+
+
+def round_trip(root, points):
+    size = 16 * points + OVERHEAD_BYTES
+    lines = subprocess.run([root / "build/release/tests/bench/ping_pong", str(size), str(size), "20000"],
+                           check=True, capture_output=True, text=True).stdout.split()
+    return {"bytes": size, lines[0]: float(lines[1]), lines[2]: float(lines[3])}
+
+
+def small(root):
+    """The 52 x 6 cantilever: steps and bare round trips in turn, medians of both."""
+    points = coupled(root, SHORT)["points"]
+    bare, steps = [], []
+    for _ in range(ROUNDS):
+        bare.append(round_trip(root, points))
+        steps.append(coupled(root, SHORT))
+    bare, step = median_by_key(bare), median_by_key(steps)
+    size = step["size"]
+
+    def record(name, value, unit="us", size=size, threads=3):
+        return {"name": name, "size": size, "threads": threads, "value": value, "unit": unit}
+
+    return [
+        record("bare round trip, blocking", bare["blocking"], size=bare["bytes"], threads=2),
+        record("bare round trip, spinning", bare["spinning"], size=bare["bytes"], threads=2),
+        record("coupled step", step["step"]),
+        record("coupled step: particles computing", step["particles"]),
+        record("coupled step: continuum computing", step["continuum"]),
+        record("coupled step: waiting for both", step["waiting"]),
+        record("coupled step: multipliers and ledger", step["coupler"]),
+        record("coupled step over blocking round trip", step["step"] / bare["blocking"], "1"),
+        record("coupled step over spinning round trip", step["step"] / bare["spinning"], "1"),
+    ]
+
+
+def large(root):
+    """10^5 particles: what a step takes beyond the slower side's own computing."""
+    step = median_by_key([coupled(root, LONG) for _ in range(3)])
+    exchange = step["waiting"] + step["coupler"] - max(step["particles"], step["continuum"])
+    return [{"name": "coupled step", "size": step["size"], "threads": 3, "value": step["step"], "unit": "us"},
+            {"name": "exchange", "size": step["size"], "threads": 3, "value": exchange, "unit": "us"},
+            {"name": "exchange as a share of the step", "size": step["size"], "threads": 3,
+             "value": exchange / step["step"], "unit": "1"}]
