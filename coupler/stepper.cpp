@@ -63,9 +63,7 @@ Stepper::Stepper(Model& model)
     : model_(model),
       ledger_(model.sides.size(), model.coupling_points.size()),
       gap_(model.coupling_points.size()),
-      multipliers_(model.coupling_points.size()) {
-  for (Side& side : model_.sides) side.request.mutable_advance()->set_dt(model_.dt);
-}
+      multipliers_(model.coupling_points.size()) {}
 
 void Stepper::step(std::uint64_t n, Wanted wanted) {
   const auto start = Clock::now();

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "protocol/errors.hpp"
-#include "tests/unit/coupler/scratch_folder.hpp"
+#include "tests/unit/coupler/results_fixture.hpp"
 
 namespace adit::coupler {
 namespace {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "tests/unit/coupler/scratch_folder.hpp"
+#include "tests/unit/coupler/results_fixture.hpp"
 
 namespace adit::coupler {
 namespace {

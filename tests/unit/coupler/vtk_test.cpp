@@ -12,7 +12,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "tests/unit/coupler/scratch_folder.hpp"
+#include "tests/unit/coupler/results_fixture.hpp"
 
 namespace adit::coupler {
 namespace {

@@ -1,17 +1,14 @@
 // What the tests of motions share.
 #pragma once
 
-#include <unistd.h>
-
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "protocol/errors.hpp"
 #include "protocol/motion/motion.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace adit::motion::test {
 
@@ -43,23 +40,6 @@ inline double largest_difference(const std::vector<double>& a, const std::vector
   return largest;
 }
 
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "adit_motion_XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { std::filesystem::remove_all(path_); }
-
-  std::filesystem::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name, std::ios::binary) << text;
-    return path_ / name;
-  }
-
- private:
-  std::filesystem::path path_;
-};
+using Folder = adit::test::ScratchFolder;
 
 }  // namespace adit::motion::test

@@ -1,7 +1,7 @@
 // Everything that can be wrong with a scene file is one line: where, what was found, what was expected.
 #include <gmock/gmock.h>
 
-#include "tests/unit/protocol/temporary_folder.hpp"
+#include "tests/unit/protocol/scene_files.hpp"
 
 namespace adit::protocol {
 namespace {
@@ -9,8 +9,8 @@ namespace {
 using testing::complaint;
 using testing::complaint_about;
 using ::testing::HasSubstr;
+using testing::ScratchFolder;
 using ::testing::StartsWith;
-using testing::TemporaryFolder;
 
 // Lines 1 and 2 of every scene here; what is tested begins in line 3.
 const std::string kHead =
@@ -165,7 +165,7 @@ TEST(SceneErrors, TheFirstErrorInTheFileIsReported) {
 }
 
 TEST(SceneErrors, FilesThatCannotBeRead) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   EXPECT_EQ(complaint(folder, "no.yaml"), "no.yaml: there is no such file; check the path");
   EXPECT_EQ(complaint(folder, ""), ": this is not a file; name a scene file");
   folder.write("large.yaml", kHead + "#" + std::string(kLargestSceneBytes, '.'));
@@ -181,7 +181,7 @@ TEST(SceneErrors, BasesThatCannotBeRead) {
             "x.yaml:3:1: base: expected the path of a scene file, such as `base.yaml`");
   EXPECT_EQ(about("base:\n"), "x.yaml:3:1: base: expected the path of a scene file, such as `base.yaml`");
   EXPECT_THAT(about("base: x.yaml\n"), HasSubstr("builds on this file; no scene is its own base"));
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   folder.write("a.yaml", "base: b.yaml\n");
   folder.write("b.yaml", "base: ./a.yaml\n");
   EXPECT_THAT(complaint(folder, "a.yaml"), StartsWith("b.yaml:1:1: base: "));
@@ -189,7 +189,7 @@ TEST(SceneErrors, BasesThatCannotBeRead) {
 
 // A value from a base is blamed on the base's line, a field missing from both on the file itself.
 TEST(SceneErrors, ErrorsInABaseNameTheBase) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   folder.write("base.yaml", "\n" + kHead + "plane: wrong\n");
   folder.write("x.yaml", "base: base.yaml\n");
   EXPECT_THAT(complaint(folder, "x.yaml"), StartsWith("base.yaml:4:1: plane: is `wrong`"));

@@ -7,12 +7,12 @@
 
 #include "protocol/scene_hash.hpp"
 #include "protocol/scene_writer.hpp"
-#include "tests/unit/protocol/temporary_folder.hpp"
+#include "tests/unit/protocol/scene_files.hpp"
 
 namespace adit::protocol {
 namespace {
 
-using testing::TemporaryFolder;
+using testing::ScratchFolder;
 
 const std::string kBeam = R"(plane: plane_stress
 material: {young_modulus: 25 GPa, poisson_ratio: 0.2, density: 2.5 t/m^3}
@@ -33,13 +33,13 @@ output:
   field_times: [20 ms, 0.024]
 )";
 
-scene::Scene read(const TemporaryFolder& folder, const std::string& name,
+scene::Scene read(const ScratchFolder& folder, const std::string& name,
                   const std::vector<std::string>& sets = {}) {
   return read_scene(folder.path(name), parse_overrides(sets)).scene;
 }
 
 TEST(SceneReader, EveryKindOfFieldIsRead) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   folder.write("beam.yaml", kBeam);
   const scene::Scene scene = read(folder, "beam.yaml");
   EXPECT_EQ(scene.name(), "beam");
@@ -59,7 +59,7 @@ TEST(SceneReader, EveryKindOfFieldIsRead) {
 }
 
 TEST(SceneReader, WhatIsNotGivenStaysUnsetAndHasItsDefault) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   folder.write("beam.yaml", kBeam);
   const scene::Scene scene = read(folder, "beam.yaml");
   EXPECT_FALSE(scene.time().has_dt_factor());
@@ -69,7 +69,7 @@ TEST(SceneReader, WhatIsNotGivenStaysUnsetAndHasItsDefault) {
 }
 
 TEST(SceneReader, AMappingIsMergedKeyByKeyAndAListReplacesThatOfTheBase) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   folder.write("beam.yaml", kBeam);
   folder.write("soft.yaml", "base: beam.yaml\nmaterial: {young_modulus: 1 GPa}\nparticles: {loads: []}\n");
   const scene::Scene scene = read(folder, "soft.yaml");
@@ -81,7 +81,7 @@ TEST(SceneReader, AMappingIsMergedKeyByKeyAndAListReplacesThatOfTheBase) {
 }
 
 TEST(SceneReader, BasesAreRelativeToTheFileThatNamesThemAndMayHaveBases) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   std::filesystem::create_directory(folder.path("deep"));
   folder.write("beam.yaml", "name: beam\n" + kBeam);
   folder.write("deep/middle.yaml", "base: ../beam.yaml\nmaterial: {poisson_ratio: 0.3}\n");
@@ -96,14 +96,14 @@ TEST(SceneReader, BasesAreRelativeToTheFileThatNamesThemAndMayHaveBases) {
 
 // Required fields may come from the base or from the command line.
 TEST(SceneReader, RequiredFieldsAreCheckedAfterMerging) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   folder.write("base.yaml", "material: {young_modulus: 1 GPa, poisson_ratio: 0.2}\n");
   folder.write("x.yaml", "base: base.yaml\ntime: {duration: 1 s}\n");
   EXPECT_EQ(read(folder, "x.yaml", {"material.density=2 t/m^3"}).material().density(), 2000);
 }
 
 TEST(SceneReader, OfAlternativesTheLaterLayerWins) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   folder.write(
       "base.yaml",
       "material: {young_modulus: 1 GPa, poisson_ratio: 0.2, density: 1 t/m^3}\ntime: {duration: 1 s}\n"
@@ -121,7 +121,7 @@ TEST(SceneReader, OfAlternativesTheLaterLayerWins) {
 }
 
 TEST(SceneReader, SetsReplaceFieldsElementsAndWholeMappingsInTheirOrder) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   folder.write("beam.yaml", kBeam);
   const scene::Scene scene = read(
       folder, "beam.yaml",
@@ -141,7 +141,7 @@ TEST(SceneReader, SetsReplaceFieldsElementsAndWholeMappingsInTheirOrder) {
 
 // Errors that are found after reading are reported where the field, or what holds it, was written.
 TEST(SceneReader, FieldsAreLocatedInTheFileThatGaveThem) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string beam = folder.write("beam.yaml", kBeam);
   const std::string top =
       folder.write("top.yaml", "base: beam.yaml\n\nparticles:\n  bonds: {shear_strength: 1 N}\n");
@@ -164,7 +164,7 @@ TEST(SceneReader, FieldsAreLocatedInTheFileThatGaveThem) {
 
 // What a run directory keeps of the scene is the scene.
 TEST(SceneReader, AWrittenSceneReadsBackAsTheSameMessage) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   folder.write("beam.yaml", kBeam);
   const scene::Scene scene = read(folder, "beam.yaml");
   folder.write("again.yaml", to_yaml(scene));

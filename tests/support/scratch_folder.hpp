@@ -5,11 +5,10 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 
-namespace adit::coupler {
+namespace adit::test {
 
 class ScratchFolder {
  public:
@@ -23,14 +22,16 @@ class ScratchFolder {
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  std::string path(const std::string& name = {}) const { return (path_ / name).string(); }
+
+  // Writes the file and returns its path.
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return path(name);
+  }
 
  private:
   std::filesystem::path path_;
 };
 
-inline std::string content_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-}  // namespace adit::coupler
+}  // namespace adit::test
