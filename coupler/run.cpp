@@ -74,7 +74,7 @@ void step_to_the_end(Model& model, const Schedule& schedule, Stepper& stepper, R
   for (std::uint64_t n = 0; n <= model.steps; ++n) {
     const bool row = schedule.wants_history(n, model.steps);
     stepper.step(n, {.energies = row, .histories = row});
-    recorder.record_events(n);
+    recorder.record_events();
     if (row) {
       recorder.record_histories(n, stepper.ledger());
       require_bounded_energy(stepper.ledger(), model, n);

@@ -161,9 +161,11 @@ void DemParticipant::report_contacts(const ContactResult& contacts, std::uint64_
     throw protocol::Unstable(fmt::format(
         "step {}: the normal force of the bond at ({:.6g}, {:.6g}) m is {} N; reduce time.dt_factor", step,
         place.x, place.y, contacts.max_normal_force));
-  predicted.set_max_bond_force(contacts.max_normal_force);
-  predicted.set_max_bond_force_x(place.x);
-  predicted.set_max_bond_force_y(place.y);
+  wire::BondForce& strongest = *predicted.add_strongest();
+  strongest.set_step(step);
+  strongest.set_force(contacts.max_normal_force);
+  strongest.set_x(place.x);
+  strongest.set_y(place.y);
   for (const std::uint32_t bond : broken_)
     report(crack_of_bond(assembly_, bond), step, *predicted.add_cracks());
 }

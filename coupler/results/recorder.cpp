@@ -46,15 +46,16 @@ Recorder::Recorder(const std::filesystem::path& directory, const Model& model)
   if (model.scene.has_particles()) cracks_.emplace(directory / "cracks.csv", crack_columns());
 }
 
-void Recorder::record_events(std::uint64_t n) {
-  const double time = static_cast<double>(n) * model_.dt;
+void Recorder::record_events() {
+  const auto time_of = [this](std::uint64_t step) { return static_cast<double>(step) * model_.dt; };
   for (const Side& side : model_.sides) {
     const wire::Predicted& predicted = side.prediction();
-    if (predicted.max_bond_force() > findings_.peak_bond_force) {
-      findings_.peak_bond_force = predicted.max_bond_force();
-      findings_.peak = {time, predicted.max_bond_force_x(), predicted.max_bond_force_y()};
-    }
-    for (const wire::Crack& crack : predicted.cracks()) record_crack(crack, time);
+    for (const wire::BondForce& strongest : predicted.strongest())
+      if (strongest.force() > findings_.peak_bond_force) {
+        findings_.peak_bond_force = strongest.force();
+        findings_.peak = {time_of(strongest.step()), strongest.x(), strongest.y()};
+      }
+    for (const wire::Crack& crack : predicted.cracks()) record_crack(crack, time_of(crack.step()));
   }
 }
 
@@ -73,7 +74,7 @@ void Recorder::record_histories(std::uint64_t n, const Ledger& ledger) {
     row_.insert(row_.end(), values.begin(), values.end());
   }
   for (const Side& side : model_.sides)
-    if (side.role == Role::kParticles) row_.push_back(side.prediction().max_bond_force());
+    if (side.role == Role::kParticles) row_.push_back(side.prediction().strongest().rbegin()->force());
   for (const SideEnergies& e : ledger.sides())
     row_.insert(row_.end(), {e.kinetic, e.strain, e.released, e.external_work, e.multiplier_work});
   row_.push_back(ledger.drift());

@@ -32,7 +32,7 @@ class Recorder {
   // Opens the files in `directory`, which exists.
   Recorder(const std::filesystem::path& directory, const Model& model);
 
-  void record_events(std::uint64_t n);  // every step
+  void record_events();  // every step
   void record_histories(std::uint64_t n, const Ledger& ledger);
   void record_fields(std::uint64_t n, const std::vector<wire::Snapshot>& snapshots);
 

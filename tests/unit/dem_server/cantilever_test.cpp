@@ -31,9 +31,9 @@ Outcome run_cantilever(double tensile_strength, double duration) {
   double imbalance = 0, most = 0;
   for (double step = 0; step * run.dt <= duration; ++step) {
     const auto& predicted = run.advance();
-    out.max_force.push_back(predicted.max_bond_force());
-    if (predicted.max_bond_force() > out.peak) {
-      out.peak = predicted.max_bond_force();
+    out.max_force.push_back(predicted.strongest(0).force());
+    if (predicted.strongest(0).force() > out.peak) {
+      out.peak = predicted.strongest(0).force();
       out.peak_time = step * run.dt;
     }
     out.largest_tip = std::max(out.largest_tip, std::abs(predicted.histories(0)));

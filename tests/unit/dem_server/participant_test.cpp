@@ -35,7 +35,7 @@ TEST(Participant, StepZeroIsHalfAKickFromRest) {
   InProcessRun run(scene);
   const double mass = cell_mass(2500, test::kCantileverRadius);
   EXPECT_EQ(run.advance().histories(0), 0) << "at rest at step 0";
-  EXPECT_EQ(run.predicted.max_bond_force(), 0);
+  EXPECT_EQ(run.predicted.strongest(0).force(), 0);
   const double speed = 5e6 / 5 / mass * run.dt / 2;
   EXPECT_NEAR(run.predicted.energies().kinetic(), -0.5 * 5 * mass * speed * speed,
               1e-9 * mass * speed * speed);
@@ -110,7 +110,7 @@ TEST(Participant, SnapshotHoldsParticlesAndBonds) {
   for (const double f : field(bonds.cell_fields(), "normal_force_N").values())
     largest = std::max(largest, std::abs(f));
   EXPECT_EQ(broken, cracks);
-  EXPECT_EQ(largest, run.predicted.max_bond_force());
+  EXPECT_EQ(largest, run.predicted.strongest(0).force());
 }
 
 // The farewell counts particle updates.
