@@ -14,11 +14,20 @@ double dot(std::span<const double> a, std::span<const double> b) {
 
 }  // namespace
 
-Ledger::Ledger(std::size_t sides, std::size_t coupling_values)
-    : energies_(sides),
-      multiplier_work_(sides),
-      kinetic_correction_(sides),
-      previous_(sides, {std::vector<double>(coupling_values), std::vector<double>(coupling_values)}) {}
+Ledger::Ledger(const std::vector<Side>& sides, const std::vector<Interface>& interfaces)
+    : energies_(sides.size()), multiplier_work_(sides.size()), kinetic_correction_(sides.size()) {
+  for (const Side& side : sides)
+    previous_.push_back(
+        {std::vector<double>(side.impulses.size()), std::vector<double>(side.impulses.size())});
+  const auto begin_of = [&](std::size_t side, const Interface& interface) {
+    return std::find_if(sides[side].segments.begin(), sides[side].segments.end(),
+                        [&](const Segment& segment) { return segment.global == interface.begin; })
+        ->begin;
+  };
+  for (const Interface& interface : interfaces)
+    ties_.push_back({interface.coarse, begin_of(interface.coarse, interface), interface.fine,
+                     begin_of(interface.fine, interface), interface.end - interface.begin});
+}
 
 void Ledger::add_step(std::uint64_t n, const std::vector<Side>& sides, bool with_energies) {
   book_multipliers(n, sides);
@@ -57,10 +66,13 @@ void Ledger::book_multipliers(std::uint64_t n, const std::vector<Side>& sides) {
 }
 
 void Ledger::book_residual(const std::vector<Side>& sides) {
-  if (sides.size() < 2) return;
-  for (std::size_t i = 0; i < sides[0].corrected.size(); ++i) {
-    largest_gap_ = std::max(largest_gap_, std::abs(sides[0].corrected[i] - sides[1].corrected[i]));
-    largest_velocity_ = std::max(largest_velocity_, std::abs(sides[0].corrected[i]));
+  for (const Tie& tie : ties_) {
+    const double* coarse = &sides[tie.coarse].corrected[2 * tie.coarse_begin];
+    const double* fine = &sides[tie.fine].corrected[2 * tie.fine_begin];
+    for (std::size_t i = 0; i < 2 * tie.count; ++i) {
+      largest_gap_ = std::max(largest_gap_, std::abs(coarse[i] - fine[i]));
+      largest_velocity_ = std::max(largest_velocity_, std::abs(coarse[i]));
+    }
   }
 }
 

@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "coupler/interface.hpp"
 #include "coupler/side.hpp"
 
 namespace adit::coupler {
@@ -22,7 +23,7 @@ struct SideEnergies {  // [J]
 
 class Ledger {
  public:
-  Ledger(std::size_t sides, std::size_t coupling_values);
+  Ledger(const std::vector<Side>& sides, const std::vector<Interface>& interfaces);
 
   // Books the step: impulses and velocities of every side are those of step n.
   void add_step(std::uint64_t n, const std::vector<Side>& sides, bool with_energies);
@@ -45,6 +46,11 @@ class Ledger {
   };
   void book_multipliers(std::uint64_t n, const std::vector<Side>& sides);
   void book_residual(const std::vector<Side>& sides);
+
+  struct Tie {  // coupling points of an interface among those of its two sides
+    std::size_t coarse, coarse_begin, fine, fine_begin, count;
+  };
+  std::vector<Tie> ties_;
 
   std::vector<SideEnergies> energies_;
   std::vector<double> multiplier_work_;

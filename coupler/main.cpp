@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,7 +31,8 @@ struct Options {
   std::string scene;
   std::vector<std::string> sets;
   std::string out;
-  std::string fdm, dem;  // addresses of servers that already listen
+  std::string fdm, dem;              // addresses of servers that already listen
+  std::vector<std::string> servers;  // NAME=HOST:PORT, the same for any model
 };
 
 // The servers of a run: started here, or running elsewhere.
@@ -45,45 +47,60 @@ const char* program_of(Role role) {
 }
 
 // Another code may stand in for a server under a name of its own; our other server may not.
-void require_program(const std::string& found, Role role, const std::string& peer) {
-  const std::string other = role == Role::kContinuum ? "dem_server" : "fdm_server";
+void require_program(const std::string& found, const Member& member, const std::string& peer) {
+  const std::string other = member.role == Role::kContinuum ? "dem_server" : "fdm_server";
   if (found == other)
-    throw protocol::UserError("", peer + " is a " + other + "; a " + program_of(role) +
-                                      " is needed for the " + to_string(role) + ", exchange --fdm and --dem");
+    throw protocol::UserError("", peer + " is a " + other + "; a " + program_of(member.role) +
+                                      " is needed for the " + member.name + ", exchange --fdm and --dem");
 }
 
-// Servers named on the command line that the scene has no use for.
-void require_wanted(const Options& options, const std::vector<Role>& wanted) {
-  for (const Role role : {Role::kContinuum, Role::kParticles}) {
-    const bool given = !(role == Role::kContinuum ? options.fdm : options.dem).empty();
-    if (given && std::find(wanted.begin(), wanted.end(), role) == wanted.end())
-      throw protocol::UserError("", std::string(role == Role::kContinuum ? "--fdm" : "--dem") +
-                                        " names a server, but the scene has no `" + to_string(role) + "`");
+// The servers named on the command line, by the names of their models.
+std::map<std::string, std::string> given_servers(const Options& options, const std::vector<Member>& members) {
+  std::map<std::string, std::string> addresses;
+  const auto give = [&](const std::string& option, const std::string& name, const std::string& address) {
+    if (std::none_of(members.begin(), members.end(), [&](const Member& m) { return m.name == name; }))
+      throw protocol::UserError("", option + " names a server, but the scene has no `" + name + "`");
+    for (const auto& [other, taken] : addresses)
+      if (taken == address)
+        throw protocol::UserError("", "the servers of `" + other + "` and `" + name + "` are both " +
+                                          address + "; a server takes part once");
+    if (!addresses.emplace(name, address).second)
+      throw protocol::UserError("", option + " names a second server for `" + name + "`; name one");
+  };
+  if (!options.fdm.empty()) give("--fdm", "continuum", options.fdm);
+  if (!options.dem.empty()) give("--dem", "particles", options.dem);
+  for (const std::string& server : options.servers) {
+    const std::size_t equals = server.find('=');
+    if (equals == std::string::npos)
+      throw protocol::UserError("", "--server is `" + server +
+                                        "`; write the model's name and the address, as in "
+                                        "--server lining=localhost:4713");
+    give("--server", server.substr(0, equals), server.substr(equals + 1));
   }
-  if (!options.fdm.empty() && options.fdm == options.dem)
-    throw protocol::UserError("", "--fdm and --dem are both " + options.fdm + "; a server takes part once");
+  return addresses;
 }
 
 Participants join(const adit::scene::Scene& scene, const Options& options, const fs::path& log_folder) {
   Participants participants;
-  require_wanted(options, roles(scene));
-  for (const Role role : roles(scene)) {
-    const std::string program = program_of(role);
-    const std::string& given = role == Role::kContinuum ? options.fdm : options.dem;
+  const std::vector<Member> wanted = members(scene);
+  const auto given = given_servers(options, wanted);
+  for (const Member& member : wanted) {
+    const std::string program = program_of(member.role);
     protocol::Address address;
-    if (given.empty()) {
-      participants.processes.push_back(std::make_unique<ServerProcess>(
-          program, log_folder.empty() ? "/dev/null" : log_folder / (program + ".log")));
-      address = participants.processes.back()->address();
+    if (const auto found = given.find(member.name); found != given.end()) {
+      address = protocol::parse_address(found->second);
     } else {
-      address = protocol::parse_address(given);
+      const std::string log = is_region(member) ? program + "_" + member.name : program;
+      participants.processes.push_back(std::make_unique<ServerProcess>(
+          program, log_folder.empty() ? "/dev/null" : log_folder / (log + ".log")));
+      address = participants.processes.back()->address();
     }
     auto connection = protocol::connect(address, program);
     const auto hello = protocol::handshake(*connection, "coupler");
-    require_program(hello.program(), role, connection->peer());
+    require_program(hello.program(), member, connection->peer());
     participants.versions += ", " + hello.program() + " " + hello.release();
     Side& side = participants.sides.emplace_back();
-    side.role = role;
+    side.member = member;
     side.peer = std::make_unique<RemotePeer>(std::move(connection));
   }
   return participants;
@@ -93,7 +110,7 @@ void run_scene(const Options& options, const protocol::SceneFile& file) {
   const std::string name = case_name(options.scene);
   const fs::path directory =
       options.out.empty() ? fs::path("runs") / name / file.scene.name() : fs::path(options.out);
-  roles(file.scene);
+  joins(file.scene, members(file.scene));  // refused before anything is started or written
   prepare_run_directory(directory, options.scene);
   Participants participants = join(file.scene, options, directory);
   run(file.scene, std::move(participants.sides),
@@ -117,6 +134,11 @@ void add_common_options(CLI::App& command, Options& options) {
       ->expected(1);
   command.add_option("--fdm", options.fdm, "HOST:PORT of a continuum server that already listens");
   command.add_option("--dem", options.dem, "HOST:PORT of a particle server that already listens");
+  command
+      .add_option("--server", options.servers,
+                  "NAME=HOST:PORT: the same for any model by its name; may be repeated")
+      ->take_all()
+      ->expected(1);
 }
 
 }  // namespace

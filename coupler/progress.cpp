@@ -9,34 +9,30 @@ namespace adit::coupler {
 namespace {
 
 constexpr std::chrono::milliseconds kTerminalInterval{200};
-constexpr std::chrono::seconds kLogInterval{5};
+constexpr std::chrono::milliseconds kLogInterval{5000};
 
 }  // namespace
 
-Progress::Progress(std::uint64_t steps, double dt)
-    : steps_(steps), dt_(dt), terminal_(isatty(STDERR_FILENO) == 1), next_(start_ + kTerminalInterval) {}
+ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) == 1), next_(start_ + kTerminalInterval) {}
 
-Progress::~Progress() {
+ProgressLine::~ProgressLine() {
   if (terminal_ && printed_) std::fputc('\n', stderr);
 }
 
-void Progress::update(std::uint64_t step) {
-  const auto now = Clock::now();
-  if (now < next_ && step != steps_) return;
-  next_ = now + (terminal_ ? kTerminalInterval
-                           : std::chrono::duration_cast<std::chrono::milliseconds>(kLogInterval));
-  print(step);
+void ProgressLine::print(const std::string& text) {
+  next_ = Clock::now() + (terminal_ ? kTerminalInterval : kLogInterval);
+  fmt::print(stderr, "{}{}   {}", terminal_ ? "\r" : "", text, terminal_ ? "" : "\n");
+  std::fflush(stderr);
   printed_ = true;
 }
 
-void Progress::print(std::uint64_t step) const {
-  const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
+void Progress::update(std::uint64_t step) {
+  if (!line_.due() && step != steps_) return;
+  const double elapsed = line_.elapsed();
   const double rate = elapsed > 0 ? static_cast<double>(step) / elapsed : 0;
   const double left = rate > 0 ? static_cast<double>(steps_ - step) / rate : 0;
-  fmt::print(stderr, "{}step {} of {}  t = {:.4g} s  {:.0f} steps/s  {:.0f} s left   {}",
-             terminal_ ? "\r" : "", step, steps_, static_cast<double>(step) * dt_, rate, left,
-             terminal_ ? "" : "\n");
-  std::fflush(stderr);
+  line_.print(fmt::format("step {} of {}  t = {:.4g} s  {:.0f} steps/s  {:.0f} s left", step, steps_,
+                          static_cast<double>(step) * dt_, rate, left));
 }
 
 }  // namespace adit::coupler

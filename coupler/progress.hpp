@@ -1,31 +1,42 @@
-// The line that shows how far a run is: step, simulated time, steps per second, time left.
+// The line that shows how far a run is.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
+#include <string>
 
 namespace adit::coupler {
 
-class Progress {
+// Rewrites one line on a terminal, adds a line every few seconds elsewhere.
+class ProgressLine {
  public:
-  // Rewrites one line on a terminal, adds a line every few seconds elsewhere.
-  Progress(std::uint64_t steps, double dt);
-  ~Progress();
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
+  ProgressLine();
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
 
-  void update(std::uint64_t step);
+  bool due() const { return Clock::now() >= next_; }  // it is time for another print()
+  void print(const std::string& text);
+  double elapsed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }  // [s]
 
  private:
   using Clock = std::chrono::steady_clock;
-  void print(std::uint64_t step) const;
-
-  std::uint64_t steps_;
-  double dt_;
   bool terminal_;
   bool printed_ = false;
   Clock::time_point start_ = Clock::now();
   Clock::time_point next_;
+};
+
+// Step, simulated time, steps per second, time left.
+class Progress {
+ public:
+  Progress(std::uint64_t steps, double dt) : steps_(steps), dt_(dt) {}
+  void update(std::uint64_t step);
+
+ private:
+  ProgressLine line_;
+  std::uint64_t steps_;
+  double dt_;
 };
 
 }  // namespace adit::coupler

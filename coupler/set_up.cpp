@@ -14,16 +14,16 @@ namespace {
 using protocol::UserError;
 
 // Two histories of one name and quantity would be one column of the table.
-void require_distinct_histories(const scene::Scene& scene) {
+void require_distinct_histories(const scene::Scene& scene, const std::vector<Side>& sides) {
   std::set<std::pair<std::string, int>> columns;
-  for (const Role role : roles(scene))
-    for (int i = 0; i < histories_of(scene, role).size(); ++i) {
-      const scene::History& history = histories_of(scene, role)[i];
-      if (!columns.insert({history.name(), history.quantity()}).second)
-        throw UserError(
-            fmt::format("{}.histories[{}].name", to_string(role), i),
-            fmt::format("is `{}` a second time for the same quantity; choose another name", history.name()));
-    }
+  for (const Side& side : sides) {
+    const auto& histories = histories_of(scene, side.member);
+    for (int i = 0; i < histories.size(); ++i)
+      if (!columns.insert({histories[i].name(), histories[i].quantity()}).second)
+        throw UserError(fmt::format("{}.histories[{}].name", side.member.path, i),
+                        fmt::format("is `{}` a second time for the same quantity; choose another name",
+                                    histories[i].name()));
+  }
 }
 
 void ask_all(Model& model, wire::Frame::ContentCase expected) {
@@ -31,23 +31,12 @@ void ask_all(Model& model, wire::Frame::ContentCase expected) {
   for (Side& side : model.sides) collect(side, expected);
 }
 
-// A participant gets what concerns it: nothing of the other side, of the interface, of the results.
-scene::Scene part_of(const scene::Scene& scene, Role role) {
-  scene::Scene part = scene;
-  part.clear_interface();
-  part.clear_output();
-  part.clear_base();
-  if (role == Role::kContinuum) part.clear_particles();
-  if (role == Role::kParticles) part.clear_continuum();
-  return part;
-}
-
 void build_models(Model& model, const std::string& run_id) {
   for (Side& side : model.sides) {
-    side.histories = histories_of(model.scene, side.role).size();
+    side.histories = histories_of(model.scene, side.member).size();
     auto& setup = *side.request.mutable_setup();
     setup.set_run_id(run_id);
-    *setup.mutable_scene() = part_of(model.scene, side.role);
+    *setup.mutable_scene() = part_of(model.scene, side.member);
   }
   ask_all(model, wire::Frame::kModel);
   for (Side& side : model.sides) {
@@ -57,55 +46,30 @@ void build_models(Model& model, const std::string& run_id) {
   }
 }
 
-BoundingBox bounds(const wire::Model& model) {
-  return {model.x_min(), model.x_max(), model.y_min(), model.y_max()};
-}
-
-void require_overlap_inside(const Overlap& overlap, const scene::Overlap& given, const Side& side) {
-  const BoundingBox box = bounds(side.model);
-  const auto refuse = [&](const char* field, const scene::Point& point) {
-    throw UserError(
-        std::string("interface.overlap.") + field,
-        fmt::format("is ({:g}, {:g}) m, which puts this edge of the overlap outside the {}, which reach from "
-                    "({:g}, {:g}) to ({:g}, {:g}) m; both models must exist over the whole overlap",
-                    point.x(), point.y(), to_string(side.role), box.x_min, box.y_min, box.x_max, box.y_max));
-  };
-  if (!overlap.begins_in(box)) refuse("particles_begin", given.particles_begin());
-  if (!overlap.ends_in(box)) refuse("continuum_ends", given.continuum_ends());
-}
-
-// Where the strip follows an axis, both models must fill its cross-section, or half of a weight would be
-// nobody's. A packing may lack a row at either side.
-void require_equal_cross_sections(const Model& model) {
-  constexpr double kTolerance = 0.15;
-  const auto [continuum, particles] = std::pair(bounds(model.sides[0].model), bounds(model.sides[1].model));
-  const auto require = [](const char* axis, double min_a, double max_a, double min_b, double max_b) {
-    const double slack = kTolerance * std::max(max_a - min_a, max_b - min_b);
-    if (std::abs(min_a - min_b) > slack || std::abs(max_a - max_b) > slack)
-      throw UserError(
-          "interface.overlap",
-          fmt::format("joins a continuum that reaches from {0} = {1:g} to {2:g} m with particles that reach "
-                      "from {0} = {3:g} to {4:g} m; both must fill the overlap's cross-section",
-                      axis, min_a, max_a, min_b, max_b));
-  };
-  if (model.overlap->follows_x())
-    require("y", continuum.y_min, continuum.y_max, particles.y_min, particles.y_max);
-  if (model.overlap->follows_y())
-    require("x", continuum.x_min, continuum.x_max, particles.x_min, particles.x_max);
+bool is_coupled(std::size_t side, const std::vector<Interface>& interfaces) {
+  return std::any_of(interfaces.begin(), interfaces.end(), [side](const Interface& interface) {
+    return interface.outer == side || interface.inner == side;
+  });
 }
 
 void share_energy(Model& model) {
-  for (Side& side : model.sides) {
+  for (const Interface& interface : model.interfaces)
+    require_inside(interface.overlap, bounds(model.sides[interface.outer].model),
+                   bounds(model.sides[interface.inner].model));
+  require_one_owner(model.sides, model.interfaces);
+  for (std::size_t s = 0; s < model.sides.size(); ++s) {
+    Side& side = model.sides[s];
     auto& weights = *side.request.mutable_weights();
-    if (!model.overlap) continue;
-    require_overlap_inside(*model.overlap, model.scene.interface().overlap(), side);
+    if (!is_coupled(s, model.interfaces)) continue;
     const auto& points = side.model.sample_points();
-    const std::span samples(points.data(), points.size());
-    const auto values = side.role == Role::kContinuum ? model.overlap->continuum_weights(samples)
-                                                      : model.overlap->particle_weights(samples);
+    const auto values = weights_of(s, model.interfaces, std::span(points.data(), points.size()));
     weights.mutable_weights()->Add(values.begin(), values.end());
-    weights.set_floor(model.scene.interface().weight_floor());
-    const BoundingBox box = model.overlap->bounds(bounds(side.model));
+    double floor = 1;
+    for (const Interface& interface : model.interfaces)
+      if (interface.outer == s || interface.inner == s)
+        floor = std::min(floor, interface.given.weight_floor());
+    weights.set_floor(floor);
+    const BoundingBox box = overlap_bounds(s, model.sides, model.interfaces);
     weights.set_x_min(box.x_min);
     weights.set_x_max(box.x_max);
     weights.set_y_min(box.y_min);
@@ -115,32 +79,31 @@ void share_energy(Model& model) {
   for (Side& side : model.sides) side.counts.Swap(side.reply.mutable_interface());
 }
 
-void choose_coupling_points(Model& model) {
-  for (const Side& side : model.sides) {
-    const auto& points = side.counts.points();
-    for (int i = 0; i + 1 < points.size(); i += 2)
-      if (model.overlap->contains(points[i], points[i + 1]))
-        model.coupling_points.insert(model.coupling_points.end(), {points[i], points[i + 1]});
-  }
-  if (model.coupling_points.empty())
-    throw UserError("interface.overlap", "holds no particle; widen it to several particle diameters");
-}
-
+// Each side is asked about the coupling points of all its interfaces in turn.
 void couple(Model& model) {
-  choose_coupling_points(model);
-  const std::size_t count = model.coupling_points.size() / 2;
-  for (Side& side : model.sides) {
+  model.coupling_points = choose_coupling_points(model.sides, model.interfaces);
+  for (std::size_t s = 0; s < model.sides.size(); ++s) {
+    Side& side = model.sides[s];
     auto& points = *side.request.mutable_couple()->mutable_points();
-    points.Add(model.coupling_points.begin(), model.coupling_points.end());
+    for (const Interface& interface : model.interfaces) {
+      if (interface.coarse != s && interface.fine != s) continue;
+      side.segments.push_back({.begin = static_cast<std::size_t>(points.size()) / 2,
+                               .global = interface.begin,
+                               .count = interface.end - interface.begin,
+                               .coarse = interface.coarse == s});
+      points.Add(model.coupling_points.begin() + 2 * static_cast<std::ptrdiff_t>(interface.begin),
+                 model.coupling_points.begin() + 2 * static_cast<std::ptrdiff_t>(interface.end));
+    }
   }
   ask_all(model, wire::Frame::kOperator);
   for (Side& side : model.sides) {
+    const std::size_t count = side.segments.back().begin + side.segments.back().count;
     side.interpolation.emplace(side.reply.operator_(), count, side.peer->name());
     for (auto* vector : {&side.impulses, &side.predicted, &side.corrected}) vector->assign(2 * count, 0.0);
     side.own.assign(2 * side.interpolation->own_points(), 0.0);
   }
-  model.solve = make_multiplier_solve(model.scene.interface().solve(), *model.sides[0].interpolation,
-                                      *model.sides[1].interpolation);
+  model.constraint =
+      std::make_unique<Constraint>(model.sides, model.interfaces, model.coupling_points, model.dt);
 }
 
 // The duration is a whole number of steps, so that the last step ends on it.
@@ -150,11 +113,11 @@ void choose_time_step(Model& model) {
       [](const Side& a, const Side& b) { return a.model.critical_dt() < b.model.critical_dt(); });
   model.critical_dt = slowest.model.critical_dt();
   const auto& time = model.scene.time();
-  if (time.has_dt() && time.dt() > model.critical_dt)
+  if (time.has_dt() && time.dt() > model.critical_dt && !time.beyond_critical())
     throw UserError("time.dt",
                     fmt::format("is {:g} s, above {:g} s, the critical time step of the {}; give a smaller "
                                 "one, or leave it out and state dt_factor",
-                                time.dt(), model.critical_dt, to_string(slowest.role)));
+                                time.dt(), model.critical_dt, slowest.member.name));
   const double wanted = time.has_dt() ? time.dt() : time.dt_factor() * model.critical_dt;
   const double steps = std::ceil(time.duration() / wanted);
   if (steps > 1e15)
@@ -165,40 +128,23 @@ void choose_time_step(Model& model) {
 
 }  // namespace
 
-const google::protobuf::RepeatedPtrField<scene::History>& histories_of(const scene::Scene& scene, Role role) {
-  return role == Role::kContinuum ? scene.continuum().histories() : scene.particles().histories();
-}
-
-std::vector<Role> roles(const scene::Scene& scene) {
-  if (scene.has_simplified())
-    throw UserError("simplified", "is computed by the program `simplified`, not by `coupler`");
-  if (!scene.has_continuum() && !scene.has_particles())
-    throw UserError("continuum", "is missing, and so is `particles`; give at least one of them");
-  if (!scene.has_material())
-    throw UserError("material",
-                    "is missing; write for example `material: {young_modulus: 30 GPa, poisson_ratio: 0.25, "
-                    "density: 2.5 t/m^3}`");
-  const bool both = scene.has_continuum() && scene.has_particles();
-  if (both && !scene.has_interface())
-    throw UserError("interface", "is missing; state the overlap that joins `continuum` and `particles`");
-  if (!both && scene.has_interface())
-    throw UserError("interface", fmt::format("joins two models, but the scene has no `{}`",
-                                             scene.has_continuum() ? "particles" : "continuum"));
-  if (both) return {Role::kContinuum, Role::kParticles};
-  return {scene.has_continuum() ? Role::kContinuum : Role::kParticles};
+bool has_particles(const Model& model) {
+  return std::any_of(model.sides.begin(), model.sides.end(),
+                     [](const Side& side) { return side.member.role == Role::kParticles; });
 }
 
 Model set_up(const scene::Scene& scene, std::vector<Side> sides, const std::string& run_id) {
   Model model;
   model.scene = scene;
   model.sides = std::move(sides);
-  if (scene.has_interface()) model.overlap.emplace(scene.interface().overlap());
-  require_distinct_histories(scene);
+  std::vector<Member> members;
+  for (const Side& side : model.sides) members.push_back(side.member);
+  for (const Join& join : joins(scene, members)) model.interfaces.emplace_back(join);
+  require_distinct_histories(scene, model.sides);
   build_models(model, run_id);
   choose_time_step(model);
-  if (model.overlap) require_equal_cross_sections(model);
   share_energy(model);
-  if (model.overlap) couple(model);
+  if (!model.interfaces.empty()) couple(model);
   return model;
 }
 

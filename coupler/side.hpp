@@ -1,12 +1,14 @@
 // One participant as the coupler sees it.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "coupler/bridging/interpolation.hpp"
+#include "coupler/members.hpp"
 #include "protocol/wire.pb.h"
 
 namespace adit::coupler {
@@ -20,29 +22,36 @@ class Peer {
   virtual void collect(wire::Frame& reply) = 0;       // the answer to the request posted last
 };
 
-enum class Role { kContinuum, kParticles };
-const char* to_string(Role role);  // "continuum", "particles": the scene's own names
+// Coupling points of one interface among those of a side: `count` of them from the side's own `begin`, from
+// `global` in the model's list.
+struct Segment {
+  std::size_t begin, global, count;
+  bool coarse;  // the side interpolates there; else each of them is a point of its own
+};
 
 struct Side {
-  Role role;
+  Member member;
   std::unique_ptr<Peer> peer;
   wire::Model model;
   wire::Interface counts;
   std::size_t histories = 0;                   // that the scene asks of it
-  std::optional<Interpolation> interpolation;  // of coupled runs
+  std::vector<Segment> segments;               // its coupling points
+  std::optional<Interpolation> interpolation;  // where it has any
 
-  // Reused in every step.
+  // Reused in every step; one pair for each of its coupling points.
   wire::Frame request, reply;
   std::vector<double> impulses;   // on this side in this step [N s]
-  std::vector<double> predicted;  // velocities at the coupling points [m/s]
+  std::vector<double> predicted;  // velocities [m/s]
   std::vector<double> corrected;  // the same after the correction
   std::vector<double> own;        // scratch: one pair for each own point
-  double compute_s = 0;           // what the participant computed so far, by its own clock
+  double compute_s = 0;  // what the participant computed so far while it was waited for, by its clock
+  double hidden_s = 0;   // and while it was not
 
   const wire::Predicted& prediction() const { return reply.predicted(); }
 };
 
-// Collects the answer to what was posted and checks its kind; anything else is protocol::PeerLost.
+// Collects the answer to what was posted and checks its kind; anything else is protocol::PeerLost. What the
+// participant says against its part of the scene is a protocol::UserError at that place of the whole scene.
 void collect(Side& side, wire::Frame::ContentCase expected);
 
 }  // namespace adit::coupler

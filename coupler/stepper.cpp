@@ -1,7 +1,6 @@
 #include "coupler/stepper.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 
 #include "protocol/errors.hpp"
@@ -30,13 +29,23 @@ void receive_prediction(Side& side) {
   collect(side, wire::Frame::kPredicted);
   const wire::Predicted& predicted = side.prediction();
   side.compute_s += predicted.compute_seconds();
+  side.hidden_s += predicted.hidden_seconds();
   const wire::Advance& asked = side.request.advance();
   if (predicted.step() != asked.step() || predicted.has_energies() != asked.want_energies())
     throw protocol::PeerLost(side.peer->name(), "predicted something else than step " +
                                                     std::to_string(asked.step()) +
                                                     ", or not the energies that were asked for");
+  if (predicted.has_relaxation() != asked.relax())
+    throw protocol::PeerLost(side.peer->name(), asked.relax()
+                                                    ? "does not know statics: its answer has no relaxation"
+                                                    : "relaxes, which it was not asked for");
   require(side, "velocities", predicted.velocities_size(), side.predicted.size());
   require(side, "histories", predicted.histories_size(), asked.want_histories() ? side.histories : 0);
+  const bool whole_step = asked.want_histories() || asked.want_energies();
+  if (side.member.role == Role::kParticles && whole_step &&
+      (predicted.strongest().empty() || predicted.strongest().rbegin()->step() != asked.step()))
+    throw protocol::PeerLost(side.peer->name(),
+                             "did not say the largest bond force of step " + std::to_string(asked.step()));
   std::copy(predicted.velocities().begin(), predicted.velocities().end(), side.predicted.begin());
 }
 
@@ -49,71 +58,71 @@ void correct_velocities(Side& side) {
   for (std::size_t i = 0; i < side.corrected.size(); ++i) side.corrected[i] += side.predicted[i];
 }
 
-// The slower participant is asked first and heard last, so that the exchange with the other is hidden. At
-// most two take part; absent ones are null.
-std::array<Side*, 2> slower_first(std::vector<Side>& sides) {
-  if (sides.size() == 1) return {&sides[0], nullptr};
-  if (sides[0].compute_s > sides[1].compute_s) return {&sides[0], &sides[1]};
-  return {&sides[1], &sides[0]};
+// Participants that compute longer are asked first and heard last, so that the exchange with the others is
+// hidden.
+void sort_slowest_first(std::vector<Side*>& sides) {
+  std::stable_sort(sides.begin(), sides.end(),
+                   [](const Side* a, const Side* b) { return a->compute_s > b->compute_s; });
 }
 
 }  // namespace
 
-Stepper::Stepper(Model& model)
-    : model_(model),
-      ledger_(model.sides.size(), model.coupling_points.size()),
-      gap_(model.coupling_points.size()),
-      multipliers_(model.coupling_points.size()) {}
+Stepper::Stepper(Model& model) : model_(model), ledger_(model.sides, model.interfaces) {
+  for (Side& side : model.sides) order_.push_back(&side);
+}
 
 void Stepper::step(std::uint64_t n, Wanted wanted) {
+  if (n == 0) impulses_pending_ = false;  // what statics left has no meaning from rest
+  request_.Clear();
+  request_.set_step(n);
+  request_.set_dt(model_.dt);
+  request_.set_want_energies(wanted.energies);
+  request_.set_want_histories(wanted.histories);
+  exchange();
+  unbooked_step_ = n;
+  if (wanted.energies) book(true);
+}
+
+void Stepper::relax(std::uint64_t n, bool stop) {
+  request_.Clear();
+  request_.set_step(n);
+  request_.set_dt(model_.dt);
+  request_.set_relax(true);
+  request_.set_stop(stop);
+  exchange();
+}
+
+// One round trip to all sides, and the multipliers that correct what they predicted.
+void Stepper::exchange() {
   const auto start = Clock::now();
-  const std::array<Side*, 2> order = slower_first(model_.sides);
-  for (Side* side : order)
-    if (side) post_advance(*side, n, wanted);
+  sort_slowest_first(order_);
+  for (Side* side : order_) post_advance(*side);
   impulses_pending_ = false;
   book(false);  // the step before, while the participants compute this one
-  for (auto side = order.rbegin(); side != order.rend(); ++side)
-    if (*side) receive_prediction(**side);
+  for (auto side = order_.rbegin(); side != order_.rend(); ++side) receive_prediction(**side);
   wait_s_ += seconds_since(start);
 
   const auto answered = Clock::now();
-  if (model_.overlap) solve();
-  unbooked_step_ = n;
-  if (wanted.energies) book(true);
+  if (model_.constraint) {
+    model_.constraint->solve(model_.sides);
+    impulses_pending_ = true;
+  }
   solve_s_ += seconds_since(answered);
 }
 
 void Stepper::book(bool with_energies) {
   if (!unbooked_step_) return;
-  if (model_.overlap)
+  if (model_.constraint)
     for (Side& side : model_.sides) correct_velocities(side);
   ledger_.add_step(*unbooked_step_, model_.sides, with_energies);
   unbooked_step_.reset();
 }
 
-void Stepper::post_advance(Side& side, std::uint64_t n, Wanted wanted) {
+void Stepper::post_advance(Side& side) {
   wire::Advance& advance = *side.request.mutable_advance();
-  advance.set_step(n);
-  advance.set_dt(model_.dt);
-  advance.set_want_energies(wanted.energies);
-  advance.set_want_histories(wanted.histories);
-  if (impulses_pending_)
-    fill(*advance.mutable_impulses(), side.impulses);
-  else
-    advance.clear_impulses();
+  advance.CopyFrom(request_);
+  if (impulses_pending_) fill(*advance.mutable_impulses(), side.impulses);
   side.peer->post(side.request);
-}
-
-void Stepper::solve() {
-  Side& continuum = model_.sides[0];
-  Side& particles = model_.sides[1];
-  for (std::size_t i = 0; i < gap_.size(); ++i) gap_[i] = continuum.predicted[i] - particles.predicted[i];
-  model_.solve->solve(gap_, multipliers_);
-  for (std::size_t i = 0; i < gap_.size(); ++i) {
-    continuum.impulses[i] = -multipliers_[i];
-    particles.impulses[i] = multipliers_[i];
-  }
-  impulses_pending_ = true;
 }
 
 std::vector<wire::Snapshot> Stepper::snapshots() {

@@ -24,6 +24,10 @@ class Stepper {
   // the same message.
   void step(std::uint64_t n, Wanted wanted);
 
+  // The same in statics (wire.proto, Advance): all velocities are stopped first where `stop` says so.
+  // Afterwards step(0, …) starts from the state at rest.
+  void relax(std::uint64_t n, bool stop);
+
   // The state at the step reached, of every side in turn.
   std::vector<wire::Snapshot> snapshots();
 
@@ -37,13 +41,15 @@ class Stepper {
   }  // for the multipliers, and the ledger where it could not be hidden
 
  private:
-  void post_advance(Side& side, std::uint64_t n, Wanted wanted);
+  void exchange();
+  void post_advance(Side& side);
   void solve();
   void book(bool with_energies);
 
   Model& model_;
   Ledger ledger_;
-  std::vector<double> gap_, multipliers_;
+  wire::Advance request_;                       // the part that is the same for all sides
+  std::vector<Side*> order_;                    // in which they are asked
   bool impulses_pending_ = false;               // computed, but not yet sent
   std::optional<std::uint64_t> unbooked_step_;  // computed, but not yet in the ledger
   double wait_s_ = 0, solve_s_ = 0;

@@ -25,14 +25,12 @@ std::string column(const scene::History& history) {
 std::vector<std::string> history_columns(const Model& model) {
   std::vector<std::string> columns = {"time_s"};
   for (const Side& side : model.sides)
-    for (const auto& history : histories_of(model.scene, side.role)) columns.push_back(column(history));
-  if (model.scene.has_particles()) columns.emplace_back("max_bond_force_N");
-  for (const Side& side : model.sides) {
-    const std::string role = to_string(side.role);
+    for (const auto& history : histories_of(model.scene, side.member)) columns.push_back(column(history));
+  if (has_particles(model)) columns.emplace_back("max_bond_force_N");
+  for (const Side& side : model.sides)
     for (const char* energy :
          {"_kinetic_J", "_strain_J", "_released_J", "_external_work_J", "_multiplier_work_J"})
-      columns.push_back(role + energy);
-  }
+      columns.push_back(side.member.name + energy);
   columns.emplace_back("energy_drift");
   return columns;
 }
@@ -43,7 +41,7 @@ Recorder::Recorder(const std::filesystem::path& directory, const Model& model)
     : model_(model),
       histories_(directory / "histories.csv", history_columns(model)),
       fields_(directory / "fields") {
-  if (model.scene.has_particles()) cracks_.emplace(directory / "cracks.csv", crack_columns());
+  if (has_particles(model)) cracks_.emplace(directory / "cracks.csv", crack_columns());
 }
 
 void Recorder::record_events() {
@@ -63,7 +61,10 @@ void Recorder::record_crack(const wire::Crack& crack, double time) {
   if (cracks_) write_crack(*cracks_, time, crack);
   const Event event{time, crack.x(), crack.y()};
   if (findings_.cracks++ == 0) findings_.first_crack = event;
-  if (!model_.overlap || !model_.overlap->contains(crack.x(), crack.y())) return;
+  if (std::none_of(model_.interfaces.begin(), model_.interfaces.end(), [&](const Interface& interface) {
+        return interface.overlap.contains(crack.x(), crack.y());
+      }))
+    return;
   if (findings_.cracks_in_overlap++ == 0) findings_.first_crack_in_overlap = event;
 }
 
@@ -73,17 +74,27 @@ void Recorder::record_histories(std::uint64_t n, const Ledger& ledger) {
     const auto& values = side.prediction().histories();
     row_.insert(row_.end(), values.begin(), values.end());
   }
-  for (const Side& side : model_.sides)
-    if (side.role == Role::kParticles) row_.push_back(side.prediction().strongest().rbegin()->force());
+  if (has_particles(model_)) {
+    double strongest = 0;
+    for (const Side& side : model_.sides)
+      if (side.member.role == Role::kParticles)
+        strongest = std::max(strongest, side.prediction().strongest().rbegin()->force());
+    row_.push_back(strongest);
+  }
   for (const SideEnergies& e : ledger.sides())
     row_.insert(row_.end(), {e.kinetic, e.strain, e.released, e.external_work, e.multiplier_work});
   row_.push_back(ledger.drift());
   histories_.row(row_);
 }
 
-void Recorder::record_fields(std::uint64_t n, const std::vector<wire::Snapshot>& snapshots) {
-  for (const wire::Snapshot& snapshot : snapshots)
-    write_snapshot(n, static_cast<double>(n) * model_.dt, snapshot, fields_);
+void Recorder::record_fields(std::uint64_t n, std::vector<wire::Snapshot> snapshots) {
+  for (std::size_t s = 0; s < snapshots.size(); ++s) {
+    const Member& member = model_.sides[s].member;
+    if (is_region(member))
+      for (wire::Piece& piece : *snapshots[s].mutable_pieces())
+        piece.set_name(member.name + "_" + piece.name());
+    write_snapshot(n, static_cast<double>(n) * model_.dt, snapshots[s], fields_);
+  }
 }
 
 }  // namespace adit::coupler

@@ -34,7 +34,7 @@ class Recorder {
 
   void record_events();  // every step
   void record_histories(std::uint64_t n, const Ledger& ledger);
-  void record_fields(std::uint64_t n, const std::vector<wire::Snapshot>& snapshots);
+  void record_fields(std::uint64_t n, std::vector<wire::Snapshot> snapshots);  // one for each side
 
   const Findings& findings() const { return findings_; }
 

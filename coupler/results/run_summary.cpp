@@ -51,18 +51,27 @@ RunSummary::RunSummary(const RunLabels& labels, const Model& model) : model_(mod
   summary_.set("zones", counts.zones());
   summary_.set("grid_points", counts.grid_points());
   summary_.set("coupling_points", model.coupling_points.size() / 2);
-  if (!model.overlap) return;
-  const auto& interface = scene.interface();
-  summary_.set("solve", protocol::lower_case(scene::Solve_Name(interface.solve())));
-  summary_.set("overlap_particles_begin_x_m", interface.overlap().particles_begin().x());
-  summary_.set("overlap_particles_begin_y_m", interface.overlap().particles_begin().y());
-  summary_.set("overlap_continuum_ends_x_m", interface.overlap().continuum_ends().x());
-  summary_.set("overlap_continuum_ends_y_m", interface.overlap().continuum_ends().y());
+  if (model.interfaces.empty()) return;
+  summary_.set("solve", protocol::lower_case(scene::Solve_Name(model.interfaces[0].given.solve())));
+  const scene::Overlap& overlap = model.interfaces[0].given.overlap();
+  if (!overlap.has_particles_begin()) return;
+  summary_.set("overlap_particles_begin_x_m", overlap.particles_begin().x());
+  summary_.set("overlap_particles_begin_y_m", overlap.particles_begin().y());
+  summary_.set("overlap_continuum_ends_x_m", overlap.continuum_ends().x());
+  summary_.set("overlap_continuum_ends_y_m", overlap.continuum_ends().y());
+}
+
+void RunSummary::add_statics(const Rest& rest) {
+  summary_.set("statics_steps", rest.steps);
+  summary_.set("statics_stops", rest.stops);
+  summary_.set("statics_unbalanced_ratio", rest.unbalanced_ratio);
+  lines_.push_back(fmt::format("at rest            after {} steps, unbalanced force ratio {:.1e}", rest.steps,
+                               rest.unbalanced_ratio));
 }
 
 void RunSummary::add_participant(const Side& side, const wire::Bye& bye) {
-  summary_.set(std::string(to_string(side.role)) + "_cpu_s", bye.cpu_seconds());
-  (side.role == Role::kContinuum ? zone_updates_ : particle_updates_) = bye.updates();
+  summary_.set(side.member.name + "_cpu_s", bye.cpu_seconds());
+  (side.member.role == Role::kContinuum ? zone_updates_ : particle_updates_) += bye.updates();
 }
 
 void RunSummary::add_outcome(const Stepper& stepper, const Findings& findings, std::uint64_t steps,
@@ -77,10 +86,10 @@ void RunSummary::add_outcome(const Stepper& stepper, const Findings& findings, s
 
 void RunSummary::add_findings(const Findings& findings) {
   add_event("peak_bond_force", findings.peak, findings.peak_bond_force > 0);
-  summary_.set("peak_bond_force_N", model_.scene.has_particles() ? findings.peak_bond_force : kNothing);
+  summary_.set("peak_bond_force_N", has_particles(model_) ? findings.peak_bond_force : kNothing);
   summary_.set("crack_count", findings.cracks);
   add_event("first_crack", findings.first_crack, findings.cracks > 0);
-  if (!model_.scene.has_particles()) return;
+  if (!has_particles(model_)) return;
   lines_.push_back(
       fmt::format("peak force chain   {:.0f} kN {}", 1e-3 * findings.peak_bond_force, at(findings.peak)));
   lines_.push_back("cracks             " +
@@ -102,7 +111,7 @@ void RunSummary::add_ledger(const Ledger& ledger) {
   summary_.set("energy_kept", ledger.kept());
   summary_.set("multiplier_work_J", multiplier_work);
   lines_.push_back(fmt::format("energy error       {:.1e} of the peak energy", ledger.max_drift()));
-  summary_.set("max_constraint_residual", model_.overlap ? ledger.max_constraint_residual() : kNothing);
+  summary_.set("max_constraint_residual", model_.constraint ? ledger.max_constraint_residual() : kNothing);
 }
 
 void RunSummary::add_cost(const Stepper& stepper, std::uint64_t steps, double wall_s, double stepping_s) {
@@ -114,8 +123,10 @@ void RunSummary::add_cost(const Stepper& stepper, std::uint64_t steps, double wa
   summary_.set("coupler_cpu_s", own_cpu_seconds());
   summary_.set("coupler_wait_s", stepper.wait_s());
   summary_.set("coupler_solve_s", stepper.solve_s());
-  for (const Side& side : model_.sides)
-    summary_.set(std::string(to_string(side.role)) + "_compute_s", side.compute_s);
+  for (const Side& side : model_.sides) {
+    summary_.set(side.member.name + "_compute_s", side.compute_s);
+    summary_.set(side.member.name + "_hidden_s", side.hidden_s);
+  }
   lines_.push_back(
       fmt::format("wall time          {:.2f} s, {} steps of {:.3g} s", wall_s, steps, model_.dt));
 }

@@ -7,6 +7,7 @@
 
 #include "coupler/results/recorder.hpp"
 #include "coupler/results/summary.hpp"
+#include "coupler/statics.hpp"
 #include "coupler/stepper.hpp"
 
 namespace adit::coupler {
@@ -21,6 +22,9 @@ struct RunLabels {
 class RunSummary {
  public:
   RunSummary(const RunLabels& labels, const Model& model);
+
+  // How the model came to rest before time began.
+  void add_statics(const Rest& rest);
 
   // What a participant said at the end.
   void add_participant(const Side& side, const wire::Bye& bye);

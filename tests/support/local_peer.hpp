@@ -34,10 +34,10 @@ class LocalPeer : public coupler::Peer {
 // The sides that the scene needs, in this process.
 inline std::vector<coupler::Side> local_sides(const scene::Scene& scene) {
   std::vector<coupler::Side> sides;
-  for (const coupler::Role role : coupler::roles(scene)) {
+  for (const coupler::Member& member : coupler::members(scene)) {
     coupler::Side& side = sides.emplace_back();
-    side.role = role;
-    if (role == coupler::Role::kContinuum)
+    side.member = member;
+    if (member.role == coupler::Role::kContinuum)
       side.peer = std::make_unique<LocalPeer>("fdm_server", std::make_unique<fdm::FdmParticipant>());
     else
       side.peer = std::make_unique<LocalPeer>("dem_server", std::make_unique<dem::DemParticipant>());

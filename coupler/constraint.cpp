@@ -1,0 +1,142 @@
+#include "coupler/constraint.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include "protocol/errors.hpp"
+
+namespace adit::coupler {
+namespace {
+
+using protocol::UserError;
+
+// Own points of all sides in one numbering.
+std::vector<std::size_t> number_own_points(const std::vector<Side>& sides) {
+  std::vector<std::size_t> first = {0};
+  for (const Side& side : sides)
+    first.push_back(first.back() + (side.interpolation ? side.interpolation->own_points() : 0));
+  return first;
+}
+
+// N of the coarse sides, over all coupling points.
+Interpolation coarse_operator(const std::vector<Side>& sides, const std::vector<Interface>& interfaces) {
+  const std::vector<std::size_t> first = number_own_points(sides);
+  std::vector<std::uint32_t> row_starts = {0}, columns;
+  std::vector<double> values, inverse_masses;
+  for (const Interface& interface : interfaces) {
+    const Side& side = sides[interface.coarse];
+    const Segment& segment = *std::find_if(side.segments.begin(), side.segments.end(),
+                                           [&](const Segment& s) { return s.global == interface.begin; });
+    for (std::size_t k = 0; k < segment.count; ++k) {
+      for (const std::uint32_t column : side.interpolation->columns(segment.begin + k))
+        columns.push_back(static_cast<std::uint32_t>(first[interface.coarse] + column));
+      const auto row = side.interpolation->values(segment.begin + k);
+      values.insert(values.end(), row.begin(), row.end());
+      row_starts.push_back(static_cast<std::uint32_t>(columns.size()));
+    }
+  }
+  for (const Side& side : sides)
+    if (side.interpolation)
+      for (std::size_t j = 0; j < side.interpolation->own_points(); ++j)
+        for (const int component : {0, 1})
+          inverse_masses.push_back(side.interpolation->inverse_mass(j, component));
+  return {std::move(row_starts), std::move(columns), std::move(values), std::move(inverse_masses)};
+}
+
+// Masses of the fine points. Each must be a point of its own: of its participant, and of the constraint.
+std::vector<double> fine_masses(const std::vector<Side>& sides, const std::vector<Interface>& interfaces,
+                                std::span<const double> points) {
+  std::vector<double> masses(points.size());
+  std::map<std::pair<std::size_t, std::uint32_t>, const Interface*> used;  // side and own point
+  const auto refuse = [&](const Interface& interface, std::size_t k, const Interface& other) {
+    throw UserError(
+        interface.path + ".overlap",
+        fmt::format("ties the point ({:g}, {:g}) m of `{}`, which {} ties already; move the "
+                    "overlaps apart",
+                    points[2 * k], points[2 * k + 1], sides[interface.fine].member.name, other.path));
+  };
+  const auto each_row = [&](const Interface& interface, std::size_t s, auto&& visit) {
+    for (const Segment& segment : sides[s].segments)
+      if (segment.global == interface.begin)
+        for (std::size_t k = 0; k < segment.count; ++k) visit(segment.global + k, segment.begin + k);
+  };
+  for (const Interface& interface : interfaces) {
+    const Interpolation& n = *sides[interface.fine].interpolation;
+    each_row(interface, interface.fine, [&](std::size_t k, std::size_t row) {
+      if (n.columns(row).size() != 1 || n.values(row)[0] != 1.0)
+        throw protocol::PeerLost(sides[interface.fine].peer->name(),
+                                 "sent an operator that interpolates at a point that it offered itself");
+      const std::uint32_t own = n.columns(row)[0];
+      const auto [other, first] = used.try_emplace({interface.fine, own}, &interface);
+      if (!first) refuse(interface, k, *other->second);
+      for (const int component : {0, 1}) masses[2 * k + component] = 1.0 / n.inverse_mass(own, component);
+    });
+  }
+  for (const Interface& interface : interfaces)
+    each_row(interface, interface.coarse, [&](std::size_t k, std::size_t row) {
+      for (const std::uint32_t own : sides[interface.coarse].interpolation->columns(row))
+        if (const auto other = used.find({interface.coarse, own}); other != used.end())
+          refuse(interface, k, *other->second);
+    });
+  return masses;
+}
+
+scene::Solve common_solve(const std::vector<Interface>& interfaces) {
+  for (const Interface& interface : interfaces)
+    if (interface.given.solve() != interfaces[0].given.solve())
+      throw UserError(interface.path + ".solve",
+                      fmt::format("differs from that of {}; all interfaces of a scene are solved together, "
+                                  "state the same for all",
+                                  interfaces[0].path));
+  return interfaces[0].given.solve();
+}
+
+// Share of the fine motion that the split solve removes in one step at each coupling point: exponential decay
+// in time, at a rate that grows from 0 to its full value where the fine side ends.
+std::vector<double> decay(const std::vector<Side>& sides, const std::vector<Interface>& interfaces,
+                          std::span<const double> points, double dt) {
+  constexpr double kDefaultRate = 0.2;  // over the fine side's critical time step
+  std::vector<double> shares(points.size() / 2);
+  for (const Interface& interface : interfaces) {
+    const double rate = interface.given.has_decay_rate()
+                            ? interface.given.decay_rate()
+                            : kDefaultRate / sides[interface.fine].model.critical_dt();
+    for (std::size_t k = interface.begin; k < interface.end; ++k) {
+      const double depth = interface.overlap.depth(points[2 * k], points[2 * k + 1]);
+      const double ramp = interface.fine == interface.inner ? depth : 1 - depth;
+      shares[k] = -std::expm1(-rate * ramp * dt);
+    }
+  }
+  return shares;
+}
+
+}  // namespace
+
+Constraint::Constraint(const std::vector<Side>& sides, const std::vector<Interface>& interfaces,
+                       std::span<const double> points, double dt)
+    : coarse_(points.size()), fine_(points.size()), multipliers_(points.size()) {
+  const std::vector<double> masses = fine_masses(sides, interfaces, points);
+  solve_ = make_multiplier_solve(common_solve(interfaces), coarse_operator(sides, interfaces), masses,
+                                 decay(sides, interfaces, points, dt));
+}
+
+void Constraint::solve(std::vector<Side>& sides) {
+  for (const Side& side : sides)
+    for (const Segment& segment : side.segments)
+      std::copy_n(side.predicted.begin() + 2 * segment.begin, 2 * segment.count,
+                  (segment.coarse ? coarse_ : fine_).begin() + 2 * segment.global);
+  solve_->solve(coarse_, fine_, multipliers_);
+  for (Side& side : sides)
+    for (const Segment& segment : side.segments) {
+      const double sign = segment.coarse ? -1 : 1;
+      for (std::size_t i = 0; i < 2 * segment.count; ++i)
+        side.impulses[2 * segment.begin + i] = sign * multipliers_[2 * segment.global + i];
+    }
+}
+
+}  // namespace adit::coupler

@@ -1,0 +1,61 @@
+#include "coupler/statics.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include "coupler/progress.hpp"
+#include "protocol/errors.hpp"
+
+namespace adit::coupler {
+namespace {
+
+// Of all sides together.
+struct State {
+  double kinetic_energy = 0, unbalanced_force = 0, internal_force = 0;
+  std::uint64_t points = 0, elements = 0;
+
+  explicit State(const std::vector<Side>& sides) {
+    for (const Side& side : sides) {
+      const wire::Relaxation& r = side.prediction().relaxation();
+      kinetic_energy += r.kinetic_energy();
+      unbalanced_force += r.unbalanced_force();
+      internal_force += r.internal_force();
+      points += r.points();
+      elements += r.elements();
+    }
+  }
+  double unbalanced_ratio() const {
+    if (unbalanced_force == 0) return 0;
+    return (unbalanced_force / static_cast<double>(points)) /
+           (internal_force / static_cast<double>(elements));
+  }
+};
+
+}  // namespace
+
+Rest relax(const Model& model, Stepper& stepper) {
+  const scene::Statics& statics = model.scene.statics();
+  ProgressLine line;
+  Rest rest;
+  bool stop = false;
+  double kinetic_energy = 0;  // a step before, since the last stop
+  for (std::uint64_t n = 0; n <= statics.max_steps(); ++n) {
+    stepper.relax(n, stop);
+    const State state(model.sides);  // of the step before
+    rest.steps = n;
+    rest.unbalanced_ratio = state.unbalanced_ratio();
+    if (line.due())
+      line.print(fmt::format("statics: step {}, unbalanced ratio {:.2e}, {:.1e} wanted", n,
+                             rest.unbalanced_ratio, statics.unbalanced_ratio()));
+    if (n > 0 && rest.unbalanced_ratio <= statics.unbalanced_ratio()) return rest;
+    const bool stopped = stop;  // by this step: what the answer says is older
+    stop = !stopped && state.kinetic_energy < kinetic_energy;
+    kinetic_energy = stopped || stop ? 0 : state.kinetic_energy;
+    if (stop) ++rest.stops;
+  }
+  throw protocol::Unstable(fmt::format(
+      "statics: after {} steps the unbalanced force ratio is {:g}, {:g} were asked for; allow more "
+      "statics.max_steps, or a larger statics.unbalanced_ratio",
+      statics.max_steps(), rest.unbalanced_ratio, statics.unbalanced_ratio()));
+}
+
+}  // namespace adit::coupler
