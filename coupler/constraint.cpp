@@ -119,24 +119,37 @@ std::vector<double> decay(const std::vector<Side>& sides, const std::vector<Inte
 
 Constraint::Constraint(const std::vector<Side>& sides, const std::vector<Interface>& interfaces,
                        std::span<const double> points, double dt)
-    : coarse_(points.size()), fine_(points.size()), multipliers_(points.size()) {
-  const std::vector<double> masses = fine_masses(sides, interfaces, points);
-  solve_ = make_multiplier_solve(common_solve(interfaces), coarse_operator(sides, interfaces), masses,
+    : coarse_(coarse_operator(sides, interfaces)), own_(2 * coarse_.own_points()), at_points_(points.size()) {
+  solve_ = make_multiplier_solve(common_solve(interfaces), coarse_, fine_masses(sides, interfaces, points),
                                  decay(sides, interfaces, points, dt));
 }
 
-void Constraint::solve(std::vector<Side>& sides) {
+void Constraint::read(const std::vector<Side>& sides, Part part, std::vector<double> Side::*velocities,
+                      std::span<double> at_points) const {
   for (const Side& side : sides)
     for (const Segment& segment : side.segments)
-      std::copy_n(side.predicted.begin() + 2 * segment.begin, 2 * segment.count,
-                  (segment.coarse ? coarse_ : fine_).begin() + 2 * segment.global);
-  solve_->solve(coarse_, fine_, multipliers_);
+      if (segment.coarse == (part == Part::kCoarse))
+        std::copy_n((side.*velocities).begin() + 2 * segment.begin, 2 * segment.count,
+                    at_points.begin() + 2 * segment.global);
+}
+
+void Constraint::assign(std::span<const double> multipliers, double factor, Part part,
+                        std::vector<Side>& sides) const {
+  const double signed_factor = part == Part::kCoarse ? -factor : factor;
   for (Side& side : sides)
     for (const Segment& segment : side.segments) {
-      const double sign = segment.coarse ? -1 : 1;
+      if (segment.coarse != (part == Part::kCoarse)) continue;
       for (std::size_t i = 0; i < 2 * segment.count; ++i)
-        side.impulses[2 * segment.begin + i] = sign * multipliers_[2 * segment.global + i];
+        side.impulses[2 * segment.begin + i] = signed_factor * multipliers[2 * segment.global + i];
+      side.impulses_pending = true;
     }
+}
+
+void Constraint::correct_coarse(std::span<const double> multipliers, std::span<double> velocities) {
+  coarse_.gather(multipliers, own_);
+  coarse_.divide_by_mass(own_);
+  coarse_.interpolate(own_, at_points_);
+  for (std::size_t i = 0; i < velocities.size(); ++i) velocities[i] -= at_points_[i];
 }
 
 }  // namespace adit::coupler

@@ -14,65 +14,53 @@ double dot(std::span<const double> a, std::span<const double> b) {
 
 }  // namespace
 
-Ledger::Ledger(const std::vector<Side>& sides, const std::vector<Interface>& interfaces)
-    : energies_(sides.size()), multiplier_work_(sides.size()), kinetic_correction_(sides.size()) {
-  for (const Side& side : sides)
-    previous_.push_back(
-        {std::vector<double>(side.impulses.size()), std::vector<double>(side.impulses.size())});
-  const auto begin_of = [&](std::size_t side, const Interface& interface) {
-    return std::find_if(sides[side].segments.begin(), sides[side].segments.end(),
-                        [&](const Segment& segment) { return segment.global == interface.begin; })
-        ->begin;
-  };
-  for (const Interface& interface : interfaces)
-    ties_.push_back({interface.coarse, begin_of(interface.coarse, interface), interface.fine,
-                     begin_of(interface.fine, interface), interface.end - interface.begin});
+Ledger::Ledger(const std::vector<Side>& sides) : energies_(sides.size()), accounts_(sides.size()) {
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    accounts_[s].impulses.resize(sides[s].impulses.size());
+    accounts_[s].velocities.resize(sides[s].impulses.size());
+  }
 }
 
-void Ledger::add_step(std::uint64_t n, const std::vector<Side>& sides, bool with_energies) {
-  book_multipliers(n, sides);
-  book_residual(sides);
-  if (!with_energies) return;
-  for (std::size_t s = 0; s < sides.size(); ++s) {
-    const wire::Energies& e = sides[s].prediction().energies();
-    energies_[s] = {.kinetic = e.kinetic() + kinetic_correction_[s],
-                    .strain = e.strain(),
-                    .released = e.released(),
-                    .external_work = e.external_work(),
-                    .multiplier_work = multiplier_work_[s]};
+void Ledger::take_energies(std::size_t s, const Side& side) {
+  const Account& account = accounts_[s];
+  const wire::Energies& e = side.prediction().energies();
+  double kinetic = e.kinetic(), work = account.multiplier_work;
+  if (account.started) {
+    const double power = dot(account.velocities, side.impulses);
+    kinetic += 0.5 * power;
+    work += 0.5 * (dot(account.velocities, account.impulses) + power);
+  } else {
+    kinetic -= 0.5 * (dot(side.impulses, side.predicted) + dot(side.impulses, side.corrected));
   }
-  if (n == 0) unexplained_at_start_ = unexplained();
+  energies_[s] = {.kinetic = kinetic,
+                  .strain = e.strain(),
+                  .released = e.released(),
+                  .external_work = e.external_work(),
+                  .multiplier_work = work};
+}
+
+void Ledger::compare() {
+  if (!compared_) unexplained_at_start_ = unexplained();
+  compared_ = true;
   peak_stored_ = std::max(peak_stored_, stored());
   peak_unexplained_ = std::max(peak_unexplained_, std::abs(unexplained()));
 }
 
-void Ledger::book_multipliers(std::uint64_t n, const std::vector<Side>& sides) {
-  for (std::size_t s = 0; s < sides.size(); ++s) {
-    const Side& side = sides[s];
-    Previous& previous = previous_[s];
-    if (n == 0) {
-      kinetic_correction_[s] =
-          -0.5 * (dot(side.impulses, side.predicted) + dot(side.impulses, side.corrected));
-    } else {
-      const double work = dot(previous.velocities, side.impulses);
-      kinetic_correction_[s] = 0.5 * work;
-      multiplier_work_[s] += 0.5 * (dot(previous.velocities, previous.impulses) + work);
-    }
-    std::copy(side.impulses.begin(), side.impulses.end(), previous.impulses.begin());
-    std::copy(side.corrected.begin(), side.corrected.end(), previous.velocities.begin());
-    if (n == 0)
-      for (double& impulse : previous.impulses) impulse *= 2;
-  }
+void Ledger::close_step(std::size_t s, const Side& side) {
+  Account& account = accounts_[s];
+  if (account.started)
+    account.multiplier_work +=
+        0.5 * (dot(account.velocities, account.impulses) + dot(account.velocities, side.impulses));
+  const double steps = account.started ? 1 : 2;  // half a step has half an impulse
+  for (std::size_t i = 0; i < side.impulses.size(); ++i) account.impulses[i] = steps * side.impulses[i];
+  std::copy(side.corrected.begin(), side.corrected.end(), account.velocities.begin());
+  account.started = true;
 }
 
-void Ledger::book_residual(const std::vector<Side>& sides) {
-  for (const Tie& tie : ties_) {
-    const double* coarse = &sides[tie.coarse].corrected[2 * tie.coarse_begin];
-    const double* fine = &sides[tie.fine].corrected[2 * tie.fine_begin];
-    for (std::size_t i = 0; i < 2 * tie.count; ++i) {
-      largest_gap_ = std::max(largest_gap_, std::abs(coarse[i] - fine[i]));
-      largest_velocity_ = std::max(largest_velocity_, std::abs(coarse[i]));
-    }
+void Ledger::book_gap(std::span<const double> coarse, std::span<const double> fine) {
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    largest_gap_ = std::max(largest_gap_, std::abs(coarse[i] - fine[i]));
+    largest_velocity_ = std::max(largest_velocity_, std::abs(coarse[i]));
   }
 }
 

@@ -1,4 +1,4 @@
-// The energy ledger across the interface.
+// The energy ledger across the interfaces.
 //
 // With velocities at half steps the leap-frog scheme keeps, for a linear system,
 //     E(n) = ½ Σ m v(n−½)·v(n+½) + strain energy(n),
@@ -6,13 +6,13 @@
 // energy: loads, prescribed motions (both booked by the participants) and multipliers (booked here). The
 // participant's kinetic energy ends with its prediction; the impulse p of the same step adds ½ (N v(n−½))·p.
 // Before step 0 the system rests: v(−½) = −v(½), and the first impulse acts over half a step.
+//
+// Every side is booked in its own steps, which may differ in length.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
-#include "coupler/interface.hpp"
 #include "coupler/side.hpp"
 
 namespace adit::coupler {
@@ -23,15 +23,22 @@ struct SideEnergies {  // [J]
 
 class Ledger {
  public:
-  Ledger(const std::vector<Side>& sides, const std::vector<Interface>& interfaces);
+  explicit Ledger(const std::vector<Side>& sides);
 
-  // Books the step: impulses and velocities of every side are those of step n.
-  void add_step(std::uint64_t n, const std::vector<Side>& sides, bool with_energies);
+  // Takes down the energies that the side's last answer holds; its impulses are those of the same step.
+  void take_energies(std::size_t s, const Side& side);
+  // After the energies of all sides: compares them with those of the start and of the peak.
+  void compare();
 
-  // As of the last step with energies.
+  // Books the side's step: its impulses, and its velocities after them.
+  void close_step(std::size_t s, const Side& side);
+  // Books the gap that the corrected velocities leave at the coupling points.
+  void book_gap(std::span<const double> coarse, std::span<const double> fine);
+
+  // As of the last compare().
   const std::vector<SideEnergies>& sides() const { return energies_; }
   double stored() const;  // kinetic, strain and released energy of all sides
-  // Stored minus external work, since step 0: what drifted, or what a lossy solve took.
+  // Stored minus external work, since the start: what drifted, or what a lossy solve took.
   double unexplained() const;
   double drift() const;      // the same relative to the largest stored energy so far
   double max_drift() const;  // the largest |unexplained| relative to the largest stored energy
@@ -41,21 +48,15 @@ class Ledger {
   double max_constraint_residual() const;
 
  private:
-  struct Previous {
-    std::vector<double> impulses, velocities;
+  struct Account {
+    bool started = false;                      // step 0 is closed
+    double multiplier_work = 0;                // up to the last step closed
+    std::vector<double> impulses, velocities;  // of that step, at the side's coupling points
   };
-  void book_multipliers(std::uint64_t n, const std::vector<Side>& sides);
-  void book_residual(const std::vector<Side>& sides);
-
-  struct Tie {  // coupling points of an interface among those of its two sides
-    std::size_t coarse, coarse_begin, fine, fine_begin, count;
-  };
-  std::vector<Tie> ties_;
 
   std::vector<SideEnergies> energies_;
-  std::vector<double> multiplier_work_;
-  std::vector<double> kinetic_correction_;
-  std::vector<Previous> previous_;
+  std::vector<Account> accounts_;
+  bool compared_ = false;
   double unexplained_at_start_ = 0;
   double peak_stored_ = 0, peak_unexplained_ = 0;
   double largest_gap_ = 0, largest_velocity_ = 0;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "coupler/time_step.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::coupler {
@@ -102,28 +103,8 @@ void couple(Model& model) {
     for (auto* vector : {&side.impulses, &side.predicted, &side.corrected}) vector->assign(2 * count, 0.0);
     side.own.assign(2 * side.interpolation->own_points(), 0.0);
   }
-  model.constraint =
-      std::make_unique<Constraint>(model.sides, model.interfaces, model.coupling_points, model.dt);
-}
-
-// The duration is a whole number of steps, so that the last step ends on it.
-void choose_time_step(Model& model) {
-  const auto& slowest = *std::min_element(
-      model.sides.begin(), model.sides.end(),
-      [](const Side& a, const Side& b) { return a.model.critical_dt() < b.model.critical_dt(); });
-  model.critical_dt = slowest.model.critical_dt();
-  const auto& time = model.scene.time();
-  if (time.has_dt() && time.dt() > model.critical_dt && !time.beyond_critical())
-    throw UserError("time.dt",
-                    fmt::format("is {:g} s, above {:g} s, the critical time step of the {}; give a smaller "
-                                "one, or leave it out and state dt_factor",
-                                time.dt(), model.critical_dt, slowest.member.name));
-  const double wanted = time.has_dt() ? time.dt() : time.dt_factor() * model.critical_dt;
-  const double steps = std::ceil(time.duration() / wanted);
-  if (steps > 1e15)
-    throw UserError("time.duration", fmt::format("takes {:g} steps of {:g} s; shorten it", steps, wanted));
-  model.steps = static_cast<std::uint64_t>(std::max(steps, 1.0));
-  model.dt = time.duration() / static_cast<double>(model.steps);
+  model.constraint = std::make_unique<Constraint>(model.sides, model.interfaces, model.coupling_points,
+                                                  model.dt / model.substeps);
 }
 
 }  // namespace

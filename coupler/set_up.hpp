@@ -22,7 +22,8 @@ struct Model {
   std::unique_ptr<Constraint> constraint;  // of coupled runs
   double critical_dt = 0;                  // smallest of the participants [s]
   std::uint64_t steps = 0;
-  double dt = 0;  // steps · dt = duration [s]
+  double dt = 0;          // steps · dt = duration [s]
+  unsigned substeps = 1;  // of the particles in one step
 };
 
 bool has_particles(const Model& model);

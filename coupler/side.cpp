@@ -1,5 +1,7 @@
 #include "coupler/side.hpp"
 
+#include <algorithm>
+
 #include "protocol/errors.hpp"
 
 namespace adit::coupler {

@@ -40,10 +40,13 @@ struct Side {
 
   // Reused in every step; one pair for each of its coupling points.
   wire::Frame request, reply;
-  std::vector<double> impulses;   // on this side in this step [N s]
-  std::vector<double> predicted;  // velocities [m/s]
-  std::vector<double> corrected;  // the same after the correction
-  std::vector<double> own;        // scratch: one pair for each own point
+  std::vector<double> impulses;     // on this side in this step [N s]
+  std::vector<double> predicted;    // velocities [m/s]
+  std::vector<double> corrected;    // the same after the correction
+  std::vector<double> own;          // scratch: one pair for each own point
+  bool impulses_pending = false;    // computed, but not yet sent
+  std::vector<wire::Crack> cracks;  // reported and not yet recorded
+  wire::BondForce strongest;        // the largest bond force since it was recorded
   double compute_s = 0;  // what the participant computed so far while it was waited for, by its clock
   double hidden_s = 0;   // and while it was not
 

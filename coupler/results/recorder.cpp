@@ -37,7 +37,7 @@ std::vector<std::string> history_columns(const Model& model) {
 
 }  // namespace
 
-Recorder::Recorder(const std::filesystem::path& directory, const Model& model)
+Recorder::Recorder(const std::filesystem::path& directory, Model& model)
     : model_(model),
       histories_(directory / "histories.csv", history_columns(model)),
       fields_(directory / "fields") {
@@ -45,15 +45,16 @@ Recorder::Recorder(const std::filesystem::path& directory, const Model& model)
 }
 
 void Recorder::record_events() {
-  const auto time_of = [this](std::uint64_t step) { return static_cast<double>(step) * model_.dt; };
-  for (const Side& side : model_.sides) {
-    const wire::Predicted& predicted = side.prediction();
-    for (const wire::BondForce& strongest : predicted.strongest())
-      if (strongest.force() > findings_.peak_bond_force) {
-        findings_.peak_bond_force = strongest.force();
-        findings_.peak = {time_of(strongest.step()), strongest.x(), strongest.y()};
-      }
-    for (const wire::Crack& crack : predicted.cracks()) record_crack(crack, time_of(crack.step()));
+  for (Side& side : model_.sides) {
+    const double dt = side.member.role == Role::kParticles ? model_.dt / model_.substeps : model_.dt;
+    const auto time_of = [dt](std::uint64_t step) { return static_cast<double>(step) * dt; };
+    if (side.strongest.force() > findings_.peak_bond_force) {
+      findings_.peak_bond_force = side.strongest.force();
+      findings_.peak = {time_of(side.strongest.step()), side.strongest.x(), side.strongest.y()};
+    }
+    for (const wire::Crack& crack : side.cracks) record_crack(crack, time_of(crack.step()));
+    side.cracks.clear();
+    side.strongest.Clear();
   }
 }
 

@@ -30,9 +30,9 @@ struct Findings {
 class Recorder {
  public:
   // Opens the files in `directory`, which exists.
-  Recorder(const std::filesystem::path& directory, const Model& model);
+  Recorder(const std::filesystem::path& directory, Model& model);
 
-  void record_events();  // every step
+  void record_events();  // every step: takes what the sides reported since
   void record_histories(std::uint64_t n, const Ledger& ledger);
   void record_fields(std::uint64_t n, std::vector<wire::Snapshot> snapshots);  // one for each side
 
@@ -41,7 +41,7 @@ class Recorder {
  private:
   void record_crack(const wire::Crack& crack, double time);
 
-  const Model& model_;
+  Model& model_;
   CsvFile histories_;
   std::optional<CsvFile> cracks_;  // of models with particles
   Collection fields_;

@@ -38,6 +38,7 @@ RunSummary::RunSummary(const RunLabels& labels, const Model& model) : model_(mod
   summary_.set("plane", protocol::lower_case(scene::Plane_Name(scene.plane())));
   summary_.set("duration_s", scene.time().duration());
   summary_.set("dt_s", model.dt);
+  summary_.set("substeps", model.substeps);
   summary_.set("critical_dt_s", model.critical_dt);
   wire::Interface counts;  // of all sides; a participant says nothing of what it does not have
   for (const Side& side : model.sides) {
@@ -121,8 +122,8 @@ void RunSummary::add_cost(const Stepper& stepper, std::uint64_t steps, double wa
   summary_.set("wall_s", wall_s);
   summary_.set("steps_per_s", static_cast<double>(steps) / stepping_s);
   summary_.set("coupler_cpu_s", own_cpu_seconds());
-  summary_.set("coupler_wait_s", stepper.wait_s());
-  summary_.set("coupler_solve_s", stepper.solve_s());
+  summary_.set("coupler_wait_s", stepper.cost().wait);
+  summary_.set("coupler_solve_s", stepper.cost().solve);
   for (const Side& side : model_.sides) {
     summary_.set(side.member.name + "_compute_s", side.compute_s);
     summary_.set(side.member.name + "_hidden_s", side.hidden_s);
