@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "coupler/bridging/decay.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::coupler {
@@ -41,10 +42,10 @@ Interpolation coarse_operator(const std::vector<Side>& sides, const std::vector<
     }
   }
   for (const Side& side : sides)
-    if (side.interpolation)
-      for (std::size_t j = 0; j < side.interpolation->own_points(); ++j)
-        for (const int component : {0, 1})
-          inverse_masses.push_back(side.interpolation->inverse_mass(j, component));
+    if (side.interpolation) {
+      const auto own = side.interpolation->inverse_masses();
+      inverse_masses.insert(inverse_masses.end(), own.begin(), own.end());
+    }
   return {std::move(row_starts), std::move(columns), std::move(values), std::move(inverse_masses)};
 }
 
@@ -74,7 +75,7 @@ std::vector<double> fine_masses(const std::vector<Side>& sides, const std::vecto
       const std::uint32_t own = n.columns(row)[0];
       const auto [other, first] = used.try_emplace({interface.fine, own}, &interface);
       if (!first) refuse(interface, k, *other->second);
-      for (const int component : {0, 1}) masses[2 * k + component] = 1.0 / n.inverse_mass(own, component);
+      for (const int component : {0, 1}) masses[2 * k + component] = 1.0 / n.inverse_masses()[2 * own + component];
     });
   }
   for (const Interface& interface : interfaces)
@@ -96,32 +97,37 @@ scene::Solve common_solve(const std::vector<Interface>& interfaces) {
   return interfaces[0].given.solve();
 }
 
-// Share of the fine motion that the split solve removes in one step at each coupling point: exponential decay
-// in time, at a rate that grows from 0 to its full value where the fine side ends.
-std::vector<double> decay(const std::vector<Side>& sides, const std::vector<Interface>& interfaces,
-                          std::span<const double> points, double dt) {
-  constexpr double kDefaultRate = 0.2;  // over the fine side's critical time step
-  std::vector<double> shares(points.size() / 2);
+// Share of the fine motion that the split solve removes in one step at each coupling point.
+std::vector<double> decay(const scene::Scene& scene, const std::vector<Side>& sides,
+                          const std::vector<Interface>& interfaces, std::span<const double> points,
+                          double dt) {
+  std::vector<double> shares;
   for (const Interface& interface : interfaces) {
+    const scene::Material& material = material_of(scene, sides[interface.fine].member);
+    const double wave_speed = std::sqrt(material.young_modulus() / material.density());
     const double rate = interface.given.has_decay_rate()
                             ? interface.given.decay_rate()
-                            : kDefaultRate / sides[interface.fine].model.critical_dt();
+                            : default_decay_rate(wave_speed, interface.overlap.width());
+    std::vector<double> across;
     for (std::size_t k = interface.begin; k < interface.end; ++k) {
       const double depth = interface.overlap.depth(points[2 * k], points[2 * k + 1]);
-      const double ramp = interface.fine == interface.inner ? depth : 1 - depth;
-      shares[k] = -std::expm1(-rate * ramp * dt);
+      across.push_back(interface.fine == interface.inner ? depth : 1 - depth);
     }
+    const auto per_step = decay_per_step(across, rate, dt);
+    shares.insert(shares.end(), per_step.begin(), per_step.end());
   }
   return shares;
 }
 
 }  // namespace
 
-Constraint::Constraint(const std::vector<Side>& sides, const std::vector<Interface>& interfaces,
-                       std::span<const double> points, double dt)
+Constraint::Constraint(const scene::Scene& scene, const std::vector<Side>& sides,
+                       const std::vector<Interface>& interfaces, std::span<const double> points, double dt)
     : coarse_(coarse_operator(sides, interfaces)), own_(2 * coarse_.own_points()), at_points_(points.size()) {
-  solve_ = make_multiplier_solve(common_solve(interfaces), coarse_, fine_masses(sides, interfaces, points),
-                                 decay(sides, interfaces, points, dt));
+  const scene::Solve kind = common_solve(interfaces);
+  solve_ = make_multiplier_solve(
+      kind, coarse_, fine_masses(sides, interfaces, points),
+      kind == scene::SPLIT ? decay(scene, sides, interfaces, points, dt) : std::vector<double>{});
 }
 
 void Constraint::read(const std::vector<Side>& sides, Part part, std::vector<double> Side::*velocities,

@@ -19,8 +19,8 @@ class Constraint {
   // `points`: the coupling points of all interfaces in turn, x0 y0 x1 y1 …; dt: time between two corrections
   // [s]. Every side has its operator. Throws protocol::UserError where a point is tied twice, where the
   // interfaces name different solves, and for what the solve itself refuses.
-  Constraint(const std::vector<Side>& sides, const std::vector<Interface>& interfaces,
-             std::span<const double> points, double dt);
+  Constraint(const scene::Scene& scene, const std::vector<Side>& sides,
+             const std::vector<Interface>& interfaces, std::span<const double> points, double dt);
 
   std::size_t size() const { return coarse_.coupling_points(); }
 

@@ -29,6 +29,11 @@ const scene::Particles& particles_of(const scene::Scene& scene, const Member& me
   return region ? region->particles() : scene.particles();
 }
 
+bool has_own_material(const scene::Scene& scene, const Member& member) {
+  return member.role == Role::kContinuum ? continuum_of(scene, member).has_material()
+                                         : particles_of(scene, member).has_material();
+}
+
 void add(std::vector<Member>& members, Member member, const std::string& name_path) {
   for (const Member& other : members)
     if (other.name == member.name)
@@ -91,9 +96,7 @@ std::vector<Member> members(const scene::Scene& scene) {
   if (members.empty())
     throw UserError("continuum", "is missing, and so is `particles`; give at least one of them");
   for (const Member& member : members) {
-    const bool own = member.role == Role::kContinuum ? continuum_of(scene, member).has_material()
-                                                     : particles_of(scene, member).has_material();
-    if (!own && !scene.has_material())
+    if (!has_own_material(scene, member) && !scene.has_material())
       throw UserError("material",
                       "is missing; write for example `material: {young_modulus: 30 GPa, poisson_ratio: 0.25, "
                       "density: 2.5 t/m^3}`");
@@ -137,6 +140,12 @@ scene::Scene part_of(const scene::Scene& scene, const Member& member) {
   else
     *part.mutable_particles() = particles_of(scene, member);
   return part;
+}
+
+const scene::Material& material_of(const scene::Scene& scene, const Member& member) {
+  if (!has_own_material(scene, member)) return scene.material();
+  return member.role == Role::kContinuum ? continuum_of(scene, member).material()
+                                         : particles_of(scene, member).material();
 }
 
 const google::protobuf::RepeatedPtrField<scene::History>& histories_of(const scene::Scene& scene,

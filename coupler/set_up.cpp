@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "coupler/bridging/overlap_checks.hpp"
 #include "coupler/time_step.hpp"
 #include "protocol/errors.hpp"
 
@@ -103,8 +104,8 @@ void couple(Model& model) {
     for (auto* vector : {&side.impulses, &side.predicted, &side.corrected}) vector->assign(2 * count, 0.0);
     side.own.assign(2 * side.interpolation->own_points(), 0.0);
   }
-  model.constraint = std::make_unique<Constraint>(model.sides, model.interfaces, model.coupling_points,
-                                                  model.dt / model.substeps);
+  model.constraint = std::make_unique<Constraint>(model.scene, model.sides, model.interfaces,
+                                                  model.coupling_points, model.dt / model.substeps);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "coupler/exchange.hpp"
 #include "coupler/stopwatch.hpp"
 
 namespace adit::coupler {

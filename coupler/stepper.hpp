@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "coupler/exchange.hpp"
 #include "coupler/ledger.hpp"
 #include "coupler/set_up.hpp"
 #include "coupler/shared_kick.hpp"

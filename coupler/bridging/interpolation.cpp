@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "protocol/errors.hpp"
 
@@ -13,11 +14,17 @@ constexpr double kRowSumTolerance = 1e-9;
 
 }  // namespace
 
+Interpolation::Interpolation(std::vector<std::uint32_t> row_starts, std::vector<std::uint32_t> columns,
+                             std::vector<double> values, std::vector<double> inverse_masses)
+    : row_starts_(std::move(row_starts)),
+      columns_(std::move(columns)),
+      values_(std::move(values)),
+      inverse_masses_(std::move(inverse_masses)) {}
+
 Interpolation::Interpolation(const wire::Operator& op, std::size_t coupling_points, const std::string& peer)
-    : row_starts_(op.row_starts().begin(), op.row_starts().end()),
-      columns_(op.columns().begin(), op.columns().end()),
-      values_(op.values().begin(), op.values().end()),
-      inverse_masses_(op.inverse_masses().begin(), op.inverse_masses().end()) {
+    : Interpolation({op.row_starts().begin(), op.row_starts().end()},
+                    {op.columns().begin(), op.columns().end()}, {op.values().begin(), op.values().end()},
+                    {op.inverse_masses().begin(), op.inverse_masses().end()}) {
   const auto refuse = [&](const std::string& what) {
     throw protocol::PeerLost(peer, "sent an operator that cannot be used: " + what);
   };

@@ -10,10 +10,17 @@
 
 namespace adit::coupler {
 
-// The sparse matrix N that takes the velocities of a participant's own points to the coupling points, and
-// the inverse lumped masses of these points. Vectors of velocities and impulses are interleaved, x then y.
+// The sparse matrix N that takes the velocities of one side's own points to the coupling points, and the
+// inverse lumped masses of these points [1/kg], 0 where a motion is prescribed. Rows sum to 1; entries may be
+// negative, where a side's points lie a little inside its edge. Vectors of velocities and impulses are
+// interleaved, x then y.
 class Interpolation {
  public:
+  // By rows (compressed): row k has the entries row_starts[k] to row_starts[k + 1]. A side of several
+  // participants has the points of all of them, numbered through.
+  Interpolation(std::vector<std::uint32_t> row_starts, std::vector<std::uint32_t> columns,
+                std::vector<double> values, std::vector<double> inverse_masses);
+
   // Checks everything that came over the wire; `peer` is named in the message of a PeerLost.
   Interpolation(const wire::Operator& op, std::size_t coupling_points, const std::string& peer);
 
@@ -21,9 +28,7 @@ class Interpolation {
   std::size_t own_points() const { return inverse_masses_.size() / 2; }
   std::span<const std::uint32_t> columns(std::size_t row) const;
   std::span<const double> values(std::size_t row) const;
-  double inverse_mass(std::size_t own_point, int component) const {
-    return inverse_masses_[2 * own_point + component];
-  }
+  std::span<const double> inverse_masses() const { return inverse_masses_; }
 
   // Each coupling point is a point of its own with the same velocity (eq. 5 of the paper: N = identity).
   bool is_selection() const;

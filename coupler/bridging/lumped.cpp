@@ -1,25 +1,31 @@
 #include "coupler/bridging/lumped.hpp"
 
+#include <cmath>
+
 namespace adit::coupler {
 
-LumpedSolve::LumpedSolve(const Interpolation& continuum, const Interpolation& particles)
-    : inverse_row_sums_(2 * continuum.coupling_points()) {
-  // Row sums of N M⁻¹ Nᵀ without forming it: apply it to a vector of ones.
-  const std::vector<double> ones(2 * continuum.coupling_points(), 1.0);
-  std::vector<double> row_sums(ones.size());
-  for (const Interpolation* side : {&continuum, &particles}) {
-    std::vector<double> own(2 * side->own_points());
-    std::vector<double> part(ones.size());
-    side->gather(ones, own);
-    side->divide_by_mass(own);
-    side->interpolate(own, part);
-    for (std::size_t i = 0; i < part.size(); ++i) row_sums[i] += part[i];
+LumpedSolve::LumpedSolve(const Interpolation& coarse, std::span<const double> fine_masses)
+    : inverse_row_sums_(fine_masses.size()) {
+  // The row sums of |N| M⁻¹ |N|ᵀ without forming it: apply it to a vector of ones.
+  std::vector<double> seen(coarse.own_points());  // |N|ᵀ 1
+  for (std::size_t k = 0; k < coarse.coupling_points(); ++k)
+    for (std::size_t e = 0; e < coarse.columns(k).size(); ++e)
+      seen[coarse.columns(k)[e]] += std::abs(coarse.values(k)[e]);
+  for (std::size_t i = 0; i < fine_masses.size(); ++i) {
+    const std::size_t k = i / 2, direction = i % 2;
+    double row_sum = 1.0 / fine_masses[i];
+    for (std::size_t e = 0; e < coarse.columns(k).size(); ++e) {
+      const std::size_t j = coarse.columns(k)[e];
+      row_sum += std::abs(coarse.values(k)[e]) * coarse.inverse_masses()[2 * j + direction] * seen[j];
+    }
+    inverse_row_sums_[i] = 1.0 / row_sum;
   }
-  for (std::size_t i = 0; i < row_sums.size(); ++i) inverse_row_sums_[i] = 1.0 / row_sums[i];
 }
 
-void LumpedSolve::solve(std::span<const double> gap, std::span<double> multipliers) {
-  for (std::size_t i = 0; i < gap.size(); ++i) multipliers[i] = inverse_row_sums_[i] * gap[i];
+void LumpedSolve::solve(std::span<const double> coarse_velocities, std::span<const double> fine_velocities,
+                        std::span<double> multipliers) {
+  for (std::size_t i = 0; i < multipliers.size(); ++i)
+    multipliers[i] = inverse_row_sums_[i] * (coarse_velocities[i] - fine_velocities[i]);
 }
 
 }  // namespace adit::coupler

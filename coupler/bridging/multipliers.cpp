@@ -1,25 +1,64 @@
 #include "coupler/bridging/multipliers.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+
 #include "coupler/bridging/consistent.hpp"
 #include "coupler/bridging/lumped.hpp"
+#include "coupler/bridging/split.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::coupler {
+namespace {
 
-std::unique_ptr<MultiplierSolve> make_multiplier_solve(scene::Solve kind, const Interpolation& continuum,
-                                                       const Interpolation& particles) {
-  if (!particles.is_selection())
-    throw protocol::UserError("particles",
-                              "has coupling points that are no particles of its own; the solves expect one "
-                              "particle at each coupling point");
-  for (std::size_t i = 0; i < particles.own_points(); ++i)
-    if (particles.inverse_mass(i, 0) == 0 || particles.inverse_mass(i, 1) == 0)
-      throw protocol::UserError(
-          "interface.overlap",
-          "holds a particle whose motion is prescribed, so that both would fight for its "
-          "velocity; move the overlap or the motion");
-  if (kind == scene::LUMPED) return std::make_unique<LumpedSolve>(continuum, particles);
-  return std::make_unique<ConsistentSolve>(continuum, particles);
+using protocol::UserError;
+
+void require_free(std::span<const double> fine_masses) {
+  if (!std::ranges::all_of(fine_masses, [](double mass) { return std::isfinite(mass); }))
+    throw UserError(
+        "interface.overlap",
+        "holds a point whose motion is prescribed, so that both would fight for its velocity; move "
+        "the overlap or the motion");
+}
+
+// A coarse point is held by the coupling points that see it (an entry of N that is not 0). In a plane each
+// zone's corner is seen from four zones: with one coupling point in each zone it is seen four times, with
+// zones half as large as the distance of the coupling points about once. Then the constraint falls apart into
+// ties of single points: it is solvable, but most motions of the coarse side end freely in the overlap. The
+// factor leaves room for the edges of narrow overlaps; of very few points nothing can be said.
+void require_coarse(const Interpolation& coarse) {
+  constexpr double kLeastSightings = 4.0 / 3.0;
+  constexpr std::size_t kFew = 4;
+  std::size_t sightings = 0;
+  std::vector<bool> seen(coarse.own_points());
+  for (std::size_t k = 0; k < coarse.coupling_points(); ++k)
+    for (std::size_t e = 0; e < coarse.columns(k).size(); ++e)
+      if (coarse.values(k)[e] != 0) {
+        ++sightings;
+        seen[coarse.columns(k)[e]] = true;
+      }
+  const auto points = static_cast<std::size_t>(std::ranges::count(seen, true));
+  if (coarse.coupling_points() >= kFew && sightings < kLeastSightings * points)
+    throw UserError(
+        "interface.overlap",
+        fmt::format("has only {} coupling points for {} points of the grid between them: the grid is "
+                    "finer than the points that it is to follow; make its zones at least as large "
+                    "as their distance",
+                    coarse.coupling_points(), points));
+}
+
+}  // namespace
+
+std::unique_ptr<MultiplierSolve> make_multiplier_solve(scene::Solve kind, const Interpolation& coarse,
+                                                       std::span<const double> fine_masses,
+                                                       std::span<const double> decay) {
+  require_free(fine_masses);
+  require_coarse(coarse);
+  if (kind == scene::LUMPED) return std::make_unique<LumpedSolve>(coarse, fine_masses);
+  if (kind == scene::SPLIT) return std::make_unique<SplitSolve>(coarse, fine_masses, decay);
+  return std::make_unique<ConsistentSolve>(coarse, fine_masses);
 }
 
 }  // namespace adit::coupler

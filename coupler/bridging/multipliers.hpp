@@ -1,13 +1,15 @@
-// The multipliers of the velocity constraint g = N_C v_C − N_P v_P = 0 (bridging-domain method; Xiao and
-// Belytschko 2004). Given the gap g of the predicted velocities, a solve returns the impulses λ [N s] with
-// which the velocities are corrected:
-//     v_C −= M⁻¹ N_Cᵀ λ,   v_P += m⁻¹ N_Pᵀ λ.
+// The multipliers of the velocity constraint V = v at the coupling points (bridging-domain method; Xiao and
+// Belytschko 2004). Of the two sides that share an overlap, the fine one has a point of its own, of mass m,
+// at every coupling point; the velocities V of the coarse side's points, of masses M, are interpolated there
+// by N. From the predicted velocities a solve finds the impulses λ [N s] with which both are corrected:
+//     V −= M⁻¹ Nᵀ λ,   v += m⁻¹ λ.
 // Rows of N sum to 1, so whatever λ is, both sides together keep their linear momentum.
 #pragma once
 
 #include <memory>
 #include <span>
 
+#include "coupler/bridging/cost.hpp"
 #include "coupler/bridging/interpolation.hpp"
 #include "protocol/scene.pb.h"
 
@@ -16,13 +18,20 @@ namespace adit::coupler {
 class MultiplierSolve {
  public:
   virtual ~MultiplierSolve() = default;
-  // gap and multipliers: one pair (x, y) for each coupling point.
-  virtual void solve(std::span<const double> gap, std::span<double> multipliers) = 0;
+  // Predicted velocities of both sides at the coupling points [m/s] (N V and v), and the multipliers: one
+  // pair (x, y) for each coupling point. Allocates nothing.
+  virtual void solve(std::span<const double> coarse_velocities, std::span<const double> fine_velocities,
+                     std::span<double> multipliers) = 0;
+  virtual SolveCost cost() const { return {}; }
 };
 
-// N_P must be a selection (each coupling point is a particle): anything else, and a particle in the overlap
-// whose motion is prescribed, is refused with a protocol::UserError.
-std::unique_ptr<MultiplierSolve> make_multiplier_solve(scene::Solve kind, const Interpolation& continuum,
-                                                       const Interpolation& particles);
+// `fine_masses`: m, one pair (x, y) for each coupling point [kg], infinite where a motion is prescribed.
+// `decay`: for the solve `split`, the share of the fine motion that each coupling point loses in a step
+// (decay.hpp); empty otherwise.
+// Throws protocol::UserError for a fine point with a prescribed motion, and for a coarse side that is finer
+// than the fine one.
+std::unique_ptr<MultiplierSolve> make_multiplier_solve(scene::Solve kind, const Interpolation& coarse,
+                                                       std::span<const double> fine_masses,
+                                                       std::span<const double> decay);
 
 }  // namespace adit::coupler

@@ -56,7 +56,7 @@ Outcome compute(const std::string& scene_name) {
     for (const coupler::Side& side : model.sides) {
       const wire::Predicted& predicted = side.prediction();
       if (predicted.histories_size() == 1) outcome.tip.push_back(predicted.histories(0));
-      if (side.role != coupler::Role::kParticles) continue;
+      if (side.member.role != coupler::Role::kParticles) continue;
       outcome.max_force.push_back(predicted.strongest(0).force());
       for (const auto& crack : predicted.cracks())
         outcome.cracks.push_back({outcome.times.back(), crack.x(), crack.y()});
