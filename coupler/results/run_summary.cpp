@@ -124,9 +124,23 @@ void RunSummary::add_cost(const Stepper& stepper, std::uint64_t steps, double wa
   summary_.set("coupler_cpu_s", own_cpu_seconds());
   summary_.set("coupler_wait_s", stepper.cost().wait);
   summary_.set("coupler_solve_s", stepper.cost().solve);
+  double computed = 0, hidden = 0;
   for (const Side& side : model_.sides) {
     summary_.set(side.member.name + "_compute_s", side.compute_s);
     summary_.set(side.member.name + "_hidden_s", side.hidden_s);
+    computed += side.compute_s + side.hidden_s;
+    hidden += side.hidden_s;
+  }
+  if (model_.constraint) {
+    const SolveCost solve = model_.constraint->multipliers().cost();
+    summary_.set("solve_unknowns", solve.unknowns);
+    summary_.set("solve_factor_s", solve.factor_seconds);
+    summary_.set("solve_factor_bytes", solve.factor_bytes);
+    summary_.set("hidden_share", computed > 0 ? hidden / computed : 0.0);
+    lines_.push_back(
+        fmt::format("exchange           {:.0f} % of the models' work was done while it went on, "
+                    "multipliers took {:.2g} s",
+                    computed > 0 ? 100 * hidden / computed : 0.0, stepper.cost().solve));
   }
   lines_.push_back(
       fmt::format("wall time          {:.2f} s, {} steps of {:.3g} s", wall_s, steps, model_.dt));
