@@ -117,6 +117,7 @@ void share_energy(Model& model) {
 
 void choose_coupling_points(Model& model) {
   for (const Side& side : model.sides) {
+    if (side.role != Role::kParticles) continue;
     const auto& points = side.counts.points();
     for (int i = 0; i + 1 < points.size(); i += 2)
       if (model.overlap->contains(points[i], points[i + 1]))
