@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "protocol/stretches.hpp"
+
 namespace adit::dem {
 namespace {
 
@@ -78,6 +80,20 @@ void weigh_particles(const Bonds& bonds, const SampledWeights& weights, double c
 }
 
 }  // namespace
+
+SplitRuns split(std::span<const Run> runs, const std::vector<bool>& chosen) {
+  SplitRuns parts;
+  for (const Run& run : runs)
+    protocol::for_each_stretch(
+        run.count, [&](std::uint32_t k) { return chosen[run.first + k] || chosen[run.second + k]; },
+        [&](const protocol::Stretch& stretch, bool touches) {
+          Run part = run;
+          part.count = stretch.end - stretch.begin;
+          for (auto* number : {&part.begin, &part.first, &part.second}) *number += stretch.begin;
+          (touches ? parts.touching : parts.others).push_back(part);
+        });
+  return parts;
+}
 
 Assembly assemble(const Packing& packing, double cell_mass, const SampledWeights& weights) {
   std::vector<std::uint32_t> new_place;

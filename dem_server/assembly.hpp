@@ -34,6 +34,12 @@ struct Run {
 };
 inline constexpr std::uint32_t kLongestRun = 256;
 
+// Runs whose bonds all touch a chosen particle, and runs of which none does.
+struct SplitRuns {
+  std::vector<Run> touching, others;
+};
+SplitRuns split(std::span<const Run> runs, const std::vector<bool>& chosen);
+
 struct Bonds {
   std::vector<std::uint32_t> first, second;  // particles
   std::vector<double> weight;                // energy weight

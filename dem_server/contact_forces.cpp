@@ -132,15 +132,17 @@ std::uint32_t find_bond(const Run& run, const Bonds& b, std::int64_t bits) {
 
 }  // namespace
 
-ContactResult compute_contact_forces(const BondLaw& law, double dt, Particles& particles, Bonds& bonds,
-                                     std::vector<std::uint32_t>& broken) {
+void clear_resultants(std::span<const protocol::Stretch> some, Particles& particles) {
   for (auto* resultant : {&particles.fx, &particles.fy, &particles.moment})
-    std::fill(resultant->begin(), resultant->end(), 0.0);
-  ContactResult result;
+    for (const auto [begin, end] : some) std::fill(resultant->begin() + begin, resultant->begin() + end, 0.0);
+}
+
+void add_contact_forces(const BondLaw& law, double dt, std::span<const Run> runs, Particles& particles,
+                        Bonds& bonds, ContactResult& result, std::vector<std::uint32_t>& broken) {
   RunForces forces;
-  std::int64_t max_bits = -1;
+  auto max_bits = std::bit_cast<std::int64_t>(result.max_normal_force);
   const Run* strongest_run = nullptr;
-  for (const Run& run : bonds.runs) {
+  for (const Run& run : runs) {
     RunOutcome outcome = pull(law, dt, run, bonds.rest_length, particles, bonds, forces);
     if (outcome.breaks) {
       result.released += break_bonds(law, dt, run, particles, bonds, forces, broken);
@@ -156,6 +158,14 @@ ContactResult compute_contact_forces(const BondLaw& law, double dt, Particles& p
     result.max_normal_force = std::bit_cast<double>(max_bits);
     result.strongest_bond = find_bond(*strongest_run, bonds, max_bits);
   }
+}
+
+ContactResult compute_contact_forces(const BondLaw& law, double dt, Particles& particles, Bonds& bonds,
+                                     std::vector<std::uint32_t>& broken) {
+  const protocol::Stretch all{0, static_cast<std::uint32_t>(particles.size())};
+  clear_resultants({&all, 1}, particles);
+  ContactResult result;
+  add_contact_forces(law, dt, bonds.runs, particles, bonds, result, broken);
   return result;
 }
 

@@ -15,10 +15,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "dem_server/assembly.hpp"
 #include "dem_server/calibration.hpp"
+#include "protocol/stretches.hpp"
 
 namespace adit::dem {
 
@@ -36,8 +38,16 @@ struct ContactResult {
   double released = 0;
 };
 
-// Sets the particles' resultants to the contacts' forces, from displacements at n and velocities at n - 1/2.
-// Bonds that broke in this step are appended to `broken`.
+// Sets the resultants of some particles to 0.
+void clear_resultants(std::span<const protocol::Stretch> some, Particles& particles);
+
+// Adds the forces of the runs' contacts to the particles' resultants, from displacements at n and velocities
+// at n - 1/2. `result` grows to that of all runs of the step so far; bonds that broke are appended to
+// `broken`.
+void add_contact_forces(const BondLaw& law, double dt, std::span<const Run> runs, Particles& particles,
+                        Bonds& bonds, ContactResult& result, std::vector<std::uint32_t>& broken);
+
+// Both for all particles and all bonds.
 ContactResult compute_contact_forces(const BondLaw& law, double dt, Particles& particles, Bonds& bonds,
                                      std::vector<std::uint32_t>& broken);
 

@@ -3,8 +3,13 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <unordered_map>
+
+#include "dem_server/triangulation.hpp"
+#include "protocol/errors.hpp"
 
 namespace adit::dem {
 namespace {
@@ -22,6 +27,18 @@ Key key_of(double x, double y) {
   return {std::bit_cast<std::uint64_t>(x), std::bit_cast<std::uint64_t>(y)};
 }
 
+protocol::OperatorRow between_particles(const Triangulation& triangulation, double x, double y) {
+  const auto place = triangulation.locate(x, y);
+  if (!place)
+    throw protocol::UserError(
+        "interface.overlap",
+        fmt::format("holds the coupling point ({}, {}) m, which lies more than a particle's diameter outside "
+                    "the bonded particles; let the packing cover the overlap",
+                    x, y));
+  const auto& [particles, shares] = *place;
+  return {{particles[0], particles[1], particles[2], 0}, {shares[0], shares[1], shares[2], 0}};
+}
+
 }  // namespace
 
 std::vector<double> CouplingPoints::offer(const Particles& p, const Rectangle& box) {
@@ -36,39 +53,51 @@ std::vector<double> CouplingPoints::offer(const Particles& p, const Rectangle& b
   return centres;
 }
 
-void CouplingPoints::tie(std::span<const double> points, const Particles& p, const Motions& motions) {
-  if (points.size() % 2 != 0) throw std::logic_error("couple: the coupling points are not pairs of x and y");
-  std::unordered_map<Key, std::uint32_t, Hash> free_particles;
-  for (const std::uint32_t i : offered_) free_particles.emplace(key_of(p.x[i], p.y[i]), i);
-  particles_.clear();
+void CouplingPoints::tie(std::span<const double> places, const Assembly& assembly, const Motions& motions) {
+  if (places.size() % 2 != 0) throw std::logic_error("couple: the coupling points are not pairs of x and y");
+  const Particles& p = assembly.particles;
+  std::unordered_map<Key, std::uint32_t, Hash> centres;
+  for (const std::uint32_t i : offered_) centres.emplace(key_of(p.x[i], p.y[i]), i);
+  std::optional<Triangulation> triangulation;  // made where a place needs it
+  std::vector<protocol::OperatorRow> rows;
+  rows.reserve(places.size() / 2);
+  for (std::size_t k = 0; k < places.size(); k += 2) {
+    const double x = places[k], y = places[k + 1];
+    if (const auto found = centres.find(key_of(x, y)); found != centres.end()) {
+      rows.push_back({{found->second}, {1.0}});
+      continue;
+    }
+    if (!std::isfinite(x) || !std::isfinite(y))
+      throw std::logic_error("couple: a coupling point is not finite");
+    if (!triangulation) triangulation.emplace(p, assembly.bonds);
+    rows.push_back(between_particles(*triangulation, x, y));
+  }
+  operator_ = protocol::InterfaceOperator(rows);
   inverse_masses_.clear();
-  for (std::size_t k = 0; k < points.size(); k += 2) {
-    const auto found = free_particles.find(key_of(points[k], points[k + 1]));
-    if (found == free_particles.end())
-      throw std::logic_error(
-          fmt::format("couple: point {} at ({:.17g}, {:.17g}) m is not a particle centre that "
-                      "was offered, or comes twice; send back offered points unchanged",
-                      k / 2, points[k], points[k + 1]));
-    const std::uint32_t i = found->second;
-    free_particles.erase(found);
-    particles_.push_back(i);
-    inverse_masses_.push_back(motions.prescribes_x(i) ? 0.0 : p.inverse_mass[i]);
-    inverse_masses_.push_back(motions.prescribes_y(i) ? 0.0 : p.inverse_mass[i]);
+  for (const std::uint32_t i : operator_.points()) {
+    inverse_masses_.push_back(motions.prescribes(Motions::kX, i) ? 0.0 : p.inverse_mass[i]);
+    inverse_masses_.push_back(motions.prescribes(Motions::kY, i) ? 0.0 : p.inverse_mass[i]);
   }
 }
 
-void CouplingPoints::push(std::span<const double> impulses, Particles& p) const {
-  for (std::size_t k = 0; k < particles_.size(); ++k) {
-    p.vx[particles_[k]] += impulses[2 * k] * inverse_masses_[2 * k];
-    p.vy[particles_[k]] += impulses[2 * k + 1] * inverse_masses_[2 * k + 1];
+void CouplingPoints::fill(wire::Operator& op) const {
+  operator_.fill(op);
+  op.mutable_inverse_masses()->Assign(inverse_masses_.begin(), inverse_masses_.end());
+}
+
+void CouplingPoints::push(std::span<const double> impulses, Particles& p, Motions& motions) {
+  const auto own = operator_.gather(impulses);
+  for (std::size_t j = 0; j < operator_.points().size(); ++j) {
+    const std::uint32_t i = operator_.points()[j];
+    p.vx[i] += own[2 * j] * inverse_masses_[2 * j];
+    p.vy[i] += own[2 * j + 1] * inverse_masses_[2 * j + 1];
+    if (inverse_masses_[2 * j] == 0) motions.hold(Motions::kX, i, own[2 * j]);
+    if (inverse_masses_[2 * j + 1] == 0) motions.hold(Motions::kY, i, own[2 * j + 1]);
   }
 }
 
 void CouplingPoints::read_velocities(const Particles& p, std::span<double> velocities) const {
-  for (std::size_t k = 0; k < particles_.size(); ++k) {
-    velocities[2 * k] = p.vx[particles_[k]];
-    velocities[2 * k + 1] = p.vy[particles_[k]];
-  }
+  operator_.velocities(p.vx, p.vy, velocities);
 }
 
 }  // namespace adit::dem

@@ -1,4 +1,4 @@
-// Particles whose velocities are tied to the continuum: every coupling point is the centre of one of them.
+// How the particles follow the coupling points: each is a particle's centre, or lies between three particles.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,7 @@
 
 #include "dem_server/assembly.hpp"
 #include "dem_server/motions.hpp"
+#include "protocol/interface_operator.hpp"
 
 namespace adit::dem {
 
@@ -16,25 +17,28 @@ class CouplingPoints {
   // …
   std::vector<double> offer(const Particles& particles, const Rectangle& box);
 
-  // Ties the particles with these centres, which must be among those offered, bit by bit and each once;
-  // anything else is the caller's bug, std::logic_error.
-  void tie(std::span<const double> points, const Particles& particles, const Motions& motions);
+  // Ties the particles to these places: to an offered centre, bit by bit, that particle alone, elsewhere the
+  // triangle of particles around (triangulation.hpp). UserError where the particles do not reach.
+  void tie(std::span<const double> places, const Assembly& assembly, const Motions& motions);
 
-  std::size_t size() const { return particles_.size(); }
+  std::size_t size() const { return operator_.rows(); }
+  std::span<const std::uint32_t> particles() const { return operator_.points(); }  // tied, ascending
 
-  // Inverse weighted masses for x and for y of each tied particle, 0 where the motion is prescribed [1/kg].
-  std::span<const double> inverse_masses() const { return inverse_masses_; }
+  // N, and the inverse weighted masses for x and for y of each tied particle, 0 where the motion is
+  // prescribed.
+  void fill(wire::Operator& op) const;
 
-  // v += impulse / m; the impulses [N s] stand x0 y0 x1 y1 …
-  void push(std::span<const double> impulses, Particles& particles) const;
+  // v += N^T impulse / m; the impulses [N s] stand x0 y0 x1 y1 … A prescribed component does not yield: the
+  // reaction of its motion takes the impulse up.
+  void push(std::span<const double> impulses, Particles& particles, Motions& motions);
 
-  // Velocities of the tied particles, x0 y0 x1 y1 … [m/s]
+  // Velocities at the coupling points, x0 y0 x1 y1 … [m/s]
   void read_velocities(const Particles& particles, std::span<double> velocities) const;
 
  private:
   std::vector<std::uint32_t> offered_;
-  std::vector<std::uint32_t> particles_;
-  std::vector<double> inverse_masses_;
+  protocol::InterfaceOperator operator_;
+  std::vector<double> inverse_masses_;  // [1/kg]
 };
 
 }  // namespace adit::dem

@@ -28,6 +28,22 @@ Loads::Loads(const scene::Particles& scene, const Particles& particles, double t
   }
 }
 
+Loads Loads::take(const std::vector<bool>& chosen) {
+  Loads taken;
+  for (Load& load : loads_) {
+    Load out{{}, {}, load.x, load.y, load.time}, left = out;
+    for (std::size_t k = 0; k < load.particles.size(); ++k) {
+      Load& to = chosen[load.particles[k]] ? out : left;
+      to.particles.push_back(load.particles[k]);
+      to.share.push_back(load.share[k]);
+    }
+    if (!out.particles.empty()) taken.loads_.push_back(std::move(out));
+    load = std::move(left);
+  }
+  std::erase_if(loads_, [](const Load& load) { return load.particles.empty(); });
+  return taken;
+}
+
 void Loads::apply(double time, double dt, Particles& p) {
   for (Load& load : loads_) {
     const double factor = protocol::evaluate(load.time, time);

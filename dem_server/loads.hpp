@@ -14,6 +14,10 @@ class Loads {
   // Resolves the boxes among the particles that exist, at rest. UserError at particles.loads[i] and
   // particles.body_loads[i].
   Loads(const scene::Particles& scene, const Particles& particles, double tolerance);
+  Loads() = default;
+
+  // Takes the shares of the chosen particles out, before the first step.
+  Loads take(const std::vector<bool>& chosen);
 
   // Adds the forces at time n dt to the resultants and their work since n - 1, by the trapezoid
   // dt v(n-1/2) (f(n-1) + f(n)) / 2, to work().

@@ -1,7 +1,5 @@
 #include "dem_server/motion.hpp"
 
-#include <span>
-
 namespace adit::dem {
 namespace {
 
@@ -16,15 +14,21 @@ void add_product(double dt, std::span<const double> force, std::span<const doubl
 
 }  // namespace
 
-void move(double dt, Particles& p) {
-  add_product(dt, p.vx, p.ux);
-  add_product(dt, p.vy, p.uy);
+void move(double dt, std::span<const protocol::Stretch> some, Particles& p) {
+  for (const auto [begin, end] : some) {
+    const auto part = [&](auto& values) { return std::span(values).subspan(begin, end - begin); };
+    add_product(dt, part(p.vx), part(p.ux));
+    add_product(dt, part(p.vy), part(p.uy));
+  }
 }
 
-void kick(double dt, Particles& p) {
-  add_product(dt, p.fx, p.inverse_mass, p.vx);
-  add_product(dt, p.fy, p.inverse_mass, p.vy);
-  add_product(dt, p.moment, p.inverse_inertia, p.spin);
+void kick(double dt, std::span<const protocol::Stretch> some, Particles& p) {
+  for (const auto [begin, end] : some) {
+    const auto part = [&](auto& values) { return std::span(values).subspan(begin, end - begin); };
+    add_product(dt, part(p.fx), part(p.inverse_mass), part(p.vx));
+    add_product(dt, part(p.fy), part(p.inverse_mass), part(p.vy));
+    add_product(dt, part(p.moment), part(p.inverse_inertia), part(p.spin));
+  }
 }
 
 }  // namespace adit::dem

@@ -1,14 +1,18 @@
 // Central differences: displacements at n from velocities at n - 1/2, velocities at n + 1/2 from forces at n.
+// Each for some of the particles.
 #pragma once
 
+#include <span>
+
 #include "dem_server/assembly.hpp"
+#include "protocol/stretches.hpp"
 
 namespace adit::dem {
 
 // u += dt v
-void move(double dt, Particles& particles);
+void move(double dt, std::span<const protocol::Stretch> some, Particles& particles);
 
 // v += dt f / m and spin += dt moment / J; half of dt in the first step, from rest.
-void kick(double dt, Particles& particles);
+void kick(double dt, std::span<const protocol::Stretch> some, Particles& particles);
 
 }  // namespace adit::dem

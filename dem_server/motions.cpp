@@ -1,5 +1,6 @@
 #include "dem_server/motions.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "dem_server/selection.hpp"
@@ -7,6 +8,18 @@
 #include "protocol/time_function.hpp"
 
 namespace adit::dem {
+namespace {
+
+// What a motion of this component moves: the sum of the particles' masses or moments of inertia.
+double inertia_of(const std::vector<std::uint32_t>& chosen, Motions::Component component,
+                  const Particles& particles) {
+  const auto& each = component == Motions::kSpin ? particles.inertia : particles.mass;
+  double sum = 0;
+  for (const std::uint32_t i : chosen) sum += each[i];
+  return sum;
+}
+
+}  // namespace
 
 Motions::Motions(const scene::Particles& scene, const Particles& particles, double tolerance) {
   for (auto& flags : prescribed_) flags.assign(particles.size(), false);
@@ -28,16 +41,29 @@ Motions::Motions(const scene::Particles& scene, const Particles& particles, doub
 void Motions::add(Component component, const std::vector<std::uint32_t>& chosen, double amplitude,
                   const scene::TimeFunction& time, const std::string& path, const Particles& particles) {
   static constexpr const char* kNames[] = {"velocity.x", "velocity.y", "spin"};
-  const auto& masses = component == kSpin ? particles.inertia : particles.mass;
-  double inertia = 0;
   for (const std::uint32_t i : chosen) {
     if (prescribed_[component][i])
       throw protocol::UserError(path + ".where", "selects particles whose " + std::string(kNames[component]) +
                                                      " an earlier motion prescribes; separate the boxes");
     prescribed_[component][i] = true;
-    inertia += masses[i];
   }
-  motions_.push_back({component, chosen, amplitude, time, inertia});
+  motions_.push_back({component, chosen, amplitude, time, inertia_of(chosen, component, particles)});
+}
+
+Motions Motions::take(const std::vector<bool>& chosen, const Particles& particles) {
+  Motions taken;
+  taken.prescribed_ = prescribed_;
+  for (Motion& motion : motions_) {
+    std::vector<std::uint32_t> out, left;
+    for (const std::uint32_t i : motion.particles) (chosen[i] ? out : left).push_back(i);
+    if (!out.empty())
+      taken.motions_.push_back({motion.component, out, motion.amplitude, motion.time,
+                                inertia_of(out, motion.component, particles)});
+    motion.inertia = inertia_of(left, motion.component, particles);
+    motion.particles = std::move(left);
+  }
+  std::erase_if(motions_, [](const Motion& motion) { return motion.particles.empty(); });
+  return taken;
 }
 
 void Motions::impose(double half_time, double dt, bool start, Particles& p) {
@@ -45,15 +71,26 @@ void Motions::impose(double half_time, double dt, bool start, Particles& p) {
   const std::vector<double>* const resultants[] = {&p.fx, &p.fy, &p.moment};
   for (Motion& motion : motions_) {
     const double velocity = motion.amplitude * protocol::evaluate(motion.time, half_time);
-    const double before = start ? -velocity : motion.velocity;
-    double reaction = motion.inertia * (velocity - before) / dt;
+    motion.before = start ? -velocity : motion.after;
+    motion.after = velocity;
+    double reaction = motion.inertia * (velocity - motion.before) / dt;
     for (const std::uint32_t i : motion.particles) {
       reaction -= (*resultants[motion.component])[i];
       (*velocities[motion.component])[i] = velocity;
     }
-    if (!start) work_ += dt * before * (motion.reaction + reaction) / 2;
-    motion.velocity = velocity;
+    if (!start) work_ += dt * motion.before * (motion.reaction + reaction) / 2;
     motion.reaction = reaction;
+  }
+  last_dt_ = dt;
+  last_kick_ = start ? dt / 2 : dt;
+}
+
+void Motions::hold(Component component, std::uint32_t particle, double impulse) {
+  for (Motion& motion : motions_) {
+    if (motion.component != component || !std::ranges::binary_search(motion.particles, particle)) continue;
+    const double force = impulse / last_kick_;
+    motion.reaction -= force;
+    work_ -= last_dt_ * motion.before * force / 2;
   }
 }
 

@@ -1,6 +1,7 @@
 // Prescribed velocities and spins of particles, and the work of the reactions that they need.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -12,9 +13,15 @@ namespace adit::dem {
 
 class Motions {
  public:
+  enum Component { kX, kY, kSpin };
+
   // Resolves the boxes among the particles that exist, at rest. UserError at particles.motions[i]: nothing
   // prescribed, nothing selected, or a component that another motion prescribes too.
   Motions(const scene::Particles& scene, const Particles& particles, double tolerance);
+  Motions() = default;
+
+  // Takes the chosen particles out, before the first step.
+  Motions take(const std::vector<bool>& chosen, const Particles& particles);
 
   // After the kick of step n: overwrites the prescribed velocities with those of time (n + 1/2) dt and adds
   // the reactions' work since n - 1 to work(). `particles` still holds the resultants at n. The reaction is
@@ -22,30 +29,35 @@ class Motions {
   // its work the trapezoid dt v(n-1/2) (R(n-1) + R(n)) / 2.
   void impose(double half_time, double dt, bool start, Particles& particles);
 
+  // An impulse [N s] on a prescribed component after step n: the reaction R(n), found without it, takes it
+  // up.
+  void hold(Component component, std::uint32_t particle, double impulse);
+
   double work() const { return work_; }  // [J]
 
-  // Whether a particle's velocity along x or y is prescribed.
-  bool prescribes_x(std::uint32_t particle) const { return prescribed_[kX][particle]; }
-  bool prescribes_y(std::uint32_t particle) const { return prescribed_[kY][particle]; }
+  bool prescribes(Component component, std::uint32_t particle) const {
+    return prescribed_[component][particle];
+  }
 
  private:
-  enum Component { kX, kY, kSpin };
   // One component of one motion: all its particles share the velocity.
   struct Motion {
     Component component;
-    std::vector<std::uint32_t> particles;
+    std::vector<std::uint32_t> particles;  // ascending
     double amplitude;
     scene::TimeFunction time;
     double inertia;       // sum of the particles' masses or moments of inertia
-    double velocity = 0;  // at n - 1/2
-    double reaction = 0;  // sum at n - 1
+    double before = 0;    // velocity half a step before the last step
+    double after = 0;     // and half a step after it
+    double reaction = 0;  // sum at the last step
   };
   void add(Component component, const std::vector<std::uint32_t>& chosen, double amplitude,
            const scene::TimeFunction& time, const std::string& path, const Particles& particles);
 
   std::vector<Motion> motions_;
-  std::vector<bool> prescribed_[3];
+  std::array<std::vector<bool>, 3> prescribed_;
   double work_ = 0;
+  double last_dt_ = 0, last_kick_ = 0;  // [s]
 };
 
 }  // namespace adit::dem

@@ -60,7 +60,7 @@ void DemParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   scene_ = setup.scene();
   packing_ = checked_packing(scene_);
   law_ = checked_bond_law(scene_);
-  assembly_ = assemble(packing_, cell_mass(scene_.material().density(), packing_.radius));
+  assembly_ = assemble(packing_, cell_mass(material_of(scene_).density(), packing_.radius));
   model.set_critical_dt(critical_step(assembly_, law_.stiffness));
   model.set_x_min(packing_.cells.x_min);
   model.set_x_max(packing_.cells.x_max);
@@ -79,35 +79,49 @@ void DemParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
 
 void DemParticipant::weigh(const wire::Weights& weights, wire::Interface& interface) {
   if (weights.weights_size() > 0) {
-    assembly_ = assemble(packing_, cell_mass(scene_.material().density(), packing_.radius),
+    assembly_ = assemble(packing_, cell_mass(material_of(scene_).density(), packing_.radius),
                          split_weights(weights, packing_.x.size(), packing_.links.size()));
     if (assembly_.bonds.size() == 0)
-      throw protocol::UserError("interface.overlap",
-                                "leaves no bonded particles; move the strip so that particles lie behind "
-                                "particles_begin");
+      throw protocol::UserError(
+          "interface.overlap",
+          "leaves no bonded particles, their weight being 0 everywhere; let the packing "
+          "reach into the overlap and beyond it on the particles' own side");
     const auto offered = coupling_.offer(
         assembly_.particles, {weights.x_min(), weights.x_max(), weights.y_min(), weights.y_max()});
     assign(*interface.mutable_points(), offered);
   }
   const Particles& particles = assembly_.particles;
   const double tolerance = selection_tolerance(packing_.cells);
-  loads_.emplace(scene_.particles(), particles, tolerance);
-  motions_.emplace(scene_.particles(), particles, tolerance);
+  const protocol::Stretch all{0, static_cast<std::uint32_t>(particles.size())};
+  interior_ = {assembly_.bonds.runs,
+               {all},
+               {all},
+               Loads(scene_.particles(), particles, tolerance),
+               Motions(scene_.particles(), particles, tolerance)};
   histories_.emplace(scene_.particles(), particles);
   interface.set_particles(particles.size());
   interface.set_bonds(assembly_.bonds.size());
 }
 
 void DemParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
-  coupling_.tie(view(couple.points()), assembly_.particles, *motions_);
-  // Each coupling point is a particle: N is the identity.
-  op.add_row_starts(0);
-  for (std::uint32_t k = 0; k < coupling_.size(); ++k) {
-    op.add_columns(k);
-    op.add_values(1.0);
-    op.add_row_starts(k + 1);
-  }
-  assign(*op.mutable_inverse_masses(), coupling_.inverse_masses());
+  coupling_.tie(view(couple.points()), assembly_, interior_.motions);
+  coupling_.fill(op);
+  split_at_interface();
+}
+
+void DemParticipant::split_at_interface() {
+  const Particles& particles = assembly_.particles;
+  std::vector<bool> tied(particles.size(), false);
+  for (const std::uint32_t i : coupling_.particles()) tied[i] = true;
+  auto [touching, others] = split(assembly_.bonds.runs, tied);
+  std::vector<bool> needed = tied;
+  for (const Run& run : touching)
+    for (std::uint32_t k = 0; k < run.count; ++k) needed[run.first + k] = needed[run.second + k] = true;
+  interface_ = {std::move(touching), protocol::stretches(needed, true), protocol::stretches(tied, true),
+                interior_.loads.take(tied), interior_.motions.take(tied, particles)};
+  interior_.runs = std::move(others);
+  interior_.moved = protocol::stretches(needed, false);
+  interior_.kicked = protocol::stretches(tied, false);
 }
 
 void DemParticipant::correct(std::span<const double> impulses) {
@@ -115,7 +129,7 @@ void DemParticipant::correct(std::span<const double> impulses) {
   if (impulses.size() != 2 * coupling_.size())
     throw std::logic_error(
         fmt::format("{} impulses came for {} coupling points", impulses.size(), coupling_.size()));
-  coupling_.push(impulses, assembly_.particles);
+  coupling_.push(impulses, assembly_.particles, interface_.motions);
 }
 
 void DemParticipant::check_dt(double dt, bool start) {
@@ -127,53 +141,78 @@ void DemParticipant::check_dt(double dt, bool start) {
 
 void DemParticipant::advance(const wire::Advance& advance, wire::Predicted& predicted) {
   Particles& particles = assembly_.particles;
-  const std::uint64_t step = advance.step();
-  const bool start = step == 0;
-  check_dt(advance.dt(), start);
-  step_ = step;
-  const double time = static_cast<double>(step) * dt_, half_time = (static_cast<double>(step) + 0.5) * dt_;
+  step_ = advance.step();
+  check_dt(advance.dt(), step_ == 0);
+  rest_left_ = coupling_.size() > 0 && !advance.want_energies() && !advance.want_histories();
+  contacts_ = {};
+  broken_.clear();
 
   correct(view(advance.impulses()));
-  if (!start) move(dt_, particles);
+  pull(interface_);
+  if (!rest_left_) pull(interior_);
   if (advance.want_histories()) histories_->read(particles, *predicted.mutable_histories());
-
-  broken_.clear();
-  const ContactResult contacts = compute_contact_forces(law_, dt_, particles, assembly_.bonds, broken_);
-  released_ += contacts.released;
-  loads_->apply(time, dt_, particles);
-
   if (advance.want_energies()) remember(particles, before_);
-  kick(start ? dt_ / 2 : dt_, particles);
-  motions_->impose(half_time, dt_, start, particles);
+  predict(interface_);
+  if (!rest_left_) {
+    predict(interior_);
+    close_step();
+  }
 
-  predicted.set_step(step);
+  predicted.set_step(step_);
   predicted.mutable_velocities()->Resize(static_cast<int>(2 * coupling_.size()), 0.0);
   coupling_.read_velocities(particles,
                             {predicted.mutable_velocities()->mutable_data(), 2 * coupling_.size()});
-  report_contacts(contacts, step, predicted);
-  if (advance.want_energies()) report_energies(start, *predicted.mutable_energies());
+  predicted.mutable_cracks()->Swap(unreported_.mutable_cracks());
+  predicted.mutable_strongest()->Swap(unreported_.mutable_strongest());
+  if (advance.want_energies()) report_energies(*predicted.mutable_energies());
 }
 
-void DemParticipant::report_contacts(const ContactResult& contacts, std::uint64_t step,
-                                     wire::Predicted& predicted) const {
-  const Place place = middle_of_bond(assembly_, contacts.strongest_bond);
-  if (!std::isfinite(contacts.max_normal_force))
+void DemParticipant::complete() {
+  if (!rest_left_) return;
+  rest_left_ = false;
+  pull(interior_);
+  predict(interior_);
+  close_step();
+}
+
+void DemParticipant::pull(Part& part) {
+  Particles& particles = assembly_.particles;
+  if (step_ > 0) move(dt_, part.moved, particles);
+  clear_resultants(part.moved, particles);
+  add_contact_forces(law_, dt_, part.runs, particles, assembly_.bonds, contacts_, broken_);
+  if (!std::isfinite(contacts_.max_normal_force)) {
+    const Place place = middle_of_bond(assembly_, contacts_.strongest_bond);
     throw protocol::Unstable(fmt::format(
-        "step {}: the normal force of the bond at ({:.6g}, {:.6g}) m is {} N; reduce time.dt_factor", step,
-        place.x, place.y, contacts.max_normal_force));
-  wire::BondForce& strongest = *predicted.add_strongest();
-  strongest.set_step(step);
-  strongest.set_force(contacts.max_normal_force);
+        "step {}: the normal force of the bond at ({:.6g}, {:.6g}) m is {} N; reduce time.dt_factor", step_,
+        place.x, place.y, contacts_.max_normal_force));
+  }
+  part.loads.apply(static_cast<double>(step_) * dt_, dt_, particles);
+}
+
+void DemParticipant::predict(Part& part) {
+  const bool start = step_ == 0;
+  kick(start ? dt_ / 2 : dt_, part.kicked, assembly_.particles);
+  part.motions.impose((static_cast<double>(step_) + 0.5) * dt_, dt_, start, assembly_.particles);
+}
+
+void DemParticipant::close_step() {
+  released_ += contacts_.released;
+  const Place place = middle_of_bond(assembly_, contacts_.strongest_bond);
+  wire::BondForce& strongest = *unreported_.add_strongest();
+  strongest.set_step(step_);
+  strongest.set_force(contacts_.max_normal_force);
   strongest.set_x(place.x);
   strongest.set_y(place.y);
   for (const std::uint32_t bond : broken_)
-    report(crack_of_bond(assembly_, bond), step, *predicted.add_cracks());
+    report(crack_of_bond(assembly_, bond), step_, *unreported_.add_cracks());
 }
 
-void DemParticipant::report_energies(bool start, wire::Energies& energies) const {
-  energies.set_kinetic(kinetic_energy(assembly_.particles, before_, start));
+void DemParticipant::report_energies(wire::Energies& energies) const {
+  energies.set_kinetic(kinetic_energy(assembly_.particles, before_, step_ == 0));
   energies.set_strain(strain_energy(assembly_.bonds, law_.stiffness));
-  energies.set_external_work(loads_->work() + motions_->work());
+  double work = 0;
+  for (const Part* part : {&interface_, &interior_}) work += part->loads.work() + part->motions.work();
+  energies.set_external_work(work);
   energies.set_released(released_);
 }
 

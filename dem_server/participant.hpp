@@ -16,6 +16,7 @@
 #include "dem_server/loads.hpp"
 #include "dem_server/motions.hpp"
 #include "protocol/participant.hpp"
+#include "protocol/stretches.hpp"
 
 namespace adit::dem {
 
@@ -25,30 +26,49 @@ class DemParticipant : public protocol::Participant {
   void weigh(const wire::Weights& weights, wire::Interface& interface) override;
   void couple(const wire::Couple& couple, wire::Operator& op) override;
   void advance(const wire::Advance& advance, wire::Predicted& predicted) override;
+  void complete() override;
   void snapshot(const wire::SnapshotRequest& request, wire::Snapshot& snapshot) override;
   void finish(wire::Bye& bye) override;
 
  private:
+  // What is computed together. The bonds of a tied particle are the interface's, and so are the moves of all
+  // particles at their ends: the kicks of the tied ones then need nothing of the interior.
+  struct Part {
+    std::vector<Run> runs;
+    std::vector<protocol::Stretch> moved, kicked;
+    Loads loads;
+    Motions motions;
+  };
+
+  void split_at_interface();
+  // Resultants at step n, after the moves that they need.
+  void pull(Part& part);
+  // Velocities of n + 1/2.
+  void predict(Part& part);
+  // Notes what the whole step brought, for the next answer.
+  void close_step();
+
   // Adds the coupler's impulses to the velocities predicted last; empty: none.
   void correct(std::span<const double> impulses);
   void check_dt(double dt, bool start);
-  void report_contacts(const ContactResult& contacts, std::uint64_t step, wire::Predicted& predicted) const;
-  void report_energies(bool start, wire::Energies& energies) const;
+  void report_energies(wire::Energies& energies) const;
 
   std::clock_t started_ = 0;
   scene::Scene scene_;
   Packing packing_;
   BondLaw law_{};
   Assembly assembly_;
-  std::optional<Loads> loads_;
-  std::optional<Motions> motions_;
+  Part interface_, interior_;
   std::optional<Histories> histories_;
   CouplingPoints coupling_;
   Velocities before_;
+  ContactResult contacts_;             // of this step, as far as computed
   std::vector<std::uint32_t> broken_;  // bonds that broke in this step
-  double released_ = 0;                // [J]
+  double released_ = 0;                // up to the last whole step [J]
+  wire::Predicted unreported_;         // cracks and largest forces of whole steps
   std::uint64_t step_ = 0;
-  double dt_ = 0;  // [s]
+  bool rest_left_ = false;  // of this step: its interior
+  double dt_ = 0;           // [s]
 };
 
 }  // namespace adit::dem

@@ -30,6 +30,10 @@ void require_extent(double min, double max, const std::string& axis) {
 
 }  // namespace
 
+const scene::Material& material_of(const scene::Scene& scene) {
+  return scene.particles().has_material() ? scene.particles().material() : scene.material();
+}
+
 Packing checked_packing(const scene::Scene& scene) {
   if (!scene.has_particles())
     throw UserError("particles", "is missing; a dem_server needs a scene with particles");
@@ -56,16 +60,19 @@ Packing checked_packing(const scene::Scene& scene) {
 }
 
 BondLaw checked_bond_law(const scene::Scene& scene) {
-  const auto& material = scene.material();
+  const bool own = scene.particles().has_material();
+  const auto& material = material_of(scene);
+  const std::string path = own ? "particles.material" : "material";
   const auto& bonds = scene.particles().bonds();
-  require_positive(material.density(), "material.density", "kg/m^3");
-  require_positive(material.young_modulus(), "material.young_modulus", "Pa");
+  if (!own && !scene.has_material()) throw UserError(path, "is missing; give it, or particles.material");
+  require_positive(material.density(), path + ".density", "kg/m^3");
+  require_positive(material.young_modulus(), path + ".young_modulus", "Pa");
   const Plane plane = scene.plane() == scene::PLANE_STRESS ? Plane::kStress : Plane::kStrain;
   const double nu = material.poisson_ratio(), limit = largest_poisson_ratio(plane);
   const bool calibrated = !bonds.has_normal_stiffness() || !bonds.has_shear_stiffness();
   if (calibrated && !(nu >= 0 && nu <= limit))
     throw UserError(
-        "material.poisson_ratio",
+        path + ".poisson_ratio",
         fmt::format(
             "is {}, but bonds can be calibrated only from 0 to {:.4g} in plane {}; change it, or give "
             "particles.bonds.normal_stiffness and shear_stiffness",

@@ -7,6 +7,9 @@
 
 namespace adit::dem {
 
+// The particles' own material, or the scene's.
+const scene::Material& material_of(const scene::Scene& scene);
+
 // The packing that the scene asks for. UserError at particles.packing: no box, no particles, too many.
 Packing checked_packing(const scene::Scene& scene);
 

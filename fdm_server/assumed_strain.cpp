@@ -46,8 +46,8 @@ AssumedStrainZones::AssumedStrainZones(const Grid& grid, const PlaneLaw& law, st
   std::ranges::copy(weights, state_[kWeight].begin());
 }
 
-void AssumedStrainZones::add_forces(double dt, const PointView& points) {
-  add_batches(runs_, points,
+void AssumedStrainZones::add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) {
+  add_batches(runs, points,
               [&](const ZoneRun& run, std::uint32_t done, std::uint32_t count, CornerForces& forces) {
                 strain_batch(run, done, count, dt, points, forces);
               });

@@ -36,7 +36,9 @@ class AssumedStrainZones final : public Zones {
  public:
   AssumedStrainZones(const Grid& grid, const PlaneLaw& law, std::span<const double> weights);
   std::size_t count() const override { return state_.rows(); }
-  void add_forces(double dt, const PointView& points) override;
+  std::span<const ZoneRun> runs() const override { return runs_; }
+  using Zones::add_forces;
+  void add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) override;
   double strain_energy() const override;
   Stress stress(std::size_t zone) const override;
 

@@ -5,6 +5,30 @@
 #include <utility>
 
 namespace adit::fdm {
+namespace {
+
+// Moves the shares of the chosen points out of a load.
+Load take(Load& load, const std::vector<bool>& chosen) {
+  Load taken{{}, {}, {}, load.factor}, left = taken;
+  for (std::size_t i = 0; i < load.points.size(); ++i) {
+    Load& to = chosen[load.points[i]] ? taken : left;
+    to.points.push_back(load.points[i]);
+    to.fx.push_back(load.fx[i]);
+    to.fy.push_back(load.fy[i]);
+  }
+  load = std::move(left);
+  return taken;
+}
+
+// Moves the chosen points out of a motion.
+Motion take(Motion& motion, const std::vector<bool>& chosen) {
+  Motion taken{{}, motion.axis, motion.velocity, motion.factor}, left = taken;
+  for (const auto point : motion.points) (chosen[point] ? taken : left).points.push_back(point);
+  motion = std::move(left);
+  return taken;
+}
+
+}  // namespace
 
 Continuum::Continuum(std::unique_ptr<Zones> zones, std::span<const double> masses, std::vector<Load> loads,
                      std::vector<Motion> motions)
@@ -13,14 +37,39 @@ Continuum::Continuum(std::unique_ptr<Zones> zones, std::span<const double> masse
     points_[kMass][i] = masses[i];
     points_[kInverseMassX][i] = points_[kInverseMassY][i] = 1 / masses[i];
   }
-  for (auto& load : loads) loads_.push_back({std::move(load)});
+  const auto runs = zones_->runs();
+  interior_.runs.assign(runs.begin(), runs.end());
+  interior_.points.push_back({0, static_cast<std::uint32_t>(masses.size())});
+  for (auto& load : loads) interior_.loads.push_back({std::move(load)});
   for (auto& motion : motions) {
-    double mass = 0;
-    for (const auto point : motion.points) {
-      mass += masses[point];
+    for (const auto point : motion.points)
       points_[motion.axis == Axis::kX ? kInverseMassX : kInverseMassY][point] = 0;
-    }
-    motions_.push_back({std::move(motion), mass});
+    interior_.motions.push_back(prescribed(std::move(motion)));
+  }
+}
+
+Continuum::Prescribed Continuum::prescribed(Motion motion) const {
+  double mass = 0;
+  for (const auto point : motion.points) mass += points_[kMass][point];
+  return {std::move(motion), mass};
+}
+
+void Continuum::set_interface(std::span<const std::uint32_t> points) {
+  std::vector<bool> chosen(points_.rows(), false);
+  for (const auto point : points) chosen[point] = true;
+  auto [touching, others] = split(zones_->runs(), chosen);
+  interface_.runs = std::move(touching);
+  interior_.runs = std::move(others);
+  interface_.points = protocol::stretches(chosen, true);
+  interior_.points = protocol::stretches(chosen, false);
+  for (auto& [load, factor] : interior_.loads) interface_.loads.push_back({take(load, chosen)});
+  for (auto& inside : interior_.motions) {
+    interface_.motions.push_back(prescribed(take(inside.motion, chosen)));
+    inside = prescribed(std::move(inside.motion));
+  }
+  for (Part* part : {&interface_, &interior_}) {
+    std::erase_if(part->loads, [](const Loading& loading) { return loading.load.points.empty(); });
+    std::erase_if(part->motions, [](const Prescribed& one) { return one.motion.points.empty(); });
   }
 }
 
@@ -34,29 +83,44 @@ void Continuum::push(std::uint32_t point, double x, double y) {
 // The impulse on a component that does not yield is taken up by the reaction of its motion, which was found
 // at the last step without it.
 void Continuum::hold(Axis axis, std::uint32_t point, double impulse) {
-  for (auto& prescribed : motions_) {
-    if (prescribed.motion.axis != axis || !std::ranges::binary_search(prescribed.motion.points, point))
-      continue;
-    const double force = impulse / last_kick_;
-    prescribed.reaction -= force;
-    external_work_ -= last_dt_ * prescribed.before * force / 2;
-  }
+  for (Part* part : {&interface_, &interior_})
+    for (auto& prescribed : part->motions) {
+      if (prescribed.motion.axis != axis || !std::ranges::binary_search(prescribed.motion.points, point))
+        continue;
+      const double force = impulse / last_kick_;
+      prescribed.reaction -= force;
+      external_work_ -= last_dt_ * prescribed.before * force / 2;
+    }
 }
 
 void Continuum::step(std::uint64_t n, double dt, Energies* wanted) {
-  zones_->add_forces(dt,
-                     {points_[kVx].data(), points_[kVy].data(), points_[kFx].data(), points_[kFy].data()});
-  apply_loads(n, dt);
-  find_reactions(n, dt);
+  pull(interface_, n, dt);
+  pull(interior_, n, dt);
   if (wanted) *wanted = energies(n, dt);
-  last_dt_ = dt;
-  last_kick_ = n == 0 ? dt / 2 : dt;
-  move_and_predict(dt, last_kick_);
+  move_and_predict(interface_, n, dt);
+  move_and_predict(interior_, n, dt);
 }
 
-void Continuum::apply_loads(std::uint64_t n, double dt) {
+void Continuum::step_interface(std::uint64_t n, double dt) {
+  pull(interface_, n, dt);
+  move_and_predict(interface_, n, dt);
+}
+
+void Continuum::step_interior(std::uint64_t n, double dt) {
+  pull(interior_, n, dt);
+  move_and_predict(interior_, n, dt);
+}
+
+void Continuum::pull(Part& part, std::uint64_t n, double dt) {
+  zones_->add_forces(part.runs, dt,
+                     {points_[kVx].data(), points_[kVy].data(), points_[kFx].data(), points_[kFy].data()});
+  apply_loads(part, n, dt);
+  find_reactions(part, n, dt);
+}
+
+void Continuum::apply_loads(Part& part, std::uint64_t n, double dt) {
   const auto vx = points_[kVx], vy = points_[kVy], fx = points_[kFx], fy = points_[kFy];
-  for (auto& [load, last_factor] : loads_) {
+  for (auto& [load, last_factor] : part.loads) {
     const double factor = load.factor(static_cast<double>(n) * dt);
     double power = 0;  // of the unit load
     for (std::size_t i = 0; i < load.points.size(); ++i) {
@@ -71,8 +135,8 @@ void Continuum::apply_loads(std::uint64_t n, double dt) {
 }
 
 // The reaction of a motion is what it adds to the other forces: R = m (v(n+1/2) - v(n-1/2))/dt - f.
-void Continuum::find_reactions(std::uint64_t n, double dt) {
-  for (auto& prescribed : motions_) {
+void Continuum::find_reactions(Part& part, std::uint64_t n, double dt) {
+  for (auto& prescribed : part.motions) {
     const auto& motion = prescribed.motion;
     const auto force = points_[motion.axis == Axis::kX ? kFx : kFy];
     const double next = motion.velocity * motion.factor((static_cast<double>(n) + 0.5) * dt);
@@ -95,30 +159,34 @@ Energies Continuum::energies(std::uint64_t n, double dt) const {
   for (std::size_t i = 0; i < points_.rows(); ++i)
     twice += points_[kMass][i] * (product(points_[kVx], points_[kFx], points_[kInverseMassX], i) +
                                   product(points_[kVy], points_[kFy], points_[kInverseMassY], i));
-  for (const auto& p : motions_)  // the loop above took v(n-1/2)^2 of them, and 0 at step 0
-    twice += p.mass * (p.before * p.after - (n == 0 ? 0 : p.before * p.before));
+  for (const Part* part : {&interface_, &interior_})
+    for (const auto& p : part->motions)  // the loop above took v(n-1/2)^2 of them, and 0 at step 0
+      twice += p.mass * (p.before * p.after - (n == 0 ? 0 : p.before * p.before));
   return {twice / 2, zones_->strain_energy(), external_work_};
 }
 
-void Continuum::move_and_predict(double dt, double kick) {
-  const auto axis = [this, dt, kick](Column displacement, Column velocity, Column force,
-                                     Column inverse_mass) {
+void Continuum::move_and_predict(const Part& part, std::uint64_t n, double dt) {
+  const double kick = n == 0 ? dt / 2 : dt;
+  const auto axis = [&](Column displacement, Column velocity, Column force, Column inverse_mass) {
     double *u = points_[displacement].data(), *v = points_[velocity].data(), *f = points_[force].data();
     const double* inverse = points_[inverse_mass].data();
-    const std::size_t count = points_.rows();
+    for (const auto [begin, end] : part.points) {
 #pragma GCC ivdep
-    for (std::size_t i = 0; i < count; ++i) {
-      u[i] += dt * v[i];
-      v[i] += kick * (inverse[i] * f[i]);
-      f[i] = 0;
+      for (std::size_t i = begin; i < end; ++i) {
+        u[i] += dt * v[i];
+        v[i] += kick * (inverse[i] * f[i]);
+        f[i] = 0;
+      }
     }
   };
   axis(kUx, kVx, kFx, kInverseMassX);
   axis(kUy, kVy, kFy, kInverseMassY);
-  for (const auto& prescribed : motions_) {
+  for (const auto& prescribed : part.motions) {
     const auto velocity = points_[prescribed.motion.axis == Axis::kX ? kVx : kVy];
     for (const auto point : prescribed.motion.points) velocity[point] = prescribed.after;
   }
+  last_dt_ = dt;
+  last_kick_ = kick;
 }
 
 std::optional<std::uint32_t> Continuum::first_non_finite() const {

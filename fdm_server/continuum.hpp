@@ -20,6 +20,7 @@
 
 #include "fdm_server/columns.hpp"
 #include "fdm_server/zones.hpp"
+#include "protocol/stretches.hpp"
 
 namespace adit::fdm {
 
@@ -52,12 +53,20 @@ class Continuum {
   Continuum(std::unique_ptr<Zones> zones, std::span<const double> masses, std::vector<Load> loads,
             std::vector<Motion> motions);
 
+  // Makes these points the interface, before the first step.
+  void set_interface(std::span<const std::uint32_t> points);
+
   // Adds an impulse [N s] to a point's velocity; a prescribed component does not yield.
   void push(std::uint32_t point, double x, double y);
 
   // Moves from step n - 1 to n (step 0: does not move), finds the forces at n dt and predicts the velocities
   // at n + 1/2. Steps follow one another from 0 with the same dt [s]. Fills `energies` of step n where given.
   void step(std::uint64_t n, double dt, Energies* energies = nullptr);
+
+  // The same to the same bits in two halves: first the points of the interface with the zones that touch one,
+  // then everything else.
+  void step_interface(std::uint64_t n, double dt);
+  void step_interior(std::uint64_t n, double dt);
 
   // One value a point.
   std::span<const double> ux() const { return points_[kUx]; }  // at the last step [m]
@@ -87,16 +96,26 @@ class Continuum {
     double reaction = 0;  // total force that the motion needed at the last step
   };
 
+  // What is computed together. The zones that touch a point of the interface are its part's, so that its
+  // forces need nothing of the interior.
+  struct Part {
+    std::vector<ZoneRun> runs;
+    std::vector<protocol::Stretch> points;
+    std::vector<Loading> loads;
+    std::vector<Prescribed> motions;
+  };
+
+  Prescribed prescribed(Motion motion) const;
   void hold(Axis axis, std::uint32_t point, double impulse);
-  void apply_loads(std::uint64_t n, double dt);
-  void find_reactions(std::uint64_t n, double dt);
+  void pull(Part& part, std::uint64_t n, double dt);
+  void apply_loads(Part& part, std::uint64_t n, double dt);
+  void find_reactions(Part& part, std::uint64_t n, double dt);
+  void move_and_predict(const Part& part, std::uint64_t n, double dt);
   Energies energies(std::uint64_t n, double dt) const;
-  void move_and_predict(double dt, double kick);
 
   std::unique_ptr<Zones> zones_;
   Columns<kColumns> points_;
-  std::vector<Loading> loads_;
-  std::vector<Prescribed> motions_;
+  Part interface_, interior_;
   double external_work_ = 0;
   double last_dt_ = 0, last_kick_ = 0;
 };

@@ -13,11 +13,6 @@ double snap(double natural) {
   return std::abs(natural) > 1 - kTolerance ? std::copysign(1, natural) : natural;
 }
 
-std::size_t cell_of(double value, double min, double cell, std::size_t count) {
-  const double index = std::clamp(std::floor((value - min) / cell), 0.0, static_cast<double>(count - 1));
-  return static_cast<std::size_t>(index);
-}
-
 }  // namespace
 
 std::optional<std::array<double, 2>> inverse_bilinear(const Corners& c, double x, double y) {
@@ -47,51 +42,30 @@ std::optional<std::array<double, 2>> inverse_bilinear(const Corners& c, double x
 }
 
 ZoneLocator::ZoneLocator(const Grid& grid) : grid_(grid) {
-  const auto [x_low, x_high] = std::ranges::minmax(grid.x);
-  const auto [y_low, y_high] = std::ranges::minmax(grid.y);
-  x_min_ = x_low;
-  y_min_ = y_low;
-  const double zones = static_cast<double>(grid.zones.size());
-  cell_ = std::max({std::sqrt((x_high - x_low) * (y_high - y_low) / zones), (x_high - x_low) / zones,
-                    (y_high - y_low) / zones});
-  columns_ = static_cast<std::size_t>((x_high - x_low) / cell_) + 1;
-  rows_ = static_cast<std::size_t>((y_high - y_low) / cell_) + 1;
-
-  const auto for_each_cell = [&](const ZonePoints& zone, auto&& visit) {
+  std::vector<protocol::Extent> extents;
+  extents.reserve(grid.zones.size());
+  for (const auto& zone : grid.zones) {
     const auto c = corners(grid, zone);
     const auto [x0, x1] = std::ranges::minmax(c.x);
     const auto [y0, y1] = std::ranges::minmax(c.y);
     const double margin_x = kTolerance * (x1 - x0), margin_y = kTolerance * (y1 - y0);
-    const auto across = columns(x0 - margin_x, x1 + margin_x), up = rows(y0 - margin_y, y1 + margin_y);
-    for (std::size_t j = up.first; j <= up.last; ++j)
-      for (std::size_t i = across.first; i <= across.last; ++i) visit(j * columns_ + i);
-  };
-  starts_.assign(columns_ * rows_ + 1, 0);
-  for (const auto& zone : grid.zones) for_each_cell(zone, [&](std::size_t cell) { ++starts_[cell + 1]; });
-  for (std::size_t cell = 0; cell < columns_ * rows_; ++cell) starts_[cell + 1] += starts_[cell];
-  zones_.resize(starts_.back());
-  auto next = starts_;
-  for (std::uint32_t z = 0; z < grid.zones.size(); ++z)
-    for_each_cell(grid.zones[z], [&](std::size_t cell) { zones_[next[cell]++] = z; });
-}
-
-ZoneLocator::Range ZoneLocator::columns(double low, double high) const {
-  return {cell_of(low, x_min_, cell_, columns_), cell_of(high, x_min_, cell_, columns_)};
-}
-
-ZoneLocator::Range ZoneLocator::rows(double low, double high) const {
-  return {cell_of(low, y_min_, cell_, rows_), cell_of(high, y_min_, cell_, rows_)};
+    extents.push_back({x0 - margin_x, x1 + margin_x, y0 - margin_y, y1 + margin_y});
+  }
+  const auto [x_low, x_high] = std::ranges::minmax(grid.x);
+  const auto [y_low, y_high] = std::ranges::minmax(grid.y);
+  const double width = x_high - x_low, height = y_high - y_low;
+  const auto zones = static_cast<double>(grid.zones.size());
+  cells_ = {extents, std::max({std::sqrt(width * height / zones), width / zones, height / zones})};
 }
 
 std::optional<Place> ZoneLocator::locate(double x, double y) const {
-  const std::size_t cell = cell_of(y, y_min_, cell_, rows_) * columns_ + cell_of(x, x_min_, cell_, columns_);
-  for (std::uint32_t k = starts_[cell]; k < starts_[cell + 1]; ++k) {
-    const auto natural = inverse_bilinear(corners(grid_, grid_.zones[zones_[k]]), x, y);
+  for (const std::uint32_t zone : cells_.at(x, y)) {
+    const auto natural = inverse_bilinear(corners(grid_, grid_.zones[zone]), x, y);
     if (!natural) continue;
     const auto [xi, eta] = *natural;
     if (std::abs(xi) > 1 + kTolerance || std::abs(eta) > 1 + kTolerance) continue;
     const double a = snap(xi), b = snap(eta);
-    return Place{zones_[k],
+    return Place{zone,
                  {0.25 * (1 - a) * (1 - b), 0.25 * (1 + a) * (1 - b), 0.25 * (1 + a) * (1 + b),
                   0.25 * (1 - a) * (1 + b)}};
   }

@@ -4,9 +4,9 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "fdm_server/grid.hpp"
+#include "protocol/cells.hpp"
 
 namespace adit::fdm {
 
@@ -20,7 +20,7 @@ struct Place {
 // bilinear map; no value where it does not converge, which for convex zones means far outside.
 std::optional<std::array<double, 2>> inverse_bilinear(const Corners& corners, double x, double y);
 
-// Zones sorted into square cells of about one zone each: a search costs a few zones, whatever their number.
+// Finds zones by cells of about one zone each.
 class ZoneLocator {
  public:
   explicit ZoneLocator(const Grid& grid);
@@ -28,17 +28,8 @@ class ZoneLocator {
   std::optional<Place> locate(double x, double y) const;
 
  private:
-  struct Range {
-    std::size_t first, last;
-  };
-  Range columns(double low, double high) const;
-  Range rows(double low, double high) const;
-
   const Grid& grid_;
-  double x_min_, y_min_, cell_;
-  std::size_t columns_, rows_;
-  std::vector<std::uint32_t> starts_;  // of each cell in zones_, by compressed rows
-  std::vector<std::uint32_t> zones_;
+  protocol::Cells cells_;
 };
 
 }  // namespace adit::fdm

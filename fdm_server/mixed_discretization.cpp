@@ -37,8 +37,8 @@ MixedDiscretizationZones::MixedDiscretizationZones(const Grid& grid, const Plane
   std::ranges::copy(weights, state_[kWeight].begin());
 }
 
-void MixedDiscretizationZones::add_forces(double dt, const PointView& points) {
-  add_batches(runs_, points,
+void MixedDiscretizationZones::add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) {
+  add_batches(runs, points,
               [&](const ZoneRun& run, std::uint32_t done, std::uint32_t count, CornerForces& forces) {
                 strain_batch(run, done, count, dt, points, forces);
               });

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "fdm_server/critical_step.hpp"
+#include "fdm_server/interpolation.hpp"
 #include "fdm_server/snapshot.hpp"
 #include "protocol/errors.hpp"
 
@@ -57,8 +58,8 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   if (grid_.zones.empty())
     throw protocol::UserError(
         "interface.overlap",
-        "leaves no zone of the continuum; move it so that continuum_ends lies inside or "
-        "behind the block, seen from particles_begin");
+        "leaves no zone of the continuum, whose weight is 0 everywhere; let the block reach into the overlap "
+        "and beyond it on the continuum's own side");
   const auto masses = lumped_masses(grid_, weights_, setup_.density);
   const auto& conditions = scene_.continuum();
   continuum_ = std::make_unique<Continuum>(make_zones(setup_.kind, grid_, setup_.law, weights_), masses,
@@ -66,23 +67,29 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
                                            resolve_motions(conditions, setup_.block, grid_));
   probes_ = resolve_histories(conditions, setup_.block, grid_);
   probe_before_.resize(probes_.size());
-  interface.clear_points();
+  if (!weights.weights().empty()) offer_grid_points(weights, interface);
   interface.set_zones(grid_.zones.size());
   interface.set_grid_points(grid_.x.size());
+}
+
+void FdmParticipant::offer_grid_points(const wire::Weights& box, wire::Interface& interface) const {
+  for (std::size_t i = 0; i < grid_.x.size(); ++i) {
+    if (grid_.x[i] < box.x_min() || grid_.x[i] > box.x_max() || grid_.y[i] < box.y_min() ||
+        grid_.y[i] > box.y_max())
+      continue;
+    interface.add_points(grid_.x[i]);
+    interface.add_points(grid_.y[i]);
+  }
 }
 
 void FdmParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
   if (couple.points_size() % 2 != 0 ||
       !std::ranges::all_of(couple.points(), [](double value) { return std::isfinite(value); }))
     throw std::invalid_argument("got coupling points that are no finite pairs x y");
-  operator_ = InterfaceOperator(grid_, view(couple.points()));
-  const auto starts = operator_.row_starts(), columns = operator_.columns();
-  const auto values = operator_.values();
-  op.mutable_row_starts()->Assign(starts.begin(), starts.end());
-  op.mutable_columns()->Assign(columns.begin(), columns.end());
-  op.mutable_values()->Assign(values.begin(), values.end());
-  op.clear_inverse_masses();
-  for (const auto point : operator_.grid_points()) {
+  operator_ = protocol::InterfaceOperator(interpolate(grid_, view(couple.points())));
+  continuum_->set_interface(operator_.points());
+  operator_.fill(op);
+  for (const auto point : operator_.points()) {
     op.add_inverse_masses(continuum_->inverse_mass_x()[point]);
     op.add_inverse_masses(continuum_->inverse_mass_y()[point]);
   }
@@ -94,24 +101,36 @@ void FdmParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
   push(advance.impulses());
   if (advance.want_histories()) remember_probes();
 
+  const std::uint64_t step = advance.step();
+  rest_left_ = operator_.rows() > 0 && !advance.want_energies() && !advance.want_histories();
   Energies energies{};
-  continuum_->step(advance.step(), advance.dt(), advance.want_energies() ? &energies : nullptr);
-  next_step_ = advance.step() + 1;
+  if (rest_left_)
+    continuum_->step_interface(step, dt_);
+  else
+    continuum_->step(step, dt_, advance.want_energies() ? &energies : nullptr);
+  next_step_ = step + 1;
 
-  predicted.set_step(advance.step());
+  predicted.set_step(step);
   const int count = 2 * static_cast<int>(operator_.rows());
   predicted.mutable_velocities()->Resize(count, 0.0);
-  operator_.velocities(*continuum_,
+  operator_.velocities(continuum_->vx(), continuum_->vy(),
                        {predicted.mutable_velocities()->mutable_data(), static_cast<std::size_t>(count)});
-  predicted.clear_energies();
   if (advance.want_energies()) {
     predicted.mutable_energies()->set_kinetic(energies.kinetic);
     predicted.mutable_energies()->set_strain(energies.strain);
     predicted.mutable_energies()->set_external_work(energies.external_work);
   }
-  predicted.clear_histories();
   if (advance.want_histories()) fill_histories(predicted);
-  check_finite(advance.step(), predicted);
+  check_answer(predicted);
+  if (!rest_left_ && step % kFiniteCheckInterval == 0) check_grid(step);
+}
+
+void FdmParticipant::complete() {
+  if (!rest_left_) return;
+  rest_left_ = false;
+  const std::uint64_t step = next_step_ - 1;
+  continuum_->step_interior(step, dt_);
+  if (step % kFiniteCheckInterval == 0) check_grid(step);
 }
 
 void FdmParticipant::check(const wire::Advance& advance) const {
@@ -132,7 +151,9 @@ void FdmParticipant::push(const google::protobuf::RepeatedField<double>& impulse
   if (next_step_ == 0 || static_cast<std::size_t>(impulses.size()) != 2 * operator_.rows())
     throw std::invalid_argument(fmt::format("got {} impulse components for {} coupling points before step {}",
                                             impulses.size(), operator_.rows(), next_step_));
-  operator_.apply(view(impulses), *continuum_);
+  const auto own = operator_.gather(view(impulses));
+  for (std::size_t j = 0; j < operator_.points().size(); ++j)
+    continuum_->push(operator_.points()[j], own[2 * j], own[2 * j + 1]);
 }
 
 void FdmParticipant::remember_probes() {
@@ -154,26 +175,26 @@ void FdmParticipant::fill_histories(wire::Predicted& predicted) const {
   }
 }
 
-void FdmParticipant::check_finite(std::uint64_t step, const wire::Predicted& predicted) const {
+void FdmParticipant::check_answer(const wire::Predicted& predicted) const {
   const auto finite = [](double value) { return std::isfinite(value); };
-  const bool energies_finite = !predicted.has_energies() || (finite(predicted.energies().kinetic()) &&
-                                                             finite(predicted.energies().strain()));
-  if (step % kFiniteCheckInterval != 0 && energies_finite &&
-      std::ranges::all_of(predicted.velocities(), finite))
-    return;
-  if (const auto point = std::as_const(*continuum_).first_non_finite()) {
-    const Continuum& continuum = *continuum_;
-    throw protocol::Unstable(
-        fmt::format("step {}: the velocity of the grid point at ({}, {}) m is ({}, {}) m/s; lower time.dt "
-                    "and look at the "
-                    "loads",
-                    step, grid_.x[*point], grid_.y[*point], continuum.vx()[*point], continuum.vy()[*point]));
-  }
+  const auto& energies = predicted.energies();
+  const bool energies_finite = finite(energies.kinetic()) && finite(energies.strain());
+  if (!energies_finite || !std::ranges::all_of(predicted.velocities(), finite)) check_grid(predicted.step());
   if (!energies_finite)
     throw protocol::Unstable(fmt::format(
         "step {}: the continuum's energy is not finite (kinetic {} J, strain {} J); lower time.dt "
         "and look at the loads",
-        step, predicted.energies().kinetic(), predicted.energies().strain()));
+        predicted.step(), energies.kinetic(), energies.strain()));
+}
+
+void FdmParticipant::check_grid(std::uint64_t step) const {
+  const Continuum& continuum = *continuum_;
+  const auto point = continuum.first_non_finite();
+  if (!point) return;
+  throw protocol::Unstable(fmt::format(
+      "step {}: the velocity of the grid point at ({}, {}) m is ({}, {}) m/s; lower time.dt and look at the "
+      "loads",
+      step, grid_.x[*point], grid_.y[*point], continuum.vx()[*point], continuum.vy()[*point]));
 }
 
 void FdmParticipant::snapshot(const wire::SnapshotRequest& request, wire::Snapshot& snapshot) {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "fdm_server/conditions.hpp"
-#include "fdm_server/interface_operator.hpp"
 #include "fdm_server/setup.hpp"
+#include "protocol/interface_operator.hpp"
 #include "protocol/participant.hpp"
 
 namespace adit::fdm {
@@ -21,18 +21,22 @@ class FdmParticipant final : public protocol::Participant {
   void weigh(const wire::Weights& weights, wire::Interface& interface) override;
   void couple(const wire::Couple& couple, wire::Operator& op) override;
   void advance(const wire::Advance& advance, wire::Predicted& predicted) override;
+  void complete() override;
   void snapshot(const wire::SnapshotRequest& request, wire::Snapshot& snapshot) override;
   void finish(wire::Bye& bye) override;
 
  private:
+  // The grid points inside the box that the weights came with.
+  void offer_grid_points(const wire::Weights& box, wire::Interface& interface) const;
   void check(const wire::Advance& advance) const;
   // Corrects the predicted velocities by impulses at the coupling points, if any.
   void push(const google::protobuf::RepeatedField<double>& impulses);
   // v(n-1/2) of the velocity probes, before the step overwrites it.
   void remember_probes();
   void fill_histories(wire::Predicted& predicted) const;
-  // Throws Unstable; every step looks at the interface, every hundredth at the whole grid.
-  void check_finite(std::uint64_t step, const wire::Predicted& predicted) const;
+  // Throw Unstable. Every step looks at the interface and the energies, every hundredth at the whole grid.
+  void check_answer(const wire::Predicted& predicted) const;
+  void check_grid(std::uint64_t step) const;
 
   scene::Scene scene_;
   Setup setup_{};
@@ -40,10 +44,11 @@ class FdmParticipant final : public protocol::Participant {
   Grid grid_;
   std::vector<double> weights_;  // of the zones
   std::unique_ptr<Continuum> continuum_;
-  InterfaceOperator operator_;
+  protocol::InterfaceOperator operator_;
   std::vector<Probe> probes_;
   std::vector<double> probe_before_;
   std::uint64_t next_step_ = 0;
+  bool rest_left_ = false;  // of the last step: its interior
   double dt_ = 0;
   std::clock_t started_ = 0;
 };

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "protocol/stretches.hpp"
+
 namespace adit::fdm {
 namespace {
 
@@ -40,6 +42,24 @@ ZoneLayout lay_out(const Grid& grid) {
                              static_cast<std::uint32_t>(layout.shapes.size() - 1), grid.zones[z]});
   }
   return layout;
+}
+
+SplitRuns split(std::span<const ZoneRun> runs, const std::vector<bool>& chosen) {
+  SplitRuns parts;
+  for (const ZoneRun& run : runs)
+    protocol::for_each_stretch(
+        run.count,
+        [&](std::uint32_t k) {
+          return std::ranges::any_of(run.points, [&](auto point) { return chosen[point + k]; });
+        },
+        [&](const protocol::Stretch& stretch, bool touches) {
+          ZoneRun part = run;
+          part.first += stretch.begin;
+          part.count = stretch.end - stretch.begin;
+          for (auto& point : part.points) point += static_cast<std::int32_t>(stretch.begin);
+          (touches ? parts.touching : parts.others).push_back(part);
+        });
+  return parts;
 }
 
 }  // namespace adit::fdm

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "fdm_server/grid.hpp"
@@ -25,6 +26,12 @@ struct ZoneLayout {
 };
 
 ZoneLayout lay_out(const Grid& grid);
+
+// Runs whose zones all touch a chosen point, and runs of which none does.
+struct SplitRuns {
+  std::vector<ZoneRun> touching, others;
+};
+SplitRuns split(std::span<const ZoneRun> runs, const std::vector<bool>& chosen);
 
 // What the kernels read and add to, one value a grid point.
 struct PointView {
@@ -55,10 +62,10 @@ inline void scatter(const CornerForces& forces, const ZoneRun& run, std::uint32_
   }
 }
 
-// Takes all zones batch by batch: batch(run, done, count, forces) fills the forces of zones `done` …
+// Takes the runs' zones batch by batch: batch(run, done, count, forces) fills the forces of zones `done` …
 // `done` + `count` of the run, which are then added to their points.
 template <class Batch>
-void add_batches(const std::vector<ZoneRun>& runs, const PointView& points, Batch&& batch) {
+void add_batches(std::span<const ZoneRun> runs, const PointView& points, Batch&& batch) {
   CornerForces forces;
   for (const auto& run : runs)
     for (std::uint32_t done = 0; done < run.count; done += kBatch) {

@@ -18,9 +18,12 @@ class Zones {
  public:
   virtual ~Zones() = default;
   virtual std::size_t count() const = 0;
-  // Adds the strain of dt times the points' velocities to the stresses, and the zones' weighted internal
-  // forces to the points' forces.
-  virtual void add_forces(double dt, const PointView& points) = 0;
+  // All zones, in their order.
+  virtual std::span<const ZoneRun> runs() const = 0;
+  // Adds the strain of dt times the points' velocities to the stresses of the runs' zones, and their weighted
+  // internal forces to the points' forces.
+  virtual void add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) = 0;
+  void add_forces(double dt, const PointView& points) { add_forces(runs(), dt, points); }
   // Weighted elastic energy of all zones [J].
   virtual double strain_energy() const = 0;
   // Mean stress of a zone, unweighted.

@@ -8,6 +8,12 @@
 namespace adit::protocol {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
 std::string name_of(const wire::Frame& frame) {
   const auto* field = wire::Frame::descriptor()->FindFieldByNumber(frame.content_case());
   return field != nullptr ? field->name() : "nothing";
@@ -23,6 +29,8 @@ Message& cleared(Message* message) {
 }  // namespace
 
 void Conversation::answer(const wire::Frame& request, wire::Frame& reply) {
+  complete();
+  if (failure_) std::rethrow_exception(failure_);
   const bool ready = stage_ == Stage::kWeighed || stage_ == Stage::kRunning;
   switch (request.content_case()) {
     case wire::Frame::kSetup:
@@ -60,11 +68,25 @@ void Conversation::answer(const wire::Frame& request, wire::Frame& reply) {
 }
 
 void Conversation::advance(const wire::Advance& request, wire::Predicted& predicted) {
-  using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   participant_.advance(request, predicted);
-  predicted.set_compute_seconds(std::chrono::duration<double>(Clock::now() - start).count());
+  predicted.set_compute_seconds(seconds_since(start));
+  predicted.set_hidden_seconds(hidden_seconds_);
+  hidden_seconds_ = 0;
   ++next_step_;
+  step_open_ = true;
+}
+
+void Conversation::complete() {
+  if (!step_open_) return;
+  step_open_ = false;
+  const auto start = Clock::now();
+  try {
+    participant_.complete();
+  } catch (...) {
+    failure_ = std::current_exception();
+  }
+  hidden_seconds_ = seconds_since(start);
 }
 
 void Conversation::require(bool in_order, const wire::Frame& request) const {

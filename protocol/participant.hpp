@@ -2,9 +2,14 @@
 // (wire.proto), one participant object a run; each function reads the request and fills the answer, which
 // arrives cleared but keeps its memory from step to step. Errors are thrown as UserError (the scene) or
 // Unstable.
+//
+// The answer to advance needs the velocities at the coupling points only. What else belongs to the step may
+// be left to complete(), which is called once that answer was sent: others then need not wait for it. Results
+// are the same to the last bit wherever it is done.
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <memory>
 
@@ -19,6 +24,8 @@ class Participant {
   virtual void weigh(const wire::Weights& weights, wire::Interface& interface) = 0;
   virtual void couple(const wire::Couple& couple, wire::Operator& op) = 0;
   virtual void advance(const wire::Advance& advance, wire::Predicted& predicted) = 0;
+  // The rest of the step answered last, before any other request. It reports in the next answer.
+  virtual void complete() {}
   virtual void snapshot(const wire::SnapshotRequest& request, wire::Snapshot& snapshot) = 0;
   virtual void finish(wire::Bye& bye) = 0;
 };
@@ -37,6 +44,10 @@ class Conversation {
   // that no participant answers, throws std::logic_error.
   void answer(const wire::Frame& request, wire::Frame& reply);
 
+  // To be called when the answer was sent: completes the step that it answered, where something is left of
+  // it. Does not throw: an error here is that of the next answer.
+  void complete();
+
   bool finished() const { return stage_ == Stage::kFinished; }
 
  private:
@@ -48,6 +59,9 @@ class Conversation {
   Participant& participant_;
   Stage stage_ = Stage::kConnected;
   std::uint64_t next_step_ = 0;
+  bool step_open_ = false;      // answered, but not completed
+  double hidden_seconds_ = 0;   // in complete() since the last step was answered
+  std::exception_ptr failure_;  // of complete()
 };
 
 }  // namespace adit::protocol

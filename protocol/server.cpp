@@ -45,6 +45,7 @@ void run(Connection& connection, Listener& listener, const std::string& program,
       spdlog::info("run {} begins for {}", id, connection.peer());
     }
     answer(connection, listener, conversation, request, reply);
+    conversation.complete();
   }
   if (reply.has_error()) {
     spdlog::error("run {} ended: {} {}", id, reply.error().path(), reply.error().message());

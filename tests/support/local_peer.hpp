@@ -21,7 +21,10 @@ class LocalPeer : public coupler::Peer {
       : name_(std::move(name)), participant_(std::move(participant)), conversation_(*participant_) {}
 
   const std::string& name() const override { return name_; }
-  void post(const wire::Frame& request) override { conversation_.answer(request, reply_); }
+  void post(const wire::Frame& request) override {
+    conversation_.answer(request, reply_);
+    conversation_.complete();
+  }
   void collect(wire::Frame& reply) override { reply.Swap(&reply_); }
 
  private:

@@ -135,20 +135,56 @@ TEST(Coupling, PrescribedParticlesIgnoreImpulses) {
   EXPECT_EQ(run.predicted.velocities(0), 0.25);
 }
 
-// Only offered points, each once, may come back.
-TEST(Coupling, RefusesPointsThatWereNotOffered) {
+// A coupling point that is no centre moves with the particles around it; impulses on it are shared in the
+// same way, so that none of their momentum is lost. Beside a centre by rounding it still is that particle.
+TEST(Coupling, PointsBetweenParticlesInterpolate) {
   InProcessRun run(coupled_scene(), overlap_weights(InProcessRun(coupled_scene()).model));
-  const double x = run.interface.points(0), y = run.interface.points(1);
+  wire::Couple couple;
+  for (const double value :
+       {5.01, 0.43, 5.77, 0.21, std::nextafter(run.interface.points(40), 10), run.interface.points(41)})
+    couple.add_points(value);
+  wire::Operator op;
+  run.participant.couple(couple, op);
+  EXPECT_THAT(op.row_starts(), testing::ElementsAre(0, 3, 6, 7));
+  EXPECT_EQ(op.values(6), 1);
+  run.advance();
+  wire::SnapshotRequest request;
+  for (const double impulse : {20.0, -5.0, 8.0, 3.0, 1.0, -1.0}) request.add_impulses(impulse);
+  wire::Snapshot snapshot;
+  run.participant.snapshot(request, snapshot);
+  const auto& velocity = snapshot.pieces(0).point_fields(1);
+  const auto& weight = snapshot.pieces(0).point_fields(4);
+  double x = 0, y = 0;
+  for (int i = 0; i < weight.values_size(); ++i) {
+    const double mass = cell_mass(2500, test::kCantileverRadius) * weight.values(i);
+    x += mass * velocity.values(3 * i);
+    y += mass * velocity.values(3 * i + 1);
+  }
+  EXPECT_NEAR(x, 29, 1e-12);
+  EXPECT_NEAR(y, -3, 1e-12);
+}
+
+// Where the particles do not reach, the error names the place and what to do.
+TEST(Coupling, RefusesPointsOutsideTheParticles) {
+  InProcessRun run(coupled_scene(), overlap_weights(InProcessRun(coupled_scene()).model));
   const auto tie = [&](const std::vector<double>& points) {
     wire::Couple couple;
     couple.mutable_points()->Assign(points.begin(), points.end());
     wire::Operator op;
     run.participant.couple(couple, op);
   };
-  EXPECT_THROW(tie({std::nextafter(x, 10), y}), std::logic_error);
-  EXPECT_THROW(tie({x, y, x, y}), std::logic_error);
-  EXPECT_THROW(tie({x}), std::logic_error);
-  EXPECT_NO_THROW(tie({x, y}));
+  EXPECT_THROW(tie({1.0}), std::logic_error);
+  EXPECT_THROW(tie({std::nan(""), 0.5}), std::logic_error);
+  try {
+    tie({5, 0.5, 3.5, 0.5});
+    FAIL() << "accepted";
+  } catch (const protocol::UserError& error) {
+    EXPECT_EQ(error.path(), "interface.overlap");
+    EXPECT_STREQ(
+        error.what(),
+        "holds the coupling point (3.5, 0.5) m, which lies more than a particle's diameter outside the "
+        "bonded particles; let the packing cover the overlap");
+  }
 }
 
 // Weights that do not fit the sample points, or lie outside [0, 1], are refused.

@@ -51,11 +51,12 @@ struct Ledger {
 
 // One step of a free lattice; `start` for the step that does not move.
 inline void step(const BondLaw& law, double dt, bool start, Assembly& a, Ledger& ledger) {
-  if (!start) move(dt, a.particles);
+  const protocol::Stretch all{0, static_cast<std::uint32_t>(a.particles.size())};
+  if (!start) move(dt, {&all, 1}, a.particles);
   ledger.released += compute(law, dt, a).first.released;
   Velocities before;
   remember(a.particles, before);
-  kick(dt, a.particles);
+  kick(dt, {&all, 1}, a.particles);
   ledger.kinetic = kinetic_energy(a.particles, before, false);
   ledger.strain = strain_energy(a.bonds, law.stiffness);
 }

@@ -73,6 +73,13 @@ INSTANTIATE_TEST_SUITE_P(
              [](auto& s) { s.mutable_material()->set_density(0); }},
         Case{"NoModulus", "material.young_modulus", "above 0",
              [](auto& s) { s.mutable_material()->clear_young_modulus(); }},
+        Case{"NoMaterial", "material", "is missing; give it, or particles.material",
+             [](auto& s) { s.clear_material(); }},
+        Case{"OwnModulus", "particles.material.young_modulus", "above 0",
+             [](auto& s) {
+               *s.mutable_particles()->mutable_material() = s.material();
+               s.mutable_particles()->mutable_material()->set_young_modulus(-1);
+             }},
         Case{"NegativeNormal", "particles.bonds.normal_stiffness", "above 0",
              [](auto& s) { bonds(s).set_normal_stiffness(-1); }},
         Case{"NegativeShear", "particles.bonds.shear_stiffness", "0 or above",
@@ -124,8 +131,20 @@ TEST(UserErrors, OverlapLeavesNoParticles) {
     FAIL() << "accepted";
   } catch (const protocol::UserError& error) {
     EXPECT_EQ(error.path(), "interface.overlap");
-    EXPECT_THAT(error.what(), testing::HasSubstr("move the strip"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("let the packing reach into the overlap"));
   }
+}
+
+// The particles' own material is taken instead of the scene's: twice the stiffness, a critical step shorter
+// by the root of 2.
+TEST(UserErrors, OwnMaterialReplacesTheScenes) {
+  auto scene = test::cantilever_scene();
+  const double of_scene = test::InProcessRun(scene).model.critical_dt();
+  auto& own = *scene.mutable_particles()->mutable_material();
+  own = scene.material();
+  own.set_young_modulus(2 * own.young_modulus());
+  scene.clear_material();
+  EXPECT_NEAR(test::InProcessRun(scene).model.critical_dt() * std::sqrt(2.0), of_scene, 1e-14 * of_scene);
 }
 
 // Loads must find particles among those that exist under the weights.

@@ -1,11 +1,11 @@
-// Requirements on finding points in zones and on the interface operator.
+// Requirements on finding points in zones and on interpolating between grid points.
 #include "fdm_server/locate.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "fdm_server/interface_operator.hpp"
+#include "fdm_server/interpolation.hpp"
 #include "protocol/errors.hpp"
 #include "tests/unit/fdm_server/grids.hpp"
 
@@ -55,41 +55,50 @@ TEST(ZoneLocator, FindsNothingOutside) {
   EXPECT_TRUE(locator.locate(4.5, 0.75));
 }
 
-// Rows sum to 1 and reproduce a linear velocity field; the transpose keeps the total impulse.
-TEST(InterfaceOperator, ReproducesLinearFieldsAndKeepsImpulses) {
+// Rows sum to 1 and reproduce a linear field.
+TEST(Interpolation, ReproducesLinearFields) {
   const Grid grid = distorted_grid({0, 4, 0, 2, 8, 4});
-  const auto masses = lumped_masses(grid, ones(grid), kDensity);
-  Continuum continuum(make_zones(kKinds[0], grid, plane_stress(kYoung, kPoisson), ones(grid)), masses, {},
-                      {});
-  const std::vector<double> points{0.3, 0.4, 2.1, 1.9, 3.99, 0.01, 4, 2};
-  const InterfaceOperator op(grid, points);
-  for (std::size_t i = 0; i < masses.size(); ++i) continuum.vx()[i] = 1 + 2 * grid.x[i] - grid.y[i];
-  std::vector<double> velocities(points.size());
-  op.velocities(continuum, velocities);
-  for (std::size_t k = 0; k < points.size(); k += 2)
-    EXPECT_NEAR(velocities[k], 1 + 2 * points[k] - points[k + 1], 1e-13);
-
-  std::ranges::fill(continuum.vx(), 0.0);
-  op.apply(std::vector<double>{1, 5, 2, 6, 3, 7, 4, 8}, continuum);
-  double px = 0, py = 0;
-  for (std::size_t i = 0; i < masses.size(); ++i) {
-    px += masses[i] * continuum.vx()[i];
-    py += masses[i] * continuum.vy()[i];
+  const std::vector<double> places{0.3, 0.4, 2.1, 1.9, 3.99, 0.01, 4, 2};
+  const auto rows = interpolate(grid, places);
+  ASSERT_EQ(rows.size(), 4u);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    double value = 0, sum = 0;
+    for (std::size_t e = 0; e < 4; ++e) {
+      const auto [point, share] = std::pair(rows[k].points[e], rows[k].shares[e]);
+      value += share * (1 + 2 * grid.x[point] - grid.y[point]);
+      sum += share;
+    }
+    EXPECT_NEAR(value, 1 + 2 * places[2 * k] - places[2 * k + 1], 1e-13);
+    EXPECT_NEAR(sum, 1, 1e-15);
   }
-  EXPECT_NEAR(px, 10, 1e-13);
-  EXPECT_NEAR(py, 26, 1e-13);
 }
 
-// A coupling point outside the grid is the user's error, with the point's place.
-TEST(InterfaceOperator, RefusesPointsOutside) {
+// A grid point given as a place moves with itself alone, wherever the grid lies.
+TEST(Interpolation, AGridPointIsItselfAlone) {
+  for (const double offset : {0.0, 1e6}) {
+    Grid grid = distorted_grid({0, 10, 0, 1, 30, 7});
+    for (auto* values : {&grid.x, &grid.y})
+      for (double& value : *values) value += offset;
+    for (std::uint32_t i = 0; i < grid.x.size(); ++i) {
+      const auto row = interpolate(grid, std::vector<double>{grid.x[i], grid.y[i]}).front();
+      for (std::size_t e = 0; e < 4; ++e)
+        EXPECT_EQ(row.shares[e], row.points[e] == i ? 1.0 : 0.0) << "point " << i << ", offset " << offset;
+    }
+  }
+}
+
+// A coupling point outside the grid is the user's error, with the point's place and the remedy.
+TEST(Interpolation, RefusesPlacesOutside) {
   const Grid grid = make_grid({0, 4, 0, 2, 8, 4});
   try {
-    InterfaceOperator(grid, std::vector<double>{1, 1, 4.25, 1});
+    interpolate(grid, std::vector<double>{1, 1, 4.25, 1});
     FAIL() << "no error";
   } catch (const protocol::UserError& error) {
     EXPECT_EQ(error.path(), "interface.overlap");
-    EXPECT_NE(std::string(error.what()).find("(4.25, 1) m, which lies outside the continuum"),
-              std::string::npos);
+    EXPECT_EQ(
+        std::string(error.what()),
+        "holds the coupling point (4.25, 1) m, which lies outside the continuum; let the continuum cover "
+        "the overlap");
   }
 }
 

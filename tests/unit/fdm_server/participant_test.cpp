@@ -14,6 +14,7 @@ namespace adit::fdm::test {
 namespace {
 
 using testing::ElementsAre;
+using testing::ElementsAreArray;
 using testing::HasSubstr;
 
 constexpr double kDt = 2e-5;
@@ -44,6 +45,47 @@ TEST(Participant, RemovesZonesWithoutWeight) {
   Conversation run("", ramp(whole.model, 2, 4.1));
   EXPECT_EQ(run.interface.zones(), 36u);  // the zones of [4, 4.5] m have samples with weight at x = 4 m
   EXPECT_EQ(run.interface.grid_points(), 50u);
+}
+
+// A weight that grows to the right, as the inner side of an interface gets it, leaves the zones at the right:
+// those without any weight vanish, those that the overlap's edge cuts have the mean of the ramp over them.
+TEST(Participant, WeightsOfAnInnerRoleKeepTheOtherSide) {
+  const Conversation whole("");
+  wire::Weights weights;
+  for (int i = 0; i < whole.model.sample_points_size(); i += 2)
+    weights.add_weights(std::clamp((whole.model.sample_points(i) - 2) / 2, 0.0, 1.0));
+  weights.set_floor(1e-3);
+  Conversation run("", weights);
+  EXPECT_EQ(run.interface.zones(), 32u);
+  EXPECT_EQ(run.interface.grid_points(), 45u);
+  wire::Snapshot snapshot;
+  run.participant.snapshot({}, snapshot);
+  const auto& piece = snapshot.pieces(0);
+  for (int zone = 0; zone < 32; ++zone) {
+    const double left = piece.points(2 * static_cast<int>(piece.connectivity(4 * zone)));
+    EXPECT_GE(left, 2);
+    EXPECT_NEAR(piece.cell_fields(1).values(zone), std::min((left + 0.25 - 2) / 2, 1.0), 1e-15);
+  }
+}
+
+// The grid points that exist inside or on the box are offered; without weights there is no interface.
+TEST(Participant, OffersGridPointsInsideTheBox) {
+  const Conversation whole("");
+  wire::Weights weights = ramp(whole.model, 2, 4);
+  weights.set_x_min(2);
+  weights.set_x_max(4.5);
+  weights.set_y_min(0.2);
+  weights.set_y_max(0.75);
+  Conversation run("", weights);
+  ASSERT_EQ(run.interface.points_size(), 2 * 5 * 3);  // x = 2 … 4 m; nothing is left at 4.5 m
+  EXPECT_EQ(run.interface.points(0), 2);
+  EXPECT_EQ(run.interface.points(1), 0.25);
+  wire::Couple couple;
+  *couple.mutable_points() = run.interface.points();
+  wire::Operator op;
+  run.participant.couple(couple, op);
+  EXPECT_THAT(op.values(), ElementsAreArray(std::vector<double>(15, 1.0)));
+  EXPECT_EQ(op.inverse_masses_size(), 30);
 }
 
 // A load on a free body gives the momentum of half a kick at step 0, and its centre moves as a point mass.

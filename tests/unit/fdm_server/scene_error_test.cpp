@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "protocol/errors.hpp"
@@ -59,6 +60,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"poisson", "", "material.poisson_ratio", "must lie between -1 and 0.5", kBlock,
              material("1e9", "0.5", "2500")},
         Case{"density", "", "material.density", "must be positive", kBlock, material("1e9", "0.2", "-1")},
+        Case{"own_young", "material { young_modulus: -1 poisson_ratio: 0.2 density: 2500 }",
+             "continuum.material.young_modulus", "must be positive"},
+        Case{"no_material", "", "material", "is missing; give it, or continuum.material", kBlock, ""},
         Case{"point_load_nowhere", "point_loads { " + kNowhere + "force { x: 1 } }",
              "continuum.point_loads[0].where", "selects no grid points"},
         Case{"edge_load_nowhere",
@@ -110,6 +114,15 @@ TEST(SceneErrors, OverlapLeavesNoZone) {
     EXPECT_EQ(error.path(), "interface.overlap");
     EXPECT_THAT(error.what(), HasSubstr("leaves no zone"));
   }
+}
+
+// The continuum's own material is taken instead of the scene's: twice the stiffness, a critical step shorter
+// by the root of 2.
+TEST(SceneErrors, OwnMaterialReplacesTheScenes) {
+  const Conversation of_scene("");
+  const Conversation own("material { young_modulus: 50e9 poisson_ratio: 0.2 density: 2500 }");
+  EXPECT_NEAR(own.model.critical_dt() * std::sqrt(2.0), of_scene.model.critical_dt(),
+              1e-14 * of_scene.model.critical_dt());
 }
 
 // A step above the critical one is refused with both values.

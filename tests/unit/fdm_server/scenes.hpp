@@ -42,6 +42,7 @@ struct Conversation {
     advance.mutable_impulses()->Assign(impulses.begin(), impulses.end());
     advance.set_want_energies(true);
     advance.set_want_histories(true);
+    predicted.Clear();
     participant.advance(advance, predicted);
     return predicted;
   }

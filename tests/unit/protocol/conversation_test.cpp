@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "protocol/errors.hpp"
 #include "protocol/participant.hpp"
 
 namespace adit::protocol {
@@ -93,6 +94,70 @@ TEST_F(ConversationTest, RefusesWhatIsOutOfOrder) {
   refuses(Kind::kCouple);
   ask(Kind::kFinish);
   for (const Kind kind : {Kind::kSetup, Kind::kAdvance, Kind::kFinish}) refuses(kind);
+}
+
+// Leaves the rest of every step, which takes a while, to complete().
+class Deferrer : public Recorder {
+ public:
+  void advance(const wire::Advance& advance, wire::Predicted& predicted) override {
+    EXPECT_EQ(completed, asked++) << "step " << advance.step() << " finds the one before whole";
+    predicted.set_step(advance.step());
+  }
+  void complete() override {
+    ++completed;
+    std::this_thread::sleep_for(std::chrono::milliseconds(3));
+    if (unstable) throw Unstable("not finite");
+  }
+  int asked = 0, completed = 0;
+  bool unstable = false;
+};
+
+struct DeferringConversation : testing::Test {
+  Deferrer participant;
+  Conversation conversation{participant};
+  wire::Frame reply;
+
+  void SetUp() override {
+    for (const auto kind : {wire::Frame::kSetup, wire::Frame::kWeights, wire::Frame::kCouple})
+      conversation.answer(request(kind), reply);
+  }
+  void advance(std::uint64_t step) { conversation.answer(request(wire::Frame::kAdvance, step), reply); }
+};
+
+// A step is completed once, after its answer; the next answer says how long that took.
+TEST_F(DeferringConversation, CompletesEveryStepOnce) {
+  conversation.complete();
+  EXPECT_EQ(participant.completed, 0) << "no step yet";
+  advance(0);
+  EXPECT_EQ(participant.completed, 0) << "the answer comes first";
+  EXPECT_EQ(reply.predicted().hidden_seconds(), 0);
+  conversation.complete();
+  conversation.complete();
+  EXPECT_EQ(participant.completed, 1);
+  advance(1);
+  EXPECT_GE(reply.predicted().hidden_seconds(), 0.003);
+  EXPECT_LT(reply.predicted().compute_seconds(), 0.003) << "is not counted twice";
+}
+
+// Whatever comes next finds the step whole, also where nobody said that the answer was sent.
+TEST_F(DeferringConversation, NothingIsAnsweredFromHalfAStep) {
+  advance(0);
+  advance(1);
+  conversation.answer(request(wire::Frame::kSnapshotRequest), reply);
+  EXPECT_EQ(participant.completed, 2);
+  advance(2);
+  conversation.answer(request(wire::Frame::kFinish), reply);
+  EXPECT_EQ(participant.completed, 3);
+}
+
+// An error in the rest of a step is the answer to the next request, whichever that is.
+TEST_F(DeferringConversation, ErrorsOfTheRestAreTheNextAnswer) {
+  participant.unstable = true;
+  advance(0);
+  EXPECT_NO_THROW(conversation.complete());
+  for (const auto kind : {wire::Frame::kSnapshotRequest, wire::Frame::kFinish})
+    EXPECT_THROW(conversation.answer(request(kind), reply), Unstable);
+  EXPECT_THROW(advance(1), Unstable);
 }
 
 // A step that is left out or repeated is named.

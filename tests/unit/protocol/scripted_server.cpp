@@ -15,6 +15,8 @@ class Scripted : public protocol::Participant {
  public:
   void set_up(const wire::Setup& setup, wire::Model& model) override {
     const auto& id = setup.run_id();
+    slow_rest_ = id == "slow rest";
+    unstable_rest_ = id == "unstable rest";
     if (id == "scene error") throw protocol::UserError("particles.radius", "must be positive");
     if (id == "unstable") throw protocol::Unstable("velocity is not finite");
     if (id == "bug") throw std::runtime_error("a bug");
@@ -24,8 +26,15 @@ class Scripted : public protocol::Participant {
   void weigh(const wire::Weights&, wire::Interface&) override {}
   void couple(const wire::Couple&, wire::Operator&) override {}
   void advance(const wire::Advance&, wire::Predicted&) override {}
+  void complete() override {
+    if (slow_rest_) std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    if (unstable_rest_) throw protocol::Unstable("the rest is not finite");
+  }
   void snapshot(const wire::SnapshotRequest&, wire::Snapshot&) override {}
   void finish(wire::Bye& bye) override { bye.set_updates(42); }
+
+ private:
+  bool slow_rest_ = false, unstable_rest_ = false;
 };
 
 }  // namespace

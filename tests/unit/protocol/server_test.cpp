@@ -74,6 +74,11 @@ class Client {
     request.mutable_setup()->set_run_id(run_id);
     return ask(request);
   }
+  const wire::Frame& advance(std::uint64_t step) {
+    wire::Frame request;
+    request.mutable_advance()->set_step(step);
+    return ask(request);
+  }
   std::uint64_t finish() {
     wire::Frame request;
     request.mutable_finish();
@@ -140,6 +145,36 @@ TEST(Server, ReportsErrorsOfTheParticipantAndGoesOn) {
   }
   EXPECT_THAT(message_of<Unstable>([&] { Client(server).set_up("unstable"); }), HasSubstr("not finite"));
   EXPECT_THAT(message_of<PeerLost>([&] { Client(server).set_up("bug"); }), HasSubstr("a bug"));
+  EXPECT_EQ(serve_soon(server), 42u);
+}
+
+// The rest of a step is computed while the client has its answer already, and takes no part of the next one.
+TEST(Server, SendsTheAnswerBeforeItCompletesTheStep) {
+  const Server server;
+  Client client(server);
+  client.set_up("slow rest");
+  wire::Frame weights;
+  weights.mutable_weights();
+  client.ask(weights);
+  const auto start = std::chrono::steady_clock::now();
+  client.advance(0);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, 450ms);
+  const auto& second = client.advance(1).predicted();
+  EXPECT_GE(second.hidden_seconds(), 0.5);
+  EXPECT_LT(second.compute_seconds(), 0.45);
+}
+
+// What goes wrong after an answer reaches the client as the answer to its next request.
+TEST(Server, ReportsErrorsOfTheRestOfAStep) {
+  const Server server;
+  Client client(server);
+  client.set_up("unstable rest");
+  wire::Frame weights;
+  weights.mutable_weights();
+  client.ask(weights);
+  EXPECT_TRUE(client.advance(0).has_predicted());
+  std::this_thread::sleep_for(50ms);
+  EXPECT_THAT(message_of<Unstable>([&] { client.finish(); }), HasSubstr("the rest is not finite"));
   EXPECT_EQ(serve_soon(server), 42u);
 }
 

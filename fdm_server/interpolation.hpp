@@ -1,0 +1,17 @@
+// The grid's motion between its points.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "fdm_server/grid.hpp"
+#include "protocol/interface_operator.hpp"
+
+namespace adit::fdm {
+
+// How the velocities at these places, interleaved [m], follow from the grid points: by the bilinear shape
+// functions of the zones that hold them; a place that is a grid point is that point's alone. UserError where
+// one lies outside the grid.
+std::vector<protocol::OperatorRow> interpolate(const Grid& grid, std::span<const double> places);
+
+}  // namespace adit::fdm

@@ -1,0 +1,53 @@
+#include "protocol/interface_operator.hpp"
+
+#include <gmock/gmock.h>
+
+namespace adit::protocol {
+namespace {
+
+using testing::ElementsAre;
+
+// Three coupling points: one is point 7, one lies between 7 and 2, one among all of 2, 5 and 9.
+InterfaceOperator example() {
+  const std::vector<OperatorRow> rows{
+      {{7, 0, 0, 0}, {1, 0, 0, 0}}, {{7, 5, 2, 9}, {0.25, 0, 0.75, 0}}, {{9, 2, 5, 7}, {1.5, -1, 0.5, 0}}};
+  return InterfaceOperator(rows);
+}
+
+// Only what takes part is named, and nothing that is 0.
+TEST(InterfaceOperator, FillsTheMessageWithoutZeros) {
+  wire::Operator op;
+  example().fill(op);
+  EXPECT_THAT(example().points(), ElementsAre(2, 5, 7, 9));
+  EXPECT_THAT(op.row_starts(), ElementsAre(0, 1, 3, 6));
+  EXPECT_THAT(op.columns(), ElementsAre(2, 2, 0, 3, 0, 1));
+  EXPECT_THAT(op.values(), ElementsAre(1, 0.25, 0.75, 1.5, -1, 0.5));
+}
+
+// Velocities are N v, and what impulses do is N^T p: the work of a pair of them is the same on either side.
+TEST(InterfaceOperator, GathersByTheTransposeOfWhatItInterpolates) {
+  InterfaceOperator op = example();
+  const std::vector<double> vx{0, 0, 3, 0, 0, -2, 0, 5, 0, 7}, vy{0, 0, 1, 0, 0, 4, 0, -6, 0, 2};
+  const std::vector<double> impulses{1, -2, 4, 8, 3, 5};
+  std::vector<double> velocities(6);
+  op.velocities(vx, vy, velocities);
+  EXPECT_THAT(velocities, ElementsAre(5, -6, 3.5, -0.75, 6.5, 4));
+  for (int twice = 0; twice < 2; ++twice) {
+    const auto own = op.gather(impulses);
+    double here = 0, there = 0;
+    for (std::size_t i = 0; i < 6; ++i) there += impulses[i] * velocities[i];
+    for (std::size_t j = 0; j < op.points().size(); ++j)
+      here += own[2 * j] * vx[op.points()[j]] + own[2 * j + 1] * vy[op.points()[j]];
+    EXPECT_DOUBLE_EQ(here, there);
+  }
+}
+
+// A run without coupling points has no rows.
+TEST(InterfaceOperator, IsEmptyAtFirst) {
+  InterfaceOperator op;
+  EXPECT_EQ(op.rows(), 0u);
+  EXPECT_TRUE(op.gather({}).empty());
+}
+
+}  // namespace
+}  // namespace adit::protocol
