@@ -68,11 +68,11 @@ void require_equal_cross_sections(const Overlap& overlap, const BoundingBox& out
                                   const BoundingBox& inner) {
   const double slack_x = kTolerance * std::max(outer.x_max - outer.x_min, inner.x_max - inner.x_min);
   const double slack_y = kTolerance * std::max(outer.y_max - outer.y_min, inner.y_max - inner.y_min);
-  const auto within = [&](const BoundingBox& box, const BoundingBox& other) {
-    return std::ranges::none_of(outside(box, grown(other, slack_x, slack_y)),
+  const auto fills = [&](const BoundingBox& model, const BoundingBox& other) {
+    return std::ranges::none_of(outside(other, grown(model, slack_x, slack_y)),
                                 [&](const BoundingBox& part) { return meets_overlap(overlap, part); });
   };
-  if (!within(outer, inner) || !within(inner, outer))
+  if (!fills(inner, outer) || !fills(outer, inner))
     throw UserError(
         overlap.path() + ".overlap",
         fmt::format("joins `{}`, which {}, with `{}`, which {}; both must fill the overlap's "

@@ -40,9 +40,9 @@ bool meet(const Side& a, const Side& b) {
          lies_on(b, a.from) || lies_on(b, a.to);
 }
 
-// Whether the side, whose first corner is the last of `before`, runs back over it.
-bool runs_back(const Side& before, const Side& side) {
-  const Point a = before.to - before.from, b = side.to - side.from;
+// Whether the next side runs back over this one.
+bool runs_back(const Side& side, const Side& next) {
+  const Point a = side.to - side.from, b = next.to - next.from;
   return cross(a, b) == 0 && dot(a, b) < 0;
 }
 
