@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "coupler/bridging/overlap_checks.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::coupler {
@@ -61,48 +62,14 @@ BoundingBox bounds(const wire::Model& model) {
   return {model.x_min(), model.x_max(), model.y_min(), model.y_max()};
 }
 
-void require_overlap_inside(const Overlap& overlap, const scene::Overlap& given, const Side& side) {
-  const BoundingBox box = bounds(side.model);
-  const auto refuse = [&](const char* field, const scene::Point& point) {
-    throw UserError(
-        std::string("interface.overlap.") + field,
-        fmt::format("is ({:g}, {:g}) m, which puts this edge of the overlap outside the {}, which reach from "
-                    "({:g}, {:g}) to ({:g}, {:g}) m; both models must exist over the whole overlap",
-                    point.x(), point.y(), to_string(side.role), box.x_min, box.y_min, box.x_max, box.y_max));
-  };
-  if (!overlap.begins_in(box)) refuse("particles_begin", given.particles_begin());
-  if (!overlap.ends_in(box)) refuse("continuum_ends", given.continuum_ends());
-}
-
-// Where the strip follows an axis, both models must fill its cross-section, or half of a weight would be
-// nobody's. A packing may lack a row at either side.
-void require_equal_cross_sections(const Model& model) {
-  constexpr double kTolerance = 0.15;
-  const auto [continuum, particles] = std::pair(bounds(model.sides[0].model), bounds(model.sides[1].model));
-  const auto require = [](const char* axis, double min_a, double max_a, double min_b, double max_b) {
-    const double slack = kTolerance * std::max(max_a - min_a, max_b - min_b);
-    if (std::abs(min_a - min_b) > slack || std::abs(max_a - max_b) > slack)
-      throw UserError(
-          "interface.overlap",
-          fmt::format("joins a continuum that reaches from {0} = {1:g} to {2:g} m with particles that reach "
-                      "from {0} = {3:g} to {4:g} m; both must fill the overlap's cross-section",
-                      axis, min_a, max_a, min_b, max_b));
-  };
-  if (model.overlap->follows_x())
-    require("y", continuum.y_min, continuum.y_max, particles.y_min, particles.y_max);
-  if (model.overlap->follows_y())
-    require("x", continuum.x_min, continuum.x_max, particles.x_min, particles.x_max);
-}
-
 void share_energy(Model& model) {
   for (Side& side : model.sides) {
     auto& weights = *side.request.mutable_weights();
     if (!model.overlap) continue;
-    require_overlap_inside(*model.overlap, model.scene.interface().overlap(), side);
     const auto& points = side.model.sample_points();
     const std::span samples(points.data(), points.size());
-    const auto values = side.role == Role::kContinuum ? model.overlap->continuum_weights(samples)
-                                                      : model.overlap->particle_weights(samples);
+    const auto values = side.role == Role::kContinuum ? model.overlap->outer_weights(samples)
+                                                      : model.overlap->inner_weights(samples);
     weights.mutable_weights()->Add(values.begin(), values.end());
     weights.set_floor(model.scene.interface().weight_floor());
     const BoundingBox box = model.overlap->bounds(bounds(side.model));
@@ -192,11 +159,12 @@ Model set_up(const scene::Scene& scene, std::vector<Side> sides, const std::stri
   Model model;
   model.scene = scene;
   model.sides = std::move(sides);
-  if (scene.has_interface()) model.overlap.emplace(scene.interface().overlap());
+  if (scene.has_interface()) model.overlap.emplace(scene.interface(), "interface");
   require_distinct_histories(scene);
   build_models(model, run_id);
   choose_time_step(model);
-  if (model.overlap) require_equal_cross_sections(model);
+  if (model.overlap)
+    require_inside(*model.overlap, bounds(model.sides[0].model), bounds(model.sides[1].model));
   share_energy(model);
   if (model.overlap) couple(model);
   return model;

@@ -1,90 +1,134 @@
 #include "coupler/bridging/overlap.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
+#include "coupler/bridging/read_shape.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::coupler {
 namespace {
 
-// What lies on an edge of the strip belongs to it, whatever the last digits of its place are.
-constexpr double kEdge = 1e-9;  // of the width
+using protocol::UserError;
+
+// What lies on an edge of the overlap belongs to it, whatever the last digits of its place are.
+constexpr double kEdge = 1e-9;                                            // of the width
+constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();  // of the coordinates
+
+void require(bool given, const std::string& path, const char* field, const char* purpose) {
+  if (!given) throw UserError(path + "." + field, std::string("is missing; ") + purpose);
+}
+
+void require_one_kind(const scene::Overlap& overlap, const std::string& path) {
+  const bool strip = overlap.has_particles_begin() || overlap.has_continuum_ends();
+  const bool ring = overlap.has_around() || overlap.has_width();
+  if (strip && ring)
+    throw UserError(path,
+                    "is a strip and a ring at once; keep particles_begin and continuum_ends, or around and "
+                    "width");
+  if (!strip && !ring)
+    throw UserError(path,
+                    "is neither a strip nor a ring; give particles_begin and continuum_ends, or around and "
+                    "width");
+  if (ring) {
+    require(overlap.has_around(), path, "around", "give the shape that the ring lies around");
+    require(overlap.has_width(), path, "width", "give the ring's width");
+  } else {
+    require(overlap.has_particles_begin(), path, "particles_begin", "give the point where the strip begins");
+    require(overlap.has_continuum_ends(), path, "continuum_ends", "give the point where the strip ends");
+  }
+}
+
+double width_of(const scene::Overlap& overlap, const std::string& path) {
+  if (overlap.has_around()) return overlap.width();
+  const double width = std::hypot(overlap.particles_begin().x() - overlap.continuum_ends().x(),
+                                  overlap.particles_begin().y() - overlap.continuum_ends().y());
+  if (!(width > 0) || !std::isfinite(width))
+    throw UserError(path,
+                    "has no width: particles_begin and continuum_ends coincide or are not finite; place "
+                    "continuum_ends at least one zone further into the particles");
+  return width;
+}
+
+std::shared_ptr<const Shape> core_of(const scene::Overlap& overlap, double width, const std::string& path) {
+  if (overlap.has_around()) return read_shape(overlap.around(), path + ".around");
+  const auto &begin = overlap.particles_begin(), &end = overlap.continuum_ends();
+  return half_plane(end.x(), end.y(), (begin.x() - end.x()) / width, (begin.y() - end.y()) / width);
+}
+
+// Weight of the outer model between the edges.
+double ramp(scene::Ramp kind, double s) {
+  switch (kind) {
+    case scene::LINEAR:
+      return s;
+    case scene::CUBIC:
+      return s * s * (3 - 2 * s);
+    case scene::CONSTANT:
+      return 0.5;
+  }
+  return s;
+}
+
+template <class Weight>
+std::vector<double> at_each(std::span<const double> points, Weight&& weight) {
+  std::vector<double> weights(points.size() / 2);
+  for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = weight(points[2 * i], points[2 * i + 1]);
+  return weights;
+}
 
 }  // namespace
 
-Overlap::Overlap(const scene::Overlap& overlap)
-    : begin_x_(overlap.particles_begin().x()), begin_y_(overlap.particles_begin().y()) {
-  const double dx = overlap.continuum_ends().x() - begin_x_;
-  const double dy = overlap.continuum_ends().y() - begin_y_;
-  const double squared_width = dx * dx + dy * dy;
-  if (!(squared_width > 0))
-    throw protocol::UserError("interface.overlap",
-                              "has no width: particles_begin and continuum_ends coincide; place "
-                              "continuum_ends at least one zone further into the particles");
-  gradient_x_ = dx / squared_width;
-  gradient_y_ = dy / squared_width;
+Overlap::Overlap(const scene::Interface& interface, const std::string& path)
+    : interface_(interface), path_(path) {
+  const std::string overlap_path = path + ".overlap";
+  require_one_kind(interface.overlap(), overlap_path);
+  width_ = width_of(interface.overlap(), overlap_path);
+  core_ = core_of(interface.overlap(), width_, overlap_path);
 }
 
-double Overlap::across(double x, double y) const {
-  return gradient_x_ * (x - begin_x_) + gradient_y_ * (y - begin_y_);
+double Overlap::share(double x, double y) const {
+  return core_->distance(x, y) / width_;
 }
 
-double Overlap::continuum_weight(double x, double y) const {
-  return 1.0 - std::clamp(across(x, y), 0.0, 1.0);
+double Overlap::edge(double x, double y) const {
+  return kEdge + kRounding * (std::abs(x) + std::abs(y)) / width_;
 }
 
-double Overlap::particle_weight(double x, double y) const {
-  const double share = across(x, y);
-  return share < -kEdge ? 0.0 : std::clamp(share, kEdge, 1.0);
+double Overlap::depth(double x, double y) const {
+  return std::clamp(share(x, y), 0.0, 1.0);
+}
+
+double Overlap::outer_weight(double x, double y) const {
+  const double s = share(x, y), thickness = edge(x, y);
+  if (s <= thickness) return 0.0;
+  if (s >= 1.0 - thickness) return 1.0;
+  return ramp(interface_.ramp(), s);
+}
+
+double Overlap::inner_weight(double x, double y) const {
+  const double thickness = edge(x, y);
+  return share(x, y) > 1.0 + thickness ? 0.0 : std::max(kEdge, 1.0 - outer_weight(x, y));
 }
 
 bool Overlap::contains(double x, double y) const {
-  const double share = across(x, y);
-  return share >= -kEdge && share <= 1.0 + kEdge;
+  const double s = share(x, y), thickness = edge(x, y);
+  return s >= -thickness && s <= 1.0 + thickness;
 }
 
-bool Overlap::begins_in(const BoundingBox& model) const {
-  return meets(model, 0.0);
+std::vector<double> Overlap::outer_weights(std::span<const double> points) const {
+  return at_each(points, [this](double x, double y) { return outer_weight(x, y); });
 }
 
-bool Overlap::ends_in(const BoundingBox& model) const {
-  return meets(model, 1.0);
-}
-
-bool Overlap::meets(const BoundingBox& model, double edge) const {
-  const auto [lowest, highest] =
-      std::minmax({across(model.x_min, model.y_min), across(model.x_max, model.y_min),
-                   across(model.x_min, model.y_max), across(model.x_max, model.y_max)});
-  return lowest <= edge + kEdge && edge - kEdge <= highest;
-}
-
-std::vector<double> Overlap::continuum_weights(std::span<const double> points) const {
-  std::vector<double> weights(points.size() / 2);
-  for (std::size_t i = 0; i < weights.size(); ++i)
-    weights[i] = continuum_weight(points[2 * i], points[2 * i + 1]);
-  return weights;
-}
-
-std::vector<double> Overlap::particle_weights(std::span<const double> points) const {
-  std::vector<double> weights(points.size() / 2);
-  for (std::size_t i = 0; i < weights.size(); ++i)
-    weights[i] = particle_weight(points[2 * i], points[2 * i + 1]);
-  return weights;
+std::vector<double> Overlap::inner_weights(std::span<const double> points) const {
+  return at_each(points, [this](double x, double y) { return inner_weight(x, y); });
 }
 
 BoundingBox Overlap::bounds(const BoundingBox& model) const {
-  // The strip is unbounded along its two lines; a strip along an axis cuts the model's box exactly, any
-  // other is covered by the whole box, of which only a little is offered in vain.
-  BoundingBox box = model;
-  if (follows_x()) {
-    box.x_min = std::max(box.x_min, std::min(begin_x_, begin_x_ + 1.0 / gradient_x_));
-    box.x_max = std::min(box.x_max, std::max(begin_x_, begin_x_ + 1.0 / gradient_x_));
-  }
-  if (follows_y()) {
-    box.y_min = std::max(box.y_min, std::min(begin_y_, begin_y_ + 1.0 / gradient_y_));
-    box.y_max = std::min(box.y_max, std::max(begin_y_, begin_y_ + 1.0 / gradient_y_));
-  }
-  return box;
+  const BoundingBox box = core_->box_around(width_);
+  const double margin = width_ * std::max(edge(model.x_min, model.y_min), edge(model.x_max, model.y_max));
+  return {std::max(model.x_min, box.x_min - margin), std::min(model.x_max, box.x_max + margin),
+          std::max(model.y_min, box.y_min - margin), std::min(model.y_max, box.y_max + margin)};
 }
 
 }  // namespace adit::coupler

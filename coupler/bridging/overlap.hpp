@@ -1,56 +1,76 @@
-// The overlap of a continuum and a particle model, and the energy weights that share it out between them.
+// The overlap of two models, the outer and the inner one, and the energy weights that share it between them.
+//
+// The inner model alone fills a shape, the core: half the plane behind a strip, or what a ring lies around.
+// The overlap is what lies outside the core, up to `width` away from it; beyond, the outer model is alone.
+// With d the distance from the core, the weight of the outer model is a ramp of the depth s = d / width: s
+// (linear), 3 s^2 - 2 s^3 (cubic) or one half (constant); the inner model has the rest. Distances are
+// Euclidean: a ring's outer edge is rounded at the corners of its core.
+//
+// A linear ramp passes uniform strain exactly where a strip's edges are lines of the grid and of the lattice.
+// Edges that cut zones and bonds, corners and curves cost a strain error of the order of zone size over width
+// (tests/verification/patch_test.cpp): prefer edges on grid lines and wide overlaps.
+//
+// Where a grid is the outer model, a zone whose samples of the weight are all 0 does not exist
+// (fdm_server/grid.hpp). If the core is convex, nothing is lost with it: its corners lie in the core, hence
+// all of it, and each point of the overlap lies in a zone that is left, or on its edge. It is so for a strip,
+// a box, a circle. A polygon's notch or hole between the samples, half a zone apart, is not seen: the zones
+// around it vanish, and a coupling point in it is refused as lying outside the grid. Take zones so small
+// that notches and holes are at least one zone wide, or fill them.
 #pragma once
 
+#include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "coupler/bridging/bounding_box.hpp"
 #include "protocol/scene.pb.h"
 
 namespace adit::coupler {
 
-struct BoundingBox {
-  double x_min, x_max, y_min, y_max;  // [m]
-};
+class Shape;
 
-// A strip across the model: the weight of the continuum falls linearly from 1 on the line through
-// `particles_begin` to 0 on the line through `continuum_ends`; both lines stand at right angles to the
-// segment between the two points.
 class Overlap {
  public:
-  // Throws protocol::UserError where the two points coincide.
-  explicit Overlap(const scene::Overlap& overlap);
+  // `path`: of the interface in the scene, for messages. Throws protocol::UserError for an overlap that is
+  // not exactly one of strip and ring, has no width, or lies around what encloses no area.
+  Overlap(const scene::Interface& interface, const std::string& path);
 
-  // Weight of the continuum at (x, y), in [0, 1].
-  double continuum_weight(double x, double y) const;
+  // Weight of the outer model at (x, y), in [0, 1]; 0 on the line where it ends.
+  double outer_weight(double x, double y) const;
 
-  // The rest, which the particles have. On the edge where they begin it is not 0 but very small: a particle
-  // there exists and is coupled, else a lattice plane on the edge would leave a gap of half a bond.
-  double particle_weight(double x, double y) const;
+  // The rest, which the inner model has. On the line where that ends it is not 0 but very small: a particle
+  // there exists and is coupled, else a lattice plane on the line would leave a gap of half a bond.
+  double inner_weight(double x, double y) const;
 
-  // In the strip, edges included: both models exist and are coupled.
+  // In the overlap, edges included: both models exist and are coupled.
   bool contains(double x, double y) const;
 
-  // Whether the edge where the particles begin, or that where the continuum ends, runs through the box.
-  bool begins_in(const BoundingBox& model) const;
-  bool ends_in(const BoundingBox& model) const;
-
-  // The weight changes along x only, along y only.
-  bool follows_x() const { return gradient_y_ == 0.0; }
-  bool follows_y() const { return gradient_x_ == 0.0; }
+  // 0 where the outer model ends, 1 where the inner one does, linear in the distance between, whatever the
+  // ramp; 0 and 1 beyond.
+  double depth(double x, double y) const;
 
   // Weights at points x0 y0 x1 y1 …
-  std::vector<double> continuum_weights(std::span<const double> points) const;
-  std::vector<double> particle_weights(std::span<const double> points) const;
+  std::vector<double> outer_weights(std::span<const double> points) const;
+  std::vector<double> inner_weights(std::span<const double> points) const;
 
-  // Box around the part of the strip that lies in `model`.
+  // Box around the part of the overlap that lies in `model`.
   BoundingBox bounds(const BoundingBox& model) const;
 
- private:
-  double across(double x, double y) const;  // 0 where the particles begin, 1 where the continuum ends
-  bool meets(const BoundingBox& model, double across) const;
+  const scene::Interface& interface() const { return interface_; }
+  const std::string& path() const { return path_; }
+  bool is_ring() const { return interface_.overlap().has_around(); }
+  const Shape& core() const { return *core_; }
+  double width() const { return width_; }  // [m]
 
-  double begin_x_, begin_y_;        // where the particles begin
-  double gradient_x_, gradient_y_;  // of the distance across the strip, 0 … 1 [1/m]
+ private:
+  double share(double x, double y) const;  // depth, not clamped
+  double edge(double x, double y) const;   // half the thickness of an edge, in depths
+
+  scene::Interface interface_;
+  std::string path_;
+  std::shared_ptr<const Shape> core_;
+  double width_;
 };
 
 }  // namespace adit::coupler

@@ -54,6 +54,10 @@ RunSummary::RunSummary(const RunLabels& labels, const Model& model) : model_(mod
   if (!model.overlap) return;
   const auto& interface = scene.interface();
   summary_.set("solve", protocol::lower_case(scene::Solve_Name(interface.solve())));
+  if (model.overlap->is_ring()) {
+    summary_.set("overlap_width_m", model.overlap->width());
+    return;
+  }
   summary_.set("overlap_particles_begin_x_m", interface.overlap().particles_begin().x());
   summary_.set("overlap_particles_begin_y_m", interface.overlap().particles_begin().y());
   summary_.set("overlap_continuum_ends_x_m", interface.overlap().continuum_ends().x());

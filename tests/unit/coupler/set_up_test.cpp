@@ -5,6 +5,8 @@
 #include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "protocol/errors.hpp"
 #include "tests/support/local_peer.hpp"
 
@@ -46,6 +48,29 @@ TEST(SetUp, PutsCouplingPointsOnTheParticlesOfTheOverlap) {
   EXPECT_EQ(model.sides[0].counts.zones(), 12U);  // those behind the overlap are gone
 }
 
+// Requirement: particles inside a ring and in it, zones outside it and in it, both coupled in the ring; where
+// both models end, the ring may stick out.
+TEST(SetUp, JoinsZonesAroundParticlesOverARing) {
+  scene::Scene scene = coupled_bar();
+  auto& overlap = *scene.mutable_interface()->mutable_overlap();
+  overlap.Clear();
+  overlap.set_width(1);
+  auto& box = *overlap.mutable_around()->mutable_box();
+  box.set_x_min(1.5);
+  box.set_x_max(2.5);
+  box.set_y_min(-1);
+  box.set_y_max(2);
+  const Model model = test::local_model(scene);
+  ASSERT_FALSE(model.coupling_points.empty());
+  for (std::size_t i = 0; i < model.coupling_points.size(); i += 2) {
+    const double from_the_middle = std::abs(model.coupling_points[i] - 2);
+    EXPECT_GE(from_the_middle, 0.5 - 1e-8);
+    EXPECT_LE(from_the_middle, 1.5 + 1e-8);
+  }
+  EXPECT_EQ(model.sides[0].counts.zones(), 12U);      // those between 1.5 m and 2.5 m are gone
+  EXPECT_EQ(model.sides[1].counts.particles(), 78U);  // rows of 16, two of them on the edges, and of 15
+}
+
 // Requirement: the last step ends on the duration, and no step is longer than what was asked for.
 TEST(SetUp, DividesTheDurationIntoWholeSteps) {
   scene::Scene scene = coupled_bar();
@@ -65,7 +90,19 @@ TEST(SetUp, RefusesATimeStepAboveTheLimitAndNamesIt) {
 TEST(SetUp, RefusesAnOverlapOutsideTheModels) {
   scene::Scene scene = coupled_bar();
   scene.mutable_interface()->mutable_overlap()->mutable_continuum_ends()->set_x(5);
-  expect_refusal(scene, "interface.overlap.continuum_ends", "outside the continuum");
+  expect_refusal(scene, "interface.overlap.continuum_ends", "outside `continuum`");
+}
+
+TEST(SetUp, RefusesARingBeyondTheParticles) {
+  scene::Scene scene = coupled_bar();
+  scene.mutable_particles()->mutable_packing()->set_x_max(2);
+  auto& overlap = *scene.mutable_interface()->mutable_overlap();
+  overlap.Clear();
+  overlap.set_width(0.5);
+  overlap.mutable_around()->mutable_circle()->mutable_centre()->set_x(2);
+  overlap.mutable_around()->mutable_circle()->mutable_centre()->set_y(0.5);
+  overlap.mutable_around()->mutable_circle()->set_radius(1);
+  expect_refusal(scene, "interface.overlap", "not filled by `particles`");
 }
 
 TEST(SetUp, RefusesAnOverlapWithoutParticles) {
