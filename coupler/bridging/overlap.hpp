@@ -6,6 +6,10 @@
 // (linear), 3 s^2 - 2 s^3 (cubic) or one half (constant); the inner model has the rest. Distances are
 // Euclidean: a ring's outer edge is rounded at the corners of its core.
 //
+// A linear ramp passes uniform strain exactly where a strip's edges are lines of the grid and of the lattice.
+// Edges that cut zones and bonds, corners and curves cost a strain error of the order of zone size over width
+// (tests/verification/patch_test.cpp): prefer edges on grid lines and wide overlaps.
+//
 // Where a grid is the outer model, a zone whose samples of the weight are all 0 does not exist
 // (fdm_server/grid.hpp). If the core is convex, nothing is lost with it: its corners lie in the core, hence
 // all of it, and each point of the overlap lies in a zone that is left, or on its edge. It is so for a strip,

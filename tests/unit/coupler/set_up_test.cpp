@@ -67,8 +67,8 @@ TEST(SetUp, JoinsZonesAroundParticlesOverARing) {
     EXPECT_GE(from_the_middle, 0.5 - 1e-8);
     EXPECT_LE(from_the_middle, 1.5 + 1e-8);
   }
-  EXPECT_EQ(model.sides[0].counts.zones(), 12U);               // those between 1.5 m and 2.5 m are gone
-  EXPECT_LT(model.sides[1].counts.particles(), 3.1 / 4 * 95);  // 3 m of five rows of 20 and 19
+  EXPECT_EQ(model.sides[0].counts.zones(), 12U);      // those between 1.5 m and 2.5 m are gone
+  EXPECT_EQ(model.sides[1].counts.particles(), 78U);  // rows of 16, two of them on the edges, and of 15
 }
 
 // Requirement: the last step ends on the duration, and no step is longer than what was asked for.

@@ -33,7 +33,7 @@ TEST(SceneErrors, UnknownKeyGetsTheNearestNameAndTheKnownOnes) {
   EXPECT_EQ(
       about("fluid: 3\n"),
       "x.yaml:3:1: fluid: unknown; known here: base, name, description, plane, material, time, continuum, "
-      "particles, interface, output, simplified");
+      "particles, interface, output, simplified, regions, interfaces, initial_stress, statics");
   EXPECT_THAT(about("<<: {}\n"), StartsWith("x.yaml:3:1: <<: unknown; known here"));
 }
 
