@@ -20,7 +20,7 @@
 #include "dem_server/contact_forces.hpp"
 #include "dem_server/packing.hpp"
 #include "fdm_server/grid.hpp"
-#include "fdm_server/interface_operator.hpp"
+#include "fdm_server/interpolation.hpp"
 #include "fdm_server/zones.hpp"
 
 namespace adit {
@@ -138,7 +138,7 @@ TEST_P(PatchTest, UniformStrainPassesThroughTheOverlap) {
       coupled.push_back(i);
       points.insert(points.end(), {particles.x[i], particles.y[i]});
     }
-  const fdm::InterfaceOperator interpolation(mesh.grid, points);
+  const auto rows = fdm::interpolate(mesh.grid, points);
 
   // Equilibrium with multipliers (K u + Gᵀ λ = 0, G u = 0) and prescribed ends.
   const Eigen::Index values = grid_values + particle_values;
@@ -150,9 +150,8 @@ TEST_P(PatchTest, UniformStrainPassesThroughTheOverlap) {
   for (Eigen::Index k = 0; k < multipliers / 2; ++k)
     for (Eigen::Index direction = 0; direction < 2; ++direction) {
       const Eigen::Index row = values + 2 * k + direction;
-      for (std::uint32_t e = interpolation.row_starts()[k]; e < interpolation.row_starts()[k + 1]; ++e)
-        system(row, 2 * interpolation.grid_points()[interpolation.columns()[e]] + direction) =
-            interpolation.values()[e];
+      for (std::size_t e = 0; e < rows[k].points.size(); ++e)
+        system(row, 2 * rows[k].points[e] + direction) = rows[k].shares[e];
       system(row, grid_values + 3 * static_cast<Eigen::Index>(coupled[k]) + direction) = -1;
       system.col(row).head(values) = system.row(row).head(values);
     }
