@@ -13,11 +13,21 @@ namespace {
 
 using protocol::UserError;
 
-double weight_at(std::size_t side, const std::vector<Interface>& interfaces, double x, double y) {
+// On the line where a model ends its particles exist and are coupled, with a trace of weight, while zones
+// beyond that line do not.
+constexpr double kTrace = 1e-9;
+
+double weight_at(const Side& side, std::size_t s, const std::vector<Interface>& interfaces, double x,
+                 double y) {
+  const bool particles = side.member.role == Role::kParticles;
   double weight = 1;
   for (const Interface& interface : interfaces) {
-    if (interface.outer == side) weight *= interface.overlap.outer_weight(x, y);
-    if (interface.inner == side) weight *= interface.overlap.inner_weight(x, y);
+    if (interface.outer != s && interface.inner != s) continue;
+    const Overlap& overlap = interface.overlap;
+    double own = interface.outer == s ? overlap.outer_weight(x, y) : overlap.inner_weight(x, y);
+    if (particles && overlap.contains(x, y)) own = std::max(own, kTrace);
+    if (!particles && own <= 2 * kTrace) own = 0;
+    weight *= own;
   }
   return weight;
 }
@@ -37,11 +47,11 @@ BoundingBox bounds(const wire::Model& model) {
   return {model.x_min(), model.x_max(), model.y_min(), model.y_max()};
 }
 
-std::vector<double> weights_of(std::size_t side, const std::vector<Interface>& interfaces,
-                               std::span<const double> points) {
+std::vector<double> weights_of(std::size_t s, const std::vector<Side>& sides,
+                               const std::vector<Interface>& interfaces, std::span<const double> points) {
   std::vector<double> weights(points.size() / 2);
   for (std::size_t i = 0; i < weights.size(); ++i)
-    weights[i] = weight_at(side, interfaces, points[2 * i], points[2 * i + 1]);
+    weights[i] = weight_at(sides[s], s, interfaces, points[2 * i], points[2 * i + 1]);
   return weights;
 }
 
@@ -51,10 +61,10 @@ void require_one_owner(const std::vector<Side>& sides, const std::vector<Interfa
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const auto& points = sides[s].model.sample_points();
     for (int i = 0; i + 1 < points.size(); i += 2) {
-      if (weight_at(s, interfaces, points[i], points[i + 1]) == 0) continue;
+      if (weight_at(sides[s], s, interfaces, points[i], points[i + 1]) == 0) continue;
       double sum = 0;
       for (std::size_t other = 0; other < sides.size(); ++other)
-        sum += weight_at(other, interfaces, points[i], points[i + 1]);
+        sum += weight_at(sides[other], other, interfaces, points[i], points[i + 1]);
       if (std::abs(sum - 1) <= kTolerance) continue;
       const auto has_weight = [&](const Interface& interface) {
         return interface.overlap.inner_weight(points[i], points[i + 1]) > kTolerance;

@@ -31,9 +31,9 @@ struct Interface {
         given(*join.interface) {}
 };
 
-// Weight of side `side` at points x0 y0 x1 y1 …: the product of its weights in all its interfaces.
-std::vector<double> weights_of(std::size_t side, const std::vector<Interface>& interfaces,
-                               std::span<const double> points);
+// Weight of side `s` at points x0 y0 x1 y1 …: the product of its weights in all its interfaces.
+std::vector<double> weights_of(std::size_t s, const std::vector<Side>& sides,
+                               const std::vector<Interface>& interfaces, std::span<const double> points);
 
 // Throws protocol::UserError where the overlaps of two interfaces meet: at every sample point of a side that
 // exists there, the weights of all sides must sum to 1.

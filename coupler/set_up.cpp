@@ -64,7 +64,7 @@ void share_energy(Model& model) {
     auto& weights = *side.request.mutable_weights();
     if (!is_coupled(s, model.interfaces)) continue;
     const auto& points = side.model.sample_points();
-    const auto values = weights_of(s, model.interfaces, std::span(points.data(), points.size()));
+    const auto values = weights_of(s, model.sides, model.interfaces, std::span(points.data(), points.size()));
     weights.mutable_weights()->Add(values.begin(), values.end());
     double floor = 1;
     for (const Interface& interface : model.interfaces)

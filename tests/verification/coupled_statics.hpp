@@ -14,7 +14,7 @@
 #include "dem_server/contact_forces.hpp"
 #include "dem_server/packing.hpp"
 #include "fdm_server/grid.hpp"
-#include "fdm_server/interface_operator.hpp"
+#include "fdm_server/interpolation.hpp"
 #include "fdm_server/zones.hpp"
 
 namespace adit::test {
@@ -116,7 +116,7 @@ inline Equilibrium equilibrium(const CoupledPatch& patch, const coupler::Overlap
       coupled.push_back(i);
       points.insert(points.end(), {particles.x[i], particles.y[i]});
     }
-  const fdm::InterfaceOperator interpolation(grid, points);
+  const auto rows = fdm::interpolate(grid, points);
 
   const auto grid_values = 2 * static_cast<Eigen::Index>(grid.x.size());
   const auto values = grid_values + 3 * static_cast<Eigen::Index>(particles.size());
@@ -129,9 +129,8 @@ inline Equilibrium equilibrium(const CoupledPatch& patch, const coupler::Overlap
   for (Eigen::Index k = 0; k < multipliers / 2; ++k)
     for (Eigen::Index direction = 0; direction < 2; ++direction) {
       const Eigen::Index row = values + 2 * k + direction;
-      for (std::uint32_t e = interpolation.row_starts()[k]; e < interpolation.row_starts()[k + 1]; ++e)
-        system(row, 2 * interpolation.grid_points()[interpolation.columns()[e]] + direction) =
-            interpolation.values()[e];
+      for (std::size_t e = 0; e < rows[k].points.size(); ++e)
+        if (rows[k].shares[e] != 0) system(row, 2 * rows[k].points[e] + direction) = rows[k].shares[e];
       system(row, grid_values + 3 * static_cast<Eigen::Index>(coupled[k]) + direction) = -1;
       system.col(row).head(values) = system.row(row).head(values);
     }

@@ -135,6 +135,43 @@ TEST(Coupling, PrescribedParticlesIgnoreImpulses) {
   EXPECT_EQ(run.predicted.velocities(0), 0.25);
 }
 
+// The reaction of a prescribed motion takes up the impulses on its particles: they change no motion, and the
+// work that each does, with the mean of the velocities before and after, the reaction takes back.
+TEST(Coupling, ReactionsTakeUpTheImpulsesOnPrescribedParticles) {
+  auto scene = coupled_scene();
+  auto& motion = *scene.mutable_particles()->add_motions();
+  motion.mutable_where()->set_x_max(5);
+  motion.mutable_velocity()->set_x(0.25);
+  motion.mutable_time()->mutable_sine()->set_frequency(300);
+  motion.mutable_time()->mutable_sine()->set_phase(1);
+  const auto weights = overlap_weights(InProcessRun(scene).model);
+  InProcessRun pushed(scene, weights), alone(scene, weights);
+  for (auto* run : {&pushed, &alone}) {
+    wire::Couple couple;
+    couple.add_points(run->interface.points(0));
+    couple.add_points(run->interface.points(1));
+    wire::Operator op;
+    run->participant.couple(couple, op);
+  }
+  const auto impulse = [](int n) { return 50 + 1000 * std::sin(0.1 * n); };
+  double work = 0, before = 0, largest = 0;
+  for (int n = 0; n <= 300; ++n) {
+    pushed.advance(n == 0 ? std::vector<double>{} : std::vector<double>{impulse(n - 1), 0.0});
+    alone.advance();
+    const double after = pushed.predicted.velocities(0);
+    ASSERT_EQ(after, alone.predicted.velocities(0));
+    ASSERT_EQ(pushed.predicted.energies().strain(), alone.predicted.energies().strain());
+    largest = std::max(largest, std::abs(work) + alone.predicted.energies().strain());
+    EXPECT_NEAR(pushed.predicted.energies().external_work(),
+                alone.predicted.energies().external_work() - work, 1e-12 * largest)
+        << "step " << n;
+    if (n == 0) before = -after;  // from rest
+    work += 0.5 * (before + after) * impulse(n);
+    before = after;
+  }
+  EXPECT_GT(std::abs(work), 1e3);
+}
+
 // A coupling point that is no centre moves with the particles around it; impulses on it are shared in the
 // same way, so that none of their momentum is lost. Beside a centre by rounding it still is that particle.
 TEST(Coupling, PointsBetweenParticlesInterpolate) {

@@ -33,9 +33,9 @@ TEST(SplitRuns, PartitionTheBonds) {
   EXPECT_THAT(seen, testing::Each(1));
 }
 
-// The cantilever's fixed part [4, 10] m as the coupler would drive it, its other side a spring and a dashpot
-// at places between and on centres of [4, 6] m, strong enough that bonds break. A load, gravity, a fixed and
-// a shaken part lie on both sides of the division.
+// The cantilever's part in [4, 10] m as the coupler would drive it, its other side a spring and a dashpot at
+// places between and on centres of [4, 6] m. A load, gravity, a fixed and a shaken part lie on both sides of
+// the division.
 struct CoupledRun {
   DemParticipant participant;
   wire::Predicted predicted;
@@ -43,12 +43,13 @@ struct CoupledRun {
   std::uint64_t next = 0;
   double dt;
 
-  explicit CoupledRun(double strength) {
+  explicit CoupledRun(double strength, double speed_of_far_end = 0) {
     auto scene = cantilever_scene();
     auto& particles = *scene.mutable_particles();
     particles.mutable_bonds()->set_tensile_strength(strength);
     particles.mutable_loads(0)->mutable_where()->set_x_max(7);
     particles.add_body_loads()->mutable_acceleration()->set_y(-9.81);
+    particles.mutable_motions(0)->mutable_velocity()->set_x(speed_of_far_end);
     auto& shaken = *particles.add_motions();
     shaken.mutable_where()->set_x_min(5.5);
     shaken.mutable_where()->set_x_max(6.5);
