@@ -9,17 +9,16 @@
 #include "coupler/results/csv.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/scene_writer.hpp"
-#include "simplified/excitation.hpp"
+#include "simplified/nearest.hpp"
 
 namespace adit::simplified {
 namespace {
 
-// The history at one chainage.
-std::vector<double> along_time(const Fields& fields, const std::vector<double>& table, double chainage) {
-  const AlongChainage along(fields.chainage, {chainage});
-  std::vector<double> values(fields.time.size());
-  for (std::size_t n = 0; n < values.size(); ++n)
-    along.interpolate(table.data() + n * fields.chainage.size(), &values[n]);
+// The history at one place.
+std::vector<double> along_time(const Fields& fields, const std::vector<double>& table, std::size_t place) {
+  std::vector<double> values;
+  for (std::size_t n = 0; n < fields.time.size(); ++n)
+    values.push_back(table[n * fields.chainage.size() + place]);
   return values;
 }
 
@@ -80,9 +79,10 @@ Window window(const Fields& fields, double chainage, double width) {
     throw protocol::UserError(
         "simplified.zoom.width",
         fmt::format("is {:g} m, more than the {:g} m of the tunnel", width, last - first));
-  const double begin = std::clamp(chainage - width / 2, first, last - width), end = begin + width;
-  return {begin,
-          end,
+  const double wanted = std::clamp(chainage - width / 2, first, last - width);
+  const std::size_t begin = nearest(fields.chainage, wanted), end = nearest(fields.chainage, wanted + width);
+  return {fields.chainage[begin],
+          fields.chainage[end],
           fields.time,
           along_time(fields, fields.axial_velocity, begin),
           along_time(fields, fields.lateral_velocity, begin),
