@@ -6,4 +6,4 @@ target_link_libraries(adit_simplified PUBLIC adit::options adit_scene adit_reade
   adit_column adit_beam adit_chain fmt::fmt)
 
 add_executable(simplified main.cpp benchmark.cpp)
-target_link_libraries(simplified PRIVATE adit_simplified CLI11::CLI11)
+target_link_libraries(simplified PRIVATE adit_simplified)

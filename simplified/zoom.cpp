@@ -45,11 +45,10 @@ void write_motions(const std::filesystem::path& path, const Window& window) {
 void write_fragment(const std::filesystem::path& path, const Place& place, const Window& window,
                     double duration) {
   std::ofstream file(path);
-  fmt::memory_buffer head;
   file << fmt::format(
-              "# The tunnel from {:g} to {:g} m, around the largest {} of the run, {:.4g} {} at {:g} m: the "
+              "# The tunnel from {} to {} m, around the largest {} of the run, {:.4g} {} at {:g} m: the "
               "motion of "
-              "both edges.\n"
+              "both edges, which do not turn.\n"
               "# Not yet a scene: write one with `base: <this file>`, a material, and models over these "
               "chainages.\n",
               window.begin, window.end, place.name, place.value, place.unit, place.chainage)
