@@ -1,7 +1,6 @@
 // coupler: reads a scene, starts or joins the servers that it needs, runs it and writes the results.
 #include <spdlog/fmt/fmt.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -17,6 +16,7 @@
 #include "protocol/errors.hpp"
 #include "protocol/greeting.hpp"
 #include "protocol/release.hpp"
+#include "protocol/scene_command_line.hpp"
 #include "protocol/scene_hash.hpp"
 #include "protocol/scene_program.hpp"
 #include "protocol/scene_writer.hpp"
@@ -27,10 +27,8 @@ namespace fs = std::filesystem;
 namespace protocol = adit::protocol;
 using namespace adit::coupler;
 
-struct Options {
-  std::string scene;
-  std::vector<std::string> sets;
-  std::string out;
+struct Options : protocol::SceneCommandLine {
+  using SceneCommandLine::SceneCommandLine;
   std::string fdm, dem;              // addresses of servers that already listen
   std::vector<std::string> servers;  // NAME=HOST:PORT, the same for any model
 };
@@ -127,11 +125,7 @@ void check_scene(const Options& options, const protocol::SceneFile& file) {
   fmt::print("{} can be computed\n", options.scene);
 }
 
-void add_common_options(CLI::App& command, Options& options) {
-  command.add_option("scene", options.scene, "scene file (YAML)")->required();
-  command.add_option("--set", options.sets, "path=value: replaces a field of the scene; may be repeated")
-      ->take_all()
-      ->expected(1);
+void add_servers(CLI::App& command, Options& options) {
   command.add_option("--fdm", options.fdm, "HOST:PORT of a continuum server that already listens");
   command.add_option("--dem", options.dem, "HOST:PORT of a particle server that already listens");
   command
@@ -144,22 +138,10 @@ void add_common_options(CLI::App& command, Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Couples a continuum and a particle solver over TCP and writes the results."};
-  app.set_version_flag("--version", "coupler " + std::string(protocol::release()));
-  app.require_subcommand(1);
-  Options options;
-  auto* run_command = app.add_subcommand("run", "computes a scene");
-  add_common_options(*run_command, options);
-  run_command->add_option("--out", options.out,
-                          "directory of the results; runs/<case>/<scene name> where absent");
-  auto* check_command = app.add_subcommand("check", "sets a scene up without computing it");
-  add_common_options(*check_command, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? protocol::kSuccess : protocol::kUserError;
-  }
-  const auto& work = run_command->parsed() ? run_scene : check_scene;
+  Options options("coupler", "Couples a continuum and a particle solver over TCP and writes the results.");
+  for (CLI::App* command : {options.run, options.check}) add_servers(*command, options);
+  if (const auto ended = options.parse(argc, argv)) return *ended;
+  const auto& work = options.run->parsed() ? run_scene : check_scene;
   return protocol::with_scene(options.scene, options.sets,
                               [&](const protocol::SceneFile& file) { work(options, file); });
 }

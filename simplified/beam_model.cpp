@@ -22,8 +22,9 @@ beam::Section section(const scene::Section& scene, double from, double to) {
   return section;
 }
 
-beam::SoilStation soil_station(const scene::Simplified& scene, double chainage, double width) {
-  const SoilStiffness stiffness = soil_stiffness(scene, chainage, width);
+beam::SoilStation soil_station(const scene::Simplified& scene, double chainage,
+                               const scene::Section& section) {
+  const SoilStiffness stiffness = soil_stiffness(scene, chainage, section);
   const auto& given = scene.soil_springs();
   const auto spring = [&](double k) {
     return beam::SoilSpring{k, given.slip_force(), given.hardening(), given.dashpot_time() * k};
@@ -44,8 +45,8 @@ beam::Tunnel beam_model(const scene::Simplified& scene, const Line& line) {
     const auto& here = scene.tunnel().sections(static_cast<int>(line.section[i]));
     const double from = line.nodes[i], to = line.nodes[i + 1];
     tunnel.sections.push_back(section(here, from, to));
-    tunnel.soil.push_back(soil_station(scene, from, here.width()));
-    tunnel.soil.push_back(soil_station(scene, to, here.width()));
+    tunnel.soil.push_back(soil_station(scene, from, here));
+    tunnel.soil.push_back(soil_station(scene, to, here));
     tunnel.element_length = std::max(tunnel.element_length, 1.001 * (to - from));
   }
   for (std::size_t j = 0; j < line.joints.size(); ++j) {

@@ -25,7 +25,7 @@ chain::Body body(const scene::Simplified& scene, const scene::Section& section, 
   // too.
   body.inertia = body.mass * length * length / 12;
   if (section.has_shear_area()) body.inertia += body.mass * section.lateral_inertia() / section.area();
-  const SoilStiffness soil = soil_stiffness(scene, middle, section.width());
+  const SoilStiffness soil = soil_stiffness(scene, middle, section);
   body.ground_stiffness = {soil.axial * length, soil.lateral * length,
                            soil.lateral * length * length * length / 12};
   const double time = scene.soil_springs().dashpot_time();

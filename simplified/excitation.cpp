@@ -198,20 +198,4 @@ GroundField shake(const scene::Simplified& scene, const Motion& motion, double b
   return field;
 }
 
-AlongChainage::AlongChainage(const std::vector<double>& places, const std::vector<double>& chainages) {
-  for (const double x : chainages) {
-    const auto after = std::upper_bound(places.begin() + 1, places.end() - 1, x);
-    const auto before = after - 1;
-    before_.push_back(static_cast<std::size_t>(before - places.begin()));
-    share_.push_back(std::clamp((x - *before) / (*after - *before), 0.0, 1.0));
-  }
-}
-
-void AlongChainage::interpolate(const double* row, double* to) const {
-  for (std::size_t i = 0; i < before_.size(); ++i) {
-    const double* pair = row + before_[i];
-    to[i] = pair[0] + share_[i] * (pair[1] - pair[0]);
-  }
-}
-
 }  // namespace adit::simplified

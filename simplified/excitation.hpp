@@ -21,7 +21,7 @@ motion::Motion ground_motion(const scene::GroundMotion& motion, const FolderOf& 
                              double duration);
 
 // One direction of the ground's motion, absolute, at a few places along the tunnel and at every step; a row a
-// step, from time 0.
+// step, from time 0. Between the places: along_chainage.hpp.
 struct Shaking {
   std::size_t places = 0;
   std::vector<double> displacement, velocity, acceleration;  // [m], [m/s], [m/s^2]
@@ -36,17 +36,5 @@ struct GroundField {
 // At the tunnel's axis, through the soil columns where the scene asks for them; `steps` steps after time 0.
 GroundField shake(const scene::Simplified& scene, const motion::Motion& motion, double begin, double end,
                   std::size_t steps);
-
-// Interpolates along the chainage, once for all steps: where a chainage lies between the places.
-class AlongChainage {
- public:
-  AlongChainage(const std::vector<double>& places, const std::vector<double>& chainages);
-  // to[i]: the value of the row at chainage i.
-  void interpolate(const double* row, double* to) const;
-
- private:
-  std::vector<std::size_t> before_;
-  std::vector<double> share_;
-};
 
 }  // namespace adit::simplified

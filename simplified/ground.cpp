@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -34,6 +35,20 @@ column::Deposit deposit(const scene::Ground& ground, double chainage, Direction 
     deposit.rock = column::Rock{ground.rock().density(), factor * ground.rock().shear_velocity()};
   }
   return deposit;
+}
+
+// G (1 - nu) / (3 - 4 nu) between two depths, the lowest layer going on below.
+double mean_modulus(const scene::SoilProfile& profile, double top, double bottom) {
+  double sum = 0, begin = 0;
+  for (const scene::Layer& layer : profile.layers()) {
+    const bool lowest = &layer == &*profile.layers().rbegin();
+    const double end = lowest ? bottom : std::min(bottom, begin + layer.thickness());
+    const double nu = layer.poisson_ratio();
+    const double modulus = layer.density() * layer.shear_velocity() * layer.shear_velocity();
+    sum += std::max(0.0, end - std::max(begin, top)) * modulus * (1 - nu) / (3 - 4 * nu);
+    begin += layer.thickness();
+  }
+  return sum / (bottom - top);
 }
 
 }  // namespace
@@ -71,15 +86,6 @@ scene::SoilProfile profile_at(const scene::Ground& ground, double chainage) {
   return profile;
 }
 
-const scene::Layer& layer_at(const scene::SoilProfile& profile, double depth) {
-  double bottom = 0;
-  for (const scene::Layer& layer : profile.layers()) {
-    bottom += layer.thickness();
-    if (depth < bottom) return layer;
-  }
-  return profile.layers(profile.layers_size() - 1);
-}
-
 std::vector<column::Column> columns(const scene::Ground& ground, double begin, double end,
                                     Direction direction) {
   const int gaps = static_cast<int>(std::ceil((end - begin) / ground.column_spacing() - 1e-9));
@@ -97,7 +103,7 @@ double modulus_ratio(const scene::Ground& ground, Direction direction) {
   return direction == kAxial ? column::axial_modulus_ratio(nu) : (1 - 2 * nu) / (2 * (1 - nu));
 }
 
-SoilStiffness soil_stiffness(const scene::Simplified& scene, double chainage, double width) {
+SoilStiffness soil_stiffness(const scene::Simplified& scene, double chainage, const scene::Section& section) {
   const scene::SoilSprings& given = scene.soil_springs();
   if (given.has_axial() && given.has_lateral() && given.has_vertical())
     return {given.axial(), given.lateral(), given.vertical()};
@@ -111,12 +117,10 @@ SoilStiffness soil_stiffness(const scene::Simplified& scene, double chainage, do
         "simplified.soil_springs",
         "needs `wavelength` to derive the stiffnesses that are not given; write for example `wavelength: "
         "400 m`");
-  const scene::SoilProfile profile = profile_at(scene.ground(), chainage);
-  const scene::Layer& layer = layer_at(profile, axis_depth(scene.tunnel(), chainage));
-  const double nu = layer.poisson_ratio();
-  const double modulus = layer.density() * layer.shear_velocity() * layer.shear_velocity();
-  const double derived =
-      16 * std::numbers::pi * modulus * (1 - nu) / (3 - 4 * nu) * width / given.wavelength();
+  const double depth = axis_depth(scene.tunnel(), chainage), half = section.height() / 2;
+  const double modulus =
+      mean_modulus(profile_at(scene.ground(), chainage), std::max(0.0, depth - half), depth + half);
+  const double derived = 16 * std::numbers::pi * modulus * section.width() / given.wavelength();
   return {given.has_axial() ? given.axial() : derived, given.has_lateral() ? given.lateral() : derived,
           given.has_vertical() ? given.vertical() : derived};
 }

@@ -18,9 +18,6 @@ void check(const scene::Ground& ground);
 // Thickness and properties layer by layer, linear between the profiles.
 scene::SoilProfile profile_at(const scene::Ground& ground, double chainage);
 
-// The layer that holds the depth [m], the lowest one below all of them.
-const scene::Layer& layer_at(const scene::SoilProfile& profile, double depth);
-
 // Columns at equal distances of at most column_spacing from `begin` to `end`, for waves of shear (horizontal
 // directions) or of compression.
 std::vector<column::Column> columns(const scene::Ground& ground, double begin, double end,
@@ -34,8 +31,10 @@ struct SoilStiffness {
   double axial, lateral, vertical;  // per metre of tunnel [N/m^2]
 };
 
-// Given, or K = 16 pi G (1 - nu) / (3 - 4 nu) d / L by St John and Zahrah (1987, eq. 21), d the width [m].
-// Throws UserError where a stiffness is to be derived and the ground or the wavelength is missing.
-SoilStiffness soil_stiffness(const scene::Simplified& scene, double chainage, double width);
+// Given, or K = 16 pi G (1 - nu) / (3 - 4 nu) d / L by St John and Zahrah (1987, eq. 21), d the section's
+// width [m], as the mean over the section's height: springs of all layers beside it act in parallel, and the
+// tunnel passes from one layer to the next gradually. Throws UserError where a stiffness is to be derived and
+// the ground or the wavelength is missing.
+SoilStiffness soil_stiffness(const scene::Simplified& scene, double chainage, const scene::Section& section);
 
 }  // namespace adit::simplified

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <optional>
 #include <string>
 
 #include "protocol/errors.hpp"
+#include "simplified/along_chainage.hpp"
 #include "simplified/beam/run.hpp"
 #include "simplified/differences.hpp"
 #include "simplified/solve.hpp"
@@ -34,28 +35,20 @@ beam::Scheme scheme(const scene::Integration& integration) {
   }
 }
 
-// The field at any time, linear between the steps: at most one step beyond the last, which stands for
-// rounding.
+// The field at its steps, which are those of the beam.
 beam::GroundMotion motion_of(const GroundField& ground, const Clock& clock) {
-  auto along = std::make_shared<std::unique_ptr<AlongChainage>>();
-  auto next = std::make_shared<std::vector<double>>();
-  return [&ground, clock, along, next](double time, std::span<const double> chainages,
-                                       beam::GroundState& state) {
-    if (!*along)
-      *along =
-          std::make_unique<AlongChainage>(ground.chainage, std::vector(chainages.begin(), chainages.end()));
-    next->resize(chainages.size());
-    const double steps = std::clamp(time / clock.dt, 0.0, static_cast<double>(clock.steps));
-    const auto n = static_cast<std::size_t>(steps + 1e-9);
-    const double share = std::max(0.0, steps - static_cast<double>(n));
+  std::optional<AlongChainage> along;  // the chainages are known when the beam asks first
+  return [&ground, clock, along](double time, std::span<const double> chainages,
+                                 beam::GroundState& state) mutable {
+    if (!along) along.emplace(ground.chainage, std::vector(chainages.begin(), chainages.end()));
+    const auto step = static_cast<std::size_t>(std::lround(time / clock.dt));
     for (int d = 0; d < kDirections; ++d) {
       const Shaking& shaking = ground.shaking[d];
       const auto fill = [&](const std::vector<double>& table, std::vector<double>& to) {
-        if (table.empty()) return std::fill(to.begin(), to.end(), 0.0);
-        (*along)->interpolate(table.data() + n * shaking.places, to.data());
-        if (share < 1e-9 || n == clock.steps) return;
-        (*along)->interpolate(table.data() + (n + 1) * shaking.places, next->data());
-        for (std::size_t i = 0; i < to.size(); ++i) to[i] += share * ((*next)[i] - to[i]);
+        if (table.empty())
+          std::ranges::fill(to, 0.0);
+        else
+          along->interpolate(table.data() + step * shaking.places, to.data());
       };
       fill(shaking.displacement, state.displacement[d]);
       fill(shaking.velocity, state.velocity[d]);

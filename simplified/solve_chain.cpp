@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "protocol/errors.hpp"
+#include "simplified/along_chainage.hpp"
 #include "simplified/chain/simulation.hpp"
+#include "simplified/nearest.hpp"
 #include "simplified/solve.hpp"
 
 namespace adit::simplified {
@@ -66,14 +68,6 @@ class Ground {
   AlongChainage along_;
   std::array<std::vector<double>, 4> values_;
 };
-
-std::size_t nearest(const std::vector<double>& sorted, double x) {
-  const auto after = std::lower_bound(sorted.begin(), sorted.end(), x);
-  if (after == sorted.begin()) return 0;
-  const auto before = after - 1;
-  const auto best = after != sorted.end() && *after - x < x - *before ? after : before;
-  return static_cast<std::size_t>(best - sorted.begin());
-}
 
 // The axial force of every joint at rest, which the water balances: results count from there.
 std::vector<double> forces_at_rest(const scene::Simplified& scene, const Line& line) {

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "simplified/column/modes.hpp"
+#include "simplified/nearest.hpp"
 #include "simplified/solve.hpp"
 
 namespace adit::simplified {
@@ -28,11 +29,6 @@ Envelope fundamental_frequencies(const scene::Ground& ground, const std::vector<
     envelope.least.push_back(column::modes(column.deposit, 1)[0].frequency / (2 * std::numbers::pi));
   envelope.greatest = envelope.least;
   return envelope;
-}
-
-std::size_t nearest(const std::vector<double>& places, double x) {
-  const auto closer = [x](double a, double b) { return std::abs(a - x) < std::abs(b - x); };
-  return static_cast<std::size_t>(std::ranges::min_element(places, closer) - places.begin());
 }
 
 }  // namespace

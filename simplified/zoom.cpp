@@ -9,17 +9,16 @@
 #include "coupler/results/csv.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/scene_writer.hpp"
-#include "simplified/excitation.hpp"
+#include "simplified/nearest.hpp"
 
 namespace adit::simplified {
 namespace {
 
-// The history at one chainage.
-std::vector<double> along_time(const Fields& fields, const std::vector<double>& table, double chainage) {
-  const AlongChainage along(fields.chainage, {chainage});
-  std::vector<double> values(fields.time.size());
-  for (std::size_t n = 0; n < values.size(); ++n)
-    along.interpolate(table.data() + n * fields.chainage.size(), &values[n]);
+// The history at one place.
+std::vector<double> along_time(const Fields& fields, const std::vector<double>& table, std::size_t place) {
+  std::vector<double> values;
+  for (std::size_t n = 0; n < fields.time.size(); ++n)
+    values.push_back(table[n * fields.chainage.size() + place]);
   return values;
 }
 
@@ -46,11 +45,10 @@ void write_motions(const std::filesystem::path& path, const Window& window) {
 void write_fragment(const std::filesystem::path& path, const Place& place, const Window& window,
                     double duration) {
   std::ofstream file(path);
-  fmt::memory_buffer head;
   file << fmt::format(
-              "# The tunnel from {:g} to {:g} m, around the largest {} of the run, {:.4g} {} at {:g} m: the "
+              "# The tunnel from {} to {} m, around the largest {} of the run, {:.4g} {} at {:g} m: the "
               "motion of "
-              "both edges.\n"
+              "both edges, which do not turn.\n"
               "# Not yet a scene: write one with `base: <this file>`, a material, and models over these "
               "chainages.\n",
               window.begin, window.end, place.name, place.value, place.unit, place.chainage)
@@ -80,9 +78,10 @@ Window window(const Fields& fields, double chainage, double width) {
     throw protocol::UserError(
         "simplified.zoom.width",
         fmt::format("is {:g} m, more than the {:g} m of the tunnel", width, last - first));
-  const double begin = std::clamp(chainage - width / 2, first, last - width), end = begin + width;
-  return {begin,
-          end,
+  const double wanted = std::clamp(chainage - width / 2, first, last - width);
+  const std::size_t begin = nearest(fields.chainage, wanted), end = nearest(fields.chainage, wanted + width);
+  return {fields.chainage[begin],
+          fields.chainage[end],
           fields.time,
           along_time(fields, fields.axial_velocity, begin),
           along_time(fields, fields.lateral_velocity, begin),

@@ -29,7 +29,8 @@ struct Window {
   std::vector<double> begin_axial, begin_lateral, end_axial, end_lateral;  // [m/s]
 };
 
-// `width` around the chainage, moved inside the tunnel where it would stand out. Throws UserError at
+// `width` around the chainage, moved inside the tunnel where it would stand out; its edges are the nearest
+// places of the fields, so that no joint lies between an edge and what is known of it. Throws UserError at
 // "simplified.zoom.width" where it is wider than the tunnel.
 Window window(const Fields& fields, double chainage, double width);
 

@@ -1,9 +1,12 @@
-// With U the spectrum of the given motion, gamma_jk the coherency wanted between stations j and k, and 0 the
-// station that keeps U, the spectra of the others are
-//   U_j = gamma_j0 U + U sum_k L_jk e_k,   L L^T = gamma_jk - gamma_j0 gamma_k0,
-// e_k independent complex Gaussian numbers of unit mean square. Then E[U_j U_k*] = gamma_jk |U|^2.
+// The model's coherency exp(-(drift w d)^2) is the mean of exp(i kappa d) over Gaussian wave numbers kappa of
+// variance 2 (drift w)^2: the field R(x) = sum e_m exp(i kappa_m x) / sqrt(M), kappa_m drawn so and e_m
+// independent complex Gaussian numbers of unit mean square, has it. With U the spectrum of the given motion,
+// gamma_j the coherency wanted with the station that keeps U, d_j the distance from it, the others have
+//   U_j = gamma_j U + U sum e_m (exp(i kappa_m d_j) - gamma_j) / sqrt(M).
+// Then E[U_j U_k*] = gamma_jk |U|^2. The field is that of all places: more stations see more of it, and it
+// costs each of them the same.
 //
-// Independent e_k at every frequency spread the second part over the whole duration. It is therefore made in
+// Independent e_m at every frequency spread the second part over the whole duration. It is therefore made in
 // segments of time that overlap by half, from the motion under a window of half a sine and put back under the
 // same window: the squares of the windows add up to one, so the shaking keeps its place. A segment's noise
 // has the same mean square all along it, and the second window halves its energy: hence the factor sqrt(2).
@@ -30,25 +33,27 @@ namespace {
 constexpr double kSegment = 5;  // [s]
 constexpr int kHighPassOrder = 4;
 
-// A factor L of the conditional covariance of the stations at one frequency. Neighbouring stations make it
-// singular to working precision, so the factorization pivots and takes what is left below zero for zero.
-Eigen::MatrixXd conditional_factor(std::span<const double> distances, std::size_t reference, double drift,
-                                   double frequency) {
-  const auto n = static_cast<Eigen::Index>(distances.size());
-  const Eigen::Map<const Eigen::VectorXd> place(distances.data(), n);
-  Eigen::MatrixXd gamma(n, n);
-  for (Eigen::Index k = 0; k < n; ++k)
-    for (Eigen::Index j = 0; j <= k; ++j)
-      gamma(j, k) = gamma(k, j) = luco_wong(drift, frequency, place[j] - place[k]);
-  const Eigen::VectorXd given = gamma.col(static_cast<Eigen::Index>(reference));
-  const Eigen::MatrixXd covariance = gamma - given * given.transpose();
-  const Eigen::LDLT<Eigen::MatrixXd> ldlt(covariance);
-  const Eigen::VectorXd roots = ldlt.vectorD().cwiseMax(0).cwiseSqrt();
-  const Eigen::MatrixXd lower = ldlt.matrixL();
-  return ldlt.transpositionsP().transpose() * (lower * roots.asDiagonal());
+// Waves that make up the field at one frequency. The coherency holds in the mean for any number; one draw is
+// off it by 1/sqrt(kWaves) at a single frequency.
+constexpr int kWaves = 64;
+
+// (exp(i kappa_m d_j) - gamma_j) / sqrt(M), a row a station, a column a wave.
+Eigen::MatrixXcd waves_at(std::span<const double> distances, double drift, double frequency, Random& random) {
+  const auto stations = static_cast<Eigen::Index>(distances.size());
+  Eigen::MatrixXcd waves(stations, kWaves);
+  for (Eigen::Index m = 0; m < kWaves; ++m) {
+    // The real part has a variance of one half.
+    const double kappa = 4 * std::numbers::pi * frequency * drift * random.complex_gaussian().real();
+    for (Eigen::Index j = 0; j < stations; ++j) {
+      const double distance = distances[static_cast<std::size_t>(j)];
+      waves(j, m) = (std::polar(1.0, kappa * distance) - luco_wong(drift, frequency, distance)) /
+                    std::sqrt(double{kWaves});
+    }
+  }
+  return waves;
 }
 
-// gamma_j0 U, for the whole motion at once.
+// gamma_j U, for the whole motion at once.
 Motion coherent_part(const Motion& motion, double drift, double distance) {
   const std::size_t n = std::bit_ceil(2 * motion.acceleration.size());
   auto spectrum = transform(motion.acceleration, n);
@@ -62,17 +67,15 @@ Motion coherent_part(const Motion& motion, double drift, double distance) {
 // The second part for all stations, one row a station, before the high pass.
 class IncoherentPart {
  public:
-  IncoherentPart(const Motion& motion, std::span<const double> distances, std::size_t reference, double drift,
-                 std::uint64_t seed)
+  IncoherentPart(const Motion& motion, std::span<const double> distances, double drift, std::uint64_t seed)
       : motion_(motion),
         half_(static_cast<std::ptrdiff_t>(std::bit_ceil(static_cast<std::size_t>(kSegment / motion.dt) + 2)) /
               2),
         random_(seed),
         parts_(distances.size(), Motion{motion.dt, std::vector<double>(motion.acceleration.size())}) {
-    for (std::ptrdiff_t k = 0; k <= half_; ++k)
-      factors_.push_back(
-          conditional_factor(distances, reference, drift,
-                             static_cast<double>(k) / (2 * static_cast<double>(half_) * motion.dt)));
+    for (std::ptrdiff_t k = 0; k < half_; ++k)
+      waves_.push_back(waves_at(
+          distances, drift, static_cast<double>(k) / (2 * static_cast<double>(half_) * motion.dt), random_));
     for (std::ptrdiff_t begin = -half_; begin < std::ssize(motion.acceleration); begin += half_)
       add_segment(begin);
   }
@@ -94,18 +97,11 @@ class IncoherentPart {
     const auto spectrum = transform(windowed, windowed.size());
 
     const auto stations = static_cast<Eigen::Index>(parts_.size());
-    Eigen::MatrixXcd mixed(stations, half_ + 1);
-    Eigen::MatrixX2d noise(stations, 2);
-    for (std::ptrdiff_t k = 0; k <= half_; ++k) {
-      for (Eigen::Index j = 0; j < stations; ++j) {
-        const std::complex<double> e = random_.complex_gaussian();
-        // The first and the last value of a real series' spectrum are real.
-        const bool real = k == 0 || k == half_;
-        noise.row(j) << (real ? std::numbers::sqrt2 * e.real() : e.real()), (real ? 0 : e.imag());
-      }
-      const Eigen::MatrixX2d coloured = factors_[static_cast<std::size_t>(k)] * noise;
-      mixed.col(k).real() = coloured.col(0);
-      mixed.col(k).imag() = coloured.col(1);
+    Eigen::MatrixXcd mixed = Eigen::MatrixXcd::Zero(stations, half_ + 1);  // its last column stays: no wave
+    Eigen::VectorXcd noise(kWaves);
+    for (std::ptrdiff_t k = 0; k < half_; ++k) {
+      for (std::complex<double>& e : noise) e = random_.complex_gaussian();
+      mixed.col(k).noalias() = waves_[static_cast<std::size_t>(k)] * noise;
       mixed.col(k) *= std::numbers::sqrt2 * spectrum[static_cast<std::size_t>(k)];
     }
     for (Eigen::Index j = 0; j < stations; ++j) {
@@ -120,7 +116,7 @@ class IncoherentPart {
   const Motion& motion_;
   std::ptrdiff_t half_;  // of a segment, in steps
   Random random_;
-  std::vector<Eigen::MatrixXd> factors_;  // one a frequency
+  std::vector<Eigen::MatrixXcd> waves_;  // one a frequency
   std::vector<Motion> parts_;
 };
 
@@ -133,9 +129,11 @@ double luco_wong(double drift, double frequency, double distance) {
 
 std::vector<Motion> incoherent_motions(const Motion& motion, std::span<const double> distances,
                                        std::size_t reference, double drift, std::uint64_t seed) {
-  std::vector<Motion> motions = IncoherentPart(motion, distances, reference, drift, seed).take();
+  std::vector<double> from_reference;
+  for (const double distance : distances) from_reference.push_back(distance - distances[reference]);
+  std::vector<Motion> motions = IncoherentPart(motion, from_reference, drift, seed).take();
   for (std::size_t j = 0; j < motions.size(); ++j) {
-    const double distance = distances[j] - distances[reference];
+    const double distance = from_reference[j];
     if (distance == 0) {
       motions[j] = motion;
       continue;

@@ -20,7 +20,9 @@ using protocol::UserError;
 class Oscillator {
  public:
   Oscillator(double period, double damping, double h)
-      : h_(h), w_(2 * std::numbers::pi / period), damping_(damping) {
+      : per_h_(1 / h), w_(2 * std::numbers::pi / period), damping_(damping) {
+    flexibility_ = 1 / (w_ * w_);
+    lag_ = 2 * damping * flexibility_ / w_;
     const double damped = w_ * std::sqrt(1 - damping * damping);
     const double decay = std::exp(-damping * w_ * h), sine = decay * std::sin(damped * h),
                  cosine = decay * std::cos(damped * h);
@@ -31,10 +33,9 @@ class Oscillator {
   }
 
   void step(double a, double a_end) {
-    const double slope = (a_end - a) / h_, v_forced = -slope / (w_ * w_);
-    const double lag = 2 * damping_ * slope / (w_ * w_ * w_);
-    const double u_free = u + a / (w_ * w_) - lag, v_free = v - v_forced;
-    u = uu_ * u_free + uv_ * v_free - a_end / (w_ * w_) + lag;
+    const double slope = (a_end - a) * per_h_, v_forced = -slope * flexibility_, lag = slope * lag_;
+    const double u_free = u + a * flexibility_ - lag, v_free = v - v_forced;
+    u = uu_ * u_free + uv_ * v_free - a_end * flexibility_ + lag;
     v = vu_ * u_free + vv_ * v_free + v_forced;
   }
 
@@ -44,7 +45,7 @@ class Oscillator {
   double u = 0, v = 0;
 
  private:
-  double h_, w_, damping_;
+  double per_h_, w_, damping_, flexibility_, lag_;  // 1/h, w, damping, 1/w^2, 2 damping/w^3
   double uu_, uv_, vu_, vv_;
 };
 

@@ -22,8 +22,8 @@ struct NonUniform {
 
 // One motion a station, in the order of the chainages [m], all with the same step and number of values: those
 // of `motion`, and as many more as the wave needs from the first station to the last. The station that the
-// wave meets first (the first of the list where it meets all at once) has exactly `motion`. Loss of coherency
-// takes a time of n^3 a frequency: meant for some hundred stations; interpolate between them beyond.
+// wave meets first (the first of the list where it meets all at once) has exactly `motion`. The incoherent
+// part of a place depends on the seed and on its distance from that station, not on the other stations.
 std::vector<Motion> station_motions(const Motion& motion, std::span<const double> chainages,
                                     const NonUniform& excitation);
 

@@ -18,7 +18,7 @@ plt.rcParams.update({
 
 
 def milliseconds(time):
-    return f"{1e3 * time:.4g}"
+    return f"{1e3 * time:.0f}" if time >= 10 else f"{1e3 * time:.4g}"
 
 
 def bounds_of(*point_sets):

@@ -5,13 +5,13 @@ import numpy as np
 from adit_plots import style
 from adit_plots.run_folder import Unusable, read_columns
 
-# What is drawn along the axis: quantity, divisor, label.
+# What is drawn along the axis: quantity and unit in the table's columns, label and unit in the picture.
 QUANTITIES = (
-    ("axial_force", "N", 1e6, "axial force [MN]"),
-    ("moment_lateral", "N_m", 1e6, "lateral moment [MN m]"),
-    ("shear_lateral", "N", 1e6, "lateral shear [MN]"),
-    ("lateral_displacement", "m", 1, "lateral displ. [m]"),
-    ("lateral_acceleration", "m_per_s2", 1, "lateral acc. [m/s²]"),
+    ("axial_force", "N", "axial force", "N"),
+    ("moment_lateral", "N_m", "lateral moment", "N m"),
+    ("shear_lateral", "N", "lateral shear", "N"),
+    ("lateral_displacement", "m", "lateral displ.", "m"),
+    ("lateral_acceleration", "m_per_s2", "lateral acc.", "m/s²"),
 )
 SHOWN = 4  # panels below the soil at most
 
@@ -63,19 +63,17 @@ def _along_the_axis(runs, title):
     rows = [q for q in QUANTITIES if any(f"{q[0]}_max_{q[1]}" in t for t in tables)][:SHOWN]
     joints = [table(run, "joints.csv") for run in runs]
     with_joints = any(j is not None for j in joints)
+    units = [_unit(tables, quantity) for quantity in rows]
     count = 1 + len(rows) + with_joints
     figure, panels = plt.subplots(count, 1, sharex=True, figsize=(9, 1.9 * count + 0.6), layout="constrained")
     panels[0].set_title(title, loc="left")
     _draw_soil(panels[0], runs[0])
     for i, (run, values) in enumerate(zip(runs, tables)):
         color = _color(i)
-        for axes, quantity in zip(panels[1:], rows):
-            _draw_envelope(axes, values, quantity, color, run.name, both=len(runs) == 1)
+        for axes, quantity, unit in zip(panels[1:], rows, units):
+            _draw_envelope(axes, values, quantity, unit, color, run.name, both=len(runs) == 1)
         if with_joints and joints[i] is not None:
-            panels[-1].plot(joints[i]["chainage_m"] / 1e3, 1e3 * joints[i]["opening_max_m"], ".-", color=color,
-                            lw=0.8, ms=3, label=run.name)
-    if with_joints:
-        panels[-1].set_ylabel("joint opening [mm]")
+            _draw_openings(panels[-1], joints[i], color if len(runs) > 1 else None)
     if len(runs) > 1:
         panels[1].legend(loc="upper left", bbox_to_anchor=(1.01, 1.0))
     for axes in panels[1:]:
@@ -85,8 +83,18 @@ def _along_the_axis(runs, title):
     return figure
 
 
-def _draw_envelope(axes, values, quantity, color, name, both):
-    column, unit, divisor, label = quantity
+def _unit(tables, quantity):
+    """Divisor and name of the unit in which the largest value of a quantity is at least 1."""
+    column, unit, _, base = quantity
+    names = [f"{column}_{end}_{unit}" for end in ("min", "max")]
+    largest = max(np.max(np.abs(values[name])) for values in tables for name in names if name in values)
+    if not base.startswith("N") or largest < 1e3:
+        return 1, base
+    return (1e6, f"M{base}") if largest >= 1e6 else (1e3, f"k{base}")
+
+
+def _draw_envelope(axes, values, quantity, shown, color, name, both):
+    (column, unit, label, _), (divisor, symbol) = quantity, shown
     if f"{column}_max_{unit}" not in values:
         return
     chainage = values["chainage_m"] / 1e3
@@ -97,7 +105,21 @@ def _draw_envelope(axes, values, quantity, color, name, both):
         axes.plot(chainage, greatest, color=style.RED, lw=0.8)
     else:
         axes.plot(chainage, np.maximum(np.abs(least), np.abs(greatest)), color=color, lw=0.9, label=name)
-    axes.set_ylabel(label)
+    axes.set_ylabel(f"{label} [{symbol}]")
+
+
+def _draw_openings(axes, joints, color):
+    """Every group of joints by itself; of several runs, in one color each, only the group that opens most."""
+    groups = list(dict.fromkeys(joints["group"]))
+    if color:
+        groups = [joints["group"][np.argmax(joints["opening_max_m"])]]
+    for i, group in enumerate(groups):
+        chosen = joints["group"] == group
+        axes.plot(joints["chainage_m"][chosen] / 1e3, 1e3 * joints["opening_max_m"][chosen], color=color or _color(i),
+                  lw=0.8, marker="." if np.count_nonzero(chosen) < 300 else None, ms=3, label=group.replace("_", " "))
+    axes.set_ylabel("joint opening [mm]")
+    if len(groups) > 1:
+        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0))
 
 
 def _draw_soil(axes, run):

@@ -4,39 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "protocol/errors.hpp"
 
 namespace adit::simplified::beam {
-namespace {
-
-// Piece k lies between points k−1 and k; piece 0 before the first point, piece size() after the last.
-std::size_t piece_of(const std::vector<CurvePoint>& points, double e) {
-  std::size_t k = 0;
+Piece Curve::piece(double e) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::size_t k = 0;  // of the point at its end
   while (k < points.size() && points[k].elongation <= e) ++k;
-  return k;
-}
-
-double slope(const Curve& curve, std::size_t piece) {
-  if (piece == 0) return curve.slope_before;
-  if (piece == curve.points.size()) return curve.slope_after;
-  const CurvePoint &a = curve.points[piece - 1], &b = curve.points[piece];
-  return (b.force - a.force) / (b.elongation - a.elongation);
-}
-
-double on_piece(const Curve& curve, std::size_t piece, double e) {
-  const CurvePoint& anchor = curve.points[piece == 0 ? 0 : piece - 1];
-  return anchor.force + slope(curve, piece) * (e - anchor.elongation);
-}
-
-}  // namespace
-
-double Curve::force(double e) const {
-  return on_piece(*this, piece_of(points, e), e);
-}
-
-double Curve::tangent(double e) const {
-  return slope(*this, piece_of(points, e));
+  if (k == 0) return {-kInfinity, points[0].elongation, points[0].elongation, points[0].force, slope_before};
+  const CurvePoint& a = points[k - 1];
+  if (k == points.size()) return {a.elongation, kInfinity, a.elongation, a.force, slope_after};
+  const CurvePoint& b = points[k];
+  return {a.elongation, b.elongation, a.elongation, a.force,
+          (b.force - a.force) / (b.elongation - a.elongation)};
 }
 
 double Curve::work(double e0, double e1) const {
@@ -45,13 +27,14 @@ double Curve::work(double e0, double e1) const {
 
 SpringAnswer Curve::mean(double e0, double e1) const {
   const auto [low, high] = std::minmax(e0, e1);
-  const std::size_t first = piece_of(points, low), last = piece_of(points, high);
-  if (first == last) return {on_piece(*this, first, 0.5 * (e0 + e1)), 0.5 * slope(*this, first)};
-  double area = 0;  // trapezoids, piece by piece
-  for (std::size_t k = first; k <= last; ++k) {
-    const double a = k == first ? low : points[k - 1].elongation;
-    const double b = k == last ? high : points[k].elongation;
-    area += on_piece(*this, k, 0.5 * (a + b)) * (b - a);
+  Piece here = piece(low);
+  if (here.holds(high)) return here.mean(e0, e1);
+  double area = 0, begin = low;  // trapezoids, piece by piece
+  for (;; here = piece(here.high)) {
+    const double end = std::min(here.high, high);
+    area += here.at(0.5 * (begin + end)) * (end - begin);
+    if (here.holds(high)) break;
+    begin = end;
   }
   const double mean_force = area / (high - low);
   return {mean_force, (force(e1) - mean_force) / (e1 - e0)};

@@ -9,12 +9,21 @@ namespace adit::simplified::beam {
 struct CurvePoint {
   double elongation = 0;  // [m], or per metre
   double force = 0;       // [N], or per metre; tension positive
+  bool operator==(const CurvePoint&) const = default;
 };
 
 // What a nonlinear spring answers when its elongation goes from e0 to e1 along a straight path.
 struct SpringAnswer {
   double force = 0;    // to put into the equation of motion
   double tangent = 0;  // its derivative by e1
+};
+
+// A straight piece of a curve, for elongations in [low, high): f = force + slope (e − anchor).
+struct Piece {
+  double low, high, anchor, force, slope;
+  bool holds(double e) const { return e >= low && e < high; }
+  double at(double e) const { return force + slope * (e - anchor); }
+  SpringAnswer mean(double e0, double e1) const { return {at(0.5 * (e0 + e1)), 0.5 * slope}; }
 };
 
 // f is linear between the points and continues beyond the outer ones with the given end slopes.
@@ -24,11 +33,13 @@ struct Curve {
   double slope_before = 0;  // [N/m] below the first point, not negative
   double slope_after = 0;   // [N/m] above the last point, not negative
 
-  double force(double e) const;
-  double tangent(double e) const;           // at a corner: that of the piece above
+  Piece piece(double e) const;  // that holds e
+  double force(double e) const { return piece(e).at(e); }
+  double tangent(double e) const { return piece(e).slope; }
   double work(double e0, double e1) const;  // ∫ f de from e0 to e1 [J], exact
   // Mean of f over [e0, e1], work/(e1 − e0), and its derivative by e1: the force that conserves energy.
   SpringAnswer mean(double e0, double e1) const;
+  bool operator==(const Curve&) const = default;
 };
 
 Curve linear(double stiffness);                 // f = k e

@@ -48,8 +48,8 @@ JointSprings::JointSprings(const Tunnel& tunnel, const Mesh& mesh)
     const Joint& joint = tunnel.joints[mesh.links[link].joint];
     const double installed = common_compression(joint);
     std::vector<Place> perimeter;
-    const auto add = [&](const std::array<double, kDofs>& arm, Curve curve) {
-      if (!curve.points.empty()) springs_.push_back({link, arm, std::move(curve)});
+    const auto add = [&](const std::array<double, kDofs>& arm, const Curve& curve) {
+      if (!curve.points.empty()) springs_.push_back({link, arm, index_of(curve), curve.piece(0)});
     };
     for (const auto& g : joint.gaskets) {
       add(along_axis(g.y, g.z), scaled(gasket(g.compression, force_at(g.compression, installed)), g.length));
@@ -67,26 +67,53 @@ JointSprings::JointSprings(const Tunnel& tunnel, const Mesh& mesh)
   }
 }
 
+std::size_t JointSprings::index_of(const Curve& curve) {
+  const auto found = std::ranges::find(curves_, curve);
+  if (found != curves_.end()) return static_cast<std::size_t>(found - curves_.begin());
+  curves_.push_back(curve);
+  return curves_.size() - 1;
+}
+
+SpringAnswer JointSprings::mean(const Spring& s) const {
+  const auto [start, end] = s.elongation;
+  return s.piece.holds(end) ? s.piece.mean(start, end) : curves_[s.curve].mean(start, end);
+}
+
+Piece JointSprings::piece_at_end(const Spring& s) const {
+  return s.piece.holds(s.elongation[1]) ? s.piece : curves_[s.curve].piece(s.elongation[1]);
+}
+
 void JointSprings::evaluate(const Scheme& scheme, std::span<const double> u, std::span<double> forces) {
-  for (Spring& s : springs_) {
-    const std::size_t base = kDofs * s.link;
-    s.elongation[1] = 0;
-    for (int i = 0; i < kDofs; ++i) s.elongation[1] += s.arm[i] * (u[base + kDofs + i] - u[base + i]);
-    double force;
-    if (scheme.mean_force) {
-      const SpringAnswer mean = s.curve.mean(s.elongation[0], s.elongation[1]);
-      force = mean.force;
-      s.tangent = mean.tangent;
-    } else {
-      s.force[1] = s.curve.force(s.elongation[1]);
-      force = (1 - scheme.alpha_f) * s.force[1] + scheme.alpha_f * s.force[0];
-      s.tangent = (1 - scheme.alpha_f) * s.curve.tangent(s.elongation[1]);
+  auto spring = springs_.begin();
+  for (const int link : links_) {
+    const double *first = u.data() + kDofs * link, *second = first + kDofs;
+    std::array<double, kDofs> relative, sum{};
+    for (int i = 0; i < kDofs; ++i) relative[i] = second[i] - first[i];
+    for (; spring != springs_.end() && spring->link == link; ++spring) {
+      const double force = respond(scheme, *spring, relative);
+      for (int i = 0; i < kDofs; ++i) sum[i] += spring->arm[i] * force;
     }
+    double* on_first = forces.data() + kDofs * link;
     for (int i = 0; i < kDofs; ++i) {
-      forces[base + i] -= s.arm[i] * force;
-      forces[base + kDofs + i] += s.arm[i] * force;
+      on_first[i] -= sum[i];
+      on_first[kDofs + i] += sum[i];
     }
   }
+}
+
+double JointSprings::respond(const Scheme& scheme, Spring& s,
+                             const std::array<double, kDofs>& relative) const {
+  s.elongation[1] = 0;
+  for (int i = 0; i < kDofs; ++i) s.elongation[1] += s.arm[i] * relative[i];
+  if (scheme.mean_force) {
+    const SpringAnswer answer = mean(s);
+    s.tangent = answer.tangent;
+    return answer.force;
+  }
+  const Piece end = piece_at_end(s);
+  s.force[1] = end.at(s.elongation[1]);
+  s.tangent = (1 - scheme.alpha_f) * end.slope;
+  return (1 - scheme.alpha_f) * s.force[1] + scheme.alpha_f * s.force[0];
 }
 
 std::size_t JointSprings::update_tangents(BlockTridiagonal& matrix) {
@@ -114,7 +141,8 @@ void JointSprings::forget_tangents() {
 double JointSprings::commit() {
   double stored = 0;
   for (Spring& s : springs_) {
-    stored += s.curve.work(s.elongation[0], s.elongation[1]);
+    stored += mean(s).force * (s.elongation[1] - s.elongation[0]);
+    s.piece = piece_at_end(s);
     s.elongation[0] = s.elongation[1];
     s.force[0] = s.force[1];
   }
@@ -124,7 +152,8 @@ double JointSprings::commit() {
 void JointSprings::add_force_scales(std::span<double> scales) const {
   for (const Spring& s : springs_) {
     double largest = 0;
-    for (const CurvePoint& point : s.curve.points) largest = std::max(largest, std::abs(point.force));
+    for (const CurvePoint& point : curves_[s.curve].points)
+      largest = std::max(largest, std::abs(point.force));
     for (int i = 0; i < kDofs; ++i) {
       scales[kDofs * s.link + i] += std::abs(s.arm[i]) * largest;
       scales[kDofs * (s.link + 1) + i] += std::abs(s.arm[i]) * largest;

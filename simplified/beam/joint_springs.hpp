@@ -41,18 +41,26 @@ class JointSprings {
  private:
   struct Spring {
     int link;
-    std::array<double, kDofs> arm;  // elongation = arm · (second node − first node)
-    Curve curve;
+    std::array<double, kDofs> arm;             // elongation = arm · (second node − first node)
+    std::size_t curve;                         // of curves_
+    Piece piece;                               // of the curve, on which the step starts
     double elongation[2] = {}, force[2] = {};  // at the step's start and end
     double tangent = 0, assembled_tangent = 0;
   };
   struct Place {
     double y, z;
   };
+  std::size_t index_of(const Curve& curve);  // of curves_, appended where it is new
+  // The spring's force in the equations of motion; `relative`: second node less first.
+  double respond(const Scheme& scheme, Spring& spring, const std::array<double, kDofs>& relative) const;
+  // Over the step; most springs stay on the piece on which it starts.
+  SpringAnswer mean(const Spring& spring) const;
+  Piece piece_at_end(const Spring& spring) const;
   std::vector<int> links_;  // by joint
   std::size_t link_count_;
   std::vector<double> installed_;              // [m] compression of the gaskets, by joint
   std::vector<std::vector<Place>> perimeter_;  // where openings are looked at, by joint
+  std::vector<Curve> curves_;                  // different ones: few, so that they stay in the cache
   std::vector<Spring> springs_;                // in order of link
 };
 

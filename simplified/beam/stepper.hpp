@@ -2,8 +2,8 @@
 //     M a + K u + Σ Nᵀ f_soil(N u − u_g) + Σ Nᵀ c (N v − v_g) + Σ Bᵀ f_joint(B u) = p.
 // Each step is solved for the displacement at its end by Newton's method with the consistent tangent. All
 // force laws rise with elongation, so the step minimizes a convex function and a line search makes Newton
-// safe. The matrix is factored anew only where a spring changed its tangent, and from there on along the
-// tunnel.
+// safe. The matrix is factored anew only where a spring changed its tangent and from there on along the
+// tunnel, and only while Newton with the old one is slow.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,5 @@
-// The equivalent chain on rigid rock over time: the same interface as the oscillators', the same answer.
+// The equivalent chain (chain.hpp) on rigid rock over time: the same interface as the oscillators'
+// (oscillator_response.hpp), the same answer.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,8 +10,9 @@
 
 namespace adit::simplified::column {
 
-// M v'' + C v' + K v = -M 1 a(t), exact for an acceleration that varies linearly between its samples.
-// At rest at t = 0, with a = 0.
+// M v'' + C v' + K v = -M 1 a(t), exact for an acceleration that varies linearly between its samples
+// (exponential of the system's matrix, recursion.hpp). At rest at t = 0, with a = 0; each step goes on by dt
+// [s].
 class ChainResponse {
  public:
   ChainResponse(const Chain& chain, double dt);

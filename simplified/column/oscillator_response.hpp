@@ -1,4 +1,4 @@
-// A modal column on rigid rock over time.
+// The oscillators of a modal column (modal_column.hpp) on rigid rock over time.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@ namespace adit::simplified::column {
 
 // The oscillators q'' + 2 xi omega q' + omega^2 q = -a(t) are stepped exactly for an acceleration a that
 // varies linearly between its samples (Nigam and Jennings 1969): no error of period or damping at any time
-// step. At rest at t = 0, with a = 0; each step goes on by dt.
+// step. At rest at t = 0, with a = 0; each step goes on by dt [s].
 class OscillatorResponse {
  public:
   OscillatorResponse(const ModalColumn& column, double dt);

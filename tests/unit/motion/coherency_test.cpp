@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <complex>
+#include <numeric>
 
 #include "protocol/motion/fourier.hpp"
 #include "protocol/motion/measures.hpp"
@@ -98,8 +99,32 @@ TEST(Coherency, ShakingKeepsItsPlaceInTime) {
   EXPECT_LT(early, 1e-3 * all);
 }
 
-// The same seed gives the same bits, another seed another motion; many close stations, whose matrix is
-// singular to working precision, are no obstacle.
+// The field is the same however many stations look at it.
+TEST(Coherency, MoreStationsBetweenChangeNoMotion) {
+  const Motion motion = gabor(1, 2, 20, 0, 3, {.dt = 0.02, .duration = 6});
+  const NonUniform excitation{.apparent_velocity = 800, .drift = kDrift, .seed = 3};
+  const auto few = station_motions(motion, std::vector{0.0, 400.0}, excitation),
+             many = station_motions(motion, std::vector{0.0, 100.0, 200.0, 300.0, 400.0}, excitation);
+  EXPECT_LT(largest_difference(few[1].acceleration, many[4].acceleration, 0, few[1].acceleration.size()),
+            1e-12);
+}
+
+// Stations as close as soil columns along a tunnel shake with the power of the given motion, in the mean over
+// 140 of them; the mean is of some hundred independent values.
+TEST(Coherency, ManyCloseStationsKeepThePower) {
+  const Motion motion = noise(1);
+  std::vector<double> chainages;
+  for (int j = 0; j <= 140; ++j) chainages.push_back(40.0 * j);
+  const auto power = [](const Motion& of) {
+    return std::inner_product(of.acceleration.begin(), of.acceleration.end(), of.acceleration.begin(), 0.0);
+  };
+  double sum = 0;
+  for (const Motion& station : station_motions(motion, chainages, {.drift = kDrift, .seed = 3}))
+    sum += power(station);
+  EXPECT_NEAR(sum / static_cast<double>(chainages.size()), power(motion), 0.1 * power(motion));
+}
+
+// The same seed gives the same bits, another seed another motion; stations close by move alike.
 TEST(Coherency, IsFixedByItsSeedAlsoForCloseStations) {
   const Motion motion = gabor(1, 2, 20, 0, 3, {.dt = 0.02, .duration = 6});
   std::vector<double> chainages;

@@ -99,7 +99,7 @@ TEST(Zoom, EdgesMoveAsTheTunnelDoes) {
   for (const Place& place : places) names.push_back(place.name);
   EXPECT_THAT(names, ::testing::ElementsAre("opening", "moment", "shear", "strain"));
   const Window around = window(response.fields, places[1].chainage, 40);
-  EXPECT_DOUBLE_EQ(around.end - around.begin, 40);
+  EXPECT_NEAR(around.end - around.begin, 40, 1);  // the edges stand at elements of 1 m
   EXPECT_LE(around.begin, places[1].chainage);
   EXPECT_GE(around.end, places[1].chainage);
 

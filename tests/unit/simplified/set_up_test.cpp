@@ -101,12 +101,38 @@ TEST(SetUp, RefusesWhatTheModelCannotDo) {
   expect_refusal(scene, "simplified.stations[0].chainage", "outside");
 }
 
+scene::Section section(double width, double height) {
+  scene::Section section;
+  section.set_width(width);
+  section.set_height(height);
+  return section;
+}
+
 // Requirement: the derived stiffness is that of physics.md's worked case, 1.661e8 N/m^2.
 TEST(Ground, DerivesTheSoilSpringsOfStJohnAndZahrah) {
   const scene::Scene scene = scene_of(R"(simplified {
     ground { profiles { chainage: 0 layers { thickness: 40 shear_velocity: 200 density: 1900 poisson_ratio: 0.45 } } }
     soil_springs { wavelength: 400 } })");
-  EXPECT_NEAR(soil_stiffness(scene.simplified(), 10, 37.95).lateral, 1.661e8, 5e4);
+  EXPECT_NEAR(soil_stiffness(scene.simplified(), 10, section(37.95, 11.4)).lateral, 1.661e8, 5e4);
+}
+
+// Requirement: a tunnel between two layers has springs of both, by the share of its height in each; the
+// lowest layer goes on below, and no layer above the surface.
+TEST(Ground, SoilSpringsAreTheMeanOverTheTunnelsHeight) {
+  const auto lateral = [](double depth) {
+    scene::Scene scene = scene_of(R"(simplified {
+      ground { profiles { chainage: 0 layers { thickness: 20 shear_velocity: 100 density: 2000 }
+                                      layers { thickness: 5 shear_velocity: 300 density: 2000 } } }
+      soil_springs { wavelength: 400 } })");
+    auto& axis = *scene.mutable_simplified()->mutable_tunnel()->add_axis();
+    axis.set_chainage(0);
+    axis.set_depth(depth);
+    return soil_stiffness(scene.simplified(), 0, section(7, 8)).lateral;
+  };
+  const double soft = lateral(10), stiff = lateral(40);
+  EXPECT_NEAR(stiff, 9 * soft, 1e-9 * stiff);
+  EXPECT_NEAR(lateral(22), 0.25 * soft + 0.75 * stiff, 1e-9 * stiff);
+  EXPECT_NEAR(lateral(1), soft, 1e-9 * soft);
 }
 
 // Requirement: between two profiles every layer is the mean of theirs by distance, beyond them it is theirs.
