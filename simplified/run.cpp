@@ -27,11 +27,14 @@ constexpr double kMostSteps = 1e7;
 void refuse_other_models(const scene::Scene& scene) {
   if (!scene.has_simplified())
     throw UserError("", "has no `simplified`; continuum and particles are computed by `coupler`");
-  if (scene.has_continuum() || scene.has_particles() || scene.has_interface())
-    throw UserError(scene.has_continuum()   ? "continuum"
-                    : scene.has_particles() ? "particles"
-                                            : "interface",
-                    "stands beside `simplified`; a scene is for one program: leave one of them out");
+  const char* other = scene.has_continuum()         ? "continuum"
+                      : scene.has_particles()       ? "particles"
+                      : scene.regions_size() > 0    ? "regions"
+                      : scene.has_interface()       ? "interface"
+                      : scene.interfaces_size() > 0 ? "interfaces"
+                                                    : nullptr;
+  if (other)
+    throw UserError(other, "stands beside `simplified`; a scene is for one program: leave one of them out");
 }
 
 Clock clock_of(const scene::Scene& scene) {
