@@ -210,8 +210,9 @@ TEST_P(SplitWave, IsPassedOrAbsorbedWhateverTheTimeStep) {
     EXPECT_LE(100 * shares.lost, lost);
   }
   if (ratio < 1) return;
-  EXPECT_NEAR(at_long.reflected, at_short.reflected, 0.1 * at_short.reflected);
-  EXPECT_NEAR(at_long.lost, at_short.lost, 0.1 * at_short.lost);
+  constexpr double kReadable = 1e-5;  // of the energy: where hardly anything is lost, 10 % of it is nothing
+  EXPECT_NEAR(at_long.reflected, at_short.reflected, 0.1 * at_short.reflected + kReadable);
+  EXPECT_NEAR(at_long.lost, at_short.lost, 0.1 * at_short.lost + kReadable);
 }
 
 INSTANTIATE_TEST_SUITE_P(Rows, SplitWave,
