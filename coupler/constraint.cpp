@@ -16,11 +16,15 @@ namespace {
 
 using protocol::UserError;
 
-// Own points of all sides in one numbering.
+bool interpolates(const Side& side) {
+  return std::any_of(side.segments.begin(), side.segments.end(), [](const Segment& s) { return s.coarse; });
+}
+
+// Own points of the sides that interpolate, in one numbering: the number of each side's first point.
 std::vector<std::size_t> number_own_points(const std::vector<Side>& sides) {
   std::vector<std::size_t> first = {0};
   for (const Side& side : sides)
-    first.push_back(first.back() + (side.interpolation ? side.interpolation->own_points() : 0));
+    first.push_back(first.back() + (interpolates(side) ? side.interpolation->own_points() : 0));
   return first;
 }
 
@@ -42,7 +46,7 @@ Interpolation coarse_operator(const std::vector<Side>& sides, const std::vector<
     }
   }
   for (const Side& side : sides)
-    if (side.interpolation) {
+    if (interpolates(side)) {
       const auto own = side.interpolation->inverse_masses();
       inverse_masses.insert(inverse_masses.end(), own.begin(), own.end());
     }
