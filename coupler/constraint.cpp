@@ -79,7 +79,8 @@ std::vector<double> fine_masses(const std::vector<Side>& sides, const std::vecto
       const std::uint32_t own = n.columns(row)[0];
       const auto [other, first] = used.try_emplace({interface.fine, own}, &interface);
       if (!first) refuse(interface, k, *other->second);
-      for (const int component : {0, 1}) masses[2 * k + component] = 1.0 / n.inverse_masses()[2 * own + component];
+      for (const int component : {0, 1})
+        masses[2 * k + component] = 1.0 / n.inverse_masses()[2 * own + component];
     });
   }
   for (const Interface& interface : interfaces)

@@ -10,12 +10,12 @@
 
 #include "coupler/launch.hpp"
 #include "coupler/remote_peer.hpp"
-#include "coupler/results/run_directory.hpp"
 #include "coupler/run.hpp"
 #include "coupler/set_up.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/greeting.hpp"
 #include "protocol/release.hpp"
+#include "protocol/results/run_directory.hpp"
 #include "protocol/scene_command_line.hpp"
 #include "protocol/scene_hash.hpp"
 #include "protocol/scene_program.hpp"
@@ -25,6 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 namespace protocol = adit::protocol;
+namespace results = adit::results;
 using namespace adit::coupler;
 
 struct Options : protocol::SceneCommandLine {
@@ -105,11 +106,11 @@ Participants join(const adit::scene::Scene& scene, const Options& options, const
 }
 
 void run_scene(const Options& options, const protocol::SceneFile& file) {
-  const std::string name = case_name(options.scene);
+  const std::string name = results::case_name(options.scene);
   const fs::path directory =
       options.out.empty() ? fs::path("runs") / name / file.scene.name() : fs::path(options.out);
   joins(file.scene, members(file.scene));  // refused before anything is started or written
-  prepare_run_directory(directory, options.scene);
+  results::prepare_run_directory(directory, options.scene);
   Participants participants = join(file.scene, options, directory);
   run(file.scene, std::move(participants.sides),
       {.case_name = name,

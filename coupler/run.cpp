@@ -8,13 +8,13 @@
 #include <set>
 
 #include "coupler/progress.hpp"
-#include "coupler/results/atomic_file.hpp"
-#include "coupler/results/recorder.hpp"
-#include "coupler/results/run_directory.hpp"
+#include "coupler/recorder.hpp"
 #include "coupler/set_up.hpp"
 #include "coupler/statics.hpp"
 #include "coupler/stepper.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/results/atomic_file.hpp"
+#include "protocol/results/run_directory.hpp"
 
 namespace adit::coupler {
 namespace {
@@ -119,8 +119,8 @@ void run(const scene::Scene& scene, std::vector<Side> sides, const RunLabels& la
   const auto start = std::chrono::steady_clock::now();
   Model model = set_up(scene, std::move(sides), labels.case_name + "/" + scene.name());
   const Schedule schedule(model);
-  clear_results(directory);  // only now is it sure that there will be new ones
-  replace_file(directory / "scene.yaml", labels.scene_yaml);
+  results::clear_results(directory);  // only now is it sure that there will be new ones
+  results::replace_file(directory / "scene.yaml", labels.scene_yaml);
   Stepper stepper(model);
   Recorder recorder(directory, model);
   RunSummary summary(labels, model);

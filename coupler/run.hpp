@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "coupler/results/run_summary.hpp"
+#include "coupler/run_summary.hpp"
 #include "coupler/side.hpp"
 #include "protocol/scene.pb.h"
 

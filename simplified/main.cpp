@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "coupler/results/run_directory.hpp"
+#include "protocol/results/run_directory.hpp"
 #include "protocol/scene_command_line.hpp"
 #include "protocol/scene_program.hpp"
 #include "protocol/scene_writer.hpp"
@@ -20,12 +20,12 @@ namespace protocol = adit::protocol;
 namespace simplified = adit::simplified;
 
 void run_scene(const protocol::SceneCommandLine& line, const protocol::SceneFile& file) {
-  const std::string name = adit::coupler::case_name(line.scene);
+  const std::string name = adit::results::case_name(line.scene);
   const fs::path directory =
       line.out.empty() ? fs::path("runs") / name / file.scene.name() : fs::path(line.out);
   simplified::check(file);  // before an older run's results go
-  adit::coupler::prepare_run_directory(directory, line.scene);
-  adit::coupler::clear_results(directory);
+  adit::results::prepare_run_directory(directory, line.scene);
+  adit::results::clear_results(directory);
   std::ofstream(directory / "scene.yaml") << protocol::to_yaml(file.scene);
   simplified::run(file, name, directory);
 }

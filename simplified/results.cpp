@@ -4,14 +4,14 @@
 #include <array>
 #include <string>
 
-#include "coupler/results/csv.hpp"
+#include "protocol/results/csv.hpp"
 #include "simplified/ground.hpp"
 #include "simplified/tunnel.hpp"
 
 namespace adit::simplified {
 namespace {
 
-using coupler::CsvFile;
+using results::CsvFile;
 
 void write_histories(const std::filesystem::path& path, const Table& table) {
   CsvFile file(path, table.columns);

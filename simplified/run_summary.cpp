@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "coupler/results/summary.hpp"
+#include "protocol/results/summary.hpp"
 #include "protocol/release.hpp"
 #include "protocol/scene_hash.hpp"
 #include "simplified/zoom.hpp"
@@ -15,7 +15,7 @@
 namespace adit::simplified {
 namespace {
 
-using coupler::Summary;
+using results::Summary;
 
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

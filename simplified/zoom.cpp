@@ -6,7 +6,7 @@
 #include <array>
 #include <fstream>
 
-#include "coupler/results/csv.hpp"
+#include "protocol/results/csv.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/scene_writer.hpp"
 #include "simplified/nearest.hpp"
@@ -36,7 +36,7 @@ void add_motion(scene::Continuum& continuum, const scene::Box& where, const scen
 void write_motions(const std::filesystem::path& path, const Window& window) {
   const std::array<std::string, 5> columns = {"time_s", "begin_vx_m_per_s", "begin_vy_m_per_s",
                                               "end_vx_m_per_s", "end_vy_m_per_s"};
-  coupler::CsvFile file(path, columns);
+  results::CsvFile file(path, columns);
   for (std::size_t n = 0; n < window.time.size(); ++n)
     file.row(std::array{window.time[n], window.begin_axial[n], window.begin_lateral[n], window.end_axial[n],
                         window.end_lateral[n]});

@@ -1,4 +1,4 @@
-"""Reads the VTU, VTP and PVD files of a run (written by coupler/results/vtk.cpp), without VTK."""
+"""Reads the VTU, VTP and PVD files of a run (written by protocol/results/vtk.cpp), without VTK."""
 import base64
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path

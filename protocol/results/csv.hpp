@@ -11,7 +11,7 @@
 
 #include "protocol/wire.pb.h"
 
-namespace adit::coupler {
+namespace adit::results {
 
 // Every finished row is handed to the system in one write, so that a killed run keeps all rows so far.
 // Numbers are the shortest decimals that read back to the same bits; text is quoted where CSV asks for it.
@@ -45,4 +45,4 @@ std::vector<std::string> crack_columns();
 // One row of cracks.csv: a bond that broke at `time` [s].
 void write_crack(CsvFile& file, double time, const wire::Crack& crack);
 
-}  // namespace adit::coupler
+}  // namespace adit::results

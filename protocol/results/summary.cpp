@@ -1,11 +1,11 @@
-#include "coupler/results/summary.hpp"
+#include "protocol/results/summary.hpp"
 
 #include <stdexcept>
 #include <utility>
 
-#include "coupler/results/atomic_file.hpp"
+#include "protocol/results/atomic_file.hpp"
 
-namespace adit::coupler {
+namespace adit::results {
 
 void Summary::set(const std::string& name, nlohmann::ordered_json value) {
   if (values_.contains(name)) throw std::logic_error("the summary holds " + name + " already");
@@ -18,4 +18,4 @@ void Summary::write(const std::filesystem::path& path) const {
   replace_file(path, values_.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-}  // namespace adit::coupler
+}  // namespace adit::results

@@ -1,4 +1,4 @@
-#include "coupler/results/run_summary.hpp"
+#include "coupler/run_summary.hpp"
 
 #include <spdlog/fmt/fmt.h>
 #include <sys/resource.h>

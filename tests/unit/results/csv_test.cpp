@@ -1,4 +1,4 @@
-#include "coupler/results/csv.hpp"
+#include "protocol/results/csv.hpp"
 
 #include <gmock/gmock.h>
 
@@ -10,9 +10,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "tests/unit/coupler/results_fixture.hpp"
+#include "tests/unit/results/results_fixture.hpp"
 
-namespace adit::coupler {
+namespace adit::results {
 namespace {
 
 const std::vector<std::string> kColumns{"time_s", "tip_uy_m"};
@@ -113,4 +113,4 @@ TEST(Csv, CrackRowHoldsTheWholeRecord) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::results

@@ -1,4 +1,4 @@
-#include "coupler/results/recorder.hpp"
+#include "coupler/recorder.hpp"
 
 #include <algorithm>
 
@@ -41,7 +41,7 @@ Recorder::Recorder(const std::filesystem::path& directory, Model& model)
     : model_(model),
       histories_(directory / "histories.csv", history_columns(model)),
       fields_(directory / "fields") {
-  if (has_particles(model)) cracks_.emplace(directory / "cracks.csv", crack_columns());
+  if (has_particles(model)) cracks_.emplace(directory / "cracks.csv", results::crack_columns());
 }
 
 void Recorder::record_events() {
@@ -59,7 +59,7 @@ void Recorder::record_events() {
 }
 
 void Recorder::record_crack(const wire::Crack& crack, double time) {
-  if (cracks_) write_crack(*cracks_, time, crack);
+  if (cracks_) results::write_crack(*cracks_, time, crack);
   const Event event{time, crack.x(), crack.y()};
   if (findings_.cracks++ == 0) findings_.first_crack = event;
   if (std::none_of(model_.interfaces.begin(), model_.interfaces.end(), [&](const Interface& interface) {
@@ -94,7 +94,7 @@ void Recorder::record_fields(std::uint64_t n, std::vector<wire::Snapshot> snapsh
     if (is_region(member))
       for (wire::Piece& piece : *snapshots[s].mutable_pieces())
         piece.set_name(member.name + "_" + piece.name());
-    write_snapshot(n, static_cast<double>(n) * model_.dt, snapshots[s], fields_);
+    results::write_snapshot(n, static_cast<double>(n) * model_.dt, snapshots[s], fields_);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "coupler/results/vtk.hpp"
+#include "protocol/results/vtk.hpp"
 
 #include <gmock/gmock.h>
 
@@ -12,9 +12,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "tests/unit/coupler/results_fixture.hpp"
+#include "tests/unit/results/results_fixture.hpp"
 
-namespace adit::coupler {
+namespace adit::results {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -229,4 +229,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::results

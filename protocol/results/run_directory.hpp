@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace adit::coupler {
+namespace adit::results {
 
 // The case that a scene file belongs to: its folder's name; `variants` folders belong to the case above.
 std::string case_name(const std::filesystem::path& scene_file);
@@ -16,4 +16,4 @@ void prepare_run_directory(const std::filesystem::path& directory, const std::fi
 // Takes the results of an older run out of a prepared directory; logs of servers stay.
 void clear_results(const std::filesystem::path& directory);
 
-}  // namespace adit::coupler
+}  // namespace adit::results

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "coupler/ledger.hpp"
-#include "coupler/results/csv.hpp"
-#include "coupler/results/vtk.hpp"
 #include "coupler/set_up.hpp"
+#include "protocol/results/csv.hpp"
+#include "protocol/results/vtk.hpp"
 
 namespace adit::coupler {
 
@@ -42,9 +42,9 @@ class Recorder {
   void record_crack(const wire::Crack& crack, double time);
 
   Model& model_;
-  CsvFile histories_;
-  std::optional<CsvFile> cracks_;  // of models with particles
-  Collection fields_;
+  results::CsvFile histories_;
+  std::optional<results::CsvFile> cracks_;  // of models with particles
+  results::Collection fields_;
   Findings findings_;
   std::vector<double> row_;
 };

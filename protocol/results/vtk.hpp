@@ -11,7 +11,7 @@
 
 #include "protocol/wire.pb.h"
 
-namespace adit::coupler {
+namespace adit::results {
 
 // Writes QUADS as an unstructured grid, VERTICES and LINES as poly data. Pieces come from other programs:
 // one that contradicts itself (sizes that do not fit, a point that does not exist, a name that is no
@@ -43,4 +43,4 @@ class Collection {
 // Writes every piece as `<piece>_<step, 8 digits>.vtu|vtp` into the collection's folder, then the PVD.
 void write_snapshot(std::uint64_t step, double time, const wire::Snapshot& snapshot, Collection& collection);
 
-}  // namespace adit::coupler
+}  // namespace adit::results

@@ -1,14 +1,14 @@
 // Results never destroy what is no result.
-#include "coupler/results/run_directory.hpp"
+#include "protocol/results/run_directory.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "protocol/errors.hpp"
-#include "tests/unit/coupler/results_fixture.hpp"
+#include "tests/unit/results/results_fixture.hpp"
 
-namespace adit::coupler {
+namespace adit::results {
 namespace {
 
 TEST(RunDirectory, CaseIsTheFolderOfTheScene) {
@@ -46,4 +46,4 @@ TEST(RunDirectory, RefusesTheFolderOfTheScene) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::results

@@ -8,7 +8,7 @@
 
 #include "tests/support/scratch_folder.hpp"
 
-namespace adit::coupler {
+namespace adit::results {
 
 using test::ScratchFolder;
 
@@ -17,4 +17,4 @@ inline std::string content_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-}  // namespace adit::coupler
+}  // namespace adit::results

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace adit::coupler {
+namespace adit::results {
 
 class Summary {
  public:
@@ -20,4 +20,4 @@ class Summary {
   nlohmann::ordered_json values_ = nlohmann::ordered_json::object();
 };
 
-}  // namespace adit::coupler
+}  // namespace adit::results

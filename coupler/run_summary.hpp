@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "coupler/results/recorder.hpp"
-#include "coupler/results/summary.hpp"
+#include "coupler/recorder.hpp"
 #include "coupler/statics.hpp"
 #include "coupler/stepper.hpp"
+#include "protocol/results/summary.hpp"
 
 namespace adit::coupler {
 
@@ -46,7 +46,7 @@ class RunSummary {
   void warn(const Findings& findings);
 
   const Model& model_;
-  Summary summary_;
+  results::Summary summary_;
   std::uint64_t particle_updates_ = 0, zone_updates_ = 0;
   std::vector<std::string> lines_;  // of print()
 };

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <string_view>
 
-namespace adit::coupler {
+namespace adit::results {
 
 // Replaces the file: writes `<path>.part` beside it and renames that. Throws std::runtime_error, with the
 // file and the system's reason, when the disk refuses.
 void replace_file(const std::filesystem::path& path, std::string_view content);
 
-}  // namespace adit::coupler
+}  // namespace adit::results

@@ -1,4 +1,4 @@
-#include "coupler/results/run_directory.hpp"
+#include "protocol/results/run_directory.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include "protocol/errors.hpp"
 
-namespace adit::coupler {
+namespace adit::results {
 namespace {
 
 namespace fs = std::filesystem;
@@ -48,4 +48,4 @@ void clear_results(const fs::path& directory) {
   for (const std::string_view name : kResults) fs::remove_all(directory / name);
 }
 
-}  // namespace adit::coupler
+}  // namespace adit::results

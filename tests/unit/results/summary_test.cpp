@@ -1,4 +1,4 @@
-#include "coupler/results/summary.hpp"
+#include "protocol/results/summary.hpp"
 
 #include <gmock/gmock.h>
 
@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "tests/unit/coupler/results_fixture.hpp"
+#include "tests/unit/results/results_fixture.hpp"
 
-namespace adit::coupler {
+namespace adit::results {
 namespace {
 
 // A reader finds the entries in the order in which the run states them, each with its own type.
@@ -62,4 +62,4 @@ TEST(Summary, LeavesNoUnfinishedFile) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::results

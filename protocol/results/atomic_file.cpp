@@ -1,4 +1,4 @@
-#include "coupler/results/atomic_file.hpp"
+#include "protocol/results/atomic_file.hpp"
 
 #include <cerrno>
 #include <fstream>
@@ -6,7 +6,7 @@
 #include <string>
 #include <system_error>
 
-namespace adit::coupler {
+namespace adit::results {
 
 void replace_file(const std::filesystem::path& path, std::string_view content) {
   std::filesystem::path part = path;
@@ -21,4 +21,4 @@ void replace_file(const std::filesystem::path& path, std::string_view content) {
   std::filesystem::rename(part, path);
 }
 
-}  // namespace adit::coupler
+}  // namespace adit::results

@@ -1,4 +1,4 @@
-#include "coupler/results/vtk.hpp"
+#include "protocol/results/vtk.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,10 +11,10 @@
 #include <string_view>
 #include <utility>
 
-#include "coupler/results/atomic_file.hpp"
+#include "protocol/results/atomic_file.hpp"
 #include "protocol/text.hpp"
 
-namespace adit::coupler {
+namespace adit::results {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the files state little-endian values");
@@ -236,4 +236,4 @@ void write_snapshot(std::uint64_t step, double time, const wire::Snapshot& snaps
   collection.write();
 }
 
-}  // namespace adit::coupler
+}  // namespace adit::results

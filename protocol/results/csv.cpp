@@ -1,4 +1,4 @@
-#include "coupler/results/csv.hpp"
+#include "protocol/results/csv.hpp"
 
 #include <array>
 #include <cerrno>
@@ -7,7 +7,7 @@
 #include <system_error>
 #include <utility>
 
-namespace adit::coupler {
+namespace adit::results {
 namespace {
 
 template <class T>
@@ -88,4 +88,4 @@ void write_crack(CsvFile& file, double time, const wire::Crack& crack) {
   file.cell(std::uint64_t{crack.parent_a()}).cell(std::uint64_t{crack.parent_b()}).end_row();
 }
 
-}  // namespace adit::coupler
+}  // namespace adit::results
