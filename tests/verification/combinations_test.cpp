@@ -36,7 +36,7 @@ std::vector<Bar> bars() {
        {{0, 1, 1, 1.5, 2.5}, {0, 2, 5, 5.5, 6.5}}},
       {"TwoLatticesThatShareGridPoints",
        {{kGrid, 1, 7, 0.25}, {kLattice, 0, 4, 0.05}, {kLattice, 3, 8, 0.05}},
-       {{0, 1, 3.5, 1.5}, {0, 2, 3.5, 5.5}}},  // the strips touch
+       {{0, 1, 3.5, 2.5}, {0, 2, 3.5, 4.5}}},  // the strips touch
       {"LatticeInTheMiddle", {{kGrid, 0, 8, 0.25}, {kLattice, 2, 6, 0.05}}, {{0, 1, 2.5, 3.5, 4.5}}},
       {"GridInTheMiddle", {{kLattice, 0, 8, 0.05}, {kGrid, 2, 6, 0.25}}, {{0, 1, 2.5, 3.5, 4.5}}},
       {"GridInTheMiddleOfAGrid", {{kGrid, 0, 8, 0.25}, {kGrid, 2, 6, 0.125}}, {{0, 1, 2.5, 3.5, 4.5}}},
