@@ -43,7 +43,8 @@ Extreme floor_of_weights(const std::string& name, double floor) {
   return {name, [=](scene::Scene& scene) { joint(scene).set_weight_floor(floor); }};
 }
 
-// A material of the grid, or of the lattice, that is as many times as stiff and as dense as that of the other.
+// A material of the grid, or of the lattice, that is as many times as stiff and as dense as that of the
+// other.
 Extreme contrast(const std::string& name, bool in_grid, double stiffness, double density) {
   return {name, [=](scene::Scene& scene) {
             scene::Material& material =
@@ -61,7 +62,8 @@ Extreme material(const std::string& name, scene::Plane plane, double poisson_rat
           }};
 }
 
-// Zones as high as the bar, of so many particles' diameters; so short an overlap and so few zones as it takes.
+// Zones as high as the bar, of so many particles' diameters; so short an overlap and so few zones as it
+// takes.
 Extreme particles_in_a_zone(const std::string& name, double count) {
   return {name, [=](scene::Scene& scene) {
             auto& block = *grid(scene).mutable_block();
@@ -122,8 +124,8 @@ std::vector<Extreme> extremes() {
   };
 }
 
-// The bar, struck at both ends for 200 of its time steps, whatever these are. So softly that bonds hardly turn: what
-// turning them costs in energy is of higher order than what is tested here.
+// The bar, struck at both ends for 200 of its time steps, whatever these are. So softly that bonds hardly
+// turn: what turning them costs in energy is of higher order than what is tested here.
 scene::Scene bar(const Extreme& extreme, scene::Solve solve, unsigned substeps) {
   const test::Bar bar{"", {{kGrid, 0, 5, 0.5}, {kLattice, 3, 8, 0.1}}, {{0, 1, 3, 5}}};
   scene::Scene scene = test::scene_of(bar, solve);
@@ -150,8 +152,8 @@ scene::Scene bar(const Extreme& extreme, scene::Solve solve, unsigned substeps) 
 
 struct Extremes : testing::TestWithParam<std::tuple<Extreme, scene::Solve, unsigned>> {};
 
-// With substeps the ledger extrapolates the grid's impulse, so that its figure swings: it must stay below what stops a
-// run as unstable.
+// With substeps the ledger extrapolates the grid's impulse, so that its figure swings: it must stay below
+// what stops a run as unstable.
 TEST_P(Extremes, EnergyIsKeptOrLostButNeverMade) {
   const auto& [extreme, solve, substeps] = GetParam();
   coupler::Model model = test::local_model(bar(extreme, solve, substeps));
@@ -190,14 +192,15 @@ TEST_P(Extremes, RestStaysRest) {
     for (const double velocity : side.corrected) EXPECT_EQ(velocity, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, Extremes,
-    testing::Combine(testing::ValuesIn(extremes()),
-                     testing::Values(scene::CONSISTENT, scene::LUMPED, scene::SPLIT), testing::Values(1U, 2U, 4U)),
-    [](const auto& info) {
-      return std::get<0>(info.param).name + "_" + scene::Solve_Name(std::get<1>(info.param)) + "_" +
-             std::to_string(std::get<2>(info.param));
-    });
+INSTANTIATE_TEST_SUITE_P(All, Extremes,
+                         testing::Combine(testing::ValuesIn(extremes()),
+                                          testing::Values(scene::CONSISTENT, scene::LUMPED, scene::SPLIT),
+                                          testing::Values(1U, 2U, 4U)),
+                         [](const auto& info) {
+                           return std::get<0>(info.param).name + "_" +
+                                  scene::Solve_Name(std::get<1>(info.param)) + "_" +
+                                  std::to_string(std::get<2>(info.param));
+                         });
 
 // Requirement: coordinates of 10^6 m cost no digits but those that the coordinates themselves have lost.
 TEST(FarFromTheOrigin, TheSameMotionIsComputed) {
