@@ -32,6 +32,14 @@ double weight_at(const Side& side, std::size_t s, const std::vector<Interface>& 
   return weight;
 }
 
+// Of the interfaces whose inner model reaches (x, y).
+std::vector<std::string> paths_at(const std::vector<Interface>& interfaces, double x, double y) {
+  std::vector<std::string> paths;
+  for (const Interface& interface : interfaces)
+    if (interface.overlap.inner_weight(x, y) > 0) paths.push_back(interface.path);
+  return paths;
+}
+
 // The candidates of the side that lie in the overlap.
 std::vector<double> candidates(const Side& side, const Overlap& overlap) {
   std::vector<double> inside;
@@ -57,27 +65,21 @@ std::vector<double> weights_of(std::size_t s, const std::vector<Side>& sides,
 
 void require_one_owner(const std::vector<Side>& sides, const std::vector<Interface>& interfaces) {
   if (interfaces.size() < 2) return;
-  constexpr double kTolerance = 1e-6;  // an inner model keeps a trace of weight on its outermost line
+  constexpr double kTolerance = 1e-6;  // traces of weight on the lines where models end
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const auto& points = sides[s].model.sample_points();
     for (int i = 0; i + 1 < points.size(); i += 2) {
-      if (weight_at(sides[s], s, interfaces, points[i], points[i + 1]) == 0) continue;
+      const double x = points[i], y = points[i + 1];
+      if (weight_at(sides[s], s, interfaces, x, y) == 0) continue;
       double sum = 0;
       for (std::size_t other = 0; other < sides.size(); ++other)
-        sum += weight_at(sides[other], other, interfaces, points[i], points[i + 1]);
-      if (std::abs(sum - 1) <= kTolerance) continue;
-      const auto has_weight = [&](const Interface& interface) {
-        return interface.overlap.inner_weight(points[i], points[i + 1]) > kTolerance;
-      };
-      const auto first = std::find_if(interfaces.begin(), interfaces.end(), has_weight);
-      const auto second =
-          first == interfaces.end() ? first : std::find_if(first + 1, interfaces.end(), has_weight);
-      throw UserError(
-          second == interfaces.end() ? interfaces.back().path : second->path,
-          fmt::format("meets the overlap of {} at ({:g}, {:g}) m, where the energy weights of all "
-                      "models sum to {:g}; move the overlaps apart",
-                      first == second || first == interfaces.end() ? interfaces.front().path : first->path,
-                      points[i], points[i + 1], sum));
+        sum += weight_at(sides[other], other, interfaces, x, y);
+      if (std::abs(sum - 1) > kTolerance)
+        throw UserError(
+            interfaces.back().path + ".overlap",
+            fmt::format("meets another one at ({:g}, {:g}) m, where the energy weights of all models "
+                        "sum to {:g}: {} share this place; move the overlaps apart",
+                        x, y, sum, fmt::join(paths_at(interfaces, x, y), " and ")));
     }
   }
 }

@@ -126,6 +126,7 @@ void DemParticipant::split_at_interface() {
 
 void DemParticipant::correct(std::span<const double> impulses) {
   if (impulses.empty()) return;
+  if (dt_ == 0) throw std::logic_error("impulses came before the first step, which has nothing to correct");
   if (impulses.size() != 2 * coupling_.size())
     throw std::logic_error(
         fmt::format("{} impulses came for {} coupling points", impulses.size(), coupling_.size()));
@@ -141,13 +142,13 @@ void DemParticipant::check_dt(double dt, bool start) {
 
 void DemParticipant::advance(const wire::Advance& advance, wire::Predicted& predicted) {
   Particles& particles = assembly_.particles;
+  correct(view(advance.impulses()));
   step_ = advance.step();
   check_dt(advance.dt(), step_ == 0);
   rest_left_ = coupling_.size() > 0 && !advance.want_energies() && !advance.want_histories();
   contacts_ = {};
   broken_.clear();
 
-  correct(view(advance.impulses()));
   pull(interface_);
   if (!rest_left_) pull(interior_);
   if (advance.want_histories()) histories_->read(particles, *predicted.mutable_histories());

@@ -167,7 +167,8 @@ Energies Continuum::energies(std::uint64_t n, double dt) const {
 
 void Continuum::move_and_predict(const Part& part, std::uint64_t n, double dt) {
   const double kick = n == 0 ? dt / 2 : dt;
-  const auto axis = [&](Column displacement, Column velocity, Column force, Column inverse_mass) {
+  const auto axis = [this, &part, dt, kick](Column displacement, Column velocity, Column force,
+                                            Column inverse_mass) {
     double *u = points_[displacement].data(), *v = points_[velocity].data(), *f = points_[force].data();
     const double* inverse = points_[inverse_mass].data();
     for (const auto [begin, end] : part.points) {

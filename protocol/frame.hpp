@@ -16,7 +16,7 @@
 
 namespace adit::protocol {
 
-inline constexpr std::uint32_t kProtocolVersion = 1;
+inline constexpr std::uint32_t kProtocolVersion = 2;
 inline constexpr std::uint64_t kMaxFrameBytes = 1024u << 20;  // what we accept, as we say in hello
 inline constexpr std::uint64_t kMaxHelloBytes = 64u << 10;    // what we accept before that
 

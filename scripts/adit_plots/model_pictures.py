@@ -23,7 +23,7 @@ def deformed(run, time, pieces):
     figure, axes, add_legend = style.model_sheet(
         style.bounds_of(*(p.points for p in models), *(p.moved(scale) for p in models)),
         f"{run.name}: deformed model at t = {style.milliseconds(time)} ms, displacements × {scale:g}")
-    handles = _shade_overlap(axes, run)
+    handles = _shade_overlap(axes, run, grid, scale)
     if grid is not None:
         _draw_zones(axes, grid, grid.moved(scale), fc=ZONE_FACE, ec="none", zorder=1)
         _draw_zones(axes, grid, grid.moved(scale), fc="none", ec=ZONE_EDGE, lw=0.7, zorder=3)  # over the particles
@@ -99,25 +99,30 @@ def _draw_zones(axes, grid, points, **look):
 
 
 def _draw_continuum_faintly(axes, run, pieces):
-    handles = _shade_overlap(axes, run)
     grid = pieces.get("grid")
+    handles = _shade_overlap(axes, run, grid)
     if grid is not None:
         _draw_zones(axes, grid, grid.points, fc="none", ec="#BBCFE0", lw=0.6)
         handles.append(Patch(fc="white", ec="#BBCFE0", label="zones"))
     return handles
 
 
-def _shade_overlap(axes, run):
-    """The strip between the point where particles begin and that where the continuum ends."""
+def _shade_overlap(axes, run, grid, scale=0):
+    """The strip between the point where particles begin and that where the continuum ends, or the zones of a ring."""
     ends = run.overlap()
+    shade = {"fc": OVERLAP_FACE, "ec": "none", "alpha": 0.45}
     if ends is None:
-        return []
+        weight = np.array([]) if grid is None else grid.field("weight", np.array([]))
+        if not np.any(weight < 1):
+            return []
+        axes.add_collection(PolyCollection(grid.moved(scale)[grid.cells[weight < 1]], zorder=1.5, **shade))
+        return [Patch(label="overlap", **shade)]
     direction = ends[1] - ends[0]
     along = np.array([-direction[1], direction[0]]) / np.hypot(*direction)
     far = along * (np.ptp(axes.get_xlim()) + np.ptp(axes.get_ylim()))
     corners = [ends[0] - far, ends[1] - far, ends[1] + far, ends[0] + far]
-    axes.add_patch(Polygon(corners, fc=OVERLAP_FACE, ec="none", alpha=0.45, zorder=0))
-    return [Patch(fc=OVERLAP_FACE, alpha=0.45, label="overlap")]
+    axes.add_patch(Polygon(corners, zorder=0, **shade))
+    return [Patch(label="overlap", **shade)]
 
 
 def _across(lines):

@@ -20,12 +20,15 @@ class Run:
         self.histories = _read(self.folder / "histories.csv", _read_columns)
 
     def snapshots(self):
-        """Yields (time [s], {piece name: Piece}); nothing where no fields were written."""
+        """Yields (time [s], {kind: Piece}), the pieces of all models together; nothing where no fields were written."""
         collection = self.folder / "fields" / "fields.pvd"
         if not collection.exists():
             return
         for time, files in _read(collection, read_collection):
-            yield time, {name: _read(path, Piece) for name, path in files.items()}
+            kinds = {}
+            for name, path in files.items():  # `grid`, or `lining_grid` of the region `lining`
+                kinds.setdefault(name.rpartition("_")[2], []).append(_read(path, Piece))
+            yield time, {kind: Piece.joined(pieces) for kind, pieces in kinds.items()}
 
     def number(self, name):
         """A number of the summary, None where the run has none (null or absent)."""
@@ -33,10 +36,11 @@ class Run:
         return float(value) if isinstance(value, (int, float)) else None
 
     def overlap(self):
-        """The points [m] at which particles begin and the continuum ends; None in an uncoupled run."""
+        """The points [m] at which particles begin and the continuum ends; None where there is no such strip."""
         ends = ("particles_begin", "continuum_ends")
         values = [[self.number(f"overlap_{end}_{axis}_m") for axis in "xy"] for end in ends]
         return None if any(v is None for end in values for v in end) else np.array(values)
+
 
 def _read(path, reader):
     if not path.exists():

@@ -5,15 +5,16 @@ from matplotlib.lines import Line2D
 
 from adit_plots import style
 
-SIDES = {"continuum": "-", "particles": "--"}
+LINES = ("-", "--", "-.", (0, (3, 1, 1, 1, 1, 1)))  # of the models, in turn
 KINDS = {"kinetic": style.BLUE, "strain": style.ORANGE, "released": style.PINK, "external_work": style.GREEN,
          "multiplier_work": style.SKY}
 
 
 def energy(run):
-    """Energies of both sides, and below them the drift of their balance."""
+    """Energies of all models, and below them the drift of their balance."""
     h = run.histories
-    names = [(side, kind) for side in SIDES for kind in KINDS if np.any(h.get(f"{side}_{kind}_J", 0))]
+    models = [name.removesuffix("_kinetic_J") for name in h if name.endswith("_kinetic_J")]
+    names = [(model, kind) for model in models for kind in KINDS if np.any(h.get(f"{model}_{kind}_J", 0))]
     if "energy_drift" not in h or not len(h["time_s"]):
         return None
     time = 1e3 * h["time_s"]
@@ -21,9 +22,9 @@ def energy(run):
                                           gridspec_kw={"right": 0.68, "left": 0.1, "top": 0.93, "hspace": 0.16})
     largest = max((np.nanmax(np.abs(h[f"{s}_{k}_J"])) for s, k in names), default=0)
     unit, divisor = ("MJ", 1e6) if largest >= 1e6 else ("kJ", 1e3) if largest >= 1e3 else ("J", 1)
-    for side, kind in names:
-        upper.plot(time, h[f"{side}_{kind}_J"] / divisor, SIDES[side], color=KINDS[kind],
-                   label=f"{side}, {kind.replace('_', ' ').replace('multiplier', 'multipliers’')}")
+    for model, kind in names:
+        upper.plot(time, h[f"{model}_{kind}_J"] / divisor, ls=LINES[models.index(model) % len(LINES)], color=KINDS[kind],
+                   label=f"{model}, {kind.replace('_', ' ').replace('multiplier', 'multipliers’')}")
     total = sum(h[f"{s}_{k}_J"] for s, k in names if k in ("kinetic", "strain"))
     upper.plot(time, total / divisor, ":", color=style.BLACK, label="kinetic + strain, all")
     upper.set(ylabel=f"energy [{unit}]")

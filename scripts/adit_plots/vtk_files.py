@@ -22,6 +22,21 @@ class Piece:
         self.point_fields = {a.get("Name"): _array(a) for a in element.find("PointData")}
         self.cell_fields = {a.get("Name"): _array(a) for a in element.find("CellData")}
 
+    @staticmethod
+    def joined(pieces):
+        """Pieces of one kind, of several models, as one; with the fields that all of them have."""
+        first = pieces[0]
+        if len(pieces) == 1:
+            return first
+        whole = object.__new__(Piece)
+        offsets = np.cumsum([0] + [len(piece.points) for piece in pieces])
+        whole.points = np.concatenate([piece.points for piece in pieces])
+        whole.cells = np.concatenate([piece.cells + offset for piece, offset in zip(pieces, offsets)])
+        for fields in ("point_fields", "cell_fields"):
+            shared = [name for name in getattr(first, fields) if all(name in getattr(p, fields) for p in pieces)]
+            setattr(whole, fields, {name: np.concatenate([getattr(p, fields)[name] for p in pieces]) for name in shared})
+        return whole
+
     def field(self, name, default=None):
         """A field of the points or of the cells."""
         return self.point_fields.get(name, self.cell_fields.get(name, default))

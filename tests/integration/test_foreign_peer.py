@@ -18,7 +18,7 @@ sys.path.insert(0, GENERATED.name)
 from protocol import wire_pb2  # noqa: E402
 
 MAGIC = b"ADIT"
-VERSION = 1
+VERSION = 2
 SHORT = ("--set", "time.duration=2 ms", "--set", "output.field_times=[]")
 
 
@@ -157,7 +157,7 @@ class ForeignPeer(ProgramTest):
         payload = hello.SerializeToString()
         message = self.greeting(MAGIC + struct.pack("<I", 7) + struct.pack("<I", len(payload)) + payload)
         self.assertIn("version 7", message)
-        self.assertIn("version 1", message)
+        self.assertIn("version 2", message)
 
     def test_a_peer_that_speaks_something_else_is_named(self):
         self.assertIn("protocol", self.greeting(b"HTTP/1.1 400 Bad Request\r\n\r\n"))

@@ -8,7 +8,8 @@ from programs import CASE, ProgramTest, Server, coupler
 SHORT = ("--set", "time.duration=5 ms", "--set", "output.field_times=[2 ms]")
 # What the cost of a run depends on, and the place where it ran.
 MACHINE = {"wall_s", "steps_per_s", "coupler_cpu_s", "continuum_cpu_s", "particles_cpu_s", "coupler_wait_s",
-           "coupler_solve_s", "continuum_compute_s", "particles_compute_s"}
+           "coupler_solve_s", "continuum_compute_s", "particles_compute_s", "continuum_hidden_s", "particles_hidden_s",
+           "hidden_share", "solve_factor_s"}
 REQUIRED = """case scene_hash versions steps dt_s wall_s steps_per_s coupler_cpu_s continuum_cpu_s particles_cpu_s
 particles bonds zones coupling_points particle_updates zone_updates peak_bond_force_N peak_bond_force_time_s
 peak_bond_force_x_m first_crack_time_s first_crack_x_m first_crack_y_m crack_count max_energy_drift max_constraint_residual warnings""".split()

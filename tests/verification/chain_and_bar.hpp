@@ -4,12 +4,13 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
 namespace adit::test {
 
-enum class ChainSolve { kConsistent, kLumped };
+enum class ChainSolve { kConsistent, kLumped, kSplit };
 
 struct ChainAndBar {
   double section;     // area of the cross-section; E = rho = a = 1, so the wave speed is 1
@@ -18,12 +19,48 @@ struct ChainAndBar {
   double length;      // of everything
   double dt;
   ChainSolve solve;
+  double decay_rate;                     // of kSplit, at the chain's end
   std::function<double(double)> source;  // velocity of the first particle
 };
 
 struct ChainEnergies {
   double incident, chain, bar;
 };
+
+// What the interface makes of the predicted velocities of the coupled particles (v, first) and of the points
+// of the bar in the overlap (V): a linear map of both together.
+inline Eigen::MatrixXd correction(const ChainAndBar& set, const Eigen::MatrixXd& n, const Eigen::VectorXd& m,
+                                  const Eigen::VectorXd& bar_m) {
+  using Matrix = Eigen::MatrixXd;
+  const Eigen::Index points = n.rows(), bar_points = n.cols();
+  const Matrix mass = m.asDiagonal(), bar_mass = bar_m.asDiagonal();
+  Matrix map = Matrix::Identity(points + bar_points, points + bar_points);
+  if (set.solve == ChainSolve::kSplit) {
+    // The grid's space moves as one body of both masses; what is outside of it decays.
+    const Matrix seen = n.transpose() * mass * n;
+    const Matrix carried = seen.inverse() * n.transpose() * mass;
+    const Matrix fine = Matrix::Identity(points, points) - n * carried;
+    Eigen::VectorXd share(points);
+    for (Eigen::Index k = 0; k < points; ++k)
+      share[k] = 1 - std::exp(-set.decay_rate * set.dt *
+                              std::pow((static_cast<double>(k) + 0.5) / (set.end - set.begin), 3));
+    const Matrix together = (seen + bar_mass).inverse();
+    map.bottomRows(bar_points) << together * n.transpose() * mass, together * bar_mass;
+    map.topRows(points) = n * map.bottomRows(bar_points);
+    map.topLeftCorner(points, points) += fine - fine * share.asDiagonal() * fine;
+    return map;
+  }
+  Matrix a = n * bar_mass.inverse() * n.transpose();
+  a.diagonal() += m.cwiseInverse();
+  const Matrix inverse = set.solve == ChainSolve::kConsistent
+                             ? Matrix(a.inverse())
+                             : Matrix(a.rowwise().sum().cwiseInverse().asDiagonal());
+  Matrix gap(points, points + bar_points);
+  gap << -Matrix::Identity(points, points), n;
+  map.topRows(points) += mass.inverse() * inverse * gap;
+  map.bottomRows(bar_points) -= bar_mass.inverse() * n.transpose() * inverse * gap;
+  return map;
+}
 
 inline ChainEnergies simulate(const ChainAndBar& set, std::size_t steps) {
   using Vector = Eigen::VectorXd;
@@ -54,18 +91,16 @@ inline ChainEnergies simulate(const ChainAndBar& set, std::size_t steps) {
   // Particles in the overlap and their interpolation on the bar.
   const auto coupled = static_cast<Eigen::Index>(std::lround(set.end - set.begin));
   const Eigen::Index first = particles - coupled;
-  Eigen::MatrixXd n = Eigen::MatrixXd::Zero(coupled, zones + 1);
+  const auto seen = static_cast<Eigen::Index>(std::lround((set.end - set.begin) / set.zone)) + 1;
+  Eigen::MatrixXd n = Eigen::MatrixXd::Zero(coupled, seen);
   for (Eigen::Index k = 0; k < coupled; ++k) {
     const double place = (static_cast<double>(first + k) + 0.5 - set.begin) / set.zone;
     const auto e = static_cast<Eigen::Index>(place);
     n(k, e) = 1 - (place - static_cast<double>(e));
     n(k, e + 1) = place - static_cast<double>(e);
   }
-  Eigen::MatrixXd a = n * nodal.cwiseInverse().asDiagonal() * n.transpose();
-  a.diagonal() += mass.tail(coupled).cwiseInverse();
-  const Eigen::MatrixXd inverse = set.solve == ChainSolve::kConsistent
-                                      ? Eigen::MatrixXd(a.inverse())
-                                      : Eigen::MatrixXd(a.rowwise().sum().cwiseInverse().asDiagonal());
+  const Eigen::MatrixXd map = correction(set, n, mass.tail(coupled), nodal.head(seen));
+  Vector overlap(coupled + seen);
 
   Vector u = Vector::Zero(particles), v = u, f = u, before = u;
   Vector bar_u = Vector::Zero(zones + 1), bar_v = bar_u, bar_f = bar_u, bar_before = bar_u;
@@ -94,9 +129,10 @@ inline ChainEnergies simulate(const ChainAndBar& set, std::size_t steps) {
     reaction = mass[0] * (next - before[0]) / kick - f[0];
     if (step > 0) work += set.dt * before[0] * (last_reaction + reaction) / 2;
     v[0] = next;
-    const Vector multipliers = inverse * (n * bar_v - v.tail(coupled));
-    bar_v -= (n.transpose() * multipliers).cwiseQuotient(nodal);
-    v.tail(coupled) += multipliers.cwiseQuotient(mass.tail(coupled));
+    overlap << v.tail(coupled), bar_v.head(seen);
+    overlap = map * overlap;
+    v.tail(coupled) = overlap.head(coupled);
+    bar_v.head(seen) = overlap.tail(seen);
   }
   const auto energy = [](const Vector& m, const Vector& v0, const Vector& v1, const Vector& k,
                          const Vector& displacement) {

@@ -20,9 +20,9 @@
 namespace adit {
 namespace {
 
-constexpr double kZone = 10, kOverlap = 5 * kZone, kStep = 0.5;
+constexpr double kZone = 10, kOverlap = 5 * kZone, kStep = 0.5, kLongStep = 0.8;
 
-struct Split {
+struct Shares {
   double reflected, transmitted, lost;  // of the packet's energy
 };
 
@@ -56,14 +56,14 @@ struct Geometry {
   }
 };
 
-scene::Scene bar(const Packet& packet, scene::Solve solve) {
+scene::Scene bar(const Packet& packet, scene::Solve solve, double dt) {
   const auto [chain, length, duration] = Geometry(packet);
   scene::Scene scene;
   scene.set_plane(scene::PLANE_STRESS);
   scene.mutable_material()->set_young_modulus(1);
   scene.mutable_material()->set_poisson_ratio(0);
   scene.mutable_material()->set_density(1);
-  scene.mutable_time()->set_dt(kStep);
+  scene.mutable_time()->set_dt(dt);
   scene.mutable_time()->set_duration(duration);
 
   auto& particles = *scene.mutable_particles();
@@ -102,9 +102,9 @@ scene::Scene bar(const Packet& packet, scene::Solve solve) {
   return scene;
 }
 
-Split send(double wavelength, scene::Solve solve) {
+Shares send(double wavelength, scene::Solve solve, double dt = kStep) {
   const Packet packet{wavelength};
-  coupler::Model model = test::local_model(bar(packet, solve));
+  coupler::Model model = test::local_model(bar(packet, solve, dt));
   coupler::Stepper stepper(model);
   for (std::uint64_t n = 0; n <= model.steps; ++n) stepper.step(n, {.energies = n == model.steps});
   const auto& energies = stepper.ledger().sides();
@@ -114,7 +114,10 @@ Split send(double wavelength, scene::Solve solve) {
   return {reflected, transmitted, 1 - reflected - transmitted};
 }
 
-Split send_by_independent_program(double wavelength, scene::Solve solve) {
+Shares send_by_independent_program(double wavelength, scene::Solve solve) {
+  const auto kind = solve == scene::CONSISTENT ? test::ChainSolve::kConsistent
+                    : solve == scene::LUMPED   ? test::ChainSolve::kLumped
+                                               : test::ChainSolve::kSplit;
   const Packet packet{wavelength};
   const Geometry geometry(packet);
   const auto energies = test::simulate(
@@ -124,18 +127,19 @@ Split send_by_independent_program(double wavelength, scene::Solve solve) {
        .end = geometry.chain,
        .length = geometry.length,
        .dt = kStep,
-       .solve = solve == scene::LUMPED ? test::ChainSolve::kLumped : test::ChainSolve::kConsistent,
+       .solve = kind,
+       .decay_rate = 25 / kOverlap,  // the default: 25 wave speeds over the width
        .source = [&](double t) { return t < packet.duration() ? 1e-6 * packet.velocity(t) : 0.0; }},
       static_cast<std::size_t>(std::lround(geometry.duration / kStep)));
   const double transmitted = energies.bar / energies.incident, reflected = energies.chain / energies.incident;
   return {reflected, transmitted, 1 - reflected - transmitted};
 }
 
-void expect_independent_program_agrees(double wavelength, scene::Solve solve, const Split& split) {
-  const Split other = send_by_independent_program(wavelength, solve);
-  EXPECT_NEAR(split.reflected, other.reflected, 1e-3 * other.reflected + 1e-6);
-  EXPECT_NEAR(split.transmitted, other.transmitted, 1e-3 * other.transmitted + 1e-6);
-  EXPECT_NEAR(split.lost, other.lost, 1e-3 * std::abs(other.lost) + 1e-6);
+void expect_independent_program_agrees(double wavelength, scene::Solve solve, const Shares& shares) {
+  const Shares other = send_by_independent_program(wavelength, solve);
+  EXPECT_NEAR(shares.reflected, other.reflected, 1e-3 * other.reflected + 1e-6);
+  EXPECT_NEAR(shares.transmitted, other.transmitted, 1e-3 * other.transmitted + 1e-6);
+  EXPECT_NEAR(shares.lost, other.lost, 1e-3 * std::abs(other.lost) + 1e-6);
 }
 
 struct Row {
@@ -149,23 +153,26 @@ class LumpedWave : public testing::TestWithParam<Row> {};
 
 TEST_P(ConsistentWave, IsPassedOrReflectedButNeverLost) {
   const Row row = GetParam();
-  const Split split = send(row.ratio * kZone, scene::CONSISTENT);
-  EXPECT_NEAR(100 * split.reflected, row.reflected, row.reflected_tolerance);
-  EXPECT_NEAR(split.lost, 0, 1e-9);
-  expect_independent_program_agrees(row.ratio * kZone, scene::CONSISTENT, split);
+  const Shares shares = send(row.ratio * kZone, scene::CONSISTENT);
+  EXPECT_NEAR(100 * shares.reflected, row.reflected, row.reflected_tolerance);
+  EXPECT_NEAR(shares.lost, 0, 1e-9);
+  expect_independent_program_agrees(row.ratio * kZone, scene::CONSISTENT, shares);
 }
 
 TEST_P(LumpedWave, IsPassedReflectedOrAbsorbed) {
   const Row row = GetParam();
-  const Split split = send(row.ratio * kZone, scene::LUMPED);
-  EXPECT_NEAR(100 * split.reflected, row.reflected, row.reflected_tolerance);
-  EXPECT_NEAR(100 * split.lost, row.lost, row.lost_tolerance);
-  expect_independent_program_agrees(row.ratio * kZone, scene::LUMPED, split);
+  const Shares shares = send(row.ratio * kZone, scene::LUMPED);
+  EXPECT_NEAR(100 * shares.reflected, row.reflected, row.reflected_tolerance);
+  EXPECT_NEAR(100 * shares.lost, row.lost, row.lost_tolerance);
+  expect_independent_program_agrees(row.ratio * kZone, scene::LUMPED, shares);
 }
 
-// The test is named by λ/h.
+// Tests are named by λ/h.
+std::string name_of_ratio(double ratio) {
+  return ratio < 1 ? "Half" : std::to_string(static_cast<int>(ratio));
+}
 std::string name_of(const testing::TestParamInfo<Row>& info) {
-  return info.param.ratio < 1 ? "Half" : std::to_string(static_cast<int>(info.param.ratio));
+  return name_of_ratio(info.param.ratio);
 }
 
 INSTANTIATE_TEST_SUITE_P(Rows, ConsistentWave,
@@ -180,6 +187,39 @@ INSTANTIATE_TEST_SUITE_P(Rows, LumpedWave,
                                          Row{3, 21, 62, 4, 9}, Row{2, 24, 76, 1, 1},
                                          Row{1, 1.4, 98.6, 0.6, 0.6}, Row{0.5, 0.5, 99.5, 0.1, 0.1}),
                          name_of);
+
+struct Bounds {
+  double ratio;            // λ/h
+  double reflected, lost;  // at most [%]; 100 where nothing is asked
+};
+
+class SplitWave : public testing::TestWithParam<Bounds> {};
+
+TEST_P(SplitWave, IsAsTheIndependentProgramSays) {
+  const double wavelength = GetParam().ratio * kZone;
+  expect_independent_program_agrees(wavelength, scene::SPLIT, send(wavelength, scene::SPLIT));
+}
+
+// Requirement: the bounds hold, and the figures stay within 10 % (λ ≥ h), when the time step is changed by 8.
+TEST_P(SplitWave, IsPassedOrAbsorbedWhateverTheTimeStep) {
+  const auto [ratio, reflected, lost] = GetParam();
+  const Shares at_long = send(ratio * kZone, scene::SPLIT, kLongStep);
+  const Shares at_short = send(ratio * kZone, scene::SPLIT, kLongStep / 8);
+  for (const Shares& shares : {at_long, at_short}) {
+    EXPECT_LE(100 * shares.reflected, reflected);
+    EXPECT_LE(100 * shares.lost, lost);
+  }
+  if (ratio < 1) return;
+  constexpr double kReadable = 1e-5;  // of the energy: where hardly anything is lost, 10 % of it is nothing
+  EXPECT_NEAR(at_long.reflected, at_short.reflected, 0.1 * at_short.reflected + kReadable);
+  EXPECT_NEAR(at_long.lost, at_short.lost, 0.1 * at_short.lost + kReadable);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rows, SplitWave,
+                         testing::Values(Bounds{20, 0.05, 0.2}, Bounds{10, 0.05, 0.2}, Bounds{5, 0.1, 1.5},
+                                         Bounds{4, 1, 4.5}, Bounds{3, 100, 100}, Bounds{2, 100, 100},
+                                         Bounds{1, 0.3, 100}, Bounds{0.5, 0.3, 100}),
+                         [](const auto& info) { return name_of_ratio(info.param.ratio); });
 
 }  // namespace
 }  // namespace adit

@@ -118,7 +118,7 @@ TEST(SetUp, RefusesModelsWithoutAnInterfaceAndAnInterfaceWithoutModels) {
   expect_refusal(scene, "interface", "is missing");
   scene = coupled_bar();
   scene.clear_continuum();
-  expect_refusal(scene, "interface", "no `continuum`");
+  expect_refusal(scene, "interface", "joins `continuum`, but the scene has no model of this name");
   scene.clear_particles();
   expect_refusal(scene, "continuum", "give at least one");
 }

@@ -235,7 +235,7 @@ TEST(Handshake, AnotherProtocolVersionIsAUserError) {
   write_frame(sockets.far, hello);
   EXPECT_THAT(message_of<UserError>([&] { handshake(connection, "coupler"); }),
               AllOf(HasSubstr("dem_server 9.9.9"), HasSubstr("protocol version 7"),
-                    HasSubstr("coupler " + std::string(release())), HasSubstr("speaks version 1")));
+                    HasSubstr("coupler " + std::string(release())), HasSubstr("speaks version 2")));
 }
 
 TEST(Handshake, AnotherProgramIsAUserError) {
