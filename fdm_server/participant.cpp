@@ -140,7 +140,7 @@ void FdmParticipant::check(const wire::Advance& advance) const {
   if (!(advance.dt() > 0) || advance.dt() != dt_)
     throw std::invalid_argument(
         fmt::format("was asked to advance by {} s in a run of {} s a step", advance.dt(), dt_));
-  if (dt_ > critical_dt_)
+  if (dt_ > critical_dt_ && !scene_.time().beyond_critical())
     throw protocol::UserError("time.dt", fmt::format("is {} s, above the continuum's critical step of {} s; "
                                                      "give at most that",
                                                      dt_, critical_dt_));

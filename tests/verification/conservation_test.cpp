@@ -4,18 +4,17 @@
 #include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "coupler/stepper.hpp"
-#include "dem_server/calibration.hpp"
 #include "tests/support/local_peer.hpp"
+#include "tests/support/momentum.hpp"
 
 namespace adit {
 namespace {
 
-constexpr double kDensity = 2000, kRadius = 0.05, kDuration = 0.02, kForceX = 3e5, kForceY = 1e5;
+constexpr double kDensity = 2000, kForceX = 3e5, kForceY = 1e5;
 
 scene::Scene free_bar(scene::Solve solve) {
   scene::Scene scene;
@@ -35,36 +34,6 @@ scene::Scene free_bar(scene::Solve solve) {
   return scene;
 }
 
-const wire::Field& field(const google::protobuf::RepeatedPtrField<wire::Field>& fields,
-                         const std::string& name) {
-  for (const auto& candidate : fields)
-    if (candidate.name() == name) return candidate;
-  throw std::out_of_range(name);
-}
-
-// Momentum of a snapshot, from its weights: zones of 0.5 m x 0.5 m share their mass among their corners.
-std::array<double, 2> momentum(const std::vector<wire::Snapshot>& snapshots) {
-  std::array<double, 2> sum{};
-  const auto add = [&](double mass, const wire::Field& velocity, std::uint32_t point) {
-    for (int direction = 0; direction < 2; ++direction)
-      sum[direction] += mass * velocity.values(static_cast<int>(velocity.components() * point) + direction);
-  };
-  for (const auto& snapshot : snapshots)
-    for (const auto& piece : snapshot.pieces()) {
-      const auto& velocity =
-          piece.name() == "bonds" ? wire::Field() : field(piece.point_fields(), "velocity_m_per_s");
-      if (piece.name() == "grid")
-        for (int i = 0; i < piece.connectivity_size(); ++i)
-          add(kDensity * 0.25 / 4 * field(piece.cell_fields(), "weight").values(i / 4), velocity,
-              piece.connectivity(i));
-      if (piece.name() == "particles")
-        for (int i = 0; 2 * i < piece.points_size(); ++i)
-          add(dem::cell_mass(kDensity, kRadius) * field(piece.point_fields(), "weight").values(i), velocity,
-              i);
-    }
-  return sum;
-}
-
 class Conservation : public testing::TestWithParam<scene::Solve> {};
 
 TEST_P(Conservation, MomentumIsTheImpulseOfTheLoad) {
@@ -76,7 +45,7 @@ TEST_P(Conservation, MomentumIsTheImpulseOfTheLoad) {
     const double t = static_cast<double>(n) * model.dt;
     if (t <= 0.005) impulse += (n == 0 ? 0.5 : 1.0) * model.dt * std::sin(2 * std::numbers::pi * 100 * t);
   }
-  const auto found = momentum(stepper.snapshots());
+  const auto found = test::momentum(stepper.snapshots(), kDensity);
   EXPECT_NEAR(found[0], kForceX * impulse, 1e-10 * kForceX * impulse);
   EXPECT_NEAR(found[1], kForceY * impulse, 1e-10 * kForceX * impulse);
 }
