@@ -5,6 +5,7 @@ import subprocess
 import numpy as np
 
 from adit_plots.run_folder import Run
+from adit_trade.front import ALONE
 from adit_trade.models import dt_factor
 
 REFERENCE_DT_FACTOR = 0.2
@@ -21,7 +22,7 @@ def table(model, programs, out):
         return compute(programs, scene, settings, out / name.replace(" ", "_").replace(",", ""))
 
     reference = finished(model.full(), dt_factor(REFERENCE_DT_FACTOR), "reference")
-    for family, scene, variants in [("particles only", model.full(), model.alone),
+    for family, scene, variants in [(ALONE, model.full(), model.alone),
                                     *((f, model.coupled(), v) for f, v in model.families.items())]:
         for name, settings in variants.items():
             runs = [finished(scene, settings, name) for _ in range(model.repeats)]
