@@ -51,7 +51,7 @@ def continuum_modulus(value):
 
 STEPS = {
     "substeps": {"2 substeps": substeps(2), "4 substeps": substeps(4), "substeps chosen": substeps(0)},
-    "time step": {f"dt factor {f}": dt_factor(f) for f in (0.1, 0.2, 0.9)},
+    "time step": {f"dt factor {f}": dt_factor(f) for f in (0.2, 0.9)},
 }
 ALONE = {f"particles only, dt factor {f}": dt_factor(f) for f in (0.5, 0.9)}
 
@@ -86,18 +86,21 @@ BAR = Model(
     "bar", "x", (6.3e-3, 7e-3), repeats=1, alone=ALONE,
     families={
         "middle": {"middle": []},
-        "overlap": {f"overlap {w} m": overlap(12, w) for w in (0.5, 1, 3)},
-        "zones": {"zones 0.5 m": zones(40, 2), "zones 0.125 m": zones(160, 8), "zones 0.0625 m": zones(320, 16)},
-        "particle share": {f"particles in {share} m": overlap(20 - share, 2) for share in (4, 12, 16)},
+        "overlap": {f"overlap {w} m": overlap(12, w) for w in (0.125, 0.25, 0.5, 2)},
+        "zones": {"zones 0.5 m": zones(40, 2), "zones 0.25 m": zones(80, 4), "zones 0.125 m": zones(160, 8),
+                  "zones 0.04167 m": zones(480, 24), "zones 0.03125 m": zones(640, 32)},
+        "particle share": {f"particles in {share} m": overlap(20 - share, 1) for share in (4, 12, 16)},
         "solve": {f"{name}, overlap {w} m": solve(name) + overlap(12, w)
-                  for name in ("lumped", "split") for w in (0.5, 2)},
+                  for name in ("lumped", "split") for w in (0.25, 1)},
         **STEPS,
         "together": {
-            "4 m, overlap 0.5 m, zones 0.125 m, dt factor 0.9":
-                overlap(16, 0.5) + zones(160, 8) + dt_factor(0.9),
-            "4 m, overlap 0.5 m, zones 0.0625 m, substeps chosen, dt factor 0.9":
-                overlap(16, 0.5) + zones(320, 16) + substeps(0) + dt_factor(0.9),
-            "4 m, overlap 0.5 m, zones 0.25 m, dt factor 0.9": overlap(16, 0.5) + dt_factor(0.9)},
+            "4 m, overlap 0.25 m, dt factor 0.9": overlap(16, 0.25) + dt_factor(0.9),
+            "4 m, overlap 0.25 m, zones 0.03125 m, dt factor 0.9":
+                overlap(16, 0.25) + zones(640, 32) + dt_factor(0.9),
+            "4 m, overlap 0.25 m, zones 0.125 m, substeps chosen, dt factor 0.9":
+                overlap(16, 0.25) + zones(160, 8) + substeps(0) + dt_factor(0.9),
+            "12 m, overlap 0.25 m, zones 0.03125 m, dt factor 0.9":
+                overlap(8, 0.25) + zones(640, 32) + dt_factor(0.9)},
     })
 
 TINY = Model(
