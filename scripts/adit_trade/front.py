@@ -1,0 +1,32 @@
+"""The coupled variants that no other one beats, and what they advise."""
+
+ALONE = "particles only"  # the family that is not coupled: no rival in accuracy, only in cost
+TARGETS = (0.01, 0.02, 0.05, 0.1)
+UNITS = {"cpu_s": "CPU s", "updates": "updates"}
+
+
+def coupled(rows):
+    return [row for row in rows if row["family"] != ALONE]
+
+
+def front(rows, error, cost):
+    """Coupled rows by rising cost, each with a smaller error than all that cost less."""
+    best, smallest = [], float("inf")
+    for row in sorted(coupled(rows), key=lambda row: (row[cost], row[error])):
+        if row[error] < smallest:
+            best.append(row)
+            smallest = row[error]
+    return best
+
+
+def advice(rows):
+    """Lines: what costs least to keep each of the three histories within an error, and what the particles alone cost."""
+    for row in rows:
+        if row["family"] == ALONE:
+            yield f"{row['variant']}: " + ", ".join(f"{row[cost]:.3g} {unit}" for cost, unit in UNITS.items())
+    for target in TARGETS:
+        good = [row for row in coupled(rows) if max(row["force_l2"], row["near_l2"], row["far_l2"]) <= target]
+        cheapest = {cost: min(good, key=lambda row: row[cost]) for cost in UNITS if good}
+        yield f"coupled, within {100 * target:g} %: " + (
+            "; ".join(f"{row['variant']} ({row[cost]:.3g} {UNITS[cost]})" for cost, row in cheapest.items())
+            or "none of them")
