@@ -9,7 +9,7 @@
 
 namespace adit::test {
 
-enum class ChainSolve { kConsistent, kLumped };
+enum class ChainSolve { kConsistent, kLumped, kSplit };
 
 struct ChainAndBar {
   double section;     // area of the cross-section; E = rho = a = 1, so the wave speed is 1
@@ -63,9 +63,32 @@ inline ChainEnergies simulate(const ChainAndBar& set, std::size_t steps) {
   }
   Eigen::MatrixXd a = n * nodal.cwiseInverse().asDiagonal() * n.transpose();
   a.diagonal() += mass.tail(coupled).cwiseInverse();
-  const Eigen::MatrixXd inverse = set.solve == ChainSolve::kConsistent
-                                      ? Eigen::MatrixXd(a.inverse())
-                                      : Eigen::MatrixXd(a.rowwise().sum().cwiseInverse().asDiagonal());
+  Eigen::MatrixXd of_chain, of_bar;  // the multipliers are of_bar V - of_chain v
+  if (set.solve == ChainSolve::kSplit) {
+    // The chain's motion is N c + w, with c the bar's motion of least distance; w decays, c and V are made
+    // one.
+    Vector decay(coupled);
+    for (Eigen::Index k = 0; k < coupled; ++k) {
+      const double across = bar_weight(static_cast<double>(first + k) + 0.5);
+      decay[k] = 1 - std::exp(-25 / (set.end - set.begin) * std::pow(across, 3) * set.dt);
+    }
+    const Eigen::Index reached = (n.colwise().sum().array() > 0).count();  // grid points that see particles
+    const Eigen::MatrixXd hats = n.leftCols(reached),
+                          momentum = hats.transpose() * mass.tail(coupled).asDiagonal();
+    const Eigen::MatrixXd seen = momentum * hats, to_bar = seen.inverse() * momentum;
+    const Eigen::MatrixXd fine = Eigen::MatrixXd::Identity(coupled, coupled) - hats * to_bar;
+    Eigen::MatrixXd join = nodal.head(reached).cwiseInverse().asDiagonal() * seen;
+    join.diagonal().array() += 1;
+    const Eigen::MatrixXd pull = mass.tail(coupled).asDiagonal() * hats * join.inverse();
+    of_bar = Eigen::MatrixXd::Zero(coupled, zones + 1);
+    of_bar.leftCols(reached) = pull;
+    of_chain = pull * to_bar + mass.tail(coupled).asDiagonal() * fine * decay.asDiagonal() * fine;
+  } else {
+    of_chain = set.solve == ChainSolve::kConsistent
+                   ? Eigen::MatrixXd(a.inverse())
+                   : Eigen::MatrixXd(a.rowwise().sum().cwiseInverse().asDiagonal());
+    of_bar = of_chain * n;
+  }
 
   Vector u = Vector::Zero(particles), v = u, f = u, before = u;
   Vector bar_u = Vector::Zero(zones + 1), bar_v = bar_u, bar_f = bar_u, bar_before = bar_u;
@@ -94,7 +117,7 @@ inline ChainEnergies simulate(const ChainAndBar& set, std::size_t steps) {
     reaction = mass[0] * (next - before[0]) / kick - f[0];
     if (step > 0) work += set.dt * before[0] * (last_reaction + reaction) / 2;
     v[0] = next;
-    const Vector multipliers = inverse * (n * bar_v - v.tail(coupled));
+    const Vector multipliers = of_bar * bar_v - of_chain * v.tail(coupled);
     bar_v -= (n.transpose() * multipliers).cwiseQuotient(nodal);
     v.tail(coupled) += multipliers.cwiseQuotient(mass.tail(coupled));
   }
