@@ -10,7 +10,7 @@ import math
 import numpy as np
 
 from adit_studies import coupled_runs
-from adit_studies.wave_packet import AMPLITUDE, SPEED, Packet
+from adit_studies.wave_packet import AMPLITUDE, ROW, SPEED, Packet
 
 BEAM_WIDTH = 1.0  # standard deviation σ of the beam [wavelengths]
 HALF_BEAM = 3.0   # [σ]
@@ -48,8 +48,8 @@ def scene(case):
 
 
 def beam(packet, wave, angle, sigma, source, middle):
-    """Motions of the left edge in pieces of an eighth of a wavelength, too short to radiate sideways."""
-    pieces = round(16 * source / packet.wavelength)
+    """Motions of the left edge in pieces of an eighth of a wavelength, or a row: too short to radiate sideways."""
+    pieces = math.floor(2 * source / max(packet.wavelength / 8, 1.2 * ROW))
     size = 2 * source / pieces
     direction = angle + {"P": 0, "S": math.pi / 2}[wave]
     main, turned = np.array([(math.cos(d), math.sin(d)) for d in (direction, direction + math.pi / 2)])
