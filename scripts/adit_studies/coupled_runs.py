@@ -1,0 +1,57 @@
+"""Runs many scenes with the coupler, as many at a time as there are cores."""
+import json
+import os
+import shutil
+import subprocess
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from pathlib import Path
+
+from adit_plots.run_folder import Run
+
+ROOT = Path(__file__).resolve().parents[2]
+COUPLER = Path(os.environ.get("ADIT_BUILD", ROOT / "build" / "release")) / "coupler" / "coupler"
+
+
+class Failed(Exception):
+    """A scene could not be computed; the message is one sentence for the user."""
+
+
+def run(scene, folder):
+    """Computes a scene, given as a dictionary, and returns its Run in `folder`, emptied first."""
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    file = folder.parent / f"{folder.name}.yaml"
+    file.write_text(json.dumps(scene))  # JSON is YAML
+    done = subprocess.run([COUPLER, "run", file, "--out", folder], capture_output=True, text=True)
+    if done.returncode != 0:
+        raise Failed(f"{file} failed (exit code {done.returncode}): {done.stderr.strip()}")
+    file.unlink()  # the folder holds the scene as it was computed
+    return Run(folder)
+
+
+def for_all(function, cases):
+    """Yields (case, function(case)) as they are done."""
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        pending = {pool.submit(function, case): case for case in cases}
+        try:
+            for future in as_completed(pending):
+                yield pending[future], future.result()
+        finally:
+            pool.shutdown(cancel_futures=True)
+
+
+def last(run, column):
+    return run.histories[column][-1]
+
+
+def energy(run, side):
+    """Kinetic and strain energy [J] that a side of the model holds at the end."""
+    return last(run, f"{side}_kinetic_J") + last(run, f"{side}_strain_J")
+
+
+def shares(run, source, remainder=0.0):
+    """(reflected, transmitted, lost) of the energy that the source on one side sent, less a remainder that stays."""
+    far = {"particles": "continuum", "continuum": "particles"}[source]
+    incident = last(run, f"{source}_external_work_J") - remainder
+    reflected, transmitted = (energy(run, source) - remainder) / incident, energy(run, far) / incident
+    return reflected, transmitted, 1 - reflected - transmitted

@@ -1,0 +1,87 @@
+"""Pictures of the study of waves through the overlap; {case: (reflected, transmitted, lost)} goes in."""
+import math
+
+import numpy as np
+from matplotlib.patches import Circle
+
+from adit_plots import style
+from adit_studies.wave_packet import Case
+from adit_studies.wave_cases import LENGTHS, SOLVES
+from adit_studies.wave_patch import radius
+
+COLORS = dict(zip(SOLVES, (style.BLUE, style.ORANGE, style.GREEN)))
+PULSES = (5, 2)  # λ/h of the cylindrical pulses that are drawn
+SMALLEST = 1e-3  # per cent; less is rounding, or the tail of the packet
+
+
+def over_wavelength(shares):
+    """Reflected and lost in the bar over λ/h: three solves, widths of the overlap as line styles."""
+    figure, axes = style.plt.subplots(1, 2, figsize=(9, 4), sharey=True, layout="constrained")
+    for solve in SOLVES:
+        for overlap, look in ((2, ":"), (5, "-"), (10, "--")):
+            rows = [(length, shares[case]) for length in LENGTHS
+                    if (case := Case("bar", solve, length, overlap_over_h=overlap)) in shares]
+            for panel, index in zip(axes, (0, 2)):
+                panel.plot([row[0] for row in rows], [percent(row[1][index]) for row in rows], look, color=COLORS[solve],
+                           marker="o" if overlap == 5 else "", ms=3, label=f"{solve}, overlap {overlap}h")
+    for panel, title in zip(axes, ("reflected", "lost (the consistent solve loses nothing)")):
+        panel.set(xscale="log", yscale="log", xlabel="wavelength over zone size, λ/h", ylim=(SMALLEST, 150))
+        panel.set_xticks(LENGTHS, [f"{length:g}" for length in LENGTHS])
+        panel.minorticks_off()
+        panel.axvline(math.pi, color=style.GREY, lw=0.8)
+        panel.text(math.pi * 1.05, 1.4 * SMALLEST, "the grid's cut-off, π", color=style.GREY, fontsize=8)
+        panel.set_title(title, loc="left")
+    axes[0].set_ylabel("% of the incident energy")
+    axes[0].legend(fontsize=7.5, ncol=1, loc="lower left")
+    return figure
+
+
+def over_angle(shares):
+    """Reflected and lost in the strip over the angle of incidence, λ = 5h."""
+    figure, axes = style.plt.subplots(1, 2, figsize=(8, 3.4), layout="constrained")
+    for solve in SOLVES:
+        angles = [angle for angle in range(0, 90, 15) if strip(solve, angle) in shares]
+        for panel, index in zip(axes, (0, 2)):
+            panel.plot(angles, [percent(shares[strip(solve, angle)][index]) for angle in angles], "o-", ms=3.5,
+                       color=COLORS[solve], label=solve)
+    for panel, title in zip(axes, ("reflected", "lost")):
+        panel.set(yscale="log", xlabel="angle of incidence [°]", xticks=range(0, 75, 15), ylim=(0.01, 30))
+        panel.set_title(f"{title}, P beam of λ = 5h", loc="left")
+    axes[0].set_ylabel("% of the incident energy")
+    axes[0].legend()
+    return figure
+
+
+def strip(solve, angle):
+    return Case("strip", solve, 5, h_over_a=4, angle_deg=angle)
+
+
+def pulses(shares, snapshots):
+    """Speed of the motion when the pulse has left the patch; `snapshots(case)`: the pieces of the run's end."""
+    figure, axes = style.plt.subplots(len(PULSES), len(SOLVES), figsize=(9, 6.2), layout="constrained")
+    for line, length in zip(axes, PULSES):
+        for panel, solve in zip(line, SOLVES):
+            case = Case("patch", solve, length, h_over_a=4)
+            reflected, _, lost = shares[case]
+            image = draw_speed(panel, snapshots(case))
+            panel.set_title(f"{solve}, λ = {length}h: {percent(reflected):.2g} % back, {percent(lost):.2g} % lost", loc="left",
+                            fontsize=8.5)
+            for r in (radius(case), radius(case) + case.overlap):
+                panel.add_patch(Circle((0, 0), r, fc="none", ec=style.BLACK, lw=0.6))
+    figure.colorbar(image, ax=axes, label="speed over the largest of the pulse, common logarithm", shrink=0.6)
+    return figure
+
+
+def draw_speed(panel, pieces):
+    points = np.concatenate([pieces[name].points for name in ("grid", "particles")])
+    speed = np.concatenate([np.hypot(*pieces[name].field("velocity_m_per_s")[:, :2].T) for name in ("grid", "particles")])
+    with np.errstate(divide="ignore"):
+        level = np.log10(speed / speed.max())
+    image = panel.scatter(*points.T, c=np.clip(level, -3, 0), s=0.25, lw=0, cmap="magma_r", vmin=-3, vmax=0,
+                          rasterized=True)
+    panel.set(aspect="equal", xticks=[], yticks=[])
+    return image
+
+
+def percent(share):
+    return 100 * max(share, 0)
