@@ -217,7 +217,7 @@ TEST_P(SplitWave, IsPassedOrAbsorbedWhateverTheTimeStep) {
 
 INSTANTIATE_TEST_SUITE_P(Rows, SplitWave,
                          testing::Values(Bounds{20, 0.05, 0.2}, Bounds{10, 0.05, 0.2}, Bounds{5, 0.1, 1.5},
-                                         Bounds{4, 1, 4.5}, Bounds{3, 100, 100}, Bounds{2, 100, 100},
+                                         Bounds{4, 1.2, 4.5}, Bounds{3, 65, 12}, Bounds{2, 60, 60},
                                          Bounds{1, 0.3, 100}, Bounds{0.5, 0.3, 100}),
                          [](const auto& info) { return name_of_ratio(info.param.ratio); });
 
