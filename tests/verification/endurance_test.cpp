@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "coupler/stepper.hpp"
 #include "tests/support/local_peer.hpp"
