@@ -89,7 +89,7 @@ BAR = Model(
         "overlap": {f"overlap {w} m": overlap(12, w) for w in (0.125, 0.25, 0.5, 2)},
         "zones": {"zones 0.5 m": zones(40, 2), "zones 0.25 m": zones(80, 4), "zones 0.125 m": zones(160, 8),
                   "zones 0.04167 m": zones(480, 24), "zones 0.03125 m": zones(640, 32)},
-        "particle share": {f"particles in {share} m": overlap(20 - share, 1) for share in (4, 12, 16)},
+        "particle share": {f"particles in {share} m": overlap(20 - share, 1) for share in (4, 12, 14)},
         "solve": {f"{name}, overlap {w} m": solve(name) + overlap(12, w)
                   for name in ("lumped", "split") for w in (0.25, 1)},
         **STEPS,
