@@ -69,9 +69,6 @@ CANTILEVER = Model(
         "solve": {f"{name}, overlap {w} m": solve(name) + overlap(4, w)
                   for name in ("lumped", "split") for w in (0.5, 1, 2)},
         **STEPS,
-        "softened continuum": {
-            "softened": SOFTENED, "softened, overlap 0.5 m": SOFTENED + overlap(4, 0.5),
-            "softened, particles in 3 m": SOFTENED + overlap(7, 1)},
         "together": {
             "split, overlap 0.5 m, dt factor 0.9": solve("split") + overlap(4, 0.5) + dt_factor(0.9),
             "split, overlap 0.5 m, zones 0.5 x 0.5 m, dt factor 0.9":
@@ -80,6 +77,9 @@ CANTILEVER = Model(
                 solve("split") + overlap(2, 0.5) + dt_factor(0.9),
             "particles in 3 m, split, overlap 0.5 m, dt factor 0.9":
                 solve("split") + overlap(7, 0.5) + dt_factor(0.9)},
+        "softened continuum": {
+            "softened": SOFTENED, "softened, overlap 0.5 m": SOFTENED + overlap(4, 0.5),
+            "softened, particles in 3 m": SOFTENED + overlap(7, 1)},
     })
 
 BAR = Model(
@@ -89,7 +89,7 @@ BAR = Model(
         "overlap": {f"overlap {w} m": overlap(12, w) for w in (0.125, 0.25, 0.5, 2)},
         "zones": {"zones 0.5 m": zones(40, 2), "zones 0.25 m": zones(80, 4), "zones 0.125 m": zones(160, 8),
                   "zones 0.04167 m": zones(480, 24), "zones 0.03125 m": zones(640, 32)},
-        "particle share": {f"particles in {share} m": overlap(20 - share, 1) for share in (4, 12, 16)},
+        "particle share": {f"particles in {share} m": overlap(20 - share, 1) for share in (4, 12, 14)},
         "solve": {f"{name}, overlap {w} m": solve(name) + overlap(12, w)
                   for name in ("lumped", "split") for w in (0.25, 1)},
         **STEPS,

@@ -14,10 +14,11 @@ LOOKS = ((style.BLACK, "D"), (style.BLUE, "o"), (style.RED, "v"), (style.GREEN, 
 def pareto(name, rows):
     figure, panels = plt.subplots(2, 2, sharex="col", sharey="row", figsize=(9.0, 7.4))
     for line, (error, error_label) in zip(panels, ERRORS):
-        for axes, (cost, unit, cost_label) in zip(line, COSTS):
+        for axes, (cost, unit, _) in zip(line, COSTS):
             _panel(axes, rows, error, cost, unit)
-            axes.set_xlabel(cost_label if line is panels[-1] else None)
         line[0].set_ylabel(error_label)
+    for axes, (_, _, cost_label) in zip(panels[-1], COSTS):
+        axes.set_xlabel(cost_label)
     panels[0, 0].set_title(f"{name}: coupled against particles alone, relative L2 error over cost", loc="left")
     figure.legend(*panels[0, 0].get_legend_handles_labels(), loc="lower center", ncol=4)
     figure.subplots_adjust(left=0.08, right=0.98, top=0.95, bottom=0.17, hspace=0.08, wspace=0.06)

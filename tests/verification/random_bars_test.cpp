@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "coupler/stepper.hpp"
+#include "protocol/errors.hpp"
 #include "tests/support/local_peer.hpp"
 #include "tests/verification/bars.hpp"
 
@@ -54,7 +55,12 @@ test::Bar random_geometry() {
 RC_GTEST_PROP(RandomBars, MakeNoEnergy, ()) {
   const test::Bar bar = random_geometry();
   scene::Scene scene = random_bar(bar);
-  const double dt = test::local_model(scene).dt;
+  double dt = 0;
+  try {
+    dt = test::local_model(scene).dt;
+  } catch (const protocol::UserError&) {
+    RC_DISCARD("refused, as rows of particles that do not fill the bar");
+  }
   test::push_left_end({3, 1, 100 * dt}, bar, scene);
   coupler::Model model = test::local_model(scene);
   coupler::Stepper stepper(model);
