@@ -8,6 +8,7 @@ from adit_plots import style
 from adit_studies.wave_packet import Case
 from adit_studies.wave_cases import LENGTHS, SOLVES
 from adit_studies.wave_patch import radius
+from adit_studies.wave_table import percent as text
 
 COLORS = dict(zip(SOLVES, (style.BLUE, style.ORANGE, style.GREEN)))
 PULSES = (5, 2)  # λ/h of the cylindrical pulses that are drawn
@@ -32,7 +33,7 @@ def over_wavelength(shares):
         panel.text(math.pi * 1.05, 1.4 * SMALLEST, "the grid's cut-off, π", color=style.GREY, fontsize=8)
         panel.set_title(title, loc="left")
     axes[0].set_ylabel("% of the incident energy")
-    axes[0].legend(fontsize=7.5, ncol=1, loc="lower left")
+    axes[1].legend(fontsize=7.5, loc="lower left")
     return figure
 
 
@@ -60,25 +61,32 @@ def pulses(shares, snapshots):
     """Speed of the motion when the pulse has left the patch; `snapshots(case)`: the pieces of the run's end."""
     figure, axes = style.plt.subplots(len(PULSES), len(SOLVES), figsize=(9, 6.2), layout="constrained")
     for line, length in zip(axes, PULSES):
-        for panel, solve in zip(line, SOLVES):
-            case = Case("patch", solve, length, h_over_a=4)
-            reflected, _, lost = shares[case]
-            image = draw_speed(panel, snapshots(case))
-            panel.set_title(f"{solve}, λ = {length}h: {percent(reflected):.2g} % back, {percent(lost):.2g} % lost", loc="left",
-                            fontsize=8.5)
+        cases = [Case("patch", solve, length, h_over_a=4) for solve in SOLVES]
+        ends = [snapshots(case) for case in cases]
+        largest = max(speed(piece).max() for pieces in ends for piece in bodies(pieces))
+        for panel, case, pieces in zip(line, cases, ends):
+            reflected, _, lost = map(text, shares[case])
+            image = draw_speed(panel, pieces, largest)
+            panel.set_title(f"{case.solve}, λ = {length}h: {reflected} % back, {lost} % lost", loc="left", fontsize=8)
             for r in (radius(case), radius(case) + case.overlap):
                 panel.add_patch(Circle((0, 0), r, fc="none", ec=style.BLACK, lw=0.6))
-    figure.colorbar(image, ax=axes, label="speed over the largest of the pulse, common logarithm", shrink=0.6)
+    figure.colorbar(image, ax=axes, label="speed over the largest of the row, common logarithm", shrink=0.6)
     return figure
 
 
-def draw_speed(panel, pieces):
-    points = np.concatenate([pieces[name].points for name in ("grid", "particles")])
-    speed = np.concatenate([np.hypot(*pieces[name].field("velocity_m_per_s")[:, :2].T) for name in ("grid", "particles")])
-    with np.errstate(divide="ignore"):
-        level = np.log10(speed / speed.max())
-    image = panel.scatter(*points.T, c=np.clip(level, -3, 0), s=0.25, lw=0, cmap="magma_r", vmin=-3, vmax=0,
-                          rasterized=True)
+def bodies(pieces):
+    return pieces["grid"], pieces["particles"]
+
+
+def speed(piece):
+    return np.hypot(*piece.field("velocity_m_per_s")[:, :2].T)
+
+
+def draw_speed(panel, pieces, largest):
+    for piece, size in zip(bodies(pieces), (1.5, 0.15)):  # grid points stand for more of the area
+        level = np.log10(np.maximum(speed(piece) / largest, 1e-3))
+        image = panel.scatter(*piece.points.T, c=level, s=size, marker="s", lw=0, cmap="magma_r", vmin=-3, vmax=0,
+                              rasterized=True)
     panel.set(aspect="equal", xticks=[], yticks=[])
     return image
 
