@@ -130,9 +130,14 @@ Constraint::Constraint(const scene::Scene& scene, const std::vector<Side>& sides
                        const std::vector<Interface>& interfaces, std::span<const double> points, double dt)
     : coarse_(coarse_operator(sides, interfaces)), own_(2 * coarse_.own_points()), at_points_(points.size()) {
   const scene::Solve kind = common_solve(interfaces);
-  solve_ = make_multiplier_solve(
-      kind, coarse_, fine_masses(sides, interfaces, points),
-      kind == scene::SPLIT ? decay(scene, sides, interfaces, points, dt) : std::vector<double>{});
+  try {
+    solve_ = make_multiplier_solve(
+        kind, coarse_, fine_masses(sides, interfaces, points),
+        kind == scene::SPLIT ? decay(scene, sides, interfaces, points, dt) : std::vector<double>{});
+  } catch (const UserError& error) {  // which speaks of the only interface that it knows
+    throw UserError(error.path() == "interface.overlap" ? interfaces.back().path + ".overlap" : error.path(),
+                    error.what());
+  }
 }
 
 void Constraint::read(const std::vector<Side>& sides, Part part, std::vector<double> Side::*velocities,

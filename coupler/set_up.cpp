@@ -122,6 +122,9 @@ Model set_up(const scene::Scene& scene, std::vector<Side> sides, const std::stri
   std::vector<Member> members;
   for (const Side& side : model.sides) members.push_back(side.member);
   for (const Join& join : joins(scene, members)) model.interfaces.emplace_back(join);
+  for (const Interface& interface : model.interfaces)
+    for (const std::size_t side : {interface.outer, interface.inner})
+      model.sides[side].interface_path = interface.path;
   require_distinct_histories(scene, model.sides);
   build_models(model, run_id);
   choose_time_step(model);

@@ -7,10 +7,15 @@
 namespace adit::coupler {
 namespace {
 
-// A region's model stands under `continuum` or `particles` in what its participant sees.
-std::string path_in_scene(const std::string& path, const Member& member) {
-  const std::string own = to_string(member.role);
-  return path.rfind(own, 0) == 0 ? member.path + path.substr(own.size()) : path;
+// A participant knows its model as `continuum` or `particles`, and its interfaces as `interface`.
+std::string path_in_scene(const std::string& path, const Side& side) {
+  const auto replaced = [&](const std::string& from, const std::string& to) {
+    return to + path.substr(from.size());
+  };
+  const std::string own = to_string(side.member.role), interface = "interface";
+  if (path.rfind(own, 0) == 0) return replaced(own, side.member.path);
+  if (path.rfind(interface, 0) == 0) return replaced(interface, side.interface_path);
+  return path;
 }
 
 }  // namespace
@@ -19,7 +24,7 @@ void collect(Side& side, wire::Frame::ContentCase expected) {
   try {
     side.peer->collect(side.reply);
   } catch (const protocol::UserError& error) {
-    throw protocol::UserError(path_in_scene(error.path(), side.member), error.what());
+    throw protocol::UserError(path_in_scene(error.path(), side), error.what());
   }
   if (side.reply.content_case() == expected) return;
   const auto* descriptor = wire::Frame::descriptor();

@@ -35,6 +35,7 @@ struct Side {
   wire::Model model;
   wire::Interface counts;
   std::size_t histories = 0;                   // that the scene asks of it
+  std::string interface_path = "interface";    // in the scene, of its last interface
   std::vector<Segment> segments;               // its coupling points
   std::optional<Interpolation> interpolation;  // where it has any
 

@@ -27,15 +27,18 @@ void require_free(std::span<const double> fine_masses) {
 // zone's corner is seen from four zones: with one coupling point in each zone it is seen four times, with
 // zones half as large as the distance of the coupling points about once. Then the constraint falls apart into
 // ties of single points: it is solvable, but most motions of the coarse side end freely in the overlap. The
-// factor leaves room for the edges of narrow overlaps; of very few points nothing can be said.
+// factor leaves room for the edges of narrow overlaps; of very few points nothing can be said. A coarse point
+// that is a coupling point itself is held fully: models with matching points are well posed.
 void require_coarse(const Interpolation& coarse) {
   constexpr double kLeastSightings = 4.0 / 3.0;
   constexpr std::size_t kFew = 4;
+  std::vector<bool> held(coarse.own_points()), seen(coarse.own_points());
+  for (std::size_t k = 0; k < coarse.coupling_points(); ++k)
+    if (coarse.columns(k).size() == 1) held[coarse.columns(k)[0]] = true;
   std::size_t sightings = 0;
-  std::vector<bool> seen(coarse.own_points());
   for (std::size_t k = 0; k < coarse.coupling_points(); ++k)
     for (std::size_t e = 0; e < coarse.columns(k).size(); ++e)
-      if (coarse.values(k)[e] != 0) {
+      if (coarse.values(k)[e] != 0 && !held[coarse.columns(k)[e]]) {
         ++sightings;
         seen[coarse.columns(k)[e]] = true;
       }

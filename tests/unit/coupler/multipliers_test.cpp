@@ -174,12 +174,30 @@ TEST(Multipliers, RefuseAPrescribedParticleInTheOverlap) {
 // Requirement: so is a grid that is finer than the particles that it is to follow.
 TEST(Multipliers, RefuseACoarseSideThatIsTheFinerOne) {
   std::vector<std::uint32_t> row_starts = {0}, columns;
+  for (std::uint32_t k = 0; k < 6; ++k) {  // two coarse points of its own for each coupling point
+    columns.insert(columns.end(), {2 * k, 2 * k + 1});
+    row_starts.push_back(2 * (k + 1));
+  }
+  expect_refusal({row_starts, columns, std::vector<double>(12, 0.5), std::vector<double>(24, 1.0)},
+                 std::vector<double>(12, 1.0), "finer");
+}
+
+// Requirement: two models whose points coincide are tied point by point.
+TEST(Multipliers, TieMatchingPoints) {
+  std::vector<std::uint32_t> row_starts = {0}, columns;
   for (std::uint32_t k = 0; k < 6; ++k) {
     columns.push_back(k);
     row_starts.push_back(k + 1);
   }
-  expect_refusal({row_starts, columns, std::vector<double>(6, 1.0), std::vector<double>(12, 1.0)},
-                 std::vector<double>(12, 1.0), "finer");
+  const Interpolation coarse(row_starts, columns, std::vector<double>(6, 1.0),
+                             std::vector<double>(12, 1.0 / 3));
+  const std::vector<double> moving(12, 4.0), still(12, 0.0), masses(12, 1.0);
+  for (const scene::Solve kind : kAll) {
+    std::vector<double> multipliers(12);
+    make_multiplier_solve(kind, coarse, masses, std::vector<double>(6, 0.5))
+        ->solve(moving, still, multipliers);
+    for (const double multiplier : multipliers) EXPECT_NEAR(multiplier, 3.0, 1e-9) << scene::Solve_Name(kind);
+  }
 }
 
 // Requirement: factors stay sparse: in a plane with 10⁵ coupling points they hold a few dozen numbers a grid
