@@ -15,16 +15,20 @@ void add_product(double dt, std::span<const double> force, std::span<const doubl
 }  // namespace
 
 void move(double dt, std::span<const protocol::Stretch> some, Particles& p) {
-  for (const auto [begin, end] : some) {
-    const auto part = [&](auto& values) { return std::span(values).subspan(begin, end - begin); };
+  for (const protocol::Stretch& stretch : some) {
+    const auto part = [&](auto& values) {
+      return std::span(values).subspan(stretch.begin, stretch.end - stretch.begin);
+    };
     add_product(dt, part(p.vx), part(p.ux));
     add_product(dt, part(p.vy), part(p.uy));
   }
 }
 
 void kick(double dt, std::span<const protocol::Stretch> some, Particles& p) {
-  for (const auto [begin, end] : some) {
-    const auto part = [&](auto& values) { return std::span(values).subspan(begin, end - begin); };
+  for (const protocol::Stretch& stretch : some) {
+    const auto part = [&](auto& values) {
+      return std::span(values).subspan(stretch.begin, stretch.end - stretch.begin);
+    };
     add_product(dt, part(p.fx), part(p.inverse_mass), part(p.vx));
     add_product(dt, part(p.fy), part(p.inverse_mass), part(p.vy));
     add_product(dt, part(p.moment), part(p.inverse_inertia), part(p.spin));

@@ -128,6 +128,8 @@ void DemParticipant::split_at_interface() {
 
 void DemParticipant::correct(std::span<const double> impulses) {
   if (impulses.empty()) return;
+  if (step_.dt == 0)
+    throw std::logic_error("impulses came before the first step, which has nothing to correct");
   if (impulses.size() != 2 * coupling_.size())
     throw std::logic_error(
         fmt::format("{} impulses came for {} coupling points", impulses.size(), coupling_.size()));
@@ -174,9 +176,9 @@ void DemParticipant::start_over() {
 
 void DemParticipant::advance(const wire::Advance& advance, wire::Predicted& predicted) {
   Particles& particles = assembly_.particles;
+  correct(view(advance.impulses()));
   check_dt(advance);
   if (relaxation_ && !advance.relax()) start_over();
-  correct(view(advance.impulses()));
   if (advance.relax()) relax(advance.stop(), *predicted.mutable_relaxation());
   step_ = {advance.step(), advance.dt(), advance.relax(), advance.stop()};
   rest_left_ =

@@ -26,8 +26,8 @@ Triangulation::Triangulation(const Particles& particles, const Bonds& bonds)
   extents.reserve(triangles_.size());
   const double margin = kTolerance * bonds.rest_length;
   for (const auto& [a, b, c] : triangles_) {
-    const auto [x0, x1] = std::ranges::minmax({particles.x[a], particles.x[b], particles.x[c]});
-    const auto [y0, y1] = std::ranges::minmax({particles.y[a], particles.y[b], particles.y[c]});
+    const auto [x0, x1] = std::minmax({particles.x[a], particles.x[b], particles.x[c]});
+    const auto [y0, y1] = std::minmax({particles.y[a], particles.y[b], particles.y[c]});
     extents.push_back({x0 - margin, x1 + margin, y0 - margin, y1 + margin});
   }
   cells_ = {extents, bonds.rest_length};

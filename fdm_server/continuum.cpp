@@ -168,7 +168,8 @@ Energies Continuum::energies(const protocol::Step& step) const {
 
 void Continuum::move_and_predict(const Part& part, const protocol::Step& step) {
   const double dt = step.dt, kick = step.kick();
-  const auto axis = [&](Column displacement, Column velocity, Column force, Column inverse_mass) {
+  const auto axis = [this, &part, dt, kick](Column displacement, Column velocity, Column force,
+                                            Column inverse_mass) {
     double *u = points_[displacement].data(), *v = points_[velocity].data(), *f = points_[force].data();
     const double* inverse = points_[inverse_mass].data();
     for (const auto [begin, end] : part.points) {

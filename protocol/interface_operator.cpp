@@ -18,6 +18,8 @@ InterfaceOperator::InterfaceOperator(std::span<const OperatorRow> rows) {
   points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
   for (auto& column : columns_)
     column = static_cast<std::uint32_t>(std::ranges::lower_bound(points_, column) - points_.begin());
+  identity_ = this->rows() == points_.size() && std::ranges::is_sorted(columns_) &&
+              std::ranges::all_of(values_, [](double value) { return value == 1; });
   gathered_.resize(2 * points_.size());
 }
 
@@ -28,6 +30,7 @@ void InterfaceOperator::fill(wire::Operator& op) const {
 }
 
 std::span<const double> InterfaceOperator::gather(std::span<const double> impulses) {
+  if (identity_) return impulses;
   std::ranges::fill(gathered_, 0.0);
   for (std::size_t k = 0; k < rows(); ++k)
     for (std::uint32_t e = row_starts_[k]; e < row_starts_[k + 1]; ++e) {
@@ -39,6 +42,13 @@ std::span<const double> InterfaceOperator::gather(std::span<const double> impuls
 
 void InterfaceOperator::velocities(std::span<const double> vx, std::span<const double> vy,
                                    std::span<double> result) const {
+  if (identity_) {
+    for (std::size_t k = 0; k < points_.size(); ++k) {
+      result[2 * k] = vx[points_[k]];
+      result[2 * k + 1] = vy[points_[k]];
+    }
+    return;
+  }
   for (std::size_t k = 0; k < rows(); ++k) {
     double x = 0, y = 0;
     for (std::uint32_t e = row_starts_[k]; e < row_starts_[k + 1]; ++e) {

@@ -29,7 +29,7 @@ class InterfaceOperator {
   // All of the message but the inverse masses, which belong to points() in their order.
   void fill(wire::Operator& op) const;
 
-  // N^T impulses [N s], one pair for each of points(); valid until the next call.
+  // N^T impulses [N s], one pair for each of points(); valid until the next call, as long as the impulses.
   std::span<const double> gather(std::span<const double> impulses);
 
   // N v from the velocities of all points of the participant, interleaved [m/s].
@@ -40,6 +40,7 @@ class InterfaceOperator {
   std::vector<std::uint32_t> columns_;  // into points_
   std::vector<double> values_;
   std::vector<std::uint32_t> points_;
+  bool identity_ = false;  // the coupling points are points_ in their order
   std::vector<double> gathered_;
 };
 

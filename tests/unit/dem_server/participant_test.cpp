@@ -74,6 +74,9 @@ TEST(Participant, RefusesInconsistentSteps) {
   EXPECT_THROW(negative.advance(), std::logic_error);
   InProcessRun pushed(cantilever_scene());
   EXPECT_THROW(pushed.advance({1.0, 2.0}), std::logic_error);
+  InProcessRun uncoupled(cantilever_scene());
+  uncoupled.advance();
+  EXPECT_THROW(uncoupled.advance({1.0, 2.0}), std::logic_error);
 }
 
 // The snapshot draws every particle and bond, with values in their places.

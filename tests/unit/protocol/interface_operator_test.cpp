@@ -42,6 +42,27 @@ TEST(InterfaceOperator, GathersByTheTransposeOfWhatItInterpolates) {
   }
 }
 
+// Coupling points that are the participant's own, in its order or in another, twice or once, move with those
+// alone.
+TEST(InterfaceOperator, SelectsOwnPoints) {
+  const std::vector<double> vx{10, 11, 12, 13}, vy{20, 21, 22, 23}, impulses{1, 2, 3, 4, 5, 6};
+  std::vector<double> velocities(6);
+  const auto select = [&](const std::vector<std::uint32_t>& points) {
+    std::vector<OperatorRow> rows;
+    for (const std::uint32_t point : points) rows.push_back({{point}, {1.0}});
+    InterfaceOperator op(rows);
+    op.velocities(vx, vy, velocities);
+    const auto own = op.gather(impulses);
+    return std::vector<double>(own.begin(), own.end());
+  };
+  EXPECT_THAT(select({0, 1, 3}), ElementsAre(1, 2, 3, 4, 5, 6));
+  EXPECT_THAT(velocities, ElementsAre(10, 20, 11, 21, 13, 23));
+  EXPECT_THAT(select({3, 0, 1}), ElementsAre(3, 4, 5, 6, 1, 2));
+  EXPECT_THAT(velocities, ElementsAre(13, 23, 10, 20, 11, 21));
+  EXPECT_THAT(select({1, 1, 2}), ElementsAre(4, 6, 5, 6));
+  EXPECT_THAT(velocities, ElementsAre(11, 21, 11, 21, 12, 22));
+}
+
 // A run without coupling points has no rows.
 TEST(InterfaceOperator, IsEmptyAtFirst) {
   InterfaceOperator op;
