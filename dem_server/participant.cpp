@@ -147,7 +147,6 @@ void DemParticipant::check_dt(const wire::Advance& advance) {
 void DemParticipant::relax(bool stop, wire::Relaxation& answer) {
   if (!relaxation_) relaxation_.emplace(assembly_);
   const Unrest unrest = relaxation_->measure(assembly_, step_.kick());
-  answer.set_kinetic_energy(unrest.kinetic_energy);
   answer.set_unbalanced_force(unrest.unbalanced_force);
   answer.set_internal_force(unrest.internal_force);
   answer.set_points(assembly_.particles.size());
@@ -202,6 +201,7 @@ void DemParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
                             {predicted.mutable_velocities()->mutable_data(), 2 * coupling_.size()});
   predicted.mutable_cracks()->Swap(unreported_.mutable_cracks());
   predicted.mutable_strongest()->Swap(unreported_.mutable_strongest());
+  if (advance.relax()) predicted.mutable_relaxation()->set_kinetic_energy(kinetic_energy(particles));
   if (advance.want_energies()) report_energies(*predicted.mutable_energies());
 }
 

@@ -6,13 +6,15 @@
 
 namespace adit::dem {
 
-// Of a step, all weighted.
+// Of a step, weighted.
 struct Unrest {
-  double kinetic_energy = 0;  // [J]
   double unbalanced_force =
       0;  // sum over the particles of |mass · change of velocity| / duration of the kick [N]
   double internal_force = 0;  // sum over the bonds of |force| [N]
 };
+
+// Of the present velocities and spins, weighted [J].
+double kinetic_energy(const Particles& particles);
 
 class Relaxation {
  public:

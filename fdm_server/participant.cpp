@@ -128,6 +128,7 @@ void FdmParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
     predicted.mutable_energies()->set_strain(energies.strain);
     predicted.mutable_energies()->set_external_work(energies.external_work);
   }
+  if (advance.relax()) predicted.mutable_relaxation()->set_kinetic_energy(kinetic_energy(*continuum_));
   if (advance.want_histories()) fill_histories(predicted);
   check_answer(predicted);
   if (!rest_left_ && step % kFiniteCheckInterval == 0) check_grid(step);
@@ -143,7 +144,6 @@ void FdmParticipant::complete() {
 void FdmParticipant::relax(bool stop, wire::Relaxation& answer) {
   if (!relaxation_) relaxation_.emplace(grid_, weights_);
   const Unrest unrest = relaxation_->measure(*continuum_, step_.kick());
-  answer.set_kinetic_energy(unrest.kinetic_energy);
   answer.set_unbalanced_force(unrest.unbalanced_force);
   answer.set_internal_force(unrest.internal_force);
   answer.set_points(grid_.x.size());

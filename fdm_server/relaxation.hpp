@@ -10,12 +10,14 @@
 
 namespace adit::fdm {
 
-// Of a step, all weighted.
+// Of a step, weighted.
 struct Unrest {
-  double kinetic_energy;    // [J]
   double unbalanced_force;  // sum over the points of |mass · change of velocity| / duration of the kick [N]
   double internal_force;    // sum over the zones of |stress| · √area, |stress| its Frobenius norm [N]
 };
+
+// Of the present velocities, weighted [J].
+double kinetic_energy(const Continuum& continuum);
 
 class Relaxation {
  public:
