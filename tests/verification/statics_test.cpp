@@ -201,7 +201,7 @@ TEST_P(CoupledStatics, CarryTheStressOfOneModel) {
 
 // Weight of all zones and particles, and what the zones above the base leave to it.
 TEST_P(CoupledStatics, TheBaseCarriesTheWeight) {
-  Settled settled(block(GetParam(), 1e-8));
+  Settled settled(block(GetParam(), 1e-6));
   double weight = 0, base = 0;
   for (const auto& snapshot : settled.stepper.snapshots())
     for (const auto& piece : snapshot.pieces()) {
@@ -222,9 +222,10 @@ TEST_P(CoupledStatics, TheBaseCarriesTheWeight) {
 
 // What was at rest stays there when time begins, from displacements that are 0.
 TEST_P(CoupledStatics, StayAtRest) {
-  scene::Scene scene = block(GetParam(), 1e-8);
+  scene::Scene scene = block(GetParam(), 1e-6);
   for (auto* history :
        {scene.mutable_continuum()->add_histories(), scene.mutable_particles()->add_histories()}) {
+    history->set_name("point");
     history->set_quantity(scene::DISPLACEMENT_Y);
     history->mutable_at()->set_x(8);
     history->mutable_at()->set_y(history == &scene.continuum().histories(0) ? 2 : 7);
@@ -235,7 +236,7 @@ TEST_P(CoupledStatics, StayAtRest) {
     settled.stepper.step(n, {.energies = true, .histories = true});
     for (const auto& side : settled.model.sides) {
       const double displacement = side.prediction().histories(0);
-      EXPECT_LE(std::abs(displacement), n == 0 ? 0 : 1e-6 * settlement);
+      EXPECT_LE(std::abs(displacement), n == 0 ? 0 : 1e-5 * settlement);
     }
   }
   EXPECT_LE(settled.stepper.ledger().max_drift(), 1e-12);
@@ -245,11 +246,11 @@ TEST_P(CoupledStatics, StayAtRest) {
 TEST_P(CoupledStatics, InitialStressBalancesTheWeight) {
   const auto settle = [](const std::string& models) {
     Settled settled(block(models));
-    double largest = 0;
+    double squares = 0;
     for (const auto& snapshot : settled.stepper.snapshots())
       for (const double u : field(snapshot.pieces(0).point_fields(), "displacement_m").values())
-        largest = std::max(largest, std::abs(u));
-    return largest;
+        squares += u * u;
+    return std::sqrt(squares);
   };
   const double weight = kDensity * kGravity;
   const std::string initial =
@@ -276,8 +277,8 @@ TEST(Statics, FreeInitialStressIsReleased) {
   const std::string initial = fmt::format("initial_stress {{ xx: {} }} ", stress);
   for (const std::string& model :
        {"continuum { block { x_min: 0 x_max: 8 y_min: 0 y_max: 4 zones_x: 8 zones_y: 4 } " + held(0) + "} ",
-        "particles { packing { x_min: 0 x_max: 8 y_min: 0 y_max: 4 radius: 0.2 } " + held(0.25) + "} "}) {
-    Settled settled(block(initial + model, 1e-9, young));
+        "particles { packing { x_min: 0 x_max: 8 y_min: 0 y_max: 4 radius: 0.2 } " + held(0.35) + "} "}) {
+    Settled settled(block(initial + model, 1e-6, young));
     for (const auto& snapshot : settled.stepper.snapshots()) {
       const auto& piece = snapshot.pieces(0);
       const auto& u = field(piece.point_fields(), "displacement_m").values();
@@ -298,9 +299,9 @@ TEST(Statics, ShakenGroundMovesAsWithoutWeight) {
     const std::string history = "histories { name: 'top' quantity: DISPLACEMENT_Y at { x: 8 y: 10 } } ";
     scene::Scene scene = block(continuum(load + history) + particles(2, 14, 0, kHeight, load) +
                                    joined(test::ring(test::box(6, 10, 3, 7), 2)),
-                               1e-9, 5e11);
+                               1e-6, 5e11);
     auto& base = *scene.mutable_continuum()->mutable_motions(2);
-    base.mutable_velocity()->set_y(1e-3);
+    base.mutable_velocity()->set_y(0.1);
     base.mutable_time()->mutable_sine()->set_frequency(200);
     scene.mutable_time()->set_duration(0.005);
     if (load.empty()) scene.clear_statics();
@@ -318,7 +319,7 @@ TEST(Statics, ShakenGroundMovesAsWithoutWeight) {
   const auto with = top(kGravityLoad), without = top("");
   const double largest =
       std::abs(*std::ranges::max_element(without, {}, [](double u) { return std::abs(u); }));
-  ASSERT_GT(largest, 1e-7);
+  ASSERT_GT(largest, 1e-5);
   for (std::size_t n = 0; n < with.size(); ++n) ASSERT_NEAR(with[n], without[n], 1e-6 * largest) << n;
 }
 
