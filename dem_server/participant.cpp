@@ -234,7 +234,7 @@ void DemParticipant::predict(Part& part) {
 
 void DemParticipant::close_step() {
   released_ += contacts_.released;
-  ++steps_done_;
+  if (!step_.from_rest()) ++moves_;
   // What breaks in statics is broken when time begins.
   const std::uint64_t step = step_.relax ? 0 : step_.number;
   for (const std::uint32_t bond : broken_)
@@ -264,7 +264,7 @@ void DemParticipant::snapshot(const wire::SnapshotRequest& request, wire::Snapsh
 
 void DemParticipant::finish(wire::Bye& bye) {
   bye.set_cpu_seconds(static_cast<double>(std::clock() - started_) / CLOCKS_PER_SEC);
-  bye.set_updates(assembly_.particles.size() * steps_done_);
+  bye.set_updates(assembly_.particles.size() * moves_);
 }
 
 }  // namespace adit::dem

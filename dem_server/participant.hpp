@@ -75,7 +75,7 @@ class DemParticipant : public protocol::Participant {
   wire::Predicted unreported_;            // cracks and largest forces of whole steps
   std::optional<Relaxation> relaxation_;  // in statics
   protocol::Step step_{0, 0.0};           // this one
-  std::uint64_t steps_done_ = 0;
+  std::uint64_t moves_ = 0;
   bool rest_left_ = false;  // of this step: its interior
 };
 
