@@ -117,6 +117,10 @@ std::vector<Join> joins(const scene::Scene& scene, const std::vector<Member>& me
       throw UserError(path, fmt::format("joins `{}` and `{}` a second time; join them once, by an overlap "
                                         "`around` the inner one",
                                         interface.outer(), interface.inner()));
+    if (scene.has_statics() && interface.solve() == scene::LUMPED)
+      throw UserError(path + ".solve",
+                      "is `lumped`, under which models creep apart while a load lasts; choose "
+                      "`consistent` or `split` for a scene with `statics`");
     joins.push_back({outer, inner, &interface, path});
   };
   if (scene.has_interface()) add_join(scene.interface(), "interface");

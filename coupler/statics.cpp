@@ -2,21 +2,33 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "coupler/exchange.hpp"
 #include "coupler/progress.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::coupler {
 namespace {
 
-// Of all sides together.
+// What the multipliers' impulses add to a side's predicted kinetic energy, from both velocities at the
+// coupling points: the change of m v^2 / 2.
+double kinetic_energy_of_correction(Side& side) {
+  if (!side.interpolation) return 0;
+  correct_velocities(side);
+  double twice = 0;
+  for (std::size_t i = 0; i < side.impulses.size(); ++i)
+    twice += side.impulses[i] * (side.predicted[i] + side.corrected[i]);
+  return twice / 2;
+}
+
+// Of all sides together: kinetic energy of this step, forces of the step before.
 struct State {
   double kinetic_energy = 0, unbalanced_force = 0, internal_force = 0;
   std::uint64_t points = 0, elements = 0;
 
-  explicit State(const std::vector<Side>& sides) {
-    for (const Side& side : sides) {
+  explicit State(std::vector<Side>& sides) {
+    for (Side& side : sides) {
       const wire::Relaxation& r = side.prediction().relaxation();
-      kinetic_energy += r.kinetic_energy();
+      kinetic_energy += r.kinetic_energy() + kinetic_energy_of_correction(side);
       unbalanced_force += r.unbalanced_force();
       internal_force += r.internal_force();
       points += r.points();
@@ -32,7 +44,7 @@ struct State {
 
 }  // namespace
 
-Rest relax(const Model& model, Stepper& stepper) {
+Rest relax(Model& model, Stepper& stepper) {
   const scene::Statics& statics = model.scene.statics();
   ProgressLine line;
   Rest rest;
@@ -40,16 +52,15 @@ Rest relax(const Model& model, Stepper& stepper) {
   double kinetic_energy = 0;  // a step before, since the last stop
   for (std::uint64_t n = 0; n <= statics.max_steps(); ++n) {
     stepper.relax(n, stop);
-    const State state(model.sides);  // of the step before
+    const State state(model.sides);
     rest.steps = n;
     rest.unbalanced_ratio = state.unbalanced_ratio();
     if (line.due())
       line.print(fmt::format("statics: step {}, unbalanced ratio {:.2e}, {:.1e} wanted", n,
                              rest.unbalanced_ratio, statics.unbalanced_ratio()));
     if (n > 0 && rest.unbalanced_ratio <= statics.unbalanced_ratio()) return rest;
-    const bool stopped = stop;  // by this step: what the answer says is older
-    stop = !stopped && state.kinetic_energy < kinetic_energy;
-    kinetic_energy = stopped || stop ? 0 : state.kinetic_energy;
+    stop = state.kinetic_energy < kinetic_energy;
+    kinetic_energy = stop ? 0 : state.kinetic_energy;
     if (stop) ++rest.stops;
   }
   throw protocol::Unstable(fmt::format(

@@ -22,7 +22,8 @@ Particles keep_particles(const Packing& packing, std::span<const double> centre_
     p.x.push_back(packing.x[i]);
     p.y.push_back(packing.y[i]);
   }
-  for (auto* zeroed : {&p.ux, &p.uy, &p.vx, &p.vy, &p.spin, &p.fx, &p.fy, &p.moment, &p.weight})
+  for (auto* zeroed :
+       {&p.ux, &p.uy, &p.settled_x, &p.settled_y, &p.vx, &p.vy, &p.spin, &p.fx, &p.fy, &p.moment, &p.weight})
     zeroed->assign(p.size(), 0.0);
   return p;
 }

@@ -16,6 +16,7 @@ struct Particles {
   std::vector<std::uint32_t> id;                      // place in the packing
   std::vector<double> x, y;                           // centre at rest [m]
   std::vector<double> ux, uy;                         // displacement [m]
+  std::vector<double> settled_x, settled_y;           // of it by statics, before time began [m]
   std::vector<double> vx, vy, spin;                   // velocity [m/s], [rad/s]
   std::vector<double> fx, fy, moment;                 // resultants of this step [N], [N m]
   std::vector<double> weight;                         // energy weight, in mass and inertia already
@@ -46,6 +47,7 @@ struct Bonds {
   std::vector<double> intact;                // 1 while bonded, then 0: factor of tension and shear
   std::vector<double> normal_force;          // unweighted, tension positive [N]
   std::vector<double> shear_force;           // unweighted, on the first particle along its left normal [N]
+  std::vector<double> initial_normal_force;  // unweighted, at rest [N]; empty: none
   std::vector<BondState> state;
   std::vector<Run> runs;
   double rest_length = 0;  // 2 R [m]

@@ -19,13 +19,16 @@ struct RunOutcome {
   bool breaks;            // some bond exceeds a strength
 };
 
-// One pass over a run, written so that the compiler turns it into vector code.
-RunOutcome pull(const BondLaw& law, double dt, const Run& run, double rest_length, const Particles& p,
-                Bonds& b, RunForces& out) {
+// One pass over a run, written so that the compiler turns it into vector code. Most models have no initial
+// forces, and need not load any.
+template <bool kPrestressed>
+RunOutcome pull_run(const BondLaw& law, double dt, const Run& run, double rest_length, const Particles& p,
+                    Bonds& b, RunForces& out) {
   const double *ux1 = &p.ux[run.first], *uy1 = &p.uy[run.first], *ux2 = &p.ux[run.second],
                *uy2 = &p.uy[run.second], *vx1 = &p.vx[run.first], *vy1 = &p.vy[run.first],
                *vx2 = &p.vx[run.second], *vy2 = &p.vy[run.second], *w1 = &p.spin[run.first],
                *w2 = &p.spin[run.second], *weight = &b.weight[run.begin], *intact = &b.intact[run.begin];
+  const double* initial = kPrestressed ? &b.initial_normal_force[run.begin] : nullptr;
   double *normal = &b.normal_force[run.begin], *shear = &b.shear_force[run.begin];
   double *fx = out.x.data(), *fy = out.y.data(), *moment = out.moment.data();
   const double kn = law.stiffness.normal, ks_dt = law.stiffness.shear * dt;
@@ -45,7 +48,8 @@ RunOutcome pull(const BondLaw& law, double dt, const Run& run, double rest_lengt
     const double elongation = (du_x * (rest_x + dx) + du_y * (rest_y + dy)) * (quotient * length);
     const double nx = dx * inverse_length, ny = dy * inverse_length;
 
-    const double elastic = kn * elongation;
+    double elastic = kn * elongation;
+    if constexpr (kPrestressed) elastic += initial[k];
     const double fn = elastic > 0 ? intact[k] * elastic : elastic;
     const double arm = 0.5 * length;
     const double slip = (vy2[k] - vy1[k]) * nx - (vx2[k] - vx1[k]) * ny - (w1[k] + w2[k]) * arm;
@@ -140,6 +144,7 @@ void clear_resultants(std::span<const protocol::Stretch> some, Particles& partic
 void add_contact_forces(const BondLaw& law, double dt, std::span<const Run> runs, Particles& particles,
                         Bonds& bonds, ContactResult& result, std::vector<std::uint32_t>& broken) {
   RunForces forces;
+  const auto pull = bonds.initial_normal_force.empty() ? pull_run<false> : pull_run<true>;
   auto max_bits = std::bit_cast<std::int64_t>(result.max_normal_force);
   const Run* strongest_run = nullptr;
   for (const Run& run : runs) {

@@ -2,7 +2,7 @@
 //
 // A bond joins particles 1 and 2, n is the unit vector from 1 to 2 where they are now, t its left normal, L
 // the distance, L0 = 2R. It pulls particle 1 by Fn n + Fs t, and particle 2 by the opposite:
-//   Fn = kn (L - L0), from the displacements alone;
+//   Fn = F0 + kn (L - L0), from the displacements alone, F0 being the bond's force before anything acts;
 //   Fs += ks dt ((v2 - v1).t - (w1 + w2) L / 2), the relative velocity where the halves of the bond meet.
 // The force acts at the middle of the bond, so both particles feel the moment Fs L / 2: the two moments and
 // the pair of shear forces balance, momentum and angular momentum are kept to rounding, and the power of the
@@ -10,7 +10,7 @@
 //
 // A bond breaks in tension where Fn exceeds its tensile strength, else in shear where |Fs| exceeds its shear
 // strength (strengths and stored forces know no energy weight). What is left is a contact without
-// friction: Fn = kn min(L - L0, 0), Fs = 0, from the breaking step on.
+// friction: Fn = min(F0 + kn (L - L0), 0), Fs = 0, from the breaking step on.
 #pragma once
 
 #include <cstddef>

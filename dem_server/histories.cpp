@@ -26,9 +26,9 @@ std::uint32_t nearest(const Particles& p, double x, double y) {
 double value(const Particles& p, scene::Quantity quantity, std::uint32_t i) {
   switch (quantity) {
     case scene::DISPLACEMENT_X:
-      return p.ux[i];
+      return p.ux[i] - p.settled_x[i];
     case scene::DISPLACEMENT_Y:
-      return p.uy[i];
+      return p.uy[i] - p.settled_y[i];
     case scene::VELOCITY_X:
       return p.vx[i];
     case scene::VELOCITY_Y:

@@ -15,7 +15,8 @@ class Histories {
   // of them is a protocol::UserError.
   Histories(const scene::Particles& scene, const Particles& particles);
 
-  // Values at step n in the scene's order: displacements at n, velocities at n - 1/2 (the last final ones).
+  // Values at step n in the scene's order: displacements at n since time began, velocities at n - 1/2 (the
+  // last final ones).
   void read(const Particles& particles, google::protobuf::RepeatedField<double>& values) const;
 
  private:

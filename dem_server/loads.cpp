@@ -44,9 +44,9 @@ Loads Loads::take(const std::vector<bool>& chosen) {
   return taken;
 }
 
-void Loads::apply(double time, double dt, Particles& p) {
+void Loads::apply(const protocol::Step& step, Particles& p) {
   for (Load& load : loads_) {
-    const double factor = protocol::evaluate(load.time, time);
+    const double factor = protocol::evaluate(load.time, step.time());
     const double fx = load.x * factor, fy = load.y * factor;
     double unit_power = 0;
     for (std::size_t k = 0; k < load.particles.size(); ++k) {
@@ -55,7 +55,7 @@ void Loads::apply(double time, double dt, Particles& p) {
       p.fx[i] += load.share[k] * fx;
       p.fy[i] += load.share[k] * fy;
     }
-    work_ += dt * unit_power * (load.factor + factor) / 2;
+    work_ += step.dt * unit_power * (load.factor + factor) / 2;
     load.factor = factor;
   }
 }

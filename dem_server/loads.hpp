@@ -6,6 +6,7 @@
 
 #include "dem_server/assembly.hpp"
 #include "protocol/scene.pb.h"
+#include "protocol/step.hpp"
 
 namespace adit::dem {
 
@@ -19,11 +20,12 @@ class Loads {
   // Takes the shares of the chosen particles out, before the first step.
   Loads take(const std::vector<bool>& chosen);
 
-  // Adds the forces at time n dt to the resultants and their work since n - 1, by the trapezoid
+  // Adds the forces of step n to the resultants and their work since n - 1, by the trapezoid
   // dt v(n-1/2) (f(n-1) + f(n)) / 2, to work().
-  void apply(double time, double dt, Particles& particles);
+  void apply(const protocol::Step& step, Particles& particles);
 
   double work() const { return work_; }  // [J]
+  void start_over() { work_ = 0; }
 
  private:
   struct Load {

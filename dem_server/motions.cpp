@@ -66,23 +66,24 @@ Motions Motions::take(const std::vector<bool>& chosen, const Particles& particle
   return taken;
 }
 
-void Motions::impose(double half_time, double dt, bool start, Particles& p) {
+void Motions::impose(const protocol::Step& step, Particles& p) {
   std::vector<double>* const velocities[] = {&p.vx, &p.vy, &p.spin};
   const std::vector<double>* const resultants[] = {&p.fx, &p.fy, &p.moment};
   for (Motion& motion : motions_) {
-    const double velocity = motion.amplitude * protocol::evaluate(motion.time, half_time);
-    motion.before = start ? -velocity : motion.after;
+    const double velocity =
+        step.relax ? 0 : motion.amplitude * protocol::evaluate(motion.time, step.half_time());
+    motion.before = step.from_rest() ? -velocity : motion.after;
     motion.after = velocity;
-    double reaction = motion.inertia * (velocity - motion.before) / dt;
+    double reaction = motion.inertia * (velocity - motion.before) / step.dt;
     for (const std::uint32_t i : motion.particles) {
       reaction -= (*resultants[motion.component])[i];
       (*velocities[motion.component])[i] = velocity;
     }
-    if (!start) work_ += dt * motion.before * (motion.reaction + reaction) / 2;
+    if (!step.from_rest()) work_ += step.dt * motion.before * (motion.reaction + reaction) / 2;
     motion.reaction = reaction;
   }
-  last_dt_ = dt;
-  last_kick_ = start ? dt / 2 : dt;
+  last_dt_ = step.dt;
+  last_kick_ = step.kick();
 }
 
 void Motions::hold(Component component, std::uint32_t particle, double impulse) {

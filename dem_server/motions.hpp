@@ -8,6 +8,7 @@
 
 #include "dem_server/assembly.hpp"
 #include "protocol/scene.pb.h"
+#include "protocol/step.hpp"
 
 namespace adit::dem {
 
@@ -23,17 +24,18 @@ class Motions {
   // Takes the chosen particles out, before the first step.
   Motions take(const std::vector<bool>& chosen, const Particles& particles);
 
-  // After the kick of step n: overwrites the prescribed velocities with those of time (n + 1/2) dt and adds
+  // After the kick of step n: overwrites the prescribed velocities with those of n + 1/2 and adds
   // the reactions' work since n - 1 to work(). `particles` still holds the resultants at n. The reaction is
   // what the resultant lacks, R(n) = m (v(n+1/2) - v(n-1/2)) / dt - f(n), with v(-1/2) = -v(1/2) from rest;
   // its work the trapezoid dt v(n-1/2) (R(n-1) + R(n)) / 2.
-  void impose(double half_time, double dt, bool start, Particles& particles);
+  void impose(const protocol::Step& step, Particles& particles);
 
   // An impulse [N s] on a prescribed component after step n: the reaction R(n), found without it, takes it
   // up.
   void hold(Component component, std::uint32_t particle, double impulse);
 
   double work() const { return work_; }  // [J]
+  void start_over() { work_ = 0; }
 
   bool prescribes(Component component, std::uint32_t particle) const {
     return prescribed_[component][particle];

@@ -8,6 +8,7 @@
 
 #include "dem_server/crack.hpp"
 #include "dem_server/critical_step.hpp"
+#include "dem_server/initial_stress.hpp"
 #include "dem_server/motion.hpp"
 #include "dem_server/scene_checks.hpp"
 #include "dem_server/snapshot.hpp"
@@ -90,6 +91,7 @@ void DemParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
         assembly_.particles, {weights.x_min(), weights.x_max(), weights.y_min(), weights.y_max()});
     assign(*interface.mutable_points(), offered);
   }
+  if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), law_.stiffness, assembly_);
   const Particles& particles = assembly_.particles;
   const double tolerance = selection_tolerance(packing_.cells);
   const protocol::Stretch all{0, static_cast<std::uint32_t>(particles.size())};
@@ -126,26 +128,60 @@ void DemParticipant::split_at_interface() {
 
 void DemParticipant::correct(std::span<const double> impulses) {
   if (impulses.empty()) return;
-  if (dt_ == 0) throw std::logic_error("impulses came before the first step, which has nothing to correct");
+  if (step_.dt == 0)
+    throw std::logic_error("impulses came before the first step, which has nothing to correct");
   if (impulses.size() != 2 * coupling_.size())
     throw std::logic_error(
         fmt::format("{} impulses came for {} coupling points", impulses.size(), coupling_.size()));
   coupling_.push(impulses, assembly_.particles, interface_.motions);
 }
 
-void DemParticipant::check_dt(double dt, bool start) {
-  if (start) dt_ = dt;
-  if (!(dt_ > 0) || !std::isfinite(dt_) || dt != dt_)
+void DemParticipant::check_dt(const wire::Advance& advance) {
+  const double dt = advance.dt();
+  if (advance.step() == 0) step_.dt = dt;
+  if (!(dt > 0) || !std::isfinite(dt) || dt != step_.dt)
     throw std::logic_error(fmt::format(
-        "advance: dt is {} s; it must be positive and the same in every step (it was {} s)", dt, dt_));
+        "advance: dt is {} s; it must be positive and the same in every step (it was {} s)", dt, step_.dt));
+}
+
+void DemParticipant::relax(bool stop, wire::Relaxation& answer) {
+  if (!relaxation_) relaxation_.emplace(assembly_);
+  const Unrest unrest = relaxation_->measure(assembly_, step_.kick());
+  answer.set_unbalanced_force(unrest.unbalanced_force);
+  answer.set_internal_force(unrest.internal_force);
+  answer.set_points(assembly_.particles.size());
+  answer.set_elements(assembly_.bonds.size());
+  if (!stop) return;
+  this->stop();
+  relaxation_->stopped(assembly_);
+}
+
+void DemParticipant::stop() {
+  Particles& p = assembly_.particles;
+  for (auto* velocity : {&p.vx, &p.vy, &p.spin}) std::ranges::fill(*velocity, 0.0);
+}
+
+void DemParticipant::start_over() {
+  relaxation_.reset();
+  stop();
+  assembly_.particles.settled_x = assembly_.particles.ux;
+  assembly_.particles.settled_y = assembly_.particles.uy;
+  released_ = 0;
+  for (Part* part : {&interface_, &interior_}) {
+    part->loads.start_over();
+    part->motions.start_over();
+  }
 }
 
 void DemParticipant::advance(const wire::Advance& advance, wire::Predicted& predicted) {
   Particles& particles = assembly_.particles;
   correct(view(advance.impulses()));
-  step_ = advance.step();
-  check_dt(advance.dt(), step_ == 0);
-  rest_left_ = coupling_.size() > 0 && !advance.want_energies() && !advance.want_histories();
+  check_dt(advance);
+  if (relaxation_ && !advance.relax()) start_over();
+  if (advance.relax()) relax(advance.stop(), *predicted.mutable_relaxation());
+  step_ = {advance.step(), advance.dt(), advance.relax(), advance.stop()};
+  rest_left_ =
+      coupling_.size() > 0 && !advance.relax() && !advance.want_energies() && !advance.want_histories();
   contacts_ = {};
   broken_.clear();
 
@@ -159,12 +195,13 @@ void DemParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
     close_step();
   }
 
-  predicted.set_step(step_);
+  predicted.set_step(step_.number);
   predicted.mutable_velocities()->Resize(static_cast<int>(2 * coupling_.size()), 0.0);
   coupling_.read_velocities(particles,
                             {predicted.mutable_velocities()->mutable_data(), 2 * coupling_.size()});
   predicted.mutable_cracks()->Swap(unreported_.mutable_cracks());
   predicted.mutable_strongest()->Swap(unreported_.mutable_strongest());
+  if (advance.relax()) predicted.mutable_relaxation()->set_kinetic_energy(kinetic_energy(particles));
   if (advance.want_energies()) report_energies(*predicted.mutable_energies());
 }
 
@@ -178,38 +215,41 @@ void DemParticipant::complete() {
 
 void DemParticipant::pull(Part& part) {
   Particles& particles = assembly_.particles;
-  if (step_ > 0) move(dt_, part.moved, particles);
+  if (!step_.from_rest()) move(step_.dt, part.moved, particles);
   clear_resultants(part.moved, particles);
-  add_contact_forces(law_, dt_, part.runs, particles, assembly_.bonds, contacts_, broken_);
+  add_contact_forces(law_, step_.dt, part.runs, particles, assembly_.bonds, contacts_, broken_);
   if (!std::isfinite(contacts_.max_normal_force)) {
     const Place place = middle_of_bond(assembly_, contacts_.strongest_bond);
     throw protocol::Unstable(fmt::format(
-        "step {}: the normal force of the bond at ({:.6g}, {:.6g}) m is {} N; reduce time.dt_factor", step_,
-        place.x, place.y, contacts_.max_normal_force));
+        "step {}: the normal force of the bond at ({:.6g}, {:.6g}) m is {} N; reduce time.dt_factor",
+        step_.number, place.x, place.y, contacts_.max_normal_force));
   }
-  part.loads.apply(static_cast<double>(step_) * dt_, dt_, particles);
+  part.loads.apply(step_, particles);
 }
 
 void DemParticipant::predict(Part& part) {
-  const bool start = step_ == 0;
-  kick(start ? dt_ / 2 : dt_, part.kicked, assembly_.particles);
-  part.motions.impose((static_cast<double>(step_) + 0.5) * dt_, dt_, start, assembly_.particles);
+  kick(step_.kick(), part.kicked, assembly_.particles);
+  part.motions.impose(step_, assembly_.particles);
 }
 
 void DemParticipant::close_step() {
   released_ += contacts_.released;
+  if (!step_.from_rest()) ++moves_;
+  // What breaks in statics is broken when time begins.
+  const std::uint64_t step = step_.relax ? 0 : step_.number;
+  for (const std::uint32_t bond : broken_)
+    report(crack_of_bond(assembly_, bond), step, *unreported_.add_cracks());
+  if (step_.relax) return;
   const Place place = middle_of_bond(assembly_, contacts_.strongest_bond);
   wire::BondForce& strongest = *unreported_.add_strongest();
-  strongest.set_step(step_);
+  strongest.set_step(step);
   strongest.set_force(contacts_.max_normal_force);
   strongest.set_x(place.x);
   strongest.set_y(place.y);
-  for (const std::uint32_t bond : broken_)
-    report(crack_of_bond(assembly_, bond), step_, *unreported_.add_cracks());
 }
 
 void DemParticipant::report_energies(wire::Energies& energies) const {
-  energies.set_kinetic(kinetic_energy(assembly_.particles, before_, step_ == 0));
+  energies.set_kinetic(kinetic_energy(assembly_.particles, before_, step_.from_rest()));
   energies.set_strain(strain_energy(assembly_.bonds, law_.stiffness));
   double work = 0;
   for (const Part* part : {&interface_, &interior_}) work += part->loads.work() + part->motions.work();
@@ -224,7 +264,7 @@ void DemParticipant::snapshot(const wire::SnapshotRequest& request, wire::Snapsh
 
 void DemParticipant::finish(wire::Bye& bye) {
   bye.set_cpu_seconds(static_cast<double>(std::clock() - started_) / CLOCKS_PER_SEC);
-  bye.set_updates(assembly_.particles.size() * step_);
+  bye.set_updates(assembly_.particles.size() * moves_);
 }
 
 }  // namespace adit::dem

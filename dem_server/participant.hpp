@@ -15,7 +15,9 @@
 #include "dem_server/histories.hpp"
 #include "dem_server/loads.hpp"
 #include "dem_server/motions.hpp"
+#include "dem_server/relaxation.hpp"
 #include "protocol/participant.hpp"
+#include "protocol/step.hpp"
 #include "protocol/stretches.hpp"
 
 namespace adit::dem {
@@ -50,7 +52,12 @@ class DemParticipant : public protocol::Participant {
 
   // Adds the coupler's impulses to the velocities predicted last; empty: none.
   void correct(std::span<const double> impulses);
-  void check_dt(double dt, bool start);
+  // Says how far the particles are from rest after their correction, and stops them where they shall.
+  void relax(bool stop, wire::Relaxation& answer);
+  void stop();
+  // The first step that does not relax: from the state reached.
+  void start_over();
+  void check_dt(const wire::Advance& advance);
   void report_energies(wire::Energies& energies) const;
 
   std::clock_t started_ = 0;
@@ -62,13 +69,14 @@ class DemParticipant : public protocol::Participant {
   std::optional<Histories> histories_;
   CouplingPoints coupling_;
   Velocities before_;
-  ContactResult contacts_;             // of this step, as far as computed
-  std::vector<std::uint32_t> broken_;  // bonds that broke in this step
-  double released_ = 0;                // up to the last whole step [J]
-  wire::Predicted unreported_;         // cracks and largest forces of whole steps
-  std::uint64_t step_ = 0;
+  ContactResult contacts_;                // of this step, as far as computed
+  std::vector<std::uint32_t> broken_;     // bonds that broke in this step
+  double released_ = 0;                   // up to the last whole step [J]
+  wire::Predicted unreported_;            // cracks and largest forces of whole steps
+  std::optional<Relaxation> relaxation_;  // in statics
+  protocol::Step step_{0, 0.0};           // this one
+  std::uint64_t moves_ = 0;
   bool rest_left_ = false;  // of this step: its interior
-  double dt_ = 0;           // [s]
 };
 
 }  // namespace adit::dem

@@ -33,6 +33,11 @@ void add_vectors(Fields& fields, const std::string& name, const std::vector<doub
   }
 }
 
+std::vector<double> difference(std::vector<double> a, const std::vector<double>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
+  return a;
+}
+
 wire::Piece& add_piece(const std::string& name, wire::Piece::Shape shape, const Particles& p,
                        wire::Snapshot& snapshot) {
   wire::Piece& piece = *snapshot.add_pieces();
@@ -43,7 +48,8 @@ wire::Piece& add_piece(const std::string& name, wire::Piece::Shape shape, const 
     piece.add_points(p.x[i]);
     piece.add_points(p.y[i]);
   }
-  add_vectors(*piece.mutable_point_fields(), "displacement_m", p.ux, p.uy);
+  add_vectors(*piece.mutable_point_fields(), "displacement_m", difference(p.ux, p.settled_x),
+              difference(p.uy, p.settled_y));
   return piece;
 }
 

@@ -110,6 +110,13 @@ void AssumedStrainZones::strain_batch(const ZoneRun& run, std::uint32_t done, st
   }
 }
 
+void AssumedStrainZones::set_stress(std::size_t zone, const Stress& stress) {
+  state_[kMean][zone] = (stress.xx + stress.yy) / 2;
+  state_[kDeviator][zone] = (stress.xx - stress.yy) / 2;
+  state_[kShear][zone] = stress.xy;
+  state_[kBendingX][zone] = state_[kBendingY][zone] = 0;
+}
+
 double AssumedStrainZones::strain_energy() const {
   const double young = law_.young_prime(), poisson = law_.poisson_prime();
   double energy = 0;

@@ -93,35 +93,35 @@ void Continuum::hold(Axis axis, std::uint32_t point, double impulse) {
     }
 }
 
-void Continuum::step(std::uint64_t n, double dt, Energies* wanted) {
-  pull(interface_, n, dt);
-  pull(interior_, n, dt);
-  if (wanted) *wanted = energies(n, dt);
-  move_and_predict(interface_, n, dt);
-  move_and_predict(interior_, n, dt);
+void Continuum::step(const protocol::Step& step, Energies* wanted) {
+  pull(interface_, step);
+  pull(interior_, step);
+  if (wanted) *wanted = energies(step);
+  move_and_predict(interface_, step);
+  move_and_predict(interior_, step);
 }
 
-void Continuum::step_interface(std::uint64_t n, double dt) {
-  pull(interface_, n, dt);
-  move_and_predict(interface_, n, dt);
+void Continuum::step_interface(const protocol::Step& step) {
+  pull(interface_, step);
+  move_and_predict(interface_, step);
 }
 
-void Continuum::step_interior(std::uint64_t n, double dt) {
-  pull(interior_, n, dt);
-  move_and_predict(interior_, n, dt);
+void Continuum::step_interior(const protocol::Step& step) {
+  pull(interior_, step);
+  move_and_predict(interior_, step);
 }
 
-void Continuum::pull(Part& part, std::uint64_t n, double dt) {
-  zones_->add_forces(part.runs, dt,
+void Continuum::pull(Part& part, const protocol::Step& step) {
+  zones_->add_forces(part.runs, step.dt,
                      {points_[kVx].data(), points_[kVy].data(), points_[kFx].data(), points_[kFy].data()});
-  apply_loads(part, n, dt);
-  find_reactions(part, n, dt);
+  apply_loads(part, step);
+  find_reactions(part, step);
 }
 
-void Continuum::apply_loads(Part& part, std::uint64_t n, double dt) {
+void Continuum::apply_loads(Part& part, const protocol::Step& step) {
   const auto vx = points_[kVx], vy = points_[kVy], fx = points_[kFx], fy = points_[kFy];
   for (auto& [load, last_factor] : part.loads) {
-    const double factor = load.factor(static_cast<double>(n) * dt);
+    const double factor = load.factor(step.time());
     double power = 0;  // of the unit load
     for (std::size_t i = 0; i < load.points.size(); ++i) {
       const auto point = load.points[i];
@@ -129,31 +129,32 @@ void Continuum::apply_loads(Part& part, std::uint64_t n, double dt) {
       fx[point] += factor * load.fx[i];
       fy[point] += factor * load.fy[i];
     }
-    if (n > 0) external_work_ += dt * power * (last_factor + factor) / 2;
+    if (!step.from_rest()) external_work_ += step.dt * power * (last_factor + factor) / 2;
     last_factor = factor;
   }
 }
 
 // The reaction of a motion is what it adds to the other forces: R = m (v(n+1/2) - v(n-1/2))/dt - f.
-void Continuum::find_reactions(Part& part, std::uint64_t n, double dt) {
+void Continuum::find_reactions(Part& part, const protocol::Step& step) {
   for (auto& prescribed : part.motions) {
     const auto& motion = prescribed.motion;
     const auto force = points_[motion.axis == Axis::kX ? kFx : kFy];
-    const double next = motion.velocity * motion.factor((static_cast<double>(n) + 0.5) * dt);
-    prescribed.before = n == 0 ? -next : prescribed.after;
+    const double next = step.relax ? 0 : motion.velocity * motion.factor(step.half_time());
+    prescribed.before = step.from_rest() ? -next : prescribed.after;
     prescribed.after = next;
-    double reaction = prescribed.mass * (next - prescribed.before) / dt;
+    double reaction = prescribed.mass * (next - prescribed.before) / step.dt;
     for (const auto point : motion.points) reaction -= force[point];
-    if (n > 0) external_work_ += dt * prescribed.before * (prescribed.reaction + reaction) / 2;
+    if (!step.from_rest())
+      external_work_ += step.dt * prescribed.before * (prescribed.reaction + reaction) / 2;
     prescribed.reaction = reaction;
   }
 }
 
-Energies Continuum::energies(std::uint64_t n, double dt) const {
+Energies Continuum::energies(const protocol::Step& step) const {
   const auto product = [&](std::span<const double> v, std::span<const double> f,
                            std::span<const double> inverse_mass, std::size_t i) {
-    const double kick = dt * inverse_mass[i] * f[i];
-    return n == 0 ? -kick * kick / 4 : v[i] * (v[i] + kick);  // v(n-1/2) v(n+1/2)
+    const double kick = step.dt * inverse_mass[i] * f[i];
+    return step.from_rest() ? -kick * kick / 4 : v[i] * (v[i] + kick);  // v(n-1/2) v(n+1/2)
   };
   double twice = 0;
   for (std::size_t i = 0; i < points_.rows(); ++i)
@@ -161,12 +162,12 @@ Energies Continuum::energies(std::uint64_t n, double dt) const {
                                   product(points_[kVy], points_[kFy], points_[kInverseMassY], i));
   for (const Part* part : {&interface_, &interior_})
     for (const auto& p : part->motions)  // the loop above took v(n-1/2)^2 of them, and 0 at step 0
-      twice += p.mass * (p.before * p.after - (n == 0 ? 0 : p.before * p.before));
+      twice += p.mass * (p.before * p.after - (step.from_rest() ? 0 : p.before * p.before));
   return {twice / 2, zones_->strain_energy(), external_work_};
 }
 
-void Continuum::move_and_predict(const Part& part, std::uint64_t n, double dt) {
-  const double kick = n == 0 ? dt / 2 : dt;
+void Continuum::move_and_predict(const Part& part, const protocol::Step& step) {
+  const double dt = step.dt, kick = step.kick();
   const auto axis = [this, &part, dt, kick](Column displacement, Column velocity, Column force,
                                             Column inverse_mass) {
     double *u = points_[displacement].data(), *v = points_[velocity].data(), *f = points_[force].data();
@@ -188,6 +189,16 @@ void Continuum::move_and_predict(const Part& part, std::uint64_t n, double dt) {
   }
   last_dt_ = dt;
   last_kick_ = kick;
+}
+
+void Continuum::stop() {
+  for (const Column column : {kVx, kVy}) std::ranges::fill(points_[column], 0.0);
+}
+
+void Continuum::start_over() {
+  stop();
+  for (const Column column : {kUx, kUy}) std::ranges::fill(points_[column], 0.0);
+  external_work_ = 0;
 }
 
 std::optional<std::uint32_t> Continuum::first_non_finite() const {

@@ -5,6 +5,8 @@
 // The grid starts from rest at step 0, with half a kick: v(1/2) = dt/2 f(0)/m, as if v(-1/2) = -v(1/2).
 // All masses and internal forces carry the zones' weights.
 //
+// Statics take the same steps; every stop starts from rest like step 0, at the stresses reached.
+//
 // Energies at step n: kinetic 1/2 sum m v(n-1/2) v(n+1/2), strain energy of the stresses, work of loads and
 // prescribed motions summed as dt v(n+1/2) (F(n) + F(n+1))/2. Then kinetic + strain - work keeps its value
 // of step 0 to rounding: M (v(n+3/2) - v(n-1/2)) = dt (f(n) + f(n+1)), times v(n+1/2)/2, is the change of the
@@ -20,6 +22,7 @@
 
 #include "fdm_server/columns.hpp"
 #include "fdm_server/zones.hpp"
+#include "protocol/step.hpp"
 #include "protocol/stretches.hpp"
 
 namespace adit::fdm {
@@ -59,14 +62,20 @@ class Continuum {
   // Adds an impulse [N s] to a point's velocity; a prescribed component does not yield.
   void push(std::uint32_t point, double x, double y);
 
-  // Moves from step n - 1 to n (step 0: does not move), finds the forces at n dt and predicts the velocities
-  // at n + 1/2. Steps follow one another from 0 with the same dt [s]. Fills `energies` of step n where given.
-  void step(std::uint64_t n, double dt, Energies* energies = nullptr);
+  // Moves from step n - 1 to n (from rest: does not move), finds the forces at n dt and predicts the
+  // velocities at n + 1/2. Steps follow one another from 0 with the same dt. Fills `energies` of step n where
+  // given.
+  void step(const protocol::Step& step, Energies* energies = nullptr);
 
   // The same to the same bits in two halves: first the points of the interface with the zones that touch one,
   // then everything else.
-  void step_interface(std::uint64_t n, double dt);
-  void step_interior(std::uint64_t n, double dt);
+  void step_interface(const protocol::Step& step);
+  void step_interior(const protocol::Step& step);
+
+  // All velocities become 0: before a step from rest.
+  void stop();
+  // Time begins: at rest, displacements and work from 0, stresses as they are. Step 0 is next.
+  void start_over();
 
   // One value a point.
   std::span<const double> ux() const { return points_[kUx]; }  // at the last step [m]
@@ -75,6 +84,7 @@ class Continuum {
   std::span<const double> vy() const { return points_[kVy]; }
   std::span<double> vx() { return points_[kVx]; }
   std::span<double> vy() { return points_[kVy]; }
+  std::span<const double> masses() const { return points_[kMass]; }                  // weighted [kg]
   std::span<const double> inverse_mass_x() const { return points_[kInverseMassX]; }  // 0: prescribed [1/kg]
   std::span<const double> inverse_mass_y() const { return points_[kInverseMassY]; }
   const Zones& zones() const { return *zones_; }
@@ -107,11 +117,11 @@ class Continuum {
 
   Prescribed prescribed(Motion motion) const;
   void hold(Axis axis, std::uint32_t point, double impulse);
-  void pull(Part& part, std::uint64_t n, double dt);
-  void apply_loads(Part& part, std::uint64_t n, double dt);
-  void find_reactions(Part& part, std::uint64_t n, double dt);
-  void move_and_predict(const Part& part, std::uint64_t n, double dt);
-  Energies energies(std::uint64_t n, double dt) const;
+  void pull(Part& part, const protocol::Step& step);
+  void apply_loads(Part& part, const protocol::Step& step);
+  void find_reactions(Part& part, const protocol::Step& step);
+  void move_and_predict(const Part& part, const protocol::Step& step);
+  Energies energies(const protocol::Step& step) const;
 
   std::unique_ptr<Zones> zones_;
   Columns<kColumns> points_;

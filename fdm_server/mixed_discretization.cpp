@@ -108,6 +108,14 @@ void MixedDiscretizationZones::strain_batch(const ZoneRun& run, std::uint32_t do
   }
 }
 
+void MixedDiscretizationZones::set_stress(std::size_t zone, const Stress& stress) {
+  state_[kMean][zone] = (stress.xx + stress.yy) / 2;
+  for (std::size_t k = 0; k < 4; ++k) {
+    state_[kDeviator + k][zone] = (stress.xx - stress.yy) / 2;
+    state_[kShear + k][zone] = stress.xy;
+  }
+}
+
 double MixedDiscretizationZones::strain_energy() const {
   double energy = 0;
   for (const auto& run : runs_) {

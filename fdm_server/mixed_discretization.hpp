@@ -42,6 +42,7 @@ class MixedDiscretizationZones final : public Zones {
   std::span<const ZoneRun> runs() const override { return runs_; }
   using Zones::add_forces;
   void add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) override;
+  void set_stress(std::size_t zone, const Stress& stress) override;
   double strain_energy() const override;
   Stress stress(std::size_t zone) const override;
 

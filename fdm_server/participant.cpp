@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "fdm_server/critical_step.hpp"
+#include "fdm_server/initial_stress.hpp"
 #include "fdm_server/interpolation.hpp"
 #include "fdm_server/snapshot.hpp"
 #include "protocol/errors.hpp"
@@ -62,7 +63,9 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
         "and beyond it on the continuum's own side");
   const auto masses = lumped_masses(grid_, weights_, setup_.density);
   const auto& conditions = scene_.continuum();
-  continuum_ = std::make_unique<Continuum>(make_zones(setup_.kind, grid_, setup_.law, weights_), masses,
+  auto zones = make_zones(setup_.kind, grid_, setup_.law, weights_);
+  if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), grid_, *zones);
+  continuum_ = std::make_unique<Continuum>(std::move(zones), masses,
                                            resolve_loads(conditions, setup_.block, grid_, masses),
                                            resolve_motions(conditions, setup_.block, grid_));
   probes_ = resolve_histories(conditions, setup_.block, grid_);
@@ -96,19 +99,24 @@ void FdmParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
 }
 
 void FdmParticipant::advance(const wire::Advance& advance, wire::Predicted& predicted) {
-  if (next_step_ == 0) dt_ = advance.dt();
+  if (relaxation_ && !advance.relax()) start_over();
+  if (next_step_ == 0) step_.dt = advance.dt();
   check(advance);
   push(advance.impulses());
+  if (advance.relax()) relax(advance.stop(), *predicted.mutable_relaxation());
   if (advance.want_histories()) remember_probes();
 
   const std::uint64_t step = advance.step();
-  rest_left_ = operator_.rows() > 0 && !advance.want_energies() && !advance.want_histories();
+  step_ = {step, advance.dt(), advance.relax(), advance.stop()};
+  rest_left_ =
+      operator_.rows() > 0 && !advance.relax() && !advance.want_energies() && !advance.want_histories();
   Energies energies{};
   if (rest_left_)
-    continuum_->step_interface(step, dt_);
+    continuum_->step_interface(step_);
   else
-    continuum_->step(step, dt_, advance.want_energies() ? &energies : nullptr);
+    continuum_->step(step_, advance.want_energies() ? &energies : nullptr);
   next_step_ = step + 1;
+  ++steps_done_;
 
   predicted.set_step(step);
   const int count = 2 * static_cast<int>(operator_.rows());
@@ -120,6 +128,7 @@ void FdmParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
     predicted.mutable_energies()->set_strain(energies.strain);
     predicted.mutable_energies()->set_external_work(energies.external_work);
   }
+  if (advance.relax()) predicted.mutable_relaxation()->set_kinetic_energy(kinetic_energy(*continuum_));
   if (advance.want_histories()) fill_histories(predicted);
   check_answer(predicted);
   if (!rest_left_ && step % kFiniteCheckInterval == 0) check_grid(step);
@@ -128,22 +137,39 @@ void FdmParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
 void FdmParticipant::complete() {
   if (!rest_left_) return;
   rest_left_ = false;
-  const std::uint64_t step = next_step_ - 1;
-  continuum_->step_interior(step, dt_);
-  if (step % kFiniteCheckInterval == 0) check_grid(step);
+  continuum_->step_interior(step_);
+  if (step_.number % kFiniteCheckInterval == 0) check_grid(step_.number);
+}
+
+void FdmParticipant::relax(bool stop, wire::Relaxation& answer) {
+  if (!relaxation_) relaxation_.emplace(grid_, weights_);
+  const Unrest unrest = relaxation_->measure(*continuum_, step_.kick());
+  answer.set_unbalanced_force(unrest.unbalanced_force);
+  answer.set_internal_force(unrest.internal_force);
+  answer.set_points(grid_.x.size());
+  answer.set_elements(grid_.zones.size());
+  if (!stop) return;
+  continuum_->stop();
+  relaxation_->stopped();
+}
+
+void FdmParticipant::start_over() {
+  relaxation_.reset();
+  continuum_->start_over();
+  next_step_ = 0;
 }
 
 void FdmParticipant::check(const wire::Advance& advance) const {
   if (advance.step() != next_step_)
     throw std::invalid_argument(
         fmt::format("was asked for step {}, but the next one is {}", advance.step(), next_step_));
-  if (!(advance.dt() > 0) || advance.dt() != dt_)
+  if (!(advance.dt() > 0) || advance.dt() != step_.dt)
     throw std::invalid_argument(
-        fmt::format("was asked to advance by {} s in a run of {} s a step", advance.dt(), dt_));
-  if (dt_ > critical_dt_ && !scene_.time().beyond_critical())
+        fmt::format("was asked to advance by {} s in a run of {} s a step", advance.dt(), step_.dt));
+  if (advance.dt() > critical_dt_ && !scene_.time().beyond_critical())
     throw protocol::UserError("time.dt", fmt::format("is {} s, above the continuum's critical step of {} s; "
                                                      "give at most that",
-                                                     dt_, critical_dt_));
+                                                     advance.dt(), critical_dt_));
 }
 
 void FdmParticipant::push(const google::protobuf::RepeatedField<double>& impulses) {
@@ -204,7 +230,7 @@ void FdmParticipant::snapshot(const wire::SnapshotRequest& request, wire::Snapsh
 
 void FdmParticipant::finish(wire::Bye& bye) {
   bye.set_cpu_seconds(static_cast<double>(std::clock() - started_) / CLOCKS_PER_SEC);
-  bye.set_updates(grid_.zones.size() * next_step_);
+  bye.set_updates(grid_.zones.size() * steps_done_);
 }
 
 }  // namespace adit::fdm

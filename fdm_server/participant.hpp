@@ -6,12 +6,15 @@
 
 #include <ctime>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "fdm_server/conditions.hpp"
+#include "fdm_server/relaxation.hpp"
 #include "fdm_server/setup.hpp"
 #include "protocol/interface_operator.hpp"
 #include "protocol/participant.hpp"
+#include "protocol/step.hpp"
 
 namespace adit::fdm {
 
@@ -31,6 +34,10 @@ class FdmParticipant final : public protocol::Participant {
   void check(const wire::Advance& advance) const;
   // Corrects the predicted velocities by impulses at the coupling points, if any.
   void push(const google::protobuf::RepeatedField<double>& impulses);
+  // Says how far the grid is from rest after its correction, and stops it where it shall.
+  void relax(bool stop, wire::Relaxation& answer);
+  // The first step that does not relax: from the state reached.
+  void start_over();
   // v(n-1/2) of the velocity probes, before the step overwrites it.
   void remember_probes();
   void fill_histories(wire::Predicted& predicted) const;
@@ -47,9 +54,10 @@ class FdmParticipant final : public protocol::Participant {
   protocol::InterfaceOperator operator_;
   std::vector<Probe> probes_;
   std::vector<double> probe_before_;
-  std::uint64_t next_step_ = 0;
+  std::optional<Relaxation> relaxation_;  // in statics
+  protocol::Step step_{0, 0.0};           // the last one
+  std::uint64_t next_step_ = 0, steps_done_ = 0;
   bool rest_left_ = false;  // of the last step: its interior
-  double dt_ = 0;
   std::clock_t started_ = 0;
 };
 

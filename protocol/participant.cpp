@@ -49,7 +49,7 @@ void Conversation::answer(const wire::Frame& request, wire::Frame& reply) {
       stage_ = Stage::kRunning;
       break;
     case wire::Frame::kAdvance:
-      require(ready && request.advance().step() == next_step_, request);
+      require(ready && in_order(request.advance()), request);
       advance(request.advance(), cleared(reply.mutable_predicted()));
       stage_ = Stage::kRunning;
       break;
@@ -67,13 +67,19 @@ void Conversation::answer(const wire::Frame& request, wire::Frame& reply) {
   }
 }
 
+bool Conversation::in_order(const wire::Advance& request) const {
+  if (!request.relax()) return request.step() == (relaxing_ ? 0 : next_step_);
+  return request.step() == next_step_ && (relaxing_ || next_step_ == 0);
+}
+
 void Conversation::advance(const wire::Advance& request, wire::Predicted& predicted) {
   const auto start = Clock::now();
   participant_.advance(request, predicted);
   predicted.set_compute_seconds(seconds_since(start));
   predicted.set_hidden_seconds(hidden_seconds_);
   hidden_seconds_ = 0;
-  ++next_step_;
+  next_step_ = request.step() + 1;
+  relaxing_ = request.relax();
   step_open_ = true;
 }
 

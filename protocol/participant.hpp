@@ -34,7 +34,8 @@ using ParticipantFactory = std::function<std::unique_ptr<Participant>()>;
 
 // One run as seen by a participant: hands it the requests, and only in their order:
 //
-//   setup, weights, [couple], then any number of advance (steps 0, 1, 2 ...) and snapshot
+//   setup, weights, [couple], then any number of advance (steps 0, 1, 2 ...) and snapshot; where the first
+//   steps relax, they are numbered from 0, and those that follow from 0 again
 //   finish at any time after setup
 class Conversation {
  public:
@@ -54,11 +55,13 @@ class Conversation {
   enum class Stage { kConnected, kSetUp, kWeighed, kRunning, kFinished };
 
   void require(bool in_order, const wire::Frame& request) const;
+  bool in_order(const wire::Advance& request) const;
   void advance(const wire::Advance& request, wire::Predicted& predicted);
 
   Participant& participant_;
   Stage stage_ = Stage::kConnected;
   std::uint64_t next_step_ = 0;
+  bool relaxing_ = false;       // the last step did
   bool step_open_ = false;      // answered, but not completed
   double hidden_seconds_ = 0;   // in complete() since the last step was answered
   std::exception_ptr failure_;  // of complete()

@@ -51,10 +51,10 @@ void expect_exact_ledger(ZoneKind kind, const std::vector<std::uint32_t>& interf
   if (!interface.empty()) continuum.set_interface(interface);
   const double dt = 0.8 * critical_step(kind, grid, kLaw, kDensity);
   Energies first{}, e{};
-  continuum.step(0, dt, &first);
+  continuum.step({0, dt}, &first);
   double peak = 0, drift = 0;
   for (std::uint64_t n = 1; n <= 10000; ++n) {
-    continuum.step(n, dt, &e);
+    continuum.step({n, dt}, &e);
     peak = std::max({peak, e.kinetic, e.strain, std::abs(e.external_work)});
     const double ledger = e.kinetic + e.strain - e.external_work;
     drift = std::max(drift, std::abs(ledger - (first.kinetic + first.strain - first.external_work)));
@@ -78,7 +78,7 @@ TEST_P(ContinuumOfEachZone, MomentumOfAFreeBlockIsTheImpulseOfItsLoad) {
                       {{{0, 7}, {3e6, 1e6}, {0, -2e6}, factor}}, {});
   double impulse = 0;
   for (std::uint64_t n = 0; n <= 2000; ++n) {
-    continuum.step(n, dt);
+    continuum.step({n, dt});
     impulse += (n == 0 ? dt / 2 : dt) * factor(static_cast<double>(n) * dt);
   }
   double px = 0, py = 0, scale = 0;
@@ -97,12 +97,12 @@ TEST_P(ContinuumOfEachZone, RigidMotionIsFree) {
   const auto masses = lumped_masses(grid, ones(grid), kDensity);
   Continuum continuum(make_zones(GetParam(), grid, kLaw, ones(grid)), masses, {}, {});
   const double dt = 0.9 * critical_step(GetParam(), grid, kLaw, kDensity);
-  continuum.step(0, dt);
+  continuum.step({0, dt});
   for (std::size_t i = 0; i < masses.size(); ++i) {
     continuum.vx()[i] = 1 - 2 * grid.y[i];
     continuum.vy()[i] = 3 + 2 * grid.x[i];
   }
-  for (std::uint64_t n = 1; n <= 100; ++n) continuum.step(n, dt);
+  for (std::uint64_t n = 1; n <= 100; ++n) continuum.step({n, dt});
   for (std::size_t i = 0; i < masses.size(); ++i) {
     EXPECT_NEAR(continuum.vx()[i], 1 - 2 * grid.y[i], 1e-10);
     EXPECT_NEAR(continuum.uy()[i], 100 * dt * (3 + 2 * grid.x[i]), 1e-10);
@@ -122,11 +122,11 @@ double standing_wave_error(ZoneKind kind, std::uint32_t zones) {
   const double end = 0.35 * 2 * pi / omega;
   const std::uint64_t steps = 4 * zones;
   const double dt = end / static_cast<double>(steps);
-  continuum.step(0, dt);
+  continuum.step({0, dt});
   for (std::size_t i = 0; i < grid.x.size(); ++i)
     continuum.vx()[i] = omega * std::sin(pi * grid.x[i]) * std::cos(omega * dt / 2);
   for (const auto i : ends) continuum.vx()[i] = 0;
-  for (std::uint64_t n = 1; n <= steps; ++n) continuum.step(n, dt);
+  for (std::uint64_t n = 1; n <= steps; ++n) continuum.step({n, dt});
   double error = 0;
   for (std::size_t i = 0; i < grid.x.size(); ++i)
     error = std::max(error, std::abs(continuum.ux()[i] - std::sin(pi * grid.x[i]) * std::sin(omega * end)));
@@ -153,7 +153,7 @@ TEST(Motion, PrescribedPointsFollowTheirVelocity) {
   const double dt = 1e-5;
   double u = 0;
   for (std::uint64_t n = 0; n < 500; ++n) {
-    continuum.step(n, dt);
+    continuum.step({n, dt});
     EXPECT_NEAR(continuum.ux()[left[1]], u, 1e-15);
     const double expected = 2 * std::sin(2 * pi * 100 * (static_cast<double>(n) + 0.5) * dt);
     continuum.push(left[1], 1e3, 0);
@@ -179,7 +179,7 @@ TEST(Motion, IsReproducibleToTheLastBit) {
     const auto masses = lumped_masses(grid, ones(grid), kDensity);
     Continuum continuum(make_zones(kKinds[0], grid, kLaw, ones(grid)), masses,
                         {{{0}, {1e6}, {2e6}, sine(70)}}, {});
-    for (std::uint64_t n = 0; n < 300; ++n) continuum.step(n, 1e-6);
+    for (std::uint64_t n = 0; n < 300; ++n) continuum.step({n, 1e-6});
     return std::vector<double>(continuum.vx().begin(), continuum.vx().end());
   };
   EXPECT_EQ(run(), run());

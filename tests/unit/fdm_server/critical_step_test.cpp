@@ -28,12 +28,12 @@ double exact_limit(ZoneKind kind, const Grid& grid) {
 double velocity_after_many_steps(ZoneKind kind, const Grid& grid, double dt) {
   const auto masses = lumped_masses(grid, ones(grid), kDensity);
   Continuum continuum(make_zones(kind, grid, kLaw, ones(grid)), masses, {}, {});
-  continuum.step(0, dt);
+  continuum.step({0, dt});
   for (std::size_t i = 0; i < masses.size(); ++i) {
     continuum.vx()[i] = std::sin(1.7 * static_cast<double>(i * i));
     continuum.vy()[i] = std::cos(2.3 * static_cast<double>(i * i));
   }
-  for (std::uint64_t n = 1; n <= 1000; ++n) continuum.step(n, dt);
+  for (std::uint64_t n = 1; n <= 1000; ++n) continuum.step({n, dt});
   double largest = 0;
   for (std::size_t i = 0; i < masses.size(); ++i)
     largest = std::max({largest, std::abs(continuum.vx()[i]), std::abs(continuum.vy()[i])});

@@ -54,10 +54,10 @@ TEST(Deferral, TheHalvesOfAStepShareThePoints) {
                       {everywhere}, {});
   const std::set<std::uint32_t> interface { 14, 15, 27, 40, 64 };
   continuum.set_interface(std::vector<std::uint32_t>(interface.begin(), interface.end()));
-  continuum.step_interface(0, kDt);
+  continuum.step_interface({0, kDt});
   for (std::uint32_t i = 0; i < grid.x.size(); ++i)
     EXPECT_EQ(continuum.vx()[i] != 0, interface.contains(i)) << i;
-  continuum.step_interior(0, kDt);
+  continuum.step_interior({0, kDt});
   for (std::uint32_t i = 0; i < grid.x.size(); ++i) EXPECT_NEAR(continuum.vx()[i], kDt / 2, 1e-18) << i;
 }
 

@@ -77,6 +77,25 @@ TEST_F(ConversationTest, AnswersArriveCleared) {
   EXPECT_FALSE(reply.predicted().has_energies());
 }
 
+// Statics come first, with steps of their own; time then begins at step 0, once.
+TEST_F(ConversationTest, StaticsComeBeforeTime) {
+  const auto advance = [&](std::uint64_t step, bool relax) {
+    auto frame = request(wire::Frame::kAdvance, step);
+    frame.mutable_advance()->set_relax(relax);
+    conversation.answer(frame, reply);
+  };
+  ask(wire::Frame::kSetup);
+  ask(wire::Frame::kWeights);
+  advance(0, true);
+  EXPECT_THROW(advance(0, true), std::logic_error);
+  advance(1, true);
+  EXPECT_THROW(advance(2, false), std::logic_error);
+  advance(0, false);
+  EXPECT_THROW(advance(0, false), std::logic_error);
+  EXPECT_THROW(advance(1, true), std::logic_error);
+  advance(1, false);
+}
+
 TEST_F(ConversationTest, RefusesWhatIsOutOfOrder) {
   using Kind = wire::Frame::ContentCase;
   const auto refuses = [&](Kind kind, std::uint64_t step = 0) {

@@ -1,0 +1,37 @@
+// How far the grid is from rest while it relaxes (wire.proto, message Relaxation).
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "fdm_server/continuum.hpp"
+#include "fdm_server/grid.hpp"
+
+namespace adit::fdm {
+
+// Of a step, weighted.
+struct Unrest {
+  double unbalanced_force;  // sum over the points of |mass · change of velocity| / duration of the kick [N]
+  double internal_force;    // sum over the zones of |stress| · √area, |stress| its Frobenius norm [N]
+};
+
+// Of the present velocities, weighted [J].
+double kinetic_energy(const Continuum& continuum);
+
+class Relaxation {
+ public:
+  Relaxation(const Grid& grid, std::span<const double> zone_weights);
+
+  // Of the step whose velocities were just corrected. A kick changed them for `kick` seconds since the last
+  // call, or since all were 0.
+  Unrest measure(const Continuum& continuum, double kick);
+  // All velocities became 0.
+  void stopped();
+
+ private:
+  std::vector<double> vx_, vy_;  // a step before
+  std::vector<double> factor_;   // weight · √area of each zone [m]
+};
+
+}  // namespace adit::fdm
