@@ -51,7 +51,7 @@ def force_chains(run, time, pieces):
     if largest > 0:
         sample = _round_below(largest)
         order = np.argsort(np.abs(force))  # the largest on top
-        widest = 4.0
+        widest = min(4.0, 0.5 * _length_in_points(axes, lines))  # dense bonds stay apart
         axes.add_collection(LineCollection(
             lines[order], lw=widest * np.abs(force[order]) / largest, capstyle="round",
             color=np.where(force[order] > 0, style.RED, style.BLUE)))
@@ -123,6 +123,12 @@ def _shade_overlap(axes, run, grid, scale=0):
     corners = [ends[0] - far, ends[1] - far, ends[1] + far, ends[0] + far]
     axes.add_patch(Polygon(corners, zorder=0, **shade))
     return [Patch(label="overlap", **shade)]
+
+
+def _length_in_points(axes, lines):
+    """Median length of the lines in the picture."""
+    ends = axes.transData.transform(lines.reshape(-1, 2)).reshape(-1, 2, 2)
+    return float(np.median(np.hypot(*(ends[:, 1] - ends[:, 0]).T))) * 72 / axes.figure.dpi
 
 
 def _across(lines):
