@@ -1,5 +1,6 @@
 #include "coupler/bridging/interpolation.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,6 +9,14 @@
 
 namespace adit::coupler {
 namespace {
+
+using Pair = Eigen::Array2d;  // x, y: one vector of the processor
+Eigen::Map<Pair> pair(std::span<double> values, std::size_t k) {
+  return Eigen::Map<Pair>(&values[2 * k]);
+}
+Eigen::Map<const Pair> pair(std::span<const double> values, std::size_t k) {
+  return Eigen::Map<const Pair>(&values[2 * k]);
+}
 
 // N must reproduce rigid motion: that is what keeps linear momentum exact, whatever the multipliers are.
 constexpr double kRowSumTolerance = 1e-9;
@@ -65,22 +74,23 @@ bool Interpolation::is_selection() const {
 
 void Interpolation::gather(std::span<const double> impulses, std::span<double> own) const {
   std::fill(own.begin(), own.end(), 0.0);
-  for (std::size_t k = 0; k < coupling_points(); ++k)
-    for (std::uint32_t e = row_starts_[k]; e < row_starts_[k + 1]; ++e) {
-      own[2 * columns_[e]] += values_[e] * impulses[2 * k];
-      own[2 * columns_[e] + 1] += values_[e] * impulses[2 * k + 1];
-    }
+  const std::uint32_t* column = columns_.data();
+  const double* value = values_.data();
+  for (std::size_t k = 0; k < coupling_points(); ++k) {
+    const Pair impulse = pair(impulses, k);
+    for (std::uint32_t e = row_starts_[k]; e < row_starts_[k + 1]; ++e)
+      pair(own, column[e]) += value[e] * impulse;
+  }
 }
 
 void Interpolation::interpolate(std::span<const double> own, std::span<double> velocities) const {
+  const std::uint32_t* column = columns_.data();
+  const double* value = values_.data();
   for (std::size_t k = 0; k < coupling_points(); ++k) {
-    double x = 0, y = 0;
-    for (std::uint32_t e = row_starts_[k]; e < row_starts_[k + 1]; ++e) {
-      x += values_[e] * own[2 * columns_[e]];
-      y += values_[e] * own[2 * columns_[e] + 1];
-    }
-    velocities[2 * k] = x;
-    velocities[2 * k + 1] = y;
+    Pair velocity = Pair::Zero();
+    for (std::uint32_t e = row_starts_[k]; e < row_starts_[k + 1]; ++e)
+      velocity += value[e] * pair(own, column[e]);
+    pair(velocities, k) = velocity;
   }
 }
 
