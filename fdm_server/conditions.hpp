@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "fdm_server/continuum.hpp"
-#include "fdm_server/grid.hpp"
+#include "fdm_server/grid/grid.hpp"
+#include "fdm_server/solver/continuum.hpp"
 #include "protocol/scene.pb.h"
 
 namespace adit::fdm {

@@ -2,8 +2,8 @@
 // stress grows by its weight is then in equilibrium to rounding, because the grid's masses are lumped.
 #pragma once
 
-#include "fdm_server/grid.hpp"
-#include "fdm_server/zones.hpp"
+#include "fdm_server/grid/grid.hpp"
+#include "fdm_server/zones/zones.hpp"
 #include "protocol/scene.pb.h"
 
 namespace adit::fdm {

@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "fdm_server/critical_step.hpp"
+#include "fdm_server/grid/interpolation.hpp"
 #include "fdm_server/initial_stress.hpp"
-#include "fdm_server/interpolation.hpp"
 #include "fdm_server/snapshot.hpp"
+#include "fdm_server/zones/critical_step.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::fdm {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "fdm_server/conditions.hpp"
-#include "fdm_server/relaxation.hpp"
 #include "fdm_server/setup.hpp"
+#include "fdm_server/solver/relaxation.hpp"
 #include "protocol/interface_operator.hpp"
 #include "protocol/participant.hpp"
 #include "protocol/step.hpp"

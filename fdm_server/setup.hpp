@@ -1,9 +1,9 @@
 // From the scene to the continuum's plain parameters.
 #pragma once
 
-#include "fdm_server/grid.hpp"
-#include "fdm_server/plane_law.hpp"
-#include "fdm_server/zones.hpp"
+#include "fdm_server/grid/grid.hpp"
+#include "fdm_server/zones/plane_law.hpp"
+#include "fdm_server/zones/zones.hpp"
 #include "protocol/scene.pb.h"
 
 namespace adit::fdm {

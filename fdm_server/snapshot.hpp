@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "fdm_server/continuum.hpp"
-#include "fdm_server/grid.hpp"
+#include "fdm_server/grid/grid.hpp"
+#include "fdm_server/solver/continuum.hpp"
 #include "protocol/wire.pb.h"
 
 namespace adit::fdm {

@@ -13,9 +13,9 @@
 #include "dem_server/assembly.hpp"
 #include "dem_server/contact_forces.hpp"
 #include "dem_server/packing.hpp"
-#include "fdm_server/grid.hpp"
-#include "fdm_server/interpolation.hpp"
-#include "fdm_server/zones.hpp"
+#include "fdm_server/grid/grid.hpp"
+#include "fdm_server/grid/interpolation.hpp"
+#include "fdm_server/zones/zones.hpp"
 
 namespace adit::test {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "fdm_server/continuum.hpp"
-#include "fdm_server/critical_step.hpp"
+#include "fdm_server/solver/continuum.hpp"
+#include "fdm_server/zones/critical_step.hpp"
 #include "tests/unit/fdm_server/grids.hpp"
 
 namespace adit::fdm::test {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "fdm_server/critical_step.hpp"
+#include "fdm_server/zones/critical_step.hpp"
 #include "protocol/errors.hpp"
 #include "tests/unit/fdm_server/grids.hpp"
 #include "tests/unit/fdm_server/scenes.hpp"

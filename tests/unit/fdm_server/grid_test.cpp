@@ -1,11 +1,11 @@
 // Requirements on the grid, its weights and what vanishes.
-#include "fdm_server/grid.hpp"
+#include "fdm_server/grid/grid.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "fdm_server/zone_runs.hpp"
+#include "fdm_server/zones/zone_runs.hpp"
 #include "tests/unit/fdm_server/grids.hpp"
 
 namespace adit::fdm::test {

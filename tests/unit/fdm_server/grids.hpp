@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "fdm_server/grid.hpp"
-#include "fdm_server/zones.hpp"
+#include "fdm_server/grid/grid.hpp"
+#include "fdm_server/zones/zones.hpp"
 
 namespace adit::fdm::test {
 

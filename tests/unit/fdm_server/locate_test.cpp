@@ -1,11 +1,11 @@
 // Requirements on finding points in zones and on interpolating between grid points.
-#include "fdm_server/locate.hpp"
+#include "fdm_server/grid/locate.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "fdm_server/interpolation.hpp"
+#include "fdm_server/grid/interpolation.hpp"
 #include "protocol/errors.hpp"
 #include "tests/unit/fdm_server/grids.hpp"
 

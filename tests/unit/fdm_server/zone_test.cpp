@@ -4,7 +4,7 @@
 #include <Eigen/Dense>
 #include <numbers>
 
-#include "fdm_server/critical_step.hpp"
+#include "fdm_server/zones/critical_step.hpp"
 #include "tests/unit/fdm_server/grids.hpp"
 
 namespace adit::fdm::test {

@@ -1,4 +1,4 @@
-#include "fdm_server/grid.hpp"
+#include "fdm_server/grid/grid.hpp"
 
 #include <algorithm>
 #include <cstddef>

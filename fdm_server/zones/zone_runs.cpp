@@ -1,4 +1,4 @@
-#include "fdm_server/zone_runs.hpp"
+#include "fdm_server/zones/zone_runs.hpp"
 
 #include <algorithm>
 #include <cmath>

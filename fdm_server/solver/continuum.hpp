@@ -20,8 +20,8 @@
 #include <span>
 #include <vector>
 
-#include "fdm_server/columns.hpp"
-#include "fdm_server/zones.hpp"
+#include "fdm_server/zones/columns.hpp"
+#include "fdm_server/zones/zones.hpp"
 #include "protocol/step.hpp"
 #include "protocol/stretches.hpp"
 

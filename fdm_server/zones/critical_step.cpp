@@ -1,4 +1,4 @@
-#include "fdm_server/critical_step.hpp"
+#include "fdm_server/zones/critical_step.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

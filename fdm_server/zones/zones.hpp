@@ -6,9 +6,9 @@
 #include <memory>
 #include <span>
 
-#include "fdm_server/grid.hpp"
-#include "fdm_server/plane_law.hpp"
-#include "fdm_server/zone_runs.hpp"
+#include "fdm_server/grid/grid.hpp"
+#include "fdm_server/zones/plane_law.hpp"
+#include "fdm_server/zones/zone_runs.hpp"
 
 namespace adit::fdm {
 

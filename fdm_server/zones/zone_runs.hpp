@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "fdm_server/grid.hpp"
+#include "fdm_server/grid/grid.hpp"
 
 namespace adit::fdm {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "fdm_server/grid.hpp"
+#include "fdm_server/grid/grid.hpp"
 #include "protocol/cells.hpp"
 
 namespace adit::fdm {

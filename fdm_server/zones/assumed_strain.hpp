@@ -18,9 +18,9 @@
 #include <span>
 #include <vector>
 
-#include "fdm_server/columns.hpp"
-#include "fdm_server/mean_gradient.hpp"
-#include "fdm_server/zones.hpp"
+#include "fdm_server/zones/columns.hpp"
+#include "fdm_server/zones/mean_gradient.hpp"
+#include "fdm_server/zones/zones.hpp"
 
 namespace adit::fdm {
 

@@ -3,8 +3,8 @@
 
 #include <Eigen/Core>
 
-#include "fdm_server/grid.hpp"
-#include "fdm_server/zones.hpp"
+#include "fdm_server/grid/grid.hpp"
+#include "fdm_server/zones/zones.hpp"
 
 namespace adit::fdm {
 

@@ -3,7 +3,7 @@
 // Corners 2 and 3 have the negative coefficients of corners 0 and 1.
 #pragma once
 
-#include "fdm_server/grid.hpp"
+#include "fdm_server/grid/grid.hpp"
 
 namespace adit::fdm {
 

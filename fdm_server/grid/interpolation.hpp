@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "fdm_server/grid.hpp"
+#include "fdm_server/grid/grid.hpp"
 #include "protocol/interface_operator.hpp"
 
 namespace adit::fdm {

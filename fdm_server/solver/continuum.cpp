@@ -1,4 +1,4 @@
-#include "fdm_server/continuum.hpp"
+#include "fdm_server/solver/continuum.hpp"
 
 #include <algorithm>
 #include <cmath>

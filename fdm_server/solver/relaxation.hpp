@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "fdm_server/continuum.hpp"
-#include "fdm_server/grid.hpp"
+#include "fdm_server/grid/grid.hpp"
+#include "fdm_server/solver/continuum.hpp"
 
 namespace adit::fdm {
 

@@ -1,7 +1,7 @@
-#include "fdm_server/zones.hpp"
+#include "fdm_server/zones/zones.hpp"
 
-#include "fdm_server/assumed_strain.hpp"
-#include "fdm_server/mixed_discretization.hpp"
+#include "fdm_server/zones/assumed_strain.hpp"
+#include "fdm_server/zones/mixed_discretization.hpp"
 
 namespace adit::fdm {
 

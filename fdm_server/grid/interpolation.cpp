@@ -1,10 +1,10 @@
-#include "fdm_server/interpolation.hpp"
+#include "fdm_server/grid/interpolation.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "fdm_server/locate.hpp"
+#include "fdm_server/grid/locate.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::fdm {

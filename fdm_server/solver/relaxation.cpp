@@ -1,4 +1,4 @@
-#include "fdm_server/relaxation.hpp"
+#include "fdm_server/solver/relaxation.hpp"
 
 #include <algorithm>
 #include <cmath>

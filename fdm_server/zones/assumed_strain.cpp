@@ -1,4 +1,4 @@
-#include "fdm_server/assumed_strain.hpp"
+#include "fdm_server/zones/assumed_strain.hpp"
 
 #include <algorithm>
 #include <cmath>

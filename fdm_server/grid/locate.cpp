@@ -1,4 +1,4 @@
-#include "fdm_server/locate.hpp"
+#include "fdm_server/grid/locate.hpp"
 
 #include <algorithm>
 #include <cmath>

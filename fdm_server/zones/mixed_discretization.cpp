@@ -1,4 +1,4 @@
-#include "fdm_server/mixed_discretization.hpp"
+#include "fdm_server/zones/mixed_discretization.hpp"
 
 #include <algorithm>
 #include <cstdint>
