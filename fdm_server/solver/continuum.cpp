@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "fdm_server/solver/leap_frog.hpp"
+
 namespace adit::fdm {
 namespace {
 
@@ -31,14 +33,15 @@ Motion take(Motion& motion, const std::vector<bool>& chosen) {
 }  // namespace
 
 Continuum::Continuum(std::unique_ptr<Zones> zones, std::span<const double> masses, std::vector<Load> loads,
-                     std::vector<Motion> motions)
-    : zones_(std::move(zones)), points_(masses.size()) {
+                     std::vector<Motion> motions, Structures structures)
+    : zones_(std::move(zones)), structures_(std::move(structures)), points_(masses.size()) {
   for (std::size_t i = 0; i < masses.size(); ++i) {
     points_[kMass][i] = masses[i];
     points_[kInverseMassX][i] = points_[kInverseMassY][i] = 1 / masses[i];
   }
   const auto runs = zones_->runs();
   interior_.runs.assign(runs.begin(), runs.end());
+  interior_.structures = structures_.all();
   interior_.points.push_back({0, static_cast<std::uint32_t>(masses.size())});
   for (auto& load : loads) interior_.loads.push_back({std::move(load)});
   for (auto& motion : motions) {
@@ -60,6 +63,7 @@ void Continuum::set_interface(std::span<const std::uint32_t> points) {
   auto [touching, others] = split(zones_->runs(), chosen);
   interface_.runs = std::move(touching);
   interior_.runs = std::move(others);
+  interface_.structures = structures_.take(interior_.structures, chosen);
   interface_.points = protocol::stretches(chosen, true);
   interior_.points = protocol::stretches(chosen, false);
   for (auto& [load, factor] : interior_.loads) interface_.loads.push_back({take(load, chosen)});
@@ -112,8 +116,9 @@ void Continuum::step_interior(const protocol::Step& step) {
 }
 
 void Continuum::pull(Part& part, const protocol::Step& step) {
-  zones_->add_forces(part.runs, step.dt,
-                     {points_[kVx].data(), points_[kVy].data(), points_[kFx].data(), points_[kFy].data()});
+  const PointView points{points_[kVx].data(), points_[kVy].data(), points_[kFx].data(), points_[kFy].data()};
+  zones_->add_forces(part.runs, step.dt, points);
+  structures_.add_forces(part.structures, step.dt, points);
   apply_loads(part, step);
   find_reactions(part, step);
 }
@@ -152,18 +157,17 @@ void Continuum::find_reactions(Part& part, const protocol::Step& step) {
 
 Energies Continuum::energies(const protocol::Step& step) const {
   const auto product = [&](std::span<const double> v, std::span<const double> f,
-                           std::span<const double> inverse_mass, std::size_t i) {
-    const double kick = step.dt * inverse_mass[i] * f[i];
-    return step.from_rest() ? -kick * kick / 4 : v[i] * (v[i] + kick);  // v(n-1/2) v(n+1/2)
-  };
-  double twice = 0;
+                           std::span<const double> inverse_mass,
+                           std::size_t i) { return velocity_product(step, v[i], inverse_mass[i] * f[i]); };
+  double twice = structures_.twice_kinetic_energy(step);
   for (std::size_t i = 0; i < points_.rows(); ++i)
     twice += points_[kMass][i] * (product(points_[kVx], points_[kFx], points_[kInverseMassX], i) +
                                   product(points_[kVy], points_[kFy], points_[kInverseMassY], i));
   for (const Part* part : {&interface_, &interior_})
     for (const auto& p : part->motions)  // the loop above took v(n-1/2)^2 of them, and 0 at step 0
       twice += p.mass * (p.before * p.after - (step.from_rest() ? 0 : p.before * p.before));
-  return {twice / 2, zones_->strain_energy(), external_work_};
+  return {twice / 2, zones_->strain_energy() + structures_.strain_energy(), external_work_,
+          structures_.dissipated()};
 }
 
 void Continuum::move_and_predict(const Part& part, const protocol::Step& step) {
@@ -183,6 +187,7 @@ void Continuum::move_and_predict(const Part& part, const protocol::Step& step) {
   };
   axis(kUx, kVx, kFx, kInverseMassX);
   axis(kUy, kVy, kFy, kInverseMassY);
+  structures_.move_and_predict(part.structures, step);
   for (const auto& prescribed : part.motions) {
     const auto velocity = points_[prescribed.motion.axis == Axis::kX ? kVx : kVy];
     for (const auto point : prescribed.motion.points) velocity[point] = prescribed.after;
@@ -193,12 +198,14 @@ void Continuum::move_and_predict(const Part& part, const protocol::Step& step) {
 
 void Continuum::stop() {
   for (const Column column : {kVx, kVy}) std::ranges::fill(points_[column], 0.0);
+  structures_.stop();
 }
 
 void Continuum::start_over() {
   stop();
   for (const Column column : {kUx, kUy}) std::ranges::fill(points_[column], 0.0);
   external_work_ = 0;
+  structures_.start_over();
 }
 
 std::optional<std::uint32_t> Continuum::first_non_finite() const {

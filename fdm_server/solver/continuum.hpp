@@ -20,6 +20,7 @@
 #include <span>
 #include <vector>
 
+#include "fdm_server/structures/structures.hpp"
 #include "fdm_server/zones/columns.hpp"
 #include "fdm_server/zones/zones.hpp"
 #include "protocol/step.hpp"
@@ -48,13 +49,14 @@ struct Motion {
 
 struct Energies {
   double kinetic, strain, external_work;  // [J]
+  double dissipated;                      // since the start, by what yields [J]
 };
 
 class Continuum {
  public:
-  // `masses`: one weighted mass a point [kg].
+  // `masses`: one weighted mass a point, with that of the structures [kg].
   Continuum(std::unique_ptr<Zones> zones, std::span<const double> masses, std::vector<Load> loads,
-            std::vector<Motion> motions);
+            std::vector<Motion> motions, Structures structures = {});
 
   // Makes these points the interface, before the first step.
   void set_interface(std::span<const std::uint32_t> points);
@@ -88,6 +90,7 @@ class Continuum {
   std::span<const double> inverse_mass_x() const { return points_[kInverseMassX]; }  // 0: prescribed [1/kg]
   std::span<const double> inverse_mass_y() const { return points_[kInverseMassY]; }
   const Zones& zones() const { return *zones_; }
+  const Structures& structures() const { return structures_; }
 
   // A point whose velocity is not finite, if any.
   std::optional<std::uint32_t> first_non_finite() const;
@@ -106,10 +109,11 @@ class Continuum {
     double reaction = 0;  // total force that the motion needed at the last step
   };
 
-  // What is computed together. The zones that touch a point of the interface are its part's, so that its
-  // forces need nothing of the interior.
+  // What is computed together. The zones and structures that touch a point of the interface are its part's,
+  // so that its forces need nothing of the interior.
   struct Part {
     std::vector<ZoneRun> runs;
+    Structures::Part structures;
     std::vector<protocol::Stretch> points;
     std::vector<Loading> loads;
     std::vector<Prescribed> motions;
@@ -124,6 +128,7 @@ class Continuum {
   Energies energies(const protocol::Step& step) const;
 
   std::unique_ptr<Zones> zones_;
+  Structures structures_;
   Columns<kColumns> points_;
   Part interface_, interior_;
   double external_work_ = 0;
