@@ -37,9 +37,11 @@ Continuum::Continuum(std::unique_ptr<Zones> zones, std::span<const double> masse
     points_[kMass][i] = masses[i];
     points_[kInverseMassX][i] = points_[kInverseMassY][i] = 1 / masses[i];
   }
+  zones_->follow(points_[kUx].data(), points_[kUy].data());
   const auto runs = zones_->runs();
   interior_.runs.assign(runs.begin(), runs.end());
   interior_.points.push_back({0, static_cast<std::uint32_t>(masses.size())});
+  interior_.moved = interior_.points;
   for (auto& load : loads) interior_.loads.push_back({std::move(load)});
   for (auto& motion : motions) {
     for (const auto point : motion.points)
@@ -62,6 +64,12 @@ void Continuum::set_interface(std::span<const std::uint32_t> points) {
   interior_.runs = std::move(others);
   interface_.points = protocol::stretches(chosen, true);
   interior_.points = protocol::stretches(chosen, false);
+  std::vector<bool> reached = chosen;
+  for (const ZoneRun& run : interface_.runs)
+    for (const auto point : run.points)
+      for (std::uint32_t k = 0; k < run.count; ++k) reached[point + k] = true;
+  interface_.moved = protocol::stretches(reached, true);
+  interior_.moved = protocol::stretches(reached, false);
   for (auto& [load, factor] : interior_.loads) interface_.loads.push_back({take(load, chosen)});
   for (auto& inside : interior_.motions) {
     interface_.motions.push_back(prescribed(take(inside.motion, chosen)));
@@ -97,21 +105,31 @@ void Continuum::step(const protocol::Step& step, Energies* wanted) {
   pull(interface_, step);
   pull(interior_, step);
   if (wanted) *wanted = energies(step);
-  move_and_predict(interface_, step);
-  move_and_predict(interior_, step);
+  predict(interface_, step);
+  predict(interior_, step);
 }
 
 void Continuum::step_interface(const protocol::Step& step) {
   pull(interface_, step);
-  move_and_predict(interface_, step);
+  predict(interface_, step);
 }
 
 void Continuum::step_interior(const protocol::Step& step) {
   pull(interior_, step);
-  move_and_predict(interior_, step);
+  predict(interior_, step);
+}
+
+void Continuum::move(const Part& part, double dt) {
+  for (const auto& [displacement, velocity] : {std::pair{kUx, kVx}, std::pair{kUy, kVy}}) {
+    double *u = points_[displacement].data(), *v = points_[velocity].data();
+    for (const auto [begin, end] : part.moved)
+#pragma GCC ivdep
+      for (std::size_t i = begin; i < end; ++i) u[i] += dt * v[i];
+  }
 }
 
 void Continuum::pull(Part& part, const protocol::Step& step) {
+  move(part, step.dt);
   zones_->add_forces(part.runs, step.dt,
                      {points_[kVx].data(), points_[kVy].data(), points_[kFx].data(), points_[kFy].data()});
   apply_loads(part, step);
@@ -166,28 +184,26 @@ Energies Continuum::energies(const protocol::Step& step) const {
   return {twice / 2, zones_->strain_energy(), external_work_};
 }
 
-void Continuum::move_and_predict(const Part& part, const protocol::Step& step) {
-  const double dt = step.dt, kick = step.kick();
-  const auto axis = [this, &part, dt, kick](Column displacement, Column velocity, Column force,
-                                            Column inverse_mass) {
-    double *u = points_[displacement].data(), *v = points_[velocity].data(), *f = points_[force].data();
+void Continuum::predict(const Part& part, const protocol::Step& step) {
+  const double kick = step.kick();
+  const auto axis = [this, &part, kick](Column velocity, Column force, Column inverse_mass) {
+    double *v = points_[velocity].data(), *f = points_[force].data();
     const double* inverse = points_[inverse_mass].data();
     for (const auto [begin, end] : part.points) {
 #pragma GCC ivdep
       for (std::size_t i = begin; i < end; ++i) {
-        u[i] += dt * v[i];
         v[i] += kick * (inverse[i] * f[i]);
         f[i] = 0;
       }
     }
   };
-  axis(kUx, kVx, kFx, kInverseMassX);
-  axis(kUy, kVy, kFy, kInverseMassY);
+  axis(kVx, kFx, kInverseMassX);
+  axis(kVy, kFy, kInverseMassY);
   for (const auto& prescribed : part.motions) {
     const auto velocity = points_[prescribed.motion.axis == Axis::kX ? kVx : kVy];
     for (const auto point : prescribed.motion.points) velocity[point] = prescribed.after;
   }
-  last_dt_ = dt;
+  last_dt_ = step.dt;
   last_kick_ = kick;
 }
 
@@ -197,6 +213,7 @@ void Continuum::stop() {
 
 void Continuum::start_over() {
   stop();
+  zones_->start_over();
   for (const Column column : {kUx, kUy}) std::ranges::fill(points_[column], 0.0);
   external_work_ = 0;
 }

@@ -110,7 +110,8 @@ class Continuum {
   // forces need nothing of the interior.
   struct Part {
     std::vector<ZoneRun> runs;
-    std::vector<protocol::Stretch> points;
+    std::vector<protocol::Stretch> points;  // whose velocities it predicts
+    std::vector<protocol::Stretch> moved;   // points of its zones that no earlier part moved, and its own
     std::vector<Loading> loads;
     std::vector<Prescribed> motions;
   };
@@ -120,7 +121,8 @@ class Continuum {
   void pull(Part& part, const protocol::Step& step);
   void apply_loads(Part& part, const protocol::Step& step);
   void find_reactions(Part& part, const protocol::Step& step);
-  void move_and_predict(const Part& part, const protocol::Step& step);
+  void move(const Part& part, double dt);
+  void predict(const Part& part, const protocol::Step& step);
   Energies energies(const protocol::Step& step) const;
 
   std::unique_ptr<Zones> zones_;
