@@ -67,7 +67,7 @@ inline std::vector<LiningForces> forces_at_rest(const Grid& grid, std::uint32_t 
     motions.push_back({{p}, Axis::kY, u[1], constant});
   }
   Continuum continuum(make_zones(ZoneKind::kAssumedStrain, grid, law, unweighted), masses, {},
-                      std::move(motions), structures);
+                      std::move(motions), 1, structures);
   continuum.step({0, 1.0});  // at unit velocity: displaces the rim in the next step
   settle(continuum, 1.0, 1, 1e-14);
   std::vector<LiningForces> forces;

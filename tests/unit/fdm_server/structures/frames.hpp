@@ -43,7 +43,7 @@ struct Frame {
   }
   Continuum continuum(std::vector<Load> loads, std::vector<Motion> motions = {}) const {
     return {make_zones(ZoneKind::kAssumedStrain, grid, plane_strain(kConcrete, kNu), {}), masses(),
-            std::move(loads), std::move(motions), structures};
+            std::move(loads), std::move(motions), 1, structures};
   }
 };
 
