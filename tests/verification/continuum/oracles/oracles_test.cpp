@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/verification/continuum/oracles/harmonic_wave.hpp"
 #include "tests/verification/continuum/oracles/kirsch.hpp"
 #include "tests/verification/continuum/oracles/lame.hpp"
 #include "tests/verification/continuum/oracles/prandtl.hpp"
@@ -177,6 +178,53 @@ TEST(Lame, CarriesBothPressures) {
     EXPECT_NEAR(radial, 2 * g * ((1 - nu) * e_r + nu * e_t) / (1 - 2 * nu), 1);
     EXPECT_NEAR(hoop, 2 * g * ((1 - nu) * e_t + nu * e_r) / (1 - 2 * nu), 1);
   }
+}
+
+const Medium kMedium{plane_strain(1e9, 0.3), 2000};
+const HarmonicWave kWaves[] = {p_wave(kMedium, 0.9, 0.5), sv_wave(kMedium, 0.7, 1.1),
+                               rayleigh_wave(kMedium, 0.8)};
+
+// rho u'' = div sigma, Hooke's law and v = u', by differences.
+TEST(HarmonicWave, SolvesTheEquationOfMotion) {
+  const double h = 1e-4, x = 0.3, y = -0.2;
+  for (const auto& wave : kWaves) {
+    const double w = wave.omega(), t = 1.1 / w, scale = w * w * kMedium.density;
+    const auto force = [&](std::size_t axis) {
+      const auto right = wave.stress(x + h, y, t), left = wave.stress(x - h, y, t);
+      const auto above = wave.stress(x, y + h, t), below = wave.stress(x, y - h, t);
+      return axis == 0 ? (right.xx - left.xx + above.xy - below.xy) / (2 * h)
+                       : (right.xy - left.xy + above.yy - below.yy) / (2 * h);
+    };
+    const auto gradient = [&](std::size_t axis, double dx, double dy) {
+      return (wave.displacement(x + dx, y + dy, t)[axis] - wave.displacement(x - dx, y - dy, t)[axis]) /
+             (2 * h);
+    };
+    for (const std::size_t axis : {0, 1}) {
+      EXPECT_NEAR(force(axis), -scale * wave.displacement(x, y, t)[axis], 1e-6 * scale);
+      const double rate =
+          (wave.displacement(x, y, t + h / w)[axis] - wave.displacement(x, y, t - h / w)[axis]) * w / (2 * h);
+      EXPECT_NEAR(wave.velocity(x, y, t)[axis], rate, 1e-6 * w);
+    }
+    const double exx = gradient(0, h, 0), eyy = gradient(1, 0, h),
+                 gxy = gradient(0, 0, h) + gradient(1, h, 0);
+    const Stress stress = wave.stress(x, y, t);
+    EXPECT_NEAR(stress.xx + stress.yy, 2 * kMedium.law.bulk * (exx + eyy), 1e-5 * kMedium.law.bulk);
+    EXPECT_NEAR(stress.xx - stress.yy, 2 * kMedium.law.shear * (exx - eyy), 1e-5 * kMedium.law.bulk);
+    EXPECT_NEAR(stress.xy, kMedium.law.shear * gxy, 1e-5 * kMedium.law.bulk);
+  }
+}
+
+// The surface is free and the depth at rest; for nu = 0.25 the speed is sqrt(2 - 2/sqrt(3)) c_S, its closed
+// form.
+TEST(RayleighWave, LeavesTheSurfaceFree) {
+  const double scale = kMedium.law.bulk / 0.8;
+  for (const double x : {0.0, 0.13, 0.5}) {
+    EXPECT_NEAR(kWaves[2].stress(x, 0, 1e-4).yy, 0, 1e-11 * scale);
+    EXPECT_NEAR(kWaves[2].stress(x, 0, 1e-4).xy, 0, 1e-11 * scale);
+    EXPECT_NEAR(kWaves[2].displacement(x, -8, 1e-4)[0], 0, 1e-9);
+  }
+  const Medium quarter{plane_strain(1e9, 0.25), 2000};
+  EXPECT_NEAR(rayleigh_speed(quarter) / quarter.s_speed(), std::sqrt(2 - 2 / std::sqrt(3)), 1e-12);
 }
 
 }  // namespace
