@@ -7,6 +7,7 @@
 
 #include "tests/verification/continuum/oracles/harmonic_wave.hpp"
 #include "tests/verification/continuum/oracles/kirsch.hpp"
+#include "tests/verification/continuum/oracles/lamb.hpp"
 #include "tests/verification/continuum/oracles/lame.hpp"
 #include "tests/verification/continuum/oracles/prandtl.hpp"
 #include "tests/verification/continuum/oracles/salencon.hpp"
@@ -225,6 +226,45 @@ TEST(RayleighWave, LeavesTheSurfaceFree) {
   }
   const Medium quarter{plane_strain(1e9, 0.25), 2000};
   EXPECT_NEAR(rayleigh_speed(quarter) / quarter.s_speed(), std::sqrt(2 - 2 / std::sqrt(3)), 1e-12);
+}
+
+// A pulse of the area 1 s, after which no load is left.
+struct Pulse {
+  double width, peak;
+  Complex operator()(Complex t) const {
+    const Complex a = (t - peak) / width;
+    return std::exp(-a * a) / (width * std::sqrt(pi));
+  }
+  double reach() const { return 6 * width; }
+};
+
+// Nothing moves before the fastest wave arrives.
+TEST(Lamb, IsCausal) {
+  const Ricker source{10, 0.5};
+  const double x = 1000, first = x / kMedium.p_speed() + source.peak - 0.95 * source.reach();
+  const double later = first + 1.2 * source.reach();
+  EXPECT_NEAR(lamb(kMedium, 1e6, source, x, first)[0], 0,
+              1e-6 * std::abs(lamb(kMedium, 1e6, source, x, later)[0]));
+  EXPECT_NEAR(lamb(kMedium, 1e6, source, x, first)[1], 0,
+              1e-6 * std::abs(lamb(kMedium, 1e6, source, x, later)[1]));
+}
+
+// The sum over time of the response to a pulse is the static displacement under the load (Flamant 1892):
+// u_x = -(1 - 2 nu) P/(4 mu) everywhere, u_y(x1) - u_y(x2) = -(1 - nu) P/(pi mu) log(x2/x1).
+TEST(Lamb, SumsUpToFlamantsStatics) {
+  const Pulse pulse{0.1, 0.7};
+  const double dt = 0.05, nu = 0.3, force = 1e6, mu = kMedium.law.shear;
+  Vector near{}, far{};
+  for (double t = 0; t < 20; t += dt) {
+    const auto a = lamb(kMedium, force, pulse, 200, t), b = lamb(kMedium, force, pulse, 400, t);
+    for (const std::size_t axis : {0, 1}) {
+      near[axis] += dt * a[axis];
+      far[axis] += dt * b[axis];
+    }
+  }
+  EXPECT_NEAR(near[0], -(1 - 2 * nu) * force / (4 * mu), 1e-3 * force / mu);
+  EXPECT_NEAR(far[0], near[0], 1e-3 * force / mu);
+  EXPECT_NEAR(near[1] - far[1], -(1 - nu) * force / (pi * mu) * std::log(2.0), 1e-3 * force / mu);
 }
 
 }  // namespace
