@@ -31,13 +31,14 @@ Motion take(Motion& motion, const std::vector<bool>& chosen) {
 }  // namespace
 
 Continuum::Continuum(std::unique_ptr<Zones> zones, std::span<const double> masses, std::vector<Load> loads,
-                     std::vector<Motion> motions, std::size_t threads)
-    : zones_(std::move(zones)), points_(masses.size()), team_(threads) {
+                     std::vector<Motion> motions, Structures structures, std::size_t threads)
+    : zones_(std::move(zones)), structures_(std::move(structures)), points_(masses.size()), team_(threads) {
   for (std::size_t i = 0; i < masses.size(); ++i) {
     points_[kMass][i] = masses[i];
     points_[kInverseMassX][i] = points_[kInverseMassY][i] = 1 / masses[i];
   }
   zones_->follow(points_[kUx].data(), points_[kUy].data());
+  interior_.structures = structures_.all();
   for (auto& load : loads) interior_.loads.push_back({std::move(load)});
   for (auto& motion : motions) {
     for (const auto point : motion.points)
@@ -57,6 +58,7 @@ void Continuum::set_interface(std::span<const std::uint32_t> points) {
   std::vector<bool> chosen(points_.rows(), false);
   for (const auto point : points) chosen[point] = true;
   plan(chosen);
+  interface_.structures = structures_.take(interior_.structures, chosen);
   for (auto& [load, factor] : interior_.loads) interface_.loads.push_back({take(load, chosen)});
   for (auto& inside : interior_.motions) {
     interface_.motions.push_back(prescribed(take(inside.motion, chosen)));
@@ -75,6 +77,7 @@ void Continuum::plan(const std::vector<bool>& chosen) {
     for (const auto point : load.points) pulled[point] = true;
   for (const auto& one : interior_.motions)
     for (const auto point : one.motion.points) pulled[point] = true;
+  structures_.mark_points(pulled);
 
   const auto [touching, others] = split(zones_->runs(), chosen);
   std::vector<bool> reached = chosen;
@@ -123,9 +126,10 @@ void Continuum::step(const protocol::Step& step, Energies* wanted) {
   if (wanted) remember_velocities();
   pull(interface_, step);
   pull(interior_, step);
+  const double twice_rotational = wanted ? structures_.twice_kinetic_energy(step) : 0;
   predict(interface_, step);
   predict(interior_, step);
-  if (wanted) *wanted = energies(step);
+  if (wanted) *wanted = energies(step, twice_rotational);
 }
 
 void Continuum::step_interface(const protocol::Step& step) {
@@ -140,6 +144,9 @@ void Continuum::step_interior(const protocol::Step& step) {
 
 void Continuum::pull(Part& part, const protocol::Step& step) {
   part.sweep.run(team_, *zones_, step.dt, step.kick(), columns());
+  structures_.add_forces(
+      part.structures, step.dt,
+      {points_[kVx].data(), points_[kVy].data(), points_[kFx].data(), points_[kFy].data()});
   apply_loads(part, step);
   find_reactions(part, step);
 }
@@ -181,19 +188,21 @@ void Continuum::remember_velocities() {
   std::ranges::copy(points_[kVy], points_[kLastVy].begin());
 }
 
-Energies Continuum::energies(const protocol::Step& step) const {
+Energies Continuum::energies(const protocol::Step& step, double twice_rotational) const {
   const auto product = [&](double before, double after) {
     return (step.from_rest() ? -after : before) * after;
   };
-  double twice = 0;
+  double twice = twice_rotational;
   for (std::size_t i = 0; i < points_.rows(); ++i)
     twice += points_[kMass][i] *
              (product(points_[kLastVx][i], points_[kVx][i]) + product(points_[kLastVy][i], points_[kVy][i]));
-  return {twice / 2, zones_->strain_energy(), external_work_};
+  return {twice / 2, zones_->strain_energy() + structures_.strain_energy(), external_work_,
+          structures_.dissipated()};
 }
 
 void Continuum::predict(const Part& part, const protocol::Step& step) {
   part.sweep.predict(team_, step.kick(), columns());
+  structures_.move_and_predict(part.structures, step);
   for (const auto& prescribed : part.motions) {
     const auto velocity = points_[prescribed.motion.axis == Axis::kX ? kVx : kVy];
     for (const auto point : prescribed.motion.points) velocity[point] = prescribed.after;
@@ -204,6 +213,7 @@ void Continuum::predict(const Part& part, const protocol::Step& step) {
 
 void Continuum::stop() {
   for (const Column column : {kVx, kVy}) std::ranges::fill(points_[column], 0.0);
+  structures_.stop();
 }
 
 void Continuum::start_over() {
@@ -211,6 +221,7 @@ void Continuum::start_over() {
   zones_->start_over();
   for (const Column column : {kUx, kUy}) std::ranges::fill(points_[column], 0.0);
   external_work_ = 0;
+  structures_.start_over();
 }
 
 std::optional<std::uint32_t> Continuum::first_non_finite() const {
