@@ -4,7 +4,7 @@
 
 #include "coupler/bridging/shape.hpp"
 #include "dem_server/assembly.hpp"
-#include "dem_server/packing.hpp"
+#include "dem_server/packing/hexagonal.hpp"
 #include "fdm_server/grid/grid.hpp"
 #include "tests/unit/coupler/random_overlaps.hpp"
 
