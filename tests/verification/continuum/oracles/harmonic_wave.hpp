@@ -33,6 +33,7 @@ class HarmonicWave {
   HarmonicWave(const Medium& medium, double omega, std::vector<Part> parts)
       : medium_(medium), omega_(omega), parts_(std::move(parts)) {}
 
+  const Medium& medium() const { return medium_; }
   double omega() const { return omega_; }  // [rad/s]
 
   Vector displacement(double x, double y, double t) const {
