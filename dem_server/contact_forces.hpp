@@ -47,7 +47,11 @@ void clear_resultants(std::span<const protocol::Stretch> some, Particles& partic
 void add_contact_forces(const BondLaw& law, double dt, std::span<const Run> runs, Particles& particles,
                         Bonds& bonds, ContactResult& result, std::vector<std::uint32_t>& broken);
 
-// Both for all particles and all bonds.
+// Notes the present normal forces of all bonds, which add_contact_forces does not keep: they follow from the
+// displacements.
+void find_normal_forces(const BondLaw& law, const Particles& particles, Bonds& bonds);
+
+// All of these for all particles and all bonds.
 ContactResult compute_contact_forces(const BondLaw& law, double dt, Particles& particles, Bonds& bonds,
                                      std::vector<std::uint32_t>& broken);
 

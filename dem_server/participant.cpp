@@ -146,6 +146,7 @@ void DemParticipant::check_dt(const wire::Advance& advance) {
 
 void DemParticipant::relax(bool stop, wire::Relaxation& answer) {
   if (!relaxation_) relaxation_.emplace(assembly_);
+  find_normal_forces(law_, assembly_.particles, assembly_.bonds);
   const Unrest unrest = relaxation_->measure(assembly_, step_.kick());
   answer.set_unbalanced_force(unrest.unbalanced_force);
   answer.set_internal_force(unrest.internal_force);
@@ -248,7 +249,8 @@ void DemParticipant::close_step() {
   strongest.set_y(place.y);
 }
 
-void DemParticipant::report_energies(wire::Energies& energies) const {
+void DemParticipant::report_energies(wire::Energies& energies) {
+  find_normal_forces(law_, assembly_.particles, assembly_.bonds);
   energies.set_kinetic(kinetic_energy(assembly_.particles, before_, step_.from_rest()));
   energies.set_strain(strain_energy(assembly_.bonds, law_.stiffness));
   double work = 0;
@@ -259,6 +261,7 @@ void DemParticipant::report_energies(wire::Energies& energies) const {
 
 void DemParticipant::snapshot(const wire::SnapshotRequest& request, wire::Snapshot& snapshot) {
   correct(view(request.impulses()));
+  find_normal_forces(law_, assembly_.particles, assembly_.bonds);
   write_snapshot(assembly_, snapshot);
 }
 

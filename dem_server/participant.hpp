@@ -58,7 +58,7 @@ class DemParticipant : public protocol::Participant {
   // The first step that does not relax: from the state reached.
   void start_over();
   void check_dt(const wire::Advance& advance);
-  void report_energies(wire::Energies& energies) const;
+  void report_energies(wire::Energies& energies);
 
   std::clock_t started_ = 0;
   scene::Scene scene_;
