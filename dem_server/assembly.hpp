@@ -25,6 +25,14 @@ struct Particles {
   std::size_t size() const { return id.size(); }
 };
 
+// Where forces and moments are summed, one value a particle [N], [N m].
+struct Resultants {
+  double *fx, *fy, *moment;
+};
+inline Resultants resultants_of(Particles& p) {
+  return {p.fx.data(), p.fy.data(), p.moment.data()};
+}
+
 enum class BondState : std::uint8_t { kIntact = 0, kTensileCrack = 1, kShearCrack = 2 };
 
 // A run: bonds begin … begin + count that are parallel at rest and whose first and second particles each

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "dem_server/vector_clones.hpp"
+#include "protocol/vector_clones.hpp"
 
 namespace adit::dem {
 namespace {
@@ -130,10 +130,10 @@ std::uint32_t find_bond(const Run& run, const RunForces& forces, std::int64_t bi
   return run.begin + k;
 }
 
-ADIT_VECTOR_CLONES void apply_to_particles(const Run& run, const RunForces& forces, Particles& p) {
+ADIT_VECTOR_CLONES void apply_to_particles(const Run& run, const RunForces& forces, const Resultants& to) {
   const double *x = forces.x.data(), *y = forces.y.data(), *moment = forces.moment.data();
-  double *fx1 = &p.fx[run.first], *fy1 = &p.fy[run.first], *moment1 = &p.moment[run.first];
-  double *fx2 = &p.fx[run.second], *fy2 = &p.fy[run.second], *moment2 = &p.moment[run.second];
+  double *fx1 = to.fx + run.first, *fy1 = to.fy + run.first, *moment1 = to.moment + run.first;
+  double *fx2 = to.fx + run.second, *fy2 = to.fy + run.second, *moment2 = to.moment + run.second;
   const std::uint32_t count = run.count;
 #pragma GCC ivdep
   for (std::uint32_t k = 0; k < count; ++k) {
@@ -166,13 +166,21 @@ ADIT_VECTOR_CLONES void find_normal_forces(const BondLaw& law, const Run& run, c
 
 }  // namespace
 
-void clear_resultants(std::span<const protocol::Stretch> some, Particles& particles) {
-  for (auto* resultant : {&particles.fx, &particles.fy, &particles.moment})
-    for (const auto [begin, end] : some) std::fill(resultant->begin() + begin, resultant->begin() + end, 0.0);
+void clear(std::span<const protocol::Stretch> some, const Resultants& resultants) {
+  for (double* resultant : {resultants.fx, resultants.fy, resultants.moment})
+    for (const auto [begin, end] : some) std::fill(resultant + begin, resultant + end, 0.0);
 }
 
-void add_contact_forces(const BondLaw& law, double dt, std::span<const Run> runs, Particles& particles,
-                        Bonds& bonds, ContactResult& result, std::vector<std::uint32_t>& broken) {
+void ContactResult::add(const ContactResult& later) {
+  released += later.released;
+  if (bits_of_size(later.max_normal_force) <= bits_of_size(max_normal_force)) return;
+  max_normal_force = later.max_normal_force;
+  strongest_bond = later.strongest_bond;
+}
+
+void add_contact_forces(const BondLaw& law, double dt, std::span<const Run> runs, const Particles& particles,
+                        Bonds& bonds, const Resultants& resultants, ContactResult& result,
+                        std::vector<std::uint32_t>& broken) {
   RunForces forces;
   const auto pull_plain = bonds.initial_normal_force.empty() ? pull_run<true, false> : pull_run<true, true>;
   const auto pull_any = bonds.initial_normal_force.empty() ? pull_run<false, false> : pull_run<false, true>;
@@ -184,7 +192,7 @@ void add_contact_forces(const BondLaw& law, double dt, std::span<const Run> runs
       result.released += break_bonds(law, dt, run, particles, bonds, forces, broken);
       outcome.max_bits = largest(run, forces);
     }
-    apply_to_particles(run, forces, particles);
+    apply_to_particles(run, forces, resultants);
     if (outcome.max_bits > max_bits) {
       max_bits = outcome.max_bits;
       result.strongest_bond = find_bond(run, forces, max_bits);
@@ -200,9 +208,9 @@ void find_normal_forces(const BondLaw& law, const Particles& particles, Bonds& b
 ContactResult compute_contact_forces(const BondLaw& law, double dt, Particles& particles, Bonds& bonds,
                                      std::vector<std::uint32_t>& broken) {
   const protocol::Stretch all{0, static_cast<std::uint32_t>(particles.size())};
-  clear_resultants({&all, 1}, particles);
+  clear({&all, 1}, resultants_of(particles));
   ContactResult result;
-  add_contact_forces(law, dt, bonds.runs, particles, bonds, result, broken);
+  add_contact_forces(law, dt, bonds.runs, particles, bonds, resultants_of(particles), result, broken);
   find_normal_forces(law, particles, bonds);
   return result;
 }
