@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "dem_server/assembly.hpp"
-#include "dem_server/packing.hpp"
+#include "dem_server/packing/hexagonal.hpp"
 #include "fdm_server/grid/grid.hpp"
 #include "protocol/geometry/shape.hpp"
 #include "tests/unit/coupler/random_overlaps.hpp"
