@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "fdm_server/grid/selection.hpp"
+#include "fdm_server/structures/lining_probe.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/time_function.hpp"
 
@@ -135,6 +136,10 @@ std::vector<Probe> resolve_histories(const scene::Continuum& scene, const Grid& 
   std::vector<Probe> probes;
   for (int i = 0; i < scene.histories_size(); ++i) {
     const auto& history = scene.histories(i);
+    if (is_of_lining(history.quantity())) {
+      probes.push_back({history.quantity(), 0});
+      continue;
+    }
     std::uint32_t nearest = 0;
     double distance = HUGE_VAL;
     for (std::uint32_t point = 0; point < grid.x.size(); ++point) {
