@@ -31,14 +31,13 @@ Motion take(Motion& motion, const std::vector<bool>& chosen) {
 }  // namespace
 
 Continuum::Continuum(std::unique_ptr<Zones> zones, std::span<const double> masses, std::vector<Load> loads,
-                     std::vector<Motion> motions, Structures structures, std::size_t threads)
+                     std::vector<Motion> motions, std::size_t threads, Structures structures)
     : zones_(std::move(zones)), structures_(std::move(structures)), points_(masses.size()), team_(threads) {
   for (std::size_t i = 0; i < masses.size(); ++i) {
     points_[kMass][i] = masses[i];
     points_[kInverseMassX][i] = points_[kInverseMassY][i] = 1 / masses[i];
   }
   zones_->follow(points_[kUx].data(), points_[kUy].data());
-  interior_.structures = structures_.all();
   for (auto& load : loads) interior_.loads.push_back({std::move(load)});
   for (auto& motion : motions) {
     for (const auto point : motion.points)
@@ -58,7 +57,6 @@ void Continuum::set_interface(std::span<const std::uint32_t> points) {
   std::vector<bool> chosen(points_.rows(), false);
   for (const auto point : points) chosen[point] = true;
   plan(chosen);
-  interface_.structures = structures_.take(interior_.structures, chosen);
   for (auto& [load, factor] : interior_.loads) interface_.loads.push_back({take(load, chosen)});
   for (auto& inside : interior_.motions) {
     interface_.motions.push_back(prescribed(take(inside.motion, chosen)));
@@ -78,6 +76,8 @@ void Continuum::plan(const std::vector<bool>& chosen) {
   for (const auto& one : interior_.motions)
     for (const auto point : one.motion.points) pulled[point] = true;
   structures_.mark_points(pulled);
+  interior_.structures = structures_.all();
+  interface_.structures = structures_.take(interior_.structures, chosen);
 
   const auto [touching, others] = split(zones_->runs(), chosen);
   std::vector<bool> reached = chosen;
@@ -126,10 +126,9 @@ void Continuum::step(const protocol::Step& step, Energies* wanted) {
   if (wanted) remember_velocities();
   pull(interface_, step);
   pull(interior_, step);
-  const double twice_rotational = wanted ? structures_.twice_kinetic_energy(step) : 0;
   predict(interface_, step);
   predict(interior_, step);
-  if (wanted) *wanted = energies(step, twice_rotational);
+  if (wanted) *wanted = energies(step);
 }
 
 void Continuum::step_interface(const protocol::Step& step) {
@@ -143,10 +142,9 @@ void Continuum::step_interior(const protocol::Step& step) {
 }
 
 void Continuum::pull(Part& part, const protocol::Step& step) {
-  part.sweep.run(team_, *zones_, step.dt, step.kick(), columns());
-  structures_.add_forces(
-      part.structures, step.dt,
-      {points_[kVx].data(), points_[kVy].data(), points_[kFx].data(), points_[kFy].data()});
+  const PointColumns points = columns();
+  part.sweep.run(team_, *zones_, step.dt, step.kick(), points);
+  structures_.add_forces(part.structures, step.dt, {points.vx, points.vy, points.fx, points.fy});
   apply_loads(part, step);
   find_reactions(part, step);
 }
@@ -188,11 +186,11 @@ void Continuum::remember_velocities() {
   std::ranges::copy(points_[kVy], points_[kLastVy].begin());
 }
 
-Energies Continuum::energies(const protocol::Step& step, double twice_rotational) const {
+Energies Continuum::energies(const protocol::Step& step) const {
   const auto product = [&](double before, double after) {
     return (step.from_rest() ? -after : before) * after;
   };
-  double twice = twice_rotational;
+  double twice = structures_.twice_kinetic_energy(step);
   for (std::size_t i = 0; i < points_.rows(); ++i)
     twice += points_[kMass][i] *
              (product(points_[kLastVx][i], points_[kVx][i]) + product(points_[kLastVy][i], points_[kVy][i]));
@@ -219,9 +217,9 @@ void Continuum::stop() {
 void Continuum::start_over() {
   stop();
   zones_->start_over();
+  structures_.start_over();
   for (const Column column : {kUx, kUy}) std::ranges::fill(points_[column], 0.0);
   external_work_ = 0;
-  structures_.start_over();
 }
 
 std::optional<std::uint32_t> Continuum::first_non_finite() const {

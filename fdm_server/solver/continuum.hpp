@@ -58,7 +58,7 @@ class Continuum {
   // `masses`: one weighted mass a point, with that of the structures [kg]. Results do not depend on the
   // number of threads.
   Continuum(std::unique_ptr<Zones> zones, std::span<const double> masses, std::vector<Load> loads,
-            std::vector<Motion> motions, Structures structures = {}, std::size_t threads = 1);
+            std::vector<Motion> motions, std::size_t threads = 1, Structures structures = {});
 
   // Makes these points the interface, before the first step.
   void set_interface(std::span<const std::uint32_t> points);
@@ -143,8 +143,7 @@ class Continuum {
   void find_reactions(Part& part, const protocol::Step& step);
   void predict(const Part& part, const protocol::Step& step);
   void remember_velocities();
-  // `twice_rotational`: twice the kinetic energy of the structures' rotations [J].
-  Energies energies(const protocol::Step& step, double twice_rotational) const;
+  Energies energies(const protocol::Step& step) const;
 
   std::unique_ptr<Zones> zones_;
   Structures structures_;

@@ -4,8 +4,6 @@
 #include <limits>
 #include <numeric>
 
-#include "fdm_server/solver/leap_frog.hpp"
-
 namespace adit::fdm {
 namespace {
 
@@ -29,7 +27,7 @@ std::vector<std::uint32_t> take_if(std::vector<std::uint32_t>& list, Test&& pass
 std::uint32_t Structures::add_rotation(std::uint32_t point, bool held) {
   point_.push_back(point);
   held_.push_back(held);
-  for (auto* column : {&angle_, &rate_, &couple_, &inertia_}) column->push_back(0.0);
+  for (auto* column : {&angle_, &rate_, &rate_before_, &couple_, &inertia_}) column->push_back(0.0);
   return static_cast<std::uint32_t>(point_.size() - 1);
 }
 
@@ -57,11 +55,11 @@ void Structures::add_masses(std::span<double> of_points) const {
     for (const auto point : bar.points()) of_points[point] += bar.end_mass();
 }
 
-void Structures::mark_points(std::vector<bool>& marked) const {
+void Structures::mark_points(std::vector<bool>& touched) const {
   for (const auto& beam : beams_)
-    for (const auto point : beam.points()) marked[point] = true;
+    for (const auto point : beam.points()) touched[point] = true;
   for (const auto& bar : bars_)
-    for (const auto point : bar.points()) marked[point] = true;
+    for (const auto point : bar.points()) touched[point] = true;
 }
 
 double Structures::critical_step() const {
@@ -100,6 +98,7 @@ void Structures::add_forces(const Part& part, double dt, const PointView& points
 void Structures::move_and_predict(const Part& part, const protocol::Step& step) {
   for (const auto i : part.rotations) {
     angle_[i] += step.dt * rate_[i];
+    rate_before_[i] = rate_[i];
     if (!held_[i]) rate_[i] += step.kick() * (couple_[i] / inertia_[i]);
     couple_[i] = 0;
   }
@@ -118,7 +117,7 @@ void Structures::start_over() {
 double Structures::twice_kinetic_energy(const protocol::Step& step) const {
   double sum = 0;
   for (std::size_t i = 0; i < rate_.size(); ++i)
-    if (!held_[i]) sum += inertia_[i] * velocity_product(step, rate_[i], couple_[i] / inertia_[i]);
+    sum += inertia_[i] * (step.from_rest() ? -rate_[i] : rate_before_[i]) * rate_[i];
   return sum;
 }
 

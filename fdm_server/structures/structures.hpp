@@ -34,8 +34,7 @@ class Structures {
   void add_joint(std::uint32_t first, std::uint32_t second, double stiffness, double yield, double dt);
 
   void add_masses(std::span<double> of_points) const;
-  // Marks the grid points that something is fixed to.
-  void mark_points(std::vector<bool>& marked) const;
+  void mark_points(std::vector<bool>& touched) const;
   double critical_step() const;  // [s], infinite where there is nothing
 
   // What is computed together, by numbers.
@@ -51,8 +50,7 @@ class Structures {
   void stop();        // rates become 0
   void start_over();  // and rotations, and what was dissipated
 
-  // Of the step whose forces were found: twice the kinetic energy of the rotations in the leap-frog's form
-  // [J].
+  // Of the last step: twice the kinetic energy of the rotations in the leap-frog's form [J].
   double twice_kinetic_energy(const protocol::Step& step) const;
   double rotational_energy() const;                  // of the present rates [J]
   double strain_energy() const;                      // [J]
@@ -74,7 +72,7 @@ class Structures {
   // one a rotation
   std::vector<std::uint32_t> point_;
   std::vector<std::uint8_t> held_;
-  std::vector<double> angle_, rate_, couple_, inertia_;
+  std::vector<double> angle_, rate_, rate_before_, couple_, inertia_;
   double dissipated_ = 0;
 };
 

@@ -43,7 +43,7 @@ struct Frame {
   }
   Continuum continuum(std::vector<Load> loads, std::vector<Motion> motions = {}) const {
     return {make_zones(ZoneKind::kAssumedStrain, grid, plane_strain(kConcrete, kNu), {}), masses(),
-            std::move(loads), std::move(motions), structures};
+            std::move(loads), std::move(motions), 1, structures};
   }
 };
 
@@ -76,17 +76,18 @@ inline Motion fixed(std::vector<std::uint32_t> points, Axis axis) {
   return {std::move(points), axis, 0.0, constant};
 }
 
-// Kinetic damping, as statics do it, until the energy at its peaks is 1e-22 of the strain energy.
-inline void settle(Continuum& continuum, double dt) {
+// Kinetic damping, as statics do it, from step `first` on until the energy at its peaks is this share of the
+// strain energy.
+inline void settle(Continuum& continuum, double dt, std::uint64_t first = 0, double share = 1e-22) {
   double before = 0;
   bool stop = false;
-  for (std::uint64_t n = 0; n < 20'000'000; ++n) {
+  for (std::uint64_t n = first; n < first + 20'000'000; ++n) {
     if (stop) continuum.stop();
     Energies e{};
     continuum.step({n, dt, true, stop}, &e);
     const double now = kinetic_energy(continuum);
-    stop = n > 0 && now < before;
-    if (stop && before < 1e-22 * e.strain) return;
+    stop = n > first && now < before;
+    if (stop && before < share * e.strain) return;
     before = stop ? 0 : now;
   }
   FAIL() << "does not come to rest";

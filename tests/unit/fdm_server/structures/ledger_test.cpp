@@ -40,6 +40,7 @@ struct LinedGround {
             masses,
             {Load{pushed, fx, fy, constant}},
             {Motion{base, Axis::kX, 0.5, shake}, Motion{base, Axis::kY, 0.2, shake}},
+            1,
             structures};
   }
 };
