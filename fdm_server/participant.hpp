@@ -12,6 +12,7 @@
 #include "fdm_server/conditions.hpp"
 #include "fdm_server/setup.hpp"
 #include "fdm_server/solver/relaxation.hpp"
+#include "fdm_server/structures/supports.hpp"
 #include "protocol/interface_operator.hpp"
 #include "protocol/participant.hpp"
 #include "protocol/step.hpp"
@@ -50,6 +51,7 @@ class FdmParticipant final : public protocol::Participant {
   double critical_dt_ = 0;
   Grid grid_;
   std::vector<double> weights_;  // of the zones
+  Supports supports_;
   std::unique_ptr<Continuum> continuum_;
   protocol::InterfaceOperator operator_;
   std::vector<Probe> probes_;
