@@ -71,7 +71,9 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   auto zones = make_zones(setup_.kind, grid_, setup_.law, weights_);
   if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), grid_, *zones);
   continuum_ = std::make_unique<Continuum>(std::move(zones), masses, resolve_loads(conditions, grid_, masses),
-                                           resolve_motions(conditions, grid_), 1, supports_.structures);
+                                           resolve_motions(conditions, grid_),
+                                           threads_ > 0 ? threads_ : useful_threads(grid_.zones.size()),
+                                           supports_.structures);
   probes_ = resolve_histories(conditions, grid_);
   probe_before_.resize(probes_.size());
   for (int i = 0; i < conditions.histories_size(); ++i)

@@ -77,17 +77,6 @@ inline const GridFamily kGridFamilies[] = {{"Regular", regular_grid, false},
                                            {"Trapezoids", trapezoid_grid, true},
                                            {"Random", random_grid, true}};
 
-inline std::array<double, 2> centroid(const Corners& c) {
-  double x = 0, y = 0;
-  for (std::size_t a = 0; a < 4; ++a) {  // triangles to the first corner
-    const std::size_t b = (a + 1) % 4;
-    const double twice = (c.x[a] - c.x[0]) * (c.y[b] - c.y[0]) - (c.x[b] - c.x[0]) * (c.y[a] - c.y[0]);
-    x += twice * (c.x[0] + c.x[a] + c.x[b]) / 6;
-    y += twice * (c.y[0] + c.y[a] + c.y[b]) / 6;
-  }
-  return {x / area(c), y / area(c)};
-}
-
 // Points that belong to the edge of the grid, ascending.
 inline std::vector<std::uint32_t> edge_points(const Grid& grid) {
   std::vector<double> turn(grid.x.size(), 0);  // sum of the zones' angles at the point: 2 pi inside

@@ -55,12 +55,13 @@ inline std::unique_ptr<Zones> strained_zones(ZoneKind kind, const Grid& grid, co
                                              const std::vector<std::complex<double>>& displacements) {
   auto zones = make_zones(kind, grid, law, std::vector<double>(grid.zones.size(), 1.0));
   const std::size_t n = grid.x.size();
-  std::vector<double> ux(n), uy(n), fx(n), fy(n);
+  std::vector<double> ux(n), uy(n);
   for (std::size_t i = 0; i < n; ++i) {
     ux[i] = displacements[i].real();
     uy[i] = displacements[i].imag();
   }
-  zones->add_forces(1.0, {ux.data(), uy.data(), fx.data(), fy.data()});
+  zones->follow(ux.data(), uy.data());
+  zones->start_over();
   return zones;
 }
 

@@ -68,7 +68,7 @@ class WaveRun {
       velocity.add(m, continuum_.vy()[i], v[1]);
     }
     for (std::size_t z = 0; z < grid_.zones.size(); ++z) {
-      const auto c = corners(grid_, grid_.zones[z]);
+      const auto c = corners(grid_, z);
       const auto [x, y] = centroid(c);
       const Stress exact = wave_.stress(x, y, end_), here = continuum_.zones().stress(z);
       stress.add(area(c), here.xx, exact.xx);
