@@ -43,7 +43,10 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   scene_ = setup.scene();
   setup_ = read_setup(scene_);
   grid_ = make_grid(setup_.block);
-  critical_dt_ = critical_step(setup_.kind, grid_, setup_.law, setup_.density);
+  const Supports supports =
+      resolve_supports(scene_.continuum(), scene_.plane() == scene::PLANE_STRAIN, grid_);
+  critical_dt_ = std::min(critical_step(setup_.kind, grid_, setup_.law, setup_.density),
+                          supports.structures.critical_step());
   model.set_critical_dt(critical_dt_);
   model.set_x_min(setup_.block.x_min);
   model.set_x_max(setup_.block.x_max);
@@ -61,12 +64,16 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
         "interface.overlap",
         "leaves no zone of the continuum, whose weight is 0 everywhere; let the block reach into the overlap "
         "and beyond it on the continuum's own side");
-  const auto masses = lumped_masses(grid_, weights_, setup_.density);
+  supports_ = resolve_supports(scene_.continuum(), scene_.plane() == scene::PLANE_STRAIN, grid_);
+  auto masses = lumped_masses(grid_, weights_, setup_.density);
+  supports_.structures.add_masses(masses);
   const auto& conditions = scene_.continuum();
   auto zones = make_zones(setup_.kind, grid_, setup_.law, weights_);
   if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), grid_, *zones);
   continuum_ = std::make_unique<Continuum>(std::move(zones), masses, resolve_loads(conditions, grid_, masses),
-                                           resolve_motions(conditions, grid_));
+                                           resolve_motions(conditions, grid_),
+                                           threads_ > 0 ? threads_ : useful_threads(grid_.zones.size()),
+                                           supports_.structures);
   probes_ = resolve_histories(conditions, grid_);
   probe_before_.resize(probes_.size());
   if (!weights.weights().empty()) offer_grid_points(weights, interface);
@@ -126,6 +133,7 @@ void FdmParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
     predicted.mutable_energies()->set_kinetic(energies.kinetic);
     predicted.mutable_energies()->set_strain(energies.strain);
     predicted.mutable_energies()->set_external_work(energies.external_work);
+    predicted.mutable_energies()->set_dissipated(energies.dissipated);
   }
   if (advance.relax()) predicted.mutable_relaxation()->set_kinetic_energy(kinetic_energy(*continuum_));
   if (advance.want_histories()) fill_histories(predicted);

@@ -42,8 +42,12 @@ struct Frame {
     return masses;
   }
   Continuum continuum(std::vector<Load> loads, std::vector<Motion> motions = {}) const {
-    return {make_zones(ZoneKind::kAssumedStrain, grid, plane_strain(kConcrete, kNu), {}), masses(),
-            std::move(loads), std::move(motions), 1, structures};
+    return {make_zones(ZoneKind::kAssumedStrain, grid, plane_strain(kConcrete, kNu), {}),
+            masses(),
+            std::move(loads),
+            std::move(motions),
+            1,
+            structures};
   }
 };
 
