@@ -10,6 +10,7 @@
 
 #include "dem_server/assembly.hpp"
 #include "dem_server/contact_forces.hpp"
+#include "dem_server/contacts.hpp"
 #include "dem_server/coupling_points.hpp"
 #include "dem_server/energy.hpp"
 #include "dem_server/histories.hpp"
@@ -41,12 +42,13 @@ class DemParticipant : public protocol::Participant {
   // particles at their ends: the kicks of the tied ones then need nothing of the interior.
   struct Part {
     Sweep sweep;
+    std::vector<Pair> pairs;
     Loads loads;
     Motions motions;
   };
 
-  // Divides the bonds between the parts, before loads and motions are divided.
-  void plan(const std::vector<bool>& tied);
+  // Divides bonds and contacts between the parts.
+  void plan();
   // Moves and resultants of step n; velocities of n + 1/2 where only bonds pull.
   void pull(Part& part);
   // The other velocities of n + 1/2.
@@ -74,7 +76,10 @@ class DemParticipant : public protocol::Participant {
   std::optional<Histories> histories_;
   CouplingPoints coupling_;
   Velocities before_;
-  ContactResult contacts_;                // of this step, as far as computed
+  Contacts contacts_;
+  std::vector<bool> tied_;                // of each particle: the interface acts on it
+  ContactResult result_;                  // of this step, as far as computed
+  double speed_ = 0;                      // largest of this step, likewise [m/s]
   std::vector<std::uint32_t> broken_;     // bonds that broke in this step
   double released_ = 0;                   // up to the last whole step [J]
   wire::Predicted unreported_;            // cracks and largest forces of whole steps
