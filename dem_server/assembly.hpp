@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "dem_server/packing.hpp"
+#include "dem_server/packing/hexagonal.hpp"
 
 namespace adit::dem {
 

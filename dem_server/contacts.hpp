@@ -12,17 +12,10 @@
 #include <vector>
 
 #include "dem_server/assembly.hpp"
+#include "dem_server/packing/discs.hpp"
 #include "dem_server/partners.hpp"
 
 namespace adit::dem {
-
-struct Pair {
-  std::uint32_t first, second;
-};
-
-// All pairs first < second with centres nearer than `reach` [m] now, ascending. Particles that are not at a
-// finite place have none. Costs as much as the particles are many, wherever they are.
-std::vector<Pair> pairs_within(double reach, const Particles& particles);
 
 class Contacts {
  public:

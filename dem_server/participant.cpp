@@ -96,6 +96,7 @@ void DemParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   interior_.loads = Loads(scene_.particles(), particles, tolerance);
   interior_.motions = Motions(scene_.particles(), particles, tolerance);
   contacts_ = Contacts(assembly_);
+  team_.emplace(threads_ > 0 ? threads_ : useful_threads(particles.size()));
   tied_.assign(particles.size(), false);
   plan();
   histories_.emplace(scene_.particles(), particles);
@@ -139,9 +140,9 @@ void DemParticipant::plan() {
       of_interface[i] = pulled[i] ? Role::kKept : Role::kSwept;
     else
       of_interior[i] = pulled[i] || reached[i] ? Role::kKept : Role::kSwept;
-  interface_.sweep = {touching, of_interface, reached, team_.threads()};
+  interface_.sweep = {touching, of_interface, reached, team_->threads()};
   reached.flip();
-  interior_.sweep = {others, of_interior, reached, team_.threads()};
+  interior_.sweep = {others, of_interior, reached, team_->threads()};
 }
 
 void DemParticipant::correct(std::span<const double> impulses) {
@@ -235,7 +236,7 @@ void DemParticipant::complete() {
 }
 
 void DemParticipant::pull(Part& part) {
-  speed_ = std::max(speed_, part.sweep.run(team_, law_, step_, assembly_, result_, broken_));
+  speed_ = std::max(speed_, part.sweep.run(*team_, law_, step_, assembly_, result_, broken_));
   add_contacts(law_.stiffness.normal, assembly_.bonds.rest_length, part.pairs, assembly_.particles,
                resultants_of(assembly_.particles));
   if (!std::isfinite(result_.max_normal_force)) {
@@ -248,7 +249,7 @@ void DemParticipant::pull(Part& part) {
 }
 
 void DemParticipant::predict(Part& part) {
-  part.sweep.predict(team_, step_.kick(), assembly_.particles);
+  part.sweep.predict(*team_, step_.kick(), assembly_.particles);
   part.motions.impose(step_, assembly_.particles);
 }
 

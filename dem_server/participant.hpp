@@ -26,8 +26,8 @@ namespace adit::dem {
 
 class DemParticipant : public protocol::Participant {
  public:
-  // Results do not depend on the number of threads.
-  explicit DemParticipant(std::size_t threads = 1) : team_(threads) {}
+  // Threads that share the computing, 0: as many as pay. Results do not depend on their number.
+  explicit DemParticipant(std::size_t threads = 1) : threads_(threads) {}
 
   void set_up(const wire::Setup& setup, wire::Model& model) override;
   void weigh(const wire::Weights& weights, wire::Interface& interface) override;
@@ -66,7 +66,8 @@ class DemParticipant : public protocol::Participant {
   void check_dt(const wire::Advance& advance);
   void report_energies(wire::Energies& energies);
 
-  protocol::Team team_;
+  std::size_t threads_;
+  std::optional<protocol::Team> team_;
   std::clock_t started_ = 0;
   scene::Scene scene_;
   Packing packing_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include "dem_server/motion.hpp"
 
@@ -44,6 +45,11 @@ void pour(const Stretch& stretch, std::uint32_t first, std::vector<double>& from
 }
 
 }  // namespace
+
+std::size_t useful_threads(std::size_t particles) {
+  return std::clamp<std::size_t>(particles / kLeastBlock, 1,
+                                 std::max(1u, std::thread::hardware_concurrency()));
+}
 
 Sweep::Sweep(std::span<const Run> runs, std::span<const Role> roles, const std::vector<bool>& moved,
              std::size_t threads)

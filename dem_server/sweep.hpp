@@ -30,6 +30,9 @@ enum class Role : std::uint8_t {
   kSwept,    // predicts it at once: nothing else pulls on it
 };
 
+// How many threads of this machine are worth calling for so many particles.
+std::size_t useful_threads(std::size_t particles);
+
 class Sweep {
  public:
   Sweep() = default;

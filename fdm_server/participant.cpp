@@ -65,10 +65,10 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   const auto& conditions = scene_.continuum();
   auto zones = make_zones(setup_.kind, grid_, setup_.law, weights_);
   if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), grid_, *zones);
-  continuum_ = std::make_unique<Continuum>(std::move(zones), masses,
-                                           resolve_loads(conditions, setup_.block, grid_, masses),
-                                           resolve_motions(conditions, setup_.block, grid_));
-  probes_ = resolve_histories(conditions, setup_.block, grid_);
+  continuum_ = std::make_unique<Continuum>(std::move(zones), masses, resolve_loads(conditions, grid_, masses),
+                                           resolve_motions(conditions, grid_),
+                                           threads_ > 0 ? threads_ : useful_threads(grid_.zones.size()));
+  probes_ = resolve_histories(conditions, grid_);
   probe_before_.resize(probes_.size());
   if (!weights.weights().empty()) offer_grid_points(weights, interface);
   interface.set_zones(grid_.zones.size());

@@ -4,6 +4,7 @@
 // contradict an earlier one (counts, step numbers, dt) throw std::invalid_argument: the peer's bug.
 #pragma once
 
+#include <cstddef>
 #include <ctime>
 #include <memory>
 #include <optional>
@@ -20,6 +21,8 @@ namespace adit::fdm {
 
 class FdmParticipant final : public protocol::Participant {
  public:
+  // 0 threads: as many as pay. Results do not depend on it.
+  explicit FdmParticipant(std::size_t threads = 1) : threads_(threads) {}
   void set_up(const wire::Setup& setup, wire::Model& model) override;
   void weigh(const wire::Weights& weights, wire::Interface& interface) override;
   void couple(const wire::Couple& couple, wire::Operator& op) override;
@@ -45,6 +48,7 @@ class FdmParticipant final : public protocol::Participant {
   void check_answer(const wire::Predicted& predicted) const;
   void check_grid(std::uint64_t step) const;
 
+  std::size_t threads_;
   scene::Scene scene_;
   Setup setup_{};
   double critical_dt_ = 0;

@@ -1,6 +1,6 @@
-// Marks a function that is compiled once for each vector width of x86-64; the machine's widest is taken when the
-// program starts. Products and sums are never contracted, so that all of them give the same bits. What such a
-// function calls must be inlined into it.
+// Marks a function that is compiled once for each vector width of x86-64; the machine's widest is taken when
+// the program starts. Products and sums are never contracted, so that all of them give the same bits. What
+// such a function calls must be inlined into it.
 #pragma once
 
 // A sanitizer is not ready yet when the choice is made.
