@@ -17,10 +17,11 @@ double tolerance(const Block& block) {
   return 1e-9 * std::hypot(block.x_max - block.x_min, block.y_max - block.y_min);
 }
 
+// The points that a place can select: not those of free-field columns, which follow their side.
 std::vector<double> interleaved(const Grid& grid) {
   std::vector<double> points;
-  points.reserve(2 * grid.x.size());
-  for (std::size_t i = 0; i < grid.x.size(); ++i) {
+  points.reserve(2 * grid.own_points());
+  for (std::size_t i = 0; i < grid.own_points(); ++i) {
     points.push_back(grid.x[i]);
     points.push_back(grid.y[i]);
   }
@@ -30,28 +31,6 @@ std::vector<double> interleaved(const Grid& grid) {
 TimeFactor factor(const scene::TimeFunction& function, const std::string& path) {
   protocol::check(function, path + ".time");
   return [function](double t) { return protocol::evaluate(function, t); };
-}
-
-struct Edge {
-  std::uint32_t from, to;
-  double length;
-};
-
-// Edges whose two ends lie on the same side of the block.
-std::vector<Edge> outline(const Block& block, const Grid& grid) {
-  const double close = tolerance(block);
-  std::vector<Edge> edges;
-  for (const auto& zone : grid.zones)
-    for (std::size_t c = 0; c < 4; ++c) {
-      const auto a = static_cast<std::uint32_t>(zone[c]), b = static_cast<std::uint32_t>(zone[(c + 1) % 4]);
-      const auto on = [close](double first, double second, double side) {
-        return std::abs(first - side) <= close && std::abs(second - side) <= close;
-      };
-      if (on(grid.x[a], grid.x[b], block.x_min) || on(grid.x[a], grid.x[b], block.x_max) ||
-          on(grid.y[a], grid.y[b], block.y_min) || on(grid.y[a], grid.y[b], block.y_max))
-        edges.push_back({a, b, std::hypot(grid.x[b] - grid.x[a], grid.y[b] - grid.y[a])});
-    }
-  return edges;
 }
 
 void add(Load& load, std::uint32_t point, double fx, double fy) {
@@ -69,9 +48,9 @@ Load point_load(const scene::Load& scene, std::span<const double> points, double
   return load;
 }
 
-Load edge_load(const scene::Load& scene, std::span<const Edge> edges, const Grid& grid, double close,
+Load edge_load(const scene::Load& scene, std::span<const BoundaryEdge> edges, const Grid& grid, double close,
                const std::string& path) {
-  std::vector<Edge> chosen;
+  std::vector<BoundaryEdge> chosen;
   double length = 0;
   for (const auto& edge : edges)
     if (protocol::inside(scene.where(), grid.x[edge.from], grid.y[edge.from], close) &&
@@ -108,7 +87,7 @@ bool same_velocity(const scene::GridMotion& a, double va, const scene::GridMotio
 }  // namespace
 
 std::vector<Load> resolve_loads(const scene::Continuum& scene, const Block& block, const Grid& grid,
-                                std::span<const double> masses) {
+                                std::span<const FreeFieldColumn> columns, std::span<const double> masses) {
   const auto points = interleaved(grid);
   const auto edges = outline(block, grid);
   const double close = tolerance(block);
@@ -119,13 +98,16 @@ std::vector<Load> resolve_loads(const scene::Continuum& scene, const Block& bloc
   for (int i = 0; i < scene.edge_loads_size(); ++i)
     loads.push_back(
         edge_load(scene.edge_loads(i), edges, grid, close, fmt::format("continuum.edge_loads[{}]", i)));
-  for (int i = 0; i < scene.body_loads_size(); ++i)
+  for (int i = 0; i < scene.body_loads_size(); ++i) {
     loads.push_back(
         body_load(scene.body_loads(i), points, masses, close, fmt::format("continuum.body_loads[{}]", i)));
+    for (const auto& column : columns) extend_to_column(column, masses, loads.back());
+  }
   return loads;
 }
 
-std::vector<Motion> resolve_motions(const scene::Continuum& scene, const Block& block, const Grid& grid) {
+std::vector<Motion> resolve_motions(const scene::Continuum& scene, const Block& block, const Grid& grid,
+                                    std::span<const FreeFieldColumn> columns) {
   const auto points = interleaved(grid);
   std::vector<Motion> motions;
   // the motion that prescribes each point's x and y, or -1
@@ -153,6 +135,7 @@ std::vector<Motion> resolve_motions(const scene::Continuum& scene, const Block& 
       before = i;
       motion.points.push_back(point);
     }
+    for (const auto& column : columns) extend_to_column(column, motion.points);
     motions.push_back(std::move(motion));
   };
   for (int i = 0; i < scene.motions_size(); ++i) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "fdm_server/boundaries/free_field.hpp"
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/solver/continuum.hpp"
 #include "protocol/scene.pb.h"
@@ -16,11 +17,13 @@ namespace adit::fdm {
 // Point loads in equal shares; edge loads by length over edges on the block's outline (an edge that appears
 // where zones vanished is no boundary of the body), half of an edge's share to each end; body loads on the
 // weighted masses of the points. Point and edge loads are not weighted: they are total forces.
+// Body loads and motions act in free-field columns as in their sides.
 std::vector<Load> resolve_loads(const scene::Continuum& scene, const Block& block, const Grid& grid,
-                                std::span<const double> masses);
+                                std::span<const FreeFieldColumn> columns, std::span<const double> masses);
 
 // A component of a point that two motions prescribe differently is an error.
-std::vector<Motion> resolve_motions(const scene::Continuum& scene, const Block& block, const Grid& grid);
+std::vector<Motion> resolve_motions(const scene::Continuum& scene, const Block& block, const Grid& grid,
+                                    std::span<const FreeFieldColumn> columns);
 
 // A quantity at one grid point.
 struct Probe {

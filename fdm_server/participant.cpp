@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <span>
 #include <stdexcept>
 #include <utility>
 
+#include "fdm_server/boundaries/boundaries.hpp"
 #include "fdm_server/grid/interpolation.hpp"
+#include "fdm_server/grid/outline.hpp"
 #include "fdm_server/initial_stress.hpp"
 #include "fdm_server/snapshot.hpp"
 #include "fdm_server/zones/critical_step.hpp"
@@ -43,7 +46,8 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   scene_ = setup.scene();
   setup_ = read_setup(scene_);
   grid_ = make_grid(setup_.block);
-  critical_dt_ = critical_step(setup_.kind, grid_, setup_.law, setup_.density);
+  damping_ = resolve_damping(scene_.continuum());
+  critical_dt_ = critical_step(damping_, critical_step(setup_.kind, grid_, setup_.law, setup_.density));
   model.set_critical_dt(critical_dt_);
   model.set_x_min(setup_.block.x_min);
   model.set_x_max(setup_.block.x_max);
@@ -61,13 +65,8 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
         "interface.overlap",
         "leaves no zone of the continuum, whose weight is 0 everywhere; let the block reach into the overlap "
         "and beyond it on the continuum's own side");
-  const auto masses = lumped_masses(grid_, weights_, setup_.density);
+  make_continuum();
   const auto& conditions = scene_.continuum();
-  auto zones = make_zones(setup_.kind, grid_, setup_.law, weights_);
-  if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), grid_, *zones);
-  continuum_ = std::make_unique<Continuum>(std::move(zones), masses,
-                                           resolve_loads(conditions, setup_.block, grid_, masses),
-                                           resolve_motions(conditions, setup_.block, grid_));
   probes_ = resolve_histories(conditions, setup_.block, grid_);
   probe_before_.resize(probes_.size());
   if (!weights.weights().empty()) offer_grid_points(weights, interface);
@@ -75,8 +74,30 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   interface.set_grid_points(grid_.x.size());
 }
 
+void FdmParticipant::make_continuum() {
+  const auto& conditions = scene_.continuum();
+  const auto edges = outline(setup_.block, grid_);
+  const auto columns = add_columns(conditions, edges, grid_);
+  weights_.resize(grid_.zones.size(), 1.0);
+  const auto masses = lumped_masses(grid_, weights_, setup_.density);
+  auto zones = make_zones(setup_.kind, grid_, setup_.law, weights_);
+  if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), grid_, *zones);
+
+  auto loads = resolve_loads(conditions, setup_.block, grid_, columns, masses);
+  auto motions = resolve_motions(conditions, setup_.block, grid_, columns);
+  auto boundaries = resolve_boundaries(
+      conditions, scene_.time().duration(), grid_, edges, columns,
+      [this](std::uint32_t zone) { return impedance(setup_.law, setup_.density, weights_[zone]); }, motions);
+  std::ranges::move(boundaries.loads, std::back_inserter(loads));
+  std::ranges::move(boundaries.motions, std::back_inserter(motions));
+  continuum_ = std::make_unique<Continuum>(std::move(zones), masses, std::move(loads), std::move(motions));
+  continuum_->set_dashpots(std::move(boundaries.dashpots),
+                           scene_.has_statics() || scene_.has_initial_stress());
+  continuum_->set_damping(damping_);
+}
+
 void FdmParticipant::offer_grid_points(const wire::Weights& box, wire::Interface& interface) const {
-  for (std::size_t i = 0; i < grid_.x.size(); ++i) {
+  for (std::size_t i = 0; i < grid_.own_points(); ++i) {
     if (grid_.x[i] < box.x_min() || grid_.x[i] > box.x_max() || grid_.y[i] < box.y_min() ||
         grid_.y[i] > box.y_max())
       continue;
@@ -127,6 +148,7 @@ void FdmParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
     predicted.mutable_energies()->set_kinetic(energies.kinetic);
     predicted.mutable_energies()->set_strain(energies.strain);
     predicted.mutable_energies()->set_external_work(energies.external_work);
+    predicted.mutable_energies()->set_dissipated(energies.dissipated);
   }
   if (advance.relax()) predicted.mutable_relaxation()->set_kinetic_energy(kinetic_energy(*continuum_));
   if (advance.want_histories()) fill_histories(predicted);

@@ -29,6 +29,8 @@ class FdmParticipant final : public protocol::Participant {
   void finish(wire::Bye& bye) override;
 
  private:
+  // Of what the weights leave of the grid, with the columns of its free field.
+  void make_continuum();
   // The grid points inside the box that the weights came with.
   void offer_grid_points(const wire::Weights& box, wire::Interface& interface) const;
   void check(const wire::Advance& advance) const;
@@ -47,6 +49,7 @@ class FdmParticipant final : public protocol::Participant {
 
   scene::Scene scene_;
   Setup setup_{};
+  DampingLaw damping_;
   double critical_dt_ = 0;
   Grid grid_;
   std::vector<double> weights_;  // of the zones

@@ -13,11 +13,13 @@ double spaced(double first, double last, std::size_t i, std::size_t n) {
 
 }  // namespace
 
-Corners corners(const Grid& grid, const ZonePoints& zone) {
+Corners corners(const Grid& grid, std::size_t zone) {
+  const std::size_t others = grid.zones.size() - grid.column_corners.size();
+  if (zone >= others) return grid.column_corners[zone - others];
   Corners result{};
   for (std::size_t c = 0; c < 4; ++c) {
-    result.x[c] = grid.x[zone[c]];
-    result.y[c] = grid.y[zone[c]];
+    result.x[c] = grid.x[grid.zones[zone][c]];
+    result.y[c] = grid.y[grid.zones[zone][c]];
   }
   return result;
 }
@@ -106,7 +108,7 @@ void compact(Grid& grid, std::vector<double>& weights) {
 std::vector<double> lumped_masses(const Grid& grid, std::span<const double> weights, double density) {
   std::vector<double> masses(grid.x.size(), 0.0);
   for (std::size_t z = 0; z < grid.zones.size(); ++z) {
-    const double share = weights[z] * density * area(corners(grid, grid.zones[z])) / 4;
+    const double share = weights[z] * density * area(corners(grid, z)) / 4;
     for (const auto point : grid.zones[z]) masses[point] += share;
   }
   return masses;

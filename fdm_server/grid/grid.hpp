@@ -10,16 +10,23 @@ namespace adit::fdm {
 
 using ZonePoints = std::array<std::int32_t, 4>;
 
-struct Grid {
-  std::vector<double> x, y;  // of each point [m]
-  std::vector<ZonePoints> zones;
-};
-
 // Corner coordinates of a zone [m].
 struct Corners {
   std::array<double, 4> x, y;
 };
-Corners corners(const Grid& grid, const ZonePoints& zone);
+
+struct Grid {
+  std::vector<double> x, y;  // of each point [m]
+  std::vector<ZonePoints> zones;
+  // Of the last zones, those of free-field columns: a row of such a column is one point, so that the zone's
+  // left and right corners share it, while its shape is this.
+  std::vector<Corners> column_corners;
+  std::uint32_t column_points = 0;  // the last points
+
+  std::size_t own_points() const { return x.size() - column_points; }  // without the columns'
+};
+
+Corners corners(const Grid& grid, std::size_t zone);
 double area(const Corners& corners);  // [m^2], positive where the corners run counter-clockwise
 
 // A rectangle of equal zones.

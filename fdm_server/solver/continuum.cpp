@@ -54,14 +54,25 @@ Continuum::Prescribed Continuum::prescribed(Motion motion) const {
   return {std::move(motion), mass};
 }
 
+void Continuum::set_dashpots(std::vector<Dashpot> dashpots, bool support) {
+  interior_.dashpots = std::move(dashpots);
+  supports_ = support;
+}
+
 void Continuum::set_interface(std::span<const std::uint32_t> points) {
   std::vector<bool> chosen(points_.rows(), false);
   for (const auto point : points) chosen[point] = true;
+  for (const auto& dashpot : interior_.dashpots)  // which need the column's velocity
+    if (dashpot.field && chosen[dashpot.point]) chosen[dashpot.field->column_point] = true;
   auto [touching, others] = split(zones_->runs(), chosen);
   interface_.runs = std::move(touching);
   interior_.runs = std::move(others);
   interface_.points = protocol::stretches(chosen, true);
   interior_.points = protocol::stretches(chosen, false);
+  const auto inside = std::ranges::stable_partition(
+      interior_.dashpots, [&](const Dashpot& dashpot) { return !chosen[dashpot.point]; });
+  interface_.dashpots.assign(inside.begin(), inside.end());
+  interior_.dashpots.erase(inside.begin(), inside.end());
   for (auto& [load, factor] : interior_.loads) interface_.loads.push_back({take(load, chosen)});
   for (auto& inside : interior_.motions) {
     interface_.motions.push_back(prescribed(take(inside.motion, chosen)));
@@ -114,7 +125,13 @@ void Continuum::step_interior(const protocol::Step& step) {
 void Continuum::pull(Part& part, const protocol::Step& step) {
   zones_->add_forces(part.runs, step.dt,
                      {points_[kVx].data(), points_[kVy].data(), points_[kFx].data(), points_[kFy].data()});
+  const MovingPoints points{points_[kVx].data(),           points_[kVy].data(),
+                            points_[kFx].data(),           points_[kFy].data(),
+                            points_[kInverseMassX].data(), points_[kInverseMassY].data()};
+  if (damping_.acts()) damping_.add_viscous(part.points, step, points);
   apply_loads(part, step);
+  add_boundary_forces(part.dashpots, supports_, damping_.law().stiffness, step, *zones_, points, boundary_work_);
+  if (damping_.acts()) dissipated_ += damping_.add_others(part.points, step, points, points_[kMass]);
   find_reactions(part, step);
 }
 
@@ -163,7 +180,8 @@ Energies Continuum::energies(const protocol::Step& step) const {
   for (const Part* part : {&interface_, &interior_})
     for (const auto& p : part->motions)  // the loop above took v(n-1/2)^2 of them, and 0 at step 0
       twice += p.mass * (p.before * p.after - (step.from_rest() ? 0 : p.before * p.before));
-  return {twice / 2, zones_->strain_energy(), external_work_};
+  return {twice / 2, zones_->strain_energy(), external_work_ + boundary_work_.external,
+          dissipated_ + boundary_work_.dissipated};
 }
 
 void Continuum::move_and_predict(const Part& part, const protocol::Step& step) {
@@ -198,7 +216,8 @@ void Continuum::stop() {
 void Continuum::start_over() {
   stop();
   for (const Column column : {kUx, kUy}) std::ranges::fill(points_[column], 0.0);
-  external_work_ = 0;
+  external_work_ = dissipated_ = 0;
+  boundary_work_ = {};
 }
 
 std::optional<std::uint32_t> Continuum::first_non_finite() const {

@@ -15,7 +15,7 @@ double kinetic_energy(const Continuum& continuum) {
 Relaxation::Relaxation(const Grid& grid, std::span<const double> zone_weights)
     : vx_(grid.x.size(), 0.0), vy_(grid.x.size(), 0.0) {
   for (std::size_t z = 0; z < grid.zones.size(); ++z)
-    factor_.push_back(zone_weights[z] * std::sqrt(area(corners(grid, grid.zones[z]))));
+    factor_.push_back(zone_weights[z] * std::sqrt(area(corners(grid, z))));
 }
 
 Unrest Relaxation::measure(const Continuum& continuum, double kick) {

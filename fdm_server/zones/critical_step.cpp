@@ -8,7 +8,7 @@
 namespace adit::fdm {
 
 Eigen::Matrix<double, 8, 8> zone_stiffness(ZoneKind kind, const Corners& corners, const PlaneLaw& law) {
-  const Grid grid{{corners.x.begin(), corners.x.end()}, {corners.y.begin(), corners.y.end()}, {{0, 1, 2, 3}}};
+  const Grid grid{{corners.x.begin(), corners.x.end()}, {corners.y.begin(), corners.y.end()}, {{0, 1, 2, 3}}, {}, 0};
   const std::array<double, 1> weight{1.0};
   Eigen::Matrix<double, 8, 8> stiffness;
   for (int column = 0; column < 8; ++column) {
