@@ -11,7 +11,6 @@
 
 #include "fdm_server/boundaries/boundaries.hpp"
 #include "fdm_server/grid/interpolation.hpp"
-#include "fdm_server/grid/outline.hpp"
 #include "fdm_server/initial_stress.hpp"
 #include "fdm_server/snapshot.hpp"
 #include "fdm_server/zones/critical_step.hpp"
@@ -46,8 +45,12 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   scene_ = setup.scene();
   setup_ = read_setup(scene_);
   grid_ = make_grid(setup_.block);
+  const Supports supports =
+      resolve_supports(scene_.continuum(), scene_.plane() == scene::PLANE_STRAIN, grid_);
   damping_ = resolve_damping(scene_.continuum());
-  critical_dt_ = critical_step(damping_, critical_step(setup_.kind, grid_, setup_.law, setup_.density));
+  critical_dt_ =
+      critical_step(damping_, std::min(critical_step(setup_.kind, grid_, setup_.law, setup_.density),
+                                       supports.structures.critical_step()));
   model.set_critical_dt(critical_dt_);
   model.set_x_min(setup_.block.x_min);
   model.set_x_max(setup_.block.x_max);
@@ -65,35 +68,49 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
         "interface.overlap",
         "leaves no zone of the continuum, whose weight is 0 everywhere; let the block reach into the overlap "
         "and beyond it on the continuum's own side");
+  supports_ = resolve_supports(scene_.continuum(), scene_.plane() == scene::PLANE_STRAIN, grid_);
   make_continuum();
-  const auto& conditions = scene_.continuum();
-  probes_ = resolve_histories(conditions, setup_.block, grid_);
+  probes_ = resolve_histories(scene_.continuum(), grid_);
   probe_before_.resize(probes_.size());
   if (!weights.weights().empty()) offer_grid_points(weights, interface);
   interface.set_zones(grid_.zones.size());
   interface.set_grid_points(grid_.x.size());
 }
 
+// Places select before the columns are there, which then follow their side.
 void FdmParticipant::make_continuum() {
   const auto& conditions = scene_.continuum();
-  const auto edges = outline(setup_.block, grid_);
+  auto loads = resolve_loads(conditions, grid_, masses());
+  auto motions = resolve_motions(conditions, grid_);
+  const auto edges = outline(grid_);
   const auto columns = add_columns(conditions, edges, grid_);
   weights_.resize(grid_.zones.size(), 1.0);
-  const auto masses = lumped_masses(grid_, weights_, setup_.density);
+  const auto all_masses = masses();
+  for (const auto& column : columns) {
+    for (auto& load : std::span(loads).last(conditions.body_loads_size()))
+      extend_to_column(column, all_masses, load);
+    for (auto& motion : motions) extend_to_column(column, motion.points);
+  }
+
   auto zones = make_zones(setup_.kind, grid_, setup_.law, weights_);
   if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), grid_, *zones);
-
-  auto loads = resolve_loads(conditions, setup_.block, grid_, columns, masses);
-  auto motions = resolve_motions(conditions, setup_.block, grid_, columns);
   auto boundaries = resolve_boundaries(
       conditions, scene_.time().duration(), grid_, edges, columns,
       [this](std::uint32_t zone) { return impedance(setup_.law, setup_.density, weights_[zone]); }, motions);
   std::ranges::move(boundaries.loads, std::back_inserter(loads));
   std::ranges::move(boundaries.motions, std::back_inserter(motions));
-  continuum_ = std::make_unique<Continuum>(std::move(zones), masses, std::move(loads), std::move(motions));
+  continuum_ = std::make_unique<Continuum>(std::move(zones), all_masses, std::move(loads), std::move(motions),
+                                           threads_ > 0 ? threads_ : useful_threads(grid_.zones.size()),
+                                           supports_.structures);
   continuum_->set_dashpots(std::move(boundaries.dashpots),
                            scene_.has_statics() || scene_.has_initial_stress());
   continuum_->set_damping(damping_);
+}
+
+std::vector<double> FdmParticipant::masses() const {
+  auto masses = lumped_masses(grid_, weights_, setup_.density);
+  supports_.structures.add_masses(masses);
+  return masses;
 }
 
 void FdmParticipant::offer_grid_points(const wire::Weights& box, wire::Interface& interface) const {

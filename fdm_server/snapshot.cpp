@@ -31,7 +31,7 @@ void fill_snapshot(const Grid& grid, const Continuum& continuum, std::span<const
   auto& piece = *snapshot.add_pieces();
   piece.set_name("grid");
   piece.set_shape(wire::Piece::QUADS);
-  const std::size_t points = grid.own_points(), zones = grid.zones.size() - grid.column_corners.size();
+  const std::size_t points = grid.own_points(), zones = grid.zones.size() - grid.own_corners.size();
   for (std::size_t i = 0; i < points; ++i) {
     piece.add_points(grid.x[i]);
     piece.add_points(grid.y[i]);

@@ -63,7 +63,8 @@ Boundaries resolve_boundaries(const scene::Continuum& scene, double duration, co
   EdgeSet edges(grid, outline, columns);
   DashpotSet dashpots;
   for (const auto& column : columns) {
-    for (const auto& edge : column.edges) edges.claim(edge, "continuum.free_field");
+    for (const auto& edge : column.edges)
+      edges.claim(*edges.find(edge.from, edge.to), "continuum.free_field", "continuum.free_field");
     dashpots.add_free_field(column, impedance);
   }
   for (int i = 0; i < scene.quiet_size(); ++i)

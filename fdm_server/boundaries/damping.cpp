@@ -16,7 +16,7 @@ double critical_step(const DampingLaw& law, double undamped) {
 }
 
 void Damping::add_viscous(std::span<const protocol::Stretch> stretches, const protocol::Step& step,
-                          const MovingPoints& points) {
+                          const PointColumns& points) {
   if (law_.stiffness == 0 || step.relax) return;
   const double factor = step.from_rest() ? 0 : law_.stiffness / step.dt;
   const auto axis = [&](double* force, double* zones, double* viscous) {
@@ -32,7 +32,7 @@ void Damping::add_viscous(std::span<const protocol::Stretch> stretches, const pr
 }
 
 double Damping::add_others(std::span<const protocol::Stretch> stretches, const protocol::Step& step,
-                           const MovingPoints& points, std::span<const double> masses) {
+                           const PointColumns& points, std::span<const double> masses) {
   if (!law_.any() || step.relax) return 0;
   const double half = step.kick() / 2, implicit = 1 + law_.mass * half;
   double power = 0;

@@ -45,11 +45,11 @@ class Damping {
 
   // Adds beta's force where the points' forces are those of the zones alone.
   void add_viscous(std::span<const protocol::Stretch> stretches, const protocol::Step& step,
-                   const MovingPoints& points);
+                   const PointColumns& points);
   // Adds the other forces, where the points have all forces, and returns what was dissipated since the last
   // step [J].
   double add_others(std::span<const protocol::Stretch> stretches, const protocol::Step& step,
-                    const MovingPoints& points, std::span<const double> masses);
+                    const PointColumns& points, std::span<const double> masses);
 
  private:
   // Of the zones at the last step; of beta at this one; of all damping at the last one [N].

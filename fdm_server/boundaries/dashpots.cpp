@@ -17,23 +17,23 @@ double dot(const Vector& a, const Vector& b) {
   return a.x * b.x + a.y * b.y;
 }
 
-Vector velocity(const MovingPoints& points, std::uint32_t i) {
+Vector velocity(const PointColumns& points, std::uint32_t i) {
   return {points.vx[i], points.vy[i]};
 }
 
-void add(const MovingPoints& points, std::uint32_t i, const Vector& force) {
+void add(const PointColumns& points, std::uint32_t i, const Vector& force) {
   points.fx[i] += force.x;
   points.fy[i] += force.y;
 }
 
 // (v(n-1/2) + v(n+1/2))/2 under the forces that the point has so far.
-Vector mean_velocity(const MovingPoints& points, std::uint32_t i, double kick) {
+Vector mean_velocity(const PointColumns& points, std::uint32_t i, double kick) {
   return {points.vx[i] + kick / 2 * points.inverse_mass_x[i] * points.fx[i],
           points.vy[i] + kick / 2 * points.inverse_mass_y[i] * points.fy[i]};
 }
 
 // The dashpots' force F of the header's equation.
-Vector drag(const Dashpot& dashpot, const MovingPoints& points, double kick) {
+Vector drag(const Dashpot& dashpot, const PointColumns& points, double kick) {
   const Symmetric& c = dashpot.damping;
   const Vector pull = c * mean_velocity(points, dashpot.point, kick);
   const double wx = kick / 2 * points.inverse_mass_x[dashpot.point];
@@ -54,7 +54,7 @@ Vector stress_force(const FreeFieldLink& link, const Zones& zones) {
 }
 
 Vector free_field_force(Dashpot& dashpot, double viscosity, const protocol::Step& step, const Zones& zones,
-                        const MovingPoints& points) {
+                        const PointColumns& points) {
   const FreeFieldLink& link = *dashpot.field;
   const Vector before = std::exchange(dashpot.stress, stress_force(link, zones));
   if (step.from_rest()) return dashpot.stress;
@@ -64,7 +64,7 @@ Vector free_field_force(Dashpot& dashpot, double viscosity, const protocol::Step
 }
 
 // In statics: the components that are held take no part.
-void hold(const Dashpot& dashpot, const MovingPoints& points) {
+void hold(const Dashpot& dashpot, const PointColumns& points) {
   if (dashpot.hold_x) points.fx[dashpot.point] = 0;
   if (dashpot.hold_y) points.fy[dashpot.point] = 0;
 }
@@ -79,7 +79,7 @@ Symmetric& Symmetric::operator+=(const Symmetric& other) {
 }
 
 void add_boundary_forces(std::span<Dashpot> dashpots, bool supports, double viscosity,
-                         const protocol::Step& step, const Zones& zones, const MovingPoints& points,
+                         const protocol::Step& step, const Zones& zones, const PointColumns& points,
                          BoundaryWork& work) {
   for (Dashpot& dashpot : dashpots) {
     const Vector given_before = dashpot.given, drag_before = dashpot.drag;

@@ -19,6 +19,7 @@
 #include <span>
 #include <vector>
 
+#include "fdm_server/solver/sweep.hpp"
 #include "fdm_server/zones/zones.hpp"
 #include "protocol/step.hpp"
 
@@ -57,16 +58,6 @@ struct Dashpot {
   Vector drag;     // of the dashpots
 };
 
-// What acts on the points: one value a grid point.
-struct MovingPoints {
-  const double* vx;  // v(n-1/2) [m/s]
-  const double* vy;
-  double* fx;  // [N]
-  double* fy;
-  const double* inverse_mass_x;  // 0: prescribed [1/kg]
-  const double* inverse_mass_y;
-};
-
 // Since the start [J].
 struct BoundaryWork {
   double dissipated = 0, external = 0;
@@ -76,7 +67,7 @@ struct BoundaryWork {
 // step 0 finds the forces that keep the points in equilibrium as they are. `viscosity`: beta of the damping
 // [s]. Columns come before the points that are linked to them.
 void add_boundary_forces(std::span<Dashpot> dashpots, bool supports, double viscosity,
-                         const protocol::Step& step, const Zones& zones, const MovingPoints& points,
+                         const protocol::Step& step, const Zones& zones, const PointColumns& points,
                          BoundaryWork& work);
 
 }  // namespace adit::fdm

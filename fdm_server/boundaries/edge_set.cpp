@@ -5,20 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fdm_server/grid/selection.hpp"
 #include "protocol/errors.hpp"
-#include "protocol/selection.hpp"
 
 namespace adit::fdm {
-namespace {
-
-double tolerance(const Grid& grid) {
-  const auto [left, right] = std::ranges::minmax(grid.x);
-  const auto [low, high] = std::ranges::minmax(grid.y);
-  return 1e-9 * std::hypot(right - left, high - low);
-}
-
-}  // namespace
-
 // c_p = sqrt((kappa + mu)/rho) in either plane condition, c_s = sqrt(mu/rho)
 Impedance impedance(const PlaneLaw& law, double density, double weight) {
   return {weight * std::sqrt(density * (law.bulk + law.shear)), weight * std::sqrt(density * law.shear)};
@@ -29,26 +19,39 @@ Symmetric dashpots(const BoundaryEdge& edge, const Impedance& impedance) {
   return {n * x * x + t * y * y, (n - t) * x * y, n * y * y + t * x * x};
 }
 
-std::vector<std::size_t> EdgeSet::inside(const scene::Box& box, const std::string& path) const {
-  const double close = tolerance(grid_);
-  const auto holds = [&](std::uint32_t i) { return protocol::inside(box, grid_.x[i], grid_.y[i], close); };
+EdgeSet::EdgeSet(const Grid& grid, std::span<const BoundaryEdge> outline,
+                 std::span<const FreeFieldColumn> columns)
+    : grid_(grid), outline_(outline), columns_(columns), holders_(outline.size()) {
+  for (std::size_t e = 0; e < outline.size(); ++e) numbers_[{outline[e].from, outline[e].to}] = e;
+}
+
+std::optional<std::size_t> EdgeSet::find(std::uint32_t from, std::uint32_t to) const {
+  const auto found = numbers_.find({from, to});
+  return found == numbers_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::vector<std::size_t> EdgeSet::inside(const scene::Area& area, const std::string& path) const {
   std::vector<std::size_t> chosen;
-  for (std::size_t e = 0; e < outline_.size(); ++e)
-    if (holds(outline_[e].from) && holds(outline_[e].to)) chosen.push_back(e);
-  if (chosen.empty())
-    throw protocol::UserError(
-        path,
-        "holds no whole edge of the continuum's boundary; widen it so that both ends of "
-        "at least one zone's outer edge lie inside");
+  for (const Edge& edge : select_edges(grid_, area, path)) {
+    const auto from = static_cast<std::uint32_t>(edge.from), to = static_cast<std::uint32_t>(edge.to);
+    auto number = find(from, to);
+    if (!number) number = find(to, from);  // of a curve, which runs either way
+    if (!number)
+      throw protocol::UserError(
+          path, fmt::format("holds the edge from ({}, {}) to ({}, {}) m, which is none of the "
+                            "continuum's boundary; choose edges at its outside",
+                            grid_.x[from], grid_.y[from], grid_.x[to], grid_.y[to]));
+    chosen.push_back(*number);
+  }
   return chosen;
 }
 
 std::vector<std::size_t> EdgeSet::lowest() const {
   double bottom = HUGE_VAL;
   for (const auto& edge : outline_) bottom = std::min(bottom, grid_.y[edge.from]);
-  scene::Box box;
-  box.set_y_max(bottom);
-  return inside(box, "continuum.base");
+  scene::Area area;
+  area.set_y_max(bottom);
+  return inside(area, "continuum.base");
 }
 
 void EdgeSet::claim(std::size_t e, const std::string& holder, const std::string& path) {
@@ -60,12 +63,6 @@ void EdgeSet::claim(std::size_t e, const std::string& holder, const std::string&
                     "condition, shrink one of the two",
                     grid_.x[edge.from], grid_.y[edge.from], grid_.x[edge.to], grid_.y[edge.to], holders_[e]));
   holders_[e] = holder;
-}
-
-void EdgeSet::claim(const BoundaryEdge& edge, const std::string& holder) {
-  const auto found = std::ranges::find_if(
-      outline_, [&](const BoundaryEdge& other) { return other.from == edge.from && other.to == edge.to; });
-  claim(static_cast<std::size_t>(found - outline_.begin()), holder, holder);
 }
 
 std::vector<EdgeShare> EdgeSet::shares(std::size_t e) const {

@@ -3,15 +3,18 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "fdm_server/boundaries/boundary_edge.hpp"
 #include "fdm_server/boundaries/dashpots.hpp"
 #include "fdm_server/boundaries/free_field.hpp"
 #include "fdm_server/grid/grid.hpp"
-#include "fdm_server/grid/outline.hpp"
-#include "protocol/scene.pb.h"
+#include "protocol/geometry.pb.h"
 
 namespace adit::fdm {
 
@@ -34,20 +37,20 @@ struct EdgeShare {
 
 class EdgeSet {
  public:
-  EdgeSet(const Grid& grid, std::span<const BoundaryEdge> outline, std::span<const FreeFieldColumn> columns)
-      : grid_(grid), outline_(outline), columns_(columns), holders_(outline.size()) {}
+  EdgeSet(const Grid& grid, std::span<const BoundaryEdge> outline, std::span<const FreeFieldColumn> columns);
 
   const Grid& grid() const { return grid_; }
   const BoundaryEdge& operator[](std::size_t e) const { return outline_[e]; }
+  // The edge's number; none where it is not of the boundary.
+  std::optional<std::size_t> find(std::uint32_t from, std::uint32_t to) const;
 
-  // Edges wholly inside the box; UserError at `path` where there are none.
-  std::vector<std::size_t> inside(const scene::Box& box, const std::string& path) const;
+  // UserError at `path` where the area holds no edge, or one of a group that is none of the boundary.
+  std::vector<std::size_t> inside(const scene::Area& area, const std::string& path) const;
   // Edges at the lowest level.
   std::vector<std::size_t> lowest() const;
 
   // An edge has one condition: UserError at `path` where it has one already.
   void claim(std::size_t e, const std::string& holder, const std::string& path);
-  void claim(const BoundaryEdge& edge, const std::string& holder);
 
   // Half of the edge to each of its points; and the foot or head of a column that continues it, all to one
   // point.
@@ -58,6 +61,7 @@ class EdgeSet {
   std::span<const BoundaryEdge> outline_;
   std::span<const FreeFieldColumn> columns_;
   std::vector<std::string> holders_;  // scene paths
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> numbers_;
 };
 
 }  // namespace adit::fdm

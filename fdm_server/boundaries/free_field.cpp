@@ -75,7 +75,7 @@ FreeFieldColumn add_column(Grid& grid, std::span<const BoundaryEdge> outline, do
     const auto a = static_cast<std::int32_t>(column.point(k)), b = a + 1;
     const double bottom = grid.y[column.side[k]], top = grid.y[column.side[k + 1]];
     grid.zones.push_back({a, a, b, b});
-    grid.column_corners.push_back({{left, right, right, left}, {bottom, bottom, top, top}});
+    grid.own_corners.push_back({{left, right, right, left}, {bottom, bottom, top, top}});
   }
   grid.column_points += static_cast<std::uint32_t>(column.side.size());
   return column;

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "fdm_server/boundaries/boundary_edge.hpp"
 #include "fdm_server/boundaries/dashpots.hpp"
 #include "fdm_server/grid/grid.hpp"
-#include "fdm_server/grid/outline.hpp"
 #include "fdm_server/solver/continuum.hpp"
 
 namespace adit::fdm {

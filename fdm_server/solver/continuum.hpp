@@ -23,10 +23,12 @@
 
 #include "fdm_server/boundaries/damping.hpp"
 #include "fdm_server/boundaries/dashpots.hpp"
+#include "fdm_server/solver/sweep.hpp"
+#include "fdm_server/structures/structures.hpp"
 #include "fdm_server/zones/columns.hpp"
 #include "fdm_server/zones/zones.hpp"
 #include "protocol/step.hpp"
-#include "protocol/stretches.hpp"
+#include "protocol/team.hpp"
 
 namespace adit::fdm {
 
@@ -50,20 +52,22 @@ struct Motion {
 };
 
 struct Energies {
-  double kinetic, strain, external_work, dissipated;  // [J]
+  double kinetic, strain, external_work;  // [J]
+  double dissipated;                      // since the start, by what yields, dashpots and damping [J]
 };
 
 class Continuum {
  public:
-  // `masses`: one weighted mass a point [kg].
+  // `masses`: one weighted mass a point, with that of the structures [kg]. Results do not depend on the
+  // number of threads.
   Continuum(std::unique_ptr<Zones> zones, std::span<const double> masses, std::vector<Load> loads,
-            std::vector<Motion> motions);
+            std::vector<Motion> motions, std::size_t threads = 1, Structures structures = {});
 
   // Before the first step, and before the interface is set. At most one dashpot a point, columns before what
   // is linked to them; where they `support`, points that bear on them are in equilibrium at step 0, whatever
   // the stresses.
   void set_dashpots(std::vector<Dashpot> dashpots, bool support);
-  void set_damping(const DampingLaw& law) { damping_ = Damping(law, points_.rows()); }
+  void set_damping(const DampingLaw& law);
 
   // Makes these points the interface, before the first step.
   void set_interface(std::span<const std::uint32_t> points);
@@ -97,12 +101,26 @@ class Continuum {
   std::span<const double> inverse_mass_x() const { return points_[kInverseMassX]; }  // 0: prescribed [1/kg]
   std::span<const double> inverse_mass_y() const { return points_[kInverseMassY]; }
   const Zones& zones() const { return *zones_; }
+  const Structures& structures() const { return structures_; }
 
   // A point whose velocity is not finite, if any.
   std::optional<std::uint32_t> first_non_finite() const;
 
  private:
-  enum Column { kUx, kUy, kVx, kVy, kFx, kFy, kInverseMassX, kInverseMassY, kMass, kColumns };
+  enum Column {
+    kUx,
+    kUy,
+    kVx,
+    kVy,
+    kFx,
+    kFy,
+    kInverseMassX,
+    kInverseMassY,
+    kMass,
+    kLastVx,
+    kLastVy,
+    kColumns
+  };
   struct Loading {
     Load load;
     double factor = 0;  // of the last step
@@ -115,31 +133,38 @@ class Continuum {
     double reaction = 0;  // total force that the motion needed at the last step
   };
 
-  // What is computed together. The zones that touch a point of the interface are its part's, so that its
-  // forces need nothing of the interior.
+  // What is computed together. The zones and structures that touch a point of the interface are its part's,
+  // so that its forces need nothing of the interior.
   struct Part {
-    std::vector<ZoneRun> runs;
+    Sweep sweep;
+    Structures::Part structures;
     std::vector<protocol::Stretch> points;
     std::vector<Loading> loads;
     std::vector<Prescribed> motions;
     std::vector<Dashpot> dashpots;
   };
 
+  // Says which points the parts may sweep: those that others pull on, too, have to wait for these.
+  void plan(const std::vector<bool>& chosen);
+  PointColumns columns();
   Prescribed prescribed(Motion motion) const;
   void hold(Axis axis, std::uint32_t point, double impulse);
   void pull(Part& part, const protocol::Step& step);
   void apply_loads(Part& part, const protocol::Step& step);
   void find_reactions(Part& part, const protocol::Step& step);
-  void move_and_predict(const Part& part, const protocol::Step& step);
+  void predict(const Part& part, const protocol::Step& step);
+  void remember_velocities();
   Energies energies(const protocol::Step& step) const;
 
   std::unique_ptr<Zones> zones_;
+  Structures structures_;
   Columns<kColumns> points_;
+  protocol::Team team_;
   Part interface_, interior_;
   Damping damping_{{}, 0};
   bool supports_ = false;
   BoundaryWork boundary_work_;
-  double external_work_ = 0, dissipated_ = 0;
+  double external_work_ = 0, damped_ = 0;
   double last_dt_ = 0, last_kick_ = 0;
 };
 

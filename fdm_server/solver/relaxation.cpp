@@ -9,7 +9,7 @@ double kinetic_energy(const Continuum& continuum) {
   const auto vx = continuum.vx(), vy = continuum.vy(), mass = continuum.masses();
   double twice = 0;
   for (std::size_t i = 0; i < vx.size(); ++i) twice += mass[i] * (vx[i] * vx[i] + vy[i] * vy[i]);
-  return twice / 2;
+  return twice / 2 + continuum.structures().rotational_energy();
 }
 
 Relaxation::Relaxation(const Grid& grid, std::span<const double> zone_weights)

@@ -23,12 +23,12 @@ struct Medium {
   double speed(Wave wave) const { return wave == Wave::kPressure ? cp() : cs(); }
 };
 
-// Share of the energy that comes back from dashpots below the half-space y > 0, of a wave that comes down at `angle`
-// from the vertical.
+// Share of the energy that comes back from dashpots below the half-space y > 0, of a wave that comes down at
+// `angle` from the vertical.
 //
-// With the factor exp(i (kx x - w t)), displacements are d exp(-i q y) of the incident wave, and of the reflected ones
-// a d exp(i q y), q^2 = k^2 - kx^2. Dashpots below: sxy = rho cs vx, syy = rho cp vy. Energy flows up as
-// rho w^2/2 c cos(angle) |a|^2, and not at all where q is imaginary.
+// With the factor exp(i (kx x - w t)), displacements are d exp(-i q y) of the incident wave, and of the
+// reflected ones a d exp(i q y), q^2 = k^2 - kx^2. Dashpots below: sxy = rho cs vx, syy = rho cp vy. Energy
+// flows up as rho w^2/2 c cos(angle) |a|^2, and not at all where q is imaginary.
 inline double reflected_in_theory(const Medium& medium, Wave wave, double angle) {
   using Complex = std::complex<double>;
   const Complex i(0, 1);
@@ -44,7 +44,8 @@ inline double reflected_in_theory(const Medium& medium, Wave wave, double angle)
     const Complex syy = medium.bulk * (exx + eyy) - medium.shear * (exx - eyy);
     return {sxy + i * medium.density * cs * f.dx, syy + i * medium.density * cp * f.dy};
   };
-  const Field incident = wave == Wave::kPressure ? Field{kx / kp, -qp / kp, -qp} : Field{qs / ks, kx / ks, -qs};
+  const Field incident =
+      wave == Wave::kPressure ? Field{kx / kp, -qp / kp, -qp} : Field{qs / ks, kx / ks, -qs};
   Eigen::Matrix2cd both;
   both << residual({kx / kp, qp / kp, qp}), residual({-qs / ks, kx / ks, qs});
   const Eigen::Vector2cd a = both.fullPivLu().solve(-residual(incident));
@@ -61,7 +62,9 @@ inline Grid periodic_strip(std::uint32_t columns, std::uint32_t rows, double h) 
       grid.y.push_back(j * h);
     }
   const auto zone = [&](std::uint32_t i, std::uint32_t j) {
-    const auto at = [&](std::uint32_t c, std::uint32_t r) { return static_cast<std::int32_t>(r * columns + c % columns); };
+    const auto at = [&](std::uint32_t c, std::uint32_t r) {
+      return static_cast<std::int32_t>(r * columns + c % columns);
+    };
     grid.zones.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
   };
   for (std::uint32_t j = 0; j < rows; ++j)
@@ -69,7 +72,7 @@ inline Grid periodic_strip(std::uint32_t columns, std::uint32_t rows, double h) 
   for (std::uint32_t j = 0; j < rows; ++j) {
     zone(columns - 1, j);
     const double left = (columns - 1) * h, right = columns * h, low = j * h, high = (j + 1) * h;
-    grid.column_corners.push_back({{left, right, right, left}, {low, low, high, high}});
+    grid.own_corners.push_back({{left, right, right, left}, {low, low, high, high}});
   }
   return grid;
 }
@@ -92,7 +95,8 @@ struct Packet {
       const double off = 3.5 * m / kModes;  // standard deviations of the wave number
       const double q = ky + off / deviation, k = std::hypot(kx, q), w = k * medium.speed(wave);
       if (q <= 0) continue;
-      const double dx = wave == Wave::kPressure ? kx / k : q / k, dy = wave == Wave::kPressure ? -q / k : kx / k;
+      const double dx = wave == Wave::kPressure ? kx / k : q / k,
+                   dy = wave == Wave::kPressure ? -q / k : kx / k;
       const double weight = std::exp(-off * off / 2), phase = kx * x - q * (y - centre) - w * t;
       const double rise = -weight * std::sin(phase);  // of Re exp(i phase), per unit of phase
       const double exx = kx * dx * rise, eyy = -q * dy * rise, shear = (kx * dy - q * dx) * rise;
@@ -113,7 +117,8 @@ struct Sampling {
   double dt_factor = 0.5;
 };
 
-// The same share, measured: the energy that a strip on dashpots holds after the packet has met them, over that before.
+// The same share, measured: the energy that a strip on dashpots holds after the packet has met them, over
+// that before.
 inline double reflected_by_the_grid(ZoneKind kind, const Medium& medium, Wave wave, double angle,
                                     const Sampling& sampling) {
   const double wavelength = 1, c = medium.speed(wave), h0 = wavelength / sampling.zones_per_wavelength;
@@ -122,7 +127,8 @@ inline double reflected_by_the_grid(ZoneKind kind, const Medium& medium, Wave wa
   const double h = sine == 0 ? h0 : wavelength / sine / columns;
   const double deviation = sampling.wavelengths * wavelength / cosine, reach = 3.5 * deviation;
   const double duration = 1.4 * 2 * reach / (c * cosine);
-  // what is reflected must not have come down again: P waves at the same horizontal wavelength are the fastest
+  // what is reflected must not have come down again: P waves at the same horizontal wavelength are the
+  // fastest
   const double p_sine = std::min(1.0, sine * medium.cp() / c);
   const double climb = medium.cp() * std::sqrt(1 - p_sine * p_sine) * duration / 2;
   const auto rows = static_cast<std::uint32_t>(std::ceil(1.05 * std::max(2 * reach, climb) / h));

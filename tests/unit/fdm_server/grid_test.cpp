@@ -26,8 +26,7 @@ TEST(Grid, ZonesCoverTheBlock) {
   const Grid grid = make_grid(kBlock);
   ASSERT_EQ(grid.x.size(), 20u);
   ASSERT_EQ(grid.zones.size(), 12u);
-  for (std::size_t zone = 0; zone < grid.zones.size(); ++zone)
-    EXPECT_DOUBLE_EQ(area(corners(grid, zone)), 0.5);
+  for (std::size_t z = 0; z < grid.zones.size(); ++z) EXPECT_DOUBLE_EQ(area(corners(grid, z)), 0.5);
   EXPECT_EQ(grid.x.back(), 3);
   EXPECT_EQ(grid.y.back(), 2);
 }
@@ -53,8 +52,7 @@ TEST(Weights, ZonesWithoutWeightVanishAndOthersKeepTheFloor) {
   EXPECT_EQ(grid.x.size(), 16u);
   for (const double weight : weights) EXPECT_EQ(weight, 1e-3);
   EXPECT_LE(*std::ranges::max_element(grid.x), 2);
-  for (std::size_t zone = 0; zone < grid.zones.size(); ++zone)
-    EXPECT_DOUBLE_EQ(area(corners(grid, zone)), 0.5);
+  for (std::size_t z = 0; z < grid.zones.size(); ++z) EXPECT_DOUBLE_EQ(area(corners(grid, z)), 0.5);
 }
 
 // The masses of the points are all of the mass, each zone's share weighted.

@@ -1,0 +1,89 @@
+#include "protocol/geometry/read_shape.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "protocol/errors.hpp"
+#include "protocol/geometry/polygon.hpp"
+
+namespace adit::geometry {
+namespace {
+
+using protocol::UserError;
+using Corners = google::protobuf::RepeatedPtrField<scene::Point>;
+
+std::shared_ptr<const Shape> read_box(const scene::Box& box, const std::string& path) {
+  const auto require_extent = [&](const char* axis, bool both, double min, double max) {
+    if (!both)
+      throw UserError(path, fmt::format("lacks {0}_min or {0}_max; give all four sides of the box", axis));
+    if (!(max > min) || !std::isfinite(max - min))
+      throw UserError(
+          fmt::format("{}.{}_max", path, axis),
+          fmt::format("is {:g} m, not above {}_min = {:g} m; give a box with finite sides", max, axis, min));
+  };
+  require_extent("x", box.has_x_min() && box.has_x_max(), box.x_min(), box.x_max());
+  require_extent("y", box.has_y_min() && box.has_y_max(), box.y_min(), box.y_max());
+  const auto four = corners({box.x_min(), box.x_max(), box.y_min(), box.y_max()});
+  return polygon({Loop(four.begin(), four.end())});
+}
+
+Loop read_corners(const Corners& corners, const std::string& path) {
+  Loop loop;
+  for (const scene::Point& corner : corners) loop.push_back({corner.x(), corner.y()});
+  if (loop.size() < 3) throw UserError(path, fmt::format("has {} corners; give at least 3", loop.size()));
+  if (!std::ranges::all_of(loop, [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }))
+    throw UserError(path, "has a corner that is not finite; give numbers");
+  if (!is_simple(loop))
+    throw UserError(path,
+                    "names a corner twice, or sides that cross, touch or run back over one another; give the "
+                    "corners in order around the area");
+  return loop;
+}
+
+bool encloses(const Loop& loop, const Loop& other) {
+  return signed_distance(sides(loop), other.front()) < 0;
+}
+
+}  // namespace
+
+std::shared_ptr<const Shape> read_circle(const scene::Circle& circle) {
+  return disc(circle.centre().x(), circle.centre().y(), circle.radius());
+}
+
+std::shared_ptr<const Shape> read_polygon(const scene::Polygon& given, const std::string& path) {
+  std::vector<Loop> loops = {read_corners(given.corners(), path + ".corners")};
+  for (int i = 0; i < given.holes_size(); ++i) {
+    const std::string hole_path = fmt::format("{}.holes[{}].corners", path, i);
+    const Loop hole = read_corners(given.holes(i).corners(), hole_path);
+    for (const Loop& loop : loops)
+      if (meet(loop, hole))
+        throw UserError(hole_path,
+                        "meets the polygon's boundary or another hole; give a hole that lies apart");
+    if (!encloses(loops.front(), hole))
+      throw UserError(hole_path, "lies outside the polygon; give a hole inside it");
+    for (std::size_t k = 1; k < loops.size(); ++k)
+      if (encloses(loops[k], hole) || encloses(hole, loops[k]))
+        throw UserError(hole_path,
+                        fmt::format("and holes[{}] lie in one another; keep the larger one", k - 1));
+    loops.push_back(hole);
+  }
+  return polygon(loops);
+}
+
+std::shared_ptr<const Shape> read_shape(const scene::Shape& shape, const std::string& path) {
+  switch (shape.shape_case()) {
+    case scene::Shape::kBox:
+      return read_box(shape.box(), path + ".box");
+    case scene::Shape::kCircle:
+      return read_circle(shape.circle());
+    case scene::Shape::kPolygon:
+      return read_polygon(shape.polygon(), path + ".polygon");
+    case scene::Shape::SHAPE_NOT_SET:
+      break;
+  }
+  throw UserError(path, "names no shape; give a box, a circle or a polygon");
+}
+
+}  // namespace adit::geometry
