@@ -41,6 +41,9 @@ struct Grid {
   // Shapes of the last zones, where they are not those of their points: a column whose left and right points
   // are the same has a width all the same.
   std::vector<Corners> own_corners{};
+  std::uint32_t column_points = 0;  // the last points
+
+  std::size_t own_points() const { return x.size() - column_points; }  // without the columns'
 };
 
 Corners corners(const Grid& grid, std::size_t zone);

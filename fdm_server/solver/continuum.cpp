@@ -65,10 +65,27 @@ Continuum::Prescribed Continuum::prescribed(Motion motion) const {
   return {std::move(motion), mass};
 }
 
+void Continuum::set_dashpots(std::vector<Dashpot> dashpots, bool support) {
+  interior_.dashpots = std::move(dashpots);
+  supports_ = support;
+  plan(std::vector<bool>(points_.rows(), false));
+}
+
+void Continuum::set_damping(const DampingLaw& law) {
+  damping_ = Damping(law, points_.rows());
+  plan(std::vector<bool>(points_.rows(), false));
+}
+
 void Continuum::set_interface(std::span<const std::uint32_t> points) {
   std::vector<bool> chosen(points_.rows(), false);
   for (const auto point : points) chosen[point] = true;
+  for (const auto& dashpot : interior_.dashpots)  // which need the column's velocity
+    if (dashpot.field && chosen[dashpot.point]) chosen[dashpot.field->column_point] = true;
   plan(chosen);
+  const auto inside = std::ranges::stable_partition(
+      interior_.dashpots, [&](const Dashpot& dashpot) { return !chosen[dashpot.point]; });
+  interface_.dashpots.assign(inside.begin(), inside.end());
+  interior_.dashpots.erase(inside.begin(), inside.end());
   for (auto& [load, factor] : interior_.loads) interface_.loads.push_back({take(load, chosen)});
   for (auto& inside : interior_.motions) {
     interface_.motions.push_back(prescribed(take(inside.motion, chosen)));
@@ -80,17 +97,23 @@ void Continuum::set_interface(std::span<const std::uint32_t> points) {
   }
 }
 
-// Before loads and motions are divided.
+// Before loads, motions and dashpots are divided.
 void Continuum::plan(const std::vector<bool>& chosen) {
-  std::vector<bool> pulled(points_.rows(), false);  // by others than zones
+  std::vector<bool> pulled(points_.rows(), damping_.acts());  // by others than zones
   for (const auto& [load, factor] : interior_.loads)
     for (const auto point : load.points) pulled[point] = true;
   for (const auto& one : interior_.motions)
     for (const auto point : one.motion.points) pulled[point] = true;
+  for (const auto& dashpot : interior_.dashpots) {
+    pulled[dashpot.point] = true;
+    if (dashpot.field) pulled[dashpot.field->column_point] = true;
+  }
   structures_.mark_points(pulled);
   interior_.structures = structures_.all();
   interface_.structures = structures_.take(interior_.structures, chosen);
 
+  interface_.points = protocol::stretches(chosen, true);
+  interior_.points = protocol::stretches(chosen, false);
   const auto [touching, others] = split(zones_->runs(), chosen);
   std::vector<bool> reached = chosen;
   for (const ZoneRun& run : touching)
@@ -164,7 +187,11 @@ void Continuum::pull(Part& part, const protocol::Step& step) {
   const PointColumns points = columns();
   part.sweep.run(team_, *zones_, step.dt, step.kick(), points);
   structures_.add_forces(part.structures, step.dt, {points.vx, points.vy, points.fx, points.fy});
+  if (damping_.acts()) damping_.add_viscous(part.points, step, points);
   apply_loads(part, step);
+  add_boundary_forces(part.dashpots, supports_, damping_.law().stiffness, step, *zones_, points,
+                      boundary_work_);
+  if (damping_.acts()) damped_ += damping_.add_others(part.points, step, points, points_[kMass]);
   find_reactions(part, step);
 }
 
@@ -222,8 +249,9 @@ Energies Continuum::energies(const protocol::Step& step) const {
   for (std::size_t i = 0; i < points_.rows(); ++i)
     twice += points_[kMass][i] *
              (product(points_[kLastVx][i], points_[kVx][i]) + product(points_[kLastVy][i], points_[kVy][i]));
-  return {twice / 2, zones_->strain_energy() + structures_.strain_energy(), external_work_ + steady_work(),
-          structures_.dissipated()};
+  return {twice / 2, zones_->strain_energy() + structures_.strain_energy(),
+          external_work_ + steady_work() + boundary_work_.external,
+          structures_.dissipated() + boundary_work_.dissipated + damped_};
 }
 
 void Continuum::predict(const Part& part, const protocol::Step& step) {
@@ -247,7 +275,8 @@ void Continuum::start_over() {
   zones_->start_over();
   structures_.start_over();
   for (const Column column : {kUx, kUy}) std::ranges::fill(points_[column], 0.0);
-  external_work_ = 0;
+  external_work_ = damped_ = 0;
+  boundary_work_ = {};
 }
 
 std::optional<std::uint32_t> Continuum::first_non_finite() const {
