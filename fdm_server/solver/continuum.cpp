@@ -113,7 +113,8 @@ void Continuum::step_interior(const protocol::Step& step) {
 
 void Continuum::pull(Part& part, const protocol::Step& step) {
   zones_->add_forces(part.runs, step.dt,
-                     {points_[kVx].data(), points_[kVy].data(), points_[kFx].data(), points_[kFy].data()});
+                     {points_[kVx].data(), points_[kVy].data(), points_[kFx].data(), points_[kFy].data(),
+                      points_[kUx].data(), points_[kUy].data()});
   apply_loads(part, step);
   find_reactions(part, step);
 }
@@ -163,7 +164,7 @@ Energies Continuum::energies(const protocol::Step& step) const {
   for (const Part* part : {&interface_, &interior_})
     for (const auto& p : part->motions)  // the loop above took v(n-1/2)^2 of them, and 0 at step 0
       twice += p.mass * (p.before * p.after - (step.from_rest() ? 0 : p.before * p.before));
-  return {twice / 2, zones_->strain_energy(), external_work_};
+  return {twice / 2, zones_->strain_energy(), external_work_, zones_->dissipated()};
 }
 
 void Continuum::move_and_predict(const Part& part, const protocol::Step& step) {
@@ -197,6 +198,7 @@ void Continuum::stop() {
 
 void Continuum::start_over() {
   stop();
+  zones_->start_over(ux(), uy());
   for (const Column column : {kUx, kUy}) std::ranges::fill(points_[column], 0.0);
   external_work_ = 0;
 }

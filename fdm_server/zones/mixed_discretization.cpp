@@ -6,8 +6,6 @@
 namespace adit::fdm {
 namespace {
 
-constexpr std::array<std::array<std::size_t, 3>, 4> kTriangles{{{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 3}}};
-
 TriangleGradient scaled(const TriangleGradient& g, double factor) {
   return {g.x1 * factor, g.x2 * factor, g.y1 * factor, g.y2 * factor};
 }

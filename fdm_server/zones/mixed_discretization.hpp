@@ -22,6 +22,9 @@
 
 namespace adit::fdm {
 
+inline constexpr std::array<std::array<std::size_t, 3>, 4> kTriangles{
+    {{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 3}}};
+
 // Gradient in a triangle of a field that is 0 at its first corner: from the differences to the other two.
 struct TriangleGradient {
   double x1, x2, y1, y2;  // [1/m]

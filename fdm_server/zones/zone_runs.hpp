@@ -18,6 +18,7 @@ struct ZoneRun {
   std::uint32_t count;
   std::uint32_t shape;  // number of the shape
   ZonePoints points;    // of the first zone
+  std::uint32_t part = 0;  // which of the zones' kernels computes it (material_zones.hpp)
 };
 
 struct ZoneLayout {
@@ -39,6 +40,8 @@ struct PointView {
   const double* vy;
   double* fx;  // [N]
   double* fy;
+  const double* ux = nullptr;  // a step before [m]; only zones in large strain look at them
+  const double* uy = nullptr;
 };
 
 // Forces of a batch of zones at their corners, kept in the first-level cache until they are added.

@@ -14,6 +14,13 @@ namespace adit::fdm {
 
 enum class ZoneKind { kAssumedStrain, kMixedDiscretization };
 
+// What a zone can tell of its material beside the stress in the plane.
+enum class ZoneField {
+  kStressZz,            // across the plane [Pa]
+  kPlasticShearStrain,  // engineering, summed over the run
+  kYieldState,          // bits of Yield (materials/solid.hpp): what yields now or did before
+};
+
 class Zones {
  public:
   virtual ~Zones() = default;
@@ -24,12 +31,19 @@ class Zones {
   // internal forces to the points' forces.
   virtual void add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) = 0;
   void add_forces(double dt, const PointView& points) { add_forces(runs(), dt, points); }
-  // A zone's stress becomes uniform: before the first step.
+  // A zone's stress becomes uniform: before the first step. Across the plane it is that of plane strain.
   virtual void set_stress(std::size_t zone, const Stress& stress) = 0;
+  // Then another stress across the plane, where the material has one of its own.
+  virtual void set_stress_zz(std::size_t /*zone*/, double /*zz*/) {}
+  // Displacements begin again from 0 at these places: undeformed coordinates plus ux, uy.
+  virtual void start_over(std::span<const double> /*ux*/, std::span<const double> /*uy*/) {}
   // Weighted elastic energy of all zones [J].
   virtual double strain_energy() const = 0;
+  // Weighted work that plastic and hysteretic strain took since the start [J]; never falls.
+  virtual double dissipated() const { return 0; }
   // Mean stress of a zone, unweighted.
   virtual Stress stress(std::size_t zone) const = 0;
+  virtual double field(std::size_t /*zone*/, ZoneField /*field*/) const { return 0; }
 };
 
 // One weight a zone; it multiplies the zone's forces.
