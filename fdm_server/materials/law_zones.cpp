@@ -82,16 +82,16 @@ void LawZones::add_forces(std::span<const ZoneRun> runs, double dt, const PointV
       if (large_strain_) {
         CornerValues ux, uy;
         for (std::size_t c = 0; c < 4; ++c) {
-          ux[c] = points.ux[run.points[c] + i];
-          uy[c] = points.uy[run.points[c] + i];
+          ux[c] = ux_[run.points[c] + i];
+          uy[c] = uy_[run.points[c] + i];
         }
-        auto during = sampling_shape(kind_, moved(corners_[zone], ux, uy, dx, dy, 0.5), plane_law_);
+        auto during = sampling_shape(kind_, moved(corners_[zone], ux, uy, dx, dy, -0.5), plane_law_);
         refuse_tangled(during);
         const double half = (dot(during.x, dy) - dot(during.y, dx)) / 4;  // tan of half the angle
         const double norm = 1 + half * half;
         const Turn turn{(1 - half * half) / norm, 2 * half / norm, 2 * std::atan(half)};
         strain_zone(zone, reference, during, dx, dy, turn);
-        auto now = sampling_shape(kind_, moved(corners_[zone], ux, uy, dx, dy, 1), plane_law_);
+        auto now = sampling_shape(kind_, moved(corners_[zone], ux, uy, dx, dy, 0), plane_law_);
         refuse_tangled(now);
         stretch_[zone] = now.area / reference.area;
         add_corner_forces(zone, reference, now, fx, fy);
@@ -197,12 +197,17 @@ void LawZones::set_stress_zz(std::size_t zone, double zz) {
   }
 }
 
-void LawZones::start_over(std::span<const double> ux, std::span<const double> uy) {
+void LawZones::follow(const double* ux, const double* uy) {
+  ux_ = ux;
+  uy_ = uy;
+}
+
+void LawZones::start_over() {
   std::ranges::fill(dissipated_, 0.0);
   for (std::size_t z = 0; z < corners_.size(); ++z)
     for (std::size_t c = 0; c < 4; ++c) {
-      corners_[z].x[c] += ux[static_cast<std::size_t>(zone_points_[z][c])];
-      corners_[z].y[c] += uy[static_cast<std::size_t>(zone_points_[z][c])];
+      corners_[z].x[c] += ux_[zone_points_[z][c]];
+      corners_[z].y[c] += uy_[zone_points_[z][c]];
     }
 }
 

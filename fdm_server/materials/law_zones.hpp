@@ -35,11 +35,12 @@ class LawZones final : public Zones {
 
   std::size_t count() const override { return weights_.size(); }
   std::span<const ZoneRun> runs() const override { return runs_; }
+  void follow(const double* ux, const double* uy) override;
   using Zones::add_forces;
   void add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) override;
   void set_stress(std::size_t zone, const Stress& stress) override;
   void set_stress_zz(std::size_t zone, double zz) override;
-  void start_over(std::span<const double> ux, std::span<const double> uy) override;
+  void start_over() override;
   double strain_energy() const override;
   double dissipated() const override;
   Stress stress(std::size_t zone) const override;
@@ -76,6 +77,7 @@ class LawZones final : public Zones {
   std::vector<SamplingShape> shapes_;   // undeformed
   std::vector<std::uint32_t> shape_of_;  // of each zone
   std::vector<ZonePoints> zone_points_;  // of each zone, in large strain
+  const double *ux_ = nullptr, *uy_ = nullptr;
   std::vector<double> weights_;
   std::vector<Point> points_;      // four a zone
   std::vector<double> memory_;     // of the hysteretic law, values() a point

@@ -28,13 +28,16 @@ std::unique_ptr<Zones> make_zones(ZoneKind kind, const Grid& grid, const Ground&
 
 MaterialZones::MaterialZones(ZoneKind kind, const Grid& grid, const Ground& ground, std::span<const double> weights)
     : places_(grid.zones.size()) {
+  std::vector<std::pair<std::uint32_t, ZoneRun>> order;  // runs of all parts by their first zone in the grid
   for (std::size_t m = 0; m < ground.materials.size(); ++m) {
     const auto part = static_cast<std::uint32_t>(parts_.size());
     std::vector<double> own_weights;
+    std::vector<std::uint32_t> numbers;  // of the part's zones in the grid
     for (std::size_t z = 0; z < grid.zones.size(); ++z) {
       if (ground.of_zone[z] != m) continue;
       places_[z] = {part, static_cast<std::uint32_t>(own_weights.size())};
       own_weights.push_back(weights[z]);
+      numbers.push_back(static_cast<std::uint32_t>(z));
     }
     if (own_weights.empty()) continue;
     const auto& material = ground.materials[m];
@@ -42,9 +45,11 @@ MaterialZones::MaterialZones(ZoneKind kind, const Grid& grid, const Ground& grou
                       ground.plane_stress ? 0 : material.poisson, material.linear() && !ground.large_strain});
     for (auto run : parts_.back().zones->runs()) {
       run.part = part;
-      runs_.push_back(run);
+      order.emplace_back(numbers[run.first], run);
     }
   }
+  std::ranges::sort(order, {}, &std::pair<std::uint32_t, ZoneRun>::first);
+  for (const auto& [first, run] : order) runs_.push_back(run);
 }
 
 void MaterialZones::add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) {
@@ -65,8 +70,12 @@ void MaterialZones::set_stress_zz(std::size_t zone, double zz) {
   parts_[places_[zone].part].zones->set_stress_zz(places_[zone].zone, zz);
 }
 
-void MaterialZones::start_over(std::span<const double> ux, std::span<const double> uy) {
-  for (auto& part : parts_) part.zones->start_over(ux, uy);
+void MaterialZones::follow(const double* ux, const double* uy) {
+  for (auto& part : parts_) part.zones->follow(ux, uy);
+}
+
+void MaterialZones::start_over() {
+  for (auto& part : parts_) part.zones->start_over();
 }
 
 double MaterialZones::strain_energy() const {

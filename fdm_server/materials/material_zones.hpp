@@ -1,4 +1,4 @@
-// The zones of a grid of several materials: one set of zones for each material, computed one after the other; linear
+// The zones of a grid of several materials: one set of zones for each material; linear
 // ones in small strain by the fast kernels, others by LawZones. Runs carry the number of their part.
 #pragma once
 
@@ -17,11 +17,12 @@ class MaterialZones final : public Zones {
 
   std::size_t count() const override { return places_.size(); }
   std::span<const ZoneRun> runs() const override { return runs_; }
+  void follow(const double* ux, const double* uy) override;
   using Zones::add_forces;
   void add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) override;
   void set_stress(std::size_t zone, const Stress& stress) override;
   void set_stress_zz(std::size_t zone, double zz) override;
-  void start_over(std::span<const double> ux, std::span<const double> uy) override;
+  void start_over() override;
   double strain_energy() const override;
   double dissipated() const override;
   Stress stress(std::size_t zone) const override;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "fdm_server/zones/assumed_strain.hpp"
 #include "fdm_server/zones/hourglass.hpp"
 #include "fdm_server/zones/mean_gradient.hpp"
 #include "fdm_server/zones/mixed_discretization.hpp"
@@ -18,10 +19,10 @@ SamplingPoint sampling_point(double area, const CornerValues& x, const CornerVal
 }
 
 void sample_triangles(const Corners& corners, SamplingShape& shape) {
-  const auto triangles = mixed_discretization_shape(corners);
+  const auto [gradients, areas] = triangles(corners);
   for (std::size_t k = 0; k < 4; ++k) {
     const auto [a, b, c] = kTriangles[k];
-    const auto& g = triangles.triangles[k];
+    const auto& g = gradients[k];
     CornerValues x{}, y{};
     x[a] = -g.x1 - g.x2;
     x[b] = g.x1;
@@ -29,19 +30,20 @@ void sample_triangles(const Corners& corners, SamplingShape& shape) {
     y[a] = -g.y1 - g.y2;
     y[b] = g.y1;
     y[c] = g.y2;
-    shape.points[k] = sampling_point(triangles.areas[k] / 2, x, y);
+    shape.points[k] = sampling_point(areas[k] / 2, x, y);
   }
 }
 
 void sample_bending(const Corners& corners, const PlaneLaw& law, SamplingShape& shape) {
-  const auto hourglass = hourglass_shape(corners);
+  const auto pattern = gamma(corners, mean_gradient(corners));
+  const auto points = gauss_points(corners);
   const double twice = 2 * std::sqrt(law.bulk / (law.bulk + law.shear));
   for (std::size_t k = 0; k < 4; ++k) {
-    const auto& [jacobian, hx, hy] = hourglass.points[k];
-    shape.points[k] = sampling_point(jacobian, shape.x, shape.y);
+    const auto& [area, hx, hy] = points[k];
+    shape.points[k] = sampling_point(area, shape.x, shape.y);
     for (std::size_t c = 0; c < 4; ++c) {
-      shape.points[k].difference_x[c] += twice * hx * hourglass.gamma[c];
-      shape.points[k].difference_y[c] -= twice * hy * hourglass.gamma[c];
+      shape.points[k].difference_x[c] += twice * hx * pattern[c];
+      shape.points[k].difference_y[c] -= twice * hy * pattern[c];
     }
   }
 }

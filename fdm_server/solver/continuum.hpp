@@ -20,10 +20,11 @@
 #include <span>
 #include <vector>
 
+#include "fdm_server/solver/sweep.hpp"
 #include "fdm_server/zones/columns.hpp"
 #include "fdm_server/zones/zones.hpp"
 #include "protocol/step.hpp"
-#include "protocol/stretches.hpp"
+#include "protocol/team.hpp"
 
 namespace adit::fdm {
 
@@ -53,9 +54,9 @@ struct Energies {
 
 class Continuum {
  public:
-  // `masses`: one weighted mass a point [kg].
+  // `masses`: one weighted mass a point [kg]. Results do not depend on the number of threads.
   Continuum(std::unique_ptr<Zones> zones, std::span<const double> masses, std::vector<Load> loads,
-            std::vector<Motion> motions);
+            std::vector<Motion> motions, std::size_t threads = 1);
 
   // Makes these points the interface, before the first step.
   void set_interface(std::span<const std::uint32_t> points);
@@ -94,7 +95,20 @@ class Continuum {
   std::optional<std::uint32_t> first_non_finite() const;
 
  private:
-  enum Column { kUx, kUy, kVx, kVy, kFx, kFy, kInverseMassX, kInverseMassY, kMass, kColumns };
+  enum Column {
+    kUx,
+    kUy,
+    kVx,
+    kVy,
+    kFx,
+    kFy,
+    kInverseMassX,
+    kInverseMassY,
+    kMass,
+    kLastVx,
+    kLastVy,
+    kColumns
+  };
   struct Loading {
     Load load;
     double factor = 0;  // of the last step
@@ -110,22 +124,26 @@ class Continuum {
   // What is computed together. The zones that touch a point of the interface are its part's, so that its
   // forces need nothing of the interior.
   struct Part {
-    std::vector<ZoneRun> runs;
-    std::vector<protocol::Stretch> points;
+    Sweep sweep;
     std::vector<Loading> loads;
     std::vector<Prescribed> motions;
   };
 
+  // Says which points the parts may sweep: those of loads and motions have to wait for these.
+  void plan(const std::vector<bool>& chosen);
+  PointColumns columns();
   Prescribed prescribed(Motion motion) const;
   void hold(Axis axis, std::uint32_t point, double impulse);
   void pull(Part& part, const protocol::Step& step);
   void apply_loads(Part& part, const protocol::Step& step);
   void find_reactions(Part& part, const protocol::Step& step);
-  void move_and_predict(const Part& part, const protocol::Step& step);
+  void predict(const Part& part, const protocol::Step& step);
+  void remember_velocities();
   Energies energies(const protocol::Step& step) const;
 
   std::unique_ptr<Zones> zones_;
   Columns<kColumns> points_;
+  protocol::Team team_;
   Part interface_, interior_;
   double external_work_ = 0;
   double last_dt_ = 0, last_kick_ = 0;

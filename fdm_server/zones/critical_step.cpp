@@ -21,8 +21,9 @@ Eigen::Matrix<double, 8, 8> zone_stiffness(const Corners& corners, const MakeZon
   for (int column = 0; column < 8; ++column) {
     std::array<double, 4> vx{}, vy{}, fx{}, fy{};
     (column % 2 == 0 ? vx : vy)[column / 2] = 1;
-    const std::array<double, 4> rest{};
-    make(grid)->add_forces(1.0, {vx.data(), vy.data(), fx.data(), fy.data(), rest.data(), rest.data()});
+    const auto zone = make(grid);
+    zone->follow(vx.data(), vy.data());
+    zone->add_forces(1.0, {vx.data(), vy.data(), fx.data(), fy.data()});
     for (int point = 0; point < 4; ++point) {
       stiffness(2 * point, column) = -fx[point];
       stiffness(2 * point + 1, column) = -fy[point];

@@ -40,8 +40,6 @@ struct PointView {
   const double* vy;
   double* fx;  // [N]
   double* fy;
-  const double* ux = nullptr;  // a step before [m]; only zones in large strain look at them
-  const double* uy = nullptr;
 };
 
 // Forces of a batch of zones at their corners, kept in the first-level cache until they are added.
