@@ -35,6 +35,7 @@ void Ledger::take_energies(std::size_t s, const Side& side) {
   energies_[s] = {.kinetic = kinetic,
                   .strain = e.strain(),
                   .released = e.released(),
+                  .dissipated = e.dissipated(),
                   .external_work = e.external_work(),
                   .multiplier_work = work};
 }
@@ -66,7 +67,7 @@ void Ledger::book_gap(std::span<const double> coarse, std::span<const double> fi
 
 double Ledger::stored() const {
   double sum = 0;
-  for (const SideEnergies& e : energies_) sum += e.kinetic + e.strain + e.released;
+  for (const SideEnergies& e : energies_) sum += e.kinetic + e.strain + e.released + e.dissipated;
   return sum;
 }
 

@@ -8,6 +8,8 @@ void set_initial_stress(const scene::Stress& stress, const Grid& grid, Zones& zo
     for (const auto point : grid.zones[z]) y += grid.y[static_cast<std::size_t>(point)] / 4;
     zones.set_stress(
         z, {stress.xx() + stress.xx_per_metre() * y, stress.yy() + stress.yy_per_metre() * y, stress.xy()});
+    if (stress.has_zz() || stress.has_zz_per_metre())
+      zones.set_stress_zz(z, stress.zz() + stress.zz_per_metre() * y);
   }
 }
 

@@ -9,9 +9,10 @@
 #include <utility>
 
 #include "fdm_server/grid/interpolation.hpp"
+#include "fdm_server/ground.hpp"
 #include "fdm_server/initial_stress.hpp"
+#include "fdm_server/materials/material_zones.hpp"
 #include "fdm_server/snapshot.hpp"
-#include "fdm_server/zones/critical_step.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::fdm {
@@ -43,7 +44,8 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   scene_ = setup.scene();
   setup_ = read_setup(scene_);
   grid_ = make_grid(setup_.block);
-  critical_dt_ = critical_step(setup_.kind, grid_, setup_.law, setup_.density);
+  setup_.ground.of_zone = materials_of_zones(scene_.continuum(), grid_, true);
+  critical_dt_ = critical_step(setup_.kind, grid_, setup_.ground);
   model.set_critical_dt(critical_dt_);
   model.set_x_min(setup_.block.x_min);
   model.set_x_max(setup_.block.x_max);
@@ -61,9 +63,10 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
         "interface.overlap",
         "leaves no zone of the continuum, whose weight is 0 everywhere; let the block reach into the overlap "
         "and beyond it on the continuum's own side");
-  const auto masses = lumped_masses(grid_, weights_, setup_.density);
   const auto& conditions = scene_.continuum();
-  auto zones = make_zones(setup_.kind, grid_, setup_.law, weights_);
+  setup_.ground.of_zone = materials_of_zones(conditions, grid_, false);
+  const auto masses = lumped_masses(grid_, weights_, zone_densities(setup_.ground));
+  std::unique_ptr<Zones> zones = std::make_unique<MaterialZones>(setup_.kind, grid_, setup_.ground, weights_);
   if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), grid_, *zones);
   continuum_ = std::make_unique<Continuum>(std::move(zones), masses,
                                            resolve_loads(conditions, setup_.block, grid_, masses),
@@ -127,6 +130,7 @@ void FdmParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
     predicted.mutable_energies()->set_kinetic(energies.kinetic);
     predicted.mutable_energies()->set_strain(energies.strain);
     predicted.mutable_energies()->set_external_work(energies.external_work);
+    predicted.mutable_energies()->set_dissipated(energies.dissipated);
   }
   if (advance.relax()) predicted.mutable_relaxation()->set_kinetic_energy(kinetic_energy(*continuum_));
   if (advance.want_histories()) fill_histories(predicted);

@@ -17,14 +17,18 @@ Grid zones_of(const Grid& grid, const Ground& ground, std::size_t material) {
   return some;
 }
 
-}  // namespace
+bool by_fast_kernel(const Ground& ground, const Material& material) {
+  return material.linear() && !ground.large_strain;
+}
 
+// The zones of one material.
 std::unique_ptr<Zones> make_zones(ZoneKind kind, const Grid& grid, const Ground& ground, const Material& material,
                                   std::span<const double> weights) {
-  if (material.linear() && !ground.large_strain)
-    return make_zones(kind, grid, ground.plane_law(material), weights);
+  if (by_fast_kernel(ground, material)) return make_zones(kind, grid, ground.plane_law(material), weights);
   return std::make_unique<LawZones>(kind, grid, material, weights, ground.large_strain);
 }
+
+}  // namespace
 
 MaterialZones::MaterialZones(ZoneKind kind, const Grid& grid, const Ground& ground, std::span<const double> weights)
     : places_(grid.zones.size()) {
@@ -42,7 +46,7 @@ MaterialZones::MaterialZones(ZoneKind kind, const Grid& grid, const Ground& grou
     if (own_weights.empty()) continue;
     const auto& material = ground.materials[m];
     parts_.push_back({make_zones(kind, zones_of(grid, ground, m), ground, material, own_weights),
-                      ground.plane_stress ? 0 : material.poisson, material.linear() && !ground.large_strain});
+                      ground.plane_stress ? 0 : material.poisson, by_fast_kernel(ground, material)});
     for (auto run : parts_.back().zones->runs()) {
       run.part = part;
       order.emplace_back(numbers[run.first], run);
@@ -115,9 +119,14 @@ double critical_step(ZoneKind kind, const Grid& grid, const Ground& ground) {
     const auto own = zones_of(grid, ground, m);
     if (own.zones.empty()) continue;
     const auto& material = ground.materials[m];
-    smallest = std::min(smallest, critical_step(own, material.density, [&](const Grid& zone) {
-                          return make_zones(kind, zone, ground, material, std::vector{1.0});
-                        }));
+    // of elastic zones in small strain, because the stiffness is measured on displacements of 1 m
+    const auto elastic = [&](const Grid& zone) -> std::unique_ptr<Zones> {
+      const std::vector<double> weight{1.0};
+      if (by_fast_kernel(ground, material)) return make_zones(kind, zone, ground.plane_law(material), weight);
+      return std::make_unique<LawZones>(kind, zone, Material{material.density, material.young, material.poisson},
+                                        weight, false);
+    };
+    smallest = std::min(smallest, critical_step(own, material.density, elastic));
   }
   return smallest;
 }

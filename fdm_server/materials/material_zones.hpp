@@ -42,10 +42,6 @@ class MaterialZones final : public Zones {
   std::vector<ZoneRun> runs_;
 };
 
-// The zones of one material.
-std::unique_ptr<Zones> make_zones(ZoneKind kind, const Grid& grid, const Ground& ground, const Material& material,
-                                  std::span<const double> weights);
-
 // Density of each zone [kg/m^3].
 std::vector<double> zone_densities(const Ground& ground);
 
