@@ -20,8 +20,10 @@ void require(bool condition, const std::string& path, const std::string& message
 template <class Scene>
 Strength read_strength(const Scene& scene, const Strength& before, const std::string& path) {
   const auto angle = [&](bool given, double value, double otherwise, const char* name) {
-    require(!given || (value >= 0 && value < std::numbers::pi / 2), path + name,
-            fmt::format("is {} rad, but must be at least 0 and below a right angle; degrees are written `30 deg`", value));
+    require(
+        !given || (value >= 0 && value < std::numbers::pi / 2), path + name,
+        fmt::format("is {} rad, but must be at least 0 and below a right angle; degrees are written `30 deg`",
+                    value));
     return given ? value : otherwise;
   };
   Strength strength = before;
@@ -61,21 +63,24 @@ MohrCoulomb read_mohr_coulomb(const scene::MohrCoulomb& scene, const std::string
 ModulusReduction read_table(const scene::ReductionTable& table, const std::string& path) {
   const auto &strains = table.shear_strain(), &ratios = table.ratio();
   require(strains.size() == ratios.size() && strains.size() >= 3, path,
-          fmt::format("has {} strains and {} ratios; give at least three of each, as many of both", strains.size(),
-                      ratios.size()));
+          fmt::format("has {} strains and {} ratios; give at least three of each, as many of both",
+                      strains.size(), ratios.size()));
   for (int i = 0; i < strains.size(); ++i) {
     require(strains[i] > (i == 0 ? 0 : strains[i - 1]), path + ".shear_strain",
             fmt::format("does not increase at its value {}: {}", i + 1, strains[i]));
     require(ratios[i] > 0 && ratios[i] <= (i == 0 ? 1 : ratios[i - 1]), path + ".ratio",
-            fmt::format("rises or leaves (0, 1] at its value {}: {}; G/Gmax falls with the strain", i + 1, ratios[i]));
-    require(i == 0 || strains[i] * ratios[i] >= strains[i - 1] * ratios[i - 1], path + ".ratio",
-            fmt::format("falls so fast at the strain {} that the shear stress falls too; this law cannot soften",
-                        strains[i]));
+            fmt::format("rises or leaves (0, 1] at its value {}: {}; G/Gmax falls with the strain", i + 1,
+                        ratios[i]));
+    require(
+        i == 0 || strains[i] * ratios[i] >= strains[i - 1] * ratios[i - 1], path + ".ratio",
+        fmt::format("falls so fast at the strain {} that the shear stress falls too; this law cannot soften",
+                    strains[i]));
   }
   require(ratios[0] == 1, path + ".ratio",
-          fmt::format("begins with {}; give a small strain where it is 1, the modulus being young_modulus / (2 (1 + "
-                      "poisson_ratio))",
-                      ratios[0]));
+          fmt::format(
+              "begins with {}; give a small strain where it is 1, the modulus being young_modulus / (2 (1 + "
+              "poisson_ratio))",
+              ratios[0]));
   return reduction_table({strains.data(), static_cast<std::size_t>(strains.size())},
                          {ratios.data(), static_cast<std::size_t>(ratios.size())});
 }
@@ -92,10 +97,12 @@ Hysteretic read_hysteretic(const scene::Hysteretic& scene, const std::string& pa
   require(scene.has_hyperbola(), path, "names no curve; give table or hyperbola");
   const double reference = scene.hyperbola().reference_strain(), exponent = scene.hyperbola().exponent();
   require(reference > 0 && reference < 1, path + ".hyperbola.reference_strain",
-          fmt::format("is {}, but must lie between 0 and 1: the strain of G/Gmax = 1/2, such as 1e-3", reference));
+          fmt::format("is {}, but must lie between 0 and 1: the strain of G/Gmax = 1/2, such as 1e-3",
+                      reference));
   require(exponent >= 0.5 && exponent <= 1, path + ".hyperbola.exponent",
           fmt::format("is {}, but must lie between 0.5 and 1", exponent));
-  // below, the modulus is reduced by less than the hundredth part at which loops are noticed; above, the stress stays
+  // below, the modulus is reduced by less than the hundredth part at which loops are noticed; above, the
+  // stress stays
   const double first = reference * std::pow(2e-3, 1 / exponent);
   return Hysteretic(backbone(hyperbola(reference, exponent), first, 10 * reference, elements));
 }
@@ -110,7 +117,8 @@ Material read_material(const scene::Material& scene, const scene::Scene& whole, 
           fmt::format("is {} kg/m^3, but must be positive", density));
   Material material{density, young, poisson};
   require(!scene.has_hysteretic() || !scene.has_mohr_coulomb(), path + ".hysteretic",
-          "stands beside mohr_coulomb, but a zone follows one of them; a hysteretic curve carries its own strength, "
+          "stands beside mohr_coulomb, but a zone follows one of them; a hysteretic curve carries its own "
+          "strength, "
           "the stress at its last strain");
   require(!scene.has_hysteretic() || !scene.has_weak_plane(), path + ".weak_plane",
           "stands beside hysteretic, but weak planes are computed in elastic or mohr_coulomb ground only");
@@ -124,7 +132,8 @@ Material read_material(const scene::Material& scene, const scene::Scene& whole, 
         WeakPlane(plane.dip_angle(), read_strength(plane, kNoStrength, path + ".weak_plane"));
   }
   require(material.linear() || whole.plane() == scene::PLANE_STRAIN, path,
-          "has a strength or a hysteretic curve, which is computed in plane strain only; write `plane: plane_strain`, "
+          "has a strength or a hysteretic curve, which is computed in plane strain only; write `plane: "
+          "plane_strain`, "
           "or leave the material elastic");
   return material;
 }
@@ -145,8 +154,10 @@ Ground read_ground(const scene::Scene& scene) {
                                              fmt::format("continuum.materials[{}].material", i)));
   require(!ground.large_strain || !ground.plane_stress, "continuum.large_strain",
           "is computed in plane strain only; write `plane: plane_strain`, or leave large_strain out");
-  require(!ground.large_strain || (!scene.has_interface() && scene.interfaces_size() == 0), "continuum.large_strain",
-          "moves the grid away from the places where an interface joins it to another model; leave one of the two out");
+  require(!ground.large_strain || (!scene.has_interface() && scene.interfaces_size() == 0),
+          "continuum.large_strain",
+          "moves the grid away from the places where an interface joins it to another model; leave one of "
+          "the two out");
   return ground;
 }
 

@@ -6,9 +6,11 @@ Admissible admissible(const Material& material, const Elasticity& elasticity, do
                       const SolidStress& predicted, double turned) {
   const auto to_ground = [&](const Admissible& from) -> Admissible {
     if (!material.mohr_coulomb) return {from.stress, from.plastic_shear_strain, kElastic};
-    const auto [stress, yields] = material.mohr_coulomb->admissible(elasticity, plastic_shear_strain, from.stress);
+    const auto [stress, yields] =
+        material.mohr_coulomb->admissible(elasticity, plastic_shear_strain, from.stress);
     if (yields == kElastic) return {stress, from.plastic_shear_strain, kElastic};
-    return {stress, from.plastic_shear_strain + shear_measure(strain_of(elasticity, from.stress - stress)), yields};
+    return {stress, from.plastic_shear_strain + shear_measure(strain_of(elasticity, from.stress - stress)),
+            yields};
   };
   const auto to_plane = [&](const Admissible& from) -> Admissible {
     const auto [stress, yields] = material.weak_plane->admissible(elasticity, from.stress, turned);

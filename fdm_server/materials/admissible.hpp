@@ -1,7 +1,7 @@
 // Where a predicted stress goes in a material with Mohr-Coulomb's strength, a weak plane or both.
 //
-// With both: the weaker alone takes the flow if that satisfies the other too, the plane before the ground between the
-// planes. Where both flow, they return in turn from the predictor until both are satisfied.
+// With both: the weaker alone takes the flow if that satisfies the other too, the plane before the ground
+// between the planes. Where both flow, they return in turn from the predictor until both are satisfied.
 #pragma once
 
 #include "fdm_server/materials/material.hpp"

@@ -77,8 +77,8 @@ double Hysteretic::add(const Elasticity& elasticity, const Strain& strain, std::
       const double ratio = limit / std::sqrt(predicted);
       const Deviator lost{(1 - ratio) * now.t, (1 - ratio) * now.s, (1 - ratio) * now.z};
       now = {ratio * now.t, ratio * now.s, ratio * now.z};
-      // the mean stress of the step times the plastic strain, lost / stiffness; not negative, because no stress
-      // before was larger than the one now along it, but for rounding
+      // the mean stress of the step times the plastic strain, lost / stiffness; not negative, because no
+      // stress before was larger than the one now along it, but for rounding
       const double twice =
           (before.t + now.t) * lost.t + (before.s + now.s) * lost.s + 0.75 * (before.z + now.z) * lost.z;
       twice_dissipated += std::max(twice, 0.0) / stiffness;
@@ -121,7 +121,8 @@ double Hysteretic::energy(const Elasticity& elasticity, std::span<const double> 
   const double mean = (stress.xx + stress.yy + stress.zz) / 3;
   const Deviator initial = deviator(state, n);
   const double* strains = &state[3 * (n + 1)];
-  // its power on xx - yy, xy and the volume: zz is 0, so that the deviator of zz is minus a third of the volume
+  // its power on xx - yy, xy and the volume: zz is 0, so that the deviator of zz is minus a third of the
+  // volume
   return sum / (2 * elasticity.shear) + mean * mean / (2 * elasticity.bulk) + initial.t * strains[0] +
          initial.s * strains[1] - initial.z * strains[2] / 2;
 }

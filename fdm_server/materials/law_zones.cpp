@@ -156,8 +156,8 @@ void LawZones::average_mean_stress(std::size_t zone, const SamplingShape& shape)
     auto& stress = points_[4 * zone + k].stress;
     const double change = mean - mean_in_plane(stress);
     const SolidStress averaged{stress.xx + change, stress.yy + change, zz, stress.xy};
-    dissipated_[zone] += shape.points[k].area *
-                         (elastic_energy(elasticity_, stress) - elastic_energy(elasticity_, averaged));
+    dissipated_[zone] +=
+        shape.points[k].area * (elastic_energy(elasticity_, stress) - elastic_energy(elasticity_, averaged));
     stress = averaged;
   }
 }
@@ -184,8 +184,7 @@ void LawZones::add_corner_forces(std::size_t zone, const SamplingShape& referenc
 }
 
 void LawZones::set_stress(std::size_t zone, const Stress& stress) {
-  for (std::size_t k = 0; k < 4; ++k)
-    points_[4 * zone + k].stress = {stress.xx, stress.yy, 0, stress.xy};
+  for (std::size_t k = 0; k < 4; ++k) points_[4 * zone + k].stress = {stress.xx, stress.yy, 0, stress.xy};
   set_stress_zz(zone, material_.poisson * (stress.xx + stress.yy));
 }
 

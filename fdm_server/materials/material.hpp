@@ -1,4 +1,5 @@
-// A material: elastic constants, and at most one law beyond them; a weak plane may cut any but the hysteretic one.
+// A material: elastic constants, and at most one law beyond them; a weak plane may cut any but the hysteretic
+// one.
 #pragma once
 
 #include <cstdint>

@@ -22,15 +22,16 @@ bool by_fast_kernel(const Ground& ground, const Material& material) {
 }
 
 // The zones of one material.
-std::unique_ptr<Zones> make_zones(ZoneKind kind, const Grid& grid, const Ground& ground, const Material& material,
-                                  std::span<const double> weights) {
+std::unique_ptr<Zones> make_zones(ZoneKind kind, const Grid& grid, const Ground& ground,
+                                  const Material& material, std::span<const double> weights) {
   if (by_fast_kernel(ground, material)) return make_zones(kind, grid, ground.plane_law(material), weights);
   return std::make_unique<LawZones>(kind, grid, material, weights, ground.large_strain);
 }
 
 }  // namespace
 
-MaterialZones::MaterialZones(ZoneKind kind, const Grid& grid, const Ground& ground, std::span<const double> weights)
+MaterialZones::MaterialZones(ZoneKind kind, const Grid& grid, const Ground& ground,
+                             std::span<const double> weights)
     : places_(grid.zones.size()) {
   std::vector<std::pair<std::uint32_t, ZoneRun>> order;  // runs of all parts by their first zone in the grid
   for (std::size_t m = 0; m < ground.materials.size(); ++m) {
@@ -123,8 +124,8 @@ double critical_step(ZoneKind kind, const Grid& grid, const Ground& ground) {
     const auto elastic = [&](const Grid& zone) -> std::unique_ptr<Zones> {
       const std::vector<double> weight{1.0};
       if (by_fast_kernel(ground, material)) return make_zones(kind, zone, ground.plane_law(material), weight);
-      return std::make_unique<LawZones>(kind, zone, Material{material.density, material.young, material.poisson},
-                                        weight, false);
+      return std::make_unique<LawZones>(
+          kind, zone, Material{material.density, material.young, material.poisson}, weight, false);
     };
     smallest = std::min(smallest, critical_step(own, material.density, elastic));
   }

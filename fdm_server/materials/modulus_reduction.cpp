@@ -16,8 +16,7 @@ std::vector<double> monotone_slopes(std::span<const double> x, std::span<const d
   for (std::size_t k = 1; k + 1 < n; ++k) {
     const double before = x[k] - x[k - 1], after = x[k + 1] - x[k];
     const double w1 = before + 2 * after, w2 = 2 * before + after;
-    slope[k] =
-        chord[k - 1] * chord[k] > 0 ? (w1 + w2) / (w2 / chord[k - 1] + w1 / chord[k]) : 0;
+    slope[k] = chord[k - 1] * chord[k] > 0 ? (w1 + w2) / (w2 / chord[k - 1] + w1 / chord[k]) : 0;
   }
   return slope;
 }
@@ -29,7 +28,8 @@ std::vector<BackbonePoint> concave_hull(const std::vector<BackbonePoint>& points
     const auto below = [&] {
       const auto& a = hull[hull.size() - 2];
       const auto& b = hull.back();
-      return (b.stress - a.stress) * (point.strain - a.strain) <= (point.stress - a.stress) * (b.strain - a.strain);
+      return (b.stress - a.stress) * (point.strain - a.strain) <=
+             (point.stress - a.stress) * (b.strain - a.strain);
     };
     if (point.stress <= hull.back().stress) continue;  // a backbone rises
     while (hull.size() > 1 && below()) hull.pop_back();
@@ -60,8 +60,8 @@ ModulusReduction reduction_table(std::span<const double> strains, std::span<cons
   };
 }
 
-std::vector<BackbonePoint> backbone(const ModulusReduction& reduction, double first_strain, double last_strain,
-                                    std::size_t elements) {
+std::vector<BackbonePoint> backbone(const ModulusReduction& reduction, double first_strain,
+                                    double last_strain, std::size_t elements) {
   const double ratio = std::log(last_strain / first_strain) / static_cast<double>(elements - 1);
   std::vector<BackbonePoint> points;
   for (std::size_t k = 0; k < elements; ++k) {

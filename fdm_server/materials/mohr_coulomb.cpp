@@ -91,8 +91,8 @@ MohrCoulomb::Return MohrCoulomb::admissible(const Elasticity& elasticity, double
   const double p = (predicted.xx + predicted.yy) / 2, t = (predicted.xx - predicted.yy) / 2;
   const double radius = std::sqrt(t * t + predicted.xy * predicted.xy);
   const double largest = std::max(p + radius, predicted.zz), smallest = std::min(p - radius, predicted.zz);
-  const bool within =
-      largest - smallest + (largest + smallest) * cone.sin_friction <= cone.twice_c_cos && largest <= cone.tension;
+  const bool within = largest - smallest + (largest + smallest) * cone.sin_friction <= cone.twice_c_cos &&
+                      largest <= cone.tension;
   if (within) return {predicted, kElastic};
 
   // the principal stresses: in the plane p + radius and p - radius, across it zz; sorted, largest first
@@ -131,7 +131,8 @@ unsigned MohrCoulomb::to_planes(const Elasticity& elasticity, const Cone& cone, 
   plane(kTension3, cone.tension, {0, 0, 1}, {0, 0, 1});
 
   const Principal predicted{principal[0], principal[1], principal[2]};
-  const double scale = std::abs(predicted[0]) + std::abs(predicted[1]) + std::abs(predicted[2]) + cone.twice_c_cos;
+  const double scale =
+      std::abs(predicted[0]) + std::abs(predicted[1]) + std::abs(predicted[2]) + cone.twice_c_cos;
   const double rounding = 1e-12 * scale;
   for (const unsigned set : kSets) {
     std::array<std::size_t, 3> active{};
@@ -146,7 +147,8 @@ unsigned MohrCoulomb::to_planes(const Elasticity& elasticity, const Cone& cone, 
     std::array<Principal, 3> matrix{};
     Principal flow{};
     for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) matrix[i][j] = dot(planes.normal[active[i]], planes.flow[active[j]]);
+      for (std::size_t j = 0; j < n; ++j)
+        matrix[i][j] = dot(planes.normal[active[i]], planes.flow[active[j]]);
       flow[i] = dot(planes.normal[active[i]], predicted) - planes.limit[active[i]];
     }
     if (!solve(n, matrix, flow)) continue;

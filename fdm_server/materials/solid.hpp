@@ -1,5 +1,5 @@
-// Stress and strain at a point in plane strain, where the stress across the plane takes part; isotropic elasticity.
-// Tension positive.
+// Stress and strain at a point in plane strain, where the stress across the plane takes part; isotropic
+// elasticity. Tension positive.
 #pragma once
 
 #include <cmath>
@@ -50,7 +50,8 @@ inline double elastic_energy(const Elasticity& e, const SolidStress& stress) {
   return product(stress, strain_of(e, stress)) / 2;
 }
 
-// The engineering shear strain of simple shear that has the same second invariant: sqrt(2 e.e), e the deviator.
+// The engineering shear strain of simple shear that has the same second invariant: sqrt(2 e.e), e the
+// deviator.
 inline double shear_measure(const Strain& s) {
   const double mean = (s.xx + s.yy + s.zz) / 3;
   const double x = s.xx - mean, y = s.yy - mean, z = s.zz - mean;

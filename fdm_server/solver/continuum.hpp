@@ -8,9 +8,10 @@
 // Statics take the same steps; every stop starts from rest like step 0, at the stresses reached.
 //
 // Energies at step n: kinetic 1/2 sum m v(n-1/2) v(n+1/2), strain energy of the stresses, work of loads and
-// prescribed motions summed as dt v(n+1/2) (F(n) + F(n+1))/2, dissipation of the materials (materials/law_zones.hpp).
-// Then kinetic + strain + dissipated - work keeps its value of step 0 to rounding: M (v(n+3/2) - v(n-1/2)) = dt (f(n) + f(n+1)), times v(n+1/2)/2, is the change of the
-// kinetic energy, and f = F - K u. That value is -1/2 sum m v(1/2)^2, 0 where nothing acts at t = 0.
+// prescribed motions summed as dt v(n+1/2) (F(n) + F(n+1))/2, dissipation of the materials
+// (materials/law_zones.hpp). Then kinetic + strain + dissipated - work keeps its value of step 0 to rounding:
+// M (v(n+3/2) - v(n-1/2)) = dt (f(n) + f(n+1)), times v(n+1/2)/2, is the change of the kinetic energy, and f
+// = F - K u. That value is -1/2 sum m v(1/2)^2, 0 where nothing acts at t = 0.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// How fast the continuum steps: zone-steps per second of a block of equal elastic zones, beside the bandwidth of
-// the machine measured in turn with it. Prints one JSON object a line.
+// How fast the continuum steps: zone-steps per second of a block of equal elastic zones, beside the bandwidth
+// of the machine measured in turn with it. Prints one JSON object a line.
 //
 //   continuum ZONES_X ZONES_Y THREADS
 #include <algorithm>
@@ -33,7 +33,10 @@ double seconds(auto&& work) {
 class Triad {
  public:
   Triad(double bytes, std::size_t threads)
-      : team_(threads), a_(static_cast<std::size_t>(bytes / 24), 0.0), b_(a_.size(), 1.0), c_(a_.size(), 2.0) {}
+      : team_(threads),
+        a_(static_cast<std::size_t>(bytes / 24), 0.0),
+        b_(a_.size(), 1.0),
+        c_(a_.size(), 2.0) {}
   double seconds_a_pass(int passes) {
     const std::size_t parts = team_.threads();
     const double total = seconds([&] {
@@ -47,7 +50,9 @@ class Triad {
     });
     return total / passes;
   }
-  double bytes() const { return 24.0 * static_cast<double>(a_.size()); }
+  double bytes() const {
+    return 24.0 * static_cast<double>(a_.size());
+  }
 
  private:
   protocol::Team team_;
@@ -70,7 +75,9 @@ struct Ground {
     }
   }
   static fdm::PlaneLaw law() { return fdm::plane_strain(25e9, 0.2); }
-  static std::vector<double> ones(const fdm::Grid& grid) { return std::vector<double>(grid.zones.size(), 1.0); }
+  static std::vector<double> ones(const fdm::Grid& grid) {
+    return std::vector<double>(grid.zones.size(), 1.0);
+  }
   double seconds_a_step(int steps) {
     const double total = seconds([&] {
       for (int i = 0; i < steps; ++i) continuum.step({next++, dt});
@@ -95,7 +102,8 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: continuum ZONES_X ZONES_Y THREADS\n");
     return 2;
   }
-  const auto nx = static_cast<std::uint32_t>(std::atoi(argv[1])), ny = static_cast<std::uint32_t>(std::atoi(argv[2]));
+  const auto nx = static_cast<std::uint32_t>(std::atoi(argv[1])),
+             ny = static_cast<std::uint32_t>(std::atoi(argv[2]));
   const auto threads = static_cast<std::size_t>(std::atoi(argv[3]));
   const fdm::Grid grid = fdm::make_grid({0, 0.5 * nx, 0, 0.25 * ny, nx, ny});
   const double zones = static_cast<double>(nx) * ny;
@@ -104,10 +112,11 @@ int main(int argc, char** argv) {
     Triad triad(kTraffic * zones, threads);
     const double step = least([&](int steps) { return ground.seconds_a_step(steps); });
     const double pass = least([&](int passes) { return triad.seconds_a_pass(passes); });
-    std::printf("{\"kind\": \"%s\", \"zones\": %.0f, \"threads\": %zu, \"zone_steps_per_s\": %.6g, "
-                "\"bytes_per_zone\": %.0f, \"triad_bytes_per_s\": %.6g}\n",
-                kind == fdm::ZoneKind::kAssumedStrain ? "assumed strain" : "mixed discretization", zones, threads,
-                zones / step, kTraffic, triad.bytes() / pass);
+    std::printf(
+        "{\"kind\": \"%s\", \"zones\": %.0f, \"threads\": %zu, \"zone_steps_per_s\": %.6g, "
+        "\"bytes_per_zone\": %.0f, \"triad_bytes_per_s\": %.6g}\n",
+        kind == fdm::ZoneKind::kAssumedStrain ? "assumed strain" : "mixed discretization", zones, threads,
+        zones / step, kTraffic, triad.bytes() / pass);
     std::fflush(stdout);
   }
   return 0;

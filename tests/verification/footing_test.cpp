@@ -1,5 +1,5 @@
-// Requirement: a strip footing on weightless cohesive ground carries (2 + pi) c (Prandtl 1920) within 2 %, with both
-// kinds of zones: nothing locks in plastic flow.
+// Requirement: a strip footing on weightless cohesive ground carries (2 + pi) c (Prandtl 1920) within 2 %,
+// with both kinds of zones: nothing locks in plastic flow.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,16 +11,18 @@
 namespace adit::fdm::test {
 namespace {
 
-// Half of a rough footing of half width 1, pushed down slowly until the load stays; the load over (half width + half a
-// zone), because the velocity falls to 0 over the first zone beside the footing.
+// Half of a rough footing of half width 1, pushed down until the load stays, slowly: inertia is a thousandth
+// of it; the load over (half width + half a zone), because the velocity falls to 0 over the first zone beside
+// the footing.
 double bearing_pressure(ZoneKind kind, std::uint32_t zones_per_width, const Material& material) {
   const double h = 1.0 / zones_per_width, width = 5, depth = 2;
   const Grid grid = make_grid({0, width, -depth, 0, 5 * zones_per_width, 2 * zones_per_width});
   const std::vector<double> weights(grid.zones.size(), 1.0);
   const Ground ground{{material}, std::vector<std::uint32_t>(grid.zones.size(), 0)};
-  const double wave_speed = std::sqrt((material.elasticity().bulk + 4 * material.elasticity().shear / 3) / material.density);
+  const double wave_speed =
+      std::sqrt((material.elasticity().bulk + 4 * material.elasticity().shear / 3) / material.density);
   const double cohesion = material.mohr_coulomb->strength(0).cohesion;
-  const double speed = 0.01 * cohesion / (material.density * wave_speed);
+  const double speed = 0.1 * cohesion / (material.density * wave_speed);
   const double dt = 0.9 * critical_step(kind, grid, ground);
 
   std::vector<std::uint32_t> bottom, sides, footing;
@@ -31,7 +33,7 @@ double bearing_pressure(ZoneKind kind, std::uint32_t zones_per_width, const Mate
     if (grid.y[i] != -depth && (under || grid.x[i] == 0 || grid.x[i] == width)) sides.push_back(i);
   }
   const auto always = [](double) { return 1.0; };
-  const double end = 14 * cohesion / material.young / speed, ramp = 0.02 * end;
+  const double end = 30 * cohesion / material.young / speed, ramp = 0.02 * end;
   Continuum continuum(std::make_unique<MaterialZones>(kind, grid, ground, weights),
                       lumped_masses(grid, weights, material.density), {},
                       {{bottom, Axis::kX, 0.0, always},
@@ -49,9 +51,11 @@ double bearing_pressure(ZoneKind kind, std::uint32_t zones_per_width, const Mate
 }
 
 class Footing : public testing::TestWithParam<ZoneKind> {};
-INSTANTIATE_TEST_SUITE_P(Kinds, Footing, testing::Values(ZoneKind::kAssumedStrain, ZoneKind::kMixedDiscretization),
+INSTANTIATE_TEST_SUITE_P(Kinds, Footing,
+                         testing::Values(ZoneKind::kAssumedStrain, ZoneKind::kMixedDiscretization),
                          [](const auto& kind) {
-                           return kind.param == ZoneKind::kAssumedStrain ? "AssumedStrain" : "MixedDiscretization";
+                           return kind.param == ZoneKind::kAssumedStrain ? "AssumedStrain"
+                                                                         : "MixedDiscretization";
                          });
 
 TEST_P(Footing, OnCohesiveGroundCarriesPrandtlsPressure) {
@@ -59,7 +63,7 @@ TEST_P(Footing, OnCohesiveGroundCarriesPrandtlsPressure) {
   Material clay{2000, 250e6, 0.3};
   clay.mohr_coulomb = MohrCoulomb({cohesion, 0, 0, infinity});
   const double expected = (2 + std::numbers::pi) * cohesion;
-  const double pressure = bearing_pressure(GetParam(), 12, clay);
+  const double pressure = bearing_pressure(GetParam(), 8, clay);
   RecordProperty("ratio", std::to_string(pressure / expected));
   EXPECT_NEAR(pressure, expected, 0.02 * expected);
 }

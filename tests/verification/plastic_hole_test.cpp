@@ -1,5 +1,5 @@
-// Requirement: a circular hole in Mohr-Coulomb ground under all-round stress has Salençon's (1969) plastic radius and
-// stresses, within 2 %, with both kinds of zones, with and without dilation.
+// Requirement: a circular hole in Mohr-Coulomb ground under all-round stress has Salençon's (1969) plastic
+// radius and stresses, within 2 %, with both kinds of zones, with and without dilation.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,6 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
+constexpr std::uint64_t kSteps = 14000;
 constexpr double kPressure = 30e6, kCohesion = 3.45e6, kFriction = pi / 6;  // far away; of the ground
 
 // Salençon's solution without support, hole radius 1; tension positive.
@@ -25,25 +26,26 @@ struct Salencon {
     const double at_radius = (2 * kPressure - q) / (k + 1);
     return -kPressure + (kPressure - at_radius) * std::pow(radius / r, 2);
   }
-  double around(double r) const {
-    return r < radius ? k * radial(r) - q : -2 * kPressure - radial(r);
-  }
+  double around(double r) const { return r < radius ? k * radial(r) - q : -2 * kPressure - radial(r); }
 };
 
 // A quarter of a ring of inner radius 1, whose rows grow outwards.
 struct Ring {
-  static constexpr std::uint32_t kAround = 20, kRows = 36;
+  static constexpr std::uint32_t kAround = 12, kRows = 48;
   Grid grid;
   std::vector<double> radius;  // of each line of points
   Ring() {
     for (std::uint32_t j = 0; j <= kRows; ++j) radius.push_back(std::exp(std::log(8.0) * j / kRows));
-    for (std::uint32_t i = 0; i <= kAround; ++i)  // zones run counter-clockwise: along the radius, then around
+    for (std::uint32_t i = 0; i <= kAround;
+         ++i)  // zones run counter-clockwise: along the radius, then around
       for (const double r : radius) {
         const double angle = pi / 2 * i / kAround;
         grid.x.push_back(i == kAround ? 0 : r * std::cos(angle));
         grid.y.push_back(i == 0 ? 0 : r * std::sin(angle));
       }
-    const auto point = [](std::uint32_t i, std::uint32_t j) { return static_cast<std::int32_t>(i * (kRows + 1) + j); };
+    const auto point = [](std::uint32_t i, std::uint32_t j) {
+      return static_cast<std::int32_t>(i * (kRows + 1) + j);
+    };
     for (std::uint32_t i = 0; i < kAround; ++i)
       for (std::uint32_t j = 0; j < kRows; ++j)
         grid.zones.push_back({point(i, j), point(i, j + 1), point(i + 1, j + 1), point(i + 1, j)});
@@ -67,15 +69,15 @@ struct Case {
   double dilation;
 };
 class PlasticHole : public testing::TestWithParam<Case> {};
-INSTANTIATE_TEST_SUITE_P(Kinds, PlasticHole,
-                         testing::Values(Case{ZoneKind::kAssumedStrain, 0}, Case{ZoneKind::kAssumedStrain, kFriction},
-                                         Case{ZoneKind::kMixedDiscretization, 0},
-                                         Case{ZoneKind::kMixedDiscretization, kFriction}),
-                         [](const auto& info) {
-                           return std::string(info.param.kind == ZoneKind::kAssumedStrain ? "AssumedStrain"
-                                                                                         : "MixedDiscretization") +
-                                  (info.param.dilation > 0 ? "Dilating" : "");
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, PlasticHole,
+    testing::Values(Case{ZoneKind::kAssumedStrain, 0}, Case{ZoneKind::kAssumedStrain, kFriction},
+                    Case{ZoneKind::kMixedDiscretization, 0}, Case{ZoneKind::kMixedDiscretization, kFriction}),
+    [](const auto& info) {
+      return std::string(info.param.kind == ZoneKind::kAssumedStrain ? "AssumedStrain"
+                                                                     : "MixedDiscretization") +
+             (info.param.dilation > 0 ? "Dilating" : "");
+    });
 
 TEST_P(PlasticHole, HasSalenconsStressesAndRadius) {
   const auto [kind, dilation] = GetParam();
@@ -95,23 +97,26 @@ TEST_P(PlasticHole, HasSalenconsStressesAndRadius) {
     if (ring.grid.y[i] == 0) on_x.push_back(i);
     if (ring.grid.x[i] == 0) on_y.push_back(i);
   }
-  // the support of the wall falls slowly; outside, the traction goes from the far pressure to that of the solution
-  const double dt = 0.9 * critical_step(kind, ring.grid, ground), end = 9000 * dt;
+  // the support of the wall falls slowly; outside, the traction goes from the far pressure to that of the
+  // solution
+  const double dt = 0.9 * critical_step(kind, ring.grid, ground), end = static_cast<double>(kSteps) * dt;
   const auto excavated = [end](double t) { return std::min(1.0, t / (0.7 * end)); };
   const double outside = exact.radial(8);
   const auto fixed = [](double) { return 1.0; };
-  Continuum continuum(std::move(zones), lumped_masses(ring.grid, weights, rock.density),
-                      {ring.traction(0, kPressure, [=](double t) { return 1 - excavated(t); }),
-                       ring.traction(Ring::kRows, 1,
-                                     [=](double t) { return -kPressure + excavated(t) * (outside + kPressure); })},
-                      {{on_x, Axis::kY, 0.0, fixed}, {on_y, Axis::kX, 0.0, fixed}});
-  for (std::uint64_t n = 0; n < 9000; ++n) {
+  Continuum continuum(
+      std::move(zones), lumped_masses(ring.grid, weights, rock.density),
+      {ring.traction(0, kPressure, [=](double t) { return 1 - excavated(t); }),
+       ring.traction(Ring::kRows, 1,
+                     [=](double t) { return -kPressure + excavated(t) * (outside + kPressure); })},
+      {{on_x, Axis::kY, 0.0, fixed}, {on_y, Axis::kX, 0.0, fixed}});
+  for (std::uint64_t n = 0; n < kSteps; ++n) {
     continuum.step({n, dt});
     for (auto velocity : {continuum.vx(), continuum.vy()})
-      for (double& v : velocity) v *= 0.995;  // at rest in the end
+      for (double& v : velocity) v *= 0.99;  // at rest in the end
   }
 
-  double radius = 0;  // outside the plastic ring the difference of stresses falls with the square of the radius
+  double radius =
+      0;  // outside the plastic ring the difference of stresses falls with the square of the radius
   int elastic = 0;
   for (std::size_t z = 0; z < weights.size(); ++z) {
     const auto c = corners(ring.grid, ring.grid.zones[z]);
@@ -122,7 +127,8 @@ TEST_P(PlasticHole, HasSalenconsStressesAndRadius) {
     if (std::abs(r / exact.radius - 1) > 0.04) {
       EXPECT_NEAR(local.xx, exact.radial(r), 0.02 * kPressure) << r;
       EXPECT_NEAR(local.yy, exact.around(r), 0.02 * kPressure) << r;
-      const bool yields = static_cast<unsigned>(continuum.zones().field(z, ZoneField::kYieldState)) & kShearPast;
+      const bool yields =
+          static_cast<unsigned>(continuum.zones().field(z, ZoneField::kYieldState)) & kShearPast;
       EXPECT_EQ(yields, r < exact.radius) << r;
     }
     if (r < 2.5 || r > 5) continue;

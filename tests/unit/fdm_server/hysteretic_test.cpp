@@ -40,8 +40,8 @@ struct Shear {
   }
 };
 
-// First loading follows the hyperbola within 1 % from a thousandth to ten times the reference strain; at the same time
-// it is exactly the law's own backbone, in one step or in many.
+// First loading follows the hyperbola within 1 % from a thousandth to ten times the reference strain; at the
+// same time it is exactly the law's own backbone, in one step or in many.
 TEST(Hysteretic, BackboneIsTheReductionCurve) {
   for (const double exponent : {1.0, 0.919}) {
     const auto law = hyperbolic(exponent);
@@ -61,8 +61,8 @@ double masing_damping(double x) {
   return 4 / pi * (1 + 1 / x) * (1 - std::log1p(x) / x) - 2 / pi;
 }
 
-// Loops of constant amplitude: the secant modulus is the curve's, the damping ratio Masing's closed form within 1 %, and
-// exactly that of the law's own backbone.
+// Loops of constant amplitude: the secant modulus is the curve's, the damping ratio Masing's closed form
+// within 1 %, and exactly that of the law's own backbone.
 TEST(Hysteretic, LoopsHaveMasingsDamping) {
   const auto law = hyperbolic();
   for (const double x : {0.03, 0.1, 0.3, 1.0, 3.0, 8.0}) {
@@ -87,8 +87,9 @@ TEST(Hysteretic, LoopsHaveMasingsDamping) {
   }
 }
 
-// Masing's extended rules on an irregular path: a branch from a reversal is the backbone doubled, it ends at the older
-// branch that it meets and follows that, and nothing overshoots the backbone. Independent: a stack of reversal points.
+// Masing's extended rules on an irregular path: a branch from a reversal is the backbone doubled, it ends at
+// the older branch that it meets and follows that, and nothing overshoots the backbone. Independent: a stack
+// of reversal points.
 class MasingRules {
  public:
   explicit MasingRules(const Hysteretic& law) : law_(law) {}
@@ -141,7 +142,8 @@ TEST(Hysteretic, IrregularLoadingFollowsMasingsExtendedRules) {
   }
 }
 
-// On any path in the plane, from any initial stress: the work is what is stored and what is dissipated, to rounding.
+// On any path in the plane, from any initial stress: the work is what is stored and what is dissipated, to
+// rounding.
 TEST(Hysteretic, WorkIsStoredOrDissipated) {
   const auto law = hyperbolic(0.919);
   std::mt19937_64 random(5);
@@ -167,7 +169,8 @@ TEST(Hysteretic, WorkIsStoredOrDissipated) {
   EXPECT_NEAR(law.energy(kElasticity, state, stress) - first + dissipated, work, 1e-12 * size);
 }
 
-// The initial stress is where the curve begins: shear from it has the same loops, and volume changes elastically.
+// The initial stress is where the curve begins: shear from it has the same loops, and volume changes
+// elastically.
 TEST(Hysteretic, CurveBeginsAtTheInitialStress) {
   const auto law = hyperbolic();
   Shear fresh{law}, loaded{law};
@@ -177,8 +180,8 @@ TEST(Hysteretic, CurveBeginsAtTheInitialStress) {
   EXPECT_NEAR(loaded.stress.xx + loaded.stress.yy + loaded.stress.zz, -500e3, 1e-6);
 }
 
-// A measured table: monotone between its points, through them, and followed by the law within 1 % of the strength where
-// the curve itself does not stiffen.
+// A measured table: monotone between its points, through them, and followed by the law within 1 % of the
+// strength where the curve itself does not stiffen.
 TEST(Hysteretic, TableIsFollowed) {
   const std::vector<double> strain{1e-6, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2};
   const std::vector<double> ratio{1, 0.985, 0.945, 0.83, 0.61, 0.33, 0.15, 0.06};

@@ -1,5 +1,5 @@
-// Requirements on zones with a law: elastic ones are those of the fast kernels, the energy ledger closes for every law,
-// rigid motion of any size strains nothing.
+// Requirements on zones with a law: elastic ones are those of the fast kernels, the energy ledger closes for
+// every law, rigid motion of any size strains nothing.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,7 +29,8 @@ struct Law {
 };
 std::vector<Law> laws() {
   const double strength = 2e6;
-  Material cohesive = kElastic, frictional = kElastic, softening = kElastic, hysteretic = kElastic, bedded = kElastic;
+  Material cohesive = kElastic, frictional = kElastic, softening = kElastic, hysteretic = kElastic,
+           bedded = kElastic;
   cohesive.mohr_coulomb = MohrCoulomb({strength, 0, 0, 0.7 * strength});
   frictional.mohr_coulomb = MohrCoulomb({strength, 35 * kDegree, 10 * kDegree, 0.2 * strength});
   softening.mohr_coulomb =
@@ -49,8 +50,8 @@ INSTANTIATE_TEST_SUITE_P(Kinds, LawZonesOfEachKind, testing::ValuesIn(kKinds), [
   return kind.param == ZoneKind::kAssumedStrain ? "AssumedStrain" : "MixedDiscretization";
 });
 
-// Elastic zones of the general kernel are those of the fast one: forces, energy and stress on a grid of rectangles,
-// and of mixed discretization on any grid.
+// Elastic zones of the general kernel are those of the fast one: forces, energy and stress on a grid of
+// rectangles, and of mixed discretization on any grid.
 TEST_P(LawZonesOfEachKind, ElasticOnesAreThoseOfTheFastKernel) {
   const bool assumed = GetParam() == ZoneKind::kAssumedStrain;
   const Block block{0, 2, 0, 1, 5, 4};
@@ -95,7 +96,8 @@ TEST_P(LawZonesOfEachKind, PassThePatchTestBeyondYield) {
       zones.add_forces(0.1, {vx.data(), vy.data(), fx.data(), fy.data()});
     }
     EXPECT_GT(zones.dissipated(), 0) << name;
-    for (std::size_t z = 0; z < grid.zones.size(); ++z) EXPECT_NEAR(zones.stress(z).xx, zones.stress(0).xx, 1e-4) << name;
+    for (std::size_t z = 0; z < grid.zones.size(); ++z)
+      EXPECT_NEAR(zones.stress(z).xx, zones.stress(0).xx, 1e-4) << name;
     for (std::size_t i = 0; i < n; ++i) {
       if (std::abs(grid.x[i]) == 1 || grid.y[i] == 0 || grid.y[i] == 1) continue;
       EXPECT_NEAR(fx[i], 0, 1e-5) << name;
@@ -104,8 +106,8 @@ TEST_P(LawZonesOfEachKind, PassThePatchTestBeyondYield) {
   }
 }
 
-// Shaken far beyond yield with weights, distorted zones, loads and prescribed motions: kinetic + strain + dissipated -
-// work keeps its value to 1e-12 of the work, and the dissipated energy never falls.
+// Shaken far beyond yield with weights, distorted zones, loads and prescribed motions: kinetic + strain +
+// dissipated - work keeps its value to 1e-12 of the work, and the dissipated energy never falls.
 TEST_P(LawZonesOfEachKind, EnergyLedgerClosesForEveryLaw) {
   for (const auto& [name, material] : laws()) {
     const Grid grid = distorted_grid({0, 4, 0, 1, 8, 3});
@@ -122,11 +124,10 @@ TEST_P(LawZonesOfEachKind, EnergyLedgerClosesForEveryLaw) {
       if (grid.x[i] == 4) right.push_back(i);
     }
     const std::vector<double> fx(left.size(), 6e5), fy(left.size(), -3e5);
-    Continuum continuum(
-        std::move(zones), lumped_masses(grid, weights, kDensity),
-        {{left, fx, fy, [](double t) { return std::sin(400 * t); }}},
-        {{right, Axis::kX, 0.0, [](double) { return 1.0; }},
-         {right, Axis::kY, 0.6, [](double t) { return std::sin(300 * t); }}});
+    Continuum continuum(std::move(zones), lumped_masses(grid, weights, kDensity),
+                        {{left, fx, fy, [](double t) { return std::sin(400 * t); }}},
+                        {{right, Axis::kX, 0.0, [](double) { return 1.0; }},
+                         {right, Axis::kY, 0.6, [](double t) { return std::sin(300 * t); }}});
     const double dt = 0.8 * critical_step(GetParam(), grid, ground);
     Energies first{}, e{};
     continuum.step({0, dt}, &first);
@@ -144,8 +145,8 @@ TEST_P(LawZonesOfEachKind, EnergyLedgerClosesForEveryLaw) {
   }
 }
 
-// Large strain: a stressed grid that is turned as a rigid body through a right angle keeps its stress in its own
-// directions, for every law, and elastic too; forces turn with it.
+// Large strain: a stressed grid that is turned as a rigid body through a right angle keeps its stress in its
+// own directions, for every law, and elastic too; forces turn with it.
 TEST_P(LawZonesOfEachKind, RigidRotationTurnsTheStressAndNothingElse) {
   auto all = laws();
   all.push_back({"elastic", kElastic});

@@ -1,4 +1,5 @@
-// Requirements on Mohr-Coulomb at a point: closed forms on simple paths, Koiter's conditions everywhere, dissipation.
+// Requirements on Mohr-Coulomb at a point: closed forms on simple paths, Koiter's conditions everywhere,
+// dissipation.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -44,8 +45,9 @@ double on_cone(double sigma_1, const Strength& s) {
          (1 - std::sin(s.friction_angle));
 }
 
-// Triaxial compression, lateral stress held: the axial stress reaches the cone's s3 in the regime of an edge, and the
-// flow has the dilation angle: volume strain over axial strain = (1 - N)/1 with N = (1 + sin psi)/(1 - sin psi).
+// Triaxial compression, lateral stress held: the axial stress reaches the cone's s3 in the regime of an edge,
+// and the flow has the dilation angle: volume strain over axial strain = (1 - N)/1 with N = (1 + sin psi)/(1
+// - sin psi).
 TEST(MohrCoulomb, TriaxialCompressionReachesTheConeAndDilates) {
   const Strength strength{30e3, 35 * kDegree, 10 * kDegree, 10e3};
   const MohrCoulomb law(strength);
@@ -78,9 +80,9 @@ TEST(MohrCoulomb, TriaxialCompressionReachesTheConeAndDilates) {
   EXPECT_NEAR(volume / axial, 1 - n, 1e-6);
 }
 
-// Plane-strain compression with rigid sides (oedometer): elastic until yield; then s3 follows the cone through the
-// elastic-plastic solution. In the closed form for psi = phi = 0 the difference of stresses stays 2 c and the mean
-// grows by K.
+// Plane-strain compression with rigid sides (oedometer): elastic until yield; then s3 follows the cone
+// through the elastic-plastic solution. In the closed form for psi = phi = 0 the difference of stresses stays
+// 2 c and the mean grows by K.
 TEST(MohrCoulomb, OedometerOfCohesiveGround) {
   const double cohesion = 50e3;
   const MohrCoulomb law({cohesion, 0, 0, kInf});
@@ -92,7 +94,8 @@ TEST(MohrCoulomb, OedometerOfCohesiveGround) {
   EXPECT_NEAR((path.stress.xx + path.stress.yy + path.stress.zz) / 3, mean, 1e-10 * std::abs(mean));
 }
 
-// Simple shear of cohesive ground: tau = min(G gamma, c); all work beyond is dissipated, c times the plastic strain.
+// Simple shear of cohesive ground: tau = min(G gamma, c); all work beyond is dissipated, c times the plastic
+// strain.
 TEST(MohrCoulomb, SimpleShearDissipatesCohesionTimesPlasticStrain) {
   const double cohesion = 20e3, gamma = 1e-3;
   const MohrCoulomb law({cohesion, 0, 0, kInf});
@@ -104,8 +107,8 @@ TEST(MohrCoulomb, SimpleShearDissipatesCohesionTimesPlasticStrain) {
   EXPECT_NEAR(path.dissipated, cohesion * plastic, 1e-10 * cohesion * plastic);
 }
 
-// Direct shear under a normal stress that the volume is held for: associated flow climbs the cone, non-dilatant flow
-// stays, with p sin phi + c cos phi as the radius of Mohr's circle.
+// Direct shear under a normal stress that the volume is held for: associated flow climbs the cone,
+// non-dilatant flow stays, with p sin phi + c cos phi as the radius of Mohr's circle.
 TEST(MohrCoulomb, ShearAtConstantVolumeStaysAtTheRadiusOfTheMeanStress) {
   const Strength strength{10e3, 30 * kDegree, 0, 5e3};
   const MohrCoulomb law(strength);
@@ -143,8 +146,9 @@ TEST(MohrCoulomb, ConeEndsAtItsApex) {
     EXPECT_NEAR(s, c / std::tan(phi), 1e-9 * c);
 }
 
-// Cohesion that softens linearly with the plastic shear strain: simple shear in fine steps follows the closed form
-// tau = c0 - h gamma_p with gamma_p = (gamma - c0/G)/(1 - h/G), but for the lag of one step, h gamma/steps/(1 - h/G)^2; then stays at the residual.
+// Cohesion that softens linearly with the plastic shear strain: simple shear in fine steps follows the closed
+// form tau = c0 - h gamma_p with gamma_p = (gamma - c0/G)/(1 - h/G), but for the lag of one step, h
+// gamma/steps/(1 - h/G)^2; then stays at the residual.
 TEST(MohrCoulomb, CohesionSoftensWithPlasticShearStrain) {
   const double c0 = 40e3, c1 = 10e3, strain = 2e-3, h = (c0 - c1) / strain;
   const MohrCoulomb law({{0, {c0, 0, 0, kInf}}, {strain, {c1, 0, 0, kInf}}});
@@ -165,8 +169,9 @@ TEST(MohrCoulomb, CohesionSoftensWithPlasticShearStrain) {
   EXPECT_NEAR(path.stress.xy, c1, 1e-10 * c1);
 }
 
-// For random strengths and predictors anywhere: the stress that is returned is admissible to rounding, its principal
-// directions are those of the predictor, an admissible predictor is left alone, and plastic work is not negative.
+// For random strengths and predictors anywhere: the stress that is returned is admissible to rounding, its
+// principal directions are those of the predictor, an admissible predictor is left alone, and plastic work is
+// not negative.
 TEST(MohrCoulomb, EveryPredictorReturnsToTheYieldSurface) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> unit(0, 1);
@@ -182,7 +187,8 @@ TEST(MohrCoulomb, EveryPredictorReturnsToTheYieldSurface) {
     const auto [stress, yields] = law.admissible(kElasticity, 0, predicted);
     const double p = (stress.xx + stress.yy) / 2, r = std::hypot((stress.xx - stress.yy) / 2, stress.xy);
     const double s1 = std::max(p + r, stress.zz), s3 = std::min(p - r, stress.zz);
-    const double rounding = 1e-9 * (std::abs(predicted.xx) + std::abs(predicted.yy) + std::abs(predicted.zz) + c);
+    const double rounding =
+        1e-9 * (std::abs(predicted.xx) + std::abs(predicted.yy) + std::abs(predicted.zz) + c);
     ASSERT_LE(s1 * (1 + std::sin(phi)) - s3 * (1 - std::sin(phi)) - 2 * c * std::cos(phi), rounding) << trial;
     ASSERT_LE(s1, tension + rounding) << trial;
     ASSERT_NEAR(stress.xy * (predicted.xx - predicted.yy), predicted.xy * (stress.xx - stress.yy),
@@ -198,15 +204,16 @@ TEST(MohrCoulomb, EveryPredictorReturnsToTheYieldSurface) {
   EXPECT_GT(corners, 1000);
 }
 
-// The return is the one of Koiter's rule: for associated flow the closest point in the energy norm, so that no
-// admissible stress lies closer to the predictor.
+// The return is the one of Koiter's rule: for associated flow the closest point in the energy norm, so that
+// no admissible stress lies closer to the predictor.
 TEST(MohrCoulomb, AssociatedReturnIsTheClosestPoint) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> unit(-1, 1);
   const double c = 50e3, phi = 30 * kDegree;
   const MohrCoulomb law({c, phi, phi, 20e3});
   for (int trial = 0; trial < 300; ++trial) {
-    const SolidStress predicted{4e5 * unit(random), 4e5 * unit(random), 4e5 * unit(random), 2e5 * unit(random)};
+    const SolidStress predicted{4e5 * unit(random), 4e5 * unit(random), 4e5 * unit(random),
+                                2e5 * unit(random)};
     const auto stress = law.admissible(kElasticity, 0, predicted).stress;
     const double closest = elastic_energy(kElasticity, predicted - stress);
     for (int other = 0; other < 300; ++other) {

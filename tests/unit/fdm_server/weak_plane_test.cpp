@@ -14,8 +14,9 @@ using std::numbers::pi;
 constexpr double kDegree = pi / 180;
 const Elasticity kElasticity{2e9, 1e9};
 
-// Jaeger's strength of a specimen with planes at `dip`: s1 - s3 = 2 (c + p3 tan phi)/((1 - tan phi / tan beta) sin 2
-// beta), beta the angle of the planes from the direction of s3; brought there by compression in y at constant xx.
+// Jaeger's strength of a specimen with planes at `dip`: s1 - s3 = 2 (c + p3 tan phi)/((1 - tan phi / tan
+// beta) sin 2 beta), beta the angle of the planes from the direction of s3; brought there by compression in y
+// at constant xx.
 TEST(WeakPlane, StrengthOfCompressionIsJaegers) {
   const double c = 1e5, phi = 25 * kDegree, confining = 4e5;
   for (const double dip : {40.0, 50.0, 60.0, 70.0, 80.0}) {
@@ -47,7 +48,8 @@ TEST(WeakPlane, StrengthOfCompressionIsJaegers) {
   }
 }
 
-// Slip at constant volume on a plane that does not dilate: shear stress c + p tan phi, normal stress unchanged.
+// Slip at constant volume on a plane that does not dilate: shear stress c + p tan phi, normal stress
+// unchanged.
 TEST(WeakPlane, SlipsAtCoulombsStrengthWithoutDilation) {
   const double c = 1e5, phi = 30 * kDegree;
   for (const double dip : {0.0, 0.4, -1.1}) {
@@ -62,7 +64,8 @@ TEST(WeakPlane, SlipsAtCoulombsStrengthWithoutDilation) {
   }
 }
 
-// Dilation pushes the plane shut: the normal stress falls by (lambda + 2 G) tan psi of the slip, by Koiter's rule.
+// Dilation pushes the plane shut: the normal stress falls by (lambda + 2 G) tan psi of the slip, by Koiter's
+// rule.
 TEST(WeakPlane, DilatingSlipStaysOnTheStrength) {
   const double c = 1e5, phi = 30 * kDegree, psi = 10 * kDegree;
   const WeakPlane plane(0, {c, phi, psi, 0});
