@@ -87,16 +87,18 @@ void LawZones::add_forces(std::span<const ZoneRun> runs, double dt, const PointV
         }
         auto during = sampling_shape(kind_, moved(corners_[zone], ux, uy, dx, dy, -0.5), plane_law_);
         refuse_tangled(during);
-        const double half = (dot(during.x, dy) - dot(during.y, dx)) / 4;  // tan of half the angle
-        const double norm = 1 + half * half;
-        const Turn turn{(1 - half * half) / norm, 2 * half / norm, 2 * std::atan(half)};
-        strain_zone(zone, reference, during, dx, dy, turn);
+        const double tangent = (dot(during.x, dy) - dot(during.y, dx)) / 4,
+                     cosine = 1 / std::sqrt(1 + tangent * tangent);
+        const Turn half{cosine, tangent * cosine, std::atan(tangent)};
+        turn_zone(zone, half);
+        strain_zone(zone, reference, during, dx, dy);
+        turn_zone(zone, half);
         auto now = sampling_shape(kind_, moved(corners_[zone], ux, uy, dx, dy, 0), plane_law_);
         refuse_tangled(now);
         stretch_[zone] = now.area / reference.area;
         add_corner_forces(zone, reference, now, fx, fy);
       } else {
-        strain_zone(zone, reference, reference, dx, dy, {});
+        strain_zone(zone, reference, reference, dx, dy);
         add_corner_forces(zone, reference, reference, fx, fy);
       }
       for (std::size_t c = 0; c < 4; ++c) {
@@ -106,21 +108,25 @@ void LawZones::add_forces(std::span<const ZoneRun> runs, double dt, const PointV
     }
 }
 
+void LawZones::turn_zone(std::size_t zone, const Turn& turn) {
+  turned_[zone] += turn.angle;
+  for (std::size_t k = 0; k < 4; ++k) {
+    auto& stress = points_[4 * zone + k].stress;
+    stress = turned(stress, turn.cosine, turn.sine);
+    if (material_.hysteretic) material_.hysteretic->turn(memory(zone, k), turn.cosine, turn.sine);
+  }
+}
+
 void LawZones::strain_zone(std::size_t zone, const SamplingShape& reference, const SamplingShape& during,
-                           const CornerValues& dx, const CornerValues& dy, const Turn& turn) {
+                           const CornerValues& dx, const CornerValues& dy) {
   const double volume = dot(during.x, dx) + dot(during.y, dy);
   double plastic_work = 0;
   bool yields = false;
-  turned_[zone] += turn.angle;
   for (std::size_t k = 0; k < 4; ++k) {
     const auto& at = during.points[k];
     const double difference = dot(at.difference_x, dx) + dot(at.difference_y, dy);
     const double shear = dot(at.shear_x, dx) + dot(at.shear_y, dy);
     auto& point = points_[4 * zone + k];
-    if (turn.angle != 0) {
-      point.stress = turned(point.stress, turn.cosine, turn.sine);
-      if (material_.hysteretic) material_.hysteretic->turn(memory(zone, k), turn.cosine, turn.sine);
-    }
     const Strain strain{(volume + difference) / 2, (volume - difference) / 2, 0, shear};
     plastic_work += reference.points[k].area * strain_point(point, memory(zone, k), strain, turned_[zone]);
     yields = yields || (point.yield & kNow) != 0;

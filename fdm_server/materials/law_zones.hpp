@@ -14,9 +14,10 @@
 //
 // Large strain: the increment of strain and the turn of the ground come from the coordinates half way through
 // the step (Hughes & Winget 1980, Int. J. Numer. Meth. Eng. 15): rigid motion, however far a step turns,
-// strains nothing. The stress that turns and grows is Kirchhoff's, tau = J sigma, whose power belongs to
-// undeformed area: with the corotated rate its elastic energy is a function of the state. Forces take the
-// coordinates at the end of the step, so that the booked work differs from the points' by second order in dt.
+// strains nothing. The stress turns by half before the law and by half after it, which keeps second order.
+// What turns and grows is Kirchhoff's stress, tau = J sigma, whose power belongs to undeformed area: with the
+// corotated rate its elastic energy is a function of the state. Forces take the coordinates at the end of the
+// step, so that the booked work differs from the points' by second order in dt.
 #pragma once
 
 #include <cstdint>
@@ -54,13 +55,13 @@ class LawZones final : public Zones {
     double plastic_shear_strain = 0;
     unsigned yield = kElastic;
   };
-  // The ground's turn in a step.
-  struct Turn {
-    double cosine = 1, sine = 0, angle = 0;
+  struct Turn {  // counter-clockwise
+    double cosine, sine, angle;
   };
 
   void strain_zone(std::size_t zone, const SamplingShape& reference, const SamplingShape& during,
-                   const CornerValues& dx, const CornerValues& dy, const Turn& turn);
+                   const CornerValues& dx, const CornerValues& dy);
+  void turn_zone(std::size_t zone, const Turn& turn);
   void add_corner_forces(std::size_t zone, const SamplingShape& reference, const SamplingShape& now,
                          CornerValues& fx, CornerValues& fy) const;
   // Advances one point; returns the plastic work per volume.
