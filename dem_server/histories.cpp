@@ -23,16 +23,16 @@ std::uint32_t nearest(const Particles& p, double x, double y) {
   return best;
 }
 
-double value(const Particles& p, scene::Quantity quantity, std::uint32_t i) {
+double value(const Particles& p, const Velocities& before, scene::Quantity quantity, std::uint32_t i) {
   switch (quantity) {
     case scene::DISPLACEMENT_X:
       return p.ux[i] - p.settled_x[i];
     case scene::DISPLACEMENT_Y:
       return p.uy[i] - p.settled_y[i];
     case scene::VELOCITY_X:
-      return p.vx[i];
+      return before.x[i];
     case scene::VELOCITY_Y:
-      return p.vy[i];
+      return before.y[i];
   }
   return 0;
 }
@@ -56,9 +56,11 @@ Histories::Histories(const scene::Particles& scene, const Particles& particles) 
   }
 }
 
-void Histories::read(const Particles& particles, google::protobuf::RepeatedField<double>& values) const {
+void Histories::read(const Particles& particles, const Velocities& before,
+                     google::protobuf::RepeatedField<double>& values) const {
   values.Clear();
-  for (const History& history : histories_) values.Add(value(particles, history.quantity, history.particle));
+  for (const History& history : histories_)
+    values.Add(value(particles, before, history.quantity, history.particle));
 }
 
 }  // namespace adit::dem

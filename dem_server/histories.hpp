@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dem_server/assembly.hpp"
+#include "dem_server/energy.hpp"
 #include "protocol/scene.pb.h"
 
 namespace adit::dem {
@@ -15,9 +16,10 @@ class Histories {
   // of them is a protocol::UserError.
   Histories(const scene::Particles& scene, const Particles& particles);
 
-  // Values at step n in the scene's order: displacements at n since time began, velocities at n - 1/2 (the
-  // last final ones).
-  void read(const Particles& particles, google::protobuf::RepeatedField<double>& values) const;
+  // Values at step n in the scene's order: displacements at n since time began, and the velocities `before`,
+  // those at n - 1/2 (the last final ones).
+  void read(const Particles& particles, const Velocities& before,
+            google::protobuf::RepeatedField<double>& values) const;
 
  private:
   struct History {

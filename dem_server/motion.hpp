@@ -13,6 +13,7 @@ namespace adit::dem {
 void move(double dt, std::span<const protocol::Stretch> some, Particles& particles);
 
 // v += dt f / m and spin += dt moment / J; half of dt in the first step, from rest.
-void kick(double dt, std::span<const protocol::Stretch> some, Particles& particles);
+void kick(double dt, std::span<const protocol::Stretch> some, const Resultants& resultants,
+          Particles& particles);
 
 }  // namespace adit::dem

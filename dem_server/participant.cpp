@@ -9,7 +9,6 @@
 #include "dem_server/crack.hpp"
 #include "dem_server/critical_step.hpp"
 #include "dem_server/initial_stress.hpp"
-#include "dem_server/motion.hpp"
 #include "dem_server/scene_checks.hpp"
 #include "dem_server/snapshot.hpp"
 #include "protocol/errors.hpp"
@@ -94,12 +93,9 @@ void DemParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), law_.stiffness, assembly_);
   const Particles& particles = assembly_.particles;
   const double tolerance = selection_tolerance(packing_.cells);
-  const protocol::Stretch all{0, static_cast<std::uint32_t>(particles.size())};
-  interior_ = {assembly_.bonds.runs,
-               {all},
-               {all},
-               Loads(scene_.particles(), particles, tolerance),
-               Motions(scene_.particles(), particles, tolerance)};
+  interior_.loads = Loads(scene_.particles(), particles, tolerance);
+  interior_.motions = Motions(scene_.particles(), particles, tolerance);
+  plan(std::vector<bool>(particles.size(), false));
   histories_.emplace(scene_.particles(), particles);
   interface.set_particles(particles.size());
   interface.set_bonds(assembly_.bonds.size());
@@ -108,22 +104,32 @@ void DemParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
 void DemParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
   coupling_.tie(view(couple.points()), assembly_, interior_.motions);
   coupling_.fill(op);
-  split_at_interface();
+  std::vector<bool> tied(assembly_.particles.size(), false);
+  for (const std::uint32_t i : coupling_.particles()) tied[i] = true;
+  plan(tied);
+  interface_.loads = interior_.loads.take(tied);
+  interface_.motions = interior_.motions.take(tied, assembly_.particles);
 }
 
-void DemParticipant::split_at_interface() {
-  const Particles& particles = assembly_.particles;
-  std::vector<bool> tied(particles.size(), false);
-  for (const std::uint32_t i : coupling_.particles()) tied[i] = true;
-  auto [touching, others] = split(assembly_.bonds.runs, tied);
-  std::vector<bool> needed = tied;
+void DemParticipant::plan(const std::vector<bool>& tied) {
+  const std::size_t size = assembly_.particles.size();
+  std::vector<bool> pulled(size, false);  // by others than bonds
+  interior_.loads.mark(pulled);
+  interior_.motions.mark(pulled);
+  const auto [touching, others] = split(assembly_.bonds.runs, tied);
+  std::vector<bool> reached = tied;
   for (const Run& run : touching)
-    for (std::uint32_t k = 0; k < run.count; ++k) needed[run.first + k] = needed[run.second + k] = true;
-  interface_ = {std::move(touching), protocol::stretches(needed, true), protocol::stretches(tied, true),
-                interior_.loads.take(tied), interior_.motions.take(tied, particles)};
-  interior_.runs = std::move(others);
-  interior_.moved = protocol::stretches(needed, false);
-  interior_.kicked = protocol::stretches(tied, false);
+    for (std::uint32_t k = 0; k < run.count; ++k) reached[run.first + k] = reached[run.second + k] = true;
+
+  std::vector<Role> of_interface(size, Role::kForeign), of_interior = of_interface;
+  for (std::size_t i = 0; i < size; ++i)
+    if (tied[i])
+      of_interface[i] = pulled[i] ? Role::kKept : Role::kSwept;
+    else
+      of_interior[i] = pulled[i] || reached[i] ? Role::kKept : Role::kSwept;
+  interface_.sweep = {touching, of_interface, reached, team_.threads()};
+  reached.flip();
+  interior_.sweep = {others, of_interior, reached, team_.threads()};
 }
 
 void DemParticipant::correct(std::span<const double> impulses) {
@@ -146,6 +152,7 @@ void DemParticipant::check_dt(const wire::Advance& advance) {
 
 void DemParticipant::relax(bool stop, wire::Relaxation& answer) {
   if (!relaxation_) relaxation_.emplace(assembly_);
+  find_normal_forces(law_, assembly_.particles, assembly_.bonds);
   const Unrest unrest = relaxation_->measure(assembly_, step_.kick());
   answer.set_unbalanced_force(unrest.unbalanced_force);
   answer.set_internal_force(unrest.internal_force);
@@ -185,10 +192,10 @@ void DemParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
   contacts_ = {};
   broken_.clear();
 
+  if (advance.want_histories() || advance.want_energies()) remember(particles, before_);
   pull(interface_);
   if (!rest_left_) pull(interior_);
-  if (advance.want_histories()) histories_->read(particles, *predicted.mutable_histories());
-  if (advance.want_energies()) remember(particles, before_);
+  if (advance.want_histories()) histories_->read(particles, before_, *predicted.mutable_histories());
   predict(interface_);
   if (!rest_left_) {
     predict(interior_);
@@ -214,21 +221,18 @@ void DemParticipant::complete() {
 }
 
 void DemParticipant::pull(Part& part) {
-  Particles& particles = assembly_.particles;
-  if (!step_.from_rest()) move(step_.dt, part.moved, particles);
-  clear_resultants(part.moved, particles);
-  add_contact_forces(law_, step_.dt, part.runs, particles, assembly_.bonds, contacts_, broken_);
+  part.sweep.run(team_, law_, step_, assembly_, contacts_, broken_);
   if (!std::isfinite(contacts_.max_normal_force)) {
     const Place place = middle_of_bond(assembly_, contacts_.strongest_bond);
     throw protocol::Unstable(fmt::format(
         "step {}: the normal force of the bond at ({:.6g}, {:.6g}) m is {} N; reduce time.dt_factor",
         step_.number, place.x, place.y, contacts_.max_normal_force));
   }
-  part.loads.apply(step_, particles);
+  part.loads.apply(step_, assembly_.particles);
 }
 
 void DemParticipant::predict(Part& part) {
-  kick(step_.kick(), part.kicked, assembly_.particles);
+  part.sweep.predict(team_, step_.kick(), assembly_.particles);
   part.motions.impose(step_, assembly_.particles);
 }
 
@@ -248,7 +252,8 @@ void DemParticipant::close_step() {
   strongest.set_y(place.y);
 }
 
-void DemParticipant::report_energies(wire::Energies& energies) const {
+void DemParticipant::report_energies(wire::Energies& energies) {
+  find_normal_forces(law_, assembly_.particles, assembly_.bonds);
   energies.set_kinetic(kinetic_energy(assembly_.particles, before_, step_.from_rest()));
   energies.set_strain(strain_energy(assembly_.bonds, law_.stiffness));
   double work = 0;
@@ -259,6 +264,7 @@ void DemParticipant::report_energies(wire::Energies& energies) const {
 
 void DemParticipant::snapshot(const wire::SnapshotRequest& request, wire::Snapshot& snapshot) {
   correct(view(request.impulses()));
+  find_normal_forces(law_, assembly_.particles, assembly_.bonds);
   write_snapshot(assembly_, snapshot);
 }
 

@@ -16,14 +16,18 @@
 #include "dem_server/loads.hpp"
 #include "dem_server/motions.hpp"
 #include "dem_server/relaxation.hpp"
+#include "dem_server/sweep.hpp"
 #include "protocol/participant.hpp"
 #include "protocol/step.hpp"
-#include "protocol/stretches.hpp"
+#include "protocol/team.hpp"
 
 namespace adit::dem {
 
 class DemParticipant : public protocol::Participant {
  public:
+  // Results do not depend on the number of threads.
+  explicit DemParticipant(std::size_t threads = 1) : team_(threads) {}
+
   void set_up(const wire::Setup& setup, wire::Model& model) override;
   void weigh(const wire::Weights& weights, wire::Interface& interface) override;
   void couple(const wire::Couple& couple, wire::Operator& op) override;
@@ -36,16 +40,16 @@ class DemParticipant : public protocol::Participant {
   // What is computed together. The bonds of a tied particle are the interface's, and so are the moves of all
   // particles at their ends: the kicks of the tied ones then need nothing of the interior.
   struct Part {
-    std::vector<Run> runs;
-    std::vector<protocol::Stretch> moved, kicked;
+    Sweep sweep;
     Loads loads;
     Motions motions;
   };
 
-  void split_at_interface();
-  // Resultants at step n, after the moves that they need.
+  // Divides the bonds between the parts, before loads and motions are divided.
+  void plan(const std::vector<bool>& tied);
+  // Moves and resultants of step n; velocities of n + 1/2 where only bonds pull.
   void pull(Part& part);
-  // Velocities of n + 1/2.
+  // The other velocities of n + 1/2.
   void predict(Part& part);
   // Notes what the whole step brought, for the next answer.
   void close_step();
@@ -58,8 +62,9 @@ class DemParticipant : public protocol::Participant {
   // The first step that does not relax: from the state reached.
   void start_over();
   void check_dt(const wire::Advance& advance);
-  void report_energies(wire::Energies& energies) const;
+  void report_energies(wire::Energies& energies);
 
+  protocol::Team team_;
   std::clock_t started_ = 0;
   scene::Scene scene_;
   Packing packing_;

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <string>
 
+#include "fdm_server/grid/selection.hpp"
 #include "protocol/errors.hpp"
-#include "protocol/selection.hpp"
 
 namespace adit::fdm {
 namespace {
@@ -161,21 +161,20 @@ Ground read_ground(const scene::Scene& scene) {
   return ground;
 }
 
-std::vector<std::uint32_t> materials_of_zones(const scene::Continuum& scene, const Grid& grid, bool whole) {
+std::vector<std::uint32_t> materials_of_zones(const scene::Continuum& scene, const Grid& grid) {
   std::vector<std::uint32_t> numbers(grid.zones.size(), 0);
-  for (int i = 0; i < scene.materials_size(); ++i) {
-    bool any = false;
-    for (std::size_t z = 0; z < grid.zones.size(); ++z) {
-      const auto c = corners(grid, grid.zones[z]);
-      const double x = (c.x[0] + c.x[1] + c.x[2] + c.x[3]) / 4, y = (c.y[0] + c.y[1] + c.y[2] + c.y[3]) / 4;
-      if (!protocol::inside(scene.materials(i).where(), x, y, 0)) continue;
-      numbers[z] = static_cast<std::uint32_t>(i) + 1;
-      any = true;
-    }
-    require(any || !whole, fmt::format("continuum.materials[{}].where", i),
-            "holds the centre of no zone; widen it, or use smaller zones");
-  }
+  for (int i = 0; i < scene.materials_size(); ++i)
+    for (const auto zone :
+         select_zones(grid, scene.materials(i).where(), fmt::format("continuum.materials[{}].where", i)))
+      numbers[zone] = static_cast<std::uint32_t>(i) + 1;
   return numbers;
+}
+
+void compact(Ground& ground, std::span<const double> weights) {
+  std::size_t kept = 0;
+  for (std::size_t z = 0; z < weights.size(); ++z)
+    if (weights[z] != 0) ground.of_zone[kept++] = ground.of_zone[z];
+  ground.of_zone.resize(kept);
 }
 
 }  // namespace adit::fdm

@@ -1,6 +1,9 @@
 // From the scene to the materials of the zones.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/materials/material.hpp"
 #include "protocol/scene.pb.h"
@@ -12,7 +15,10 @@ namespace adit::fdm {
 Ground read_ground(const scene::Scene& scene);
 
 // Number of the material of each zone: that of the last area that holds its centre. UserError for an area
-// that holds none, where `whole`.
-std::vector<std::uint32_t> materials_of_zones(const scene::Continuum& scene, const Grid& grid, bool whole);
+// that holds none.
+std::vector<std::uint32_t> materials_of_zones(const scene::Continuum& scene, const Grid& grid);
+
+// Removes the zones of weight 0.
+void compact(Ground& ground, std::span<const double> weights);
 
 }  // namespace adit::fdm

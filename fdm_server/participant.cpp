@@ -44,8 +44,11 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   scene_ = setup.scene();
   setup_ = read_setup(scene_);
   grid_ = make_grid(setup_.block);
-  setup_.ground.of_zone = materials_of_zones(scene_.continuum(), grid_, true);
-  critical_dt_ = critical_step(setup_.kind, grid_, setup_.ground);
+  setup_.ground.of_zone = materials_of_zones(scene_.continuum(), grid_);
+  const Supports supports =
+      resolve_supports(scene_.continuum(), scene_.plane() == scene::PLANE_STRAIN, grid_);
+  critical_dt_ =
+      std::min(critical_step(setup_.kind, grid_, setup_.ground), supports.structures.critical_step());
   model.set_critical_dt(critical_dt_);
   model.set_x_min(setup_.block.x_min);
   model.set_x_max(setup_.block.x_max);
@@ -57,21 +60,23 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
 
 void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interface) {
   weights_ = read_weights(weights, setup_.block);
+  compact(setup_.ground, weights_);
   compact(grid_, weights_);
   if (grid_.zones.empty())
     throw protocol::UserError(
         "interface.overlap",
         "leaves no zone of the continuum, whose weight is 0 everywhere; let the block reach into the overlap "
         "and beyond it on the continuum's own side");
+  supports_ = resolve_supports(scene_.continuum(), scene_.plane() == scene::PLANE_STRAIN, grid_);
   const auto& conditions = scene_.continuum();
-  setup_.ground.of_zone = materials_of_zones(conditions, grid_, false);
-  const auto masses = lumped_masses(grid_, weights_, zone_densities(setup_.ground));
+  auto masses = lumped_masses(grid_, weights_, zone_densities(setup_.ground));
+  supports_.structures.add_masses(masses);
   std::unique_ptr<Zones> zones = std::make_unique<MaterialZones>(setup_.kind, grid_, setup_.ground, weights_);
   if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), grid_, *zones);
-  continuum_ = std::make_unique<Continuum>(std::move(zones), masses,
-                                           resolve_loads(conditions, setup_.block, grid_, masses),
-                                           resolve_motions(conditions, setup_.block, grid_));
-  probes_ = resolve_histories(conditions, setup_.block, grid_);
+  continuum_ = std::make_unique<Continuum>(
+      std::move(zones), masses, resolve_loads(conditions, grid_, masses), resolve_motions(conditions, grid_),
+      threads_ > 0 ? threads_ : useful_threads(grid_.zones.size()), supports_.structures);
+  probes_ = resolve_histories(conditions, grid_);
   probe_before_.resize(probes_.size());
   if (!weights.weights().empty()) offer_grid_points(weights, interface);
   interface.set_zones(grid_.zones.size());

@@ -4,6 +4,7 @@
 // contradict an earlier one (counts, step numbers, dt) throw std::invalid_argument: the peer's bug.
 #pragma once
 
+#include <cstddef>
 #include <ctime>
 #include <memory>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "fdm_server/conditions.hpp"
 #include "fdm_server/setup.hpp"
 #include "fdm_server/solver/relaxation.hpp"
+#include "fdm_server/structures/supports.hpp"
 #include "protocol/interface_operator.hpp"
 #include "protocol/participant.hpp"
 #include "protocol/step.hpp"
@@ -20,6 +22,8 @@ namespace adit::fdm {
 
 class FdmParticipant final : public protocol::Participant {
  public:
+  // 0 threads: as many as pay. Results do not depend on it.
+  explicit FdmParticipant(std::size_t threads = 1) : threads_(threads) {}
   void set_up(const wire::Setup& setup, wire::Model& model) override;
   void weigh(const wire::Weights& weights, wire::Interface& interface) override;
   void couple(const wire::Couple& couple, wire::Operator& op) override;
@@ -45,11 +49,13 @@ class FdmParticipant final : public protocol::Participant {
   void check_answer(const wire::Predicted& predicted) const;
   void check_grid(std::uint64_t step) const;
 
+  std::size_t threads_;
   scene::Scene scene_;
   Setup setup_{};
   double critical_dt_ = 0;
   Grid grid_;
   std::vector<double> weights_;  // of the zones
+  Supports supports_;
   std::unique_ptr<Continuum> continuum_;
   protocol::InterfaceOperator operator_;
   std::vector<Probe> probes_;

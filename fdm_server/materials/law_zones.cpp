@@ -53,7 +53,7 @@ LawZones::LawZones(ZoneKind kind, const Grid& grid, const Material& material, st
   for (const auto& corners : layout.shapes) shapes_.push_back(sampling_shape(kind, corners, plane_law_));
   for (const auto& run : runs_) shape_of_.insert(shape_of_.end(), run.count, run.shape);
   if (!large_strain) return;
-  for (const auto& zone : grid.zones) corners_.push_back(corners(grid, zone));
+  for (std::size_t z = 0; z < grid.zones.size(); ++z) corners_.push_back(corners(grid, z));
   zone_points_ = grid.zones;
 }
 

@@ -10,10 +10,13 @@ namespace {
 
 // The zones of one material among the same points.
 Grid zones_of(const Grid& grid, const Ground& ground, std::size_t material) {
-  Grid some = grid;
-  some.zones.clear();
-  for (std::size_t z = 0; z < grid.zones.size(); ++z)
-    if (ground.of_zone[z] == material) some.zones.push_back(grid.zones[z]);
+  Grid some{grid.x, grid.y, {}};
+  const std::size_t first_own = grid.zones.size() - grid.own_corners.size();
+  for (std::size_t z = 0; z < grid.zones.size(); ++z) {
+    if (ground.of_zone[z] != material) continue;
+    some.zones.push_back(grid.zones[z]);
+    if (z >= first_own) some.own_corners.push_back(grid.own_corners[z - first_own]);
+  }
   return some;
 }
 

@@ -31,8 +31,8 @@ Motion take(Motion& motion, const std::vector<bool>& chosen) {
 }  // namespace
 
 Continuum::Continuum(std::unique_ptr<Zones> zones, std::span<const double> masses, std::vector<Load> loads,
-                     std::vector<Motion> motions, std::size_t threads)
-    : zones_(std::move(zones)), points_(masses.size()), team_(threads) {
+                     std::vector<Motion> motions, std::size_t threads, Structures structures)
+    : zones_(std::move(zones)), structures_(std::move(structures)), points_(masses.size()), team_(threads) {
   for (std::size_t i = 0; i < masses.size(); ++i) {
     points_[kMass][i] = masses[i];
     points_[kInverseMassX][i] = points_[kInverseMassY][i] = 1 / masses[i];
@@ -75,6 +75,9 @@ void Continuum::plan(const std::vector<bool>& chosen) {
     for (const auto point : load.points) pulled[point] = true;
   for (const auto& one : interior_.motions)
     for (const auto point : one.motion.points) pulled[point] = true;
+  structures_.mark_points(pulled);
+  interior_.structures = structures_.all();
+  interface_.structures = structures_.take(interior_.structures, chosen);
 
   const auto [touching, others] = split(zones_->runs(), chosen);
   std::vector<bool> reached = chosen;
@@ -139,7 +142,9 @@ void Continuum::step_interior(const protocol::Step& step) {
 }
 
 void Continuum::pull(Part& part, const protocol::Step& step) {
-  part.sweep.run(team_, *zones_, step.dt, step.kick(), columns());
+  const PointColumns points = columns();
+  part.sweep.run(team_, *zones_, step.dt, step.kick(), points);
+  structures_.add_forces(part.structures, step.dt, {points.vx, points.vy, points.fx, points.fy});
   apply_loads(part, step);
   find_reactions(part, step);
 }
@@ -185,15 +190,17 @@ Energies Continuum::energies(const protocol::Step& step) const {
   const auto product = [&](double before, double after) {
     return (step.from_rest() ? -after : before) * after;
   };
-  double twice = 0;
+  double twice = structures_.twice_kinetic_energy(step);
   for (std::size_t i = 0; i < points_.rows(); ++i)
     twice += points_[kMass][i] *
              (product(points_[kLastVx][i], points_[kVx][i]) + product(points_[kLastVy][i], points_[kVy][i]));
-  return {twice / 2, zones_->strain_energy(), external_work_, zones_->dissipated()};
+  return {twice / 2, zones_->strain_energy() + structures_.strain_energy(), external_work_,
+          zones_->dissipated() + structures_.dissipated()};
 }
 
 void Continuum::predict(const Part& part, const protocol::Step& step) {
   part.sweep.predict(team_, step.kick(), columns());
+  structures_.move_and_predict(part.structures, step);
   for (const auto& prescribed : part.motions) {
     const auto velocity = points_[prescribed.motion.axis == Axis::kX ? kVx : kVy];
     for (const auto point : prescribed.motion.points) velocity[point] = prescribed.after;
@@ -204,11 +211,13 @@ void Continuum::predict(const Part& part, const protocol::Step& step) {
 
 void Continuum::stop() {
   for (const Column column : {kVx, kVy}) std::ranges::fill(points_[column], 0.0);
+  structures_.stop();
 }
 
 void Continuum::start_over() {
   stop();
   zones_->start_over();
+  structures_.start_over();
   for (const Column column : {kUx, kUy}) std::ranges::fill(points_[column], 0.0);
   external_work_ = 0;
 }

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "fdm_server/solver/sweep.hpp"
+#include "fdm_server/structures/structures.hpp"
 #include "fdm_server/zones/columns.hpp"
 #include "fdm_server/zones/zones.hpp"
 #include "protocol/step.hpp"
@@ -50,14 +51,15 @@ struct Motion {
 
 struct Energies {
   double kinetic, strain, external_work;  // [J]
-  double dissipated = 0;                  // by the materials [J]
+  double dissipated = 0;                  // since the start, by what yields [J]
 };
 
 class Continuum {
  public:
-  // `masses`: one weighted mass a point [kg]. Results do not depend on the number of threads.
+  // `masses`: one weighted mass a point, with that of the structures [kg]. Results do not depend on the
+  // number of threads.
   Continuum(std::unique_ptr<Zones> zones, std::span<const double> masses, std::vector<Load> loads,
-            std::vector<Motion> motions, std::size_t threads = 1);
+            std::vector<Motion> motions, std::size_t threads = 1, Structures structures = {});
 
   // Makes these points the interface, before the first step.
   void set_interface(std::span<const std::uint32_t> points);
@@ -91,6 +93,7 @@ class Continuum {
   std::span<const double> inverse_mass_x() const { return points_[kInverseMassX]; }  // 0: prescribed [1/kg]
   std::span<const double> inverse_mass_y() const { return points_[kInverseMassY]; }
   const Zones& zones() const { return *zones_; }
+  const Structures& structures() const { return structures_; }
 
   // A point whose velocity is not finite, if any.
   std::optional<std::uint32_t> first_non_finite() const;
@@ -122,15 +125,16 @@ class Continuum {
     double reaction = 0;  // total force that the motion needed at the last step
   };
 
-  // What is computed together. The zones that touch a point of the interface are its part's, so that its
-  // forces need nothing of the interior.
+  // What is computed together. The zones and structures that touch a point of the interface are its part's,
+  // so that its forces need nothing of the interior.
   struct Part {
     Sweep sweep;
+    Structures::Part structures;
     std::vector<Loading> loads;
     std::vector<Prescribed> motions;
   };
 
-  // Says which points the parts may sweep: those of loads and motions have to wait for these.
+  // Says which points the parts may sweep: those of loads, motions and structures have to wait for these.
   void plan(const std::vector<bool>& chosen);
   PointColumns columns();
   Prescribed prescribed(Motion motion) const;
@@ -143,6 +147,7 @@ class Continuum {
   Energies energies(const protocol::Step& step) const;
 
   std::unique_ptr<Zones> zones_;
+  Structures structures_;
   Columns<kColumns> points_;
   protocol::Team team_;
   Part interface_, interior_;

@@ -1,6 +1,7 @@
 #include "fdm_server/solver/sweep.hpp"
 
 #include <algorithm>
+#include <thread>
 
 namespace adit::fdm {
 namespace {
@@ -74,6 +75,11 @@ void pour(std::size_t count, double* from, double* to) {
 }
 
 }  // namespace
+
+std::size_t useful_threads(std::size_t zones) {
+  return std::clamp<std::size_t>(zones / (2 * kLeastChunk), 1,
+                                 std::max(1u, std::thread::hardware_concurrency()));
+}
 
 // Of each point: the first and last chunk with a zone that pulls on it, and the last block seen to do so.
 struct Sweep::Survey {

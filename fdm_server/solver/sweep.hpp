@@ -33,6 +33,9 @@ enum class Role : std::uint8_t {
   kSwept,    // predicts it at once: nothing else pulls on it
 };
 
+// How many threads of this machine are worth calling for a grid of so many zones.
+std::size_t useful_threads(std::size_t zones);
+
 class Sweep {
  public:
   Sweep() = default;

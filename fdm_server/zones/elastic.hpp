@@ -2,8 +2,8 @@
 //
 // Small strain makes stress a function of place: sigma = sigma_0 + D B u, with sigma_0 the stress where the
 // displacements were 0. Nothing is stored a zone but sigma_0 where there is one: the kernel reads
-// displacements and adds forces, and its speed is not bound by memory. The generalized stresses are
-//   p = kappa (exx + eyy), t = mu (exx - eyy), s = mu gxy of the mean strain, Q_x, Q_y of the pattern,
+// displacements and adds forces. The generalized stresses are
+//   p = kappa (exx + eyy), t = mu (exx - eyy), s = mu gxy of the mean strain, Q = K q of the pattern,
 // and the corner forces -w [A b.(p, t, s) + gamma Q], w the zone's weight.
 #pragma once
 
@@ -13,18 +13,14 @@
 #include <vector>
 
 #include "fdm_server/zones/columns.hpp"
-#include "fdm_server/zones/hourglass.hpp"
+#include "fdm_server/zones/elastic_forces.hpp"
 #include "fdm_server/zones/zones.hpp"
 
 namespace adit::fdm {
 
 struct ElasticShape {
-  double area;
-  MeanGradient gradient;
-  std::array<double, 4> gamma;
-  bool parallelogram;  // then gamma is h/4, to the bit
-  double bulk, shear;  // kappa, mu [Pa]
-  HourglassStiffness hourglass;
+  Coefficients coefficients;
+  bool rectangle;  // upright
 };
 ElasticShape elastic_shape(ZoneKind kind, const Corners& corners, const PlaneLaw& law);
 
@@ -42,21 +38,17 @@ class ElasticZones final : public Zones {
   Stress stress(std::size_t zone) const override;
 
  private:
-  // p, t, s [Pa]; Q_x, Q_y [N]
-  enum Column { kMean, kDeviator, kShear, kPatternX, kPatternY, kColumns };
-  using State = std::array<double, kColumns>;
-
+  using State = std::array<double, kComponents>;
+  ElasticBatch batch(const ZoneRun& run, std::uint32_t done, std::uint32_t count) const;
   // Of zone k of a run.
   State state(const ZoneRun& run, std::uint32_t k) const;
-  Columns<kColumns>& initial();
-  template <bool kParallelogram, bool kWeighted, bool kInitial>
-  void batch(const ZoneRun& run, std::uint32_t done, std::uint32_t count, CornerForces& forces) const;
+  Columns<kComponents>& initial();
 
   std::vector<ElasticShape> shapes_;
   std::vector<ZoneRun> runs_;
   std::vector<double> weights_;
-  bool weighted_;  // any weight other than 1
-  std::optional<Columns<kColumns>> initial_;
+  bool weighted_;                                // any weight is not 1
+  std::optional<Columns<kComponents>> initial_;  // stresses at displacement 0
   const double *ux_ = nullptr, *uy_ = nullptr;
 };
 

@@ -12,7 +12,7 @@
 #include "coupler/bridging/overlap.hpp"
 #include "dem_server/assembly.hpp"
 #include "dem_server/contact_forces.hpp"
-#include "dem_server/packing.hpp"
+#include "dem_server/packing/hexagonal.hpp"
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/grid/interpolation.hpp"
 #include "fdm_server/zones/zones.hpp"

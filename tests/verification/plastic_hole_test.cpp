@@ -119,7 +119,7 @@ TEST_P(PlasticHole, HasSalenconsStressesAndRadius) {
       0;  // outside the plastic ring the difference of stresses falls with the square of the radius
   int elastic = 0;
   for (std::size_t z = 0; z < weights.size(); ++z) {
-    const auto c = corners(ring.grid, ring.grid.zones[z]);
+    const auto c = corners(ring.grid, z);
     const double x = (c.x[0] + c.x[1] + c.x[2] + c.x[3]) / 4, y = (c.y[0] + c.y[1] + c.y[2] + c.y[3]) / 4;
     const double r = std::hypot(x, y), cosine = x / r, sine = y / r;
     const auto s = continuum.zones().stress(z);

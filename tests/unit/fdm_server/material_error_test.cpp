@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(
              "large_strain: true", "PLANE_STRESS"},
         Case{"large_strain_coupled", "", "continuum.large_strain", "leave one of the two out",
              "large_strain: true", "PLANE_STRAIN", "interface {}"},
-        Case{"area_nowhere", "", "continuum.materials[0].where", "holds the centre of no zone",
+        Case{"area_nowhere", "", "continuum.materials[0].where", "selects no zones",
              "materials { where { x_min: 7 } material { " + kSoil + " } }"},
         Case{"area_material", "", "continuum.materials[1].material.young_modulus", "must be positive",
              "materials { where {} material { " + kSoil +
@@ -113,7 +113,7 @@ TEST(Materials, LaterAreasOverrideEarlierOnes) {
       ground_of("", "materials { where { x_max: 4 } material { " + kSoil +
                         " } } materials { where { x_min: 2 x_max: 3 } material { " + kSoil + " } }");
   const Grid grid = make_grid({0, 6, 0, 1, 6, 1});
-  EXPECT_EQ(materials_of_zones(setup.scene().continuum(), grid, true),
+  EXPECT_EQ(materials_of_zones(setup.scene().continuum(), grid),
             (std::vector<std::uint32_t>{1, 1, 2, 1, 0, 0}));
 }
 

@@ -68,7 +68,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"edge_load_nowhere",
              "edge_loads { where { x_max: 0 } force { x: 1 } } edge_loads { where { x_min: 0.1 x_max: 0.4 } "
              "force { x: 1 } }",
-             "continuum.edge_loads[1].where", "holds no whole edge of the block's boundary"},
+             "continuum.edge_loads[1].where", "holds no whole edge of the continuum's boundary"},
         Case{"body_load_nowhere", "body_loads { " + kNowhere + "acceleration { y: -10 } }",
              "continuum.body_loads[0].where", "selects no grid points"},
         Case{"motion_nowhere", "motions { " + kNowhere + "velocity { x: 0 } }", "continuum.motions[0].where",

@@ -113,6 +113,31 @@ TEST_P(EachZone, StrainEnergyIsHalfDisplacementTimesForce) {
   EXPECT_NEAR(zones->strain_energy(), work, 1e-13 * work);
 }
 
+// Where displacements start over, the stresses stay, bending included: the same forces and the same energy.
+TEST_P(EachZone, StressesStayWhereDisplacementsStartOver) {
+  const Grid grid = distorted_grid({0, 2, 0, 1, 4, 3});
+  const std::size_t n = grid.x.size();
+  std::vector<double> ux(n), uy(n), before(n), after(n), fy(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    ux[i] = 1e-3 * std::sin(3.7 * static_cast<double>(i));
+    uy[i] = 1e-3 * std::cos(5.1 * static_cast<double>(i));
+  }
+  const auto zones = make_zones(GetParam(), grid, kStrain, ones(grid));
+  zones->follow(ux.data(), uy.data());
+  zones->set_stress(5, {1e6, -2e6, 3e5});
+  zones->add_forces(1.0, {ux.data(), uy.data(), before.data(), fy.data()});
+  const double energy = zones->strain_energy(), xx = zones->stress(5).xx;
+  zones->start_over();
+  std::ranges::fill(ux, 0.0);
+  std::ranges::fill(uy, 0.0);
+  zones->add_forces(1.0, {ux.data(), uy.data(), after.data(), fy.data()});
+  double largest = 0;
+  for (const double force : before) largest = std::max(largest, std::abs(force));
+  for (std::size_t i = 0; i < n; ++i) EXPECT_NEAR(after[i], before[i], 1e-14 * largest);
+  EXPECT_NEAR(zones->strain_energy(), energy, 1e-14 * energy);
+  EXPECT_NEAR(zones->stress(5).xx, xx, 1e-14 * std::abs(xx));
+}
+
 // Rows of zones and single zones are computed alike: a run is cut nowhere, whatever its length.
 TEST_P(EachZone, ForcesDoNotDependOnHowZonesAreGrouped) {
   const Grid grid = make_grid({0, 150, 0, 2, 150, 2});  // longer than two batches
