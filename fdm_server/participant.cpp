@@ -11,9 +11,10 @@
 
 #include "fdm_server/boundaries/boundaries.hpp"
 #include "fdm_server/grid/interpolation.hpp"
+#include "fdm_server/ground.hpp"
 #include "fdm_server/initial_stress.hpp"
+#include "fdm_server/materials/material_zones.hpp"
 #include "fdm_server/snapshot.hpp"
-#include "fdm_server/zones/critical_step.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::fdm {
@@ -45,12 +46,12 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   scene_ = setup.scene();
   setup_ = read_setup(scene_);
   grid_ = make_grid(setup_.block);
+  setup_.ground.of_zone = materials_of_zones(scene_.continuum(), grid_);
   const Supports supports =
       resolve_supports(scene_.continuum(), scene_.plane() == scene::PLANE_STRAIN, grid_);
   damping_ = resolve_damping(scene_.continuum());
-  critical_dt_ =
-      critical_step(damping_, std::min(critical_step(setup_.kind, grid_, setup_.law, setup_.density),
-                                       supports.structures.critical_step()));
+  critical_dt_ = critical_step(damping_, std::min(critical_step(setup_.kind, grid_, setup_.ground),
+                                                  supports.structures.critical_step()));
   model.set_critical_dt(critical_dt_);
   model.set_x_min(setup_.block.x_min);
   model.set_x_max(setup_.block.x_max);
@@ -62,6 +63,7 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
 
 void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interface) {
   weights_ = read_weights(weights, setup_.block);
+  compact(setup_.ground, weights_);
   compact(grid_, weights_);
   if (grid_.zones.empty())
     throw protocol::UserError(
@@ -69,8 +71,9 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
         "leaves no zone of the continuum, whose weight is 0 everywhere; let the block reach into the overlap "
         "and beyond it on the continuum's own side");
   supports_ = resolve_supports(scene_.continuum(), scene_.plane() == scene::PLANE_STRAIN, grid_);
+  const auto& conditions = scene_.continuum();
   make_continuum();
-  probes_ = resolve_histories(scene_.continuum(), grid_);
+  probes_ = resolve_histories(conditions, grid_);
   probe_before_.resize(probes_.size());
   for (int i = 0; i < conditions.histories_size(); ++i)
     if (is_of_lining(conditions.histories(i).quantity()))
@@ -88,6 +91,8 @@ void FdmParticipant::make_continuum() {
   auto motions = resolve_motions(conditions, grid_);
   const auto edges = outline(grid_);
   const auto columns = add_columns(conditions, edges, grid_);
+  for (const auto& column : columns)
+    for (const auto& edge : column.edges) setup_.ground.of_zone.push_back(setup_.ground.of_zone[edge.zone]);
   weights_.resize(grid_.zones.size(), 1.0);
   const auto all_masses = masses();
   for (const auto& column : columns) {
@@ -96,11 +101,16 @@ void FdmParticipant::make_continuum() {
     for (auto& motion : motions) extend_to_column(column, motion.points);
   }
 
-  auto zones = make_zones(setup_.kind, grid_, setup_.law, weights_);
+  std::unique_ptr<Zones> zones = std::make_unique<MaterialZones>(setup_.kind, grid_, setup_.ground, weights_);
   if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), grid_, *zones);
   auto boundaries = resolve_boundaries(
       conditions, scene_.time().duration(), grid_, edges, columns,
-      [this](std::uint32_t zone) { return impedance(setup_.law, setup_.density, weights_[zone]); }, motions);
+      [this](std::uint32_t zone) {
+        const Ground& ground = setup_.ground;
+        const Material& material = ground.materials[ground.of_zone[zone]];
+        return impedance(ground.plane_law(material), material.density, weights_[zone]);
+      },
+      motions);
   std::ranges::move(boundaries.loads, std::back_inserter(loads));
   std::ranges::move(boundaries.motions, std::back_inserter(motions));
   continuum_ = std::make_unique<Continuum>(std::move(zones), all_masses, std::move(loads), std::move(motions),
@@ -112,7 +122,7 @@ void FdmParticipant::make_continuum() {
 }
 
 std::vector<double> FdmParticipant::masses() const {
-  auto masses = lumped_masses(grid_, weights_, setup_.density);
+  auto masses = lumped_masses(grid_, weights_, zone_densities(setup_.ground));
   supports_.structures.add_masses(masses);
   return masses;
 }

@@ -78,5 +78,7 @@ void compact(Grid& grid, std::vector<double>& weights);
 
 // Weighted lumped mass of each point: a quarter of each of its zones' [kg per metre of thickness].
 std::vector<double> lumped_masses(const Grid& grid, std::span<const double> weights, double density);
+std::vector<double> lumped_masses(const Grid& grid, std::span<const double> weights,
+                                  std::span<const double> densities);  // of each zone
 
 }  // namespace adit::fdm

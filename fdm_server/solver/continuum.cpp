@@ -251,7 +251,7 @@ Energies Continuum::energies(const protocol::Step& step) const {
              (product(points_[kLastVx][i], points_[kVx][i]) + product(points_[kLastVy][i], points_[kVy][i]));
   return {twice / 2, zones_->strain_energy() + structures_.strain_energy(),
           external_work_ + steady_work() + boundary_work_.external,
-          structures_.dissipated() + boundary_work_.dissipated + damped_};
+          zones_->dissipated() + structures_.dissipated() + boundary_work_.dissipated + damped_};
 }
 
 void Continuum::predict(const Part& part, const protocol::Step& step) {

@@ -9,9 +9,10 @@
 //
 // Energies at step n: kinetic 1/2 sum m v(n-1/2) v(n+1/2), strain energy of the stresses; work of loads,
 // prescribed motions and boundaries, and what dashpots and damping dissipate, summed as
-// dt v(n+1/2) (F(n) + F(n+1))/2. Then kinetic + strain + dissipated - work keeps its value of step 0 to
-// rounding: M (v(n+3/2) - v(n-1/2)) = dt (f(n) + f(n+1)), times v(n+1/2)/2, is the change of the kinetic
-// energy, and f = F - K u. That value is -1/2 sum m v(1/2)^2, 0 where nothing acts at t = 0.
+// dt v(n+1/2) (F(n) + F(n+1))/2; dissipation of the materials (materials/law_zones.hpp). Then kinetic +
+// strain + dissipated - work keeps its value of step 0 to rounding: M (v(n+3/2) - v(n-1/2)) = dt (f(n) +
+// f(n+1)), times v(n+1/2)/2, is the change of the kinetic energy, and f = F - K u. That value is -1/2 sum m
+// v(1/2)^2, 0 where nothing acts at t = 0.
 #pragma once
 
 #include <cstdint>
@@ -53,7 +54,7 @@ struct Motion {
 
 struct Energies {
   double kinetic, strain, external_work;  // [J]
-  double dissipated;                      // since the start, by what yields, dashpots and damping [J]
+  double dissipated = 0;                  // since the start, by what yields, dashpots and damping [J]
 };
 
 class Continuum {
