@@ -16,6 +16,7 @@
 #include "coupler/set_up.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/greeting.hpp"
+#include "protocol/motion/records_of_scene.hpp"
 #include "protocol/release.hpp"
 #include "protocol/results/run_directory.hpp"
 #include "protocol/scene_command_line.hpp"
@@ -34,7 +35,7 @@ struct Options : protocol::SceneCommandLine {
   using SceneCommandLine::SceneCommandLine;
   std::string fdm, dem;              // addresses of servers that already listen
   std::vector<std::string> servers;  // NAME=HOST:PORT, the same for any model
-  std::optional<std::size_t> fdm_threads;
+  std::optional<std::size_t> fdm_threads, dem_threads;
 };
 
 // The servers of a run: started here, or running elsewhere.
@@ -94,8 +95,8 @@ Participants join(const adit::scene::Scene& scene, const Options& options, const
     } else {
       const std::string log = is_region(member) ? program + "_" + member.name : program;
       std::vector<std::string> own;
-      if (member.role == Role::kContinuum && options.fdm_threads)
-        own = {"--threads", std::to_string(*options.fdm_threads)};
+      const auto& threads = member.role == Role::kContinuum ? options.fdm_threads : options.dem_threads;
+      if (threads) own = {"--threads", std::to_string(*threads)};
       participants.processes.push_back(std::make_unique<ServerProcess>(
           program, log_folder.empty() ? "/dev/null" : log_folder / (log + ".log"), std::move(own)));
       address = participants.processes.back()->address();
@@ -137,6 +138,7 @@ void add_servers(CLI::App& command, Options& options) {
   command.add_option("--dem", options.dem, "HOST:PORT of a particle server that already listens");
   command.add_option("--fdm-threads", options.fdm_threads,
                      "threads of the continuum server that is started here; as many as pay where absent");
+  command.add_option("--dem-threads", options.dem_threads, "the same for each particle server");
   command
       .add_option("--server", options.servers,
                   "NAME=HOST:PORT: the same for any model by its name; may be repeated")
@@ -151,6 +153,8 @@ int main(int argc, char** argv) {
   for (CLI::App* command : {options.run, options.check}) add_servers(*command, options);
   if (const auto ended = options.parse(argc, argv)) return *ended;
   const auto& work = options.run->parsed() ? run_scene : check_scene;
-  return protocol::with_scene(options.scene, options.sets,
-                              [&](const protocol::SceneFile& file) { work(options, file); });
+  return protocol::with_scene(options.scene, options.sets, [&](protocol::SceneFile& file) {
+    adit::motion::read_records(file);
+    work(options, file);
+  });
 }

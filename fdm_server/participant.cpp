@@ -4,14 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <span>
 #include <stdexcept>
 #include <utility>
 
+#include "fdm_server/boundaries/boundaries.hpp"
 #include "fdm_server/grid/interpolation.hpp"
+#include "fdm_server/ground.hpp"
 #include "fdm_server/initial_stress.hpp"
+#include "fdm_server/materials/material_zones.hpp"
 #include "fdm_server/snapshot.hpp"
-#include "fdm_server/zones/critical_step.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::fdm {
@@ -43,10 +46,12 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   scene_ = setup.scene();
   setup_ = read_setup(scene_);
   grid_ = make_grid(setup_.block);
+  setup_.ground.of_zone = materials_of_zones(scene_.continuum(), grid_);
   const Supports supports =
       resolve_supports(scene_.continuum(), scene_.plane() == scene::PLANE_STRAIN, grid_);
-  critical_dt_ = std::min(critical_step(setup_.kind, grid_, setup_.law, setup_.density),
-                          supports.structures.critical_step());
+  damping_ = resolve_damping(scene_.continuum());
+  critical_dt_ = critical_step(damping_, std::min(critical_step(setup_.kind, grid_, setup_.ground),
+                                                  supports.structures.critical_step()));
   model.set_critical_dt(critical_dt_);
   model.set_x_min(setup_.block.x_min);
   model.set_x_max(setup_.block.x_max);
@@ -58,6 +63,7 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
 
 void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interface) {
   weights_ = read_weights(weights, setup_.block);
+  compact(setup_.ground, weights_);
   compact(grid_, weights_);
   if (grid_.zones.empty())
     throw protocol::UserError(
@@ -65,15 +71,8 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
         "leaves no zone of the continuum, whose weight is 0 everywhere; let the block reach into the overlap "
         "and beyond it on the continuum's own side");
   supports_ = resolve_supports(scene_.continuum(), scene_.plane() == scene::PLANE_STRAIN, grid_);
-  auto masses = lumped_masses(grid_, weights_, setup_.density);
-  supports_.structures.add_masses(masses);
   const auto& conditions = scene_.continuum();
-  auto zones = make_zones(setup_.kind, grid_, setup_.law, weights_);
-  if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), grid_, *zones);
-  continuum_ = std::make_unique<Continuum>(std::move(zones), masses, resolve_loads(conditions, grid_, masses),
-                                           resolve_motions(conditions, grid_),
-                                           threads_ > 0 ? threads_ : useful_threads(grid_.zones.size()),
-                                           supports_.structures);
+  make_continuum();
   probes_ = resolve_histories(conditions, grid_);
   probe_before_.resize(probes_.size());
   for (int i = 0; i < conditions.histories_size(); ++i)
@@ -85,8 +84,51 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   interface.set_grid_points(grid_.x.size());
 }
 
+// Places select before the columns are there, which then follow their side.
+void FdmParticipant::make_continuum() {
+  const auto& conditions = scene_.continuum();
+  auto loads = resolve_loads(conditions, grid_, masses());
+  auto motions = resolve_motions(conditions, grid_);
+  const auto edges = outline(grid_);
+  const auto columns = add_columns(conditions, edges, grid_);
+  for (const auto& column : columns)
+    for (const auto& edge : column.edges) setup_.ground.of_zone.push_back(setup_.ground.of_zone[edge.zone]);
+  weights_.resize(grid_.zones.size(), 1.0);
+  const auto all_masses = masses();
+  for (const auto& column : columns) {
+    for (auto& load : std::span(loads).last(conditions.body_loads_size()))
+      extend_to_column(column, all_masses, load);
+    for (auto& motion : motions) extend_to_column(column, motion.points);
+  }
+
+  std::unique_ptr<Zones> zones = std::make_unique<MaterialZones>(setup_.kind, grid_, setup_.ground, weights_);
+  if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), grid_, *zones);
+  auto boundaries = resolve_boundaries(
+      conditions, scene_.time().duration(), grid_, edges, columns,
+      [this](std::uint32_t zone) {
+        const Ground& ground = setup_.ground;
+        const Material& material = ground.materials[ground.of_zone[zone]];
+        return impedance(ground.plane_law(material), material.density, weights_[zone]);
+      },
+      motions);
+  std::ranges::move(boundaries.loads, std::back_inserter(loads));
+  std::ranges::move(boundaries.motions, std::back_inserter(motions));
+  continuum_ = std::make_unique<Continuum>(std::move(zones), all_masses, std::move(loads), std::move(motions),
+                                           threads_ > 0 ? threads_ : useful_threads(grid_.zones.size()),
+                                           supports_.structures);
+  continuum_->set_dashpots(std::move(boundaries.dashpots),
+                           scene_.has_statics() || scene_.has_initial_stress());
+  continuum_->set_damping(damping_);
+}
+
+std::vector<double> FdmParticipant::masses() const {
+  auto masses = lumped_masses(grid_, weights_, zone_densities(setup_.ground));
+  supports_.structures.add_masses(masses);
+  return masses;
+}
+
 void FdmParticipant::offer_grid_points(const wire::Weights& box, wire::Interface& interface) const {
-  for (std::size_t i = 0; i < grid_.x.size(); ++i) {
+  for (std::size_t i = 0; i < grid_.own_points(); ++i) {
     if (grid_.x[i] < box.x_min() || grid_.x[i] > box.x_max() || grid_.y[i] < box.y_min() ||
         grid_.y[i] > box.y_max())
       continue;

@@ -35,6 +35,9 @@ class FdmParticipant final : public protocol::Participant {
   void finish(wire::Bye& bye) override;
 
  private:
+  // Of what the weights leave of the grid, with the columns of its free field.
+  void make_continuum();
+  std::vector<double> masses() const;  // of the points, with those of the structures
   // The grid points inside the box that the weights came with.
   void offer_grid_points(const wire::Weights& box, wire::Interface& interface) const;
   void check(const wire::Advance& advance) const;
@@ -56,6 +59,7 @@ class FdmParticipant final : public protocol::Participant {
   std::size_t threads_;
   scene::Scene scene_;
   Setup setup_{};
+  DampingLaw damping_;
   double critical_dt_ = 0;
   Grid grid_;
   std::vector<double> weights_;  // of the zones

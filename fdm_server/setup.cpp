@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "fdm_server/ground.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/frame.hpp"
 
@@ -42,23 +43,10 @@ Block read_block(const scene::Block& block) {
 
 Setup read_setup(const scene::Scene& scene) {
   require(scene.has_continuum(), "continuum", "is missing; this server computes a continuum");
-  const bool own = scene.continuum().has_material();
-  const auto& material = own ? scene.continuum().material() : scene.material();
-  const std::string path = own ? "continuum.material" : "material";
-  require(own || scene.has_material(), path, "is missing; give it, or continuum.material");
-  const double young = material.young_modulus(), poisson = material.poisson_ratio();
-  const double density = material.density();
-  require(young > 0 && std::isfinite(young), path + ".young_modulus",
-          fmt::format("is {} Pa, but must be positive", young));
-  require(poisson > -1 && poisson < 0.5, path + ".poisson_ratio",
-          fmt::format("is {}, but must lie between -1 and 0.5", poisson));
-  require(density > 0 && std::isfinite(density), path + ".density",
-          fmt::format("is {} kg/m^3, but must be positive", density));
   return {read_block(scene.continuum().block()),
           scene.continuum().zone() == scene::MIXED_DISCRETIZATION ? ZoneKind::kMixedDiscretization
                                                                   : ZoneKind::kAssumedStrain,
-          scene.plane() == scene::PLANE_STRESS ? plane_stress(young, poisson) : plane_strain(young, poisson),
-          density};
+          read_ground(scene)};
 }
 
 }  // namespace adit::fdm

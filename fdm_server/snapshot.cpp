@@ -98,26 +98,29 @@ void fill_snapshot(const Grid& grid, const Continuum& continuum, std::span<const
   auto& piece = *snapshot.add_pieces();
   piece.set_name("grid");
   piece.set_shape(wire::Piece::QUADS);
-  for (std::size_t i = 0; i < grid.x.size(); ++i) {
+  const std::size_t points = grid.own_points(), zones = grid.zones.size() - grid.own_corners.size();
+  for (std::size_t i = 0; i < points; ++i) {
     piece.add_points(grid.x[i]);
     piece.add_points(grid.y[i]);
   }
-  for (const auto& zone : grid.zones)
-    for (const auto point : zone) piece.add_connectivity(static_cast<std::uint32_t>(point));
+  for (std::size_t z = 0; z < zones; ++z)
+    for (const auto point : grid.zones[z]) piece.add_connectivity(static_cast<std::uint32_t>(point));
 
   auto& at_points = *piece.mutable_point_fields();
-  fill_vectors(continuum.ux(), continuum.uy(), new_field(at_points, "displacement_m", 3, grid.x.size()));
-  fill_vectors(continuum.vx(), continuum.vy(), new_field(at_points, "velocity_m_per_s", 3, grid.x.size()));
+  fill_vectors(continuum.ux().first(points), continuum.uy(),
+               new_field(at_points, "displacement_m", 3, points));
+  fill_vectors(continuum.vx().first(points), continuum.vy(),
+               new_field(at_points, "velocity_m_per_s", 3, points));
 
   auto& in_zones = *piece.mutable_cell_fields();
-  double* stress = new_field(in_zones, "stress_Pa", 3, grid.zones.size());
-  for (std::size_t z = 0; z < grid.zones.size(); ++z) {
+  double* stress = new_field(in_zones, "stress_Pa", 3, zones);
+  for (std::size_t z = 0; z < zones; ++z) {
     const auto [xx, yy, xy] = continuum.zones().stress(z);
     stress[3 * z] = xx;
     stress[3 * z + 1] = yy;
     stress[3 * z + 2] = xy;
   }
-  std::ranges::copy(weights, new_field(in_zones, "weight", 1, grid.zones.size()));
+  std::ranges::copy(weights.first(zones), new_field(in_zones, "weight", 1, zones));
 }
 
 void add_supports(const Grid& grid, const Continuum& continuum, const Supports& supports,

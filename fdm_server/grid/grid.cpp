@@ -150,9 +150,14 @@ void compact(Grid& grid, std::vector<double>& weights) {
 }
 
 std::vector<double> lumped_masses(const Grid& grid, std::span<const double> weights, double density) {
+  return lumped_masses(grid, weights, std::vector<double>(grid.zones.size(), density));
+}
+
+std::vector<double> lumped_masses(const Grid& grid, std::span<const double> weights,
+                                  std::span<const double> densities) {
   std::vector<double> masses(grid.x.size(), 0.0);
   for (std::size_t z = 0; z < grid.zones.size(); ++z) {
-    const double share = weights[z] * density * area(corners(grid, z)) / 4;
+    const double share = weights[z] * densities[z] * area(corners(grid, z)) / 4;
     for (const auto point : grid.zones[z]) masses[point] += share;
   }
   return masses;

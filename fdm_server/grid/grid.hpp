@@ -41,6 +41,9 @@ struct Grid {
   // Shapes of the last zones, where they are not those of their points: a column whose left and right points
   // are the same has a width all the same.
   std::vector<Corners> own_corners{};
+  std::uint32_t column_points = 0;  // the last points
+
+  std::size_t own_points() const { return x.size() - column_points; }  // without the columns'
 };
 
 Corners corners(const Grid& grid, std::size_t zone);
@@ -75,5 +78,7 @@ void compact(Grid& grid, std::vector<double>& weights);
 
 // Weighted lumped mass of each point: a quarter of each of its zones' [kg per metre of thickness].
 std::vector<double> lumped_masses(const Grid& grid, std::span<const double> weights, double density);
+std::vector<double> lumped_masses(const Grid& grid, std::span<const double> weights,
+                                  std::span<const double> densities);  // of each zone
 
 }  // namespace adit::fdm

@@ -38,7 +38,11 @@ Continuum::Continuum(std::unique_ptr<Zones> zones, std::span<const double> masse
     points_[kInverseMassX][i] = points_[kInverseMassY][i] = 1 / masses[i];
   }
   zones_->follow(points_[kUx].data(), points_[kUy].data());
-  for (auto& load : loads) interior_.loads.push_back({std::move(load)});
+  for (auto& load : loads)
+    if (load.factor)
+      interior_.loads.push_back({std::move(load)});
+    else
+      add_steady(load);
   for (auto& motion : motions) {
     for (const auto point : motion.points)
       points_[motion.axis == Axis::kX ? kInverseMassX : kInverseMassY][point] = 0;
@@ -47,16 +51,41 @@ Continuum::Continuum(std::unique_ptr<Zones> zones, std::span<const double> masse
   plan(std::vector<bool>(masses.size(), false));
 }
 
+void Continuum::add_steady(const Load& load) {
+  steady_ = true;
+  for (std::size_t i = 0; i < load.points.size(); ++i) {
+    points_[kSteadyX][load.points[i]] += load.fx[i];
+    points_[kSteadyY][load.points[i]] += load.fy[i];
+  }
+}
+
 Continuum::Prescribed Continuum::prescribed(Motion motion) const {
   double mass = 0;
   for (const auto point : motion.points) mass += points_[kMass][point];
   return {std::move(motion), mass};
 }
 
+void Continuum::set_dashpots(std::vector<Dashpot> dashpots, bool support) {
+  interior_.dashpots = std::move(dashpots);
+  supports_ = support;
+  plan(std::vector<bool>(points_.rows(), false));
+}
+
+void Continuum::set_damping(const DampingLaw& law) {
+  damping_ = Damping(law, points_.rows());
+  plan(std::vector<bool>(points_.rows(), false));
+}
+
 void Continuum::set_interface(std::span<const std::uint32_t> points) {
   std::vector<bool> chosen(points_.rows(), false);
   for (const auto point : points) chosen[point] = true;
+  for (const auto& dashpot : interior_.dashpots)  // which need the column's velocity
+    if (dashpot.field && chosen[dashpot.point]) chosen[dashpot.field->column_point] = true;
   plan(chosen);
+  const auto inside = std::ranges::stable_partition(
+      interior_.dashpots, [&](const Dashpot& dashpot) { return !chosen[dashpot.point]; });
+  interface_.dashpots.assign(inside.begin(), inside.end());
+  interior_.dashpots.erase(inside.begin(), inside.end());
   for (auto& [load, factor] : interior_.loads) interface_.loads.push_back({take(load, chosen)});
   for (auto& inside : interior_.motions) {
     interface_.motions.push_back(prescribed(take(inside.motion, chosen)));
@@ -68,17 +97,23 @@ void Continuum::set_interface(std::span<const std::uint32_t> points) {
   }
 }
 
-// Before loads and motions are divided.
+// Before loads, motions and dashpots are divided.
 void Continuum::plan(const std::vector<bool>& chosen) {
-  std::vector<bool> pulled(points_.rows(), false);  // by others than zones
+  std::vector<bool> pulled(points_.rows(), damping_.acts());  // by others than zones
   for (const auto& [load, factor] : interior_.loads)
     for (const auto point : load.points) pulled[point] = true;
   for (const auto& one : interior_.motions)
     for (const auto point : one.motion.points) pulled[point] = true;
+  for (const auto& dashpot : interior_.dashpots) {
+    pulled[dashpot.point] = true;
+    if (dashpot.field) pulled[dashpot.field->column_point] = true;
+  }
   structures_.mark_points(pulled);
   interior_.structures = structures_.all();
   interface_.structures = structures_.take(interior_.structures, chosen);
 
+  interface_.points = protocol::stretches(chosen, true);
+  interior_.points = protocol::stretches(chosen, false);
   const auto [touching, others] = split(zones_->runs(), chosen);
   std::vector<bool> reached = chosen;
   for (const ZoneRun& run : touching)
@@ -117,9 +152,16 @@ void Continuum::hold(Axis axis, std::uint32_t point, double impulse) {
 }
 
 PointColumns Continuum::columns() {
-  return {points_[kUx].data(),           points_[kUy].data(),          points_[kVx].data(),
-          points_[kVy].data(),           points_[kFx].data(),          points_[kFy].data(),
-          points_[kInverseMassX].data(), points_[kInverseMassY].data()};
+  return {points_[kUx].data(),
+          points_[kUy].data(),
+          points_[kVx].data(),
+          points_[kVy].data(),
+          points_[kFx].data(),
+          points_[kFy].data(),
+          points_[kInverseMassX].data(),
+          points_[kInverseMassY].data(),
+          steady_ ? points_[kSteadyX].data() : nullptr,
+          steady_ ? points_[kSteadyY].data() : nullptr};
 }
 
 void Continuum::step(const protocol::Step& step, Energies* wanted) {
@@ -145,7 +187,11 @@ void Continuum::pull(Part& part, const protocol::Step& step) {
   const PointColumns points = columns();
   part.sweep.run(team_, *zones_, step.dt, step.kick(), points);
   structures_.add_forces(part.structures, step.dt, {points.vx, points.vy, points.fx, points.fy});
+  if (damping_.acts()) damping_.add_viscous(part.points, step, points);
   apply_loads(part, step);
+  add_boundary_forces(part.dashpots, supports_, damping_.law().stiffness, step, *zones_, points,
+                      boundary_work_);
+  if (damping_.acts()) damped_ += damping_.add_others(part.points, step, points, points_[kMass]);
   find_reactions(part, step);
 }
 
@@ -186,6 +232,15 @@ void Continuum::remember_velocities() {
   std::ranges::copy(points_[kVy], points_[kLastVy].begin());
 }
 
+// Since the displacements were 0.
+double Continuum::steady_work() const {
+  if (!steady_) return 0;
+  double work = 0;
+  for (std::size_t i = 0; i < points_.rows(); ++i)
+    work += points_[kSteadyX][i] * points_[kUx][i] + points_[kSteadyY][i] * points_[kUy][i];
+  return work;
+}
+
 Energies Continuum::energies(const protocol::Step& step) const {
   const auto product = [&](double before, double after) {
     return (step.from_rest() ? -after : before) * after;
@@ -194,8 +249,9 @@ Energies Continuum::energies(const protocol::Step& step) const {
   for (std::size_t i = 0; i < points_.rows(); ++i)
     twice += points_[kMass][i] *
              (product(points_[kLastVx][i], points_[kVx][i]) + product(points_[kLastVy][i], points_[kVy][i]));
-  return {twice / 2, zones_->strain_energy() + structures_.strain_energy(), external_work_,
-          structures_.dissipated()};
+  return {twice / 2, zones_->strain_energy() + structures_.strain_energy(),
+          external_work_ + steady_work() + boundary_work_.external,
+          zones_->dissipated() + structures_.dissipated() + boundary_work_.dissipated + damped_};
 }
 
 void Continuum::predict(const Part& part, const protocol::Step& step) {
@@ -219,7 +275,8 @@ void Continuum::start_over() {
   zones_->start_over();
   structures_.start_over();
   for (const Column column : {kUx, kUy}) std::ranges::fill(points_[column], 0.0);
-  external_work_ = 0;
+  external_work_ = damped_ = 0;
+  boundary_work_ = {};
 }
 
 std::optional<std::uint32_t> Continuum::first_non_finite() const {

@@ -17,8 +17,9 @@ namespace adit::fdm {
 struct ZoneRun {
   std::uint32_t first;  // zone
   std::uint32_t count;
-  std::uint32_t shape;  // number of the shape
-  ZonePoints points;    // of the first zone
+  std::uint32_t shape;     // number of the shape
+  ZonePoints points;       // of the first zone
+  std::uint32_t part = 0;  // which of the zones' kernels computes it (material_zones.hpp)
 };
 
 struct ZoneLayout {
