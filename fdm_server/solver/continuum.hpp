@@ -38,7 +38,7 @@ using TimeFactor = std::function<double(double t)>;
 struct Load {
   std::vector<std::uint32_t> points;
   std::vector<double> fx, fy;  // [N], one of each a point
-  TimeFactor factor;
+  TimeFactor factor;           // none: steady, which costs a step next to nothing
 };
 
 enum class Axis { kX, kY };
@@ -116,6 +116,8 @@ class Continuum {
     kFy,
     kInverseMassX,
     kInverseMassY,
+    kSteadyX,
+    kSteadyY,
     kMass,
     kLastVx,
     kLastVy,
@@ -147,6 +149,7 @@ class Continuum {
   // Says which points the parts may sweep: those that others pull on, too, have to wait for these.
   void plan(const std::vector<bool>& chosen);
   PointColumns columns();
+  void add_steady(const Load& load);
   Prescribed prescribed(Motion motion) const;
   void hold(Axis axis, std::uint32_t point, double impulse);
   void pull(Part& part, const protocol::Step& step);
@@ -154,6 +157,7 @@ class Continuum {
   void find_reactions(Part& part, const protocol::Step& step);
   void predict(const Part& part, const protocol::Step& step);
   void remember_velocities();
+  double steady_work() const;
   Energies energies(const protocol::Step& step) const;
 
   std::unique_ptr<Zones> zones_;
@@ -164,7 +168,8 @@ class Continuum {
   Damping damping_{{}, 0};
   bool supports_ = false;
   BoundaryWork boundary_work_;
-  double external_work_ = 0, damped_ = 0;
+  bool steady_ = false;                    // are there steady loads
+  double external_work_ = 0, damped_ = 0;  // of all other loads, and of motions
   double last_dt_ = 0, last_kick_ = 0;
 };
 
