@@ -8,8 +8,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "fdm_server/excavation.hpp"
 #include "fdm_server/grid/interpolation.hpp"
+#include "fdm_server/grid/samples.hpp"
 #include "fdm_server/initial_stress.hpp"
+#include "fdm_server/read_grid.hpp"
 #include "fdm_server/snapshot.hpp"
 #include "fdm_server/zones/critical_step.hpp"
 #include "protocol/errors.hpp"
@@ -24,16 +27,12 @@ std::span<const double> view(const google::protobuf::RepeatedField<double>& fiel
 }
 
 // One weight a zone from the wire's samples; all 1 where there are none.
-std::vector<double> read_weights(const wire::Weights& weights, const Block& block) {
-  if (weights.weights().empty()) return std::vector<double>(std::size_t{block.zones_x} * block.zones_y, 1.0);
-  const std::size_t samples = (2 * std::size_t{block.zones_x} + 1) * (2 * std::size_t{block.zones_y} + 1);
+std::vector<double> read_weights(const wire::Weights& weights, const Grid& grid) {
+  if (weights.weights().empty()) return std::vector<double>(grid.zones.size(), 1.0);
   const auto in_range = [](double value) { return value >= 0 && value <= 1; };
-  if (static_cast<std::size_t>(weights.weights_size()) != samples)
-    throw std::invalid_argument(
-        fmt::format("got {} weights for {} sample points", weights.weights_size(), samples));
   if (!std::ranges::all_of(weights.weights(), in_range) || !in_range(weights.floor()))
     throw std::invalid_argument("got a weight or a floor outside [0, 1]");
-  return zone_weights(block, view(weights.weights()), weights.floor());
+  return zone_weights(grid, view(weights.weights()), weights.floor());
 }
 
 }  // namespace
@@ -42,19 +41,20 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   started_ = std::clock();
   scene_ = setup.scene();
   setup_ = read_setup(scene_);
-  grid_ = make_grid(setup_.block);
+  grid_ = read_grid(scene_.continuum());
   critical_dt_ = critical_step(setup_.kind, grid_, setup_.law, setup_.density);
   model.set_critical_dt(critical_dt_);
-  model.set_x_min(setup_.block.x_min);
-  model.set_x_max(setup_.block.x_max);
-  model.set_y_min(setup_.block.y_min);
-  model.set_y_max(setup_.block.y_max);
-  const auto samples = sample_points(setup_.block);
+  const auto box = bounds(grid_);
+  model.set_x_min(box.x_min);
+  model.set_x_max(box.x_max);
+  model.set_y_min(box.y_min);
+  model.set_y_max(box.y_max);
+  const auto samples = sample_points(grid_);
   model.mutable_sample_points()->Assign(samples.begin(), samples.end());
 }
 
 void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interface) {
-  weights_ = read_weights(weights, setup_.block);
+  weights_ = read_weights(weights, grid_);
   compact(grid_, weights_);
   if (grid_.zones.empty())
     throw protocol::UserError(
@@ -68,6 +68,7 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   continuum_ = std::make_unique<Continuum>(std::move(zones), masses, resolve_loads(conditions, grid_, masses),
                                            resolve_motions(conditions, grid_));
   probes_ = resolve_histories(conditions, grid_);
+  stage_of_zone_ = excavation_stages(scene_, grid_);
   probe_before_.resize(probes_.size());
   if (!weights.weights().empty()) offer_grid_points(weights, interface);
   interface.set_zones(grid_.zones.size());
@@ -89,6 +90,7 @@ void FdmParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
       !std::ranges::all_of(couple.points(), [](double value) { return std::isfinite(value); }))
     throw std::invalid_argument("got coupling points that are no finite pairs x y");
   operator_ = protocol::InterfaceOperator(interpolate(grid_, view(couple.points())));
+  require_interface_stays();
   continuum_->set_interface(operator_.points());
   operator_.fill(op);
   for (const auto point : operator_.points()) {
@@ -103,6 +105,7 @@ void FdmParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
   check(advance);
   push(advance.impulses());
   if (advance.relax()) relax(advance.stop(), *predicted.mutable_relaxation());
+  if (advance.stage() > stage_) excavate(advance.stage());
   if (advance.want_histories()) remember_probes();
 
   const std::uint64_t step = advance.step();
@@ -155,7 +158,37 @@ void FdmParticipant::relax(bool stop, wire::Relaxation& answer) {
 void FdmParticipant::start_over() {
   relaxation_.reset();
   continuum_->start_over();
+  if (!scene_.statics().keep_displacements() || stage_ == 0) continuum_->reset_displacements();
   next_step_ = 0;
+}
+
+void FdmParticipant::excavate(std::uint32_t stage) {
+  std::vector<std::uint32_t> zones;
+  for (std::uint32_t z = 0; z < grid_.zones.size(); ++z)
+    if (stage_of_zone_[z] > stage_ && stage_of_zone_[z] <= stage) zones.push_back(z);
+  for (const auto zone : zones) weights_[zone] = 0;
+  if (stage_ == 0) continuum_->reset_displacements();
+  stage_ = stage;
+  const auto masses = lumped_masses(grid_, weights_, setup_.density);
+  continuum_->excavate(zones, masses, resolve_loads(scene_.continuum(), grid_, masses));
+  relaxation_.emplace(grid_, weights_);
+}
+
+// The coupler knows the masses at the coupling points once and for all.
+void FdmParticipant::require_interface_stays() const {
+  std::vector<bool> coupled(grid_.x.size(), false);
+  for (const auto point : operator_.points()) coupled[point] = true;
+  for (std::size_t z = 0; z < grid_.zones.size(); ++z)
+    if (stage_of_zone_[z] > 0 &&
+        std::ranges::any_of(grid_.zones[z], [&](auto point) { return coupled[point]; })) {
+      const auto [x, y] = centroid(corners(grid_, z));
+      throw protocol::UserError(
+          "continuum.excavations",
+          fmt::format(
+              "take away the zone at ({:g}, {:g}) m in stage {}, which the interface ties; keep a zone "
+              "between excavations and overlap",
+              x, y, stage_of_zone_[z]));
+    }
 }
 
 void FdmParticipant::check(const wire::Advance& advance) const {

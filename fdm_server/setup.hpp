@@ -1,7 +1,6 @@
 // From the scene to the continuum's plain parameters.
 #pragma once
 
-#include "fdm_server/grid/grid.hpp"
 #include "fdm_server/zones/plane_law.hpp"
 #include "fdm_server/zones/zones.hpp"
 #include "protocol/scene.pb.h"
@@ -9,7 +8,6 @@
 namespace adit::fdm {
 
 struct Setup {
-  Block block;
   ZoneKind kind;
   PlaneLaw law;
   double density;  // [kg/m^3]

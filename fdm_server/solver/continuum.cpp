@@ -40,11 +40,23 @@ Continuum::Continuum(std::unique_ptr<Zones> zones, std::span<const double> masse
   const auto runs = zones_->runs();
   interior_.runs.assign(runs.begin(), runs.end());
   interior_.points.push_back({0, static_cast<std::uint32_t>(masses.size())});
-  for (auto& load : loads) interior_.loads.push_back({std::move(load)});
+  place(std::move(loads));
   for (auto& motion : motions) {
     for (const auto point : motion.points)
       points_[motion.axis == Axis::kX ? kInverseMassX : kInverseMassY][point] = 0;
     interior_.motions.push_back(prescribed(std::move(motion)));
+  }
+}
+
+// Gives each part what acts on its points.
+void Continuum::place(std::vector<Load> loads) {
+  std::vector<bool> chosen(points_.rows(), false);
+  for (const auto [begin, end] : interface_.points)
+    std::fill(chosen.begin() + begin, chosen.begin() + end, true);
+  for (auto& load : loads) {
+    Load taken = take(load, chosen);
+    if (!taken.points.empty()) interface_.loads.push_back({std::move(taken)});
+    if (!load.points.empty()) interior_.loads.push_back({std::move(load)});
   }
 }
 
@@ -62,13 +74,15 @@ void Continuum::set_interface(std::span<const std::uint32_t> points) {
   interior_.runs = std::move(others);
   interface_.points = protocol::stretches(chosen, true);
   interior_.points = protocol::stretches(chosen, false);
-  for (auto& [load, factor] : interior_.loads) interface_.loads.push_back({take(load, chosen)});
+  std::vector<Load> loads;
+  for (auto& loading : interior_.loads) loads.push_back(std::move(loading.load));
+  interior_.loads.clear();
+  place(std::move(loads));
   for (auto& inside : interior_.motions) {
     interface_.motions.push_back(prescribed(take(inside.motion, chosen)));
     inside = prescribed(std::move(inside.motion));
   }
   for (Part* part : {&interface_, &interior_}) {
-    std::erase_if(part->loads, [](const Loading& loading) { return loading.load.points.empty(); });
     std::erase_if(part->motions, [](const Prescribed& one) { return one.motion.points.empty(); });
   }
 }
@@ -197,8 +211,11 @@ void Continuum::stop() {
 
 void Continuum::start_over() {
   stop();
-  for (const Column column : {kUx, kUy}) std::ranges::fill(points_[column], 0.0);
   external_work_ = 0;
+}
+
+void Continuum::reset_displacements() {
+  for (const Column column : {kUx, kUy}) std::ranges::fill(points_[column], 0.0);
 }
 
 std::optional<std::uint32_t> Continuum::first_non_finite() const {

@@ -24,7 +24,7 @@ class Zones {
   // internal forces to the points' forces.
   virtual void add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) = 0;
   void add_forces(double dt, const PointView& points) { add_forces(runs(), dt, points); }
-  // A zone's stress becomes uniform: before the first step.
+  // A zone's stress becomes uniform: before the first step, or 0 when the zone is taken away.
   virtual void set_stress(std::size_t zone, const Stress& stress) = 0;
   // Weighted elastic energy of all zones [J].
   virtual double strain_energy() const = 0;
