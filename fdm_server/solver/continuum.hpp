@@ -9,9 +9,10 @@
 //
 // Energies at step n: kinetic 1/2 sum m v(n-1/2) v(n+1/2), strain energy of the stresses; work of loads,
 // prescribed motions and boundaries, and what dashpots and damping dissipate, summed as
-// dt v(n+1/2) (F(n) + F(n+1))/2. Then kinetic + strain + dissipated - work keeps its value of step 0 to
-// rounding: M (v(n+3/2) - v(n-1/2)) = dt (f(n) + f(n+1)), times v(n+1/2)/2, is the change of the kinetic
-// energy, and f = F - K u. That value is -1/2 sum m v(1/2)^2, 0 where nothing acts at t = 0.
+// dt v(n+1/2) (F(n) + F(n+1))/2; dissipation of the materials (materials/law_zones.hpp). Then kinetic +
+// strain + dissipated - work keeps its value of step 0 to rounding: M (v(n+3/2) - v(n-1/2)) = dt (f(n) +
+// f(n+1)), times v(n+1/2)/2, is the change of the kinetic energy, and f = F - K u. That value is -1/2 sum m
+// v(1/2)^2, 0 where nothing acts at t = 0.
 #pragma once
 
 #include <cstdint>
@@ -53,7 +54,7 @@ struct Motion {
 
 struct Energies {
   double kinetic, strain, external_work;  // [J]
-  double dissipated;                      // since the start, by what yields, dashpots and damping [J]
+  double dissipated = 0;                  // since the start, by what yields, dashpots and damping [J]
 };
 
 class Continuum {
@@ -72,6 +73,11 @@ class Continuum {
   // Makes these points the interface, before the first step.
   void set_interface(std::span<const std::uint32_t> points);
 
+  // Takes zones away between two steps, with their stresses: `masses` and `loads` are those of what is left.
+  // Points without mass are held from then on. The interface must not have any of their points.
+  void excavate(std::span<const std::uint32_t> zones, std::span<const double> masses,
+                std::vector<Load> loads);
+
   // Adds an impulse [N s] to a point's velocity; a prescribed component does not yield.
   void push(std::uint32_t point, double x, double y);
 
@@ -87,8 +93,9 @@ class Continuum {
 
   // All velocities become 0: before a step from rest.
   void stop();
-  // Time begins: at rest, displacements and work from 0, stresses as they are. Step 0 is next.
+  // Time begins: at rest, work from 0, stresses as they are. Step 0 is next.
   void start_over();
+  void reset_displacements();
 
   // One value a point.
   std::span<const double> ux() const { return points_[kUx]; }  // at the last step [m]
@@ -151,6 +158,8 @@ class Continuum {
   PointColumns columns();
   void add_steady(const Load& load);
   Prescribed prescribed(Motion motion) const;
+  void place(std::vector<Load> loads);
+  std::vector<bool> of_interface() const;  // of every point
   void hold(Axis axis, std::uint32_t point, double impulse);
   void pull(Part& part, const protocol::Step& step);
   void apply_loads(Part& part, const protocol::Step& step);
