@@ -10,6 +10,7 @@
 #include "tests/verification/continuum/oracles/lamb.hpp"
 #include "tests/verification/continuum/oracles/lame.hpp"
 #include "tests/verification/continuum/oracles/prandtl.hpp"
+#include "tests/verification/continuum/oracles/quiet_boundary.hpp"
 #include "tests/verification/continuum/oracles/salencon.hpp"
 
 namespace adit::fdm::oracle {
@@ -265,6 +266,43 @@ TEST(Lamb, SumsUpToFlamantsStatics) {
   EXPECT_NEAR(near[0], -(1 - 2 * nu) * force / (4 * mu), 1e-3 * force / mu);
   EXPECT_NEAR(far[0], near[0], 1e-3 * force / mu);
   EXPECT_NEAR(near[1] - far[1], -(1 - nu) * force / (pi * mu) * std::log(2.0), 1e-3 * force / mu);
+}
+
+// The boundary's stress is that of the dashpots; what they take up is what does not return: the mean power of
+// the incident wave's flux and of the dashpots agree.
+TEST(ViscousReflection, SatisfiesTheDashpotsAndKeepsEnergy) {
+  const double omega = 100, cp = kMedium.p_speed(), cs = kMedium.s_speed(), rho = kMedium.density;
+  for (const auto incident : {Incident::kP, Incident::kSv})
+    for (const double angle : {0.0, 0.4, 0.8, 1.2, 1.5}) {
+      const auto [wave, returned] = viscous_reflection(kMedium, incident, angle, omega);
+      const double period = 2 * pi / omega;
+      constexpr int kInstants = 16;
+      double taken = 0;
+      for (int n = 0; n < kInstants; ++n) {
+        const double t = period * n / kInstants;
+        const Stress stress = wave.stress(0, 0.7, t);
+        const Vector v = wave.velocity(0, 0.7, t);
+        EXPECT_NEAR(stress.xx, -rho * cp * v[0], 1e-9 * rho * cp * omega);
+        EXPECT_NEAR(stress.xy, -rho * cs * v[1], 1e-9 * rho * cp * omega);
+        taken -= (stress.xx * v[0] + stress.xy * v[1]) / kInstants;
+      }
+      const double flux = rho * omega * omega / 2 * (incident == Incident::kP ? cp : cs) * std::cos(angle);
+      EXPECT_NEAR(taken / flux, 1 - returned, 1e-9);
+    }
+}
+
+// Head-on nothing returns, at most 1 % of a P wave to 30 degrees and of an SV wave to 20, and everything
+// along the boundary.
+TEST(ViscousReflection, GrowsFromNothingToEverything) {
+  const auto returned = [](Incident incident, double degrees) {
+    return viscous_reflection(kMedium, incident, degrees * pi / 180, 100).returned_energy;
+  };
+  for (const auto incident : {Incident::kP, Incident::kSv}) {
+    EXPECT_NEAR(returned(incident, 0), 0, 1e-12);
+    EXPECT_GE(returned(incident, 89.9), 0.98);
+  }
+  EXPECT_LE(returned(Incident::kP, 30), 0.01);
+  EXPECT_LE(returned(Incident::kSv, 20), 0.01);
 }
 
 }  // namespace
