@@ -150,7 +150,7 @@ TEST(Supports, ForcesAreRecordedAndDrawn) {
       "histories { name: 'q' quantity: SHEAR_FORCE at { x: 1 y: 1 } lining: 'top' } ";
   Conversation run(scene);
   const double dt = 0.5 * run.model.critical_dt();
-  for (std::uint64_t n = 0; n <= 40; ++n) run.advance(n, dt);
+  for (std::uint64_t n = 0; n <= 400; ++n) run.advance(n, dt);
   const auto& rows = run.predicted.histories();
   ASSERT_EQ(rows.size(), 4);
   wire::Snapshot snapshot;
