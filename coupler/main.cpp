@@ -34,7 +34,7 @@ struct Options : protocol::SceneCommandLine {
   using SceneCommandLine::SceneCommandLine;
   std::string fdm, dem;              // addresses of servers that already listen
   std::vector<std::string> servers;  // NAME=HOST:PORT, the same for any model
-  std::optional<std::size_t> fdm_threads;
+  std::optional<std::size_t> fdm_threads, dem_threads;
 };
 
 // The servers of a run: started here, or running elsewhere.
@@ -94,8 +94,8 @@ Participants join(const adit::scene::Scene& scene, const Options& options, const
     } else {
       const std::string log = is_region(member) ? program + "_" + member.name : program;
       std::vector<std::string> own;
-      if (member.role == Role::kContinuum && options.fdm_threads)
-        own = {"--threads", std::to_string(*options.fdm_threads)};
+      const auto& threads = member.role == Role::kContinuum ? options.fdm_threads : options.dem_threads;
+      if (threads) own = {"--threads", std::to_string(*threads)};
       participants.processes.push_back(std::make_unique<ServerProcess>(
           program, log_folder.empty() ? "/dev/null" : log_folder / (log + ".log"), std::move(own)));
       address = participants.processes.back()->address();
@@ -137,6 +137,7 @@ void add_servers(CLI::App& command, Options& options) {
   command.add_option("--dem", options.dem, "HOST:PORT of a particle server that already listens");
   command.add_option("--fdm-threads", options.fdm_threads,
                      "threads of the continuum server that is started here; as many as pay where absent");
+  command.add_option("--dem-threads", options.dem_threads, "the same for each particle server");
   command
       .add_option("--server", options.servers,
                   "NAME=HOST:PORT: the same for any model by its name; may be repeated")

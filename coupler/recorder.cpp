@@ -18,6 +18,12 @@ std::string column(const scene::History& history) {
       return history.name() + "_vx_m_per_s";
     case scene::VELOCITY_Y:
       return history.name() + "_vy_m_per_s";
+    case scene::THRUST:
+      return history.name() + "_thrust_N";
+    case scene::MOMENT:
+      return history.name() + "_moment_Nm";
+    case scene::SHEAR_FORCE:
+      return history.name() + "_shear_N";
   }
   return history.name();
 }

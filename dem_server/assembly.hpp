@@ -41,7 +41,7 @@ struct Run {
   std::uint32_t begin, count, first, second;
   double rest_x, rest_y;  // from first to second at rest [m]
 };
-inline constexpr std::uint32_t kLongestRun = 256;
+inline constexpr std::uint32_t kLongestRun = 128;
 
 // Runs whose bonds all touch a chosen particle, and runs of which none does.
 struct SplitRuns {

@@ -33,8 +33,9 @@ double value(const Particles& p, const Velocities& before, scene::Quantity quant
       return before.x[i];
     case scene::VELOCITY_Y:
       return before.y[i];
+    default:
+      return 0;
   }
-  return 0;
 }
 
 }  // namespace
@@ -44,6 +45,9 @@ Histories::Histories(const scene::Particles& scene, const Particles& particles) 
   for (int i = 0; i < scene.histories_size(); ++i) {
     const auto& history = scene.histories(i);
     const double x = history.at().x(), y = history.at().y();
+    if (history.quantity() > scene::VELOCITY_Y)
+      throw protocol::UserError(fmt::format("particles.histories[{}].quantity", i),
+                                "is none that particles have; choose displacement or velocity");
     const std::uint32_t particle = nearest(particles, x, y);
     if (const double distance = std::hypot(particles.x[particle] - x, particles.y[particle] - y);
         distance > reach)

@@ -10,6 +10,7 @@
 
 #include "dem_server/assembly.hpp"
 #include "dem_server/contact_forces.hpp"
+#include "dem_server/contacts.hpp"
 #include "dem_server/coupling_points.hpp"
 #include "dem_server/energy.hpp"
 #include "dem_server/histories.hpp"
@@ -25,8 +26,8 @@ namespace adit::dem {
 
 class DemParticipant : public protocol::Participant {
  public:
-  // Results do not depend on the number of threads.
-  explicit DemParticipant(std::size_t threads = 1) : team_(threads) {}
+  // Threads that share the computing, 0: as many as pay. Results do not depend on their number.
+  explicit DemParticipant(std::size_t threads = 1) : threads_(threads) {}
 
   void set_up(const wire::Setup& setup, wire::Model& model) override;
   void weigh(const wire::Weights& weights, wire::Interface& interface) override;
@@ -41,12 +42,13 @@ class DemParticipant : public protocol::Participant {
   // particles at their ends: the kicks of the tied ones then need nothing of the interior.
   struct Part {
     Sweep sweep;
+    std::vector<Pair> pairs;
     Loads loads;
     Motions motions;
   };
 
-  // Divides the bonds between the parts, before loads and motions are divided.
-  void plan(const std::vector<bool>& tied);
+  // Divides bonds and contacts between the parts.
+  void plan();
   // Moves and resultants of step n; velocities of n + 1/2 where only bonds pull.
   void pull(Part& part);
   // The other velocities of n + 1/2.
@@ -64,7 +66,8 @@ class DemParticipant : public protocol::Participant {
   void check_dt(const wire::Advance& advance);
   void report_energies(wire::Energies& energies);
 
-  protocol::Team team_;
+  std::size_t threads_;
+  std::optional<protocol::Team> team_;
   std::clock_t started_ = 0;
   scene::Scene scene_;
   Packing packing_;
@@ -74,7 +77,10 @@ class DemParticipant : public protocol::Participant {
   std::optional<Histories> histories_;
   CouplingPoints coupling_;
   Velocities before_;
-  ContactResult contacts_;                // of this step, as far as computed
+  Contacts contacts_;
+  std::vector<bool> tied_;                // of each particle: the interface acts on it
+  ContactResult result_;                  // of this step, as far as computed
+  double speed_ = 0;                      // largest of this step, likewise [m/s]
   std::vector<std::uint32_t> broken_;     // bonds that broke in this step
   double released_ = 0;                   // up to the last whole step [J]
   wire::Predicted unreported_;            // cracks and largest forces of whole steps

@@ -1,6 +1,8 @@
 #include "dem_server/sweep.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <thread>
 
 #include "dem_server/motion.hpp"
 
@@ -12,7 +14,7 @@ using protocol::Stretch;
 // Particles of a block at least: worth a thread's call, and so many times the reach of a bond that little
 // lies in seams.
 constexpr std::uint32_t kLeastBlock = 4096, kReaches = 12;
-constexpr std::uint32_t kBeat = 512;  // bonds
+constexpr std::uint32_t kBeat = 256;  // bonds
 
 std::uint32_t low_of(const Run& run) {
   return std::min(run.first, run.second);
@@ -43,6 +45,11 @@ void pour(const Stretch& stretch, std::uint32_t first, std::vector<double>& from
 }
 
 }  // namespace
+
+std::size_t useful_threads(std::size_t particles) {
+  return std::clamp<std::size_t>(particles / kLeastBlock, 1,
+                                 std::max(1u, std::thread::hardware_concurrency()));
+}
 
 Sweep::Sweep(std::span<const Run> runs, std::span<const Role> roles, const std::vector<bool>& moved,
              std::size_t threads)
@@ -141,11 +148,12 @@ void Sweep::set_beats(std::vector<Run> runs, Block& block) {
   }
 }
 
-void Sweep::run(protocol::Team& team, const BondLaw& law, const protocol::Step& step, Assembly& assembly,
-                ContactResult& result, std::vector<std::uint32_t>& broken) {
+double Sweep::run(protocol::Team& team, const BondLaw& law, const protocol::Step& step, Assembly& assembly,
+                  ContactResult& result, std::vector<std::uint32_t>& broken) {
   const std::size_t count = blocks_.size();
   for (Outcome& outcome : outcomes_) {
     outcome.contacts = {};
+    outcome.fastest = 0;
     outcome.broken.clear();
   }
   team.run(count, [&](std::size_t b, std::size_t thread) {
@@ -155,12 +163,15 @@ void Sweep::run(protocol::Team& team, const BondLaw& law, const protocol::Step& 
     team.run(count - 1, [&](std::size_t b, std::size_t) {
       run_seam(blocks_[b], law, step, assembly, outcomes_[count + b]);
     });
+  double fastest = 0;
   const auto old = static_cast<std::ptrdiff_t>(broken.size());
   for (const Outcome& outcome : outcomes_) {
     result.add(outcome.contacts);
+    fastest = std::max(fastest, outcome.fastest);
     broken.insert(broken.end(), outcome.broken.begin(), outcome.broken.end());
   }
   std::sort(broken.begin() + old, broken.end());
+  return std::sqrt(fastest);
 }
 
 void Sweep::run_block(const Block& block, Buffer& buffer, const BondLaw& law, const protocol::Step& step,
@@ -171,7 +182,7 @@ void Sweep::run_block(const Block& block, Buffer& buffer, const BondLaw& law, co
                               buffer.moment.data() - first};
   clear(block.cleared, resultants_of(particles));
   for (const Beat& beat : block.beats) {
-    if (!step.from_rest()) move(step.dt, beat.moved, particles);
+    if (!step.from_rest()) outcome.fastest = std::max(outcome.fastest, move(step.dt, beat.moved, particles));
     add_contact_forces(law, step.dt, beat.runs, particles, assembly.bonds, resultants, outcome.contacts,
                        outcome.broken);
     kick(step.kick(), beat.swept, resultants, particles);

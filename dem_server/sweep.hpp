@@ -30,6 +30,9 @@ enum class Role : std::uint8_t {
   kSwept,    // predicts it at once: nothing else pulls on it
 };
 
+// How many threads of this machine are worth calling for so many particles.
+std::size_t useful_threads(std::size_t particles);
+
 class Sweep {
  public:
   Sweep() = default;
@@ -39,9 +42,10 @@ class Sweep {
 
   // Moves by dt v, unless the step starts from rest, and sets the resultants of what it moves to those of the
   // bonds; adds to those of others. Predicts the swept particles. `result` grows to that of all bonds of the
-  // step so far; bonds that broke are appended to `broken`, ascending.
-  void run(protocol::Team& team, const BondLaw& law, const protocol::Step& step, Assembly& assembly,
-           ContactResult& result, std::vector<std::uint32_t>& broken);
+  // step so far; bonds that broke are appended to `broken`, ascending. Returns the largest speed of what it
+  // moved [m/s].
+  double run(protocol::Team& team, const BondLaw& law, const protocol::Step& step, Assembly& assembly,
+             ContactResult& result, std::vector<std::uint32_t>& broken);
   // Predicts the kept particles from their resultants.
   void predict(protocol::Team& team, double kick, Particles& particles) const;
 
@@ -63,6 +67,7 @@ class Sweep {
   struct Outcome {
     ContactResult contacts;
     std::vector<std::uint32_t> broken;
+    double fastest = 0;  // speed squared
   };
 
   struct Buffer {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "fdm_server/grid/selection.hpp"
+#include "fdm_server/structures/lining_probe.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/time_function.hpp"
 
@@ -25,12 +26,22 @@ void add(Load& load, std::uint32_t point, double fx, double fy) {
   load.fy.push_back(fy);
 }
 
+// Forces that never change take up the factor, and have none.
+Load over_time(Load load, const scene::TimeFunction& time, const std::string& path) {
+  load.factor = factor(time, path);
+  if (time.has_table() || time.has_sine()) return load;
+  for (auto* forces : {&load.fx, &load.fy})
+    for (double& force : *forces) force *= load.factor(0);
+  load.factor = nullptr;
+  return load;
+}
+
 Load point_load(const scene::Load& scene, const Grid& grid, const std::string& path) {
   const auto chosen = select_points(grid, scene.where(), path + ".where");
   const double share = 1.0 / static_cast<double>(chosen.size());
-  Load load{{}, {}, {}, factor(scene.time(), path)};
+  Load load;
   for (const auto point : chosen) add(load, point, share * scene.force().x(), share * scene.force().y());
-  return load;
+  return over_time(std::move(load), scene.time(), path);
 }
 
 double length(const Edge& edge, const Grid& grid) {
@@ -41,22 +52,22 @@ Load edge_load(const scene::Load& scene, const Grid& grid, const std::string& pa
   const auto chosen = select_edges(grid, scene.where(), path + ".where");
   double whole = 0;
   for (const auto& edge : chosen) whole += length(edge, grid);
-  Load load{{}, {}, {}, factor(scene.time(), path)};
+  Load load;
   for (const auto& edge : chosen) {
     const double half = length(edge, grid) / whole / 2;
     add(load, edge.from, half * scene.force().x(), half * scene.force().y());
     add(load, edge.to, half * scene.force().x(), half * scene.force().y());
   }
-  return load;
+  return over_time(std::move(load), scene.time(), path);
 }
 
 Load body_load(const scene::BodyLoad& scene, const Grid& grid, std::span<const double> masses,
                const std::string& path) {
   const auto chosen = select_points(grid, scene.where(), path + ".where");
-  Load load{{}, {}, {}, factor(scene.time(), path)};
+  Load load;
   for (const auto point : chosen)
     add(load, point, masses[point] * scene.acceleration().x(), masses[point] * scene.acceleration().y());
-  return load;
+  return over_time(std::move(load), scene.time(), path);
 }
 
 bool same_velocity(const scene::GridMotion& a, double va, const scene::GridMotion& b, double vb) {
@@ -135,6 +146,10 @@ std::vector<Probe> resolve_histories(const scene::Continuum& scene, const Grid& 
   std::vector<Probe> probes;
   for (int i = 0; i < scene.histories_size(); ++i) {
     const auto& history = scene.histories(i);
+    if (is_of_lining(history.quantity())) {
+      probes.push_back({history.quantity(), 0});
+      continue;
+    }
     std::uint32_t nearest = 0;
     double distance = HUGE_VAL;
     for (std::uint32_t point = 0; point < grid.x.size(); ++point) {

@@ -22,7 +22,7 @@ std::vector<Load> resolve_loads(const scene::Continuum& scene, const Grid& grid,
 // A component of a point that two motions prescribe differently is an error.
 std::vector<Motion> resolve_motions(const scene::Continuum& scene, const Grid& grid);
 
-// A quantity at one grid point.
+// A quantity at one grid point; of a lining's forces: its place among the lining probes.
 struct Probe {
   scene::Quantity quantity;
   std::uint32_t point;

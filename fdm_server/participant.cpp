@@ -76,6 +76,10 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
                                            supports_.structures);
   probes_ = resolve_histories(conditions, grid_);
   probe_before_.resize(probes_.size());
+  for (int i = 0; i < conditions.histories_size(); ++i)
+    if (is_of_lining(conditions.histories(i).quantity()))
+      lining_probes_.push_back(resolve_lining_probe(conditions.histories(i), supports_, grid_,
+                                                    fmt::format("continuum.histories[{}]", i)));
   if (!weights.weights().empty()) offer_grid_points(weights, interface);
   interface.set_zones(grid_.zones.size());
   interface.set_grid_points(grid_.x.size());
@@ -109,6 +113,7 @@ void FdmParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
   if (next_step_ == 0) step_.dt = advance.dt();
   check(advance);
   push(advance.impulses());
+  take_peak_forces();
   if (advance.relax()) relax(advance.stop(), *predicted.mutable_relaxation());
   if (advance.want_histories()) remember_probes();
 
@@ -189,6 +194,10 @@ void FdmParticipant::push(const google::protobuf::RepeatedField<double>& impulse
     continuum_->push(operator_.points()[j], own[2 * j], own[2 * j + 1]);
 }
 
+void FdmParticipant::take_peak_forces() {
+  if (next_step_ > 0 && !step_.relax) peak_forces_.take(supports_.linings, continuum_->structures());
+}
+
 void FdmParticipant::remember_probes() {
   for (std::size_t i = 0; i < probes_.size(); ++i) {
     const auto [quantity, point] = probes_[i];
@@ -197,12 +206,15 @@ void FdmParticipant::remember_probes() {
 }
 
 void FdmParticipant::fill_histories(wire::Predicted& predicted) const {
+  auto lining = lining_probes_.begin();
   for (std::size_t i = 0; i < probes_.size(); ++i) {
     const auto [quantity, point] = probes_[i];
     if (quantity == scene::DISPLACEMENT_X)
       predicted.add_histories(continuum_->ux()[point]);
     else if (quantity == scene::DISPLACEMENT_Y)
       predicted.add_histories(continuum_->uy()[point]);
+    else if (is_of_lining(quantity))
+      predicted.add_histories(value(*lining++, supports_, continuum_->structures()));
     else
       predicted.add_histories(probe_before_[i]);
   }
@@ -233,6 +245,8 @@ void FdmParticipant::check_grid(std::uint64_t step) const {
 void FdmParticipant::snapshot(const wire::SnapshotRequest& request, wire::Snapshot& snapshot) {
   push(request.impulses());
   fill_snapshot(grid_, *continuum_, weights_, snapshot);
+  take_peak_forces();
+  add_supports(grid_, *continuum_, supports_, peak_forces_, snapshot);
 }
 
 void FdmParticipant::finish(wire::Bye& bye) {

@@ -13,6 +13,8 @@
 #include "fdm_server/conditions.hpp"
 #include "fdm_server/setup.hpp"
 #include "fdm_server/solver/relaxation.hpp"
+#include "fdm_server/structures/lining_probe.hpp"
+#include "fdm_server/structures/peak_forces.hpp"
 #include "fdm_server/structures/supports.hpp"
 #include "protocol/interface_operator.hpp"
 #include "protocol/participant.hpp"
@@ -42,6 +44,8 @@ class FdmParticipant final : public protocol::Participant {
   void relax(bool stop, wire::Relaxation& answer);
   // The first step that does not relax: from the state reached.
   void start_over();
+  // Of the linings at the last step, once time goes on.
+  void take_peak_forces();
   // v(n-1/2) of the velocity probes, before the step overwrites it.
   void remember_probes();
   void fill_histories(wire::Predicted& predicted) const;
@@ -60,6 +64,8 @@ class FdmParticipant final : public protocol::Participant {
   protocol::InterfaceOperator operator_;
   std::vector<Probe> probes_;
   std::vector<double> probe_before_;
+  std::vector<LiningProbe> lining_probes_;
+  PeakForces peak_forces_;
   std::optional<Relaxation> relaxation_;  // in statics
   protocol::Step step_{0, 0.0};           // the last one
   std::uint64_t next_step_ = 0, steps_done_ = 0;

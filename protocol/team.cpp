@@ -6,6 +6,7 @@ namespace adit::protocol {
 namespace {
 
 constexpr std::uint64_t kEnd = std::uint64_t{1} << 63;
+constexpr int kLooks = 64;
 constexpr std::chrono::microseconds kSpin{100};
 
 void pause() {
@@ -14,15 +15,19 @@ void pause() {
 #endif
 }
 
-// Returns when the value is another than `old`.
+// Returns when the value is another than `old`: looks, then looks again and again after others on this core
+// had their turn, among them the one that is waited for where there are too few cores; then sleeps.
 void await_change(const std::atomic<std::uint64_t>& value, std::uint64_t old) {
-  const auto deadline = std::chrono::steady_clock::now() + kSpin;
-  do
-    for (int i = 0; i < 16; ++i) {
-      if (value.load(std::memory_order_acquire) != old) return;
-      pause();
-    }
-  while (std::chrono::steady_clock::now() < deadline);
+  const auto changed = [&] { return value.load(std::memory_order_acquire) != old; };
+  for (int i = 0; i < kLooks; ++i) {
+    if (changed()) return;
+    pause();
+  }
+  for (const auto deadline = std::chrono::steady_clock::now() + kSpin;
+       std::chrono::steady_clock::now() < deadline;) {
+    if (changed()) return;
+    std::this_thread::yield();
+  }
   value.wait(old, std::memory_order_acquire);
 }
 

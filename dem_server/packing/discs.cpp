@@ -1,35 +1,23 @@
 #include "dem_server/packing/discs.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "protocol/cells.hpp"
+#include "dem_server/packing/torus.hpp"
 
 namespace adit::dem {
 
 std::vector<Pair> pairs_within(const Discs& discs, double reach) {
-  std::vector<protocol::Extent> extents;
-  extents.reserve(discs.size());
-  double largest = 0;
-  for (std::size_t i = 0; i < discs.size(); ++i) {
-    const double r = discs.radius[i] + reach / 2;
-    extents.push_back({discs.x[i] - r, discs.x[i] + r, discs.y[i] - r, discs.y[i] + r});
-    largest = std::max(largest, r);
-  }
-  const protocol::Cells cells(extents, 2 * largest);
+  if (discs.size() == 0) return {};
+  const Torus torus(2 * std::ranges::max(discs.radius) + reach, discs.x, discs.y);
   std::vector<Pair> pairs;
-  std::vector<std::uint32_t> near;
   for (std::uint32_t i = 0; i < discs.size(); ++i) {
-    near.clear();
-    cells.visit_near(discs.x[i], discs.y[i], discs.radius[i] + reach / 2, [&](std::uint32_t j) {
+    const auto begin = static_cast<std::ptrdiff_t>(pairs.size());
+    torus.visit_around(i, [&](std::uint32_t j) {
       const double limit = discs.radius[i] + discs.radius[j] + reach;
       const double dx = discs.x[j] - discs.x[i], dy = discs.y[j] - discs.y[i];
-      if (j > i && dx * dx + dy * dy <= limit * limit) near.push_back(j);
+      if (j > i && dx * dx + dy * dy <= limit * limit) pairs.push_back({i, j});
     });
-    std::ranges::sort(near);
-    const auto repeated = std::ranges::unique(near);
-    near.erase(repeated.begin(), repeated.end());
-    for (const auto j : near) pairs.push_back({i, j});
+    std::ranges::sort(pairs.begin() + begin, pairs.end(), {}, &Pair::second);
   }
   return pairs;
 }

@@ -38,13 +38,25 @@ Continuum::Continuum(std::unique_ptr<Zones> zones, std::span<const double> masse
     points_[kInverseMassX][i] = points_[kInverseMassY][i] = 1 / masses[i];
   }
   zones_->follow(points_[kUx].data(), points_[kUy].data());
-  for (auto& load : loads) interior_.loads.push_back({std::move(load)});
+  for (auto& load : loads)
+    if (load.factor)
+      interior_.loads.push_back({std::move(load)});
+    else
+      add_steady(load);
   for (auto& motion : motions) {
     for (const auto point : motion.points)
       points_[motion.axis == Axis::kX ? kInverseMassX : kInverseMassY][point] = 0;
     interior_.motions.push_back(prescribed(std::move(motion)));
   }
   plan(std::vector<bool>(masses.size(), false));
+}
+
+void Continuum::add_steady(const Load& load) {
+  steady_ = true;
+  for (std::size_t i = 0; i < load.points.size(); ++i) {
+    points_[kSteadyX][load.points[i]] += load.fx[i];
+    points_[kSteadyY][load.points[i]] += load.fy[i];
+  }
 }
 
 Continuum::Prescribed Continuum::prescribed(Motion motion) const {
@@ -117,9 +129,16 @@ void Continuum::hold(Axis axis, std::uint32_t point, double impulse) {
 }
 
 PointColumns Continuum::columns() {
-  return {points_[kUx].data(),           points_[kUy].data(),          points_[kVx].data(),
-          points_[kVy].data(),           points_[kFx].data(),          points_[kFy].data(),
-          points_[kInverseMassX].data(), points_[kInverseMassY].data()};
+  return {points_[kUx].data(),
+          points_[kUy].data(),
+          points_[kVx].data(),
+          points_[kVy].data(),
+          points_[kFx].data(),
+          points_[kFy].data(),
+          points_[kInverseMassX].data(),
+          points_[kInverseMassY].data(),
+          steady_ ? points_[kSteadyX].data() : nullptr,
+          steady_ ? points_[kSteadyY].data() : nullptr};
 }
 
 void Continuum::step(const protocol::Step& step, Energies* wanted) {
@@ -186,6 +205,15 @@ void Continuum::remember_velocities() {
   std::ranges::copy(points_[kVy], points_[kLastVy].begin());
 }
 
+// Since the displacements were 0.
+double Continuum::steady_work() const {
+  if (!steady_) return 0;
+  double work = 0;
+  for (std::size_t i = 0; i < points_.rows(); ++i)
+    work += points_[kSteadyX][i] * points_[kUx][i] + points_[kSteadyY][i] * points_[kUy][i];
+  return work;
+}
+
 Energies Continuum::energies(const protocol::Step& step) const {
   const auto product = [&](double before, double after) {
     return (step.from_rest() ? -after : before) * after;
@@ -194,7 +222,7 @@ Energies Continuum::energies(const protocol::Step& step) const {
   for (std::size_t i = 0; i < points_.rows(); ++i)
     twice += points_[kMass][i] *
              (product(points_[kLastVx][i], points_[kVx][i]) + product(points_[kLastVy][i], points_[kVy][i]));
-  return {twice / 2, zones_->strain_energy() + structures_.strain_energy(), external_work_,
+  return {twice / 2, zones_->strain_energy() + structures_.strain_energy(), external_work_ + steady_work(),
           structures_.dissipated()};
 }
 

@@ -35,7 +35,7 @@ using TimeFactor = std::function<double(double t)>;
 struct Load {
   std::vector<std::uint32_t> points;
   std::vector<double> fx, fy;  // [N], one of each a point
-  TimeFactor factor;
+  TimeFactor factor;           // none: steady, which costs a step next to nothing
 };
 
 enum class Axis { kX, kY };
@@ -107,6 +107,8 @@ class Continuum {
     kFy,
     kInverseMassX,
     kInverseMassY,
+    kSteadyX,
+    kSteadyY,
     kMass,
     kLastVx,
     kLastVy,
@@ -136,6 +138,7 @@ class Continuum {
   // Says which points the parts may sweep: those of loads, motions and structures have to wait for these.
   void plan(const std::vector<bool>& chosen);
   PointColumns columns();
+  void add_steady(const Load& load);
   Prescribed prescribed(Motion motion) const;
   void hold(Axis axis, std::uint32_t point, double impulse);
   void pull(Part& part, const protocol::Step& step);
@@ -143,6 +146,7 @@ class Continuum {
   void find_reactions(Part& part, const protocol::Step& step);
   void predict(const Part& part, const protocol::Step& step);
   void remember_velocities();
+  double steady_work() const;
   Energies energies(const protocol::Step& step) const;
 
   std::unique_ptr<Zones> zones_;
@@ -150,7 +154,8 @@ class Continuum {
   Columns<kColumns> points_;
   protocol::Team team_;
   Part interface_, interior_;
-  double external_work_ = 0;
+  bool steady_ = false;       // are there steady loads
+  double external_work_ = 0;  // of all others, and of motions
   double last_dt_ = 0, last_kick_ = 0;
 };
 

@@ -53,6 +53,16 @@ void move(std::span<const Stretch> stretches, double dt, const PointColumns& poi
     }
 }
 
+void add_steady(std::span<const Stretch> stretches, const PointColumns& points, double* fx, double* fy) {
+  if (!points.steady_x) return;
+  for (const auto [begin, end] : stretches)
+#pragma GCC ivdep
+    for (std::size_t i = begin; i < end; ++i) {
+      fx[i] += points.steady_x[i];
+      fy[i] += points.steady_y[i];
+    }
+}
+
 void predict(std::span<const Stretch> stretches, double kick, const PointColumns& points, double* fx,
              double* fy) {
   for (const auto [begin, end] : stretches)
@@ -192,6 +202,8 @@ void Sweep::run(protocol::Team& team, Zones& zones, double dt, double kick, cons
       pour(stretch.end - stretch.begin, &waiting_.x[place], points.fx + stretch.begin);
       pour(stretch.end - stretch.begin, &waiting_.y[place], points.fy + stretch.begin);
     }
+    for (const Stretches* own : {&chunks_[c].swept, &chunks_[c].kept})
+      add_steady(*own, points, points.fx, points.fy);
     fdm::predict(chunks_[c].swept, kick, points, points.fx, points.fy);
   });
 }
@@ -202,6 +214,7 @@ void Sweep::compute(const Chunk& chunk, Buffer& buffer, Zones& zones, double dt,
   for (const Block& block : chunk.blocks) {
     move(block.moved, dt, points);
     zones.add_forces(block.runs, dt, {points.vx, points.vy, fx, fy});
+    add_steady(block.swept, points, fx, fy);
     fdm::predict(block.swept, kick, points, fx, fy);
     for (const auto [begin, end] : block.left) {
       pour(end - begin, fx + begin, points.fx + begin);

@@ -20,10 +20,12 @@
 
 namespace adit::fdm {
 
-// One value a point: displacements, velocities, forces for others to add to, and inverse masses.
+// One value a point: displacements, velocities, forces for others to add to, inverse masses; steady forces,
+// which every point gets beside those of its zones, null where there are none.
 struct PointColumns {
   double *ux, *uy, *vx, *vy, *fx, *fy;
   const double *inverse_mass_x, *inverse_mass_y;
+  const double *steady_x, *steady_y;
 };
 
 // What a sweep does with a point, if its zones pull on it.

@@ -104,24 +104,6 @@ geometry::Point place_of(const scene::LiningJoint& joint, const scene::LiningPat
           circle.centre().y() + circle.radius() * std::sin(joint.angle())};
 }
 
-std::size_t node_of(const geometry::Point& place, const Path& lining, const Grid& grid,
-                    const std::string& path) {
-  const auto distance = [&](std::size_t node) {
-    const auto point = lining.points[node];
-    return std::hypot(grid.x[point] - place.x, grid.y[point] - place.y);
-  };
-  std::size_t nearest = 0;
-  for (std::size_t node = 1; node < lining.points.size(); ++node)
-    if (distance(node) < distance(nearest)) nearest = node;
-  const auto next = lining.points[nearest == 0 ? 1 : nearest - 1], here = lining.points[nearest];
-  const double beam = std::hypot(grid.x[next] - grid.x[here], grid.y[next] - grid.y[here]);
-  require(
-      distance(nearest) <= 0.6 * beam, path,
-      fmt::format("lies at ({:.6g}, {:.6g}) m, {:.3g} m from the lining's nearest node; put it on the lining",
-                  place.x, place.y, distance(nearest)));
-  return nearest;
-}
-
 std::vector<LiningJoint> read_joints(const scene::Lining& lining, const Path& along, const Grid& grid,
                                      const std::string& path) {
   std::vector<LiningJoint> joints;
@@ -137,7 +119,7 @@ std::vector<LiningJoint> read_joints(const scene::Lining& lining, const Path& al
     require(
         !joint.has_yield_moment() || joint.rotational_stiffness() > 0, here + ".yield_moment",
         "is given to a hinge, which carries no moment; give its rotational_stiffness too, or leave it out");
-    const auto node = node_of(place_of(joint, lining.along(), here), along, grid, here);
+    const auto node = nearest_node(place_of(joint, lining.along(), here), along, grid, here);
     require(along.closed || (node > 0 && node + 1 < along.points.size()), here,
             "lies at an end of the lining, where no beam follows; leave it out");
     for (std::size_t other = 0; other < joints.size(); ++other)
@@ -198,6 +180,24 @@ void add_bolt(const scene::Bolt& bolt, const Grid& grid, const Edges& edges, con
 }
 
 }  // namespace
+
+std::size_t nearest_node(const geometry::Point& place, const Path& lining, const Grid& grid,
+                         const std::string& path) {
+  const auto distance = [&](std::size_t node) {
+    const auto point = lining.points[node];
+    return std::hypot(grid.x[point] - place.x, grid.y[point] - place.y);
+  };
+  std::size_t nearest = 0;
+  for (std::size_t node = 1; node < lining.points.size(); ++node)
+    if (distance(node) < distance(nearest)) nearest = node;
+  const auto next = lining.points[nearest == 0 ? 1 : nearest - 1], here = lining.points[nearest];
+  const double beam = std::hypot(grid.x[next] - grid.x[here], grid.y[next] - grid.y[here]);
+  require(
+      distance(nearest) <= 0.6 * beam, path,
+      fmt::format("lies at ({:.6g}, {:.6g}) m, {:.3g} m from the lining's nearest node; put it on the lining",
+                  place.x, place.y, distance(nearest)));
+  return nearest;
+}
 
 Supports resolve_supports(const scene::Continuum& scene, bool plane_strain, const Grid& grid) {
   Supports supports;

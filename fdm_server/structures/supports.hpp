@@ -8,6 +8,7 @@
 
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/structures/lining.hpp"
+#include "protocol/geometry/shape.hpp"
 #include "protocol/scene.pb.h"
 
 namespace adit::fdm {
@@ -23,6 +24,10 @@ struct Supports {
   std::vector<Lining> linings{};
   std::vector<BoltBars> bolts{};
 };
+
+// The node of a lining nearest to a place, which must lie about as near as half a beam.
+std::size_t nearest_node(const geometry::Point& place, const Path& lining, const Grid& grid,
+                         const std::string& path);
 
 Supports resolve_supports(const scene::Continuum& scene, bool plane_strain, const Grid& grid);
 

@@ -19,6 +19,17 @@ bool is_upright_rectangle(const Corners& c) {
                                          largest](double offset) { return std::abs(offset) <= rounding; });
 }
 
+// A run of fewer zones is not worth a call of the kernel, if its neighbours can be had with it.
+constexpr std::uint32_t kShort = 8;
+constexpr std::uint32_t kOwnShapes = ~std::uint32_t{0};
+
+bool continues(const ZoneRun& run, const ZoneRun& next) {
+  if (next.first != run.first + run.count) return false;
+  for (std::size_t c = 0; c < 4; ++c)
+    if (next.points[c] != run.points[c] + static_cast<std::int32_t>(run.count)) return false;
+  return true;
+}
+
 }  // namespace
 
 ElasticShape elastic_shape(ZoneKind kind, const Corners& c, const PlaneLaw& law) {
@@ -37,6 +48,36 @@ ElasticZones::ElasticZones(ZoneKind kind, const Grid& grid, const PlaneLaw& law,
   auto layout = lay_out(grid);
   runs_ = std::move(layout.runs);
   for (const auto& shape : layout.shapes) shapes_.push_back(elastic_shape(kind, shape, law));
+  join_short_runs();
+}
+
+void ElasticZones::join_short_runs() {
+  std::vector<ZoneRun> joined;
+  const auto take_up = [this](const ZoneRun& run) {
+    if (!own_) own_.emplace(count());
+    for (std::size_t c = 0; c < kCoefficients; ++c)
+      std::ranges::fill((*own_)[c].subspan(run.first, run.count), shapes_[run.shape].coefficients[c]);
+  };
+  for (const ZoneRun& run : runs_) {
+    ZoneRun* last = joined.empty() ? nullptr : &joined.back();
+    if (!last || run.count >= kShort || !continues(*last, run) ||
+        (last->shape != kOwnShapes && last->count >= kShort)) {
+      joined.push_back(run);
+      continue;
+    }
+    if (last->shape != kOwnShapes) take_up(*last);
+    take_up(run);
+    last->shape = kOwnShapes;
+    last->count += run.count;
+  }
+  runs_ = std::move(joined);
+}
+
+Coefficients ElasticZones::coefficients(const ZoneRun& run, std::uint32_t k) const {
+  if (run.shape != kOwnShapes) return shapes_[run.shape].coefficients;
+  Coefficients result{};
+  for (std::size_t c = 0; c < kCoefficients; ++c) result[c] = (*own_)[c][run.first + k];
+  return result;
 }
 
 void ElasticZones::follow(const double* ux, const double* uy) {
@@ -52,13 +93,18 @@ void ElasticZones::add_forces(std::span<const ZoneRun> runs, double /*dt*/, cons
 }
 
 ElasticBatch ElasticZones::batch(const ZoneRun& run, std::uint32_t done, std::uint32_t count) const {
-  const ElasticShape& shape = shapes_[run.shape];
-  ElasticBatch result{{}, {}, count, &shape.coefficients, shape.rectangle, {}, {}, nullptr};
+  ElasticBatch result{{}, {}, count, nullptr, false, {}, {}, nullptr};
   for (std::size_t c = 0; c < 4; ++c) {
     result.ux[c] = ux_ + run.points[c] + done;
     result.uy[c] = uy_ + run.points[c] + done;
   }
   const std::size_t first = run.first + done;
+  if (run.shape == kOwnShapes) {
+    for (std::size_t c = 0; c < kCoefficients; ++c) result.each[c] = &(*own_)[c][first];
+  } else {
+    result.same = &shapes_[run.shape].coefficients;
+    result.rectangles = shapes_[run.shape].rectangle;
+  }
   if (initial_)
     for (std::size_t c = 0; c < kComponents; ++c) result.initial[c] = &(*initial_)[c][first];
   if (weighted_) result.weight = &weights_[first];
@@ -66,7 +112,7 @@ ElasticBatch ElasticZones::batch(const ZoneRun& run, std::uint32_t done, std::ui
 }
 
 ElasticZones::State ElasticZones::state(const ZoneRun& run, std::uint32_t k) const {
-  const auto [gx0, gx1, gy0, gy1, area, c0, c1, bulk, shear, kxx, kyy, kxy] = shapes_[run.shape].coefficients;
+  const auto [gx0, gx1, gy0, gy1, area, c0, c1, bulk, shear, kxx, kyy, kxy] = coefficients(run, k);
   std::array<double, 4> x{}, y{};
   for (std::size_t c = 0; c < 4; ++c) {
     x[c] = ux_[run.points[c] + static_cast<std::int32_t>(k)];
@@ -105,12 +151,12 @@ void ElasticZones::start_over() {
 double ElasticZones::strain_energy() const {
   double energy = 0;
   for (const auto& run : runs_) {
-    const auto& shape = shapes_[run.shape].coefficients;
-    const double kxx = shape[kKxx], kyy = shape[kKyy], kxy = shape[kKxy], determinant = kxx * kyy - kxy * kxy;
     for (std::uint32_t k = 0; k < run.count; ++k) {
+      const auto shape = coefficients(run, k);
+      const double kxx = shape[kKxx], kyy = shape[kKyy], kxy = shape[kKxy];
       const auto [p, t, s, hx, hy] = state(run, k);
       const double uniform = shape[kArea] * (p * p / shape[kBulk] + (t * t + s * s) / shape[kShear]);
-      const double pattern = (kyy * hx * hx - 2 * kxy * hx * hy + kxx * hy * hy) / determinant;
+      const double pattern = (kyy * hx * hx - 2 * kxy * hx * hy + kxx * hy * hy) / (kxx * kyy - kxy * kxy);
       energy += 0.5 * weights_[run.first + k] * (uniform + pattern);
     }
   }

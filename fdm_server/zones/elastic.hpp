@@ -39,12 +39,16 @@ class ElasticZones final : public Zones {
 
  private:
   using State = std::array<double, kComponents>;
+  // Makes one run of a row of zones that differ in shape, as in graded and mapped grids.
+  void join_short_runs();
+  Coefficients coefficients(const ZoneRun& run, std::uint32_t k) const;
   ElasticBatch batch(const ZoneRun& run, std::uint32_t done, std::uint32_t count) const;
   // Of zone k of a run.
   State state(const ZoneRun& run, std::uint32_t k) const;
   Columns<kComponents>& initial();
 
   std::vector<ElasticShape> shapes_;
+  std::optional<Columns<kCoefficients>> own_;  // of the zones in runs of many shapes
   std::vector<ZoneRun> runs_;
   std::vector<double> weights_;
   bool weighted_;                                // any weight is not 1

@@ -44,7 +44,7 @@ struct Motions {
 Motions shaken(const Variant& variant, const Grid& grid, std::size_t threads, bool in_halves = false) {
   std::vector<double> weights(grid.zones.size());
   for (std::size_t z = 0; z < weights.size(); ++z)
-    weights[z] = std::min(1.0, 0.2 + 0.01 * corners(grid, grid.zones[z]).x[0]);
+    weights[z] = std::min(1.0, 0.2 + 0.01 * corners(grid, z).x[0]);
   Load hit{{}, {}, {}, [](double t) { return std::cos(500 * t); }};
   Motion fixed{{}, Axis::kX, 0.0, [](double) { return 1.0; }};
   std::vector<std::uint32_t> interface;

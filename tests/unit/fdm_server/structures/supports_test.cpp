@@ -137,6 +137,47 @@ TEST(Supports, TheLiningGovernsTheStep) {
   EXPECT_GT(without.model.critical_dt(), with_lining.model.critical_dt());
 }
 
+// Histories of a lining's forces and its piece of a snapshot: a beam under its own weight on a rigid base.
+TEST(Supports, ForcesAreRecordedAndDrawn) {
+  const std::string scene =
+      "motions { where { y_max: 0 } velocity { x: 0 y: 0 } } body_loads { acceleration { y: -10 } } "
+      "linings { name: 'top' along { line { points { x: 0 y: 1 } points { x: 6 y: 1 } } } "
+      "thickness: 0.5 young_modulus: 30e9 } "
+      "bolts { from { x: 3 y: 0 } to { x: 3 y: 1 } area: 1e-3 spacing: 2 } "
+      "histories { name: 'm' quantity: MOMENT at { x: 2.9 y: 1 } lining: 'top' } "
+      "histories { name: 'u' quantity: DISPLACEMENT_Y at { x: 3 y: 1 } } "
+      "histories { name: 'n' quantity: THRUST at { x: 3 y: 1 } lining: 'top' } "
+      "histories { name: 'q' quantity: SHEAR_FORCE at { x: 1 y: 1 } lining: 'top' } ";
+  Conversation run(scene);
+  const double dt = 0.5 * run.model.critical_dt();
+  for (std::uint64_t n = 0; n <= 40; ++n) run.advance(n, dt);
+  const auto& rows = run.predicted.histories();
+  ASSERT_EQ(rows.size(), 4);
+  wire::Snapshot snapshot;
+  run.participant.snapshot({}, snapshot);
+  ASSERT_EQ(snapshot.pieces_size(), 3);
+  const auto &lining = snapshot.pieces(1), &bolt = snapshot.pieces(2);
+  EXPECT_EQ(lining.name(), "linings");
+  EXPECT_EQ(lining.points_size(), 26);
+  EXPECT_EQ(lining.connectivity_size(), 24);
+  const auto field = [](const auto& fields, const std::string& name) {
+    const auto found = std::ranges::find(fields, name, &wire::Field::name);
+    EXPECT_NE(found, fields.end()) << name;
+    return found->values();
+  };
+  const auto moment = field(lining.point_fields(), "moment_Nm");
+  const auto peak = field(lining.point_fields(), "peak_moment_Nm");
+  EXPECT_NE(rows[0], 0);
+  EXPECT_EQ(moment[6], rows[0]);
+  EXPECT_EQ(field(lining.point_fields(), "displacement_m")[3 * 6 + 1], rows[1]);
+  EXPECT_EQ(field(lining.point_fields(), "thrust_N")[6], rows[2]);
+  EXPECT_EQ(field(lining.point_fields(), "shear_N")[2], rows[3]);
+  for (int node = 0; node < 13; ++node) EXPECT_GE(peak[node], std::abs(moment[node]));
+  EXPECT_GT(peak[3], std::abs(moment[3]));
+  EXPECT_EQ(bolt.name(), "bolts");
+  EXPECT_LT(field(bolt.cell_fields(), "thrust_N")[0], 0);
+}
+
 struct Case {
   std::string name, text, path, message;
 };
