@@ -8,8 +8,10 @@
 #include <ctime>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "fdm_server/boundaries/free_field.hpp"
 #include "fdm_server/conditions.hpp"
 #include "fdm_server/setup.hpp"
 #include "fdm_server/solver/relaxation.hpp"
