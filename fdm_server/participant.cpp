@@ -10,10 +10,13 @@
 #include <utility>
 
 #include "fdm_server/boundaries/boundaries.hpp"
+#include "fdm_server/excavation.hpp"
 #include "fdm_server/grid/interpolation.hpp"
+#include "fdm_server/grid/samples.hpp"
 #include "fdm_server/ground.hpp"
 #include "fdm_server/initial_stress.hpp"
 #include "fdm_server/materials/material_zones.hpp"
+#include "fdm_server/read_grid.hpp"
 #include "fdm_server/snapshot.hpp"
 #include "protocol/errors.hpp"
 
@@ -27,16 +30,12 @@ std::span<const double> view(const google::protobuf::RepeatedField<double>& fiel
 }
 
 // One weight a zone from the wire's samples; all 1 where there are none.
-std::vector<double> read_weights(const wire::Weights& weights, const Block& block) {
-  if (weights.weights().empty()) return std::vector<double>(std::size_t{block.zones_x} * block.zones_y, 1.0);
-  const std::size_t samples = (2 * std::size_t{block.zones_x} + 1) * (2 * std::size_t{block.zones_y} + 1);
+std::vector<double> read_weights(const wire::Weights& weights, const Grid& grid) {
+  if (weights.weights().empty()) return std::vector<double>(grid.zones.size(), 1.0);
   const auto in_range = [](double value) { return value >= 0 && value <= 1; };
-  if (static_cast<std::size_t>(weights.weights_size()) != samples)
-    throw std::invalid_argument(
-        fmt::format("got {} weights for {} sample points", weights.weights_size(), samples));
   if (!std::ranges::all_of(weights.weights(), in_range) || !in_range(weights.floor()))
     throw std::invalid_argument("got a weight or a floor outside [0, 1]");
-  return zone_weights(block, view(weights.weights()), weights.floor());
+  return zone_weights(grid, view(weights.weights()), weights.floor());
 }
 
 }  // namespace
@@ -45,7 +44,7 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   started_ = std::clock();
   scene_ = setup.scene();
   setup_ = read_setup(scene_);
-  grid_ = make_grid(setup_.block);
+  grid_ = read_grid(scene_.continuum());
   setup_.ground.of_zone = materials_of_zones(scene_.continuum(), grid_);
   const Supports supports =
       resolve_supports(scene_.continuum(), scene_.plane() == scene::PLANE_STRAIN, grid_);
@@ -53,16 +52,17 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   critical_dt_ = critical_step(damping_, std::min(critical_step(setup_.kind, grid_, setup_.ground),
                                                   supports.structures.critical_step()));
   model.set_critical_dt(critical_dt_);
-  model.set_x_min(setup_.block.x_min);
-  model.set_x_max(setup_.block.x_max);
-  model.set_y_min(setup_.block.y_min);
-  model.set_y_max(setup_.block.y_max);
-  const auto samples = sample_points(setup_.block);
+  const auto box = bounds(grid_);
+  model.set_x_min(box.x_min);
+  model.set_x_max(box.x_max);
+  model.set_y_min(box.y_min);
+  model.set_y_max(box.y_max);
+  const auto samples = sample_points(grid_);
   model.mutable_sample_points()->Assign(samples.begin(), samples.end());
 }
 
 void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interface) {
-  weights_ = read_weights(weights, setup_.block);
+  weights_ = read_weights(weights, grid_);
   compact(setup_.ground, weights_);
   compact(grid_, weights_);
   if (grid_.zones.empty())
@@ -74,6 +74,7 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   const auto& conditions = scene_.continuum();
   make_continuum();
   probes_ = resolve_histories(conditions, grid_);
+  stage_of_zone_ = excavation_stages(scene_, grid_);
   probe_before_.resize(probes_.size());
   for (int i = 0; i < conditions.histories_size(); ++i)
     if (is_of_lining(conditions.histories(i).quantity()))
@@ -84,41 +85,46 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   interface.set_grid_points(grid_.x.size());
 }
 
-// Places select before the columns are there, which then follow their side.
+// The columns follow their side.
 void FdmParticipant::make_continuum() {
   const auto& conditions = scene_.continuum();
-  auto loads = resolve_loads(conditions, grid_, masses());
-  auto motions = resolve_motions(conditions, grid_);
   const auto edges = outline(grid_);
-  const auto columns = add_columns(conditions, edges, grid_);
-  for (const auto& column : columns)
+  columns_ = add_columns(conditions, edges, grid_);
+  for (const auto& column : columns_)
     for (const auto& edge : column.edges) setup_.ground.of_zone.push_back(setup_.ground.of_zone[edge.zone]);
   weights_.resize(grid_.zones.size(), 1.0);
-  const auto all_masses = masses();
-  for (const auto& column : columns) {
-    for (auto& load : std::span(loads).last(conditions.body_loads_size()))
-      extend_to_column(column, all_masses, load);
-    for (auto& motion : motions) extend_to_column(column, motion.points);
-  }
 
-  std::unique_ptr<Zones> zones = std::make_unique<MaterialZones>(setup_.kind, grid_, setup_.ground, weights_);
-  if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), grid_, *zones);
+  auto motions = resolve_motions(conditions, grid_);
+  for (auto& motion : motions)
+    for (const auto& column : columns_) extend_to_column(column, motion.points);
   auto boundaries = resolve_boundaries(
-      conditions, scene_.time().duration(), grid_, edges, columns,
+      conditions, scene_.time().duration(), grid_, edges, columns_,
       [this](std::uint32_t zone) {
         const Ground& ground = setup_.ground;
         const Material& material = ground.materials[ground.of_zone[zone]];
         return impedance(ground.plane_law(material), material.density, weights_[zone]);
       },
       motions);
-  std::ranges::move(boundaries.loads, std::back_inserter(loads));
   std::ranges::move(boundaries.motions, std::back_inserter(motions));
-  continuum_ = std::make_unique<Continuum>(std::move(zones), all_masses, std::move(loads), std::move(motions),
+  base_loads_ = std::move(boundaries.loads);
+
+  std::unique_ptr<Zones> zones = std::make_unique<MaterialZones>(setup_.kind, grid_, setup_.ground, weights_);
+  if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), grid_, *zones);
+  const auto masses = this->masses();
+  continuum_ = std::make_unique<Continuum>(std::move(zones), masses, loads(masses), std::move(motions),
                                            threads_ > 0 ? threads_ : useful_threads(grid_.zones.size()),
                                            supports_.structures);
   continuum_->set_dashpots(std::move(boundaries.dashpots),
                            scene_.has_statics() || scene_.has_initial_stress());
   continuum_->set_damping(damping_);
+}
+
+std::vector<Load> FdmParticipant::loads(std::span<const double> masses) const {
+  auto loads = resolve_loads(scene_.continuum(), grid_, masses);
+  for (auto& load : std::span(loads).last(scene_.continuum().body_loads_size()))
+    for (const auto& column : columns_) extend_to_column(column, masses, load);
+  loads.insert(loads.end(), base_loads_.begin(), base_loads_.end());
+  return loads;
 }
 
 std::vector<double> FdmParticipant::masses() const {
@@ -142,6 +148,7 @@ void FdmParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
       !std::ranges::all_of(couple.points(), [](double value) { return std::isfinite(value); }))
     throw std::invalid_argument("got coupling points that are no finite pairs x y");
   operator_ = protocol::InterfaceOperator(interpolate(grid_, view(couple.points())));
+  require_interface_stays();
   continuum_->set_interface(operator_.points());
   operator_.fill(op);
   for (const auto point : operator_.points()) {
@@ -157,6 +164,7 @@ void FdmParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
   push(advance.impulses());
   take_peak_forces();
   if (advance.relax()) relax(advance.stop(), *predicted.mutable_relaxation());
+  if (advance.stage() > stage_) excavate(advance.stage());
   if (advance.want_histories()) remember_probes();
 
   const std::uint64_t step = advance.step();
@@ -210,7 +218,37 @@ void FdmParticipant::relax(bool stop, wire::Relaxation& answer) {
 void FdmParticipant::start_over() {
   relaxation_.reset();
   continuum_->start_over();
+  if (!scene_.statics().keep_displacements() || stage_ == 0) continuum_->reset_displacements();
   next_step_ = 0;
+}
+
+void FdmParticipant::excavate(std::uint32_t stage) {
+  std::vector<std::uint32_t> zones;
+  for (std::uint32_t z = 0; z < grid_.zones.size(); ++z)
+    if (stage_of_zone_[z] > stage_ && stage_of_zone_[z] <= stage) zones.push_back(z);
+  for (const auto zone : zones) weights_[zone] = 0;
+  if (stage_ == 0) continuum_->reset_displacements();
+  stage_ = stage;
+  const auto masses = this->masses();
+  continuum_->excavate(zones, masses, loads(masses));
+  relaxation_.emplace(grid_, weights_);
+}
+
+// The coupler knows the masses at the coupling points once and for all.
+void FdmParticipant::require_interface_stays() const {
+  std::vector<bool> coupled(grid_.x.size(), false);
+  for (const auto point : operator_.points()) coupled[point] = true;
+  for (std::size_t z = 0; z < grid_.zones.size(); ++z)
+    if (stage_of_zone_[z] > 0 &&
+        std::ranges::any_of(grid_.zones[z], [&](auto point) { return coupled[point]; })) {
+      const auto [x, y] = centroid(corners(grid_, z));
+      throw protocol::UserError(
+          "continuum.excavations",
+          fmt::format(
+              "take away the zone at ({:g}, {:g}) m in stage {}, which the interface ties; keep a zone "
+              "between excavations and overlap",
+              x, y, stage_of_zone_[z]));
+    }
 }
 
 void FdmParticipant::check(const wire::Advance& advance) const {

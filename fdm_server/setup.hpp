@@ -1,7 +1,6 @@
 // From the scene to the continuum's plain parameters.
 #pragma once
 
-#include "fdm_server/grid/grid.hpp"
 #include "fdm_server/materials/material.hpp"
 #include "fdm_server/zones/zones.hpp"
 #include "protocol/scene.pb.h"
@@ -9,7 +8,6 @@
 namespace adit::fdm {
 
 struct Setup {
-  Block block;
   ZoneKind kind;
   Ground ground;  // its zones not yet assigned
 };

@@ -1,7 +1,8 @@
 #include "fdm_server/snapshot.hpp"
 
-#include <algorithm>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace adit::fdm {
 namespace {
@@ -103,7 +104,10 @@ void fill_snapshot(const Grid& grid, const Continuum& continuum, std::span<const
     piece.add_points(grid.x[i]);
     piece.add_points(grid.y[i]);
   }
+  std::vector<std::size_t> present;
   for (std::size_t z = 0; z < zones; ++z)
+    if (weights[z] > 0) present.push_back(z);
+  for (const auto z : present)
     for (const auto point : grid.zones[z]) piece.add_connectivity(static_cast<std::uint32_t>(point));
 
   auto& at_points = *piece.mutable_point_fields();
@@ -113,14 +117,15 @@ void fill_snapshot(const Grid& grid, const Continuum& continuum, std::span<const
                new_field(at_points, "velocity_m_per_s", 3, points));
 
   auto& in_zones = *piece.mutable_cell_fields();
-  double* stress = new_field(in_zones, "stress_Pa", 3, zones);
-  for (std::size_t z = 0; z < zones; ++z) {
-    const auto [xx, yy, xy] = continuum.zones().stress(z);
-    stress[3 * z] = xx;
-    stress[3 * z + 1] = yy;
-    stress[3 * z + 2] = xy;
+  double* stress = new_field(in_zones, "stress_Pa", 3, present.size());
+  double* weight = new_field(in_zones, "weight", 1, present.size());
+  for (std::size_t i = 0; i < present.size(); ++i) {
+    const auto [xx, yy, xy] = continuum.zones().stress(present[i]);
+    stress[3 * i] = xx;
+    stress[3 * i + 1] = yy;
+    stress[3 * i + 2] = xy;
+    weight[i] = weights[present[i]];
   }
-  std::ranges::copy(weights.first(zones), new_field(in_zones, "weight", 1, zones));
 }
 
 void add_supports(const Grid& grid, const Continuum& continuum, const Supports& supports,

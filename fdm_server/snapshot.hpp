@@ -11,9 +11,9 @@
 
 namespace adit::fdm {
 
-// One piece "grid" of quadrilaterals; point fields displacement_m and velocity_m_per_s (three components, z
-// = 0, as viewers expect vectors; the velocity is that of half a step later), cell fields stress_Pa (xx, yy,
-// xy) and weight.
+// One piece "grid" of quadrilaterals, without the zones of weight 0; point fields displacement_m and
+// velocity_m_per_s (three components, z = 0, as viewers expect vectors; the velocity is that of half a step
+// later), cell fields stress_Pa (xx, yy, xy) and weight.
 void fill_snapshot(const Grid& grid, const Continuum& continuum, std::span<const double> weights,
                    wire::Snapshot& snapshot);
 

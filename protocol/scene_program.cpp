@@ -2,6 +2,8 @@
 
 #include <iostream>
 
+#include "protocol/attached_files.hpp"
+
 namespace adit::protocol {
 namespace {
 
@@ -17,6 +19,7 @@ int with_scene(const std::string& path, const std::vector<std::string>& sets,
   SceneFile file;
   try {
     file = read_scene(path, parse_overrides(sets));
+    attach_files(file);
     work(file);
     return kSuccess;
   } catch (const UserError& error) {

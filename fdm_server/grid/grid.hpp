@@ -63,15 +63,6 @@ struct Block {
 // Points row by row from the lower left corner, zones likewise.
 Grid make_grid(const Block& block);
 
-// The points at which the energy weight is sampled: the lattice of half zones, (2 zones_x + 1) x
-// (2 zones_y + 1) points, row by row from the lower left corner, interleaved x0 y0 x1 y1 … [m]. Zone (i, j)
-// owns the 3 x 3 of them that start at column 2 i, row 2 j: corners, mid-edges, centre.
-std::vector<double> sample_points(const Block& block);
-
-// Weight of each zone from the samples: their mean by Simpson's rule, exact for linear weights, so that a
-// patch of uniform strain passes through the overlap; at least `floor`. A zone whose samples are all 0 has 0.
-std::vector<double> zone_weights(const Block& block, std::span<const double> samples, double floor);
-
 // Removes zones of weight 0 (also from `weights`), their edges and the points that no zone is left of; keeps
 // the order. Before zones with corners of their own are added.
 void compact(Grid& grid, std::vector<double>& weights);

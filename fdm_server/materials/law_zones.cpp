@@ -207,6 +207,12 @@ void LawZones::follow(const double* ux, const double* uy) {
   uy_ = uy;
 }
 
+void LawZones::remove(const std::vector<bool>& gone) {
+  runs_ = without(runs_, gone);
+  for (std::size_t z = 0; z < gone.size(); ++z)
+    if (gone[z]) weights_[z] = 0;
+}
+
 void LawZones::start_over() {
   std::ranges::fill(dissipated_, 0.0);
   for (std::size_t z = 0; z < corners_.size(); ++z)
@@ -236,6 +242,7 @@ double LawZones::dissipated() const {
 }
 
 Stress LawZones::stress(std::size_t zone) const {
+  if (weights_[zone] == 0) return {};  // taken away
   const auto& shape = shapes_[shape_of_[zone]];
   Stress mean{};
   for (std::size_t k = 0; k < 4; ++k) {

@@ -43,6 +43,7 @@ class LawZones final : public Zones {
   void add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) override;
   void set_stress(std::size_t zone, const Stress& stress) override;
   void set_stress_zz(std::size_t zone, double zz) override;
+  void remove(const std::vector<bool>& gone) override;
   void start_over() override;
   double strain_energy() const override;
   double dissipated() const override;

@@ -36,7 +36,6 @@ std::unique_ptr<Zones> make_zones(ZoneKind kind, const Grid& grid, const Ground&
 MaterialZones::MaterialZones(ZoneKind kind, const Grid& grid, const Ground& ground,
                              std::span<const double> weights)
     : places_(grid.zones.size()) {
-  std::vector<std::pair<std::uint32_t, ZoneRun>> order;  // runs of all parts by their first zone in the grid
   for (std::size_t m = 0; m < ground.materials.size(); ++m) {
     const auto part = static_cast<std::uint32_t>(parts_.size());
     std::vector<double> own_weights;
@@ -50,14 +49,32 @@ MaterialZones::MaterialZones(ZoneKind kind, const Grid& grid, const Ground& grou
     if (own_weights.empty()) continue;
     const auto& material = ground.materials[m];
     parts_.push_back({make_zones(kind, zones_of(grid, ground, m), ground, material, own_weights),
-                      ground.plane_stress ? 0 : material.poisson, by_fast_kernel(ground, material)});
-    for (auto run : parts_.back().zones->runs()) {
-      run.part = part;
-      order.emplace_back(numbers[run.first], run);
-    }
+                      ground.plane_stress ? 0 : material.poisson, by_fast_kernel(ground, material),
+                      std::move(numbers)});
   }
+  collect_runs();
+}
+
+// In the order of the grid's zones.
+void MaterialZones::collect_runs() {
+  std::vector<std::pair<std::uint32_t, ZoneRun>> order;
+  for (std::uint32_t part = 0; part < parts_.size(); ++part)
+    for (auto run : parts_[part].zones->runs()) {
+      run.part = part;
+      order.emplace_back(parts_[part].numbers[run.first], run);
+    }
   std::ranges::sort(order, {}, &std::pair<std::uint32_t, ZoneRun>::first);
+  runs_.clear();
   for (const auto& [first, run] : order) runs_.push_back(run);
+}
+
+void MaterialZones::remove(const std::vector<bool>& gone) {
+  for (auto& part : parts_) {
+    std::vector<bool> own(part.numbers.size());
+    for (std::size_t z = 0; z < own.size(); ++z) own[z] = gone[part.numbers[z]];
+    part.zones->remove(own);
+  }
+  collect_runs();
 }
 
 void MaterialZones::add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) {

@@ -22,6 +22,7 @@ class MaterialZones final : public Zones {
   void add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) override;
   void set_stress(std::size_t zone, const Stress& stress) override;
   void set_stress_zz(std::size_t zone, double zz) override;
+  void remove(const std::vector<bool>& gone) override;
   void start_over() override;
   double strain_energy() const override;
   double dissipated() const override;
@@ -36,7 +37,10 @@ class MaterialZones final : public Zones {
     std::unique_ptr<Zones> zones;
     double poisson_zz;  // of zones without a law: szz over sxx + syy
     bool linear;
+    std::vector<std::uint32_t> numbers;  // of its zones in the grid
   };
+  void collect_runs();
+
   std::vector<Part> parts_;
   std::vector<Place> places_;  // of each zone
   std::vector<ZoneRun> runs_;

@@ -38,11 +38,7 @@ Continuum::Continuum(std::unique_ptr<Zones> zones, std::span<const double> masse
     points_[kInverseMassX][i] = points_[kInverseMassY][i] = 1 / masses[i];
   }
   zones_->follow(points_[kUx].data(), points_[kUy].data());
-  for (auto& load : loads)
-    if (load.factor)
-      interior_.loads.push_back({std::move(load)});
-    else
-      add_steady(load);
+  place(std::move(loads));
   for (auto& motion : motions) {
     for (const auto point : motion.points)
       points_[motion.axis == Axis::kX ? kInverseMassX : kInverseMassY][point] = 0;
@@ -57,6 +53,27 @@ void Continuum::add_steady(const Load& load) {
     points_[kSteadyX][load.points[i]] += load.fx[i];
     points_[kSteadyY][load.points[i]] += load.fy[i];
   }
+}
+
+// Gives each part what acts on its points.
+void Continuum::place(std::vector<Load> loads) {
+  const auto chosen = of_interface();
+  for (auto& load : loads) {
+    if (!load.factor) {
+      add_steady(load);
+      continue;
+    }
+    Load taken = take(load, chosen);
+    if (!taken.points.empty()) interface_.loads.push_back({std::move(taken)});
+    if (!load.points.empty()) interior_.loads.push_back({std::move(load)});
+  }
+}
+
+std::vector<bool> Continuum::of_interface() const {
+  std::vector<bool> chosen(points_.rows(), false);
+  for (const auto [begin, end] : interface_.points)
+    std::fill(chosen.begin() + begin, chosen.begin() + end, true);
+  return chosen;
 }
 
 Continuum::Prescribed Continuum::prescribed(Motion motion) const {
@@ -86,13 +103,15 @@ void Continuum::set_interface(std::span<const std::uint32_t> points) {
       interior_.dashpots, [&](const Dashpot& dashpot) { return !chosen[dashpot.point]; });
   interface_.dashpots.assign(inside.begin(), inside.end());
   interior_.dashpots.erase(inside.begin(), inside.end());
-  for (auto& [load, factor] : interior_.loads) interface_.loads.push_back({take(load, chosen)});
+  std::vector<Load> loads;
+  for (auto& loading : interior_.loads) loads.push_back(std::move(loading.load));
+  interior_.loads.clear();
+  place(std::move(loads));
   for (auto& inside : interior_.motions) {
     interface_.motions.push_back(prescribed(take(inside.motion, chosen)));
     inside = prescribed(std::move(inside.motion));
   }
   for (Part* part : {&interface_, &interior_}) {
-    std::erase_if(part->loads, [](const Loading& loading) { return loading.load.points.empty(); });
     std::erase_if(part->motions, [](const Prescribed& one) { return one.motion.points.empty(); });
   }
 }
@@ -100,13 +119,15 @@ void Continuum::set_interface(std::span<const std::uint32_t> points) {
 // Before loads, motions and dashpots are divided.
 void Continuum::plan(const std::vector<bool>& chosen) {
   std::vector<bool> pulled(points_.rows(), damping_.acts());  // by others than zones
-  for (const auto& [load, factor] : interior_.loads)
-    for (const auto point : load.points) pulled[point] = true;
-  for (const auto& one : interior_.motions)
-    for (const auto point : one.motion.points) pulled[point] = true;
-  for (const auto& dashpot : interior_.dashpots) {
-    pulled[dashpot.point] = true;
-    if (dashpot.field) pulled[dashpot.field->column_point] = true;
+  for (const Part* part : {&interface_, &interior_}) {
+    for (const auto& [load, factor] : part->loads)
+      for (const auto point : load.points) pulled[point] = true;
+    for (const auto& one : part->motions)
+      for (const auto point : one.motion.points) pulled[point] = true;
+    for (const auto& dashpot : part->dashpots) {
+      pulled[dashpot.point] = true;
+      if (dashpot.field) pulled[dashpot.field->column_point] = true;
+    }
   }
   structures_.mark_points(pulled);
   interior_.structures = structures_.all();
@@ -120,12 +141,16 @@ void Continuum::plan(const std::vector<bool>& chosen) {
     for (const auto point : run.points)
       for (std::uint32_t k = 0; k < run.count; ++k) reached[point + k] = true;
 
+  std::vector<bool> in_zones(points_.rows(), false);
+  for (const ZoneRun& run : zones_->runs())
+    for (const auto point : run.points)
+      for (std::uint32_t k = 0; k < run.count; ++k) in_zones[point + k] = true;
   std::vector<Role> of_interface(points_.rows(), Role::kForeign), of_interior = of_interface;
   for (std::size_t i = 0; i < points_.rows(); ++i)
     if (chosen[i])
-      of_interface[i] = pulled[i] ? Role::kKept : Role::kSwept;
+      of_interface[i] = pulled[i] || !in_zones[i] ? Role::kKept : Role::kSwept;
     else
-      of_interior[i] = pulled[i] || reached[i] ? Role::kKept : Role::kSwept;
+      of_interior[i] = pulled[i] || reached[i] || !in_zones[i] ? Role::kKept : Role::kSwept;
   interface_.sweep = {touching, of_interface, reached, team_.threads()};
   reached.flip();
   interior_.sweep = {others, of_interior, reached, team_.threads()};
@@ -272,11 +297,14 @@ void Continuum::stop() {
 
 void Continuum::start_over() {
   stop();
-  zones_->start_over();
   structures_.start_over();
-  for (const Column column : {kUx, kUy}) std::ranges::fill(points_[column], 0.0);
   external_work_ = damped_ = 0;
   boundary_work_ = {};
+}
+
+void Continuum::reset_displacements() {
+  zones_->start_over();
+  for (const Column column : {kUx, kUy}) std::ranges::fill(points_[column], 0.0);
 }
 
 std::optional<std::uint32_t> Continuum::first_non_finite() const {

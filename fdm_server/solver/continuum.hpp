@@ -73,6 +73,11 @@ class Continuum {
   // Makes these points the interface, before the first step.
   void set_interface(std::span<const std::uint32_t> points);
 
+  // Takes zones away between two steps, with their stresses: `masses` and `loads` are those of what is left.
+  // Points without mass are held from then on. The interface must not have any of their points.
+  void excavate(std::span<const std::uint32_t> zones, std::span<const double> masses,
+                std::vector<Load> loads);
+
   // Adds an impulse [N s] to a point's velocity; a prescribed component does not yield.
   void push(std::uint32_t point, double x, double y);
 
@@ -88,8 +93,9 @@ class Continuum {
 
   // All velocities become 0: before a step from rest.
   void stop();
-  // Time begins: at rest, displacements and work from 0, stresses as they are. Step 0 is next.
+  // Time begins: at rest, work from 0, stresses as they are. Step 0 is next.
   void start_over();
+  void reset_displacements();
 
   // One value a point.
   std::span<const double> ux() const { return points_[kUx]; }  // at the last step [m]
@@ -152,6 +158,8 @@ class Continuum {
   PointColumns columns();
   void add_steady(const Load& load);
   Prescribed prescribed(Motion motion) const;
+  void place(std::vector<Load> loads);
+  std::vector<bool> of_interface() const;  // of every point
   void hold(Axis axis, std::uint32_t point, double impulse);
   void pull(Part& part, const protocol::Step& step);
   void apply_loads(Part& part, const protocol::Step& step);

@@ -35,6 +35,9 @@ struct SplitRuns {
 };
 SplitRuns split(std::span<const ZoneRun> runs, const std::vector<bool>& chosen);
 
+// The runs without the zones whose flag is set.
+std::vector<ZoneRun> without(std::span<const ZoneRun> runs, const std::vector<bool>& zones);
+
 // What the kernels read and add to, one value a grid point.
 struct PointView {
   const double* vx;  // [m/s]

@@ -37,6 +37,8 @@ class Zones {
   virtual void set_stress(std::size_t zone, const Stress& stress) = 0;
   // Then another stress across the plane, where the material has one of its own.
   virtual void set_stress_zz(std::size_t /*zone*/, double /*zz*/) {}
+  // Takes the zones whose flag is set away, from runs() too: their energy and stress are 0 from then on.
+  virtual void remove(const std::vector<bool>& gone) = 0;
   // The displacements are about to become 0; stresses stay.
   virtual void start_over() = 0;
   // Weighted elastic energy of all zones [J].
