@@ -47,11 +47,13 @@ struct State {
   }
 };
 
-// 0, the ground as it is in the beginning, and the stages of excavation.
+// 0, the ground as it is in the beginning, and the stages of excavation and of what is installed.
 std::set<std::uint32_t> stages(const scene::Scene& scene) {
   std::set<std::uint32_t> found{0};
   const auto add = [&found](const scene::Continuum& continuum) {
     for (const auto& excavation : continuum.excavations()) found.insert(excavation.stage());
+    for (const auto& lining : continuum.linings()) found.insert(lining.stage());
+    for (const auto& bolt : continuum.bolts()) found.insert(bolt.stage());
   };
   add(scene.continuum());
   for (const scene::Region& region : scene.regions()) add(region.continuum());

@@ -46,8 +46,7 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   setup_ = read_setup(scene_);
   grid_ = read_grid(scene_.continuum());
   setup_.ground.of_zone = materials_of_zones(scene_.continuum(), grid_);
-  const Supports supports =
-      resolve_supports(scene_.continuum(), scene_.plane() == scene::PLANE_STRAIN, grid_);
+  const Supports supports = resolve_supports(scene_, grid_);
   damping_ = resolve_damping(scene_.continuum());
   critical_dt_ = critical_step(damping_, std::min(critical_step(setup_.kind, grid_, setup_.ground),
                                                   supports.structures.critical_step()));
@@ -70,7 +69,7 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
         "interface.overlap",
         "leaves no zone of the continuum, whose weight is 0 everywhere; let the block reach into the overlap "
         "and beyond it on the continuum's own side");
-  supports_ = resolve_supports(scene_.continuum(), scene_.plane() == scene::PLANE_STRAIN, grid_);
+  supports_ = resolve_supports(scene_, grid_);
   const auto& conditions = scene_.continuum();
   make_continuum();
   probes_ = resolve_histories(conditions, grid_);
@@ -129,7 +128,7 @@ std::vector<Load> FdmParticipant::loads(std::span<const double> masses) const {
 
 std::vector<double> FdmParticipant::masses() const {
   auto masses = lumped_masses(grid_, weights_, zone_densities(setup_.ground));
-  supports_.structures.add_masses(masses);
+  supports_.structures.add_masses(masses, stage_);
   return masses;
 }
 
@@ -230,7 +229,7 @@ void FdmParticipant::excavate(std::uint32_t stage) {
   if (stage_ == 0) continuum_->reset_displacements();
   stage_ = stage;
   const auto masses = this->masses();
-  continuum_->excavate(zones, masses, loads(masses));
+  continuum_->excavate(zones, masses, loads(masses), stage);
   relaxation_.emplace(grid_, weights_);
 }
 
@@ -249,6 +248,13 @@ void FdmParticipant::require_interface_stays() const {
               "between excavations and overlap",
               x, y, stage_of_zone_[z]));
     }
+  if (const auto point = supports_.structures.later_point(coupled))
+    throw protocol::UserError(
+        "continuum.linings",
+        fmt::format(
+            "or bolts are attached at ({:g}, {:g}) m after stage 0, where the interface ties the grid; "
+            "keep a zone between them and the overlap",
+            grid_.x[*point], grid_.y[*point]));
 }
 
 void FdmParticipant::check(const wire::Advance& advance) const {

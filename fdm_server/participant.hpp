@@ -49,7 +49,8 @@ class FdmParticipant final : public protocol::Participant {
   void push(const google::protobuf::RepeatedField<double>& impulses);
   // Says how far the grid is from rest after its correction, and stops it where it shall.
   void relax(bool stop, wire::Relaxation& answer);
-  // Takes away the zones of the stages after the present one up to this one.
+  // Takes away the zones of the stages after the present one up to this one, and installs their linings and
+  // bolts.
   void excavate(std::uint32_t stage);
   void require_interface_stays() const;
   // The first step that does not relax: from the state reached.

@@ -130,7 +130,7 @@ void Continuum::plan(const std::vector<bool>& chosen) {
     }
   }
   structures_.mark_points(pulled);
-  interior_.structures = structures_.all();
+  interior_.structures = structures_.standing();
   interface_.structures = structures_.take(interior_.structures, chosen);
 
   interface_.points = protocol::stretches(chosen, true);

@@ -74,9 +74,10 @@ class Continuum {
   void set_interface(std::span<const std::uint32_t> points);
 
   // Takes zones away between two steps, with their stresses: `masses` and `loads` are those of what is left.
-  // Points without mass are held from then on. The interface must not have any of their points.
-  void excavate(std::span<const std::uint32_t> zones, std::span<const double> masses,
-                std::vector<Load> loads);
+  // Points without mass are held from then on. Structures of the stages up to `stage` stand from then on. The
+  // interface must not have any of their points.
+  void excavate(std::span<const std::uint32_t> zones, std::span<const double> masses, std::vector<Load> loads,
+                std::uint32_t stage = 0);
 
   // Adds an impulse [N s] to a point's velocity; a prescribed component does not yield.
   void push(std::uint32_t point, double x, double y);

@@ -5,7 +5,7 @@
 namespace adit::fdm {
 
 void Continuum::excavate(std::span<const std::uint32_t> zones, std::span<const double> masses,
-                         std::vector<Load> loads) {
+                         std::vector<Load> loads, std::uint32_t stage) {
   std::vector<bool> gone(zones_->count(), false);
   for (const auto zone : zones) gone[zone] = true;
   zones_->remove(gone);
@@ -20,6 +20,7 @@ void Continuum::excavate(std::span<const std::uint32_t> zones, std::span<const d
     for (auto& one : part->motions) one.mass = prescribed(one.motion).mass;
   }
   for (const Column steady : {kSteadyX, kSteadyY}) std::ranges::fill(points_[steady], 0.0);
+  structures_.install(stage);
   place(std::move(loads));
   plan(of_interface());
 }

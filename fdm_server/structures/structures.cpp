@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 namespace adit::fdm {
 namespace {
 
-std::vector<std::uint32_t> numbers(std::size_t count) {
-  std::vector<std::uint32_t> all(count);
-  std::iota(all.begin(), all.end(), 0u);
-  return all;
+std::vector<std::uint32_t> installed(std::span<const std::uint32_t> stages, std::uint32_t stage) {
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t i = 0; i < stages.size(); ++i)
+    if (stages[i] <= stage) numbers.push_back(i);
+  return numbers;
 }
 
 // Moves the numbers that pass out of a list; both keep their order.
@@ -26,6 +26,7 @@ std::vector<std::uint32_t> take_if(std::vector<std::uint32_t>& list, Test&& pass
 
 std::uint32_t Structures::add_rotation(std::uint32_t point, bool held) {
   point_.push_back(point);
+  stage_of_rotation_.push_back(adding_);
   held_.push_back(held);
   for (auto* column : {&angle_, &rate_, &rate_before_, &couple_, &inertia_}) column->push_back(0.0);
   return static_cast<std::uint32_t>(point_.size() - 1);
@@ -34,11 +35,13 @@ std::uint32_t Structures::add_rotation(std::uint32_t point, bool held) {
 std::uint32_t Structures::add_beam(const Beam& beam) {
   for (const auto rotation : beam.rotations()) inertia_[rotation] += beam.end_inertia();
   beams_.push_back(beam);
+  stage_of_beam_.push_back(adding_);
   return static_cast<std::uint32_t>(beams_.size() - 1);
 }
 
 std::uint32_t Structures::add_bar(const Bar& bar) {
   bars_.push_back(bar);
+  stage_of_bar_.push_back(adding_);
   return static_cast<std::uint32_t>(bars_.size() - 1);
 }
 
@@ -46,13 +49,14 @@ void Structures::add_joint(std::uint32_t first, std::uint32_t second, double sti
                            double dt) {
   for (const auto rotation : {first, second}) inertia_[rotation] += stiffness * dt * dt / 2;
   joints_.push_back({first, second, {stiffness, yield}});
+  stage_of_joint_.push_back(adding_);
 }
 
-void Structures::add_masses(std::span<double> of_points) const {
-  for (const auto& beam : beams_)
-    for (const auto point : beam.points()) of_points[point] += beam.end_mass();
-  for (const auto& bar : bars_)
-    for (const auto point : bar.points()) of_points[point] += bar.end_mass();
+void Structures::add_masses(std::span<double> of_points, std::uint32_t stage) const {
+  for (const auto i : installed(stage_of_beam_, stage))
+    for (const auto point : beams_[i].points()) of_points[point] += beams_[i].end_mass();
+  for (const auto i : installed(stage_of_bar_, stage))
+    for (const auto point : bars_[i].points()) of_points[point] += bars_[i].end_mass();
 }
 
 void Structures::mark_points(std::vector<bool>& touched) const {
@@ -62,6 +66,18 @@ void Structures::mark_points(std::vector<bool>& touched) const {
     for (const auto point : bar.points()) touched[point] = true;
 }
 
+std::optional<std::uint32_t> Structures::later_point(const std::vector<bool>& chosen) const {
+  const auto search = [&chosen](const auto& elements, std::span<const std::uint32_t> stages) {
+    std::optional<std::uint32_t> found;
+    for (std::size_t i = 0; i < elements.size(); ++i)
+      for (const auto point : elements[i].points())
+        if (stages[i] > 0 && chosen[point]) found = point;
+    return found;
+  };
+  const auto of_beams = search(beams_, stage_of_beam_);
+  return of_beams ? of_beams : search(bars_, stage_of_bar_);
+}
+
 double Structures::critical_step() const {
   double smallest = std::numeric_limits<double>::infinity();
   for (const auto& beam : beams_) smallest = std::min(smallest, beam.critical_step());
@@ -69,8 +85,9 @@ double Structures::critical_step() const {
   return smallest;
 }
 
-Structures::Part Structures::all() const {
-  return {numbers(beams_.size()), numbers(bars_.size()), numbers(joints_.size()), numbers(point_.size())};
+Structures::Part Structures::standing() const {
+  return {installed(stage_of_beam_, stage_), installed(stage_of_bar_, stage_),
+          installed(stage_of_joint_, stage_), installed(stage_of_rotation_, stage_)};
 }
 
 Structures::Part Structures::take(Part& part, const std::vector<bool>& chosen) const {

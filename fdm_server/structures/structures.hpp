@@ -13,6 +13,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,21 +28,29 @@ class Structures {
  public:
   // Rotation of a beam's end at a point; a held one stays 0, as on a plane of symmetry. Returns its number.
   std::uint32_t add_rotation(std::uint32_t point, bool held = false);
+  // What is added from now on is installed in this stage, free of stress; 0: it was always there.
+  void set_stage(std::uint32_t stage) { adding_ = stage; }
   // Return the number of the beam, of the bar.
   std::uint32_t add_beam(const Beam& beam);
   std::uint32_t add_bar(const Bar& bar);
   // `dt`: a critical step of the lining's beams. Stiffness > 0 [N m/rad], yield moment [N m].
   void add_joint(std::uint32_t first, std::uint32_t second, double stiffness, double yield, double dt);
 
-  void add_masses(std::span<double> of_points) const;
+  // Of what stands in this stage.
+  void add_masses(std::span<double> of_points, std::uint32_t stage = 0) const;
   void mark_points(std::vector<bool>& touched) const;
+  // A chosen point to which something is attached after stage 0, if any.
+  std::optional<std::uint32_t> later_point(const std::vector<bool>& chosen) const;
   double critical_step() const;  // [s], infinite where there is nothing
+
+  // From now on, what the stages up to this one install takes part.
+  void install(std::uint32_t stage) { stage_ = stage; }
 
   // What is computed together, by numbers.
   struct Part {
     std::vector<std::uint32_t> beams, bars, joints, rotations;
   };
-  Part all() const;
+  Part standing() const;  // all that is installed
   // Moves out of a part what touches a chosen point; of the rotations those at chosen points.
   Part take(Part& part, const std::vector<bool>& chosen) const;
 
@@ -69,10 +78,12 @@ class Structures {
   std::vector<Beam> beams_;
   std::vector<Bar> bars_;
   std::vector<Joint> joints_;
+  std::vector<std::uint32_t> stage_of_beam_, stage_of_bar_, stage_of_joint_;
   // one a rotation
-  std::vector<std::uint32_t> point_;
+  std::vector<std::uint32_t> point_, stage_of_rotation_;
   std::vector<std::uint8_t> held_;
   std::vector<double> angle_, rate_, rate_before_, couple_, inertia_;
+  std::uint32_t adding_ = 0, stage_ = 0;
   double dissipated_ = 0;
 };
 

@@ -30,6 +30,14 @@ void require_positive(double value, const std::string& path, const char* unit) {
           fmt::format("is {} {}, but must be positive and finite", value, unit));
 }
 
+void require_statics(std::uint32_t stage, const scene::Scene& scene, const std::string& path) {
+  require(
+      stage == 0 || scene.has_statics(), path + ".stage",
+      fmt::format("is {}, but stages begin when the ground is at rest, and the scene has no statics; give "
+                  "`statics: {{unbalanced_ratio: 1e-5}}`, or stage 0",
+                  stage));
+}
+
 std::unique_ptr<Curve> read_circle(const scene::RoundPath& circle, const std::string& path) {
   require_positive(circle.radius(), path + ".radius", "m");
   require(circle.has_from() == circle.has_to(), path,
@@ -199,26 +207,33 @@ std::size_t nearest_node(const geometry::Point& place, const Path& lining, const
   return nearest;
 }
 
-Supports resolve_supports(const scene::Continuum& scene, bool plane_strain, const Grid& grid) {
+Supports resolve_supports(const scene::Scene& scene, const Grid& grid) {
+  const auto &linings = scene.continuum().linings(), &bolts = scene.continuum().bolts();
   Supports supports;
-  if (scene.linings().empty() && scene.bolts().empty()) return supports;
+  if (linings.empty() && bolts.empty()) return supports;
   const Edges edges = number_edges(grid);
   Occupied occupied(grid);
-  for (int i = 0; i < scene.linings_size(); ++i) {
-    const auto& lining = scene.linings(i);
+  for (int i = 0; i < linings.size(); ++i) {
+    const auto& lining = linings[i];
     const auto path = fmt::format("continuum.linings[{}]", i);
     require(std::ranges::find(supports.linings, lining.name(), &Lining::name) == supports.linings.end(),
             path + ".name", "`" + lining.name() + "` is taken by another lining; choose another one");
-    const Section section = read_section(lining, plane_strain, path);
+    const Section section = read_section(lining, scene.plane() == scene::PLANE_STRAIN, path);
     const Path along = read_path(lining.along(), grid, edges, path + ".along");
     occupied.take(along, path);
+    require_statics(lining.stage(), scene, path);
+    supports.structures.set_stage(lining.stage());
     supports.linings.push_back(
         add_lining({lining.name(), along, section, read_joints(lining, along, grid, path),
                     lining.first_end_fixed(), lining.last_end_fixed()},
                    grid, supports.structures));
   }
-  for (int i = 0; i < scene.bolts_size(); ++i)
-    add_bolt(scene.bolts(i), grid, edges, fmt::format("continuum.bolts[{}]", i), occupied, supports);
+  for (int i = 0; i < bolts.size(); ++i) {
+    const auto path = fmt::format("continuum.bolts[{}]", i);
+    require_statics(bolts[i].stage(), scene, path);
+    supports.structures.set_stage(bolts[i].stage());
+    add_bolt(bolts[i], grid, edges, path, occupied, supports);
+  }
   return supports;
 }
 

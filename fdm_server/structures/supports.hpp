@@ -29,6 +29,6 @@ struct Supports {
 std::size_t nearest_node(const geometry::Point& place, const Path& lining, const Grid& grid,
                          const std::string& path);
 
-Supports resolve_supports(const scene::Continuum& scene, bool plane_strain, const Grid& grid);
+Supports resolve_supports(const scene::Scene& scene, const Grid& grid);
 
 }  // namespace adit::fdm

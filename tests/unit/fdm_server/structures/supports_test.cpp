@@ -20,10 +20,11 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-scene::Continuum parsed(const std::string& text) {
-  scene::Continuum continuum;
-  EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(text, &continuum)) << text;
-  return continuum;
+scene::Scene parsed(const std::string& continuum) {
+  scene::Scene scene;
+  EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString("continuum { " + continuum + " }", &scene))
+      << continuum;
+  return scene;
 }
 
 // A block of 6 x 3 zones of 1 m, points counted row by row: 7 in a row.
@@ -52,7 +53,7 @@ Grid ring_grid() {
 const std::string kConcreteWall = "thickness: 0.3 young_modulus: 30e9 ";
 
 Supports with(const std::string& text, const Grid& grid) {
-  return resolve_supports(parsed(text), true, grid);
+  return resolve_supports(parsed(text), grid);
 }
 std::vector<std::uint32_t> path_of(const std::string& along, const Grid& grid) {
   return with("linings { name: 'l' along { " + along + " } " + kConcreteWall + "}", grid)
@@ -265,6 +266,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"joint_without_strength",
              lining(kLine, kConcreteWall + "joints { at { x: 2 y: 1 } yield_moment: 0 } "),
              "continuum.linings[0].joints[0].yield_moment", "must be positive"},
+        Case{"stage_without_statics", lining(kLine, kConcreteWall + "stage: 1 "),
+             "continuum.linings[0].stage", "the scene has no statics"},
+        Case{"bolt_stage_without_statics", kBolt + "area: 1e-3 stage: 2 }", "continuum.bolts[0].stage",
+             "the scene has no statics"},
         Case{"same_name", lining(kLine) + lining("line { points { x: 1 y: 2 } points { x: 4 y: 2 } }"),
              "continuum.linings[1].name", "`l` is taken by another lining"},
         Case{"two_on_one_edge",
