@@ -2,30 +2,16 @@
 
 #include <algorithm>
 
-#include "protocol/errors.hpp"
+#include "protocol/history.hpp"
 
 namespace adit::coupler {
 namespace {
 
-// Names the columns of the scene's histories as scene.proto documents them.
-std::string column(const scene::History& history) {
-  switch (history.quantity()) {
-    case scene::DISPLACEMENT_X:
-      return history.name() + "_ux_m";
-    case scene::DISPLACEMENT_Y:
-      return history.name() + "_uy_m";
-    case scene::VELOCITY_X:
-      return history.name() + "_vx_m_per_s";
-    case scene::VELOCITY_Y:
-      return history.name() + "_vy_m_per_s";
-  }
-  return history.name();
-}
-
 std::vector<std::string> history_columns(const Model& model) {
   std::vector<std::string> columns = {"time_s"};
   for (const Side& side : model.sides)
-    for (const auto& history : histories_of(model.scene, side.member)) columns.push_back(column(history));
+    for (const auto& history : histories_of(model.scene, side.member))
+      columns.push_back(protocol::column_of(history));
   if (has_particles(model)) columns.emplace_back("max_bond_force_N");
   for (const Side& side : model.sides)
     for (const char* energy :
@@ -69,7 +55,7 @@ void Recorder::record_crack(const wire::Crack& crack, double time) {
   if (findings_.cracks_in_overlap++ == 0) findings_.first_crack_in_overlap = event;
 }
 
-void Recorder::record_histories(std::uint64_t n, const Ledger& ledger) {
+std::span<const double> Recorder::record_histories(std::uint64_t n, const Ledger& ledger) {
   row_.assign(1, static_cast<double>(n) * model_.dt);
   for (const Side& side : model_.sides) {
     const auto& values = side.prediction().histories();
@@ -86,6 +72,7 @@ void Recorder::record_histories(std::uint64_t n, const Ledger& ledger) {
     row_.insert(row_.end(), {e.kinetic, e.strain, e.released, e.external_work, e.multiplier_work});
   row_.push_back(ledger.drift());
   histories_.row(row_);
+  return row_;
 }
 
 void Recorder::record_fields(std::uint64_t n, std::vector<wire::Snapshot> snapshots) {

@@ -169,30 +169,4 @@ std::vector<Motion> resolve_motions(const scene::Continuum& scene, const Block& 
   return motions;
 }
 
-std::vector<Probe> resolve_histories(const scene::Continuum& scene, const Block& block, const Grid& grid) {
-  const double diagonal =
-      std::hypot((block.x_max - block.x_min) / block.zones_x, (block.y_max - block.y_min) / block.zones_y);
-  std::vector<Probe> probes;
-  for (int i = 0; i < scene.histories_size(); ++i) {
-    const auto& history = scene.histories(i);
-    std::uint32_t nearest = 0;
-    double distance = HUGE_VAL;
-    for (std::uint32_t point = 0; point < grid.x.size(); ++point) {
-      const double d = std::hypot(grid.x[point] - history.at().x(), grid.y[point] - history.at().y());
-      if (d < distance) {
-        distance = d;
-        nearest = point;
-      }
-    }
-    if (!(distance <= diagonal))
-      throw protocol::UserError(
-          fmt::format("continuum.histories[{}].at", i),
-          fmt::format("lies {} m from the nearest grid point, more than a zone's diagonal of {} m; put it "
-                      "inside the continuum",
-                      distance, diagonal));
-    probes.push_back({history.quantity(), nearest});
-  }
-  return probes;
-}
-
 }  // namespace adit::fdm

@@ -68,8 +68,7 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   continuum_ = std::make_unique<Continuum>(std::move(zones), masses,
                                            resolve_loads(conditions, setup_.block, grid_, masses),
                                            resolve_motions(conditions, setup_.block, grid_));
-  probes_ = resolve_histories(conditions, setup_.block, grid_);
-  probe_before_.resize(probes_.size());
+  histories_.emplace(conditions, grid_);
   if (!weights.weights().empty()) offer_grid_points(weights, interface);
   interface.set_zones(grid_.zones.size());
   interface.set_grid_points(grid_.x.size());
@@ -92,6 +91,7 @@ void FdmParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
   operator_ = protocol::InterfaceOperator(interpolate(grid_, view(couple.points())));
   continuum_->set_interface(operator_.points());
   operator_.fill(op);
+  histories_->tie(operator_.points());
   for (const auto point : operator_.points()) {
     op.add_inverse_masses(continuum_->inverse_mass_x()[point]);
     op.add_inverse_masses(continuum_->inverse_mass_y()[point]);
@@ -103,8 +103,14 @@ void FdmParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
   if (next_step_ == 0) step_.dt = advance.dt();
   check(advance);
   push(advance.impulses());
+  take_peaks();
   if (advance.relax()) relax(advance.stop(), *predicted.mutable_relaxation());
-  if (advance.want_histories()) remember_probes();
+  histories_->remember(*continuum_);
+  if (advance.want_peaks()) {
+    if (!peaks_) peaks_.emplace(grid_);
+    peaks_->remember(*continuum_);
+    peaks_due_ = true;
+  }
 
   const std::uint64_t step = advance.step();
   step_ = {step, advance.dt(), advance.relax(), advance.stop()};
@@ -129,7 +135,7 @@ void FdmParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
     predicted.mutable_energies()->set_external_work(energies.external_work);
   }
   if (advance.relax()) predicted.mutable_relaxation()->set_kinetic_energy(kinetic_energy(*continuum_));
-  if (advance.want_histories()) fill_histories(predicted);
+  if (advance.want_histories()) histories_->read(grid_, *continuum_, step_, *predicted.mutable_histories());
   check_answer(predicted);
   if (!rest_left_ && step % kFiniteCheckInterval == 0) check_grid(step);
 }
@@ -139,6 +145,12 @@ void FdmParticipant::complete() {
   rest_left_ = false;
   continuum_->step_interior(step_);
   if (step_.number % kFiniteCheckInterval == 0) check_grid(step_.number);
+}
+
+void FdmParticipant::take_peaks() {
+  if (!peaks_due_) return;
+  peaks_due_ = false;
+  peaks_->take(grid_, *continuum_, step_);
 }
 
 void FdmParticipant::relax(bool stop, wire::Relaxation& answer) {
@@ -182,25 +194,6 @@ void FdmParticipant::push(const google::protobuf::RepeatedField<double>& impulse
     continuum_->push(operator_.points()[j], own[2 * j], own[2 * j + 1]);
 }
 
-void FdmParticipant::remember_probes() {
-  for (std::size_t i = 0; i < probes_.size(); ++i) {
-    const auto [quantity, point] = probes_[i];
-    probe_before_[i] = quantity == scene::VELOCITY_Y ? continuum_->vy()[point] : continuum_->vx()[point];
-  }
-}
-
-void FdmParticipant::fill_histories(wire::Predicted& predicted) const {
-  for (std::size_t i = 0; i < probes_.size(); ++i) {
-    const auto [quantity, point] = probes_[i];
-    if (quantity == scene::DISPLACEMENT_X)
-      predicted.add_histories(continuum_->ux()[point]);
-    else if (quantity == scene::DISPLACEMENT_Y)
-      predicted.add_histories(continuum_->uy()[point]);
-    else
-      predicted.add_histories(probe_before_[i]);
-  }
-}
-
 void FdmParticipant::check_answer(const wire::Predicted& predicted) const {
   const auto finite = [](double value) { return std::isfinite(value); };
   const auto& energies = predicted.energies();
@@ -225,7 +218,9 @@ void FdmParticipant::check_grid(std::uint64_t step) const {
 
 void FdmParticipant::snapshot(const wire::SnapshotRequest& request, wire::Snapshot& snapshot) {
   push(request.impulses());
+  if (operator_.rows() == 0 || !request.impulses().empty()) take_peaks();
   fill_snapshot(grid_, *continuum_, weights_, snapshot);
+  if (peaks_) add_peaks(*peaks_, *snapshot.mutable_pieces(0));
 }
 
 void FdmParticipant::finish(wire::Bye& bye) {

@@ -53,4 +53,14 @@ void fill_snapshot(const Grid& grid, const Continuum& continuum, std::span<const
   std::ranges::copy(weights, new_field(in_zones, "weight", 1, grid.zones.size()));
 }
 
+void add_peaks(const Peaks& peaks, wire::Piece& piece) {
+  protocol::add_peak_fields(peaks.motion(), *piece.mutable_point_fields());
+  const auto add = [&](const std::string& name, std::span<const double> values) {
+    std::ranges::copy(values, new_field(*piece.mutable_cell_fields(), name, 1, values.size()));
+  };
+  add("peak_shear_strain", peaks.shear_strain());
+  add("peak_largest_principal_stress_Pa", peaks.largest_principal());
+  add("peak_smallest_principal_stress_Pa", peaks.smallest_principal());
+}
+
 }  // namespace adit::fdm

@@ -87,7 +87,8 @@ INSTANTIATE_TEST_SUITE_P(
              "1 } } }",
              "continuum.motions[0].time.table.time", "does not increase"},
         Case{"history_outside", "histories { name: 'a' quantity: VELOCITY_X at { x: 9 y: 0 } }",
-             "continuum.histories[0].at", "put it inside the continuum"}),
+             "continuum.histories[0].at",
+             "is (9, 0) m, where the continuum has no zone; its nearest grid point is (6, 0) m, put it inside"}),
     [](const auto& scene) { return scene.param.name; });
 
 // A scene without a continuum is not for this server.

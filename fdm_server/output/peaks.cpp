@@ -1,0 +1,44 @@
+#include "fdm_server/output/peaks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fdm_server/output/strain.hpp"
+
+namespace adit::fdm {
+
+Peaks::Peaks(const Grid& grid)
+    : motion_(grid.x.size()),
+      shear_strain_(grid.zones.size()),
+      largest_principal_(grid.zones.size(), -std::numeric_limits<double>::infinity()),
+      smallest_principal_(grid.zones.size(), std::numeric_limits<double>::infinity()) {
+  gradients_.reserve(grid.zones.size());
+  for (const ZonePoints& zone : grid.zones) gradients_.push_back(mean_gradient(corners(grid, zone)));
+}
+
+void Peaks::remember(const Continuum& continuum) {
+  motion_.remember({continuum.vx(), continuum.vy()});
+}
+
+void Peaks::take(const Grid& grid, const Continuum& continuum, const protocol::Step& step) {
+  const auto ux = continuum.ux(), uy = continuum.uy();
+  motion_.take(
+      [&](std::size_t i) {
+        return std::array{ux[i], uy[i]};
+      },
+      {continuum.vx(), continuum.vy()}, step);
+  const auto radius = [](double difference, double twice_shear) {  // of Mohr's circle, twice
+    return std::sqrt(difference * difference + twice_shear * twice_shear);
+  };
+  for (std::size_t z = 0; z < gradients_.size(); ++z) {
+    const Strain e = mean_strain(gradients_[z], grid.zones[z], ux, uy);
+    shear_strain_[z] = std::max(shear_strain_[z], radius(e.xx - e.yy, e.xy));
+    const Stress s = continuum.zones().stress(z);
+    const double mean = (s.xx + s.yy) / 2, deviator = radius(s.xx - s.yy, 2 * s.xy) / 2;
+    largest_principal_[z] = std::max(largest_principal_[z], mean + deviator);
+    smallest_principal_[z] = std::min(smallest_principal_[z], mean - deviator);
+  }
+}
+
+}  // namespace adit::fdm
