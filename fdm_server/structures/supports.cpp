@@ -208,7 +208,8 @@ std::size_t nearest_node(const geometry::Point& place, const Path& lining, const
 }
 
 Supports resolve_supports(const scene::Scene& scene, const Grid& grid) {
-  const auto &linings = scene.continuum().linings(), &bolts = scene.continuum().bolts();
+  const auto& linings = scene.continuum().linings();
+  const auto& bolts = scene.continuum().bolts();
   Supports supports;
   if (linings.empty() && bolts.empty()) return supports;
   const Edges edges = number_edges(grid);
