@@ -2,36 +2,16 @@
 
 #include <algorithm>
 
-#include "protocol/errors.hpp"
+#include "protocol/history.hpp"
 
 namespace adit::coupler {
 namespace {
 
-// Names the columns of the scene's histories as scene.proto documents them.
-std::string column(const scene::History& history) {
-  switch (history.quantity()) {
-    case scene::DISPLACEMENT_X:
-      return history.name() + "_ux_m";
-    case scene::DISPLACEMENT_Y:
-      return history.name() + "_uy_m";
-    case scene::VELOCITY_X:
-      return history.name() + "_vx_m_per_s";
-    case scene::VELOCITY_Y:
-      return history.name() + "_vy_m_per_s";
-    case scene::THRUST:
-      return history.name() + "_thrust_N";
-    case scene::MOMENT:
-      return history.name() + "_moment_Nm";
-    case scene::SHEAR_FORCE:
-      return history.name() + "_shear_N";
-  }
-  return history.name();
-}
-
 std::vector<std::string> history_columns(const Model& model) {
   std::vector<std::string> columns = {"time_s"};
   for (const Side& side : model.sides)
-    for (const auto& history : histories_of(model.scene, side.member)) columns.push_back(column(history));
+    for (const auto& history : histories_of(model.scene, side.member))
+      columns.push_back(protocol::column_of(history));
   if (has_particles(model)) columns.emplace_back("max_bond_force_N");
   for (const Side& side : model.sides)
     for (const char* energy : {"_kinetic_J", "_strain_J", "_released_J", "_external_work_J",
@@ -75,7 +55,7 @@ void Recorder::record_crack(const wire::Crack& crack, double time) {
   if (findings_.cracks_in_overlap++ == 0) findings_.first_crack_in_overlap = event;
 }
 
-void Recorder::record_histories(std::uint64_t n, const Ledger& ledger) {
+std::span<const double> Recorder::record_histories(std::uint64_t n, const Ledger& ledger) {
   row_.assign(1, static_cast<double>(n) * model_.dt);
   for (const Side& side : model_.sides) {
     const auto& values = side.prediction().histories();
@@ -93,6 +73,7 @@ void Recorder::record_histories(std::uint64_t n, const Ledger& ledger) {
                 {e.kinetic, e.strain, e.released, e.external_work, e.multiplier_work, e.dissipated});
   row_.push_back(ledger.drift());
   histories_.row(row_);
+  return row_;
 }
 
 void Recorder::record_fields(std::uint64_t n, std::vector<wire::Snapshot> snapshots) {

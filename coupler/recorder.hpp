@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,8 @@ class Recorder {
   Recorder(const std::filesystem::path& directory, Model& model);
 
   void record_events();  // every step: takes what the sides reported since
-  void record_histories(std::uint64_t n, const Ledger& ledger);
+  std::span<const double> record_histories(std::uint64_t n,
+                                           const Ledger& ledger);              // the row, until the next one
   void record_fields(std::uint64_t n, std::vector<wire::Snapshot> snapshots);  // one for each side
 
   const Findings& findings() const { return findings_; }

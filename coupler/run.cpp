@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <set>
 
+#include "coupler/motion_outputs.hpp"
 #include "coupler/progress.hpp"
 #include "coupler/recorder.hpp"
+#include "coupler/schedule.hpp"
 #include "coupler/set_up.hpp"
 #include "coupler/statics.hpp"
 #include "coupler/stepper.hpp"
@@ -18,8 +19,6 @@
 
 namespace adit::coupler {
 namespace {
-
-constexpr double kDefaultHistoryRows = 500;
 
 // Energy out of nothing: no scheme of ours creates a fifth of what the run ever held, an unstable one does so
 // within a few steps.
@@ -32,32 +31,6 @@ constexpr double kRunawayShareOfSubsteps = 0.5;
 // Steps between two looks at the energy: at 1 % above the critical step the fastest motion grows out of
 // rounding to something that the ledger sees within 70 steps.
 constexpr std::uint64_t kWatchInterval = 25;
-
-// Steps at which something is written.
-struct Schedule {
-  std::uint64_t history_stride;
-  std::set<std::uint64_t> fields;
-
-  explicit Schedule(const Model& model) {
-    const auto& output = model.scene.output();
-    const double duration = static_cast<double>(model.steps) * model.dt;
-    const double interval =
-        output.has_history_interval() ? output.history_interval() : duration / kDefaultHistoryRows;
-    history_stride = static_cast<std::uint64_t>(
-        std::clamp(std::round(interval / model.dt), 1.0, static_cast<double>(model.steps)));
-    for (const double time : output.field_times()) {
-      if (time > duration * (1 + 1e-12))
-        throw protocol::UserError(
-            "output.field_times",
-            fmt::format("asks for {:g} s, after the end of the run at {:g} s", time, duration));
-      fields.insert(static_cast<std::uint64_t>(std::round(time / model.dt)));
-    }
-    fields.insert(model.steps);
-  }
-  bool wants_history(std::uint64_t n, std::uint64_t last) const {
-    return n % history_stride == 0 || n == last || fields.contains(n);
-  }
-};
 
 struct Fastest {
   double x = 0, y = 0, speed = -1;  // [m], [m/s]; a speed that is no number counts as infinite
@@ -101,16 +74,19 @@ void finish(Model& model) {
 }
 
 void step_to_the_end(Model& model, const Schedule& schedule, Stepper& stepper, Recorder& recorder,
-                     std::uint64_t& reached) {
+                     MotionOutputs& motions, std::uint64_t& reached) {
   Progress progress(model.steps, model.dt);
   for (std::uint64_t n = 0; n <= model.steps; ++n) {
-    const bool row = schedule.wants_history(n, model.steps);
+    const bool row = schedule.wants_row(n);
     const bool watched = row || n % kWatchInterval == 0;
-    stepper.step(n, {.energies = watched, .histories = row});
+    stepper.step(n, {.energies = watched, .histories = row, .peaks = schedule.wants_peaks(n)});
     recorder.record_events();
-    if (row) recorder.record_histories(n, stepper.ledger());
+    if (row) {
+      const auto values = recorder.record_histories(n, stepper.ledger());
+      if (schedule.is_sample(n)) motions.take(values);
+    }
     if (watched) require_bounded_energy(stepper, model, n);
-    if (schedule.fields.contains(n)) recorder.record_fields(n, stepper.snapshots());
+    if (schedule.wants_fields(n)) recorder.record_fields(n, stepper.snapshots());
     reached = n;
     progress.update(n);
   }
@@ -123,6 +99,7 @@ void run(const scene::Scene& scene, std::vector<Side> sides, const RunLabels& la
   const auto start = std::chrono::steady_clock::now();
   Model model = set_up(scene, std::move(sides), labels.case_name + "/" + scene.name());
   const Schedule schedule(model);
+  MotionOutputs motions(model, schedule.interval());
   results::clear_results(directory);  // only now is it sure that there will be new ones
   results::replace_file(directory / "scene.yaml", labels.scene_yaml);
   Stepper stepper(model);
@@ -139,9 +116,10 @@ void run(const scene::Scene& scene, std::vector<Side> sides, const RunLabels& la
   };
   try {
     if (scene.has_statics()) summary.add_statics(relax(model, stepper));
-    step_to_the_end(model, schedule, stepper, recorder, reached);
+    step_to_the_end(model, schedule, stepper, recorder, motions, reached);
     finish(model);
     for (const Side& side : model.sides) summary.add_participant(side, side.reply.bye());
+    summary.add_motions(motions.write(directory / "spectra"));
   } catch (const std::exception& error) {
     try {
       conclude(error.what());
@@ -156,7 +134,7 @@ void run(const scene::Scene& scene, std::vector<Side> sides, const RunLabels& la
 
 void check(const scene::Scene& scene, std::vector<Side> sides) {
   Model model = set_up(scene, std::move(sides), "check/" + scene.name());
-  const Schedule schedule(model);
+  const MotionOutputs motions(model, Schedule(model).interval());
   finish(model);
 }
 

@@ -70,6 +70,12 @@ void RunSummary::add_statics(const Rest& rest) {
                                rest.unbalanced_ratio));
 }
 
+void RunSummary::add_motions(const MotionOutputs::Found& found) {
+  for (const auto& [name, value] : found.measures) summary_.set(name, value);
+  lines_.insert(lines_.end(), found.lines.begin(), found.lines.end());
+  warnings_.insert(warnings_.end(), found.warnings.begin(), found.warnings.end());
+}
+
 void RunSummary::add_participant(const Side& side, const wire::Bye& bye) {
   summary_.set(side.member.name + "_cpu_s", bye.cpu_seconds());
   (side.member.role == Role::kContinuum ? zone_updates_ : particle_updates_) += bye.updates();
@@ -147,14 +153,13 @@ void RunSummary::add_cost(const Stepper& stepper, std::uint64_t steps, double wa
 }
 
 void RunSummary::warn(const Findings& findings) {
-  auto warnings = nlohmann::ordered_json::array();
   if (findings.cracks_in_overlap > 0)
-    warnings.push_back(
+    warnings_.push_back(
         fmt::format("{} cracks inside the overlap, the first {}: the particle region is too small, move "
                     "the overlap away from the damage",
                     findings.cracks_in_overlap, at(findings.first_crack_in_overlap)));
-  for (const auto& warning : warnings) lines_.push_back("warning            " + warning.get<std::string>());
-  summary_.set("warnings", std::move(warnings));
+  for (const auto& warning : warnings_) lines_.push_back("warning            " + warning);
+  summary_.set("warnings", warnings_);
 }
 
 void RunSummary::print(const std::filesystem::path& directory) const {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "coupler/motion_outputs.hpp"
 #include "coupler/recorder.hpp"
 #include "coupler/statics.hpp"
 #include "coupler/stepper.hpp"
@@ -25,6 +26,9 @@ class RunSummary {
 
   // How the model came to rest before time began.
   void add_statics(const Rest& rest);
+
+  // Measures of the motions that spectra were asked of.
+  void add_motions(const MotionOutputs::Found& found);
 
   // What a participant said at the end.
   void add_participant(const Side& side, const wire::Bye& bye);
@@ -48,7 +52,7 @@ class RunSummary {
   const Model& model_;
   results::Summary summary_;
   std::uint64_t particle_updates_ = 0, zone_updates_ = 0;
-  std::vector<std::string> lines_;  // of print()
+  std::vector<std::string> lines_, warnings_;  // of print()
 };
 
 }  // namespace adit::coupler

@@ -95,6 +95,7 @@ void SharedKick::ask(Role role, std::uint64_t step, double dt, Wanted wanted) {
   request_.set_dt(dt);
   request_.set_want_energies(wanted.energies);
   request_.set_want_histories(wanted.histories);
+  request_.set_want_peaks(wanted.peaks);
   for (Side& side : model_.sides)
     if (side.member.role == role) post_advance(side, request_);
   for (Side& side : model_.sides)

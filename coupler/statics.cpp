@@ -2,6 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <set>
 
 #include "coupler/exchange.hpp"
@@ -37,10 +38,12 @@ struct State {
       elements += r.elements();
     }
   }
-  double unbalanced_ratio() const {
+  // Against the internal force of now, or of the beginning where it was larger: ground that is free to expand
+  // has none left in the end.
+  double unbalanced_ratio(double internal_at_first) const {
     if (unbalanced_force == 0) return 0;
     return (unbalanced_force / static_cast<double>(points)) /
-           (internal_force / static_cast<double>(elements));
+           (std::max(internal_force, internal_at_first) / static_cast<double>(elements));
   }
 };
 
@@ -64,12 +67,14 @@ Rest relax(Model& model, Stepper& stepper) {
   std::uint64_t step = 0;
   const auto relax_stage = [&](std::uint32_t stage) {
     bool stop = stage > 0;
-    double kinetic_energy = 0;  // a step before, since the last stop
+    double kinetic_energy = 0;     // a step before, since the last stop
+    double internal_at_first = 0;  // force
     for (std::uint64_t n = 0; n <= statics.max_steps(); ++n) {
       stepper.relax(step, stop, stage);
       const State state(model.sides);
       rest.steps = step++;
-      rest.unbalanced_ratio = state.unbalanced_ratio();
+      if (n == 0) internal_at_first = state.internal_force;
+      rest.unbalanced_ratio = state.unbalanced_ratio(internal_at_first);
       if (line.due())
         line.print(fmt::format("statics{}: step {}, unbalanced ratio {:.2e}, {:.1e} wanted",
                                stage > 0 ? fmt::format(", stage {}", stage) : "", n, rest.unbalanced_ratio,

@@ -34,6 +34,7 @@ void Stepper::step(std::uint64_t n, Wanted wanted) {
   request_.set_dt(model_.dt);
   request_.set_want_energies(wanted.energies);
   request_.set_want_histories(wanted.histories);
+  request_.set_want_peaks(wanted.peaks);
   exchange();
   unbooked_ = true;
   if (wanted.energies) book(true);

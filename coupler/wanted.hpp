@@ -6,6 +6,7 @@ namespace adit::coupler {
 struct Wanted {
   bool energies = false;
   bool histories = false;
+  bool peaks = false;  // the step enters the peaks over time
 };
 
 // Seconds of a run so far.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -23,19 +24,22 @@ std::uint32_t nearest(const Particles& p, double x, double y) {
   return best;
 }
 
-double value(const Particles& p, const Velocities& before, scene::Quantity quantity, std::uint32_t i) {
+bool is_motion(scene::Quantity quantity) {
   switch (quantity) {
     case scene::DISPLACEMENT_X:
-      return p.ux[i] - p.settled_x[i];
     case scene::DISPLACEMENT_Y:
-      return p.uy[i] - p.settled_y[i];
     case scene::VELOCITY_X:
-      return before.x[i];
     case scene::VELOCITY_Y:
-      return before.y[i];
+    case scene::ACCELERATION_X:
+    case scene::ACCELERATION_Y:
+      return true;
     default:
-      return 0;
+      return false;
   }
+}
+
+double velocity(const Particles& p, scene::Quantity quantity, std::uint32_t i) {
+  return quantity == scene::VELOCITY_Y || quantity == scene::ACCELERATION_Y ? p.vy[i] : p.vx[i];
 }
 
 }  // namespace
@@ -44,10 +48,13 @@ Histories::Histories(const scene::Particles& scene, const Particles& particles) 
   const double reach = 2 * scene.packing().radius();
   for (int i = 0; i < scene.histories_size(); ++i) {
     const auto& history = scene.histories(i);
+    if (!is_motion(history.quantity()))
+      throw protocol::UserError(
+          fmt::format("particles.histories[{}].quantity", i),
+          fmt::format("is {}, which particles do not have; choose displacement, velocity or acceleration, or "
+                      "ask the continuum",
+                      protocol::name_of(history.quantity())));
     const double x = history.at().x(), y = history.at().y();
-    if (history.quantity() > scene::VELOCITY_Y)
-      throw protocol::UserError(fmt::format("particles.histories[{}].quantity", i),
-                                "is none that particles have; choose displacement or velocity");
     const std::uint32_t particle = nearest(particles, x, y);
     if (const double distance = std::hypot(particles.x[particle] - x, particles.y[particle] - y);
         distance > reach)
@@ -56,15 +63,39 @@ Histories::Histories(const scene::Particles& scene, const Particles& particles) 
           fmt::format("is ({:g}, {:g}) m, but the nearest particle is {:g} m away; choose a "
                       "place within a diameter of a particle",
                       x, y, distance));
-    histories_.push_back({history.quantity(), particle});
+    histories_.push_back({history.quantity(), particle, false, {}});
   }
 }
 
-void Histories::read(const Particles& particles, const Velocities& before,
+void Histories::tie(std::span<const std::uint32_t> particles) {
+  for (History& history : histories_)
+    history.tied = std::ranges::find(particles, history.particle) != particles.end();
+}
+
+void Histories::remember(const Particles& particles) {
+  for (History& history : histories_)
+    history.velocity.remember(velocity(particles, history.quantity, history.particle));
+}
+
+void Histories::read(const Particles& particles, const protocol::Step& step,
                      google::protobuf::RepeatedField<double>& values) const {
   values.Clear();
-  for (const History& history : histories_)
-    values.Add(value(particles, before, history.quantity, history.particle));
+  for (const auto& [quantity, i, tied, record] : histories_) {
+    switch (quantity) {
+      case scene::DISPLACEMENT_X:
+        values.Add(particles.ux[i] - particles.settled_x[i]);
+        break;
+      case scene::DISPLACEMENT_Y:
+        values.Add(particles.uy[i] - particles.settled_y[i]);
+        break;
+      case scene::ACCELERATION_X:
+      case scene::ACCELERATION_Y:
+        values.Add(record.acceleration(velocity(particles, quantity, i), step, tied));
+        break;
+      default:
+        values.Add(record.before());
+    }
+  }
 }
 
 }  // namespace adit::dem

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -108,6 +109,7 @@ void DemParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
   coupling_.tie(view(couple.points()), assembly_, interior_.motions);
   coupling_.fill(op);
   for (const std::uint32_t i : coupling_.particles()) tied_[i] = true;
+  histories_->tie(coupling_.particles());
   interface_.loads = interior_.loads.take(tied_);
   interface_.motions = interior_.motions.take(tied_, assembly_.particles);
   plan();
@@ -196,6 +198,7 @@ void DemParticipant::start_over() {
 void DemParticipant::advance(const wire::Advance& advance, wire::Predicted& predicted) {
   Particles& particles = assembly_.particles;
   correct(view(advance.impulses()));
+  take_peaks();
   check_dt(advance);
   if (relaxation_ && !advance.relax()) start_over();
   if (advance.relax()) relax(advance.stop(), *predicted.mutable_relaxation());
@@ -205,17 +208,23 @@ void DemParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
   result_ = {};
   speed_ = 0;
   broken_.clear();
+  histories_->remember(particles);
+  if (advance.want_peaks()) {
+    if (!peaks_) peaks_.emplace(particles.size());
+    peaks_->remember({particles.vx, particles.vy});
+    peaks_due_ = true;
+  }
 
   if (contacts_.update(step_.dt, assembly_)) plan();
-  if (advance.want_histories() || advance.want_energies()) remember(particles, before_);
+  if (advance.want_energies()) remember(particles, before_);
   pull(interface_);
   if (!rest_left_) pull(interior_);
-  if (advance.want_histories()) histories_->read(particles, before_, *predicted.mutable_histories());
   predict(interface_);
   if (!rest_left_) {
     predict(interior_);
     close_step();
   }
+  if (advance.want_histories()) histories_->read(particles, step_, *predicted.mutable_histories());
 
   predicted.set_step(step_.number);
   predicted.mutable_velocities()->Resize(static_cast<int>(2 * coupling_.size()), 0.0);
@@ -225,6 +234,16 @@ void DemParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
   predicted.mutable_strongest()->Swap(unreported_.mutable_strongest());
   if (advance.relax()) predicted.mutable_relaxation()->set_kinetic_energy(kinetic_energy(particles));
   if (advance.want_energies()) report_energies(*predicted.mutable_energies());
+}
+
+void DemParticipant::take_peaks() {
+  if (!peaks_due_) return;
+  peaks_due_ = false;
+  const Particles& p = assembly_.particles;
+  const auto displacement = [&p](std::size_t i) {
+    return std::array{p.ux[i] - p.settled_x[i], p.uy[i] - p.settled_y[i]};
+  };
+  peaks_->take(displacement, {p.vx, p.vy}, step_);
 }
 
 void DemParticipant::complete() {
@@ -285,7 +304,9 @@ void DemParticipant::report_energies(wire::Energies& energies) {
 void DemParticipant::snapshot(const wire::SnapshotRequest& request, wire::Snapshot& snapshot) {
   correct(view(request.impulses()));
   find_normal_forces(law_, assembly_.particles, assembly_.bonds);
+  if (coupling_.size() == 0 || !request.impulses().empty()) take_peaks();
   write_snapshot(assembly_, snapshot);
+  if (peaks_) protocol::add_peak_fields(*peaks_, *snapshot.mutable_pieces(0)->mutable_point_fields());
 }
 
 void DemParticipant::finish(wire::Bye& bye) {

@@ -19,6 +19,7 @@
 #include "dem_server/relaxation.hpp"
 #include "dem_server/sweep.hpp"
 #include "protocol/participant.hpp"
+#include "protocol/peak_motion.hpp"
 #include "protocol/step.hpp"
 #include "protocol/team.hpp"
 
@@ -63,6 +64,8 @@ class DemParticipant : public protocol::Participant {
   void stop();
   // The first step that does not relax: from the state reached.
   void start_over();
+  // Of the last step, where they are wanted, once it is corrected.
+  void take_peaks();
   void check_dt(const wire::Advance& advance);
   void report_energies(wire::Energies& energies);
 
@@ -75,6 +78,8 @@ class DemParticipant : public protocol::Participant {
   Assembly assembly_;
   Part interface_, interior_;
   std::optional<Histories> histories_;
+  std::optional<protocol::PeakMotion> peaks_;  // once wanted
+  bool peaks_due_ = false;                     // of the last step
   CouplingPoints coupling_;
   Velocities before_;
   Contacts contacts_;

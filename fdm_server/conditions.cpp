@@ -74,18 +74,6 @@ bool same_velocity(const scene::GridMotion& a, double va, const scene::GridMotio
   return va == vb && (va == 0 || a.time().SerializeAsString() == b.time().SerializeAsString());
 }
 
-// Of the zones around a point.
-double longest_diagonal(const Grid& grid, std::uint32_t point) {
-  double longest = 0;
-  for (std::size_t z = 0; z < grid.zones.size(); ++z) {
-    if (std::ranges::find(grid.zones[z], static_cast<std::int32_t>(point)) == grid.zones[z].end()) continue;
-    const auto c = corners(grid, z);
-    longest = std::max({longest, std::hypot(c.x[2] - c.x[0], c.y[2] - c.y[0]),
-                        std::hypot(c.x[3] - c.x[1], c.y[3] - c.y[1])});
-  }
-  return longest;
-}
-
 }  // namespace
 
 std::vector<Load> resolve_loads(const scene::Continuum& scene, const Grid& grid,
@@ -140,35 +128,6 @@ std::vector<Motion> resolve_motions(const scene::Continuum& scene, const Grid& g
     if (motion.velocity().has_y()) prescribe(i, Axis::kY, chosen);
   }
   return motions;
-}
-
-std::vector<Probe> resolve_histories(const scene::Continuum& scene, const Grid& grid) {
-  std::vector<Probe> probes;
-  for (int i = 0; i < scene.histories_size(); ++i) {
-    const auto& history = scene.histories(i);
-    if (is_of_lining(history.quantity())) {
-      probes.push_back({history.quantity(), 0});
-      continue;
-    }
-    std::uint32_t nearest = 0;
-    double distance = HUGE_VAL;
-    for (std::uint32_t point = 0; point < grid.x.size(); ++point) {
-      const double d = std::hypot(grid.x[point] - history.at().x(), grid.y[point] - history.at().y());
-      if (d < distance) {
-        distance = d;
-        nearest = point;
-      }
-    }
-    const double diagonal = longest_diagonal(grid, nearest);
-    if (!(distance <= diagonal))
-      throw protocol::UserError(
-          fmt::format("continuum.histories[{}].at", i),
-          fmt::format("lies {} m from the nearest grid point, more than a zone's diagonal of {} m; put it "
-                      "inside the continuum",
-                      distance, diagonal));
-    probes.push_back({history.quantity(), nearest});
-  }
-  return probes;
 }
 
 }  // namespace adit::fdm

@@ -1,4 +1,4 @@
-// The scene's loads, motions and histories on what is left of the grid.
+// The scene's loads and motions on what is left of the grid.
 // Errors: UserError with the scene's path.
 #pragma once
 
@@ -21,14 +21,5 @@ std::vector<Load> resolve_loads(const scene::Continuum& scene, const Grid& grid,
 
 // A component of a point that two motions prescribe differently is an error.
 std::vector<Motion> resolve_motions(const scene::Continuum& scene, const Grid& grid);
-
-// A quantity at one grid point; of a lining's forces: its place among the lining probes.
-struct Probe {
-  scene::Quantity quantity;
-  std::uint32_t point;
-};
-
-// The grid point nearest to each history's place; an error where none is within a zone's diagonal.
-std::vector<Probe> resolve_histories(const scene::Continuum& scene, const Grid& grid);
 
 }  // namespace adit::fdm

@@ -73,13 +73,8 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   supports_ = resolve_supports(scene_.continuum(), scene_.plane() == scene::PLANE_STRAIN, grid_);
   const auto& conditions = scene_.continuum();
   make_continuum();
-  probes_ = resolve_histories(conditions, grid_);
+  histories_.emplace(conditions, supports_, grid_);
   stage_of_zone_ = excavation_stages(scene_, grid_);
-  probe_before_.resize(probes_.size());
-  for (int i = 0; i < conditions.histories_size(); ++i)
-    if (is_of_lining(conditions.histories(i).quantity()))
-      lining_probes_.push_back(resolve_lining_probe(conditions.histories(i), supports_, grid_,
-                                                    fmt::format("continuum.histories[{}]", i)));
   if (!weights.weights().empty()) offer_grid_points(weights, interface);
   interface.set_zones(grid_.zones.size());
   interface.set_grid_points(grid_.x.size());
@@ -151,6 +146,7 @@ void FdmParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
   require_interface_stays();
   continuum_->set_interface(operator_.points());
   operator_.fill(op);
+  histories_->tie(operator_.points());
   for (const auto point : operator_.points()) {
     op.add_inverse_masses(continuum_->inverse_mass_x()[point]);
     op.add_inverse_masses(continuum_->inverse_mass_y()[point]);
@@ -163,9 +159,15 @@ void FdmParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
   check(advance);
   push(advance.impulses());
   take_peak_forces();
+  take_peaks();
   if (advance.relax()) relax(advance.stop(), *predicted.mutable_relaxation());
   if (advance.stage() > stage_) excavate(advance.stage());
-  if (advance.want_histories()) remember_probes();
+  histories_->remember(*continuum_);
+  if (advance.want_peaks()) {
+    if (!peaks_) peaks_.emplace(grid_);
+    peaks_->remember(*continuum_);
+    peaks_due_ = true;
+  }
 
   const std::uint64_t step = advance.step();
   step_ = {step, advance.dt(), advance.relax(), advance.stop()};
@@ -191,7 +193,8 @@ void FdmParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
     predicted.mutable_energies()->set_dissipated(energies.dissipated);
   }
   if (advance.relax()) predicted.mutable_relaxation()->set_kinetic_energy(kinetic_energy(*continuum_));
-  if (advance.want_histories()) fill_histories(predicted);
+  if (advance.want_histories())
+    histories_->read(grid_, supports_, *continuum_, step_, *predicted.mutable_histories());
   check_answer(predicted);
   if (!rest_left_ && step % kFiniteCheckInterval == 0) check_grid(step);
 }
@@ -201,6 +204,12 @@ void FdmParticipant::complete() {
   rest_left_ = false;
   continuum_->step_interior(step_);
   if (step_.number % kFiniteCheckInterval == 0) check_grid(step_.number);
+}
+
+void FdmParticipant::take_peaks() {
+  if (!peaks_due_) return;
+  peaks_due_ = false;
+  peaks_->take(grid_, *continuum_, step_);
 }
 
 void FdmParticipant::relax(bool stop, wire::Relaxation& answer) {
@@ -278,28 +287,6 @@ void FdmParticipant::take_peak_forces() {
   if (next_step_ > 0 && !step_.relax) peak_forces_.take(supports_.linings, continuum_->structures());
 }
 
-void FdmParticipant::remember_probes() {
-  for (std::size_t i = 0; i < probes_.size(); ++i) {
-    const auto [quantity, point] = probes_[i];
-    probe_before_[i] = quantity == scene::VELOCITY_Y ? continuum_->vy()[point] : continuum_->vx()[point];
-  }
-}
-
-void FdmParticipant::fill_histories(wire::Predicted& predicted) const {
-  auto lining = lining_probes_.begin();
-  for (std::size_t i = 0; i < probes_.size(); ++i) {
-    const auto [quantity, point] = probes_[i];
-    if (quantity == scene::DISPLACEMENT_X)
-      predicted.add_histories(continuum_->ux()[point]);
-    else if (quantity == scene::DISPLACEMENT_Y)
-      predicted.add_histories(continuum_->uy()[point]);
-    else if (is_of_lining(quantity))
-      predicted.add_histories(value(*lining++, supports_, continuum_->structures()));
-    else
-      predicted.add_histories(probe_before_[i]);
-  }
-}
-
 void FdmParticipant::check_answer(const wire::Predicted& predicted) const {
   const auto finite = [](double value) { return std::isfinite(value); };
   const auto& energies = predicted.energies();
@@ -324,7 +311,9 @@ void FdmParticipant::check_grid(std::uint64_t step) const {
 
 void FdmParticipant::snapshot(const wire::SnapshotRequest& request, wire::Snapshot& snapshot) {
   push(request.impulses());
+  if (operator_.rows() == 0 || !request.impulses().empty()) take_peaks();
   fill_snapshot(grid_, *continuum_, weights_, snapshot);
+  if (peaks_) add_peaks(*peaks_, weights_, *snapshot.mutable_pieces(0));
   take_peak_forces();
   add_supports(grid_, *continuum_, supports_, peak_forces_, snapshot);
 }

@@ -1,16 +1,20 @@
 // The continuum as a participant of a run: translates the conversation (wire.proto) to the solver.
 //
-// Sample points are those of grid/samples.hpp. Velocity histories are v(n-1/2). Requests that
-// contradict an earlier one (counts, step numbers, dt) throw std::invalid_argument: the peer's bug.
+// Sample points are those of grid/samples.hpp. Requests that contradict an earlier one (counts, step numbers,
+// dt) throw std::invalid_argument: the peer's bug.
 #pragma once
 
 #include <cstddef>
 #include <ctime>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "fdm_server/boundaries/free_field.hpp"
 #include "fdm_server/conditions.hpp"
+#include "fdm_server/output/histories.hpp"
+#include "fdm_server/output/peaks.hpp"
 #include "fdm_server/setup.hpp"
 #include "fdm_server/solver/relaxation.hpp"
 #include "fdm_server/structures/lining_probe.hpp"
@@ -54,9 +58,8 @@ class FdmParticipant final : public protocol::Participant {
   void start_over();
   // Of the linings at the last step, once time goes on.
   void take_peak_forces();
-  // v(n-1/2) of the velocity probes, before the step overwrites it.
-  void remember_probes();
-  void fill_histories(wire::Predicted& predicted) const;
+  // Of the last step, where they are wanted, once it is corrected.
+  void take_peaks();
   // Throw Unstable. Every step looks at the interface and the energies, every hundredth at the whole grid.
   void check_answer(const wire::Predicted& predicted) const;
   void check_grid(std::uint64_t step) const;
@@ -75,10 +78,10 @@ class FdmParticipant final : public protocol::Participant {
   std::uint32_t stage_ = 0;                   // reached
   std::unique_ptr<Continuum> continuum_;
   protocol::InterfaceOperator operator_;
-  std::vector<Probe> probes_;
-  std::vector<double> probe_before_;
-  std::vector<LiningProbe> lining_probes_;
   PeakForces peak_forces_;
+  std::optional<Histories> histories_;
+  std::optional<Peaks> peaks_;            // once wanted
+  bool peaks_due_ = false;                // of the last step
   std::optional<Relaxation> relaxation_;  // in statics
   protocol::Step step_{0, 0.0};           // the last one
   std::uint64_t next_step_ = 0, steps_done_ = 0;

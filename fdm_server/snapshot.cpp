@@ -134,4 +134,17 @@ void add_supports(const Grid& grid, const Continuum& continuum, const Supports& 
   if (!supports.bolts.empty()) add_bolts(grid, continuum, supports.bolts, snapshot);
 }
 
+void add_peaks(const Peaks& peaks, std::span<const double> weights, wire::Piece& piece) {
+  protocol::add_peak_fields(peaks.motion(), *piece.mutable_point_fields());
+  const auto add = [&](const std::string& name, std::span<const double> values) {
+    std::vector<double> present;
+    for (std::size_t z = 0; z < values.size(); ++z)
+      if (weights[z] > 0) present.push_back(values[z]);
+    std::ranges::copy(present, new_field(*piece.mutable_cell_fields(), name, 1, present.size()));
+  };
+  add("peak_shear_strain", peaks.shear_strain());
+  add("peak_largest_principal_stress_Pa", peaks.largest_principal());
+  add("peak_smallest_principal_stress_Pa", peaks.smallest_principal());
+}
+
 }  // namespace adit::fdm

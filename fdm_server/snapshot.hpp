@@ -4,6 +4,7 @@
 #include <span>
 
 #include "fdm_server/grid/grid.hpp"
+#include "fdm_server/output/peaks.hpp"
 #include "fdm_server/solver/continuum.hpp"
 #include "fdm_server/structures/peak_forces.hpp"
 #include "fdm_server/structures/supports.hpp"
@@ -22,5 +23,8 @@ void fill_snapshot(const Grid& grid, const Continuum& continuum, std::span<const
 // one bolt, cell field thrust_N.
 void add_supports(const Grid& grid, const Continuum& continuum, const Supports& supports,
                   const PeakForces& peaks, wire::Snapshot& snapshot);
+// Adds the peaks to that piece: at points as of every model (peak_motion.hpp), in zones peak_shear_strain,
+// peak_largest_principal_stress_Pa and peak_smallest_principal_stress_Pa.
+void add_peaks(const Peaks& peaks, std::span<const double> weights, wire::Piece& piece);
 
 }  // namespace adit::fdm

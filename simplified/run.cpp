@@ -36,6 +36,12 @@ void refuse_other_models(const scene::Scene& scene) {
                                                     : nullptr;
   if (other)
     throw UserError(other, "stands beside `simplified`; a scene is for one program: leave one of them out");
+  const char* unwritten = scene.output().has_peaks()          ? "output.peaks"
+                          : scene.output().spectra_size() > 0 ? "output.spectra"
+                                                              : nullptr;
+  if (unwritten)
+    throw UserError(unwritten,
+                    "is for the models of `coupler`; leave it out, peaks over time are in envelopes.csv");
 }
 
 Clock clock_of(const scene::Scene& scene) {

@@ -1,10 +1,13 @@
 #include "protocol/motion/measures.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <numbers>
 
+#include "protocol/errors.hpp"
 #include "protocol/motion/fourier.hpp"
 
 namespace adit::motion {
@@ -18,6 +21,17 @@ double largest(const std::vector<double>& values) {
   return result;
 }
 
+// Integral of the acceleration squared up to each of the motion's times, exact for the straight lines
+// [m^2/s^3].
+std::vector<double> squares(const Motion& motion) {
+  check(motion);
+  const auto& a = motion.acceleration;
+  std::vector<double> sums(a.size());
+  for (std::size_t i = 1; i < a.size(); ++i)
+    sums[i] = sums[i - 1] + motion.dt / 3 * (a[i - 1] * a[i - 1] + a[i - 1] * a[i] + a[i] * a[i]);
+  return sums;
+}
+
 }  // namespace
 
 Peaks peaks(const Motion& motion) {
@@ -26,11 +40,41 @@ Peaks peaks(const Motion& motion) {
 }
 
 double arias_intensity(const Motion& motion) {
+  return std::numbers::pi / (2 * kGravity) * squares(motion).back();
+}
+
+std::vector<double> husid(const Motion& motion) {
+  std::vector<double> course = squares(motion);
+  if (const double end = course.back(); end > 0)
+    for (double& value : course) value /= end;
+  return course;
+}
+
+double significant_duration(const Motion& motion, double from, double to) {
+  if (!(from >= 0 && from < to && to <= 1))
+    throw protocol::UserError("",
+                              fmt::format("the shares {} and {} of the Arias intensity bound no duration; "
+                                          "give two growing ones from 0 to 1",
+                                          from, to));
+  const std::vector<double> course = husid(motion);
+  if (course.back() == 0) return 0;
+  const auto time_of = [&](double share) {
+    const auto after = std::max(std::ranges::lower_bound(course, share), course.begin() + 1);
+    const double rise = *after - *(after - 1), part = rise > 0 ? (share - *(after - 1)) / rise : 1;
+    return motion.dt * (static_cast<double>(after - course.begin() - 1) + part);
+  };
+  return time_of(to) - time_of(from);
+}
+
+double cumulative_absolute_velocity(const Motion& motion) {
   check(motion);
-  const auto& a = motion.acceleration;
   double sum = 0;
-  for (std::size_t i = 1; i < a.size(); ++i) sum += a[i - 1] * a[i - 1] + a[i - 1] * a[i] + a[i] * a[i];
-  return std::numbers::pi / (2 * kGravity) * motion.dt / 3 * sum;
+  for (std::size_t i = 1; i < motion.acceleration.size(); ++i) {
+    const double a = motion.acceleration[i - 1], b = motion.acceleration[i];
+    // a line that changes its sign makes two triangles
+    sum += a * b >= 0 ? std::abs(a + b) : (a * a + b * b) / std::abs(a - b);
+  }
+  return motion.dt / 2 * sum;
 }
 
 FourierSpectrum fourier_spectrum(const Motion& motion) {

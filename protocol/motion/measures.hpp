@@ -19,6 +19,16 @@ Peaks peaks(const Motion& motion);
 // lines between the values.
 double arias_intensity(const Motion& motion);
 
+// Its course over the motion's times (Husid's plot), as shares from 0 to 1; all 0 where nothing moves.
+std::vector<double> husid(const Motion& motion);
+
+// Time [s] in which it grows from the share `from` to the share `to` of its end; 0.05 and 0.95 for the
+// significant duration of Trifunac and Brady (1975). Linear between the motion's times.
+double significant_duration(const Motion& motion, double from, double to);
+
+// Cumulative absolute velocity [m/s]: the integral of |acceleration|, exact for the straight lines.
+double cumulative_absolute_velocity(const Motion& motion);
+
 // Amplitude |dt sum a_k exp(-2 pi i f k dt)| [m/s] at `frequency` [Hz] from 0 to Nyquist. The motion is
 // lengthened with zeros to a power of two, 2 m values; there are m + 1 frequencies at steps of 1 / (2 m dt).
 struct FourierSpectrum {

@@ -55,7 +55,7 @@ void check_damping(double damping) {
 }
 
 struct PeakResponse {
-  double displacement = 0, absolute_acceleration = 0;
+  double displacement = 0, velocity = 0, absolute_acceleration = 0;
 };
 
 PeakResponse peak_response(const Motion& motion, double period, double damping) {
@@ -67,6 +67,7 @@ PeakResponse peak_response(const Motion& motion, double period, double damping) 
     for (int part = 0; part < parts; ++part) {
       oscillator.step(a + part * rise, a + (part + 1) * rise);
       peak.displacement = std::max(peak.displacement, std::abs(oscillator.u));
+      peak.velocity = std::max(peak.velocity, std::abs(oscillator.v));
       peak.absolute_acceleration =
           std::max(peak.absolute_acceleration, std::abs(oscillator.absolute_acceleration()));
     }
@@ -105,9 +106,10 @@ ResponseSpectrum response_spectrum(const Motion& motion, std::span<const double>
       throw UserError(
           "", fmt::format("a period of the spectrum is {} s; give 0 or at least {:.3g} s", period, shortest));
     const double w = 2 * std::numbers::pi / period;
-    const PeakResponse peak = period == 0 ? PeakResponse{0, pga} : peak_response(motion, period, damping);
+    const PeakResponse peak = period == 0 ? PeakResponse{0, 0, pga} : peak_response(motion, period, damping);
     spectrum.period.push_back(period);
     spectrum.displacement.push_back(peak.displacement);
+    spectrum.velocity.push_back(peak.velocity);
     spectrum.pseudo_acceleration.push_back(period == 0 ? pga : w * w * peak.displacement);
     spectrum.absolute_acceleration.push_back(peak.absolute_acceleration);
   }

@@ -24,6 +24,7 @@ OscillatorResponse oscillator_response(const Motion& motion, double period, doub
 struct ResponseSpectrum {
   std::vector<double> period;                 // [s]
   std::vector<double> displacement;           // max |u| [m]
+  std::vector<double> velocity;               // max |u'| [m/s]
   std::vector<double> pseudo_acceleration;    // w^2 max |u| [m/s^2]
   std::vector<double> absolute_acceleration;  // max |u'' + a| [m/s^2]
 };

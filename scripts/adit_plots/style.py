@@ -29,9 +29,9 @@ def bounds_of(*point_sets):
     return low[0] - margin, high[0] + margin, low[1] - margin, high[1] + margin
 
 
-def model_sheet(bounds, title, width=9.0):
+def model_sheet(bounds, title, width=9.0, right=0.2):
     """A figure as high as the model needs: (figure, axes of equal aspect, legend function)."""
-    left, right, below, above = 0.65, 0.2, 0.95, 0.4  # inches for labels, legend and title
+    left, below, above = 0.65, 0.95, 0.4  # inches for labels, legend and title; `right` for a scale of colours
     x_min, x_max, y_min, y_max = bounds
     axes_width = width - left - right
     axes_height = axes_width * (y_max - y_min) / (x_max - x_min)

@@ -1,4 +1,4 @@
-"""Pictures over time: the energies of a run, and the models of a case side by side."""
+"""Pictures over time: the histories and the energies of a run, and the models of a case side by side."""
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.lines import Line2D
@@ -8,6 +8,55 @@ from adit_plots import style
 LINES = ("-", "--", "-.", (0, (3, 1, 1, 1, 1, 1)))  # of the models, in turn
 KINDS = {"kinetic": style.BLUE, "strain": style.ORANGE, "released": style.PINK, "dissipated": style.RED, "external_work": style.GREEN,
          "multiplier_work": style.SKY}
+
+# What histories.csv may hold: ends of its columns, what they are, SI unit, and units that read better from a size on.
+QUANTITIES = (
+    (("ux_m", "uy_m"), "displacement", (("µm", 1e-6), ("mm", 1e-3), ("m", 1))),
+    (("vx_m_per_s", "vy_m_per_s"), "velocity", (("mm/s", 1e-3), ("m/s", 1))),
+    (("ax_m_per_s2", "ay_m_per_s2"), "acceleration", (("mm/s²", 1e-3), ("m/s²", 1))),
+    (("sxx_Pa", "syy_Pa", "szz_Pa", "sxy_Pa"), "stress", (("Pa", 1), ("kPa", 1e3), ("MPa", 1e6))),
+    (("exx", "eyy", "gxy"), "strain", (("10⁻⁶", 1e-6), ("10⁻³", 1e-3))))
+
+
+def histories(run):
+    """All that the scene asked to record, one panel a quantity."""
+    panels = []
+    for endings, quantity, units in QUANTITIES:
+        lines = [(name, values) for name, values in run.histories.items() if name.endswith(tuple(f"_{e}" for e in endings))]
+        if lines and len(run.histories["time_s"]):
+            panels.append((quantity, *_unit(units, [values for _, values in lines]), lines))
+    if not panels:
+        return None
+    figure, axes = plt.subplots(len(panels), 1, sharex=True, squeeze=False, figsize=(8.0, 0.9 + 1.8 * len(panels)))
+    time = 1e3 * run.histories["time_s"]
+    for panel, (quantity, unit, size, lines) in zip(axes[:, 0], panels):
+        for i, (name, values) in enumerate(lines):
+            place, _, ending = name.partition("_" + _ending(name))
+            panel.plot(time, values / size, lw=1, color=_COLORS[i % len(_COLORS)], ls=LINES[i // len(_COLORS) % len(LINES)],
+                       label=f"{place}, {_ending(name).partition('_')[0]}")
+        panel.axhline(0, color=style.GREY, lw=0.4, zorder=0)
+        panel.set_ylabel(f"{quantity} [{unit}]")
+        panel.legend(loc="upper left", bbox_to_anchor=(1.01, 1.04), handlelength=1.6, labelspacing=0.25)
+    axes[0, 0].set_title(f"{run.name}: histories", loc="left")
+    axes[-1, 0].set(xlabel="t [ms]", xlim=(time[0], time[-1] or 1))
+    height = figure.get_figheight()
+    figure.subplots_adjust(left=0.11, right=0.79, top=1 - 0.32 / height, bottom=0.5 / height, hspace=0.12)
+    figure.align_ylabels()
+    return figure
+
+
+def _ending(name):
+    return next(ending for endings, *_ in QUANTITIES for ending in endings if name.endswith("_" + ending))
+
+
+def _unit(units, series):
+    """The unit in which the largest value is at least 1: (its name, its size)."""
+    largest = max(np.nanmax(np.abs(values), initial=0) for values in series)
+    fitting = [unit for unit in units if largest >= unit[1]]
+    return fitting[-1] if fitting else units[0]
+
+
+_COLORS = (style.BLUE, style.RED, style.GREEN, style.ORANGE, style.PINK, style.SKY, style.BLACK)
 
 
 def energy(run):

@@ -42,6 +42,20 @@ TEST(Conditions, FreeFall) {
   EXPECT_LT(run.predicted.strongest(0).force(), 1e-3);
 }
 
+// The acceleration is that of the step itself from the first on.
+TEST(Conditions, AccelerationIsCentredAtTheStep) {
+  auto scene = free_block();
+  auto& body = *scene.mutable_particles()->add_body_loads();
+  body.mutable_acceleration()->set_y(-10);
+  for (const double value : {1.0, 2.0}) {
+    body.mutable_time()->mutable_table()->add_time(value - 1);
+    body.mutable_time()->mutable_table()->add_value(value);
+  }
+  scene.mutable_particles()->mutable_histories(0)->set_quantity(scene::ACCELERATION_Y);
+  InProcessRun run(scene);
+  for (int n = 0; n <= 100; ++n) EXPECT_NEAR(run.advance().histories(0), -10 * (1 + n * run.dt), 1e-8);
+}
+
 // A body load acts on the weighted mass: a weighted block falls as fast as an unweighted one.
 TEST(Conditions, BodyLoadActsOnTheWeightedMass) {
   auto scene = free_block();

@@ -40,6 +40,29 @@ struct Coupled : InProcessRun {
   }
 };
 
+// The acceleration of a particle that the overlap corrects is that of the step before, correction and all:
+// its sum is the velocity.
+TEST(Coupling, AccelerationHoldsTheCorrection) {
+  auto scene = coupled_scene();
+  auto& histories = *scene.mutable_particles()->mutable_histories();
+  histories[0].set_quantity(scene::ACCELERATION_X);
+  *histories.Add() = histories[0];
+  histories[1].set_quantity(scene::VELOCITY_X);
+  InProcessRun run(scene, overlap_weights(InProcessRun(scene).model));
+  wire::Couple couple;
+  *couple.mutable_points() = run.interface.points();
+  wire::Operator op;
+  run.participant.couple(couple, op);
+  run.advance();
+  double velocity = 0;
+  for (int n = 1; n <= 50; ++n) {
+    run.advance(std::vector<double>(280, std::sin(0.3 * n)));
+    velocity += (n == 1 ? run.dt / 2 : run.dt) * run.predicted.histories(0);
+    EXPECT_NEAR(run.predicted.histories(1), velocity, 1e-14);
+    EXPECT_NE(velocity, 0);
+  }
+}
+
 // The coupled cantilever keeps 419 particles, of which 140 lie in the overlap.
 TEST(Coupling, OverlapOfTheCantileverHasItsCounts) {
   const Coupled run;

@@ -53,6 +53,9 @@ INSTANTIATE_TEST_SUITE_P(
              [](auto& s) { packing(s).set_y_max(-1); }},
         Case{"TooSmall", "particles.packing", "holds 0 particle(s)",
              [](auto& s) { packing(s).set_radius(6); }},
+        Case{"HistoryOfStress", "particles.histories[0].quantity",
+             "is stress_xx, which particles do not have; choose displacement, velocity or acceleration",
+             [](auto& s) { s.mutable_particles()->mutable_histories(0)->set_quantity(scene::STRESS_XX); }},
         Case{"OneParticle", "particles.packing", "holds 1 particle(s)",
              [](auto& s) {
                packing(s).set_x_max(1);

@@ -98,7 +98,8 @@ INSTANTIATE_TEST_SUITE_P(
              kLining + "histories { name: 'a' quantity: THRUST at { x: 3 y: 0.5 } lining: 'top' }",
              "continuum.histories[0].at", "m from the lining's nearest node"},
         Case{"history_outside", "histories { name: 'a' quantity: VELOCITY_X at { x: 9 y: 0 } }",
-             "continuum.histories[0].at", "put it inside the continuum"}),
+             "continuum.histories[0].at",
+             "is (9, 0) m, where the continuum has no zone; its nearest grid point is (6, 0) m, put it inside"}),
     [](const auto& scene) { return scene.param.name; });
 
 // A scene without a continuum is not for this server.

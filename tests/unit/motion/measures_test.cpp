@@ -1,6 +1,7 @@
 // Requirements on the measures of motions.
 #include "protocol/motion/measures.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "protocol/motion/pulses.hpp"
@@ -23,6 +24,33 @@ TEST(Measures, AriasIntensityOfASine) {
   EXPECT_NEAR(arias_intensity(sine(3, 2, 5, {.dt = 0.0005, .duration = 5})), kPi * 9 * 5 / (4 * 9.80665),
               1e-4);
   EXPECT_NEAR(arias_intensity({0.5, {2, 2, 2}}), kPi / (2 * 9.80665) * 4, 1e-14);
+}
+
+// Of whole cycles of a sine over 5 s: the Arias intensity grows evenly, so 90 % of it take 4.5 s; the
+// cumulative absolute velocity is 2 A T / pi.
+TEST(Measures, DurationAndCumulativeVelocityOfASine) {
+  const Motion motion = sine(3, 2, 5, {.dt = 0.0005, .duration = 5});
+  EXPECT_NEAR(significant_duration(motion, 0.05, 0.95), 4.5, 1e-3);
+  EXPECT_NEAR(cumulative_absolute_velocity(motion), 2 * 3 * 5 / kPi, 1e-4);
+  const auto course = husid(motion);
+  EXPECT_NEAR(course[5000], 0.5, 1e-4);
+  EXPECT_EQ(course.back(), 1);
+}
+
+// Both are exact for straight lines: a constant, and a line that crosses 0.
+TEST(Measures, DurationAndCumulativeVelocityAreExactForStraightLines) {
+  EXPECT_NEAR(significant_duration({0.5, {2, 2, 2}}, 0.05, 0.95), 0.9, 1e-14);
+  EXPECT_NEAR(cumulative_absolute_velocity({0.5, {2, 2, -2, -2}}), 1 + 0.5 + 1, 1e-14);
+  EXPECT_EQ(significant_duration({0.5, {0, 0, 0}}, 0.05, 0.95), 0);
+  EXPECT_EQ(husid({0.5, {0, 0}}), (std::vector<double>{0, 0}));
+}
+
+// Shares that bound nothing are refused in words.
+TEST(Measures, DurationRefusesWrongShares) {
+  EXPECT_THAT(complaint([] {
+                significant_duration({0.5, {1, 1}}, 0.95, 0.05);
+              }),
+              testing::HasSubstr("bound no duration; give two growing ones from 0 to 1"));
 }
 
 // The Fourier spectrum of the Ricker motion is that of its formula:

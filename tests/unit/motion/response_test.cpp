@@ -73,6 +73,15 @@ TEST(Spectrum, HasTheLimitsOfStiffAndSoft) {
   EXPECT_NEAR(spectrum.displacement[2], peaks(motion).displacement, 0.03 * peaks(motion).displacement);
 }
 
+// At resonance the largest velocity and displacement are those of the steady state, A / (2 damping w) and
+// that by w.
+TEST(Spectrum, VelocityAtResonance) {
+  const Motion motion = sine(1, 1 / kPeriod, 60, {.dt = 0.002, .duration = 60});
+  const auto spectrum = response_spectrum(motion, std::vector{kPeriod}, kDamping);
+  EXPECT_NEAR(spectrum.velocity[0] * 2 * kDamping * kW, 1, 1e-3);
+  EXPECT_NEAR(spectrum.displacement[0] * 2 * kDamping * kW * kW, 1, 1e-3);
+}
+
 // Peaks between the times of the motion are seen: the undamped oscillator under a sudden constant swings to
 // twice the static displacement, although the step is nearly half its period.
 TEST(Spectrum, SeesPeaksBetweenTheSteps) {

@@ -1,0 +1,139 @@
+#include "fdm_server/output/histories.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "fdm_server/grid/locate.hpp"
+#include "fdm_server/output/strain.hpp"
+#include "protocol/errors.hpp"
+
+namespace adit::fdm {
+namespace {
+
+bool is_of_zones(scene::Quantity quantity) {
+  return quantity >= scene::STRESS_XX && quantity <= scene::SHEAR_STRAIN_XY;
+}
+
+double at(const ZonePoints& points, const std::array<double, 4>& shares, std::span<const double> field) {
+  double sum = 0;
+  for (std::size_t c = 0; c < 4; ++c)
+    if (shares[c] != 0) sum += shares[c] * field[points[c]];
+  return sum;
+}
+
+std::span<const double> velocity(const Continuum& continuum, scene::Quantity quantity) {
+  return quantity == scene::VELOCITY_Y || quantity == scene::ACCELERATION_Y ? continuum.vy() : continuum.vx();
+}
+
+// Of values of zones, by number.
+template <class Value>
+double sum(const ZoneShares& fit, Value&& value) {
+  double sum = 0;
+  for (std::size_t k = 0; k < fit.zones.size(); ++k) sum += fit.shares[k] * value(fit.zones[k]);
+  return sum;
+}
+
+[[noreturn]] void refuse_place(const Grid& grid, double x, double y, const std::string& path) {
+  double distance = std::numeric_limits<double>::infinity();
+  std::size_t nearest = 0;
+  for (std::size_t i = 0; i < grid.x.size(); ++i)
+    if (const double d = std::hypot(grid.x[i] - x, grid.y[i] - y); d < distance) {
+      distance = d;
+      nearest = i;
+    }
+  throw protocol::UserError(
+      path,
+      fmt::format("is ({:g}, {:g}) m, where the continuum has no zone; its nearest grid point is ({:g}, "
+                  "{:g}) m, put it inside the continuum",
+                  x, y, grid.x[nearest], grid.y[nearest]));
+}
+
+double stress(const Stress& stress, scene::Quantity quantity) {
+  return quantity == scene::STRESS_XX ? stress.xx : quantity == scene::STRESS_YY ? stress.yy : stress.xy;
+}
+
+double strain(const Strain& strain, scene::Quantity quantity) {
+  return quantity == scene::STRAIN_XX ? strain.xx : quantity == scene::STRAIN_YY ? strain.yy : strain.xy;
+}
+
+}  // namespace
+
+Histories::Histories(const scene::Continuum& scene, const Supports& supports, const Grid& grid) {
+  if (scene.histories().empty()) return;
+  const ZoneLocator locator(grid);
+  for (int i = 0; i < scene.histories_size(); ++i) {
+    const auto& history = scene.histories(i);
+    const auto path = fmt::format("continuum.histories[{}]", i);
+    if (is_of_lining(history.quantity())) {
+      probes_.push_back({history.quantity(), {}, {}});
+      probes_.back().lining = resolve_lining_probe(history, supports, grid, path);
+      continue;
+    }
+    const double x = history.at().x(), y = history.at().y();
+    const auto place = locator.locate(x, y);
+    if (!place) refuse_place(grid, x, y, path + ".at");
+    probes_.push_back({history.quantity(), grid.zones[place->zone], place->shape});
+    if (is_of_zones(history.quantity())) probes_.back().zones = fit_around(grid, place->zone, x, y);
+  }
+}
+
+void Histories::tie(std::span<const std::uint32_t> points) {
+  for (Probe& probe : probes_)
+    for (std::size_t c = 0; c < 4; ++c)
+      if (probe.shares[c] != 0 &&
+          std::ranges::find(points, static_cast<std::uint32_t>(probe.points[c])) != points.end())
+        probe.tied = true;
+}
+
+void Histories::remember(const Continuum& continuum) {
+  for (Probe& probe : probes_)
+    if (!is_of_zones(probe.quantity) && !probe.lining)
+      probe.velocity.remember(at(probe.points, probe.shares, velocity(continuum, probe.quantity)));
+}
+
+void Histories::read(const Grid& grid, const Supports& supports, const Continuum& continuum,
+                     const protocol::Step& step, google::protobuf::RepeatedField<double>& values) const {
+  for (const Probe& probe : probes_) values.Add(value(probe, grid, supports, continuum, step));
+}
+
+double Histories::value(const Probe& probe, const Grid& grid, const Supports& supports,
+                        const Continuum& continuum, const protocol::Step& step) const {
+  const auto& [quantity, points, shares, zones, lining, tied, velocity] = probe;
+  switch (quantity) {
+    case scene::DISPLACEMENT_X:
+      return at(points, shares, continuum.ux());
+    case scene::DISPLACEMENT_Y:
+      return at(points, shares, continuum.uy());
+    case scene::VELOCITY_X:
+    case scene::VELOCITY_Y:
+      return velocity.before();
+    case scene::ACCELERATION_X:
+      return velocity.acceleration(at(points, shares, continuum.vx()), step, tied);
+    case scene::ACCELERATION_Y:
+      return velocity.acceleration(at(points, shares, continuum.vy()), step, tied);
+    case scene::STRESS_XX:
+    case scene::STRESS_YY:
+    case scene::STRESS_XY:
+      return sum(zones, [&](std::uint32_t z) { return stress(continuum.zones().stress(z), quantity); });
+    case scene::STRAIN_XX:
+    case scene::STRAIN_YY:
+    case scene::SHEAR_STRAIN_XY:
+      return sum(zones, [&](std::uint32_t z) {
+        const ZonePoints& zone = grid.zones[z];
+        const MeanGradient gradient = mean_gradient(corners(grid, z));
+        return strain(mean_strain(gradient, zone, continuum.ux(), continuum.uy()), quantity);
+      });
+    case scene::THRUST:
+    case scene::MOMENT:
+    case scene::SHEAR_FORCE:
+      return fdm::value(*lining, supports, continuum.structures());
+  }
+  throw std::logic_error("no probe measures this quantity");
+}
+
+}  // namespace adit::fdm

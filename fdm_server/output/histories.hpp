@@ -1,0 +1,51 @@
+// Quantities over time at places of the continuum.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fdm_server/grid/grid.hpp"
+#include "fdm_server/output/zone_fit.hpp"
+#include "fdm_server/solver/continuum.hpp"
+#include "fdm_server/structures/lining_probe.hpp"
+#include "fdm_server/structures/supports.hpp"
+#include "protocol/history.hpp"
+#include "protocol/scene.pb.h"
+
+namespace adit::fdm {
+
+class Histories {
+ public:
+  // protocol::UserError for a place outside the grid's zones, or off the lining that it names.
+  Histories(const scene::Continuum& scene, const Supports& supports, const Grid& grid);
+
+  // The velocities of these points await the correction by another model after every step.
+  void tie(std::span<const std::uint32_t> points);
+
+  // Before every step, after the correction of the step before.
+  void remember(const Continuum& continuum);
+
+  // Values at the step just made, in the scene's order and as scene.proto defines them.
+  void read(const Grid& grid, const Supports& supports, const Continuum& continuum,
+            const protocol::Step& step, google::protobuf::RepeatedField<double>& values) const;
+
+ private:
+  struct Probe {
+    scene::Quantity quantity;
+    ZonePoints points;             // of the zone that holds the place
+    std::array<double, 4> shares;  // bilinear, at the place
+    ZoneShares zones{};            // of stress and strain
+    std::optional<LiningProbe> lining{};
+    bool tied = false;
+    protocol::HalfStepVelocity velocity{};  // its component
+  };
+  double value(const Probe& probe, const Grid& grid, const Supports& supports, const Continuum& continuum,
+               const protocol::Step& step) const;
+
+  std::vector<Probe> probes_;
+};
+
+}  // namespace adit::fdm

@@ -1,0 +1,37 @@
+// What the continuum went through: peaks over the steps that are looked at.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "fdm_server/grid/grid.hpp"
+#include "fdm_server/solver/continuum.hpp"
+#include "fdm_server/zones/mean_gradient.hpp"
+#include "protocol/peak_motion.hpp"
+
+namespace adit::fdm {
+
+class Peaks {
+ public:
+  // Of the grid without its free-field columns.
+  explicit Peaks(const Grid& grid);
+
+  // Before a step to look at, after the correction of the step before.
+  void remember(const Continuum& continuum);
+  // After the step and its own correction.
+  void take(const Grid& grid, const Continuum& continuum, const protocol::Step& step);
+
+  const protocol::PeakMotion& motion() const { return motion_; }
+  // One value a zone, of the means over it in the plane. Tension is positive.
+  std::span<const double> shear_strain() const { return shear_strain_; }  // largest gamma since time began
+  std::span<const double> largest_principal() const { return largest_principal_; }    // [Pa]
+  std::span<const double> smallest_principal() const { return smallest_principal_; }  // [Pa]
+
+ private:
+  std::size_t points_;
+  protocol::PeakMotion motion_;
+  std::vector<MeanGradient> gradients_;
+  std::vector<double> shear_strain_, largest_principal_, smallest_principal_;
+};
+
+}  // namespace adit::fdm
