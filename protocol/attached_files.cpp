@@ -26,16 +26,20 @@ std::string content(const fs::path& path, const std::string& field) {
   if (!fs::is_regular_file(path, error)) refuse("this is not a file");
   if (fs::file_size(path, error) > kLargestAttachedBytes)
     refuse("the file is larger than " + std::to_string(kLargestAttachedBytes >> 20) +
-           " MiB; use a coarser mesh");
+           " MiB; use a coarser mesh, or a shorter record");
   std::ifstream stream(path, std::ios::binary);
   if (!stream) refuse("the file cannot be opened; check its permissions");
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+const FieldDescriptor* name_of(const Message& message, const FieldDescriptor* content) {
+  return message.GetDescriptor()->FindFieldByName(rule_of(content).content_of());
+}
+
 void attach_one(const SceneFile& scene, Message& message, const FieldDescriptor* into,
                 const std::string& path) {
   const auto& reflection = *message.GetReflection();
-  const FieldDescriptor* name = message.GetDescriptor()->FindFieldByName(rule_of(into).content_of());
+  const FieldDescriptor* name = name_of(message, into);
   if (!reflection.HasField(message, name)) return;
   const std::string field = member_path(path, name->name());
   const fs::path file = fs::path(scene.folder(field)) / reflection.GetString(message, name);
@@ -43,20 +47,22 @@ void attach_one(const SceneFile& scene, Message& message, const FieldDescriptor*
   reflection.SetString(&message, name, fs::absolute(file).lexically_normal().string());
 }
 
-void attach(const SceneFile& scene, Message& message, const std::string& path) {
+// Calls visit(message, field, path) for every field below the message that is the content of a file.
+template <class Visit>
+void for_each_content(Message& message, const std::string& path, const Visit& visit) {
   const auto& reflection = *message.GetReflection();
   const auto* type = message.GetDescriptor();
   for (int i = 0; i < type->field_count(); ++i) {
     const FieldDescriptor* field = type->field(i);
     const std::string at = member_path(path, field->name());
     if (is_internal(field)) {
-      attach_one(scene, message, field, path);
+      visit(message, field, path);
     } else if (field->cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE && field->is_repeated()) {
       for (int k = 0; k < reflection.FieldSize(message, field); ++k)
-        attach(scene, *reflection.MutableRepeatedMessage(&message, field, k),
-               element_path(at, static_cast<std::size_t>(k)));
+        for_each_content(*reflection.MutableRepeatedMessage(&message, field, k),
+                         element_path(at, static_cast<std::size_t>(k)), visit);
     } else if (field->cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE && reflection.HasField(message, field)) {
-      attach(scene, *reflection.MutableMessage(&message, field), at);
+      for_each_content(*reflection.MutableMessage(&message, field), at, visit);
     }
   }
 }
@@ -64,7 +70,16 @@ void attach(const SceneFile& scene, Message& message, const std::string& path) {
 }  // namespace
 
 void attach_files(SceneFile& file) {
-  attach(file, file.scene, "");
+  for_each_content(file.scene, "",
+                   [&](Message& message, const FieldDescriptor* into, const std::string& path) {
+                     attach_one(file, message, into, path);
+                   });
+}
+
+void forget_file_names(scene::Scene& scene) {
+  for_each_content(scene, "", [](Message& message, const FieldDescriptor* field, const std::string&) {
+    message.GetReflection()->ClearField(&message, name_of(message, field));
+  });
 }
 
 }  // namespace adit::protocol

@@ -13,4 +13,7 @@ constexpr std::uintmax_t kLargestAttachedBytes = 500 << 20;
 // it is written to. Throws UserError at the name's place for a file that cannot be read.
 void attach_files(SceneFile& file);
 
+// Wherever the files lie, the scene computes the same.
+void forget_file_names(scene::Scene& scene);
+
 }  // namespace adit::protocol

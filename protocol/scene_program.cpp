@@ -15,7 +15,7 @@ int complain(const std::string& message, ExitCode code) {
 }  // namespace
 
 int with_scene(const std::string& path, const std::vector<std::string>& sets,
-               const std::function<void(SceneFile&)>& work) {
+               const std::function<void(const SceneFile&)>& work) {
   SceneFile file;
   try {
     file = read_scene(path, parse_overrides(sets));

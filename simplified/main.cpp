@@ -6,7 +6,6 @@
 #include <fstream>
 #include <string>
 
-#include "protocol/motion/records_of_scene.hpp"
 #include "protocol/results/run_directory.hpp"
 #include "protocol/scene_command_line.hpp"
 #include "protocol/scene_program.hpp"
@@ -51,8 +50,6 @@ int main(int argc, char** argv) {
     return protocol::kSuccess;
   }
   const auto& work = line.run->parsed() ? run_scene : check_scene;
-  return protocol::with_scene(line.scene, line.sets, [&](protocol::SceneFile& file) {
-    adit::motion::read_records(file);
-    work(line, file);
-  });
+  return protocol::with_scene(line.scene, line.sets,
+                              [&](const protocol::SceneFile& file) { work(line, file); });
 }

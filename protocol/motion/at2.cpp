@@ -103,7 +103,10 @@ double unit_factor(const RecordText& text, const Header& header) {
 }  // namespace
 
 Motion read_at2(const std::filesystem::path& file) {
-  const RecordText text = read_text(file);
+  return parse_at2(read_text(file));
+}
+
+Motion parse_at2(const RecordText& text) {
   const Header header = read_header(text);
   const double factor = unit_factor(text, header);
 

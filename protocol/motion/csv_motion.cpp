@@ -91,10 +91,24 @@ double equal_step(const RecordText& text, const std::vector<Row>& rows) {
   return dt;
 }
 
+// By the ending.
+template <class Read>
+Motion parse(const std::filesystem::path& file, const Read& text) {
+  std::string end = file.extension().string();
+  std::ranges::transform(end, end.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (end == ".at2") return parse_at2(text());
+  if (end == ".csv") return parse_csv(text());
+  throw UserError("",
+                  file.string() + ": ends neither in .AT2 nor in .csv; give a PEER record or a table in CSV");
+}
+
 }  // namespace
 
 Motion read_csv(const std::filesystem::path& file) {
-  const RecordText text = read_text(file);
+  return parse_csv(read_text(file));
+}
+
+Motion parse_csv(const RecordText& text) {
   std::size_t line = 0;
   while (line < text.lines.size() && is_passed_over(text.lines[line])) ++line;
   if (line == text.lines.size())
@@ -118,12 +132,11 @@ Motion read_csv(const std::filesystem::path& file) {
 }
 
 Motion read_motion(const std::filesystem::path& file) {
-  std::string end = file.extension().string();
-  std::ranges::transform(end, end.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (end == ".at2") return read_at2(file);
-  if (end == ".csv") return read_csv(file);
-  throw UserError("",
-                  file.string() + ": ends neither in .AT2 nor in .csv; give a PEER record or a table in CSV");
+  return parse(file, [&] { return read_text(file); });
+}
+
+Motion parse_motion(const std::string& file, const std::string& content) {
+  return parse(file, [&] { return split_text(file, content); });
 }
 
 }  // namespace adit::motion

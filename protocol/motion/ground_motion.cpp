@@ -7,6 +7,7 @@
 #include "protocol/motion/errors_at.hpp"
 #include "protocol/motion/filter.hpp"
 #include "protocol/motion/processing.hpp"
+#include "protocol/motion/records.hpp"
 #include "protocol/motion/synthetic.hpp"
 
 namespace adit::motion {
@@ -17,8 +18,7 @@ using Source = scene::GroundMotion;
 
 Motion recorded(const scene::MotionFile& file, const std::string& path, const Sampling& sampling) {
   return errors_at(path, [&] {
-    if (file.acceleration().empty()) throw UserError("", "holds no values of its own; give a file that does");
-    const Motion record{file.step(), {file.acceleration().begin(), file.acceleration().end()}};
+    const Motion record = parse_motion(file.path(), file.content());
     require_duration(record, sampling.duration, "the motion " + file.path());
     const Motion part = cut(record, 0, sampling.duration);
     return part.dt == sampling.dt ? part : resampled(part, sampling.dt, Interpolation::kBandLimited);
@@ -77,11 +77,10 @@ double natural_step(const scene::GroundMotion& scene, const std::string& path) {
     require_positive(frequency, "frequency of the motion");
     return 1 / (kPerPeriod * frequency);
   };
-  return errors_at(path, [&] {
+  return errors_at(scene.has_file() ? path + ".file.path" : path, [&] {
     switch (scene.source_case()) {
       case Source::kFile:
-        require_positive(scene.file().step(), "time step of the motion");
-        return scene.file().step();
+        return parse_motion(scene.file().path(), scene.file().content()).dt;
       case Source::kRicker:
         return of_period(scene.ricker().frequency());
       case Source::kSine:

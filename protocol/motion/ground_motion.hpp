@@ -9,9 +9,9 @@
 
 namespace adit::motion {
 
-// The motion as the scene prepares it: tapered, filtered, its baseline corrected, scaled. Records must hold
-// their values (records_of_scene.hpp). Throws UserError below `path`, such as for a record that is shorter
-// than the sampling's duration.
+// The motion as the scene prepares it: tapered, filtered, its baseline corrected, scaled. Records travel with
+// the scene (attached_files.hpp). Throws UserError below `path`, such as for a record that is shorter than
+// the sampling's duration.
 Motion ground_motion(const scene::GroundMotion& scene, const std::string& path, const Sampling& sampling);
 
 // For solvers whose step is much shorter: the record's own step, 1/200 of a pulse's period, 5 ms of a

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <iterator>
+#include <sstream>
 
 #include "protocol/errors.hpp"
 #include "protocol/text.hpp"
@@ -27,16 +29,21 @@ double RecordText::number(std::size_t line, std::string_view text) const {
   return value;
 }
 
-RecordText read_text(const std::filesystem::path& file) {
-  RecordText text{file.string(), {}};
-  std::ifstream stream(file, std::ios::binary);
-  if (std::filesystem::is_directory(file) || !stream)
-    throw UserError("", text.file + ": cannot be read; give the path of a record");
+RecordText split_text(const std::string& file, const std::string& content) {
+  RecordText text{file, {}};
+  std::istringstream stream(content);
   for (std::string line; std::getline(stream, line);) {
     if (line.ends_with('\r')) line.pop_back();
     text.lines.push_back(line);
   }
   return text;
+}
+
+RecordText read_text(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (std::filesystem::is_directory(file) || !stream)
+    throw UserError("", file.string() + ": cannot be read; give the path of a record");
+  return split_text(file.string(), {std::istreambuf_iterator<char>(stream), {}});
 }
 
 }  // namespace adit::motion

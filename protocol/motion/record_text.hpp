@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "protocol/motion/motion.hpp"
+
 namespace adit::motion {
 
 struct RecordText {
@@ -20,6 +22,11 @@ struct RecordText {
   double number(std::size_t line, std::string_view text) const;
 };
 
+RecordText split_text(const std::string& file, const std::string& content);
 RecordText read_text(const std::filesystem::path& file);
+
+// What records.hpp says of the formats.
+Motion parse_at2(const RecordText& text);
+Motion parse_csv(const RecordText& text);
 
 }  // namespace adit::motion

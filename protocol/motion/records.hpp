@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "protocol/motion/motion.hpp"
@@ -22,6 +23,8 @@ Motion read_csv(const std::filesystem::path& file);
 
 // By the end of the name, in either case: .at2 or .csv.
 Motion read_motion(const std::filesystem::path& file);
+// The same of a file's content.
+Motion parse_motion(const std::string& file, const std::string& content);
 
 // What one of `unit` is in m/s^2. Understood: protocol/units.hpp, and as PEER writes them: G, GAL, CM/S/S,
 // CM/SEC/SEC, CM/SEC^2, CM/S**2.

@@ -7,9 +7,7 @@
 #include "protocol/errors.hpp"
 #include "protocol/motion/ground_motion.hpp"
 #include "protocol/motion/processing.hpp"
-#include "protocol/motion/records_of_scene.hpp"
 #include "protocol/motion/velocity_history.hpp"
-#include "tests/support/scratch_folder.hpp"
 #include "tests/unit/motion/support.hpp"
 
 namespace adit::motion::test {
@@ -60,53 +58,23 @@ TEST(GroundMotion, IsPreparedInTheStatedOrder) {
 TEST(GroundMotion, RecordKeepsItsStep) {
   scene::GroundMotion scene;
   scene.mutable_file()->set_path("a.csv");
-  scene.mutable_file()->set_step(0.25);
-  for (const double a : {0, 2, -2, 0, 1, 0}) scene.mutable_file()->add_acceleration(a);
+  scene.mutable_file()->set_content("time_s,a_m/s^2\n0,0\n0.25,2\n0.5,-2\n0.75,0\n1,1\n1.25,0\n");
   scene.set_baseline(false);
   const Motion motion = ground_motion(scene, "motion", 1.0);
   EXPECT_EQ(motion.dt, 0.25);
   EXPECT_THAT(motion.acceleration, testing::ElementsAre(0, 2, -2, 0, 1));
 }
 
-// Every file of a scene is read once, from the folder of the file that names it; then the scene needs no
-// file.
-TEST(RecordsOfScene, ComeFromTheFolderOfTheFileThatNamesThem) {
-  const adit::test::ScratchFolder folder;
-  std::filesystem::create_directory(folder / "bases");
-  folder.write("bases/record.csv", "time_ms,acceleration_gal\n0,0\n10,100\n20,-100\n");
-  folder.write("bases/base.yaml", R"(
-time: {duration: 20 ms}
-regions:
-  - name: ground
-    continuum:
-      block: {x_min: 0 m, x_max: 1 m, y_min: 0 m, y_max: 1 m, zones_x: 1, zones_y: 1}
-      base: {acceleration: {file: {path: record.csv}}}
-)");
-  auto file = protocol::read_scene(folder.write("scene.yaml", "base: bases/base.yaml\n"));
-  read_records(file);
-  const auto& record = file.scene.regions(0).continuum().base().acceleration().file();
-  EXPECT_DOUBLE_EQ(record.step(), 0.01);
-  EXPECT_THAT(record.acceleration(), testing::ElementsAre(0, 1, -1));
-  std::filesystem::remove(folder / "bases" / "record.csv");
-  read_records(file);
-  EXPECT_EQ(record.acceleration_size(), 3);
-}
-
-// A file that cannot be read is an error of the field that names it.
-TEST(RecordsOfScene, ErrorsNameTheField) {
-  const adit::test::ScratchFolder folder;
-  folder.write("wrong.csv", "time_s,acceleration_kg\n0,0\n1,1\n");
-  auto file = protocol::read_scene(folder.write("scene.yaml", R"(
-time: {duration: 1 s}
-continuum:
-  block: {x_min: 0 m, x_max: 1 m, y_min: 0 m, y_max: 1 m, zones_x: 1, zones_y: 1}
-  base: {acceleration: {file: {path: wrong.csv}}}
-)"));
+// What the record's text refuses is an error of the field that names the file.
+TEST(GroundMotion, RecordsErrorsNameTheField) {
+  scene::GroundMotion scene;
+  scene.mutable_file()->set_path("wrong.csv");
+  scene.mutable_file()->set_content("time_s,acceleration_kg\n0,0\n1,1\n");
   try {
-    read_records(file);
+    ground_motion(scene, "motion", 1.0);
     FAIL() << "no error";
   } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), "continuum.base.acceleration.file.path");
+    EXPECT_EQ(error.path(), "motion.file.path");
     EXPECT_THAT(error.what(), HasSubstr("wrong.csv:1: "));
   }
 }
