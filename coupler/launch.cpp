@@ -47,10 +47,12 @@ struct ServerProcess::Child {
   process::child process;
 };
 
-ServerProcess::ServerProcess(const std::string& program, const std::filesystem::path& log)
+ServerProcess::ServerProcess(const std::string& program, const std::filesystem::path& log,
+                             std::vector<std::string> options)
     : child_(std::make_unique<Child>()) {
   const auto path = find_program(program);
-  child_->process = process::child(path.string(), "--listen", "127.0.0.1:0", "--exit-with-parent",
+  options.insert(options.end(), {"--listen", "127.0.0.1:0", "--exit-with-parent"});
+  child_->process = process::child(process::exe = path.string(), process::args = options,
                                    process::std_in<process::null, process::std_out> child_->output,
                                    process::std_err > log.string());
   const std::string greeting = "listening on ";

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "protocol/address.hpp"
 
@@ -15,7 +16,8 @@ class ServerProcess {
  public:
   // Starts the executable `program` that lies beside the coupler's folder in the build tree, and waits until
   // it listens. Its log goes to `log`. A server that does not come up is a protocol::PeerLost.
-  ServerProcess(const std::string& program, const std::filesystem::path& log);
+  ServerProcess(const std::string& program, const std::filesystem::path& log,
+                std::vector<std::string> options = {});
   ~ServerProcess();
   ServerProcess(const ServerProcess&) = delete;
   ServerProcess& operator=(const ServerProcess&) = delete;

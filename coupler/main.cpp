@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "coupler/launch.hpp"
@@ -32,6 +34,7 @@ struct Options : protocol::SceneCommandLine {
   using SceneCommandLine::SceneCommandLine;
   std::string fdm, dem;              // addresses of servers that already listen
   std::vector<std::string> servers;  // NAME=HOST:PORT, the same for any model
+  std::optional<std::size_t> fdm_threads, dem_threads;
 };
 
 // The servers of a run: started here, or running elsewhere.
@@ -90,8 +93,11 @@ Participants join(const adit::scene::Scene& scene, const Options& options, const
       address = protocol::parse_address(found->second);
     } else {
       const std::string log = is_region(member) ? program + "_" + member.name : program;
+      std::vector<std::string> own;
+      const auto& threads = member.role == Role::kContinuum ? options.fdm_threads : options.dem_threads;
+      if (threads) own = {"--threads", std::to_string(*threads)};
       participants.processes.push_back(std::make_unique<ServerProcess>(
-          program, log_folder.empty() ? "/dev/null" : log_folder / (log + ".log")));
+          program, log_folder.empty() ? "/dev/null" : log_folder / (log + ".log"), std::move(own)));
       address = participants.processes.back()->address();
     }
     auto connection = protocol::connect(address, program);
@@ -129,6 +135,9 @@ void check_scene(const Options& options, const protocol::SceneFile& file) {
 void add_servers(CLI::App& command, Options& options) {
   command.add_option("--fdm", options.fdm, "HOST:PORT of a continuum server that already listens");
   command.add_option("--dem", options.dem, "HOST:PORT of a particle server that already listens");
+  command.add_option("--fdm-threads", options.fdm_threads,
+                     "threads of the continuum server that is started here; as many as pay where absent");
+  command.add_option("--dem-threads", options.dem_threads, "the same for each particle server");
   command
       .add_option("--server", options.servers,
                   "NAME=HOST:PORT: the same for any model by its name; may be repeated")

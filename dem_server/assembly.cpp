@@ -1,6 +1,7 @@
 #include "dem_server/assembly.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 
 #include "protocol/stretches.hpp"
@@ -45,6 +46,7 @@ Bonds keep_bonds(const Packing& packing, const SampledWeights& weights,
                  const std::vector<std::uint32_t>& new_place) {
   Bonds b;
   b.rest_length = 2 * packing.radius;
+  std::vector<double> midpoint_weights;
   for (std::size_t k = 0; k < packing.links.size(); ++k) {
     const Link& link = packing.links[k];
     const std::uint32_t first = new_place[link.first], second = new_place[link.second];
@@ -53,12 +55,10 @@ Bonds keep_bonds(const Packing& packing, const SampledWeights& weights,
     append_to_runs(b.runs, static_cast<std::uint32_t>(b.size()), first, second, rest_x, rest_y);
     b.first.push_back(first);
     b.second.push_back(second);
-    b.weight.push_back(std::max(weights.midpoints[k], weights.floor));
+    midpoint_weights.push_back(std::max(weights.midpoints[k], weights.floor));
   }
-  b.intact.assign(b.size(), 1.0);
-  b.normal_force.assign(b.size(), 0.0);
-  b.shear_force.assign(b.size(), 0.0);
-  b.state.assign(b.size(), BondState::kIntact);
+  b.finish();
+  for (std::uint32_t k = 0; k < b.size(); ++k) b.set_weight(k, midpoint_weights[k]);
   return b;
 }
 
@@ -81,6 +81,38 @@ void weigh_particles(const Bonds& bonds, const SampledWeights& weights, double c
 }
 
 }  // namespace
+
+void Bonds::finish() {
+  weight.assign(size(), 1.0);
+  intact.assign(size(), 1.0);
+  normal_force.assign(size(), 0.0);
+  shear_force.assign(size(), 0.0);
+  state.assign(size(), BondState::kIntact);
+  marked_.assign(size() / kGroup + 1, false);
+}
+
+bool Bonds::plain(const Run& run) const {
+  const auto last = (run.begin + run.count - 1) / kGroup;
+  for (auto group = run.begin / kGroup; group <= last; ++group)
+    if (std::atomic_ref(marked_[group]).load(std::memory_order_relaxed)) return false;
+  return true;
+}
+
+void Bonds::mark(std::uint32_t bond) {
+  std::atomic_ref(marked_[bond / kGroup]).store(true, std::memory_order_relaxed);
+}
+
+void Bonds::set_weight(std::uint32_t bond, double value) {
+  weight[bond] = value;
+  if (value != 1) mark(bond);
+}
+
+void Bonds::break_bond(std::uint32_t bond, BondState to) {
+  state[bond] = to;
+  intact[bond] = 0;
+  shear_force[bond] = 0;
+  mark(bond);
+}
 
 SplitRuns split(std::span<const Run> runs, const std::vector<bool>& chosen) {
   SplitRuns parts;

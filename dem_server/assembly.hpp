@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "dem_server/packing.hpp"
+#include "dem_server/packing/hexagonal.hpp"
 
 namespace adit::dem {
 
@@ -25,6 +25,14 @@ struct Particles {
   std::size_t size() const { return id.size(); }
 };
 
+// Where forces and moments are summed, one value a particle [N], [N m].
+struct Resultants {
+  double *fx, *fy, *moment;
+};
+inline Resultants resultants_of(Particles& p) {
+  return {p.fx.data(), p.fy.data(), p.moment.data()};
+}
+
 enum class BondState : std::uint8_t { kIntact = 0, kTensileCrack = 1, kShearCrack = 2 };
 
 // A run: bonds begin … begin + count that are parallel at rest and whose first and second particles each
@@ -33,7 +41,7 @@ struct Run {
   std::uint32_t begin, count, first, second;
   double rest_x, rest_y;  // from first to second at rest [m]
 };
-inline constexpr std::uint32_t kLongestRun = 256;
+inline constexpr std::uint32_t kLongestRun = 128;
 
 // Runs whose bonds all touch a chosen particle, and runs of which none does.
 struct SplitRuns {
@@ -45,13 +53,26 @@ struct Bonds {
   std::vector<std::uint32_t> first, second;  // particles
   std::vector<double> weight;                // energy weight
   std::vector<double> intact;                // 1 while bonded, then 0: factor of tension and shear
-  std::vector<double> normal_force;          // unweighted, tension positive [N]
+  std::vector<double> normal_force;          // unweighted, tension positive, as found last [N]
   std::vector<double> shear_force;           // unweighted, on the first particle along its left normal [N]
   std::vector<double> initial_normal_force;  // unweighted, at rest [N]; empty: none
   std::vector<BondState> state;
   std::vector<Run> runs;
   double rest_length = 0;  // 2 R [m]
   std::size_t size() const { return first.size(); }
+
+  // All bonds of the run are intact and of weight 1.
+  bool plain(const Run& run) const;
+  void set_weight(std::uint32_t bond, double value);
+  // Leaves a contact without shear. Threads may do so to different bonds.
+  void break_bond(std::uint32_t bond, BondState to);
+  // As many bonds as there are first ones, intact and of weight 1.
+  void finish();
+
+ private:
+  static constexpr std::uint32_t kGroup = 64;
+  void mark(std::uint32_t bond);
+  mutable std::vector<char> marked_;  // of each group of bonds that follow one another: not all are plain
 };
 
 struct Assembly {

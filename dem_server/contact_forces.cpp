@@ -5,13 +5,15 @@
 #include <bit>
 #include <cmath>
 
+#include "protocol/vector_clones.hpp"
+
 namespace adit::dem {
 namespace {
 
 // What the bonds of one run do to their first particles, weighted; the second ones feel the opposite force
-// and the same moment.
+// and the same moment. `normal` is unweighted.
 struct RunForces {
-  std::array<double, kLongestRun> x, y, moment;
+  alignas(64) std::array<double, kLongestRun> x, y, moment, normal;
 };
 
 struct RunOutcome {
@@ -19,49 +21,59 @@ struct RunOutcome {
   bool breaks;            // some bond exceeds a strength
 };
 
-// One pass over a run, written so that the compiler turns it into vector code. Most models have no initial
-// forces, and need not load any.
-template <bool kPrestressed>
-RunOutcome pull_run(const BondLaw& law, double dt, const Run& run, double rest_length, const Particles& p,
-                    Bonds& b, RunForces& out) {
+// Shape of a bond whose second particle has moved by du more than its first.
+struct BondShape {
+  double length, elongation, nx, ny;
+};
+
+// L - L0 = (L^2 - L0^2) / (L + L0), and L^2 - L0^2 = du.(2 d0 + du): no digits are lost. One division serves
+// both this and 1 / L.
+inline BondShape shape_of(const Run& run, double rest_length, double du_x, double du_y) {
+  const double dx = run.rest_x + du_x, dy = run.rest_y + du_y;
+  const double length = std::sqrt(dx * dx + dy * dy);
+  const double sum = length + rest_length;
+  const double quotient = 1 / (length * sum);
+  const double inverse_length = quotient * sum;
+  const double elongation = (du_x * (run.rest_x + dx) + du_y * (run.rest_y + dy)) * (quotient * length);
+  return {length, elongation, dx * inverse_length, dy * inverse_length};
+}
+
+// One pass over a run, written so that the compiler turns it into vector code. The bonds of most runs are
+// plain: intact, of weight 1, and without initial forces; they need not load any of these.
+template <bool kPlain, bool kPrestressed>
+ADIT_VECTOR_CLONES RunOutcome pull_run(const BondLaw& law, double dt, const Run& run, double rest_length,
+                                       const Particles& p, Bonds& b, RunForces& out) {
   const double *ux1 = &p.ux[run.first], *uy1 = &p.uy[run.first], *ux2 = &p.ux[run.second],
                *uy2 = &p.uy[run.second], *vx1 = &p.vx[run.first], *vy1 = &p.vy[run.first],
                *vx2 = &p.vx[run.second], *vy2 = &p.vy[run.second], *w1 = &p.spin[run.first],
-               *w2 = &p.spin[run.second], *weight = &b.weight[run.begin], *intact = &b.intact[run.begin];
+               *w2 = &p.spin[run.second];
+  const double *weight = &b.weight[run.begin], *intact = &b.intact[run.begin];
   const double* initial = kPrestressed ? &b.initial_normal_force[run.begin] : nullptr;
-  double *normal = &b.normal_force[run.begin], *shear = &b.shear_force[run.begin];
-  double *fx = out.x.data(), *fy = out.y.data(), *moment = out.moment.data();
+  double* shear = &b.shear_force[run.begin];
+  double *fx = out.x.data(), *fy = out.y.data(), *moment = out.moment.data(), *normal = out.normal.data();
   const double kn = law.stiffness.normal, ks_dt = law.stiffness.shear * dt;
   const double tensile_strength = law.tensile_strength, shear_strength = law.shear_strength;
-  const double rest_x = run.rest_x, rest_y = run.rest_y;
+  const Run rest = run;
   std::int64_t max_bits = 0, exceeded = 0;
 #pragma GCC ivdep  // no bond writes what another one reads
-  for (std::uint32_t k = 0; k < run.count; ++k) {
-    const double du_x = ux2[k] - ux1[k], du_y = uy2[k] - uy1[k];
-    const double dx = rest_x + du_x, dy = rest_y + du_y;
-    const double length = std::sqrt(dx * dx + dy * dy);
-    // L - L0 = (L^2 - L0^2) / (L + L0), and L^2 - L0^2 = du.(2 d0 + du): no digits are lost. One division
-    // serves both this and 1 / L.
-    const double sum = length + rest_length;
-    const double quotient = 1 / (length * sum);
-    const double inverse_length = quotient * sum;
-    const double elongation = (du_x * (rest_x + dx) + du_y * (rest_y + dy)) * (quotient * length);
-    const double nx = dx * inverse_length, ny = dy * inverse_length;
-
-    double elastic = kn * elongation;
-    if constexpr (kPrestressed) elastic += initial[k];
-    const double fn = elastic > 0 ? intact[k] * elastic : elastic;
+  for (std::uint32_t k = 0; k < rest.count; ++k) {
+    const auto [length, elongation, nx, ny] = shape_of(rest, rest_length, ux2[k] - ux1[k], uy2[k] - uy1[k]);
+    double fn = kn * elongation;
+    if constexpr (kPrestressed) fn += initial[k];
+    if constexpr (!kPlain) fn = fn > 0 ? intact[k] * fn : fn;
     const double arm = 0.5 * length;
     const double slip = (vy2[k] - vy1[k]) * nx - (vx2[k] - vx1[k]) * ny - (w1[k] + w2[k]) * arm;
-    const double fs = intact[k] * (shear[k] + ks_dt * slip);
-    normal[k] = fn;
+    double fs = shear[k] + ks_dt * slip;
+    if constexpr (!kPlain) fs *= intact[k];
     shear[k] = fs;
+    normal[k] = fn;
     exceeded |= static_cast<std::int64_t>(fn > tensile_strength) |
                 static_cast<std::int64_t>(std::abs(fs) > shear_strength);
     max_bits = std::max(max_bits, std::bit_cast<std::int64_t>(std::abs(fn)));
-    fx[k] = weight[k] * (fn * nx - fs * ny);
-    fy[k] = weight[k] * (fn * ny + fs * nx);
-    moment[k] = weight[k] * (fs * arm);
+    const double w = kPlain ? 1.0 : weight[k];
+    fx[k] = w * (fn * nx - fs * ny);
+    fy[k] = w * (fn * ny + fs * nx);
+    moment[k] = w * (fs * arm);
   }
   return {max_bits, exceeded != 0};
 }
@@ -70,22 +82,20 @@ RunOutcome pull_run(const BondLaw& law, double dt, const Run& run, double rest_l
 double break_bond(const BondLaw& law, double dt, const Run& run, std::uint32_t k, const Particles& p,
                   Bonds& b, RunForces& forces) {
   const std::uint32_t bond = run.begin + k, i = run.first + k, j = run.second + k;
-  const double dx = run.rest_x + (p.ux[j] - p.ux[i]), dy = run.rest_y + (p.uy[j] - p.uy[i]);
-  const double length = std::sqrt(dx * dx + dy * dy), nx = dx / length, ny = dy / length;
+  const auto [length, elongation, nx, ny] =
+      shape_of(run, b.rest_length, p.ux[j] - p.ux[i], p.uy[j] - p.uy[i]);
   const double dvx = p.vx[j] - p.vx[i], dvy = p.vy[j] - p.vy[i];
   const double stretch = dt * (dvx * nx + dvy * ny);
   const double slip = dt * (dvy * nx - dvx * ny - 0.5 * length * (p.spin[i] + p.spin[j]));
-  const double fn = b.normal_force[bond], fs = b.shear_force[bond];
+  const double fn = forces.normal[k], fs = b.shear_force[bond];
   // F(n-1) F(n) / 2k with F(n-1) = F(n) - k (motion of this step); compression survives the break.
   double lost = 0.5 * fs * (law.stiffness.shear > 0 ? fs / law.stiffness.shear - slip : 0.0);
   if (fn > 0) lost += 0.5 * fn * (fn / law.stiffness.normal - stretch);
 
-  b.state[bond] = fn > law.tensile_strength ? BondState::kTensileCrack : BondState::kShearCrack;
-  b.intact[bond] = 0;
-  b.normal_force[bond] = std::min(fn, 0.0);
-  b.shear_force[bond] = 0;
-  forces.x[k] = b.weight[bond] * b.normal_force[bond] * nx;
-  forces.y[k] = b.weight[bond] * b.normal_force[bond] * ny;
+  b.break_bond(bond, fn > law.tensile_strength ? BondState::kTensileCrack : BondState::kShearCrack);
+  forces.normal[k] = std::min(fn, 0.0);
+  forces.x[k] = b.weight[bond] * forces.normal[k] * nx;
+  forces.y[k] = b.weight[bond] * forces.normal[k] * ny;
   forces.moment[k] = 0;
   return b.weight[bond] * lost;
 }
@@ -96,7 +106,7 @@ double break_bonds(const BondLaw& law, double dt, const Run& run, const Particle
   double lost = 0;
   for (std::uint32_t k = 0; k < run.count; ++k) {
     const std::uint32_t bond = run.begin + k;
-    if (b.normal_force[bond] > law.tensile_strength || std::abs(b.shear_force[bond]) > law.shear_strength) {
+    if (forces.normal[k] > law.tensile_strength || std::abs(b.shear_force[bond]) > law.shear_strength) {
       lost += break_bond(law, dt, run, k, p, b, forces);
       broken.push_back(bond);
     }
@@ -104,73 +114,104 @@ double break_bonds(const BondLaw& law, double dt, const Run& run, const Particle
   return lost;
 }
 
-void add(const double* __restrict from, std::uint32_t count, double* __restrict to) {
-  for (std::uint32_t k = 0; k < count; ++k) to[k] += from[k];
+std::int64_t bits_of_size(double force) {
+  return std::bit_cast<std::int64_t>(std::abs(force));
 }
 
-void subtract(const double* __restrict from, std::uint32_t count, double* __restrict to) {
-  for (std::uint32_t k = 0; k < count; ++k) to[k] -= from[k];
-}
-
-void apply_to_particles(const Run& run, const RunForces& forces, Particles& p) {
-  add(forces.x.data(), run.count, &p.fx[run.first]);
-  add(forces.y.data(), run.count, &p.fy[run.first]);
-  add(forces.moment.data(), run.count, &p.moment[run.first]);
-  subtract(forces.x.data(), run.count, &p.fx[run.second]);
-  subtract(forces.y.data(), run.count, &p.fy[run.second]);
-  add(forces.moment.data(), run.count, &p.moment[run.second]);
-}
-
-std::int64_t strongest(const Run& run, const Bonds& b) {
+std::int64_t largest(const Run& run, const RunForces& forces) {
   std::int64_t max_bits = 0;
-  for (std::uint32_t k = 0; k < run.count; ++k)
-    max_bits = std::max(max_bits, std::bit_cast<std::int64_t>(std::abs(b.normal_force[run.begin + k])));
+  for (std::uint32_t k = 0; k < run.count; ++k) max_bits = std::max(max_bits, bits_of_size(forces.normal[k]));
   return max_bits;
 }
 
-std::uint32_t find_bond(const Run& run, const Bonds& b, std::int64_t bits) {
-  std::uint32_t bond = run.begin;
-  while (std::bit_cast<std::int64_t>(std::abs(b.normal_force[bond])) != bits) ++bond;
-  return bond;
+std::uint32_t find_bond(const Run& run, const RunForces& forces, std::int64_t bits) {
+  std::uint32_t k = 0;
+  while (bits_of_size(forces.normal[k]) != bits) ++k;
+  return run.begin + k;
+}
+
+ADIT_VECTOR_CLONES void apply_to_particles(const Run& run, const RunForces& forces, const Resultants& to) {
+  const double *x = forces.x.data(), *y = forces.y.data(), *moment = forces.moment.data();
+  double *fx1 = to.fx + run.first, *fy1 = to.fy + run.first, *moment1 = to.moment + run.first;
+  double *fx2 = to.fx + run.second, *fy2 = to.fy + run.second, *moment2 = to.moment + run.second;
+  const std::uint32_t count = run.count;
+#pragma GCC ivdep
+  for (std::uint32_t k = 0; k < count; ++k) {
+    fx1[k] += x[k];
+    fy1[k] += y[k];
+    moment1[k] += moment[k];
+  }
+#pragma GCC ivdep
+  for (std::uint32_t k = 0; k < count; ++k) {
+    fx2[k] -= x[k];
+    fy2[k] -= y[k];
+    moment2[k] += moment[k];
+  }
+}
+
+ADIT_VECTOR_CLONES void find_normal_forces(const BondLaw& law, const Run& run, const Particles& p, Bonds& b) {
+  const double *ux1 = &p.ux[run.first], *uy1 = &p.uy[run.first], *ux2 = &p.ux[run.second],
+               *uy2 = &p.uy[run.second], *intact = &b.intact[run.begin];
+  const double* initial = b.initial_normal_force.empty() ? nullptr : &b.initial_normal_force[run.begin];
+  double* normal = &b.normal_force[run.begin];
+  const double kn = law.stiffness.normal, rest_length = b.rest_length;
+  const Run rest = run;
+#pragma GCC ivdep
+  for (std::uint32_t k = 0; k < rest.count; ++k)
+    normal[k] = kn * shape_of(rest, rest_length, ux2[k] - ux1[k], uy2[k] - uy1[k]).elongation;
+  for (std::uint32_t k = 0; initial != nullptr && k < rest.count; ++k) normal[k] += initial[k];
+  for (std::uint32_t k = 0; k < rest.count; ++k)
+    normal[k] = normal[k] > 0 ? intact[k] * normal[k] : normal[k];
 }
 
 }  // namespace
 
-void clear_resultants(std::span<const protocol::Stretch> some, Particles& particles) {
-  for (auto* resultant : {&particles.fx, &particles.fy, &particles.moment})
-    for (const auto [begin, end] : some) std::fill(resultant->begin() + begin, resultant->begin() + end, 0.0);
+void clear(std::span<const protocol::Stretch> some, const Resultants& resultants) {
+  for (double* resultant : {resultants.fx, resultants.fy, resultants.moment})
+    for (const auto [begin, end] : some) std::fill(resultant + begin, resultant + end, 0.0);
 }
 
-void add_contact_forces(const BondLaw& law, double dt, std::span<const Run> runs, Particles& particles,
-                        Bonds& bonds, ContactResult& result, std::vector<std::uint32_t>& broken) {
+void ContactResult::add(const ContactResult& later) {
+  released += later.released;
+  if (bits_of_size(later.max_normal_force) <= bits_of_size(max_normal_force)) return;
+  max_normal_force = later.max_normal_force;
+  strongest_bond = later.strongest_bond;
+}
+
+void add_contact_forces(const BondLaw& law, double dt, std::span<const Run> runs, const Particles& particles,
+                        Bonds& bonds, const Resultants& resultants, ContactResult& result,
+                        std::vector<std::uint32_t>& broken) {
   RunForces forces;
-  const auto pull = bonds.initial_normal_force.empty() ? pull_run<false> : pull_run<true>;
+  const auto pull_plain = bonds.initial_normal_force.empty() ? pull_run<true, false> : pull_run<true, true>;
+  const auto pull_any = bonds.initial_normal_force.empty() ? pull_run<false, false> : pull_run<false, true>;
   auto max_bits = std::bit_cast<std::int64_t>(result.max_normal_force);
-  const Run* strongest_run = nullptr;
   for (const Run& run : runs) {
+    const auto pull = bonds.plain(run) ? pull_plain : pull_any;
     RunOutcome outcome = pull(law, dt, run, bonds.rest_length, particles, bonds, forces);
     if (outcome.breaks) {
       result.released += break_bonds(law, dt, run, particles, bonds, forces, broken);
-      outcome.max_bits = strongest(run, bonds);
+      outcome.max_bits = largest(run, forces);
     }
-    apply_to_particles(run, forces, particles);
+    apply_to_particles(run, forces, resultants);
     if (outcome.max_bits > max_bits) {
       max_bits = outcome.max_bits;
-      strongest_run = &run;
+      result.strongest_bond = find_bond(run, forces, max_bits);
     }
   }
-  if (strongest_run) {
-    result.max_normal_force = std::bit_cast<double>(max_bits);
-    result.strongest_bond = find_bond(*strongest_run, bonds, max_bits);
-  }
+  result.max_normal_force = std::bit_cast<double>(max_bits);
+}
+
+void find_normal_forces(const BondLaw& law, const Particles& particles, Bonds& bonds) {
+  for (const Run& run : bonds.runs) find_normal_forces(law, run, particles, bonds);
 }
 
 ContactResult compute_contact_forces(const BondLaw& law, double dt, Particles& particles, Bonds& bonds,
                                      std::vector<std::uint32_t>& broken) {
   const protocol::Stretch all{0, static_cast<std::uint32_t>(particles.size())};
-  clear_resultants({&all, 1}, particles);
+  clear({&all, 1}, resultants_of(particles));
   ContactResult result;
-  add_contact_forces(law, dt, bonds.runs, particles, bonds, result, broken);
+  add_contact_forces(law, dt, bonds.runs, particles, bonds, resultants_of(particles), result, broken);
+  find_normal_forces(law, particles, bonds);
   return result;
 }
 

@@ -36,18 +36,25 @@ struct ContactResult {
   // Stored in bonds when they broke in this step, weighted [J]. In the leap-frog scheme's own form,
   // F(n-1) F(n) / 2k instead of F(n)^2 / 2k, so that the energy ledger closes to rounding at a break.
   double released = 0;
+
+  // Of bonds that were taken later.
+  void add(const ContactResult& later);
 };
 
 // Sets the resultants of some particles to 0.
-void clear_resultants(std::span<const protocol::Stretch> some, Particles& particles);
+void clear(std::span<const protocol::Stretch> some, const Resultants& resultants);
 
-// Adds the forces of the runs' contacts to the particles' resultants, from displacements at n and velocities
-// at n - 1/2. `result` grows to that of all runs of the step so far; bonds that broke are appended to
-// `broken`.
-void add_contact_forces(const BondLaw& law, double dt, std::span<const Run> runs, Particles& particles,
-                        Bonds& bonds, ContactResult& result, std::vector<std::uint32_t>& broken);
+// Adds the forces of the runs' contacts to the resultants, from displacements at n and velocities at n - 1/2.
+// `result` grows to that of all runs of the step so far; bonds that broke are appended to `broken`.
+void add_contact_forces(const BondLaw& law, double dt, std::span<const Run> runs, const Particles& particles,
+                        Bonds& bonds, const Resultants& resultants, ContactResult& result,
+                        std::vector<std::uint32_t>& broken);
 
-// Both for all particles and all bonds.
+// Notes the present normal forces of all bonds, which add_contact_forces does not keep: they follow from the
+// displacements.
+void find_normal_forces(const BondLaw& law, const Particles& particles, Bonds& bonds);
+
+// All of these for all particles and all bonds.
 ContactResult compute_contact_forces(const BondLaw& law, double dt, Particles& particles, Bonds& bonds,
                                      std::vector<std::uint32_t>& broken);
 

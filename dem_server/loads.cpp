@@ -44,6 +44,11 @@ Loads Loads::take(const std::vector<bool>& chosen) {
   return taken;
 }
 
+void Loads::mark(std::vector<bool>& flags) const {
+  for (const Load& load : loads_)
+    for (const std::uint32_t i : load.particles) flags[i] = true;
+}
+
 void Loads::apply(const protocol::Step& step, Particles& p) {
   for (Load& load : loads_) {
     const double factor = protocol::evaluate(load.time, step.time());

@@ -20,6 +20,9 @@ class Loads {
   // Takes the shares of the chosen particles out, before the first step.
   Loads take(const std::vector<bool>& chosen);
 
+  // Sets the flags of the loaded particles.
+  void mark(std::vector<bool>& flags) const;
+
   // Adds the forces of step n to the resultants and their work since n - 1, by the trapezoid
   // dt v(n-1/2) (f(n-1) + f(n)) / 2, to work().
   void apply(const protocol::Step& step, Particles& particles);

@@ -1,8 +1,12 @@
 // Bonded particles on a socket: dem_server --help
+#include <memory>
+
 #include "dem_server/participant.hpp"
 #include "protocol/server.hpp"
 
 int main(int argc, char** argv) {
-  return adit::protocol::server_main(argc, argv, "dem_server",
-                                     [] { return std::make_unique<adit::dem::DemParticipant>(); });
+  std::size_t threads = 0;
+  return adit::protocol::server_main(
+      argc, argv, "dem_server", [&] { return std::make_unique<adit::dem::DemParticipant>(threads); },
+      &threads);
 }

@@ -1,38 +1,39 @@
 #include "dem_server/motion.hpp"
 
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+#include "protocol/vector_clones.hpp"
+
 namespace adit::dem {
-namespace {
 
-void add_product(double dt, std::span<const double> rate, std::span<double> value) {
-  for (std::size_t i = 0; i < value.size(); ++i) value[i] += dt * rate[i];
+ADIT_VECTOR_CLONES double move(double dt, std::span<const protocol::Stretch> some, Particles& p) {
+  const double *vx = p.vx.data(), *vy = p.vy.data();
+  double *ux = p.ux.data(), *uy = p.uy.data();
+  std::int64_t fastest = 0;  // the order of non-negative doubles is that of their bits
+  for (const auto [begin, end] : some)
+#pragma GCC ivdep
+    for (std::size_t i = begin; i < end; ++i) {
+      ux[i] += dt * vx[i];
+      uy[i] += dt * vy[i];
+      fastest = std::max(fastest, std::bit_cast<std::int64_t>(vx[i] * vx[i] + vy[i] * vy[i]));
+    }
+  return std::bit_cast<double>(fastest);
 }
 
-void add_product(double dt, std::span<const double> force, std::span<const double> inverse_mass,
-                 std::span<double> velocity) {
-  for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] += dt * force[i] * inverse_mass[i];
-}
-
-}  // namespace
-
-void move(double dt, std::span<const protocol::Stretch> some, Particles& p) {
-  for (const protocol::Stretch& stretch : some) {
-    const auto part = [&](auto& values) {
-      return std::span(values).subspan(stretch.begin, stretch.end - stretch.begin);
-    };
-    add_product(dt, part(p.vx), part(p.ux));
-    add_product(dt, part(p.vy), part(p.uy));
-  }
-}
-
-void kick(double dt, std::span<const protocol::Stretch> some, Particles& p) {
-  for (const protocol::Stretch& stretch : some) {
-    const auto part = [&](auto& values) {
-      return std::span(values).subspan(stretch.begin, stretch.end - stretch.begin);
-    };
-    add_product(dt, part(p.fx), part(p.inverse_mass), part(p.vx));
-    add_product(dt, part(p.fy), part(p.inverse_mass), part(p.vy));
-    add_product(dt, part(p.moment), part(p.inverse_inertia), part(p.spin));
-  }
+ADIT_VECTOR_CLONES void kick(double dt, std::span<const protocol::Stretch> some, const Resultants& resultants,
+                             Particles& p) {
+  const auto [fx, fy, moment] = resultants;
+  const double *inverse_mass = p.inverse_mass.data(), *inverse_inertia = p.inverse_inertia.data();
+  double *vx = p.vx.data(), *vy = p.vy.data(), *spin = p.spin.data();
+  for (const auto [begin, end] : some)
+#pragma GCC ivdep
+    for (std::size_t i = begin; i < end; ++i) {
+      vx[i] += dt * fx[i] * inverse_mass[i];
+      vy[i] += dt * fy[i] * inverse_mass[i];
+      spin[i] += dt * moment[i] * inverse_inertia[i];
+    }
 }
 
 }  // namespace adit::dem

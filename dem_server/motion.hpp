@@ -9,10 +9,11 @@
 
 namespace adit::dem {
 
-// u += dt v
-void move(double dt, std::span<const protocol::Stretch> some, Particles& particles);
+// u += dt v. Returns the largest v^2 [m^2/s^2].
+double move(double dt, std::span<const protocol::Stretch> some, Particles& particles);
 
 // v += dt f / m and spin += dt moment / J; half of dt in the first step, from rest.
-void kick(double dt, std::span<const protocol::Stretch> some, Particles& particles);
+void kick(double dt, std::span<const protocol::Stretch> some, const Resultants& resultants,
+          Particles& particles);
 
 }  // namespace adit::dem

@@ -66,6 +66,11 @@ Motions Motions::take(const std::vector<bool>& chosen, const Particles& particle
   return taken;
 }
 
+void Motions::mark(std::vector<bool>& flags) const {
+  for (const Motion& motion : motions_)
+    for (const std::uint32_t i : motion.particles) flags[i] = true;
+}
+
 void Motions::impose(const protocol::Step& step, Particles& p) {
   std::vector<double>* const velocities[] = {&p.vx, &p.vy, &p.spin};
   const std::vector<double>* const resultants[] = {&p.fx, &p.fy, &p.moment};

@@ -24,6 +24,9 @@ class Motions {
   // Takes the chosen particles out, before the first step.
   Motions take(const std::vector<bool>& chosen, const Particles& particles);
 
+  // Sets the flags of the particles with a prescribed component.
+  void mark(std::vector<bool>& flags) const;
+
   // After the kick of step n: overwrites the prescribed velocities with those of n + 1/2 and adds
   // the reactions' work since n - 1 to work(). `particles` still holds the resultants at n. The reaction is
   // what the resultant lacks, R(n) = m (v(n+1/2) - v(n-1/2)) / dt - f(n), with v(-1/2) = -v(1/2) from rest;

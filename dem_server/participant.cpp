@@ -10,7 +10,6 @@
 #include "dem_server/crack.hpp"
 #include "dem_server/critical_step.hpp"
 #include "dem_server/initial_stress.hpp"
-#include "dem_server/motion.hpp"
 #include "dem_server/scene_checks.hpp"
 #include "dem_server/snapshot.hpp"
 #include "protocol/errors.hpp"
@@ -95,12 +94,12 @@ void DemParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), law_.stiffness, assembly_);
   const Particles& particles = assembly_.particles;
   const double tolerance = selection_tolerance(packing_.cells);
-  const protocol::Stretch all{0, static_cast<std::uint32_t>(particles.size())};
-  interior_ = {assembly_.bonds.runs,
-               {all},
-               {all},
-               Loads(scene_.particles(), particles, tolerance),
-               Motions(scene_.particles(), particles, tolerance)};
+  interior_.loads = Loads(scene_.particles(), particles, tolerance);
+  interior_.motions = Motions(scene_.particles(), particles, tolerance);
+  contacts_ = Contacts(assembly_);
+  team_.emplace(threads_ > 0 ? threads_ : useful_threads(particles.size()));
+  tied_.assign(particles.size(), false);
+  plan();
   histories_.emplace(scene_.particles(), particles);
   interface.set_particles(particles.size());
   interface.set_bonds(assembly_.bonds.size());
@@ -110,22 +109,42 @@ void DemParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
   coupling_.tie(view(couple.points()), assembly_, interior_.motions);
   coupling_.fill(op);
   histories_->tie(coupling_.particles());
-  split_at_interface();
+  for (const std::uint32_t i : coupling_.particles()) tied_[i] = true;
+  interface_.loads = interior_.loads.take(tied_);
+  interface_.motions = interior_.motions.take(tied_, assembly_.particles);
+  plan();
 }
 
-void DemParticipant::split_at_interface() {
-  const Particles& particles = assembly_.particles;
-  std::vector<bool> tied(particles.size(), false);
-  for (const std::uint32_t i : coupling_.particles()) tied[i] = true;
-  auto [touching, others] = split(assembly_.bonds.runs, tied);
-  std::vector<bool> needed = tied;
+void DemParticipant::plan() {
+  const std::size_t size = assembly_.particles.size();
+  std::vector<bool> pulled(size, false);  // by others than bonds
+  for (Part* part : {&interface_, &interior_}) {
+    part->loads.mark(pulled);
+    part->motions.mark(pulled);
+    part->pairs.clear();
+  }
+  const auto [touching, others] = split(assembly_.bonds.runs, tied_);
+  std::vector<bool> reached = tied_;
   for (const Run& run : touching)
-    for (std::uint32_t k = 0; k < run.count; ++k) needed[run.first + k] = needed[run.second + k] = true;
-  interface_ = {std::move(touching), protocol::stretches(needed, true), protocol::stretches(tied, true),
-                interior_.loads.take(tied), interior_.motions.take(tied, particles)};
-  interior_.runs = std::move(others);
-  interior_.moved = protocol::stretches(needed, false);
-  interior_.kicked = protocol::stretches(tied, false);
+    for (std::uint32_t k = 0; k < run.count; ++k) reached[run.first + k] = reached[run.second + k] = true;
+  for (const Pair& pair : contacts_.pairs()) {
+    const bool touches = tied_[pair.first] || tied_[pair.second];
+    (touches ? interface_ : interior_).pairs.push_back(pair);
+    for (const std::uint32_t i : {pair.first, pair.second}) {
+      pulled[i] = true;
+      if (touches) reached[i] = true;
+    }
+  }
+
+  std::vector<Role> of_interface(size, Role::kForeign), of_interior = of_interface;
+  for (std::size_t i = 0; i < size; ++i)
+    if (tied_[i])
+      of_interface[i] = pulled[i] ? Role::kKept : Role::kSwept;
+    else
+      of_interior[i] = pulled[i] || reached[i] ? Role::kKept : Role::kSwept;
+  interface_.sweep = {touching, of_interface, reached, team_->threads()};
+  reached.flip();
+  interior_.sweep = {others, of_interior, reached, team_->threads()};
 }
 
 void DemParticipant::correct(std::span<const double> impulses) {
@@ -148,6 +167,7 @@ void DemParticipant::check_dt(const wire::Advance& advance) {
 
 void DemParticipant::relax(bool stop, wire::Relaxation& answer) {
   if (!relaxation_) relaxation_.emplace(assembly_);
+  find_normal_forces(law_, assembly_.particles, assembly_.bonds);
   const Unrest unrest = relaxation_->measure(assembly_, step_.kick());
   answer.set_unbalanced_force(unrest.unbalanced_force);
   answer.set_internal_force(unrest.internal_force);
@@ -185,7 +205,8 @@ void DemParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
   step_ = {advance.step(), advance.dt(), advance.relax(), advance.stop()};
   rest_left_ =
       coupling_.size() > 0 && !advance.relax() && !advance.want_energies() && !advance.want_histories();
-  contacts_ = {};
+  result_ = {};
+  speed_ = 0;
   broken_.clear();
   histories_->remember(particles);
   if (advance.want_peaks()) {
@@ -194,9 +215,10 @@ void DemParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
     peaks_due_ = true;
   }
 
+  if (contacts_.update(step_.dt, assembly_)) plan();
+  if (advance.want_energies()) remember(particles, before_);
   pull(interface_);
   if (!rest_left_) pull(interior_);
-  if (advance.want_energies()) remember(particles, before_);
   predict(interface_);
   if (!rest_left_) {
     predict(interior_);
@@ -233,43 +255,46 @@ void DemParticipant::complete() {
 }
 
 void DemParticipant::pull(Part& part) {
-  Particles& particles = assembly_.particles;
-  if (!step_.from_rest()) move(step_.dt, part.moved, particles);
-  clear_resultants(part.moved, particles);
-  add_contact_forces(law_, step_.dt, part.runs, particles, assembly_.bonds, contacts_, broken_);
-  if (!std::isfinite(contacts_.max_normal_force)) {
-    const Place place = middle_of_bond(assembly_, contacts_.strongest_bond);
+  speed_ = std::max(speed_, part.sweep.run(*team_, law_, step_, assembly_, result_, broken_));
+  add_contacts(law_.stiffness.normal, assembly_.bonds.rest_length, part.pairs, assembly_.particles,
+               resultants_of(assembly_.particles));
+  if (!std::isfinite(result_.max_normal_force)) {
+    const Place place = middle_of_bond(assembly_, result_.strongest_bond);
     throw protocol::Unstable(fmt::format(
         "step {}: the normal force of the bond at ({:.6g}, {:.6g}) m is {} N; reduce time.dt_factor",
-        step_.number, place.x, place.y, contacts_.max_normal_force));
+        step_.number, place.x, place.y, result_.max_normal_force));
   }
-  part.loads.apply(step_, particles);
+  part.loads.apply(step_, assembly_.particles);
 }
 
 void DemParticipant::predict(Part& part) {
-  kick(step_.kick(), part.kicked, assembly_.particles);
+  part.sweep.predict(*team_, step_.kick(), assembly_.particles);
   part.motions.impose(step_, assembly_.particles);
 }
 
 void DemParticipant::close_step() {
-  released_ += contacts_.released;
+  released_ += result_.released;
+  contacts_.moved(step_.dt, speed_);
   if (!step_.from_rest()) ++moves_;
   // What breaks in statics is broken when time begins.
   const std::uint64_t step = step_.relax ? 0 : step_.number;
   for (const std::uint32_t bond : broken_)
     report(crack_of_bond(assembly_, bond), step, *unreported_.add_cracks());
   if (step_.relax) return;
-  const Place place = middle_of_bond(assembly_, contacts_.strongest_bond);
+  const Place place = middle_of_bond(assembly_, result_.strongest_bond);
   wire::BondForce& strongest = *unreported_.add_strongest();
   strongest.set_step(step);
-  strongest.set_force(contacts_.max_normal_force);
+  strongest.set_force(result_.max_normal_force);
   strongest.set_x(place.x);
   strongest.set_y(place.y);
 }
 
-void DemParticipant::report_energies(wire::Energies& energies) const {
+void DemParticipant::report_energies(wire::Energies& energies) {
+  find_normal_forces(law_, assembly_.particles, assembly_.bonds);
   energies.set_kinetic(kinetic_energy(assembly_.particles, before_, step_.from_rest()));
-  energies.set_strain(strain_energy(assembly_.bonds, law_.stiffness));
+  energies.set_strain(strain_energy(assembly_.bonds, law_.stiffness) +
+                      contact_energy(law_.stiffness.normal, assembly_.bonds.rest_length, contacts_.pairs(),
+                                     assembly_.particles));
   double work = 0;
   for (const Part* part : {&interface_, &interior_}) work += part->loads.work() + part->motions.work();
   energies.set_external_work(work);
@@ -279,6 +304,7 @@ void DemParticipant::report_energies(wire::Energies& energies) const {
 void DemParticipant::snapshot(const wire::SnapshotRequest& request, wire::Snapshot& snapshot) {
   correct(view(request.impulses()));
   if (coupling_.size() == 0 || !request.impulses().empty()) take_peaks();
+  find_normal_forces(law_, assembly_.particles, assembly_.bonds);
   write_snapshot(assembly_, snapshot);
   if (peaks_) protocol::add_peak_fields(*peaks_, *snapshot.mutable_pieces(0)->mutable_point_fields());
 }

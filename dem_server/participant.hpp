@@ -10,21 +10,26 @@
 
 #include "dem_server/assembly.hpp"
 #include "dem_server/contact_forces.hpp"
+#include "dem_server/contacts.hpp"
 #include "dem_server/coupling_points.hpp"
 #include "dem_server/energy.hpp"
 #include "dem_server/histories.hpp"
 #include "dem_server/loads.hpp"
 #include "dem_server/motions.hpp"
 #include "dem_server/relaxation.hpp"
+#include "dem_server/sweep.hpp"
 #include "protocol/participant.hpp"
 #include "protocol/peak_motion.hpp"
 #include "protocol/step.hpp"
-#include "protocol/stretches.hpp"
+#include "protocol/team.hpp"
 
 namespace adit::dem {
 
 class DemParticipant : public protocol::Participant {
  public:
+  // Threads that share the computing, 0: as many as pay. Results do not depend on their number.
+  explicit DemParticipant(std::size_t threads = 1) : threads_(threads) {}
+
   void set_up(const wire::Setup& setup, wire::Model& model) override;
   void weigh(const wire::Weights& weights, wire::Interface& interface) override;
   void couple(const wire::Couple& couple, wire::Operator& op) override;
@@ -37,16 +42,17 @@ class DemParticipant : public protocol::Participant {
   // What is computed together. The bonds of a tied particle are the interface's, and so are the moves of all
   // particles at their ends: the kicks of the tied ones then need nothing of the interior.
   struct Part {
-    std::vector<Run> runs;
-    std::vector<protocol::Stretch> moved, kicked;
+    Sweep sweep;
+    std::vector<Pair> pairs;
     Loads loads;
     Motions motions;
   };
 
-  void split_at_interface();
-  // Resultants at step n, after the moves that they need.
+  // Divides bonds and contacts between the parts.
+  void plan();
+  // Moves and resultants of step n; velocities of n + 1/2 where only bonds pull.
   void pull(Part& part);
-  // Velocities of n + 1/2.
+  // The other velocities of n + 1/2.
   void predict(Part& part);
   // Notes what the whole step brought, for the next answer.
   void close_step();
@@ -61,8 +67,10 @@ class DemParticipant : public protocol::Participant {
   // Of the last step, where they are wanted, once it is corrected.
   void take_peaks();
   void check_dt(const wire::Advance& advance);
-  void report_energies(wire::Energies& energies) const;
+  void report_energies(wire::Energies& energies);
 
+  std::size_t threads_;
+  std::optional<protocol::Team> team_;
   std::clock_t started_ = 0;
   scene::Scene scene_;
   Packing packing_;
@@ -74,7 +82,10 @@ class DemParticipant : public protocol::Participant {
   bool peaks_due_ = false;                     // of the last step
   CouplingPoints coupling_;
   Velocities before_;
-  ContactResult contacts_;                // of this step, as far as computed
+  Contacts contacts_;
+  std::vector<bool> tied_;                // of each particle: the interface acts on it
+  ContactResult result_;                  // of this step, as far as computed
+  double speed_ = 0;                      // largest of this step, likewise [m/s]
   std::vector<std::uint32_t> broken_;     // bonds that broke in this step
   double released_ = 0;                   // up to the last whole step [J]
   wire::Predicted unreported_;            // cracks and largest forces of whole steps

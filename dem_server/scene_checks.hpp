@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dem_server/contact_forces.hpp"
-#include "dem_server/packing.hpp"
+#include "dem_server/packing/hexagonal.hpp"
 #include "protocol/scene.pb.h"
 
 namespace adit::dem {

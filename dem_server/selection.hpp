@@ -1,4 +1,4 @@
-// Particles that a box of the scene selects, by their centres at rest.
+// Particles that an area of the scene selects, by their centres at rest.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace adit::dem {
 
-inline std::vector<std::uint32_t> select(const scene::Box& box, const Particles& particles, double tolerance,
-                                         const std::string& path) {
+inline std::vector<std::uint32_t> select(const scene::Area& area, const Particles& particles,
+                                         double tolerance, const std::string& path) {
   std::vector<double> centres;
   centres.reserve(2 * particles.size());
   for (std::size_t i = 0; i < particles.size(); ++i) {
     centres.push_back(particles.x[i]);
     centres.push_back(particles.y[i]);
   }
-  return protocol::select(box, centres, tolerance, path, "particles");
+  return protocol::select(area, centres, tolerance, path, "particles");
 }
 
 }  // namespace adit::dem

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "dem_server/partners.hpp"
+
 namespace adit::dem {
 namespace {
 
@@ -36,23 +38,13 @@ Triangulation::Triangulation(const Particles& particles, const Bonds& bonds)
 // A triangle is found once, at the particle of the lowest number: two of its bonds lead to higher ones, which
 // are bonded.
 void Triangulation::find_triangles(const Bonds& bonds) {
-  std::vector<std::uint32_t> starts(particles_.size() + 1, 0), higher(bonds.size());
-  const auto lower_of = [&](std::size_t k) { return std::min(bonds.first[k], bonds.second[k]); };
-  for (std::size_t k = 0; k < bonds.size(); ++k) ++starts[lower_of(k) + 1];
-  for (std::size_t i = 0; i < particles_.size(); ++i) starts[i + 1] += starts[i];
-  auto next = starts;
-  for (std::size_t k = 0; k < bonds.size(); ++k)
-    higher[next[lower_of(k)]++] = std::max(bonds.first[k], bonds.second[k]);
-
-  const auto bonded = [&](std::uint32_t low, std::uint32_t high) {
-    const auto end = higher.begin() + starts[low + 1];
-    return std::find(higher.begin() + starts[low], end, high) != end;
-  };
-  for (std::uint32_t i = 0; i < particles_.size(); ++i)
-    for (std::uint32_t a = starts[i]; a < starts[i + 1]; ++a)
-      for (std::uint32_t b = a + 1; b < starts[i + 1]; ++b)
-        if (bonded(std::min(higher[a], higher[b]), std::max(higher[a], higher[b])))
-          triangles_.push_back({i, higher[a], higher[b]});
+  const Partners partners(bonds, particles_.size());
+  for (std::uint32_t i = 0; i < particles_.size(); ++i) {
+    const auto above = partners.above(i);
+    for (std::size_t a = 0; a < above.size(); ++a)
+      for (std::size_t b = a + 1; b < above.size(); ++b)
+        if (partners.joined(above[a], above[b])) triangles_.push_back({i, above[a], above[b]});
+  }
 }
 
 // Barycentric coordinates, relative to a corner, so that far from the origin no digit is lost.

@@ -1,5 +1,5 @@
 // The scene's loads and motions on what is left of the grid.
-// Boxes select within a tolerance of 1e-9 of the block's diagonal. Errors: UserError with the scene's path.
+// Errors: UserError with the scene's path.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@
 
 namespace adit::fdm {
 
-// Point loads in equal shares; edge loads by length over edges on the block's outline (an edge that appears
+// Point loads in equal shares; edge loads by length over edges on the grid's boundary (an edge that appears
 // where zones vanished is no boundary of the body), half of an edge's share to each end; body loads on the
 // weighted masses of the points. Point and edge loads are not weighted: they are total forces.
-std::vector<Load> resolve_loads(const scene::Continuum& scene, const Block& block, const Grid& grid,
+std::vector<Load> resolve_loads(const scene::Continuum& scene, const Grid& grid,
                                 std::span<const double> masses);
 
 // A component of a point that two motions prescribe differently is an error.
-std::vector<Motion> resolve_motions(const scene::Continuum& scene, const Block& block, const Grid& grid);
+std::vector<Motion> resolve_motions(const scene::Continuum& scene, const Grid& grid);
 
 }  // namespace adit::fdm

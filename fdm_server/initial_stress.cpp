@@ -4,8 +4,7 @@ namespace adit::fdm {
 
 void set_initial_stress(const scene::Stress& stress, const Grid& grid, Zones& zones) {
   for (std::size_t z = 0; z < grid.zones.size(); ++z) {
-    double y = 0;  // of the centre: zones are parallelograms
-    for (const auto point : grid.zones[z]) y += grid.y[static_cast<std::size_t>(point)] / 4;
+    const double y = centroid(corners(grid, z))[1];
     zones.set_stress(
         z, {stress.xx() + stress.xx_per_metre() * y, stress.yy() + stress.yy_per_metre() * y, stress.xy()});
   }

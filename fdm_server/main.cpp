@@ -5,6 +5,8 @@
 #include "protocol/server.hpp"
 
 int main(int argc, char** argv) {
-  return adit::protocol::server_main(argc, argv, "fdm_server",
-                                     [] { return std::make_unique<adit::fdm::FdmParticipant>(); });
+  std::size_t threads = 0;
+  return adit::protocol::server_main(
+      argc, argv, "fdm_server", [&] { return std::make_unique<adit::fdm::FdmParticipant>(threads); },
+      &threads);
 }

@@ -43,7 +43,10 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   scene_ = setup.scene();
   setup_ = read_setup(scene_);
   grid_ = make_grid(setup_.block);
-  critical_dt_ = critical_step(setup_.kind, grid_, setup_.law, setup_.density);
+  const Supports supports =
+      resolve_supports(scene_.continuum(), scene_.plane() == scene::PLANE_STRAIN, grid_);
+  critical_dt_ = std::min(critical_step(setup_.kind, grid_, setup_.law, setup_.density),
+                          supports.structures.critical_step());
   model.set_critical_dt(critical_dt_);
   model.set_x_min(setup_.block.x_min);
   model.set_x_max(setup_.block.x_max);
@@ -61,14 +64,16 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
         "interface.overlap",
         "leaves no zone of the continuum, whose weight is 0 everywhere; let the block reach into the overlap "
         "and beyond it on the continuum's own side");
-  const auto masses = lumped_masses(grid_, weights_, setup_.density);
+  supports_ = resolve_supports(scene_.continuum(), scene_.plane() == scene::PLANE_STRAIN, grid_);
+  auto masses = lumped_masses(grid_, weights_, setup_.density);
+  supports_.structures.add_masses(masses);
   const auto& conditions = scene_.continuum();
   auto zones = make_zones(setup_.kind, grid_, setup_.law, weights_);
   if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), grid_, *zones);
-  continuum_ = std::make_unique<Continuum>(std::move(zones), masses,
-                                           resolve_loads(conditions, setup_.block, grid_, masses),
-                                           resolve_motions(conditions, setup_.block, grid_));
-  histories_.emplace(conditions, grid_);
+  continuum_ = std::make_unique<Continuum>(
+      std::move(zones), masses, resolve_loads(conditions, grid_, masses), resolve_motions(conditions, grid_),
+      threads_ > 0 ? threads_ : useful_threads(grid_.zones.size()), supports_.structures);
+  histories_.emplace(conditions, grid_, supports_);
   if (!weights.weights().empty()) offer_grid_points(weights, interface);
   interface.set_zones(grid_.zones.size());
   interface.set_grid_points(grid_.x.size());
@@ -104,6 +109,7 @@ void FdmParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
   check(advance);
   push(advance.impulses());
   take_peaks();
+  take_peak_forces();
   if (advance.relax()) relax(advance.stop(), *predicted.mutable_relaxation());
   histories_->remember(*continuum_);
   if (advance.want_peaks()) {
@@ -133,9 +139,11 @@ void FdmParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
     predicted.mutable_energies()->set_kinetic(energies.kinetic);
     predicted.mutable_energies()->set_strain(energies.strain);
     predicted.mutable_energies()->set_external_work(energies.external_work);
+    predicted.mutable_energies()->set_dissipated(energies.dissipated);
   }
   if (advance.relax()) predicted.mutable_relaxation()->set_kinetic_energy(kinetic_energy(*continuum_));
-  if (advance.want_histories()) histories_->read(grid_, *continuum_, step_, *predicted.mutable_histories());
+  if (advance.want_histories())
+    histories_->read(grid_, supports_, *continuum_, step_, *predicted.mutable_histories());
   check_answer(predicted);
   if (!rest_left_ && step % kFiniteCheckInterval == 0) check_grid(step);
 }
@@ -194,6 +202,10 @@ void FdmParticipant::push(const google::protobuf::RepeatedField<double>& impulse
     continuum_->push(operator_.points()[j], own[2 * j], own[2 * j + 1]);
 }
 
+void FdmParticipant::take_peak_forces() {
+  if (next_step_ > 0 && !step_.relax) peak_forces_.take(supports_.linings, continuum_->structures());
+}
+
 void FdmParticipant::check_answer(const wire::Predicted& predicted) const {
   const auto finite = [](double value) { return std::isfinite(value); };
   const auto& energies = predicted.energies();
@@ -221,6 +233,8 @@ void FdmParticipant::snapshot(const wire::SnapshotRequest& request, wire::Snapsh
   if (operator_.rows() == 0 || !request.impulses().empty()) take_peaks();
   fill_snapshot(grid_, *continuum_, weights_, snapshot);
   if (peaks_) add_peaks(*peaks_, *snapshot.mutable_pieces(0));
+  take_peak_forces();
+  add_supports(grid_, *continuum_, supports_, peak_forces_, snapshot);
 }
 
 void FdmParticipant::finish(wire::Bye& bye) {

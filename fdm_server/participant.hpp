@@ -4,6 +4,7 @@
 // throw std::invalid_argument: the peer's bug.
 #pragma once
 
+#include <cstddef>
 #include <ctime>
 #include <memory>
 #include <optional>
@@ -14,6 +15,9 @@
 #include "fdm_server/output/peaks.hpp"
 #include "fdm_server/setup.hpp"
 #include "fdm_server/solver/relaxation.hpp"
+#include "fdm_server/structures/lining_probe.hpp"
+#include "fdm_server/structures/peak_forces.hpp"
+#include "fdm_server/structures/supports.hpp"
 #include "protocol/interface_operator.hpp"
 #include "protocol/participant.hpp"
 #include "protocol/step.hpp"
@@ -22,6 +26,8 @@ namespace adit::fdm {
 
 class FdmParticipant final : public protocol::Participant {
  public:
+  // 0 threads: as many as pay. Results do not depend on it.
+  explicit FdmParticipant(std::size_t threads = 1) : threads_(threads) {}
   void set_up(const wire::Setup& setup, wire::Model& model) override;
   void weigh(const wire::Weights& weights, wire::Interface& interface) override;
   void couple(const wire::Couple& couple, wire::Operator& op) override;
@@ -42,20 +48,25 @@ class FdmParticipant final : public protocol::Participant {
   void start_over();
   // Of the last step, where they are wanted, once it is corrected.
   void take_peaks();
+  // Of the linings at the last step, once time goes on.
+  void take_peak_forces();
   // Throw Unstable. Every step looks at the interface and the energies, every hundredth at the whole grid.
   void check_answer(const wire::Predicted& predicted) const;
   void check_grid(std::uint64_t step) const;
 
+  std::size_t threads_;
   scene::Scene scene_;
   Setup setup_{};
   double critical_dt_ = 0;
   Grid grid_;
   std::vector<double> weights_;  // of the zones
+  Supports supports_;
   std::unique_ptr<Continuum> continuum_;
   protocol::InterfaceOperator operator_;
   std::optional<Histories> histories_;
-  std::optional<Peaks> peaks_;            // once wanted
-  bool peaks_due_ = false;                // of the last step
+  std::optional<Peaks> peaks_;  // once wanted
+  bool peaks_due_ = false;      // of the last step
+  PeakForces peak_forces_;
   std::optional<Relaxation> relaxation_;  // in statics
   protocol::Step step_{0, 0.0};           // the last one
   std::uint64_t next_step_ = 0, steps_done_ = 0;

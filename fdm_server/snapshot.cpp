@@ -23,6 +23,73 @@ void fill_vectors(std::span<const double> x, std::span<const double> y, double* 
   }
 }
 
+// A piece along paths, whose points are its own: x, y, displacement.
+wire::Piece& add_lines(const std::string& name, const Grid& grid, const Continuum& continuum,
+                       std::span<const Path> paths, wire::Snapshot& snapshot) {
+  auto& piece = *snapshot.add_pieces();
+  piece.set_name(name);
+  piece.set_shape(wire::Piece::LINES);
+  std::vector<double> ux, uy;
+  for (const auto& [points, closed] : paths) {
+    const auto first = static_cast<std::uint32_t>(ux.size()),
+               count = static_cast<std::uint32_t>(points.size());
+    for (const auto point : points) {
+      piece.add_points(grid.x[point]);
+      piece.add_points(grid.y[point]);
+      ux.push_back(continuum.ux()[point]);
+      uy.push_back(continuum.uy()[point]);
+    }
+    for (std::uint32_t k = 0; k + (closed ? 0 : 1) < count; ++k) {
+      piece.add_connectivity(first + k);
+      piece.add_connectivity(first + (k + 1) % count);
+    }
+  }
+  fill_vectors(ux, uy, new_field(*piece.mutable_point_fields(), "displacement_m", 3, ux.size()));
+  return piece;
+}
+
+void add_linings(const Grid& grid, const Continuum& continuum, const std::vector<Lining>& linings,
+                 const PeakForces& peaks, wire::Snapshot& snapshot) {
+  std::vector<Path> paths;
+  std::vector<double> number, thrust, moment, shear;
+  for (const Lining& lining : linings) {
+    number.insert(number.end(), lining.beams, static_cast<double>(paths.size()));
+    paths.push_back(lining.path);
+    for (std::size_t node = 0; node < lining.path.points.size(); ++node) {
+      const auto forces = forces_at(lining, continuum.structures(), node);
+      thrust.push_back(forces.thrust);
+      moment.push_back(forces.moment);
+      shear.push_back(forces.shear);
+    }
+  }
+  auto& piece = add_lines("linings", grid, continuum, paths, snapshot);
+  const auto add = [&](const std::string& name, const std::vector<double>& values) {
+    std::ranges::copy(values, new_field(*piece.mutable_point_fields(), name, 1, values.size()));
+  };
+  add("thrust_N", thrust);
+  add("moment_Nm", moment);
+  add("shear_N", shear);
+  if (!peaks.values()[0].empty()) {
+    add("peak_thrust_N", peaks.values()[0]);
+    add("peak_moment_Nm", peaks.values()[1]);
+    add("peak_shear_N", peaks.values()[2]);
+  }
+  std::ranges::copy(number, new_field(*piece.mutable_cell_fields(), "lining", 1, number.size()));
+}
+
+void add_bolts(const Grid& grid, const Continuum& continuum, const std::vector<BoltBars>& bolts,
+               wire::Snapshot& snapshot) {
+  std::vector<Path> paths;
+  std::vector<double> thrust;
+  for (const BoltBars& bolt : bolts) {
+    paths.push_back(bolt.path);
+    for (const Bar& bar : continuum.structures().bars().subspan(bolt.first_bar, bolt.bars))
+      thrust.push_back(bolt.spacing * bar.thrust());
+  }
+  auto& piece = add_lines("bolts", grid, continuum, paths, snapshot);
+  std::ranges::copy(thrust, new_field(*piece.mutable_cell_fields(), "thrust_N", 1, thrust.size()));
+}
+
 }  // namespace
 
 void fill_snapshot(const Grid& grid, const Continuum& continuum, std::span<const double> weights,
@@ -61,6 +128,12 @@ void add_peaks(const Peaks& peaks, wire::Piece& piece) {
   add("peak_shear_strain", peaks.shear_strain());
   add("peak_largest_principal_stress_Pa", peaks.largest_principal());
   add("peak_smallest_principal_stress_Pa", peaks.smallest_principal());
+}
+
+void add_supports(const Grid& grid, const Continuum& continuum, const Supports& supports,
+                  const PeakForces& peaks, wire::Snapshot& snapshot) {
+  if (!supports.linings.empty()) add_linings(grid, continuum, supports.linings, peaks, snapshot);
+  if (!supports.bolts.empty()) add_bolts(grid, continuum, supports.bolts, snapshot);
 }
 
 }  // namespace adit::fdm

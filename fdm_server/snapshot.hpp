@@ -1,4 +1,4 @@
-// The grid's state as a piece that a viewer can draw.
+// The state of the grid and its supports as pieces that a viewer can draw.
 #pragma once
 
 #include <span>
@@ -6,6 +6,8 @@
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/output/peaks.hpp"
 #include "fdm_server/solver/continuum.hpp"
+#include "fdm_server/structures/peak_forces.hpp"
+#include "fdm_server/structures/supports.hpp"
 #include "protocol/wire.pb.h"
 
 namespace adit::fdm {
@@ -19,5 +21,11 @@ void fill_snapshot(const Grid& grid, const Continuum& continuum, std::span<const
 // Adds the peaks to that piece: at points as of every model (peak_motion.hpp), in zones peak_shear_strain,
 // peak_largest_principal_stress_Pa and peak_smallest_principal_stress_Pa.
 void add_peaks(const Peaks& peaks, wire::Piece& piece);
+
+// Pieces of lines, where there are any: "linings" with point fields displacement_m, thrust_N, moment_Nm,
+// shear_N and their peaks, and the lining's number as cell field lining; "bolts" with displacement_m and, of
+// one bolt, cell field thrust_N.
+void add_supports(const Grid& grid, const Continuum& continuum, const Supports& supports,
+                  const PeakForces& peaks, wire::Snapshot& snapshot);
 
 }  // namespace adit::fdm

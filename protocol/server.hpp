@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -25,7 +26,9 @@ struct ServerOptions {
 // UserError where it cannot listen.
 int serve(const ServerOptions& options, const ParticipantFactory& make_participant);
 
-// main() of a server: command line, log, exit codes.
-int server_main(int argc, char** argv, std::string_view program, const ParticipantFactory& make_participant);
+// main() of a server: command line, log, exit codes. Where `threads` is given, it is set by the option
+// --threads before the first run: 0 for as many as pay.
+int server_main(int argc, char** argv, std::string_view program, const ParticipantFactory& make_participant,
+                std::size_t* threads = nullptr);
 
 }  // namespace adit::protocol

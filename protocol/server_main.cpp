@@ -14,6 +14,8 @@
 namespace adit::protocol {
 namespace {
 
+constexpr std::size_t kMostThreads = 1024;
+
 void exit_with(pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (::getppid() != parent) std::raise(SIGTERM);  // it was faster
@@ -21,7 +23,8 @@ void exit_with(pid_t parent) {
 
 }  // namespace
 
-int server_main(int argc, char** argv, std::string_view program, const ParticipantFactory& make_participant) {
+int server_main(int argc, char** argv, std::string_view program, const ParticipantFactory& make_participant,
+                std::size_t* threads) {
   const pid_t parent = ::getppid();
   ServerOptions options{.program = std::string(program)};
   std::string listen = to_string(options.listen);
@@ -34,6 +37,10 @@ int server_main(int argc, char** argv, std::string_view program, const Participa
       ->capture_default_str();
   app.add_flag("--insecure", options.insecure, "allow HOST beyond loopback, open to whoever reaches it");
   app.add_flag("--exit-with-parent", exit_with_parent, "end when the process that started this one ends");
+  if (threads)
+    app.add_option("--threads", *threads, "threads that share the computing; 0: as many as pay")
+        ->check(CLI::Range(std::size_t{0}, kMostThreads))
+        ->capture_default_str();
   app.add_option("--log-level", log_level, "what goes to stderr")
       ->check(CLI::IsMember({"debug", "info", "warn", "error", "off"}))
       ->capture_default_str();

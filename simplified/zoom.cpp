@@ -6,8 +6,8 @@
 #include <array>
 #include <fstream>
 
-#include "protocol/results/csv.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/results/csv.hpp"
 #include "protocol/scene_writer.hpp"
 #include "simplified/nearest.hpp"
 
@@ -23,7 +23,7 @@ std::vector<double> along_time(const Fields& fields, const std::vector<double>& 
 }
 
 // Every grid point on one side of the edge moves with the tunnel there.
-void add_motion(scene::Continuum& continuum, const scene::Box& where, const scene::Velocity& direction,
+void add_motion(scene::Continuum& continuum, const scene::Area& where, const scene::Velocity& direction,
                 const std::vector<double>& time, const std::vector<double>& value) {
   scene::GridMotion& motion = *continuum.add_motions();
   *motion.mutable_where() = where;
@@ -96,7 +96,7 @@ scene::Scene fragment(const Window& window, double duration) {
   scene::Velocity axial, lateral;
   axial.set_x(1);
   lateral.set_y(1);
-  scene::Box begin, end;
+  scene::Area begin, end;
   begin.set_x_max(window.begin);
   end.set_x_min(window.end);
   add_motion(continuum, begin, axial, window.time, window.begin_axial);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "coupler/bridging/read_shape.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/geometry/read_shape.hpp"
 
 namespace adit::coupler {
 namespace {
@@ -51,10 +51,11 @@ double width_of(const scene::Overlap& overlap, const std::string& path) {
   return width;
 }
 
-std::shared_ptr<const Shape> core_of(const scene::Overlap& overlap, double width, const std::string& path) {
-  if (overlap.has_around()) return read_shape(overlap.around(), path + ".around");
+std::shared_ptr<const geometry::Shape> core_of(const scene::Overlap& overlap, double width,
+                                               const std::string& path) {
+  if (overlap.has_around()) return geometry::read_shape(overlap.around(), path + ".around");
   const auto &begin = overlap.particles_begin(), &end = overlap.continuum_ends();
-  return half_plane(end.x(), end.y(), (begin.x() - end.x()) / width, (begin.y() - end.y()) / width);
+  return geometry::half_plane(end.x(), end.y(), (begin.x() - end.x()) / width, (begin.y() - end.y()) / width);
 }
 
 // Weight of the outer model between the edges.

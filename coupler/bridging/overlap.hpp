@@ -23,12 +23,12 @@
 #include <string>
 #include <vector>
 
-#include "coupler/bridging/bounding_box.hpp"
+#include "protocol/geometry/shape.hpp"
 #include "protocol/scene.pb.h"
 
 namespace adit::coupler {
 
-class Shape;
+using geometry::BoundingBox;
 
 class Overlap {
  public:
@@ -60,7 +60,7 @@ class Overlap {
   const scene::Interface& interface() const { return interface_; }
   const std::string& path() const { return path_; }
   bool is_ring() const { return interface_.overlap().has_around(); }
-  const Shape& core() const { return *core_; }
+  const geometry::Shape& core() const { return *core_; }
   double width() const { return width_; }  // [m]
 
  private:
@@ -69,7 +69,7 @@ class Overlap {
 
   scene::Interface interface_;
   std::string path_;
-  std::shared_ptr<const Shape> core_;
+  std::shared_ptr<const geometry::Shape> core_;
   double width_;
 };
 

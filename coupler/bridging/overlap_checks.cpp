@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "coupler/bridging/shape.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::coupler {

@@ -4,23 +4,52 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
+
+#include "protocol/geometry/bounding_box.hpp"
 
 namespace adit::fdm {
 
 using ZonePoints = std::array<std::int32_t, 4>;
 
-struct Grid {
-  std::vector<double> x, y;  // of each point [m]
-  std::vector<ZonePoints> zones;
-};
-
 // Corner coordinates of a zone [m].
 struct Corners {
   std::array<double, 4> x, y;
 };
-Corners corners(const Grid& grid, const ZonePoints& zone);
+
+// A side of a zone, which lies on its left.
+struct Edge {
+  std::int32_t from, to;  // points
+  std::uint32_t zone;
+};
+
+// What the user gave a name: a block, a physical group of a mesh. A curve's edges may lie inside the grid;
+// their zone is that of one side.
+struct Group {
+  std::string name;
+  std::vector<std::uint32_t> zones;  // ascending
+  std::vector<Edge> edges;
+};
+
+struct Grid {
+  std::vector<double> x, y;  // of each point [m]
+  std::vector<ZonePoints> zones;
+  std::vector<Edge>
+      boundary{};  // sides of one zone only; not those that appear where zones without weight vanish
+  std::vector<Group> groups{};
+  // Shapes of the last zones, where they are not those of their points: a column whose left and right points
+  // are the same has a width all the same.
+  std::vector<Corners> own_corners{};
+};
+
+Corners corners(const Grid& grid, std::size_t zone);
 double area(const Corners& corners);  // [m^2], positive where the corners run counter-clockwise
+std::array<double, 2> centroid(const Corners& corners);
+
+geometry::BoundingBox bounds(const Grid& grid);
+// Within which places count as the same: 1e-9 of the grid's diagonal [m].
+double tolerance(const Grid& grid);
 
 // A rectangle of equal zones.
 struct Block {
@@ -40,7 +69,8 @@ std::vector<double> sample_points(const Block& block);
 // patch of uniform strain passes through the overlap; at least `floor`. A zone whose samples are all 0 has 0.
 std::vector<double> zone_weights(const Block& block, std::span<const double> samples, double floor);
 
-// Removes zones of weight 0 (also from `weights`) and the points that no zone is left of; keeps the order.
+// Removes zones of weight 0 (also from `weights`), their edges and the points that no zone is left of; keeps
+// the order. Before zones with corners of their own are added.
 void compact(Grid& grid, std::vector<double>& weights);
 
 // Weighted lumped mass of each point: a quarter of each of its zones' [kg per metre of thickness].

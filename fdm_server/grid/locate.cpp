@@ -44,7 +44,7 @@ std::optional<std::array<double, 2>> inverse_bilinear(const Corners& c, double x
 ZoneLocator::ZoneLocator(const Grid& grid) : grid_(grid) {
   std::vector<protocol::Extent> extents;
   extents.reserve(grid.zones.size());
-  for (const auto& zone : grid.zones) {
+  for (std::size_t zone = 0; zone < grid.zones.size(); ++zone) {
     const auto c = corners(grid, zone);
     const auto [x0, x1] = std::ranges::minmax(c.x);
     const auto [y0, y1] = std::ranges::minmax(c.y);
@@ -60,7 +60,7 @@ ZoneLocator::ZoneLocator(const Grid& grid) : grid_(grid) {
 
 std::optional<Place> ZoneLocator::locate(double x, double y) const {
   for (const std::uint32_t zone : cells_.at(x, y)) {
-    const auto natural = inverse_bilinear(corners(grid_, grid_.zones[zone]), x, y);
+    const auto natural = inverse_bilinear(corners(grid_, zone), x, y);
     if (!natural) continue;
     const auto [xi, eta] = *natural;
     if (std::abs(xi) > 1 + kTolerance || std::abs(eta) > 1 + kTolerance) continue;

@@ -19,6 +19,10 @@ bool is_of_zones(scene::Quantity quantity) {
   return quantity >= scene::STRESS_XX && quantity <= scene::SHEAR_STRAIN_XY;
 }
 
+bool is_motion(scene::Quantity quantity) {
+  return !is_of_zones(quantity) && !is_of_lining(quantity);
+}
+
 double at(const ZonePoints& points, const std::array<double, 4>& shares, std::span<const double> field) {
   double sum = 0;
   for (std::size_t c = 0; c < 4; ++c)
@@ -63,16 +67,23 @@ double strain(const Strain& strain, scene::Quantity quantity) {
 
 }  // namespace
 
-Histories::Histories(const scene::Continuum& scene, const Grid& grid) {
+Histories::Histories(const scene::Continuum& scene, const Grid& grid, const Supports& supports) {
   if (scene.histories().empty()) return;
   const ZoneLocator locator(grid);
   for (int i = 0; i < scene.histories_size(); ++i) {
     const auto& history = scene.histories(i);
+    const std::string path = fmt::format("continuum.histories[{}]", i);
+    Probe& probe = probes_.emplace_back(history.quantity());
+    if (is_of_lining(history.quantity())) {
+      probe.lining = resolve_lining_probe(history, supports, grid, path);
+      continue;
+    }
     const double x = history.at().x(), y = history.at().y();
     const auto place = locator.locate(x, y);
-    if (!place) refuse_place(grid, x, y, fmt::format("continuum.histories[{}].at", i));
-    probes_.push_back({history.quantity(), grid.zones[place->zone], place->shape});
-    if (is_of_zones(history.quantity())) probes_.back().zones = fit_around(grid, place->zone, x, y);
+    if (!place) refuse_place(grid, x, y, path + ".at");
+    probe.points = grid.zones[place->zone];
+    probe.shares = place->shape;
+    if (is_of_zones(history.quantity())) probe.zones = fit_around(grid, place->zone, x, y);
   }
 }
 
@@ -86,18 +97,18 @@ void Histories::tie(std::span<const std::uint32_t> points) {
 
 void Histories::remember(const Continuum& continuum) {
   for (Probe& probe : probes_)
-    if (!is_of_zones(probe.quantity))
+    if (is_motion(probe.quantity))
       probe.velocity.remember(at(probe.points, probe.shares, velocity(continuum, probe.quantity)));
 }
 
-void Histories::read(const Grid& grid, const Continuum& continuum, const protocol::Step& step,
-                     google::protobuf::RepeatedField<double>& values) const {
-  for (const Probe& probe : probes_) values.Add(value(probe, grid, continuum, step));
+void Histories::read(const Grid& grid, const Supports& supports, const Continuum& continuum,
+                     const protocol::Step& step, google::protobuf::RepeatedField<double>& values) const {
+  for (const Probe& probe : probes_) values.Add(value(probe, grid, supports, continuum, step));
 }
 
-double Histories::value(const Probe& probe, const Grid& grid, const Continuum& continuum,
-                        const protocol::Step& step) const {
-  const auto& [quantity, points, shares, zones, tied, velocity] = probe;
+double Histories::value(const Probe& probe, const Grid& grid, const Supports& supports,
+                        const Continuum& continuum, const protocol::Step& step) const {
+  const auto& [quantity, points, shares, zones, tied, velocity, lining] = probe;
   switch (quantity) {
     case scene::DISPLACEMENT_X:
       return at(points, shares, continuum.ux());
@@ -118,10 +129,13 @@ double Histories::value(const Probe& probe, const Grid& grid, const Continuum& c
     case scene::STRAIN_YY:
     case scene::SHEAR_STRAIN_XY:
       return sum(zones, [&](std::uint32_t z) {
-        const ZonePoints& zone = grid.zones[z];
-        const MeanGradient gradient = mean_gradient(corners(grid, zone));
-        return strain(mean_strain(gradient, zone, continuum.ux(), continuum.uy()), quantity);
+        const MeanGradient gradient = mean_gradient(corners(grid, z));
+        return strain(mean_strain(gradient, grid.zones[z], continuum.ux(), continuum.uy()), quantity);
       });
+    case scene::THRUST:
+    case scene::MOMENT:
+    case scene::SHEAR_FORCE:
+      return fdm::value(lining, supports, continuum.structures());
   }
   throw std::logic_error("no probe measures this quantity");
 }

@@ -1,4 +1,4 @@
-// Quantities over time at places of the continuum.
+// Quantities over time at places of the continuum and its linings.
 #pragma once
 
 #include <array>
@@ -9,6 +9,7 @@
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/output/zone_fit.hpp"
 #include "fdm_server/solver/continuum.hpp"
+#include "fdm_server/structures/lining_probe.hpp"
 #include "protocol/history.hpp"
 #include "protocol/scene.pb.h"
 
@@ -16,8 +17,8 @@ namespace adit::fdm {
 
 class Histories {
  public:
-  // protocol::UserError for a place outside the grid's zones.
-  Histories(const scene::Continuum& scene, const Grid& grid);
+  // protocol::UserError for a place outside the grid's zones, or off the lining whose force is asked for.
+  Histories(const scene::Continuum& scene, const Grid& grid, const Supports& supports);
 
   // The velocities of these points await the correction by another model after every step.
   void tie(std::span<const std::uint32_t> points);
@@ -26,19 +27,20 @@ class Histories {
   void remember(const Continuum& continuum);
 
   // Values at the step just made, in the scene's order and as scene.proto defines them.
-  void read(const Grid& grid, const Continuum& continuum, const protocol::Step& step,
-            google::protobuf::RepeatedField<double>& values) const;
+  void read(const Grid& grid, const Supports& supports, const Continuum& continuum,
+            const protocol::Step& step, google::protobuf::RepeatedField<double>& values) const;
 
  private:
   struct Probe {
     scene::Quantity quantity;
-    ZonePoints points;             // of the zone that holds the place
-    std::array<double, 4> shares;  // bilinear, at the place
-    ZoneShares zones{};            // of stress and strain
+    ZonePoints points{};             // of the zone that holds the place
+    std::array<double, 4> shares{};  // bilinear, at the place
+    ZoneShares zones{};              // of stress and strain
     bool tied = false;
     protocol::HalfStepVelocity velocity{};  // its component
+    LiningProbe lining{};                   // of a lining's force
   };
-  double value(const Probe& probe, const Grid& grid, const Continuum& continuum,
+  double value(const Probe& probe, const Grid& grid, const Supports& supports, const Continuum& continuum,
                const protocol::Step& step) const;
 
   std::vector<Probe> probes_;

@@ -14,7 +14,7 @@ Peaks::Peaks(const Grid& grid)
       largest_principal_(grid.zones.size(), -std::numeric_limits<double>::infinity()),
       smallest_principal_(grid.zones.size(), std::numeric_limits<double>::infinity()) {
   gradients_.reserve(grid.zones.size());
-  for (const ZonePoints& zone : grid.zones) gradients_.push_back(mean_gradient(corners(grid, zone)));
+  for (std::size_t z = 0; z < grid.zones.size(); ++z) gradients_.push_back(mean_gradient(corners(grid, z)));
 }
 
 void Peaks::remember(const Continuum& continuum) {

@@ -6,18 +6,9 @@
 namespace adit::fdm {
 namespace {
 
-Eigen::Vector2d centroid(const Corners& c) {
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  double twice_area = 0;
-  const Eigen::Vector2d first(c.x[0], c.y[0]);
-  for (std::size_t k = 1; k < 3; ++k) {  // the triangles (0 1 2) and (0 2 3)
-    const Eigen::Vector2d a = Eigen::Vector2d(c.x[k], c.y[k]) - first;
-    const Eigen::Vector2d b = Eigen::Vector2d(c.x[k + 1], c.y[k + 1]) - first;
-    const double twice = a.x() * b.y() - a.y() * b.x();
-    sum += twice * (a + b) / 3;
-    twice_area += twice;
-  }
-  return first + sum / twice_area;
+Eigen::Vector2d centre(const Grid& grid, std::uint32_t zone) {
+  const auto [x, y] = centroid(corners(grid, zone));
+  return {x, y};
 }
 
 std::vector<std::uint32_t> zones_around(const Grid& grid, std::uint32_t zone) {
@@ -33,10 +24,10 @@ std::vector<std::uint32_t> zones_around(const Grid& grid, std::uint32_t zone) {
 
 ZoneShares fit_around(const Grid& grid, std::uint32_t zone, double x, double y) {
   ZoneShares fit{zones_around(grid, zone), {}};
-  const Eigen::Vector2d own = centroid(corners(grid, grid.zones[zone]));
+  const Eigen::Vector2d own = centre(grid, zone);
   Eigen::Matrix2Xd away(2, fit.zones.size());
   for (std::size_t k = 0; k < fit.zones.size(); ++k)
-    away.col(static_cast<Eigen::Index>(k)) = centroid(corners(grid, grid.zones[fit.zones[k]])) - own;
+    away.col(static_cast<Eigen::Index>(k)) = centre(grid, fit.zones[k]) - own;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> rows;
   rows.setThreshold(1e-6);  // the slope across a single row of zones is none
   rows.compute(away.transpose());

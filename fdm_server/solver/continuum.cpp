@@ -31,20 +31,31 @@ Motion take(Motion& motion, const std::vector<bool>& chosen) {
 }  // namespace
 
 Continuum::Continuum(std::unique_ptr<Zones> zones, std::span<const double> masses, std::vector<Load> loads,
-                     std::vector<Motion> motions)
-    : zones_(std::move(zones)), points_(masses.size()) {
+                     std::vector<Motion> motions, std::size_t threads, Structures structures)
+    : zones_(std::move(zones)), structures_(std::move(structures)), points_(masses.size()), team_(threads) {
   for (std::size_t i = 0; i < masses.size(); ++i) {
     points_[kMass][i] = masses[i];
     points_[kInverseMassX][i] = points_[kInverseMassY][i] = 1 / masses[i];
   }
-  const auto runs = zones_->runs();
-  interior_.runs.assign(runs.begin(), runs.end());
-  interior_.points.push_back({0, static_cast<std::uint32_t>(masses.size())});
-  for (auto& load : loads) interior_.loads.push_back({std::move(load)});
+  zones_->follow(points_[kUx].data(), points_[kUy].data());
+  for (auto& load : loads)
+    if (load.factor)
+      interior_.loads.push_back({std::move(load)});
+    else
+      add_steady(load);
   for (auto& motion : motions) {
     for (const auto point : motion.points)
       points_[motion.axis == Axis::kX ? kInverseMassX : kInverseMassY][point] = 0;
     interior_.motions.push_back(prescribed(std::move(motion)));
+  }
+  plan(std::vector<bool>(masses.size(), false));
+}
+
+void Continuum::add_steady(const Load& load) {
+  steady_ = true;
+  for (std::size_t i = 0; i < load.points.size(); ++i) {
+    points_[kSteadyX][load.points[i]] += load.fx[i];
+    points_[kSteadyY][load.points[i]] += load.fy[i];
   }
 }
 
@@ -57,11 +68,7 @@ Continuum::Prescribed Continuum::prescribed(Motion motion) const {
 void Continuum::set_interface(std::span<const std::uint32_t> points) {
   std::vector<bool> chosen(points_.rows(), false);
   for (const auto point : points) chosen[point] = true;
-  auto [touching, others] = split(zones_->runs(), chosen);
-  interface_.runs = std::move(touching);
-  interior_.runs = std::move(others);
-  interface_.points = protocol::stretches(chosen, true);
-  interior_.points = protocol::stretches(chosen, false);
+  plan(chosen);
   for (auto& [load, factor] : interior_.loads) interface_.loads.push_back({take(load, chosen)});
   for (auto& inside : interior_.motions) {
     interface_.motions.push_back(prescribed(take(inside.motion, chosen)));
@@ -71,6 +78,34 @@ void Continuum::set_interface(std::span<const std::uint32_t> points) {
     std::erase_if(part->loads, [](const Loading& loading) { return loading.load.points.empty(); });
     std::erase_if(part->motions, [](const Prescribed& one) { return one.motion.points.empty(); });
   }
+}
+
+// Before loads and motions are divided.
+void Continuum::plan(const std::vector<bool>& chosen) {
+  std::vector<bool> pulled(points_.rows(), false);  // by others than zones
+  for (const auto& [load, factor] : interior_.loads)
+    for (const auto point : load.points) pulled[point] = true;
+  for (const auto& one : interior_.motions)
+    for (const auto point : one.motion.points) pulled[point] = true;
+  structures_.mark_points(pulled);
+  interior_.structures = structures_.all();
+  interface_.structures = structures_.take(interior_.structures, chosen);
+
+  const auto [touching, others] = split(zones_->runs(), chosen);
+  std::vector<bool> reached = chosen;
+  for (const ZoneRun& run : touching)
+    for (const auto point : run.points)
+      for (std::uint32_t k = 0; k < run.count; ++k) reached[point + k] = true;
+
+  std::vector<Role> of_interface(points_.rows(), Role::kForeign), of_interior = of_interface;
+  for (std::size_t i = 0; i < points_.rows(); ++i)
+    if (chosen[i])
+      of_interface[i] = pulled[i] ? Role::kKept : Role::kSwept;
+    else
+      of_interior[i] = pulled[i] || reached[i] ? Role::kKept : Role::kSwept;
+  interface_.sweep = {touching, of_interface, reached, team_.threads()};
+  reached.flip();
+  interior_.sweep = {others, of_interior, reached, team_.threads()};
 }
 
 void Continuum::push(std::uint32_t point, double x, double y) {
@@ -93,27 +128,42 @@ void Continuum::hold(Axis axis, std::uint32_t point, double impulse) {
     }
 }
 
+PointColumns Continuum::columns() {
+  return {points_[kUx].data(),
+          points_[kUy].data(),
+          points_[kVx].data(),
+          points_[kVy].data(),
+          points_[kFx].data(),
+          points_[kFy].data(),
+          points_[kInverseMassX].data(),
+          points_[kInverseMassY].data(),
+          steady_ ? points_[kSteadyX].data() : nullptr,
+          steady_ ? points_[kSteadyY].data() : nullptr};
+}
+
 void Continuum::step(const protocol::Step& step, Energies* wanted) {
+  if (wanted) remember_velocities();
   pull(interface_, step);
   pull(interior_, step);
+  predict(interface_, step);
+  predict(interior_, step);
   if (wanted) *wanted = energies(step);
-  move_and_predict(interface_, step);
-  move_and_predict(interior_, step);
 }
 
 void Continuum::step_interface(const protocol::Step& step) {
   pull(interface_, step);
-  move_and_predict(interface_, step);
+  predict(interface_, step);
 }
 
 void Continuum::step_interior(const protocol::Step& step) {
   pull(interior_, step);
-  move_and_predict(interior_, step);
+  predict(interior_, step);
 }
 
 void Continuum::pull(Part& part, const protocol::Step& step) {
-  zones_->add_forces(part.runs, step.dt,
-                     {points_[kVx].data(), points_[kVy].data(), points_[kFx].data(), points_[kFy].data()});
+  const PointColumns points = columns();
+  part.sweep.run(team_, *zones_, step.dt, step.kick(), points);
+  structures_.add_forces(part.structures, step.dt, {points.vx, points.vy, points.fx, points.fy});
   apply_loads(part, step);
   find_reactions(part, step);
 }
@@ -150,53 +200,52 @@ void Continuum::find_reactions(Part& part, const protocol::Step& step) {
   }
 }
 
-Energies Continuum::energies(const protocol::Step& step) const {
-  const auto product = [&](std::span<const double> v, std::span<const double> f,
-                           std::span<const double> inverse_mass, std::size_t i) {
-    const double kick = step.dt * inverse_mass[i] * f[i];
-    return step.from_rest() ? -kick * kick / 4 : v[i] * (v[i] + kick);  // v(n-1/2) v(n+1/2)
-  };
-  double twice = 0;
-  for (std::size_t i = 0; i < points_.rows(); ++i)
-    twice += points_[kMass][i] * (product(points_[kVx], points_[kFx], points_[kInverseMassX], i) +
-                                  product(points_[kVy], points_[kFy], points_[kInverseMassY], i));
-  for (const Part* part : {&interface_, &interior_})
-    for (const auto& p : part->motions)  // the loop above took v(n-1/2)^2 of them, and 0 at step 0
-      twice += p.mass * (p.before * p.after - (step.from_rest() ? 0 : p.before * p.before));
-  return {twice / 2, zones_->strain_energy(), external_work_};
+void Continuum::remember_velocities() {
+  std::ranges::copy(points_[kVx], points_[kLastVx].begin());
+  std::ranges::copy(points_[kVy], points_[kLastVy].begin());
 }
 
-void Continuum::move_and_predict(const Part& part, const protocol::Step& step) {
-  const double dt = step.dt, kick = step.kick();
-  const auto axis = [this, &part, dt, kick](Column displacement, Column velocity, Column force,
-                                            Column inverse_mass) {
-    double *u = points_[displacement].data(), *v = points_[velocity].data(), *f = points_[force].data();
-    const double* inverse = points_[inverse_mass].data();
-    for (const auto [begin, end] : part.points) {
-#pragma GCC ivdep
-      for (std::size_t i = begin; i < end; ++i) {
-        u[i] += dt * v[i];
-        v[i] += kick * (inverse[i] * f[i]);
-        f[i] = 0;
-      }
-    }
+// Since the displacements were 0.
+double Continuum::steady_work() const {
+  if (!steady_) return 0;
+  double work = 0;
+  for (std::size_t i = 0; i < points_.rows(); ++i)
+    work += points_[kSteadyX][i] * points_[kUx][i] + points_[kSteadyY][i] * points_[kUy][i];
+  return work;
+}
+
+Energies Continuum::energies(const protocol::Step& step) const {
+  const auto product = [&](double before, double after) {
+    return (step.from_rest() ? -after : before) * after;
   };
-  axis(kUx, kVx, kFx, kInverseMassX);
-  axis(kUy, kVy, kFy, kInverseMassY);
+  double twice = structures_.twice_kinetic_energy(step);
+  for (std::size_t i = 0; i < points_.rows(); ++i)
+    twice += points_[kMass][i] *
+             (product(points_[kLastVx][i], points_[kVx][i]) + product(points_[kLastVy][i], points_[kVy][i]));
+  return {twice / 2, zones_->strain_energy() + structures_.strain_energy(), external_work_ + steady_work(),
+          structures_.dissipated()};
+}
+
+void Continuum::predict(const Part& part, const protocol::Step& step) {
+  part.sweep.predict(team_, step.kick(), columns());
+  structures_.move_and_predict(part.structures, step);
   for (const auto& prescribed : part.motions) {
     const auto velocity = points_[prescribed.motion.axis == Axis::kX ? kVx : kVy];
     for (const auto point : prescribed.motion.points) velocity[point] = prescribed.after;
   }
-  last_dt_ = dt;
-  last_kick_ = kick;
+  last_dt_ = step.dt;
+  last_kick_ = step.kick();
 }
 
 void Continuum::stop() {
   for (const Column column : {kVx, kVy}) std::ranges::fill(points_[column], 0.0);
+  structures_.stop();
 }
 
 void Continuum::start_over() {
   stop();
+  zones_->start_over();
+  structures_.start_over();
   for (const Column column : {kUx, kUy}) std::ranges::fill(points_[column], 0.0);
   external_work_ = 0;
 }

@@ -20,10 +20,12 @@
 #include <span>
 #include <vector>
 
+#include "fdm_server/solver/sweep.hpp"
+#include "fdm_server/structures/structures.hpp"
 #include "fdm_server/zones/columns.hpp"
 #include "fdm_server/zones/zones.hpp"
 #include "protocol/step.hpp"
-#include "protocol/stretches.hpp"
+#include "protocol/team.hpp"
 
 namespace adit::fdm {
 
@@ -33,7 +35,7 @@ using TimeFactor = std::function<double(double t)>;
 struct Load {
   std::vector<std::uint32_t> points;
   std::vector<double> fx, fy;  // [N], one of each a point
-  TimeFactor factor;
+  TimeFactor factor;           // none: steady, which costs a step next to nothing
 };
 
 enum class Axis { kX, kY };
@@ -48,13 +50,15 @@ struct Motion {
 
 struct Energies {
   double kinetic, strain, external_work;  // [J]
+  double dissipated;                      // since the start, by what yields [J]
 };
 
 class Continuum {
  public:
-  // `masses`: one weighted mass a point [kg].
+  // `masses`: one weighted mass a point, with that of the structures [kg]. Results do not depend on the
+  // number of threads.
   Continuum(std::unique_ptr<Zones> zones, std::span<const double> masses, std::vector<Load> loads,
-            std::vector<Motion> motions);
+            std::vector<Motion> motions, std::size_t threads = 1, Structures structures = {});
 
   // Makes these points the interface, before the first step.
   void set_interface(std::span<const std::uint32_t> points);
@@ -88,12 +92,28 @@ class Continuum {
   std::span<const double> inverse_mass_x() const { return points_[kInverseMassX]; }  // 0: prescribed [1/kg]
   std::span<const double> inverse_mass_y() const { return points_[kInverseMassY]; }
   const Zones& zones() const { return *zones_; }
+  const Structures& structures() const { return structures_; }
 
   // A point whose velocity is not finite, if any.
   std::optional<std::uint32_t> first_non_finite() const;
 
  private:
-  enum Column { kUx, kUy, kVx, kVy, kFx, kFy, kInverseMassX, kInverseMassY, kMass, kColumns };
+  enum Column {
+    kUx,
+    kUy,
+    kVx,
+    kVy,
+    kFx,
+    kFy,
+    kInverseMassX,
+    kInverseMassY,
+    kSteadyX,
+    kSteadyY,
+    kMass,
+    kLastVx,
+    kLastVy,
+    kColumns
+  };
   struct Loading {
     Load load;
     double factor = 0;  // of the last step
@@ -106,27 +126,36 @@ class Continuum {
     double reaction = 0;  // total force that the motion needed at the last step
   };
 
-  // What is computed together. The zones that touch a point of the interface are its part's, so that its
-  // forces need nothing of the interior.
+  // What is computed together. The zones and structures that touch a point of the interface are its part's,
+  // so that its forces need nothing of the interior.
   struct Part {
-    std::vector<ZoneRun> runs;
-    std::vector<protocol::Stretch> points;
+    Sweep sweep;
+    Structures::Part structures;
     std::vector<Loading> loads;
     std::vector<Prescribed> motions;
   };
 
+  // Says which points the parts may sweep: those of loads, motions and structures have to wait for these.
+  void plan(const std::vector<bool>& chosen);
+  PointColumns columns();
+  void add_steady(const Load& load);
   Prescribed prescribed(Motion motion) const;
   void hold(Axis axis, std::uint32_t point, double impulse);
   void pull(Part& part, const protocol::Step& step);
   void apply_loads(Part& part, const protocol::Step& step);
   void find_reactions(Part& part, const protocol::Step& step);
-  void move_and_predict(const Part& part, const protocol::Step& step);
+  void predict(const Part& part, const protocol::Step& step);
+  void remember_velocities();
+  double steady_work() const;
   Energies energies(const protocol::Step& step) const;
 
   std::unique_ptr<Zones> zones_;
+  Structures structures_;
   Columns<kColumns> points_;
+  protocol::Team team_;
   Part interface_, interior_;
-  double external_work_ = 0;
+  bool steady_ = false;       // are there steady loads
+  double external_work_ = 0;  // of all others, and of motions
   double last_dt_ = 0, last_kick_ = 0;
 };
 

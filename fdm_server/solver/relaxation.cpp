@@ -9,13 +9,13 @@ double kinetic_energy(const Continuum& continuum) {
   const auto vx = continuum.vx(), vy = continuum.vy(), mass = continuum.masses();
   double twice = 0;
   for (std::size_t i = 0; i < vx.size(); ++i) twice += mass[i] * (vx[i] * vx[i] + vy[i] * vy[i]);
-  return twice / 2;
+  return twice / 2 + continuum.structures().rotational_energy();
 }
 
 Relaxation::Relaxation(const Grid& grid, std::span<const double> zone_weights)
     : vx_(grid.x.size(), 0.0), vy_(grid.x.size(), 0.0) {
   for (std::size_t z = 0; z < grid.zones.size(); ++z)
-    factor_.push_back(zone_weights[z] * std::sqrt(area(corners(grid, grid.zones[z]))));
+    factor_.push_back(zone_weights[z] * std::sqrt(area(corners(grid, z))));
 }
 
 Unrest Relaxation::measure(const Continuum& continuum, double kick) {

@@ -16,7 +16,7 @@ struct Unrest {
   double internal_force;    // sum over the zones of |stress| · √area, |stress| its Frobenius norm [N]
 };
 
-// Of the present velocities, weighted [J].
+// Of the present velocities and rotations, weighted [J].
 double kinetic_energy(const Continuum& continuum);
 
 class Relaxation {

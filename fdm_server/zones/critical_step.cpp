@@ -14,7 +14,9 @@ Eigen::Matrix<double, 8, 8> zone_stiffness(ZoneKind kind, const Corners& corners
   for (int column = 0; column < 8; ++column) {
     std::array<double, 4> vx{}, vy{}, fx{}, fy{};
     (column % 2 == 0 ? vx : vy)[column / 2] = 1;
-    make_zones(kind, grid, law, weight)->add_forces(1.0, {vx.data(), vy.data(), fx.data(), fy.data()});
+    const auto zone = make_zones(kind, grid, law, weight);
+    zone->follow(vx.data(), vy.data());
+    zone->add_forces(1.0, {vx.data(), vy.data(), fx.data(), fy.data()});
     for (int point = 0; point < 4; ++point) {
       stiffness(2 * point, column) = -fx[point];
       stiffness(2 * point + 1, column) = -fy[point];

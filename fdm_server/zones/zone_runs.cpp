@@ -32,7 +32,7 @@ bool continues(const ZoneRun& run, const ZonePoints& zone) {
 ZoneLayout lay_out(const Grid& grid) {
   ZoneLayout layout;
   for (std::size_t z = 0; z < grid.zones.size(); ++z) {
-    const auto here = corners(grid, grid.zones[z]);
+    const auto here = corners(grid, z);
     const bool same = !layout.shapes.empty() && same_shape(layout.shapes.back(), here);
     if (!same) layout.shapes.push_back(here);
     if (same && continues(layout.runs.back(), grid.zones[z]))

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "fdm_server/grid/grid.hpp"
@@ -47,19 +48,29 @@ struct CornerForces {
   alignas(64) std::array<std::array<double, kBatch>, 4> x, y;
 };
 
-// Adds the forces of zones `done` … `done + count` of the run to their points.
+// Adds the forces of zones `done` … `done + count` of the run to their points. Zones side by side share two
+// points, which get the sum of both.
 inline void scatter(const CornerForces& forces, const ZoneRun& run, std::uint32_t done, std::uint32_t count,
                     const PointView& points) {
-  for (std::size_t c = 0; c < 4; ++c) {
-    double* fx = points.fx + run.points[c] + done;
-    double* fy = points.fy + run.points[c] + done;
-    const double *x = forces.x[c].data(), *y = forces.y[c].data();
+  const auto add = [count](const std::array<double, kBatch>& from, double* to) {
 #pragma GCC ivdep
-    for (std::uint32_t i = 0; i < count; ++i) {
-      fx[i] += x[i];
-      fy[i] += y[i];
-    }
-  }
+    for (std::uint32_t i = 0; i < count; ++i) to[i] += from[i];
+  };
+  const auto add_pair = [count](const std::array<double, kBatch>& left,
+                                const std::array<double, kBatch>& right, double* to) {
+    to[0] += left[0];
+#pragma GCC ivdep
+    for (std::uint32_t i = 1; i < count; ++i) to[i] += left[i] + right[i - 1];
+    to[count] += right[count - 1];
+  };
+  for (const auto& [f, to] : {std::pair{&forces.x, points.fx + done}, std::pair{&forces.y, points.fy + done}})
+    for (const auto& [left, right] : {std::pair{0, 1}, std::pair{3, 2}})
+      if (run.points[right] == run.points[left] + 1) {
+        add_pair((*f)[left], (*f)[right], to + run.points[left]);
+      } else {
+        add((*f)[left], to + run.points[left]);
+        add((*f)[right], to + run.points[right]);
+      }
 }
 
 // Takes the runs' zones batch by batch: batch(run, done, count, forces) fills the forces of zones `done` …

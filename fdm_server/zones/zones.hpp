@@ -1,5 +1,4 @@
-// The zones of a grid with their stresses: what the solver needs to know of either kind.
-// Small strain: the geometry is that of the undeformed grid. Stresses grow by increments.
+// The zones of a grid with their stresses: what the solver needs to know of any kind.
 #pragma once
 
 #include <cstddef>
@@ -20,12 +19,17 @@ class Zones {
   virtual std::size_t count() const = 0;
   // All zones, in their order.
   virtual std::span<const ZoneRun> runs() const = 0;
-  // Adds the strain of dt times the points' velocities to the stresses of the runs' zones, and their weighted
-  // internal forces to the points' forces.
+  // The points' displacements, which stay at this place; every step has moved them before it asks for forces.
+  // Zones whose stress is a function of them read it there, zones that add up strain increments need none.
+  virtual void follow(const double* ux, const double* uy) = 0;
+  // Adds the weighted internal forces of the runs' zones to the points' forces, after the points moved by dt
+  // times their velocities. Several threads may ask at once, each for zones of its own.
   virtual void add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) = 0;
   void add_forces(double dt, const PointView& points) { add_forces(runs(), dt, points); }
   // A zone's stress becomes uniform: before the first step.
   virtual void set_stress(std::size_t zone, const Stress& stress) = 0;
+  // The displacements are about to become 0; stresses stay.
+  virtual void start_over() = 0;
   // Weighted elastic energy of all zones [J].
   virtual double strain_energy() const = 0;
   // Mean stress of a zone, unweighted.

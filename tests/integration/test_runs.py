@@ -33,6 +33,14 @@ class Runs(ProgramTest):
             for out in ("by_hand", "by_hand_again"):
                 self.assertEqual(first, self.results(self.run_scene(scene, *SHORT, *by_hand, out=out)))
 
+    def test_threads_change_no_bit(self):
+        fine = ("--set", "continuum.block.zones_x=320", "--set", "continuum.block.zones_y=32", "--set",
+                "time.duration=0.2 ms", "--set", "output.field_times=[0.1 ms]")
+        one, three = (self.results(self.run_scene(CASE / "full_fdm.yaml", *fine, "--fdm-threads", count, out=count))
+                      for count in ("1", "3"))
+        self.assertEqual(one[0]["zones"], 10240)
+        self.assertEqual(one, three)
+
     def test_summary_holds_what_the_readme_promises(self):
         summary = self.summary(self.run_scene(CASE / "coupled.yaml", *SHORT))
         self.assertEqual([name for name in REQUIRED if name not in summary], [])

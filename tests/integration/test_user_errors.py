@@ -118,6 +118,12 @@ class UserErrors(ProgramTest):
         self.assertEqual(result.returncode, 2, result.stderr)
         self.assertIn("--insecure", result.stderr)
 
+    def test_more_threads_than_any_machine_has(self):
+        result = subprocess.run([BUILD / "fdm_server" / "fdm_server", "--threads", "1000000"],
+                                capture_output=True, text=True, timeout=20)
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertIn("--threads: Value 1000000 not in range [0 - 1024]", result.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

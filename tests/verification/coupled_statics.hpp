@@ -12,7 +12,7 @@
 #include "coupler/bridging/overlap.hpp"
 #include "dem_server/assembly.hpp"
 #include "dem_server/contact_forces.hpp"
-#include "dem_server/packing.hpp"
+#include "dem_server/packing/hexagonal.hpp"
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/grid/interpolation.hpp"
 #include "fdm_server/zones/zones.hpp"
@@ -94,6 +94,7 @@ inline Eigen::MatrixXd grid_stiffness(const CoupledPatch& patch, const fdm::Grid
         fdm::make_zones(patch.zone, grid, fdm::plane_stress(patch.young, patch.poisson), weights);
     std::vector<double> vx(size), vy(size), fx(size), fy(size);
     for (Eigen::Index i = 0; i < size; ++i) vx[i] = u[2 * i], vy[i] = u[2 * i + 1];
+    zones->follow(vx.data(), vy.data());
     zones->add_forces(1.0, {vx.data(), vy.data(), fx.data(), fy.data()});
     Eigen::VectorXd f(2 * size);
     for (Eigen::Index i = 0; i < size; ++i) f.segment<2>(2 * i) << fx[i], fy[i];

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "coupler/bridging/shape.hpp"
 #include "dem_server/assembly.hpp"
-#include "dem_server/packing.hpp"
+#include "dem_server/packing/hexagonal.hpp"
 #include "fdm_server/grid/grid.hpp"
+#include "protocol/geometry/shape.hpp"
 #include "tests/unit/coupler/random_overlaps.hpp"
 
 namespace adit::coupler {
@@ -117,7 +117,7 @@ dem::Assembly weighted_particles(const dem::Packing& packing, const Overlap& ove
 // Whether the weight is not linear in the box (corners suffice for a strip).
 bool bends_in(const Overlap& overlap, const BoundingBox& box) {
   std::vector<double> depths;
-  for (const Point& c : corners(box)) depths.push_back(overlap.depth(c.x, c.y));
+  for (const geometry::Point& c : corners(box)) depths.push_back(overlap.depth(c.x, c.y));
   const auto [lowest, highest] = std::ranges::minmax(depths);
   if (overlap.is_ring()) return overlap.core().distance(box) < overlap.width() && !overlap.core().covers(box);
   return lowest < highest && (lowest == 0 || highest == 1);

@@ -90,7 +90,7 @@ TEST(Assembly, RunsCoverTheBonds) {
     }
   }
   EXPECT_EQ(next, a.bonds.size());
-  EXPECT_LT(a.bonds.runs.size(), 30u);
+  EXPECT_LT(a.bonds.runs.size(), 1.2 * static_cast<double>(a.bonds.size()) / kLongestRun);
 }
 
 }  // namespace

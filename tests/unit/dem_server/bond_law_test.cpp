@@ -67,7 +67,7 @@ TEST(BondLaw, SpinsSlipOrRoll) {
 // The weight multiplies what the particles feel, not the bond's own forces.
 TEST(BondLaw, WeightMultipliesTheForcesOnTheParticles) {
   Assembly a = test::pair_of_particles();
-  a.bonds.weight[0] = 0.25;
+  a.bonds.set_weight(0, 0.25);
   a.particles.ux[1] = 0.1;
   a.particles.vy[1] = 1;
   compute(kLaw, 0.1, a);
@@ -120,7 +120,7 @@ TEST(BondLaw, TensionIsJudgedBeforeShear) {
 // The strengths meet the unweighted force: a small weight does not protect a bond.
 TEST(BondLaw, WeightDoesNotChangeTheStrength) {
   Assembly a = test::pair_of_particles();
-  a.bonds.weight[0] = 1e-3;
+  a.bonds.set_weight(0, 1e-3);
   a.particles.ux[1] = 0.1;
   EXPECT_EQ(compute({kLaw.stiffness, 0.9 * kNormal * 0.1, kUnbreakable}, 0.1, a).second.size(), 1u);
 }
@@ -147,7 +147,7 @@ TEST(BondLaw, BrokenBondIsAFrictionlessContact) {
 // A shear break under compression gives up the shear energy only; the contact stays closed.
 TEST(BondLaw, ShearBreakUnderCompressionReleasesShearOnly) {
   Assembly a = test::pair_of_particles();
-  a.bonds.weight[0] = 0.5;
+  a.bonds.set_weight(0, 0.5);
   a.particles.ux[1] = -0.1;
   a.bonds.shear_force[0] = 2.0;
   const auto [result, broken] = compute({kLaw.stiffness, kUnbreakable, 1.0}, 0.1, a);

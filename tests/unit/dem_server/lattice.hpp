@@ -56,7 +56,7 @@ inline void step(const BondLaw& law, double dt, bool start, Assembly& a, Ledger&
   ledger.released += compute(law, dt, a).first.released;
   Velocities before;
   remember(a.particles, before);
-  kick(dt, {&all, 1}, a.particles);
+  kick(dt, {&all, 1}, resultants_of(a.particles), a.particles);
   ledger.kinetic = kinetic_energy(a.particles, before, false);
   ledger.strain = strain_energy(a.bonds, law.stiffness);
 }

@@ -68,6 +68,38 @@ TEST_P(ContinuumOfEachZone, EnergyLedgerIsExact) {
   expect_exact_ledger(GetParam(), {0, 4, 8, 9, 13, 17, 22, 31});
 }
 
+// A steady load is a load of constant factor: motion and ledger differ by rounding only.
+TEST_P(ContinuumOfEachZone, SteadyLoadIsALoadOfConstantFactor) {
+  const Grid grid = distorted_grid({0, 4, 0, 1, 8, 3});
+  const auto masses = lumped_masses(grid, ones(grid), kDensity);
+  Load gravity{{}, {}, std::vector<double>(masses.size(), 0.0), always};
+  for (std::uint32_t i = 0; i < masses.size(); ++i) {
+    gravity.points.push_back(i);
+    gravity.fx.push_back(9.81 * masses[i]);
+  }
+  const Motion fixed{points_at_x(grid, 0), Axis::kX, 0.0, always};
+  const double dt = 0.8 * critical_step(GetParam(), grid, kLaw, kDensity);
+  const auto run = [&](const TimeFactor& factor, std::span<const std::uint32_t> interface) {
+    gravity.factor = factor;
+    Continuum continuum(make_zones(GetParam(), grid, kLaw, ones(grid)), masses, {gravity}, {fixed});
+    if (!interface.empty()) continuum.set_interface(interface);
+    Energies e{};
+    for (std::uint64_t n = 0; n <= 200; ++n) continuum.step({n, dt}, &e);
+    return std::pair(e, std::vector(continuum.ux().begin(), continuum.ux().end()));
+  };
+  const auto [expected, ux] = run(always, {});
+  const double largest = std::ranges::max(ux);
+  EXPECT_GT(largest, 0);
+  const std::vector<std::uint32_t> interface { 0, 4, 8, 9, 13, 17, 22, 31 };
+  for (const auto& points : {std::vector<std::uint32_t>{}, interface}) {
+    const auto [steady, steady_ux] = run(nullptr, points);
+    EXPECT_NEAR(steady.external_work, expected.external_work, 1e-12 * expected.external_work);
+    EXPECT_NEAR(steady.kinetic + steady.strain, expected.kinetic + expected.strain,
+                1e-12 * expected.external_work);
+    for (std::size_t i = 0; i < ux.size(); ++i) EXPECT_NEAR(steady_ux[i], ux[i], 1e-12 * largest);
+  }
+}
+
 // A free block takes up the whole impulse of its load, and no more: momentum is conserved by the zones.
 TEST_P(ContinuumOfEachZone, MomentumOfAFreeBlockIsTheImpulseOfItsLoad) {
   const Grid grid = distorted_grid({0, 3, 0, 2, 6, 4});

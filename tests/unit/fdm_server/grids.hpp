@@ -41,7 +41,9 @@ inline Eigen::VectorXd forces(ZoneKind kind, const Grid& grid, const PlaneLaw& l
     vx[i] = u[2 * i];
     vy[i] = u[2 * i + 1];
   }
-  make_zones(kind, grid, law, ones(grid))->add_forces(1.0, {vx.data(), vy.data(), fx.data(), fy.data()});
+  const auto zones = make_zones(kind, grid, law, ones(grid));
+  zones->follow(vx.data(), vy.data());
+  zones->add_forces(1.0, {vx.data(), vy.data(), fx.data(), fy.data()});
   Eigen::VectorXd result(2 * n);
   for (std::size_t i = 0; i < n; ++i) {
     result[2 * i] = fx[i];

@@ -58,7 +58,7 @@ Errors errors(ZoneKind kind, std::uint32_t zones_y) {
         history.mutable_at()->set_x(x);
         history.mutable_at()->set_y(y);
       }
-  Histories histories(scene, grid);
+  Histories histories(scene, grid, {});
   protocol::Step step{0, dt};
   while (static_cast<double>(step.number) < steps) {
     ++step.number;
@@ -66,7 +66,7 @@ Errors errors(ZoneKind kind, std::uint32_t zones_y) {
     continuum->step(step);
   }
   Values values;
-  histories.read(grid, *continuum, step, values);
+  histories.read(grid, {}, *continuum, step, values);
   Errors errors;
   Figures size{};
   int next = 0;
@@ -109,7 +109,7 @@ TEST(Histories, FindUniformStrainInADistortedGrid) {
       const ZoneShares fit = fit_around(grid, zone, x, y);
       double sum = 0, linear = 0;
       for (std::size_t k = 0; k < fit.zones.size(); ++k) {
-        const Corners c = corners(grid, grid.zones[fit.zones[k]]);
+        const Corners c = corners(grid, fit.zones[k]);
         // the mean of x over a zone: by Green's theorem
         double moment = 0;
         for (std::size_t a = 0; a < 4; ++a) {

@@ -20,7 +20,7 @@ TEST(ZoneLocator, ShapeFunctionsReproduceThePoint) {
     const double x = -2 + 5 * std::fmod(0.618034 * i, 1.0), y = std::fmod(0.754878 * i, 1.0);
     const auto place = locator.locate(x, y);
     ASSERT_TRUE(place) << x << " " << y;
-    const auto c = corners(grid, grid.zones[place->zone]);
+    const auto c = corners(grid, place->zone);
     EXPECT_NEAR(std::inner_product(c.x.begin(), c.x.end(), place->shape.begin(), 0.0), x, 1e-13);
     EXPECT_NEAR(std::inner_product(c.y.begin(), c.y.end(), place->shape.begin(), 0.0), y, 1e-13);
     EXPECT_NEAR(std::accumulate(place->shape.begin(), place->shape.end(), 0.0), 1, 1e-15);

@@ -100,7 +100,7 @@ TEST(Peaks, AreTheAmplitudesOfAStandingWave) {
   EXPECT_NEAR(largest(peaks.motion().velocity()) / v, 1, 0.002);
   EXPECT_NEAR(largest(peaks.motion().acceleration()) / a, 1, 0.002);
   for (std::uint32_t z = 0; z < grid.zones.size(); z += 97) {
-    const Corners c = corners(grid, grid.zones[z]);
+    const Corners c = corners(grid, z);
     const auto full = wave.at((c.x[0] + c.x[2]) / 2, (c.y[0] + c.y[2]) / 2, quarter);
     const double mean = (full.sxx + full.syy) / 2, radius = std::hypot((full.sxx - full.syy) / 2, full.sxy);
     const double size = wave.law.bulk * StandingWave::kAmplitude * wave.l * wave.l;

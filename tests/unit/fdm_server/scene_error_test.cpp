@@ -42,6 +42,9 @@ std::string block(const std::string& x_min, const std::string& x_max, const std:
 std::string material(const std::string& e, const std::string& nu, const std::string& rho) {
   return "material { young_modulus: " + e + " poisson_ratio: " + nu + " density: " + rho + " } ";
 }
+const std::string kLining =
+    "linings { name: 'top' along { line { points { x: 0 y: 1 } points { x: 6 y: 1 } } } thickness: 0.5 "
+    "young_modulus: 30e9 } ";
 const std::string kZones = "zones_x: 4 zones_y: 2", kNowhere = "where { x_min: 7 } ";
 
 INSTANTIATE_TEST_SUITE_P(
@@ -68,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"edge_load_nowhere",
              "edge_loads { where { x_max: 0 } force { x: 1 } } edge_loads { where { x_min: 0.1 x_max: 0.4 } "
              "force { x: 1 } }",
-             "continuum.edge_loads[1].where", "holds no whole edge of the block's boundary"},
+             "continuum.edge_loads[1].where", "holds no whole edge of the continuum's boundary"},
         Case{"body_load_nowhere", "body_loads { " + kNowhere + "acceleration { y: -10 } }",
              "continuum.body_loads[0].where", "selects no grid points"},
         Case{"motion_nowhere", "motions { " + kNowhere + "velocity { x: 0 } }", "continuum.motions[0].where",
@@ -86,6 +89,14 @@ INSTANTIATE_TEST_SUITE_P(
              "motions { where { x_max: 0 } velocity { x: 1 } time { table { time: 1 time: 0 value: 0 value: "
              "1 } } }",
              "continuum.motions[0].time.table.time", "does not increase"},
+        Case{"history_of_no_lining", "histories { name: 'a' quantity: MOMENT at { x: 3 y: 1 } }",
+             "continuum.histories[0].lining", "is missing; name the lining"},
+        Case{"history_of_another_lining",
+             kLining + "histories { name: 'a' quantity: THRUST at { x: 3 y: 1 } lining: 'tob' }",
+             "continuum.histories[0].lining", "is `tob`, but no lining of the continuum has this name"},
+        Case{"history_off_the_lining",
+             kLining + "histories { name: 'a' quantity: THRUST at { x: 3 y: 0.5 } lining: 'top' }",
+             "continuum.histories[0].at", "m from the lining's nearest node"},
         Case{"history_outside", "histories { name: 'a' quantity: VELOCITY_X at { x: 9 y: 0 } }",
              "continuum.histories[0].at",
              "is (9, 0) m, where the continuum has no zone; its nearest grid point is (6, 0) m, put it inside"}),

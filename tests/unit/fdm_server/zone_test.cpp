@@ -72,6 +72,7 @@ TEST_P(EachZone, PassesThePatchTestOnDistortedQuadrilaterals) {
       vy[i] = eyy * grid.y[i] + 0.1 * gxy * grid.x[i];
     }
     const auto zones = make_zones(GetParam(), grid, law, ones(grid));
+    zones->follow(vx.data(), vy.data());
     zones->add_forces(1.0, {vx.data(), vy.data(), fx.data(), fy.data()});
 
     const double factor =
@@ -99,28 +100,57 @@ TEST_P(EachZone, StrainEnergyIsHalfDisplacementTimesForce) {
   std::vector<double> weights(grid.zones.size());
   for (std::size_t z = 0; z < weights.size(); ++z) weights[z] = 0.1 + 0.07 * static_cast<double>(z);
   const std::size_t n = grid.x.size();
-  std::vector<double> vx(n), vy(n), fx(n), fy(n);
+  std::vector<double> ux(n), uy(n), fx(n), fy(n);
   for (std::size_t i = 0; i < n; ++i) {
-    vx[i] = std::sin(3.7 * static_cast<double>(i));
-    vy[i] = std::cos(5.1 * static_cast<double>(i));
+    ux[i] = 1e-3 * std::sin(3.7 * static_cast<double>(i));
+    uy[i] = 1e-3 * std::cos(5.1 * static_cast<double>(i));
   }
   const auto zones = make_zones(GetParam(), grid, kStrain, weights);
-  zones->add_forces(1e-3, {vx.data(), vy.data(), fx.data(), fy.data()});
+  zones->follow(ux.data(), uy.data());
+  zones->add_forces(1.0, {ux.data(), uy.data(), fx.data(), fy.data()});
   double work = 0;
-  for (std::size_t i = 0; i < n; ++i) work -= 0.5 * 1e-3 * (vx[i] * fx[i] + vy[i] * fy[i]);
+  for (std::size_t i = 0; i < n; ++i) work -= 0.5 * (ux[i] * fx[i] + uy[i] * fy[i]);
   EXPECT_NEAR(zones->strain_energy(), work, 1e-13 * work);
 }
 
-// Rows of zones and single zones are computed alike: a run is cut nowhere, whatever its length.
+// Where displacements start over, the stresses stay, bending included: the same forces and the same energy.
+TEST_P(EachZone, StressesStayWhereDisplacementsStartOver) {
+  const Grid grid = distorted_grid({0, 2, 0, 1, 4, 3});
+  const std::size_t n = grid.x.size();
+  std::vector<double> ux(n), uy(n), before(n), after(n), fy(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    ux[i] = 1e-3 * std::sin(3.7 * static_cast<double>(i));
+    uy[i] = 1e-3 * std::cos(5.1 * static_cast<double>(i));
+  }
+  const auto zones = make_zones(GetParam(), grid, kStrain, ones(grid));
+  zones->follow(ux.data(), uy.data());
+  zones->set_stress(5, {1e6, -2e6, 3e5});
+  zones->add_forces(1.0, {ux.data(), uy.data(), before.data(), fy.data()});
+  const double energy = zones->strain_energy(), xx = zones->stress(5).xx;
+  zones->start_over();
+  std::ranges::fill(ux, 0.0);
+  std::ranges::fill(uy, 0.0);
+  zones->add_forces(1.0, {ux.data(), uy.data(), after.data(), fy.data()});
+  double largest = 0;
+  for (const double force : before) largest = std::max(largest, std::abs(force));
+  for (std::size_t i = 0; i < n; ++i) EXPECT_NEAR(after[i], before[i], 1e-14 * largest);
+  EXPECT_NEAR(zones->strain_energy(), energy, 1e-14 * energy);
+  EXPECT_NEAR(zones->stress(5).xx, xx, 1e-14 * std::abs(xx));
+}
+
+// Rows of zones and single zones are computed alike, whether the row's zones are equal or all different: a
+// run is cut nowhere, whatever its length.
 TEST_P(EachZone, ForcesDoNotDependOnHowZonesAreGrouped) {
-  const Grid grid = make_grid({0, 150, 0, 2, 150, 2});  // longer than two batches
-  Grid backwards = grid;                                // runs of one zone
-  std::ranges::reverse(backwards.zones);
-  const Eigen::VectorXd u = Eigen::VectorXd::NullaryExpr(
-      2 * static_cast<Eigen::Index>(grid.x.size()), [](Eigen::Index i) { return std::sin(1.3 * i * i); });
-  const Eigen::VectorXd f = forces(GetParam(), grid, kStress, u);
-  EXPECT_LE((f - forces(GetParam(), backwards, kStress, u)).cwiseAbs().maxCoeff(),
-            1e-13 * f.cwiseAbs().maxCoeff());
+  constexpr Block kBlock{0, 150, 0, 2, 150, 2};  // longer than two batches
+  for (const Grid& grid : {make_grid(kBlock), distorted_grid(kBlock)}) {
+    Grid backwards = grid;  // runs of one zone
+    std::ranges::reverse(backwards.zones);
+    const Eigen::VectorXd u = Eigen::VectorXd::NullaryExpr(
+        2 * static_cast<Eigen::Index>(grid.x.size()), [](Eigen::Index i) { return std::sin(1.3 * i * i); });
+    const Eigen::VectorXd f = forces(GetParam(), grid, kStress, u);
+    EXPECT_LE((f - forces(GetParam(), backwards, kStress, u)).cwiseAbs().maxCoeff(),
+              1e-13 * f.cwiseAbs().maxCoeff());
+  }
 }
 
 // Stiffness of the zone with the incompatible modes 1 - xi^2, 1 - eta^2 (Wilson, Taylor), condensed; written

@@ -1,10 +1,10 @@
-#include "coupler/bridging/polygon.hpp"
+#include "protocol/geometry/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace adit::coupler {
+namespace adit::geometry {
 namespace {
 
 Point operator-(const Point& a, const Point& b) {
@@ -68,7 +68,7 @@ class Polygon : public Shape {
  public:
   explicit Polygon(const std::vector<Loop>& loops) {
     for (const Loop& loop : loops) {
-      const auto more = coupler::sides(loop);
+      const auto more = geometry::sides(loop);
       sides_.insert(sides_.end(), more.begin(), more.end());
     }
   }
@@ -81,7 +81,7 @@ class Polygon : public Shape {
     double nearest = std::numeric_limits<double>::infinity();
     for (const Point& c : corners(box)) nearest = std::min(nearest, distance(c.x, c.y));
     for (const Side& side : sides_)
-      nearest = std::min(nearest, enters(side, box) ? 0.0 : coupler::distance(side.from, box));
+      nearest = std::min(nearest, enters(side, box) ? 0.0 : geometry::distance(side.from, box));
     return std::max(nearest, 0.0);
   }
 
@@ -147,4 +147,4 @@ std::shared_ptr<const Shape> polygon(const std::vector<Loop>& loops) {
   return std::make_shared<Polygon>(loops);
 }
 
-}  // namespace adit::coupler
+}  // namespace adit::geometry

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "coupler/bridging/shape.hpp"
+#include "protocol/geometry/shape.hpp"
 
-namespace adit::coupler {
+namespace adit::geometry {
 
 // Corners in order, either way round; the last is joined with the first.
 using Loop = std::vector<Point>;
@@ -27,4 +27,4 @@ double signed_distance(const std::vector<Side>& sides, const Point& point);
 // `loops`: simple ones that do not meet.
 std::shared_ptr<const Shape> polygon(const std::vector<Loop>& loops);
 
-}  // namespace adit::coupler
+}  // namespace adit::geometry

@@ -1,16 +1,18 @@
-// A shape as the scene states it.
+// Shapes as the scene states them.
 #pragma once
 
 #include <memory>
 #include <string>
 
-#include "coupler/bridging/shape.hpp"
+#include "protocol/geometry/shape.hpp"
 #include "protocol/scene.pb.h"
 
-namespace adit::coupler {
+namespace adit::geometry {
 
 // `path`: of the shape in the scene. Throws protocol::UserError for what encloses no area, crosses itself or
 // has holes that are not its own.
 std::shared_ptr<const Shape> read_shape(const scene::Shape& shape, const std::string& path);
+std::shared_ptr<const Shape> read_circle(const scene::Circle& circle);
+std::shared_ptr<const Shape> read_polygon(const scene::Polygon& polygon, const std::string& path);
 
-}  // namespace adit::coupler
+}  // namespace adit::geometry

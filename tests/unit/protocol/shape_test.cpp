@@ -1,14 +1,14 @@
 // Distances to shapes: closed forms, and dense points where there are none.
-#include "coupler/bridging/shape.hpp"
+#include "protocol/geometry/shape.hpp"
 
 #include <algorithm>
 #include <limits>
 
-#include "coupler/bridging/polygon.hpp"
-#include "coupler/bridging/read_shape.hpp"
+#include "protocol/geometry/polygon.hpp"
+#include "protocol/geometry/read_shape.hpp"
 #include "tests/unit/coupler/random_overlaps.hpp"
 
-namespace adit::coupler {
+namespace adit::geometry {
 namespace {
 
 scene::Shape parse(const std::string& text) {
@@ -109,4 +109,4 @@ TEST(Loop, IsSimpleIfItsSidesMeetInCornersOnly) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::geometry

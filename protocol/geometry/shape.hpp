@@ -1,12 +1,12 @@
-// The shapes that an overlap lies around, as far as an overlap asks: how far away is it?
+// Shapes of the plane, as far as areas and overlaps ask: how far away is it?
 #pragma once
 
 #include <array>
 #include <memory>
 
-#include "coupler/bridging/bounding_box.hpp"
+#include "protocol/geometry/bounding_box.hpp"
 
-namespace adit::coupler {
+namespace adit::geometry {
 
 struct Point {
   double x, y;  // [m]
@@ -32,4 +32,4 @@ std::shared_ptr<const Shape> half_plane(double x, double y, double normal_x, dou
 
 std::shared_ptr<const Shape> disc(double x, double y, double radius);
 
-}  // namespace adit::coupler
+}  // namespace adit::geometry

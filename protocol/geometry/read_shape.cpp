@@ -1,14 +1,14 @@
-#include "coupler/bridging/read_shape.hpp"
+#include "protocol/geometry/read_shape.hpp"
 
-#include <spdlog/fmt/fmt.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "coupler/bridging/polygon.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/geometry/polygon.hpp"
 
-namespace adit::coupler {
+namespace adit::geometry {
 namespace {
 
 using protocol::UserError;
@@ -46,6 +46,12 @@ bool encloses(const Loop& loop, const Loop& other) {
   return signed_distance(sides(loop), other.front()) < 0;
 }
 
+}  // namespace
+
+std::shared_ptr<const Shape> read_circle(const scene::Circle& circle) {
+  return disc(circle.centre().x(), circle.centre().y(), circle.radius());
+}
+
 std::shared_ptr<const Shape> read_polygon(const scene::Polygon& given, const std::string& path) {
   std::vector<Loop> loops = {read_corners(given.corners(), path + ".corners")};
   for (int i = 0; i < given.holes_size(); ++i) {
@@ -66,14 +72,12 @@ std::shared_ptr<const Shape> read_polygon(const scene::Polygon& given, const std
   return polygon(loops);
 }
 
-}  // namespace
-
 std::shared_ptr<const Shape> read_shape(const scene::Shape& shape, const std::string& path) {
   switch (shape.shape_case()) {
     case scene::Shape::kBox:
       return read_box(shape.box(), path + ".box");
     case scene::Shape::kCircle:
-      return disc(shape.circle().centre().x(), shape.circle().centre().y(), shape.circle().radius());
+      return read_circle(shape.circle());
     case scene::Shape::kPolygon:
       return read_polygon(shape.polygon(), path + ".polygon");
     case scene::Shape::SHAPE_NOT_SET:
@@ -82,4 +86,4 @@ std::shared_ptr<const Shape> read_shape(const scene::Shape& shape, const std::st
   throw UserError(path, "names no shape; give a box, a circle or a polygon");
 }
 
-}  // namespace adit::coupler
+}  // namespace adit::geometry

@@ -1,4 +1,4 @@
-#include "dem_server/packing.hpp"
+#include "dem_server/packing/hexagonal.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "coupler/bridging/shape.hpp"
+#include "protocol/geometry/shape.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tuple>
 
-namespace adit::coupler {
+namespace adit::geometry {
 namespace {
 
 // A convex shape covers a box if it holds its corners.
@@ -52,7 +52,7 @@ class Disc : public Shape {
   }
 
   double distance(const BoundingBox& box) const override {
-    return std::max(0.0, coupler::distance(centre_, box) - radius_);
+    return std::max(0.0, geometry::distance(centre_, box) - radius_);
   }
 
   bool covers(const BoundingBox& box) const override { return holds_corners(*this, box); }
@@ -87,4 +87,4 @@ std::shared_ptr<const Shape> disc(double x, double y, double radius) {
   return std::make_shared<Disc>(x, y, radius);
 }
 
-}  // namespace adit::coupler
+}  // namespace adit::geometry

@@ -1,0 +1,34 @@
+// Discs of any size: what a packing is before its particles are joined.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace adit::dem {
+
+struct Discs {
+  std::vector<double> x, y, radius;  // centre and radius [m]
+  std::size_t size() const { return x.size(); }
+};
+
+// Two discs, first < second.
+struct Pair {
+  std::uint32_t first, second;
+  bool operator==(const Pair&) const = default;
+};
+
+// Pairs whose gap, the distance of the centres less both radii, is at most `reach` [m]; ascending by first,
+// then by second.
+std::vector<Pair> pairs_within(const Discs& discs, double reach);
+
+// Keeps the discs for which keep[i] is set, in their order.
+void keep_only(const std::vector<bool>& keep, Discs& discs);
+
+// Which discs hold their neighbours: those left when discs with fewer than `fewest` contacts are taken away
+// until there are none. Contacts are the pairs, and `walls[i]` further ones of disc i (empty: none).
+std::vector<bool> without_floaters(std::size_t discs, std::span<const Pair> contacts,
+                                   std::span<const std::uint32_t> walls, std::uint32_t fewest);
+
+}  // namespace adit::dem

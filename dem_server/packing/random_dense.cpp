@@ -1,0 +1,126 @@
+#include "dem_server/packing/random_dense.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "dem_server/packing/pressed_discs.hpp"
+#include "protocol/motion/random.hpp"
+
+namespace adit::dem {
+namespace {
+
+constexpr double kStartScale = 0.5;
+constexpr int kGrowthSteps = 20;
+constexpr std::uint32_t kStepsWhileGrowing = 100, kStepsToRest = 200000;
+constexpr double kAtRest = 1e-3;  // mean unbalanced over mean contact force
+constexpr double kStressTolerance = 0.01;
+constexpr int kStressTrials = 60;
+// Change of stress, over the normal stiffness, with the logarithm of the radii: a lattice of six contacts a
+// disc has sqrt(3), one that has just jammed little.
+constexpr double kStiffest = 1.7, kSoftest = 0.2;
+constexpr double kLargestGrowth = 0.02, kLooseGrowth = 0.002;
+// Discs that press the walls by a smaller share of the stress than this are still loose.
+constexpr double kJammed = 1e-3;
+constexpr std::uint32_t kFewestContacts = 3;
+
+double area(const Rectangle& box) {
+  return (box.x_max - box.x_min) * (box.y_max - box.y_min);
+}
+
+double area(const Discs& discs) {
+  double sum = 0;
+  for (const double r : discs.radius) sum += std::numbers::pi * r * r;
+  return sum;
+}
+
+Discs draw(const RandomPacking& wanted) {
+  motion::Random random(wanted.seed);
+  const auto between = [&random](double low, double high) { return low + (high - low) * random.uniform(); };
+  const double solid = (1 - wanted.porosity) * area(wanted.box);
+  Discs discs;
+  for (double sum = 0; sum < solid;) {
+    const double r = between(wanted.radius_min, wanted.radius_max);
+    sum += std::numbers::pi * r * r;
+    discs.radius.push_back(r);
+    discs.x.push_back(between(wanted.box.x_min + r, wanted.box.x_max - r));
+    discs.y.push_back(between(wanted.box.y_min + r, wanted.box.y_max - r));
+  }
+  return discs;
+}
+
+void grow(PressedDiscs& pressed, const PackingProgress& progress) {
+  const double factor = std::pow(1 / kStartScale, 1.0 / kGrowthSteps);
+  for (int step = 1; step <= kGrowthSteps; ++step) {
+    pressed.relax(kAtRest, kStepsWhileGrowing);
+    pressed.scale_radii(factor);
+    progress(fmt::format("growing {} discs: step {} of {}", pressed.discs().size(), step, kGrowthSteps));
+  }
+}
+
+double mean_stress(const PressedDiscs& pressed) {
+  const auto [across, up] = pressed.wall_stress();
+  return (across + up) / 2;
+}
+
+// Changes all radii until the walls feel the stress: secants of stress over the logarithm of the radii.
+// Returns the factor of the radii, no value where the stress is not reached.
+std::optional<double> install_stress(double stress, PressedDiscs& pressed, const PackingProgress& progress) {
+  double stiffness = kStiffest, growth = 0, total = 0, before = 0;
+  for (int trial = 0; trial < kStressTrials; ++trial) {
+    if (!pressed.relax(kAtRest, kStepsToRest)) return std::nullopt;
+    const double reached = mean_stress(pressed);
+    progress(fmt::format("isotropic stress {:.4g} of {:.4g} times the normal stiffness", reached, stress));
+    if (std::abs(reached - stress) <= kStressTolerance * stress) return std::exp(total);
+    const bool jammed = reached > kJammed * stress;
+    if (jammed && before > 0) stiffness = std::clamp((reached - before) / growth, kSoftest, kStiffest);
+    before = jammed ? reached : 0;
+    growth =
+        jammed ? std::clamp((stress - reached) / stiffness, -kLargestGrowth, kLargestGrowth) : kLooseGrowth;
+    pressed.scale_radii(std::exp(growth));
+    total += growth;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+double count_random(const RandomPacking& wanted) {
+  const double a = wanted.radius_min, b = wanted.radius_max;
+  return (1 - wanted.porosity) * area(wanted.box) / (std::numbers::pi * (a * a + a * b + b * b) / 3);
+}
+
+std::optional<GrownPacking> pack_randomly(const RandomPacking& wanted, const PackingProgress& progress) {
+  PressedDiscs pressed(draw(wanted), wanted.box);
+  pressed.scale_radii(kStartScale);
+  grow(pressed, progress);
+  const auto factor = install_stress(wanted.stress, pressed, progress);
+  if (!factor) return std::nullopt;
+
+  GrownPacking grown;
+  grown.discs = pressed.discs();
+  const auto contacts = pressed.contacts();
+  const auto walls = pressed.wall_contacts();
+  const auto keep = without_floaters(grown.discs.size(), contacts, walls, kFewestContacts);
+  std::size_t ends = 0, held = 0;
+  for (const auto [i, j] : contacts)
+    if (keep[i] && keep[j]) ends += 2;
+  for (std::size_t i = 0; i < keep.size(); ++i)
+    if (keep[i]) {
+      ends += walls[i];
+      ++held;
+    }
+  const auto [across, up] = pressed.wall_stress();
+  grown.state = {1 - area(grown.discs) / area(wanted.box),
+                 across,
+                 up,
+                 held > 0 ? static_cast<double>(ends) / static_cast<double>(held) : 0,
+                 *factor,
+                 keep.size() - held};
+  if (!wanted.keep_floaters) keep_only(keep, grown.discs);
+  return grown;
+}
+
+}  // namespace adit::dem

@@ -1,0 +1,51 @@
+// Random dense packing of discs in a box, grown to a stated isotropic stress.
+//
+// The procedure of Potyondy & Cundall 2004, Int. J. Rock Mech. Min. Sci. 41, 1329, section 3: discs of random
+// sizes are drawn until they fill the box to the porosity, thrown into it at half their size, grown to full
+// size and brought to rest without friction; then all radii change together until the walls feel the stress.
+// A last step takes away the floaters, discs with fewer than three contacts, which carry nothing.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "dem_server/packing/discs.hpp"
+#include "dem_server/packing/hexagonal.hpp"
+
+namespace adit::dem {
+
+struct RandomPacking {
+  Rectangle box;
+  double radius_min, radius_max;  // sizes are uniform between them [m]
+  double porosity;                // of the discs as drawn; random frictionless discs jam near 0.16
+  double stress;                  // isotropic, compression positive, over the contacts' normal stiffness
+  std::uint64_t seed;
+  bool keep_floaters = false;
+};
+
+// What was reached.
+struct PackingState {
+  double porosity;            // 1 - area of the discs / area of the box, floaters included
+  double stress_x, stress_y;  // of the walls, over the normal stiffness
+  double coordination;        // mean number of contacts of the discs that are no floaters, walls included
+  double radius_factor;       // by which the drawn radii had to be changed
+  std::size_t floaters;
+};
+
+struct GrownPacking {
+  Discs discs;
+  PackingState state;
+};
+
+using PackingProgress = std::function<void(const std::string& what)>;
+
+// No value where the stress was not reached within 1 %: the porosity asked for is too far from where discs
+// jam.
+std::optional<GrownPacking> pack_randomly(const RandomPacking& wanted, const PackingProgress& progress);
+
+// Number of discs that would be drawn, in the mean.
+double count_random(const RandomPacking& wanted);
+
+}  // namespace adit::dem

@@ -1,0 +1,27 @@
+// Which particles are joined by a bond, whole or broken.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dem_server/assembly.hpp"
+
+namespace adit::dem {
+
+class Partners {
+ public:
+  Partners() = default;
+  Partners(const Bonds& bonds, std::size_t particles);
+
+  // Those of a higher number, in the bonds' order.
+  std::span<const std::uint32_t> above(std::uint32_t particle) const {
+    return std::span(higher_).subspan(starts_[particle], starts_[particle + 1] - starts_[particle]);
+  }
+  bool joined(std::uint32_t a, std::uint32_t b) const;
+
+ private:
+  std::vector<std::uint32_t> starts_, higher_;  // compressed rows
+};
+
+}  // namespace adit::dem

@@ -1,0 +1,236 @@
+#include "fdm_server/solver/sweep.hpp"
+
+#include <algorithm>
+#include <thread>
+
+namespace adit::fdm {
+namespace {
+
+using protocol::Stretch;
+
+// Of zones. A chunk is worth a thread's call and has many rows, so that few points belong to two.
+constexpr std::size_t kLeastChunk = 4096, kRows = 16, kBlock = 512;
+
+// Calls visit(point) for each corner of each zone.
+template <class Visit>
+void for_each_corner(std::span<const ZoneRun> runs, Visit&& visit) {
+  for (const ZoneRun& run : runs)
+    for (std::uint32_t k = 0; k < run.count; ++k)
+      for (const auto point : run.points) visit(static_cast<std::uint32_t>(point) + k);
+}
+
+// Cuts runs into pieces of about `size` zones.
+std::vector<std::span<const ZoneRun>> pieces(std::span<const ZoneRun> runs, std::size_t size) {
+  std::size_t zones = 0;
+  for (const ZoneRun& run : runs) zones += run.count;
+  const std::size_t count = std::max<std::size_t>(1, zones / size);
+  std::vector<std::span<const ZoneRun>> result;
+  std::size_t begin = 0, done = 0;
+  for (std::size_t end = 0; end < runs.size(); ++end) {
+    done += runs[end].count;
+    if (done * count < zones * (result.size() + 1)) continue;
+    result.push_back(runs.subspan(begin, end + 1 - begin));
+    begin = end + 1;
+  }
+  return result;
+}
+
+// `points` ascend.
+void append(std::vector<Stretch>& stretches, std::span<const std::uint32_t> points) {
+  for (const auto point : points)
+    if (!stretches.empty() && stretches.back().end == point)
+      ++stretches.back().end;
+    else
+      stretches.push_back({point, point + 1});
+}
+
+void move(std::span<const Stretch> stretches, double dt, const PointColumns& points) {
+  for (const auto [begin, end] : stretches)
+#pragma GCC ivdep
+    for (std::size_t i = begin; i < end; ++i) {
+      points.ux[i] += dt * points.vx[i];
+      points.uy[i] += dt * points.vy[i];
+    }
+}
+
+void add_steady(std::span<const Stretch> stretches, const PointColumns& points, double* fx, double* fy) {
+  if (!points.steady_x) return;
+  for (const auto [begin, end] : stretches)
+#pragma GCC ivdep
+    for (std::size_t i = begin; i < end; ++i) {
+      fx[i] += points.steady_x[i];
+      fy[i] += points.steady_y[i];
+    }
+}
+
+void predict(std::span<const Stretch> stretches, double kick, const PointColumns& points, double* fx,
+             double* fy) {
+  for (const auto [begin, end] : stretches)
+#pragma GCC ivdep
+    for (std::size_t i = begin; i < end; ++i) {
+      points.vx[i] += kick * (points.inverse_mass_x[i] * fx[i]);
+      points.vy[i] += kick * (points.inverse_mass_y[i] * fy[i]);
+      fx[i] = 0;
+      fy[i] = 0;
+    }
+}
+
+// to += from, from = 0
+void pour(std::size_t count, double* from, double* to) {
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < count; ++i) {
+    to[i] += from[i];
+    from[i] = 0;
+  }
+}
+
+}  // namespace
+
+std::size_t useful_threads(std::size_t zones) {
+  return std::clamp<std::size_t>(zones / (2 * kLeastChunk), 1,
+                                 std::max(1u, std::thread::hardware_concurrency()));
+}
+
+// Of each point: the first and last chunk with a zone that pulls on it, and the last block seen to do so.
+struct Sweep::Survey {
+  std::vector<std::uint32_t> first, last, block;
+  std::uint32_t blocks = 1;  // seen, and one
+
+  bool shared(std::uint32_t point) const { return first[point] != last[point]; }
+};
+
+Sweep::Sweep(std::span<const ZoneRun> runs, std::span<const Role> roles, const std::vector<bool>& moved,
+             std::size_t threads)
+    : runs_(runs.begin(), runs.end()), buffers_(threads) {
+  std::size_t longest = 0;
+  for (const ZoneRun& run : runs_) longest = std::max<std::size_t>(longest, run.count);
+  const auto parts = pieces(runs_, std::max(kLeastChunk, kRows * longest));
+  chunks_.resize(std::max<std::size_t>(1, parts.size()));
+
+  constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  Survey survey{std::vector(roles.size(), kNone), std::vector(roles.size(), kNone),
+                std::vector(roles.size(), 0u)};
+  for (std::uint32_t c = 0; c < parts.size(); ++c)
+    for_each_corner(parts[c], [&](std::uint32_t point) {
+      survey.first[point] = std::min(survey.first[point], c);
+      survey.last[point] = c;
+    });
+  for (std::uint32_t c = 0; c < parts.size(); ++c) fill(c, parts[c], roles, moved, survey);
+
+  std::vector<std::uint32_t> to_move, kept;  // without zones
+  for (std::uint32_t point = 0; point < roles.size(); ++point) {
+    if (survey.first[point] != kNone) continue;
+    if (moved[point]) to_move.push_back(point);
+    if (roles[point] == Role::kKept) kept.push_back(point);
+  }
+  append(chunks_[0].moved, to_move);
+  append(chunks_[0].kept, kept);
+}
+
+void Sweep::fill(std::uint32_t number, std::span<const ZoneRun> runs, std::span<const Role> roles,
+                 const std::vector<bool>& moved, Survey& survey) {
+  struct Points {
+    std::vector<std::uint32_t> moved, swept, left;
+  };
+  const auto parts = pieces(runs, kBlock);
+  const std::uint32_t before = survey.blocks;
+  std::vector<Points> of_block(parts.size());
+  std::vector<std::uint32_t> all;
+  for (const auto part : parts) {
+    for_each_corner(part, [&](std::uint32_t point) {
+      if (survey.block[point] < before) {
+        all.push_back(point);
+        if (moved[point] && !survey.shared(point)) of_block[survey.blocks - before].moved.push_back(point);
+      }
+      survey.block[point] = survey.blocks;
+    });
+    ++survey.blocks;
+  }
+  std::ranges::sort(all);
+
+  Chunk& chunk = chunks_[number];
+  Points first;  // of several chunks, this one the first
+  std::vector<std::uint32_t> kept;
+  for (const auto point : all) {
+    const bool is_first = survey.first[point] == number, swept = roles[point] == Role::kSwept;
+    if (is_first && roles[point] == Role::kKept) kept.push_back(point);
+    if (!survey.shared(point)) {
+      auto& points = of_block[survey.block[point] - before];
+      (swept ? points.swept : points.left).push_back(point);
+      continue;
+    }
+    if (is_first && moved[point]) first.moved.push_back(point);
+    if (is_first && swept) first.swept.push_back(point);
+    share(number, survey.first[point], point);
+  }
+  append(chunk.moved, first.moved);
+  append(chunk.swept, first.swept);
+  append(chunk.kept, kept);
+  for (std::size_t b = 0; b < parts.size(); ++b) {
+    auto& points = of_block[b];
+    std::ranges::sort(points.moved);
+    Block& block = chunk.blocks.emplace_back();
+    block.runs = parts[b];
+    append(block.moved, points.moved);
+    append(block.swept, points.swept);
+    append(block.left, points.left);
+  }
+  chunk.first_point = all.front();
+  for (Buffer& buffer : buffers_) buffer.hold(all.back() + 1 - all.front());
+}
+
+// A place where the forces of a chunk on a point wait to be summed by the first chunk that has it.
+void Sweep::share(std::uint32_t chunk, std::uint32_t first, std::uint32_t point) {
+  auto &shared = chunks_[chunk].shared, &sums = chunks_[first].sums;
+  if (!shared.empty() && shared.back().points.end == point && !sums.empty() &&
+      sums.back().place == shared.back().place) {
+    shared.back().points.end = sums.back().points.end = point + 1;
+  } else {
+    shared.push_back({{point, point + 1}, waiting_.x.size()});
+    sums.push_back(shared.back());
+  }
+  waiting_.hold(waiting_.x.size() + 1);
+}
+
+void Sweep::run(protocol::Team& team, Zones& zones, double dt, double kick, const PointColumns& points) {
+  team.run(chunks_.size(), [&](std::size_t c, std::size_t) { move(chunks_[c].moved, dt, points); });
+  team.run(chunks_.size(), [&](std::size_t c, std::size_t thread) {
+    compute(chunks_[c], buffers_[thread], zones, dt, kick, points);
+  });
+  team.run(chunks_.size(), [&](std::size_t c, std::size_t) {
+    for (const auto& [stretch, place] : chunks_[c].sums) {
+      pour(stretch.end - stretch.begin, &waiting_.x[place], points.fx + stretch.begin);
+      pour(stretch.end - stretch.begin, &waiting_.y[place], points.fy + stretch.begin);
+    }
+    for (const Stretches* own : {&chunks_[c].swept, &chunks_[c].kept})
+      add_steady(*own, points, points.fx, points.fy);
+    fdm::predict(chunks_[c].swept, kick, points, points.fx, points.fy);
+  });
+}
+
+void Sweep::compute(const Chunk& chunk, Buffer& buffer, Zones& zones, double dt, double kick,
+                    const PointColumns& points) {
+  double *fx = buffer.x.data() - chunk.first_point, *fy = buffer.y.data() - chunk.first_point;
+  for (const Block& block : chunk.blocks) {
+    move(block.moved, dt, points);
+    zones.add_forces(block.runs, dt, {points.vx, points.vy, fx, fy});
+    add_steady(block.swept, points, fx, fy);
+    fdm::predict(block.swept, kick, points, fx, fy);
+    for (const auto [begin, end] : block.left) {
+      pour(end - begin, fx + begin, points.fx + begin);
+      pour(end - begin, fy + begin, points.fy + begin);
+    }
+  }
+  for (const auto& [stretch, place] : chunk.shared) {
+    pour(stretch.end - stretch.begin, fx + stretch.begin, &waiting_.x[place]);
+    pour(stretch.end - stretch.begin, fy + stretch.begin, &waiting_.y[place]);
+  }
+}
+
+void Sweep::predict(protocol::Team& team, double kick, const PointColumns& points) const {
+  team.run(chunks_.size(), [&](std::size_t c, std::size_t) {
+    fdm::predict(chunks_[c].kept, kick, points, points.fx, points.fy);
+  });
+}
+
+}  // namespace adit::fdm

@@ -1,0 +1,99 @@
+// The order in which a step takes zones and points: one way through memory, shared by threads.
+//
+// A zone needs its points moved; a point is complete once the last of its zones has pulled on it. So zones
+// are taken in blocks of some rows: move the points that a block is the first to meet, add its forces,
+// predict the velocities of the points that it is the last to pull on. Forces live in a buffer in the cache,
+// never in memory.
+//
+// Blocks belong to chunks, fixed by the grid and not by the number of threads. A point of several chunks is
+// moved before all of them, and gets their forces, in their order, after them: results are the same to the
+// bit whoever computed what.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "fdm_server/zones/zones.hpp"
+#include "protocol/stretches.hpp"
+#include "protocol/team.hpp"
+
+namespace adit::fdm {
+
+// One value a point: displacements, velocities, forces for others to add to, inverse masses; steady forces,
+// which every point gets beside those of its zones, null where there are none.
+struct PointColumns {
+  double *ux, *uy, *vx, *vy, *fx, *fy;
+  const double *inverse_mass_x, *inverse_mass_y;
+  const double *steady_x, *steady_y;
+};
+
+// What a sweep does with a point, if its zones pull on it.
+enum class Role : std::uint8_t {
+  kForeign,  // adds the forces to fx, fy; another sweep predicts it
+  kKept,     // adds the forces to fx, fy, for predict() to take with what else is added there
+  kSwept,    // predicts it at once: nothing else pulls on it
+};
+
+// How many threads of this machine are worth calling for a grid of so many zones.
+std::size_t useful_threads(std::size_t zones);
+
+class Sweep {
+ public:
+  Sweep() = default;
+  // `roles` and `moved`, whether this sweep moves it: of every point of the grid. No swept point is without
+  // zones.
+  Sweep(std::span<const ZoneRun> runs, std::span<const Role> roles, const std::vector<bool>& moved,
+        std::size_t threads);
+  Sweep(Sweep&&) = default;
+  Sweep& operator=(Sweep&&) = default;
+
+  // Moves by dt v, then adds the zones' forces and predicts the swept points: v += kick f/m.
+  void run(protocol::Team& team, Zones& zones, double dt, double kick, const PointColumns& points);
+  // Predicts the kept points, and empties their fx, fy.
+  void predict(protocol::Team& team, double kick, const PointColumns& points) const;
+
+ private:
+  using Stretches = std::vector<protocol::Stretch>;
+  struct Survey;
+  struct Block {
+    std::span<const ZoneRun> runs;
+    Stretches moved, swept, left;  // left: forces go to fx, fy
+  };
+  // Points of several chunks, and where their forces from one of these wait.
+  struct Shared {
+    protocol::Stretch points;
+    std::size_t place;
+  };
+  struct Chunk {
+    std::uint32_t first_point = 0;  // in the buffer
+    std::vector<Block> blocks;
+    std::vector<Shared> shared;
+    // of the points that no earlier chunk has: those to move before all chunks, forces to be summed after
+    // them, then to be predicted; and those that are kept
+    Stretches moved;
+    std::vector<Shared> sums;
+    Stretches swept, kept;
+  };
+  struct Buffer {
+    std::vector<double> x, y;
+    void hold(std::size_t size) {
+      if (size <= x.size()) return;
+      x.resize(size, 0.0);
+      y.resize(size, 0.0);
+    }
+  };
+
+  void fill(std::uint32_t number, std::span<const ZoneRun> runs, std::span<const Role> roles,
+            const std::vector<bool>& moved, Survey& survey);
+  void share(std::uint32_t chunk, std::uint32_t first, std::uint32_t point);
+  void compute(const Chunk& chunk, Buffer& buffer, Zones& zones, double dt, double kick,
+               const PointColumns& points);
+
+  std::vector<ZoneRun> runs_;
+  std::vector<Chunk> chunks_;
+  std::vector<Buffer> buffers_;  // of each thread: forces of the chunk in work
+  Buffer waiting_;               // forces at points of several chunks
+};
+
+}  // namespace adit::fdm

@@ -1,0 +1,60 @@
+#include "fdm_server/structures/beam.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adit::fdm {
+
+Chord chord(double x1, double y1, double x2, double y2) {
+  const double length = std::hypot(x2 - x1, y2 - y1);
+  return {(x2 - x1) / length, (y2 - y1) / length, length};
+}
+
+Beam::Beam(std::array<std::uint32_t, 2> points, std::array<std::uint32_t, 2> rotations, const Chord& chord,
+           const Section& section)
+    : points_(points),
+      rotations_(rotations),
+      chord_(chord),
+      axial_(section.axial / chord.length),
+      bending_(section.bending / chord.length),
+      mass_(section.mass * chord.length / 2),
+      inertia_(3 * section.rotary * chord.length / 2) {
+  const double phi = 12 * section.bending / (section.shear * chord.length * chord.length);
+  shear_ = 3 * bending_ / (1 + phi);
+}
+
+double Beam::critical_step() const {
+  const double extension = 2 * axial_ / mass_, bending = 2 * bending_ / inertia_;
+  const double shear = shear_ * (8 / (mass_ * chord_.length * chord_.length) + 2 / inertia_);
+  return 2 / std::sqrt(std::max({extension, bending, shear}));
+}
+
+void Beam::add_forces(double dt, const PointView& points, const RotationView& rotations) {
+  const auto [p, q] = points_;
+  const auto [i, j] = rotations_;
+  const double vx = points.vx[q] - points.vx[p], vy = points.vy[q] - points.vy[p];
+  const double along = chord_.x * vx + chord_.y * vy, across = chord_.x * vy - chord_.y * vx;
+  const double lever = 2 / chord_.length;
+  n_ += dt * axial_ * along;
+  b_ += dt * bending_ * (rotations.rate[j] - rotations.rate[i]);
+  s_ += dt * shear_ * (rotations.rate[i] + rotations.rate[j] - lever * across);
+
+  const double q_force = -lever * s_;
+  const double fx = chord_.x * n_ - chord_.y * q_force, fy = chord_.y * n_ + chord_.x * q_force;
+  points.fx[p] += fx;
+  points.fy[p] += fy;
+  points.fx[q] -= fx;
+  points.fy[q] -= fy;
+  rotations.couple[i] += b_ - s_;
+  rotations.couple[j] -= b_ + s_;
+}
+
+BeamForces Beam::forces() const {
+  return {n_, -2 / chord_.length * s_, b_ - s_, b_ + s_};
+}
+
+double Beam::strain_energy() const {
+  return (n_ * n_ / axial_ + b_ * b_ / bending_ + s_ * s_ / shear_) / 2;
+}
+
+}  // namespace adit::fdm

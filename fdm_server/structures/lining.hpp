@@ -1,0 +1,47 @@
+// A lining: a chain of beams along grid points, open or closed, with joints at some of them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "fdm_server/grid/grid.hpp"
+#include "fdm_server/structures/structures.hpp"
+
+namespace adit::fdm {
+
+// Grid points in order; the last is joined to the first where the path is closed.
+struct Path {
+  std::vector<std::uint32_t> points;
+  bool closed;
+};
+
+struct LiningJoint {
+  std::size_t node;  // place in the path
+  double stiffness;  // [N m/rad], 0: a hinge
+  double yield;      // moment [N m]
+};
+
+struct LiningPlan {
+  std::string name;
+  Path path;
+  Section section;
+  std::vector<LiningJoint> joints;
+  bool first_held, last_held;  // whether the ends of an open lining cannot rotate
+};
+
+struct Lining {
+  std::string name;
+  Path path;
+  std::uint32_t first_beam, beams;  // numbers in the structures
+};
+
+Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structures);
+
+// At a node of the lining: the mean of what the beams on its two sides carry there.
+struct LiningForces {
+  double thrust, moment, shear;  // [N], [N m], [N], signs as in beam.hpp
+};
+LiningForces forces_at(const Lining& lining, const Structures& structures, std::size_t node);
+
+}  // namespace adit::fdm

@@ -1,0 +1,138 @@
+#include "fdm_server/structures/structures.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace adit::fdm {
+namespace {
+
+std::vector<std::uint32_t> numbers(std::size_t count) {
+  std::vector<std::uint32_t> all(count);
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
+
+// Moves the numbers that pass out of a list; both keep their order.
+template <class Test>
+std::vector<std::uint32_t> take_if(std::vector<std::uint32_t>& list, Test&& passes) {
+  std::vector<std::uint32_t> taken;
+  std::ranges::copy_if(list, std::back_inserter(taken), passes);
+  std::erase_if(list, passes);
+  return taken;
+}
+
+}  // namespace
+
+std::uint32_t Structures::add_rotation(std::uint32_t point, bool held) {
+  point_.push_back(point);
+  held_.push_back(held);
+  for (auto* column : {&angle_, &rate_, &rate_before_, &couple_, &inertia_}) column->push_back(0.0);
+  return static_cast<std::uint32_t>(point_.size() - 1);
+}
+
+std::uint32_t Structures::add_beam(const Beam& beam) {
+  for (const auto rotation : beam.rotations()) inertia_[rotation] += beam.end_inertia();
+  beams_.push_back(beam);
+  return static_cast<std::uint32_t>(beams_.size() - 1);
+}
+
+std::uint32_t Structures::add_bar(const Bar& bar) {
+  bars_.push_back(bar);
+  return static_cast<std::uint32_t>(bars_.size() - 1);
+}
+
+void Structures::add_joint(std::uint32_t first, std::uint32_t second, double stiffness, double yield,
+                           double dt) {
+  for (const auto rotation : {first, second}) inertia_[rotation] += stiffness * dt * dt / 2;
+  joints_.push_back({first, second, {stiffness, yield}});
+}
+
+void Structures::add_masses(std::span<double> of_points) const {
+  for (const auto& beam : beams_)
+    for (const auto point : beam.points()) of_points[point] += beam.end_mass();
+  for (const auto& bar : bars_)
+    for (const auto point : bar.points()) of_points[point] += bar.end_mass();
+}
+
+void Structures::mark_points(std::vector<bool>& touched) const {
+  for (const auto& beam : beams_)
+    for (const auto point : beam.points()) touched[point] = true;
+  for (const auto& bar : bars_)
+    for (const auto point : bar.points()) touched[point] = true;
+}
+
+double Structures::critical_step() const {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const auto& beam : beams_) smallest = std::min(smallest, beam.critical_step());
+  for (const auto& bar : bars_) smallest = std::min(smallest, bar.critical_step());
+  return smallest;
+}
+
+Structures::Part Structures::all() const {
+  return {numbers(beams_.size()), numbers(bars_.size()), numbers(joints_.size()), numbers(point_.size())};
+}
+
+Structures::Part Structures::take(Part& part, const std::vector<bool>& chosen) const {
+  const auto touches = [&chosen](const auto& element) {
+    return std::ranges::any_of(element.points(), [&](auto point) { return chosen[point]; });
+  };
+  return {take_if(part.beams, [&](auto i) { return touches(beams_[i]); }),
+          take_if(part.bars, [&](auto i) { return touches(bars_[i]); }),
+          take_if(part.joints, [&](auto i) { return chosen[point_[joints_[i].first]]; }),
+          take_if(part.rotations, [&](auto i) { return chosen[point_[i]]; })};
+}
+
+void Structures::add_forces(const Part& part, double dt, const PointView& points) {
+  const RotationView rotations{rate_.data(), couple_.data()};
+  for (const auto i : part.beams) beams_[i].add_forces(dt, points, rotations);
+  for (const auto i : part.bars) dissipated_ += bars_[i].add_forces(dt, points);
+  for (const auto i : part.joints) {
+    auto& [first, second, spring] = joints_[i];
+    dissipated_ += spring.strain(dt * (rate_[second] - rate_[first]));
+    couple_[first] += spring.force();
+    couple_[second] -= spring.force();
+  }
+}
+
+void Structures::move_and_predict(const Part& part, const protocol::Step& step) {
+  for (const auto i : part.rotations) {
+    angle_[i] += step.dt * rate_[i];
+    rate_before_[i] = rate_[i];
+    if (!held_[i]) rate_[i] += step.kick() * (couple_[i] / inertia_[i]);
+    couple_[i] = 0;
+  }
+}
+
+void Structures::stop() {
+  std::ranges::fill(rate_, 0.0);
+}
+
+void Structures::start_over() {
+  stop();
+  std::ranges::fill(angle_, 0.0);
+  dissipated_ = 0;
+}
+
+double Structures::twice_kinetic_energy(const protocol::Step& step) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < rate_.size(); ++i)
+    sum += inertia_[i] * (step.from_rest() ? -rate_[i] : rate_before_[i]) * rate_[i];
+  return sum;
+}
+
+double Structures::rotational_energy() const {
+  double twice = 0;
+  for (std::size_t i = 0; i < rate_.size(); ++i) twice += inertia_[i] * rate_[i] * rate_[i];
+  return twice / 2;
+}
+
+double Structures::strain_energy() const {
+  double sum = 0;
+  for (const auto& beam : beams_) sum += beam.strain_energy();
+  for (const auto& bar : bars_) sum += bar.strain_energy();
+  for (const auto& joint : joints_) sum += joint.spring.strain_energy();
+  return sum;
+}
+
+}  // namespace adit::fdm

@@ -1,0 +1,79 @@
+// Linings and bolts of a grid: beams and bars between its points, the beams' rotations, joints between them.
+//
+// Translations are the points', rotations move here, by the same central differences (continuum.hpp).
+// A joint is a spring between the rotations of two beams at one point; without a spring they are hinged.
+// It brings rotary inertia of its own, J = k dt^2/2 on either side, so that its frequency 2k/J is that of the
+// lining's beams, 4/dt^2: stiff joints do not shorten the step.
+//
+// Critical step: all beams, bars, joints and zones bring their own masses to the points and rotations, hence
+// M = sum M_e as K = sum K_e, and u.Ku/u.Mu is a mean of the elements' quotients with weights u.M_e u >= 0
+// (zones/critical_step.hpp): no frequency of ground and lining together exceeds the largest of one element.
+//
+// No energy weights: where an overlap thins the ground, the lining stays whole.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "fdm_server/structures/bar.hpp"
+#include "fdm_server/structures/beam.hpp"
+#include "fdm_server/structures/yielding_spring.hpp"
+#include "protocol/step.hpp"
+
+namespace adit::fdm {
+
+class Structures {
+ public:
+  // Rotation of a beam's end at a point; a held one stays 0, as on a plane of symmetry. Returns its number.
+  std::uint32_t add_rotation(std::uint32_t point, bool held = false);
+  // Return the number of the beam, of the bar.
+  std::uint32_t add_beam(const Beam& beam);
+  std::uint32_t add_bar(const Bar& bar);
+  // `dt`: a critical step of the lining's beams. Stiffness > 0 [N m/rad], yield moment [N m].
+  void add_joint(std::uint32_t first, std::uint32_t second, double stiffness, double yield, double dt);
+
+  void add_masses(std::span<double> of_points) const;
+  void mark_points(std::vector<bool>& touched) const;
+  double critical_step() const;  // [s], infinite where there is nothing
+
+  // What is computed together, by numbers.
+  struct Part {
+    std::vector<std::uint32_t> beams, bars, joints, rotations;
+  };
+  Part all() const;
+  // Moves out of a part what touches a chosen point; of the rotations those at chosen points.
+  Part take(Part& part, const std::vector<bool>& chosen) const;
+
+  void add_forces(const Part& part, double dt, const PointView& points);
+  void move_and_predict(const Part& part, const protocol::Step& step);
+  void stop();        // rates become 0
+  void start_over();  // and rotations, and what was dissipated
+
+  // Of the last step: twice the kinetic energy of the rotations in the leap-frog's form [J].
+  double twice_kinetic_energy(const protocol::Step& step) const;
+  double rotational_energy() const;                  // of the present rates [J]
+  double strain_energy() const;                      // [J]
+  double dissipated() const { return dissipated_; }  // by yield, since the start [J]
+
+  std::span<const Beam> beams() const { return beams_; }
+  std::span<const Bar> bars() const { return bars_; }
+  std::span<const double> rotations() const { return angle_; }  // since the start [rad]
+
+ private:
+  struct Joint {
+    std::uint32_t first, second;  // rotations
+    YieldingSpring spring;
+  };
+
+  std::vector<Beam> beams_;
+  std::vector<Bar> bars_;
+  std::vector<Joint> joints_;
+  // one a rotation
+  std::vector<std::uint32_t> point_;
+  std::vector<std::uint8_t> held_;
+  std::vector<double> angle_, rate_, rate_before_, couple_, inertia_;
+  double dissipated_ = 0;
+};
+
+}  // namespace adit::fdm

@@ -1,0 +1,65 @@
+// Threads that share the work of one step: started once, woken for each call, bound to no step.
+//
+// A step of some thousand zones takes tens of microseconds: waking a sleeping thread would cost as much. So
+// the others spin for a while after a call, and sleep only when the next one does not come.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace adit::protocol {
+
+class Team {
+ public:
+  // Of the calling thread and `threads` - 1 others.
+  explicit Team(std::size_t threads = 1);
+  ~Team();
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
+
+  std::size_t threads() const { return others_.size() + 1; }
+
+  // Calls work(task, thread) for the tasks 0 … count - 1, each thread for a stretch of them of nearly equal
+  // length, always the same one. Returns when all are done. `work` must not throw.
+  template <class Work>
+  void run(std::size_t count, Work&& work) {
+    const auto stretch = [&](std::size_t thread) {
+      for (std::size_t i = count * thread / threads(); i < count * (thread + 1) / threads(); ++i)
+        work(i, thread);
+    };
+    if (count > 1 && !others_.empty())
+      call(stretch);
+    else
+      for (std::size_t i = 0; i < count; ++i) work(i, 0);
+  }
+
+ private:
+  // A reference to the call's function, without allocation.
+  struct Call {
+    const void* function = nullptr;
+    void (*invoke)(const void* function, std::size_t thread) = nullptr;
+  };
+
+  template <class Stretch>
+  void call(const Stretch& stretch) {
+    call_ = {&stretch, [](const void* function, std::size_t thread) {
+               (*static_cast<const Stretch*>(function))(thread);
+             }};
+    begin();
+    stretch(0);
+    await_others();
+  }
+  void begin();
+  void await_others();
+  void serve(std::size_t thread);
+
+  Call call_;
+  alignas(64) std::atomic<std::uint64_t> calls_{0};     // begun; the top bit tells the threads to end
+  alignas(64) std::atomic<std::uint64_t> finished_{0};  // by the other threads, in all
+  std::vector<std::thread> others_;
+};
+
+}  // namespace adit::protocol

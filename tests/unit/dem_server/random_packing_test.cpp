@@ -1,0 +1,117 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "dem_server/packing/pressed_discs.hpp"
+#include "dem_server/packing/random_dense.hpp"
+#include "dem_server/packing/square.hpp"
+
+namespace adit::dem {
+namespace {
+
+const RandomPacking kWanted{{-1, 2, 5, 6}, 0.03, 0.05, 0.16, 1e-3, 7};
+
+void ignore(const std::string&) {}
+
+// The walls feel the stress asked for, within the 1 % that is promised, alike in both directions.
+TEST(RandomPacking, ReachesTheIsotropicStress) {
+  const auto grown = pack_randomly(kWanted, ignore);
+  ASSERT_TRUE(grown);
+  const double mean = (grown->state.stress_x + grown->state.stress_y) / 2;
+  EXPECT_NEAR(mean, kWanted.stress, 0.01 * kWanted.stress);
+  EXPECT_NEAR(grown->state.stress_x, grown->state.stress_y, 0.15 * kWanted.stress);
+}
+
+// Frictionless discs jam at a porosity of 0.16 (O'Hern, Silbert, Liu & Nagel 2003, Phys. Rev. E 68, 011306:
+// 0.158 for large systems) with four contacts a disc, and walls need some more room.
+TEST(RandomPacking, JamsWhereFrictionlessDiscsDo) {
+  RandomPacking wanted = kWanted;
+  wanted.stress = 1e-4;
+  const auto grown = pack_randomly(wanted, ignore);
+  ASSERT_TRUE(grown);
+  EXPECT_GT(grown->state.porosity, 0.15);
+  EXPECT_LT(grown->state.porosity, 0.19);
+  EXPECT_NEAR(grown->state.coordination, 4, 0.2);
+}
+
+// A porosity far above the jamming one is reached from by growing the radii.
+TEST(RandomPacking, GrowsDiscsThatWereDrawnTooFew) {
+  RandomPacking wanted = kWanted;
+  wanted.porosity = 0.3;
+  const auto grown = pack_randomly(wanted, ignore);
+  ASSERT_TRUE(grown);
+  EXPECT_GT(grown->state.radius_factor, 1.05);
+  EXPECT_LT(grown->state.porosity, 0.19);
+}
+
+// Every disc lies in the box but for its overlap with a wall, keeps its size in the range times the radius
+// factor, and has at least three contacts.
+TEST(RandomPacking, KeepsDiscsInTheBoxAndInTheirRangeOfSizes) {
+  const auto grown = pack_randomly(kWanted, ignore);
+  ASSERT_TRUE(grown);
+  const auto& [x, y, radius] = grown->discs;
+  const double factor = grown->state.radius_factor;
+  for (std::size_t i = 0; i < grown->discs.size(); ++i) {
+    EXPECT_GE(radius[i], kWanted.radius_min * factor * (1 - 1e-12));
+    EXPECT_LE(radius[i], kWanted.radius_max * factor * (1 + 1e-12));
+    EXPECT_GE(x[i], kWanted.box.x_min + 0.95 * radius[i]);
+    EXPECT_LE(x[i], kWanted.box.x_max - 0.95 * radius[i]);
+    EXPECT_GE(y[i], kWanted.box.y_min + 0.95 * radius[i]);
+    EXPECT_LE(y[i], kWanted.box.y_max - 0.95 * radius[i]);
+  }
+  PressedDiscs pressed(grown->discs, kWanted.box);
+  const auto keep = without_floaters(grown->discs.size(), pressed.contacts(), pressed.wall_contacts(), 3);
+  EXPECT_EQ(std::ranges::count(keep, false), 0);
+}
+
+// The same seed gives the same packing to the bit, another seed another one.
+TEST(RandomPacking, FollowsItsSeed) {
+  RandomPacking other = kWanted;
+  other.seed = 8;
+  const auto a = pack_randomly(kWanted, ignore), b = pack_randomly(kWanted, ignore),
+             c = pack_randomly(other, ignore);
+  ASSERT_TRUE(a && b && c);
+  EXPECT_EQ(a->discs.x, b->discs.x);
+  EXPECT_EQ(a->discs.radius, b->discs.radius);
+  EXPECT_NE(a->discs.x, c->discs.x);
+}
+
+// Sizes of 1 to 50 do not keep the packing from reaching its stress.
+TEST(RandomPacking, TakesSizesOfOneToFifty) {
+  const auto grown = pack_randomly({{0, 3, 0, 3}, 0.004, 0.2, 0.16, 1e-2, 3}, ignore);
+  ASSERT_TRUE(grown);
+  EXPECT_NEAR((grown->state.stress_x + grown->state.stress_y) / 2, 1e-2, 1e-4);
+}
+
+// Two discs that a box presses: each wall pushes with its overlap, the discs push each other alike.
+TEST(PressedDiscs, BalanceTheWallsOfANarrowBox) {
+  PressedDiscs pressed({{0.5, 1.4}, {0.5, 0.5}, {0.5, 0.5}}, {0, 1.9, 0, 1});
+  ASSERT_TRUE(pressed.relax(1e-10, 100000));
+  const double overlap = 0.1 / 3;  // 2 - 1.9 shared by three springs
+  EXPECT_NEAR(pressed.discs().x[0], 0.5 - overlap, 1e-9);
+  EXPECT_NEAR(pressed.wall_stress()[0], overlap, 1e-9);
+  EXPECT_EQ(pressed.contacts().size(), 1u);
+}
+
+// A disc in the middle of a square of discs: 8 discs round the rim and one inside touch 12 times.
+TEST(SquarePacking, FillsTheBoxWithTouchingDiscs) {
+  const Discs discs = pack_squarely({0, 3.1, 0, 3}, 0.5);
+  ASSERT_EQ(discs.size(), 9u);
+  EXPECT_NEAR(discs.x[0], 0.55, 1e-15);
+  EXPECT_NEAR(discs.y[8], 2.5, 1e-15);
+  EXPECT_EQ(pairs_within(discs, 1e-9).size(), 12u);
+  EXPECT_EQ(pairs_within(discs, std::numbers::sqrt2 - 1 + 1e-9).size(), 20u);  // the diagonals too
+}
+
+// A chain of discs on a triangle loses its links one after the other, the triangle stays.
+TEST(Floaters, GoUntilNoneIsLeft) {
+  const std::vector<Pair> contacts{{0, 1}, {0, 2}, {1, 2}, {2, 3}, {3, 4}};
+  EXPECT_EQ(without_floaters(5, contacts, {}, 2), (std::vector<bool>{true, true, true, false, false}));
+  const std::vector<std::uint32_t> walls{0, 0, 0, 0, 1};  // the wall holds the chain's end
+  EXPECT_EQ(without_floaters(5, contacts, walls, 2), std::vector<bool>(5, true));
+}
+
+}  // namespace
+}  // namespace adit::dem

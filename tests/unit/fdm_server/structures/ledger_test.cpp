@@ -1,0 +1,126 @@
+// Requirements on linings and bolts in motion: energy, halves of a step, yield.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "fdm_server/zones/critical_step.hpp"
+#include "tests/unit/fdm_server/grids.hpp"
+#include "tests/unit/fdm_server/structures/frames.hpp"
+
+namespace adit::fdm::test {
+namespace {
+
+const PlaneLaw kLaw = plane_strain(2e9, 0.3);
+constexpr Block kGround{0, 8, 0, 4, 8, 4};
+constexpr double kMoment = 2e4, kThrust = 3e4;
+
+// Ground with a lining through it that has joints, and a bolt; both yield.
+struct LinedGround {
+  Grid grid = make_grid(kGround);
+  Structures structures{};
+  double dt = 0;
+
+  Continuum continuum() {
+    const Path roof{{19, 20, 21, 22, 23, 24, 25}, false};
+    const std::vector<LiningJoint> joints{{2, 1e8, kMoment}, {4, 0, 0}};
+    add_lining({"roof", roof, wall(0.3), joints, true, false}, grid, structures);
+    const BarSection steel{210e9 * 5e-4, kThrust, 7850 * 5e-4};
+    for (std::uint32_t p = 22; p <= 31; p += 9) {
+      const std::uint32_t q = p + 9;
+      structures.add_bar(Bar({p, q}, chord(grid.x[p], grid.y[p], grid.x[q], grid.y[q]), steel));
+    }
+    auto masses = lumped_masses(grid, ones(grid), 2000);
+    structures.add_masses(masses);
+    dt =
+        0.8 * std::min(structures.critical_step(), critical_step(ZoneKind::kAssumedStrain, grid, kLaw, 2000));
+    const std::vector<std::uint32_t> base{0, 1, 2, 3, 4, 5, 6, 7, 8}, pushed{22, 44};
+    const std::vector<double> fx{4e5, 0}, fy{-8e5, 3e5};
+    const auto shake = [](double t) { return std::cos(150 * t); };
+    return {make_zones(ZoneKind::kAssumedStrain, grid, kLaw, ones(grid)),
+            masses,
+            {Load{pushed, fx, fy, constant}},
+            {Motion{base, Axis::kX, 0.5, shake}, Motion{base, Axis::kY, 0.2, shake}},
+            1,
+            structures};
+  }
+};
+
+double balance(const Energies& e) {
+  return e.kinetic + e.strain + e.dissipated - e.external_work;
+}
+
+// Kinetic, strain and dissipated energy less work keep their first value, while joints and bolts yield.
+TEST(LiningLedger, ClosesToRounding) {
+  LinedGround ground;
+  Continuum continuum = ground.continuum();
+  Energies first{}, e{};
+  continuum.step({0, ground.dt}, &first);
+  double peak = 0, drift = 0;
+  for (std::uint64_t n = 1; n <= 20000; ++n) {
+    continuum.step({n, ground.dt}, &e);
+    peak = std::max({peak, e.kinetic, e.strain});
+    drift = std::max(drift, std::abs(balance(e) - balance(first)));
+  }
+  EXPECT_LE(drift, 1e-10 * peak);
+  EXPECT_GE(e.dissipated, 1e-3 * peak);
+}
+
+// Nothing that yields carries more than it may.
+TEST(LiningLedger, YieldIsNotExceeded) {
+  LinedGround ground;
+  Continuum continuum = ground.continuum();
+  double thrust = 0;
+  for (std::uint64_t n = 0; n <= 5000; ++n) {
+    continuum.step({n, ground.dt});
+    for (const Bar& bar : continuum.structures().bars()) thrust = std::max(thrust, std::abs(bar.thrust()));
+  }
+  EXPECT_EQ(thrust, kThrust);
+}
+
+// The two halves of a step give what the whole step gives, to the bit.
+TEST(LiningLedger, HalvesOfAStepAreTheWhole) {
+  LinedGround whole, split;
+  Continuum a = whole.continuum(), b = split.continuum();
+  const std::vector<std::uint32_t> interface { 20, 21, 22, 30, 31 };
+  a.set_interface(interface);
+  b.set_interface(interface);
+  for (std::uint64_t n = 0; n <= 2000; ++n) {
+    a.step({n, whole.dt});
+    b.step_interface({n, split.dt});
+    b.step_interior({n, split.dt});
+  }
+  EXPECT_TRUE(std::ranges::equal(a.vx(), b.vx()) && std::ranges::equal(a.vy(), b.vy()));
+  EXPECT_TRUE(std::ranges::equal(a.structures().rotations(), b.structures().rotations()));
+  EXPECT_NE(a.structures().rotations()[1], 0);
+  EXPECT_EQ(a.structures().rotations()[0], 0);  // held
+}
+
+// A free lining under no forces keeps its linear and angular momentum.
+TEST(LiningLedger, FreeRingKeepsItsMomentum) {
+  const Frame frame(circle(3, 24), true, wall(0.3), {{5, 1e7, 1e4}});
+  Continuum continuum = frame.continuum({});
+  const double dt = 0.9 * frame.structures.critical_step();
+  continuum.step({0, dt});
+  for (std::size_t i = 0; i < 24; ++i) {
+    continuum.vx()[i] = std::sin(1.7 * static_cast<double>(i * i));
+    continuum.vy()[i] = std::cos(2.3 * static_cast<double>(i * i));
+  }
+  const auto masses = frame.masses();
+  const auto momentum = [&] {
+    std::array<double, 2> sum{};
+    for (std::size_t i = 0; i < 24; ++i) {
+      sum[0] += masses[i] * continuum.vx()[i];
+      sum[1] += masses[i] * continuum.vy()[i];
+    }
+    return sum;
+  };
+  const auto before = momentum();
+  for (std::uint64_t n = 1; n <= 5000; ++n) continuum.step({n, dt});
+  const auto after = momentum();
+  const double scale = 24 * masses[0];
+  EXPECT_NEAR(after[0], before[0], 1e-11 * scale);
+  EXPECT_NEAR(after[1], before[1], 1e-11 * scale);
+}
+
+}  // namespace
+}  // namespace adit::fdm::test
