@@ -36,7 +36,8 @@ void Ledger::take_energies(std::size_t s, const Side& side) {
                   .strain = e.strain(),
                   .released = e.released(),
                   .external_work = e.external_work(),
-                  .multiplier_work = work};
+                  .multiplier_work = work,
+                  .dissipated = e.dissipated()};
 }
 
 void Ledger::compare() {
@@ -72,7 +73,7 @@ double Ledger::stored() const {
 
 double Ledger::unexplained() const {
   double sum = stored() - unexplained_at_start_;
-  for (const SideEnergies& e : energies_) sum -= e.external_work;
+  for (const SideEnergies& e : energies_) sum += e.dissipated - e.external_work;
   return sum;
 }
 

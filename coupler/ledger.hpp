@@ -18,7 +18,7 @@
 namespace adit::coupler {
 
 struct SideEnergies {  // [J]
-  double kinetic = 0, strain = 0, released = 0, external_work = 0, multiplier_work = 0;
+  double kinetic = 0, strain = 0, released = 0, external_work = 0, multiplier_work = 0, dissipated = 0;
 };
 
 class Ledger {
@@ -38,7 +38,7 @@ class Ledger {
   // As of the last compare().
   const std::vector<SideEnergies>& sides() const { return energies_; }
   double stored() const;  // kinetic, strain and released energy of all sides
-  // Stored minus external work, since the start: what drifted, or what a lossy solve took.
+  // Stored and dissipated minus external work, since the start: what drifted, or what a lossy solve took.
   double unexplained() const;
   double drift() const;      // the same relative to the largest stored energy so far
   double max_drift() const;  // the largest |unexplained| relative to the largest stored energy

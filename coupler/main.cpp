@@ -16,6 +16,7 @@
 #include "coupler/set_up.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/greeting.hpp"
+#include "protocol/motion/records_of_scene.hpp"
 #include "protocol/release.hpp"
 #include "protocol/results/run_directory.hpp"
 #include "protocol/scene_command_line.hpp"
@@ -152,6 +153,8 @@ int main(int argc, char** argv) {
   for (CLI::App* command : {options.run, options.check}) add_servers(*command, options);
   if (const auto ended = options.parse(argc, argv)) return *ended;
   const auto& work = options.run->parsed() ? run_scene : check_scene;
-  return protocol::with_scene(options.scene, options.sets,
-                              [&](const protocol::SceneFile& file) { work(options, file); });
+  return protocol::with_scene(options.scene, options.sets, [&](protocol::SceneFile& file) {
+    adit::motion::read_records(file);
+    work(options, file);
+  });
 }

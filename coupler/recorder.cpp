@@ -14,8 +14,8 @@ std::vector<std::string> history_columns(const Model& model) {
       columns.push_back(protocol::column_of(history));
   if (has_particles(model)) columns.emplace_back("max_bond_force_N");
   for (const Side& side : model.sides)
-    for (const char* energy :
-         {"_kinetic_J", "_strain_J", "_released_J", "_external_work_J", "_multiplier_work_J"})
+    for (const char* energy : {"_kinetic_J", "_strain_J", "_released_J", "_external_work_J",
+                               "_multiplier_work_J", "_dissipated_J"})
       columns.push_back(side.member.name + energy);
   columns.emplace_back("energy_drift");
   return columns;
@@ -69,7 +69,8 @@ std::span<const double> Recorder::record_histories(std::uint64_t n, const Ledger
     row_.push_back(strongest);
   }
   for (const SideEnergies& e : ledger.sides())
-    row_.insert(row_.end(), {e.kinetic, e.strain, e.released, e.external_work, e.multiplier_work});
+    row_.insert(row_.end(),
+                {e.kinetic, e.strain, e.released, e.external_work, e.multiplier_work, e.dissipated});
   row_.push_back(ledger.drift());
   histories_.row(row_);
   return row_;

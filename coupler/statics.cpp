@@ -2,6 +2,9 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
+#include <set>
+
 #include "coupler/exchange.hpp"
 #include "coupler/progress.hpp"
 #include "protocol/errors.hpp"
@@ -35,12 +38,25 @@ struct State {
       elements += r.elements();
     }
   }
-  double unbalanced_ratio() const {
+  // Against the internal force of now, or of the beginning where it was larger: ground that is free to expand
+  // has none left in the end.
+  double unbalanced_ratio(double internal_at_first) const {
     if (unbalanced_force == 0) return 0;
     return (unbalanced_force / static_cast<double>(points)) /
-           (internal_force / static_cast<double>(elements));
+           (std::max(internal_force, internal_at_first) / static_cast<double>(elements));
   }
 };
+
+// 0, the ground as it is in the beginning, and the stages of excavation.
+std::set<std::uint32_t> stages(const scene::Scene& scene) {
+  std::set<std::uint32_t> found{0};
+  const auto add = [&found](const scene::Continuum& continuum) {
+    for (const auto& excavation : continuum.excavations()) found.insert(excavation.stage());
+  };
+  add(scene.continuum());
+  for (const scene::Region& region : scene.regions()) add(region.continuum());
+  return found;
+}
 
 }  // namespace
 
@@ -48,25 +64,34 @@ Rest relax(Model& model, Stepper& stepper) {
   const scene::Statics& statics = model.scene.statics();
   ProgressLine line;
   Rest rest;
-  bool stop = false;
-  double kinetic_energy = 0;  // a step before, since the last stop
-  for (std::uint64_t n = 0; n <= statics.max_steps(); ++n) {
-    stepper.relax(n, stop);
-    const State state(model.sides);
-    rest.steps = n;
-    rest.unbalanced_ratio = state.unbalanced_ratio();
-    if (line.due())
-      line.print(fmt::format("statics: step {}, unbalanced ratio {:.2e}, {:.1e} wanted", n,
-                             rest.unbalanced_ratio, statics.unbalanced_ratio()));
-    if (n > 0 && rest.unbalanced_ratio <= statics.unbalanced_ratio()) return rest;
-    stop = state.kinetic_energy < kinetic_energy;
-    kinetic_energy = stop ? 0 : state.kinetic_energy;
-    if (stop) ++rest.stops;
-  }
-  throw protocol::Unstable(fmt::format(
-      "statics: after {} steps the unbalanced force ratio is {:g}, {:g} were asked for; allow more "
-      "statics.max_steps, or a larger statics.unbalanced_ratio",
-      statics.max_steps(), rest.unbalanced_ratio, statics.unbalanced_ratio()));
+  std::uint64_t step = 0;
+  const auto relax_stage = [&](std::uint32_t stage) {
+    bool stop = stage > 0;
+    double kinetic_energy = 0;     // a step before, since the last stop
+    double internal_at_first = 0;  // force
+    for (std::uint64_t n = 0; n <= statics.max_steps(); ++n) {
+      stepper.relax(step, stop, stage);
+      const State state(model.sides);
+      rest.steps = step++;
+      if (n == 0) internal_at_first = state.internal_force;
+      rest.unbalanced_ratio = state.unbalanced_ratio(internal_at_first);
+      if (line.due())
+        line.print(fmt::format("statics{}: step {}, unbalanced ratio {:.2e}, {:.1e} wanted",
+                               stage > 0 ? fmt::format(", stage {}", stage) : "", n, rest.unbalanced_ratio,
+                               statics.unbalanced_ratio()));
+      if (n > 0 && rest.unbalanced_ratio <= statics.unbalanced_ratio()) return;
+      stop = state.kinetic_energy < kinetic_energy;
+      kinetic_energy = stop ? 0 : state.kinetic_energy;
+      if (stop) ++rest.stops;
+    }
+    throw protocol::Unstable(fmt::format(
+        "statics{}: after {} steps the unbalanced force ratio is {:g}, {:g} were asked for; allow more "
+        "statics.max_steps, or a larger statics.unbalanced_ratio",
+        stage > 0 ? fmt::format(", stage {}", stage) : "", statics.max_steps(), rest.unbalanced_ratio,
+        statics.unbalanced_ratio()));
+  };
+  for (const std::uint32_t stage : stages(model.scene)) relax_stage(stage);
+  return rest;
 }
 
 }  // namespace adit::coupler

@@ -20,7 +20,8 @@ struct Rest {
 };
 
 // Relaxes to the scene's `statics.unbalanced_ratio`: mean unbalanced force of all points over mean internal
-// force of all zones and bonds. Shows progress. Throws protocol::Unstable where `max_steps` do not suffice.
+// force of all zones and bonds; then again after each stage of the scene's excavations. Shows progress.
+// Throws protocol::Unstable where `max_steps` do not suffice.
 Rest relax(Model& model, Stepper& stepper);
 
 }  // namespace adit::coupler

@@ -40,12 +40,13 @@ void Stepper::step(std::uint64_t n, Wanted wanted) {
   if (wanted.energies) book(true);
 }
 
-void Stepper::relax(std::uint64_t n, bool stop) {
+void Stepper::relax(std::uint64_t n, bool stop, std::uint32_t stage) {
   request_.Clear();
   request_.set_step(n);
   request_.set_dt(model_.dt / model_.substeps);
   request_.set_relax(true);
   request_.set_stop(stop);
+  request_.set_stage(stage);
   exchange();
 }
 

@@ -23,7 +23,7 @@ class Stepper {
 
   // The same in statics (wire.proto, Advance), without substeps: all velocities are stopped first where
   // `stop` says so. Afterwards step(0, …) starts from the state at rest.
-  void relax(std::uint64_t n, bool stop);
+  void relax(std::uint64_t n, bool stop, std::uint32_t stage);
 
   // The state at the step reached, of every side in turn.
   std::vector<wire::Snapshot> snapshots() { return take_snapshots(model_.sides); }

@@ -65,6 +65,10 @@ BondLaw checked_bond_law(const scene::Scene& scene) {
   const std::string path = own ? "particles.material" : "material";
   const auto& bonds = scene.particles().bonds();
   if (!own && !scene.has_material()) throw UserError(path, "is missing; give it, or particles.material");
+  if (own && (material.has_mohr_coulomb() || material.has_hysteretic() || material.has_weak_plane()))
+    throw UserError(path,
+                    "has a law beyond elasticity, which bonds do not compute; leave it out and give "
+                    "particles.bonds.tensile_strength and shear_strength");
   require_positive(material.density(), path + ".density", "kg/m^3");
   require_positive(material.young_modulus(), path + ".young_modulus", "Pa");
   const Plane plane = scene.plane() == scene::PLANE_STRESS ? Plane::kStress : Plane::kStrain;

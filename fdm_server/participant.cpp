@@ -4,14 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <span>
 #include <stdexcept>
 #include <utility>
 
+#include "fdm_server/boundaries/boundaries.hpp"
+#include "fdm_server/excavation.hpp"
 #include "fdm_server/grid/interpolation.hpp"
+#include "fdm_server/grid/samples.hpp"
+#include "fdm_server/ground.hpp"
 #include "fdm_server/initial_stress.hpp"
+#include "fdm_server/materials/material_zones.hpp"
+#include "fdm_server/read_grid.hpp"
 #include "fdm_server/snapshot.hpp"
-#include "fdm_server/zones/critical_step.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::fdm {
@@ -24,16 +30,12 @@ std::span<const double> view(const google::protobuf::RepeatedField<double>& fiel
 }
 
 // One weight a zone from the wire's samples; all 1 where there are none.
-std::vector<double> read_weights(const wire::Weights& weights, const Block& block) {
-  if (weights.weights().empty()) return std::vector<double>(std::size_t{block.zones_x} * block.zones_y, 1.0);
-  const std::size_t samples = (2 * std::size_t{block.zones_x} + 1) * (2 * std::size_t{block.zones_y} + 1);
+std::vector<double> read_weights(const wire::Weights& weights, const Grid& grid) {
+  if (weights.weights().empty()) return std::vector<double>(grid.zones.size(), 1.0);
   const auto in_range = [](double value) { return value >= 0 && value <= 1; };
-  if (static_cast<std::size_t>(weights.weights_size()) != samples)
-    throw std::invalid_argument(
-        fmt::format("got {} weights for {} sample points", weights.weights_size(), samples));
   if (!std::ranges::all_of(weights.weights(), in_range) || !in_range(weights.floor()))
     throw std::invalid_argument("got a weight or a floor outside [0, 1]");
-  return zone_weights(block, view(weights.weights()), weights.floor());
+  return zone_weights(grid, view(weights.weights()), weights.floor());
 }
 
 }  // namespace
@@ -42,22 +44,26 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   started_ = std::clock();
   scene_ = setup.scene();
   setup_ = read_setup(scene_);
-  grid_ = make_grid(setup_.block);
+  grid_ = read_grid(scene_.continuum());
+  setup_.ground.of_zone = materials_of_zones(scene_.continuum(), grid_);
   const Supports supports =
       resolve_supports(scene_.continuum(), scene_.plane() == scene::PLANE_STRAIN, grid_);
-  critical_dt_ = std::min(critical_step(setup_.kind, grid_, setup_.law, setup_.density),
-                          supports.structures.critical_step());
+  damping_ = resolve_damping(scene_.continuum());
+  critical_dt_ = critical_step(damping_, std::min(critical_step(setup_.kind, grid_, setup_.ground),
+                                                  supports.structures.critical_step()));
   model.set_critical_dt(critical_dt_);
-  model.set_x_min(setup_.block.x_min);
-  model.set_x_max(setup_.block.x_max);
-  model.set_y_min(setup_.block.y_min);
-  model.set_y_max(setup_.block.y_max);
-  const auto samples = sample_points(setup_.block);
+  const auto box = bounds(grid_);
+  model.set_x_min(box.x_min);
+  model.set_x_max(box.x_max);
+  model.set_y_min(box.y_min);
+  model.set_y_max(box.y_max);
+  const auto samples = sample_points(grid_);
   model.mutable_sample_points()->Assign(samples.begin(), samples.end());
 }
 
 void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interface) {
-  weights_ = read_weights(weights, setup_.block);
+  weights_ = read_weights(weights, grid_);
+  compact(setup_.ground, weights_);
   compact(grid_, weights_);
   if (grid_.zones.empty())
     throw protocol::UserError(
@@ -65,22 +71,65 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
         "leaves no zone of the continuum, whose weight is 0 everywhere; let the block reach into the overlap "
         "and beyond it on the continuum's own side");
   supports_ = resolve_supports(scene_.continuum(), scene_.plane() == scene::PLANE_STRAIN, grid_);
-  auto masses = lumped_masses(grid_, weights_, setup_.density);
-  supports_.structures.add_masses(masses);
   const auto& conditions = scene_.continuum();
-  auto zones = make_zones(setup_.kind, grid_, setup_.law, weights_);
-  if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), grid_, *zones);
-  continuum_ = std::make_unique<Continuum>(
-      std::move(zones), masses, resolve_loads(conditions, grid_, masses), resolve_motions(conditions, grid_),
-      threads_ > 0 ? threads_ : useful_threads(grid_.zones.size()), supports_.structures);
-  histories_.emplace(conditions, grid_, supports_);
+  make_continuum();
+  stage_of_zone_ = excavation_stages(scene_, grid_);
+  histories_.emplace(conditions, grid_, supports_, zone_kinds());
   if (!weights.weights().empty()) offer_grid_points(weights, interface);
   interface.set_zones(grid_.zones.size());
   interface.set_grid_points(grid_.x.size());
 }
 
+// The columns follow their side.
+void FdmParticipant::make_continuum() {
+  const auto& conditions = scene_.continuum();
+  const auto edges = outline(grid_);
+  columns_ = add_columns(conditions, edges, grid_);
+  for (const auto& column : columns_)
+    for (const auto& edge : column.edges) setup_.ground.of_zone.push_back(setup_.ground.of_zone[edge.zone]);
+  weights_.resize(grid_.zones.size(), 1.0);
+
+  auto motions = resolve_motions(conditions, grid_);
+  for (auto& motion : motions)
+    for (const auto& column : columns_) extend_to_column(column, motion.points);
+  auto boundaries = resolve_boundaries(
+      conditions, scene_.time().duration(), grid_, edges, columns_,
+      [this](std::uint32_t zone) {
+        const Ground& ground = setup_.ground;
+        const Material& material = ground.materials[ground.of_zone[zone]];
+        return impedance(ground.plane_law(material), material.density, weights_[zone]);
+      },
+      motions);
+  std::ranges::move(boundaries.motions, std::back_inserter(motions));
+  base_loads_ = std::move(boundaries.loads);
+
+  std::unique_ptr<Zones> zones = std::make_unique<MaterialZones>(setup_.kind, grid_, setup_.ground, weights_);
+  if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), grid_, *zones);
+  const auto masses = this->masses();
+  continuum_ = std::make_unique<Continuum>(std::move(zones), masses, loads(masses), std::move(motions),
+                                           threads_ > 0 ? threads_ : useful_threads(grid_.zones.size()),
+                                           supports_.structures);
+  continuum_->set_dashpots(std::move(boundaries.dashpots),
+                           scene_.has_statics() || scene_.has_initial_stress());
+  continuum_->set_damping(damping_);
+}
+
+std::vector<Load> FdmParticipant::loads(std::span<const double> masses) const {
+  auto loads = resolve_loads(scene_.continuum(), grid_, masses);
+  for (auto& load : std::span(loads).last(scene_.continuum().body_loads_size()))
+    for (const auto& column : columns_) extend_to_column(column, masses, load);
+  loads.insert(loads.end(), base_loads_.begin(), base_loads_.end());
+  return loads;
+}
+
+std::vector<double> FdmParticipant::masses() const {
+  auto masses = lumped_masses(grid_, weights_, zone_densities(setup_.ground));
+  supports_.structures.add_masses(masses);
+  return masses;
+}
+
 void FdmParticipant::offer_grid_points(const wire::Weights& box, wire::Interface& interface) const {
-  for (std::size_t i = 0; i < grid_.x.size(); ++i) {
+  for (std::size_t i = 0; i < grid_.own_points(); ++i) {
     if (grid_.x[i] < box.x_min() || grid_.x[i] > box.x_max() || grid_.y[i] < box.y_min() ||
         grid_.y[i] > box.y_max())
       continue;
@@ -94,6 +143,7 @@ void FdmParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
       !std::ranges::all_of(couple.points(), [](double value) { return std::isfinite(value); }))
     throw std::invalid_argument("got coupling points that are no finite pairs x y");
   operator_ = protocol::InterfaceOperator(interpolate(grid_, view(couple.points())));
+  require_interface_stays();
   continuum_->set_interface(operator_.points());
   operator_.fill(op);
   histories_->tie(operator_.points());
@@ -111,6 +161,7 @@ void FdmParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
   take_peaks();
   take_peak_forces();
   if (advance.relax()) relax(advance.stop(), *predicted.mutable_relaxation());
+  if (advance.stage() > stage_) excavate(advance.stage());
   histories_->remember(*continuum_);
   if (advance.want_peaks()) {
     if (!peaks_) peaks_.emplace(grid_);
@@ -176,7 +227,44 @@ void FdmParticipant::relax(bool stop, wire::Relaxation& answer) {
 void FdmParticipant::start_over() {
   relaxation_.reset();
   continuum_->start_over();
+  if (!scene_.statics().keep_displacements() || stage_ == 0) continuum_->reset_displacements();
   next_step_ = 0;
+}
+
+void FdmParticipant::excavate(std::uint32_t stage) {
+  std::vector<std::uint32_t> zones;
+  for (std::uint32_t z = 0; z < grid_.zones.size(); ++z)
+    if (stage_of_zone_[z] > stage_ && stage_of_zone_[z] <= stage) zones.push_back(z);
+  for (const auto zone : zones) weights_[zone] = 0;
+  if (stage_ == 0) continuum_->reset_displacements();
+  stage_ = stage;
+  const auto masses = this->masses();
+  continuum_->excavate(zones, masses, loads(masses));
+  relaxation_.emplace(grid_, weights_);
+}
+
+// The coupler knows the masses at the coupling points once and for all.
+void FdmParticipant::require_interface_stays() const {
+  std::vector<bool> coupled(grid_.x.size(), false);
+  for (const auto point : operator_.points()) coupled[point] = true;
+  for (std::size_t z = 0; z < grid_.zones.size(); ++z)
+    if (stage_of_zone_[z] > 0 &&
+        std::ranges::any_of(grid_.zones[z], [&](auto point) { return coupled[point]; })) {
+      const auto [x, y] = centroid(corners(grid_, z));
+      throw protocol::UserError(
+          "continuum.excavations",
+          fmt::format(
+              "take away the zone at ({:g}, {:g}) m in stage {}, which the interface ties; keep a zone "
+              "between excavations and overlap",
+              x, y, stage_of_zone_[z]));
+    }
+}
+
+std::vector<std::uint32_t> FdmParticipant::zone_kinds() const {
+  std::vector<std::uint32_t> kinds(grid_.zones.size(), kNoGround);
+  for (std::size_t z = 0; z < kinds.size() - grid_.own_corners.size(); ++z)
+    if (stage_of_zone_[z] == 0) kinds[z] = setup_.ground.of_zone[z];
+  return kinds;
 }
 
 void FdmParticipant::check(const wire::Advance& advance) const {
@@ -232,7 +320,7 @@ void FdmParticipant::snapshot(const wire::SnapshotRequest& request, wire::Snapsh
   push(request.impulses());
   if (operator_.rows() == 0 || !request.impulses().empty()) take_peaks();
   fill_snapshot(grid_, *continuum_, weights_, snapshot);
-  if (peaks_) add_peaks(*peaks_, *snapshot.mutable_pieces(0));
+  if (peaks_) add_peaks(*peaks_, weights_, *snapshot.mutable_pieces(0));
   take_peak_forces();
   add_supports(grid_, *continuum_, supports_, peak_forces_, snapshot);
 }

@@ -1,15 +1,17 @@
 // The continuum as a participant of a run: translates the conversation (wire.proto) to the solver.
 //
-// Sample points are those of grid.hpp. Requests that contradict an earlier one (counts, step numbers, dt)
-// throw std::invalid_argument: the peer's bug.
+// Sample points are those of grid/samples.hpp. Requests that contradict an earlier one (counts, step numbers,
+// dt) throw std::invalid_argument: the peer's bug.
 #pragma once
 
 #include <cstddef>
 #include <ctime>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "fdm_server/boundaries/free_field.hpp"
 #include "fdm_server/conditions.hpp"
 #include "fdm_server/output/histories.hpp"
 #include "fdm_server/output/peaks.hpp"
@@ -37,6 +39,11 @@ class FdmParticipant final : public protocol::Participant {
   void finish(wire::Bye& bye) override;
 
  private:
+  // Of what the weights leave of the grid, with the columns of its free field.
+  void make_continuum();
+  // Of what is left of the zones; those of the base are the last.
+  std::vector<Load> loads(std::span<const double> masses) const;
+  std::vector<double> masses() const;  // of the points, with those of the structures
   // The grid points inside the box that the weights came with.
   void offer_grid_points(const wire::Weights& box, wire::Interface& interface) const;
   void check(const wire::Advance& advance) const;
@@ -44,6 +51,11 @@ class FdmParticipant final : public protocol::Participant {
   void push(const google::protobuf::RepeatedField<double>& impulses);
   // Says how far the grid is from rest after its correction, and stops it where it shall.
   void relax(bool stop, wire::Relaxation& answer);
+  // Takes away the zones of the stages after the present one up to this one.
+  void excavate(std::uint32_t stage);
+  void require_interface_stays() const;
+  // The material of each zone; none where time finds no ground (columns, what was taken away).
+  std::vector<std::uint32_t> zone_kinds() const;
   // The first step that does not relax: from the state reached.
   void start_over();
   // Of the last step, where they are wanted, once it is corrected.
@@ -57,10 +69,15 @@ class FdmParticipant final : public protocol::Participant {
   std::size_t threads_;
   scene::Scene scene_;
   Setup setup_{};
+  DampingLaw damping_;
   double critical_dt_ = 0;
   Grid grid_;
-  std::vector<double> weights_;  // of the zones
+  std::vector<double> weights_;  // of the zones; 0 where they were taken away
   Supports supports_;
+  std::vector<FreeFieldColumn> columns_;
+  std::vector<Load> base_loads_;
+  std::vector<std::uint32_t> stage_of_zone_;  // with which each is taken away; 0: it stays
+  std::uint32_t stage_ = 0;                   // reached
   std::unique_ptr<Continuum> continuum_;
   protocol::InterfaceOperator operator_;
   std::optional<Histories> histories_;

@@ -1,18 +1,15 @@
 // From the scene to the continuum's plain parameters.
 #pragma once
 
-#include "fdm_server/grid/grid.hpp"
-#include "fdm_server/zones/plane_law.hpp"
+#include "fdm_server/materials/material.hpp"
 #include "fdm_server/zones/zones.hpp"
 #include "protocol/scene.pb.h"
 
 namespace adit::fdm {
 
 struct Setup {
-  Block block;
   ZoneKind kind;
-  PlaneLaw law;
-  double density;  // [kg/m^3]
+  Ground ground;  // its zones not yet assigned
 };
 
 // UserError with the field's path where a value is missing or no continuum can be built of it.

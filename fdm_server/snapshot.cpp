@@ -1,7 +1,8 @@
 #include "fdm_server/snapshot.hpp"
 
-#include <algorithm>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace adit::fdm {
 namespace {
@@ -21,6 +22,13 @@ void fill_vectors(std::span<const double> x, std::span<const double> y, double* 
     values[3 * i] = x[i];
     values[3 * i + 1] = y[i];
   }
+}
+
+std::vector<std::size_t> present_zones(std::span<const double> weights) {
+  std::vector<std::size_t> present;
+  for (std::size_t z = 0; z < weights.size(); ++z)
+    if (weights[z] > 0) present.push_back(z);
+  return present;
 }
 
 // A piece along paths, whose points are its own: x, y, displacement.
@@ -98,32 +106,39 @@ void fill_snapshot(const Grid& grid, const Continuum& continuum, std::span<const
   auto& piece = *snapshot.add_pieces();
   piece.set_name("grid");
   piece.set_shape(wire::Piece::QUADS);
-  for (std::size_t i = 0; i < grid.x.size(); ++i) {
+  const std::size_t points = grid.own_points(), zones = grid.zones.size() - grid.own_corners.size();
+  for (std::size_t i = 0; i < points; ++i) {
     piece.add_points(grid.x[i]);
     piece.add_points(grid.y[i]);
   }
-  for (const auto& zone : grid.zones)
-    for (const auto point : zone) piece.add_connectivity(static_cast<std::uint32_t>(point));
+  const auto present = present_zones(weights.first(zones));
+  for (const auto z : present)
+    for (const auto point : grid.zones[z]) piece.add_connectivity(static_cast<std::uint32_t>(point));
 
   auto& at_points = *piece.mutable_point_fields();
-  fill_vectors(continuum.ux(), continuum.uy(), new_field(at_points, "displacement_m", 3, grid.x.size()));
-  fill_vectors(continuum.vx(), continuum.vy(), new_field(at_points, "velocity_m_per_s", 3, grid.x.size()));
+  fill_vectors(continuum.ux().first(points), continuum.uy(),
+               new_field(at_points, "displacement_m", 3, points));
+  fill_vectors(continuum.vx().first(points), continuum.vy(),
+               new_field(at_points, "velocity_m_per_s", 3, points));
 
   auto& in_zones = *piece.mutable_cell_fields();
-  double* stress = new_field(in_zones, "stress_Pa", 3, grid.zones.size());
-  for (std::size_t z = 0; z < grid.zones.size(); ++z) {
-    const auto [xx, yy, xy] = continuum.zones().stress(z);
-    stress[3 * z] = xx;
-    stress[3 * z + 1] = yy;
-    stress[3 * z + 2] = xy;
+  double* stress = new_field(in_zones, "stress_Pa", 3, present.size());
+  double* weight = new_field(in_zones, "weight", 1, present.size());
+  for (std::size_t i = 0; i < present.size(); ++i) {
+    const auto [xx, yy, xy] = continuum.zones().stress(present[i]);
+    stress[3 * i] = xx;
+    stress[3 * i + 1] = yy;
+    stress[3 * i + 2] = xy;
+    weight[i] = weights[present[i]];
   }
-  std::ranges::copy(weights, new_field(in_zones, "weight", 1, grid.zones.size()));
 }
 
-void add_peaks(const Peaks& peaks, wire::Piece& piece) {
+void add_peaks(const Peaks& peaks, std::span<const double> weights, wire::Piece& piece) {
   protocol::add_peak_fields(peaks.motion(), *piece.mutable_point_fields());
+  const auto present = present_zones(weights.first(peaks.shear_strain().size()));
   const auto add = [&](const std::string& name, std::span<const double> values) {
-    std::ranges::copy(values, new_field(*piece.mutable_cell_fields(), name, 1, values.size()));
+    double* to = new_field(*piece.mutable_cell_fields(), name, 1, present.size());
+    for (const auto z : present) *to++ = values[z];
   };
   add("peak_shear_strain", peaks.shear_strain());
   add("peak_largest_principal_stress_Pa", peaks.largest_principal());

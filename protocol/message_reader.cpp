@@ -149,7 +149,7 @@ void read_field(const YamlValue& value, const std::string& path, const FieldDesc
 const FieldDescriptor* find_field(const YamlValue& member, const std::string& path, const Message& message) {
   const auto* type = message.GetDescriptor();
   const FieldDescriptor* field = type->FindFieldByName(member.key);
-  if (!field) {
+  if (!field || is_internal(field)) {
     const auto names = field_names(type);
     const std::string guess = did_you_mean(member.key, names);
     refuse_at(member.place, member_path(path, shorten(member.key)),

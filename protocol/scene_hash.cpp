@@ -33,6 +33,9 @@ std::string scene_hash(const scene::Scene& scene) {
   computed.clear_name();
   computed.clear_base();
   computed.clear_description();
+  if (computed.continuum().has_mesh()) computed.mutable_continuum()->mutable_mesh()->clear_path();
+  for (scene::Region& region : *computed.mutable_regions())
+    if (region.continuum().has_mesh()) region.mutable_continuum()->mutable_mesh()->clear_path();
   char text[17];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(fnv_1a(serialize(computed))));
   return text;

@@ -2,6 +2,8 @@
 
 #include <iostream>
 
+#include "protocol/attached_files.hpp"
+
 namespace adit::protocol {
 namespace {
 
@@ -13,10 +15,11 @@ int complain(const std::string& message, ExitCode code) {
 }  // namespace
 
 int with_scene(const std::string& path, const std::vector<std::string>& sets,
-               const std::function<void(const SceneFile&)>& work) {
+               const std::function<void(SceneFile&)>& work) {
   SceneFile file;
   try {
     file = read_scene(path, parse_overrides(sets));
+    attach_files(file);
     work(file);
     return kSuccess;
   } catch (const UserError& error) {

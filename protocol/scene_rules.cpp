@@ -50,9 +50,14 @@ const scene::Rule& rule_of(const FieldDescriptor* field) {
   return field->options().GetExtension(scene::rule);
 }
 
+bool is_internal(const FieldDescriptor* field) {
+  return rule_of(field).has_content_of();
+}
+
 std::vector<std::string> field_names(const Descriptor* type) {
   std::vector<std::string> names;
-  for (int i = 0; i < type->field_count(); ++i) names.push_back(type->field(i)->name());
+  for (int i = 0; i < type->field_count(); ++i)
+    if (!is_internal(type->field(i))) names.push_back(type->field(i)->name());
   return names;
 }
 

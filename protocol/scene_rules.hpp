@@ -12,6 +12,9 @@ namespace adit::protocol {
 
 const scene::Rule& rule_of(const google::protobuf::FieldDescriptor* field);
 
+// Whether the programs fill it in, not the user.
+bool is_internal(const google::protobuf::FieldDescriptor* field);
+
 // Names as a scene writes them.
 std::vector<std::string> field_names(const google::protobuf::Descriptor* type);
 std::vector<std::string> enumerators(const google::protobuf::EnumDescriptor* type);  // in lower case

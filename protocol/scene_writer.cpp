@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "protocol/scene_rules.hpp"
 #include "protocol/text.hpp"
 
 namespace adit::protocol {
@@ -37,6 +38,10 @@ void emit_value(YAML::Emitter& out, const Message& message, const FieldDescripto
       out << (list ? reflection->GetRepeatedUInt32(message, field, index)
                    : reflection->GetUInt32(message, field));
       break;
+    case FieldDescriptor::CPPTYPE_UINT64:
+      out << (list ? reflection->GetRepeatedUInt64(message, field, index)
+                   : reflection->GetUInt64(message, field));
+      break;
     case FieldDescriptor::CPPTYPE_BOOL:
       out << (list ? reflection->GetRepeatedBool(message, field, index)
                    : reflection->GetBool(message, field));
@@ -57,7 +62,7 @@ void emit(YAML::Emitter& out, const Message& message) {
   message.GetReflection()->ListFields(message, &fields);
   out << YAML::BeginMap;
   for (const FieldDescriptor* field : fields) {
-    if (field->full_name() == "adit.scene.Scene.base") continue;
+    if (field->full_name() == "adit.scene.Scene.base" || is_internal(field)) continue;
     out << YAML::Key << field->name() << YAML::Value;
     if (!field->is_repeated()) {
       emit_value(out, message, field, -1);

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
-#include <string>
 #include <vector>
 
 #include "protocol/motion/motion.hpp"
@@ -11,14 +9,6 @@
 #include "simplified/ground.hpp"
 
 namespace adit::simplified {
-
-// The folder to which a path in the scene field is relative.
-using FolderOf = std::function<std::string(const std::string& field)>;
-
-// The scene's motion at steps of dt, as long as the duration. Throws UserError, such as for a record that is
-// shorter than the duration.
-motion::Motion ground_motion(const scene::GroundMotion& motion, const FolderOf& folder, double dt,
-                             double duration);
 
 // One direction of the ground's motion, absolute, at a few places along the tunnel and at every step; a row a
 // step, from time 0. Between the places: along_chainage.hpp.

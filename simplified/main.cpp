@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string>
 
+#include "protocol/motion/records_of_scene.hpp"
 #include "protocol/results/run_directory.hpp"
 #include "protocol/scene_command_line.hpp"
 #include "protocol/scene_program.hpp"
@@ -23,15 +24,15 @@ void run_scene(const protocol::SceneCommandLine& line, const protocol::SceneFile
   const std::string name = adit::results::case_name(line.scene);
   const fs::path directory =
       line.out.empty() ? fs::path("runs") / name / file.scene.name() : fs::path(line.out);
-  simplified::check(file);  // before an older run's results go
+  simplified::check(file.scene);  // before an older run's results go
   adit::results::prepare_run_directory(directory, line.scene);
   adit::results::clear_results(directory);
   std::ofstream(directory / "scene.yaml") << protocol::to_yaml(file.scene);
-  simplified::run(file, name, directory);
+  simplified::run(file.scene, name, directory);
 }
 
 void check_scene(const protocol::SceneCommandLine& line, const protocol::SceneFile& file) {
-  simplified::check(file);
+  simplified::check(file.scene);
   fmt::print("{} can be computed\n", line.scene);
 }
 
@@ -50,6 +51,8 @@ int main(int argc, char** argv) {
     return protocol::kSuccess;
   }
   const auto& work = line.run->parsed() ? run_scene : check_scene;
-  return protocol::with_scene(line.scene, line.sets,
-                              [&](const protocol::SceneFile& file) { work(line, file); });
+  return protocol::with_scene(line.scene, line.sets, [&](protocol::SceneFile& file) {
+    adit::motion::read_records(file);
+    work(line, file);
+  });
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "protocol/errors.hpp"
+#include "protocol/motion/ground_motion.hpp"
 #include "protocol/scene_hash.hpp"
 #include "simplified/joint.hpp"
 #include "simplified/results.hpp"
@@ -96,13 +97,9 @@ void set_up_column(Setup& setup) {
   setup.end = scene.ground().profiles(scene.ground().profiles_size() - 1).chainage();
 }
 
-FolderOf folder_of(const protocol::SceneFile& file) {
-  return [&file](const std::string& field) { return file.folder(field); };
-}
-
 }  // namespace
 
-Setup set_up(const scene::Scene& scene, const FolderOf& folder) {
+Setup set_up(const scene::Scene& scene) {
   refuse_other_models(scene);
   Setup setup;
   setup.scene = &scene.simplified();
@@ -113,8 +110,8 @@ Setup set_up(const scene::Scene& scene, const FolderOf& folder) {
   else
     set_up_tunnel(setup);
   check_stations(*setup.scene, setup.begin, setup.end);
-  setup.motion =
-      ground_motion(setup.scene->excitation().motion(), folder, setup.clock.dt, scene.time().duration());
+  setup.motion = motion::ground_motion(setup.scene->excitation().motion(), "simplified.excitation.motion",
+                                       {.dt = setup.clock.dt, .duration = scene.time().duration()});
   return setup;
 }
 
@@ -131,20 +128,19 @@ Response solve(const Setup& setup) {
   return solve_beam(*setup.scene, setup.line, ground, setup.clock);
 }
 
-void run(const protocol::SceneFile& file, const std::string& case_name,
-         const std::filesystem::path& directory) {
+void run(const scene::Scene& scene, const std::string& case_name, const std::filesystem::path& directory) {
   const auto started = std::chrono::steady_clock::now();
-  const Setup setup = set_up(file.scene, folder_of(file));
+  const Setup setup = set_up(scene);
   const Response response = solve(setup);
   const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   write_tables(directory, *setup.scene, response);
   if (setup.scene->has_zoom() && !response.fields.time.empty())
-    write_zoom(directory / "zoom", response, setup.scene->zoom(), file.scene.time().duration());
-  summarize(file.scene, case_name, setup, response, wall_s, directory);
+    write_zoom(directory / "zoom", response, setup.scene->zoom(), scene.time().duration());
+  summarize(scene, case_name, setup, response, wall_s, directory);
 }
 
-void check(const protocol::SceneFile& file) {
-  set_up(file.scene, folder_of(file));
+void check(const scene::Scene& scene) {
+  set_up(scene);
 }
 
 }  // namespace adit::simplified

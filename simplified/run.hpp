@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "protocol/scene_reader.hpp"
+#include "protocol/scene.pb.h"
 #include "simplified/excitation.hpp"
 #include "simplified/solve.hpp"
 
@@ -19,17 +19,16 @@ struct Setup {
   motion::Motion motion;
 };
 
-// Checks all of the scene, reads its motion; throws UserError.
-Setup set_up(const scene::Scene& scene, const FolderOf& folder);
+// Checks all of the scene, prepares its motion; throws UserError.
+Setup set_up(const scene::Scene& scene);
 
 // The response to the ground's motion; throws UserError and Unstable.
 Response solve(const Setup& setup);
 
 // Sets up, solves, writes the results into `directory`, which exists, and says what they are.
-void run(const protocol::SceneFile& file, const std::string& case_name,
-         const std::filesystem::path& directory);
+void run(const scene::Scene& scene, const std::string& case_name, const std::filesystem::path& directory);
 
 // Sets up alone.
-void check(const protocol::SceneFile& file);
+void check(const scene::Scene& scene);
 
 }  // namespace adit::simplified

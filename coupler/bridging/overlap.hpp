@@ -11,7 +11,7 @@
 // (tests/verification/patch_test.cpp): prefer edges on grid lines and wide overlaps.
 //
 // Where a grid is the outer model, a zone whose samples of the weight are all 0 does not exist
-// (fdm_server/grid/grid.hpp). If the core is convex, nothing is lost with it: its corners lie in the core,
+// (fdm_server/grid/samples.hpp). If the core is convex, nothing is lost with it: its corners lie in the core,
 // hence all of it, and each point of the overlap lies in a zone that is left, or on its edge. It is so for a
 // strip, a box, a circle. A polygon's notch or hole between the samples, half a zone apart, is not seen: the
 // zones around it vanish, and a coupling point in it is refused as lying outside the grid. Take zones so

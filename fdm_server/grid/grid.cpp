@@ -76,38 +76,6 @@ Grid make_grid(const Block& block) {
   return grid;
 }
 
-std::vector<double> sample_points(const Block& block) {
-  const std::size_t columns = 2 * std::size_t{block.zones_x}, rows = 2 * std::size_t{block.zones_y};
-  std::vector<double> points;
-  points.reserve(2 * (columns + 1) * (rows + 1));
-  for (std::size_t j = 0; j <= rows; ++j)
-    for (std::size_t i = 0; i <= columns; ++i) {
-      points.push_back(spaced(block.x_min, block.x_max, i, columns));
-      points.push_back(spaced(block.y_min, block.y_max, j, rows));
-    }
-  return points;
-}
-
-std::vector<double> zone_weights(const Block& block, std::span<const double> samples, double floor) {
-  constexpr std::array<double, 3> kSimpson{1, 4, 1};
-  const std::size_t stride = 2 * std::size_t{block.zones_x} + 1;
-  std::vector<double> weights;
-  weights.reserve(std::size_t{block.zones_x} * block.zones_y);
-  for (std::size_t j = 0; j < block.zones_y; ++j)
-    for (std::size_t i = 0; i < block.zones_x; ++i) {
-      double sum = 0;
-      bool exists = false;
-      for (std::size_t b = 0; b < 3; ++b)
-        for (std::size_t a = 0; a < 3; ++a) {
-          const double sample = samples[(2 * j + b) * stride + 2 * i + a];
-          sum += kSimpson[a] * kSimpson[b] * sample;
-          exists = exists || sample != 0;
-        }
-      weights.push_back(exists ? std::max(sum / 36, floor) : 0.0);
-    }
-  return weights;
-}
-
 void compact(Grid& grid, std::vector<double>& weights) {
   std::vector<std::int32_t> point_number(grid.x.size(), -1), zone_number(grid.zones.size(), -1);
   std::int32_t zones = 0;
@@ -150,9 +118,14 @@ void compact(Grid& grid, std::vector<double>& weights) {
 }
 
 std::vector<double> lumped_masses(const Grid& grid, std::span<const double> weights, double density) {
+  return lumped_masses(grid, weights, std::vector<double>(grid.zones.size(), density));
+}
+
+std::vector<double> lumped_masses(const Grid& grid, std::span<const double> weights,
+                                  std::span<const double> densities) {
   std::vector<double> masses(grid.x.size(), 0.0);
   for (std::size_t z = 0; z < grid.zones.size(); ++z) {
-    const double share = weights[z] * density * area(corners(grid, z)) / 4;
+    const double share = weights[z] * densities[z] * area(corners(grid, z)) / 4;
     for (const auto point : grid.zones[z]) masses[point] += share;
   }
   return masses;

@@ -41,6 +41,9 @@ struct Grid {
   // Shapes of the last zones, where they are not those of their points: a column whose left and right points
   // are the same has a width all the same.
   std::vector<Corners> own_corners{};
+  std::uint32_t column_points = 0;  // the last points
+
+  std::size_t own_points() const { return x.size() - column_points; }  // without the columns'
 };
 
 Corners corners(const Grid& grid, std::size_t zone);
@@ -60,20 +63,13 @@ struct Block {
 // Points row by row from the lower left corner, zones likewise.
 Grid make_grid(const Block& block);
 
-// The points at which the energy weight is sampled: the lattice of half zones, (2 zones_x + 1) x
-// (2 zones_y + 1) points, row by row from the lower left corner, interleaved x0 y0 x1 y1 … [m]. Zone (i, j)
-// owns the 3 x 3 of them that start at column 2 i, row 2 j: corners, mid-edges, centre.
-std::vector<double> sample_points(const Block& block);
-
-// Weight of each zone from the samples: their mean by Simpson's rule, exact for linear weights, so that a
-// patch of uniform strain passes through the overlap; at least `floor`. A zone whose samples are all 0 has 0.
-std::vector<double> zone_weights(const Block& block, std::span<const double> samples, double floor);
-
 // Removes zones of weight 0 (also from `weights`), their edges and the points that no zone is left of; keeps
 // the order. Before zones with corners of their own are added.
 void compact(Grid& grid, std::vector<double>& weights);
 
 // Weighted lumped mass of each point: a quarter of each of its zones' [kg per metre of thickness].
 std::vector<double> lumped_masses(const Grid& grid, std::span<const double> weights, double density);
+std::vector<double> lumped_masses(const Grid& grid, std::span<const double> weights,
+                                  std::span<const double> densities);  // of each zone
 
 }  // namespace adit::fdm

@@ -47,7 +47,7 @@ std::vector<std::uint32_t> select_points(const Grid& grid, const scene::Area& ar
                                            : std::vector<bool>(grid.x.size(), true);
   const protocol::Places places(area, path, tolerance(grid));
   std::vector<std::uint32_t> chosen;
-  for (std::uint32_t i = 0; i < grid.x.size(); ++i)
+  for (std::uint32_t i = 0; i < grid.own_points(); ++i)
     if (candidates[i] && places.hold(grid.x[i], grid.y[i])) chosen.push_back(i);
   if (chosen.empty()) protocol::refuse_empty(path, "grid points");
   return chosen;
@@ -63,7 +63,7 @@ std::vector<std::uint32_t> select_zones(const Grid& grid, const scene::Area& are
   if (area.has_group())
     std::ranges::for_each(find_group(grid, area.group(), path).zones, consider);
   else
-    for (std::uint32_t zone = 0; zone < grid.zones.size(); ++zone) consider(zone);
+    for (std::uint32_t zone = 0; zone < grid.zones.size() - grid.own_corners.size(); ++zone) consider(zone);
   if (chosen.empty()) protocol::refuse_empty(path, "zones");
   return chosen;
 }

@@ -45,7 +45,7 @@ double sum(const ZoneShares& fit, Value&& value) {
 [[noreturn]] void refuse_place(const Grid& grid, double x, double y, const std::string& path) {
   double distance = std::numeric_limits<double>::infinity();
   std::size_t nearest = 0;
-  for (std::size_t i = 0; i < grid.x.size(); ++i)
+  for (std::size_t i = 0; i < grid.own_points(); ++i)
     if (const double d = std::hypot(grid.x[i] - x, grid.y[i] - y); d < distance) {
       distance = d;
       nearest = i;
@@ -67,9 +67,12 @@ double strain(const Strain& strain, scene::Quantity quantity) {
 
 }  // namespace
 
-Histories::Histories(const scene::Continuum& scene, const Grid& grid, const Supports& supports) {
+Histories::Histories(const scene::Continuum& scene, const Grid& grid, const Supports& supports,
+                     std::span<const std::uint32_t> zone_kinds) {
   if (scene.histories().empty()) return;
   const ZoneLocator locator(grid);
+  std::vector<bool> hidden;
+  for (const auto kind : zone_kinds) hidden.push_back(kind == kNoGround);
   for (int i = 0; i < scene.histories_size(); ++i) {
     const auto& history = scene.histories(i);
     const std::string path = fmt::format("continuum.histories[{}]", i);
@@ -79,11 +82,11 @@ Histories::Histories(const scene::Continuum& scene, const Grid& grid, const Supp
       continue;
     }
     const double x = history.at().x(), y = history.at().y();
-    const auto place = locator.locate(x, y);
+    const auto place = locator.locate(x, y, hidden);
     if (!place) refuse_place(grid, x, y, path + ".at");
     probe.points = grid.zones[place->zone];
     probe.shares = place->shape;
-    if (is_of_zones(history.quantity())) probe.zones = fit_around(grid, place->zone, x, y);
+    if (is_of_zones(history.quantity())) probe.zones = fit_around(grid, zone_kinds, place->zone, x, y);
   }
 }
 
@@ -125,6 +128,8 @@ double Histories::value(const Probe& probe, const Grid& grid, const Supports& su
     case scene::STRESS_YY:
     case scene::STRESS_XY:
       return sum(zones, [&](std::uint32_t z) { return stress(continuum.zones().stress(z), quantity); });
+    case scene::STRESS_ZZ:
+      return sum(zones, [&](std::uint32_t z) { return continuum.zones().field(z, ZoneField::kStressZz); });
     case scene::STRAIN_XX:
     case scene::STRAIN_YY:
     case scene::SHEAR_STRAIN_XY:

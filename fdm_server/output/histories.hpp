@@ -17,8 +17,10 @@ namespace adit::fdm {
 
 class Histories {
  public:
-  // protocol::UserError for a place outside the grid's zones, or off the lining whose force is asked for.
-  Histories(const scene::Continuum& scene, const Grid& grid, const Supports& supports);
+  // `zone_kinds` as in zone_fit.hpp. protocol::UserError for a place outside all zones of ground, or off the
+  // lining whose force is asked for.
+  Histories(const scene::Continuum& scene, const Grid& grid, const Supports& supports,
+            std::span<const std::uint32_t> zone_kinds);
 
   // The velocities of these points await the correction by another model after every step.
   void tie(std::span<const std::uint32_t> points);

@@ -7,14 +7,22 @@
 #include "fdm_server/output/strain.hpp"
 
 namespace adit::fdm {
+namespace {
+
+std::size_t own_zones(const Grid& grid) {
+  return grid.zones.size() - grid.own_corners.size();
+}
+
+}  // namespace
 
 Peaks::Peaks(const Grid& grid)
-    : motion_(grid.x.size()),
-      shear_strain_(grid.zones.size()),
-      largest_principal_(grid.zones.size(), -std::numeric_limits<double>::infinity()),
-      smallest_principal_(grid.zones.size(), std::numeric_limits<double>::infinity()) {
-  gradients_.reserve(grid.zones.size());
-  for (std::size_t z = 0; z < grid.zones.size(); ++z) gradients_.push_back(mean_gradient(corners(grid, z)));
+    : motion_(grid.own_points()),
+      shear_strain_(own_zones(grid)),
+      largest_principal_(own_zones(grid), -std::numeric_limits<double>::infinity()),
+      smallest_principal_(own_zones(grid), std::numeric_limits<double>::infinity()) {
+  gradients_.reserve(shear_strain_.size());
+  for (std::size_t z = 0; z < shear_strain_.size(); ++z)
+    gradients_.push_back(mean_gradient(corners(grid, z)));
 }
 
 void Peaks::remember(const Continuum& continuum) {

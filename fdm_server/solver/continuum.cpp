@@ -38,11 +38,7 @@ Continuum::Continuum(std::unique_ptr<Zones> zones, std::span<const double> masse
     points_[kInverseMassX][i] = points_[kInverseMassY][i] = 1 / masses[i];
   }
   zones_->follow(points_[kUx].data(), points_[kUy].data());
-  for (auto& load : loads)
-    if (load.factor)
-      interior_.loads.push_back({std::move(load)});
-    else
-      add_steady(load);
+  place(std::move(loads));
   for (auto& motion : motions) {
     for (const auto point : motion.points)
       points_[motion.axis == Axis::kX ? kInverseMassX : kInverseMassY][point] = 0;
@@ -59,50 +55,102 @@ void Continuum::add_steady(const Load& load) {
   }
 }
 
+// Gives each part what acts on its points.
+void Continuum::place(std::vector<Load> loads) {
+  const auto chosen = of_interface();
+  for (auto& load : loads) {
+    if (!load.factor) {
+      add_steady(load);
+      continue;
+    }
+    Load taken = take(load, chosen);
+    if (!taken.points.empty()) interface_.loads.push_back({std::move(taken)});
+    if (!load.points.empty()) interior_.loads.push_back({std::move(load)});
+  }
+}
+
+std::vector<bool> Continuum::of_interface() const {
+  std::vector<bool> chosen(points_.rows(), false);
+  for (const auto [begin, end] : interface_.points)
+    std::fill(chosen.begin() + begin, chosen.begin() + end, true);
+  return chosen;
+}
+
 Continuum::Prescribed Continuum::prescribed(Motion motion) const {
   double mass = 0;
   for (const auto point : motion.points) mass += points_[kMass][point];
   return {std::move(motion), mass};
 }
 
+void Continuum::set_dashpots(std::vector<Dashpot> dashpots, bool support) {
+  interior_.dashpots = std::move(dashpots);
+  supports_ = support;
+  plan(std::vector<bool>(points_.rows(), false));
+}
+
+void Continuum::set_damping(const DampingLaw& law) {
+  damping_ = Damping(law, points_.rows());
+  plan(std::vector<bool>(points_.rows(), false));
+}
+
 void Continuum::set_interface(std::span<const std::uint32_t> points) {
   std::vector<bool> chosen(points_.rows(), false);
   for (const auto point : points) chosen[point] = true;
+  for (const auto& dashpot : interior_.dashpots)  // which need the column's velocity
+    if (dashpot.field && chosen[dashpot.point]) chosen[dashpot.field->column_point] = true;
   plan(chosen);
-  for (auto& [load, factor] : interior_.loads) interface_.loads.push_back({take(load, chosen)});
+  const auto inside = std::ranges::stable_partition(
+      interior_.dashpots, [&](const Dashpot& dashpot) { return !chosen[dashpot.point]; });
+  interface_.dashpots.assign(inside.begin(), inside.end());
+  interior_.dashpots.erase(inside.begin(), inside.end());
+  std::vector<Load> loads;
+  for (auto& loading : interior_.loads) loads.push_back(std::move(loading.load));
+  interior_.loads.clear();
+  place(std::move(loads));
   for (auto& inside : interior_.motions) {
     interface_.motions.push_back(prescribed(take(inside.motion, chosen)));
     inside = prescribed(std::move(inside.motion));
   }
   for (Part* part : {&interface_, &interior_}) {
-    std::erase_if(part->loads, [](const Loading& loading) { return loading.load.points.empty(); });
     std::erase_if(part->motions, [](const Prescribed& one) { return one.motion.points.empty(); });
   }
 }
 
-// Before loads and motions are divided.
+// Before loads, motions and dashpots are divided.
 void Continuum::plan(const std::vector<bool>& chosen) {
-  std::vector<bool> pulled(points_.rows(), false);  // by others than zones
-  for (const auto& [load, factor] : interior_.loads)
-    for (const auto point : load.points) pulled[point] = true;
-  for (const auto& one : interior_.motions)
-    for (const auto point : one.motion.points) pulled[point] = true;
+  std::vector<bool> pulled(points_.rows(), damping_.acts());  // by others than zones
+  for (const Part* part : {&interface_, &interior_}) {
+    for (const auto& [load, factor] : part->loads)
+      for (const auto point : load.points) pulled[point] = true;
+    for (const auto& one : part->motions)
+      for (const auto point : one.motion.points) pulled[point] = true;
+    for (const auto& dashpot : part->dashpots) {
+      pulled[dashpot.point] = true;
+      if (dashpot.field) pulled[dashpot.field->column_point] = true;
+    }
+  }
   structures_.mark_points(pulled);
   interior_.structures = structures_.all();
   interface_.structures = structures_.take(interior_.structures, chosen);
 
+  interface_.points = protocol::stretches(chosen, true);
+  interior_.points = protocol::stretches(chosen, false);
   const auto [touching, others] = split(zones_->runs(), chosen);
   std::vector<bool> reached = chosen;
   for (const ZoneRun& run : touching)
     for (const auto point : run.points)
       for (std::uint32_t k = 0; k < run.count; ++k) reached[point + k] = true;
 
+  std::vector<bool> in_zones(points_.rows(), false);
+  for (const ZoneRun& run : zones_->runs())
+    for (const auto point : run.points)
+      for (std::uint32_t k = 0; k < run.count; ++k) in_zones[point + k] = true;
   std::vector<Role> of_interface(points_.rows(), Role::kForeign), of_interior = of_interface;
   for (std::size_t i = 0; i < points_.rows(); ++i)
     if (chosen[i])
-      of_interface[i] = pulled[i] ? Role::kKept : Role::kSwept;
+      of_interface[i] = pulled[i] || !in_zones[i] ? Role::kKept : Role::kSwept;
     else
-      of_interior[i] = pulled[i] || reached[i] ? Role::kKept : Role::kSwept;
+      of_interior[i] = pulled[i] || reached[i] || !in_zones[i] ? Role::kKept : Role::kSwept;
   interface_.sweep = {touching, of_interface, reached, team_.threads()};
   reached.flip();
   interior_.sweep = {others, of_interior, reached, team_.threads()};
@@ -164,7 +212,11 @@ void Continuum::pull(Part& part, const protocol::Step& step) {
   const PointColumns points = columns();
   part.sweep.run(team_, *zones_, step.dt, step.kick(), points);
   structures_.add_forces(part.structures, step.dt, {points.vx, points.vy, points.fx, points.fy});
+  if (damping_.acts()) damping_.add_viscous(part.points, step, points);
   apply_loads(part, step);
+  add_boundary_forces(part.dashpots, supports_, damping_.law().stiffness, step, *zones_, points,
+                      boundary_work_);
+  if (damping_.acts()) damped_ += damping_.add_others(part.points, step, points, points_[kMass]);
   find_reactions(part, step);
 }
 
@@ -222,8 +274,9 @@ Energies Continuum::energies(const protocol::Step& step) const {
   for (std::size_t i = 0; i < points_.rows(); ++i)
     twice += points_[kMass][i] *
              (product(points_[kLastVx][i], points_[kVx][i]) + product(points_[kLastVy][i], points_[kVy][i]));
-  return {twice / 2, zones_->strain_energy() + structures_.strain_energy(), external_work_ + steady_work(),
-          structures_.dissipated()};
+  return {twice / 2, zones_->strain_energy() + structures_.strain_energy(),
+          external_work_ + steady_work() + boundary_work_.external,
+          zones_->dissipated() + structures_.dissipated() + boundary_work_.dissipated + damped_};
 }
 
 void Continuum::predict(const Part& part, const protocol::Step& step) {
@@ -244,10 +297,14 @@ void Continuum::stop() {
 
 void Continuum::start_over() {
   stop();
-  zones_->start_over();
   structures_.start_over();
+  external_work_ = damped_ = 0;
+  boundary_work_ = {};
+}
+
+void Continuum::reset_displacements() {
+  zones_->start_over();
   for (const Column column : {kUx, kUy}) std::ranges::fill(points_[column], 0.0);
-  external_work_ = 0;
 }
 
 std::optional<std::uint32_t> Continuum::first_non_finite() const {

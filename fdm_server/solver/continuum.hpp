@@ -7,10 +7,12 @@
 //
 // Statics take the same steps; every stop starts from rest like step 0, at the stresses reached.
 //
-// Energies at step n: kinetic 1/2 sum m v(n-1/2) v(n+1/2), strain energy of the stresses, work of loads and
-// prescribed motions summed as dt v(n+1/2) (F(n) + F(n+1))/2. Then kinetic + strain - work keeps its value
-// of step 0 to rounding: M (v(n+3/2) - v(n-1/2)) = dt (f(n) + f(n+1)), times v(n+1/2)/2, is the change of the
-// kinetic energy, and f = F - K u. That value is -1/2 sum m v(1/2)^2, 0 where nothing acts at t = 0.
+// Energies at step n: kinetic 1/2 sum m v(n-1/2) v(n+1/2), strain energy of the stresses; work of loads,
+// prescribed motions and boundaries, and what dashpots and damping dissipate, summed as
+// dt v(n+1/2) (F(n) + F(n+1))/2; dissipation of the materials (materials/law_zones.hpp). Then kinetic +
+// strain + dissipated - work keeps its value of step 0 to rounding: M (v(n+3/2) - v(n-1/2)) = dt (f(n) +
+// f(n+1)), times v(n+1/2)/2, is the change of the kinetic energy, and f = F - K u. That value is -1/2 sum m
+// v(1/2)^2, 0 where nothing acts at t = 0.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +22,8 @@
 #include <span>
 #include <vector>
 
+#include "fdm_server/boundaries/damping.hpp"
+#include "fdm_server/boundaries/dashpots.hpp"
 #include "fdm_server/solver/sweep.hpp"
 #include "fdm_server/structures/structures.hpp"
 #include "fdm_server/zones/columns.hpp"
@@ -50,7 +54,7 @@ struct Motion {
 
 struct Energies {
   double kinetic, strain, external_work;  // [J]
-  double dissipated;                      // since the start, by what yields [J]
+  double dissipated = 0;                  // since the start, by what yields, dashpots and damping [J]
 };
 
 class Continuum {
@@ -60,8 +64,19 @@ class Continuum {
   Continuum(std::unique_ptr<Zones> zones, std::span<const double> masses, std::vector<Load> loads,
             std::vector<Motion> motions, std::size_t threads = 1, Structures structures = {});
 
+  // Before the first step, and before the interface is set. At most one dashpot a point, columns before what
+  // is linked to them; where they `support`, points that bear on them are in equilibrium at step 0, whatever
+  // the stresses.
+  void set_dashpots(std::vector<Dashpot> dashpots, bool support);
+  void set_damping(const DampingLaw& law);
+
   // Makes these points the interface, before the first step.
   void set_interface(std::span<const std::uint32_t> points);
+
+  // Takes zones away between two steps, with their stresses: `masses` and `loads` are those of what is left.
+  // Points without mass are held from then on. The interface must not have any of their points.
+  void excavate(std::span<const std::uint32_t> zones, std::span<const double> masses,
+                std::vector<Load> loads);
 
   // Adds an impulse [N s] to a point's velocity; a prescribed component does not yield.
   void push(std::uint32_t point, double x, double y);
@@ -78,8 +93,9 @@ class Continuum {
 
   // All velocities become 0: before a step from rest.
   void stop();
-  // Time begins: at rest, displacements and work from 0, stresses as they are. Step 0 is next.
+  // Time begins: at rest, work from 0, stresses as they are. Step 0 is next.
   void start_over();
+  void reset_displacements();
 
   // One value a point.
   std::span<const double> ux() const { return points_[kUx]; }  // at the last step [m]
@@ -131,15 +147,19 @@ class Continuum {
   struct Part {
     Sweep sweep;
     Structures::Part structures;
+    std::vector<protocol::Stretch> points;
     std::vector<Loading> loads;
     std::vector<Prescribed> motions;
+    std::vector<Dashpot> dashpots;
   };
 
-  // Says which points the parts may sweep: those of loads, motions and structures have to wait for these.
+  // Says which points the parts may sweep: those that others pull on, too, have to wait for these.
   void plan(const std::vector<bool>& chosen);
   PointColumns columns();
   void add_steady(const Load& load);
   Prescribed prescribed(Motion motion) const;
+  void place(std::vector<Load> loads);
+  std::vector<bool> of_interface() const;  // of every point
   void hold(Axis axis, std::uint32_t point, double impulse);
   void pull(Part& part, const protocol::Step& step);
   void apply_loads(Part& part, const protocol::Step& step);
@@ -154,8 +174,11 @@ class Continuum {
   Columns<kColumns> points_;
   protocol::Team team_;
   Part interface_, interior_;
-  bool steady_ = false;       // are there steady loads
-  double external_work_ = 0;  // of all others, and of motions
+  Damping damping_{{}, 0};
+  bool supports_ = false;
+  BoundaryWork boundary_work_;
+  bool steady_ = false;                    // are there steady loads
+  double external_work_ = 0, damped_ = 0;  // of all other loads, and of motions
   double last_dt_ = 0, last_kick_ = 0;
 };
 

@@ -14,6 +14,7 @@
 #include "fdm_server/structures/curve.hpp"
 #include "fdm_server/structures/trace.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/geometry/polygon.hpp"
 
 namespace adit::fdm {
 namespace {
@@ -50,6 +51,8 @@ std::unique_ptr<Curve> read_line(const scene::LinePath& line, const std::string&
             fmt::format("names ({}, {}) m twice in succession; leave one out", point.x(), point.y()));
     points.push_back({point.x(), point.y()});
   }
+  require(geometry::is_simple_line(points), path + ".points",
+          "cross, touch or run back over one another; give a line that passes every place once");
   return polyline(std::move(points));
 }
 
@@ -113,6 +116,9 @@ std::vector<LiningJoint> read_joints(const scene::Lining& lining, const Path& al
                         joint.rotational_stiffness()));
     require(joint.yield_moment() > 0, here + ".yield_moment",
             fmt::format("is {} N m, but must be positive", joint.yield_moment()));
+    require(
+        !joint.has_yield_moment() || joint.rotational_stiffness() > 0, here + ".yield_moment",
+        "is given to a hinge, which carries no moment; give its rotational_stiffness too, or leave it out");
     const auto node = nearest_node(place_of(joint, lining.along(), here), along, grid, here);
     require(along.closed || (node > 0 && node + 1 < along.points.size()), here,
             "lies at an end of the lining, where no beam follows; leave it out");

@@ -5,10 +5,10 @@
 
 namespace adit::fdm {
 
-HourglassStiffness assumed_strain_stiffness(const Corners& c, const PlaneLaw& law) {
+std::array<GaussPoint, 4> gauss_points(const Corners& c) {
   constexpr std::array<double, 4> kXi{-1, 1, 1, -1}, kEta{-1, -1, 1, 1};
-  double hxx = 0, hyy = 0, hxy = 0;
-  const double gauss = 1 / std::sqrt(3.0);  // 2 x 2 points: exact on parallelograms
+  const double gauss = 1 / std::sqrt(3.0);
+  std::array<GaussPoint, 4> points{};
   for (std::size_t point = 0; point < 4; ++point) {
     const double xi = gauss * kXi[point], eta = gauss * kEta[point];
     double x_xi = 0, x_eta = 0, y_xi = 0, y_eta = 0;
@@ -20,10 +20,17 @@ HourglassStiffness assumed_strain_stiffness(const Corners& c, const PlaneLaw& la
       y_eta += n_eta * c.y[a];
     }
     const double jacobian = x_xi * y_eta - x_eta * y_xi;
-    const double hx = (eta * y_eta - xi * y_xi) / jacobian, hy = (xi * x_xi - eta * x_eta) / jacobian;
-    hxx += hx * hx * jacobian;
-    hyy += hy * hy * jacobian;
-    hxy += hx * hy * jacobian;
+    points[point] = {jacobian, (eta * y_eta - xi * y_xi) / jacobian, (xi * x_xi - eta * x_eta) / jacobian};
+  }
+  return points;
+}
+
+HourglassStiffness assumed_strain_stiffness(const Corners& corners, const PlaneLaw& law) {
+  double hxx = 0, hyy = 0, hxy = 0;
+  for (const auto& [area, hx, hy] : gauss_points(corners)) {
+    hxx += hx * hx * area;
+    hyy += hy * hy * area;
+    hxy += hx * hy * area;
   }
   const double young = law.young_prime();
   return {young * hxx, young * hyy, -young * law.poisson_prime() * hxy};

@@ -10,11 +10,20 @@
 // and corner forces gamma Q. On rectangles this is the zone with incompatible modes of Wilson and Taylor.
 #pragma once
 
+#include <array>
+
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/zones/hourglass.hpp"
 #include "fdm_server/zones/plane_law.hpp"
 
 namespace adit::fdm {
+
+// Gauss points of the zone, 2 x 2: exact on parallelograms.
+struct GaussPoint {
+  double area;    // that it stands for, the Jacobian [m^2]
+  double hx, hy;  // gradient of h [1/m]
+};
+std::array<GaussPoint, 4> gauss_points(const Corners& corners);
 
 HourglassStiffness assumed_strain_stiffness(const Corners& corners, const PlaneLaw& law);
 

@@ -139,6 +139,12 @@ void ElasticZones::set_stress(std::size_t zone, const Stress& stress) {
   for (std::size_t c = 0; c < kComponents; ++c) initial()[c][zone] = uniform[c];
 }
 
+void ElasticZones::remove(const std::vector<bool>& gone) {
+  runs_ = without(runs_, gone);
+  for (std::size_t z = 0; z < gone.size(); ++z)
+    if (gone[z]) weights_[z] = 0;
+}
+
 void ElasticZones::start_over() {
   initial();
   for (const auto& run : runs_)
@@ -164,6 +170,7 @@ double ElasticZones::strain_energy() const {
 }
 
 Stress ElasticZones::stress(std::size_t zone) const {
+  if (weights_[zone] == 0) return {};  // taken away
   // the run that holds the zone is the last that does not begin behind it
   const auto run = std::ranges::upper_bound(runs_, static_cast<std::uint32_t>(zone), {}, &ZoneRun::first) - 1;
   const auto [p, t, s, hx, hy] = state(*run, static_cast<std::uint32_t>(zone) - run->first);

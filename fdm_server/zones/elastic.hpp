@@ -33,6 +33,7 @@ class ElasticZones final : public Zones {
   using Zones::add_forces;
   void add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) override;
   void set_stress(std::size_t zone, const Stress& stress) override;
+  void remove(const std::vector<bool>& gone) override;
   void start_over() override;
   double strain_energy() const override;
   Stress stress(std::size_t zone) const override;

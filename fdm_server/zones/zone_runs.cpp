@@ -27,6 +27,13 @@ bool continues(const ZoneRun& run, const ZonePoints& zone) {
   return true;
 }
 
+ZoneRun piece(ZoneRun run, const protocol::Stretch& stretch) {
+  run.first += stretch.begin;
+  run.count = stretch.end - stretch.begin;
+  for (auto& point : run.points) point += static_cast<std::int32_t>(stretch.begin);
+  return run;
+}
+
 }  // namespace
 
 ZoneLayout lay_out(const Grid& grid) {
@@ -53,13 +60,20 @@ SplitRuns split(std::span<const ZoneRun> runs, const std::vector<bool>& chosen) 
           return std::ranges::any_of(run.points, [&](auto point) { return chosen[point + k]; });
         },
         [&](const protocol::Stretch& stretch, bool touches) {
-          ZoneRun part = run;
-          part.first += stretch.begin;
-          part.count = stretch.end - stretch.begin;
-          for (auto& point : part.points) point += static_cast<std::int32_t>(stretch.begin);
-          (touches ? parts.touching : parts.others).push_back(part);
+          (touches ? parts.touching : parts.others).push_back(piece(run, stretch));
         });
   return parts;
+}
+
+std::vector<ZoneRun> without(std::span<const ZoneRun> runs, const std::vector<bool>& zones) {
+  std::vector<ZoneRun> left;
+  for (const ZoneRun& run : runs)
+    protocol::for_each_stretch(
+        run.count, [&](std::uint32_t k) { return !zones[run.first + k]; },
+        [&](const protocol::Stretch& stretch, bool stays) {
+          if (stays) left.push_back(piece(run, stretch));
+        });
+  return left;
 }
 
 }  // namespace adit::fdm

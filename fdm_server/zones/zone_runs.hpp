@@ -17,8 +17,9 @@ namespace adit::fdm {
 struct ZoneRun {
   std::uint32_t first;  // zone
   std::uint32_t count;
-  std::uint32_t shape;  // number of the shape
-  ZonePoints points;    // of the first zone
+  std::uint32_t shape;     // number of the shape
+  ZonePoints points;       // of the first zone
+  std::uint32_t part = 0;  // which of the zones' kernels computes it (material_zones.hpp)
 };
 
 struct ZoneLayout {
@@ -33,6 +34,9 @@ struct SplitRuns {
   std::vector<ZoneRun> touching, others;
 };
 SplitRuns split(std::span<const ZoneRun> runs, const std::vector<bool>& chosen);
+
+// The runs without the zones whose flag is set.
+std::vector<ZoneRun> without(std::span<const ZoneRun> runs, const std::vector<bool>& zones);
 
 // What the kernels read and add to, one value a grid point.
 struct PointView {

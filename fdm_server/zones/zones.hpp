@@ -13,6 +13,13 @@ namespace adit::fdm {
 
 enum class ZoneKind { kAssumedStrain, kMixedDiscretization };
 
+// What a zone can tell of its material beside the stress in the plane.
+enum class ZoneField {
+  kStressZz,            // across the plane [Pa]
+  kPlasticShearStrain,  // engineering, summed over the run
+  kYieldState,          // bits of Yield (materials/solid.hpp): what yields now or did before
+};
+
 class Zones {
  public:
   virtual ~Zones() = default;
@@ -26,14 +33,21 @@ class Zones {
   // times their velocities. Several threads may ask at once, each for zones of its own.
   virtual void add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) = 0;
   void add_forces(double dt, const PointView& points) { add_forces(runs(), dt, points); }
-  // A zone's stress becomes uniform: before the first step.
+  // A zone's stress becomes uniform: before the first step. Across the plane it is that of plane strain.
   virtual void set_stress(std::size_t zone, const Stress& stress) = 0;
+  // Then another stress across the plane, where the material has one of its own.
+  virtual void set_stress_zz(std::size_t /*zone*/, double /*zz*/) {}
+  // Takes the zones whose flag is set away, from runs() too: their energy and stress are 0 from then on.
+  virtual void remove(const std::vector<bool>& gone) = 0;
   // The displacements are about to become 0; stresses stay.
   virtual void start_over() = 0;
   // Weighted elastic energy of all zones [J].
   virtual double strain_energy() const = 0;
+  // Weighted work that plastic and hysteretic strain took since the start [J]; never falls.
+  virtual double dissipated() const { return 0; }
   // Mean stress of a zone, unweighted.
   virtual Stress stress(std::size_t zone) const = 0;
+  virtual double field(std::size_t /*zone*/, ZoneField /*field*/) const { return 0; }
 };
 
 // One weight a zone; it multiplies the zone's forces.

@@ -46,6 +46,20 @@ bool runs_back(const Side& side, const Side& next) {
   return cross(a, b) == 0 && dot(a, b) < 0;
 }
 
+// Whether every side has a length, and meets the next in their common end and no other. The first follows the
+// last of `closed` ones.
+bool meet_in_ends_only(const std::vector<Side>& all, bool closed) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Side &side = all[i], &next = all[(i + 1) % all.size()];
+    const bool has_next = closed || i + 1 < all.size();
+    if (!(dot(side.to - side.from, side.to - side.from) > 0) || (has_next && runs_back(side, next)))
+      return false;
+    for (std::size_t j = i + 2; j < all.size(); ++j)
+      if (!(closed && i == 0 && j + 1 == all.size()) && meet(side, all[j])) return false;
+  }
+  return true;
+}
+
 // Whether a part of the side lies inside the box, not only on its edge: where it is inside along one axis,
 // and along the other.
 bool enters(const Side& side, const BoundingBox& box) {
@@ -111,14 +125,14 @@ std::vector<Side> sides(const Loop& loop) {
 }
 
 bool is_simple(const Loop& loop) {
-  const auto all = sides(loop);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const Side &side = all[i], &next = all[(i + 1) % all.size()];
-    if (!(dot(side.to - side.from, side.to - side.from) > 0) || runs_back(side, next)) return false;
-    for (std::size_t j = i + 2; j < all.size(); ++j)
-      if ((j + 1) % all.size() != i && meet(side, all[j])) return false;
-  }
-  return all.size() >= 3;
+  return loop.size() >= 3 && meet_in_ends_only(sides(loop), true);
+}
+
+bool is_simple_line(const std::vector<Point>& line) {
+  auto all = sides(line);
+  all.pop_back();  // back from the last to the first
+  const bool closed = line.front().x == line.back().x && line.front().y == line.back().y;
+  return meet_in_ends_only(all, closed);
 }
 
 bool meet(const Loop& a, const Loop& b) {

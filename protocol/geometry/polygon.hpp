@@ -18,6 +18,9 @@ std::vector<Side> sides(const Loop& loop);
 // At least three corners, none twice, and sides that meet in common corners only, without running back.
 bool is_simple(const Loop& loop);
 
+// The same of a line of at least two points; it is closed where the last is the first.
+bool is_simple_line(const std::vector<Point>& line);
+
 // Whether a side of one loop crosses or touches one of the other.
 bool meet(const Loop& a, const Loop& b);
 

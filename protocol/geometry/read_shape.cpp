@@ -15,17 +15,7 @@ using protocol::UserError;
 using Corners = google::protobuf::RepeatedPtrField<scene::Point>;
 
 std::shared_ptr<const Shape> read_box(const scene::Box& box, const std::string& path) {
-  const auto require_extent = [&](const char* axis, bool both, double min, double max) {
-    if (!both)
-      throw UserError(path, fmt::format("lacks {0}_min or {0}_max; give all four sides of the box", axis));
-    if (!(max > min) || !std::isfinite(max - min))
-      throw UserError(
-          fmt::format("{}.{}_max", path, axis),
-          fmt::format("is {:g} m, not above {}_min = {:g} m; give a box with finite sides", max, axis, min));
-  };
-  require_extent("x", box.has_x_min() && box.has_x_max(), box.x_min(), box.x_max());
-  require_extent("y", box.has_y_min() && box.has_y_max(), box.y_min(), box.y_max());
-  const auto four = corners({box.x_min(), box.x_max(), box.y_min(), box.y_max()});
+  const auto four = corners(read_bounds(box, path));
   return polygon({Loop(four.begin(), four.end())});
 }
 
@@ -47,6 +37,20 @@ bool encloses(const Loop& loop, const Loop& other) {
 }
 
 }  // namespace
+
+BoundingBox read_bounds(const scene::Box& box, const std::string& path) {
+  const auto require_extent = [&](const char* axis, bool both, double min, double max) {
+    if (!both)
+      throw UserError(path, fmt::format("lacks {0}_min or {0}_max; give all four sides of the box", axis));
+    if (!(max > min) || !std::isfinite(max - min))
+      throw UserError(
+          fmt::format("{}.{}_max", path, axis),
+          fmt::format("is {:g} m, not above {}_min = {:g} m; give a box with finite sides", max, axis, min));
+  };
+  require_extent("x", box.has_x_min() && box.has_x_max(), box.x_min(), box.x_max());
+  require_extent("y", box.has_y_min() && box.has_y_max(), box.y_min(), box.y_max());
+  return {box.x_min(), box.x_max(), box.y_min(), box.y_max()};
+}
 
 std::shared_ptr<const Shape> read_circle(const scene::Circle& circle) {
   return disc(circle.centre().x(), circle.centre().y(), circle.radius());

@@ -12,6 +12,8 @@ namespace adit::geometry {
 // `path`: of the shape in the scene. Throws protocol::UserError for what encloses no area, crosses itself or
 // has holes that are not its own.
 std::shared_ptr<const Shape> read_shape(const scene::Shape& shape, const std::string& path);
+// A box whose four sides are all given.
+BoundingBox read_bounds(const scene::Box& box, const std::string& path);
 std::shared_ptr<const Shape> read_circle(const scene::Circle& circle);
 std::shared_ptr<const Shape> read_polygon(const scene::Polygon& polygon, const std::string& path);
 

@@ -6,7 +6,7 @@ from matplotlib.lines import Line2D
 from adit_plots import style
 
 LINES = ("-", "--", "-.", (0, (3, 1, 1, 1, 1, 1)))  # of the models, in turn
-KINDS = {"kinetic": style.BLUE, "strain": style.ORANGE, "released": style.PINK, "external_work": style.GREEN,
+KINDS = {"kinetic": style.BLUE, "strain": style.ORANGE, "released": style.PINK, "dissipated": style.RED, "external_work": style.GREEN,
          "multiplier_work": style.SKY}
 
 # What histories.csv may hold: ends of its columns, what they are, SI unit, and units that read better from a size on.

@@ -122,7 +122,7 @@ class UserErrors(ProgramTest):
         result = subprocess.run([BUILD / "fdm_server" / "fdm_server", "--threads", "1000000"],
                                 capture_output=True, text=True, timeout=20)
         self.assertEqual(result.returncode, 2, result.stderr)
-        self.assertIn("--threads: Value 1000000 not in range [0 - 1024]", result.stderr)
+        self.assertIn("--threads: Value 1000000 not in range", result.stderr)
 
 
 if __name__ == "__main__":

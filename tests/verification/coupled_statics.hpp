@@ -13,8 +13,8 @@
 #include "dem_server/assembly.hpp"
 #include "dem_server/contact_forces.hpp"
 #include "dem_server/packing/hexagonal.hpp"
-#include "fdm_server/grid/grid.hpp"
 #include "fdm_server/grid/interpolation.hpp"
+#include "fdm_server/grid/samples.hpp"
 #include "fdm_server/zones/zones.hpp"
 
 namespace adit::test {
@@ -106,8 +106,7 @@ inline Equilibrium equilibrium(const CoupledPatch& patch, const coupler::Overlap
   Equilibrium result{fdm::make_grid(patch.block), weighted_lattice(patch, overlap), {}, {}};
   fdm::Grid& grid = result.grid;
   const dem::Particles& particles = result.assembly.particles;
-  auto weights =
-      fdm::zone_weights(patch.block, overlap.outer_weights(fdm::sample_points(patch.block)), patch.floor);
+  auto weights = fdm::zone_weights(grid, overlap.outer_weights(fdm::sample_points(grid)), patch.floor);
   fdm::compact(grid, weights);
 
   std::vector<std::size_t> coupled;

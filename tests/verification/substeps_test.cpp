@@ -1,8 +1,8 @@
-// Requirement: particles may take m steps in one of the continuum (shared_kick.hpp) without loss: energy is kept
-// by the consistent solve and only lost by the others, for every m and however stiff one side is; the motion is that
-// of equal steps to second order.
-#include <google/protobuf/text_format.h>
+// Requirement: particles may take m steps in one of the continuum (shared_kick.hpp) without loss: energy is
+// kept by the consistent solve and only lost by the others, for every m and however stiff one side is; the
+// motion is that of equal steps to second order.
 #include <gmock/gmock.h>
+#include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -55,7 +55,8 @@ TEST_P(Substeps, KeepEnergyOverManyPeriods) {
     double& largest = 2 * n < model.steps ? first_half : second_half;
     largest = std::max(largest, std::abs(stepper.ledger().drift()));
   }
-  // The impulse of the window in progress is extrapolated in the ledger: an error of second order in the step.
+  // The impulse of the window in progress is extrapolated in the ledger: an error of second order in the
+  // step.
   EXPECT_LE(first_half, 2e-2);
   EXPECT_LE(second_half, 1.5 * first_half);  // an oscillation, not a growth
   EXPECT_LE(stepper.ledger().max_constraint_residual(), 1e-12);

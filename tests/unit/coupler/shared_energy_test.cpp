@@ -4,7 +4,7 @@
 
 #include "dem_server/assembly.hpp"
 #include "dem_server/packing/hexagonal.hpp"
-#include "fdm_server/grid/grid.hpp"
+#include "fdm_server/grid/samples.hpp"
 #include "protocol/geometry/shape.hpp"
 #include "tests/unit/coupler/random_overlaps.hpp"
 
@@ -25,7 +25,8 @@ double zone_height(const fdm::Block& block) {
 }
 
 std::vector<double> zone_weights(const fdm::Block& block, const Overlap& overlap) {
-  return fdm::zone_weights(block, overlap.outer_weights(fdm::sample_points(block)), kFloor);
+  const fdm::Grid grid = make_grid(block);
+  return fdm::zone_weights(grid, overlap.outer_weights(fdm::sample_points(grid)), kFloor);
 }
 
 BoundingBox zone_box(const fdm::Block& block, std::size_t i, std::size_t j) {

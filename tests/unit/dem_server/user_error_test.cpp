@@ -83,6 +83,11 @@ INSTANTIATE_TEST_SUITE_P(
                *s.mutable_particles()->mutable_material() = s.material();
                s.mutable_particles()->mutable_material()->set_young_modulus(-1);
              }},
+        Case{"OwnLaw", "particles.material", "which bonds do not compute",
+             [](auto& s) {
+               *s.mutable_particles()->mutable_material() = s.material();
+               s.mutable_particles()->mutable_material()->mutable_mohr_coulomb()->set_cohesion(1e6);
+             }},
         Case{"NegativeNormal", "particles.bonds.normal_stiffness", "above 0",
              [](auto& s) { bonds(s).set_normal_stiffness(-1); }},
         Case{"NegativeShear", "particles.bonds.shear_stiffness", "0 or above",

@@ -5,6 +5,7 @@
 
 #include <numeric>
 
+#include "fdm_server/grid/samples.hpp"
 #include "fdm_server/zones/zone_runs.hpp"
 #include "tests/unit/fdm_server/grids.hpp"
 
@@ -14,8 +15,8 @@ namespace {
 const Block kBlock{-1, 3, 0.5, 2, 4, 3};
 
 template <class Function>
-std::vector<double> sampled(const Block& block, Function&& weight) {
-  const auto points = sample_points(block);
+std::vector<double> sampled(const Grid& grid, Function&& weight) {
+  const auto points = sample_points(grid);
   std::vector<double> result;
   for (std::size_t i = 0; i < points.size(); i += 2) result.push_back(weight(points[i], points[i + 1]));
   return result;
@@ -31,22 +32,22 @@ TEST(Grid, ZonesCoverTheBlock) {
   EXPECT_EQ(grid.y.back(), 2);
 }
 
-// Linear weights are integrated exactly: every zone gets the weight of its centre.
-TEST(Weights, LinearWeightsGiveTheCentresWeight) {
-  const Grid grid = make_grid(kBlock);
+// Linear weights are integrated exactly: every zone, whatever its shape, gets the weight of its centroid.
+TEST(Weights, LinearWeightsGiveTheCentroidsWeight) {
+  const Grid grid = distorted_grid(kBlock);
   const auto linear = [](double x, double y) { return 0.5 + 0.1 * x - 0.05 * y; };
-  const auto weights = zone_weights(kBlock, sampled(kBlock, linear), 1e-3);
+  const auto weights = zone_weights(grid, sampled(grid, linear), 1e-3);
   for (std::size_t z = 0; z < weights.size(); ++z) {
-    const auto c = corners(grid, z);
-    EXPECT_NEAR(weights[z], linear((c.x[0] + c.x[2]) / 2, (c.y[0] + c.y[2]) / 2), 1e-15);
+    const auto [x, y] = centroid(corners(grid, z));
+    EXPECT_NEAR(weights[z], linear(x, y), 1e-15);
   }
 }
 
 // Zones whose samples are all 0 vanish, a zone with the slightest weight gets the floor.
 TEST(Weights, ZonesWithoutWeightVanishAndOthersKeepTheFloor) {
   const auto ramp = [](double x, double) { return std::max(0.0, 1e-6 * (1.001 - x)); };
-  auto weights = zone_weights(kBlock, sampled(kBlock, ramp), 1e-3);
   Grid grid = make_grid(kBlock);
+  auto weights = zone_weights(grid, sampled(grid, ramp), 1e-3);
   compact(grid, weights);
   ASSERT_EQ(grid.zones.size(), 9u);  // the column that begins at x = 1 m has samples of 1e-9
   EXPECT_EQ(grid.x.size(), 16u);

@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"infinite_block", "", "continuum.block.x_max", "is not finite", block("0", "inf", "1", kZones)},
         Case{"no_zones", "", "continuum.block.zones_y", "give at least one zone",
              block("0", "1", "1", "zones_x: 4 zones_y: 0")},
-        Case{"too_many_zones", "", "continuum.block.zones_x", "use larger zones",
+        Case{"too_many_zones", "", "continuum.block", "use larger zones",
              block("0", "1", "1", "zones_x: 4000000000 zones_y: 4000000000")},
         Case{"young", "", "material.young_modulus", "must be positive", kBlock, material("0", "0.2", "2500")},
         Case{"poisson", "", "material.poisson_ratio", "must lie between -1 and 0.5", kBlock,

@@ -54,7 +54,7 @@ scene::Scene strip_scene(const motion::Motion& motion) {
 
 TEST(Column, AgreesWithTheContinuumOnASoftLayer) {
   const scene::Scene scene = column_scene();
-  const simplified::Setup setup = set_up(scene, testing::kNoFolder);
+  const simplified::Setup setup = set_up(scene);
   const Response column = solve(setup);
 
   coupler::Model model = test::local_model(strip_scene(setup.motion));

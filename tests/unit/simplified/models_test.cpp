@@ -23,7 +23,7 @@ scene::Scene with_model(scene::Scene scene, scene::Simplified::Model model) {
 }
 
 Response response_of(const scene::Scene& scene) {
-  return solve(set_up(scene, testing::kNoFolder));
+  return solve(set_up(scene));
 }
 
 void expect_equal_peaks(const Response& beam, const Response& chain, const std::string& name,

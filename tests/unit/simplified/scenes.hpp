@@ -39,6 +39,4 @@ inline scene::Scene tunnel() {
   )");
 }
 
-inline const auto kNoFolder = [](const std::string&) { return std::string(); };
-
 }  // namespace adit::simplified::testing

@@ -15,7 +15,7 @@ using testing::tunnel;
 
 void expect_refusal(const scene::Scene& scene, const std::string& path, const std::string& text) {
   try {
-    set_up(scene, testing::kNoFolder);
+    set_up(scene);
     FAIL() << "accepted where it should say: " << text;
   } catch (const protocol::UserError& error) {
     EXPECT_EQ(error.path(), path);

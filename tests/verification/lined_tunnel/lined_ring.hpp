@@ -45,11 +45,11 @@ inline std::vector<LiningForces> forces_at_rest(const Grid& grid, std::uint32_t 
                                                 Section section, const Rim& rim) {
   const std::vector<double> unweighted(grid.zones.size(), 1.0);
   std::vector<double> masses(grid.x.size(), 0.0);
-  for (const auto& zone : grid.zones) {
-    const auto c = corners(grid, zone);
+  for (std::size_t z = 0; z < grid.zones.size(); ++z) {
+    const auto c = corners(grid, z);
     const Grid alone{{c.x.begin(), c.x.end()}, {c.y.begin(), c.y.end()}, {{0, 1, 2, 3}}};
     const double density = std::pow(critical_step(ZoneKind::kAssumedStrain, alone, law, 1.0), -2);
-    for (const auto point : zone) masses[point] += density * area(c) / 4;
+    for (const auto point : grid.zones[z]) masses[point] += density * area(c) / 4;
   }
   Path path{{}, true};
   for (std::uint32_t i = 0; i < around; ++i) path.points.push_back(i);

@@ -150,7 +150,7 @@ TEST(Supports, ForcesAreRecordedAndDrawn) {
       "histories { name: 'q' quantity: SHEAR_FORCE at { x: 1 y: 1 } lining: 'top' } ";
   Conversation run(scene);
   const double dt = 0.5 * run.model.critical_dt();
-  for (std::uint64_t n = 0; n <= 40; ++n) run.advance(n, dt);
+  for (std::uint64_t n = 0; n <= 400; ++n) run.advance(n, dt);
   const auto& rows = run.predicted.histories();
   ASSERT_EQ(rows.size(), 4);
   wire::Snapshot snapshot;
@@ -212,6 +212,17 @@ INSTANTIATE_TEST_SUITE_P(
              "continuum.linings[0].along.line", "has no sides of zones along it at (3, 1) m"},
         Case{"line_leaves_the_grid", lining("line { points { x: 1 y: 1 } points { x: 8 y: 1 } }"),
              "continuum.linings[0].along.line", "has no sides of zones along it at (6, 1) m"},
+        Case{"line_runs_back",
+             lining("line { points { x: 1 y: 1 } points { x: 4 y: 1 } points { x: 2 y: 1 } }"),
+             "continuum.linings[0].along.line.points", "passes every place once"},
+        Case{"line_crosses_itself",
+             lining(
+                 "line { points { x: 1 y: 1 } points { x: 4 y: 1 } points { x: 4 y: 2 } points { x: 2 y: 2 } "
+                 "points { x: 2 y: 0 } }"),
+             "continuum.linings[0].along.line.points", "passes every place once"},
+        Case{"hinge_that_yields",
+             lining(kLine, kConcreteWall + "joints { at { x: 2 y: 1 } yield_moment: 1e3 } "),
+             "continuum.linings[0].joints[0].yield_moment", "give its rotational_stiffness too"},
         Case{"one_point", lining("line { points { x: 1 y: 1 } }"), "continuum.linings[0].along.line.points",
              "give at least two"},
         Case{"point_twice", lining("line { points { x: 1 y: 1 } points { x: 1 y: 1 } }"),

@@ -1,0 +1,33 @@
+// The scene's quiet boundaries, free field, base and damping. Errors: UserError with the scene's path.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "fdm_server/boundaries/damping.hpp"
+#include "fdm_server/boundaries/edge_set.hpp"
+#include "fdm_server/boundaries/free_field.hpp"
+#include "fdm_server/solver/continuum.hpp"
+#include "protocol/scene.pb.h"
+
+namespace adit::fdm {
+
+// The columns that the scene wants, added to the grid's end.
+std::vector<FreeFieldColumn> add_columns(const scene::Continuum& scene, std::span<const BoundaryEdge> outline,
+                                         Grid& grid);
+
+struct Boundaries {
+  std::vector<Dashpot> dashpots;  // for Continuum::set_dashpots
+  std::vector<Load> loads;        // of a compliant base
+  std::vector<Motion> motions;    // of a rigid base
+};
+
+// On what is left of the grid. An edge has one condition at most; a column ends as the grid does beside it.
+// Base motions last `duration` [s] at least. No component is prescribed by the base and by one of `motions`.
+Boundaries resolve_boundaries(const scene::Continuum& scene, double duration, const Grid& grid,
+                              std::span<const BoundaryEdge> outline, std::span<const FreeFieldColumn> columns,
+                              const ImpedanceOf& impedance, std::span<const Motion> motions);
+
+DampingLaw resolve_damping(const scene::Continuum& scene);
+
+}  // namespace adit::fdm

@@ -1,0 +1,63 @@
+#include "fdm_server/boundaries/dashpot_set.hpp"
+
+namespace adit::fdm {
+namespace {
+
+Symmetric operator*(double length, const Symmetric& c) {
+  return {length * c.xx, length * c.xy, length * c.yy};
+}
+
+}  // namespace
+
+Dashpot& DashpotSet::at(std::uint32_t point) {
+  Dashpot& found = dashpots_[point];
+  found.point = point;
+  return found;
+}
+
+void DashpotSet::add_quiet(const EdgeSet& edges, std::size_t e, const ImpedanceOf& impedance, bool normal,
+                           bool shear) {
+  for (const EdgeShare& share : edges.shares(e)) {
+    const Impedance given = impedance(share.zone);
+    const Impedance wanted{normal ? given.normal : 0, shear ? given.shear : 0};
+    at(share.point).damping += share.length * dashpots(edges[e], wanted);
+  }
+}
+
+void DashpotSet::hold(const EdgeSet& edges, std::size_t e, bool x, bool y) {
+  for (const EdgeShare& share : edges.shares(e)) {
+    Dashpot& held = at(share.point);
+    held.hold_x = held.hold_x || x;
+    held.hold_y = held.hold_y || y;
+  }
+}
+
+void DashpotSet::add_free_field(const FreeFieldColumn& column, const ImpedanceOf& impedance) {
+  for (std::size_t k = 0; k < column.edges.size(); ++k) {
+    const BoundaryEdge& edge = column.edges[k];
+    const Impedance of_side = impedance(edge.zone);
+    const Symmetric half = edge.length / 2 * dashpots(edge, of_side);
+    const double weight = of_side.normal / impedance(column.zone(k)).normal;  // the column's own is 1
+    for (const std::size_t end : {k, k + 1}) {
+      Dashpot& point = at(column.side[end]);
+      if (!point.field) point.field.emplace();
+      FreeFieldLink& link = *point.field;
+      point.damping += half;
+      link.damping += half;
+      link.column_point = column.point(end);
+      const std::size_t from = end == k ? 1 : 0;  // the zone lies above its lower end
+      link.zones[from] = column.zone(k);
+      link.lengths[from] = column.normal_x * weight * edge.length / 2;
+    }
+  }
+}
+
+std::vector<Dashpot> DashpotSet::in_order(const Grid& grid) const {
+  std::vector<Dashpot> ordered;
+  for (const bool of_column : {true, false})
+    for (const auto& [point, dashpot] : dashpots_)
+      if ((point >= grid.own_points()) == of_column) ordered.push_back(dashpot);
+  return ordered;
+}
+
+}  // namespace adit::fdm

@@ -1,0 +1,39 @@
+#include "fdm_server/materials/admissible.hpp"
+
+namespace adit::fdm {
+
+Admissible admissible(const Material& material, const Elasticity& elasticity, double plastic_shear_strain,
+                      const SolidStress& predicted, double turned) {
+  const auto to_ground = [&](const Admissible& from) -> Admissible {
+    if (!material.mohr_coulomb) return {from.stress, from.plastic_shear_strain, kElastic};
+    const auto [stress, yields] =
+        material.mohr_coulomb->admissible(elasticity, plastic_shear_strain, from.stress);
+    if (yields == kElastic) return {stress, from.plastic_shear_strain, kElastic};
+    return {stress, from.plastic_shear_strain + shear_measure(strain_of(elasticity, from.stress - stress)),
+            yields};
+  };
+  const auto to_plane = [&](const Admissible& from) -> Admissible {
+    const auto [stress, yields] = material.weak_plane->admissible(elasticity, from.stress, turned);
+    return {stress, from.plastic_shear_strain, yields};
+  };
+  const Admissible start{predicted, 0, kElastic};
+  if (!material.weak_plane) return to_ground(start);
+
+  const auto on_plane = to_plane(start);
+  if (to_ground(on_plane).yields == kElastic) return on_plane;
+  Admissible now = to_ground(start);
+  unsigned yields = now.yields;
+  constexpr int kMost = 50;  // each return takes a share of what is left outside
+  for (int turn = 0; turn < kMost; ++turn) {
+    now = to_plane(now);
+    yields |= now.yields;
+    if (now.yields == kElastic) break;
+    now = to_ground(now);
+    if (now.yields == kElastic) break;
+    yields |= now.yields;
+  }
+  now.yields = yields;
+  return now;
+}
+
+}  // namespace adit::fdm

@@ -1,0 +1,70 @@
+#include "protocol/attached_files.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+#include "protocol/scene_path.hpp"
+#include "protocol/scene_rules.hpp"
+#include "protocol/text.hpp"
+
+namespace adit::protocol {
+namespace {
+
+namespace fs = std::filesystem;
+using google::protobuf::FieldDescriptor;
+using google::protobuf::Message;
+
+std::string content(const fs::path& path, const std::string& field) {
+  const auto refuse = [&](const std::string& reason) {
+    throw UserError(field, quote(path.string()) + ": " + reason);
+  };
+  std::error_code error;
+  if (!fs::exists(path, error))
+    refuse("there is no such file; check the path, which is relative to the scene file");
+  if (!fs::is_regular_file(path, error)) refuse("this is not a file");
+  if (fs::file_size(path, error) > kLargestAttachedBytes)
+    refuse("the file is larger than " + std::to_string(kLargestAttachedBytes >> 20) +
+           " MiB; use a coarser mesh");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) refuse("the file cannot be opened; check its permissions");
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void attach_one(const SceneFile& scene, Message& message, const FieldDescriptor* into,
+                const std::string& path) {
+  const auto& reflection = *message.GetReflection();
+  const FieldDescriptor* name = message.GetDescriptor()->FindFieldByName(rule_of(into).content_of());
+  if (!reflection.HasField(message, name)) return;
+  const std::string field = member_path(path, name->name());
+  const fs::path file = fs::path(scene.folder(field)) / reflection.GetString(message, name);
+  reflection.SetString(&message, into, content(file, field));
+  reflection.SetString(&message, name, fs::absolute(file).lexically_normal().string());
+}
+
+void attach(const SceneFile& scene, Message& message, const std::string& path) {
+  const auto& reflection = *message.GetReflection();
+  const auto* type = message.GetDescriptor();
+  for (int i = 0; i < type->field_count(); ++i) {
+    const FieldDescriptor* field = type->field(i);
+    const std::string at = member_path(path, field->name());
+    if (is_internal(field)) {
+      attach_one(scene, message, field, path);
+    } else if (field->cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE && field->is_repeated()) {
+      for (int k = 0; k < reflection.FieldSize(message, field); ++k)
+        attach(scene, *reflection.MutableRepeatedMessage(&message, field, k),
+               element_path(at, static_cast<std::size_t>(k)));
+    } else if (field->cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE && reflection.HasField(message, field)) {
+      attach(scene, *reflection.MutableMessage(&message, field), at);
+    }
+  }
+}
+
+}  // namespace
+
+void attach_files(SceneFile& file) {
+  attach(file, file.scene, "");
+}
+
+}  // namespace adit::protocol

@@ -1,0 +1,19 @@
+// Motions know no scene: their errors get the field that states what they refuse.
+#pragma once
+
+#include <string>
+
+#include "protocol/errors.hpp"
+
+namespace adit::motion {
+
+template <class Work>
+auto errors_at(const std::string& field, Work&& work) {
+  try {
+    return work();
+  } catch (const protocol::UserError& error) {
+    throw protocol::UserError(error.path().empty() ? field : error.path(), error.what());
+  }
+}
+
+}  // namespace adit::motion

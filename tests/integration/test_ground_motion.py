@@ -1,0 +1,82 @@
+"""An earthquake from a file, through the scene to the continuum's server and back into the results."""
+
+import csv
+import math
+import os
+import pathlib
+import unittest
+
+from programs import ProgramTest, coupler
+
+RECORDS = pathlib.Path(os.environ.get("ADIT_RECORDS", ""))
+
+SCENE = """\
+material: {young_modulus: 200 MPa, poisson_ratio: 0.25, density: 2 t/m^3}
+time: {duration: 500 ms}
+continuum:
+  block: {x_min: 0 m, x_max: 3 m, y_min: -10 m, y_max: 0 m, zones_x: 3, zones_y: 10}
+  free_field: {left: true, right: true}
+  base:
+    kind: compliant
+    acceleration: {file: {path: record.csv}, high_corner: 15 Hz, taper: 20 ms, peak: 0.2 g}
+  damping: {rayleigh: {ratio: 0.02, low_frequency: 2 Hz, high_frequency: 20 Hz}}
+  histories: [{name: surface, quantity: velocity_x, at: {x: 1 m, y: 0 m}}]
+"""
+
+
+class GroundMotion(ProgramTest):
+    def record(self, name="record.csv", step=0.01, rows=101):
+        lines = [f"{i * step:.3f},{math.sin(40 * i * step):.6f}" for i in range(rows)]
+        (self.folder / name).write_text("\n".join(["time_s,acceleration_m/s^2", *lines]) + "\n")
+
+    def refusal(self, *arguments):
+        result = coupler("run", *arguments, "--out", self.folder / "run")
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        self.assertFalse((self.folder / "run" / "summary.json").exists())
+        return result.stderr
+
+    def test_scene_of_the_results_holds_the_record_and_reads_back_to_the_same_run(self):
+        self.record()
+        run = self.run_scene(self.scene(SCENE))
+        self.assertLess(self.summary(run)["max_energy_drift"], 1e-10)
+        with open(run / "histories.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertGreater(max(abs(float(row["surface_vx_m_per_s"])) for row in rows), 0.01)
+        self.assertGreater(float(rows[-1]["continuum_dissipated_J"]), 0)
+        (self.folder / "record.csv").unlink()
+        again = self.run_scene(run / "scene.yaml", out="again")
+        self.assertEqual((run / "histories.csv").read_bytes(), (again / "histories.csv").read_bytes())
+
+    def test_record_of_the_command_line(self):
+        self.record("other.csv")
+        self.run_scene(self.scene(SCENE), "--set",
+                       f"continuum.base.acceleration.file.path={self.folder / 'other.csv'}")
+
+    def test_record_shorter_than_the_run(self):
+        self.record(rows=20)
+        message = self.refusal(self.scene(SCENE))
+        self.assertIn("scene.yaml:8:", message)
+        self.assertIn("continuum.base.acceleration.file.path: the motion record.csv lasts 0.19 s, but 0.5 s", message)
+
+    def test_file_of_another_kind(self):
+        (self.folder / "record.csv").write_text("not a table\n")
+        self.assertIn("continuum.base.acceleration.file.path: ", self.refusal(self.scene(SCENE)))
+
+    def test_frequency_not_positive(self):
+        self.record()
+        message = self.refusal(self.scene(SCENE), "--set", "continuum.base.acceleration.high_corner=-15 Hz")
+        self.assertIn("above 0 Hz", message)
+
+    @unittest.skipUnless(RECORDS.is_dir() and RECORDS.name, "the PEER records are not on this machine (ADIT_RECORDS)")
+    def test_peer_records_of_every_header_and_the_wrong_one(self):
+        path = self.scene(SCENE)
+        field = "continuum.base.acceleration.file.path"
+        for name in ("NIS090.AT2", "RSN1106_KOBE_KJM000.AT2", "RSN4346_UBMARCHE.P_A-BEV000.AT2"):
+            self.run_scene(path, "--set", f"{field}={RECORDS / name}", out=name)
+        message = self.refusal(path, "--set", f"{field}={RECORDS / 'KOBE_NS1_wrong_header.AT2'}")
+        self.assertIn("states 10102 points, but 2567 values follow", message)
+
+
+if __name__ == "__main__":
+    unittest.main()
