@@ -110,6 +110,7 @@ void DemParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
   coupling_.fill(op);
   histories_->tie(coupling_.particles());
   for (const std::uint32_t i : coupling_.particles()) tied_[i] = true;
+  histories_->tie(coupling_.particles());
   interface_.loads = interior_.loads.take(tied_);
   interface_.motions = interior_.motions.take(tied_, assembly_.particles);
   plan();

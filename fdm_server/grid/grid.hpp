@@ -43,7 +43,9 @@ struct Grid {
   std::vector<Corners> own_corners{};
   std::uint32_t column_points = 0;  // the last points
 
-  std::size_t own_points() const { return x.size() - column_points; }  // without the columns'
+  // Without the columns'.
+  std::size_t own_points() const { return x.size() - column_points; }
+  std::size_t own_zones() const { return zones.size() - own_corners.size(); }
 };
 
 Corners corners(const Grid& grid, std::size_t zone);

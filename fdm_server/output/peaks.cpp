@@ -15,6 +15,15 @@ std::size_t own_zones(const Grid& grid) {
 
 }  // namespace
 
+namespace {
+
+// Of every point: the columns' are the last, and not looked at.
+protocol::PlaneVectors velocities(const Continuum& continuum, std::size_t points) {
+  return {continuum.vx().first(points), continuum.vy().first(points)};
+}
+
+}  // namespace
+
 Peaks::Peaks(const Grid& grid)
     : motion_(grid.own_points()),
       shear_strain_(own_zones(grid)),
@@ -26,16 +35,12 @@ Peaks::Peaks(const Grid& grid)
 }
 
 void Peaks::remember(const Continuum& continuum) {
-  motion_.remember({continuum.vx(), continuum.vy()});
+  motion_.remember(velocities(continuum, points_));
 }
 
 void Peaks::take(const Grid& grid, const Continuum& continuum, const protocol::Step& step) {
   const auto ux = continuum.ux(), uy = continuum.uy();
-  motion_.take(
-      [&](std::size_t i) {
-        return std::array{ux[i], uy[i]};
-      },
-      {continuum.vx(), continuum.vy()}, step);
+  motion_.take([&](std::size_t i) { return std::array{ux[i], uy[i]}; }, velocities(continuum, points_), step);
   const auto radius = [](double difference, double twice_shear) {  // of Mohr's circle, twice
     return std::sqrt(difference * difference + twice_shear * twice_shear);
   };

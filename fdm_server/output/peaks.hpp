@@ -28,6 +28,7 @@ class Peaks {
   std::span<const double> smallest_principal() const { return smallest_principal_; }  // [Pa]
 
  private:
+  std::size_t points_;
   protocol::PeakMotion motion_;
   std::vector<MeanGradient> gradients_;
   std::vector<double> shear_strain_, largest_principal_, smallest_principal_;
