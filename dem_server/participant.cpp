@@ -108,7 +108,6 @@ void DemParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
 void DemParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
   coupling_.tie(view(couple.points()), assembly_, interior_.motions);
   coupling_.fill(op);
-  histories_->tie(coupling_.particles());
   for (const std::uint32_t i : coupling_.particles()) tied_[i] = true;
   histories_->tie(coupling_.particles());
   interface_.loads = interior_.loads.take(tied_);
@@ -304,8 +303,8 @@ void DemParticipant::report_energies(wire::Energies& energies) {
 
 void DemParticipant::snapshot(const wire::SnapshotRequest& request, wire::Snapshot& snapshot) {
   correct(view(request.impulses()));
-  if (coupling_.size() == 0 || !request.impulses().empty()) take_peaks();
   find_normal_forces(law_, assembly_.particles, assembly_.bonds);
+  if (coupling_.size() == 0 || !request.impulses().empty()) take_peaks();
   write_snapshot(assembly_, snapshot);
   if (peaks_) protocol::add_peak_fields(*peaks_, *snapshot.mutable_pieces(0)->mutable_point_fields());
 }

@@ -74,7 +74,7 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   const auto& conditions = scene_.continuum();
   make_continuum();
   stage_of_zone_ = excavation_stages(scene_, grid_);
-  histories_.emplace(conditions, grid_, supports_, zone_kinds());
+  histories_.emplace(conditions, supports_, grid_, zone_kinds());
   if (!weights.weights().empty()) offer_grid_points(weights, interface);
   interface.set_zones(grid_.zones.size());
   interface.set_grid_points(grid_.x.size());
@@ -158,8 +158,8 @@ void FdmParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
   if (next_step_ == 0) step_.dt = advance.dt();
   check(advance);
   push(advance.impulses());
-  take_peaks();
   take_peak_forces();
+  take_peaks();
   if (advance.relax()) relax(advance.stop(), *predicted.mutable_relaxation());
   if (advance.stage() > stage_) excavate(advance.stage());
   histories_->remember(*continuum_);
@@ -262,7 +262,7 @@ void FdmParticipant::require_interface_stays() const {
 
 std::vector<std::uint32_t> FdmParticipant::zone_kinds() const {
   std::vector<std::uint32_t> kinds(grid_.zones.size(), kNoGround);
-  for (std::size_t z = 0; z < kinds.size() - grid_.own_corners.size(); ++z)
+  for (std::size_t z = 0; z < grid_.own_zones(); ++z)
     if (stage_of_zone_[z] == 0) kinds[z] = setup_.ground.of_zone[z];
   return kinds;
 }

@@ -58,10 +58,10 @@ class FdmParticipant final : public protocol::Participant {
   std::vector<std::uint32_t> zone_kinds() const;
   // The first step that does not relax: from the state reached.
   void start_over();
-  // Of the last step, where they are wanted, once it is corrected.
-  void take_peaks();
   // Of the linings at the last step, once time goes on.
   void take_peak_forces();
+  // Of the last step, where they are wanted, once it is corrected.
+  void take_peaks();
   // Throw Unstable. Every step looks at the interface and the energies, every hundredth at the whole grid.
   void check_answer(const wire::Predicted& predicted) const;
   void check_grid(std::uint64_t step) const;
@@ -80,10 +80,10 @@ class FdmParticipant final : public protocol::Participant {
   std::uint32_t stage_ = 0;                   // reached
   std::unique_ptr<Continuum> continuum_;
   protocol::InterfaceOperator operator_;
-  std::optional<Histories> histories_;
-  std::optional<Peaks> peaks_;  // once wanted
-  bool peaks_due_ = false;      // of the last step
   PeakForces peak_forces_;
+  std::optional<Histories> histories_;
+  std::optional<Peaks> peaks_;            // once wanted
+  bool peaks_due_ = false;                // of the last step
   std::optional<Relaxation> relaxation_;  // in statics
   protocol::Step step_{0, 0.0};           // the last one
   std::uint64_t next_step_ = 0, steps_done_ = 0;

@@ -24,13 +24,6 @@ void fill_vectors(std::span<const double> x, std::span<const double> y, double* 
   }
 }
 
-std::vector<std::size_t> present_zones(std::span<const double> weights) {
-  std::vector<std::size_t> present;
-  for (std::size_t z = 0; z < weights.size(); ++z)
-    if (weights[z] > 0) present.push_back(z);
-  return present;
-}
-
 // A piece along paths, whose points are its own: x, y, displacement.
 wire::Piece& add_lines(const std::string& name, const Grid& grid, const Continuum& continuum,
                        std::span<const Path> paths, wire::Snapshot& snapshot) {
@@ -111,7 +104,9 @@ void fill_snapshot(const Grid& grid, const Continuum& continuum, std::span<const
     piece.add_points(grid.x[i]);
     piece.add_points(grid.y[i]);
   }
-  const auto present = present_zones(weights.first(zones));
+  std::vector<std::size_t> present;
+  for (std::size_t z = 0; z < zones; ++z)
+    if (weights[z] > 0) present.push_back(z);
   for (const auto z : present)
     for (const auto point : grid.zones[z]) piece.add_connectivity(static_cast<std::uint32_t>(point));
 
@@ -133,22 +128,23 @@ void fill_snapshot(const Grid& grid, const Continuum& continuum, std::span<const
   }
 }
 
-void add_peaks(const Peaks& peaks, std::span<const double> weights, wire::Piece& piece) {
-  protocol::add_peak_fields(peaks.motion(), *piece.mutable_point_fields());
-  const auto present = present_zones(weights.first(peaks.shear_strain().size()));
-  const auto add = [&](const std::string& name, std::span<const double> values) {
-    double* to = new_field(*piece.mutable_cell_fields(), name, 1, present.size());
-    for (const auto z : present) *to++ = values[z];
-  };
-  add("peak_shear_strain", peaks.shear_strain());
-  add("peak_largest_principal_stress_Pa", peaks.largest_principal());
-  add("peak_smallest_principal_stress_Pa", peaks.smallest_principal());
-}
-
 void add_supports(const Grid& grid, const Continuum& continuum, const Supports& supports,
                   const PeakForces& peaks, wire::Snapshot& snapshot) {
   if (!supports.linings.empty()) add_linings(grid, continuum, supports.linings, peaks, snapshot);
   if (!supports.bolts.empty()) add_bolts(grid, continuum, supports.bolts, snapshot);
+}
+
+void add_peaks(const Peaks& peaks, std::span<const double> weights, wire::Piece& piece) {
+  protocol::add_peak_fields(peaks.motion(), *piece.mutable_point_fields());
+  const auto add = [&](const std::string& name, std::span<const double> values) {
+    std::vector<double> present;
+    for (std::size_t z = 0; z < values.size(); ++z)
+      if (weights[z] > 0) present.push_back(values[z]);
+    std::ranges::copy(present, new_field(*piece.mutable_cell_fields(), name, 1, present.size()));
+  };
+  add("peak_shear_strain", peaks.shear_strain());
+  add("peak_largest_principal_stress_Pa", peaks.largest_principal());
+  add("peak_smallest_principal_stress_Pa", peaks.smallest_principal());
 }
 
 }  // namespace adit::fdm

@@ -18,14 +18,13 @@ namespace adit::fdm {
 void fill_snapshot(const Grid& grid, const Continuum& continuum, std::span<const double> weights,
                    wire::Snapshot& snapshot);
 
-// Adds the peaks to that piece, of the same weights: at points as of every model (peak_motion.hpp), in zones
-// peak_shear_strain, peak_largest_principal_stress_Pa and peak_smallest_principal_stress_Pa.
-void add_peaks(const Peaks& peaks, std::span<const double> weights, wire::Piece& piece);
-
 // Pieces of lines, where there are any: "linings" with point fields displacement_m, thrust_N, moment_Nm,
 // shear_N and their peaks, and the lining's number as cell field lining; "bolts" with displacement_m and, of
 // one bolt, cell field thrust_N.
 void add_supports(const Grid& grid, const Continuum& continuum, const Supports& supports,
                   const PeakForces& peaks, wire::Snapshot& snapshot);
+// Adds the peaks to that piece: at points as of every model (peak_motion.hpp), in zones peak_shear_strain,
+// peak_largest_principal_stress_Pa and peak_smallest_principal_stress_Pa.
+void add_peaks(const Peaks& peaks, std::span<const double> weights, wire::Piece& piece);
 
 }  // namespace adit::fdm

@@ -27,10 +27,10 @@ class PeakMotion {
         velocity_(points),
         acceleration_(points) {}
 
-  // Before a step n to look at: v(n-1/2), corrected, of these points; further ones are left out.
+  // Before a step n to look at: v(n-1/2), corrected.
   void remember(const PlaneVectors& velocity) {
-    std::ranges::copy(velocity.x.first(before_x_.size()), before_x_.begin());
-    std::ranges::copy(velocity.y.first(before_y_.size()), before_y_.begin());
+    std::ranges::copy(velocity.x, before_x_.begin());
+    std::ranges::copy(velocity.y, before_y_.begin());
   }
 
   // After it: the displacement at n of each point, displacement(point) = {x, y}, and v(n+1/2), corrected.

@@ -67,7 +67,7 @@ double strain(const Strain& strain, scene::Quantity quantity) {
 
 }  // namespace
 
-Histories::Histories(const scene::Continuum& scene, const Grid& grid, const Supports& supports,
+Histories::Histories(const scene::Continuum& scene, const Supports& supports, const Grid& grid,
                      std::span<const std::uint32_t> zone_kinds) {
   if (scene.histories().empty()) return;
   const ZoneLocator locator(grid);

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,7 +19,7 @@ class Histories {
  public:
   // `zone_kinds` as in zone_fit.hpp. protocol::UserError for a place outside all zones of ground, or off the
   // lining whose force is asked for.
-  Histories(const scene::Continuum& scene, const Grid& grid, const Supports& supports,
+  Histories(const scene::Continuum& scene, const Supports& supports, const Grid& grid,
             std::span<const std::uint32_t> zone_kinds);
 
   // The velocities of these points await the correction by another model after every step.

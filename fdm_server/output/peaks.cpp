@@ -7,13 +7,6 @@
 #include "fdm_server/output/strain.hpp"
 
 namespace adit::fdm {
-namespace {
-
-std::size_t own_zones(const Grid& grid) {
-  return grid.zones.size() - grid.own_corners.size();
-}
-
-}  // namespace
 
 namespace {
 
@@ -25,13 +18,13 @@ protocol::PlaneVectors velocities(const Continuum& continuum, std::size_t points
 }  // namespace
 
 Peaks::Peaks(const Grid& grid)
-    : motion_(grid.own_points()),
-      shear_strain_(own_zones(grid)),
-      largest_principal_(own_zones(grid), -std::numeric_limits<double>::infinity()),
-      smallest_principal_(own_zones(grid), std::numeric_limits<double>::infinity()) {
-  gradients_.reserve(shear_strain_.size());
-  for (std::size_t z = 0; z < shear_strain_.size(); ++z)
-    gradients_.push_back(mean_gradient(corners(grid, z)));
+    : points_(grid.own_points()),
+      motion_(points_),
+      shear_strain_(grid.own_zones()),
+      largest_principal_(grid.own_zones(), -std::numeric_limits<double>::infinity()),
+      smallest_principal_(grid.own_zones(), std::numeric_limits<double>::infinity()) {
+  gradients_.reserve(grid.own_zones());
+  for (std::size_t z = 0; z < grid.own_zones(); ++z) gradients_.push_back(mean_gradient(corners(grid, z)));
 }
 
 void Peaks::remember(const Continuum& continuum) {

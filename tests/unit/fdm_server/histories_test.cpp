@@ -63,7 +63,7 @@ Errors errors(ZoneKind kind, std::uint32_t zones_y) {
         history.mutable_at()->set_x(x);
         history.mutable_at()->set_y(y);
       }
-  Histories histories(scene, grid, {}, one_kind(grid));
+  Histories histories(scene, {}, grid, one_kind(grid));
   protocol::Step step{0, dt};
   while (static_cast<double>(step.number) < steps) {
     ++step.number;
@@ -164,9 +164,9 @@ TEST(Histories, AreOfGroundThatStays) {
   history.set_quantity(scene::STRESS_XX);
   history.mutable_at()->set_x(1);
   history.mutable_at()->set_y(0.5);
-  EXPECT_NO_THROW(Histories(scene, grid, {}, kinds));
+  EXPECT_NO_THROW(Histories(scene, {}, grid, kinds));
   history.mutable_at()->set_x(0.5);
-  EXPECT_THROW(Histories(scene, grid, {}, kinds), protocol::UserError);
+  EXPECT_THROW(Histories(scene, {}, grid, kinds), protocol::UserError);
 }
 
 // The stress across the plane is that of plane strain, nu (sxx + syy), and 0 in plane stress.
