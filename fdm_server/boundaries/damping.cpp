@@ -44,7 +44,7 @@ double Damping::add_others(std::span<const protocol::Stretch> stretches, const p
         if (!step.from_rest()) {
           const double v = velocity[i];
           added = -law_.mass * masses[i] * (v + half * inverse_mass[i] * force[i]) / implicit;
-          if (v != 0) added -= law_.local * std::copysign(force[i], v);
+          if (v != 0 && inverse_mass[i] > 0) added -= law_.local * std::copysign(force[i], v);
         }
         force[i] += added;
         added += viscous[i];
