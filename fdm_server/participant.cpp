@@ -72,8 +72,8 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   supports_ = resolve_supports(scene_, grid_);
   const auto& conditions = scene_.continuum();
   make_continuum();
-  histories_.emplace(conditions, supports_, grid_);
   stage_of_zone_ = excavation_stages(scene_, grid_);
+  histories_.emplace(conditions, supports_, grid_, zone_kinds());
   if (!weights.weights().empty()) offer_grid_points(weights, interface);
   interface.set_zones(grid_.zones.size());
   interface.set_grid_points(grid_.x.size());
@@ -264,6 +264,13 @@ void FdmParticipant::require_interface_stays() const {
             "or bolts are attached at ({:g}, {:g}) m after stage 0, where the interface ties the grid; "
             "keep a zone between them and the overlap",
             grid_.x[*point], grid_.y[*point]));
+}
+
+std::vector<std::uint32_t> FdmParticipant::zone_kinds() const {
+  std::vector<std::uint32_t> kinds(grid_.zones.size(), kNoGround);
+  for (std::size_t z = 0; z < grid_.own_zones(); ++z)
+    if (stage_of_zone_[z] == 0) kinds[z] = setup_.ground.of_zone[z];
+  return kinds;
 }
 
 void FdmParticipant::check(const wire::Advance& advance) const {

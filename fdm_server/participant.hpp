@@ -55,6 +55,8 @@ class FdmParticipant final : public protocol::Participant {
   // bolts.
   void excavate(std::uint32_t stage);
   void require_interface_stays() const;
+  // The material of each zone; none where time finds no ground (columns, what was taken away).
+  std::vector<std::uint32_t> zone_kinds() const;
   // The first step that does not relax: from the state reached.
   void start_over();
   // Of the linings at the last step, once time goes on.

@@ -58,8 +58,9 @@ ZoneLocator::ZoneLocator(const Grid& grid) : grid_(grid) {
   cells_ = {extents, std::max({std::sqrt(width * height / zones), width / zones, height / zones})};
 }
 
-std::optional<Place> ZoneLocator::locate(double x, double y) const {
+std::optional<Place> ZoneLocator::locate(double x, double y, const std::vector<bool>& hidden) const {
   for (const std::uint32_t zone : cells_.at(x, y)) {
+    if (!hidden.empty() && hidden[zone]) continue;
     const auto natural = inverse_bilinear(corners(grid_, zone), x, y);
     if (!natural) continue;
     const auto [xi, eta] = *natural;

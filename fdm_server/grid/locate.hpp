@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "fdm_server/grid/grid.hpp"
 #include "protocol/cells.hpp"
@@ -24,8 +25,9 @@ std::optional<std::array<double, 2>> inverse_bilinear(const Corners& corners, do
 class ZoneLocator {
  public:
   explicit ZoneLocator(const Grid& grid);
-  // The zone that holds (x, y), within 1e-9 of its size; the first of several (points on an edge).
-  std::optional<Place> locate(double x, double y) const;
+  // The zone that holds (x, y), within 1e-9 of its size; the first of several (points on an edge). Not one
+  // that is hidden: one flag a zone, or none at all.
+  std::optional<Place> locate(double x, double y, const std::vector<bool>& hidden = {}) const;
 
  private:
   const Grid& grid_;

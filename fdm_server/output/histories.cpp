@@ -19,6 +19,10 @@ bool is_of_zones(scene::Quantity quantity) {
   return quantity >= scene::STRESS_XX && quantity <= scene::SHEAR_STRAIN_XY;
 }
 
+bool is_motion(scene::Quantity quantity) {
+  return !is_of_zones(quantity) && !is_of_lining(quantity);
+}
+
 double at(const ZonePoints& points, const std::array<double, 4>& shares, std::span<const double> field) {
   double sum = 0;
   for (std::size_t c = 0; c < 4; ++c)
@@ -41,7 +45,7 @@ double sum(const ZoneShares& fit, Value&& value) {
 [[noreturn]] void refuse_place(const Grid& grid, double x, double y, const std::string& path) {
   double distance = std::numeric_limits<double>::infinity();
   std::size_t nearest = 0;
-  for (std::size_t i = 0; i < grid.x.size(); ++i)
+  for (std::size_t i = 0; i < grid.own_points(); ++i)
     if (const double d = std::hypot(grid.x[i] - x, grid.y[i] - y); d < distance) {
       distance = d;
       nearest = i;
@@ -63,22 +67,26 @@ double strain(const Strain& strain, scene::Quantity quantity) {
 
 }  // namespace
 
-Histories::Histories(const scene::Continuum& scene, const Supports& supports, const Grid& grid) {
+Histories::Histories(const scene::Continuum& scene, const Supports& supports, const Grid& grid,
+                     std::span<const std::uint32_t> zone_kinds) {
   if (scene.histories().empty()) return;
   const ZoneLocator locator(grid);
+  std::vector<bool> hidden;
+  for (const auto kind : zone_kinds) hidden.push_back(kind == kNoGround);
   for (int i = 0; i < scene.histories_size(); ++i) {
     const auto& history = scene.histories(i);
-    const auto path = fmt::format("continuum.histories[{}]", i);
+    const std::string path = fmt::format("continuum.histories[{}]", i);
+    Probe& probe = probes_.emplace_back(history.quantity());
     if (is_of_lining(history.quantity())) {
-      probes_.push_back({history.quantity(), {}, {}});
-      probes_.back().lining = resolve_lining_probe(history, supports, grid, path);
+      probe.lining = resolve_lining_probe(history, supports, grid, path);
       continue;
     }
     const double x = history.at().x(), y = history.at().y();
-    const auto place = locator.locate(x, y);
+    const auto place = locator.locate(x, y, hidden);
     if (!place) refuse_place(grid, x, y, path + ".at");
-    probes_.push_back({history.quantity(), grid.zones[place->zone], place->shape});
-    if (is_of_zones(history.quantity())) probes_.back().zones = fit_around(grid, place->zone, x, y);
+    probe.points = grid.zones[place->zone];
+    probe.shares = place->shape;
+    if (is_of_zones(history.quantity())) probe.zones = fit_around(grid, zone_kinds, place->zone, x, y);
   }
 }
 
@@ -92,7 +100,7 @@ void Histories::tie(std::span<const std::uint32_t> points) {
 
 void Histories::remember(const Continuum& continuum) {
   for (Probe& probe : probes_)
-    if (!is_of_zones(probe.quantity) && !probe.lining)
+    if (is_motion(probe.quantity))
       probe.velocity.remember(at(probe.points, probe.shares, velocity(continuum, probe.quantity)));
 }
 
@@ -103,7 +111,7 @@ void Histories::read(const Grid& grid, const Supports& supports, const Continuum
 
 double Histories::value(const Probe& probe, const Grid& grid, const Supports& supports,
                         const Continuum& continuum, const protocol::Step& step) const {
-  const auto& [quantity, points, shares, zones, lining, tied, velocity] = probe;
+  const auto& [quantity, points, shares, zones, tied, velocity, lining] = probe;
   switch (quantity) {
     case scene::DISPLACEMENT_X:
       return at(points, shares, continuum.ux());
@@ -120,18 +128,19 @@ double Histories::value(const Probe& probe, const Grid& grid, const Supports& su
     case scene::STRESS_YY:
     case scene::STRESS_XY:
       return sum(zones, [&](std::uint32_t z) { return stress(continuum.zones().stress(z), quantity); });
+    case scene::STRESS_ZZ:
+      return sum(zones, [&](std::uint32_t z) { return continuum.zones().field(z, ZoneField::kStressZz); });
     case scene::STRAIN_XX:
     case scene::STRAIN_YY:
     case scene::SHEAR_STRAIN_XY:
       return sum(zones, [&](std::uint32_t z) {
-        const ZonePoints& zone = grid.zones[z];
         const MeanGradient gradient = mean_gradient(corners(grid, z));
-        return strain(mean_strain(gradient, zone, continuum.ux(), continuum.uy()), quantity);
+        return strain(mean_strain(gradient, grid.zones[z], continuum.ux(), continuum.uy()), quantity);
       });
     case scene::THRUST:
     case scene::MOMENT:
     case scene::SHEAR_FORCE:
-      return fdm::value(*lining, supports, continuum.structures());
+      return fdm::value(lining, supports, continuum.structures());
   }
   throw std::logic_error("no probe measures this quantity");
 }

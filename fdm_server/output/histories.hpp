@@ -1,9 +1,8 @@
-// Quantities over time at places of the continuum.
+// Quantities over time at places of the continuum and its linings.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,7 +10,6 @@
 #include "fdm_server/output/zone_fit.hpp"
 #include "fdm_server/solver/continuum.hpp"
 #include "fdm_server/structures/lining_probe.hpp"
-#include "fdm_server/structures/supports.hpp"
 #include "protocol/history.hpp"
 #include "protocol/scene.pb.h"
 
@@ -19,8 +17,10 @@ namespace adit::fdm {
 
 class Histories {
  public:
-  // protocol::UserError for a place outside the grid's zones, or off the lining that it names.
-  Histories(const scene::Continuum& scene, const Supports& supports, const Grid& grid);
+  // `zone_kinds` as in zone_fit.hpp. protocol::UserError for a place outside all zones of ground, or off the
+  // lining whose force is asked for.
+  Histories(const scene::Continuum& scene, const Supports& supports, const Grid& grid,
+            std::span<const std::uint32_t> zone_kinds);
 
   // The velocities of these points await the correction by another model after every step.
   void tie(std::span<const std::uint32_t> points);
@@ -35,12 +35,12 @@ class Histories {
  private:
   struct Probe {
     scene::Quantity quantity;
-    ZonePoints points;             // of the zone that holds the place
-    std::array<double, 4> shares;  // bilinear, at the place
-    ZoneShares zones{};            // of stress and strain
-    std::optional<LiningProbe> lining{};
+    ZonePoints points{};             // of the zone that holds the place
+    std::array<double, 4> shares{};  // bilinear, at the place
+    ZoneShares zones{};              // of stress and strain
     bool tied = false;
     protocol::HalfStepVelocity velocity{};  // its component
+    LiningProbe lining{};                   // of a lining's force
   };
   double value(const Probe& probe, const Grid& grid, const Supports& supports, const Continuum& continuum,
                const protocol::Step& step) const;

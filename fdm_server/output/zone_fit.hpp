@@ -5,10 +5,13 @@
 // share a point with it) in the sense of least squares:
 //   s(p) = s_0 + (p - c_0) . g,   minimize sum over z of (s_0 + (c_z - c_0) . g - s_z)^2,
 // so that s(p) is of second order everywhere, at the boundary too, and is the zone's own mean at its
-// centroid. In directions in which no zone lies beside it, the slope is 0.
+// centroid. In directions in which no zone lies beside it, the slope is 0. Stress and strain jump where the
+// ground changes: only zones of the same kind take part.
 #pragma once
 
 #include <cstdint>
+#include <limits>
+#include <span>
 #include <vector>
 
 #include "fdm_server/grid/grid.hpp"
@@ -21,7 +24,11 @@ struct ZoneShares {
   std::vector<double> shares;
 };
 
-// The value at (x, y) [m] in `zone`.
-ZoneShares fit_around(const Grid& grid, std::uint32_t zone, double x, double y);
+// The kind of a zone that holds no ground.
+inline constexpr std::uint32_t kNoGround = std::numeric_limits<std::uint32_t>::max();
+
+// The value at (x, y) [m] in `zone`; `kinds`: one a zone, such as its material.
+ZoneShares fit_around(const Grid& grid, std::span<const std::uint32_t> kinds, std::uint32_t zone, double x,
+                      double y);
 
 }  // namespace adit::fdm

@@ -15,7 +15,10 @@ QUANTITIES = (
     (("vx_m_per_s", "vy_m_per_s"), "velocity", (("mm/s", 1e-3), ("m/s", 1))),
     (("ax_m_per_s2", "ay_m_per_s2"), "acceleration", (("mm/s²", 1e-3), ("m/s²", 1))),
     (("sxx_Pa", "syy_Pa", "szz_Pa", "sxy_Pa"), "stress", (("Pa", 1), ("kPa", 1e3), ("MPa", 1e6))),
-    (("exx", "eyy", "gxy"), "strain", (("10⁻⁶", 1e-6), ("10⁻³", 1e-3))))
+    (("exx", "eyy", "gxy"), "strain", (("10⁻⁶", 1e-6), ("10⁻³", 1e-3))),
+    (("thrust_N",), "thrust", (("N/m", 1), ("kN/m", 1e3), ("MN/m", 1e6))),
+    (("moment_Nm",), "moment", (("N", 1), ("kN", 1e3), ("MN", 1e6))),
+    (("shear_N",), "shear force", (("N/m", 1), ("kN/m", 1e3), ("MN/m", 1e6))))
 
 
 def histories(run):

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "fdm_server/zones/critical_step.hpp"
+#include "protocol/errors.hpp"
 #include "tests/unit/fdm_server/scenes.hpp"
 #include "tests/unit/fdm_server/standing_wave.hpp"
 
@@ -20,6 +21,10 @@ constexpr std::array kQuantities = {scene::DISPLACEMENT_X, scene::DISPLACEMENT_Y
                                     scene::STRESS_XX,      scene::STRESS_YY,      scene::STRESS_XY,
                                     scene::STRAIN_XX,      scene::STRAIN_YY,      scene::SHEAR_STRAIN_XY};
 using Figures = std::array<double, kQuantities.size()>;
+
+std::vector<std::uint32_t> one_kind(const Grid& grid) {
+  return std::vector<std::uint32_t>(grid.zones.size(), 0);
+}
 
 // Places all over the box, without symmetry; or on its boundary.
 std::vector<std::array<double, 2>> places(bool on_boundary) {
@@ -58,8 +63,7 @@ Errors errors(ZoneKind kind, std::uint32_t zones_y) {
         history.mutable_at()->set_x(x);
         history.mutable_at()->set_y(y);
       }
-  const Supports none;
-  Histories histories(scene, none, grid);
+  Histories histories(scene, {}, grid, one_kind(grid));
   protocol::Step step{0, dt};
   while (static_cast<double>(step.number) < steps) {
     ++step.number;
@@ -67,7 +71,7 @@ Errors errors(ZoneKind kind, std::uint32_t zones_y) {
     continuum->step(step);
   }
   Values values;
-  histories.read(grid, none, *continuum, step, values);
+  histories.read(grid, {}, *continuum, step, values);
   Errors errors;
   Figures size{};
   int next = 0;
@@ -107,7 +111,7 @@ TEST(Histories, FindUniformStrainInADistortedGrid) {
   const Grid grid = distorted_grid({0, 3, 0, 2, 12, 8});
   for (const auto& [x, y] : {std::pair{1.234, 0.567}, {0.1, 0.1}, {2.99, 1.99}, {0.0, 1.0}}) {
     for (std::uint32_t zone : {0u, 40u, 95u}) {
-      const ZoneShares fit = fit_around(grid, zone, x, y);
+      const ZoneShares fit = fit_around(grid, one_kind(grid), zone, x, y);
       double sum = 0, linear = 0;
       for (std::size_t k = 0; k < fit.zones.size(); ++k) {
         const Corners c = corners(grid, fit.zones[k]);
@@ -129,7 +133,7 @@ TEST(Histories, FindUniformStrainInADistortedGrid) {
 // A column one zone wide has a slope along it and none across.
 TEST(Histories, FitAColumnOfZones) {
   const Grid grid = make_grid({0, 1, 0, 4, 1, 4});
-  const ZoneShares fit = fit_around(grid, 1, 0.9, 1.75);
+  const ZoneShares fit = fit_around(grid, one_kind(grid), 1, 0.9, 1.75);
   double height = 0, sum = 0;
   for (std::size_t k = 0; k < fit.zones.size(); ++k) {
     height += fit.shares[k] * (fit.zones[k] + 0.5);
@@ -137,7 +141,62 @@ TEST(Histories, FitAColumnOfZones) {
   }
   EXPECT_NEAR(height, 1.75, 1e-13);
   EXPECT_NEAR(sum, 1, 1e-13);
-  EXPECT_EQ(fit_around(make_grid({0, 1, 0, 1, 1, 1}), 0, 0.3, 0.2).shares, std::vector<double>{1});
+  const Grid alone = make_grid({0, 1, 0, 1, 1, 1});
+  EXPECT_EQ(fit_around(alone, one_kind(alone), 0, 0.3, 0.2).shares, std::vector<double>{1});
+}
+
+// Across the edge between two kinds of ground nothing is smoothed: the fit takes zones of one kind only.
+TEST(Histories, FitStaysInOneKindOfGround) {
+  const Grid grid = make_grid({0, 3, 0, 4, 3, 4});
+  std::vector<std::uint32_t> kinds(12, 0);
+  std::fill(kinds.begin() + 6, kinds.end(), 1);  // the upper half
+  const ZoneShares fit = fit_around(grid, kinds, 4, 1.4, 1.9);
+  for (const auto zone : fit.zones) EXPECT_LT(zone, 6u);
+  EXPECT_EQ(fit.zones.size(), 6u);
+}
+
+// Where the ground was taken away nothing is recorded; at its wall, the zone that stays.
+TEST(Histories, AreOfGroundThatStays) {
+  const Grid grid = make_grid({0, 3, 0, 1, 3, 1});
+  const std::vector<std::uint32_t> kinds{kNoGround, 0, 0};
+  scene::Continuum scene;
+  auto& history = *scene.add_histories();
+  history.set_quantity(scene::STRESS_XX);
+  history.mutable_at()->set_x(1);
+  history.mutable_at()->set_y(0.5);
+  EXPECT_NO_THROW(Histories(scene, {}, grid, kinds));
+  history.mutable_at()->set_x(0.5);
+  EXPECT_THROW(Histories(scene, {}, grid, kinds), protocol::UserError);
+}
+
+// The stress across the plane is that of plane strain, nu (sxx + syy), and 0 in plane stress.
+TEST(Histories, KnowTheStressAcrossThePlane) {
+  for (const bool plane_strain : {true, false}) {
+    std::string conditions =
+        "motions { where { x_max: 0 } velocity { x: 0 y: 0 } } edge_loads { where { x_min: 6 } "
+        "force { x: 1e6 } } ";
+    for (const char* quantity : {"STRESS_XX", "STRESS_YY", "STRESS_ZZ"})
+      conditions += std::string("histories { quantity: ") + quantity + " at { x: 3.1 y: 0.4 } } ";
+    FdmParticipant participant;
+    wire::Setup setup = setup_of(conditions);
+    setup.mutable_scene()->set_plane(plane_strain ? scene::PLANE_STRAIN : scene::PLANE_STRESS);
+    wire::Model model;
+    wire::Interface interface;
+    participant.set_up(setup, model);
+    participant.weigh({}, interface);
+    wire::Predicted predicted;
+    for (std::uint64_t n = 0; n <= 200; ++n) {
+      wire::Advance advance;
+      advance.set_step(n);
+      advance.set_dt(2e-5);
+      advance.set_want_histories(true);
+      predicted.Clear();
+      participant.advance(advance, predicted);
+    }
+    const auto& h = predicted.histories();
+    EXPECT_GT(std::abs(h[0]), 1e4);
+    EXPECT_NEAR(h[2], plane_strain ? 0.2 * (h[0] + h[1]) : 0, 1e-9 * std::abs(h[0]));
+  }
 }
 
 // The acceleration is that of the step itself from the first on: a free body under its weight, with its half
