@@ -4,7 +4,7 @@ import socket
 import subprocess
 import unittest
 
-from programs import BUILD, CASE, ProgramTest, Server, coupler
+from programs import BUILD, CASE, SOURCE, ProgramTest, Server, coupler
 
 SCENE = (CASE / "coupled.yaml").read_text().replace("base: full_dem.yaml", f"base: {CASE / 'full_dem.yaml'}")
 
@@ -55,6 +55,24 @@ class UserErrors(ProgramTest):
     def test_a_load_that_selects_nothing_is_found_by_the_server_and_located_by_the_coupler(self):
         message, place = self.refused_scene("where: {x_max: 0 m}", "where: {x_max: -1 m}")
         self.assert_says(message, place, "continuum.edge_loads[0].where", "boundary")
+
+    def refused_mesh(self, change):
+        """The case's mesh after a change, beside a scene that stands on the case's."""
+        case = SOURCE / "cases" / "excavation"
+        (self.folder / "changed.msh").write_text(change((case / "tunnel.msh").read_text()))
+        scene = f"base: {case / 'mesh.yaml'}\ncontinuum:\n  mesh: {{path: changed.msh}}\n"
+        return self.refusal(self.scene(scene))
+
+    def test_a_mesh_travels_to_the_server_and_its_errors_come_back_with_the_scenes_line(self):
+        message = self.refused_mesh(lambda text: text.replace("4.1 0 8", "2.2 0 8"))
+        self.assert_says(message, ":3:", "continuum.mesh.path", "changed.msh:2: is in format 2.2")
+        self.assert_says(self.refused_mesh(lambda text: text[:len(text) // 2]), "continuum.mesh.path", "not complete")
+        message = self.refused_mesh(lambda text: text.replace('"heading"', '"haeding"'))
+        self.assert_says(message, "continuum.excavations[0].where.group", "did you mean `haeding`")
+
+    def test_a_mesh_that_is_not_there(self):
+        message = self.refusal(SOURCE / "cases" / "excavation" / "mesh.yaml", "--set", "continuum.mesh.path=no.msh")
+        self.assert_says(message, "continuum.mesh.path", "no such file")
 
     def test_missing_file(self):
         self.assert_says(self.refusal(self.folder / "absent.yaml"), str(self.folder / "absent.yaml"))
