@@ -41,6 +41,15 @@ class Runs(ProgramTest):
         self.assertEqual(one[0]["zones"], 10240)
         self.assertEqual(one, three)
 
+    def test_threads_of_particles_change_no_bit(self):
+        fine = ("--set", "particles.packing.radius=0.0158", "--set", "particles.bonds.tensile_strength=5 kN", "--set",
+                "time.duration=2 ms", "--set", "output.field_times=[1 ms]")
+        one, three = (self.results(self.run_scene(CASE / "full_dem.yaml", *fine, "--dem-threads", count, out=count))
+                      for count in ("1", "3"))
+        self.assertGreater(one[0]["particles"], 10000)
+        self.assertGreater(one[0]["crack_count"], 0)
+        self.assertEqual(one, three)
+
     def test_summary_holds_what_the_readme_promises(self):
         summary = self.summary(self.run_scene(CASE / "coupled.yaml", *SHORT))
         self.assertEqual([name for name in REQUIRED if name not in summary], [])
