@@ -49,13 +49,13 @@ struct Dashpot {
   std::uint32_t point;
   Symmetric damping;                    // all dashpots of the point [N s/m]
   bool hold_x = false, hold_y = false;  // in statics
-  std::optional<FreeFieldLink> field;
+  std::optional<FreeFieldLink> field{};
 
   // Of the last step [N].
-  Vector support;  // what held the point at rest
-  Vector stress;   // of the free field
-  Vector given;    // support and free field
-  Vector drag;     // of the dashpots
+  Vector support{};  // what held the point at rest
+  Vector stress{};   // of the free field
+  Vector given{};    // support and free field
+  Vector drag{};     // of the dashpots
 };
 
 // Since the start [J].
