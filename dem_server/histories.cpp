@@ -54,6 +54,9 @@ Histories::Histories(const scene::Particles& scene, const Particles& particles) 
           fmt::format("is {}, which particles do not have; choose displacement, velocity or acceleration, or "
                       "ask the continuum",
                       protocol::name_of(history.quantity())));
+    if (!history.has_at())
+      throw protocol::UserError(fmt::format("particles.histories[{}].at", i),
+                                "is missing; give the place, {x: …, y: …}");
     const double x = history.at().x(), y = history.at().y();
     const std::uint32_t particle = nearest(particles, x, y);
     if (const double distance = std::hypot(particles.x[particle] - x, particles.y[particle] - y);

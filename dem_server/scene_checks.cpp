@@ -37,6 +37,8 @@ const scene::Material& material_of(const scene::Scene& scene) {
 Packing checked_packing(const scene::Scene& scene) {
   if (!scene.has_particles())
     throw UserError("particles", "is missing; a dem_server needs a scene with particles");
+  if (!scene.particles().has_packing())
+    throw UserError("particles.packing", "is missing; give the box and the radius of the particles");
   const auto& wanted = scene.particles().packing();
   require_positive(wanted.radius(), "particles.packing.radius", "m");
   require_extent(wanted.x_min(), wanted.x_max(), "x");

@@ -76,6 +76,11 @@ Histories::Histories(const scene::Continuum& scene, const Supports& supports, co
   for (int i = 0; i < scene.histories_size(); ++i) {
     const auto& history = scene.histories(i);
     const std::string path = fmt::format("continuum.histories[{}]", i);
+    if (!history.has_at()) throw protocol::UserError(path + ".at", "is missing; give the place, {x: …, y: …}");
+    if (history.quantity() >= scene::FORCE_X)
+      throw protocol::UserError(path + ".quantity",
+                                fmt::format("is {}, which only particles have; ask particles.histories",
+                                            protocol::name_of(history.quantity())));
     Probe& probe = probes_.emplace_back(history.quantity());
     if (is_of_lining(history.quantity())) {
       probe.lining = resolve_lining_probe(history, supports, grid, path);
@@ -141,6 +146,8 @@ double Histories::value(const Probe& probe, const Grid& grid, const Supports& su
     case scene::MOMENT:
     case scene::SHEAR_FORCE:
       return fdm::value(lining, supports, continuum.structures());
+    default:  // of the particles: refused before
+      break;
   }
   throw std::logic_error("no probe measures this quantity");
 }

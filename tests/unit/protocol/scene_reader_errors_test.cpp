@@ -193,8 +193,8 @@ TEST(SceneErrors, ErrorsInABaseNameTheBase) {
   folder.write("base.yaml", "\n" + kHead + "plane: wrong\n");
   folder.write("x.yaml", "base: base.yaml\n");
   EXPECT_THAT(complaint(folder, "x.yaml"), StartsWith("base.yaml:4:1: plane: is `wrong`"));
-  folder.write("x.yaml", "base: base.yaml\nplane: plane_stress\nparticles: {}\n");
-  EXPECT_THAT(complaint(folder, "x.yaml"), StartsWith("x.yaml:3:1: particles.packing: is missing"));
+  folder.write("x.yaml", "base: base.yaml\nplane: plane_stress\nparticles: {packing: {}}\n");
+  EXPECT_THAT(complaint(folder, "x.yaml"), StartsWith("x.yaml:3:13: particles.packing.x_min: is missing"));
 }
 
 TEST(SceneErrors, SetsAreNamedAsTheyWereWritten) {
