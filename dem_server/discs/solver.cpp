@@ -44,7 +44,7 @@ Solver::Solver(const Model& model, std::size_t threads, const ModelWeights& weig
   const auto groups = static_cast<std::uint32_t>(std::max<std::size_t>(model.group_names.size(), 1));
   neighbours_ = Neighbours(particles_, radius_, std::move(joined), model.group, groups,
                            bonded.first_contact_law, bonded.dashpots, model.overlaps_free);
-  walls_ = Walls(model.walls, radius_, particles_, neighbours_.skin(), model.overlaps_free);
+  walls_ = WallContacts(model.walls, radius_, particles_, neighbours_.skin(), model.overlaps_free);
   for (auto* pulled : {&pulled_x_, &pulled_y_, &pulled_moment_}) pulled->assign(particles_.size(), 0.0);
   strain_at_start_ = strain_energy();
 }

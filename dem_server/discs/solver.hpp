@@ -5,8 +5,8 @@
 //
 // Energies are accounted in the form that the scheme keeps, T(n) = 1/2 sum m v(n-1/2) v(n+1/2): every force
 // does the trapezoidal work dt v(n-1/2) (f(n-1) + f(n)) / 2 on its disc, and the sum of all is the change of
-// T to rounding. Springs store F^2 / 2k. What the trapezoid gives to all pairs and they neither store nor
-// lose by friction, dashpots or breaking is the share of the time step: of second order in dt, by springs
+// T to rounding. SpringForces store F^2 / 2k. What the trapezoid gives to all pairs and they neither store
+// nor lose by friction, dashpots or breaking is the share of the time step: of second order in dt, by springs
 // that turn, close and open.
 #pragma once
 
@@ -21,8 +21,8 @@
 #include "dem_server/discs/model.hpp"
 #include "dem_server/discs/neighbours.hpp"
 #include "dem_server/discs/pull.hpp"
-#include "dem_server/discs/springs.hpp"
-#include "dem_server/discs/walls.hpp"
+#include "dem_server/discs/spring_forces.hpp"
+#include "dem_server/discs/wall_contacts.hpp"
 #include "dem_server/energy.hpp"
 #include "dem_server/loads.hpp"
 #include "dem_server/motions.hpp"
@@ -61,8 +61,8 @@ class Solver {
   const Pairs& bonds() const { return bonds_; }
   const Pairs& contacts() const { return neighbours_.pairs(); }
   const Neighbours& neighbours() const { return neighbours_; }
-  const Walls& walls() const { return walls_; }
-  const Springs& springs() const { return springs_; }
+  const WallContacts& walls() const { return walls_; }
+  const SpringForces& springs() const { return springs_; }
   const Joints& joints() const { return joints_; }
   std::span<const PairLaw> laws() const { return laws_; }
   // Which of model.joined a bond is.
@@ -102,8 +102,8 @@ class Solver {
   std::vector<std::uint32_t> joined_of_bond_;
   Neighbours neighbours_;
   Joints joints_;
-  Springs springs_;
-  Walls walls_;
+  SpringForces springs_;
+  WallContacts walls_;
   Damping damping_;
   std::vector<EdgeDashpot> edges_;
   std::vector<double> support_x_, support_y_;                // of the edges [N]; empty: none

@@ -1,16 +1,16 @@
-#include "dem_server/discs/springs.hpp"
+#include "dem_server/discs/spring_forces.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace adit::dem {
 
-Springs::Springs(std::vector<Spring> springs)
+SpringForces::SpringForces(std::vector<Spring> springs)
     : springs_(std::move(springs)), forces_(springs_.size()), whole_(springs_.size(), true) {
   for (std::size_t k = 0; k < springs_.size(); ++k) forces_[k] = springs_[k].pretension;
 }
 
-void Springs::pull(double dt, Particles& p) {
+void SpringForces::pull(double dt, Particles& p) {
   for (std::size_t k = 0; k < springs_.size(); ++k) {
     if (!whole_[k]) continue;
     const Spring& spring = springs_[k];
@@ -38,7 +38,7 @@ void Springs::pull(double dt, Particles& p) {
   }
 }
 
-double Springs::strain_energy() const {
+double SpringForces::strain_energy() const {
   double twice = 0;
   for (std::size_t k = 0; k < springs_.size(); ++k) twice += forces_[k] * forces_[k] / springs_[k].stiffness;
   return twice / 2;

@@ -13,12 +13,12 @@
 
 namespace adit::dem {
 
-class Walls {
+class WallContacts {
  public:
-  Walls() = default;
+  WallContacts() = default;
   // Overlaps at the start bear no force where `overlaps_free`.
-  Walls(std::vector<MovingWall> walls, std::span<const double> radius, const Particles& particles,
-        double skin, bool overlaps_free);
+  WallContacts(std::vector<MovingWall> walls, std::span<const double> radius, const Particles& particles,
+               double skin, bool overlaps_free);
 
   // Moves them by a step. Returns how far the fastest went [m].
   double move(const protocol::Step& step);

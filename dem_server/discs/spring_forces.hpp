@@ -10,10 +10,10 @@
 
 namespace adit::dem {
 
-class Springs {
+class SpringForces {
  public:
-  Springs() = default;
-  explicit Springs(std::vector<Spring> springs);
+  SpringForces() = default;
+  explicit SpringForces(std::vector<Spring> springs);
 
   // Adds their forces to the resultants; `dt` is 0 where the step starts from rest.
   void pull(double dt, Particles& particles);

@@ -1,4 +1,4 @@
-#include "dem_server/discs/walls.hpp"
+#include "dem_server/discs/wall_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 namespace adit::dem {
 
-Walls::Walls(std::vector<MovingWall> walls, std::span<const double> radius, const Particles& particles,
-             double skin, bool overlaps_free)
+WallContacts::WallContacts(std::vector<MovingWall> walls, std::span<const double> radius,
+                           const Particles& particles, double skin, bool overlaps_free)
     : walls_(std::move(walls)), states_(walls_.size()), radius_(radius.begin(), radius.end()), skin_(skin) {
   list(particles);
   if (overlaps_free)
@@ -16,7 +16,7 @@ Walls::Walls(std::vector<MovingWall> walls, std::span<const double> radius, cons
       touch.slack = std::max(0.0, -meet_wall(touch.wall, touch.disc, particles).gap);
 }
 
-double Walls::move(const protocol::Step& step) {
+double WallContacts::move(const protocol::Step& step) {
   double farthest = 0;
   if (!step.from_rest())
     for (State& s : states_) {
@@ -27,7 +27,7 @@ double Walls::move(const protocol::Step& step) {
   return farthest;
 }
 
-void Walls::drive(const protocol::Step& step) {
+void WallContacts::drive(const protocol::Step& step) {
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     const double factor = step.relax ? 0 : protocol::evaluate(walls_[w].time, step.half_time());
     states_[w].vx = walls_[w].vx * factor;
@@ -35,12 +35,12 @@ void Walls::drive(const protocol::Step& step) {
   }
 }
 
-void Walls::stop() {
+void WallContacts::stop() {
   for (State& s : states_) s.vx = s.vy = 0;
 }
 
 // The nearest point of the wall is where they meet.
-Encounter Walls::meet_wall(std::uint32_t wall, std::uint32_t disc, const Particles& p) const {
+Encounter WallContacts::meet_wall(std::uint32_t wall, std::uint32_t disc, const Particles& p) const {
   const MovingWall& w = walls_[wall];
   const State& s = states_[wall];
   const Body body{
@@ -58,7 +58,7 @@ Encounter Walls::meet_wall(std::uint32_t wall, std::uint32_t disc, const Particl
   return laws::at(body, second, nx, ny, distance, distance - body.radius, distance, 0);
 }
 
-void Walls::list(const Particles& p) {
+void WallContacts::list(const Particles& p) {
   std::vector<Touch> fresh;
   auto old = touches_.begin();
   for (std::uint32_t w = 0; w < walls_.size(); ++w)
@@ -71,7 +71,7 @@ void Walls::list(const Particles& p) {
   touches_ = std::move(fresh);
 }
 
-void Walls::pull(double dt, Particles& p) {
+void WallContacts::pull(double dt, Particles& p) {
   for (State& s : states_) {
     work_ += dt / 2 * (s.fx * s.vx + s.fy * s.vy);
     s.fx = s.fy = 0;
@@ -102,7 +102,7 @@ void Walls::pull(double dt, Particles& p) {
   for (const State& s : states_) work_ += dt / 2 * (s.fx * s.vx + s.fy * s.vy);
 }
 
-double Walls::strain_energy() const {
+double WallContacts::strain_energy() const {
   double twice = 0;
   for (const Touch& touch : touches_) {
     const LinearContact& law = walls_[touch.wall].contact;
