@@ -68,6 +68,8 @@ struct Model {
 
   // Contacts of discs of groups i and j: contacts[i * groups + j], symmetric.
   std::vector<LinearContact> contacts;
+  // Overlaps at the start bear no force; else the contacts do, and so do contact bonds that begin compressed.
+  bool overlaps_free = true;
   std::vector<MovingWall> walls;
   std::vector<Spring> springs;
   std::vector<EdgeDashpot> edges;
