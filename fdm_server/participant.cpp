@@ -52,6 +52,11 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   damping_ = resolve_damping(scene_.continuum());
   critical_dt_ = critical_step(damping_, std::min(critical_step(setup_.kind, grid_, setup_.ground),
                                                   supports.structures.critical_step()));
+  if (!(critical_dt_ > 0) || !std::isfinite(critical_dt_))
+    throw protocol::UserError("material",
+                              fmt::format("makes a critical time step of {} s; check the units of the "
+                                          "stiffness and of the density",
+                                          critical_dt_));
   model.set_critical_dt(critical_dt_);
   const auto box = bounds(grid_);
   model.set_x_min(box.x_min);
