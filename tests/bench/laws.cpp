@@ -1,5 +1,6 @@
 // What the laws of the ground cost: zone-steps per second of one thread in a block of 100 x 100 zones of one
-// material, one JSON object a line. `yielding`: all sampling points are beyond their strength in all steps.
+// material, one JSON object a line. `failing`: all sampling points are beyond their strength in all steps, in
+// shear alone, or torn to the apex of the cone.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -53,17 +54,22 @@ int main() {
   Material hysteretic = elastic, bedded = frictional(1e12);
   hysteretic.hysteretic = Hysteretic(backbone(hyperbola(1e-3, 1), 2e-6, 1e-2, 60));
   bedded.weak_plane = WeakPlane(0.5, {1e12, 0.4, 0, std::numeric_limits<double>::infinity()});
+  const auto cohesive_of = [&](double cohesion) {
+    Material material = elastic;
+    material.mohr_coulomb = MohrCoulomb({cohesion, 0, 0, std::numeric_limits<double>::infinity()});
+    return material;
+  };
+  const Material strong = cohesive_of(1e12), cohesive = cohesive_of(1);
   struct Law {
     const char* name;
     Material material;
     bool large_strain;
   };
-  Material strong = elastic;
-  strong.mohr_coulomb = MohrCoulomb({1e12, 0, 0, std::numeric_limits<double>::infinity()});
   for (const auto kind : {ZoneKind::kAssumedStrain, ZoneKind::kMixedDiscretization})
     for (const auto& [name, material, large_strain] :
          {Law{"elastic", elastic, false}, Law{"Mohr-Coulomb, within its strength", strong, false},
-          Law{"Mohr-Coulomb, yielding", frictional(1), false},
+          Law{"Mohr-Coulomb, failing in shear", cohesive, false},
+          Law{"Mohr-Coulomb, failing in tension", frictional(1), false},
           Law{"Mohr-Coulomb and weak plane", bedded, false},
           Law{"hysteretic, 60 elements", hysteretic, false}, Law{"elastic, large strain", elastic, true}})
       std::printf("{\"kind\": \"%s\", \"law\": \"%s\", \"zone_steps_per_s\": %.4g}\n",
