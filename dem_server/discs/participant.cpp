@@ -35,7 +35,6 @@ void DiscsParticipant::set_up(const wire::Setup& setup, wire::Model& answer) {
         "initial_stress",
         "is given, but only a hexagonal lattice of contact bonds without further features can "
         "start under it; leave it out, or pack the particles under a stress that they keep");
-  refuse_coincident(model.discs);
   answer.set_critical_dt(critical_step(model));
   const Rectangle extent = extent_of(model.discs);
   answer.set_x_min(extent.x_min);
