@@ -126,7 +126,10 @@ ADIT_VECTOR_CLONES Outcome pull_chunk(const Pairs::Chunk& chunk, double dt, cons
     const double nx = dx * inverse_length, ny = dy * inverse_length;
     const double arm_1 = 0.5 * length + half_difference[k], arm_2 = 0.5 * length - half_difference[k];
     const double spin_1 = near.spin_1[k], spin_2 = near.spin_2[k];
-    const double slip_rate = near.vy[k] * nx - near.vx[k] * ny - (arm_1 * spin_1 + arm_2 * spin_2);
+    // By the length in the middle of the step, see laws/encounter.hpp.
+    const double stretch_rate = near.vx[k] * nx + near.vy[k] * ny, half = 0.5 * dt * stretch_rate;
+    const double slip_rate = (near.vy[k] * nx - near.vx[k] * ny) * (1 + half * inverse_length) -
+                             ((arm_1 - 0.5 * half) * spin_1 + (arm_2 - 0.5 * half) * spin_2);
 
     double pull_n = 0, pull_t = 0, turn = 0, friction = 0, dashpot = 0;
     if constexpr (kCement) {
@@ -158,7 +161,7 @@ ADIT_VECTOR_CLONES Outcome pull_chunk(const Pairs::Chunk& chunk, double dt, cons
       double contact_n = spring, contact_t = elastic;
       if constexpr (kDashpots) {
         const bool touches = open * overlap < 0, sticks = touches && trial == elastic;
-        const double stretch_rate = near.vx[k] * nx + near.vy[k] * ny, by_mass = near.by_mass[k];
+        const double by_mass = near.by_mass[k];
         const double by_shear =
             by_mass + (arm_1 * arm_1 * near.by_spin_1[k] + arm_2 * arm_2 * near.by_spin_2[k]);
         const double damped_n = std::min(
@@ -236,20 +239,24 @@ bool break_pair(const PairLaw& law, std::uint32_t pair, std::uint32_t k, double 
   const double stretch = dt * (near.vx[k] * s.nx + near.vy[k] * s.ny);
   const double slip =
       dt * (near.vy[k] * s.nx - near.vx[k] * s.ny - (s.arm_1 * near.spin_1[k] + s.arm_2 * near.spin_2[k]));
-  const double contact =
-      law.beside ? 0 : law.contact.normal_stiffness * std::min(s.elongation + pairs.slack[pair], 0.0);
+  const double contact = law.contact.normal_stiffness * std::min(s.elongation + pairs.slack[pair], 0.0);
   const double w = pairs.weight[pair];
   released += w * (given_up(normal, law.kn, stretch) + given_up(shear, law.ks, slip) +
                    given_up(turn, law.km, dt * (near.spin_2[k] - near.spin_1[k])) -
-                   given_up(contact, law.contact.normal_stiffness, stretch));
+                   (law.beside ? 0 : given_up(contact, law.contact.normal_stiffness, stretch)));
   pairs.state[pair] = tensile ? BondState::kTensileCrack : BondState::kShearCrack;
   pairs.shear[pair] = pairs.moment[pair] = 0;
-  const double less_n = normal - contact;
-  forces.normal[k] -= less_n;
-  forces.x[k] -= w * (less_n * s.nx - shear * s.ny);
-  forces.y[k] -= w * (less_n * s.ny + shear * s.nx);
-  forces.moment_1[k] -= w * (shear * s.arm_1 + turn);
-  forces.moment_2[k] -= w * (shear * s.arm_2 - turn);
+
+  double left_n = contact, left_t = pairs.slide[pair];
+  if (!pairs.normal_dashpot.empty()) {
+    left_n += pairs.normal_dashpot[pair];
+    left_t += pairs.shear_dashpot[pair];
+  }
+  forces.normal[k] = left_n;
+  forces.x[k] = w * (left_n * s.nx - left_t * s.ny);
+  forces.y[k] = w * (left_n * s.ny + left_t * s.nx);
+  forces.moment_1[k] = w * left_t * s.arm_1;
+  forces.moment_2[k] = w * left_t * s.arm_2;
   return true;
 }
 

@@ -61,7 +61,7 @@ class WallContacts {
     double ux = 0, uy = 0, vx = 0, vy = 0;  // travelled [m], velocity [m/s]
     double fx = 0, fy = 0;                  // on the discs at the last step [N]
   };
-  Encounter meet_wall(std::uint32_t wall, std::uint32_t disc, const Particles& particles) const;
+  Encounter meet_wall(std::uint32_t wall, std::uint32_t disc, double dt, const Particles& particles) const;
 
   std::vector<MovingWall> walls_;
   std::vector<State> states_;
