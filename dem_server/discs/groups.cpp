@@ -48,8 +48,8 @@ Group read_group(const scene::ParticleGroup& scene, const std::string& path, con
 }  // namespace
 
 BondStiffness Group::stiffness() const {
-  return checked_stiffness(bonds ? *bonds : scene::Bonds::default_instance(),
-                           bonds ? bonds_path : contacts_path, material, plane);
+  return checked_stiffness(bonds != nullptr ? *bonds : scene::Bonds::default_instance(),
+                           bonds != nullptr ? bonds_path : contacts_path, material, plane);
 }
 
 LinearContact Group::contact() const {

@@ -50,9 +50,9 @@ class BondTypes {
     const GroupPair pair = ordered(first, second);
     const auto [found, is_new] = numbers_.try_emplace({barrier, pair}, kNothing);
     if (is_new)
-      if (auto type = read(barrier, pair)) {
+      if (const auto type = read(barrier, pair)) {
         found->second = static_cast<int>(types_.size());
-        types_.push_back(std::move(*type));
+        types_.push_back(*type);
       }
     return found->second;
   }
@@ -113,7 +113,7 @@ class BondTypes {
   }
 
   static std::optional<BondType> of_group(const Group& group) {
-    if (!group.bonds) return std::nullopt;
+    if (group.bonds == nullptr) return std::nullopt;
     return read_bond_type(*group.bonds, group.bonds_path, [&group] { return group.stiffness(); });
   }
 

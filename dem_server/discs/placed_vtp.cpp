@@ -82,7 +82,7 @@ class Reader {
   std::vector<double> from_text(std::string_view text, const std::string& what) const {
     constexpr std::string_view kBlanks = " \t\r\n";
     std::vector<double> values;
-    for (auto at = text.find_first_not_of(kBlanks); at != text.npos;
+    for (auto at = text.find_first_not_of(kBlanks); at != std::string_view::npos;
          at = text.find_first_not_of(kBlanks, at)) {
       const auto word = text.substr(at, text.find_first_of(kBlanks, at) - at);
       double value = 0;
@@ -139,7 +139,7 @@ class Reader {
       if (c == '=') bits = 0;  // the end of a stream, perhaps of the length alone
       if (c == '\n' || c == '\r' || c == ' ' || c == '=') continue;
       const auto digit = kDigits.find(c);
-      if (digit == kDigits.npos) refuse(fmt::format("holds data of {} that are no base64", what));
+      if (digit == std::string_view::npos) refuse(fmt::format("holds data of {} that are no base64", what));
       group = group << 6 | static_cast<std::uint32_t>(digit);
       if ((bits += 6) < 8) continue;
       bits -= 8;

@@ -139,7 +139,7 @@ Placement placed(const scene::PlacedParticles& wanted) {
   const std::string path = "particles.placed.path";
   const std::string& content = wanted.content();
   const auto begin = content.find_first_not_of(" \t\r\n");
-  const bool xml = begin != content.npos && content[begin] == '<';
+  const bool xml = begin != std::string::npos && content[begin] == '<';
   PlacedDiscs table = xml ? read_vtp(content, path) : read_csv(content, path);
   if (table.discs.size() == 0) throw UserError(path, "holds no particles; give at least one");
   require_room_for(static_cast<double>(table.discs.size()), std::ranges::min(table.discs.radius), path);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "dem_server/discs/edges.hpp"
 #include "dem_server/discs/groups.hpp"
@@ -72,7 +73,7 @@ void set_damping(const scene::ParticleDamping& damping, Model& model) {
   if (!(damping.local() >= 0 && damping.local() < 1))
     throw UserError("particles.damping.local",
                     fmt::format("is {}; give a share from 0 and below 1", damping.local()));
-  if (!(damping.viscous() >= 0))
+  if (!(damping.viscous() >= 0) || std::isinf(damping.viscous()))
     throw UserError("particles.damping.viscous",
                     fmt::format("is {} 1/s; give a rate from 0", damping.viscous()));
   model.local_damping = damping.local();

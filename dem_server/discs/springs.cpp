@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "dem_server/discs/joint_lines.hpp"
 #include "dem_server/scene_checks.hpp"
@@ -19,15 +20,15 @@ using protocol::UserError;
 // diameter away.
 std::uint32_t nearest(const Discs& discs, const Point& place, const std::string& path,
                       const std::function<bool(std::uint32_t)>& may_be_taken = {}) {
-  double least = kUnbreakable;
+  double least = std::numeric_limits<double>::infinity();
   std::uint32_t found = 0;
   for (std::uint32_t i = 0; i < discs.size(); ++i) {
-    const double distance = std::hypot(discs.x[i] - place.x, discs.y[i] - place.y);
-    if (distance >= least || (may_be_taken && !may_be_taken(i))) continue;
-    least = distance;
+    const double dx = discs.x[i] - place.x, dy = discs.y[i] - place.y, square = dx * dx + dy * dy;
+    if (square >= least || (may_be_taken && !may_be_taken(i))) continue;
+    least = square;
     found = i;
   }
-  if (!(least <= 2 * discs.radius[found]))
+  if (!(std::sqrt(least) <= 2 * discs.radius[found]))
     throw UserError(path,
                     fmt::format("finds no particle within a diameter of ({:.6g}, {:.6g}) m; move it to one",
                                 place.x, place.y));
