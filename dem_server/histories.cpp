@@ -24,6 +24,12 @@ std::uint32_t nearest(const Particles& p, double x, double y) {
   return best;
 }
 
+double velocity(const Particles& p, scene::Quantity quantity, std::uint32_t i) {
+  return quantity == scene::VELOCITY_Y || quantity == scene::ACCELERATION_Y ? p.vy[i] : p.vx[i];
+}
+
+}  // namespace
+
 bool is_motion(scene::Quantity quantity) {
   switch (quantity) {
     case scene::DISPLACEMENT_X:
@@ -38,29 +44,26 @@ bool is_motion(scene::Quantity quantity) {
   }
 }
 
-double velocity(const Particles& p, scene::Quantity quantity, std::uint32_t i) {
-  return quantity == scene::VELOCITY_Y || quantity == scene::ACCELERATION_Y ? p.vy[i] : p.vx[i];
-}
-
-}  // namespace
-
-Histories::Histories(const scene::Particles& scene, const Particles& particles) {
-  const double reach = 2 * scene.packing().radius();
+Histories::Histories(const scene::Particles& scene, const Particles& particles,
+                     std::span<const double> radius, Others others) {
   for (int i = 0; i < scene.histories_size(); ++i) {
     const auto& history = scene.histories(i);
-    if (!is_motion(history.quantity()))
+    if (!is_motion(history.quantity())) {
+      if (others == Others::kLeftOut) continue;
       throw protocol::UserError(
           fmt::format("particles.histories[{}].quantity", i),
-          fmt::format("is {}, which particles do not have; choose displacement, velocity or acceleration, or "
-                      "ask the continuum",
-                      protocol::name_of(history.quantity())));
+          fmt::format(
+              "is {}, which particles do not have; choose displacement, velocity or acceleration, give "
+              "the radius of a circle that a stress is taken over, or ask the continuum",
+              protocol::name_of(history.quantity())));
+    }
     if (!history.has_at())
       throw protocol::UserError(fmt::format("particles.histories[{}].at", i),
                                 "is missing; give the place, {x: …, y: …}");
     const double x = history.at().x(), y = history.at().y();
     const std::uint32_t particle = nearest(particles, x, y);
     if (const double distance = std::hypot(particles.x[particle] - x, particles.y[particle] - y);
-        distance > reach)
+        distance > 2 * radius[particle])
       throw protocol::UserError(
           fmt::format("particles.histories[{}].at", i),
           fmt::format("is ({:g}, {:g}) m, but the nearest particle is {:g} m away; choose a "
@@ -82,7 +85,6 @@ void Histories::remember(const Particles& particles) {
 
 void Histories::read(const Particles& particles, const protocol::Step& step,
                      google::protobuf::RepeatedField<double>& values) const {
-  values.Clear();
   for (const auto& [quantity, i, tied, record] : histories_) {
     switch (quantity) {
       case scene::DISPLACEMENT_X:

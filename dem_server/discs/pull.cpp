@@ -361,20 +361,19 @@ PairState state_of(std::uint32_t pair, std::span<const PairLaw> laws, const Part
           overlap < 0};
 }
 
-double strain_energy(std::span<const PairLaw> laws, const Particles& p, const Pairs& pairs) {
-  const auto stored = [](double force, double stiffness) {
-    return stiffness > 0 ? force * force / stiffness : 0.0;
+void add_stored(std::span<const PairLaw> laws, const Particles& p, const Pairs& pairs, Stored& stored) {
+  const auto in_spring = [](double force, double stiffness) {
+    return stiffness > 0 ? 0.5 * force * force / stiffness : 0.0;
   };
-  double twice = 0;
   for (std::uint32_t k = 0; k < pairs.size(); ++k) {
     const PairLaw& law = laws[pairs.law[k]];
     const PairState s = state_of(k, laws, p, pairs);
-    twice +=
-        pairs.weight[k] * (stored(s.cement_normal, law.kn) + stored(s.shear - pairs.slide[k], law.ks) +
-                           stored(s.moment, law.km) + stored(s.contact_normal, law.contact.normal_stiffness) +
-                           stored(pairs.slide[k], law.contact.shear_stiffness));
+    (law.beside ? stored.parallel_bonds : stored.contact_bonds) +=
+        pairs.weight[k] * (in_spring(s.cement_normal, law.kn) + in_spring(s.shear - pairs.slide[k], law.ks) +
+                           in_spring(s.moment, law.km));
+    stored.contacts += pairs.weight[k] * (in_spring(s.contact_normal, law.contact.normal_stiffness) +
+                                          in_spring(pairs.slide[k], law.contact.shear_stiffness));
   }
-  return twice / 2;
 }
 
 }  // namespace adit::dem

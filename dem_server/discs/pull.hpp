@@ -42,7 +42,12 @@ struct PairState {
 PairState state_of(std::uint32_t pair, std::span<const PairLaw> laws, const Particles& particles,
                    const Pairs& pairs);
 
-// Stored in springs and cement, weighted [J].
-double strain_energy(std::span<const PairLaw> laws, const Particles& particles, const Pairs& pairs);
+// Stored in contacts, contact bonds and parallel bonds, weighted [J].
+struct Stored {
+  double contacts = 0, contact_bonds = 0, parallel_bonds = 0;
+  double sum() const { return contacts + contact_bonds + parallel_bonds; }
+};
+void add_stored(std::span<const PairLaw> laws, const Particles& particles, const Pairs& pairs,
+                Stored& stored);
 
 }  // namespace adit::dem

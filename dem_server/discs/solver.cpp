@@ -1,17 +1,12 @@
 #include "dem_server/discs/solver.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
-#include <map>
-#include <tuple>
 
 #include "dem_server/discs/bodies.hpp"
 #include "dem_server/motion.hpp"
-#include "protocol/errors.hpp"
 
 namespace adit::dem {
 namespace {
@@ -179,10 +174,31 @@ void Solver::start_over() {
   strain_at_start_ = strain_energy();
 }
 
+Stored Solver::stored() const {
+  Stored sum;
+  add_stored(laws_, particles_, bonds_, sum);
+  add_stored(laws_, particles_, neighbours_.pairs(), sum);
+  sum.contacts += walls_.strain_energy();
+  return sum;
+}
+
 double Solver::strain_energy() const {
-  return adit::dem::strain_energy(laws_, particles_, bonds_) +
-         adit::dem::strain_energy(laws_, particles_, neighbours_.pairs()) + joints_.strain_energy() +
-         springs_.strain_energy() + walls_.strain_energy();
+  return stored().sum() + joints_.strain_energy() + springs_.strain_energy();
+}
+
+double Solver::internal_force() const {
+  double sum = 0;
+  for (const Pairs* pairs : {&bonds_, &neighbours_.pairs()})
+    for (std::uint32_t k = 0; k < pairs->size(); ++k) {
+      const PairState s = state_of(k, laws_, particles_, *pairs);
+      sum += pairs->weight[k] * std::hypot(s.cement_normal + s.contact_normal, s.shear);
+    }
+  for (const Joints::Joint& joint : joints_.joints())
+    sum += joint.weight * std::hypot(joint.normal, joint.springs.shear);
+  for (const double force : springs_.forces()) sum += std::abs(force);
+  for (const WallContacts::Touch& touch : walls_.touches())
+    sum += std::hypot(touch.normal, touch.springs.shear_force);
+  return sum;
 }
 
 DiscLedger Solver::ledger() const {

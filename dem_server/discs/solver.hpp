@@ -77,8 +77,12 @@ class Solver {
   };
   const Strongest& strongest() const { return strongest_; }
 
+  // Sum over bonds, contacts, joints and springs of |force|, weighted [N].
+  double internal_force() const;
+
   DiscLedger ledger() const;
-  double strain_energy() const;
+  Stored stored() const;         // of pairs; walls' contacts among the contacts
+  double strain_energy() const;  // of all
   // Of the time step (see above), since the start [J].
   double time_step_share() const;
 
