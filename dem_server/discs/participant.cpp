@@ -9,9 +9,11 @@
 #include <stdexcept>
 #include <vector>
 
+#include "dem_server/discs/branches.hpp"
 #include "dem_server/discs/crack.hpp"
 #include "dem_server/discs/critical_step.hpp"
 #include "dem_server/discs/extent.hpp"
+#include "dem_server/discs/fragments.hpp"
 #include "dem_server/discs/read_model.hpp"
 #include "dem_server/discs/snapshot.hpp"
 #include "dem_server/messages.hpp"
@@ -79,7 +81,7 @@ void DiscsParticipant::weigh(const wire::Weights& weights, wire::Interface& inte
   loads_ = Loads(loads, particles, tolerance);
   body_loads_ = Loads(body_loads, particles, tolerance);
   motions_ = Motions(scene_.particles(), particles, tolerance);
-  histories_.emplace(scene_.particles(), particles, solver_->radius());
+  histories_.emplace(scene_.particles(), *solver_);
   lists_ = solver_->neighbours().lists();
   interface.set_particles(size);
   interface.set_bonds(model.joined.size());
@@ -146,7 +148,7 @@ void DiscsParticipant::advance(const wire::Advance& advance, wire::Predicted& pr
   coupling_.read_velocities(particles,
                             {predicted.mutable_velocities()->mutable_data(), 2 * coupling_.size()});
   report_events(predicted);
-  if (advance.want_histories()) histories_->read(particles, step_, *predicted.mutable_histories());
+  if (advance.want_histories()) histories_->read(*solver_, step_, *predicted.mutable_histories());
   if (advance.relax()) predicted.mutable_relaxation()->set_kinetic_energy(kinetic_energy(particles));
   if (advance.want_energies()) report_energies(*predicted.mutable_energies());
 }
@@ -247,7 +249,10 @@ void DiscsParticipant::snapshot(const wire::SnapshotRequest& request, wire::Snap
 
 void DiscsParticipant::finish(wire::Bye& bye) {
   bye.set_cpu_seconds(static_cast<double>(std::clock() - started_) / CLOCKS_PER_SEC);
-  if (solver_) bye.set_updates(solver_->particles().size() * moves_);
+  if (!solver_) return;
+  const std::size_t size = solver_->particles().size();
+  bye.set_updates(size * moves_);
+  bye.set_fragments(fragments_of(size, whole_bonds(*solver_)).count());
 }
 
 }  // namespace adit::dem
