@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "dem_server/discs/arrange.hpp"
 #include "dem_server/discs/branches.hpp"
 #include "dem_server/discs/crack.hpp"
 #include "dem_server/discs/critical_step.hpp"
@@ -31,6 +32,7 @@ void DiscsParticipant::set_up(const wire::Setup& setup, wire::Model& answer) {
   started_ = std::clock();
   scene_ = setup.scene();
   weighed_.model = read_model(scene_);
+  weighed_.id = arrange(weighed_.model);
   const Model& model = weighed_.model;
   if (scene_.has_initial_stress())
     throw protocol::UserError(
@@ -59,7 +61,7 @@ void DiscsParticipant::weigh(const wire::Weights& weights, wire::Interface& inte
   const bool coupled = weights.weights_size() > 0;
   if (coupled) {
     const Model& whole = weighed_.model;
-    weighed_ = adit::dem::weigh(whole, split_weights(weights, whole.discs.size(), whole.joined.size()));
+    weighed_ = adit::dem::weigh(weighed_, split_weights(weights, whole.discs.size(), whole.joined.size()));
     if (weighed_.model.discs.size() == 0)
       throw protocol::UserError("interface.overlap",
                                 "leaves no particles, their weight being 0 everywhere; let the packing "
@@ -68,7 +70,7 @@ void DiscsParticipant::weigh(const wire::Weights& weights, wire::Interface& inte
   const Model& model = weighed_.model;
   const std::size_t size = model.discs.size();
   solver_.emplace(model, threads_ > 0 ? threads_ : useful_threads(size), weighed_.weights);
-  if (coupled) solver_->particles().id = weighed_.id;
+  solver_->particles().id = weighed_.id;
   const Particles& particles = solver_->particles();
   if (coupled)
     assign(*interface.mutable_points(),
