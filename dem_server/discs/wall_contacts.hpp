@@ -55,8 +55,9 @@ class WallContacts {
     double normal = 0, normal_dashpot = 0, shear_dashpot = 0;  // [N]
   };
   std::span<const Touch> touches() const { return touches_; }  // by wall, then by disc
-  // As they meet now, a time step of `dt` having brought them there; no gap is slack.
-  Encounter meet_wall(std::uint32_t wall, std::uint32_t disc, double dt, const Particles& particles) const;
+  // As they meet now; no gap is slack.
+  Encounter meet_wall(std::uint32_t wall, std::uint32_t disc, const Particles& particles,
+                      double dt = 0) const;
 
  private:
   struct State {
