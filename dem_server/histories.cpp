@@ -24,6 +24,12 @@ std::uint32_t nearest(const Particles& p, double x, double y) {
   return best;
 }
 
+double velocity(const Particles& p, scene::Quantity quantity, std::uint32_t i) {
+  return quantity == scene::VELOCITY_Y || quantity == scene::ACCELERATION_Y ? p.vy[i] : p.vx[i];
+}
+
+}  // namespace
+
 bool is_motion(scene::Quantity quantity) {
   switch (quantity) {
     case scene::DISPLACEMENT_X:
@@ -38,22 +44,19 @@ bool is_motion(scene::Quantity quantity) {
   }
 }
 
-double velocity(const Particles& p, scene::Quantity quantity, std::uint32_t i) {
-  return quantity == scene::VELOCITY_Y || quantity == scene::ACCELERATION_Y ? p.vy[i] : p.vx[i];
-}
-
-}  // namespace
-
 Histories::Histories(const scene::Particles& scene, const Particles& particles,
-                     std::span<const double> radius) {
+                     std::span<const double> radius, Others others) {
   for (int i = 0; i < scene.histories_size(); ++i) {
     const auto& history = scene.histories(i);
-    if (!is_motion(history.quantity()))
+    if (!is_motion(history.quantity())) {
+      if (others == Others::kLeftOut) continue;
       throw protocol::UserError(
           fmt::format("particles.histories[{}].quantity", i),
-          fmt::format("is {}, which particles do not have; choose displacement, velocity or acceleration, or "
-                      "ask the continuum",
-                      protocol::name_of(history.quantity())));
+          fmt::format(
+              "is {}, which particles do not have; choose displacement, velocity or acceleration, give "
+              "the radius of a circle that a stress is taken over, or ask the continuum",
+              protocol::name_of(history.quantity())));
+    }
     if (!history.has_at())
       throw protocol::UserError(fmt::format("particles.histories[{}].at", i),
                                 "is missing; give the place, {x: …, y: …}");
@@ -82,7 +85,6 @@ void Histories::remember(const Particles& particles) {
 
 void Histories::read(const Particles& particles, const protocol::Step& step,
                      google::protobuf::RepeatedField<double>& values) const {
-  values.Clear();
   for (const auto& [quantity, i, tied, record] : histories_) {
     switch (quantity) {
       case scene::DISPLACEMENT_X:

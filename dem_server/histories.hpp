@@ -11,11 +11,17 @@
 
 namespace adit::dem {
 
+// Displacement, velocity or acceleration.
+bool is_motion(scene::Quantity quantity);
+
 class Histories {
  public:
+  enum class Others { kRefused, kLeftOut };
   // The nearest centre at rest; of two equally near ones the first. protocol::UserError for a place farther
-  // than a diameter (2 radius[particle]) from all of them, and for a quantity that particles do not have.
-  Histories(const scene::Particles& scene, const Particles& particles, std::span<const double> radius);
+  // than a diameter (2 radius[particle]) from all of them, and for quantities other than motions, unless they
+  // are left out.
+  Histories(const scene::Particles& scene, const Particles& particles, std::span<const double> radius,
+            Others others = Others::kRefused);
 
   // The velocities of these particles await the correction by another model after every step.
   void tie(std::span<const std::uint32_t> particles);
@@ -23,7 +29,7 @@ class Histories {
   // Before every step, after the correction of the step before.
   void remember(const Particles& particles);
 
-  // Values at the step just made, in the scene's order and as scene.proto defines them.
+  // Adds the values at the step just made, in the scene's order and as scene.proto defines them.
   void read(const Particles& particles, const protocol::Step& step,
             google::protobuf::RepeatedField<double>& values) const;
 

@@ -80,7 +80,7 @@ void DiscsParticipant::weigh(const wire::Weights& weights, wire::Interface& inte
   loads_ = Loads(loads, particles, tolerance);
   body_loads_ = Loads(body_loads, particles, tolerance);
   motions_ = Motions(scene_.particles(), particles, tolerance);
-  histories_.emplace(scene_.particles(), particles, solver_->radius());
+  histories_.emplace(scene_.particles(), *solver_);
   lists_ = solver_->neighbours().lists();
   interface.set_particles(size);
   interface.set_bonds(model.joined.size());
@@ -147,7 +147,7 @@ void DiscsParticipant::advance(const wire::Advance& advance, wire::Predicted& pr
   coupling_.read_velocities(particles,
                             {predicted.mutable_velocities()->mutable_data(), 2 * coupling_.size()});
   report_events(predicted);
-  if (advance.want_histories()) histories_->read(particles, step_, *predicted.mutable_histories());
+  if (advance.want_histories()) histories_->read(*solver_, step_, *predicted.mutable_histories());
   if (advance.relax()) predicted.mutable_relaxation()->set_kinetic_energy(kinetic_energy(particles));
   if (advance.want_energies()) report_energies(*predicted.mutable_energies());
 }

@@ -8,10 +8,10 @@
 #include <span>
 
 #include "dem_server/coupling_points.hpp"
+#include "dem_server/discs/disc_histories.hpp"
 #include "dem_server/discs/model.hpp"
 #include "dem_server/discs/solver.hpp"
 #include "dem_server/discs/weigh.hpp"
-#include "dem_server/histories.hpp"
 #include "dem_server/loads.hpp"
 #include "dem_server/motions.hpp"
 #include "dem_server/relaxation.hpp"
@@ -54,7 +54,7 @@ class DiscsParticipant : public protocol::Participant {
   Loads loads_, body_loads_;
   Motions motions_;
   CouplingPoints coupling_;
-  std::optional<Histories> histories_;
+  std::optional<DiscHistories> histories_;
   std::optional<protocol::PeakMotion> peaks_;  // once wanted
   bool peaks_due_ = false;                     // of the last step
   Velocities before_;

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "dem_server/discs/branches.hpp"
+#include "dem_server/discs/fragments.hpp"
 #include "dem_server/pieces.hpp"
 
 namespace adit::dem {
@@ -58,6 +60,7 @@ void write_snapshot(const Solver& solver, const Model& model, wire::Snapshot& sn
   add_scalars(fields, "id", p.id);
   add_scalars(fields, "group", model.group);
   add_scalars(fields, "coordination", coordination);
+  add_scalars(fields, "fragment", fragments_of(p.size(), whole_bonds(solver)).number);
 }
 
 }  // namespace adit::dem

@@ -55,13 +55,14 @@ class WallContacts {
     double normal = 0, normal_dashpot = 0, shear_dashpot = 0;  // [N]
   };
   std::span<const Touch> touches() const { return touches_; }  // by wall, then by disc
+  // As they meet now; no gap is slack.
+  Encounter meet_wall(std::uint32_t wall, std::uint32_t disc, double dt, const Particles& particles) const;
 
  private:
   struct State {
     double ux = 0, uy = 0, vx = 0, vy = 0;  // travelled [m], velocity [m/s]
     double fx = 0, fy = 0;                  // on the discs at the last step [N]
   };
-  Encounter meet_wall(std::uint32_t wall, std::uint32_t disc, double dt, const Particles& particles) const;
 
   std::vector<MovingWall> walls_;
   std::vector<State> states_;

@@ -35,6 +35,7 @@ def measure(program, discs, rows, threads):
     return [record("bond-steps, contact bonds", bond_steps, f"bond-steps/s{floor}"),
             record("particle-steps, contact bonds", m["steps_per_s"] * size, "particle-steps/s"),
             record("particles, memory held", m["bytes_held"] / size, "bytes per particle"),
+            record("particles, memory traffic", m["traffic_per_step"] / size, "bytes per particle-step"),
             record("bond-steps, triad beside", m["triad_bytes_per_s"] / 1e9, "GB/s"),
             record("bond-steps, share of triad", m["steps_per_s"] * m["traffic_per_step"] / m["triad_bytes_per_s"], "1"),
             record("bond-steps, share of sums and products",

@@ -1,9 +1,12 @@
-"""Other particle codes on the same beam of touching discs, one thread: LAMMPS (central springs; discs that touch
-with history) and LIGGGHTS (discs that touch with history). Those that are not installed are left out, saying so.
+"""Other particle codes on the same beam of touching discs, one thread: Yade (bonds with shear and spin), LAMMPS (central
+springs; discs that touch with history) and LIGGGHTS (discs that touch with history). Those that are not installed are
+left out, saying so.
 
-Their discs are spheres kept in a plane; a row of touching spheres has as many contacts as the beam has bonds.
+Their discs are spheres kept in a plane; a row of touching spheres has as many contacts as the beam has bonds. Measured
+is the CPU time of the steps alone, so that other work on the machine does not count.
 """
 
+import json
 import math
 import pathlib
 import resource
@@ -12,7 +15,7 @@ import subprocess
 import sys
 import tempfile
 
-STEPS = 2000
+STEPS, STEPS_OF_YADE = 2000, 200
 RADIUS, MASS, STIFFNESS = 0.5, 2000.0, 1.8e10
 DT = 0.05 * math.sqrt(MASS / STIFFNESS)
 
@@ -61,21 +64,25 @@ pair_coeff * *"""
 
 def run(discs, rows):
     places, bonds = beam(discs, rows)
-    records = []
-    for program, name, script in peers():
-        path = shutil.which(program)
-        if path is None:
-            print(f"{name}: {program} is not installed, left out", file=sys.stderr)
-            continue
-        seconds = measure(path, script, places, bonds)
-        records.append({"name": f"bond-steps, {name}", "size": len(places), "threads": 1,
-                        "value": len(bonds) * STEPS / seconds, "unit": "bond-steps/s"})
-    return records
+    speeds = {name: installed(program, name) and len(bonds) * STEPS / measure(program, script, places, bonds)
+              for program, name, script in scripts()}
+    name = "Yade bonds with shear and spin"
+    speeds[name] = installed("yade", name) and len(bonds) * STEPS_OF_YADE / measure_yade(places, len(bonds))
+    return [{"name": f"bond-steps, {name}", "size": len(places), "threads": 1, "value": speed, "unit": "bond-steps/s"}
+            for name, speed in speeds.items() if speed]
 
 
-def peers():
+def installed(program, name):
+    if shutil.which(program) is None:
+        print(f"{name}: {program} is not installed, left out", file=sys.stderr)
+        return False
+    return True
+
+
+def scripts():
     values = {"half": STIFFNESS / 2, "dt": DT, "steps": "STEPS"}
-    yield "lmp", "LAMMPS central springs", SPRINGS.format(style="bond", newton="on", communicate="comm_modify vel yes", **values)
+    yield "lmp", "LAMMPS central springs", SPRINGS.format(
+        style="bond", newton="on", communicate="comm_modify vel yes", **values)
     yield "lmp", "LAMMPS granular with history", DISCS.format(
         style="sphere", newton="off", communicate="comm_modify vel yes", contacts=LAMMPS_CONTACTS, **values)
     yield "liggghts", "LIGGGHTS granular with history", DISCS.format(
@@ -99,6 +106,27 @@ def measure(program, script, places, bonds):
     with tempfile.TemporaryDirectory() as folder:
         (pathlib.Path(folder) / "beam.data").write_text(data(places, bonds, "atom_style bond" in script))
         return cpu_seconds(program, script, folder, STEPS) - cpu_seconds(program, script, folder, 0)
+
+
+def measure_yade(places, bonds):
+    """The same of Yade, which must have found all bonds."""
+    result = in_yade({"places": places, "radius": RADIUS, "mass": MASS, "inertia": MASS * RADIUS**2 / 2,
+                      "normal_stiffness": STIFFNESS, "shear_stiffness": STIFFNESS / 3, "dt": DT, "steps": STEPS_OF_YADE})
+    if result["bonds"] != bonds:
+        raise RuntimeError(f"yade found {result['bonds']} bonds in a beam of {bonds}")
+    return result["cpu_s"]
+
+
+def in_yade(beam):
+    """What yade_beam.py says of the beam."""
+    with tempfile.TemporaryDirectory() as folder:
+        source, target = pathlib.Path(folder) / "beam.json", pathlib.Path(folder) / "result.json"
+        source.write_text(json.dumps(beam))
+        script = pathlib.Path(__file__).with_name("yade_beam.py")
+        done = subprocess.run(["yade", "-x", "-n", "-j1", script, source, target], capture_output=True, text=True)
+        if not target.exists():
+            raise RuntimeError(f"yade failed:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
+        return json.loads(target.read_text())
 
 
 def cpu_seconds(program, script, folder, steps):
