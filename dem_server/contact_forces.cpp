@@ -149,11 +149,11 @@ ADIT_VECTOR_CLONES void apply_to_particles(const Run& run, const RunForces& forc
   }
 }
 
-ADIT_VECTOR_CLONES void find_normal_forces(const BondLaw& law, const Run& run, const Particles& p, Bonds& b) {
+ADIT_VECTOR_CLONES void find_normal_forces(const BondLaw& law, const Run& run, const Particles& p,
+                                           const Bonds& b, double* normal) {
   const double *ux1 = &p.ux[run.first], *uy1 = &p.uy[run.first], *ux2 = &p.ux[run.second],
                *uy2 = &p.uy[run.second], *intact = &b.intact[run.begin];
   const double* initial = b.initial_normal_force.empty() ? nullptr : &b.initial_normal_force[run.begin];
-  double* normal = &b.normal_force[run.begin];
   const double kn = law.stiffness.normal, rest_length = b.rest_length;
   const Run rest = run;
 #pragma GCC ivdep
@@ -202,7 +202,24 @@ void add_contact_forces(const BondLaw& law, double dt, std::span<const Run> runs
 }
 
 void find_normal_forces(const BondLaw& law, const Particles& particles, Bonds& bonds) {
-  for (const Run& run : bonds.runs) find_normal_forces(law, run, particles, bonds);
+  for (const Run& run : bonds.runs)
+    find_normal_forces(law, run, particles, bonds, &bonds.normal_force[run.begin]);
+}
+
+double strain_energy(const BondLaw& law, std::span<const Run> runs, const Particles& particles,
+                     const Bonds& bonds) {
+  const double normal_compliance = 1 / law.stiffness.normal;
+  const double shear_compliance = law.stiffness.shear > 0 ? 1 / law.stiffness.shear : 0.0;
+  std::array<double, kLongestRun> normal;
+  double twice = 0;
+  for (const Run& run : runs) {
+    find_normal_forces(law, run, particles, bonds, normal.data());
+    const double *shear = &bonds.shear_force[run.begin], *weight = &bonds.weight[run.begin];
+    for (std::uint32_t k = 0; k < run.count; ++k)
+      twice +=
+          weight[k] * (normal[k] * normal[k] * normal_compliance + shear[k] * shear[k] * shear_compliance);
+  }
+  return twice / 2;
 }
 
 ContactResult compute_contact_forces(const BondLaw& law, double dt, Particles& particles, Bonds& bonds,
