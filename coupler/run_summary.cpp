@@ -52,6 +52,7 @@ RunSummary::RunSummary(const RunLabels& labels, const Model& model) : model_(mod
   summary_.set("zones", counts.zones());
   summary_.set("grid_points", counts.grid_points());
   summary_.set("coupling_points", model.coupling_points.size() / 2);
+  add_notes();
   if (model.interfaces.empty()) return;
   summary_.set("solve", protocol::lower_case(scene::Solve_Name(model.interfaces[0].given.solve())));
   const scene::Overlap& overlap = model.interfaces[0].given.overlap();
@@ -60,6 +61,16 @@ RunSummary::RunSummary(const RunLabels& labels, const Model& model) : model_(mod
   summary_.set("overlap_particles_begin_y_m", overlap.particles_begin().y());
   summary_.set("overlap_continuum_ends_x_m", overlap.continuum_ends().x());
   summary_.set("overlap_continuum_ends_y_m", overlap.continuum_ends().y());
+}
+
+void RunSummary::add_notes() {
+  std::vector<std::string> notes;
+  for (const Side& side : model_.sides)
+    for (const std::string& note : side.model.notes()) {
+      notes.push_back(side.member.name + ": " + note);
+      lines_.push_back("note               " + notes.back());
+    }
+  summary_.set("notes", notes);
 }
 
 void RunSummary::add_statics(const Rest& rest) {

@@ -43,6 +43,8 @@ class RunSummary {
   void print(const std::filesystem::path& directory) const;
 
  private:
+  // What the participants say of their models.
+  void add_notes();
   void add_findings(const Findings& findings);
   void add_event(const std::string& name, const Event& event, bool happened);
   void add_cost(const Stepper& stepper, std::uint64_t steps, double wall_s, double stepping_s);

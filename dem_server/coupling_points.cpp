@@ -53,9 +53,9 @@ std::vector<double> CouplingPoints::offer(const Particles& p, const Rectangle& b
   return centres;
 }
 
-void CouplingPoints::tie(std::span<const double> places, const Assembly& assembly, const Motions& motions) {
+void CouplingPoints::tie(std::span<const double> places, const Particles& p, const BondedPairs& bonds,
+                         const Motions& motions) {
   if (places.size() % 2 != 0) throw std::logic_error("couple: the coupling points are not pairs of x and y");
-  const Particles& p = assembly.particles;
   std::unordered_map<Key, std::uint32_t, Hash> centres;
   for (const std::uint32_t i : offered_) centres.emplace(key_of(p.x[i], p.y[i]), i);
   std::optional<Triangulation> triangulation;  // made where a place needs it
@@ -69,7 +69,7 @@ void CouplingPoints::tie(std::span<const double> places, const Assembly& assembl
     }
     if (!std::isfinite(x) || !std::isfinite(y))
       throw std::logic_error("couple: a coupling point is not finite");
-    if (!triangulation) triangulation.emplace(p, assembly.bonds);
+    if (!triangulation) triangulation.emplace(p, bonds);
     rows.push_back(between_particles(*triangulation, x, y));
   }
   operator_ = protocol::InterfaceOperator(rows);

@@ -7,6 +7,7 @@
 
 #include "dem_server/assembly.hpp"
 #include "dem_server/motions.hpp"
+#include "dem_server/partners.hpp"
 #include "protocol/interface_operator.hpp"
 
 namespace adit::dem {
@@ -19,7 +20,8 @@ class CouplingPoints {
 
   // Ties the particles to these places: to an offered centre, bit by bit, that particle alone, elsewhere the
   // triangle of particles around (triangulation.hpp). UserError where the particles do not reach.
-  void tie(std::span<const double> places, const Assembly& assembly, const Motions& motions);
+  void tie(std::span<const double> places, const Particles& particles, const BondedPairs& bonds,
+           const Motions& motions);
 
   std::size_t size() const { return operator_.rows(); }
   std::span<const std::uint32_t> particles() const { return operator_.points(); }  // tied, ascending

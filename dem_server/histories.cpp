@@ -44,8 +44,8 @@ double velocity(const Particles& p, scene::Quantity quantity, std::uint32_t i) {
 
 }  // namespace
 
-Histories::Histories(const scene::Particles& scene, const Particles& particles) {
-  const double reach = 2 * scene.packing().radius();
+Histories::Histories(const scene::Particles& scene, const Particles& particles,
+                     std::span<const double> radius) {
   for (int i = 0; i < scene.histories_size(); ++i) {
     const auto& history = scene.histories(i);
     if (!is_motion(history.quantity()))
@@ -60,7 +60,7 @@ Histories::Histories(const scene::Particles& scene, const Particles& particles) 
     const double x = history.at().x(), y = history.at().y();
     const std::uint32_t particle = nearest(particles, x, y);
     if (const double distance = std::hypot(particles.x[particle] - x, particles.y[particle] - y);
-        distance > reach)
+        distance > 2 * radius[particle])
       throw protocol::UserError(
           fmt::format("particles.histories[{}].at", i),
           fmt::format("is ({:g}, {:g}) m, but the nearest particle is {:g} m away; choose a "

@@ -14,8 +14,8 @@ namespace adit::dem {
 class Histories {
  public:
   // The nearest centre at rest; of two equally near ones the first. protocol::UserError for a place farther
-  // than a diameter from all of them, and for a quantity that particles do not have.
-  Histories(const scene::Particles& scene, const Particles& particles);
+  // than a diameter (2 radius[particle]) from all of them, and for a quantity that particles do not have.
+  Histories(const scene::Particles& scene, const Particles& particles, std::span<const double> radius);
 
   // The velocities of these particles await the correction by another model after every step.
   void tie(std::span<const std::uint32_t> particles);

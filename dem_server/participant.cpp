@@ -10,6 +10,7 @@
 #include "dem_server/crack.hpp"
 #include "dem_server/critical_step.hpp"
 #include "dem_server/initial_stress.hpp"
+#include "dem_server/messages.hpp"
 #include "dem_server/scene_checks.hpp"
 #include "dem_server/snapshot.hpp"
 #include "protocol/errors.hpp"
@@ -17,41 +18,8 @@
 namespace adit::dem {
 namespace {
 
-void assign(google::protobuf::RepeatedField<double>& field, std::span<const double> values) {
-  field.Assign(values.begin(), values.end());
-}
-
-std::span<const double> view(const google::protobuf::RepeatedField<double>& field) {
-  return {field.data(), static_cast<std::size_t>(field.size())};
-}
-
-// Weights of the particles' centres and the bonds' midpoints, from one list in the order of the sample
-// points.
-SampledWeights split_weights(const wire::Weights& sent, std::size_t centres, std::size_t midpoints) {
-  const auto& all = sent.weights();
-  if (static_cast<std::size_t>(all.size()) != centres + midpoints)
-    throw std::logic_error(
-        fmt::format("weights: {} weights came for {} sample points", all.size(), centres + midpoints));
-  if (!std::all_of(all.begin(), all.end(), [](double w) { return w >= 0 && w <= 1; }))
-    throw std::logic_error("weights: a weight lies outside [0, 1]");
-  if (!(sent.floor() > 0 && sent.floor() <= 1))
-    throw std::logic_error("weights: the floor lies outside (0, 1]");
-  return {{all.data(), centres}, {all.data() + centres, midpoints}, sent.floor()};
-}
-
 double selection_tolerance(const Rectangle& box) {
   return 1e-9 * std::max(box.x_max - box.x_min, box.y_max - box.y_min);
-}
-
-void report(const Crack& crack, std::uint64_t step, wire::Crack& to) {
-  to.set_step(step);
-  to.set_mode(crack.mode == BondState::kTensileCrack ? wire::Crack::TENSILE : wire::Crack::SHEAR);
-  to.set_x(crack.x);
-  to.set_y(crack.y);
-  to.set_length(crack.length);
-  to.set_orientation(crack.orientation);
-  to.set_parent_a(crack.parent_a);
-  to.set_parent_b(crack.parent_b);
 }
 
 }  // namespace
@@ -100,13 +68,13 @@ void DemParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   team_.emplace(threads_ > 0 ? threads_ : useful_threads(particles.size()));
   tied_.assign(particles.size(), false);
   plan();
-  histories_.emplace(scene_.particles(), particles);
+  histories_.emplace(scene_.particles(), particles, std::vector(particles.size(), packing_.radius));
   interface.set_particles(particles.size());
   interface.set_bonds(assembly_.bonds.size());
 }
 
 void DemParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
-  coupling_.tie(view(couple.points()), assembly_, interior_.motions);
+  coupling_.tie(view(couple.points()), assembly_.particles, assembly_.bonds, interior_.motions);
   coupling_.fill(op);
   for (const std::uint32_t i : coupling_.particles()) tied_[i] = true;
   histories_->tie(coupling_.particles());
@@ -149,33 +117,20 @@ void DemParticipant::plan() {
 
 void DemParticipant::correct(std::span<const double> impulses) {
   if (impulses.empty()) return;
-  if (step_.dt == 0)
-    throw std::logic_error("impulses came before the first step, which has nothing to correct");
-  if (impulses.size() != 2 * coupling_.size())
-    throw std::logic_error(
-        fmt::format("{} impulses came for {} coupling points", impulses.size(), coupling_.size()));
+  check_impulses(impulses, coupling_.size(), step_);
   coupling_.push(impulses, assembly_.particles, interface_.motions);
 }
 
-void DemParticipant::check_dt(const wire::Advance& advance) {
-  const double dt = advance.dt();
-  if (advance.step() == 0) step_.dt = dt;
-  if (!(dt > 0) || !std::isfinite(dt) || dt != step_.dt)
-    throw std::logic_error(fmt::format(
-        "advance: dt is {} s; it must be positive and the same in every step (it was {} s)", dt, step_.dt));
-}
-
 void DemParticipant::relax(bool stop, wire::Relaxation& answer) {
-  if (!relaxation_) relaxation_.emplace(assembly_);
+  if (!relaxation_) relaxation_.emplace(assembly_.particles);
   find_normal_forces(law_, assembly_.particles, assembly_.bonds);
-  const Unrest unrest = relaxation_->measure(assembly_, step_.kick());
-  answer.set_unbalanced_force(unrest.unbalanced_force);
-  answer.set_internal_force(unrest.internal_force);
+  answer.set_unbalanced_force(relaxation_->measure(assembly_.particles, step_.kick()));
+  answer.set_internal_force(internal_force(assembly_.bonds));
   answer.set_points(assembly_.particles.size());
   answer.set_elements(assembly_.bonds.size());
   if (!stop) return;
   this->stop();
-  relaxation_->stopped(assembly_);
+  relaxation_->stopped(assembly_.particles);
 }
 
 void DemParticipant::stop() {
@@ -199,7 +154,7 @@ void DemParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
   Particles& particles = assembly_.particles;
   correct(view(advance.impulses()));
   take_peaks();
-  check_dt(advance);
+  step_.dt = checked_dt(advance, step_.dt);
   if (relaxation_ && !advance.relax()) start_over();
   if (advance.relax()) relax(advance.stop(), *predicted.mutable_relaxation());
   step_ = {advance.step(), advance.dt(), advance.relax(), advance.stop()};

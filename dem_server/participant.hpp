@@ -66,7 +66,6 @@ class DemParticipant : public protocol::Participant {
   void start_over();
   // Of the last step, where they are wanted, once it is corrected.
   void take_peaks();
-  void check_dt(const wire::Advance& advance);
   void report_energies(wire::Energies& energies);
 
   std::size_t threads_;

@@ -4,7 +4,7 @@
 
 namespace adit::dem {
 
-Partners::Partners(const Bonds& bonds, std::size_t particles)
+Partners::Partners(const BondedPairs& bonds, std::size_t particles)
     : starts_(particles + 1, 0), higher_(bonds.size()) {
   const auto lower_of = [&](std::size_t k) { return std::min(bonds.first[k], bonds.second[k]); };
   for (std::size_t k = 0; k < bonds.size(); ++k) ++starts_[lower_of(k) + 1];

@@ -9,10 +9,20 @@
 
 namespace adit::dem {
 
+// Bonds as pairs of particles. `longest`: of their lengths at rest [m].
+struct BondedPairs {
+  std::span<const std::uint32_t> first, second;
+  double longest;
+  BondedPairs(std::span<const std::uint32_t> first, std::span<const std::uint32_t> second, double longest)
+      : first(first), second(second), longest(longest) {}
+  BondedPairs(const Bonds& bonds) : BondedPairs(bonds.first, bonds.second, bonds.rest_length) {}
+  std::size_t size() const { return first.size(); }
+};
+
 class Partners {
  public:
   Partners() = default;
-  Partners(const Bonds& bonds, std::size_t particles);
+  Partners(const BondedPairs& bonds, std::size_t particles);
 
   // Those of a higher number, in the bonds' order.
   std::span<const std::uint32_t> above(std::uint32_t particle) const {

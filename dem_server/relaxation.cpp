@@ -11,16 +11,19 @@ double kinetic_energy(const Particles& p) {
   return twice / 2;
 }
 
-Unrest Relaxation::measure(const Assembly& assembly, double kick) {
-  const Particles& p = assembly.particles;
-  const Bonds& b = assembly.bonds;
-  Unrest unrest;
-  for (std::size_t i = 0; i < p.size(); ++i)
-    unrest.unbalanced_force += p.mass[i] * std::hypot(p.vx[i] - before_.x[i], p.vy[i] - before_.y[i]) / kick;
+double internal_force(const Bonds& b) {
+  double sum = 0;
   for (std::size_t k = 0; k < b.size(); ++k)
-    unrest.internal_force += b.weight[k] * std::hypot(b.normal_force[k], b.shear_force[k]);
+    sum += b.weight[k] * std::hypot(b.normal_force[k], b.shear_force[k]);
+  return sum;
+}
+
+double Relaxation::measure(const Particles& p, double kick) {
+  double unbalanced = 0;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    unbalanced += p.mass[i] * std::hypot(p.vx[i] - before_.x[i], p.vy[i] - before_.y[i]) / kick;
   remember(p, before_);
-  return unrest;
+  return unbalanced;
 }
 
 }  // namespace adit::dem

@@ -6,25 +6,22 @@
 
 namespace adit::dem {
 
-// Of a step, weighted.
-struct Unrest {
-  double unbalanced_force =
-      0;  // sum over the particles of |mass · change of velocity| / duration of the kick [N]
-  double internal_force = 0;  // sum over the bonds of |force| [N]
-};
-
 // Of the present velocities and spins, weighted [J].
 double kinetic_energy(const Particles& particles);
 
+// Sum over the bonds of |force|, weighted [N].
+double internal_force(const Bonds& bonds);
+
 class Relaxation {
  public:
-  explicit Relaxation(const Assembly& at_rest) { remember(at_rest.particles, before_); }
+  explicit Relaxation(const Particles& at_rest) { remember(at_rest, before_); }
 
-  // Of the step whose velocities were just corrected. A kick changed them for `kick` seconds since the last
-  // call, or since all were 0.
-  Unrest measure(const Assembly& assembly, double kick);
+  // The unbalanced force of the step whose velocities were just corrected: the sum over the particles of
+  // |mass · change of velocity| / duration of the kick [N], weighted. A kick changed them for `kick` seconds
+  // since the last call, or since all were 0.
+  double measure(const Particles& particles, double kick);
   // All velocities became 0.
-  void stopped(const Assembly& assembly) { remember(assembly.particles, before_); }
+  void stopped(const Particles& particles) { remember(particles, before_); }
 
  private:
   Velocities before_;  // a step before

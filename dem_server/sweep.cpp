@@ -56,10 +56,15 @@ Sweep::Sweep(std::span<const Run> runs, std::span<const Role> roles, const std::
     : buffers_(threads) {
   lay_out(runs, static_cast<std::uint32_t>(roles.size()));
   deal(runs);
-  std::vector<bool> in_seam(roles.size(), false);
-  for (const Block& block : blocks_)
-    for (const Run& run : block.seam)
-      for (std::uint32_t k = 0; k < run.count; ++k) in_seam[run.first + k] = in_seam[run.second + k] = true;
+  std::vector<bool> in_seam(roles.size(), false), in_beat = in_seam;
+  const auto mark = [](const std::vector<Run>& some, std::vector<bool>& flags) {
+    for (const Run& run : some)
+      for (std::uint32_t k = 0; k < run.count; ++k) flags[run.first + k] = flags[run.second + k] = true;
+  };
+  for (const Block& block : blocks_) {
+    mark(block.seam, in_seam);
+    for (const Beat& beat : block.beats) mark(beat.runs, in_beat);
+  }
 
   const auto at_once = [&](std::uint32_t i) { return roles[i] == Role::kSwept && !in_seam[i]; };
   std::uint32_t largest = 0;
@@ -72,7 +77,7 @@ Sweep::Sweep(std::span<const Run> runs, std::span<const Role> roles, const std::
       beat.swept = chosen(beat.swept[0].begin, beat.swept[0].end, at_once);
     }
     block.cleared = chosen(begin, end, [&](std::uint32_t i) { return moved[i] && !at_once(i); });
-    block.left = chosen(begin, end, [&](std::uint32_t i) { return !at_once(i); });
+    block.left = chosen(begin, end, [&](std::uint32_t i) { return in_beat[i] && !at_once(i); });
     block.kept = chosen(begin, end, [&](std::uint32_t i) { return roles[i] == Role::kKept; });
     if (block.seam.empty()) continue;
     const std::uint32_t middle = end, last = blocks_[b + 1].particles.end;

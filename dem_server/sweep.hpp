@@ -58,7 +58,7 @@ class Sweep {
   struct Block {
     protocol::Stretch particles;
     std::vector<Beat> beats;
-    Stretches cleared, left;  // left: their resultants go to memory
+    Stretches cleared, left;  // left: what beats pull on whose resultants go to memory
     Stretches kept;
     // with the next block
     std::vector<Run> seam;

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "dem_server/partners.hpp"
-
 namespace adit::dem {
 namespace {
 
@@ -21,23 +19,23 @@ void snap(std::array<double, 3>& shares) {
 
 }  // namespace
 
-Triangulation::Triangulation(const Particles& particles, const Bonds& bonds)
-    : particles_(particles), reach_((1 + kTolerance) * bonds.rest_length) {
+Triangulation::Triangulation(const Particles& particles, const BondedPairs& bonds)
+    : particles_(particles), reach_((1 + kTolerance) * bonds.longest) {
   find_triangles(bonds);
   std::vector<protocol::Extent> extents;
   extents.reserve(triangles_.size());
-  const double margin = kTolerance * bonds.rest_length;
+  const double margin = kTolerance * bonds.longest;
   for (const auto& [a, b, c] : triangles_) {
     const auto [x0, x1] = std::minmax({particles.x[a], particles.x[b], particles.x[c]});
     const auto [y0, y1] = std::minmax({particles.y[a], particles.y[b], particles.y[c]});
     extents.push_back({x0 - margin, x1 + margin, y0 - margin, y1 + margin});
   }
-  cells_ = {extents, bonds.rest_length};
+  cells_ = {extents, bonds.longest};
 }
 
 // A triangle is found once, at the particle of the lowest number: two of its bonds lead to higher ones, which
 // are bonded.
-void Triangulation::find_triangles(const Bonds& bonds) {
+void Triangulation::find_triangles(const BondedPairs& bonds) {
   const Partners partners(bonds, particles_.size());
   for (std::uint32_t i = 0; i < particles_.size(); ++i) {
     const auto above = partners.above(i);

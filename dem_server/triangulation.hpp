@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dem_server/assembly.hpp"
+#include "dem_server/partners.hpp"
 #include "protocol/cells.hpp"
 
 namespace adit::dem {
@@ -20,7 +21,7 @@ struct TrianglePlace {
 
 class Triangulation {
  public:
-  Triangulation(const Particles& particles, const Bonds& bonds);
+  Triangulation(const Particles& particles, const BondedPairs& bonds);
 
   // The triangle that holds (x, y) [m]; outside of all, the nearest one, continued linearly, if it lies
   // within a particle's diameter: that is what the notches at the ends of a packing's rows and the halves of
@@ -30,7 +31,7 @@ class Triangulation {
  private:
   using Triangle = std::array<std::uint32_t, 3>;
 
-  void find_triangles(const Bonds& bonds);
+  void find_triangles(const BondedPairs& bonds);
   const Triangle* holding(double x, double y) const;
   const Triangle* nearest(double x, double y) const;  // within reach
   std::array<double, 3> shares(const Triangle& triangle, double x, double y) const;
@@ -38,7 +39,7 @@ class Triangulation {
 
   const Particles& particles_;
   std::vector<Triangle> triangles_;
-  double reach_;  // a diameter [m]
+  double reach_;  // the longest bond, a diameter [m]
   protocol::Cells cells_;
 };
 

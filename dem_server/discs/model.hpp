@@ -1,5 +1,5 @@
-// What a scene with discs of any size describes, at rest: discs, what joins them, what they touch. The scene is read into it
-// (read_model.hpp), the solver computes it (solver.hpp).
+// What a scene with discs of any size describes, at rest: discs, what joins them, what they touch. The scene
+// is read into it (read_model.hpp), the solver computes it (solver.hpp).
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ inline constexpr double kUnbreakable = std::numeric_limits<double>::infinity();
 
 // A contact bond: springs at the touching point, without a moment of their own.
 struct ContactBond {
-  double normal_stiffness, shear_stiffness;                              // [N/m]
+  double normal_stiffness, shear_stiffness;                               // [N/m]
   double tensile_strength = kUnbreakable, shear_strength = kUnbreakable;  // [N]
 };
 
@@ -41,7 +41,8 @@ struct MovingWall {
   scene::TimeFunction time;
 };
 
-// Between the centres of two discs; N = pretension + stiffness (L - L0), at least 0 where it knows tension only.
+// Between the centres of two discs; N = pretension + stiffness (L - L0), at least 0 where it knows tension
+// only.
 struct Spring {
   std::uint32_t first, second;
   double stiffness;  // [N/m]
@@ -68,6 +69,8 @@ struct Model {
 
   // Contacts of discs of groups i and j: contacts[i * groups + j], symmetric.
   std::vector<LinearContact> contacts;
+  // Overlaps at the start bear no force; else the contacts do, and so do contact bonds that begin compressed.
+  bool overlaps_free = true;
   std::vector<MovingWall> walls;
   std::vector<Spring> springs;
   std::vector<EdgeDashpot> edges;

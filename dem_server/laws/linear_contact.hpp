@@ -19,6 +19,7 @@ struct LinearContact {
   double normal_stiffness, shear_stiffness;      // [N/m]
   double friction;                               // coefficient
   double normal_damping = 0, shear_damping = 0;  // beta, shares of the critical damping of the pair
+  bool operator==(const LinearContact&) const = default;
 };
 
 struct LinearContactState {

@@ -9,7 +9,7 @@
 
 #include "coupler/set_up.hpp"
 #include "coupler/side.hpp"
-#include "dem_server/participant.hpp"
+#include "dem_server/any_participant.hpp"
 #include "fdm_server/participant.hpp"
 #include "protocol/participant.hpp"
 
@@ -43,7 +43,7 @@ inline std::vector<coupler::Side> local_sides(const scene::Scene& scene) {
     if (member.role == coupler::Role::kContinuum)
       side.peer = std::make_unique<LocalPeer>("fdm_server", std::make_unique<fdm::FdmParticipant>());
     else
-      side.peer = std::make_unique<LocalPeer>("dem_server", std::make_unique<dem::DemParticipant>());
+      side.peer = std::make_unique<LocalPeer>("dem_server", std::make_unique<dem::AnyParticipant>());
   }
   return sides;
 }

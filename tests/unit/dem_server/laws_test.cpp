@@ -47,7 +47,7 @@ struct Collision {
 
 Collision collide(const LinearContact& law, Body a, Body* b, double dt) {
   const Wall wall{a.x + kRadius, 0, 1, 0, 0, 0};
-  const auto encounter = [&] { return b ? meet(a, *b) : meet(a, wall); };
+  const auto encounter = [&] { return b ? meet(a, *b, dt) : meet(a, wall, dt); };
   Collision out;
   LinearContactState state;
   double before = 0;
@@ -169,7 +169,7 @@ TEST(TwoBodies, KeepMomenta) {
   for (int n = 0; n < 300; ++n) {
     move(a, dt);
     move(b, dt);
-    const Encounter e = meet(a, b);
+    const Encounter e = meet(a, b, dt);
     apply(pull(law, e, dt, state), e, dt, a, &b);
   }
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(momenta()[k], before[k], 1e-12);
@@ -232,7 +232,7 @@ TEST(SmoothJointLaw, SticksSlidesOpensAndDilates) {
 // Forces of every law, computed once apart from this code, to 1e-12: a change of any of them must be meant.
 TEST(Laws, GiveTheStoredForces) {
   const Body a{0.01, -0.02, 0.3, -0.2, 1.5, 0.1, 0.5, 120}, b{0.17, 0.06, -0.1, 0.4, -0.7, 0.09, 0.8, 300};
-  const Encounter e = meet(a, b);
+  const Encounter e = meet(a, b, 0);
   LinearContactState stuck, slid;
   const Pull sticking = pull(LinearContact{2e6, 1e6, 0.8, 0.1, 0.05}, e, 1e-5, stuck);
   const Pull sliding = pull(LinearContact{2e6, 1e6, 1e-4, 0.1, 0.05}, e, 1e-5, slid);

@@ -1,0 +1,22 @@
+// A scene's particles as a model of discs.
+//
+// Mass: density times the area of solid that a disc stands for: its cell, 2 sqrt(3) R^2 in hexagonal and 4
+// R^2 in square packing; in random packing the box, shared in proportion to the discs' own areas; its own
+// area where it is placed. Moment of inertia: m R^2 / 2.
+//
+// Bonds: where neither `bonds` nor `contacts` are given, unbreakable ones calibrated from the material; with
+// `contacts` alone, none. Stiffnesses that are left out are those of the hexagonal lattice of the material
+// (calibration.hpp), whatever the packing.
+#pragma once
+
+#include "dem_server/discs/model.hpp"
+
+namespace adit::dem {
+
+// Whether the particles are more than a hexagonal lattice of equal, contact-bonded discs.
+bool needs_discs(const scene::Particles& particles);
+
+// UserError for whatever cannot be computed.
+Model read_model(const scene::Scene& scene);
+
+}  // namespace adit::dem

@@ -1,0 +1,11 @@
+// Springs between discs: those of the scene and the bolts of a ring.
+#pragma once
+
+#include "dem_server/discs/model.hpp"
+
+namespace adit::dem {
+
+// UserError for springs that find one disc at both ends or none within its diameter.
+std::vector<Spring> read_springs(const scene::Particles& particles, const Discs& discs);
+
+}  // namespace adit::dem

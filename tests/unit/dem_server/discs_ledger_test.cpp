@@ -1,0 +1,118 @@
+// Every energy of the discs is accounted for, at every step, whatever breaks, slides, turns and is damped.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "tests/unit/dem_server/discs_models.hpp"
+#include "tests/unit/dem_server/discs_run.hpp"
+
+namespace adit::dem {
+namespace {
+
+// A block of parallel-bonded discs of random size between two platens, the upper one pressing.
+scene::Scene crushing() {
+  scene::Scene scene;
+  auto& material = *scene.mutable_material();
+  material.set_young_modulus(30e9);
+  material.set_poisson_ratio(0.2);
+  material.set_density(2500);
+  auto& particles = *scene.mutable_particles();
+  auto& box = *particles.mutable_random_packing();
+  box.set_x_min(0);
+  box.set_x_max(0.05);
+  box.set_y_min(0);
+  box.set_y_max(0.08);
+  box.set_radius_min(1.5e-3);
+  box.set_radius_max(2.5e-3);
+  box.set_stress(1e6);
+  auto& parallel = *particles.mutable_bonds()->mutable_parallel();
+  parallel.set_normal_stiffness(1e13);
+  parallel.set_shear_stiffness(4e12);
+  parallel.set_tensile_strength(4e6);
+  parallel.set_cohesion(15e6);
+  parallel.set_friction_angle(0.5);
+  auto& contacts = *particles.mutable_contacts();
+  contacts.set_normal_stiffness(2e10);
+  contacts.set_shear_stiffness(1e10);
+  contacts.set_friction(0.5);
+  for (const double y : {0.0, 0.08}) {
+    auto& wall = *particles.add_walls();
+    wall.set_name(y > 0 ? "upper" : "lower");
+    wall.mutable_from()->set_x(-0.1);
+    wall.mutable_to()->set_x(0.15);
+    wall.mutable_from()->set_y(y);
+    wall.mutable_to()->set_y(y);
+    if (y > 0) wall.mutable_velocity()->set_y(-1);
+  }
+  return scene;
+}
+
+struct Account {
+  double worst = 0, work = 0, time_step = 0;
+  std::size_t cracks = 0;
+  std::map<std::string, double> shares;
+};
+
+Account crush(const scene::Scene& scene, double dt_factor, double duration) {
+  test::DiscsRun run(scene, dt_factor);
+  Account account;
+  double start = 0;
+  while (static_cast<double>(run.next) * run.dt < duration) {
+    run.advance();
+    if (run.next == 1) start = run.sum();
+    account.worst = std::max(account.worst, std::abs(run.sum() - start));
+    account.cracks += static_cast<std::size_t>(run.predicted.cracks_size());
+  }
+  account.shares = run.shares();
+  account.work = run.predicted.energies().external_work();
+  account.time_step = account.shares["time_step"];
+  return account;
+}
+
+// kinetic + strain + released + dissipated - work stays the same to 1e-8 of the work, every step of a
+// crushing included, with all laws and dampings at once; what the time step itself costs is small.
+TEST(DiscsLedger, ClosesAtEveryStepOfACrushing) {
+  scene::Scene scene = crushing();
+  auto& particles = *scene.mutable_particles();
+  particles.mutable_contacts()->set_normal_damping(0.1);
+  particles.mutable_contacts()->set_shear_damping(0.1);
+  particles.mutable_damping()->set_local(0.1);
+  particles.mutable_damping()->set_viscous(10);
+  particles.add_body_loads()->mutable_acceleration()->set_y(-10);
+  const Account account = crush(scene, 0.5, 6e-4);
+  EXPECT_GT(account.cracks, 50u);
+  EXPECT_GT(account.work, 0);
+  EXPECT_LT(account.worst, 1e-8 * account.work);
+  EXPECT_LT(std::abs(account.time_step), 1e-3 * account.work);
+  for (const char* name : {"friction", "contact_dashpots", "local_damping", "viscous_damping"})
+    EXPECT_GT(account.shares.at(name), 0) << name;
+}
+
+// Nothing but springs that turn, stretch, slip and bend: what the time step costs falls by four as dt halves.
+TEST(DiscsLedger, TheTimeStepsShareIsOfSecondOrder) {
+  Model model = test::loose_discs({{0, 0, 0.1}, {0.2, 0, 0.1}, {0.35, 0, 0.05}, {0.45, 0, 0.05}}, {0, 0, 0});
+  model.parallel_bonds = {{1e9, 4e8, 0.05, INFINITY, INFINITY, 0}};
+  test::join(model, Joined::Law::kParallelBond);
+  std::vector<double> worst;
+  for (const double dt_factor : {0.2, 0.1, 0.05}) {
+    test::Run run(model, dt_factor * critical_step(model));
+    Particles& p = run.solver.particles();
+    p.vx = {0, 0.1, 0, -0.2};
+    p.vy = {-20, 0, 15, 25};
+    p.spin = {100, 99, 101, 100};
+    double largest = 0, peak = 0;
+    while (static_cast<double>(run.next) * run.dt < 0.05) {
+      run.step();
+      largest = std::max(largest, std::abs(run.solver.time_step_share()));
+      peak = std::max(peak, run.solver.strain_energy());
+    }
+    worst.push_back(largest / peak);
+  }
+  EXPECT_LT(worst[1], 0.3 * worst[0]);
+  EXPECT_LT(worst[2], 0.3 * worst[1]);
+  EXPECT_LT(worst[2], 1e-3);
+}
+
+}  // namespace
+}  // namespace adit::dem
