@@ -85,6 +85,23 @@ std::optional<double> install_stress(double stress, PressedDiscs& pressed, const
   return std::nullopt;
 }
 
+std::vector<bool> holders(const PressedDiscs& pressed) {
+  return without_floaters(pressed.discs().size(), pressed.contacts(), pressed.wall_contacts(),
+                          kFewestContacts);
+}
+
+// Mean number of contacts, walls included, among the discs that are kept.
+double coordination(const PressedDiscs& pressed, const std::vector<bool>& keep) {
+  std::size_t ends = 0;
+  for (const auto [i, j] : pressed.contacts())
+    if (keep[i] && keep[j]) ends += 2;
+  const auto walls = pressed.wall_contacts();
+  for (std::size_t i = 0; i < keep.size(); ++i)
+    if (keep[i]) ends += walls[i];
+  const auto held = std::ranges::count(keep, true);
+  return held > 0 ? static_cast<double>(ends) / static_cast<double>(held) : 0;
+}
+
 }  // namespace
 
 double count_random(const RandomPacking& wanted) {
@@ -96,30 +113,33 @@ std::optional<GrownPacking> pack_randomly(const RandomPacking& wanted, const Pac
   PressedDiscs pressed(draw(wanted), wanted.box);
   pressed.scale_radii(kStartScale);
   grow(pressed, progress);
-  const auto factor = install_stress(wanted.stress, pressed, progress);
+  auto factor = install_stress(wanted.stress, pressed, progress);
   if (!factor) return std::nullopt;
-
   GrownPacking grown;
-  grown.discs = pressed.discs();
-  const auto contacts = pressed.contacts();
-  const auto walls = pressed.wall_contacts();
-  const auto keep = without_floaters(grown.discs.size(), contacts, walls, kFewestContacts);
-  std::size_t ends = 0, held = 0;
-  for (const auto [i, j] : contacts)
-    if (keep[i] && keep[j]) ends += 2;
-  for (std::size_t i = 0; i < keep.size(); ++i)
-    if (keep[i]) {
-      ends += walls[i];
-      ++held;
-    }
+  grown.state.porosity = 1 - area(pressed.discs()) / area(wanted.box);
+
+  // A disc squeezed between two others is not quite a floater: without it the rest moves, which may make
+  // others.
+  auto keep = holders(pressed);
+  for (auto floaters = std::ranges::count(keep, false); floaters > 0;
+       floaters = std::ranges::count(keep, false)) {
+    grown.state.floaters += static_cast<std::size_t>(floaters);
+    if (wanted.keep_floaters) break;
+    Discs held = pressed.discs();
+    keep_only(keep, held);
+    if (held.size() == 0) return std::nullopt;
+    pressed = PressedDiscs(std::move(held), wanted.box);
+    const auto again = install_stress(wanted.stress, pressed, progress);
+    if (!again) return std::nullopt;
+    *factor *= *again;
+    keep = holders(pressed);
+  }
   const auto [across, up] = pressed.wall_stress();
-  grown.state = {1 - area(grown.discs) / area(wanted.box),
-                 across,
-                 up,
-                 held > 0 ? static_cast<double>(ends) / static_cast<double>(held) : 0,
-                 *factor,
-                 keep.size() - held};
-  if (!wanted.keep_floaters) keep_only(keep, grown.discs);
+  grown.state.stress_x = across;
+  grown.state.stress_y = up;
+  grown.state.coordination = coordination(pressed, keep);
+  grown.state.radius_factor = *factor;
+  grown.discs = pressed.discs();
   return grown;
 }
 

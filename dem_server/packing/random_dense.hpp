@@ -3,7 +3,8 @@
 // The procedure of Potyondy & Cundall 2004, Int. J. Rock Mech. Min. Sci. 41, 1329, section 3: discs of random
 // sizes are drawn until they fill the box to the porosity, thrown into it at half their size, grown to full
 // size and brought to rest without friction; then all radii change together until the walls feel the stress.
-// A last step takes away the floaters, discs with fewer than three contacts, which carry nothing.
+// Floaters, discs with fewer than three contacts, are then taken away and the stress is met again, until
+// there are none.
 #pragma once
 
 #include <cstdint>
@@ -27,11 +28,11 @@ struct RandomPacking {
 
 // What was reached.
 struct PackingState {
-  double porosity;            // 1 - area of the discs / area of the box, floaters included
-  double stress_x, stress_y;  // of the walls, over the normal stiffness
-  double coordination;        // mean number of contacts of the discs that are no floaters, walls included
-  double radius_factor;       // by which the drawn radii had to be changed
-  std::size_t floaters;
+  double porosity = 0;                // 1 - area of the discs / area of the box, before floaters went
+  double stress_x = 0, stress_y = 0;  // of the walls, over the normal stiffness
+  double coordination = 0;   // mean number of contacts of the discs that are no floaters, walls included
+  double radius_factor = 1;  // by which the drawn radii had to be changed
+  std::size_t floaters = 0;
 };
 
 struct GrownPacking {
