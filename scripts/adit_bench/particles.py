@@ -18,16 +18,37 @@ FLOOR, FLOOR_FROM = 120e6, 9000  # bond-steps per second of one thread; two must
 
 def run(root):
     program = root / "build/release/tests/bench/particles_bench"
-    own = [record for discs, rows in BEAMS for threads in THREADS for record in measure(program, discs, rows, threads)]
+    of_discs = root / "build/release/tests/bench/discs_bench"
+    own = [record for discs, rows in BEAMS for threads in THREADS for record in
+           measure(program, discs, rows, threads) + measure_parallel(of_discs, discs, rows, threads)]
     return own + peers.run(*BEAMS[1])
 
 
+def run_beam(program, discs, rows, threads):
+    return json.loads(subprocess.run([program, str(discs), str(rows), str(threads)],
+                                     check=True, capture_output=True, text=True).stdout)
+
+
+def floor_of(size, threads, floor):
+    return f" (floor {floor * (1 if threads == 1 else 1.8) / 1e6:.0f}e6)" if size > FLOOR_FROM else ""
+
+
+def measure_parallel(program, discs, rows, threads):
+    """Parallel bonds beside contacts with friction, with the energy ledger."""
+    m = run_beam(program, discs, rows, threads)
+    size = int(m["particles"])
+    unit = f"bond-steps/s{floor_of(size, threads, FLOOR / 2)}"
+    return [{"name": "bond-steps, parallel bonds", "size": size, "threads": threads,
+             "value": m["steps_per_s"] * m["bonds"], "unit": unit},
+            {"name": "discs, memory held", "size": size, "threads": threads,
+             "value": m["bytes_held"] / size, "unit": "bytes per particle"}]
+
+
 def measure(program, discs, rows, threads):
-    m = json.loads(subprocess.run([program, str(discs), str(rows), str(threads)],
-                                  check=True, capture_output=True, text=True).stdout)
+    m = run_beam(program, discs, rows, threads)
     size = int(m["particles"])
     bond_steps = m["steps_per_s"] * m["bonds"]
-    floor = f" (floor {FLOOR * (1 if threads == 1 else 1.8) / 1e6:.0f}e6)" if size > FLOOR_FROM else ""
+    floor = floor_of(size, threads, FLOOR)
 
     def record(name, value, unit):
         return {"name": name, "size": size, "threads": threads, "value": value, "unit": unit}
