@@ -21,9 +21,13 @@ struct Outcome {
   double drift = 0;
 };
 
-Outcome compute(const std::string& name, bool of_discs) {
+scene::Scene cantilever(const std::string& name, bool of_discs) {
   auto scene = protocol::read_scene(std::string(ADIT_CASES) + "/cantilever/" + name + ".yaml").scene;
   if (of_discs) scene.mutable_particles()->mutable_damping()->set_local(0);
+  return scene;
+}
+
+Outcome compute(const scene::Scene& scene) {
   coupler::Model model = test::local_model(scene);
   coupler::Stepper stepper(model);
   Outcome outcome;
@@ -58,7 +62,8 @@ void expect_near(const std::vector<double>& one, const std::vector<double>& othe
 class Engines : public testing::TestWithParam<const char*> {};
 
 TEST_P(Engines, AgreeOnALattice) {
-  const Outcome lattice = compute(GetParam(), false), discs = compute(GetParam(), true);
+  const Outcome lattice = compute(cantilever(GetParam(), false)),
+                discs = compute(cantilever(GetParam(), true));
   // Slip by the middle of the step (laws/encounter.hpp) is all that differs.
   expect_near(lattice.tip, discs.tip, 1e-5);
   ASSERT_EQ(lattice.cracks.size(), discs.cracks.size());
@@ -71,6 +76,26 @@ TEST_P(Engines, AgreeOnALattice) {
   EXPECT_LT(discs.drift, 1e-10);
 }
 INSTANTIATE_TEST_SUITE_P(Cantilever, Engines, testing::Values("full_dem", "coupled"));
+
+// Parallel bonds that crack beside contacts with friction, coupled to a continuum: the energies of both
+// close.
+TEST(CoupledDiscs, KeepEnergyAsParallelBondsBreak) {
+  scene::Scene scene = cantilever("coupled", true);
+  const double radius = scene.particles().packing().radius();
+  auto& bonds = *scene.mutable_particles()->mutable_bonds();
+  auto& parallel = *bonds.mutable_parallel();
+  parallel.set_normal_stiffness(0.5 * 1.8e10 / (2 * radius));
+  parallel.set_shear_stiffness(0.5 * 6e9 / (2 * radius));
+  parallel.set_tensile_strength(3e7);
+  parallel.set_cohesion(6e7);
+  auto& contacts = *scene.mutable_particles()->mutable_contacts();
+  contacts.set_normal_stiffness(9e9);
+  contacts.set_shear_stiffness(3e9);
+  contacts.set_friction(0.5);
+  const Outcome outcome = compute(scene);
+  EXPECT_GT(outcome.cracks.size(), 0u);
+  EXPECT_LT(outcome.drift, 1e-10);
+}
 
 }  // namespace
 }  // namespace adit
