@@ -83,6 +83,7 @@ TEST(CoupledDiscs, KeepEnergyAsParallelBondsBreak) {
   scene::Scene scene = cantilever("coupled", true);
   const double radius = scene.particles().packing().radius();
   auto& bonds = *scene.mutable_particles()->mutable_bonds();
+  bonds.Clear();
   auto& parallel = *bonds.mutable_parallel();
   parallel.set_normal_stiffness(0.5 * 1.8e10 / (2 * radius));
   parallel.set_shear_stiffness(0.5 * 6e9 / (2 * radius));
