@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "fdm_server/boundaries/boundaries.hpp"
+#include "fdm_server/deformed_grid.hpp"
 #include "fdm_server/excavation.hpp"
 #include "fdm_server/grid/interpolation.hpp"
 #include "fdm_server/grid/samples.hpp"
@@ -24,6 +25,7 @@ namespace adit::fdm {
 namespace {
 
 constexpr std::uint64_t kFiniteCheckInterval = 100;  // steps
+constexpr std::uint64_t kShapeCheckInterval = 1000;  // steps; costs as much as some tens
 
 std::span<const double> view(const google::protobuf::RepeatedField<double>& field) {
   return {field.data(), static_cast<std::size_t>(field.size())};
@@ -50,6 +52,11 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   damping_ = resolve_damping(scene_.continuum());
   critical_dt_ = critical_step(damping_, std::min(critical_step(setup_.kind, grid_, setup_.ground),
                                                   supports.structures.critical_step()));
+  if (!(critical_dt_ > 0) || !std::isfinite(critical_dt_))
+    throw protocol::UserError("material",
+                              fmt::format("makes a critical time step of {} s; check the units of the "
+                                          "stiffness and of the density",
+                                          critical_dt_));
   model.set_critical_dt(critical_dt_);
   const auto box = bounds(grid_);
   model.set_x_min(box.x_min);
@@ -196,6 +203,9 @@ void FdmParticipant::advance(const wire::Advance& advance, wire::Predicted& pred
     histories_->read(grid_, supports_, *continuum_, step_, *predicted.mutable_histories());
   check_answer(predicted);
   if (!rest_left_ && step % kFiniteCheckInterval == 0) check_grid(step);
+  if (setup_.ground.large_strain && steps_done_ % kShapeCheckInterval == 0 &&
+      !scene_.time().beyond_critical())
+    require_stable_shapes(setup_.kind, grid_, setup_.ground, damping_, weights_, *continuum_, step_);
 }
 
 void FdmParticipant::complete() {

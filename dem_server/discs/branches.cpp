@@ -57,7 +57,7 @@ std::vector<Branch> branches_of(const Solver& solver) {
     found.push_back(b);
   }
   for (const WallContacts::Touch& touch : solver.walls().touches()) {
-    const Encounter e = solver.walls().meet_wall(touch.wall, touch.disc, 0, p);
+    const Encounter e = solver.walls().meet_wall(touch.wall, touch.disc, p);
     const double normal = touch.normal - touch.normal_dashpot, shear = touch.springs.shear_force;
     const double x = p.x[touch.disc] + p.ux[touch.disc], y = p.y[touch.disc] + p.uy[touch.disc];
     found.push_back({x, y, x + e.length * e.nx, y + e.length * e.ny, normal * e.nx - shear * e.ny,

@@ -112,7 +112,7 @@ double critical_step(const Model& model) {
       ks = std::max(ks, contact.shear_stiffness);
     }
     const double radius = model.discs.radius[i];
-    const std::uint32_t most = size > 1 ? most_neighbours(radius, smallest) : 0;
+    const std::uint32_t most = most_neighbours(radius, smallest);
     const double free = most > joined[i] ? most - joined[i] : 0;
     share.stretch[i] += free * std::max(kn, ks) + walls * std::max(wall_kn, wall_ks);
     share.turn[i] += (free * ks + walls * wall_ks) * radius * radius;

@@ -9,7 +9,4 @@ namespace adit::dem {
 // The box around at least one disc.
 Rectangle extent_of(const Discs& discs);
 
-// UserError where two discs have the same centre: no normal leads from one to the other.
-void refuse_coincident(const Discs& discs);
-
 }  // namespace adit::dem

@@ -9,9 +9,12 @@
 #include <stdexcept>
 #include <vector>
 
+#include "dem_server/discs/arrange.hpp"
+#include "dem_server/discs/branches.hpp"
 #include "dem_server/discs/crack.hpp"
 #include "dem_server/discs/critical_step.hpp"
 #include "dem_server/discs/extent.hpp"
+#include "dem_server/discs/fragments.hpp"
 #include "dem_server/discs/read_model.hpp"
 #include "dem_server/discs/snapshot.hpp"
 #include "dem_server/messages.hpp"
@@ -29,13 +32,13 @@ void DiscsParticipant::set_up(const wire::Setup& setup, wire::Model& answer) {
   started_ = std::clock();
   scene_ = setup.scene();
   weighed_.model = read_model(scene_);
+  weighed_.id = arrange(weighed_.model);
   const Model& model = weighed_.model;
   if (scene_.has_initial_stress())
     throw protocol::UserError(
         "initial_stress",
         "is given, but only a hexagonal lattice of contact bonds without further features can "
         "start under it; leave it out, or pack the particles under a stress that they keep");
-  refuse_coincident(model.discs);
   answer.set_critical_dt(critical_step(model));
   const Rectangle extent = extent_of(model.discs);
   answer.set_x_min(extent.x_min);
@@ -58,7 +61,7 @@ void DiscsParticipant::weigh(const wire::Weights& weights, wire::Interface& inte
   const bool coupled = weights.weights_size() > 0;
   if (coupled) {
     const Model& whole = weighed_.model;
-    weighed_ = adit::dem::weigh(whole, split_weights(weights, whole.discs.size(), whole.joined.size()));
+    weighed_ = adit::dem::weigh(weighed_, split_weights(weights, whole.discs.size(), whole.joined.size()));
     if (weighed_.model.discs.size() == 0)
       throw protocol::UserError("interface.overlap",
                                 "leaves no particles, their weight being 0 everywhere; let the packing "
@@ -67,7 +70,7 @@ void DiscsParticipant::weigh(const wire::Weights& weights, wire::Interface& inte
   const Model& model = weighed_.model;
   const std::size_t size = model.discs.size();
   solver_.emplace(model, threads_ > 0 ? threads_ : useful_threads(size), weighed_.weights);
-  if (coupled) solver_->particles().id = weighed_.id;
+  solver_->particles().id = weighed_.id;
   const Particles& particles = solver_->particles();
   if (coupled)
     assign(*interface.mutable_points(),
@@ -248,7 +251,10 @@ void DiscsParticipant::snapshot(const wire::SnapshotRequest& request, wire::Snap
 
 void DiscsParticipant::finish(wire::Bye& bye) {
   bye.set_cpu_seconds(static_cast<double>(std::clock() - started_) / CLOCKS_PER_SEC);
-  if (solver_) bye.set_updates(solver_->particles().size() * moves_);
+  if (!solver_) return;
+  const std::size_t size = solver_->particles().size();
+  bye.set_updates(size * moves_);
+  bye.set_fragments(fragments_of(size, whole_bonds(*solver_)).count());
 }
 
 }  // namespace adit::dem

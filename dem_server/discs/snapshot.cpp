@@ -12,14 +12,11 @@ namespace {
 // Lines of the pairs of which `shown` is true, and their forces.
 template <class Shown>
 wire::Piece& add_pairs(const std::string& name, const Solver& solver, const Pairs& pairs, Shown&& shown,
-                       std::vector<std::uint32_t>& coordination, wire::Snapshot& snapshot) {
+                       wire::Snapshot& snapshot) {
   wire::Piece& piece = add_piece(name, wire::Piece::LINES, solver.particles(), snapshot);
   std::vector<double> normal, shear, moment;
   for (std::uint32_t k = 0; k < pairs.size(); ++k) {
     const PairState s = state_of(k, solver.laws(), solver.particles(), pairs);
-    const bool joined = s.touches || (pairs.cemented() && pairs.state[k] == BondState::kIntact);
-    if (joined)
-      for (const std::uint32_t i : {pairs.first[k], pairs.second[k]}) ++coordination[i];
     if (!shown(s)) continue;
     piece.add_connectivity(pairs.first[k]);
     piece.add_connectivity(pairs.second[k]);
@@ -42,15 +39,13 @@ void write_snapshot(const Solver& solver, const Model& model, wire::Snapshot& sn
   snapshot.mutable_pieces()->Reserve(3);  // references to pieces stay
   wire::Piece& particles = add_piece("particles", wire::Piece::VERTICES, p, snapshot);
   for (std::uint32_t i = 0; i < p.size(); ++i) particles.add_connectivity(i);
-  std::vector<std::uint32_t> coordination(p.size(), 0);
   const Pairs& bonds = solver.bonds();
   wire::Piece& lines = add_pairs(
-      "bonds", solver, bonds, [](const PairState&) { return true; }, coordination, snapshot);
+      "bonds", solver, bonds, [](const PairState&) { return true; }, snapshot);
   add_scalars(*lines.mutable_cell_fields(), "state", bonds.state);
   add_scalars(*lines.mutable_cell_fields(), "weight", bonds.weight);
   add_pairs(
-      "contacts", solver, solver.contacts(), [](const PairState& s) { return s.touches; }, coordination,
-      snapshot);
+      "contacts", solver, solver.contacts(), [](const PairState& s) { return s.touches; }, snapshot);
 
   Fields& fields = *particles.mutable_point_fields();
   add_vectors(fields, "velocity_m_per_s", p.vx, p.vy);
@@ -59,7 +54,7 @@ void write_snapshot(const Solver& solver, const Model& model, wire::Snapshot& sn
   add_scalars(fields, "weight", p.weight);
   add_scalars(fields, "id", p.id);
   add_scalars(fields, "group", model.group);
-  add_scalars(fields, "coordination", coordination);
+  add_scalars(fields, "coordination", coordination_of(p.size(), touching_discs(solver)));
   add_scalars(fields, "fragment", fragments_of(p.size(), whole_bonds(solver)).number);
 }
 

@@ -27,6 +27,8 @@ Solver::Solver(const Model& model, std::size_t threads, const ModelWeights& weig
       springs_(model.springs),
       damping_(model.local_damping, model.viscous_damping, model.edges, particles_),
       edges_(model.edges),
+      support_x_(edges_.size()),
+      support_y_(edges_.size()),
       team_(std::make_unique<protocol::Team>(threads)),
       results_(blocks_of(particles_.size())) {
   Bonded bonded = bonds_of(model, weights.joined);
@@ -49,19 +51,12 @@ void Solver::step(const protocol::Step& step, std::span<Loads* const> loads, Mot
   move(step);
   pull(dt);
   for (Loads* load : loads) load->apply(step, particles_);
-  for (std::size_t k = 0; k < support_x_.size(); ++k) {
-    const std::uint32_t i = edges_[k].disc;
-    ledger_.support += dt * (support_x_[k] * particles_.vx[i] + support_y_[k] * particles_.vy[i]);
-    particles_.fx[i] += support_x_[k];
-    particles_.fy[i] += support_y_[k];
-  }
+  support_edges(step.relax, dt);
   team_->run(results_.size(), [&](std::size_t block, std::size_t) {
     const auto [begin, end] = stretch_of(static_cast<std::uint32_t>(block), particles_.size());
     results_[block].loss = damping_.kick(step, begin, end, particles_);
   });
   motions.impose(step, particles_);
-  if (step.relax)
-    for (const EdgeDashpot& edge : edges_) particles_.vx[edge.disc] = particles_.vy[edge.disc] = 0;
   walls_.drive(step);
   take_results();
 }
@@ -120,6 +115,20 @@ double Solver::work_of_pairs(double dt, std::uint32_t begin, std::uint32_t end) 
   return dt / 2 * total;
 }
 
+// In statics quiet edges are held; later what held them stays.
+void Solver::support_edges(bool relax, double dt) {
+  for (std::size_t k = 0; k < edges_.size(); ++k) {
+    const std::uint32_t i = edges_[k].disc;
+    if (relax) {
+      support_x_[k] = -particles_.fx[i];
+      support_y_[k] = -particles_.fy[i];
+    }
+    ledger_.support += dt * (support_x_[k] * particles_.vx[i] + support_y_[k] * particles_.vy[i]);
+    particles_.fx[i] += support_x_[k];
+    particles_.fy[i] += support_y_[k];
+  }
+}
+
 void Solver::take_results() {
   broken_.clear();
   for (const BlockResult& result : results_) {
@@ -161,12 +170,6 @@ void Solver::start_over() {
   stop();
   particles_.settled_x = particles_.ux;
   particles_.settled_y = particles_.uy;
-  support_x_.clear();
-  support_y_.clear();
-  for (const EdgeDashpot& edge : edges_) {
-    support_x_.push_back(-particles_.fx[edge.disc]);
-    support_y_.push_back(-particles_.fy[edge.disc]);
-  }
   ledger_ = {};
   walls_.start_over();
   springs_.start_over();

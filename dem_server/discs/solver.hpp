@@ -95,7 +95,7 @@ class Solver {
   void move(const protocol::Step& step);
   void pull(double dt);
   double work_of_pairs(double dt, std::uint32_t begin, std::uint32_t end);
-  void hold_edges(bool relax);
+  void support_edges(bool relax, double dt);
   void take_results();
   Strongest find_strongest() const;
 
@@ -110,7 +110,7 @@ class Solver {
   WallContacts walls_;
   Damping damping_;
   std::vector<EdgeDashpot> edges_;
-  std::vector<double> support_x_, support_y_;                // of the edges [N]; empty: none
+  std::vector<double> support_x_, support_y_;                // of the edges [N]
   std::vector<double> pulled_x_, pulled_y_, pulled_moment_;  // by pairs at the last step
   std::unique_ptr<protocol::Team> team_;
   std::vector<BlockResult> results_;

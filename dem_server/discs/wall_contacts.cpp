@@ -13,7 +13,7 @@ WallContacts::WallContacts(std::vector<MovingWall> walls, std::span<const double
   list(particles);
   if (overlaps_free)
     for (Touch& touch : touches_)
-      touch.slack = std::max(0.0, -meet_wall(touch.wall, touch.disc, 0, particles).gap);
+      touch.slack = std::max(0.0, -meet_wall(touch.wall, touch.disc, particles).gap);
 }
 
 double WallContacts::move(const protocol::Step& step) {
@@ -40,8 +40,8 @@ void WallContacts::stop() {
 }
 
 // The nearest point of the wall is where they meet.
-Encounter WallContacts::meet_wall(std::uint32_t wall, std::uint32_t disc, double dt,
-                                  const Particles& p) const {
+Encounter WallContacts::meet_wall(std::uint32_t wall, std::uint32_t disc, const Particles& p,
+                                  double dt) const {
   const MovingWall& w = walls_[wall];
   const State& s = states_[wall];
   const Body body{
@@ -64,7 +64,7 @@ void WallContacts::list(const Particles& p) {
   auto old = touches_.begin();
   for (std::uint32_t w = 0; w < walls_.size(); ++w)
     for (std::uint32_t i = 0; i < p.size(); ++i) {
-      if (!(meet_wall(w, i, 0, p).gap <= skin_)) continue;
+      if (!(meet_wall(w, i, p).gap <= skin_)) continue;
       while (old != touches_.end() && (old->wall < w || (old->wall == w && old->disc < i))) ++old;
       const bool kept = old != touches_.end() && old->wall == w && old->disc == i;
       fresh.push_back(kept ? *old : Touch{.wall = w, .disc = i});
@@ -80,7 +80,7 @@ void WallContacts::pull(double dt, Particles& p) {
   for (Touch& touch : touches_) {
     const std::uint32_t i = touch.disc;
     const LinearContact& law = walls_[touch.wall].contact;
-    Encounter e = meet_wall(touch.wall, i, dt, p);
+    Encounter e = meet_wall(touch.wall, i, p, dt);
     e.gap += touch.slack;
     ContactWork work;
     const Pull f = adit::dem::pull(law, e, dt, touch.springs, &work);

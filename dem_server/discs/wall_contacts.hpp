@@ -56,7 +56,8 @@ class WallContacts {
   };
   std::span<const Touch> touches() const { return touches_; }  // by wall, then by disc
   // As they meet now; no gap is slack.
-  Encounter meet_wall(std::uint32_t wall, std::uint32_t disc, double dt, const Particles& particles) const;
+  Encounter meet_wall(std::uint32_t wall, std::uint32_t disc, const Particles& particles,
+                      double dt = 0) const;
 
  private:
   struct State {

@@ -7,18 +7,21 @@
 
 namespace adit::dem {
 
-Weighed weigh(const Model& model, const SampledWeights& weights) {
+Weighed weigh(const Weighed& whole, const SampledWeights& weights) {
+  const Model& model = whole.model;
   constexpr std::uint32_t kVanished = std::numeric_limits<std::uint32_t>::max();
   Weighed out{model, {}, {}};
   std::vector<std::uint32_t> place(model.discs.size(), kVanished);
   std::vector<bool> keep(model.discs.size());
+  std::vector<double> centre;  // weights of what stays
   out.model.mass.clear();
   out.model.inertia.clear();
   out.model.group.clear();
   for (std::uint32_t i = 0; i < model.discs.size(); ++i) {
     if (!(keep[i] = weights.centres[i] != 0)) continue;
     place[i] = static_cast<std::uint32_t>(out.id.size());
-    out.id.push_back(i);
+    out.id.push_back(whole.id[i]);
+    centre.push_back(weights.centres[i]);
     out.model.mass.push_back(model.mass[i]);
     out.model.inertia.push_back(model.inertia[i]);
     out.model.group.push_back(model.group[i]);
@@ -47,7 +50,7 @@ Weighed weigh(const Model& model, const SampledWeights& weights) {
   }
   for (std::size_t i = 0; i < out.id.size(); ++i)
     out.weights.discs.push_back(stiffness[i] > 0 ? weighted[i] / stiffness[i]
-                                                 : std::max(weights.centres[out.id[i]], weights.floor));
+                                                 : std::max(centre[i], weights.floor));
   std::erase_if(out.model.springs, [&](Spring& spring) { return !stays(spring); });
   std::erase_if(out.model.edges, [&](EdgeDashpot& edge) {
     const bool gone = !keep[edge.disc];

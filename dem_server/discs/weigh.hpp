@@ -13,7 +13,7 @@ namespace adit::dem {
 struct Weighed {
   Model model;
   ModelWeights weights;
-  std::vector<std::uint32_t> id;  // of each disc: its place in the whole model
+  std::vector<std::uint32_t> id;  // of each disc: its place in the packing
 };
 
 // A disc whose centre has weight 0 vanishes with all that hangs on it; every other joined pair keeps its
@@ -21,6 +21,6 @@ struct Weighed {
 // centre, where it has none), so that the weights cannot shorten the critical step: with shares of mass as in
 // critical_step.hpp every pair finds at least its weight times its share of the whole model. Midpoints in the
 // order of model.joined.
-Weighed weigh(const Model& model, const SampledWeights& weights);
+Weighed weigh(const Weighed& whole, const SampledWeights& weights);
 
 }  // namespace adit::dem

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -58,6 +59,27 @@ void require_convex(const Grid& grid, const std::string& path, const ZoneName& n
                         x, y, own, other));
 }
 
+// Zones go counter-clockwise, so the two beside an edge run along it in opposite directions.
+void require_beside_each_other(const Grid& grid, const Edges& edges, const std::string& path,
+                               const ZoneName& name_of) {
+  constexpr std::uint32_t kNone = UINT32_MAX;
+  std::vector<std::array<std::uint32_t, 2>> beside(edges.list.size(), {kNone, kNone});
+  for (std::uint32_t z = 0; z < grid.zones.size(); ++z)
+    for (std::size_t c = 0; c < 4; ++c) {
+      const std::uint32_t number = edges.of_zone[z][c];
+      const Edge& edge = edges.list[number];
+      std::uint32_t& other = beside[number][grid.zones[z][c] == edge.from ? 0 : 1];
+      if (other != kNone)
+        throw UserError(
+            path,
+            fmt::format("overlaps itself: {} and {} lie on the same side of their common edge from "
+                        "({:.9g}, {:.9g}) m to ({:.9g}, {:.9g}) m; move them apart, or keep one of them",
+                        name_of(other), name_of(z), grid.x[edge.from], grid.y[edge.from], grid.x[edge.to],
+                        grid.y[edge.to]));
+      other = z;
+    }
+}
+
 // Every point of the boundary begins one of its edges.
 void require_joined(const Grid& grid, const std::string& path, const ZoneName& name_of) {
   std::vector<protocol::Extent> extents;
@@ -85,8 +107,8 @@ void require_joined(const Grid& grid, const std::string& path, const ZoneName& n
     }
 }
 
-void require_one_piece(const Grid& grid, const std::string& path, const ZoneName& name_of) {
-  const auto edges = number_edges(grid);
+void require_one_piece(const Grid& grid, const Edges& edges, const std::string& path,
+                       const ZoneName& name_of) {
   std::vector<std::vector<std::uint32_t>> neighbours(edges.list.size());
   for (std::uint32_t z = 0; z < grid.zones.size(); ++z)
     for (const auto edge : edges.of_zone[z]) neighbours[edge].push_back(z);
@@ -117,8 +139,10 @@ void require_one_piece(const Grid& grid, const std::string& path, const ZoneName
 
 void require_sound(const Grid& grid, const std::string& path, const ZoneName& name_of) {
   require_convex(grid, path, name_of);
+  const Edges edges = number_edges(grid);
+  require_beside_each_other(grid, edges, path, name_of);
   require_joined(grid, path, name_of);
-  require_one_piece(grid, path, name_of);
+  require_one_piece(grid, edges, path, name_of);
 }
 
 }  // namespace adit::fdm

@@ -141,11 +141,12 @@ double critical_step(ZoneKind kind, const Grid& grid, const Ground& ground) {
     if (own.zones.empty()) continue;
     const auto& material = ground.materials[m];
     // of elastic zones in small strain, because the stiffness is measured on displacements of 1 m
-    const auto elastic = [&](const Grid& zone) -> std::unique_ptr<Zones> {
-      const std::vector<double> weight{1.0};
-      if (by_fast_kernel(ground, material)) return make_zones(kind, zone, ground.plane_law(material), weight);
+    const auto elastic = [&](const Grid& zones) -> std::unique_ptr<Zones> {
+      const std::vector<double> weights(zones.zones.size(), 1.0);
+      if (by_fast_kernel(ground, material))
+        return make_zones(kind, zones, ground.plane_law(material), weights);
       return std::make_unique<LawZones>(
-          kind, zone, Material{material.density, material.young, material.poisson}, weight, false);
+          kind, zones, Material{material.density, material.young, material.poisson}, weights, false);
     };
     smallest = std::min(smallest, critical_step(own, material.density, elastic));
   }

@@ -116,6 +116,19 @@ unsigned MohrCoulomb::to_planes(const Elasticity& elasticity, const Cone& cone, 
   const double up = 1 + cone.sin_friction, down = 1 - cone.sin_friction;
   const double flow_up = 1 + cone.sin_dilation, flow_down = 1 - cone.sin_dilation;
   const double lame = elasticity.lame(), twice_shear = 2 * elasticity.shear;
+
+  // Mostly F_13 alone, which keeps the other shear planes while the stresses keep their order.
+  const double volume = lame * (flow_up - flow_down);
+  const Principal away{volume + twice_shear * flow_up, volume, volume - twice_shear * flow_down};
+  const double flows =
+      (up * principal[0] - down * principal[2] - cone.twice_c_cos) / (up * away[0] - down * away[2]);
+  const Principal on_plane{principal[0] - flows * away[0], principal[1] - flows * away[1],
+                           principal[2] - flows * away[2]};
+  if (flows >= 0 && on_plane[0] >= on_plane[1] && on_plane[1] >= on_plane[2] && on_plane[0] <= cone.tension) {
+    std::ranges::copy(on_plane, principal);
+    return kShearNow;
+  }
+
   Planes planes{};
   const auto plane = [&](Plane k, double limit, const Principal& normal, const Principal& flow) {
     const double mean = lame * (flow[0] + flow[1] + flow[2]);

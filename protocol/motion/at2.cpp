@@ -20,7 +20,6 @@ using protocol::quote;
 
 constexpr std::size_t kLongestHeader = 20;       // lines; PEER writes four
 constexpr std::size_t kLongestHeaderLine = 200;  // characters that are looked at
-constexpr double kStrongest = 10 * 9.80665;      // [m/s^2]
 
 struct Header {
   std::size_t line;  // of count and step; values follow
@@ -115,15 +114,7 @@ Motion parse_at2(const RecordText& text) {
     std::istringstream words(text.lines[i]);
     for (std::string word; words >> word;) motion.acceleration.push_back(text.number(i, word) * factor);
   }
-  double largest = 0;
-  for (const double a : motion.acceleration) largest = std::max(largest, std::abs(a));
-  const std::string unit_doubt =
-      largest > kStrongest ? fmt::format(
-                                 "the largest value is {:.4g} {}, beyond any earthquake: correct the unit "
-                                 "(gal?)",
-                                 largest / factor, header.unit)
-                           : "";
-
+  const std::string unit_doubt = doubt_of_unit(motion, factor, header.unit);
   if (static_cast<double>(motion.acceleration.size()) != header.points)
     text.refuse(header.line,
                 fmt::format("states {:.0f} points, but {} values follow; correct the count, or get "

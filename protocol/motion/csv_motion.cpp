@@ -52,6 +52,7 @@ double time_unit(std::string_view name) {
 
 struct Factors {
   double time, acceleration;
+  std::string_view unit;  // of the acceleration
 };
 
 Factors read_names(const RecordText& text, std::size_t line) {
@@ -61,7 +62,7 @@ Factors read_names(const RecordText& text, std::size_t line) {
       text.refuse(line, quote(name) +
                             " states no unit; a name such as `time_s` or `acceleration [m/s^2]` is expected");
   try {
-    return {time_unit(unit_of(time)), acceleration_unit(unit_of(acceleration))};
+    return {time_unit(unit_of(time)), acceleration_unit(unit_of(acceleration)), unit_of(acceleration)};
   } catch (const UserError& error) {
     text.refuse(line, error.what());
   }
@@ -114,7 +115,8 @@ Motion parse_csv(const RecordText& text) {
   if (line == text.lines.size())
     text.refuse(0,
                 "holds no motion; a line of names such as `time_s,acceleration_m/s^2` and rows are expected");
-  const Factors factors = read_names(text, line);
+  const std::size_t names = line;
+  const Factors factors = read_names(text, names);
 
   Motion motion;
   std::vector<Row> rows;
@@ -128,6 +130,8 @@ Motion parse_csv(const RecordText& text) {
     text.refuse(text.lines.size() - 1,
                 fmt::format("has {} rows of values; at least two are expected", rows.size()));
   motion.dt = equal_step(text, rows);
+  if (const auto doubt = doubt_of_unit(motion, factors.acceleration, factors.unit); !doubt.empty())
+    text.refuse(names, doubt);
   return motion;
 }
 

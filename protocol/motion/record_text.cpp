@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -27,6 +28,15 @@ double RecordText::number(std::size_t line, std::string_view text) const {
   if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
     refuse(line, quote(text) + " is not a number; a number such as `-0.12E-3` is expected");
   return value;
+}
+
+std::string doubt_of_unit(const Motion& motion, double factor, std::string_view unit) {
+  constexpr double kStrongest = 10 * 9.80665;  // [m/s^2]
+  double largest = 0;
+  for (const double a : motion.acceleration) largest = std::max(largest, std::abs(a));
+  if (largest <= kStrongest) return "";
+  return fmt::format("the largest value is {:.4g} {}, beyond any earthquake: correct the unit (gal?)",
+                     largest / factor, unit);
 }
 
 RecordText split_text(const std::string& file, const std::string& content) {

@@ -22,6 +22,9 @@ struct RecordText {
   double number(std::size_t line, std::string_view text) const;
 };
 
+// What is wrong with the unit, of so many m/s^2, if the motion is stronger than any earthquake; else empty.
+std::string doubt_of_unit(const Motion& motion, double factor, std::string_view unit);
+
 RecordText split_text(const std::string& file, const std::string& content);
 RecordText read_text(const std::filesystem::path& file);
 

@@ -17,7 +17,8 @@ def lining_forces(run, time, pieces):
         return None
     size = max(np.ptp(linings.points, axis=0))
     bounds = style.bounds_of(linings.points - REACH * size, linings.points + REACH * size)
-    figure, panels = style.plt.subplots(1, len(FORCES), figsize=(10.5, 4.3), layout="constrained")
+    figure, panels = style.plt.subplots(1, len(FORCES), figsize=(10.5, 4.6), gridspec_kw={
+        "left": 0.06, "right": 0.99, "top": 0.88, "bottom": 0.19, "wspace": 0.16})
     figure.suptitle(f"{run.name}: forces in the lining at t = {style.milliseconds(time)} ms, per metre", x=0.01, ha="left")
     normals = _right_normals(linings)
     for axes, (name, what, unit) in zip(panels, FORCES):
@@ -28,7 +29,7 @@ def lining_forces(run, time, pieces):
     figure.legend(handles=[
         Patch(fc=style.RED, alpha=0.5, label="positive: tension, or the right-hand side of the path stretched"),
         Patch(fc=style.BLUE, alpha=0.5, label="negative"),
-        Line2D([], [], color=style.GREY, ls="--", label="largest so far, without sign")], loc="outside lower center", ncol=3)
+        Line2D([], [], color=style.GREY, ls="--", label="largest so far, without sign")], loc="lower center", ncol=3)
     return figure
 
 

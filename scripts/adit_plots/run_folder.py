@@ -1,9 +1,12 @@
 """A run's folder as the pictures need it: summary, histories, snapshots."""
 import csv
 import json
+import re
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
+import yaml
 
 from adit_plots.vtk_files import Piece, read_collection
 
@@ -18,6 +21,11 @@ class Run:
         self.name = self.folder.resolve().name
         self.summary = _read(self.folder / "summary.json", lambda path: json.loads(path.read_text()))
         self.histories = _read(self.folder / "histories.csv", _read_columns)
+
+    @cached_property
+    def scene(self):
+        """What was computed, as mappings and lists in SI units."""
+        return _read(self.folder / "scene.yaml", lambda path: yaml.load(path.read_text(), _SceneLoader))
 
     def snapshots(self):
         """Yields (time [s], {kind: Piece}), the pieces of all models together; nothing where no fields were written."""
@@ -40,6 +48,13 @@ class Run:
         ends = ("particles_begin", "continuum_ends")
         values = [[self.number(f"overlap_{end}_{axis}_m") for axis in "xy"] for end in ends]
         return None if any(v is None for end in values for v in end) else np.array(values)
+
+
+class _SceneLoader(yaml.SafeLoader):
+    """Takes 3e+10 for a number, as YAML 1.2 does."""
+
+
+_SceneLoader.add_implicit_resolver("tag:yaml.org,2002:float", re.compile(r"[-+]?\d+(\.\d*)?e[-+]?\d+$"), list("-+0123456789"))
 
 
 def _read(path, reader):

@@ -1,8 +1,10 @@
-"""Runs many scenes with the coupler, as many at a time as there are cores."""
+"""Runs scenes with the coupler: those of a case one by one, those of a study as many at a time as there are cores."""
+import argparse
 import json
 import os
 import shutil
 import subprocess
+import sys
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
@@ -27,6 +29,21 @@ def run(scene, folder):
         raise Failed(f"{file} failed (exit code {done.returncode}): {done.stderr.strip()}")
     file.unlink()  # the folder holds the scene as it was computed
     return Run(folder)
+
+
+def run_case(case, names, usage):
+    """Runs and draws scenes of a case as the command line of its study says; (folder of the results, [Run])."""
+    parser = argparse.ArgumentParser(description=usage, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--out", metavar="DIR", type=Path, default=ROOT / "runs" / case.name, help="folder of the results")
+    options, others = parser.parse_known_args()
+    folders = [options.out / name for name in names]
+    for name, folder in zip(names, folders):
+        print(f"run: cases/{case.name}/{name}.yaml", flush=True)
+        for command in ([COUPLER, "run", case / f"{name}.yaml", "--out", folder, *others], [ROOT / "scripts" / "plot", folder]):
+            done = subprocess.run(command)
+            if done.returncode != 0:
+                sys.exit(done.returncode)
+    return options.out, [Run(folder) for folder in folders]
 
 
 def for_all(function, cases):

@@ -1,47 +1,42 @@
-"""Pictures of the site: motions, response spectra, transfer function, profiles over depth."""
+"""Pictures of the site: motions, response spectra, transfer function, profiles over depth, loops of stress and strain."""
 import matplotlib.pyplot as plt
-import numpy as np
 
 from adit_plots import style
-from adit_studies.site_response import DAMPING, PERIODS, response_spectrum
+from adit_studies.site_response import LOOPS
 
 COLORS = {"outcrop": style.GREY, "linear": style.BLUE, "hysteretic": style.RED}
 
 
 def all_pictures(outcrop, linear, hysteretic, findings):
-    runs = (outcrop, linear, hysteretic)
-    yield "motions", motions(runs)
-    yield "response_spectra", spectra(runs)
+    yield "motions", motions((outcrop, linear, hysteretic))
+    yield "response_spectra", spectra((outcrop, linear, hysteretic))
     yield "transfer_function", transfer_function(findings)
     yield "profiles", profiles((linear, hysteretic))
+    yield "loops", loops((linear, hysteretic))
 
 
-def surface(run):
-    return run.acceleration(run.depth.min())
-
-
-def motions(runs):
+def motions(sites):
     figure, panels = plt.subplots(3, 1, sharex=True, sharey=True, figsize=(8.0, 5.4), layout="constrained")
-    for axes, run in zip(panels, runs):
-        a = surface(run)
-        axes.plot(run.time, a, color=COLORS[run.name], lw=0.7)
-        axes.set(ylabel="a [m/s²]", xlim=(run.time[0], run.time[-1]))
-        place = "the rock’s outcrop" if run.name == "outcrop" else f"the surface, {run.name} ground"
-        axes.set_title(f"{place}: largest {np.abs(a).max():.2f} m/s²", loc="left")
+    for axes, site in zip(panels, sites):
+        axes.plot(site.time, site.acceleration, color=COLORS[site.name], lw=0.7)
+        axes.set(ylabel="a [m/s²]", xlim=(site.time[0], site.time[-1]))
+        place = "the rock’s outcrop" if site.name == "outcrop" else f"the surface, {site.name} ground"
+        axes.set_title(f"{place}: largest {site.peak:.2f} m/s²", loc="left")
         axes.grid(lw=0.3, color="#DDDDDD")
     panels[-1].set_xlabel("t [s]")
     return figure
 
 
-def spectra(runs):
+def spectra(sites):
     figure, axes = plt.subplots(figsize=(6.4, 4.2), layout="constrained")
-    for run in runs:
-        axes.semilogx(PERIODS, response_spectrum(surface(run), run.step), color=COLORS[run.name],
-                      label=run.name if run.name == "outcrop" else f"surface, {run.name}")
-    axes.set(xlabel="period [s]", ylabel="pseudo-acceleration [m/s²]", xlim=(PERIODS[0], PERIODS[-1]), ylim=(0, None))
-    axes.set_xticks([0.05, 0.1, 0.2, 0.5, 1, 2, 4], ["0.05", "0.1", "0.2", "0.5", "1", "2", "4"])
+    for site in sites:
+        axes.semilogx(site.period, site.spectrum, color=COLORS[site.name],
+                      label=site.name if site.name == "outcrop" else f"surface, {site.name}")
+    axes.set(xlabel="period [s]", ylabel="pseudo-acceleration [m/s²]", ylim=(0, None),
+             xlim=(sites[0].period[0], sites[0].period[-1]))
+    axes.set_xticks([0.05, 0.1, 0.2, 0.5, 1, 2, 5], ["0.05", "0.1", "0.2", "0.5", "1", "2", "5"])
     axes.minorticks_off()
-    axes.set_title(f"Response spectra, {100 * DAMPING:.0f} % of damping", loc="left")
+    axes.set_title("Response spectra, 5 % of damping", loc="left")
     axes.legend()
     axes.grid(lw=0.3, color="#DDDDDD")
     return figure
@@ -59,13 +54,14 @@ def transfer_function(findings):
     return figure
 
 
-def profiles(runs):
+def profiles(sites):
     figure, (left, right) = plt.subplots(1, 2, sharey=True, figsize=(7.2, 4.6), layout="constrained")
-    for run in runs:
-        left.plot(np.abs(run.acceleration()).max(axis=1), run.depth, ".-", ms=4, color=COLORS[run.name], label=run.name)
-        depth, strain = run.strain_profile()
-        right.plot(100 * strain, depth, ".-", ms=4, color=COLORS[run.name])
-    depths, names = soil(runs[0].scene)
+    for site in sites:
+        depth, acceleration = site.peak_acceleration
+        left.plot(acceleration, depth, color=COLORS[site.name], label=site.name)
+        depth, strain = site.peak_strain
+        right.plot(100 * strain, depth, color=COLORS[site.name])
+    depths, names = soil(sites[0].scene)
     for axes in (left, right):
         axes.grid(lw=0.3, color="#DDDDDD")
         for depth in depths[1:-1]:
@@ -77,6 +73,19 @@ def profiles(runs):
     right.set(xlabel="largest shear strain [%]", xlim=(0, None))
     left.legend(loc="lower right")
     left.set_title("Largest over time", loc="left")
+    return figure
+
+
+def loops(sites):
+    figure, panels = plt.subplots(1, len(LOOPS), figsize=(8.0, 3.8), layout="constrained")
+    for axes, name in zip(panels, LOOPS):
+        for site in sites:
+            strain, stress = site.loop(name)
+            axes.plot(100 * strain, stress / 1e3, color=COLORS[site.name], lw=0.6, label=site.name)
+        axes.set(xlabel="shear strain [%]", ylabel="shear stress [kPa]")
+        axes.set_title(f"Foot of the {name}", loc="left")
+        axes.grid(lw=0.3, color="#DDDDDD")
+    panels[0].legend(loc="upper left")
     return figure
 
 

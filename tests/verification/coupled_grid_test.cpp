@@ -13,7 +13,8 @@
 namespace adit {
 namespace {
 
-// A free bar, zones left, particles right, pushed on its zones.
+// A free bar, zones left, particles right, pushed on its zones; lightly, since bonds that turn keep the
+// energy only so far as their turning is small.
 struct Response {
   std::vector<double> tip;  // of the zones [m]
   double energy_error, peak;
@@ -26,7 +27,7 @@ Response respond(const std::string& grid) {
       "0.02 } "
       "continuum { " +
           grid +
-          "  edge_loads { where { x_max: 0 } force { x: 3e5 y: 1e5 } time { sine { frequency: 100 end: 0.005 "
+          "  edge_loads { where { x_max: 0 } force { x: 30 y: 10 } time { sine { frequency: 100 end: 0.005 "
           "} } } "
           "  histories { name: 'tip' quantity: DISPLACEMENT_X at { x: 0 y: 0 } } } "
           "particles { packing { x_min: 0 x_max: 4 y_min: 0 y_max: 1 radius: 0.05 } } "
@@ -63,7 +64,7 @@ TEST(CoupledGrid, JoinedBlocksAreOneBlock) {
 TEST(CoupledGrid, SlantedZonesKeepTheEnergy) {
   const auto straight = respond(quadrilateral(0, 2, 0, 2) + quadrilateral(2, 4, 2, 4));
   const auto slanted = respond(quadrilateral(0, 1.8, 0, 2.2) + quadrilateral(1.8, 4, 2.2, 4));
-  const double work = 3e5 * straight.peak;
+  const double work = 30 * straight.peak;
   EXPECT_LT(straight.energy_error, 1e-10 * work);
   EXPECT_LT(slanted.energy_error, 1e-10 * work);
   EXPECT_NEAR(slanted.tip.back(), straight.tip.back(), 0.02 * straight.peak);

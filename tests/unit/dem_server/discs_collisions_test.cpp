@@ -13,7 +13,7 @@ namespace adit::dem {
 namespace {
 
 constexpr double kStiffness = 1e9, kRadius = 0.1, kSpeed = 1e-5;
-const double kMass = test::kDensity * std::numbers::pi * kRadius * kRadius;
+const double kMass = test::kSolidDensity * std::numbers::pi * kRadius * kRadius;
 
 double contact_time(double mass) {
   return std::numbers::pi * std::sqrt(mass / kStiffness);

@@ -12,7 +12,7 @@
 
 namespace adit::dem::test {
 
-inline constexpr double kDensity = 2000;
+inline constexpr double kSolidDensity = 2000;
 
 // Discs of the given places and radii, solid cylinders, one group, with this contact law and nothing joined.
 inline Model loose_discs(const std::vector<std::array<double, 3>>& discs, const LinearContact& contact) {
@@ -21,7 +21,7 @@ inline Model loose_discs(const std::vector<std::array<double, 3>>& discs, const 
     model.discs.x.push_back(x);
     model.discs.y.push_back(y);
     model.discs.radius.push_back(radius);
-    model.mass.push_back(kDensity * std::numbers::pi * radius * radius);
+    model.mass.push_back(kSolidDensity * std::numbers::pi * radius * radius);
     model.inertia.push_back(model.mass.back() * radius * radius / 2);
   }
   model.group.assign(discs.size(), 0);

@@ -155,6 +155,17 @@ TEST(Gmsh, HolesInTheConnectivityAreRefused) {
                  "falls into pieces: element 12 at (5.5, 0.5) m");
 }
 
+// Requirement: zones on top of each other are named, which would be as stiff and as heavy as both.
+TEST(Gmsh, ZonesOnTopOfEachOtherAreRefused) {
+  const std::vector<std::pair<double, double>> nodes{{0, 0}, {1, 0}, {1, 1},    {0, 1},
+                                                     {2, 0}, {2, 1}, {1.8, 0.9}};
+  expect_refused(mesh_of(nodes, {{1, 2, 3, 4}, {2, 3, 4, 1}}),
+                 "overlaps itself: element 11 and element 12 lie on the same side of their common edge from "
+                 "(1, 0) m to (1, 1) m");
+  expect_refused(mesh_of(nodes, {{1, 2, 3, 4}, {2, 5, 6, 3}, {2, 5, 7, 3}}),
+                 "element 12 and element 13 lie on the same side");
+}
+
 // Requirement: whatever is cut off or changed in a file, it is read or refused in one sentence.
 TEST(Gmsh, GarbageIsRefusedInOneSentence) {
   std::mt19937 random(7);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "fdm_server/materials/material_zones.hpp"
 #include "fdm_server/solver/continuum.hpp"
 #include "fdm_server/zones/critical_step.hpp"
 #include "tests/unit/fdm_server/grids.hpp"
@@ -15,11 +16,13 @@ namespace {
 const PlaneLaw kLaw = plane_strain(kYoung, kPoisson);
 
 enum class Order { kRows, kShuffled };
+enum class Solid { kElastic, kYielding };
 
 struct Variant {
   ZoneKind kind;
   Order order;
   bool interface;
+  Solid solid = Solid::kElastic;
 };
 
 // Grids of several chunks. Shuffled zones are runs of one, and all chunks share nearly all points.
@@ -30,13 +33,31 @@ Grid variant_grid(Order order) {
   return grid;
 }
 
+// Elastic zones, zones that yield at once and hysteretic ones, in columns of three zones.
+Ground yielding_ground(const Grid& grid) {
+  const Material elastic{kDensity, kYoung, kPoisson};
+  Ground ground{{elastic, elastic, elastic}, {}};
+  ground.materials[1].mohr_coulomb = MohrCoulomb({1e3, 0.5, 0.1, 5e2});
+  ground.materials[2].hysteretic = Hysteretic(backbone(hyperbola(1e-5, 1), 1e-7, 1e-4, 10));
+  for (std::size_t z = 0; z < grid.zones.size(); ++z)
+    ground.of_zone.push_back(static_cast<std::uint32_t>(corners(grid, z).x[0] / 1.5) % 3);
+  return ground;
+}
+
+std::unique_ptr<Zones> variant_zones(const Variant& variant, const Grid& grid,
+                                     std::span<const double> weights) {
+  if (variant.solid == Solid::kElastic) return make_zones(variant.kind, grid, kLaw, weights);
+  return std::make_unique<MaterialZones>(variant.kind, grid, yielding_ground(grid), weights);
+}
+
 struct Motions {
   std::vector<double> ux, uy, vx, vy;
   Energies energies;
   bool operator==(const Motions& other) const {
     return ux == other.ux && uy == other.uy && vx == other.vx && vy == other.vy &&
            energies.kinetic == other.energies.kinetic && energies.strain == other.energies.strain &&
-           energies.external_work == other.energies.external_work;
+           energies.external_work == other.energies.external_work &&
+           energies.dissipated == other.energies.dissipated;
   }
 };
 
@@ -55,8 +76,8 @@ Motions shaken(const Variant& variant, const Grid& grid, std::size_t threads, bo
   }
   hit.fx.assign(hit.points.size(), 1e6);
   hit.fy.assign(hit.points.size(), -2e6);
-  Continuum continuum(make_zones(variant.kind, grid, kLaw, weights), lumped_masses(grid, weights, kDensity),
-                      {hit}, {fixed}, threads);
+  Continuum continuum(variant_zones(variant, grid, weights), lumped_masses(grid, weights, kDensity), {hit},
+                      {fixed}, threads);
   if (variant.interface) continuum.set_interface(interface);
   const double dt = 0.8 * critical_step(variant.kind, make_grid({0, 0.3, 0, 0.2, 1, 1}), kLaw, kDensity);
   Energies energies{};
@@ -73,20 +94,25 @@ Motions shaken(const Variant& variant, const Grid& grid, std::size_t threads, bo
 }
 
 class Threads : public testing::TestWithParam<Variant> {};
-INSTANTIATE_TEST_SUITE_P(Variants, Threads,
-                         testing::Values(Variant{ZoneKind::kAssumedStrain, Order::kRows, false},
-                                         Variant{ZoneKind::kMixedDiscretization, Order::kRows, true},
-                                         Variant{ZoneKind::kAssumedStrain, Order::kShuffled, true}),
-                         [](const auto& variant) {
-                           return std::string(variant.param.order == Order::kRows ? "Rows" : "Shuffled") +
-                                  (variant.param.interface ? "WithInterface" : "");
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Variants, Threads,
+    testing::Values(Variant{ZoneKind::kAssumedStrain, Order::kRows, false},
+                    Variant{ZoneKind::kMixedDiscretization, Order::kRows, true},
+                    Variant{ZoneKind::kAssumedStrain, Order::kShuffled, true},
+                    Variant{ZoneKind::kAssumedStrain, Order::kRows, true, Solid::kYielding},
+                    Variant{ZoneKind::kMixedDiscretization, Order::kShuffled, false, Solid::kYielding}),
+    [](const auto& variant) {
+      return std::string(variant.param.solid == Solid::kYielding ? "Yielding" : "") +
+             (variant.param.order == Order::kRows ? "Rows" : "Shuffled") +
+             (variant.param.interface ? "WithInterface" : "");
+    });
 
 // Displacements, velocities and energies do not differ by a bit, whatever the number of threads.
 TEST_P(Threads, ChangeNoBit) {
   const Grid grid = variant_grid(GetParam().order);
   const Motions one = shaken(GetParam(), grid, 1);
   EXPECT_GT(one.energies.strain, 0);
+  EXPECT_EQ(one.energies.dissipated > 0, GetParam().solid == Solid::kYielding);
   for (const std::size_t threads : {2u, 3u, 4u})
     EXPECT_TRUE(shaken(GetParam(), grid, threads) == one) << threads;
 }

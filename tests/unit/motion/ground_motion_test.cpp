@@ -79,5 +79,21 @@ TEST(GroundMotion, RecordsErrorsNameTheField) {
   }
 }
 
+// Corners that let nothing pass.
+TEST(GroundMotion, RefusesExchangedCorners) {
+  scene::GroundMotion scene;
+  scene.mutable_ricker()->set_frequency(5);
+  scene.mutable_ricker()->set_time(0.5);
+  scene.set_low_corner(20);
+  scene.set_high_corner(2);
+  try {
+    ground_motion(scene, "motion", 1.0);
+    FAIL() << "no error";
+  } catch (const protocol::UserError& error) {
+    EXPECT_EQ(error.path(), "motion.low_corner");
+    EXPECT_THAT(error.what(), HasSubstr("is 20 Hz, not below high_corner = 2 Hz"));
+  }
+}
+
 }  // namespace
 }  // namespace adit::motion::test

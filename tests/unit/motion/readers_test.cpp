@@ -59,10 +59,13 @@ TEST(At2, RefusesAnotherCountThanStated) {
 }
 
 // Values that no earthquake reaches betray a wrong unit.
-TEST(At2, RefusesAnImplausibleUnit) {
+TEST(Readers, RefuseAnImplausibleUnit) {
   const Folder folder;
-  const auto file = folder.write("x.AT2", at2(kUnit, "NPTS = 2, DT = .02 SEC", "-818.0 3.5"));
-  EXPECT_THAT(complaint([&] { read_at2(file); }), HasSubstr("x.AT2:3: the largest value is 818 G, beyond"));
+  const auto record = folder.write("x.AT2", at2(kUnit, "NPTS = 2, DT = .02 SEC", "-818.0 3.5"));
+  EXPECT_THAT(complaint([&] { read_at2(record); }), HasSubstr("x.AT2:3: the largest value is 818 G, beyond"));
+  const auto table = folder.write("x.csv", "time_s,acceleration_m/s^2\n0,0\n0.02,-341\n");
+  EXPECT_THAT(complaint([&] { read_csv(table); }),
+              HasSubstr("x.csv:1: the largest value is 341 m/s^2, beyond"));
 }
 
 // Each other error of a record is one sentence with file and line.

@@ -1,4 +1,5 @@
-// A layered column under vertical shear waves: the scene that computes it, and the transfer function of theory.
+// A layered column under vertical shear waves: the scene that computes it, and the transfer function of
+// theory.
 #pragma once
 
 #include <cmath>
@@ -14,11 +15,11 @@ struct SoilLayer {
   double thickness, shear_velocity, density;
 };
 
-// Velocity of the surface over that of the base (rigid), or over that of the outcrop of a half-space below (compliant), at
-// the frequency [Hz]. In each layer u = cos ks, s the depth below the surface, with damping
+// Velocity of the surface over that of the base (rigid), or over that of the outcrop of a half-space below
+// (compliant), at the frequency [Hz]. In each layer u = cos ks, s the depth below the surface, with damping
 //   rho* = rho (1 - i alpha/w),   G* = G (1 + i w beta),   k = w sqrt(rho*/G*),
-// u and the stress continue through the interfaces; in the half-space, undamped, u = E exp(iks) + F exp(-iks), where E
-// rises and the outcrop moves by 2 E = u + tau/(i w rho c).
+// u and the stress continue through the interfaces; in the half-space, undamped, u = E exp(iks) + F
+// exp(-iks), where E rises and the outcrop moves by 2 E = u + tau/(i w rho c).
 inline std::complex<double> transfer(const std::vector<SoilLayer>& from_surface, const DampingLaw& law,
                                      const SoilLayer* half_space, double frequency) {
   using Complex = std::complex<double>;
@@ -28,7 +29,8 @@ inline std::complex<double> transfer(const std::vector<SoilLayer>& from_surface,
   for (const auto& [thickness, velocity, density] : from_surface) {
     const Complex modulus = density * velocity * velocity * (1.0 + i * w * law.stiffness);
     const Complex k = w * std::sqrt(density * (1.0 - i * law.mass / w) / modulus);
-    const Complex c = std::cos(k * thickness), s = std::sin(k * thickness), below = u * c + tau * s / (k * modulus);
+    const Complex c = std::cos(k * thickness), s = std::sin(k * thickness),
+                  below = u * c + tau * s / (k * modulus);
     tau = tau * c - u * k * modulus * s;
     u = below;
   }

@@ -1,0 +1,16 @@
+// Numbers the discs of a model so that neighbours have near numbers: blocks of consecutive discs (pairs.hpp)
+// then share few pairs, and what a step reads of them lies together.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dem_server/discs/model.hpp"
+
+namespace adit::dem {
+
+// Along a Morton curve through square cells, in a cell in the order that they had. Springs keep their order,
+// joined pairs ascend again. Returns the former number of each disc.
+std::vector<std::uint32_t> arrange(Model& model);
+
+}  // namespace adit::dem

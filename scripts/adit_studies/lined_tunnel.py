@@ -1,0 +1,116 @@
+"""The tunnel of cases/lined_tunnel: what its runs found, and what closed forms say of a lined circle in sheared ground.
+
+All are by the far field's engineering shear strain gamma = 1. Turned by 45 degrees the shear is a tension along x and as
+much compression along y; thrust and moment follow cos 2 theta of that frame, the shear force sin 2 theta.
+
+Wang 1993 (Parsons Brinckerhoff monograph 7), as in Hashash et al. 2001; Penzien 2000 (Earthquake Eng. Struct. Dyn. 29). Their
+moment and Penzien's thrust simplify; `full_solution` does not: the plate with Airy's function (A + B/r^2) cos 2 theta on
+top of the far field, and Timoshenko's ring, joined without slip; derived in tests/verification/lined_tunnel/ovaling.hpp.
+"""
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass
+class Tunnel:
+    shear_modulus: float  # of the ground [Pa]
+    poisson: float
+    radius: float  # of the lining's axis [m]
+    axial: float  # EA, EI and G A_s of the lining in plane strain, per metre
+    bending: float
+    shear: float
+
+    @classmethod
+    def of(cls, run):
+        """As the run's scene states it."""
+        ground, lining = run.scene["material"], run.scene["continuum"]["linings"][0]
+        young, ratio, thickness = lining["young_modulus"], lining.get("poisson_ratio", 0.2), lining["thickness"]
+        plane = young / (1 - ratio**2)
+        return cls(ground["young_modulus"] / (2 * (1 + ground["poisson_ratio"])), ground["poisson_ratio"],
+                   lining["along"]["circle"]["radius"], plane * thickness, plane * thickness**3 / 12,
+                   young / (2 * (1 + ratio)) * thickness * 5 / 6)
+
+    @property
+    def compressibility(self):
+        return 2 * self.shear_modulus * self.radius / (self.axial * (1 - 2 * self.poisson))
+
+    @property
+    def flexibility(self):
+        return self.shear_modulus * self.radius**3 / (3 * self.bending)
+
+
+def wang_thrust(t):
+    """Without slip [N per metre]."""
+    nu, n, c, f = t.poisson, 1 - 2 * t.poisson, t.compressibility, t.flexibility
+    k = 1 + (f * (n - n * c) - n**2 / 2 + 2) / (f * (3 - 2 * nu + n * c) + c * (2.5 - 8 * nu + 6 * nu**2) + 6 - 8 * nu)
+    return k * t.shear_modulus * t.radius
+
+
+def wang_moment(t):
+    """With full slip [N m per metre]."""
+    return 4 * (1 - t.poisson) / (2 * t.flexibility + 5 - 6 * t.poisson) * t.shear_modulus * t.radius**2
+
+
+def penzien_moment(t):
+    """Without slip [N m per metre]."""
+    d = 2 * t.radius
+    return 3 * t.bending / d * 4 * (1 - t.poisson) / (24 * t.bending * (3 - 4 * t.poisson) / (d**3 * t.shear_modulus) + 1)
+
+
+def full_solution(t):
+    """(thrust, moment, shear force) [N, N m, N per metre], largest around the ring, without sign."""
+    r, g, kappa = t.radius, t.shear_modulus, 3 - 4 * t.poisson
+    turned = 4 * t.bending / (t.shear * r**2)
+
+    def forces(far, a, b):  # a = A/r^2, b = B/r^4
+        u = r * (far + (kappa + 1) * a + 2 * b) / (2 * g)
+        v = r * (-far - (kappa - 1) * a + 2 * b) / (2 * g)
+        return t.axial * (u + 2 * v) / r, 4 * t.bending * (v + 2 * u) / (r**3 * (1 + turned))
+
+    def imbalance(far, a, b):  # of radial and tangential stress between ring and ground
+        thrust, shear = forces(far, a, b)
+        return np.array([(thrust + 2 * shear) / r - (far - 4 * a - 6 * b), (2 * thrust + shear) / r + far + 2 * a + 6 * b])
+
+    a, b = np.linalg.solve(np.stack([imbalance(0, 1, 0), imbalance(0, 0, 1)], axis=1), -imbalance(g, 0, 0))
+    thrust, shear = forces(g, a, b)
+    return abs(thrust), abs(shear * r / 2), abs(shear)
+
+
+def around(run):
+    """(angle from x [deg], thrust, moment, shear force) at the lining's nodes, in the last snapshot."""
+    *_, (_, pieces) = run.snapshots()
+    lining = pieces["linings"]
+    angle = np.degrees(np.arctan2(lining.points[:, 1], lining.points[:, 0])) % 360
+    order = np.argsort(angle)
+    return angle[order], *(lining.field(name)[order] for name in ("thrust_N", "moment_Nm", "shear_N"))
+
+
+def far_strain(run):
+    """Of the ground far away, from the loads on its sides."""
+    load, block = run.scene["continuum"]["edge_loads"][0], run.scene["continuum"]["blocks"][0]
+    return load["force"]["x"] / block["ring"]["outer_side"] / Tunnel.of(run).shear_modulus
+
+
+def free_strain(run):
+    """Over time, of the free field at the tunnel's depth."""
+    height = {place["name"]: place["at"]["y"] for place in run.scene["continuum"]["histories"]}
+    h = run.histories
+    return (h["free_above_ux_m"] - h["free_below_ux_m"]) / (height["free_above"] - height["free_below"])
+
+
+def compare(ovaling, shear_wave):
+    """Rows (what, unit, closed form, its value, found), of both runs."""
+    t, strain = Tunnel.of(ovaling), far_strain(ovaling)
+    full, (_, *found) = full_solution(t), around(ovaling)
+    forms = ((("Wang, no slip", wang_thrust(t)), ("full solution", full[0])),
+             (("Penzien, no slip", penzien_moment(t)), ("Wang, full slip", wang_moment(t)), ("full solution", full[1])),
+             (("full solution", full[2]),))
+    names = (("thrust", "kN"), ("moment", "kN m"), ("shear force", "kN"))
+    for (name, unit), values, known in zip(names, found, forms):
+        for form, amplitude in known:
+            yield f"at rest: {name}", unit, form, strain * amplitude / 1e3, np.abs(values).max() / 1e3
+    strain, h = np.abs(free_strain(shear_wave)).max(), shear_wave.histories
+    for column, (name, unit), (form, amplitude) in (("pulled_thrust_N", names[0], forms[0][0]),
+                                                    ("pulled_moment_Nm", names[1], forms[1][0])):
+        yield f"wave: {name}", unit, form, strain * amplitude / 1e3, np.abs(h[column]).max() / 1e3

@@ -1,0 +1,76 @@
+// Requirement: a lattice is computed the same by the engine of lattices and by that of any discs, alone and
+// coupled to a continuum, elastic and cracking.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "coupler/stepper.hpp"
+#include "protocol/scene_reader.hpp"
+#include "tests/support/local_peer.hpp"
+
+namespace adit {
+namespace {
+
+struct Outcome {
+  std::vector<double> tip, force;                    // of every step [m], [N]
+  std::vector<std::array<std::uint64_t, 4>> cracks;  // step, mode, parents
+  std::vector<std::array<double, 4>> shapes;         // place, length, orientation
+  double drift = 0;
+};
+
+Outcome compute(const std::string& name, bool of_discs) {
+  auto scene = protocol::read_scene(std::string(ADIT_CASES) + "/cantilever/" + name + ".yaml").scene;
+  if (of_discs) scene.mutable_particles()->mutable_damping()->set_local(0);
+  coupler::Model model = test::local_model(scene);
+  coupler::Stepper stepper(model);
+  Outcome outcome;
+  for (std::uint64_t n = 0; n <= model.steps; ++n) {
+    stepper.step(n, {.energies = n % 10 == 0, .histories = true});
+    for (const coupler::Side& side : model.sides) {
+      const wire::Predicted& predicted = side.prediction();
+      if (predicted.histories_size() == 1) outcome.tip.push_back(predicted.histories(0));
+      if (side.member.role != coupler::Role::kParticles) continue;
+      outcome.force.push_back(predicted.strongest(0).force());
+      for (const wire::Crack& crack : predicted.cracks()) {
+        outcome.cracks.push_back(
+            {crack.step(), static_cast<std::uint64_t>(crack.mode()), crack.parent_a(), crack.parent_b()});
+        outcome.shapes.push_back({crack.x(), crack.y(), crack.length(), crack.orientation()});
+      }
+    }
+  }
+  outcome.drift = stepper.ledger().max_drift();
+  return outcome;
+}
+
+void expect_near(const std::vector<double>& one, const std::vector<double>& other, double share) {
+  ASSERT_EQ(one.size(), other.size());
+  double most = 0, apart = 0;
+  for (std::size_t n = 0; n < one.size(); ++n) {
+    most = std::max(most, std::abs(one[n]));
+    apart = std::max(apart, std::abs(one[n] - other[n]));
+  }
+  EXPECT_LT(apart, share * most);
+}
+
+class Engines : public testing::TestWithParam<const char*> {};
+
+TEST_P(Engines, AgreeOnALattice) {
+  const Outcome lattice = compute(GetParam(), false), discs = compute(GetParam(), true);
+  // Slip by the middle of the step (laws/encounter.hpp) is all that differs.
+  expect_near(lattice.tip, discs.tip, 1e-5);
+  ASSERT_EQ(lattice.cracks.size(), discs.cracks.size());
+  for (std::size_t k = 0; k < lattice.cracks.size(); ++k) {
+    EXPECT_EQ(std::vector(lattice.cracks[k].begin() + 1, lattice.cracks[k].end()),
+              std::vector(discs.cracks[k].begin() + 1, discs.cracks[k].end()));
+    EXPECT_NEAR(static_cast<double>(lattice.cracks[k][0]), static_cast<double>(discs.cracks[k][0]), 2);
+    for (std::size_t c = 0; c < 4; ++c) EXPECT_NEAR(lattice.shapes[k][c], discs.shapes[k][c], 1e-9);
+  }
+  EXPECT_LT(discs.drift, 1e-10);
+}
+INSTANTIATE_TEST_SUITE_P(Cantilever, Engines, testing::Values("full_dem", "coupled"));
+
+}  // namespace
+}  // namespace adit
