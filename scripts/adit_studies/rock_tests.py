@@ -3,8 +3,11 @@
 SI, per metre of thickness. The packing is grown under a stress that is a fixed share of the contacts' stiffness, so that
 it is the same whatever the micro-properties; the tests' durations follow from strength over stiffness.
 """
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from math import pi
+from pathlib import Path
+from statistics import mean
 
 import numpy as np
 
@@ -205,11 +208,43 @@ class Rock:
                 "brazilian_tensile_strength_Pa": self.brazilian.strength}
 
 
+def _to_failure(test, shortening):
+    """test(shortening) with twice as much again until the load has fallen by a third."""
+    for doublings in range(4):
+        loading = test(2**doublings * shortening)
+        if loading.stress[-1] < 2 / 3 * loading.strength:
+            return loading
+    raise coupled_runs.Failed(f"{loading.run.folder}: the specimen does not break")
+
+
 def test(micro, specimen, packing, folder):
-    """Both tests, to well beyond their peaks."""
+    """Both tests, to failure."""
     strain = micro.tensile_strength / micro.modulus
-    stronger = min(max(1, micro.cohesion / micro.tensile_strength), 1.3)
     tests = {
-        "compression": lambda at: compress(micro, specimen, packing, at, 1.5 * stronger * strain),
-        "brazilian": lambda at: split(micro, specimen, packing, at, 6 * strain * specimen.disc_radius)}
+        "compression": lambda at: _to_failure(partial(compress, micro, specimen, packing, at), 1.5 * strain),
+        "brazilian": lambda at: _to_failure(partial(split, micro, specimen, packing, at),
+                                            6 * strain * specimen.disc_radius)}
     return Rock(**dict(coupled_runs.for_all(lambda name: tests[name](folder / name), tests)))
+
+
+@dataclass
+class Laboratory:
+    """Specimens of one kind that differ in their seeds, with their packings."""
+    specimens: dict  # seed: (Specimen, packing)
+    folder: Path
+
+    @staticmethod
+    def grown(specimen, seeds, folder):
+        specimens = {seed: replace(specimen, seed=seed) for seed in range(1, seeds + 1)}
+        packings = dict(coupled_runs.for_all(lambda seed: grow(specimens[seed], folder / f"packing_{seed}"), specimens))
+        return Laboratory({seed: (specimens[seed], packings[seed]) for seed in specimens}, folder)
+
+    def test(self, micro, name):
+        """[Rock] of the seeds."""
+        rocks = dict(coupled_runs.for_all(
+            lambda seed: test(micro, *self.specimens[seed], self.folder / f"{name}_{seed}"), self.specimens))
+        return [rocks[seed] for seed in sorted(rocks)]
+
+
+def mean_properties(rocks):
+    return {name: mean(rock.properties()[name] for rock in rocks) for name in rocks[0].properties()}
