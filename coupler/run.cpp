@@ -29,8 +29,9 @@ constexpr double kRunawayShare = 0.2;
 constexpr double kRunawayShareOfSubsteps = 0.5;
 
 // Steps between two looks at the energy: at 1 % above the critical step the fastest motion grows out of
-// rounding to something that the ledger sees within 70 steps.
-constexpr std::uint64_t kWatchInterval = 25;
+// rounding to something that the ledger sees within 70 steps. A look costs the step that it is taken in most
+// of what the servers would hide behind the exchange.
+constexpr std::uint64_t kWatchInterval = 50;
 
 struct Fastest {
   double x = 0, y = 0, speed = -1;  // [m], [m/s]; a speed that is no number counts as infinite

@@ -149,11 +149,11 @@ ADIT_VECTOR_CLONES void apply_to_particles(const Run& run, const RunForces& forc
   }
 }
 
-ADIT_VECTOR_CLONES void find_normal_forces(const BondLaw& law, const Run& run, const Particles& p, Bonds& b) {
+ADIT_VECTOR_CLONES void find_normal_forces(const BondLaw& law, const Run& run, const Particles& p,
+                                           const Bonds& b, double* normal) {
   const double *ux1 = &p.ux[run.first], *uy1 = &p.uy[run.first], *ux2 = &p.ux[run.second],
                *uy2 = &p.uy[run.second], *intact = &b.intact[run.begin];
   const double* initial = b.initial_normal_force.empty() ? nullptr : &b.initial_normal_force[run.begin];
-  double* normal = &b.normal_force[run.begin];
   const double kn = law.stiffness.normal, rest_length = b.rest_length;
   const Run rest = run;
 #pragma GCC ivdep
@@ -202,7 +202,33 @@ void add_contact_forces(const BondLaw& law, double dt, std::span<const Run> runs
 }
 
 void find_normal_forces(const BondLaw& law, const Particles& particles, Bonds& bonds) {
-  for (const Run& run : bonds.runs) find_normal_forces(law, run, particles, bonds);
+  for (const Run& run : bonds.runs)
+    find_normal_forces(law, run, particles, bonds, &bonds.normal_force[run.begin]);
+}
+
+double strain_energy(const BondLaw& law, std::span<const Run> runs, const Particles& particles,
+                     const Bonds& bonds) {
+  const double normal_compliance = 1 / law.stiffness.normal;
+  const double shear_compliance = law.stiffness.shear > 0 ? 1 / law.stiffness.shear : 0.0;
+  // Eight sums side by side, else each addition waits for the one before.
+  constexpr std::uint32_t kSums = 8;
+  static_assert(kLongestRun % kSums == 0);
+  std::array<double, kLongestRun> stored;
+  std::array<double, kSums> sums{};
+  for (const Run& run : runs) {
+    find_normal_forces(law, run, particles, bonds, stored.data());
+    const double *shear = &bonds.shear_force[run.begin], *weight = &bonds.weight[run.begin];
+    for (std::uint32_t k = 0; k < run.count; ++k)
+      stored[k] =
+          weight[k] * (stored[k] * stored[k] * normal_compliance + shear[k] * shear[k] * shear_compliance);
+    const std::uint32_t end = (run.count + kSums - 1) / kSums * kSums;
+    std::fill(stored.begin() + run.count, stored.begin() + end, 0.0);
+    for (std::uint32_t k = 0; k < end; k += kSums)
+      for (std::uint32_t lane = 0; lane < kSums; ++lane) sums[lane] += stored[k + lane];
+  }
+  double twice = 0;
+  for (const double sum : sums) twice += sum;
+  return twice / 2;
 }
 
 ContactResult compute_contact_forces(const BondLaw& law, double dt, Particles& particles, Bonds& bonds,

@@ -54,6 +54,11 @@ void add_contact_forces(const BondLaw& law, double dt, std::span<const Run> runs
 // displacements.
 void find_normal_forces(const BondLaw& law, const Particles& particles, Bonds& bonds);
 
+// Stored in the runs' bonds, weighted [J]: normal forces follow from the displacements, shear forces are as
+// noted.
+double strain_energy(const BondLaw& law, std::span<const Run> runs, const Particles& particles,
+                     const Bonds& bonds);
+
 // All of these for all particles and all bonds.
 ContactResult compute_contact_forces(const BondLaw& law, double dt, Particles& particles, Bonds& bonds,
                                      std::vector<std::uint32_t>& broken);

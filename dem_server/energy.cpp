@@ -20,14 +20,4 @@ double kinetic_energy(const Particles& p, const Velocities& before, bool start) 
   return twice / 2;
 }
 
-double strain_energy(const Bonds& b, const BondStiffness& stiffness) {
-  const double normal_compliance = 1 / stiffness.normal;
-  const double shear_compliance = stiffness.shear > 0 ? 1 / stiffness.shear : 0.0;
-  double twice = 0;
-  for (std::size_t k = 0; k < b.size(); ++k)
-    twice += b.weight[k] * (b.normal_force[k] * b.normal_force[k] * normal_compliance +
-                            b.shear_force[k] * b.shear_force[k] * shear_compliance);
-  return twice / 2;
-}
-
 }  // namespace adit::dem

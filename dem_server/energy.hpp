@@ -1,4 +1,4 @@
-// Energies of the assembly in the form that the leap-frog scheme keeps, weighted [J].
+// Kinetic energy of the assembly in the form that the leap-frog scheme keeps, weighted [J].
 //
 // With kinetic energy T(n) = 1/2 sum m v(n-1/2) v(n+1/2), T(n) - T(n-1) is the trapezoidal work of all
 // forces, dt v(n-1/2) (f(n-1) + f(n)) / 2, without any remainder; for linear springs the strain energy loses
@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "dem_server/assembly.hpp"
-#include "dem_server/calibration.hpp"
 
 namespace adit::dem {
 
@@ -22,8 +21,5 @@ void remember(const Particles& particles, Velocities& velocities);
 
 // 1/2 sum m v_before v + J w_before w. For the first step, from rest, v(-1/2) = -v(1/2): pass `start` true.
 double kinetic_energy(const Particles& particles, const Velocities& before, bool start);
-
-// sum weight (Fn^2 / 2 kn + Fs^2 / 2 ks)
-double strain_energy(const Bonds& bonds, const BondStiffness& stiffness);
 
 }  // namespace adit::dem

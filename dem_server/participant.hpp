@@ -67,6 +67,7 @@ class DemParticipant : public protocol::Participant {
   // Of the last step, where they are wanted, once it is corrected.
   void take_peaks();
   void report_energies(wire::Energies& energies);
+  double strain_of_bonds();
 
   std::size_t threads_;
   std::optional<protocol::Team> team_;

@@ -22,7 +22,9 @@ std::string content(const fs::path& path, const std::string& field) {
   };
   std::error_code error;
   if (!fs::exists(path, error))
-    refuse("there is no such file; check the path, which is relative to the scene file");
+    refuse(
+        "there is no such file; check the path, which is relative to the file that states it, in --set to "
+        "the current folder");
   if (!fs::is_regular_file(path, error)) refuse("this is not a file");
   if (fs::file_size(path, error) > kLargestAttachedBytes)
     refuse("the file is larger than " + std::to_string(kLargestAttachedBytes >> 20) +

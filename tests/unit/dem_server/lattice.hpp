@@ -58,7 +58,7 @@ inline void step(const BondLaw& law, double dt, bool start, Assembly& a, Ledger&
   remember(a.particles, before);
   kick(dt, {&all, 1}, resultants_of(a.particles), a.particles);
   ledger.kinetic = kinetic_energy(a.particles, before, false);
-  ledger.strain = strain_energy(a.bonds, law.stiffness);
+  ledger.strain = strain_energy(law, a.bonds.runs, a.particles, a.bonds);
 }
 
 // Force on every degree of freedom (x, y, spin of particle 0, then 1, …) per unit of each one, about rest:

@@ -1,0 +1,102 @@
+// A heap of discs with friction 0.5 comes to rest at the angle that such discs have.
+//
+// Deboeuf, Vilotte, Mangeney, Staron & Dauchot 2005 ("Evolution of the contact network during tilting cycles
+// of a granular pile under gravity", Powders and Grains) tilted two-dimensional boxes of 4000 circular grains
+// of friction 0.5: in the mean of 50 of them slopes begin to slide at 21 degrees and come to rest at 15. A
+// heap that a wall lets go slowly rests between.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "tests/unit/dem_server/discs_models.hpp"
+
+namespace adit::dem {
+namespace {
+
+constexpr double kGravity = 9.81, kLength = 110;  // [m/s^2], of the floor in mean diameters [m]
+constexpr int kColumns = 36, kRows = 28;
+const LinearContact kContact{1e8, 7.5e7, 0.5, 0.3, 0.3};
+
+// A floor of discs that lie fast, discs of 0.8 to 1.2 m above it that will fall, and a wall at each end: the
+// right one stands until `begin`, then goes to the right.
+Model discs_in_a_box(unsigned seed, double begin, double speed) {
+  std::mt19937 generator(seed);
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(generator()) / std::mt19937::max();
+  };
+  std::vector<std::array<double, 3>> discs;
+  for (double x = 0.5; x < kLength; x += 1) discs.push_back({x, -0.5, 0.5});
+  for (int row = 0; row < kRows; ++row)
+    for (int column = 0; column < kColumns; ++column)
+      discs.push_back({0.65 + 1.25 * column, 0.65 + 1.25 * row, between(0.4, 0.6)});
+  Model model = test::loose_discs(discs, kContact);
+  const double width = 1.25 * kColumns, height = 1.25 * kRows + 1;
+  model.walls.push_back(test::wall(0, 0, 0, height, kContact));
+  model.walls.push_back(test::wall(width, 0, width, height, kContact, speed));
+  auto& table = *model.walls.back().time.mutable_table();
+  for (const auto& [time, value] : {std::pair(0.0, 0.0), {begin, 0.0}, {begin + 1, 1.0}, {1e9, 1.0}}) {
+    table.add_time(time);
+    table.add_value(value);
+  }
+  return model;
+}
+
+// Slope of the surface [degrees]: the line through the highest discs over every two metres, but for the top
+// and the toe of the heap.
+double slope_of(const Particles& p) {
+  std::vector<double> top(static_cast<std::size_t>(kLength / 2), 0.0);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double x = p.x[i] + p.ux[i];
+    if (x < 0 || x >= kLength) continue;
+    double& here = top[static_cast<std::size_t>(x / 2)];
+    here = std::max(here, p.y[i] + p.uy[i]);
+  }
+  const double highest = std::ranges::max(top);
+  double count = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+  for (std::size_t k = 0; k < top.size(); ++k)
+    if (top[k] > 0.15 * highest && top[k] < 0.85 * highest) {
+      const double x = 2.0 * static_cast<double>(k) + 1, y = top[k];
+      count += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
+    }
+  return -std::atan((count * sxy - sx * sy) / (count * sxx - sx * sx)) * 180 / std::numbers::pi;
+}
+
+double slope_after_release(unsigned seed) {
+  constexpr double kSettled = 10, kSpeed = 1, kEnd = kSettled + 75;
+  const Model model = discs_in_a_box(seed, kSettled, kSpeed);
+  Solver solver(model, 1);
+  const Particles& p = solver.particles();
+  scene::Particles scene;
+  scene.add_body_loads()->mutable_acceleration()->set_y(-kGravity);
+  auto& floor = *scene.add_motions();
+  floor.mutable_where()->set_y_max(-0.4);
+  floor.mutable_velocity()->set_x(0);
+  floor.mutable_velocity()->set_y(0);
+  floor.set_spin(0);
+  Loads loads(scene, p, 1e-9);
+  Loads* const all[] = {&loads};
+  Motions motions(scene, p, 1e-9);
+  const double dt = 0.7 * critical_step(model);
+  for (std::uint64_t n = 0; static_cast<double>(n) * dt < kEnd; ++n) solver.step({n, dt}, all, motions);
+
+  double fastest = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) fastest = std::max(fastest, std::hypot(p.vx[i], p.vy[i]));
+  EXPECT_LT(fastest, 0.01 * std::sqrt(kGravity)) << "the heap still moves";
+  return slope_of(p);
+}
+
+// As the published angles, the mean of several heaps: single ones of a thousand discs scatter by two degrees.
+TEST(AngleOfRepose, OfDiscsWithFriction) {
+  double mean = 0;
+  for (const unsigned seed : {1, 2, 3}) {
+    const double slope = slope_after_release(seed);
+    RecordProperty("slope_of_seed_" + std::to_string(seed) + "_deg", std::to_string(slope));
+    mean += slope / 3;
+  }
+  EXPECT_GT(mean, 15);
+  EXPECT_LT(mean, 21);
+}
+
+}  // namespace
+}  // namespace adit::dem
