@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 // All that a run of `coupler` or `simplified` and its pictures leave; `.part` files are those of a run that
 // was killed while writing.
-constexpr std::array<std::string_view, 13> kResults = {"summary.json",
+constexpr std::array<std::string_view, 14> kResults = {"summary.json",
                                                        "summary.json.part",
                                                        "histories.csv",
                                                        "energies.csv",
