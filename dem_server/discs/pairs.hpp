@@ -1,14 +1,14 @@
 // Pairs of discs that may pull on each other, as structure of arrays: those that were joined, and those that
 // are near.
 //
-// A pair is cement and contact. Cement is a bond while it is whole: a contact bond or a parallel bond, both
-// springs
-//   N = kn w (L - L0) + N0,    S += ks w dt slip_rate,    M += km w^3 dt turn_rate
-// of a width w, that break in tension where N w + b |M| exceeds w^2 tensile_strength, else in shear where |S|
-// exceeds w cohesion - N tan(friction angle). A parallel bond has km = kn / 12 and b = 6
-// (laws/parallel_bond.hpp), a contact bond w = 1 and neither. The contact of the surfaces
-// (laws/linear_contact.hpp) acts beside the cement of a parallel bond, and of a contact bond once it is
-// broken; it overlaps by -(L - L0 + slack).
+// A pair is cement and contact. Cement is a bond while it is whole, of a width w, with the springs
+//   N = kn w (L - L0) + N0,    S += ks w dt slip_rate,    M += km w^3 dt turn_rate.
+// It breaks in tension where N w + b |M| exceeds w^2 tensile_strength, else in shear where |S| exceeds
+// w cohesion - N tan(friction angle). A parallel bond (laws/parallel_bond.hpp) has km = kn / 12 and b = 6, a
+// contact bond w = 1 and neither.
+//
+// The contact of the surfaces (laws/linear_contact.hpp) acts beside the cement of a parallel bond, and of a
+// contact bond once it is broken; it overlaps by -(L - L0 + slack).
 //
 // Discs belong to blocks of consecutive numbers, pairs to the block of their first disc, so that threads
 // share the blocks: what a pair does to a disc of another block waits in `away` until that block gathers it,

@@ -5,7 +5,7 @@
 //
 // Energies are accounted in the form that the scheme keeps, T(n) = 1/2 sum m v(n-1/2) v(n+1/2): every force
 // does the trapezoidal work dt v(n-1/2) (f(n-1) + f(n)) / 2 on its disc, and the sum of all is the change of
-// T to rounding. SpringForces store F^2 / 2k. What the trapezoid gives to all pairs and they neither store
+// T to rounding. Springs store F^2 / 2k. What the trapezoid gives to all pairs and they neither store
 // nor lose by friction, dashpots or breaking is the share of the time step: of second order in dt, by springs
 // that turn, close and open.
 #pragma once

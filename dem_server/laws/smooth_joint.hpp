@@ -6,8 +6,8 @@
 // plane, springs kn and ks per metre [Pa/m] act:
 //   N = kn A u.n, at most 0,     S += ks A dt slip_rate, at most mu |N|; sliding by s opens the joint by
 //   |s| tan(dilation), which is taken off u.n.
-// No spin enters: the bodies' rotation does not slip a smooth joint. Both forces act at the middle, and their
-// moments are left to the bodies as S and N have them about it.
+// The bodies' material moves by u, and both forces act, where the bodies meet (discs/joints.hpp): spins slip
+// a smooth joint too, which keeps angular momentum and energy.
 #pragma once
 
 #include <algorithm>
