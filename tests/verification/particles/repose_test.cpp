@@ -3,7 +3,7 @@
 // Deboeuf, Vilotte, Mangeney, Staron & Dauchot 2005 ("Evolution of the contact network during tilting cycles
 // of a granular pile under gravity", Powders and Grains) tilted two-dimensional boxes of 4000 circular grains
 // of friction 0.5: in the mean of 50 of them slopes begin to slide at 21 degrees and come to rest at 15. A
-// heap that a wall lets go slowly rests between.
+// heap that a wall lets go rests between; the slower the wall, the steeper it is.
 #include <gtest/gtest.h>
 
 #include <algorithm>
