@@ -25,6 +25,7 @@ std::vector<std::string> history_columns(const Model& model) {
 
 Recorder::Recorder(const std::filesystem::path& directory, Model& model)
     : model_(model),
+      directory_(directory),
       histories_(directory / "histories.csv", history_columns(model)),
       fields_(directory / "fields") {
   if (has_particles(model)) cracks_.emplace(directory / "cracks.csv", results::crack_columns());
@@ -55,7 +56,21 @@ void Recorder::record_crack(const wire::Crack& crack, double time) {
   if (findings_.cracks_in_overlap++ == 0) findings_.first_crack_in_overlap = event;
 }
 
+void Recorder::record_shares(double time) {
+  std::vector<std::string> columns = {"time_s"};
+  row_.assign(1, time);
+  for (const Side& side : model_.sides)
+    for (const wire::EnergyShare& share : side.prediction().energies().shares()) {
+      if (!shares_) columns.push_back(side.member.name + "_" + share.name() + "_J");
+      row_.push_back(share.value());
+    }
+  if (row_.size() == 1) return;
+  if (!shares_) shares_.emplace(directory_ / "energies.csv", columns);
+  shares_->row(row_);
+}
+
 std::span<const double> Recorder::record_histories(std::uint64_t n, const Ledger& ledger) {
+  record_shares(static_cast<double>(n) * model_.dt);
   row_.assign(1, static_cast<double>(n) * model_.dt);
   for (const Side& side : model_.sides) {
     const auto& values = side.prediction().histories();

@@ -1,4 +1,5 @@
-// What a run leaves in its directory while it goes on: histories.csv, cracks.csv, fields/.
+// What a run leaves in its directory while it goes on: histories.csv, cracks.csv, fields/, and where participants say
+// what their energies consist of, energies.csv with the rows of histories.csv.
 #pragma once
 
 #include <filesystem>
@@ -42,10 +43,13 @@ class Recorder {
 
  private:
   void record_crack(const wire::Crack& crack, double time);
+  void record_shares(double time);
 
   Model& model_;
+  std::filesystem::path directory_;
   results::CsvFile histories_;
   std::optional<results::CsvFile> cracks_;  // of models with particles
+  std::optional<results::CsvFile> shares_;  // once there are any
   results::Collection fields_;
   Findings findings_;
   std::vector<double> row_;

@@ -61,7 +61,8 @@ ADIT_VECTOR_CLONES void look_up(const Pairs::Chunk& chunk, const Particles& p, c
   }
 }
 
-void look_up(std::span<const PairLaw> laws, const Pairs::Chunk& chunk, const Pairs& pairs, Laws& out) {
+void look_up(std::span<const PairLaw> laws, const Pairs::Chunk& chunk, bool dashpots, const Pairs& pairs,
+             Laws& out) {
   const std::uint32_t count = chunk.end - chunk.begin;
   for (std::uint32_t k = 0; k < (chunk.one_law ? 1 : count); ++k) {
     const PairLaw& law = laws[pairs.law[chunk.begin + k]];
@@ -79,7 +80,7 @@ void look_up(std::span<const PairLaw> laws, const Pairs::Chunk& chunk, const Pai
     out.normal_beta[k] = law.contact.normal_damping;
     out.shear_beta[k] = law.contact.shear_damping;
   }
-  if (!pairs.cemented()) return;
+  if (!pairs.cemented() || (chunk.kind != Pairs::Kind::kGeneral && !dashpots)) return;
   for (std::uint32_t k = 0; k < count; ++k) {
     const bool whole = pairs.state[chunk.begin + k] == BondState::kIntact;
     out.whole[k] = whole ? 1 : 0;
@@ -164,7 +165,7 @@ ADIT_VECTOR_CLONES Outcome pull_chunk(const Pairs::Chunk& chunk, double dt, cons
       const double elastic = std::min(std::max(trial, -limit), limit);
       slide[k] = elastic;
       friction = 0.5 * (elastic + before) * (trial - elastic) * at(laws.contact_compliance, k);
-      slides |= static_cast<std::int64_t>(trial != elastic);
+      slides |= static_cast<std::int64_t>(friction != 0);
       double contact_n = spring, contact_t = elastic;
       if constexpr (kDashpots) {
         const bool touches = open * overlap < 0, sticks = touches && trial == elastic;
@@ -341,7 +342,7 @@ void pull_block(std::uint32_t block, std::span<const PairLaw> laws, double dt, P
     Pairs::Chunk& chunk = pairs.chunks[c];
     const std::uint32_t count = chunk.end - chunk.begin;
     dashpots ? look_up<true>(chunk, particles, pairs, near) : look_up<false>(chunk, particles, pairs, near);
-    look_up(laws, chunk, pairs, of_chunk);
+    look_up(laws, chunk, dashpots, pairs, of_chunk);
     const bool beside = laws[pairs.law[chunk.begin]].beside;
     Outcome outcome = pull_any(chunk, dt, near, of_chunk, beside, dashpots, pairs, forces);
     if (outcome.breaks) {
