@@ -1,0 +1,52 @@
+"""The laboratory of cemented discs: it measures what theory says, and its fit finds what it is asked for."""
+
+import math
+import subprocess
+import sys
+import unittest
+
+from programs import SOURCE, ProgramTest
+
+sys.path.insert(0, str(SOURCE / "scripts"))
+from adit_studies import rock_fit, rock_tests
+from adit_studies.rock_tests import Micro, Specimen
+
+COARSE = Specimen(radius_min=2.5e-3, radius_max=3.5e-3)
+
+
+class Laboratory(ProgramTest):
+    def test_a_coarse_rock_breaks_near_the_strength_of_its_cement(self):
+        micro = Micro(62e9, 2.5, 157e6, 157e6)
+        rock = rock_tests.test(micro, COARSE, rock_tests.grow(COARSE, self.folder / "packing"), self.folder / "rock")
+        properties = rock.properties()
+        # wide limits: 130 discs
+        self.assertAlmostEqual(properties["young_modulus_Pa"] / micro.modulus, 1.0, delta=0.25)
+        self.assertAlmostEqual(properties["poisson_ratio"], 0.25, delta=0.08)
+        self.assertAlmostEqual(properties["uniaxial_compressive_strength_Pa"] / micro.cohesion, 1.2, delta=0.5)
+        self.assertTrue(0.03 < properties["brazilian_tensile_strength_Pa"] / micro.tensile_strength < 0.4, properties)
+
+    def test_stiffness_scales_with_the_modulus_and_strength_with_it(self):
+        packing = rock_tests.grow(COARSE, self.folder / "packing")
+        soft, stiff = (rock_tests.compress(Micro(e, 2.5, e / 400, e / 400), COARSE, packing, self.folder / f"{e / 1e9:.0f}_GPa", 5e-3)
+                       for e in (1e9, 60e9))
+        for of_soft, of_stiff in zip((*soft.elastic_constants(), soft.strength), (*stiff.elastic_constants(), stiff.strength)):
+            scale = 60 if of_soft > 1 else 1
+            self.assertAlmostEqual(of_stiff / of_soft / scale, 1, delta=1e-3)
+
+    def test_the_search_finds_what_lies_within_its_limits_and_stops_at_them(self):
+        found, value = rock_fit.search(lambda x: 3 * x**0.7, 6.0, 1.0, (0.1, 10), 1e-3)
+        self.assertAlmostEqual(found, 2 ** (1 / 0.7), delta=0.01)
+        self.assertAlmostEqual(value, 6, delta=0.006)
+        found, value = rock_fit.search(lambda x: 3 * x**0.7, 100.0, 1.0, (0.1, 10), 1e-3)
+        self.assertAlmostEqual(found, 10)
+        self.assertAlmostEqual(value, 3 * math.pow(10, 0.7))
+
+    def test_calibrate_refuses_what_is_no_rock(self):
+        done = subprocess.run([SOURCE / "scripts" / "calibrate", "--young-modulus", "-1", "--poisson-ratio", "0.2",
+                               "--compressive-strength", "1e8", "--tensile-strength", "1e7"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--young-modulus: -1 is not above 0", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
