@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "dem_server/discs/pull.hpp"
+#include "dem_server/discs/pair_state.hpp"
 
 namespace adit::dem {
 namespace {

@@ -32,22 +32,4 @@ void pull_block(std::uint32_t block, std::span<const PairLaw> laws, double dt, P
 // Adds to the discs of a block what pairs of other blocks do to them.
 void gather_block(std::uint32_t block, const Pairs& pairs, Particles& particles);
 
-// One pair as it is now, unweighted and without dashpots.
-struct PairState {
-  double nx, ny, length;
-  double cement_normal, contact_normal;  // tension positive [N]
-  double shear, moment;                  // [N], [N m]
-  bool touches;
-};
-PairState state_of(std::uint32_t pair, std::span<const PairLaw> laws, const Particles& particles,
-                   const Pairs& pairs);
-
-// Stored in contacts, contact bonds and parallel bonds, weighted [J].
-struct Stored {
-  double contacts = 0, contact_bonds = 0, parallel_bonds = 0;
-  double sum() const { return contacts + contact_bonds + parallel_bonds; }
-};
-void add_stored(std::span<const PairLaw> laws, const Particles& particles, const Pairs& pairs,
-                Stored& stored);
-
 }  // namespace adit::dem

@@ -36,7 +36,7 @@ wire::Piece& add_pairs(const std::string& name, const Solver& solver, const Pair
 void write_snapshot(const Solver& solver, const Model& model, wire::Snapshot& snapshot) {
   const Particles& p = solver.particles();
   snapshot.Clear();
-  snapshot.mutable_pieces()->Reserve(3);  // references to pieces stay
+  snapshot.mutable_pieces()->Reserve(4);  // references to pieces stay
   wire::Piece& particles = add_piece("particles", wire::Piece::VERTICES, p, snapshot);
   for (std::uint32_t i = 0; i < p.size(); ++i) particles.add_connectivity(i);
   const Pairs& bonds = solver.bonds();
@@ -46,6 +46,15 @@ void write_snapshot(const Solver& solver, const Model& model, wire::Snapshot& sn
   add_scalars(*lines.mutable_cell_fields(), "weight", bonds.weight);
   add_pairs(
       "contacts", solver, solver.contacts(), [](const PairState& s) { return s.touches; }, snapshot);
+
+  if (!solver.springs().springs().empty()) {
+    wire::Piece& springs = add_piece("springs", wire::Piece::LINES, p, snapshot);
+    for (const Spring& spring : solver.springs().springs()) {
+      springs.add_connectivity(spring.first);
+      springs.add_connectivity(spring.second);
+    }
+    add_scalars(*springs.mutable_cell_fields(), "force_N", solver.springs().forces());
+  }
 
   Fields& fields = *particles.mutable_point_fields();
   add_vectors(fields, "velocity_m_per_s", p.vx, p.vy);

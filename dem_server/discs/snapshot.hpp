@@ -10,6 +10,7 @@ namespace adit::dem {
 // coordination (bonds and contacts). Piece "bonds": normal_force_N, shear_force_N (unweighted, cement and
 // contact), moment_Nm, state (0 intact, 1 tensile crack, 2 shear crack), weight. Piece "contacts", of what
 // touches and was never joined: the forces.
+// Piece "springs", where there are any: force_N.
 void write_snapshot(const Solver& solver, const Model& model, wire::Snapshot& snapshot);
 
 }  // namespace adit::dem

@@ -20,6 +20,7 @@
 #include "dem_server/discs/joints.hpp"
 #include "dem_server/discs/model.hpp"
 #include "dem_server/discs/neighbours.hpp"
+#include "dem_server/discs/pair_state.hpp"
 #include "dem_server/discs/pull.hpp"
 #include "dem_server/discs/spring_forces.hpp"
 #include "dem_server/discs/wall_contacts.hpp"

@@ -41,6 +41,35 @@ TEST(DiscsExtremes, TwoAtOnePointAreRefused) {
   }
 }
 
+// What no bond law can carry yet is refused by name.
+TEST(DiscsExtremes, InitialStressIsRefused) {
+  auto scene = test::square_scene(3, 3);
+  scene.mutable_initial_stress()->set_yy(-1e6);
+  try {
+    test::DiscsRun run(scene);
+    FAIL();
+  } catch (const protocol::UserError& error) {
+    EXPECT_EQ(error.path(), "initial_stress");
+    EXPECT_THAT(error.what(), testing::HasSubstr("only a hexagonal lattice"));
+  }
+}
+
+// A step far above the critical one ends with the step and the place where it went wrong.
+TEST(DiscsExtremes, InstabilityIsNamed) {
+  auto scene = test::square_scene(6, 6);
+  auto& push = *scene.mutable_particles()->add_body_loads();
+  push.mutable_where()->set_x_max(2);
+  push.mutable_acceleration()->set_x(1);
+  test::DiscsRun run(scene, 5);
+  try {
+    for (int n = 0; n < 5000; ++n) run.advance();
+    FAIL();
+  } catch (const protocol::Unstable& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("step "));
+    EXPECT_THAT(error.what(), testing::HasSubstr("reduce time.dt_factor"));
+  }
+}
+
 // A large disc in the midst of small ones, 1:50: all pairs that may touch are listed, and the ledger closes.
 TEST(DiscsExtremes, SizesOneToFifty) {
   std::vector<std::array<double, 3>> discs = {{0, 0, 1}};
