@@ -21,10 +21,19 @@ std::vector<std::string> history_columns(const Model& model) {
   return columns;
 }
 
+std::vector<std::string> share_columns(const Model& model) {
+  std::vector<std::string> columns = {"time_s"};
+  for (const Side& side : model.sides)
+    for (const wire::EnergyShare& share : side.prediction().energies().shares())
+      columns.push_back(side.member.name + "_" + share.name() + "_J");
+  return columns;
+}
+
 }  // namespace
 
 Recorder::Recorder(const std::filesystem::path& directory, Model& model)
     : model_(model),
+      directory_(directory),
       histories_(directory / "histories.csv", history_columns(model)),
       fields_(directory / "fields") {
   if (has_particles(model)) cracks_.emplace(directory / "cracks.csv", results::crack_columns());
@@ -73,7 +82,22 @@ std::span<const double> Recorder::record_histories(std::uint64_t n, const Ledger
                 {e.kinetic, e.strain, e.released, e.external_work, e.multiplier_work, e.dissipated});
   row_.push_back(ledger.drift());
   histories_.row(row_);
+  record_shares();
   return row_;
+}
+
+// The first answers say which there are.
+void Recorder::record_shares() {
+  if (!shares_) {
+    const auto columns = share_columns(model_);
+    if (columns.size() == 1) return;
+    shares_.emplace(directory_ / "energies.csv", columns);
+  }
+  share_row_.assign(1, row_.front());
+  for (const Side& side : model_.sides)
+    for (const wire::EnergyShare& share : side.prediction().energies().shares())
+      share_row_.push_back(share.value());
+  shares_->row(share_row_);
 }
 
 void Recorder::record_fields(std::uint64_t n, std::vector<wire::Snapshot> snapshots) {

@@ -1,4 +1,5 @@
-// What a run leaves in its directory while it goes on: histories.csv, cracks.csv, fields/.
+// What a run leaves in its directory while it goes on: histories.csv, energies.csv (of sides that say what
+// their energies consist of), cracks.csv, fields/.
 #pragma once
 
 #include <filesystem>
@@ -42,13 +43,16 @@ class Recorder {
 
  private:
   void record_crack(const wire::Crack& crack, double time);
+  void record_shares();
 
   Model& model_;
+  std::filesystem::path directory_;
   results::CsvFile histories_;
+  std::optional<results::CsvFile> shares_;  // once there are any
   std::optional<results::CsvFile> cracks_;  // of models with particles
   results::Collection fields_;
   Findings findings_;
-  std::vector<double> row_;
+  std::vector<double> row_, share_row_;
 };
 
 }  // namespace adit::coupler

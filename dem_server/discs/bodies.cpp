@@ -18,13 +18,12 @@ PairLaw law_of(const Model& model, const Joined& joined, std::uint32_t contact) 
     law.cohesion = bond.shear_strength;
   } else {
     const ParallelBond& bond = model.parallel_bonds[joined.number];
-    const double area = bond.area(), second_moment = bond.second_moment();
-    law.kn = bond.normal_stiffness * area;
-    law.ks = bond.shear_stiffness * area;
-    law.km = bond.normal_stiffness * second_moment;
-    law.tensile_strength = bond.tensile_strength * area;
-    law.bending = area * bond.radius / second_moment;
-    law.cohesion = bond.cohesion * area;
+    law.kn = bond.normal_stiffness;
+    law.ks = bond.shear_stiffness;
+    law.km = bond.normal_stiffness / 12;
+    law.tensile_strength = bond.tensile_strength;
+    law.bending = 6;
+    law.cohesion = bond.cohesion;
     law.tan_friction_angle = bond.tan_friction_angle;
     law.beside = true;
   }
@@ -69,9 +68,12 @@ Bonded bonds_of(const Model& model, std::span<const double> weights) {
       continue;
     }
     const std::uint32_t contact = model.group[pair.first] * groups + model.group[pair.second];
-    const auto [found, fresh] =
-        numbers.try_emplace({pair.law, pair.number, contact}, static_cast<std::uint32_t>(out.laws.size()));
-    if (fresh) out.laws.push_back(law_of(model, pair, contact));
+    const auto [found, fresh] = numbers.try_emplace({pair.law, pair.number, contact});
+    if (fresh) {
+      const PairLaw law = law_of(model, pair, contact);
+      found->second = static_cast<std::uint32_t>(std::ranges::find(out.laws, law) - out.laws.begin());
+      if (found->second == out.laws.size()) out.laws.push_back(law);
+    }
     laws.push_back(found->second);
     out.bonds.first.push_back(pair.first);
     out.bonds.second.push_back(pair.second);
@@ -91,6 +93,8 @@ Bonded bonds_of(const Model& model, std::span<const double> weights) {
     const double x = d.x[j] - d.x[i], y = d.y[j] - d.y[i], length = std::sqrt(x * x + y * y);
     const double gap = length - d.radius[i] - d.radius[j];
     const PairLaw& law = out.laws[bonds.law[k]];
+    const Joined& joined = model.joined[out.joined_of_bond[k]];
+    bonds.width[k] = law.beside ? model.parallel_bonds[joined.number].area() : 1;
     bonds.rest_x[k] = x;
     bonds.rest_y[k] = y;
     bonds.rest_length[k] = length;
@@ -101,7 +105,7 @@ Bonded bonds_of(const Model& model, std::span<const double> weights) {
     if (!law.beside) bonds.initial[k] = law.kn * std::min(bonds.slack[k], 0.0);
     if (!weights.empty()) bonds.weight[k] = weights[out.joined_of_bond[k]];
   }
-  bonds.find_plain();
+  bonds.sort_chunks();
   return out;
 }
 

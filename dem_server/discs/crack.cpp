@@ -25,7 +25,8 @@ Crack crack_of_bond(const Model& model, const Solver& solver, std::uint32_t bond
   if (orientation <= -std::numbers::pi / 2) orientation += std::numbers::pi;
   const auto [x, y] = middle_of(d, i, j);
   const auto& id = solver.particles().id;
-  return {solver.bonds().state[bond], x, y, length, orientation, id[i], id[j]};
+  return {solver.bonds().state[bond], x, y, length, orientation, std::min(id[i], id[j]),
+          std::max(id[i], id[j])};
 }
 
 }  // namespace adit::dem

@@ -79,6 +79,7 @@ void Neighbours::list(const Particles& p) {
     fresh.weight[k] = (p.weight[i] + p.weight[j]) / 2;
     fresh.law[k] = first_law_ + group_[i] * groups_ + group_[j];
   }
+  fresh.sort_chunks();
   keep_springs(pairs_, fresh);
   pairs_ = std::move(fresh);
   listed_ux_ = p.ux;

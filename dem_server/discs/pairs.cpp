@@ -9,7 +9,7 @@ void Pairs::finish(std::size_t discs, bool cement, bool dashpots) {
     zeroed->assign(size(), 0.0);
   weight.assign(size(), 1.0);
   law.assign(size(), 0);
-  for (auto* zeroed : {&initial, &shear, &moment}) zeroed->assign(cement ? size() : 0, 0.0);
+  for (auto* zeroed : {&width, &initial, &shear, &moment}) zeroed->assign(cement ? size() : 0, 0.0);
   state.assign(cement ? size() : 0, BondState::kIntact);
   for (auto* zeroed : {&normal_dashpot, &shear_dashpot}) zeroed->assign(dashpots ? size() : 0, 0.0);
 
@@ -26,8 +26,7 @@ void Pairs::finish(std::size_t discs, bool cement, bool dashpots) {
         ++away;
         ++count[second[k] / kBlock + 1];
       }
-    for (std::uint32_t at = begin; at < k; at += kChunk)
-      chunks.push_back({at, std::min(at + kChunk, k), false});
+    for (std::uint32_t at = begin; at < k; at += kChunk) chunks.push_back({at, std::min(at + kChunk, k)});
     chunk_starts.push_back(static_cast<std::uint32_t>(chunks.size()));
     away_starts.push_back(away);
   }
@@ -39,12 +38,18 @@ void Pairs::finish(std::size_t discs, bool cement, bool dashpots) {
     if (second[k] / kBlock != first[k] / kBlock) arrivals[count[second[k] / kBlock]++] = {slot++, second[k]};
 }
 
-void Pairs::find_plain() {
+void Pairs::sort_chunks() {
   for (Chunk& chunk : chunks) {
-    chunk.plain = cemented();
-    for (std::uint32_t k = chunk.begin; k < chunk.end && chunk.plain; ++k)
-      chunk.plain = law[k] == law[chunk.begin] && state[k] == BondState::kIntact && slack[k] == 0 &&
-                    initial[k] == 0 && weight[k] == 1;
+    const std::uint32_t one = chunk.begin;
+    chunk.one_law = true;
+    bool varied = cemented(), plain = varied;
+    for (std::uint32_t k = one; k < chunk.end; ++k) {
+      chunk.one_law &= law[k] == law[one];
+      if (!varied) continue;
+      varied = chunk.one_law && state[k] == BondState::kIntact && initial[k] == 0 && weight[k] == 1;
+      plain = plain && varied && slack[k] == 0 && width[k] == width[one];
+    }
+    chunk.kind = varied && plain ? Kind::kPlain : varied ? Kind::kVaried : Kind::kGeneral;
   }
 }
 

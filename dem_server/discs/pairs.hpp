@@ -3,10 +3,12 @@
 //
 // A pair is cement and contact. Cement is a bond while it is whole: a contact bond or a parallel bond, both
 // springs
-//   N = kn (L - L0) + N0,    S += ks dt slip_rate,    M += km dt turn_rate      (km = 0: contact bond)
-// that break in tension where N + |M| bending exceeds the tensile strength, else in shear where |S| exceeds
-// cohesion - N tan(friction angle). The contact of the surfaces (laws/linear_contact.hpp) acts beside the
-// cement of a parallel bond, and of a contact bond once it is broken; it overlaps by -(L - L0 + slack).
+//   N = kn w (L - L0) + N0,    S += ks w dt slip_rate,    M += km w^3 dt turn_rate
+// of a width w, that break in tension where N w + b |M| exceeds w^2 tensile_strength, else in shear where |S|
+// exceeds w cohesion - N tan(friction angle). A parallel bond has km = kn / 12 and b = 6
+// (laws/parallel_bond.hpp), a contact bond w = 1 and neither. The contact of the surfaces
+// (laws/linear_contact.hpp) acts beside the cement of a parallel bond, and of a contact bond once it is
+// broken; it overlaps by -(L - L0 + slack).
 //
 // Discs belong to blocks of consecutive numbers, pairs to the block of their first disc, so that threads
 // share the blocks: what a pair does to a disc of another block waits in `away` until that block gathers it,
@@ -29,10 +31,12 @@ inline std::size_t blocks_of(std::size_t discs) {
   return (discs + kBlock - 1) / kBlock;
 }
 
+// Of a width in metres, stiffnesses are in Pa/m and strengths in Pa; of the width 1 of contact bonds in N/m
+// and N.
 struct PairLaw {
-  double kn = 0, ks = 0, km = 0;  // of the cement [N/m], [N/m], [N m]
+  double kn = 0, ks = 0, km = 0;
   double tensile_strength = std::numeric_limits<double>::infinity();
-  double bending = 0;  // tension at the edge of the cement by a moment [1/m]
+  double bending = 0;  // b
   double cohesion = std::numeric_limits<double>::infinity();
   double tan_friction_angle = 0;
   bool beside = false;  // the contact acts beside the whole cement
@@ -46,6 +50,7 @@ struct Pairs {
   std::vector<double> rest_length;                    // L0 [m]
   std::vector<double> half_difference;                // of the radii [m]
   std::vector<double> slack;                          // [m]
+  std::vector<double> width;                          // w of the cement; empty: none
   std::vector<double> weight;                         // energy weight
   std::vector<double> slide;                          // shear force of the contact's spring [N]
   std::vector<double> normal_dashpot, shear_dashpot;  // forces [N]; empty: none
@@ -54,10 +59,13 @@ struct Pairs {
   std::size_t size() const { return first.size(); }
   bool cemented() const { return !state.empty(); }
 
-  // Consecutive pairs of one block. Plain: of one law, whole, without slack, initial force and weight.
+  // Consecutive pairs of one block. Varied: all whole, of one law, without initial force and weight. Plain:
+  // of one width besides, without slack.
+  enum class Kind : std::uint8_t { kPlain, kVaried, kGeneral };
   struct Chunk {
     std::uint32_t begin, end;
-    bool plain;
+    Kind kind = Kind::kGeneral;
+    bool one_law = false;
   };
   std::vector<Chunk> chunks;
   std::vector<std::uint32_t> chunk_starts;  // of each block, and the end
@@ -72,8 +80,8 @@ struct Pairs {
 
   // Makes room for the pairs' states and sorts them into blocks, once first and second are known.
   void finish(std::size_t discs, bool cement, bool dashpots);
-  // Finds which chunks are plain.
-  void find_plain();
+  // Finds of which kind the chunks are.
+  void sort_chunks();
 };
 
 }  // namespace adit::dem

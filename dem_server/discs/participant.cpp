@@ -202,14 +202,13 @@ void DiscsParticipant::report_events(wire::Predicted& predicted) const {
 void DiscsParticipant::report_energies(wire::Energies& energies) const {
   const DiscLedger ledger = solver_->ledger();
   const Stored stored = solver_->stored();
-  const double time_step = solver_->time_step_share();
   energies.set_kinetic(kinetic_energy(solver_->particles(), before_, step_.from_rest()));
   energies.set_strain(solver_->strain_energy());
   energies.set_released(ledger.released);
   energies.set_external_work(loads_.work() + body_loads_.work() + motions_.work() + solver_->walls().work() +
                              ledger.support);
   energies.set_dissipated(ledger.friction + ledger.dashpots + ledger.damping.local + ledger.damping.viscous +
-                          ledger.damping.edges + time_step);
+                          ledger.damping.edges);
   const std::pair<const char*, double> shares[] = {{"contacts", stored.contacts},
                                                    {"contact_bonds", stored.contact_bonds},
                                                    {"parallel_bonds", stored.parallel_bonds},
@@ -224,7 +223,7 @@ void DiscsParticipant::report_energies(wire::Energies& energies) const {
                                                    {"local_damping", ledger.damping.local},
                                                    {"viscous_damping", ledger.damping.viscous},
                                                    {"quiet_edges", ledger.damping.edges},
-                                                   {"time_step", time_step}};
+                                                   {"time_step", solver_->time_step_share()}};
   for (const auto& [name, value] : shares) {
     wire::EnergyShare& share = *energies.add_shares();
     share.set_name(name);

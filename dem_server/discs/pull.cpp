@@ -17,11 +17,12 @@ struct Near {
   alignas(64) Column ux, uy, vx, vy, spin_1, spin_2, by_mass, by_spin_1, by_spin_2;
 };
 
-// The laws of a chunk's pairs, one value each, or one for all where the chunk is plain. `whole` and `open`
-// are 1 where the cement and where the contact acts, else 0.
+// The laws of a chunk's pairs, one value each, or the first for all where there is one law. `whole` and
+// `open`, of each pair, are 1 where the cement and where the contact acts, else 0.
 struct Laws {
-  alignas(64) Column kn, ks, km, tensile_strength, bending, cohesion, tan_friction_angle, whole, open;
+  alignas(64) Column kn, ks, km, tensile_strength, bending, cohesion, tan_friction_angle;
   Column contact_kn, contact_ks, contact_compliance, friction, normal_beta, shear_beta;
+  Column whole, open;
 };
 
 struct Forces {
@@ -33,7 +34,7 @@ struct Outcome {
   bool breaks, slides;
 };
 
-enum class Kind { kPlainContactBonds, kPlainParallelBonds, kBonds, kContacts };
+enum class Kind { kPlainContactBonds, kPlainParallelBonds, kVariedParallelBonds, kBonds, kContacts };
 
 template <bool kDashpots>
 ADIT_VECTOR_CLONES void look_up(const Pairs::Chunk& chunk, const Particles& p, const Pairs& pairs,
@@ -60,11 +61,11 @@ ADIT_VECTOR_CLONES void look_up(const Pairs::Chunk& chunk, const Particles& p, c
   }
 }
 
-void look_up(std::span<const PairLaw> laws, const Pairs::Chunk& chunk, std::uint32_t count,
-             const Pairs& pairs, Laws& out) {
-  for (std::uint32_t k = 0; k < count; ++k) {
+void look_up(std::span<const PairLaw> laws, const Pairs::Chunk& chunk, bool dashpots, const Pairs& pairs,
+             Laws& out) {
+  const std::uint32_t count = chunk.end - chunk.begin;
+  for (std::uint32_t k = 0; k < (chunk.one_law ? 1 : count); ++k) {
     const PairLaw& law = laws[pairs.law[chunk.begin + k]];
-    const bool whole = pairs.cemented() && pairs.state[chunk.begin + k] == BondState::kIntact;
     out.kn[k] = law.kn;
     out.ks[k] = law.ks;
     out.km[k] = law.km;
@@ -72,14 +73,18 @@ void look_up(std::span<const PairLaw> laws, const Pairs::Chunk& chunk, std::uint
     out.bending[k] = law.bending;
     out.cohesion[k] = law.cohesion;
     out.tan_friction_angle[k] = law.tan_friction_angle;
-    out.whole[k] = whole ? 1 : 0;
-    out.open[k] = law.beside || !whole ? 1 : 0;
     out.contact_kn[k] = law.contact.normal_stiffness;
     out.contact_ks[k] = law.contact.shear_stiffness;
     out.contact_compliance[k] = law.contact.shear_stiffness > 0 ? 1 / law.contact.shear_stiffness : 0;
     out.friction[k] = law.contact.friction;
     out.normal_beta[k] = law.contact.normal_damping;
     out.shear_beta[k] = law.contact.shear_damping;
+  }
+  if (!pairs.cemented() || (chunk.kind != Pairs::Kind::kGeneral && !dashpots)) return;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const bool whole = pairs.state[chunk.begin + k] == BondState::kIntact;
+    out.whole[k] = whole ? 1 : 0;
+    out.open[k] = !whole || laws[pairs.law[chunk.begin + k]].beside ? 1 : 0;
   }
 }
 
@@ -93,17 +98,19 @@ inline double with_dashpot(double spring, double stiffness, double beta, double 
 // One pass over a chunk, written so that the compiler turns it into vector code. Contacts have no cement,
 // plain bonds one law; L - L0 of bonds keeps all its digits, (L^2 - L0^2) / (L + L0) with L^2 - L0^2 = du.(2
 // d0 + du).
-template <Kind kKind, bool kDashpots>
+template <Kind kKind, bool kOneLaw, bool kDashpots>
 ADIT_VECTOR_CLONES Outcome pull_chunk(const Pairs::Chunk& chunk, double dt, const Near& near,
                                       const Laws& laws, Pairs& pairs, Forces& out) {
   constexpr bool kCement = kKind != Kind::kContacts, kContact = kKind != Kind::kPlainContactBonds;
   constexpr bool kPlain = kKind == Kind::kPlainContactBonds || kKind == Kind::kPlainParallelBonds;
-  const auto at = [](const Column& column, std::uint32_t k) { return column[kPlain ? 0 : k]; };
+  constexpr bool kGeneral = kKind == Kind::kBonds || kKind == Kind::kContacts;
+  const auto at = [](const Column& column, std::uint32_t k) { return column[kOneLaw ? 0 : k]; };
   const double *rest_x = &pairs.rest_x[chunk.begin], *rest_y = &pairs.rest_y[chunk.begin],
                *rest_length = &pairs.rest_length[chunk.begin],
                *half_difference = &pairs.half_difference[chunk.begin], *slack = &pairs.slack[chunk.begin],
                *weight = &pairs.weight[chunk.begin];
-  const double* initial = kCement ? &pairs.initial[chunk.begin] : nullptr;
+  const double *initial = kCement ? &pairs.initial[chunk.begin] : nullptr,
+               *widths = kCement ? &pairs.width[chunk.begin] : nullptr;
   double *shear = kCement ? &pairs.shear[chunk.begin] : nullptr,
          *moment = kCement ? &pairs.moment[chunk.begin] : nullptr, *slide = &pairs.slide[chunk.begin];
   double *normal_dashpot = kDashpots ? &pairs.normal_dashpot[chunk.begin] : nullptr,
@@ -133,31 +140,32 @@ ADIT_VECTOR_CLONES Outcome pull_chunk(const Pairs::Chunk& chunk, double dt, cons
 
     double pull_n = 0, pull_t = 0, turn = 0, friction = 0, dashpot = 0;
     if constexpr (kCement) {
-      pull_n = at(laws.kn, k) * elongation;
-      pull_t = shear[k] + at(laws.ks, k) * dt * slip_rate;
-      turn = moment[k] + at(laws.km, k) * dt * (spin_2 - spin_1);
-      if constexpr (!kPlain) {
+      const double width = widths[kPlain ? 0 : k];
+      pull_n = at(laws.kn, k) * width * elongation;
+      pull_t = shear[k] + at(laws.ks, k) * width * dt * slip_rate;
+      turn = moment[k] + at(laws.km, k) * (width * width * width) * dt * (spin_2 - spin_1);
+      if constexpr (kGeneral) {
         pull_n = (pull_n + initial[k]) * laws.whole[k];
         pull_t *= laws.whole[k];
         turn *= laws.whole[k];
       }
       shear[k] = pull_t;
       moment[k] = turn;
-      breaks |= static_cast<std::int64_t>(pull_n + std::abs(turn) * at(laws.bending, k) >
-                                          at(laws.tensile_strength, k)) |
-                static_cast<std::int64_t>(std::abs(pull_t) >
-                                          at(laws.cohesion, k) - pull_n * at(laws.tan_friction_angle, k));
+      breaks |= static_cast<std::int64_t>(pull_n * width + std::abs(turn) * at(laws.bending, k) >
+                                          at(laws.tensile_strength, k) * (width * width)) |
+                static_cast<std::int64_t>(std::abs(pull_t) > at(laws.cohesion, k) * width -
+                                                                 pull_n * at(laws.tan_friction_angle, k));
     }
     if constexpr (kContact) {
       const double overlap = kPlain ? elongation : elongation + slack[k];
-      const double open = kPlain ? 1.0 : laws.open[k];
+      const double open = kKind == Kind::kBonds ? laws.open[k] : 1.0;
       const double spring = open * at(laws.contact_kn, k) * std::min(overlap, 0.0);
       const double limit = -at(laws.friction, k) * spring, before = slide[k];
       const double trial = before + at(laws.contact_ks, k) * dt * slip_rate;
       const double elastic = std::min(std::max(trial, -limit), limit);
       slide[k] = elastic;
       friction = 0.5 * (elastic + before) * (trial - elastic) * at(laws.contact_compliance, k);
-      slides |= static_cast<std::int64_t>(trial != elastic);
+      slides |= static_cast<std::int64_t>(friction != 0);
       double contact_n = spring, contact_t = elastic;
       if constexpr (kDashpots) {
         const bool touches = open * overlap < 0, sticks = touches && trial == elastic;
@@ -165,9 +173,10 @@ ADIT_VECTOR_CLONES Outcome pull_chunk(const Pairs::Chunk& chunk, double dt, cons
         const double by_shear =
             by_mass + (arm_1 * arm_1 * near.by_spin_1[k] + arm_2 * arm_2 * near.by_spin_2[k]);
         const double damped_n = std::min(
-            0.0, with_dashpot(spring, laws.contact_kn[k], laws.normal_beta[k], by_mass, stretch_rate, dt));
+            0.0,
+            with_dashpot(spring, at(laws.contact_kn, k), at(laws.normal_beta, k), by_mass, stretch_rate, dt));
         const double damped_t =
-            with_dashpot(elastic, laws.contact_ks[k], laws.shear_beta[k], by_shear, slip_rate, dt);
+            with_dashpot(elastic, at(laws.contact_ks, k), at(laws.shear_beta, k), by_shear, slip_rate, dt);
         const double dash_n = touches ? damped_n - spring : 0.0, dash_t = sticks ? damped_t - elastic : 0.0;
         dashpot = 0.5 * dt *
                   ((dash_n + normal_dashpot[k]) * stretch_rate + (dash_t + shear_dashpot[k]) * slip_rate);
@@ -181,7 +190,7 @@ ADIT_VECTOR_CLONES Outcome pull_chunk(const Pairs::Chunk& chunk, double dt, cons
     }
     out.normal[k] = pull_n;
     max_bits = std::max(max_bits, std::bit_cast<std::int64_t>(std::abs(pull_n)));
-    const double w = kPlain ? 1.0 : weight[k];
+    const double w = kGeneral ? weight[k] : 1.0;
     out.x[k] = w * (pull_n * nx - pull_t * ny);
     out.y[k] = w * (pull_n * ny + pull_t * nx);
     out.moment_1[k] = w * (pull_t * arm_1 + turn);
@@ -192,14 +201,35 @@ ADIT_VECTOR_CLONES Outcome pull_chunk(const Pairs::Chunk& chunk, double dt, cons
   return {max_bits, breaks != 0, slides != 0};
 }
 
-template <bool kDashpots>
+template <Kind kKind>
+Outcome pull_general(const Pairs::Chunk& chunk, double dt, const Near& near, const Laws& laws, bool dashpots,
+                     Pairs& pairs, Forces& out) {
+  const auto pull = chunk.one_law
+                        ? (dashpots ? pull_chunk<kKind, true, true> : pull_chunk<kKind, true, false>)
+                        : (dashpots ? pull_chunk<kKind, false, true> : pull_chunk<kKind, false, false>);
+  return pull(chunk, dt, near, laws, pairs, out);
+}
+
 Outcome pull_any(const Pairs::Chunk& chunk, double dt, const Near& near, const Laws& laws, bool beside,
-                 Pairs& pairs, Forces& out) {
-  if (!pairs.cemented()) return pull_chunk<Kind::kContacts, kDashpots>(chunk, dt, near, laws, pairs, out);
-  if (!chunk.plain || kDashpots)
-    return pull_chunk<Kind::kBonds, kDashpots>(chunk, dt, near, laws, pairs, out);
-  if (beside) return pull_chunk<Kind::kPlainParallelBonds, false>(chunk, dt, near, laws, pairs, out);
-  return pull_chunk<Kind::kPlainContactBonds, false>(chunk, dt, near, laws, pairs, out);
+                 bool dashpots, Pairs& pairs, Forces& out) {
+  if (!pairs.cemented()) return pull_general<Kind::kContacts>(chunk, dt, near, laws, dashpots, pairs, out);
+  if (!dashpots && chunk.kind == Pairs::Kind::kPlain && !beside)
+    return pull_chunk<Kind::kPlainContactBonds, true, false>(chunk, dt, near, laws, pairs, out);
+  if (!dashpots && chunk.kind == Pairs::Kind::kPlain)
+    return pull_chunk<Kind::kPlainParallelBonds, true, false>(chunk, dt, near, laws, pairs, out);
+  if (!dashpots && chunk.kind == Pairs::Kind::kVaried && beside)
+    return pull_chunk<Kind::kVariedParallelBonds, true, false>(chunk, dt, near, laws, pairs, out);
+  return pull_general<Kind::kBonds>(chunk, dt, near, laws, dashpots, pairs, out);
+}
+
+// The springs of a pair's cement [N/m], [N/m], [N m].
+struct Cement {
+  double kn, ks, km;
+};
+Cement cement_of(const PairLaw& law, const Pairs& pairs, std::uint32_t pair) {
+  if (!pairs.cemented()) return {0, 0, 0};
+  const double width = pairs.width[pair];
+  return {law.kn * width, law.ks * width, law.km * (width * width * width)};
 }
 
 // The shape of a pair whose second disc has moved by (ux, uy) more than its first.
@@ -231,18 +261,19 @@ bool break_pair(const PairLaw& law, std::uint32_t pair, std::uint32_t k, double 
                 Pairs& pairs, Forces& forces, double& released) {
   if (pairs.state[pair] != BondState::kIntact) return false;
   const Shape s = shape_of(pairs, pair, near.ux[k], near.uy[k]);
-  const double normal = law.kn * s.elongation + pairs.initial[pair], shear = pairs.shear[pair],
-               turn = pairs.moment[pair];
-  const bool tensile = normal + std::abs(turn) * law.bending > law.tensile_strength;
-  if (!tensile && !(std::abs(shear) > law.cohesion - normal * law.tan_friction_angle)) return false;
+  const auto [kn, ks, km] = cement_of(law, pairs, pair);
+  const double normal = kn * s.elongation + pairs.initial[pair], shear = pairs.shear[pair],
+               turn = pairs.moment[pair], width = pairs.width[pair];
+  const bool tensile = normal * width + std::abs(turn) * law.bending > law.tensile_strength * (width * width);
+  if (!tensile && !(std::abs(shear) > law.cohesion * width - normal * law.tan_friction_angle)) return false;
 
   const double stretch = dt * (near.vx[k] * s.nx + near.vy[k] * s.ny);
   const double slip =
       dt * (near.vy[k] * s.nx - near.vx[k] * s.ny - (s.arm_1 * near.spin_1[k] + s.arm_2 * near.spin_2[k]));
   const double contact = law.contact.normal_stiffness * std::min(s.elongation + pairs.slack[pair], 0.0);
   const double w = pairs.weight[pair];
-  released += w * (given_up(normal, law.kn, stretch) + given_up(shear, law.ks, slip) +
-                   given_up(turn, law.km, dt * (near.spin_2[k] - near.spin_1[k])) -
+  released += w * (given_up(normal, kn, stretch) + given_up(shear, ks, slip) +
+                   given_up(turn, km, dt * (near.spin_2[k] - near.spin_1[k])) -
                    (law.beside ? 0 : given_up(contact, law.contact.normal_stiffness, stretch)));
   pairs.state[pair] = tensile ? BondState::kTensileCrack : BondState::kShearCrack;
   pairs.shear[pair] = pairs.moment[pair] = 0;
@@ -310,14 +341,12 @@ void pull_block(std::uint32_t block, std::span<const PairLaw> laws, double dt, P
   for (std::uint32_t c = pairs.chunk_starts[block]; c < pairs.chunk_starts[block + 1]; ++c) {
     Pairs::Chunk& chunk = pairs.chunks[c];
     const std::uint32_t count = chunk.end - chunk.begin;
-    const bool plain = chunk.plain && !dashpots;
     dashpots ? look_up<true>(chunk, particles, pairs, near) : look_up<false>(chunk, particles, pairs, near);
-    look_up(laws, chunk, plain ? 1 : count, pairs, of_chunk);
+    look_up(laws, chunk, dashpots, pairs, of_chunk);
     const bool beside = laws[pairs.law[chunk.begin]].beside;
-    Outcome outcome = dashpots ? pull_any<true>(chunk, dt, near, of_chunk, beside, pairs, forces)
-                               : pull_any<false>(chunk, dt, near, of_chunk, beside, pairs, forces);
+    Outcome outcome = pull_any(chunk, dt, near, of_chunk, beside, dashpots, pairs, forces);
     if (outcome.breaks) {
-      chunk.plain = false;
+      chunk.kind = Pairs::Kind::kGeneral;
       outcome.max_bits = 0;
       for (std::uint32_t k = 0; k < count; ++k) {
         const std::uint32_t pair = chunk.begin + k;
@@ -356,7 +385,7 @@ PairState state_of(std::uint32_t pair, std::span<const PairLaw> laws, const Part
   const std::uint32_t i = pairs.first[pair], j = pairs.second[pair];
   const Shape s = shape_of(pairs, pair, p.ux[j] - p.ux[i], p.uy[j] - p.uy[i]);
   const bool whole = pairs.cemented() && pairs.state[pair] == BondState::kIntact;
-  const double cement = whole ? law.kn * s.elongation + pairs.initial[pair] : 0;
+  const double cement = whole ? cement_of(law, pairs, pair).kn * s.elongation + pairs.initial[pair] : 0;
   const double overlap = whole && !law.beside ? 0 : std::min(s.elongation + pairs.slack[pair], 0.0);
   return {s.nx,
           s.ny,
@@ -375,9 +404,10 @@ void add_stored(std::span<const PairLaw> laws, const Particles& p, const Pairs& 
   for (std::uint32_t k = 0; k < pairs.size(); ++k) {
     const PairLaw& law = laws[pairs.law[k]];
     const PairState s = state_of(k, laws, p, pairs);
+    const auto [kn, ks, km] = cement_of(law, pairs, k);
     (law.beside ? stored.parallel_bonds : stored.contact_bonds) +=
-        pairs.weight[k] * (in_spring(s.cement_normal, law.kn) + in_spring(s.shear - pairs.slide[k], law.ks) +
-                           in_spring(s.moment, law.km));
+        pairs.weight[k] *
+        (in_spring(s.cement_normal, kn) + in_spring(s.shear - pairs.slide[k], ks) + in_spring(s.moment, km));
     stored.contacts += pairs.weight[k] * (in_spring(s.contact_normal, law.contact.normal_stiffness) +
                                           in_spring(pairs.slide[k], law.contact.shear_stiffness));
   }

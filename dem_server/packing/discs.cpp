@@ -1,25 +1,78 @@
 #include "dem_server/packing/discs.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "dem_server/packing/torus.hpp"
 
 namespace adit::dem {
 
+namespace {
+
+// Discs whose radii differ by less than a factor of two, in cells of their own.
+struct Level {
+  double largest;  // radius [m]
+  std::vector<std::uint32_t> discs;
+  Torus torus;
+};
+
+std::vector<Level> levels_of(const Discs& discs, double reach) {
+  std::vector<std::vector<std::uint32_t>> by_size;
+  const double largest = std::ranges::max(discs.radius);
+  for (std::uint32_t i = 0; i < discs.size(); ++i) {
+    const auto level = static_cast<std::size_t>(std::log2(largest / discs.radius[i]));
+    if (level >= by_size.size()) by_size.resize(level + 1);
+    by_size[level].push_back(i);
+  }
+  std::vector<Level> levels;
+  for (auto& own : by_size) {
+    if (own.empty()) continue;
+    double radius = 0;
+    std::vector<double> x, y;
+    for (const std::uint32_t i : own) {
+      radius = std::max(radius, discs.radius[i]);
+      x.push_back(discs.x[i]);
+      y.push_back(discs.y[i]);
+    }
+    levels.push_back({radius, std::move(own), Torus(2 * radius + reach, x, y)});
+  }
+  return levels;
+}
+
+// By first, then by second.
+std::vector<Pair> in_order(std::size_t discs, const std::vector<Pair>& pairs) {
+  std::vector<std::uint32_t> starts(discs + 1, 0);
+  for (const Pair& pair : pairs) ++starts[pair.first + 1];
+  for (std::size_t i = 0; i < discs; ++i) starts[i + 1] += starts[i];
+  std::vector<Pair> ordered(pairs.size());
+  auto next = starts;
+  for (const Pair& pair : pairs) ordered[next[pair.first]++] = pair;
+  for (std::size_t i = 0; i < discs; ++i)
+    std::ranges::sort(ordered.begin() + starts[i], ordered.begin() + starts[i + 1], {}, &Pair::second);
+  return ordered;
+}
+
+}  // namespace
+
+// A pair is found from its smaller disc, among those of its own level and of the levels above: few, however
+// many small ones surround a large one.
 std::vector<Pair> pairs_within(const Discs& discs, double reach) {
   if (discs.size() == 0) return {};
-  const Torus torus(2 * std::ranges::max(discs.radius) + reach, discs.x, discs.y);
+  const auto levels = levels_of(discs, reach);
   std::vector<Pair> pairs;
-  for (std::uint32_t i = 0; i < discs.size(); ++i) {
-    const auto begin = static_cast<std::ptrdiff_t>(pairs.size());
-    torus.visit_around(i, [&](std::uint32_t j) {
-      const double limit = discs.radius[i] + discs.radius[j] + reach;
-      const double dx = discs.x[j] - discs.x[i], dy = discs.y[j] - discs.y[i];
-      if (j > i && dx * dx + dy * dy <= limit * limit) pairs.push_back({i, j});
-    });
-    std::ranges::sort(pairs.begin() + begin, pairs.end(), {}, &Pair::second);
-  }
-  return pairs;
+  for (std::size_t own = 0; own < levels.size(); ++own)
+    for (const std::uint32_t i : levels[own].discs)
+      for (std::size_t above = 0; above <= own; ++above)
+        levels[above].torus.visit_near(
+            discs.x[i], discs.y[i], discs.radius[i] + levels[above].largest + reach,
+            [&](std::uint32_t place) {
+              const std::uint32_t j = levels[above].discs[place];
+              const double limit = discs.radius[i] + discs.radius[j] + reach;
+              const double dx = discs.x[j] - discs.x[i], dy = discs.y[j] - discs.y[i];
+              if (!(dx * dx + dy * dy <= limit * limit)) return;
+              if (above < own || i < j) pairs.push_back({std::min(i, j), std::max(i, j)});
+            });
+  return in_order(discs.size(), pairs);
 }
 
 void keep_only(const std::vector<bool>& keep, Discs& discs) {

@@ -15,13 +15,16 @@ std::int32_t cell_number(double value, double side) {
 
 }  // namespace
 
-Torus::Torus(double side, std::span<const double> x, std::span<const double> y) {
+Torus::Cell Torus::cell_of(double x, double y) const {
+  return {cell_number(x, side_), cell_number(y, side_)};
+}
+
+Torus::Torus(double side, std::span<const double> x, std::span<const double> y) : side_(side) {
   const auto bits = static_cast<std::uint32_t>(std::bit_width(x.size()));
   width_ = std::uint32_t{1} << (bits + 1) / 2;
   height_ = std::uint32_t{1} << bits / 2;
   cells_.reserve(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i)
-    cells_.push_back({cell_number(x[i], side), cell_number(y[i], side)});
+  for (std::size_t i = 0; i < x.size(); ++i) cells_.push_back(cell_of(x[i], y[i]));
   starts_.assign(std::size_t{width_} * height_ + 1, 0);
   for (const Cell& cell : cells_) ++starts_[place(cell) + 1];
   for (std::size_t k = 1; k < starts_.size(); ++k) starts_[k] += starts_[k - 1];

@@ -76,7 +76,8 @@ Histories::Histories(const scene::Continuum& scene, const Supports& supports, co
   for (int i = 0; i < scene.histories_size(); ++i) {
     const auto& history = scene.histories(i);
     const std::string path = fmt::format("continuum.histories[{}]", i);
-    if (!history.has_at()) throw protocol::UserError(path + ".at", "is missing; give the place, {x: …, y: …}");
+    if (!history.has_at())
+      throw protocol::UserError(path + ".at", "is missing; give the place, {x: …, y: …}");
     if (history.quantity() >= scene::FORCE_X)
       throw protocol::UserError(path + ".quantity",
                                 fmt::format("is {}, which only particles have; ask particles.histories",

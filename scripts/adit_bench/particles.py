@@ -13,31 +13,35 @@ from adit_bench.peers import particles as peers
 
 BEAMS = ((52, 6), (312, 32), (1000, 100), (3162, 316))  # discs along x, rows
 THREADS = (1, 2)
-FLOOR, FLOOR_FROM = 120e6, 9000  # bond-steps per second of one thread; two must reach 1.8 times as much
+KINDS = {"lattice": "contact bonds", "contact_bonds": "contact bonds, discs of any size",
+         "parallel_bonds": "parallel bonds, discs of any size"}
+# Bond-steps per second of one thread from 10^4 particles on; two must reach 1.8 times as much.
+FLOORS, FLOOR_FROM = {"lattice": 120e6, "parallel_bonds": 60e6}, 9000
 
 
 def run(root):
     program = root / "build/release/tests/bench/particles_bench"
-    own = [record for discs, rows in BEAMS for threads in THREADS for record in measure(program, discs, rows, threads)]
+    own = [record for kind in KINDS for discs, rows in BEAMS for threads in THREADS
+           for record in measure(program, kind, discs, rows, threads)]
     return own + peers.run(*BEAMS[1])
 
 
-def measure(program, discs, rows, threads):
-    m = json.loads(subprocess.run([program, str(discs), str(rows), str(threads)],
+def measure(program, kind, discs, rows, threads):
+    m = json.loads(subprocess.run([program, kind, str(discs), str(rows), str(threads)],
                                   check=True, capture_output=True, text=True).stdout)
     size = int(m["particles"])
     bond_steps = m["steps_per_s"] * m["bonds"]
-    floor = f" (floor {FLOOR * (1 if threads == 1 else 1.8) / 1e6:.0f}e6)" if size > FLOOR_FROM else ""
+    needed = FLOORS.get(kind, 0) * (1 if threads == 1 else 1.8) / 1e6
+    floor = f" (floor {needed:.0f}e6)" if needed and size > FLOOR_FROM else ""
 
     def record(name, value, unit):
-        return {"name": name, "size": size, "threads": threads, "value": value, "unit": unit}
+        return {"name": f"{name}, {KINDS[kind]}", "size": size, "threads": threads, "value": value, "unit": unit}
 
-    return [record("bond-steps, contact bonds", bond_steps, f"bond-steps/s{floor}"),
-            record("particle-steps, contact bonds", m["steps_per_s"] * size, "particle-steps/s"),
-            record("particles, memory held", m["bytes_held"] / size, "bytes per particle"),
-            record("particles, memory traffic", m["traffic_per_step"] / size, "bytes per particle-step"),
-            record("bond-steps, triad beside", m["triad_bytes_per_s"] / 1e9, "GB/s"),
-            record("bond-steps, share of triad", m["steps_per_s"] * m["traffic_per_step"] / m["triad_bytes_per_s"], "1"),
-            record("bond-steps, share of sums and products",
-                   bond_steps * m["operations_per_bond"] / m["operations_per_s"], "1"),
-            record("bond-steps, share of divider", bond_steps / m["divisions_per_s"], "1")]
+    return [record("bond-steps", bond_steps, f"bond-steps/s{floor}"),
+            record("particle-steps", m["steps_per_s"] * size, "particle-steps/s"),
+            record("memory held", m["bytes_held"] / size, "bytes per particle"),
+            record("memory traffic", m["traffic_per_step"] / size, "bytes per particle-step"),
+            record("triad beside", m["triad_bytes_per_s"] / 1e9, "GB/s"),
+            record("share of triad", m["steps_per_s"] * m["traffic_per_step"] / m["triad_bytes_per_s"], "1"),
+            record("share of sums and products", bond_steps * m["operations_per_bond"] / m["operations_per_s"], "1"),
+            record("share of divider", bond_steps / m["divisions_per_s"], "1")]

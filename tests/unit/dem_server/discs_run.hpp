@@ -42,7 +42,7 @@ struct DiscsRun {
     for (const auto& share : predicted.energies().shares()) values[share.name()] = share.value();
     return values;
   }
-  // What stays the same.
+  // What changes by the time step's share only.
   double sum() const {
     const auto& e = predicted.energies();
     return e.kinetic() + e.strain() + e.released() + e.dissipated() - e.external_work();
