@@ -1,7 +1,7 @@
 #include "dem_server/any_participant.hpp"
 
 #include "dem_server/discs/participant.hpp"
-#include "dem_server/discs/read_model.hpp"
+#include "dem_server/model/read_model.hpp"
 #include "dem_server/participant.hpp"
 
 namespace adit::dem {

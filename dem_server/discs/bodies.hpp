@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "dem_server/discs/joints.hpp"
-#include "dem_server/discs/model.hpp"
 #include "dem_server/discs/pairs.hpp"
+#include "dem_server/model/model.hpp"
 
 namespace adit::dem {
 

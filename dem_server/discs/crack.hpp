@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "dem_server/crack.hpp"
-#include "dem_server/discs/model.hpp"
 #include "dem_server/discs/solver.hpp"
+#include "dem_server/model/model.hpp"
 
 namespace adit::dem {
 

@@ -10,7 +10,7 @@
 // is not joined to are counted as contacts of the stiffest kind, and so are two walls.
 #pragma once
 
-#include "dem_server/discs/model.hpp"
+#include "dem_server/model/model.hpp"
 
 namespace adit::dem {
 

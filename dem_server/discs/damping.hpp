@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "dem_server/assembly.hpp"
-#include "dem_server/discs/model.hpp"
+#include "dem_server/model/model.hpp"
 #include "protocol/step.hpp"
 
 namespace adit::dem {

@@ -9,15 +9,15 @@
 #include <stdexcept>
 #include <vector>
 
-#include "dem_server/discs/arrange.hpp"
 #include "dem_server/discs/branches.hpp"
 #include "dem_server/discs/crack.hpp"
 #include "dem_server/discs/critical_step.hpp"
-#include "dem_server/discs/extent.hpp"
 #include "dem_server/discs/fragments.hpp"
-#include "dem_server/discs/read_model.hpp"
 #include "dem_server/discs/snapshot.hpp"
 #include "dem_server/messages.hpp"
+#include "dem_server/model/arrange.hpp"
+#include "dem_server/model/extent.hpp"
+#include "dem_server/model/read_model.hpp"
 #include "dem_server/sweep.hpp"
 #include "protocol/errors.hpp"
 

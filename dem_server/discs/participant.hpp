@@ -9,10 +9,10 @@
 
 #include "dem_server/coupling_points.hpp"
 #include "dem_server/discs/disc_histories.hpp"
-#include "dem_server/discs/model.hpp"
 #include "dem_server/discs/solver.hpp"
-#include "dem_server/discs/weigh.hpp"
 #include "dem_server/loads.hpp"
+#include "dem_server/model/model.hpp"
+#include "dem_server/model/weigh.hpp"
 #include "dem_server/motions.hpp"
 #include "dem_server/relaxation.hpp"
 #include "protocol/participant.hpp"

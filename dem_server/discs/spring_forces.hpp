@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dem_server/assembly.hpp"
-#include "dem_server/discs/model.hpp"
+#include "dem_server/model/model.hpp"
 
 namespace adit::dem {
 

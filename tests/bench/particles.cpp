@@ -16,7 +16,7 @@
 
 #include "dem_server/contacts.hpp"
 #include "dem_server/critical_step.hpp"
-#include "dem_server/discs/arrange.hpp"
+#include "dem_server/model/arrange.hpp"
 #include "dem_server/discs/critical_step.hpp"
 #include "dem_server/discs/solver.hpp"
 #include "dem_server/sweep.hpp"

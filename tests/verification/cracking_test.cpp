@@ -9,8 +9,8 @@
 
 #include "dem_server/calibration.hpp"
 #include "dem_server/discs/critical_step.hpp"
-#include "dem_server/discs/read_model.hpp"
 #include "dem_server/discs/solver.hpp"
+#include "dem_server/model/read_model.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
 namespace adit::dem {

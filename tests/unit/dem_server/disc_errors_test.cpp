@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "dem_server/discs/read_model.hpp"
+#include "dem_server/model/read_model.hpp"
 #include "protocol/errors.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 

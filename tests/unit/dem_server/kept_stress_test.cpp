@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "dem_server/discs/critical_step.hpp"
-#include "dem_server/discs/read_model.hpp"
 #include "dem_server/discs/solver.hpp"
+#include "dem_server/model/read_model.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
 namespace adit::dem {

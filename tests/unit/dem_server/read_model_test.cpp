@@ -1,5 +1,5 @@
 // A scene of discs as a model: what is packed, joined, taken away, weighed.
-#include "dem_server/discs/read_model.hpp"
+#include "dem_server/model/read_model.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

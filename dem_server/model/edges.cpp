@@ -1,4 +1,4 @@
-#include "dem_server/discs/edges.hpp"
+#include "dem_server/model/edges.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "dem_server/discs/bond_type.hpp"
+#include "dem_server/model/bond_type.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "dem_server/discs/groups.hpp"
+#include "dem_server/model/groups.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::dem {

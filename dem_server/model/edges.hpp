@@ -5,8 +5,8 @@
 // is none within two diameters.
 #pragma once
 
-#include "dem_server/discs/groups.hpp"
-#include "dem_server/discs/model.hpp"
+#include "dem_server/model/groups.hpp"
+#include "dem_server/model/model.hpp"
 
 namespace adit::dem {
 

@@ -1,4 +1,4 @@
-#include "dem_server/discs/groups.hpp"
+#include "dem_server/model/groups.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "dem_server/discs/join.hpp"
+#include "dem_server/model/join.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "dem_server/discs/bond_type.hpp"
-#include "dem_server/discs/joint_lines.hpp"
+#include "dem_server/model/bond_type.hpp"
+#include "dem_server/model/joint_lines.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/text.hpp"
 

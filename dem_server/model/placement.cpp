@@ -1,4 +1,4 @@
-#include "dem_server/discs/placement.hpp"
+#include "dem_server/model/placement.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -10,7 +10,7 @@
 #include <numeric>
 
 #include "dem_server/calibration.hpp"
-#include "dem_server/discs/placed_table.hpp"
+#include "dem_server/model/placed_table.hpp"
 #include "dem_server/packing/random_dense.hpp"
 #include "dem_server/packing/square.hpp"
 #include "dem_server/scene_checks.hpp"

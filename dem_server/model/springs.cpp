@@ -1,4 +1,4 @@
-#include "dem_server/discs/springs.hpp"
+#include "dem_server/model/springs.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <functional>
 #include <limits>
 
-#include "dem_server/discs/joint_lines.hpp"
+#include "dem_server/model/joint_lines.hpp"
 #include "dem_server/scene_checks.hpp"
 #include "protocol/errors.hpp"
 

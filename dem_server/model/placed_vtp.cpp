@@ -7,7 +7,7 @@
 #include <pugixml.hpp>
 #include <string_view>
 
-#include "dem_server/discs/placed_table.hpp"
+#include "dem_server/model/placed_table.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/text.hpp"
 

@@ -1,7 +1,7 @@
 // Springs between discs: those of the scene and the bolts of a ring.
 #pragma once
 
-#include "dem_server/discs/model.hpp"
+#include "dem_server/model/model.hpp"
 
 namespace adit::dem {
 

@@ -9,7 +9,7 @@
 // (calibration.hpp), whatever the packing.
 #pragma once
 
-#include "dem_server/discs/model.hpp"
+#include "dem_server/model/model.hpp"
 
 namespace adit::dem {
 

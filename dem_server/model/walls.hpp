@@ -1,8 +1,8 @@
 // The rigid walls of a scene.
 #pragma once
 
-#include "dem_server/discs/groups.hpp"
-#include "dem_server/discs/model.hpp"
+#include "dem_server/model/groups.hpp"
+#include "dem_server/model/model.hpp"
 
 namespace adit::dem {
 

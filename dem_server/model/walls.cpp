@@ -1,4 +1,4 @@
-#include "dem_server/discs/walls.hpp"
+#include "dem_server/model/walls.hpp"
 
 #include <fmt/format.h>
 

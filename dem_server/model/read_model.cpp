@@ -1,16 +1,16 @@
-#include "dem_server/discs/read_model.hpp"
+#include "dem_server/model/read_model.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "dem_server/discs/edges.hpp"
-#include "dem_server/discs/groups.hpp"
-#include "dem_server/discs/join.hpp"
-#include "dem_server/discs/placement.hpp"
-#include "dem_server/discs/springs.hpp"
-#include "dem_server/discs/walls.hpp"
+#include "dem_server/model/edges.hpp"
+#include "dem_server/model/groups.hpp"
+#include "dem_server/model/join.hpp"
+#include "dem_server/model/placement.hpp"
+#include "dem_server/model/springs.hpp"
+#include "dem_server/model/walls.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::dem {

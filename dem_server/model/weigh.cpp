@@ -1,4 +1,4 @@
-#include "dem_server/discs/weigh.hpp"
+#include "dem_server/model/weigh.hpp"
 
 #include <algorithm>
 #include <limits>

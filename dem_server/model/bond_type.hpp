@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "dem_server/calibration.hpp"
-#include "dem_server/discs/model.hpp"
+#include "dem_server/model/model.hpp"
 
 namespace adit::dem {
 

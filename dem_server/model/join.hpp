@@ -1,8 +1,8 @@
 // Which discs of the model are joined, and by what.
 #pragma once
 
-#include "dem_server/discs/groups.hpp"
-#include "dem_server/discs/model.hpp"
+#include "dem_server/model/groups.hpp"
+#include "dem_server/model/model.hpp"
 
 namespace adit::dem {
 

@@ -1,4 +1,4 @@
-#include "dem_server/discs/arrange.hpp"
+#include "dem_server/model/arrange.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "dem_server/discs/extent.hpp"
+#include "dem_server/model/extent.hpp"
 
 namespace adit::dem {
 namespace {

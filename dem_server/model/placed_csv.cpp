@@ -6,7 +6,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "dem_server/discs/placed_table.hpp"
+#include "dem_server/model/placed_table.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/nearest_name.hpp"
 #include "protocol/text.hpp"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "dem_server/discs/model.hpp"
+#include "dem_server/model/model.hpp"
 
 namespace adit::dem {
 

@@ -1,4 +1,4 @@
-#include "dem_server/discs/joint_lines.hpp"
+#include "dem_server/model/joint_lines.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "dem_server/discs/placement.hpp"
 #include "dem_server/laws/linear_contact.hpp"
+#include "dem_server/model/placement.hpp"
 #include "dem_server/scene_checks.hpp"
 
 namespace adit::dem {
