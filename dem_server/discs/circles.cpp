@@ -1,6 +1,7 @@
 #include "dem_server/discs/circles.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -67,12 +68,13 @@ std::optional<Tensor> mean_strain_rate(const Circle& circle, std::span<const dou
                                        std::span<const double> vy) {
   const double r = circle.radius;
   // Moments of places over the radius, and of velocities with them, about the weighed mean.
-  double total = 0, mean[4] = {};
+  double total = 0;
+  std::array<double, 4> mean{};
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double w = weight_at(circle, x[i], y[i]);
-    const double values[] = {(x[i] - circle.x) / r, (y[i] - circle.y) / r, vx[i], vy[i]};
+    const std::array values{(x[i] - circle.x) / r, (y[i] - circle.y) / r, vx[i], vy[i]};
     total += w;
-    for (int k = 0; k < 4; ++k) mean[k] += w * values[k];
+    for (std::size_t k = 0; k < mean.size(); ++k) mean[k] += w * values[k];
   }
   if (!(total > 0)) return std::nullopt;
   for (double& m : mean) m /= total;

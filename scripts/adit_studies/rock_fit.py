@@ -55,13 +55,11 @@ def _slope(two):
 
 def fit(wanted, laboratory, say):
     """(Micro, [Rock]) nearest to what is wanted; say(text) tells of each trial."""
-    specimen, packing = laboratory.specimens[1]
     moduli = {}
 
     def poisson(ratio):
         micro = Micro(wanted.young_modulus, ratio, inf, inf)
-        tested = rock_tests.compress(micro, specimen, packing, laboratory.folder / f"elastic_{len(moduli)}", ELASTIC_STRAIN)
-        young_modulus, poisson_ratio = tested.elastic_constants()
+        young_modulus, poisson_ratio = laboratory.elastic_constants(micro, ELASTIC_STRAIN, f"elastic_{len(moduli)}")
         moduli[ratio] = young_modulus / micro.modulus
         say(f"stiffness ratio {ratio:.3f}: Poisson's ratio {poisson_ratio:.4f}")
         return poisson_ratio

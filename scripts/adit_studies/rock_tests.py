@@ -48,11 +48,13 @@ PLATEN_SPEED = 2e-5  # share of sqrt(modulus / density)
 GAUGES = 9  # displacements in a row
 
 
-def bonds_and_contacts(micro, specimen):
-    """The words of a scene's `particles` that hold the micro-properties, to four digits."""
-    def digits(value):
-        return float(f"{value:.4g}")
+def _four_digits(value):
+    return float(f"{value:.4g}")
 
+
+def bonds_and_contacts(micro, specimen):
+    """The words of a scene's `particles` that hold the micro-properties."""
+    digits = _four_digits
     cement = micro.modulus / (2 * specimen.mean_radius)
     parallel = {"normal_stiffness": digits(cement), "shear_stiffness": digits(cement / micro.stiffness_ratio)}
     if np.isfinite(micro.tensile_strength):
@@ -66,7 +68,8 @@ def _particles(micro, specimen):
     return {"random_packing": {
                 "x_min": 0, "x_max": specimen.width, "y_min": 0, "y_max": specimen.height,
                 "radius_min": specimen.radius_min, "radius_max": specimen.radius_max, "seed": specimen.seed,
-                "stress": 3e-4 * micro.modulus},
+                # exact: the share of the stiffness is the same to the bit, else discs come to rest elsewhere
+                "stress": 3 * _four_digits(micro.modulus) / 10000},
             **bonds_and_contacts(micro, specimen), "damping": {"local": 0.7}}
 
 
@@ -239,11 +242,20 @@ class Laboratory:
         packings = dict(coupled_runs.for_all(lambda seed: grow(specimens[seed], folder / f"packing_{seed}"), specimens))
         return Laboratory({seed: (specimens[seed], packings[seed]) for seed in specimens}, folder)
 
+    def _all(self, test, name):
+        """[test(specimen, packing, folder)] of the seeds."""
+        done = dict(coupled_runs.for_all(
+            lambda seed: test(*self.specimens[seed], self.folder / f"{name}_{seed}"), self.specimens))
+        return [done[seed] for seed in self.specimens]
+
     def test(self, micro, name):
         """[Rock] of the seeds."""
-        rocks = dict(coupled_runs.for_all(
-            lambda seed: test(micro, *self.specimens[seed], self.folder / f"{name}_{seed}"), self.specimens))
-        return [rocks[seed] for seed in sorted(rocks)]
+        return self._all(partial(test, micro), name)
+
+    def elastic_constants(self, micro, largest_strain, name):
+        """Means of the seeds, by compression alone."""
+        tested = self._all(partial(compress, micro, largest_strain=largest_strain), name)
+        return map(mean, zip(*(loading.elastic_constants() for loading in tested)))
 
 
 def mean_properties(rocks):

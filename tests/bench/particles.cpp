@@ -35,11 +35,11 @@ constexpr double kNormal = 1.8e10, kShear = 6e9, kCellMass = 2000, kRadius = 0.5
 struct Costs {
   double bytes_of_particle, bytes_of_bond, operations;
 };
-// Displacement, velocity and spin, inverse mass and inertia; the bond's shear force.
-constexpr Costs kLattice{(2 * 5 + 2) * sizeof(double), 2 * sizeof(double), 40 + 6 + 9};
+// Displacement, velocity and spin, read and written, inverse mass and inertia; the bond's shear force.
+constexpr Costs kLattice{12.0 * sizeof(double), 2 * sizeof(double), 40 + 6 + 9};
 // Also resultants of bonds and of all; the bond's discs and law, shape at rest, shear force and moment, and
 // beside parallel bonds the contact's force.
-constexpr double kBytesOfDisc = kLattice.bytes_of_particle + 2 * 6 * sizeof(double);
+constexpr double kBytesOfDisc = kLattice.bytes_of_particle + 12.0 * sizeof(double);
 constexpr double kBytesOfShape = 3 * sizeof(std::uint32_t) + 4 * sizeof(double);
 constexpr Costs kContactBonds{kBytesOfDisc, kBytesOfShape + 4 * sizeof(double), 49 + 8 + 9};
 constexpr Costs kParallelBonds{kBytesOfDisc, kBytesOfShape + 6 * sizeof(double), 73 + 8 + 9};

@@ -72,7 +72,9 @@ TEST(NeedsDiscs, ForAllButThePlainLattice) {
       [](auto& p) { p.mutable_damping(); },
       [](auto& p) { p.clear_packing(); },
       [](auto& p) { p.mutable_bonds()->mutable_parallel(); },
-      [](auto& p) { p.mutable_histories(0)->set_radius(1); }};
+      [](auto& p) { p.mutable_histories(0)->set_radius(1); },
+      [](auto& p) { p.mutable_histories(0)->set_wall("floor"); },
+      [](auto& p) { p.mutable_bonds()->set_reach(0.1); }};
   for (std::size_t k = 0; k < words.size(); ++k) {
     auto other = lattice;
     words[k](other);
