@@ -69,8 +69,8 @@ class Progress {
 RandomPacking checked(const scene::RandomPacking& wanted, double normal_stiffness) {
   const std::string path = "particles.random_packing";
   const RandomPacking packing{
-      checked_box(wanted, path),          wanted.radius_min(), wanted.radius_max(),   wanted.porosity(),
-      wanted.stress() / normal_stiffness, wanted.seed(),       wanted.keep_floaters()};
+      checked_box(wanted, path),          wanted.radius_min(), wanted.radius_max(),    wanted.porosity(),
+      wanted.stress() / normal_stiffness, wanted.seed(),       wanted.keep_floaters(), wanted.keep_stress()};
   require_positive(packing.radius_min, path + ".radius_min", "m");
   require_positive(packing.radius_max, path + ".radius_max", "m");
   require_positive(wanted.stress(), path + ".stress", "Pa");

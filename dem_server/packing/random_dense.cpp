@@ -118,13 +118,12 @@ std::optional<GrownPacking> pack_randomly(const RandomPacking& wanted, const Pac
   GrownPacking grown;
   grown.state.porosity = 1 - area(pressed.discs()) / area(wanted.box);
 
+  auto keep = holders(pressed);
+  const auto floaters = [&keep] { return static_cast<std::size_t>(std::ranges::count(keep, false)); };
+  grown.state.floaters = floaters();
   // A disc squeezed between two others is not quite a floater: without it the rest moves, which may make
   // others.
-  auto keep = holders(pressed);
-  for (auto floaters = std::ranges::count(keep, false); floaters > 0;
-       floaters = std::ranges::count(keep, false)) {
-    grown.state.floaters += static_cast<std::size_t>(floaters);
-    if (wanted.keep_floaters) break;
+  while (wanted.stands && !wanted.keep_floaters && floaters() > 0) {
     Discs held = pressed.discs();
     keep_only(keep, held);
     if (held.size() == 0) return std::nullopt;
@@ -133,6 +132,7 @@ std::optional<GrownPacking> pack_randomly(const RandomPacking& wanted, const Pac
     if (!again) return std::nullopt;
     *factor *= *again;
     keep = holders(pressed);
+    grown.state.floaters += floaters();
   }
   const auto [across, up] = pressed.wall_stress();
   grown.state.stress_x = across;
@@ -140,6 +140,8 @@ std::optional<GrownPacking> pack_randomly(const RandomPacking& wanted, const Pac
   grown.state.coordination = coordination(pressed, keep);
   grown.state.radius_factor = *factor;
   grown.discs = pressed.discs();
+  if (!wanted.keep_floaters) keep_only(keep, grown.discs);
+  if (grown.discs.size() == 0) return std::nullopt;
   return grown;
 }
 

@@ -24,6 +24,9 @@ struct RandomPacking {
   double stress;                  // isotropic, compression positive, over the contacts' normal stiffness
   std::uint64_t seed;
   bool keep_floaters = false;
+  // The stress is met again without the floaters until none is left, so that the packing stands under it.
+  // Else it is what was met with them, and the discs stay where they then were.
+  bool stands = false;
 };
 
 // What was reached.
