@@ -32,35 +32,18 @@ Contacts::Contacts(const Assembly& assembly)
 bool Contacts::update(double dt, const Assembly& assembly) {
   // The next step will hardly be twice as fast as the last one.
   const double allowed = skin_ / 2 - 2 * dt * speed_;
-  if (travelled_ <= allowed) return false;
-  travelled_ = farthest(assembly.particles);
-  if (travelled_ <= allowed) return false;
+  if (travel_.most() <= allowed) return false;
+  travel_.measure(assembly.particles);
+  if (travel_.most() <= allowed) return false;
   list(assembly);
   return true;
 }
 
 void Contacts::list(const Assembly& assembly) {
   const Particles& p = assembly.particles;
-  Discs discs{p.x, p.y, std::vector(p.size(), assembly.bonds.rest_length / 2)};
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    discs.x[i] += p.ux[i];
-    discs.y[i] += p.uy[i];
-  }
-  pairs_ = pairs_within(discs, skin_);
+  pairs_ = pairs_within(travel_.start(p, std::vector(p.size(), assembly.bonds.rest_length / 2)), skin_);
   std::erase_if(pairs_, [&](const Pair& pair) { return partners_.joined(pair.first, pair.second); });
-  listed_ux_ = p.ux;
-  listed_uy_ = p.uy;
-  travelled_ = 0;
   ++lists_;
-}
-
-double Contacts::farthest(const Particles& p) const {
-  double squared = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const double x = p.ux[i] - listed_ux_[i], y = p.uy[i] - listed_uy_[i];
-    squared = std::max(squared, x * x + y * y);
-  }
-  return std::sqrt(squared);
 }
 
 void add_contacts(double normal_stiffness, double diameter, std::span<const Pair> pairs,

@@ -14,6 +14,7 @@
 #include "dem_server/assembly.hpp"
 #include "dem_server/packing/discs.hpp"
 #include "dem_server/partners.hpp"
+#include "dem_server/travel.hpp"
 
 namespace adit::dem {
 
@@ -27,7 +28,7 @@ class Contacts {
   bool update(double dt, const Assembly& assembly);
   // Of a step of dt the largest speed at which a particle moved [m/s].
   void moved(double dt, double speed) {
-    travelled_ += dt * speed;
+    travel_.add(dt * speed);
     speed_ = speed;
   }
 
@@ -36,14 +37,12 @@ class Contacts {
 
  private:
   void list(const Assembly& assembly);
-  double farthest(const Particles& particles) const;
 
   Partners partners_;
   std::vector<Pair> pairs_;
-  std::vector<double> listed_ux_, listed_uy_;
-  double skin_ = 0;       // [m]
-  double travelled_ = 0;  // at most, by any particle since the list was made [m]
-  double speed_ = 0;      // of the last step
+  Travel travel_;     // since the list was made
+  double skin_ = 0;   // [m]
+  double speed_ = 0;  // of the last step
   std::uint64_t lists_ = 0;
 };
 

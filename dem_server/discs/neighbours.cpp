@@ -49,21 +49,16 @@ Neighbours::Neighbours(const Particles& particles, std::vector<double> radius, s
 }
 
 bool Neighbours::update(const Particles& particles) {
-  if (travelled_ > skin_ / 2) travelled_ = farthest(particles);
-  if (travelled_ + std::max(travelled_, walls_travelled_) <= skin_) return false;
+  if (travel_.most() > skin_ / 2) travel_.measure(particles);
+  if (travel_.most() + std::max(travel_.most(), walls_travelled_) <= skin_) return false;
   list(particles);
   return true;
 }
 
 void Neighbours::list(const Particles& p) {
-  Discs discs{p.x, p.y, radius_};
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    discs.x[i] += p.ux[i];
-    discs.y[i] += p.uy[i];
-  }
   Pairs fresh;
   auto joined = joined_.begin();
-  for (const Pair& pair : pairs_within(discs, skin_)) {
+  for (const Pair& pair : pairs_within(travel_.start(p, radius_), skin_)) {
     while (joined != joined_.end() && before(*joined, pair)) ++joined;
     if (joined != joined_.end() && *joined == pair) continue;
     fresh.first.push_back(pair.first);
@@ -82,19 +77,8 @@ void Neighbours::list(const Particles& p) {
   fresh.sort_chunks();
   keep_springs(pairs_, fresh);
   pairs_ = std::move(fresh);
-  listed_ux_ = p.ux;
-  listed_uy_ = p.uy;
-  travelled_ = walls_travelled_ = 0;
+  walls_travelled_ = 0;
   ++lists_;
-}
-
-double Neighbours::farthest(const Particles& p) const {
-  double squared = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const double x = p.ux[i] - listed_ux_[i], y = p.uy[i] - listed_uy_[i];
-    squared = std::max(squared, x * x + y * y);
-  }
-  return std::sqrt(squared);
 }
 
 }  // namespace adit::dem

@@ -12,6 +12,7 @@
 
 #include "dem_server/discs/pairs.hpp"
 #include "dem_server/packing/discs.hpp"
+#include "dem_server/travel.hpp"
 
 namespace adit::dem {
 
@@ -26,7 +27,7 @@ class Neighbours {
 
   // A step moved the discs, and walls, by at most this [m].
   void moved(double farthest, double farthest_wall) {
-    travelled_ += farthest;
+    travel_.add(farthest);
     walls_travelled_ += farthest_wall;
   }
   // Before the forces: makes a new list where all have moved so far that the old one may miss a contact.
@@ -40,7 +41,6 @@ class Neighbours {
 
  private:
   void list(const Particles& particles);
-  double farthest(const Particles& particles) const;
 
   std::vector<double> radius_;
   std::vector<Pair> joined_;
@@ -48,9 +48,9 @@ class Neighbours {
   std::uint32_t groups_ = 1, first_law_ = 0;
   bool dashpots_ = false;
   Pairs pairs_;
-  std::vector<double> listed_ux_, listed_uy_;
-  double skin_ = 0;                             // [m]
-  double travelled_ = 0, walls_travelled_ = 0;  // at most, by any disc and wall since the list was made [m]
+  Travel travel_;               // of the discs since the list was made
+  double skin_ = 0;             // [m]
+  double walls_travelled_ = 0;  // at most, by any wall since the list was made [m]
   std::uint64_t lists_ = 0;
 };
 
