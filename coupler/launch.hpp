@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/address.hpp"
+#include "protocol/wire/address.hpp"
 
 namespace adit::coupler {
 

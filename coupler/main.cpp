@@ -11,17 +11,17 @@
 #include <vector>
 
 #include "coupler/launch.hpp"
-#include "coupler/remote_peer.hpp"
 #include "coupler/run.hpp"
-#include "coupler/set_up.hpp"
+#include "coupler/sides/remote_peer.hpp"
+#include "coupler/sides/set_up.hpp"
 #include "protocol/errors.hpp"
-#include "protocol/greeting.hpp"
 #include "protocol/release.hpp"
 #include "protocol/results/run_directory.hpp"
-#include "protocol/scene_command_line.hpp"
-#include "protocol/scene_hash.hpp"
-#include "protocol/scene_program.hpp"
-#include "protocol/scene_writer.hpp"
+#include "protocol/scene/command_line.hpp"
+#include "protocol/scene/hash.hpp"
+#include "protocol/scene/program.hpp"
+#include "protocol/scene/writer.hpp"
+#include "protocol/wire/greeting.hpp"
 
 namespace {
 

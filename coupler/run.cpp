@@ -6,13 +6,13 @@
 #include <chrono>
 #include <cmath>
 
-#include "coupler/motion_outputs.hpp"
-#include "coupler/progress.hpp"
-#include "coupler/recorder.hpp"
-#include "coupler/schedule.hpp"
-#include "coupler/set_up.hpp"
-#include "coupler/statics.hpp"
-#include "coupler/stepper.hpp"
+#include "coupler/output/motion_outputs.hpp"
+#include "coupler/output/recorder.hpp"
+#include "coupler/output/schedule.hpp"
+#include "coupler/sides/set_up.hpp"
+#include "coupler/stepping/progress.hpp"
+#include "coupler/stepping/statics.hpp"
+#include "coupler/stepping/stepper.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/results/atomic_file.hpp"
 #include "protocol/results/run_directory.hpp"

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <vector>
 
-#include "coupler/run_summary.hpp"
-#include "coupler/side.hpp"
-#include "protocol/scene.pb.h"
+#include "coupler/output/run_summary.hpp"
+#include "coupler/sides/side.hpp"
+#include "protocol/messages/scene.pb.h"
 
 namespace adit::coupler {
 

@@ -1,8 +1,8 @@
 // Bonded particles on a socket: dem_server --help
 #include <memory>
 
-#include "dem_server/any_participant.hpp"
-#include "protocol/server.hpp"
+#include "dem_server/participant/any_participant.hpp"
+#include "protocol/server/server.hpp"
 
 int main(int argc, char** argv) {
   std::size_t threads = 0;

@@ -1,8 +1,8 @@
 // fdm_server: computes the continuum of a run for the coupler.
 #include <memory>
 
-#include "fdm_server/participant.hpp"
-#include "protocol/server.hpp"
+#include "fdm_server/participant/participant.hpp"
+#include "protocol/server/server.hpp"
 
 int main(int argc, char** argv) {
   std::size_t threads = 0;

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "protocol/results/run_directory.hpp"
-#include "protocol/scene_command_line.hpp"
-#include "protocol/scene_program.hpp"
-#include "protocol/scene_writer.hpp"
+#include "protocol/scene/command_line.hpp"
+#include "protocol/scene/program.hpp"
+#include "protocol/scene/writer.hpp"
 #include "simplified/benchmark.hpp"
 #include "simplified/run.hpp"
 

@@ -7,12 +7,12 @@
 #include <cmath>
 
 #include "protocol/errors.hpp"
-#include "protocol/motion/ground_motion.hpp"
-#include "protocol/scene_hash.hpp"
-#include "simplified/joint.hpp"
-#include "simplified/results.hpp"
+#include "protocol/motion/excitation/ground_motion.hpp"
+#include "protocol/scene/hash.hpp"
+#include "simplified/output/results.hpp"
+#include "simplified/output/zoom.hpp"
 #include "simplified/run_summary.hpp"
-#include "simplified/zoom.hpp"
+#include "simplified/scene/joint.hpp"
 
 namespace adit::simplified {
 namespace {

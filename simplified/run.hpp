@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string>
 
-#include "protocol/scene.pb.h"
-#include "simplified/excitation.hpp"
-#include "simplified/solve.hpp"
+#include "protocol/messages/scene.pb.h"
+#include "simplified/models/solve.hpp"
+#include "simplified/scene/excitation.hpp"
 
 namespace adit::simplified {
 

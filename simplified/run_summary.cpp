@@ -7,10 +7,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "protocol/results/summary.hpp"
 #include "protocol/release.hpp"
-#include "protocol/scene_hash.hpp"
-#include "simplified/zoom.hpp"
+#include "protocol/results/summary.hpp"
+#include "protocol/scene/hash.hpp"
+#include "simplified/output/zoom.hpp"
 
 namespace adit::simplified {
 namespace {

@@ -1,9 +1,10 @@
 // How fast the solve `split` lets the fine motion decay.
 //
-// The rate is measured (tests/verification/wave_test.cpp): damping that sets in gently reflects least, so it
-// grows with the third power of the way through the overlap; a wave far too short for the grid is then
-// absorbed before it comes back from the end of the fine side, while of one with λ = 5h about 1 % is lost.
-// Both depend on rate · width / wave speed alone, whatever h, the particles' size and the time step are.
+// The rate is measured (tests/verification/bridging/wave_test.cpp): damping that sets in gently reflects
+// least, so it grows with the third power of the way through the overlap; a wave far too short for the grid
+// is then absorbed before it comes back from the end of the fine side, while of one with λ = 5h about 1 % is
+// lost. Both depend on rate · width / wave speed alone, whatever h, the particles' size and the time step
+// are.
 #pragma once
 
 #include <span>

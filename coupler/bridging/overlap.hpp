@@ -8,7 +8,7 @@
 //
 // A linear ramp passes uniform strain exactly where a strip's edges are lines of the grid and of the lattice.
 // Edges that cut zones and bonds, corners and curves cost a strain error of the order of zone size over width
-// (tests/verification/patch_test.cpp): prefer edges on grid lines and wide overlaps.
+// (tests/verification/bridging/patch_test.cpp): prefer edges on grid lines and wide overlaps.
 //
 // Where a grid is the outer model, a zone whose samples of the weight are all 0 does not exist
 // (fdm_server/grid/samples.hpp). If the core is convex, nothing is lost with it: its corners lie in the core,
@@ -24,7 +24,7 @@
 #include <vector>
 
 #include "protocol/geometry/shape.hpp"
-#include "protocol/scene.pb.h"
+#include "protocol/messages/scene.pb.h"
 
 namespace adit::coupler {
 

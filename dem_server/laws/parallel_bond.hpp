@@ -10,8 +10,8 @@
 
 #include <cmath>
 
-#include "dem_server/assembly.hpp"
 #include "dem_server/laws/encounter.hpp"
+#include "dem_server/particles/assembly.hpp"
 
 namespace adit::dem {
 

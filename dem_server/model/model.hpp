@@ -12,7 +12,7 @@
 #include "dem_server/laws/parallel_bond.hpp"
 #include "dem_server/laws/smooth_joint.hpp"
 #include "dem_server/packing/discs.hpp"
-#include "protocol/scene.pb.h"
+#include "protocol/messages/scene.pb.h"
 
 namespace adit::dem {
 

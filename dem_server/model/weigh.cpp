@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "dem_server/discs/critical_step.hpp"
+#include "dem_server/engines/general/critical_step.hpp"
 
 namespace adit::dem {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "dem_server/assembly.hpp"
-#include "dem_server/discs/solver.hpp"
+#include "dem_server/engines/general/solver.hpp"
 #include "dem_server/model/model.hpp"
+#include "dem_server/particles/assembly.hpp"
 
 namespace adit::dem {
 

@@ -10,7 +10,7 @@
 #include "fdm_server/boundaries/dashpot_set.hpp"
 #include "fdm_server/boundaries/edge_set.hpp"
 #include "fdm_server/solver/continuum.hpp"
-#include "protocol/scene.pb.h"
+#include "protocol/messages/scene.pb.h"
 
 namespace adit::fdm {
 

@@ -5,10 +5,10 @@
 
 #include "protocol/errors.hpp"
 #include "protocol/motion/errors_at.hpp"
-#include "protocol/motion/ground_motion.hpp"
-#include "protocol/motion/stations.hpp"
+#include "protocol/motion/excitation/ground_motion.hpp"
+#include "protocol/motion/excitation/stations.hpp"
 #include "protocol/motion/velocity_history.hpp"
-#include "protocol/time_function.hpp"
+#include "protocol/participant/time_function.hpp"
 
 namespace adit::fdm {
 namespace {

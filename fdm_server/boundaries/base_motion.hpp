@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fdm_server/solver/continuum.hpp"
-#include "protocol/scene.pb.h"
+#include "protocol/messages/scene.pb.h"
 
 namespace adit::fdm {
 

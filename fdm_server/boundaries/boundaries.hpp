@@ -4,11 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "fdm_server/boundaries/damping.hpp"
 #include "fdm_server/boundaries/edge_set.hpp"
 #include "fdm_server/boundaries/free_field.hpp"
 #include "fdm_server/solver/continuum.hpp"
-#include "protocol/scene.pb.h"
+#include "fdm_server/solver/damping.hpp"
+#include "protocol/messages/scene.pb.h"
 
 namespace adit::fdm {
 

@@ -5,8 +5,8 @@
 #include <map>
 #include <vector>
 
-#include "fdm_server/boundaries/dashpots.hpp"
 #include "fdm_server/boundaries/edge_set.hpp"
+#include "fdm_server/solver/dashpots.hpp"
 
 namespace adit::fdm {
 

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "fdm_server/boundaries/boundary_edge.hpp"
-#include "fdm_server/boundaries/dashpots.hpp"
 #include "fdm_server/boundaries/free_field.hpp"
 #include "fdm_server/grid/grid.hpp"
-#include "protocol/geometry.pb.h"
+#include "fdm_server/solver/dashpots.hpp"
+#include "protocol/messages/geometry.pb.h"
 
 namespace adit::fdm {
 

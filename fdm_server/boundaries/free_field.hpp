@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "fdm_server/boundaries/boundary_edge.hpp"
-#include "fdm_server/boundaries/dashpots.hpp"
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/solver/continuum.hpp"
+#include "fdm_server/solver/dashpots.hpp"
 
 namespace adit::fdm {
 

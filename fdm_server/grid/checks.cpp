@@ -9,8 +9,8 @@
 
 #include "fdm_server/grid/edges.hpp"
 #include "fdm_server/grid/locate.hpp"
-#include "protocol/cells.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/geometry/cells.hpp"
 
 namespace adit::fdm {
 namespace {

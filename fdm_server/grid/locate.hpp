@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fdm_server/grid/grid.hpp"
-#include "protocol/cells.hpp"
+#include "protocol/geometry/cells.hpp"
 
 namespace adit::fdm {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "protocol/errors.hpp"
+#include "protocol/geometry/selection.hpp"
 #include "protocol/nearest_name.hpp"
-#include "protocol/selection.hpp"
 
 namespace adit::fdm {
 namespace {

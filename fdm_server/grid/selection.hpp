@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fdm_server/grid/grid.hpp"
-#include "protocol/geometry.pb.h"
+#include "protocol/messages/geometry.pb.h"
 
 namespace adit::fdm {
 

@@ -9,9 +9,9 @@
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/output/zone_fit.hpp"
 #include "fdm_server/solver/continuum.hpp"
-#include "fdm_server/structures/lining_probe.hpp"
-#include "protocol/history.hpp"
-#include "protocol/scene.pb.h"
+#include "fdm_server/supports/lining_probe.hpp"
+#include "protocol/messages/scene.pb.h"
+#include "protocol/participant/history.hpp"
 
 namespace adit::fdm {
 

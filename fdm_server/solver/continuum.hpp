@@ -22,14 +22,14 @@
 #include <span>
 #include <vector>
 
-#include "fdm_server/boundaries/damping.hpp"
-#include "fdm_server/boundaries/dashpots.hpp"
+#include "fdm_server/solver/damping.hpp"
+#include "fdm_server/solver/dashpots.hpp"
 #include "fdm_server/solver/sweep.hpp"
 #include "fdm_server/structures/structures.hpp"
 #include "fdm_server/zones/columns.hpp"
 #include "fdm_server/zones/zones.hpp"
-#include "protocol/step.hpp"
-#include "protocol/team.hpp"
+#include "protocol/participant/step.hpp"
+#include "protocol/threads/team.hpp"
 
 namespace adit::fdm {
 

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "fdm_server/zones/zones.hpp"
-#include "protocol/stretches.hpp"
-#include "protocol/team.hpp"
+#include "protocol/threads/stretches.hpp"
+#include "protocol/threads/team.hpp"
 
 namespace adit::fdm {
 

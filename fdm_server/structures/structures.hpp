@@ -20,7 +20,7 @@
 #include "fdm_server/structures/bar.hpp"
 #include "fdm_server/structures/beam.hpp"
 #include "fdm_server/structures/yielding_spring.hpp"
-#include "protocol/step.hpp"
+#include "protocol/participant/step.hpp"
 
 namespace adit::fdm {
 

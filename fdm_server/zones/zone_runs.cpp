@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "protocol/stretches.hpp"
+#include "protocol/threads/stretches.hpp"
 
 namespace adit::fdm {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "protocol/geometry/shape.hpp"
-#include "protocol/scene.pb.h"
+#include "protocol/messages/scene.pb.h"
 
 namespace adit::geometry {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/wire.pb.h"
+#include "protocol/messages/wire.pb.h"
 
 namespace adit::results {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "simplified/beam/tunnel.hpp"
+#include "simplified/beam/model/tunnel.hpp"
 
 namespace adit::simplified::beam {
 

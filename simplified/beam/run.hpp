@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "simplified/beam/energy.hpp"
-#include "simplified/beam/ground_motion.hpp"
-#include "simplified/beam/scheme.hpp"
-#include "simplified/beam/tunnel.hpp"
+#include "simplified/beam/model/ground_motion.hpp"
+#include "simplified/beam/model/scheme.hpp"
+#include "simplified/beam/model/tunnel.hpp"
 
 namespace adit::simplified::beam {
 

@@ -8,12 +8,12 @@
 
 #include <vector>
 
+#include "simplified/beam/elements/joint_springs.hpp"
+#include "simplified/beam/elements/soil_springs.hpp"
+#include "simplified/beam/elements/structure.hpp"
 #include "simplified/beam/energy.hpp"
-#include "simplified/beam/ground_motion.hpp"
-#include "simplified/beam/joint_springs.hpp"
-#include "simplified/beam/scheme.hpp"
-#include "simplified/beam/soil_springs.hpp"
-#include "simplified/beam/structure.hpp"
+#include "simplified/beam/model/ground_motion.hpp"
+#include "simplified/beam/model/scheme.hpp"
 
 namespace adit::simplified::beam {
 

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "simplified/chain/chain.hpp"
+#include "simplified/chain/model/chain.hpp"
 
 namespace adit::simplified::chain {
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/Sparse>
 
-#include "simplified/chain/integrator.hpp"
+#include "simplified/chain/joints/integrator.hpp"
 #include "simplified/chain/simulation.hpp"
 
 namespace adit::simplified::chain {

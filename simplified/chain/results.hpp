@@ -1,9 +1,9 @@
 // What a step leaves behind: the hinges' deformations and forces, and the envelopes.
 #pragma once
 
-#include "simplified/chain/curved_hinges.hpp"
 #include "simplified/chain/envelopes.hpp"
-#include "simplified/chain/joint_forces.hpp"
+#include "simplified/chain/joints/curved_hinges.hpp"
+#include "simplified/chain/joints/joint_forces.hpp"
 
 namespace adit::simplified::chain {
 

@@ -9,9 +9,9 @@
 #include <stdexcept>
 
 #include "protocol/errors.hpp"
-#include "simplified/chain/curved_hinges.hpp"
 #include "simplified/chain/flush_denormals.hpp"
-#include "simplified/chain/joint_forces.hpp"
+#include "simplified/chain/joints/curved_hinges.hpp"
+#include "simplified/chain/joints/joint_forces.hpp"
 #include "simplified/chain/results.hpp"
 #include "simplified/chain/riccati.hpp"
 #include "simplified/chain/transfer_matrix.hpp"

@@ -12,9 +12,9 @@
 #include <memory>
 #include <span>
 
-#include "simplified/chain/chain.hpp"
 #include "simplified/chain/envelopes.hpp"
-#include "simplified/chain/integrator.hpp"
+#include "simplified/chain/joints/integrator.hpp"
+#include "simplified/chain/model/chain.hpp"
 
 namespace adit::simplified::chain {
 

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "simplified/chain/model.hpp"
+#include "simplified/chain/model/model.hpp"
 
 namespace adit::simplified::chain {
 

@@ -24,7 +24,7 @@
 #include <vector>
 
 #include "simplified/column/block_tridiagonal.hpp"
-#include "simplified/column/modal_column.hpp"
+#include "simplified/column/modes/modal_column.hpp"
 
 namespace adit::simplified::column {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "simplified/column/harmonic.hpp"
+#include "simplified/column/modes/harmonic.hpp"
 
 namespace adit::simplified::column {
 

@@ -17,7 +17,7 @@
 
 #include <Eigen/Core>
 
-#include "simplified/column/modal_column.hpp"
+#include "simplified/column/modes/modal_column.hpp"
 
 namespace adit::simplified::column {
 

@@ -9,8 +9,8 @@
 #include <memory>
 #include <vector>
 
-#include "fdm_server/materials/material_zones.hpp"
 #include "fdm_server/solver/continuum.hpp"
+#include "fdm_server/zones/nonlinear/material_zones.hpp"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <ctime>
 #include <vector>
 
-#include "protocol/team.hpp"
+#include "protocol/threads/team.hpp"
 
 namespace adit::bench {
 

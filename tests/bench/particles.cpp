@@ -14,13 +14,13 @@
 #include <numbers>
 #include <string>
 
-#include "dem_server/contacts.hpp"
-#include "dem_server/critical_step.hpp"
-#include "dem_server/model/arrange.hpp"
-#include "dem_server/discs/critical_step.hpp"
-#include "dem_server/discs/solver.hpp"
-#include "dem_server/sweep.hpp"
-#include "protocol/vector_clones.hpp"
+#include "dem_server/engines/general/arrange.hpp"
+#include "dem_server/engines/general/critical_step.hpp"
+#include "dem_server/engines/general/solver.hpp"
+#include "dem_server/engines/lattice/contacts.hpp"
+#include "dem_server/engines/lattice/critical_step.hpp"
+#include "dem_server/engines/lattice/sweep.hpp"
+#include "protocol/threads/vector_clones.hpp"
 #include "tests/bench/measure.hpp"
 
 namespace {

@@ -13,9 +13,9 @@ from programs import CASE, SOURCE, ProgramTest, Server, coupler
 
 GENERATED = tempfile.TemporaryDirectory(prefix="adit_proto_")
 subprocess.run(["protoc", f"-I{SOURCE}", f"--python_out={GENERATED.name}",
-                *(f"protocol/{path.name}" for path in (SOURCE / "protocol").glob("*.proto"))], check=True, cwd=SOURCE)
+                *(f"protocol/messages/{path.name}" for path in (SOURCE / "protocol/messages").glob("*.proto"))], check=True, cwd=SOURCE)
 sys.path.insert(0, GENERATED.name)
-from protocol import wire_pb2  # noqa: E402
+from protocol.messages import wire_pb2  # noqa: E402
 
 MAGIC = b"ADIT"
 VERSION = 2

@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "coupler/set_up.hpp"
-#include "coupler/side.hpp"
-#include "dem_server/any_participant.hpp"
-#include "fdm_server/participant.hpp"
-#include "protocol/participant.hpp"
+#include "coupler/sides/set_up.hpp"
+#include "coupler/sides/side.hpp"
+#include "dem_server/participant/any_participant.hpp"
+#include "fdm_server/participant/participant.hpp"
+#include "protocol/participant/participant.hpp"
 
 namespace adit::test {
 

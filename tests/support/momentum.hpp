@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/wire.pb.h"
+#include "protocol/messages/wire.pb.h"
 
 namespace adit::test {
 

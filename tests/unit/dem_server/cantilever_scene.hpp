@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "dem_server/participant.hpp"
+#include "dem_server/participant/participant.hpp"
 
 namespace adit::dem::test {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "dem_server/discs/critical_step.hpp"
-#include "dem_server/discs/solver.hpp"
+#include "dem_server/engines/general/critical_step.hpp"
+#include "dem_server/engines/general/solver.hpp"
 
 namespace adit::dem::test {
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "dem_server/discs/participant.hpp"
+#include "dem_server/engines/general/observe/participant.hpp"
 
 namespace adit::dem::test {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "protocol/scene.pb.h"
+#include "protocol/messages/scene.pb.h"
 
 namespace adit::dem::test {
 

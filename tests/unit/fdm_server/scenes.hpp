@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "fdm_server/participant.hpp"
+#include "fdm_server/participant/participant.hpp"
 
 namespace adit::fdm::test {
 

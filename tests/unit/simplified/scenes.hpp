@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "protocol/scene.pb.h"
+#include "protocol/messages/scene.pb.h"
 
 namespace adit::simplified::testing {
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "tests/unit/fdm_server/boundary_scenes.hpp"
+#include "tests/unit/fdm_server/boundaries/boundary_scenes.hpp"
 #include "tests/verification/boundaries/shear_column.hpp"
 
 namespace adit::fdm::test {

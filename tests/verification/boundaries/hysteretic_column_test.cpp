@@ -1,10 +1,10 @@
-// Requirement: a column of hysteretic ground, shaken far into its nonlinear range, moves as an independent integration of
-// the same law does: a chain of masses and springs whose backbone is the hyperbola itself and whose branches
-// come from Masing's rules, with memory of every reversal.
+// Requirement: a column of hysteretic ground, shaken far into its nonlinear range, moves as an independent
+// integration of the same law does: a chain of masses and springs whose backbone is the hyperbola itself and
+// whose branches come from Masing's rules, with memory of every reversal.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "tests/unit/fdm_server/boundary_scenes.hpp"
+#include "tests/unit/fdm_server/boundaries/boundary_scenes.hpp"
 
 namespace adit::fdm::test {
 namespace {
@@ -12,8 +12,8 @@ namespace {
 constexpr double kHeight = 20, kReference = 1e-3, kModulus = kGroundDensity * kShearVelocity * kShearVelocity;
 constexpr double kDuration = 1.5, kFrequency = 2, kAmplitude = 0.4;  // [s], [Hz], [m/s]
 
-// Stress of one spring by the extended rules of Masing: from the last reversal the branch is the backbone doubled; where
-// it meets the branch that the loop left, it goes on with that one.
+// Stress of one spring by the extended rules of Masing: from the last reversal the branch is the backbone
+// doubled; where it meets the branch that the loop left, it goes on with that one.
 class Masing {
  public:
   double stress(double strain) {
@@ -67,14 +67,15 @@ std::vector<double> chain(std::size_t springs, double dt, std::size_t steps) {
 
 TEST(HystereticColumn, MovesAsAnIndependentIntegrationOfItsLaw) {
   constexpr int kZones = 40;
-  GroundRun run(fmt::format("block {{ x_min: 0 x_max: 0.5 y_min: 0 y_max: {} zones_x: 1 zones_y: {} }} material {{ "
-                            "young_modulus: {} poisson_ratio: 0.25 density: {} hysteretic {{ hyperbola {{ "
-                            "reference_strain: {} }} }} }} motions {{ where {{ y_min: 0.01 }} velocity {{ y: 0 }} }} "
-                            "base {{ velocity {{ amplitude: {} time {{ sine {{ frequency: {} }} }} }} }} histories {{ "
-                            "name: 's' quantity: VELOCITY_X at {{ x: 0 y: {} }} }}",
-                            kHeight, kZones, 2.5 * kModulus, kGroundDensity, kReference, kAmplitude, kFrequency,
-                            kHeight),
-                kDuration);
+  GroundRun run(
+      fmt::format("block {{ x_min: 0 x_max: 0.5 y_min: 0 y_max: {} zones_x: 1 zones_y: {} }} material {{ "
+                  "young_modulus: {} poisson_ratio: 0.25 density: {} hysteretic {{ hyperbola {{ "
+                  "reference_strain: {} }} }} }} motions {{ where {{ y_min: 0.01 }} velocity {{ y: 0 }} }} "
+                  "base {{ velocity {{ amplitude: {} time {{ sine {{ frequency: {} }} }} }} }} histories {{ "
+                  "name: 's' quantity: VELOCITY_X at {{ x: 0 y: {} }} }}",
+                  kHeight, kZones, 2.5 * kModulus, kGroundDensity, kReference, kAmplitude, kFrequency,
+                  kHeight),
+      kDuration);
   const auto expected = chain(kZones, run.dt, run.steps());
   double largest = 0, difference = 0, square = 0, squares = 0;
   for (std::uint64_t n = 0; n <= run.steps(); ++n) {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "fdm_server/boundaries/damping.hpp"
+#include "fdm_server/solver/damping.hpp"
 
 namespace adit::fdm::test {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "fdm_server/structures/lining.hpp"
+#include "fdm_server/supports/lining.hpp"
 #include "fdm_server/zones/critical_step.hpp"
 #include "tests/unit/fdm_server/structures/frames.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "coupler/statics.hpp"
+#include "coupler/stepping/statics.hpp"
 #include "tests/support/local_peer.hpp"
 
 namespace adit {

@@ -1,7 +1,7 @@
 // Waves in lattices of contact bonds with spin, against the theory in periodic_lattice.hpp.
 #include <gtest/gtest.h>
 
-#include "dem_server/calibration.hpp"
+#include "dem_server/model/calibration.hpp"
 #include "tests/verification/particles/periodic_lattice.hpp"
 
 namespace adit::dem {

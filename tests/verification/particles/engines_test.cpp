@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "coupler/stepper.hpp"
-#include "protocol/scene_reader.hpp"
+#include "coupler/stepping/stepper.hpp"
+#include "protocol/scene/reader.hpp"
 #include "tests/support/local_peer.hpp"
 
 namespace adit {

@@ -6,8 +6,8 @@
 
 #include <Eigen/SparseCholesky>
 
-#include "dem_server/calibration.hpp"
-#include "tests/unit/dem_server/lattice.hpp"
+#include "dem_server/model/calibration.hpp"
+#include "tests/unit/dem_server/engines/lattice/lattice.hpp"
 
 namespace adit::dem {
 namespace {

@@ -19,10 +19,10 @@
 #include <string>
 #include <vector>
 
-#include "dem_server/assembly.hpp"
-#include "dem_server/contact_forces.hpp"
-#include "dem_server/critical_step.hpp"
-#include "dem_server/motion.hpp"
+#include "dem_server/engines/lattice/contact_forces.hpp"
+#include "dem_server/engines/lattice/critical_step.hpp"
+#include "dem_server/particles/assembly.hpp"
+#include "dem_server/particles/motion.hpp"
 
 namespace adit::dem::test {
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <string>
 
-#include "coupler/statics.hpp"
-#include "coupler/stepper.hpp"
-#include "coupler/time_step.hpp"
+#include "coupler/sides/time_step.hpp"
+#include "coupler/stepping/statics.hpp"
+#include "coupler/stepping/stepper.hpp"
 #include "protocol/errors.hpp"
 #include "tests/support/local_peer.hpp"
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "fdm_server/zones/critical_step.hpp"
-#include "tests/unit/fdm_server/grids.hpp"
+#include "tests/unit/fdm_server/grid/grids.hpp"
 #include "tests/unit/fdm_server/structures/frames.hpp"
 
 namespace adit::fdm::test {

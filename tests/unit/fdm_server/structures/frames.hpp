@@ -11,7 +11,7 @@
 
 #include "fdm_server/solver/continuum.hpp"
 #include "fdm_server/solver/relaxation.hpp"
-#include "fdm_server/structures/lining.hpp"
+#include "fdm_server/supports/lining.hpp"
 
 namespace adit::fdm::test {
 

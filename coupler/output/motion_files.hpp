@@ -1,0 +1,31 @@
+// The tables of a motion.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "protocol/messages/scene.pb.h"
+#include "protocol/motion/motion.hpp"
+
+namespace adit::coupler {
+
+// Acceleration, velocity and displacement over time, and the share of the Arias intensity so far.
+void write_motion(const std::filesystem::path& path, const motion::Motion& motion);
+
+// For every damping the largest displacement, velocity and absolute acceleration of oscillators, and their
+// pseudo velocity and acceleration.
+void write_response(const std::filesystem::path& path, const motion::Motion& motion,
+                    const scene::Spectra& spectra);
+
+// The Fourier amplitude of the acceleration from 0 to the Nyquist frequency.
+void write_fourier(const std::filesystem::path& path, const motion::Motion& motion);
+
+// The smoothed Fourier amplitudes of both, and their ratio, which is largest as returned.
+struct Amplification {
+  double frequency, ratio;  // [Hz]
+};
+Amplification write_transfer(const std::filesystem::path& path, const motion::Motion& from,
+                             const motion::Motion& to, const std::string& name_of_from,
+                             const scene::Spectra& spectra);
+
+}  // namespace adit::coupler

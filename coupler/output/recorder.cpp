@@ -1,0 +1,113 @@
+#include "coupler/output/recorder.hpp"
+
+#include <algorithm>
+
+#include "protocol/participant/history.hpp"
+
+namespace adit::coupler {
+namespace {
+
+std::vector<std::string> history_columns(const Model& model) {
+  std::vector<std::string> columns = {"time_s"};
+  for (const Side& side : model.sides)
+    for (const auto& history : histories_of(model.scene, side.member))
+      columns.push_back(protocol::column_of(history));
+  if (has_particles(model)) columns.emplace_back("max_bond_force_N");
+  for (const Side& side : model.sides)
+    for (const char* energy : {"_kinetic_J", "_strain_J", "_released_J", "_external_work_J",
+                               "_multiplier_work_J", "_dissipated_J"})
+      columns.push_back(side.member.name + energy);
+  columns.emplace_back("energy_drift");
+  return columns;
+}
+
+std::vector<std::string> share_columns(const Model& model) {
+  std::vector<std::string> columns = {"time_s"};
+  for (const Side& side : model.sides)
+    for (const wire::EnergyShare& share : side.prediction().energies().shares())
+      columns.push_back(side.member.name + "_" + share.name() + "_J");
+  return columns;
+}
+
+}  // namespace
+
+Recorder::Recorder(const std::filesystem::path& directory, Model& model)
+    : model_(model),
+      directory_(directory),
+      histories_(directory / "histories.csv", history_columns(model)),
+      fields_(directory / "fields") {
+  if (has_particles(model)) cracks_.emplace(directory / "cracks.csv", results::crack_columns());
+}
+
+void Recorder::record_events() {
+  for (Side& side : model_.sides) {
+    const double dt = side.member.role == Role::kParticles ? model_.dt / model_.substeps : model_.dt;
+    const auto time_of = [dt](std::uint64_t step) { return static_cast<double>(step) * dt; };
+    if (side.strongest.force() > findings_.peak_bond_force) {
+      findings_.peak_bond_force = side.strongest.force();
+      findings_.peak = {time_of(side.strongest.step()), side.strongest.x(), side.strongest.y()};
+    }
+    for (const wire::Crack& crack : side.cracks) record_crack(crack, time_of(crack.step()));
+    side.cracks.clear();
+    side.strongest.Clear();
+  }
+}
+
+void Recorder::record_crack(const wire::Crack& crack, double time) {
+  if (cracks_) results::write_crack(*cracks_, time, crack);
+  const Event event{time, crack.x(), crack.y()};
+  if (findings_.cracks++ == 0) findings_.first_crack = event;
+  if (std::none_of(model_.interfaces.begin(), model_.interfaces.end(), [&](const Interface& interface) {
+        return interface.overlap.contains(crack.x(), crack.y());
+      }))
+    return;
+  if (findings_.cracks_in_overlap++ == 0) findings_.first_crack_in_overlap = event;
+}
+
+std::span<const double> Recorder::record_histories(std::uint64_t n, const Ledger& ledger) {
+  row_.assign(1, static_cast<double>(n) * model_.dt);
+  for (const Side& side : model_.sides) {
+    const auto& values = side.prediction().histories();
+    row_.insert(row_.end(), values.begin(), values.end());
+  }
+  if (has_particles(model_)) {
+    double strongest = 0;
+    for (const Side& side : model_.sides)
+      if (side.member.role == Role::kParticles)
+        strongest = std::max(strongest, side.prediction().strongest().rbegin()->force());
+    row_.push_back(strongest);
+  }
+  for (const SideEnergies& e : ledger.sides())
+    row_.insert(row_.end(),
+                {e.kinetic, e.strain, e.released, e.external_work, e.multiplier_work, e.dissipated});
+  row_.push_back(ledger.drift());
+  histories_.row(row_);
+  record_shares();
+  return row_;
+}
+
+// The first answers say which there are.
+void Recorder::record_shares() {
+  if (!shares_) {
+    const auto columns = share_columns(model_);
+    if (columns.size() == 1) return;
+    shares_.emplace(directory_ / "energies.csv", columns);
+  }
+  share_row_.assign(1, row_.front());
+  for (const Side& side : model_.sides)
+    for (const wire::EnergyShare& share : side.prediction().energies().shares())
+      share_row_.push_back(share.value());
+  shares_->row(share_row_);
+}
+
+void Recorder::record_fields(std::uint64_t n, std::vector<wire::Snapshot> snapshots) {
+  for (std::size_t s = 0; s < snapshots.size(); ++s) {
+    const Member& member = model_.sides[s].member;
+    if (is_region(member))
+      for (wire::Piece& piece : *snapshots[s].mutable_pieces())
+        piece.set_name(member.name + "_" + piece.name());
+    results::write_snapshot(n, static_cast<double>(n) * model_.dt, snapshots[s], fields_);
+  }
+}
+
+}  // namespace adit::coupler

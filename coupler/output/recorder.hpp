@@ -1,0 +1,58 @@
+// What a run leaves in its directory while it goes on: histories.csv, energies.csv (of sides that say what
+// their energies consist of), cracks.csv, fields/.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coupler/sides/set_up.hpp"
+#include "coupler/stepping/ledger.hpp"
+#include "protocol/results/csv.hpp"
+#include "protocol/results/vtk.hpp"
+
+namespace adit::coupler {
+
+struct Event {
+  double time = 0, x = 0, y = 0;  // [s], [m]
+};
+
+// The largest bond force and the first crack so far, and cracks that say that a particle region is too small.
+struct Findings {
+  double peak_bond_force = 0;  // [N]
+  Event peak;
+  std::uint64_t cracks = 0;
+  Event first_crack;
+  std::uint64_t cracks_in_overlap = 0;
+  Event first_crack_in_overlap;
+};
+
+class Recorder {
+ public:
+  // Opens the files in `directory`, which exists.
+  Recorder(const std::filesystem::path& directory, Model& model);
+
+  void record_events();  // every step: takes what the sides reported since
+  std::span<const double> record_histories(std::uint64_t n,
+                                           const Ledger& ledger);              // the row, until the next one
+  void record_fields(std::uint64_t n, std::vector<wire::Snapshot> snapshots);  // one for each side
+
+  const Findings& findings() const { return findings_; }
+
+ private:
+  void record_crack(const wire::Crack& crack, double time);
+  void record_shares();
+
+  Model& model_;
+  std::filesystem::path directory_;
+  results::CsvFile histories_;
+  std::optional<results::CsvFile> shares_;  // once there are any
+  std::optional<results::CsvFile> cracks_;  // of models with particles
+  results::Collection fields_;
+  Findings findings_;
+  std::vector<double> row_, share_row_;
+};
+
+}  // namespace adit::coupler

@@ -1,0 +1,182 @@
+#include "coupler/output/run_summary.hpp"
+
+#include <spdlog/fmt/fmt.h>
+#include <sys/resource.h>
+
+#include <cstdio>
+#include <limits>
+
+#include "protocol/text.hpp"
+
+namespace adit::coupler {
+namespace {
+
+// What a run has nothing to say of is null in its summary: every summary has the same names.
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+double own_cpu_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+std::string at(const Event& event) {
+  return fmt::format("at {:.2f} ms, x = {:.2f} m, y = {:.2f} m", 1e3 * event.time, event.x, event.y);
+}
+
+}  // namespace
+
+RunSummary::RunSummary(const RunLabels& labels, const Model& model) : model_(model) {
+  const scene::Scene& scene = model.scene;
+  summary_.set("case", labels.case_name);
+  summary_.set("scene", scene.name());
+  summary_.set("scene_hash", labels.scene_hash);
+  summary_.set("versions", labels.versions);
+  summary_.set("plane", protocol::lower_case(scene::Plane_Name(scene.plane())));
+  summary_.set("duration_s", scene.time().duration());
+  summary_.set("dt_s", model.dt);
+  summary_.set("substeps", model.substeps);
+  summary_.set("critical_dt_s", model.critical_dt);
+  wire::Interface counts;  // of all sides; a participant says nothing of what it does not have
+  for (const Side& side : model.sides) {
+    counts.set_particles(counts.particles() + side.counts.particles());
+    counts.set_bonds(counts.bonds() + side.counts.bonds());
+    counts.set_zones(counts.zones() + side.counts.zones());
+    counts.set_grid_points(counts.grid_points() + side.counts.grid_points());
+  }
+  summary_.set("particles", counts.particles());
+  summary_.set("bonds", counts.bonds());
+  summary_.set("zones", counts.zones());
+  summary_.set("grid_points", counts.grid_points());
+  summary_.set("coupling_points", model.coupling_points.size() / 2);
+  add_notes();
+  if (model.interfaces.empty()) return;
+  summary_.set("solve", protocol::lower_case(scene::Solve_Name(model.interfaces[0].given.solve())));
+  const scene::Overlap& overlap = model.interfaces[0].given.overlap();
+  if (!overlap.has_particles_begin()) return;
+  summary_.set("overlap_particles_begin_x_m", overlap.particles_begin().x());
+  summary_.set("overlap_particles_begin_y_m", overlap.particles_begin().y());
+  summary_.set("overlap_continuum_ends_x_m", overlap.continuum_ends().x());
+  summary_.set("overlap_continuum_ends_y_m", overlap.continuum_ends().y());
+}
+
+void RunSummary::add_notes() {
+  std::vector<std::string> notes;
+  for (const Side& side : model_.sides)
+    for (const std::string& note : side.model.notes()) {
+      notes.push_back(side.member.name + ": " + note);
+      lines_.push_back("note               " + notes.back());
+    }
+  summary_.set("notes", notes);
+}
+
+void RunSummary::add_statics(const Rest& rest) {
+  summary_.set("statics_steps", rest.steps);
+  summary_.set("statics_stops", rest.stops);
+  summary_.set("statics_unbalanced_ratio", rest.unbalanced_ratio);
+  lines_.push_back(fmt::format("at rest            after {} steps, unbalanced force ratio {:.1e}", rest.steps,
+                               rest.unbalanced_ratio));
+}
+
+void RunSummary::add_motions(const MotionOutputs::Found& found) {
+  for (const auto& [name, value] : found.measures) summary_.set(name, value);
+  lines_.insert(lines_.end(), found.lines.begin(), found.lines.end());
+  warnings_.insert(warnings_.end(), found.warnings.begin(), found.warnings.end());
+}
+
+void RunSummary::add_participant(const Side& side, const wire::Bye& bye) {
+  summary_.set(side.member.name + "_cpu_s", bye.cpu_seconds());
+  (side.member.role == Role::kContinuum ? zone_updates_ : particle_updates_) += bye.updates();
+}
+
+void RunSummary::add_outcome(const Stepper& stepper, const Findings& findings, std::uint64_t steps,
+                             double wall_s, double stepping_s, const std::string& error) {
+  summary_.set("completed", error.empty());
+  if (!error.empty()) summary_.set("error", error);
+  add_findings(findings);
+  add_ledger(stepper.ledger());
+  add_cost(stepper, steps, wall_s, stepping_s);
+  warn(findings);
+}
+
+void RunSummary::add_findings(const Findings& findings) {
+  add_event("peak_bond_force", findings.peak, findings.peak_bond_force > 0);
+  summary_.set("peak_bond_force_N", has_particles(model_) ? findings.peak_bond_force : kNothing);
+  summary_.set("crack_count", findings.cracks);
+  add_event("first_crack", findings.first_crack, findings.cracks > 0);
+  if (!has_particles(model_)) return;
+  lines_.push_back(
+      fmt::format("peak force chain   {:.0f} kN {}", 1e-3 * findings.peak_bond_force, at(findings.peak)));
+  lines_.push_back("cracks             " +
+                   (findings.cracks == 0
+                        ? std::string("none")
+                        : fmt::format("{}, the first {}", findings.cracks, at(findings.first_crack))));
+}
+
+void RunSummary::add_event(const std::string& name, const Event& event, bool happened) {
+  summary_.set(name + "_time_s", happened ? event.time : kNothing);
+  summary_.set(name + "_x_m", happened ? event.x : kNothing);
+  summary_.set(name + "_y_m", happened ? event.y : kNothing);
+}
+
+void RunSummary::add_ledger(const Ledger& ledger) {
+  double multiplier_work = 0;
+  for (const SideEnergies& side : ledger.sides()) multiplier_work += side.multiplier_work;
+  summary_.set("max_energy_drift", ledger.max_drift());
+  summary_.set("energy_kept", ledger.kept());
+  summary_.set("multiplier_work_J", multiplier_work);
+  lines_.push_back(fmt::format("energy error       {:.1e} of the peak energy", ledger.max_drift()));
+  summary_.set("max_constraint_residual", model_.constraint ? ledger.max_constraint_residual() : kNothing);
+}
+
+void RunSummary::add_cost(const Stepper& stepper, std::uint64_t steps, double wall_s, double stepping_s) {
+  summary_.set("steps", steps);
+  summary_.set("particle_updates", particle_updates_);
+  summary_.set("zone_updates", zone_updates_);
+  summary_.set("wall_s", wall_s);
+  summary_.set("steps_per_s", static_cast<double>(steps) / stepping_s);
+  summary_.set("coupler_cpu_s", own_cpu_seconds());
+  summary_.set("coupler_wait_s", stepper.cost().wait);
+  summary_.set("coupler_solve_s", stepper.cost().solve);
+  double computed = 0, hidden = 0;
+  for (const Side& side : model_.sides) {
+    summary_.set(side.member.name + "_compute_s", side.compute_s);
+    summary_.set(side.member.name + "_hidden_s", side.hidden_s);
+    computed += side.compute_s + side.hidden_s;
+    hidden += side.hidden_s;
+  }
+  if (model_.constraint) {
+    const SolveCost solve = model_.constraint->multipliers().cost();
+    summary_.set("solve_unknowns", solve.unknowns);
+    summary_.set("solve_factor_s", solve.factor_seconds);
+    summary_.set("solve_factor_bytes", solve.factor_bytes);
+    summary_.set("hidden_share", computed > 0 ? hidden / computed : 0.0);
+    lines_.push_back(
+        fmt::format("exchange           {:.0f} % of the models' work was done while it went on, "
+                    "multipliers took {:.2g} s",
+                    computed > 0 ? 100 * hidden / computed : 0.0, stepper.cost().solve));
+  }
+  lines_.push_back(
+      fmt::format("wall time          {:.2f} s, {} steps of {:.3g} s", wall_s, steps, model_.dt));
+}
+
+void RunSummary::warn(const Findings& findings) {
+  if (findings.cracks_in_overlap > 0)
+    warnings_.push_back(
+        fmt::format("{} cracks inside the overlap, the first {}: the particle region is too small, move "
+                    "the overlap away from the damage",
+                    findings.cracks_in_overlap, at(findings.first_crack_in_overlap)));
+  for (const auto& warning : warnings_) lines_.push_back("warning            " + warning);
+  summary_.set("warnings", warnings_);
+}
+
+void RunSummary::print(const std::filesystem::path& directory) const {
+  fmt::print("results            {}\n", directory.string());
+  for (const std::string& line : lines_) fmt::print("{}\n", line);
+  std::fflush(stdout);
+}
+
+}  // namespace adit::coupler

@@ -1,0 +1,50 @@
+#include "coupler/output/schedule.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupler/output/motion_outputs.hpp"
+#include "protocol/errors.hpp"
+
+namespace adit::coupler {
+namespace {
+
+constexpr double kDefaultHistoryRows = 500;
+
+// Looks at a swing in one of its periods: of a sine, the look nearest to its peak is at most cos(pi / 20) too
+// low.
+constexpr double kLooksAPeriod = 20;
+
+}  // namespace
+
+Schedule::Schedule(const Model& model) : last_(model.steps) {
+  const auto& output = model.scene.output();
+  const double duration = static_cast<double>(model.steps) * model.dt;
+  const auto steps_in = [&](double interval) {
+    return static_cast<std::uint64_t>(std::clamp(interval, 1.0, static_cast<double>(model.steps)));
+  };
+  const double interval =
+      output.has_history_interval() ? output.history_interval() : duration / kDefaultHistoryRows;
+  history_stride_ = steps_in(std::round(interval / model.dt));
+  if (!output.has_history_interval())
+    for (const auto& spectra : output.spectra())
+      history_stride_ =
+          std::min(history_stride_, steps_in(sampling_interval(spectra) / model.dt * (1 + 1e-9)));
+  interval_ = static_cast<double>(history_stride_) * model.dt;
+  if (output.has_peaks())
+    peak_stride_ = output.peaks().has_highest_frequency()
+                       ? steps_in(1 / (kLooksAPeriod * output.peaks().highest_frequency() * model.dt))
+                       : 1;
+  for (const double time : output.field_times()) {
+    if (time > duration * (1 + 1e-12))
+      throw protocol::UserError(
+          "output.field_times",
+          fmt::format("asks for {:g} s, after the end of the run at {:g} s", time, duration));
+    fields_.insert(static_cast<std::uint64_t>(std::round(time / model.dt)));
+  }
+  fields_.insert(model.steps);
+}
+
+}  // namespace adit::coupler

@@ -1,0 +1,36 @@
+// From a scene to participants that are ready to step: set-up, weights, coupling points, operators, time
+// step.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "coupler/sides/constraint.hpp"
+#include "coupler/sides/interface.hpp"
+#include "coupler/sides/side.hpp"
+#include "protocol/messages/scene.pb.h"
+
+namespace adit::coupler {
+
+struct Model {
+  scene::Scene scene;
+  std::vector<Side> sides;  // in the order of members()
+  std::vector<Interface> interfaces;
+  std::vector<double> coupling_points;     // of all interfaces in turn, x0 y0 x1 y1 … [m]
+  std::unique_ptr<Constraint> constraint;  // of coupled runs
+  double critical_dt = 0;                  // smallest of the participants [s]
+  std::uint64_t steps = 0;
+  double dt = 0;          // steps · dt = duration [s]
+  unsigned substeps = 1;  // of the particles in one step
+};
+
+bool has_particles(const Model& model);
+
+// Takes every side, one for each of members(scene) in their order, through setup, weights and couple. Throws
+// protocol::UserError with the scene's path for what cannot be computed: no overlap, an overlap outside a
+// model or without particles, overlaps that meet, a time step above the critical one.
+Model set_up(const scene::Scene& scene, std::vector<Side> sides, const std::string& run_id);
+
+}  // namespace adit::coupler

@@ -1,0 +1,97 @@
+#include "coupler/stepping/ledger.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adit::coupler {
+namespace {
+
+double dot(std::span<const double> a, std::span<const double> b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+}  // namespace
+
+Ledger::Ledger(const std::vector<Side>& sides) : energies_(sides.size()), accounts_(sides.size()) {
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    accounts_[s].impulses.resize(sides[s].impulses.size());
+    accounts_[s].velocities.resize(sides[s].impulses.size());
+  }
+}
+
+void Ledger::take_energies(std::size_t s, const Side& side) {
+  const Account& account = accounts_[s];
+  const wire::Energies& e = side.prediction().energies();
+  double kinetic = e.kinetic(), work = account.multiplier_work;
+  if (account.started) {
+    const double power = dot(account.velocities, side.impulses);
+    kinetic += 0.5 * power;
+    work += 0.5 * (dot(account.velocities, account.impulses) + power);
+  } else {
+    kinetic -= 0.5 * (dot(side.impulses, side.predicted) + dot(side.impulses, side.corrected));
+  }
+  energies_[s] = {.kinetic = kinetic,
+                  .strain = e.strain(),
+                  .released = e.released(),
+                  .external_work = e.external_work(),
+                  .multiplier_work = work,
+                  .dissipated = e.dissipated()};
+}
+
+void Ledger::compare() {
+  if (!compared_) unexplained_at_start_ = unexplained();
+  compared_ = true;
+  peak_stored_ = std::max(peak_stored_, stored());
+  peak_unexplained_ = std::max(peak_unexplained_, std::abs(unexplained()));
+}
+
+void Ledger::close_step(std::size_t s, const Side& side) {
+  Account& account = accounts_[s];
+  if (account.started)
+    account.multiplier_work +=
+        0.5 * (dot(account.velocities, account.impulses) + dot(account.velocities, side.impulses));
+  const double steps = account.started ? 1 : 2;  // half a step has half an impulse
+  for (std::size_t i = 0; i < side.impulses.size(); ++i) account.impulses[i] = steps * side.impulses[i];
+  std::copy(side.corrected.begin(), side.corrected.end(), account.velocities.begin());
+  account.started = true;
+}
+
+void Ledger::book_gap(std::span<const double> coarse, std::span<const double> fine) {
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    largest_gap_ = std::max(largest_gap_, std::abs(coarse[i] - fine[i]));
+    largest_velocity_ = std::max(largest_velocity_, std::abs(coarse[i]));
+  }
+}
+
+double Ledger::stored() const {
+  double sum = 0;
+  for (const SideEnergies& e : energies_) sum += e.kinetic + e.strain + e.released;
+  return sum;
+}
+
+double Ledger::unexplained() const {
+  double sum = stored() - unexplained_at_start_;
+  for (const SideEnergies& e : energies_) sum += e.dissipated - e.external_work;
+  return sum;
+}
+
+double Ledger::drift() const {
+  return peak_stored_ > 0 ? unexplained() / peak_stored_ : 0;
+}
+
+double Ledger::max_drift() const {
+  return peak_stored_ > 0 ? peak_unexplained_ / peak_stored_ : 0;
+}
+
+double Ledger::kept() const {
+  const double work = stored() - unexplained();
+  return work > 0 ? stored() / work : 1;
+}
+
+double Ledger::max_constraint_residual() const {
+  return largest_velocity_ > 0 ? largest_gap_ / largest_velocity_ : 0;
+}
+
+}  // namespace adit::coupler

@@ -1,0 +1,131 @@
+#include "coupler/stepping/shared_kick.hpp"
+
+#include "coupler/stepping/exchange.hpp"
+#include "coupler/stepping/stopwatch.hpp"
+
+namespace adit::coupler {
+
+SharedKick::SharedKick(Model& model, Ledger& ledger, StepCost& cost)
+    : model_(model), ledger_(ledger), cost_(cost) {
+  for (auto* vector : {&w_, &q_, &y_, &v_, &p_, &target_, &lambda_, &lambda_1_, &total_})
+    vector->resize(model.coupling_points.size());
+}
+
+void SharedKick::step(std::uint64_t n, Wanted wanted) {
+  const std::uint64_t m = model_.substeps;
+  if (n == 0) return start(wanted);
+  for (std::uint64_t k = (n - 1) * m + 1; k <= n * m; ++k) {
+    const Wanted at_kick = k == n * m ? wanted : Wanted{};
+    if (k % m == m / 2)
+      shared_kick(k, n, wanted);
+    else
+      kick(k, at_kick);
+  }
+  const double kicks = static_cast<double>(m);
+  if (wanted.energies) take_energies((kicks + 1) / (2 * kicks));
+}
+
+void SharedKick::start(Wanted wanted) {
+  ask(Role::kContinuum, 0, model_.dt, wanted);
+  model_.constraint->read(model_.sides, Part::kCoarse, &Side::predicted, p_);
+  for (std::size_t i = 0; i < w_.size(); ++i) {
+    w_[i] = total_[i] = 0;
+    q_[i] = 2 * p_[i];
+  }
+  kick(0, wanted);
+  if (wanted.energies) take_energies(1.0 / static_cast<double>(model_.substeps));
+}
+
+void SharedKick::kick(std::uint64_t k, Wanted wanted) {
+  ask(Role::kParticles, k, model_.dt / model_.substeps, wanted);
+  const Stopwatch solving(cost_.solve);
+  Constraint& constraint = *model_.constraint;
+  constraint.read(model_.sides, Part::kFine, &Side::predicted, v_);
+  constraint.solve(w_, v_, lambda_);
+  constraint.correct_coarse(lambda_, w_);
+  for (std::size_t i = 0; i < total_.size(); ++i) total_[i] += lambda_[i];
+  finish_kick(lambda_);
+}
+
+void SharedKick::shared_kick(std::uint64_t k, std::uint64_t n, Wanted wanted) {
+  ask(Role::kParticles, k, model_.dt / model_.substeps, {});
+  Constraint& constraint = *model_.constraint;
+  {
+    const Stopwatch solving(cost_.solve);
+    constraint.read(model_.sides, Part::kFine, &Side::predicted, v_);
+    for (std::size_t i = 0; i < w_.size(); ++i) target_[i] = w_[i] + q_[i];
+    constraint.solve(target_, v_, lambda_1_);
+    for (std::size_t i = 0; i < w_.size(); ++i) {
+      lambda_1_[i] /= 2;
+      total_[i] += lambda_1_[i];
+      y_[i] = w_[i] + q_[i] / 2;
+    }
+    constraint.correct_coarse(lambda_1_, y_);
+    constraint.assign(total_, 1, Part::kCoarse, model_.sides);
+    for (std::size_t s = 0; s < model_.sides.size(); ++s) {
+      Side& side = model_.sides[s];
+      if (side.member.role != Role::kContinuum) continue;
+      correct_velocities(side);
+      ledger_.close_step(s, side);
+    }
+  }
+  ask(Role::kContinuum, n, model_.dt, wanted);
+  const Stopwatch solving(cost_.solve);
+  constraint.read(model_.sides, Part::kCoarse, &Side::predicted, p_);
+  for (std::size_t i = 0; i < w_.size(); ++i) {
+    q_[i] = p_[i] - y_[i];
+    target_[i] = w_[i] + q_[i];
+    w_[i] = y_[i] + q_[i] / 2;
+  }
+  constraint.solve(target_, v_, lambda_);
+  for (std::size_t i = 0; i < w_.size(); ++i) {
+    lambda_[i] /= 2;
+    total_[i] = lambda_[i];
+  }
+  constraint.correct_coarse(lambda_, w_);
+  for (std::size_t i = 0; i < w_.size(); ++i) lambda_[i] += lambda_1_[i];
+  finish_kick(lambda_);
+}
+
+// Sends the participants of one role to their step and waits for their predictions.
+void SharedKick::ask(Role role, std::uint64_t step, double dt, Wanted wanted) {
+  const Stopwatch waiting(cost_.wait);
+  request_.Clear();
+  request_.set_step(step);
+  request_.set_dt(dt);
+  request_.set_want_energies(wanted.energies);
+  request_.set_want_histories(wanted.histories);
+  request_.set_want_peaks(wanted.peaks);
+  for (Side& side : model_.sides)
+    if (side.member.role == role) post_advance(side, request_);
+  for (Side& side : model_.sides)
+    if (side.member.role == role) receive_prediction(side);
+}
+
+void SharedKick::finish_kick(const std::vector<double>& multipliers) {
+  model_.constraint->assign(multipliers, 1, Part::kFine, model_.sides);
+  for (std::size_t s = 0; s < model_.sides.size(); ++s) {
+    Side& side = model_.sides[s];
+    if (side.member.role != Role::kParticles) continue;
+    correct_velocities(side);
+    if (side.prediction().has_energies()) ledger_.take_energies(s, side);
+    ledger_.close_step(s, side);
+  }
+  model_.constraint->read(model_.sides, Part::kFine, &Side::corrected, v_);
+  ledger_.book_gap(w_, v_);
+}
+
+// The grid's energies, by the impulse of its window, of which this share is known.
+void SharedKick::take_energies(double window_share) {
+  model_.constraint->assign(total_, 1 / window_share, Part::kCoarse, model_.sides);
+  for (std::size_t s = 0; s < model_.sides.size(); ++s) {
+    Side& side = model_.sides[s];
+    if (side.member.role != Role::kContinuum) continue;
+    side.impulses_pending = false;  // goes to the grid with the rest of its window
+    correct_velocities(side);
+    ledger_.take_energies(s, side);
+  }
+  ledger_.compare();
+}
+
+}  // namespace adit::coupler

@@ -1,0 +1,70 @@
+// Substeps: the particles take m steps dt while the continuum takes one, DT = m dt.
+//
+// Between two of its own kicks a grid point only has mass: its velocity X follows the impulses at every step
+// of the particles, with no force and no motion. Once in DT, at the particles' kick k = n m + m/2 (so m is
+// even), in the middle of its time from t_n to t_{n+1}, it makes its whole step: half a kick by the force
+// F_n, the motion DT Y, half a kick by F_{n+1}. These two kicks are solved together with the particles' kick
+// k: shared. The grid's participant runs as it does without substeps, one exchange each DT; it need not know
+// m.
+//
+// With C the inverse operator of the solve (A⁻¹, or what stands for it), B = N M⁻¹ Nᵀ, w = N X, q_n = N DT
+// F_n/M, v* the particles' velocities after a kick by their own forces, and Λ the impulse that the grid has
+// not yet got:
+//   any kick      λ = C (w − v*);  w −= B λ;  Λ += λ;  v = v* + λ/m
+//   shared kick   λ₁ = ½ C (w + q_n − v*);  Λ + λ₁ goes to the grid, whose V* for t_{n+3/2} comes back, p = N
+//   V*
+//                 y = w + ½ q_n − B λ₁  (= N V(n+½));   q_{n+1} = p − y
+//                 λ₂ = ½ C (w + q_{n+1} − v*);  w = y + ½ q_{n+1} − B λ₂;  Λ = λ₂;  v = v* + (λ₁ + λ₂)/m
+//   start         w = 0, q_0 = 2 p: the grid's first kick is half a one, as is the particles'
+//
+// Momentum is exact, since every λ acts on both. Energy: with P = M⁻¹ − M⁻¹NᵀCNM⁻¹, which is 0 ≤ P ≤ M⁻¹
+// because C is symmetric and C ≤ A⁻¹, the mean of X before and after the shared kick is Y + ¼ DT P (F_{n+1} −
+// F_n), so the work of the two half kicks is ½ DT (F_n + F_{n+1})·Y + ⅛ DT² [F_{n+1}·P F_{n+1} − F_n·P F_n].
+// The first term is the change of the grid's strain energy, as in leap-frog, the second telescopes. With the
+// consistent solve the multipliers do no work, and for linear models
+//   H = ½ vᵀmv + ½ u_k·k u_{k+1} + ½ XᵀMX + ½ UᵀKU − ⅛ DT² FᵀPF
+// is kept exactly. It is positive while each side is below its own critical step, for every m and every
+// contrast: there are no resonances, which other explicit schemes of several time steps have (Grote, Michel
+// and Sauter 2021). The lumped and the split solve only take energy away. Xiao and Belytschko (2004) and
+// Gravouil and Combescure (2001) are the schemes that it was measured against.
+//
+// The particles' velocities carry a sawtooth of period DT, which radiates where m asin(dt/dt_critical) ≥ π;
+// displacements of both sides agree to O(DT²).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "coupler/sides/set_up.hpp"
+#include "coupler/stepping/ledger.hpp"
+#include "coupler/stepping/wanted.hpp"
+
+namespace adit::coupler {
+
+class SharedKick {
+ public:
+  SharedKick(Model& model, Ledger& ledger, StepCost& cost);
+
+  // To the time of the grid's step n = 0, 1, 2 …: the grid is at its step n, the particles at step n m.
+  // Energies are those of that time; the impulse of the grid's window, half of which is still to come, is
+  // extrapolated in them.
+  void step(std::uint64_t n, Wanted wanted);
+
+ private:
+  void start(Wanted wanted);
+  void kick(std::uint64_t k, Wanted wanted);
+  void shared_kick(std::uint64_t k, std::uint64_t n, Wanted wanted);
+
+  void ask(Role role, std::uint64_t step, double dt, Wanted wanted);
+  void finish_kick(const std::vector<double>& multipliers);  // of the particles
+  void take_energies(double window_share);
+
+  Model& model_;
+  Ledger& ledger_;
+  StepCost& cost_;
+  wire::Advance request_;
+  // One pair for each coupling point, named as above.
+  std::vector<double> w_, q_, y_, v_, p_, target_, lambda_, lambda_1_, total_;
+};
+
+}  // namespace adit::coupler

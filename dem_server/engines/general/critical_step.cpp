@@ -1,0 +1,133 @@
+#include "dem_server/engines/general/critical_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace adit::dem {
+namespace {
+
+struct Element {
+  std::uint32_t first, second;
+  double kn, ks, km, arm_1, arm_2;
+  double k() const { return std::max(kn, ks); }
+  double turning_1() const { return ks * arm_1 * arm_1 + km; }
+  double turning_2() const { return ks * arm_2 * arm_2 + km; }
+};
+
+// Sums of k and r over a disc's elements, over its mass and inertia once all are known.
+struct Share {
+  std::vector<double> stretch, turn;
+};
+
+std::uint32_t group_count(const Model& model) {
+  return static_cast<std::uint32_t>(std::max<std::size_t>(model.group_names.size(), 1));
+}
+
+// The largest springs that the cement, the contact beside it or the contact after it have.
+Element element_of(const Model& model, const Joined& pair) {
+  const std::uint32_t i = pair.first, j = pair.second;
+  const double length = std::hypot(model.discs.x[j] - model.discs.x[i], model.discs.y[j] - model.discs.y[i]);
+  const double arm_1 = (length + model.discs.radius[i] - model.discs.radius[j]) / 2;
+  Element e{i, j, 0, 0, 0, arm_1, length - arm_1};
+  const LinearContact& contact = model.contacts[model.group[i] * group_count(model) + model.group[j]];
+  if (pair.law == Joined::Law::kContactBond) {
+    const ContactBond& bond = model.contact_bonds[pair.number];
+    e.kn = std::max(bond.normal_stiffness, contact.normal_stiffness);
+    e.ks = std::max(bond.shear_stiffness, contact.shear_stiffness);
+  } else if (pair.law == Joined::Law::kParallelBond) {
+    const ParallelBond& bond = model.parallel_bonds[pair.number];
+    e.kn = bond.normal_stiffness * bond.area() + contact.normal_stiffness;
+    e.ks = bond.shear_stiffness * bond.area() + contact.shear_stiffness;
+    e.km = bond.normal_stiffness * bond.second_moment();
+  } else {  // its two springs pull in any direction
+    const SmoothJoint& joint = model.smooth_joints[pair.number];
+    e.kn = e.ks = (joint.normal_stiffness + joint.shear_stiffness) * joint.length;
+  }
+  return e;
+}
+
+std::uint32_t most_neighbours(double radius, double smallest) {
+  return static_cast<std::uint32_t>(std::numbers::pi / std::asin(smallest / (radius + smallest)) + 1e-9);
+}
+
+double over(double a, double b) {
+  return b > 0 ? a / b : 0;
+}
+
+// omega^2 of an element with its shares.
+double highest(const Element& e, const Share& share) {
+  const double by_mass = over(share.stretch[e.first] + share.stretch[e.second], e.k());
+  const double turn_1 = over(share.turn[e.first], e.turning_1()),
+               turn_2 = over(share.turn[e.second], e.turning_2());
+  const double slip = e.ks * (by_mass + e.arm_1 * e.arm_1 * turn_1 + e.arm_2 * e.arm_2 * turn_2);
+  const double turn = e.km * (turn_1 + turn_2);
+  const double cross = std::sqrt(e.ks * e.km) * (e.arm_1 * turn_1 - e.arm_2 * turn_2);
+  return std::max(e.kn * by_mass, (slip + turn) / 2 + std::hypot((slip - turn) / 2, cross));
+}
+
+}  // namespace
+
+double stiffness_of(const Model& model, const Joined& pair) {
+  return element_of(model, pair).k();
+}
+
+double critical_step(const Model& model) {
+  const std::size_t size = model.discs.size();
+  const std::uint32_t groups = group_count(model);
+  std::vector<Element> elements;
+  std::vector<std::uint32_t> joined(size, 0);
+  for (const Joined& pair : model.joined) {
+    elements.push_back(element_of(model, pair));
+    ++joined[pair.first];
+    ++joined[pair.second];
+  }
+  for (const Spring& spring : model.springs)
+    elements.push_back({spring.first, spring.second, spring.stiffness, 0, 0, 0, 0});
+
+  Share share{std::vector<double>(size, 0.0), std::vector<double>(size, 0.0)};
+  for (const Element& e : elements) {
+    share.stretch[e.first] += e.k();
+    share.stretch[e.second] += e.k();
+    share.turn[e.first] += e.turning_1();
+    share.turn[e.second] += e.turning_2();
+  }
+  double wall_kn = 0, wall_ks = 0;
+  for (const MovingWall& wall : model.walls) {
+    wall_kn = std::max(wall_kn, wall.contact.normal_stiffness);
+    wall_ks = std::max(wall_ks, wall.contact.shear_stiffness);
+  }
+  const double walls = std::min<double>(2, static_cast<double>(model.walls.size()));
+  const double smallest = *std::ranges::min_element(model.discs.radius);
+  double largest = 0;                    // omega^2
+  double one_stretch = 0, one_slip = 0;  // a disc's part of that of a contact
+  for (std::uint32_t i = 0; i < size; ++i) {
+    double kn = 0, ks = 0;
+    for (std::uint32_t g = 0; g < groups; ++g) {
+      const LinearContact& contact = model.contacts[model.group[i] * groups + g];
+      kn = std::max(kn, contact.normal_stiffness);
+      ks = std::max(ks, contact.shear_stiffness);
+    }
+    const double radius = model.discs.radius[i];
+    const std::uint32_t most = most_neighbours(radius, smallest);
+    const double free = most > joined[i] ? most - joined[i] : 0;
+    share.stretch[i] += free * std::max(kn, ks) + walls * std::max(wall_kn, wall_ks);
+    share.turn[i] += (free * ks + walls * wall_ks) * radius * radius;
+    share.stretch[i] /= model.mass[i];
+    share.turn[i] /= model.inertia[i];
+    if (free + walls == 0) continue;
+    const double slip = share.stretch[i] + share.turn[i];
+    largest = std::max(largest, slip);  // on a wall
+    if (free == 0) continue;
+    one_stretch = std::max(one_stretch, share.stretch[i]);
+    one_slip = std::max(one_slip, ks == 0 ? 0 : share.stretch[i] * std::min(1.0, ks / kn) + share.turn[i]);
+  }
+  largest = std::max({largest, 2 * one_stretch, 2 * one_slip});
+  for (const Element& e : elements) largest = std::max(largest, highest(e, share));
+  return largest > 0 ? 2 / std::sqrt(largest) : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace adit::dem

@@ -1,0 +1,96 @@
+#include "dem_server/engines/general/forces/damping.hpp"
+
+#include <cmath>
+
+#include "protocol/threads/vector_clones.hpp"
+
+namespace adit::dem {
+namespace {
+
+ADIT_VECTOR_CLONES void kick_freely(double dt, std::uint32_t begin, std::uint32_t end, Particles& p) {
+  const double *fx = p.fx.data(), *fy = p.fy.data(), *moment = p.moment.data();
+  const double *inverse_mass = p.inverse_mass.data(), *inverse_inertia = p.inverse_inertia.data();
+  double *vx = p.vx.data(), *vy = p.vy.data(), *spin = p.spin.data();
+#pragma GCC ivdep
+  for (std::uint32_t i = begin; i < end; ++i) {
+    vx[i] += dt * fx[i] * inverse_mass[i];
+    vy[i] += dt * fy[i] * inverse_mass[i];
+    spin[i] += dt * moment[i] * inverse_inertia[i];
+  }
+}
+
+double sign(double value) {
+  return value > 0 ? 1 : value < 0 ? -1 : 0;
+}
+
+}  // namespace
+
+Damping::Damping(double local_share, double viscous_rate, std::span<const EdgeDashpot> edges,
+                 const Particles& p)
+    : local_share_(local_share), drags_(viscous_rate > 0 || !edges.empty()) {
+  for (Component* c : {&x_, &y_, &spin_}) {
+    c->edge.assign(drags_ ? p.size() : 0, 0.0);
+    c->viscous = c->edge;
+    c->drag_force = c->edge;
+    c->local_force.assign(local_share_ > 0 ? p.size() : 0, 0.0);
+  }
+  if (!drags_) return;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    x_.viscous[i] = y_.viscous[i] = viscous_rate * p.mass[i];
+    spin_.viscous[i] = viscous_rate * p.inertia[i];
+  }
+  for (const EdgeDashpot& edge : edges) {
+    x_.edge[edge.disc] += edge.damping_x * p.weight[edge.disc];
+    y_.edge[edge.disc] += edge.damping_y * p.weight[edge.disc];
+  }
+}
+
+Damping::Loss Damping::kick(const protocol::Step& step, std::uint32_t begin, std::uint32_t end,
+                            const double* inverse_inertia, double* force, double* velocity,
+                            Component& c) const {
+  Loss loss;
+  const double h = step.kick(), half = step.from_rest() ? 0 : step.dt / 2;
+  for (std::uint32_t i = begin; i < end; ++i) {
+    const double before = velocity[i];
+    if (local_share_ > 0) {
+      const double damping = -local_share_ * std::abs(force[i]) * sign(before);
+      loss.local -= half * before * (c.local_force[i] + damping);
+      c.local_force[i] = damping;
+      force[i] += damping;
+    }
+    if (drags_) {
+      const double drag = c.edge[i] + c.viscous[i], by_inertia = h * inverse_inertia[i];
+      const double middle =
+          step.from_rest() ? before : (before + by_inertia * force[i] / 2) / (1 + by_inertia * drag / 2);
+      const double took = -half * before * (c.drag_force[i] - drag * middle);
+      if (drag > 0) {
+        loss.edges += took * (c.edge[i] / drag);
+        loss.viscous += took * (c.viscous[i] / drag);
+      }
+      c.drag_force[i] = -drag * middle;
+      force[i] -= drag * middle;
+    }
+    velocity[i] += h * force[i] * inverse_inertia[i];
+  }
+  return loss;
+}
+
+Damping::Loss Damping::kick(const protocol::Step& step, std::uint32_t begin, std::uint32_t end,
+                            Particles& p) {
+  if (local_share_ == 0 && !drags_) {
+    kick_freely(step.kick(), begin, end, p);
+    return {};
+  }
+  Loss sum;
+  for (const Loss& loss :
+       {kick(step, begin, end, p.inverse_mass.data(), p.fx.data(), p.vx.data(), x_),
+        kick(step, begin, end, p.inverse_mass.data(), p.fy.data(), p.vy.data(), y_),
+        kick(step, begin, end, p.inverse_inertia.data(), p.moment.data(), p.spin.data(), spin_)}) {
+    sum.local += loss.local;
+    sum.viscous += loss.viscous;
+    sum.edges += loss.edges;
+  }
+  return sum;
+}
+
+}  // namespace adit::dem

@@ -1,0 +1,48 @@
+// What takes energy out of the discs' motion, and the kick that it enters.
+//
+// Local damping (Cundall 1987): a force -share |f| sign(v-) on every component, f its resultant, spin
+// included. Drag, of viscous damping c = rate m and of quiet edges: -c v at n, where v is the mean of the
+// velocities half a step before and after; that is stable for any c: v+ = [(m/dt - c/2) v- + f] / (m/dt +
+// c/2).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dem_server/model/model.hpp"
+#include "dem_server/particles/assembly.hpp"
+#include "protocol/participant/step.hpp"
+
+namespace adit::dem {
+
+class Damping {
+ public:
+  struct Loss {
+    double local = 0, viscous = 0, edges = 0;  // [J]
+  };
+
+  Damping() = default;
+  Damping(double local_share, double viscous_rate, std::span<const EdgeDashpot> edges,
+          const Particles& particles);
+
+  // Velocities of n + 1/2 of the discs begin … end - 1 from resultants and velocities of n - 1/2; the
+  // resultants then hold the damping forces too. Returns what these took since n - 1, by the trapezoid of
+  // energy.hpp.
+  Loss kick(const protocol::Step& step, std::uint32_t begin, std::uint32_t end, Particles& particles);
+
+ private:
+  // A component of the motion: its drag coefficients, and the damping forces of the last step.
+  struct Component {
+    std::vector<double> edge, viscous;  // [N s/m], [N m s]
+    std::vector<double> local_force, drag_force;
+  };
+  Loss kick(const protocol::Step& step, std::uint32_t begin, std::uint32_t end, const double* inverse_inertia,
+            double* force, double* velocity, Component& component) const;
+
+  double local_share_ = 0;
+  bool drags_ = false;
+  Component x_, y_, spin_;
+};
+
+}  // namespace adit::dem

@@ -1,0 +1,47 @@
+#include "dem_server/engines/general/forces/spring_forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adit::dem {
+
+SpringForces::SpringForces(std::vector<Spring> springs)
+    : springs_(std::move(springs)), forces_(springs_.size()), whole_(springs_.size(), true) {
+  for (std::size_t k = 0; k < springs_.size(); ++k) forces_[k] = springs_[k].pretension;
+}
+
+void SpringForces::pull(double dt, Particles& p) {
+  for (std::size_t k = 0; k < springs_.size(); ++k) {
+    if (!whole_[k]) continue;
+    const Spring& spring = springs_[k];
+    const std::uint32_t i = spring.first, j = spring.second;
+    const double rest_x = p.x[j] - p.x[i], rest_y = p.y[j] - p.y[i];
+    const double ux = p.ux[j] - p.ux[i], uy = p.uy[j] - p.uy[i], dx = rest_x + ux, dy = rest_y + uy;
+    const double length = std::hypot(dx, dy);
+    const double elongation =
+        (ux * (rest_x + dx) + uy * (rest_y + dy)) / (length + std::hypot(rest_x, rest_y));
+    const double force = spring.pretension + spring.stiffness * elongation;
+    forces_[k] = spring.tension_only ? std::max(force, 0.0) : force;
+    if (forces_[k] > spring.strength) {
+      const double stretch = dt * ((p.vx[j] - p.vx[i]) * dx + (p.vy[j] - p.vy[i]) * dy) / length;
+      released_ += 0.5 * force * (force / spring.stiffness - stretch);
+      forces_[k] = 0;
+      whole_[k] = false;
+      ++broken_;
+      continue;
+    }
+    const double fx = forces_[k] * dx / length, fy = forces_[k] * dy / length;
+    p.fx[i] += fx;
+    p.fy[i] += fy;
+    p.fx[j] -= fx;
+    p.fy[j] -= fy;
+  }
+}
+
+double SpringForces::strain_energy() const {
+  double twice = 0;
+  for (std::size_t k = 0; k < springs_.size(); ++k) twice += forces_[k] * forces_[k] / springs_[k].stiffness;
+  return twice / 2;
+}
+
+}  // namespace adit::dem

@@ -1,0 +1,84 @@
+#include "dem_server/engines/general/neighbours.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+namespace adit::dem {
+namespace {
+
+constexpr double kSkin = 0.4;  // of the mean radius
+
+bool before(const Pair& a, const Pair& b) {
+  return std::tie(a.first, a.second) < std::tie(b.first, b.second);
+}
+
+// What both lists hold keeps its springs and its slack. Both ascend.
+void keep_springs(const Pairs& from, Pairs& to) {
+  for (std::uint32_t k = 0, old = 0; k < to.size(); ++k) {
+    const Pair pair{to.first[k], to.second[k]};
+    while (old < from.size() && before({from.first[old], from.second[old]}, pair)) ++old;
+    if (old == from.size()) return;
+    if (Pair{from.first[old], from.second[old]} != pair) continue;
+    to.slack[k] = from.slack[old];
+    to.slide[k] = from.slide[old];
+    if (to.normal_dashpot.empty()) continue;
+    to.normal_dashpot[k] = from.normal_dashpot[old];
+    to.shear_dashpot[k] = from.shear_dashpot[old];
+  }
+}
+
+}  // namespace
+
+Neighbours::Neighbours(const Particles& particles, std::vector<double> radius, std::vector<Pair> joined,
+                       std::vector<std::uint32_t> group, std::uint32_t groups, std::uint32_t first_law,
+                       bool dashpots, bool overlaps_free)
+    : radius_(std::move(radius)),
+      joined_(std::move(joined)),
+      group_(std::move(group)),
+      groups_(groups),
+      first_law_(first_law),
+      dashpots_(dashpots),
+      skin_(kSkin * std::accumulate(radius_.begin(), radius_.end(), 0.0) /
+            static_cast<double>(radius_.size())) {
+  list(particles);
+  if (overlaps_free)
+    for (std::size_t k = 0; k < pairs_.size(); ++k)
+      pairs_.slack[k] = std::max(0.0, pairs_.rest_length[k] - std::hypot(pairs_.rest_x[k], pairs_.rest_y[k]));
+}
+
+bool Neighbours::update(const Particles& particles) {
+  if (travel_.most() > skin_ / 2) travel_.measure(particles);
+  if (travel_.most() + std::max(travel_.most(), walls_travelled_) <= skin_) return false;
+  list(particles);
+  return true;
+}
+
+void Neighbours::list(const Particles& p) {
+  Pairs fresh;
+  auto joined = joined_.begin();
+  for (const Pair& pair : pairs_within(travel_.start(p, radius_), skin_)) {
+    while (joined != joined_.end() && before(*joined, pair)) ++joined;
+    if (joined != joined_.end() && *joined == pair) continue;
+    fresh.first.push_back(pair.first);
+    fresh.second.push_back(pair.second);
+  }
+  fresh.finish(p.size(), false, dashpots_);
+  for (std::size_t k = 0; k < fresh.size(); ++k) {
+    const std::uint32_t i = fresh.first[k], j = fresh.second[k];
+    fresh.rest_x[k] = p.x[j] - p.x[i];
+    fresh.rest_y[k] = p.y[j] - p.y[i];
+    fresh.rest_length[k] = radius_[i] + radius_[j];
+    fresh.half_difference[k] = (radius_[i] - radius_[j]) / 2;
+    fresh.weight[k] = (p.weight[i] + p.weight[j]) / 2;
+    fresh.law[k] = first_law_ + group_[i] * groups_ + group_[j];
+  }
+  fresh.sort_chunks();
+  keep_springs(pairs_, fresh);
+  pairs_ = std::move(fresh);
+  walls_travelled_ = 0;
+  ++lists_;
+}
+
+}  // namespace adit::dem

@@ -1,0 +1,57 @@
+// Which discs may touch that were never joined: pairs nearer than a skin, listed anew when needed and no
+// sooner.
+//
+// The list holds until two discs may have come closer by the skin, that is until one has moved by half of it:
+// the sum of dt max |v| bounds that at no cost, and only where the bound is reached are the displacements
+// themselves looked at. A pair that stays listed keeps the forces of its springs.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dem_server/engines/general/pairs.hpp"
+#include "dem_server/packing/discs.hpp"
+#include "dem_server/particles/travel.hpp"
+
+namespace adit::dem {
+
+class Neighbours {
+ public:
+  Neighbours() = default;
+  // `joined`: ascending; these never enter the list. The law of a contact of discs of groups a and b is
+  // first_law + a groups + b. Overlaps at the start bear no force where `overlaps_free`.
+  Neighbours(const Particles& particles, std::vector<double> radius, std::vector<Pair> joined,
+             std::vector<std::uint32_t> group, std::uint32_t groups, std::uint32_t first_law, bool dashpots,
+             bool overlaps_free);
+
+  // A step moved the discs, and walls, by at most this [m].
+  void moved(double farthest, double farthest_wall) {
+    travel_.add(farthest);
+    walls_travelled_ += farthest_wall;
+  }
+  // Before the forces: makes a new list where all have moved so far that the old one may miss a contact.
+  // Returns whether it changed.
+  bool update(const Particles& particles);
+
+  const Pairs& pairs() const { return pairs_; }
+  Pairs& pairs() { return pairs_; }
+  double skin() const { return skin_; }           // [m]
+  std::uint64_t lists() const { return lists_; }  // made so far
+
+ private:
+  void list(const Particles& particles);
+
+  std::vector<double> radius_;
+  std::vector<Pair> joined_;
+  std::vector<std::uint32_t> group_;
+  std::uint32_t groups_ = 1, first_law_ = 0;
+  bool dashpots_ = false;
+  Pairs pairs_;
+  Travel travel_;               // of the discs since the list was made
+  double skin_ = 0;             // [m]
+  double walls_travelled_ = 0;  // at most, by any wall since the list was made [m]
+  std::uint64_t lists_ = 0;
+};
+
+}  // namespace adit::dem

@@ -1,0 +1,56 @@
+#include "dem_server/engines/general/pairs.hpp"
+
+#include <algorithm>
+
+namespace adit::dem {
+
+void Pairs::finish(std::size_t discs, bool cement, bool dashpots) {
+  for (auto* zeroed : {&rest_x, &rest_y, &rest_length, &half_difference, &slack, &slide})
+    zeroed->assign(size(), 0.0);
+  weight.assign(size(), 1.0);
+  law.assign(size(), 0);
+  for (auto* zeroed : {&width, &initial, &shear, &moment}) zeroed->assign(cement ? size() : 0, 0.0);
+  state.assign(cement ? size() : 0, BondState::kIntact);
+  for (auto* zeroed : {&normal_dashpot, &shear_dashpot}) zeroed->assign(dashpots ? size() : 0, 0.0);
+
+  const std::size_t blocks = blocks_of(discs);
+  chunks.clear();
+  chunk_starts.assign(1, 0);
+  away_starts.assign(1, 0);
+  std::vector<std::uint32_t> count(blocks + 1, 0);
+  std::uint32_t away = 0;
+  for (std::uint32_t block = 0, k = 0; block < blocks; ++block) {
+    const std::uint32_t begin = k;
+    for (; k < size() && first[k] / kBlock == block; ++k)
+      if (second[k] / kBlock != block) {
+        ++away;
+        ++count[second[k] / kBlock + 1];
+      }
+    for (std::uint32_t at = begin; at < k; at += kChunk) chunks.push_back({at, std::min(at + kChunk, k)});
+    chunk_starts.push_back(static_cast<std::uint32_t>(chunks.size()));
+    away_starts.push_back(away);
+  }
+  for (auto* forces : {&away_x, &away_y, &away_moment}) forces->assign(away, 0.0);
+  for (std::size_t b = 0; b < blocks; ++b) count[b + 1] += count[b];
+  arrival_starts = count;
+  arrivals.resize(away);
+  for (std::uint32_t k = 0, slot = 0; k < size(); ++k)
+    if (second[k] / kBlock != first[k] / kBlock) arrivals[count[second[k] / kBlock]++] = {slot++, second[k]};
+}
+
+void Pairs::sort_chunks() {
+  for (Chunk& chunk : chunks) {
+    const std::uint32_t one = chunk.begin;
+    chunk.one_law = true;
+    bool varied = cemented(), plain = varied;
+    for (std::uint32_t k = one; k < chunk.end; ++k) {
+      chunk.one_law &= law[k] == law[one];
+      if (!varied) continue;
+      varied = chunk.one_law && state[k] == BondState::kIntact && initial[k] == 0 && weight[k] == 1;
+      plain = plain && varied && slack[k] == 0 && width[k] == width[one];
+    }
+    chunk.kind = varied && plain ? Kind::kPlain : varied ? Kind::kVaried : Kind::kGeneral;
+  }
+}
+
+}  // namespace adit::dem

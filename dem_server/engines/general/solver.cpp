@@ -1,0 +1,221 @@
+#include "dem_server/engines/general/solver.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "dem_server/engines/general/bodies.hpp"
+#include "dem_server/particles/motion.hpp"
+
+namespace adit::dem {
+namespace {
+
+std::int64_t bits_of_size(double force) {
+  return std::bit_cast<std::int64_t>(std::abs(force));
+}
+
+protocol::Stretch stretch_of(std::uint32_t block, std::size_t discs) {
+  return {block * kBlock, static_cast<std::uint32_t>(std::min<std::size_t>((block + 1) * kBlock, discs))};
+}
+
+}  // namespace
+
+Solver::Solver(const Model& model, std::size_t threads, const ModelWeights& weights)
+    : particles_(particles_of(model, weights.discs)),
+      radius_(model.discs.radius),
+      springs_(model.springs),
+      damping_(model.local_damping, model.viscous_damping, model.edges, particles_),
+      edges_(model.edges),
+      support_x_(edges_.size()),
+      support_y_(edges_.size()),
+      team_(std::make_unique<protocol::Team>(threads)),
+      results_(blocks_of(particles_.size())) {
+  Bonded bonded = bonds_of(model, weights.joined);
+  laws_ = std::move(bonded.laws);
+  bonds_ = std::move(bonded.bonds);
+  joined_of_bond_ = std::move(bonded.joined_of_bond);
+  joints_ = Joints(std::move(bonded.joints));
+  std::vector<Pair> joined;
+  for (const Joined& pair : model.joined) joined.push_back({pair.first, pair.second});
+  const auto groups = static_cast<std::uint32_t>(std::max<std::size_t>(model.group_names.size(), 1));
+  neighbours_ = Neighbours(particles_, radius_, std::move(joined), model.group, groups,
+                           bonded.first_contact_law, bonded.dashpots, model.overlaps_free);
+  walls_ = WallContacts(model.walls, radius_, particles_, neighbours_.skin(), model.overlaps_free);
+  for (auto* pulled : {&pulled_x_, &pulled_y_, &pulled_moment_}) pulled->assign(particles_.size(), 0.0);
+  strain_at_start_ = strain_energy();
+}
+
+void Solver::step(const protocol::Step& step, std::span<Loads* const> loads, Motions& motions) {
+  const double dt = step.from_rest() ? 0 : step.dt;
+  move(step);
+  pull(dt);
+  for (Loads* load : loads) load->apply(step, particles_);
+  support_edges(step.relax, dt);
+  team_->run(results_.size(), [&](std::size_t block, std::size_t) {
+    const auto [begin, end] = stretch_of(static_cast<std::uint32_t>(block), particles_.size());
+    results_[block].loss = damping_.kick(step, begin, end, particles_);
+  });
+  motions.impose(step, particles_);
+  walls_.drive(step);
+  take_results();
+}
+
+void Solver::move(const protocol::Step& step) {
+  if (step.from_rest()) return;
+  team_->run(results_.size(), [&](std::size_t block, std::size_t) {
+    const protocol::Stretch discs = stretch_of(static_cast<std::uint32_t>(block), particles_.size());
+    results_[block].fastest = adit::dem::move(step.dt, {&discs, 1}, particles_);
+  });
+  double fastest = 0;
+  for (const BlockResult& result : results_) fastest = std::max(fastest, result.fastest);
+  neighbours_.moved(step.dt * std::sqrt(fastest), walls_.move(step));
+  if (neighbours_.update(particles_)) walls_.list(particles_);
+}
+
+void Solver::pull(double dt) {
+  team_->run(results_.size(), [&](std::size_t b, std::size_t) {
+    const auto block = static_cast<std::uint32_t>(b);
+    const auto [begin, end] = stretch_of(block, particles_.size());
+    for (auto* sum : {&particles_.fx, &particles_.fy, &particles_.moment})
+      std::fill(sum->begin() + begin, sum->begin() + end, 0.0);
+    pull_block(block, laws_, dt, particles_, bonds_, results_[b].bonds);
+    pull_block(block, laws_, dt, particles_, neighbours_.pairs(), results_[b].contacts);
+  });
+  joints_.pull(dt, particles_);
+  springs_.pull(dt, particles_);
+  walls_.pull(dt, particles_);
+  team_->run(results_.size(), [&](std::size_t b, std::size_t) {
+    const auto block = static_cast<std::uint32_t>(b);
+    const auto [begin, end] = stretch_of(block, particles_.size());
+    gather_block(block, bonds_, particles_);
+    gather_block(block, neighbours_.pairs(), particles_);
+    results_[b].work = work_of_pairs(dt, begin, end);
+  });
+}
+
+// The trapezoid of what is in the resultants now, all by pairs, and was at the last step.
+double Solver::work_of_pairs(double dt, std::uint32_t begin, std::uint32_t end) {
+  constexpr std::uint32_t kLanes = 8;
+  std::array<double, kLanes> sum{};
+  const Particles& p = particles_;
+  const auto add = [&](std::uint32_t i, double& to) {
+    to += p.vx[i] * (pulled_x_[i] + p.fx[i]) + p.vy[i] * (pulled_y_[i] + p.fy[i]) +
+          p.spin[i] * (pulled_moment_[i] + p.moment[i]);
+    pulled_x_[i] = p.fx[i];
+    pulled_y_[i] = p.fy[i];
+    pulled_moment_[i] = p.moment[i];
+  };
+  std::uint32_t i = begin;
+  for (; i + kLanes <= end; i += kLanes)
+    for (std::uint32_t lane = 0; lane < kLanes; ++lane) add(i + lane, sum[lane]);
+  for (; i < end; ++i) add(i, sum[0]);
+  double total = 0;
+  for (const double lane : sum) total += lane;
+  return dt / 2 * total;
+}
+
+// In statics quiet edges are held; later what held them stays.
+void Solver::support_edges(bool relax, double dt) {
+  for (std::size_t k = 0; k < edges_.size(); ++k) {
+    const std::uint32_t i = edges_[k].disc;
+    if (relax) {
+      support_x_[k] = -particles_.fx[i];
+      support_y_[k] = -particles_.fy[i];
+    }
+    ledger_.support += dt * (support_x_[k] * particles_.vx[i] + support_y_[k] * particles_.vy[i]);
+    particles_.fx[i] += support_x_[k];
+    particles_.fy[i] += support_y_[k];
+  }
+}
+
+void Solver::take_results() {
+  broken_.clear();
+  for (const BlockResult& result : results_) {
+    ledger_.pairs += result.work;
+    for (const PullResult* pulled : {&result.bonds, &result.contacts}) {
+      ledger_.friction += pulled->friction;
+      ledger_.dashpots += pulled->dashpots;
+      ledger_.released += pulled->released;
+    }
+    ledger_.damping.local += result.loss.local;
+    ledger_.damping.viscous += result.loss.viscous;
+    ledger_.damping.edges += result.loss.edges;
+    broken_.insert(broken_.end(), result.bonds.broken.begin(), result.bonds.broken.end());
+  }
+  strongest_ = find_strongest();
+}
+
+Solver::Strongest Solver::find_strongest() const {
+  const bool bonded = bonds_.size() > 0;
+  const Pairs& pairs = bonded ? bonds_ : neighbours_.pairs();
+  const PullResult* best = nullptr;
+  for (const BlockResult& result : results_) {
+    const PullResult& pulled = bonded ? result.bonds : result.contacts;
+    if (bits_of_size(pulled.max_normal_force) > bits_of_size(best ? best->max_normal_force : 0))
+      best = &pulled;
+  }
+  if (!best) return {};
+  const std::uint32_t i = pairs.first[best->strongest], j = pairs.second[best->strongest];
+  return {best->max_normal_force, (particles_.x[i] + particles_.x[j]) / 2,
+          (particles_.y[i] + particles_.y[j]) / 2};
+}
+
+void Solver::stop() {
+  for (auto* velocity : {&particles_.vx, &particles_.vy, &particles_.spin}) std::ranges::fill(*velocity, 0.0);
+  walls_.stop();
+}
+
+void Solver::start_over() {
+  stop();
+  particles_.settled_x = particles_.ux;
+  particles_.settled_y = particles_.uy;
+  ledger_ = {};
+  walls_.start_over();
+  springs_.start_over();
+  joints_.start_over();
+  strain_at_start_ = strain_energy();
+}
+
+Stored Solver::stored() const {
+  Stored sum;
+  add_stored(laws_, particles_, bonds_, sum);
+  add_stored(laws_, particles_, neighbours_.pairs(), sum);
+  sum.contacts += walls_.strain_energy();
+  return sum;
+}
+
+double Solver::strain_energy() const {
+  return stored().sum() + joints_.strain_energy() + springs_.strain_energy();
+}
+
+double Solver::internal_force() const {
+  double sum = 0;
+  for (const Pairs* pairs : {&bonds_, &neighbours_.pairs()})
+    for (std::uint32_t k = 0; k < pairs->size(); ++k) {
+      const PairState s = state_of(k, laws_, particles_, *pairs);
+      sum += pairs->weight[k] * std::hypot(s.cement_normal + s.contact_normal, s.shear);
+    }
+  for (const Joints::Joint& joint : joints_.joints())
+    sum += joint.weight * std::hypot(joint.normal, joint.springs.shear);
+  for (const double force : springs_.forces()) sum += std::abs(force);
+  for (const WallContacts::Touch& touch : walls_.touches())
+    sum += std::hypot(touch.normal, touch.springs.shear_force);
+  return sum;
+}
+
+DiscLedger Solver::ledger() const {
+  DiscLedger ledger = ledger_;
+  ledger.friction += walls_.friction() + joints_.friction();
+  ledger.dashpots += walls_.dashpots();
+  ledger.released += springs_.released();
+  return ledger;
+}
+
+double Solver::time_step_share() const {
+  const DiscLedger sum = ledger();
+  return -sum.pairs + walls_.work() - (strain_energy() - strain_at_start_) - sum.friction - sum.dashpots -
+         sum.released;
+}
+
+}  // namespace adit::dem

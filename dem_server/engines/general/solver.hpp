@@ -1,0 +1,124 @@
+// Discs of any size under all their laws, step by step: leap-frog, displacements at n, velocities at n + 1/2.
+//
+// A step moves the discs, sums the forces of bonds, contacts, joints, springs and walls, adds loads, and
+// kicks. Blocks of discs are shared by threads (pairs.hpp); results do not depend on their number.
+//
+// Energies are accounted in the form that the scheme keeps, T(n) = 1/2 sum m v(n-1/2) v(n+1/2): every force
+// does the trapezoidal work dt v(n-1/2) (f(n-1) + f(n)) / 2 on its disc, and the sum of all is the change of
+// T to rounding. Springs store F^2 / 2k. What the trapezoid gives to all pairs and they neither store
+// nor lose by friction, dashpots or breaking is the share of the time step: of second order in dt, by springs
+// that turn, close and open.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "dem_server/engines/general/forces/damping.hpp"
+#include "dem_server/engines/general/forces/joints.hpp"
+#include "dem_server/engines/general/forces/spring_forces.hpp"
+#include "dem_server/engines/general/forces/wall_contacts.hpp"
+#include "dem_server/engines/general/neighbours.hpp"
+#include "dem_server/engines/general/pair_state.hpp"
+#include "dem_server/engines/general/pull.hpp"
+#include "dem_server/model/model.hpp"
+#include "dem_server/particles/assembly.hpp"
+#include "dem_server/particles/energy.hpp"
+#include "dem_server/particles/loads.hpp"
+#include "dem_server/particles/motions.hpp"
+#include "protocol/participant/step.hpp"
+#include "protocol/threads/team.hpp"
+
+namespace adit::dem {
+
+// Energy weights of what exists, 1 where empty: of the discs, of model.joined.
+struct ModelWeights {
+  std::vector<double> discs, joined;
+};
+
+// Since the start [J]. `pairs`: work of all pairs, joints, springs and walls on the discs.
+struct DiscLedger {
+  double pairs = 0, friction = 0, dashpots = 0, released = 0;
+  Damping::Loss damping;
+  double support = 0;  // work of what held quiet edges in statics
+};
+
+class Solver {
+ public:
+  Solver(const Model& model, std::size_t threads, const ModelWeights& weights = {});
+
+  // One whole step. `loads` and `motions` are those of the scene, in this order.
+  void step(const protocol::Step& step, std::span<Loads* const> loads, Motions& motions);
+  // All velocities become 0.
+  void stop();
+  // The first step that does not relax is next: ledgers start from 0; quiet edges are let go and carry what
+  // held them.
+  void start_over();
+
+  Particles& particles() { return particles_; }
+  const Particles& particles() const { return particles_; }
+  std::span<const double> radius() const { return radius_; }
+  const Pairs& bonds() const { return bonds_; }
+  const Pairs& contacts() const { return neighbours_.pairs(); }
+  const Neighbours& neighbours() const { return neighbours_; }
+  const WallContacts& walls() const { return walls_; }
+  const SpringForces& springs() const { return springs_; }
+  const Joints& joints() const { return joints_; }
+  std::span<const PairLaw> laws() const { return laws_; }
+  // Which of model.joined a bond is.
+  std::span<const std::uint32_t> joined_of_bond() const { return joined_of_bond_; }
+
+  // Bonds that broke in the last step, ascending.
+  std::span<const std::uint32_t> broken() const { return broken_; }
+  // The largest normal force of a bond, or where there are none of a contact, in the last step [N], and
+  // where.
+  struct Strongest {
+    double force = 0, x = 0, y = 0;
+  };
+  const Strongest& strongest() const { return strongest_; }
+
+  // Sum over bonds, contacts, joints and springs of |force|, weighted [N].
+  double internal_force() const;
+
+  DiscLedger ledger() const;
+  Stored stored() const;         // of pairs; walls' contacts among the contacts
+  double strain_energy() const;  // of all
+  // Of the time step (see above), since the start [J].
+  double time_step_share() const;
+
+ private:
+  struct BlockResult {
+    PullResult bonds, contacts;
+    double fastest = 0, work = 0;
+    Damping::Loss loss;
+  };
+  void move(const protocol::Step& step);
+  void pull(double dt);
+  double work_of_pairs(double dt, std::uint32_t begin, std::uint32_t end);
+  void support_edges(bool relax, double dt);
+  void take_results();
+  Strongest find_strongest() const;
+
+  Particles particles_;
+  std::vector<double> radius_;
+  std::vector<PairLaw> laws_;
+  Pairs bonds_;
+  std::vector<std::uint32_t> joined_of_bond_;
+  Neighbours neighbours_;
+  Joints joints_;
+  SpringForces springs_;
+  WallContacts walls_;
+  Damping damping_;
+  std::vector<EdgeDashpot> edges_;
+  std::vector<double> support_x_, support_y_;                // of the edges [N]
+  std::vector<double> pulled_x_, pulled_y_, pulled_moment_;  // by pairs at the last step
+  std::unique_ptr<protocol::Team> team_;
+  std::vector<BlockResult> results_;
+  std::vector<std::uint32_t> broken_;
+  Strongest strongest_;
+  DiscLedger ledger_;
+  double strain_at_start_ = 0;
+};
+
+}  // namespace adit::dem

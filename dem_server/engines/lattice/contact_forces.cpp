@@ -1,0 +1,244 @@
+#include "dem_server/engines/lattice/contact_forces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "protocol/threads/vector_clones.hpp"
+
+namespace adit::dem {
+namespace {
+
+// What the bonds of one run do to their first particles, weighted; the second ones feel the opposite force
+// and the same moment. `normal` is unweighted.
+struct RunForces {
+  alignas(64) std::array<double, kLongestRun> x, y, moment, normal;
+};
+
+struct RunOutcome {
+  std::int64_t max_bits;  // of |Fn|: the order of non-negative doubles is that of their bits, NaN above all
+  bool breaks;            // some bond exceeds a strength
+};
+
+// Shape of a bond whose second particle has moved by du more than its first.
+struct BondShape {
+  double length, elongation, nx, ny;
+};
+
+// L - L0 = (L^2 - L0^2) / (L + L0), and L^2 - L0^2 = du.(2 d0 + du): no digits are lost. One division serves
+// both this and 1 / L.
+inline BondShape shape_of(const Run& run, double rest_length, double du_x, double du_y) {
+  const double dx = run.rest_x + du_x, dy = run.rest_y + du_y;
+  const double length = std::sqrt(dx * dx + dy * dy);
+  const double sum = length + rest_length;
+  const double quotient = 1 / (length * sum);
+  const double inverse_length = quotient * sum;
+  const double elongation = (du_x * (run.rest_x + dx) + du_y * (run.rest_y + dy)) * (quotient * length);
+  return {length, elongation, dx * inverse_length, dy * inverse_length};
+}
+
+// One pass over a run, written so that the compiler turns it into vector code. The bonds of most runs are
+// plain: intact, of weight 1, and without initial forces; they need not load any of these.
+template <bool kPlain, bool kPrestressed>
+ADIT_VECTOR_CLONES RunOutcome pull_run(const BondLaw& law, double dt, const Run& run, double rest_length,
+                                       const Particles& p, Bonds& b, RunForces& out) {
+  const double *ux1 = &p.ux[run.first], *uy1 = &p.uy[run.first], *ux2 = &p.ux[run.second],
+               *uy2 = &p.uy[run.second], *vx1 = &p.vx[run.first], *vy1 = &p.vy[run.first],
+               *vx2 = &p.vx[run.second], *vy2 = &p.vy[run.second], *w1 = &p.spin[run.first],
+               *w2 = &p.spin[run.second];
+  const double *weight = &b.weight[run.begin], *intact = &b.intact[run.begin];
+  const double* initial = kPrestressed ? &b.initial_normal_force[run.begin] : nullptr;
+  double* shear = &b.shear_force[run.begin];
+  double *fx = out.x.data(), *fy = out.y.data(), *moment = out.moment.data(), *normal = out.normal.data();
+  const double kn = law.stiffness.normal, ks_dt = law.stiffness.shear * dt;
+  const double tensile_strength = law.tensile_strength, shear_strength = law.shear_strength;
+  const Run rest = run;
+  std::int64_t max_bits = 0, exceeded = 0;
+#pragma GCC ivdep  // no bond writes what another one reads
+  for (std::uint32_t k = 0; k < rest.count; ++k) {
+    const auto [length, elongation, nx, ny] = shape_of(rest, rest_length, ux2[k] - ux1[k], uy2[k] - uy1[k]);
+    double fn = kn * elongation;
+    if constexpr (kPrestressed) fn += initial[k];
+    if constexpr (!kPlain) fn = fn > 0 ? intact[k] * fn : fn;
+    const double arm = 0.5 * length;
+    const double slip = (vy2[k] - vy1[k]) * nx - (vx2[k] - vx1[k]) * ny - (w1[k] + w2[k]) * arm;
+    double fs = shear[k] + ks_dt * slip;
+    if constexpr (!kPlain) fs *= intact[k];
+    shear[k] = fs;
+    normal[k] = fn;
+    exceeded |= static_cast<std::int64_t>(fn > tensile_strength) |
+                static_cast<std::int64_t>(std::abs(fs) > shear_strength);
+    max_bits = std::max(max_bits, std::bit_cast<std::int64_t>(std::abs(fn)));
+    const double w = kPlain ? 1.0 : weight[k];
+    fx[k] = w * (fn * nx - fs * ny);
+    fy[k] = w * (fn * ny + fs * nx);
+    moment[k] = w * (fs * arm);
+  }
+  return {max_bits, exceeded != 0};
+}
+
+// Breaks one bond whose forces exceed a strength. Returns the energy that it loses [J].
+double break_bond(const BondLaw& law, double dt, const Run& run, std::uint32_t k, const Particles& p,
+                  Bonds& b, RunForces& forces) {
+  const std::uint32_t bond = run.begin + k, i = run.first + k, j = run.second + k;
+  const auto [length, elongation, nx, ny] =
+      shape_of(run, b.rest_length, p.ux[j] - p.ux[i], p.uy[j] - p.uy[i]);
+  const double dvx = p.vx[j] - p.vx[i], dvy = p.vy[j] - p.vy[i];
+  const double stretch = dt * (dvx * nx + dvy * ny);
+  const double slip = dt * (dvy * nx - dvx * ny - 0.5 * length * (p.spin[i] + p.spin[j]));
+  const double fn = forces.normal[k], fs = b.shear_force[bond];
+  // F(n-1) F(n) / 2k with F(n-1) = F(n) - k (motion of this step); compression survives the break.
+  double lost = 0.5 * fs * (law.stiffness.shear > 0 ? fs / law.stiffness.shear - slip : 0.0);
+  if (fn > 0) lost += 0.5 * fn * (fn / law.stiffness.normal - stretch);
+
+  b.break_bond(bond, fn > law.tensile_strength ? BondState::kTensileCrack : BondState::kShearCrack);
+  forces.normal[k] = std::min(fn, 0.0);
+  forces.x[k] = b.weight[bond] * forces.normal[k] * nx;
+  forces.y[k] = b.weight[bond] * forces.normal[k] * ny;
+  forces.moment[k] = 0;
+  return b.weight[bond] * lost;
+}
+
+// Breaks every bond of the run that exceeds a strength; returns the energy lost [J].
+double break_bonds(const BondLaw& law, double dt, const Run& run, const Particles& p, Bonds& b,
+                   RunForces& forces, std::vector<std::uint32_t>& broken) {
+  double lost = 0;
+  for (std::uint32_t k = 0; k < run.count; ++k) {
+    const std::uint32_t bond = run.begin + k;
+    if (forces.normal[k] > law.tensile_strength || std::abs(b.shear_force[bond]) > law.shear_strength) {
+      lost += break_bond(law, dt, run, k, p, b, forces);
+      broken.push_back(bond);
+    }
+  }
+  return lost;
+}
+
+std::int64_t bits_of_size(double force) {
+  return std::bit_cast<std::int64_t>(std::abs(force));
+}
+
+std::int64_t largest(const Run& run, const RunForces& forces) {
+  std::int64_t max_bits = 0;
+  for (std::uint32_t k = 0; k < run.count; ++k) max_bits = std::max(max_bits, bits_of_size(forces.normal[k]));
+  return max_bits;
+}
+
+std::uint32_t find_bond(const Run& run, const RunForces& forces, std::int64_t bits) {
+  std::uint32_t k = 0;
+  while (bits_of_size(forces.normal[k]) != bits) ++k;
+  return run.begin + k;
+}
+
+ADIT_VECTOR_CLONES void apply_to_particles(const Run& run, const RunForces& forces, const Resultants& to) {
+  const double *x = forces.x.data(), *y = forces.y.data(), *moment = forces.moment.data();
+  double *fx1 = to.fx + run.first, *fy1 = to.fy + run.first, *moment1 = to.moment + run.first;
+  double *fx2 = to.fx + run.second, *fy2 = to.fy + run.second, *moment2 = to.moment + run.second;
+  const std::uint32_t count = run.count;
+#pragma GCC ivdep
+  for (std::uint32_t k = 0; k < count; ++k) {
+    fx1[k] += x[k];
+    fy1[k] += y[k];
+    moment1[k] += moment[k];
+  }
+#pragma GCC ivdep
+  for (std::uint32_t k = 0; k < count; ++k) {
+    fx2[k] -= x[k];
+    fy2[k] -= y[k];
+    moment2[k] += moment[k];
+  }
+}
+
+ADIT_VECTOR_CLONES void find_normal_forces(const BondLaw& law, const Run& run, const Particles& p,
+                                           const Bonds& b, double* normal) {
+  const double *ux1 = &p.ux[run.first], *uy1 = &p.uy[run.first], *ux2 = &p.ux[run.second],
+               *uy2 = &p.uy[run.second], *intact = &b.intact[run.begin];
+  const double* initial = b.initial_normal_force.empty() ? nullptr : &b.initial_normal_force[run.begin];
+  const double kn = law.stiffness.normal, rest_length = b.rest_length;
+  const Run rest = run;
+#pragma GCC ivdep
+  for (std::uint32_t k = 0; k < rest.count; ++k)
+    normal[k] = kn * shape_of(rest, rest_length, ux2[k] - ux1[k], uy2[k] - uy1[k]).elongation;
+  for (std::uint32_t k = 0; initial != nullptr && k < rest.count; ++k) normal[k] += initial[k];
+  for (std::uint32_t k = 0; k < rest.count; ++k)
+    normal[k] = normal[k] > 0 ? intact[k] * normal[k] : normal[k];
+}
+
+}  // namespace
+
+void clear(std::span<const protocol::Stretch> some, const Resultants& resultants) {
+  for (double* resultant : {resultants.fx, resultants.fy, resultants.moment})
+    for (const auto [begin, end] : some) std::fill(resultant + begin, resultant + end, 0.0);
+}
+
+void ContactResult::add(const ContactResult& later) {
+  released += later.released;
+  if (bits_of_size(later.max_normal_force) <= bits_of_size(max_normal_force)) return;
+  max_normal_force = later.max_normal_force;
+  strongest_bond = later.strongest_bond;
+}
+
+void add_contact_forces(const BondLaw& law, double dt, std::span<const Run> runs, const Particles& particles,
+                        Bonds& bonds, const Resultants& resultants, ContactResult& result,
+                        std::vector<std::uint32_t>& broken) {
+  RunForces forces;
+  const auto pull_plain = bonds.initial_normal_force.empty() ? pull_run<true, false> : pull_run<true, true>;
+  const auto pull_any = bonds.initial_normal_force.empty() ? pull_run<false, false> : pull_run<false, true>;
+  auto max_bits = std::bit_cast<std::int64_t>(result.max_normal_force);
+  for (const Run& run : runs) {
+    const auto pull = bonds.plain(run) ? pull_plain : pull_any;
+    RunOutcome outcome = pull(law, dt, run, bonds.rest_length, particles, bonds, forces);
+    if (outcome.breaks) {
+      result.released += break_bonds(law, dt, run, particles, bonds, forces, broken);
+      outcome.max_bits = largest(run, forces);
+    }
+    apply_to_particles(run, forces, resultants);
+    if (outcome.max_bits > max_bits) {
+      max_bits = outcome.max_bits;
+      result.strongest_bond = find_bond(run, forces, max_bits);
+    }
+  }
+  result.max_normal_force = std::bit_cast<double>(max_bits);
+}
+
+void find_normal_forces(const BondLaw& law, const Particles& particles, Bonds& bonds) {
+  for (const Run& run : bonds.runs)
+    find_normal_forces(law, run, particles, bonds, &bonds.normal_force[run.begin]);
+}
+
+double strain_energy(const BondLaw& law, std::span<const Run> runs, const Particles& particles,
+                     const Bonds& bonds) {
+  const double normal_compliance = 1 / law.stiffness.normal;
+  const double shear_compliance = law.stiffness.shear > 0 ? 1 / law.stiffness.shear : 0.0;
+  // Eight sums side by side, else each addition waits for the one before.
+  constexpr std::uint32_t kSums = 8;
+  static_assert(kLongestRun % kSums == 0);
+  std::array<double, kLongestRun> stored;
+  std::array<double, kSums> sums{};
+  for (const Run& run : runs) {
+    find_normal_forces(law, run, particles, bonds, stored.data());
+    const double *shear = &bonds.shear_force[run.begin], *weight = &bonds.weight[run.begin];
+    for (std::uint32_t k = 0; k < run.count; ++k)
+      stored[k] =
+          weight[k] * (stored[k] * stored[k] * normal_compliance + shear[k] * shear[k] * shear_compliance);
+    const std::uint32_t end = (run.count + kSums - 1) / kSums * kSums;
+    std::fill(stored.begin() + run.count, stored.begin() + end, 0.0);
+    for (std::uint32_t k = 0; k < end; k += kSums)
+      for (std::uint32_t lane = 0; lane < kSums; ++lane) sums[lane] += stored[k + lane];
+  }
+  double twice = 0;
+  for (const double sum : sums) twice += sum;
+  return twice / 2;
+}
+
+ContactResult compute_contact_forces(const BondLaw& law, double dt, Particles& particles, Bonds& bonds,
+                                     std::vector<std::uint32_t>& broken) {
+  const protocol::Stretch all{0, static_cast<std::uint32_t>(particles.size())};
+  clear({&all, 1}, resultants_of(particles));
+  ContactResult result;
+  add_contact_forces(law, dt, bonds.runs, particles, bonds, resultants_of(particles), result, broken);
+  find_normal_forces(law, particles, bonds);
+  return result;
+}
+
+}  // namespace adit::dem

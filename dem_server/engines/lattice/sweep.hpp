@@ -1,0 +1,90 @@
+// The order in which a step takes particles and bonds: one way through memory, shared by threads.
+//
+// A bond needs its particles moved; a particle is complete once the last of its bonds has pulled on it. So
+// bonds are taken in beats of some hundreds: move the particles that a beat is the first to need, add its
+// forces, predict the velocities of the particles that it is the last to pull on. Resultants live in a buffer
+// in the cache, never in memory.
+//
+// Beats belong to blocks of consecutive particles, fixed by the model and not by the number of threads. Bonds
+// between two blocks, their seam, are taken after both. Particles are numbered so that bonds join near
+// numbers, and blocks are so large that no particle has a part in two seams: results are the same to the bit
+// whoever computed what.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dem_server/engines/lattice/contact_forces.hpp"
+#include "dem_server/particles/assembly.hpp"
+#include "protocol/participant/step.hpp"
+#include "protocol/threads/stretches.hpp"
+#include "protocol/threads/team.hpp"
+
+namespace adit::dem {
+
+// What a sweep does with a particle that its bonds pull on.
+enum class Role : std::uint8_t {
+  kForeign,  // adds to the resultants; another sweep predicts it
+  kKept,     // adds to the resultants, for predict() to take with what else is added there
+  kSwept,    // predicts it at once: nothing else pulls on it
+};
+
+// How many threads of this machine are worth calling for so many particles.
+std::size_t useful_threads(std::size_t particles);
+
+class Sweep {
+ public:
+  Sweep() = default;
+  // `roles` and `moved`, whether this sweep moves it: of every particle.
+  Sweep(std::span<const Run> runs, std::span<const Role> roles, const std::vector<bool>& moved,
+        std::size_t threads);
+
+  // Moves by dt v, unless the step starts from rest, and sets the resultants of what it moves to those of the
+  // bonds; adds to those of others. Predicts the swept particles. `result` grows to that of all bonds of the
+  // step so far; bonds that broke are appended to `broken`, ascending. Returns the largest speed of what it
+  // moved [m/s].
+  double run(protocol::Team& team, const BondLaw& law, const protocol::Step& step, Assembly& assembly,
+             ContactResult& result, std::vector<std::uint32_t>& broken);
+  // Predicts the kept particles from their resultants.
+  void predict(protocol::Team& team, double kick, Particles& particles) const;
+
+ private:
+  using Stretches = std::vector<protocol::Stretch>;
+  struct Beat {
+    std::vector<Run> runs;
+    Stretches moved, swept;
+  };
+  struct Block {
+    protocol::Stretch particles;
+    std::vector<Beat> beats;
+    Stretches cleared, left;  // left: what beats pull on whose resultants go to memory
+    Stretches kept;
+    // with the next block
+    std::vector<Run> seam;
+    Stretches seam_swept;
+  };
+  struct Outcome {
+    ContactResult contacts;
+    std::vector<std::uint32_t> broken;
+    double fastest = 0;  // speed squared
+  };
+
+  struct Buffer {
+    std::vector<double> fx, fy, moment;
+  };
+
+  void lay_out(std::span<const Run> runs, std::uint32_t particles);
+  void deal(std::span<const Run> runs);
+  static void set_beats(std::vector<Run> runs, Block& block);
+  void run_block(const Block& block, Buffer& buffer, const BondLaw& law, const protocol::Step& step,
+                 Assembly& assembly, Outcome& outcome) const;
+  void run_seam(const Block& block, const BondLaw& law, const protocol::Step& step, Assembly& assembly,
+                Outcome& outcome) const;
+
+  std::vector<Block> blocks_;
+  std::vector<Outcome> outcomes_;  // of the blocks, then of the seams
+  std::vector<Buffer> buffers_;    // of each thread: resultants of the block in work
+};
+
+}  // namespace adit::dem

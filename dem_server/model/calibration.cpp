@@ -1,0 +1,27 @@
+#include "dem_server/model/calibration.hpp"
+
+#include <numbers>
+
+namespace adit::dem {
+
+BondStiffness calibrate(double young_modulus, double poisson_ratio, Plane plane) {
+  double e = young_modulus, nu = poisson_ratio;
+  if (plane == Plane::kStrain) {
+    e /= 1 - nu * nu;
+    nu /= 1 - nu;
+  }
+  const double lambda = e * nu / (1 - nu * nu);
+  const double mu = e / (2 * (1 + nu));
+  const double factor = 2 / std::numbers::sqrt3;
+  return {factor * (mu + lambda), factor * (mu - lambda)};
+}
+
+double largest_poisson_ratio(Plane plane) {
+  return plane == Plane::kStress ? 1.0 / 3 : 1.0 / 4;
+}
+
+double cell_mass(double density, double radius) {
+  return density * 2 * std::numbers::sqrt3 * radius * radius;
+}
+
+}  // namespace adit::dem

@@ -1,0 +1,50 @@
+// Groups of particles: what each is made of and how its particles meet.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dem_server/laws/linear_contact.hpp"
+#include "dem_server/model/placement/placement.hpp"
+#include "dem_server/model/placement/scene_checks.hpp"
+
+namespace adit::dem {
+
+inline const std::string kOwnGroup = "particles";  // of those that no group of the scene selects
+
+// Refers to the scene.
+struct Group {
+  std::string name;
+  MaterialAt material;
+  const scene::Bonds* bonds;  // null: its particles only touch
+  std::string bonds_path;
+  const scene::ParticleContacts* contacts;
+  std::string contacts_path;
+  Plane plane;
+
+  // Of its bonds, where left out of the hexagonal lattice of its material.
+  BondStiffness stiffness() const;
+  LinearContact contact() const;
+};
+
+// The model's own group, then those of the scene in their order.
+std::vector<Group> read_groups(const scene::Scene& scene);
+
+// A contact law: stiffnesses that it leaves out are the given ones.
+LinearContact read_contact(const scene::ParticleContacts& contacts, const std::string& path,
+                           const std::function<BondStiffness()>& otherwise);
+
+// The group of each disc.
+std::vector<std::uint32_t> assign_groups(const scene::Particles& particles, const Placement& placement);
+
+// Where the name is known; else UserError at `path`.
+std::uint32_t group_named(const std::string& name, const std::vector<Group>& groups, const std::string& path);
+
+// Half a bond of each in series: that of two equal ones is theirs.
+double in_series(double a, double b);
+BondStiffness in_series(const BondStiffness& a, const BondStiffness& b);
+// Of discs of two groups: stiffnesses in series, the smaller friction and dampings.
+LinearContact between(const LinearContact& a, const LinearContact& b);
+
+}  // namespace adit::dem

@@ -1,0 +1,57 @@
+#include "dem_server/model/placement/joint_lines.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace adit::dem {
+
+JointLine::JointLine(const geometry::Point& from, const geometry::Point& to)
+    : from_(from), length_(std::hypot(to.x - from.x, to.y - from.y)) {
+  tx_ = (to.x - from.x) / length_;
+  ty_ = (to.y - from.y) / length_;
+}
+
+double JointLine::above(double x, double y) const {
+  return (y - from_.y) * tx_ - (x - from_.x) * ty_;
+}
+
+bool JointLine::parts(const Discs& discs, const Pair& pair) const {
+  const auto [i, j] = pair;
+  const double first = above(discs.x[i], discs.y[i]), second = above(discs.x[j], discs.y[j]);
+  if ((first < 0) == (second < 0)) return false;
+  const double share = first / (first - second);
+  const double x = discs.x[i] + share * (discs.x[j] - discs.x[i]) - from_.x;
+  const double y = discs.y[i] + share * (discs.y[j] - discs.y[i]) - from_.y;
+  const double along = x * tx_ + y * ty_;
+  return along >= 0 && along <= length_;
+}
+
+std::array<double, 2> JointLine::normal(const Discs& discs, const Pair& pair) const {
+  const double sign = above(discs.x[pair.first], discs.y[pair.first]) < 0 ? 1 : -1;
+  return {-sign * ty_, sign * tx_};
+}
+
+RingJoints::RingJoints(const scene::SegmentRing& ring)
+    : centre_{ring.centre().x(), ring.centre().y()},
+      first_(ring.first_joint()),
+      step_(2 * std::numbers::pi / ring.segments()) {}
+
+double RingJoints::angle(double x, double y) const {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  const double angle = std::fmod(std::atan2(y - centre_.y, x - centre_.x) - first_, kTurn);
+  return angle < 0 ? angle + kTurn : angle;
+}
+
+bool RingJoints::parts(const Discs& discs, const Pair& pair) const {
+  const double a = angle(discs.x[pair.first], discs.y[pair.first]);
+  const double b = angle(discs.x[pair.second], discs.y[pair.second]);
+  if (std::abs(a - b) > std::numbers::pi) return true;  // the first joint lies between
+  return std::floor(a / step_) != std::floor(b / step_);
+}
+
+std::array<double, 2> RingJoints::direction(std::uint32_t joint) const {
+  const double angle = first_ + joint * step_;
+  return {std::cos(angle), std::sin(angle)};
+}
+
+}  // namespace adit::dem

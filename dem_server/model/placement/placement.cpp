@@ -1,0 +1,231 @@
+#include "dem_server/model/placement/placement.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "dem_server/model/calibration.hpp"
+#include "dem_server/model/placement/placed_table.hpp"
+#include "dem_server/model/placement/scene_checks.hpp"
+#include "dem_server/packing/random_dense.hpp"
+#include "dem_server/packing/square.hpp"
+#include "protocol/errors.hpp"
+#include "protocol/geometry/selection.hpp"
+
+namespace adit::dem {
+namespace {
+
+using protocol::UserError;
+using Notes = std::vector<std::string>;
+
+// Stress over normal stiffness above which discs overlap by more than a tenth of their radii.
+constexpr double kLargestStress = 0.1;
+
+Placement lattice(Discs discs, double cell) {
+  std::vector<double> cells(discs.size(), cell);
+  return {std::move(discs), std::move(cells), {}};
+}
+
+Placement hexagonal(const scene::HexagonalPacking& wanted) {
+  const std::string path = "particles.packing";
+  const double radius = wanted.radius();
+  require_positive(radius, path + ".radius", "m");
+  const Rectangle box = checked_box(wanted, path);
+  require_room_for(count_hexagonal(box, radius), radius, path + ".radius");
+  Packing packing = pack_hexagonally(box, radius);
+  std::vector<double> radii(packing.x.size(), radius);
+  return lattice({std::move(packing.x), std::move(packing.y), std::move(radii)}, cell_mass(1, radius));
+}
+
+Placement square(const scene::SquarePacking& wanted) {
+  const std::string path = "particles.square_packing";
+  const double radius = wanted.radius();
+  require_positive(radius, path + ".radius", "m");
+  const Rectangle box = checked_box(wanted, path);
+  require_room_for((box.x_max - box.x_min) * (box.y_max - box.y_min) / (4 * radius * radius), radius,
+                   path + ".radius");
+  return lattice(pack_squarely(box, radius), 4 * radius * radius);
+}
+
+// Tells the user about every two seconds how far the packing is.
+class Progress {
+ public:
+  void operator()(const std::string& what) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ < std::chrono::seconds(2)) return;
+    last_ = now;
+    spdlog::info("{}", what);
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+RandomPacking checked(const scene::RandomPacking& wanted, double normal_stiffness) {
+  const std::string path = "particles.random_packing";
+  const RandomPacking packing{
+      checked_box(wanted, path),          wanted.radius_min(), wanted.radius_max(),    wanted.porosity(),
+      wanted.stress() / normal_stiffness, wanted.seed(),       wanted.keep_floaters(), wanted.keep_stress()};
+  require_positive(packing.radius_min, path + ".radius_min", "m");
+  require_positive(packing.radius_max, path + ".radius_max", "m");
+  require_positive(wanted.stress(), path + ".stress", "Pa");
+  if (packing.radius_max < packing.radius_min)
+    throw UserError(path + ".radius_max", fmt::format("is {} m, below radius_min = {} m; exchange them",
+                                                      packing.radius_max, packing.radius_min));
+  const double side = std::min(packing.box.x_max - packing.box.x_min, packing.box.y_max - packing.box.y_min);
+  if (side < 4 * packing.radius_max)
+    throw UserError(path + ".radius_max",
+                    fmt::format("is {} m, but the box is only {} m wide; give at most a quarter of that",
+                                packing.radius_max, side));
+  if (!(packing.porosity > 0 && packing.porosity < 1))
+    throw UserError(path + ".porosity",
+                    fmt::format("is {}; give one above 0 and below 0.9", packing.porosity));
+  if (packing.stress > kLargestStress)
+    throw UserError(
+        path + ".stress",
+        fmt::format("is {} Pa, but at a normal stiffness of {:.4g} N/m discs would be pressed flat; give "
+                    "at most {:.3g} Pa",
+                    wanted.stress(), normal_stiffness, kLargestStress * normal_stiffness));
+  require_room_for(count_random(packing), packing.radius_min, path + ".radius_min");
+  return packing;
+}
+
+Placement random(const scene::RandomPacking& scene, double normal_stiffness, Notes& notes) {
+  const RandomPacking wanted = checked(scene, normal_stiffness);
+  auto grown = pack_randomly(wanted, Progress());
+  if (!grown)
+    throw UserError(
+        "particles.random_packing.porosity",
+        fmt::format("is {}, from which no packing that bears {} Pa was reached; choose one nearer to 0.16",
+                    wanted.porosity, scene.stress()));
+  const PackingState& state = grown->state;
+  notes.push_back(
+      fmt::format("random packing: {} particles, porosity {:.4f}, stress {:.4g} Pa across and {:.4g} Pa up "
+                  "({:.4g} Pa wanted), "
+                  "{:.2f} contacts a particle, radii {:.4f} times the drawn ones, {} floaters {}",
+                  grown->discs.size(), state.porosity, state.stress_x * normal_stiffness,
+                  state.stress_y * normal_stiffness, scene.stress(), state.coordination, state.radius_factor,
+                  state.floaters, wanted.keep_floaters ? "kept" : "taken away"));
+  Placement placement{std::move(grown->discs), {}, {}, !scene.keep_stress()};
+  const auto& radius = placement.discs.radius;
+  const double squares = std::inner_product(radius.begin(), radius.end(), radius.begin(), 0.0);
+  const double box = (wanted.box.x_max - wanted.box.x_min) * (wanted.box.y_max - wanted.box.y_min);
+  for (const double r : radius) placement.cell.push_back(box * r * r / squares);
+  return placement;
+}
+
+void refuse_deep_overlaps(const Discs& discs, const std::string& path) {
+  for (const auto [i, j] : pairs_within(discs, 0)) {
+    const double distance = std::hypot(discs.x[j] - discs.x[i], discs.y[j] - discs.y[i]);
+    if (distance == 0)
+      throw UserError(
+          path, fmt::format("particles {} and {} (counted from 0) both lie at ({}, {}) m; take one away", i,
+                            j, discs.x[i], discs.y[i]));
+    const double overlap = discs.radius[i] + discs.radius[j] - distance;
+    if (overlap > std::min(discs.radius[i], discs.radius[j]) / 2)
+      throw UserError(
+          path, fmt::format("particles {} and {} (counted from 0) overlap by {:.4g} m at ({:.6g}, {:.6g}) "
+                            "m, more than half the smaller radius; move them apart",
+                            i, j, overlap, discs.x[i], discs.y[i]));
+  }
+}
+
+Placement placed(const scene::PlacedParticles& wanted) {
+  const std::string path = "particles.placed.path";
+  const std::string& content = wanted.content();
+  const auto begin = content.find_first_not_of(" \t\r\n");
+  const bool xml = begin != std::string::npos && content[begin] == '<';
+  PlacedDiscs table = xml ? read_vtp(content, path) : read_csv(content, path);
+  if (table.discs.size() == 0) throw UserError(path, "holds no particles; give at least one");
+  require_room_for(static_cast<double>(table.discs.size()), std::ranges::min(table.discs.radius), path);
+  refuse_deep_overlaps(table.discs, path);
+  std::vector<double> cell;
+  for (const double r : table.discs.radius) cell.push_back(std::numbers::pi * r * r);
+  return {std::move(table.discs), std::move(cell), std::move(table.number), false};
+}
+
+Placement fill(const scene::Particles& p, double normal_stiffness, Notes& notes) {
+  const int given = p.has_packing() + p.has_square_packing() + p.has_random_packing() + p.has_placed();
+  if (given != 1)
+    throw UserError(
+        "particles",
+        fmt::format("has {} packings; give one of packing, square_packing, random_packing and placed",
+                    given == 0 ? "none of four" : std::to_string(given)));
+  if (p.has_packing()) return hexagonal(p.packing());
+  if (p.has_square_packing()) return square(p.square_packing());
+  if (p.has_random_packing()) return random(p.random_packing(), normal_stiffness, notes);
+  return placed(p.placed());
+}
+
+std::vector<bool> flags(std::size_t count, const std::vector<std::uint32_t>& chosen) {
+  std::vector<bool> flags(count, false);
+  for (const std::uint32_t i : chosen) flags[i] = true;
+  return flags;
+}
+
+void keep_ring(const scene::SegmentRing& ring, Placement& placement) {
+  const std::string path = "particles.ring";
+  require_positive(ring.inner_radius(), path + ".inner_radius", "m");
+  if (!(ring.outer_radius() > ring.inner_radius()))
+    throw UserError(path + ".outer_radius",
+                    fmt::format("is {} m, not above inner_radius = {} m; exchange them", ring.outer_radius(),
+                                ring.inner_radius()));
+  const double slack = placement.tolerance();
+  std::vector<bool> inside;
+  for (std::size_t i = 0; i < placement.discs.size(); ++i) {
+    const double r =
+        std::hypot(placement.discs.x[i] - ring.centre().x(), placement.discs.y[i] - ring.centre().y());
+    inside.push_back(r >= ring.inner_radius() - slack && r <= ring.outer_radius() + slack);
+  }
+  if (std::ranges::count(inside, true) == 0)
+    throw UserError(path, "leaves no particles; give a packing that covers what lies between its circles");
+  placement.keep_only(inside);
+}
+
+}  // namespace
+
+void Placement::keep_only(const std::vector<bool>& keep) {
+  dem::keep_only(keep, discs);
+  const auto thin_out = [&keep](auto& column) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < column.size(); ++i)
+      if (keep[i]) column[kept++] = column[i];
+    column.resize(kept);
+  };
+  thin_out(cell);
+  thin_out(number);
+}
+
+double Placement::tolerance() const {
+  if (discs.size() == 0) return 0;
+  const auto [left, right] = std::ranges::minmax(discs.x);
+  const auto [below, above] = std::ranges::minmax(discs.y);
+  return 1e-9 * std::max({right - left, above - below, std::ranges::max(discs.radius)});
+}
+
+std::vector<std::uint32_t> select(const scene::Area& area, const Placement& placement,
+                                  const std::string& path) {
+  std::vector<double> centres;
+  for (std::size_t i = 0; i < placement.discs.size(); ++i)
+    centres.insert(centres.end(), {placement.discs.x[i], placement.discs.y[i]});
+  return protocol::select(area, centres, placement.tolerance(), path, "particles");
+}
+
+Placement place_discs(const scene::Particles& particles, double normal_stiffness, Notes& notes) {
+  Placement placement = fill(particles, normal_stiffness, notes);
+  if (placement.discs.size() == 0)
+    throw UserError(particles.has_packing() ? "particles.packing" : "particles.square_packing",
+                    "holds no particle; enlarge the box or reduce the radius");
+  if (particles.has_within())
+    placement.keep_only(
+        flags(placement.discs.size(), select(particles.within(), placement, "particles.within")));
+  if (particles.has_ring()) keep_ring(particles.ring(), placement);
+  return placement;
+}
+
+}  // namespace adit::dem

@@ -1,0 +1,33 @@
+// Where the scene wants discs, before they are joined.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dem_server/packing/discs.hpp"
+#include "protocol/messages/scene.pb.h"
+
+namespace adit::dem {
+
+struct Placement {
+  Discs discs;
+  std::vector<double> cell;           // area of the solid that each stands for [m^2]
+  std::vector<std::uint32_t> number;  // of each in the table it came from; empty without one
+  bool overlaps_free = true;
+
+  // Keeps the discs for which keep[i] is set.
+  void keep_only(const std::vector<bool>& keep);
+  // Points at rest within this distance lie on a line of the scene [m].
+  double tolerance() const;
+};
+
+// Packs or places the discs and takes away what lies outside `within` and the ring. `normal_stiffness` of the
+// contacts [N/m] is that under which a random packing is grown. Says in `notes` what it reached.
+Placement place_discs(const scene::Particles& particles, double normal_stiffness,
+                      std::vector<std::string>& notes);
+
+// Discs by their centres: what `area` selects, ascending. UserError where it selects none.
+std::vector<std::uint32_t> select(const scene::Area& area, const Placement& placement,
+                                  const std::string& path);
+
+}  // namespace adit::dem

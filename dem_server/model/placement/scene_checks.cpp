@@ -1,0 +1,129 @@
+#include "dem_server/model/placement/scene_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "protocol/errors.hpp"
+#include "protocol/wire/frame.hpp"
+
+namespace adit::dem {
+namespace {
+
+using protocol::UserError;
+
+// A snapshot takes about 260 bytes a particle with its bonds.
+constexpr double kBytesPerParticle = 260;
+constexpr double kMostParticles = protocol::kMaxFrameBytes / kBytesPerParticle;
+
+void require_extent(double min, double max, const std::string& path, const std::string& axis) {
+  if (!(max > min) || !std::isfinite(max - min))
+    throw UserError(
+        path + "." + axis + "_max",
+        fmt::format("is {} m, not above {}_min = {} m; give a box with finite sides", max, axis, min));
+}
+
+}  // namespace
+
+void require_positive(double value, const std::string& path, const std::string& unit) {
+  if (!(value > 0) || !std::isfinite(value))
+    throw UserError(path, fmt::format("is {} {}; give a finite number above 0", value, unit));
+}
+
+void require_room_for(double particles, double radius, const std::string& path) {
+  if (particles > kMostParticles)
+    throw UserError(
+        path, fmt::format("{} m gives {:.3g} particles, at most {:.3g} can be computed; enlarge the radius",
+                          radius, particles, kMostParticles));
+}
+
+Rectangle checked_box(const Rectangle& box, const std::string& path) {
+  require_extent(box.x_min, box.x_max, path, "x");
+  require_extent(box.y_min, box.y_max, path, "y");
+  return box;
+}
+
+const scene::Material& material_of(const scene::Scene& scene) {
+  return scene.particles().has_material() ? scene.particles().material() : scene.material();
+}
+
+MaterialAt checked_material(const scene::Scene& scene) {
+  const bool own = scene.particles().has_material();
+  const MaterialAt at{material_of(scene), own ? "particles.material" : "material"};
+  if (!own && !scene.has_material()) throw UserError(at.path, "is missing; give it, or particles.material");
+  if (own) require_elastic(at);
+  require_positive(at.material.density(), at.path + ".density", "kg/m^3");
+  require_positive(at.material.young_modulus(), at.path + ".young_modulus", "Pa");
+  return at;
+}
+
+void require_elastic(const MaterialAt& at) {
+  if (at.material.has_mohr_coulomb() || at.material.has_hysteretic() || at.material.has_weak_plane())
+    throw UserError(at.path,
+                    "has a law beyond elasticity, which bonds do not compute; leave it out and give "
+                    "particles.bonds.tensile_strength and shear_strength");
+}
+
+Plane plane_of(const scene::Scene& scene) {
+  return scene.plane() == scene::PLANE_STRESS ? Plane::kStress : Plane::kStrain;
+}
+
+BondStiffness checked_stiffness(const scene::Bonds& bonds, const std::string& path, const MaterialAt& at,
+                                Plane plane) {
+  BondStiffness stiffness{bonds.normal_stiffness(), bonds.shear_stiffness()};
+  if (!bonds.has_normal_stiffness() || !bonds.has_shear_stiffness()) {
+    const double nu = at.material.poisson_ratio(), limit = largest_poisson_ratio(plane);
+    if (!(nu >= 0 && nu <= limit))
+      throw UserError(
+          at.path + ".poisson_ratio",
+          fmt::format(
+              "is {}, but bonds can be calibrated only from 0 to {:.4g} in plane {}; change it, or give "
+              "{}.normal_stiffness and shear_stiffness",
+              nu, limit, plane == Plane::kStress ? "stress" : "strain", path));
+    const BondStiffness calibrated = calibrate(at.material.young_modulus(), nu, plane);
+    if (!bonds.has_normal_stiffness()) stiffness.normal = calibrated.normal;
+    // At the limit itself rounding may leave a shear stiffness just below 0.
+    if (!bonds.has_shear_stiffness()) stiffness.shear = std::max(calibrated.shear, 0.0);
+  }
+  require_positive(stiffness.normal, path + ".normal_stiffness", "N/m");
+  if (!(stiffness.shear >= 0) || !std::isfinite(stiffness.shear))
+    throw UserError(path + ".shear_stiffness",
+                    fmt::format("is {} N/m; give a finite number, 0 or above", stiffness.shear));
+  return stiffness;
+}
+
+Packing checked_packing(const scene::Scene& scene) {
+  const std::string path = "particles.packing";
+  if (!scene.has_particles())
+    throw UserError("particles", "is missing; a dem_server needs a scene with particles");
+  if (!scene.particles().has_packing())
+    throw UserError(path, "is missing; give the box and the radius of the particles");
+  const auto& wanted = scene.particles().packing();
+  require_positive(wanted.radius(), path + ".radius", "m");
+  const Rectangle box = checked_box(wanted, path);
+  require_room_for(count_hexagonal(box, wanted.radius()), wanted.radius(), path + ".radius");
+  const Packing packing = pack_hexagonally(box, wanted.radius());
+  if (packing.links.empty())
+    throw UserError(
+        path, fmt::format(
+                  "a box of {} m x {} m holds {} particle(s) of radius {} m (a row is sqrt(3) R high, a disc "
+                  "2 R wide) and no bond; enlarge the box or reduce the radius",
+                  box.x_max - box.x_min, box.y_max - box.y_min, packing.x.size(), wanted.radius()));
+  return packing;
+}
+
+BondLaw checked_bond_law(const scene::Scene& scene) {
+  const auto& bonds = scene.particles().bonds();
+  const BondLaw law{checked_stiffness(bonds, "particles.bonds", checked_material(scene), plane_of(scene)),
+                    bonds.tensile_strength(), bonds.shear_strength()};
+  if (!(law.tensile_strength > 0))
+    throw UserError("particles.bonds.tensile_strength",
+                    fmt::format("is {} N; give a number above 0", law.tensile_strength));
+  if (!(law.shear_strength > 0))
+    throw UserError("particles.bonds.shear_strength",
+                    fmt::format("is {} N; give a number above 0", law.shear_strength));
+  return law;
+}
+
+}  // namespace adit::dem

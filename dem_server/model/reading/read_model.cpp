@@ -1,0 +1,134 @@
+#include "dem_server/model/reading/read_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dem_server/model/placement/groups.hpp"
+#include "dem_server/model/placement/placement.hpp"
+#include "dem_server/model/reading/edges.hpp"
+#include "dem_server/model/reading/join.hpp"
+#include "dem_server/model/reading/springs.hpp"
+#include "dem_server/model/reading/walls.hpp"
+#include "protocol/errors.hpp"
+
+namespace adit::dem {
+namespace {
+
+using protocol::UserError;
+
+constexpr std::uint32_t kFewestNeighbours = 3;
+
+// Discs, groups and bonds of the model.
+void set_particles(const scene::Particles& particles, const std::vector<Group>& groups,
+                   const Placement& placement, Model& model) {
+  model.discs = placement.discs;
+  model.group = assign_groups(particles, placement);
+  model.joined.clear();
+  model.contact_bonds.clear();
+  model.parallel_bonds.clear();
+  model.smooth_joints.clear();
+  join(particles, groups, model);
+}
+
+void remove_floaters(const Model& model, std::vector<std::string>& notes, Placement& placement) {
+  std::vector<Pair> neighbours = pairs_within(model.discs, 0);
+  for (const Joined& joined : model.joined) neighbours.push_back({joined.first, joined.second});
+  const auto by_both = [](const Pair& a, const Pair& b) {
+    return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+  };
+  std::ranges::sort(neighbours, by_both);
+  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+  const auto keep = without_floaters(model.discs.size(), neighbours, {}, kFewestNeighbours);
+  const auto removed = std::ranges::count(keep, false);
+  if (removed == static_cast<std::ptrdiff_t>(keep.size()))
+    throw UserError(
+        "particles.remove_floaters",
+        "leaves no particles, because each hangs on fewer than three others in the end; leave it out");
+  placement.keep_only(keep);
+  if (removed > 0)
+    notes.push_back(
+        fmt::format("{} particles were taken away that were joined to fewer than three others", removed));
+}
+
+void weigh(const std::vector<Group>& groups, const Placement& placement, Model& model) {
+  for (std::size_t i = 0; i < model.discs.size(); ++i) {
+    const double radius = model.discs.radius[i];
+    model.mass.push_back(groups[model.group[i]].material.material.density() * placement.cell[i]);
+    model.inertia.push_back(model.mass[i] * radius * radius / 2);
+  }
+}
+
+void set_contacts(const std::vector<Group>& groups, Model& model) {
+  for (const Group& group : groups) model.group_names.push_back(group.name);
+  std::vector<LinearContact> own;
+  for (const Group& group : groups) own.push_back(group.contact());
+  for (std::size_t i = 0; i < own.size(); ++i)
+    for (std::size_t j = 0; j < own.size(); ++j)
+      model.contacts.push_back(i == j ? own[i] : between(own[i], own[j]));
+}
+
+void set_damping(const scene::ParticleDamping& damping, Model& model) {
+  if (!(damping.local() >= 0 && damping.local() < 1))
+    throw UserError("particles.damping.local",
+                    fmt::format("is {}; give a share from 0 and below 1", damping.local()));
+  if (!(damping.viscous() >= 0) || std::isinf(damping.viscous()))
+    throw UserError("particles.damping.viscous",
+                    fmt::format("is {} 1/s; give a rate from 0", damping.viscous()));
+  model.local_damping = damping.local();
+  model.viscous_damping = damping.viscous();
+}
+
+// Of a lattice of another kind the material's stiffness is only an estimate.
+void note_estimates(const scene::Particles& particles, const std::vector<Group>& groups, Model& model) {
+  if (particles.has_packing()) return;
+  for (const Group& group : groups) {
+    if (!group.bonds || group.bonds->has_parallel() ||
+        (group.bonds->has_normal_stiffness() && group.bonds->has_shear_stiffness()))
+      continue;
+    const auto [normal, shear] = group.stiffness();
+    model.notes.push_back(fmt::format(
+        "{}: {:.6g} N/m and {:.6g} N/m in shear are those of a hexagonal lattice of the material, in this "
+        "packing only an estimate; scripts/calibrate finds better ones",
+        group.bonds_path, normal, shear));
+  }
+}
+
+}  // namespace
+
+bool needs_discs(const scene::Particles& p) {
+  const auto of_discs = [](const scene::History& history) {
+    return history.has_radius() || history.has_wall();
+  };
+  return !p.has_packing() || p.has_square_packing() || p.has_random_packing() || p.has_placed() ||
+         p.has_within() || p.has_ring() || p.remove_floaters() || p.groups_size() > 0 ||
+         p.between_size() > 0 || p.joints_size() > 0 || p.springs_size() > 0 || p.has_contacts() ||
+         p.walls_size() > 0 || p.quiet_size() > 0 || p.has_damping() || p.bonds().has_parallel() ||
+         p.bonds().has_reach() || std::ranges::any_of(p.histories(), of_discs);
+}
+
+Model read_model(const scene::Scene& scene) {
+  if (!scene.has_particles())
+    throw UserError("particles", "is missing; a dem_server needs a scene with particles");
+  const auto& particles = scene.particles();
+  const auto groups = read_groups(scene);
+  Model model;
+  set_contacts(groups, model);
+  set_damping(particles.damping(), model);
+  Placement placement = place_discs(particles, model.contacts.front().normal_stiffness, model.notes);
+  model.overlaps_free = placement.overlaps_free;
+  set_particles(particles, groups, placement, model);
+  if (particles.remove_floaters()) {
+    remove_floaters(model, model.notes, placement);
+    set_particles(particles, groups, placement, model);
+  }
+  weigh(groups, placement, model);
+  note_estimates(particles, groups, model);
+  model.walls = read_walls(particles, groups.front());
+  model.springs = read_springs(particles, model.discs);
+  model.edges = read_edges(particles, groups, placement, model.group);
+  return model;
+}
+
+}  // namespace adit::dem

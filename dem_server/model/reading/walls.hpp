@@ -1,0 +1,13 @@
+// The rigid walls of a scene.
+#pragma once
+
+#include "dem_server/model/model.hpp"
+#include "dem_server/model/placement/groups.hpp"
+
+namespace adit::dem {
+
+// Contacts that a wall leaves out are those of the model's own group. UserError for walls without length, two
+// of one name.
+std::vector<MovingWall> read_walls(const scene::Particles& particles, const Group& own);
+
+}  // namespace adit::dem

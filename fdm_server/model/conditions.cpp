@@ -1,0 +1,133 @@
+#include "fdm_server/model/conditions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "fdm_server/grid/selection.hpp"
+#include "fdm_server/supports/lining_probe.hpp"
+#include "protocol/errors.hpp"
+#include "protocol/participant/time_function.hpp"
+
+namespace adit::fdm {
+namespace {
+
+TimeFactor factor(const scene::TimeFunction& function, const std::string& path) {
+  protocol::check(function, path + ".time");
+  return [function](double t) { return protocol::evaluate(function, t); };
+}
+
+void add(Load& load, std::uint32_t point, double fx, double fy) {
+  load.points.push_back(point);
+  load.fx.push_back(fx);
+  load.fy.push_back(fy);
+}
+
+// Forces that never change take up the factor, and have none.
+Load over_time(Load load, const scene::TimeFunction& time, const std::string& path) {
+  load.factor = factor(time, path);
+  if (time.has_table() || time.has_sine()) return load;
+  for (auto* forces : {&load.fx, &load.fy})
+    for (double& force : *forces) force *= load.factor(0);
+  load.factor = nullptr;
+  return load;
+}
+
+Load point_load(const scene::Load& scene, const Grid& grid, const std::string& path) {
+  const auto chosen = select_points(grid, scene.where(), path + ".where");
+  const double share = 1.0 / static_cast<double>(chosen.size());
+  Load load;
+  for (const auto point : chosen) add(load, point, share * scene.force().x(), share * scene.force().y());
+  return over_time(std::move(load), scene.time(), path);
+}
+
+double length(const Edge& edge, const Grid& grid) {
+  return std::hypot(grid.x[edge.to] - grid.x[edge.from], grid.y[edge.to] - grid.y[edge.from]);
+}
+
+Load edge_load(const scene::Load& scene, const Grid& grid, const std::string& path) {
+  const auto chosen = select_edges(grid, scene.where(), path + ".where");
+  double whole = 0;
+  for (const auto& edge : chosen) whole += length(edge, grid);
+  Load load;
+  for (const auto& edge : chosen) {
+    const double half = length(edge, grid) / whole / 2;
+    add(load, edge.from, half * scene.force().x(), half * scene.force().y());
+    add(load, edge.to, half * scene.force().x(), half * scene.force().y());
+  }
+  return over_time(std::move(load), scene.time(), path);
+}
+
+Load body_load(const scene::BodyLoad& scene, const Grid& grid, std::span<const double> masses,
+               const std::string& path) {
+  const auto chosen = select_points(grid, scene.where(), path + ".where");
+  Load load;
+  for (const auto point : chosen)
+    add(load, point, masses[point] * scene.acceleration().x(), masses[point] * scene.acceleration().y());
+  return over_time(std::move(load), scene.time(), path);
+}
+
+bool same_velocity(const scene::GridMotion& a, double va, const scene::GridMotion& b, double vb) {
+  return va == vb && (va == 0 || a.time().SerializeAsString() == b.time().SerializeAsString());
+}
+
+}  // namespace
+
+std::vector<Load> resolve_loads(const scene::Continuum& scene, const Grid& grid,
+                                std::span<const double> masses) {
+  std::vector<Load> loads;
+  for (int i = 0; i < scene.point_loads_size(); ++i)
+    loads.push_back(point_load(scene.point_loads(i), grid, fmt::format("continuum.point_loads[{}]", i)));
+  for (int i = 0; i < scene.edge_loads_size(); ++i)
+    loads.push_back(edge_load(scene.edge_loads(i), grid, fmt::format("continuum.edge_loads[{}]", i)));
+  for (int i = 0; i < scene.body_loads_size(); ++i)
+    loads.push_back(body_load(scene.body_loads(i), grid, masses, fmt::format("continuum.body_loads[{}]", i)));
+  return loads;
+}
+
+std::vector<Motion> resolve_motions(const scene::Continuum& scene, const Grid& grid) {
+  std::vector<Motion> motions;
+  // the motion that prescribes each point's x and y, or -1
+  std::array<std::vector<int>, 2> owner{std::vector<int>(grid.x.size(), -1),
+                                        std::vector<int>(grid.x.size(), -1)};
+  const auto velocity = [&](int i, Axis axis) {
+    const auto& v = scene.motions(i).velocity();
+    return axis == Axis::kX ? v.x() : v.y();
+  };
+  const auto prescribe = [&](int i, Axis axis, std::span<const std::uint32_t> chosen) {
+    const auto& here = scene.motions(i);
+    const auto path = fmt::format("continuum.motions[{}]", i);
+    Motion motion{{}, axis, velocity(i, axis), factor(here.time(), path)};
+    for (const auto point : chosen) {
+      int& before = owner[axis == Axis::kX ? 0 : 1][point];
+      if (before >= 0 &&
+          !same_velocity(scene.motions(before), velocity(before, axis), here, velocity(i, axis)))
+        throw protocol::UserError(
+            path + ".velocity",
+            fmt::format(
+                "prescribes another {} velocity than motions[{}] at the grid point ({}, {}) m; let one "
+                "of the two areas leave it out",
+                axis == Axis::kX ? "x" : "y", before, grid.x[point], grid.y[point]));
+      if (before >= 0) continue;
+      before = i;
+      motion.points.push_back(point);
+    }
+    motions.push_back(std::move(motion));
+  };
+  for (int i = 0; i < scene.motions_size(); ++i) {
+    const auto path = fmt::format("continuum.motions[{}]", i);
+    const auto& motion = scene.motions(i);
+    if (!motion.velocity().has_x() && !motion.velocity().has_y())
+      throw protocol::UserError(path + ".velocity",
+                                "names no component; give x, y or both (0 fixes a component)");
+    const auto chosen = select_points(grid, motion.where(), path + ".where");
+    if (motion.velocity().has_x()) prescribe(i, Axis::kX, chosen);
+    if (motion.velocity().has_y()) prescribe(i, Axis::kY, chosen);
+  }
+  return motions;
+}
+
+}  // namespace adit::fdm

@@ -1,0 +1,25 @@
+// The scene's loads and motions on what is left of the grid.
+// Errors: UserError with the scene's path.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fdm_server/grid/grid.hpp"
+#include "fdm_server/solver/continuum.hpp"
+#include "protocol/messages/scene.pb.h"
+
+namespace adit::fdm {
+
+// Point loads in equal shares; edge loads by length over edges on the grid's boundary (an edge that appears
+// where zones vanished is no boundary of the body), half of an edge's share to each end; body loads on the
+// weighted masses of the points. Point and edge loads are not weighted: they are total forces.
+std::vector<Load> resolve_loads(const scene::Continuum& scene, const Grid& grid,
+                                std::span<const double> masses);
+
+// A component of a point that two motions prescribe differently is an error.
+std::vector<Motion> resolve_motions(const scene::Continuum& scene, const Grid& grid);
+
+}  // namespace adit::fdm

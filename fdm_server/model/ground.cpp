@@ -1,0 +1,180 @@
+#include "fdm_server/model/ground.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "fdm_server/grid/selection.hpp"
+#include "protocol/errors.hpp"
+
+namespace adit::fdm {
+namespace {
+
+void require(bool condition, const std::string& path, const std::string& message) {
+  if (!condition) throw protocol::UserError(path, message);
+}
+
+// Of a row of strengths, or a weak plane: what the scene leaves out is as in `before`.
+template <class Scene>
+Strength read_strength(const Scene& scene, const Strength& before, const std::string& path) {
+  const auto angle = [&](bool given, double value, double otherwise, const char* name) {
+    require(
+        !given || (value >= 0 && value < std::numbers::pi / 2), path + name,
+        fmt::format("is {} rad, but must be at least 0 and below a right angle; degrees are written `30 deg`",
+                    value));
+    return given ? value : otherwise;
+  };
+  Strength strength = before;
+  require(!scene.has_cohesion() || scene.cohesion() >= 0, path + ".cohesion",
+          fmt::format("is {} Pa, but must be 0 or above", scene.cohesion()));
+  if (scene.has_cohesion()) strength.cohesion = scene.cohesion();
+  strength.friction_angle =
+      angle(scene.has_friction_angle(), scene.friction_angle(), before.friction_angle, ".friction_angle");
+  strength.dilation_angle =
+      angle(scene.has_dilation_angle(), scene.dilation_angle(), before.dilation_angle, ".dilation_angle");
+  require(strength.dilation_angle <= strength.friction_angle, path + ".dilation_angle",
+          fmt::format("is {} rad, more than the friction angle of {} rad: the ground would gain energy by "
+                      "failing; give at most that",
+                      strength.dilation_angle, strength.friction_angle));
+  const double most = apex(strength.cohesion, strength.friction_angle);
+  require(!scene.has_tension() || (scene.tension() >= 0 && scene.tension() <= most), path + ".tension",
+          fmt::format("is {} Pa, but must lie between 0 and cohesion / tan(friction_angle) = {} Pa",
+                      scene.tension(), most));
+  strength.tension = std::min(scene.has_tension() ? scene.tension() : before.tension, most);
+  return strength;
+}
+
+constexpr Strength kNoStrength{0, 0, 0, HUGE_VAL};
+
+MohrCoulomb read_mohr_coulomb(const scene::MohrCoulomb& scene, const std::string& path) {
+  std::vector<SofteningRow> rows{{0, read_strength(scene, kNoStrength, path)}};
+  for (int i = 0; i < scene.softening_size(); ++i) {
+    const auto row = fmt::format("{}.softening[{}]", path, i);
+    const double strain = scene.softening(i).plastic_shear_strain();
+    require(strain > rows.back().strain, row + ".plastic_shear_strain",
+            fmt::format("is {}, but must be larger than {} before it", strain, rows.back().strain));
+    rows.push_back({strain, read_strength(scene.softening(i), rows.back().strength, row)});
+  }
+  return MohrCoulomb(std::move(rows));
+}
+
+ModulusReduction read_table(const scene::ReductionTable& table, const std::string& path) {
+  const auto &strains = table.shear_strain(), &ratios = table.ratio();
+  require(strains.size() == ratios.size() && strains.size() >= 3, path,
+          fmt::format("has {} strains and {} ratios; give at least three of each, as many of both",
+                      strains.size(), ratios.size()));
+  for (int i = 0; i < strains.size(); ++i) {
+    require(strains[i] > (i == 0 ? 0 : strains[i - 1]), path + ".shear_strain",
+            fmt::format("does not increase at its value {}: {}", i + 1, strains[i]));
+    require(ratios[i] > 0 && ratios[i] <= (i == 0 ? 1 : ratios[i - 1]), path + ".ratio",
+            fmt::format("rises or leaves (0, 1] at its value {}: {}; G/Gmax falls with the strain", i + 1,
+                        ratios[i]));
+    require(
+        i == 0 || strains[i] * ratios[i] >= strains[i - 1] * ratios[i - 1], path + ".ratio",
+        fmt::format("falls so fast at the strain {} that the shear stress falls too; this law cannot soften",
+                    strains[i]));
+  }
+  require(ratios[0] == 1, path + ".ratio",
+          fmt::format(
+              "begins with {}; give a small strain where it is 1, the modulus being young_modulus / (2 (1 + "
+              "poisson_ratio))",
+              ratios[0]));
+  return reduction_table({strains.data(), static_cast<std::size_t>(strains.size())},
+                         {ratios.data(), static_cast<std::size_t>(ratios.size())});
+}
+
+Hysteretic read_hysteretic(const scene::Hysteretic& scene, const std::string& path) {
+  const auto elements = scene.elements();
+  require(elements >= 4 && elements <= 200, path + ".elements",
+          fmt::format("is {}, but must lie between 4 and 200", elements));
+  if (scene.has_table()) {
+    const auto& strains = scene.table().shear_strain();
+    const auto curve = read_table(scene.table(), path + ".table");
+    return Hysteretic(backbone(curve, strains[0], strains[strains.size() - 1], elements));
+  }
+  require(scene.has_hyperbola(), path, "names no curve; give table or hyperbola");
+  const double reference = scene.hyperbola().reference_strain(), exponent = scene.hyperbola().exponent();
+  require(reference > 0 && reference < 1, path + ".hyperbola.reference_strain",
+          fmt::format("is {}, but must lie between 0 and 1: the strain of G/Gmax = 1/2, such as 1e-3",
+                      reference));
+  require(exponent >= 0.5 && exponent <= 1, path + ".hyperbola.exponent",
+          fmt::format("is {}, but must lie between 0.5 and 1", exponent));
+  // below, the modulus is reduced by less than the hundredth part at which loops are noticed; above, the
+  // stress stays
+  const double first = reference * std::pow(2e-3, 1 / exponent);
+  return Hysteretic(backbone(hyperbola(reference, exponent), first, 10 * reference, elements));
+}
+
+Material read_material(const scene::Material& scene, const scene::Scene& whole, const std::string& path) {
+  const double young = scene.young_modulus(), poisson = scene.poisson_ratio(), density = scene.density();
+  require(young > 0 && std::isfinite(young), path + ".young_modulus",
+          fmt::format("is {} Pa, but must be positive", young));
+  require(poisson > -1 && poisson < 0.5, path + ".poisson_ratio",
+          fmt::format("is {}, but must lie between -1 and 0.5", poisson));
+  require(density > 0 && std::isfinite(density), path + ".density",
+          fmt::format("is {} kg/m^3, but must be positive", density));
+  Material material{density, young, poisson};
+  require(!scene.has_hysteretic() || !scene.has_mohr_coulomb(), path + ".hysteretic",
+          "stands beside mohr_coulomb, but a zone follows one of them; a hysteretic curve carries its own "
+          "strength, "
+          "the stress at its last strain");
+  require(!scene.has_hysteretic() || !scene.has_weak_plane(), path + ".weak_plane",
+          "stands beside hysteretic, but weak planes are computed in elastic or mohr_coulomb ground only");
+  if (scene.has_mohr_coulomb())
+    material.mohr_coulomb = read_mohr_coulomb(scene.mohr_coulomb(), path + ".mohr_coulomb");
+  if (scene.has_hysteretic()) material.hysteretic = read_hysteretic(scene.hysteretic(), path + ".hysteretic");
+  if (scene.has_weak_plane()) {
+    const auto& plane = scene.weak_plane();
+    require(std::isfinite(plane.dip_angle()), path + ".weak_plane.dip_angle", "is not finite");
+    material.weak_plane =
+        WeakPlane(plane.dip_angle(), read_strength(plane, kNoStrength, path + ".weak_plane"));
+  }
+  require(material.linear() || whole.plane() == scene::PLANE_STRAIN, path,
+          "has a strength or a hysteretic curve, which is computed in plane strain only; write `plane: "
+          "plane_strain`, "
+          "or leave the material elastic");
+  return material;
+}
+
+}  // namespace
+
+Ground read_ground(const scene::Scene& scene) {
+  const auto& continuum = scene.continuum();
+  const bool own = continuum.has_material();
+  const std::string path = own ? "continuum.material" : "material";
+  require(own || scene.has_material(), path, "is missing; give it, or continuum.material");
+  Ground ground;
+  ground.plane_stress = scene.plane() == scene::PLANE_STRESS;
+  ground.large_strain = continuum.large_strain();
+  ground.materials.push_back(read_material(own ? continuum.material() : scene.material(), scene, path));
+  for (int i = 0; i < continuum.materials_size(); ++i)
+    ground.materials.push_back(read_material(continuum.materials(i).material(), scene,
+                                             fmt::format("continuum.materials[{}].material", i)));
+  require(!ground.large_strain || !ground.plane_stress, "continuum.large_strain",
+          "is computed in plane strain only; write `plane: plane_strain`, or leave large_strain out");
+  require(!ground.large_strain || (!scene.has_interface() && scene.interfaces_size() == 0),
+          "continuum.large_strain",
+          "moves the grid away from the places where an interface joins it to another model; leave one of "
+          "the two out");
+  return ground;
+}
+
+std::vector<std::uint32_t> materials_of_zones(const scene::Continuum& scene, const Grid& grid) {
+  std::vector<std::uint32_t> numbers(grid.zones.size(), 0);
+  for (int i = 0; i < scene.materials_size(); ++i)
+    for (const auto zone :
+         select_zones(grid, scene.materials(i).where(), fmt::format("continuum.materials[{}].where", i)))
+      numbers[zone] = static_cast<std::uint32_t>(i) + 1;
+  return numbers;
+}
+
+void compact(Ground& ground, std::span<const double> weights) {
+  std::size_t kept = 0;
+  for (std::size_t z = 0; z < weights.size(); ++z)
+    if (weights[z] != 0) ground.of_zone[kept++] = ground.of_zone[z];
+  ground.of_zone.resize(kept);
+}
+
+}  // namespace adit::fdm

@@ -1,0 +1,24 @@
+// From the scene to the materials of the zones.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "fdm_server/grid/grid.hpp"
+#include "fdm_server/materials/material.hpp"
+#include "protocol/messages/scene.pb.h"
+
+namespace adit::fdm {
+
+// The continuum's material, then those of its areas in their order; no zones yet. UserError with the field's
+// path where no law can be built of it.
+Ground read_ground(const scene::Scene& scene);
+
+// Number of the material of each zone: that of the last area that holds its centre. UserError for an area
+// that holds none.
+std::vector<std::uint32_t> materials_of_zones(const scene::Continuum& scene, const Grid& grid);
+
+// Removes the zones of weight 0.
+void compact(Ground& ground, std::span<const double> weights);
+
+}  // namespace adit::fdm

@@ -1,0 +1,349 @@
+#include "fdm_server/participant/participant.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "fdm_server/boundaries/boundaries.hpp"
+#include "fdm_server/grid/interpolation.hpp"
+#include "fdm_server/grid/samples.hpp"
+#include "fdm_server/model/excavation.hpp"
+#include "fdm_server/model/ground.hpp"
+#include "fdm_server/model/initial_stress.hpp"
+#include "fdm_server/model/read_grid.hpp"
+#include "fdm_server/participant/snapshot.hpp"
+#include "fdm_server/solver/deformed_grid.hpp"
+#include "fdm_server/zones/nonlinear/material_zones.hpp"
+#include "protocol/errors.hpp"
+
+namespace adit::fdm {
+namespace {
+
+constexpr std::uint64_t kFiniteCheckInterval = 100;  // steps
+constexpr std::uint64_t kShapeCheckInterval = 1000;  // steps; costs as much as some tens
+
+std::span<const double> view(const google::protobuf::RepeatedField<double>& field) {
+  return {field.data(), static_cast<std::size_t>(field.size())};
+}
+
+// One weight a zone from the wire's samples; all 1 where there are none.
+std::vector<double> read_weights(const wire::Weights& weights, const Grid& grid) {
+  if (weights.weights().empty()) return std::vector<double>(grid.zones.size(), 1.0);
+  const auto in_range = [](double value) { return value >= 0 && value <= 1; };
+  if (!std::ranges::all_of(weights.weights(), in_range) || !in_range(weights.floor()))
+    throw std::invalid_argument("got a weight or a floor outside [0, 1]");
+  return zone_weights(grid, view(weights.weights()), weights.floor());
+}
+
+}  // namespace
+
+void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
+  started_ = std::clock();
+  scene_ = setup.scene();
+  setup_ = read_setup(scene_);
+  grid_ = read_grid(scene_.continuum());
+  setup_.ground.of_zone = materials_of_zones(scene_.continuum(), grid_);
+  const Supports supports = resolve_supports(scene_, grid_);
+  damping_ = resolve_damping(scene_.continuum());
+  critical_dt_ = critical_step(damping_, std::min(critical_step(setup_.kind, grid_, setup_.ground),
+                                                  supports.structures.critical_step()));
+  if (!(critical_dt_ > 0) || !std::isfinite(critical_dt_))
+    throw protocol::UserError("material",
+                              fmt::format("makes a critical time step of {} s; check the units of the "
+                                          "stiffness and of the density",
+                                          critical_dt_));
+  model.set_critical_dt(critical_dt_);
+  const auto box = bounds(grid_);
+  model.set_x_min(box.x_min);
+  model.set_x_max(box.x_max);
+  model.set_y_min(box.y_min);
+  model.set_y_max(box.y_max);
+  const auto samples = sample_points(grid_);
+  model.mutable_sample_points()->Assign(samples.begin(), samples.end());
+}
+
+void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interface) {
+  weights_ = read_weights(weights, grid_);
+  compact(setup_.ground, weights_);
+  compact(grid_, weights_);
+  if (grid_.zones.empty())
+    throw protocol::UserError(
+        "interface.overlap",
+        "leaves no zone of the continuum, whose weight is 0 everywhere; let the block reach into the overlap "
+        "and beyond it on the continuum's own side");
+  supports_ = resolve_supports(scene_, grid_);
+  const auto& conditions = scene_.continuum();
+  make_continuum();
+  stage_of_zone_ = excavation_stages(scene_, grid_);
+  histories_.emplace(conditions, supports_, grid_, zone_kinds());
+  if (!weights.weights().empty()) offer_grid_points(weights, interface);
+  interface.set_zones(grid_.zones.size());
+  interface.set_grid_points(grid_.x.size());
+}
+
+// The columns follow their side.
+void FdmParticipant::make_continuum() {
+  const auto& conditions = scene_.continuum();
+  const auto edges = outline(grid_);
+  columns_ = add_columns(conditions, edges, grid_);
+  for (const auto& column : columns_)
+    for (const auto& edge : column.edges) setup_.ground.of_zone.push_back(setup_.ground.of_zone[edge.zone]);
+  weights_.resize(grid_.zones.size(), 1.0);
+
+  auto motions = resolve_motions(conditions, grid_);
+  for (auto& motion : motions)
+    for (const auto& column : columns_) extend_to_column(column, motion.points);
+  auto boundaries = resolve_boundaries(
+      conditions, scene_.time().duration(), grid_, edges, columns_,
+      [this](std::uint32_t zone) {
+        const Ground& ground = setup_.ground;
+        const Material& material = ground.materials[ground.of_zone[zone]];
+        return impedance(ground.plane_law(material), material.density, weights_[zone]);
+      },
+      motions);
+  std::ranges::move(boundaries.motions, std::back_inserter(motions));
+  base_loads_ = std::move(boundaries.loads);
+
+  std::unique_ptr<Zones> zones = std::make_unique<MaterialZones>(setup_.kind, grid_, setup_.ground, weights_);
+  if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), grid_, *zones);
+  const auto masses = this->masses();
+  continuum_ = std::make_unique<Continuum>(std::move(zones), masses, loads(masses), std::move(motions),
+                                           threads_ > 0 ? threads_ : useful_threads(grid_.zones.size()),
+                                           supports_.structures);
+  continuum_->set_dashpots(std::move(boundaries.dashpots),
+                           scene_.has_statics() || scene_.has_initial_stress());
+  continuum_->set_damping(damping_);
+}
+
+std::vector<Load> FdmParticipant::loads(std::span<const double> masses) const {
+  auto loads = resolve_loads(scene_.continuum(), grid_, masses);
+  for (auto& load : std::span(loads).last(scene_.continuum().body_loads_size()))
+    for (const auto& column : columns_) extend_to_column(column, masses, load);
+  loads.insert(loads.end(), base_loads_.begin(), base_loads_.end());
+  return loads;
+}
+
+std::vector<double> FdmParticipant::masses() const {
+  auto masses = lumped_masses(grid_, weights_, zone_densities(setup_.ground));
+  supports_.structures.add_masses(masses, stage_);
+  return masses;
+}
+
+void FdmParticipant::offer_grid_points(const wire::Weights& box, wire::Interface& interface) const {
+  for (std::size_t i = 0; i < grid_.own_points(); ++i) {
+    if (grid_.x[i] < box.x_min() || grid_.x[i] > box.x_max() || grid_.y[i] < box.y_min() ||
+        grid_.y[i] > box.y_max())
+      continue;
+    interface.add_points(grid_.x[i]);
+    interface.add_points(grid_.y[i]);
+  }
+}
+
+void FdmParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
+  if (couple.points_size() % 2 != 0 ||
+      !std::ranges::all_of(couple.points(), [](double value) { return std::isfinite(value); }))
+    throw std::invalid_argument("got coupling points that are no finite pairs x y");
+  operator_ = protocol::InterfaceOperator(interpolate(grid_, view(couple.points())));
+  require_interface_stays();
+  continuum_->set_interface(operator_.points());
+  operator_.fill(op);
+  histories_->tie(operator_.points());
+  for (const auto point : operator_.points()) {
+    op.add_inverse_masses(continuum_->inverse_mass_x()[point]);
+    op.add_inverse_masses(continuum_->inverse_mass_y()[point]);
+  }
+}
+
+void FdmParticipant::advance(const wire::Advance& advance, wire::Predicted& predicted) {
+  if (relaxation_ && !advance.relax()) start_over();
+  if (next_step_ == 0) step_.dt = advance.dt();
+  check(advance);
+  push(advance.impulses());
+  take_peak_forces();
+  take_peaks();
+  if (advance.relax()) relax(advance.stop(), *predicted.mutable_relaxation());
+  if (advance.stage() > stage_) excavate(advance.stage());
+  histories_->remember(*continuum_);
+  if (advance.want_peaks()) {
+    if (!peaks_) peaks_.emplace(grid_);
+    peaks_->remember(*continuum_);
+    peaks_due_ = true;
+  }
+
+  const std::uint64_t step = advance.step();
+  step_ = {step, advance.dt(), advance.relax(), advance.stop()};
+  rest_left_ =
+      operator_.rows() > 0 && !advance.relax() && !advance.want_energies() && !advance.want_histories();
+  Energies energies{};
+  if (rest_left_)
+    continuum_->step_interface(step_);
+  else
+    continuum_->step(step_, advance.want_energies() ? &energies : nullptr);
+  next_step_ = step + 1;
+  ++steps_done_;
+
+  predicted.set_step(step);
+  const int count = 2 * static_cast<int>(operator_.rows());
+  predicted.mutable_velocities()->Resize(count, 0.0);
+  operator_.velocities(continuum_->vx(), continuum_->vy(),
+                       {predicted.mutable_velocities()->mutable_data(), static_cast<std::size_t>(count)});
+  if (advance.want_energies()) {
+    predicted.mutable_energies()->set_kinetic(energies.kinetic);
+    predicted.mutable_energies()->set_strain(energies.strain);
+    predicted.mutable_energies()->set_external_work(energies.external_work);
+    predicted.mutable_energies()->set_dissipated(energies.dissipated);
+  }
+  if (advance.relax()) predicted.mutable_relaxation()->set_kinetic_energy(kinetic_energy(*continuum_));
+  if (advance.want_histories())
+    histories_->read(grid_, supports_, *continuum_, step_, *predicted.mutable_histories());
+  check_answer(predicted);
+  if (!rest_left_ && step % kFiniteCheckInterval == 0) check_grid(step);
+  if (setup_.ground.large_strain && steps_done_ % kShapeCheckInterval == 0 &&
+      !scene_.time().beyond_critical())
+    require_stable_shapes(setup_.kind, grid_, setup_.ground, damping_, weights_, *continuum_, step_);
+}
+
+void FdmParticipant::complete() {
+  if (!rest_left_) return;
+  rest_left_ = false;
+  continuum_->step_interior(step_);
+  if (step_.number % kFiniteCheckInterval == 0) check_grid(step_.number);
+}
+
+void FdmParticipant::take_peaks() {
+  if (!peaks_due_) return;
+  peaks_due_ = false;
+  peaks_->take(grid_, *continuum_, step_);
+}
+
+void FdmParticipant::relax(bool stop, wire::Relaxation& answer) {
+  if (!relaxation_) relaxation_.emplace(grid_, weights_);
+  const Unrest unrest = relaxation_->measure(*continuum_, step_.kick());
+  answer.set_unbalanced_force(unrest.unbalanced_force);
+  answer.set_internal_force(unrest.internal_force);
+  answer.set_points(grid_.x.size());
+  answer.set_elements(grid_.zones.size());
+  if (!stop) return;
+  continuum_->stop();
+  relaxation_->stopped();
+}
+
+void FdmParticipant::start_over() {
+  relaxation_.reset();
+  continuum_->start_over();
+  if (!scene_.statics().keep_displacements() || stage_ == 0) continuum_->reset_displacements();
+  next_step_ = 0;
+}
+
+void FdmParticipant::excavate(std::uint32_t stage) {
+  std::vector<std::uint32_t> zones;
+  for (std::uint32_t z = 0; z < grid_.zones.size(); ++z)
+    if (stage_of_zone_[z] > stage_ && stage_of_zone_[z] <= stage) zones.push_back(z);
+  for (const auto zone : zones) weights_[zone] = 0;
+  if (stage_ == 0) continuum_->reset_displacements();
+  stage_ = stage;
+  const auto masses = this->masses();
+  continuum_->excavate(zones, masses, loads(masses), stage);
+  relaxation_.emplace(grid_, weights_);
+}
+
+// The coupler knows the masses at the coupling points once and for all.
+void FdmParticipant::require_interface_stays() const {
+  std::vector<bool> coupled(grid_.x.size(), false);
+  for (const auto point : operator_.points()) coupled[point] = true;
+  for (std::size_t z = 0; z < grid_.zones.size(); ++z)
+    if (stage_of_zone_[z] > 0 &&
+        std::ranges::any_of(grid_.zones[z], [&](auto point) { return coupled[point]; })) {
+      const auto [x, y] = centroid(corners(grid_, z));
+      throw protocol::UserError(
+          "continuum.excavations",
+          fmt::format(
+              "take away the zone at ({:g}, {:g}) m in stage {}, which the interface ties; keep a zone "
+              "between excavations and overlap",
+              x, y, stage_of_zone_[z]));
+    }
+  if (const auto point = supports_.structures.later_point(coupled))
+    throw protocol::UserError(
+        "continuum.linings",
+        fmt::format(
+            "or bolts are attached at ({:g}, {:g}) m after stage 0, where the interface ties the grid; "
+            "keep a zone between them and the overlap",
+            grid_.x[*point], grid_.y[*point]));
+}
+
+std::vector<std::uint32_t> FdmParticipant::zone_kinds() const {
+  std::vector<std::uint32_t> kinds(grid_.zones.size(), kNoGround);
+  for (std::size_t z = 0; z < grid_.own_zones(); ++z)
+    if (stage_of_zone_[z] == 0) kinds[z] = setup_.ground.of_zone[z];
+  return kinds;
+}
+
+void FdmParticipant::check(const wire::Advance& advance) const {
+  if (advance.step() != next_step_)
+    throw std::invalid_argument(
+        fmt::format("was asked for step {}, but the next one is {}", advance.step(), next_step_));
+  if (!(advance.dt() > 0) || advance.dt() != step_.dt)
+    throw std::invalid_argument(
+        fmt::format("was asked to advance by {} s in a run of {} s a step", advance.dt(), step_.dt));
+  if (advance.dt() > critical_dt_ && !scene_.time().beyond_critical())
+    throw protocol::UserError("time.dt", fmt::format("is {} s, above the continuum's critical step of {} s; "
+                                                     "give at most that",
+                                                     advance.dt(), critical_dt_));
+}
+
+void FdmParticipant::push(const google::protobuf::RepeatedField<double>& impulses) {
+  if (impulses.empty()) return;
+  if (next_step_ == 0 || static_cast<std::size_t>(impulses.size()) != 2 * operator_.rows())
+    throw std::invalid_argument(fmt::format("got {} impulse components for {} coupling points before step {}",
+                                            impulses.size(), operator_.rows(), next_step_));
+  const auto own = operator_.gather(view(impulses));
+  for (std::size_t j = 0; j < operator_.points().size(); ++j)
+    continuum_->push(operator_.points()[j], own[2 * j], own[2 * j + 1]);
+}
+
+void FdmParticipant::take_peak_forces() {
+  if (next_step_ > 0 && !step_.relax) peak_forces_.take(supports_.linings, continuum_->structures());
+}
+
+void FdmParticipant::check_answer(const wire::Predicted& predicted) const {
+  const auto finite = [](double value) { return std::isfinite(value); };
+  const auto& energies = predicted.energies();
+  const bool energies_finite = finite(energies.kinetic()) && finite(energies.strain());
+  if (!energies_finite || !std::ranges::all_of(predicted.velocities(), finite)) check_grid(predicted.step());
+  if (!energies_finite)
+    throw protocol::Unstable(fmt::format(
+        "step {}: the continuum's energy is not finite (kinetic {} J, strain {} J); lower time.dt "
+        "and look at the loads",
+        predicted.step(), energies.kinetic(), energies.strain()));
+}
+
+void FdmParticipant::check_grid(std::uint64_t step) const {
+  const Continuum& continuum = *continuum_;
+  const auto point = continuum.first_non_finite();
+  if (!point) return;
+  throw protocol::Unstable(fmt::format(
+      "step {}: the velocity of the grid point at ({}, {}) m is ({}, {}) m/s; lower time.dt and look at the "
+      "loads",
+      step, grid_.x[*point], grid_.y[*point], continuum.vx()[*point], continuum.vy()[*point]));
+}
+
+void FdmParticipant::snapshot(const wire::SnapshotRequest& request, wire::Snapshot& snapshot) {
+  push(request.impulses());
+  if (operator_.rows() == 0 || !request.impulses().empty()) take_peaks();
+  fill_snapshot(grid_, *continuum_, weights_, snapshot);
+  if (peaks_) add_peaks(*peaks_, weights_, *snapshot.mutable_pieces(0));
+  take_peak_forces();
+  add_supports(grid_, *continuum_, supports_, peak_forces_, snapshot);
+}
+
+void FdmParticipant::finish(wire::Bye& bye) {
+  bye.set_cpu_seconds(static_cast<double>(std::clock() - started_) / CLOCKS_PER_SEC);
+  bye.set_updates(grid_.zones.size() * steps_done_);
+}
+
+}  // namespace adit::fdm

@@ -1,0 +1,150 @@
+#include "fdm_server/participant/snapshot.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace adit::fdm {
+namespace {
+
+// A field of `rows` rows of zeros, to be filled by place.
+double* new_field(google::protobuf::RepeatedPtrField<wire::Field>& fields, const std::string& name,
+                  int components, std::size_t rows) {
+  auto& field = *fields.Add();
+  field.set_name(name);
+  field.set_components(components);
+  field.mutable_values()->Resize(components * static_cast<int>(rows), 0.0);
+  return field.mutable_values()->mutable_data();
+}
+
+void fill_vectors(std::span<const double> x, std::span<const double> y, double* values) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    values[3 * i] = x[i];
+    values[3 * i + 1] = y[i];
+  }
+}
+
+// A piece along paths, whose points are its own: x, y, displacement.
+wire::Piece& add_lines(const std::string& name, const Grid& grid, const Continuum& continuum,
+                       std::span<const Path> paths, wire::Snapshot& snapshot) {
+  auto& piece = *snapshot.add_pieces();
+  piece.set_name(name);
+  piece.set_shape(wire::Piece::LINES);
+  std::vector<double> ux, uy;
+  for (const auto& [points, closed] : paths) {
+    const auto first = static_cast<std::uint32_t>(ux.size()),
+               count = static_cast<std::uint32_t>(points.size());
+    for (const auto point : points) {
+      piece.add_points(grid.x[point]);
+      piece.add_points(grid.y[point]);
+      ux.push_back(continuum.ux()[point]);
+      uy.push_back(continuum.uy()[point]);
+    }
+    for (std::uint32_t k = 0; k + (closed ? 0 : 1) < count; ++k) {
+      piece.add_connectivity(first + k);
+      piece.add_connectivity(first + (k + 1) % count);
+    }
+  }
+  fill_vectors(ux, uy, new_field(*piece.mutable_point_fields(), "displacement_m", 3, ux.size()));
+  return piece;
+}
+
+void add_linings(const Grid& grid, const Continuum& continuum, const std::vector<Lining>& linings,
+                 const PeakForces& peaks, wire::Snapshot& snapshot) {
+  std::vector<Path> paths;
+  std::vector<double> number, thrust, moment, shear;
+  for (const Lining& lining : linings) {
+    number.insert(number.end(), lining.beams, static_cast<double>(paths.size()));
+    paths.push_back(lining.path);
+    for (std::size_t node = 0; node < lining.path.points.size(); ++node) {
+      const auto forces = forces_at(lining, continuum.structures(), node);
+      thrust.push_back(forces.thrust);
+      moment.push_back(forces.moment);
+      shear.push_back(forces.shear);
+    }
+  }
+  auto& piece = add_lines("linings", grid, continuum, paths, snapshot);
+  const auto add = [&](const std::string& name, const std::vector<double>& values) {
+    std::ranges::copy(values, new_field(*piece.mutable_point_fields(), name, 1, values.size()));
+  };
+  add("thrust_N", thrust);
+  add("moment_Nm", moment);
+  add("shear_N", shear);
+  if (!peaks.values()[0].empty()) {
+    add("peak_thrust_N", peaks.values()[0]);
+    add("peak_moment_Nm", peaks.values()[1]);
+    add("peak_shear_N", peaks.values()[2]);
+  }
+  std::ranges::copy(number, new_field(*piece.mutable_cell_fields(), "lining", 1, number.size()));
+}
+
+void add_bolts(const Grid& grid, const Continuum& continuum, const std::vector<BoltBars>& bolts,
+               wire::Snapshot& snapshot) {
+  std::vector<Path> paths;
+  std::vector<double> thrust;
+  for (const BoltBars& bolt : bolts) {
+    paths.push_back(bolt.path);
+    for (const Bar& bar : continuum.structures().bars().subspan(bolt.first_bar, bolt.bars))
+      thrust.push_back(bolt.spacing * bar.thrust());
+  }
+  auto& piece = add_lines("bolts", grid, continuum, paths, snapshot);
+  std::ranges::copy(thrust, new_field(*piece.mutable_cell_fields(), "thrust_N", 1, thrust.size()));
+}
+
+}  // namespace
+
+void fill_snapshot(const Grid& grid, const Continuum& continuum, std::span<const double> weights,
+                   wire::Snapshot& snapshot) {
+  snapshot.Clear();
+  auto& piece = *snapshot.add_pieces();
+  piece.set_name("grid");
+  piece.set_shape(wire::Piece::QUADS);
+  const std::size_t points = grid.own_points(), zones = grid.zones.size() - grid.own_corners.size();
+  for (std::size_t i = 0; i < points; ++i) {
+    piece.add_points(grid.x[i]);
+    piece.add_points(grid.y[i]);
+  }
+  std::vector<std::size_t> present;
+  for (std::size_t z = 0; z < zones; ++z)
+    if (weights[z] > 0) present.push_back(z);
+  for (const auto z : present)
+    for (const auto point : grid.zones[z]) piece.add_connectivity(static_cast<std::uint32_t>(point));
+
+  auto& at_points = *piece.mutable_point_fields();
+  fill_vectors(continuum.ux().first(points), continuum.uy(),
+               new_field(at_points, "displacement_m", 3, points));
+  fill_vectors(continuum.vx().first(points), continuum.vy(),
+               new_field(at_points, "velocity_m_per_s", 3, points));
+
+  auto& in_zones = *piece.mutable_cell_fields();
+  double* stress = new_field(in_zones, "stress_Pa", 3, present.size());
+  double* weight = new_field(in_zones, "weight", 1, present.size());
+  for (std::size_t i = 0; i < present.size(); ++i) {
+    const auto [xx, yy, xy] = continuum.zones().stress(present[i]);
+    stress[3 * i] = xx;
+    stress[3 * i + 1] = yy;
+    stress[3 * i + 2] = xy;
+    weight[i] = weights[present[i]];
+  }
+}
+
+void add_supports(const Grid& grid, const Continuum& continuum, const Supports& supports,
+                  const PeakForces& peaks, wire::Snapshot& snapshot) {
+  if (!supports.linings.empty()) add_linings(grid, continuum, supports.linings, peaks, snapshot);
+  if (!supports.bolts.empty()) add_bolts(grid, continuum, supports.bolts, snapshot);
+}
+
+void add_peaks(const Peaks& peaks, std::span<const double> weights, wire::Piece& piece) {
+  protocol::add_peak_fields(peaks.motion(), *piece.mutable_point_fields());
+  const auto add = [&](const std::string& name, std::span<const double> values) {
+    std::vector<double> present;
+    for (std::size_t z = 0; z < values.size(); ++z)
+      if (weights[z] > 0) present.push_back(values[z]);
+    std::ranges::copy(present, new_field(*piece.mutable_cell_fields(), name, 1, present.size()));
+  };
+  add("peak_shear_strain", peaks.shear_strain());
+  add("peak_largest_principal_stress_Pa", peaks.largest_principal());
+  add("peak_smallest_principal_stress_Pa", peaks.smallest_principal());
+}
+
+}  // namespace adit::fdm

@@ -1,0 +1,30 @@
+// The state of the grid and its supports as pieces that a viewer can draw.
+#pragma once
+
+#include <span>
+
+#include "fdm_server/grid/grid.hpp"
+#include "fdm_server/output/peaks.hpp"
+#include "fdm_server/solver/continuum.hpp"
+#include "fdm_server/supports/peak_forces.hpp"
+#include "fdm_server/supports/supports.hpp"
+#include "protocol/messages/wire.pb.h"
+
+namespace adit::fdm {
+
+// One piece "grid" of quadrilaterals, without the zones of weight 0; point fields displacement_m and
+// velocity_m_per_s (three components, z = 0, as viewers expect vectors; the velocity is that of half a step
+// later), cell fields stress_Pa (xx, yy, xy) and weight.
+void fill_snapshot(const Grid& grid, const Continuum& continuum, std::span<const double> weights,
+                   wire::Snapshot& snapshot);
+
+// Pieces of lines, where there are any: "linings" with point fields displacement_m, thrust_N, moment_Nm,
+// shear_N and their peaks, and the lining's number as cell field lining; "bolts" with displacement_m and, of
+// one bolt, cell field thrust_N.
+void add_supports(const Grid& grid, const Continuum& continuum, const Supports& supports,
+                  const PeakForces& peaks, wire::Snapshot& snapshot);
+// Adds the peaks to that piece: at points as of every model (peak_motion.hpp), in zones peak_shear_strain,
+// peak_largest_principal_stress_Pa and peak_smallest_principal_stress_Pa.
+void add_peaks(const Peaks& peaks, std::span<const double> weights, wire::Piece& piece);
+
+}  // namespace adit::fdm

@@ -1,0 +1,102 @@
+#include "fdm_server/solver/dashpots.hpp"
+
+#include <utility>
+
+namespace adit::fdm {
+namespace {
+
+Vector operator*(const Symmetric& c, const Vector& v) {
+  return {c.xx * v.x + c.xy * v.y, c.xy * v.x + c.yy * v.y};
+}
+
+Vector operator+(const Vector& a, const Vector& b) {
+  return {a.x + b.x, a.y + b.y};
+}
+
+double dot(const Vector& a, const Vector& b) {
+  return a.x * b.x + a.y * b.y;
+}
+
+Vector velocity(const PointColumns& points, std::uint32_t i) {
+  return {points.vx[i], points.vy[i]};
+}
+
+void add(const PointColumns& points, std::uint32_t i, const Vector& force) {
+  points.fx[i] += force.x;
+  points.fy[i] += force.y;
+}
+
+// (v(n-1/2) + v(n+1/2))/2 under the forces that the point has so far.
+Vector mean_velocity(const PointColumns& points, std::uint32_t i, double kick) {
+  return {points.vx[i] + kick / 2 * points.inverse_mass_x[i] * points.fx[i],
+          points.vy[i] + kick / 2 * points.inverse_mass_y[i] * points.fy[i]};
+}
+
+// The dashpots' force F of the header's equation.
+Vector drag(const Dashpot& dashpot, const PointColumns& points, double kick) {
+  const Symmetric& c = dashpot.damping;
+  const Vector pull = c * mean_velocity(points, dashpot.point, kick);
+  const double wx = kick / 2 * points.inverse_mass_x[dashpot.point];
+  const double wy = kick / 2 * points.inverse_mass_y[dashpot.point];
+  const double xx = 1 + c.xx * wx, xy = c.xy * wy, yx = c.xy * wx, yy = 1 + c.yy * wy;
+  const double determinant = xx * yy - xy * yx;
+  return {-(yy * pull.x - xy * pull.y) / determinant, -(xx * pull.y - yx * pull.x) / determinant};
+}
+
+Vector stress_force(const FreeFieldLink& link, const Zones& zones) {
+  Vector force;
+  for (std::size_t k = 0; k < link.zones.size(); ++k) {
+    if (link.lengths[k] == 0) continue;
+    const Stress stress = zones.stress(link.zones[k]);
+    force = force + Vector{stress.xx * link.lengths[k], stress.xy * link.lengths[k]};
+  }
+  return force;
+}
+
+Vector free_field_force(Dashpot& dashpot, double viscosity, const protocol::Step& step, const Zones& zones,
+                        const PointColumns& points) {
+  const FreeFieldLink& link = *dashpot.field;
+  const Vector before = std::exchange(dashpot.stress, stress_force(link, zones));
+  if (step.from_rest()) return dashpot.stress;
+  const double rate = step.relax ? 0 : viscosity / step.dt;
+  const Vector viscous{rate * (dashpot.stress.x - before.x), rate * (dashpot.stress.y - before.y)};
+  return dashpot.stress + viscous + link.damping * mean_velocity(points, link.column_point, step.kick());
+}
+
+// In statics: the components that are held take no part.
+void hold(const Dashpot& dashpot, const PointColumns& points) {
+  if (dashpot.hold_x) points.fx[dashpot.point] = 0;
+  if (dashpot.hold_y) points.fy[dashpot.point] = 0;
+}
+
+}  // namespace
+
+Symmetric& Symmetric::operator+=(const Symmetric& other) {
+  xx += other.xx;
+  xy += other.xy;
+  yy += other.yy;
+  return *this;
+}
+
+void add_boundary_forces(std::span<Dashpot> dashpots, bool supports, double viscosity,
+                         const protocol::Step& step, const Zones& zones, const PointColumns& points,
+                         BoundaryWork& work) {
+  for (Dashpot& dashpot : dashpots) {
+    const Vector given_before = dashpot.given, drag_before = dashpot.drag;
+    const Vector field = dashpot.field ? free_field_force(dashpot, viscosity, step, zones, points) : Vector{};
+    const std::uint32_t i = dashpot.point;
+    if (step.number == 0 && supports && !step.relax)
+      dashpot.support = {-points.fx[i] - field.x, -points.fy[i] - field.y};
+    dashpot.given = dashpot.support + field;
+    add(points, i, dashpot.given);
+    dashpot.drag = step.from_rest() ? Vector{} : drag(dashpot, points, step.kick());
+    add(points, i, dashpot.drag);
+    if (step.relax) hold(dashpot, points);
+    if (step.from_rest()) continue;
+    const Vector v = velocity(points, i);
+    work.external += step.dt / 2 * dot(v, given_before + dashpot.given);
+    work.dissipated -= step.dt / 2 * dot(v, drag_before + dashpot.drag);
+  }
+}
+
+}  // namespace adit::fdm

@@ -1,0 +1,73 @@
+// Dashpots at grid points: quiet boundaries, and the link between a side of the grid and its free field.
+//
+// Lysmer & Kuhlemeyer 1969 (J. Eng. Mech. Div. ASCE 95): a wave that meets the boundary head-on leaves
+// through the stress rho c_p v_n, rho c_s v_t. An edge of length L with normal n and tangent t gives half of
+//   C = L rho (c_p n n' + c_s t t')
+// to each of its ends. The force -C (v(n-1/2) + v(n+1/2))/2 is implicit for its own point, so that the limit
+// of the time step is that of the grid without dashpots; it is written as a force known before the update,
+//   (I + kick/2 C W) F = -C (v(n-1/2) + kick/2 W f),
+// f being all other forces and W the inverse masses (0: a prescribed component).
+//
+// A side with a free field bears in addition the stress of the column beside it, s n L (with its viscous
+// part, beta ds/dt of damping.hpp), and the same dashpots act against the column's velocity: + C w. In a
+// plane vertical wave both points then move alike, as if the ground went on.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fdm_server/solver/sweep.hpp"
+#include "fdm_server/zones/zones.hpp"
+#include "protocol/participant/step.hpp"
+
+namespace adit::fdm {
+
+struct Symmetric {
+  double xx = 0, xy = 0, yy = 0;
+
+  Symmetric& operator+=(const Symmetric& other);
+};
+
+struct Vector {
+  double x = 0, y = 0;
+};
+
+// Where a point of the grid's side meets its column.
+struct FreeFieldLink {
+  std::uint32_t column_point;
+  Symmetric damping;  // the share of the point's dashpots that act against the column [N s/m]
+  // Zones of the column below and above, each with half the length of its side, times the side's n_x and
+  // weight [m].
+  std::array<std::uint32_t, 2> zones{};
+  std::array<double, 2> lengths{};
+};
+
+struct Dashpot {
+  std::uint32_t point;
+  Symmetric damping;                    // all dashpots of the point [N s/m]
+  bool hold_x = false, hold_y = false;  // in statics
+  std::optional<FreeFieldLink> field{};
+
+  // Of the last step [N].
+  Vector support{};  // what held the point at rest
+  Vector stress{};   // of the free field
+  Vector given{};    // support and free field
+  Vector drag{};     // of the dashpots
+};
+
+// Since the start [J].
+struct BoundaryWork {
+  double dissipated = 0, external = 0;
+};
+
+// Adds the forces of the dashpots at step n to those of the points, which hold all others. Where `supports`,
+// step 0 finds the forces that keep the points in equilibrium as they are. `viscosity`: beta of the damping
+// [s]. Columns come before the points that are linked to them.
+void add_boundary_forces(std::span<Dashpot> dashpots, bool supports, double viscosity,
+                         const protocol::Step& step, const Zones& zones, const PointColumns& points,
+                         BoundaryWork& work);
+
+}  // namespace adit::fdm

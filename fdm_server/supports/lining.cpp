@@ -1,0 +1,60 @@
+#include "fdm_server/supports/lining.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace adit::fdm {
+
+Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structures) {
+  const auto& points = plan.path.points;
+  const std::size_t nodes = points.size(), beams = plan.path.closed ? nodes : nodes - 1;
+  std::vector<std::array<std::uint32_t, 2>>
+      rotations;  // of the beam that ends at a node, of that which begins
+  for (std::size_t k = 0; k < nodes; ++k) {
+    const bool held =
+        !plan.path.closed && ((k == 0 && plan.first_held) || (k + 1 == nodes && plan.last_held));
+    const auto rotation = structures.add_rotation(points[k], held);
+    rotations.push_back({rotation, rotation});
+  }
+  for (const auto& joint : plan.joints)
+    rotations[joint.node][1] = structures.add_rotation(points[joint.node]);
+
+  Lining lining{plan.name, plan.path, static_cast<std::uint32_t>(structures.beams().size()),
+                static_cast<std::uint32_t>(beams)};
+  double dt = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < beams; ++k) {
+    const std::size_t next = (k + 1) % nodes;
+    const auto p = points[k], q = points[next];
+    const Beam beam({p, q}, {rotations[k][1], rotations[next][0]},
+                    chord(grid.x[p], grid.y[p], grid.x[q], grid.y[q]), plan.section);
+    dt = std::min(dt, beam.critical_step());
+    structures.add_beam(beam);
+  }
+  for (const auto& [node, stiffness, yield] : plan.joints)
+    if (stiffness > 0) structures.add_joint(rotations[node][0], rotations[node][1], stiffness, yield, dt);
+  return lining;
+}
+
+LiningForces forces_at(const Lining& lining, const Structures& structures, std::size_t node) {
+  const auto beams = structures.beams().subspan(lining.first_beam, lining.beams);
+  const bool has_before = lining.path.closed || node > 0, has_after = node < beams.size();
+  LiningForces sum{};
+  const auto add = [&](const BeamForces& beam, double moment) {
+    const double share = has_before && has_after ? 0.5 : 1;
+    sum.thrust += share * beam.thrust;
+    sum.moment += share * moment;
+    sum.shear += share * beam.shear;
+  };
+  if (has_before) {
+    const auto before = beams[(node + beams.size() - 1) % beams.size()].forces();
+    add(before, before.second);
+  }
+  if (has_after) {
+    const auto after = beams[node].forces();
+    add(after, after.first);
+  }
+  return sum;
+}
+
+}  // namespace adit::fdm

@@ -1,0 +1,47 @@
+// A participant's side of the constraint (wire.proto, Operator): the velocity at coupling point k is the sum
+// over j of N(k, j) v_j, j counting the participant's own points that take part.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "protocol/messages/wire.pb.h"
+
+namespace adit::protocol {
+
+// A coupling point between points of the participant (by its own numbers); shares of 0 do not take part, and
+// the others sum to 1.
+struct OperatorRow {
+  std::array<std::uint32_t, 4> points;
+  std::array<double, 4> shares;
+};
+
+class InterfaceOperator {
+ public:
+  InterfaceOperator() = default;
+  explicit InterfaceOperator(std::span<const OperatorRow> rows);
+
+  std::size_t rows() const { return row_starts_.size() - 1; }
+  std::span<const std::uint32_t> points() const { return points_; }  // that take part, ascending
+
+  // All of the message but the inverse masses, which belong to points() in their order.
+  void fill(wire::Operator& op) const;
+
+  // N^T impulses [N s], one pair for each of points(); valid until the next call, as long as the impulses.
+  std::span<const double> gather(std::span<const double> impulses);
+
+  // N v from the velocities of all points of the participant, interleaved [m/s].
+  void velocities(std::span<const double> vx, std::span<const double> vy, std::span<double> result) const;
+
+ private:
+  std::vector<std::uint32_t> row_starts_{0};
+  std::vector<std::uint32_t> columns_;  // into points_
+  std::vector<double> values_;
+  std::vector<std::uint32_t> points_;
+  bool identity_ = false;  // the coupling points are points_ in their order
+  std::vector<double> gathered_;
+};
+
+}  // namespace adit::protocol

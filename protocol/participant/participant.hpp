@@ -1,0 +1,70 @@
+// What a solver fills in to take part in a run. The server calls these in the order of the conversation
+// (wire.proto), one participant object a run; each function reads the request and fills the answer, which
+// arrives cleared but keeps its memory from step to step. Errors are thrown as UserError (the scene) or
+// Unstable.
+//
+// The answer to advance needs the velocities at the coupling points only. What else belongs to the step may
+// be left to complete(), which is called once that answer was sent: others then need not wait for it. Results
+// are the same to the last bit wherever it is done.
+#pragma once
+
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+
+#include "protocol/messages/wire.pb.h"
+
+namespace adit::protocol {
+
+class Participant {
+ public:
+  virtual ~Participant() = default;
+  virtual void set_up(const wire::Setup& setup, wire::Model& model) = 0;
+  virtual void weigh(const wire::Weights& weights, wire::Interface& interface) = 0;
+  virtual void couple(const wire::Couple& couple, wire::Operator& op) = 0;
+  virtual void advance(const wire::Advance& advance, wire::Predicted& predicted) = 0;
+  // The rest of the step answered last, before any other request. It reports in the next answer.
+  virtual void complete() {}
+  virtual void snapshot(const wire::SnapshotRequest& request, wire::Snapshot& snapshot) = 0;
+  virtual void finish(wire::Bye& bye) = 0;
+};
+
+using ParticipantFactory = std::function<std::unique_ptr<Participant>()>;
+
+// One run as seen by a participant: hands it the requests, and only in their order:
+//
+//   setup, weights, [couple], then any number of advance (steps 0, 1, 2 ...) and snapshot; where the first
+//   steps relax, they are numbered from 0, and those that follow from 0 again
+//   finish at any time after setup
+class Conversation {
+ public:
+  explicit Conversation(Participant& participant) : participant_(participant) {}
+
+  // Answers one request. The clock of `predicted.compute_seconds` runs here. A request out of order, or one
+  // that no participant answers, throws std::logic_error.
+  void answer(const wire::Frame& request, wire::Frame& reply);
+
+  // To be called when the answer was sent: completes the step that it answered, where something is left of
+  // it. Does not throw: an error here is that of the next answer.
+  void complete();
+
+  bool finished() const { return stage_ == Stage::kFinished; }
+
+ private:
+  enum class Stage { kConnected, kSetUp, kWeighed, kRunning, kFinished };
+
+  void require(bool in_order, const wire::Frame& request) const;
+  bool in_order(const wire::Advance& request) const;
+  void advance(const wire::Advance& request, wire::Predicted& predicted);
+
+  Participant& participant_;
+  Stage stage_ = Stage::kConnected;
+  std::uint64_t next_step_ = 0;
+  bool relaxing_ = false;       // the last step did
+  bool step_open_ = false;      // answered, but not completed
+  double hidden_seconds_ = 0;   // in complete() since the last step was answered
+  std::exception_ptr failure_;  // of complete()
+};
+
+}  // namespace adit::protocol

@@ -1,0 +1,54 @@
+#include "protocol/participant/time_function.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "protocol/errors.hpp"
+
+namespace adit::protocol {
+namespace {
+
+double interpolate(const scene::Table& table, double t) {
+  const auto& times = table.time();
+  const auto after = std::upper_bound(times.begin(), times.end(), t);
+  if (after == times.begin()) return table.value(0);
+  if (after == times.end()) return table.value(table.value_size() - 1);
+  const int i = static_cast<int>(after - times.begin());
+  const double share = (t - times[i - 1]) / (times[i] - times[i - 1]);
+  return table.value(i - 1) + share * (table.value(i) - table.value(i - 1));
+}
+
+}  // namespace
+
+double evaluate(const scene::TimeFunction& function, double t) {
+  switch (function.shape_case()) {
+    case scene::TimeFunction::kConstant:
+      return function.constant();
+    case scene::TimeFunction::kTable:
+      return interpolate(function.table(), t);
+    case scene::TimeFunction::kSine: {
+      const auto& sine = function.sine();
+      return t <= sine.end() ? std::sin(2 * std::numbers::pi * sine.frequency() * t + sine.phase()) : 0.0;
+    }
+    case scene::TimeFunction::SHAPE_NOT_SET:
+      return 1.0;
+  }
+  return 1.0;
+}
+
+void check(const scene::TimeFunction& function, const std::string& path) {
+  if (!function.has_table()) return;
+  const auto& table = function.table();
+  if (table.time().empty()) throw UserError(path + ".table.time", "is empty; give at least one time");
+  if (table.time_size() != table.value_size())
+    throw UserError(path + ".table", "has " + std::to_string(table.time_size()) + " times and " +
+                                         std::to_string(table.value_size()) +
+                                         " values; give one value for each time");
+  if (std::adjacent_find(table.time().begin(), table.time().end(), std::greater_equal<>()) !=
+      table.time().end())
+    throw UserError(path + ".table.time", "does not increase; order the times and give each once");
+}
+
+}  // namespace adit::protocol

@@ -1,0 +1,87 @@
+#include "protocol/scene/attached_files.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+#include "protocol/scene/fields/rules.hpp"
+#include "protocol/scene/yaml/path.hpp"
+#include "protocol/text.hpp"
+
+namespace adit::protocol {
+namespace {
+
+namespace fs = std::filesystem;
+using google::protobuf::FieldDescriptor;
+using google::protobuf::Message;
+
+std::string content(const fs::path& path, const std::string& field) {
+  const auto refuse = [&](const std::string& reason) {
+    throw UserError(field, quote(path.string()) + ": " + reason);
+  };
+  std::error_code error;
+  if (!fs::exists(path, error))
+    refuse(
+        "there is no such file; check the path, which is relative to the file that states it, in --set to "
+        "the current folder");
+  if (!fs::is_regular_file(path, error)) refuse("this is not a file");
+  if (fs::file_size(path, error) > kLargestAttachedBytes)
+    refuse("the file is larger than " + std::to_string(kLargestAttachedBytes >> 20) +
+           " MiB; use a coarser mesh, or a shorter record");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) refuse("the file cannot be opened; check its permissions");
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+const FieldDescriptor* name_of(const Message& message, const FieldDescriptor* content) {
+  return message.GetDescriptor()->FindFieldByName(rule_of(content).content_of());
+}
+
+void attach_one(const SceneFile& scene, Message& message, const FieldDescriptor* into,
+                const std::string& path) {
+  const auto& reflection = *message.GetReflection();
+  const FieldDescriptor* name = name_of(message, into);
+  if (!reflection.HasField(message, name)) return;
+  const std::string field = member_path(path, name->name());
+  const fs::path file = fs::path(scene.folder(field)) / reflection.GetString(message, name);
+  reflection.SetString(&message, into, content(file, field));
+  reflection.SetString(&message, name, fs::absolute(file).lexically_normal().string());
+}
+
+// Calls visit(message, field, path) for every field below the message that is the content of a file.
+template <class Visit>
+void for_each_content(Message& message, const std::string& path, const Visit& visit) {
+  const auto& reflection = *message.GetReflection();
+  const auto* type = message.GetDescriptor();
+  for (int i = 0; i < type->field_count(); ++i) {
+    const FieldDescriptor* field = type->field(i);
+    const std::string at = member_path(path, field->name());
+    if (is_internal(field)) {
+      visit(message, field, path);
+    } else if (field->cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE && field->is_repeated()) {
+      for (int k = 0; k < reflection.FieldSize(message, field); ++k)
+        for_each_content(*reflection.MutableRepeatedMessage(&message, field, k),
+                         element_path(at, static_cast<std::size_t>(k)), visit);
+    } else if (field->cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE && reflection.HasField(message, field)) {
+      for_each_content(*reflection.MutableMessage(&message, field), at, visit);
+    }
+  }
+}
+
+}  // namespace
+
+void attach_files(SceneFile& file) {
+  for_each_content(file.scene, "",
+                   [&](Message& message, const FieldDescriptor* into, const std::string& path) {
+                     attach_one(file, message, into, path);
+                   });
+}
+
+void forget_file_names(scene::Scene& scene) {
+  for_each_content(scene, "", [](Message& message, const FieldDescriptor* field, const std::string&) {
+    message.GetReflection()->ClearField(&message, name_of(message, field));
+  });
+}
+
+}  // namespace adit::protocol

@@ -1,0 +1,32 @@
+#include "protocol/scene/command_line.hpp"
+
+#include "protocol/errors.hpp"
+#include "protocol/release.hpp"
+
+namespace adit::protocol {
+
+SceneCommandLine::SceneCommandLine(const std::string& program, const std::string& description)
+    : app(description) {
+  app.set_version_flag("--version", program + " " + std::string(release()));
+  app.require_subcommand(1);
+  run = app.add_subcommand("run", "computes a scene");
+  run->add_option("--out", out, "directory of the results; runs/<case>/<scene name> where absent");
+  check = app.add_subcommand("check", "sets a scene up without computing it");
+  for (CLI::App* command : {run, check}) {
+    command->add_option("scene", scene, "scene file (YAML)")->required();
+    command->add_option("--set", sets, "path=value: replaces a field of the scene; may be repeated")
+        ->take_all()
+        ->expected(1);
+  }
+}
+
+std::optional<int> SceneCommandLine::parse(int argc, const char* const* argv) {
+  try {
+    app.parse(argc, argv);
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kSuccess : kUserError;
+  }
+}
+
+}  // namespace adit::protocol

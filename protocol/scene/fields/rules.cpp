@@ -1,0 +1,113 @@
+#include "protocol/scene/fields/rules.hpp"
+
+#include <algorithm>
+
+#include "protocol/scene/fields/quantity.hpp"
+#include "protocol/text.hpp"
+
+namespace adit::protocol {
+namespace {
+
+using google::protobuf::Descriptor;
+using google::protobuf::EnumDescriptor;
+using google::protobuf::FieldDescriptor;
+
+// " above 0 m and below 3 m"
+std::string limits(const scene::Rule& rule) {
+  std::string text;
+  const auto add = [&](bool given, const char* relation, double bound) {
+    if (!given) return;
+    text += (text.empty() ? " " : " and ") + std::string(relation) + " " + shortest(bound);
+    if (rule.has_unit()) text += " " + rule.unit();
+  };
+  add(rule.has_above(), "above", rule.above());
+  add(rule.has_at_least(), "of at least", rule.at_least());
+  add(rule.has_below(), "below", rule.below());
+  add(rule.has_at_most(), "at most", rule.at_most());
+  return text;
+}
+
+std::string example_element(const FieldDescriptor* field) {
+  switch (field->cpp_type()) {
+    case FieldDescriptor::CPPTYPE_MESSAGE:
+      return example(field->message_type());
+    case FieldDescriptor::CPPTYPE_ENUM:
+      return enumerators(field->enum_type()).front();
+    case FieldDescriptor::CPPTYPE_DOUBLE:
+      return quantity_example(rule_of(field).unit());
+    case FieldDescriptor::CPPTYPE_BOOL:
+      return "true";
+    case FieldDescriptor::CPPTYPE_STRING:
+      return field->name() == "base" ? "base.yaml" : "some_name";
+    default:
+      return "10";
+  }
+}
+
+}  // namespace
+
+const scene::Rule& rule_of(const FieldDescriptor* field) {
+  return field->options().GetExtension(scene::rule);
+}
+
+bool is_internal(const FieldDescriptor* field) {
+  return rule_of(field).has_content_of();
+}
+
+std::vector<std::string> field_names(const Descriptor* type) {
+  std::vector<std::string> names;
+  for (int i = 0; i < type->field_count(); ++i)
+    if (!is_internal(type->field(i))) names.push_back(type->field(i)->name());
+  return names;
+}
+
+std::vector<std::string> enumerators(const EnumDescriptor* type) {
+  std::vector<std::string> names;
+  for (int i = 0; i < type->value_count(); ++i) names.push_back(lower_case(type->value(i)->name()));
+  return names;
+}
+
+std::string join(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+std::string example(const FieldDescriptor* field) {
+  return field->is_repeated() ? "[" + example_element(field) + "]" : example_element(field);
+}
+
+std::string example(const Descriptor* type) {
+  std::vector<std::string> members;
+  for (int i = 0; i < type->field_count(); ++i)
+    if (rule_of(type->field(i)).required())
+      members.push_back(type->field(i)->name() + ": " + example(type->field(i)));
+  if (members.empty()) members.push_back(type->field(0)->name() + ": " + example(type->field(0)));
+  return "{" + join(members) + "}";
+}
+
+std::string expectation(const FieldDescriptor* field) {
+  const scene::Rule& rule = rule_of(field);
+  switch (field->cpp_type()) {
+    case FieldDescriptor::CPPTYPE_MESSAGE:
+      return "a mapping such as `" + example(field->message_type()) + "`";
+    case FieldDescriptor::CPPTYPE_ENUM:
+      return "one of " + join(enumerators(field->enum_type()));
+    case FieldDescriptor::CPPTYPE_DOUBLE:
+      return quantity_name(rule.unit()) +
+             (limits(rule).empty() ? " such as `" + example_element(field) + "`" : limits(rule));
+    case FieldDescriptor::CPPTYPE_BOOL:
+      return "true or false";
+    case FieldDescriptor::CPPTYPE_STRING:
+      return "a text";
+    default:
+      return "a whole number" + limits(rule);
+  }
+}
+
+bool within(const scene::Rule& rule, double value) {
+  return (!rule.has_above() || value > rule.above()) && (!rule.has_at_least() || value >= rule.at_least()) &&
+         (!rule.has_below() || value < rule.below()) && (!rule.has_at_most() || value <= rule.at_most());
+}
+
+}  // namespace adit::protocol

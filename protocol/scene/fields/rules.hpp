@@ -1,0 +1,34 @@
+// What a scene field must be, in words: from its type, its unit and its limits in scene.proto.
+#pragma once
+
+#include <google/protobuf/descriptor.h>
+
+#include <string>
+#include <vector>
+
+#include "protocol/messages/rule.pb.h"
+
+namespace adit::protocol {
+
+const scene::Rule& rule_of(const google::protobuf::FieldDescriptor* field);
+
+// Whether the programs fill it in, not the user.
+bool is_internal(const google::protobuf::FieldDescriptor* field);
+
+// Names as a scene writes them.
+std::vector<std::string> field_names(const google::protobuf::Descriptor* type);
+std::vector<std::string> enumerators(const google::protobuf::EnumDescriptor* type);  // in lower case
+std::string join(const std::vector<std::string>& names);                             // "x, y, z"
+
+// A value that the field accepts, as YAML on one line: "30 GPa", "{x: 0.5 m, y: 0.5 m}", "[10 ms]".
+std::string example(const google::protobuf::FieldDescriptor* field);
+// The same for a message: its required fields, or its first one.
+std::string example(const google::protobuf::Descriptor* type);
+
+// What one value of the field must be: "a length above 0 m", "one of plane_strain, plane_stress".
+std::string expectation(const google::protobuf::FieldDescriptor* field);
+
+// Whether a number lies within the limits of the rule.
+bool within(const scene::Rule& rule, double value);
+
+}  // namespace adit::protocol

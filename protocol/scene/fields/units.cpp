@@ -1,0 +1,131 @@
+#include "protocol/scene/fields/units.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "protocol/errors.hpp"
+#include "protocol/nearest_name.hpp"
+#include "protocol/text.hpp"
+
+namespace adit::protocol {
+namespace {
+
+struct Symbol {
+  std::string_view name;
+  Unit unit;
+  bool prefixable;
+};
+
+constexpr Symbol kSymbols[] = {
+    {"m", {{.length = 1}}, true},
+    {"s", {{.time = 1}}, true},
+    {"N", {{.length = 1, .mass = 1, .time = -2}}, true},
+    {"Pa", {{.length = -1, .mass = 1, .time = -2}}, true},
+    {"J", {{.length = 2, .mass = 1, .time = -2}}, true},
+    {"Hz", {{.time = -1}}, true},
+    {"rad", {{.angle = 1}}, true},
+    {"gal", {{.length = 1, .time = -2}, -2}, true},
+    {"kg", {{.mass = 1}}, false},
+    {"t", {{.mass = 1}, 3}, false},
+    {"min", {{.time = 1}, 0, 60}, false},
+    {"h", {{.time = 1}, 0, 3600}, false},
+    {"bar", {{.length = -1, .mass = 1, .time = -2}, 5}, false},
+    {"deg", {{.angle = 1}, 0, std::numbers::pi / 180}, false},
+    {"g", {{.length = 1, .time = -2}, 0, 9.80665}, false},
+};
+
+struct Prefix {
+  std::string_view name;
+  int decimals;
+};
+
+// The micro sign has two code points (U+00B5, U+03BC).
+constexpr Prefix kPrefixes[] = {{"", 0},   {"T", 12}, {"G", 9},  {"M", 6},       {"k", 3},       {"d", -1},
+                                {"c", -2}, {"m", -3}, {"u", -6}, {"\u00b5", -6}, {"\u03bc", -6}, {"n", -9}};
+
+[[noreturn]] void refuse(const std::string& message) {
+  throw UserError("", message);
+}
+
+Unit find_symbol(std::string_view name) {
+  for (const Symbol& symbol : kSymbols)
+    if (symbol.name == name) return symbol.unit;
+  for (const Symbol& symbol : kSymbols) {
+    if (!symbol.prefixable || !name.ends_with(symbol.name)) continue;
+    const auto* prefix =
+        std::ranges::find(kPrefixes, name.substr(0, name.size() - symbol.name.size()), &Prefix::name);
+    if (prefix == std::end(kPrefixes)) continue;
+    Unit unit = symbol.unit;
+    unit.decimals += prefix->decimals;
+    return unit;
+  }
+  refuse("unit " + quote(name) + " is unknown" + did_you_mean(name, unit_symbols()));
+}
+
+void multiply(Unit& product, const Unit& unit, int power) {
+  product.dimension.length += power * unit.dimension.length;
+  product.dimension.mass += power * unit.dimension.mass;
+  product.dimension.time += power * unit.dimension.time;
+  product.dimension.angle += power * unit.dimension.angle;
+  product.decimals += power * unit.decimals;
+  product.factor *= std::pow(unit.factor, power);
+}
+
+// The steps of parse_unit: each takes what it reads off the front of `rest`.
+std::string_view take_symbol(std::string_view& rest) {
+  const std::string_view symbol = rest.substr(0, rest.find_first_of(" \t*/^"));
+  rest.remove_prefix(symbol.size());
+  return symbol;
+}
+
+int take_power(std::string_view& rest, std::string_view whole) {
+  if (!rest.starts_with('^')) return 1;
+  int power = 0;
+  const auto end = std::from_chars(rest.data() + 1, rest.data() + rest.size(), power).ptr;
+  if (power == 0 || std::abs(power) > 9)
+    refuse("unit " + quote(whole) + " has a power that is no whole number from -9 to 9 (without 0)");
+  rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+  return power;
+}
+
+int take_operator(std::string_view& rest) {  // the sign of the next power
+  rest = trim(rest);
+  const char op = rest.starts_with('/') ? '/' : '*';
+  if (rest.starts_with(op)) rest = trim(rest.substr(1));
+  return op == '/' ? -1 : 1;
+}
+
+}  // namespace
+
+Unit parse_unit(std::string_view text) {
+  constexpr std::size_t kLongest = 60;
+  if (text.size() > kLongest) refuse("unit " + quote(text) + " is too long");
+  Unit product;
+  std::string_view rest = trim(text);
+  int sign = 1;
+  do {
+    const std::string_view symbol = take_symbol(rest);
+    if (symbol.empty()) refuse("unit " + quote(text) + " is incomplete; write it as in `kg/m^3`");
+    const Unit unit = symbol == "1" ? Unit{} : find_symbol(symbol);
+    multiply(product, unit, sign * take_power(rest, text));
+    if (rest.empty()) return product;
+    sign = take_operator(rest);
+  } while (true);
+}
+
+const std::vector<std::string>& unit_symbols() {
+  static const std::vector<std::string> symbols = [] {
+    std::vector<std::string> all;
+    for (const Prefix& prefix : kPrefixes)
+      for (const Symbol& symbol : kSymbols)
+        if (prefix.name.empty() || symbol.prefixable)
+          all.push_back(std::string(prefix.name) + std::string(symbol.name));
+    return all;
+  }();
+  return symbols;
+}
+
+}  // namespace adit::protocol

@@ -1,0 +1,44 @@
+#include "protocol/scene/hash.hpp"
+
+#include <google/protobuf/io/coded_stream.h>
+#include <google/protobuf/io/zero_copy_stream_impl_lite.h>
+
+#include <cstdint>
+#include <cstdio>
+
+#include "protocol/scene/attached_files.hpp"
+
+namespace adit::protocol {
+namespace {
+
+std::string serialize(const scene::Scene& scene) {
+  std::string bytes;
+  google::protobuf::io::StringOutputStream stream(&bytes);
+  google::protobuf::io::CodedOutputStream coded(&stream);
+  coded.SetSerializationDeterministic(true);
+  scene.SerializeToCodedStream(&coded);
+  coded.Trim();
+  return bytes;
+}
+
+// Fowler, Noll and Vo, http://www.isthe.com/chongo/tech/comp/fnv
+std::uint64_t fnv_1a(const std::string& bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const unsigned char byte : bytes) hash = (hash ^ byte) * 0x100000001b3;
+  return hash;
+}
+
+}  // namespace
+
+std::string scene_hash(const scene::Scene& scene) {
+  scene::Scene computed = scene;
+  computed.clear_name();
+  computed.clear_base();
+  computed.clear_description();
+  forget_file_names(computed);
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(fnv_1a(serialize(computed))));
+  return text;
+}
+
+}  // namespace adit::protocol

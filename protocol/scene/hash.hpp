@@ -1,0 +1,14 @@
+// A short name for what a run computes.
+#pragma once
+
+#include <string>
+
+#include "protocol/messages/scene.pb.h"
+
+namespace adit::protocol {
+
+// 16 hexadecimal digits: the 64-bit FNV-1a hash of the serialized scene without name, base, description and
+// the paths of meshes, which change nothing of what is computed. The same on every machine.
+std::string scene_hash(const scene::Scene& scene);
+
+}  // namespace adit::protocol

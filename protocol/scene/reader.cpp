@@ -1,0 +1,122 @@
+#include "protocol/scene/reader.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "protocol/scene/yaml/message_reader.hpp"
+#include "protocol/scene/yaml/path.hpp"
+#include "protocol/text.hpp"
+
+namespace adit::protocol {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What keeps the file from being read, with the remedy; empty where nothing does.
+std::string obstacle(const fs::path& path) {
+  std::error_code error;
+  const auto status = fs::status(path, error);
+  if (!fs::exists(status)) return "there is no such file; check the path";
+  if (!fs::is_regular_file(status)) return "this is not a file; name a scene file";
+  if (fs::file_size(path, error) > kLargestSceneBytes)
+    return "the file is larger than " + std::to_string(kLargestSceneBytes >> 20) +
+           " MiB; thin out its tables";
+  if (!std::ifstream(path)) return "the file cannot be opened; check its permissions";
+  return {};
+}
+
+YamlValue load(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return parse_yaml({std::istreambuf_iterator<char>(stream), {}}, path.string());
+}
+
+// The file that `base` names, relative to the file `from` in which it stands.
+fs::path base_path(const fs::path& from, const YamlValue& base) {
+  if (base.kind != YamlValue::Kind::kScalar || base.scalar.empty())
+    refuse_at(base.place, "base", "expected the path of a scene file, such as `base.yaml`");
+  fs::path path = (from.parent_path() / base.scalar).lexically_normal();
+  const std::string reason = obstacle(path);
+  if (!reason.empty()) refuse_at(base.place, "base", quote(path.string()) + ": " + reason);
+  return path;
+}
+
+// The file and the chain of its bases, the file first.
+std::vector<YamlValue> load_layers(fs::path path) {
+  const std::string reason = obstacle(path);
+  if (!reason.empty()) throw UserError("", path.string() + ": " + reason);
+  std::vector<YamlValue> layers{load(path)};
+  std::set<fs::path> seen{fs::canonical(path)};
+  while (const YamlValue* base = layers.back().find("base")) {
+    path = base_path(path, *base);
+    if (!seen.insert(fs::canonical(path)).second)
+      refuse_at(base->place, "base", quote(path.string()) + " builds on this file; no scene is its own base");
+    layers.push_back(load(path));
+  }
+  return layers;
+}
+
+YamlValue merge_layers(std::vector<YamlValue> layers) {
+  YamlValue tree = std::move(layers.back());
+  for (layers.pop_back(); !layers.empty(); layers.pop_back()) {
+    std::erase_if(tree.children, [](const YamlValue& member) { return member.key == "name"; });
+    merge(tree, std::move(layers.back()), scene::Scene::descriptor());
+  }
+  return tree;
+}
+
+}  // namespace
+
+const YamlValue& SceneFile::nearest(std::string_view field) const {
+  const YamlValue* value = &tree;
+  const auto steps = parse_path(field);
+  for (const PathStep& step : steps ? *steps : std::vector<PathStep>{}) {
+    const YamlValue* next = value->find(step.name);
+    if (!next) break;
+    value = next;
+    if (!step.index) continue;
+    if (*step.index >= value->children.size()) break;
+    value = &value->children[*step.index];
+  }
+  return *value;
+}
+
+std::string SceneFile::locate(std::string_view field) const {
+  return nearest(field).place.text();
+}
+
+std::string SceneFile::folder(std::string_view field) const {
+  const Place& place = nearest(field).place;
+  return place.line > 0 ? fs::path(*place.source).parent_path().string() : "";
+}
+
+// Results go to a folder of this name: it must not lead anywhere else.
+void require_folder_name(const SceneFile& file) {
+  const std::string& name = file.scene.name();
+  const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) || c == '_' || c == '-' || c == '.' || c > 127;
+  });
+  if (!plain || name.empty() || name.front() == '.')
+    throw UserError("",
+                    file.locate("name") + ": name: is " + quote(name) +
+                        ", expected the name of a folder: letters, digits, `_`, `-`, and `.` but not first");
+}
+
+SceneFile read_scene(const std::string& path, std::span<const Override> sets) {
+  SceneFile file{{}, merge_layers(load_layers(path))};
+  for (const Override& set : sets) apply(set, file.tree, scene::Scene::descriptor());
+  read_message(file.tree, "", file.scene);
+  if (!file.scene.has_name()) file.scene.set_name(fs::path(path).stem().string());
+  require_folder_name(file);
+  return file;
+}
+
+std::string describe(const SceneFile& file, const UserError& error) {
+  if (error.path().empty()) return error.what();
+  return file.locate(error.path()) + ": " + error.path() + ": " + error.what();
+}
+
+}  // namespace adit::protocol

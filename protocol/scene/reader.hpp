@@ -1,0 +1,44 @@
+// Reads a scene file: YAML whose keys, types, units, limits and defaults are those of scene.proto.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "protocol/errors.hpp"
+#include "protocol/messages/scene.pb.h"
+#include "protocol/scene/yaml/merge.hpp"
+#include "protocol/scene/yaml/yaml_tree.hpp"
+
+namespace adit::protocol {
+
+struct SceneFile {
+  scene::Scene scene;  // what is not given is unset: the getters return the defaults
+  YamlValue tree;      // the merged scene as it was written
+
+  // "file:line:column" (or "--set path=value") of the field, or of the nearest field around it that is given.
+  std::string locate(std::string_view field) const;
+
+  // Folder of the file in which the field is given, to which a path in it is relative; empty for `--set`.
+  std::string folder(std::string_view field) const;
+
+ private:
+  const YamlValue& nearest(std::string_view field) const;
+};
+
+// Larger files are refused: a list of short numbers needs some 120 bytes of memory for each byte of its file.
+constexpr std::uintmax_t kLargestSceneBytes = 4 << 20;
+
+// Reads the file at `path` over its chain of bases, then applies `sets` in their order. A base's `name` does
+// not pass to the file that builds on it, so that variants of a case never share a results' folder.
+//
+// Throws UserError with an empty path() whose what() is one complete line:
+//   cases/x.yaml:12:5: particles.packing.radius: is -0.1 m, expected a length above 0 m
+SceneFile read_scene(const std::string& path, std::span<const Override> sets = {});
+
+// The same line for an error that was found after reading and names its field by path(). An error without a
+// path (such as those of read_scene) says everything itself.
+std::string describe(const SceneFile& file, const UserError& error);
+
+}  // namespace adit::protocol

@@ -1,0 +1,115 @@
+#include "protocol/scene/yaml/merge.hpp"
+
+#include <utility>
+
+#include "protocol/errors.hpp"
+#include "protocol/scene/yaml/path.hpp"
+#include "protocol/text.hpp"
+
+namespace adit::protocol {
+namespace {
+
+using google::protobuf::Descriptor;
+using google::protobuf::FieldDescriptor;
+using Kind = YamlValue::Kind;
+
+// The message that the member `name` of a `type` holds, null for none.
+const Descriptor* member_type(const Descriptor* type, const std::string& name) {
+  const FieldDescriptor* field = type ? type->FindFieldByName(name) : nullptr;
+  return field && field->cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE ? field->message_type() : nullptr;
+}
+
+// Removes the members that exclude the member `name`.
+void drop_rivals(YamlValue& mapping, const std::string& name, const Descriptor* type) {
+  const FieldDescriptor* field = type ? type->FindFieldByName(name) : nullptr;
+  const auto* oneof = field ? field->real_containing_oneof() : nullptr;
+  if (!oneof) return;
+  std::erase_if(mapping.children, [&](const YamlValue& member) {
+    const FieldDescriptor* other = type->FindFieldByName(member.key);
+    return other && other != field && other->real_containing_oneof() == oneof;
+  });
+}
+
+// The member `name`, which is added (empty) where it is missing.
+YamlValue& member(YamlValue& mapping, const std::string& name, const Place& place) {
+  if (YamlValue* present = mapping.find(name)) return *present;
+  YamlValue& added = mapping.children.emplace_back();
+  added.key = name;
+  added.place = place;
+  return added;
+}
+
+void relocate(YamlValue& value, const Place& place) {
+  value.place = place;
+  for (YamlValue& child : value.children) relocate(child, place);
+}
+
+YamlValue parse_value(const Override& set, const Place& place) {
+  YamlValue value = parse_yaml(set.value, *place.source);
+  relocate(value, place);
+  return value;
+}
+
+}  // namespace
+
+void merge(YamlValue& into, YamlValue from, const Descriptor* type) {
+  if (into.kind != Kind::kMapping || from.kind != Kind::kMapping) {
+    into = std::move(from);
+    return;
+  }
+  into.place = from.place;
+  for (const YamlValue& child : from.children) drop_rivals(into, child.key, type);
+  for (YamlValue& child : from.children) {
+    YamlValue& target = member(into, child.key, child.place);
+    const Descriptor* inner = member_type(type, child.key);
+    merge(target, std::move(child), inner);
+  }
+}
+
+std::vector<Override> parse_overrides(std::span<const std::string> texts) {
+  std::vector<Override> sets;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    if (equals == 0 || equals == std::string::npos)
+      throw UserError("", "--set " + shorten(text) +
+                              ": is not path=value, as in `--set particles.bonds.tensile_strength=10 MN`");
+    sets.push_back({text.substr(0, equals), text.substr(equals + 1)});
+  }
+  return sets;
+}
+
+void apply(const Override& set, YamlValue& root, const Descriptor* type) {
+  const Place place{std::make_shared<const std::string>("--set " + shorten(set.path + "=" + set.value)), 0,
+                    0};
+  const auto steps = parse_path(set.path);
+  if (!steps || steps->empty() || steps->size() > kDeepestNesting)
+    refuse_at(place, "", quote(set.path) + " is not a path such as `particles.loads[0].force.y`");
+  if (steps->front().name == "base")
+    refuse_at(place, "base", "can only be given in the scene file; name the other scene file instead");
+
+  YamlValue* target = &root;
+  std::string path;
+  for (const PathStep& step : *steps) {
+    if (target->kind != Kind::kMapping) {
+      target->kind = Kind::kMapping;
+      target->children.clear();
+      target->place = place;
+    }
+    drop_rivals(*target, step.name, type);
+    target = &member(*target, step.name, place);
+    type = member_type(type, step.name);
+    path = member_path(path, step.name);
+    if (!step.index) continue;
+    const std::size_t size = target->kind == Kind::kList ? target->children.size() : 0;
+    if (*step.index >= size)
+      refuse_at(place, element_path(path, *step.index),
+                "does not exist; " + path + " has " + std::to_string(size) + " elements, counted from 0");
+    target = &target->children[*step.index];
+    path = element_path(path, *step.index);
+  }
+  std::string key = std::move(target->key);
+  *target = parse_value(set, place);
+  target->key = std::move(key);
+}
+
+}  // namespace adit::protocol

@@ -1,0 +1,69 @@
+#include "protocol/threads/team.hpp"
+
+#include <chrono>
+
+namespace adit::protocol {
+namespace {
+
+constexpr std::uint64_t kEnd = std::uint64_t{1} << 63;
+constexpr int kLooks = 64;
+constexpr std::chrono::microseconds kSpin{100};
+
+void pause() {
+#if defined(__x86_64__)
+  __builtin_ia32_pause();
+#endif
+}
+
+// Returns when the value is another than `old`: looks, then looks again and again after others on this core
+// had their turn, among them the one that is waited for where there are too few cores; then sleeps.
+void await_change(const std::atomic<std::uint64_t>& value, std::uint64_t old) {
+  const auto changed = [&] { return value.load(std::memory_order_acquire) != old; };
+  for (int i = 0; i < kLooks; ++i) {
+    if (changed()) return;
+    pause();
+  }
+  for (const auto deadline = std::chrono::steady_clock::now() + kSpin;
+       std::chrono::steady_clock::now() < deadline;) {
+    if (changed()) return;
+    std::this_thread::yield();
+  }
+  value.wait(old, std::memory_order_acquire);
+}
+
+}  // namespace
+
+Team::Team(std::size_t threads) {
+  for (std::size_t thread = 1; thread < threads; ++thread)
+    others_.emplace_back([this, thread] { serve(thread); });
+}
+
+Team::~Team() {
+  calls_.fetch_or(kEnd, std::memory_order_release);
+  calls_.notify_all();
+  for (auto& other : others_) other.join();
+}
+
+void Team::begin() {
+  calls_.fetch_add(1, std::memory_order_release);
+  calls_.notify_all();
+}
+
+void Team::await_others() {
+  const std::uint64_t all = calls_.load(std::memory_order_relaxed) * others_.size();
+  for (std::uint64_t finished; (finished = finished_.load(std::memory_order_acquire)) != all;)
+    await_change(finished_, finished);
+}
+
+void Team::serve(std::size_t thread) {
+  for (std::uint64_t seen = 0;;) {
+    await_change(calls_, seen);
+    if (calls_.load(std::memory_order_acquire) & kEnd) return;
+    ++seen;
+    call_.invoke(call_.function, thread);
+    finished_.fetch_add(1, std::memory_order_release);
+    finished_.notify_one();
+  }
+}
+
+}  // namespace adit::protocol

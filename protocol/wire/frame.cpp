@@ -1,0 +1,122 @@
+#include "protocol/wire/frame.hpp"
+
+#include <fmt/format.h>
+#include <google/protobuf/io/coded_stream.h>
+
+#include <algorithm>
+#include <boost/endian/conversion.hpp>
+#include <cstring>
+
+namespace adit::protocol {
+namespace {
+
+constexpr std::size_t kLengthBytes = 4;
+constexpr char kMagic[] = {'A', 'D', 'I', 'T'};
+
+std::uint32_t load(const std::byte* bytes) {
+  return boost::endian::load_little_u32(reinterpret_cast<const unsigned char*>(bytes));
+}
+
+void store(std::byte* bytes, std::uint32_t value) {
+  boost::endian::store_little_u32(reinterpret_cast<unsigned char*>(bytes), value);
+}
+
+constexpr int tag_of(int field) {
+  return field << 3 | 2;
+}  // 2: length-delimited
+
+bool is_heartbeat(std::span<const std::byte> payload) {
+  constexpr int kTag = tag_of(wire::Frame::kHeartbeat);
+  static_assert(kTag < 128, "one byte");
+  return !payload.empty() && std::to_integer<int>(payload[0]) == kTag;
+}
+
+// A payload is one content and nothing else: its tag, its length, its bytes. The content is parsed where the
+// last one stands, which keeps the memory of its arrays; parsing the frame would free them.
+void parse(std::span<const std::byte> payload, wire::Frame& frame) {
+  google::protobuf::io::CodedInputStream bytes(reinterpret_cast<const std::uint8_t*>(payload.data()),
+                                               static_cast<int>(payload.size()));
+  const int tag = static_cast<int>(bytes.ReadTag());
+  const auto* field = wire::Frame::descriptor()->FindFieldByNumber(tag >> 3);
+  std::uint32_t length = 0;
+  const bool well_formed = field != nullptr && tag == tag_of(field->number()) &&
+                           bytes.ReadVarint32(&length) &&
+                           length == payload.size() - static_cast<std::size_t>(bytes.CurrentPosition());
+  if (!well_formed ||
+      !wire::Frame::GetReflection()->MutableMessage(&frame, field)->ParseFromCodedStream(&bytes) ||
+      !bytes.ConsumedEntireMessage()) {
+    throw Malformed(fmt::format("sent {} bytes that are no frame of this protocol", payload.size()));
+  }
+}
+
+}  // namespace
+
+Preamble encode_preamble(std::uint32_t version) {
+  Preamble preamble;
+  std::memcpy(preamble.data(), kMagic, sizeof kMagic);
+  store(preamble.data() + sizeof kMagic, version);
+  return preamble;
+}
+
+std::span<const std::byte> heartbeat_frame() {
+  static const auto bytes = [] {
+    wire::Frame frame;
+    frame.mutable_heartbeat();
+    FrameEncoder encoder;
+    const auto encoded = encoder.encode(frame, kMaxHelloBytes);
+    return std::vector<std::byte>(encoded.begin(), encoded.end());
+  }();
+  return bytes;
+}
+
+std::span<const std::byte> FrameEncoder::encode(const wire::Frame& frame, std::uint64_t limit) {
+  const std::size_t length = frame.ByteSizeLong();
+  if (length > limit) {
+    throw std::length_error(
+        fmt::format("a frame of {} bytes is longer than the {} that the other end accepts", length, limit));
+  }
+  if (buffer_.size() < kLengthBytes + length) buffer_.resize(kLengthBytes + length);
+  store(buffer_.data(), static_cast<std::uint32_t>(length));
+  frame.SerializeWithCachedSizesToArray(reinterpret_cast<std::uint8_t*>(buffer_.data() + kLengthBytes));
+  return {buffer_.data(), kLengthBytes + length};
+}
+
+std::span<std::byte> FrameDecoder::space() {
+  if (begin_ == end_) begin_ = end_ = 0;
+  if (end_ == buffer_.size() && begin_ > 0) {
+    std::memmove(buffer_.data(), buffer_.data() + begin_, buffered());
+    end_ -= begin_;
+    begin_ = 0;
+  }
+  if (end_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
+  return std::span(buffer_).subspan(end_);
+}
+
+std::optional<std::uint32_t> FrameDecoder::take_preamble() {
+  const std::byte* bytes = buffer_.data() + begin_;
+  if (std::memcmp(bytes, kMagic, std::min(buffered(), sizeof kMagic)) != 0) {
+    throw ForeignPreamble("does not speak the Adit protocol");
+  }
+  if (buffered() < sizeof(Preamble)) return std::nullopt;
+  begin_ += sizeof(Preamble);
+  return load(bytes + sizeof kMagic);
+}
+
+bool FrameDecoder::take(wire::Frame& frame) {
+  while (buffered() >= kLengthBytes) {
+    const std::byte* bytes = buffer_.data() + begin_;
+    const std::size_t length = load(bytes);
+    if (length > limit_) {
+      throw Malformed(fmt::format("announced a frame of {} bytes, where {} are allowed", length, limit_));
+    }
+    if (buffered() < kLengthBytes + length) return false;
+    begin_ += kLengthBytes + length;
+    const std::span payload(bytes + kLengthBytes, length);
+    if (is_heartbeat(payload)) continue;
+    parse(payload, frame);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace adit::protocol

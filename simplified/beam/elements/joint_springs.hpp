@@ -1,0 +1,67 @@
+// Gaskets, cables and keys of the joints: one-dimensional nonlinear-elastic springs between the two nodes of
+// a joint, at points of the cross-section. A point (y, z) opens by e = Δu_x − y Δψ_y − z Δψ_z, so that
+// bending opens one side and closes the other.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "simplified/beam/elements/block_tridiagonal.hpp"
+#include "simplified/beam/model/mesh.hpp"
+#include "simplified/beam/model/scheme.hpp"
+
+namespace adit::simplified::beam {
+
+// How a joint stands now, from the installed state.
+struct JointState {
+  double opening = 0;      // [m] at the point that opens most (negative: all closed)
+  double compression = 0;  // [m] at the point that closes most
+  double offset = 0;       // [m] across the axis
+};
+
+class JointSprings {
+ public:
+  JointSprings(const Tunnel& tunnel, const Mesh& mesh);
+
+  // As SoilSprings: forces of the springs added to `forces`, tangents, and the stored energy of the step
+  // done.
+  void evaluate(const Scheme& scheme, std::span<const double> u, std::span<double> forces);
+  std::size_t update_tangents(BlockTridiagonal& matrix);
+  void forget_tangents();
+  double commit();
+
+  // Adds to each degree of freedom the largest forces that the curves name: what rounding is measured by.
+  void add_force_scales(std::span<double> scales) const;
+
+  std::size_t size() const { return links_.size(); }
+  double installed_compression(std::size_t joint) const { return installed_[joint]; }
+  JointState state(std::size_t joint, std::span<const double> u) const;
+
+ private:
+  struct Spring {
+    int link;
+    std::array<double, kDofs> arm;             // elongation = arm · (second node − first node)
+    std::size_t curve;                         // of curves_
+    Piece piece;                               // of the curve, on which the step starts
+    double elongation[2] = {}, force[2] = {};  // at the step's start and end
+    double tangent = 0, assembled_tangent = 0;
+  };
+  struct Place {
+    double y, z;
+  };
+  std::size_t index_of(const Curve& curve);  // of curves_, appended where it is new
+  // The spring's force in the equations of motion; `relative`: second node less first.
+  double respond(const Scheme& scheme, Spring& spring, const std::array<double, kDofs>& relative) const;
+  // Over the step; most springs stay on the piece on which it starts.
+  SpringAnswer mean(const Spring& spring) const;
+  Piece piece_at_end(const Spring& spring) const;
+  std::vector<int> links_;  // by joint
+  std::size_t link_count_;
+  std::vector<double> installed_;              // [m] compression of the gaskets, by joint
+  std::vector<std::vector<Place>> perimeter_;  // where openings are looked at, by joint
+  std::vector<Curve> curves_;                  // different ones: few, so that they stay in the cache
+  std::vector<Spring> springs_;                // in order of link
+};
+
+}  // namespace adit::simplified::beam

@@ -1,0 +1,55 @@
+// The chain as the kernels read it: structure of arrays, with an abutment as one more body before the first
+// and after the last.
+//
+// Places 1 … n are the bodies, 0 and n + 1 the abutments, which have no length and move as given. Hinge j
+// stands between places j and j + 1; a free end is a hinge of no stiffness.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "simplified/chain/model/chain.hpp"
+
+namespace adit::simplified::chain {
+
+using Matrix3 = Eigen::Matrix3d;
+using Vector3 = Eigen::Vector3d;
+
+// Three components of everything: x, y, rotation in the plane, or axial, shear, rotation in a hinge's axes.
+using Components = std::array<std::vector<double>, 3>;
+
+// Symmetric 3x3 matrices without coupling of rotation and translation, in the axes of the plane.
+struct PlaneSprings {
+  std::vector<double> xx, xy, yy, rr;
+  Matrix3 at(std::size_t i) const;
+};
+
+struct Model {
+  explicit Model(const Chain& chain);
+  std::size_t bodies;  // n
+
+  std::vector<double> mass, inertia;  // n + 2 values here and below
+  std::vector<double> half_x,
+      half_y;  // from the centre to the outgoing port [m]; the ingoing one is opposite
+  PlaneSprings ground_stiffness, ground_dashpot;
+
+  std::vector<double> cos, sin;   // of the hinge's axis; n + 1 values here and below
+  Components stiffness, dashpot;  // of the hinge, tangents where there are curves
+  Components offset;              // force of the tangent at zero deformation, without that at rest
+  Components at_rest;             // force that outer forces balance
+
+  // A diag(m, m, J) + K + C C_g of body i.
+  Matrix3 dynamic_stiffness(std::size_t i, double A, double C) const;
+  // K + C C_h of hinge j, in the axes of the plane.
+  Matrix3 hinge_stiffness(std::size_t j, double C) const;
+  // The matrix G that maps the motion of the centre of i to that of a port; its transpose maps a force at the
+  // port to one at the centre.
+  Matrix3 outgoing_port(std::size_t i) const;
+  Matrix3 ingoing_port(std::size_t i) const;
+};
+
+Components components(std::size_t size);
+
+}  // namespace adit::simplified::chain

@@ -1,0 +1,36 @@
+// From a scene to the response of its model.
+#pragma once
+
+#include <cstdint>
+
+#include "protocol/messages/scene.pb.h"
+#include "simplified/beam/model/tunnel.hpp"
+#include "simplified/chain/model/chain.hpp"
+#include "simplified/output/response.hpp"
+#include "simplified/scene/excitation.hpp"
+#include "simplified/scene/joint.hpp"
+#include "simplified/scene/tunnel.hpp"
+
+namespace adit::simplified {
+
+struct Clock {
+  double dt;  // [s]
+  std::uint64_t steps;
+  std::uint64_t stride;  // steps between two rows of the histories
+};
+
+// The kernels' models of a checked scene.
+beam::Tunnel beam_model(const scene::Simplified& scene, const Line& line);
+chain::Chain chain_model(const scene::Simplified& scene, const Line& line);
+
+// Of the lining between the centres of the two bodies beside a node, which the hinge there has in it.
+Flexibility lining_about(const scene::Simplified& scene, const Line& line, std::size_t node);
+
+Response solve_beam(const scene::Simplified& scene, const Line& line, const GroundField& ground,
+                    const Clock& clock);
+Response solve_chain(const scene::Simplified& scene, const Line& line, const GroundField& ground,
+                     const Clock& clock);
+// The ground itself, at the surface.
+Response solve_column(const scene::Simplified& scene, const GroundField& ground, const Clock& clock);
+
+}  // namespace adit::simplified

@@ -1,0 +1,149 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "protocol/errors.hpp"
+#include "simplified/beam/run.hpp"
+#include "simplified/models/differences.hpp"
+#include "simplified/models/solve.hpp"
+#include "simplified/scene/along_chainage.hpp"
+
+namespace adit::simplified {
+namespace {
+
+using protocol::UserError;
+
+// Fields are kept at this distance in time [s]: velocities are derived from them for motions up to 10 Hz.
+constexpr double kFieldInterval = 0.02;
+
+beam::Scheme scheme(const scene::Integration& integration) {
+  using Scene = scene::Integration;
+  if (!integration.has_scheme()) return beam::energy_conserving();
+  switch (integration.scheme()) {
+    case Scene::NEWMARK:
+      return beam::newmark();
+    case Scene::ENERGY_CONSERVING:
+      return beam::energy_conserving();
+    case Scene::HHT:
+      return beam::hht(0.1);
+    default:
+      throw UserError("simplified.integration.scheme",
+                      "is for the chain; the beam knows newmark, energy_conserving, hht");
+  }
+}
+
+// The field at its steps, which are those of the beam.
+beam::GroundMotion motion_of(const GroundField& ground, const Clock& clock) {
+  std::optional<AlongChainage> along;  // the chainages are known when the beam asks first
+  return [&ground, clock, along](double time, std::span<const double> chainages,
+                                 beam::GroundState& state) mutable {
+    if (!along) along.emplace(ground.chainage, std::vector(chainages.begin(), chainages.end()));
+    const auto step = static_cast<std::size_t>(std::lround(time / clock.dt));
+    for (int d = 0; d < kDirections; ++d) {
+      const Shaking& shaking = ground.shaking[d];
+      const auto fill = [&](const std::vector<double>& table, std::vector<double>& to) {
+        if (table.empty())
+          std::ranges::fill(to, 0.0);
+        else
+          along->interpolate(table.data() + step * shaking.places, to.data());
+      };
+      fill(shaking.displacement, state.displacement[d]);
+      fill(shaking.velocity, state.velocity[d]);
+    }
+  };
+}
+
+Envelope envelope(const char* name, const char* unit, const beam::Envelope& of) {
+  return {name, unit, of.minimum, of.maximum};
+}
+
+Table histories(const scene::Simplified& scene, const std::vector<beam::Record>& records) {
+  Table table;
+  table.columns = {"time_s"};
+  for (const scene::Station& station : scene.stations())
+    for (const char* quantity : {"ux_m", "uy_m", "uz_m", "axial_force_N", "moment_lateral_N_m",
+                                 "moment_vertical_N_m", "shear_lateral_N", "shear_vertical_N"})
+      table.columns.push_back(station.name() + "_" + quantity);
+  for (const beam::Record& record : records) {
+    auto& row = table.rows.emplace_back(1, record.time);
+    for (std::size_t s = 0; s < static_cast<std::size_t>(scene.stations_size()); ++s)
+      for (const auto* values :
+           {&record.displacement[0], &record.displacement[1], &record.displacement[2], &record.axial_force,
+            &record.moment_lateral, &record.moment_vertical, &record.shear_lateral, &record.shear_vertical})
+        row.push_back((*values)[s]);
+  }
+  return table;
+}
+
+Fields fields(const beam::Results& results) {
+  Fields fields;
+  fields.chainage = results.chainage;
+  std::vector<double> axial, lateral;
+  const auto append = [](std::vector<double>& to, const std::vector<double>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  for (const beam::Record& record : results.fields) {
+    fields.time.push_back(record.time);
+    append(fields.axial_force, record.axial_force);
+    append(axial, record.displacement[beam::kAxial]);
+    append(lateral, record.displacement[beam::kLateral]);
+  }
+  fields.axial_velocity = rates(axial, fields.time, fields.chainage.size());
+  fields.lateral_velocity = rates(lateral, fields.time, fields.chainage.size());
+  return fields;
+}
+
+std::vector<JointResponse> joints(const Line& line, const std::vector<beam::JointResult>& results) {
+  std::vector<JointResponse> joints;
+  for (std::size_t j = 0; j < results.size(); ++j) {
+    const beam::JointResult& result = results[j];
+    joints.push_back({result.chainage, line.joints[j].group, result.largest_opening,
+                      result.largest_compression, result.largest_offset});
+  }
+  return joints;
+}
+
+beam::Results run(const scene::Simplified& scene, const Line& line, const GroundField& ground,
+                  const Clock& clock) {
+  beam::RunOptions options;
+  options.dt = clock.dt;
+  options.steps = static_cast<long>(clock.steps);
+  options.scheme = scheme(scene.integration());
+  options.history_every = static_cast<int>(clock.stride);
+  options.field_every = std::max(1, static_cast<int>(kFieldInterval / clock.dt + 1e-9));
+  for (const scene::Station& station : scene.stations()) options.stations.push_back(station.chainage());
+  const beam::Tunnel tunnel = beam_model(scene, line);
+  try {
+    return beam::run(tunnel, motion_of(ground, clock), options);
+  } catch (const UserError& error) {
+    throw UserError("simplified.tunnel", error.path() + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+Response solve_beam(const scene::Simplified& scene, const Line& line, const GroundField& ground,
+                    const Clock& clock) {
+  const beam::Results results = run(scene, line, ground, clock);
+  Response response;
+  response.chainage = results.chainage;
+  response.envelopes = {envelope("axial_force", "N", results.axial_force),
+                        envelope("moment_lateral", "N_m", results.moment_lateral),
+                        envelope("moment_vertical", "N_m", results.moment_vertical),
+                        envelope("shear_lateral", "N", results.shear_lateral),
+                        envelope("shear_vertical", "N", results.shear_vertical),
+                        envelope("strain", "", results.strain)};
+  response.joints = joints(line, results.joints);
+  response.histories = histories(scene, results.histories);
+  response.fields = fields(results);
+  response.figures = {{"elements", static_cast<double>(results.chainage.size())},
+                      {"newton_iterations", static_cast<double>(results.newton_iterations)},
+                      {"energy_error", results.energy_error}};
+  response.wall_s = results.wall_s;
+  return response;
+}
+
+}  // namespace adit::simplified

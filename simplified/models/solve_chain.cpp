@@ -1,0 +1,231 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "protocol/errors.hpp"
+#include "simplified/chain/simulation.hpp"
+#include "simplified/models/solve.hpp"
+#include "simplified/scene/along_chainage.hpp"
+#include "simplified/scene/nearest.hpp"
+
+namespace adit::simplified {
+namespace {
+
+using protocol::UserError;
+
+// Fields are kept at so many places at most, and at this distance in time [s].
+constexpr std::size_t kFieldPlaces = 1000;
+constexpr double kFieldInterval = 0.02;
+
+chain::Method method(const scene::Integration& integration) {
+  using Scene = scene::Integration;
+  switch (integration.scheme()) {
+    case Scene::NEWMARK:
+      return chain::Newmark{};
+    case Scene::WILSON:
+      return chain::WilsonTheta{};
+    case Scene::HOUBOLT:
+      return chain::Houbolt{};
+    default:
+      throw UserError("simplified.integration.scheme",
+                      "is for the beam; the chain knows newmark, wilson, houbolt");
+  }
+}
+
+std::vector<double> centres(const Line& line) {
+  std::vector<double> centres;
+  for (std::size_t i = 0; i + 1 < line.nodes.size(); ++i)
+    centres.push_back((line.nodes[i] + line.nodes[i + 1]) / 2);
+  return centres;
+}
+
+// What the ground does at the bodies, step by step.
+class Ground {
+ public:
+  Ground(const GroundField& field, const std::vector<double>& centres)
+      : field_(field), along_(field.chainage, centres) {
+    for (auto& values : values_) values.assign(centres.size(), 0.0);
+  }
+  chain::Excitation at(std::size_t step) {
+    const auto fill = [&](Direction direction, bool velocity,
+                          std::vector<double>& to) -> std::span<const double> {
+      const Shaking& shaking = field_.shaking[direction];
+      const auto& table = velocity ? shaking.velocity : shaking.displacement;
+      if (table.empty()) return {};
+      along_.interpolate(table.data() + step * shaking.places, to.data());
+      return to;
+    };
+    chain::Excitation excitation;
+    excitation.ground_x = fill(kAxial, false, values_[0]);
+    excitation.ground_y = fill(kLateral, false, values_[1]);
+    excitation.ground_vx = fill(kAxial, true, values_[2]);
+    excitation.ground_vy = fill(kLateral, true, values_[3]);
+    return excitation;
+  }
+
+ private:
+  const GroundField& field_;
+  AlongChainage along_;
+  std::array<std::vector<double>, 4> values_;
+};
+
+// The axial force of every joint at rest, which the water balances: results count from there.
+std::vector<double> forces_at_rest(const scene::Simplified& scene, const Line& line) {
+  std::vector<double> forces(line.nodes.size());
+  for (std::size_t k = 0; k < line.joints.size(); ++k)
+    forces[line.joint_node[k]] =
+        -scene.tunnel().joints(static_cast<int>(line.joints[k].group)).gasket().installed_force();
+  return forces;
+}
+
+// Writes down histories and fields while the chain moves.
+class Recorder {
+ public:
+  Recorder(const scene::Simplified& scene, const Line& line, const std::vector<double>& centres)
+      : at_rest_(forces_at_rest(scene, line)) {
+    response_.histories.columns = {"time_s"};
+    for (const scene::Station& station : scene.stations()) {
+      bodies_.push_back(nearest(centres, station.chainage()));
+      joints_.push_back(nearest(line.nodes, station.chainage()));
+      for (const char* quantity : {"ux_m", "uy_m", "axial_force_N", "moment_lateral_N_m", "shear_lateral_N"})
+        response_.histories.columns.push_back(station.name() + "_" + quantity);
+    }
+    const std::size_t stride = (centres.size() + kFieldPlaces - 1) / kFieldPlaces;
+    for (std::size_t i = 0; i < centres.size(); i += stride) {
+      places_.push_back(i);
+      response_.fields.chainage.push_back(centres[i]);
+    }
+  }
+
+  void add_histories(const chain::Simulation& run) {
+    const chain::BodyMotion bodies = run.bodies();
+    const chain::Joints joints = run.joints();
+    auto& row = response_.histories.rows.emplace_back(1, run.time());
+    for (std::size_t s = 0; s < bodies_.size(); ++s) {
+      const std::size_t body = bodies_[s], joint = joints_[s];
+      row.insert(row.end(), {bodies.x[body], bodies.y[body], joints.axial.force[joint] - at_rest_[joint],
+                             joints.rotation.force[joint], joints.shear.force[joint]});
+    }
+  }
+
+  void add_fields(const chain::Simulation& run) {
+    const chain::BodyMotion bodies = run.bodies();
+    const chain::Joints joints = run.joints();
+    Fields& fields = response_.fields;
+    fields.time.push_back(run.time());
+    for (const std::size_t i : places_) {
+      fields.axial_velocity.push_back(bodies.vx[i]);
+      fields.lateral_velocity.push_back(bodies.vy[i]);
+      fields.axial_force.push_back(
+          (joints.axial.force[i] - at_rest_[i] + joints.axial.force[i + 1] - at_rest_[i + 1]) / 2);
+    }
+  }
+
+  Response take() { return std::move(response_); }
+
+ private:
+  Response response_;
+  std::vector<double> at_rest_;
+  std::vector<std::size_t> bodies_, joints_, places_;
+};
+
+Envelope envelope(const char* name, const char* unit, const chain::Extremes& of) {
+  // The two ends carry nothing or are abutments: places are the hinges between bodies.
+  return {name, unit, {of.min.begin() + 1, of.min.end() - 1}, {of.max.begin() + 1, of.max.end() - 1}};
+}
+
+Envelope axial_force(const scene::Simplified& scene, const Line& line, const chain::Envelopes& envelopes) {
+  Envelope force = envelope("axial_force", "N", envelopes.axial_force);
+  const std::vector<double> at_rest = forces_at_rest(scene, line);
+  for (std::size_t j = 0; j < force.least.size(); ++j) {
+    force.least[j] -= at_rest[j + 1];
+    force.greatest[j] -= at_rest[j + 1];
+  }
+  return force;
+}
+
+double largest(const chain::Extremes& extremes, std::size_t j) {
+  return std::max(-extremes.min[j], extremes.max[j]);
+}
+
+// Strain of the lining's outer fibre beside every hinge, N/EA and M (d/2)/EI. A bound: force and moment
+// are largest at different times.
+Envelope strain(const scene::Simplified& scene, const Line& line, const chain::Envelopes& envelopes) {
+  const Envelope force = axial_force(scene, line, envelopes);
+  Envelope strain{"strain", "", {}, {}};
+  for (std::size_t j = 1; j < line.section.size(); ++j) {
+    const auto& section = scene.tunnel().sections(static_cast<int>(line.section[j]));
+    const double bending = largest(envelopes.moment, j) * section.width() / 2 /
+                           (section.young_modulus() * section.lateral_inertia());
+    const double axial = section.young_modulus() * section.area();
+    strain.least.push_back(force.least[j - 1] / axial - bending);
+    strain.greatest.push_back(force.greatest[j - 1] / axial + bending);
+  }
+  return strain;
+}
+
+// Of the joint alone: the hinge's deformation less what its force makes of the lining. The largest opening is
+// a bound where the joint opens along the axis and turns: both are largest at different times.
+std::vector<JointResponse> joints(const scene::Simplified& scene, const Line& line,
+                                  const chain::Envelopes& envelopes) {
+  const Envelope force = axial_force(scene, line, envelopes);
+  std::vector<JointResponse> joints;
+  for (std::size_t k = 0; k < line.joints.size(); ++k) {
+    const std::size_t j = line.joint_node[k];
+    const Flexibility lining = lining_about(scene, line, j);
+    const double rotation = largest(envelopes.rotation, j) - largest(envelopes.moment, j) * lining.rotation;
+    const double turn = rotation * scene.tunnel().sections(static_cast<int>(line.section[j])).width() / 2;
+    joints.push_back({line.nodes[j], line.joints[k].group,
+                      envelopes.opening.max[j] - force.greatest[j - 1] * lining.axial + turn,
+                      turn - envelopes.opening.min[j] + force.least[j - 1] * lining.axial,
+                      largest(envelopes.slip, j)});
+  }
+  return joints;
+}
+
+chain::Simulation prepare(const scene::Simplified& scene, const Line& line, const Clock& clock) {
+  const chain::Chain chain = chain_model(scene, line);
+  try {
+    return {chain, {.dt = clock.dt, .method = method(scene.integration())}};
+  } catch (const UserError& error) {
+    if (error.path().starts_with("simplified.")) throw;
+    throw UserError("simplified.tunnel", error.path() + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+Response solve_chain(const scene::Simplified& scene, const Line& line, const GroundField& field,
+                     const Clock& clock) {
+  using Time = std::chrono::steady_clock;
+  const std::vector<double> centres = simplified::centres(line);
+  const auto started = Time::now();
+  chain::Simulation run = prepare(scene, line, clock);
+  Ground ground(field, centres);
+  Recorder recorder(scene, line, centres);
+  const auto field_stride =
+      std::max<std::uint64_t>(1, static_cast<std::uint64_t>(kFieldInterval / clock.dt + 1e-9));
+  recorder.add_histories(run);
+  recorder.add_fields(run);
+  for (std::uint64_t n = 1; n <= clock.steps; ++n) {
+    run.step(ground.at(n));
+    if (n % clock.stride == 0 || n == clock.steps) recorder.add_histories(run);
+    if (n % field_stride == 0) recorder.add_fields(run);
+  }
+
+  Response response = recorder.take();
+  const chain::Envelopes& envelopes = run.envelopes();
+  response.chainage.assign(line.nodes.begin() + 1, line.nodes.end() - 1);
+  response.envelopes = {
+      axial_force(scene, line, envelopes), envelope("moment_lateral", "N_m", envelopes.moment),
+      envelope("shear_lateral", "N", envelopes.shear_force), strain(scene, line, envelopes)};
+  response.joints = joints(scene, line, envelopes);
+  response.wall_s = std::chrono::duration<double>(Time::now() - started).count();
+  response.figures = {
+      {"bodies", static_cast<double>(centres.size())},
+      {"linear_solutions", static_cast<double>(run.iterations())},
+      {"time_per_body_and_step_s", response.wall_s / static_cast<double>(clock.steps * centres.size())}};
+  return response;
+}
+
+}  // namespace adit::simplified

@@ -1,0 +1,116 @@
+#include "simplified/scene/excitation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "protocol/errors.hpp"
+#include "protocol/motion/errors_at.hpp"
+#include "protocol/motion/excitation/stations.hpp"
+#include "simplified/scene/tunnel.hpp"
+
+namespace adit::simplified {
+namespace {
+
+using motion::Motion;
+using protocol::UserError;
+
+void resize(Shaking& shaking, std::size_t places, std::size_t steps) {
+  shaking.places = places;
+  for (auto* table : {&shaking.displacement, &shaking.velocity, &shaking.acceleration})
+    table->assign(places * (steps + 1), 0.0);
+}
+
+double value(const std::vector<double>& values, std::size_t step) {
+  return step < values.size() ? values[step] : 0.0;
+}
+
+// The motions are those of the tunnel's surroundings themselves.
+Shaking direct(const std::vector<Motion>& motions, double factor, std::size_t steps) {
+  Shaking shaking;
+  resize(shaking, motions.size(), steps);
+  for (std::size_t p = 0; p < motions.size(); ++p) {
+    const motion::Course path = motion::integrate(motions[p]);
+    for (std::size_t n = 0; n <= steps; ++n) {
+      const std::size_t at = n * motions.size() + p;
+      shaking.displacement[at] = factor * value(path.displacement, n);
+      shaking.velocity[at] = factor * value(path.velocity, n);
+      shaking.acceleration[at] = factor * value(motions[p].acceleration, n);
+    }
+  }
+  return shaking;
+}
+
+// The motions are those of the rock; the soil columns carry them up to the tunnel.
+Shaking through_ground(const scene::Simplified& scene, const std::vector<column::Column>& columns,
+                       Direction direction, const std::vector<Motion>& motions, double factor,
+                       std::size_t steps) {
+  column::JoinedColumns ground(columns, modulus_ratio(scene.ground(), direction), motions[0].dt,
+                               "simplified.ground.profiles");
+  std::vector<column::JoinedColumns::Place> places;
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    places.push_back(ground.place(j, axis_depth(scene.tunnel(), columns[j].chainage)));
+  Shaking shaking;
+  resize(shaking, columns.size(), steps);
+  std::vector<double> rock(columns.size());
+  for (std::size_t n = 1; n <= steps; ++n) {
+    for (std::size_t j = 0; j < columns.size(); ++j) rock[j] = factor * value(motions[j].acceleration, n);
+    ground.step(rock);
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+      const std::size_t at = n * columns.size() + j;
+      shaking.displacement[at] = ground.displacement(places[j]);
+      shaking.velocity[at] = ground.velocity(places[j]);
+      shaking.acceleration[at] = ground.acceleration(places[j]);
+    }
+  }
+  return shaking;
+}
+
+// Where the motion is known: at the soil columns, or close enough for the shortest wave of interest.
+std::vector<double> places_along(const scene::Simplified& scene, double begin, double end) {
+  std::vector<double> places;
+  if (scene.has_ground()) {
+    for (const auto& column : columns(scene.ground(), begin, end, kLateral))
+      places.push_back(column.chainage);
+    return places;
+  }
+  constexpr int kGaps = 200;
+  for (int i = 0; i <= kGaps; ++i) places.push_back(begin + (end - begin) * i / kGaps);
+  return places;
+}
+
+}  // namespace
+
+GroundField shake(const scene::Simplified& scene, const Motion& motion, double begin, double end,
+                  std::size_t steps) {
+  const scene::Excitation& excitation = scene.excitation();
+  const std::array<double, kDirections> factors = {excitation.axial(), excitation.lateral(),
+                                                   excitation.vertical()};
+  if (std::ranges::all_of(factors, [](double f) { return f == 0; }))
+    throw UserError("simplified.excitation",
+                    "has no direction; give `axial`, `lateral` or `vertical`, such as "
+                    "`lateral: 1`");
+  if (excitation.through_ground() && !scene.has_ground())
+    throw UserError("simplified.excitation.through_ground", "needs the scene's `ground`, which is missing");
+
+  GroundField field;
+  field.chainage = places_along(scene, begin, end);
+  const scene::Incidence& incidence = excitation.incidence();
+  const auto motions = motion::errors_at("simplified.excitation.incidence", [&] {
+    return motion::station_motions(motion, field.chainage,
+                                   {.apparent_velocity = incidence.apparent_velocity(),
+                                    .drift = incidence.coherency().drift(),
+                                    .seed = incidence.coherency().seed()});
+  });
+  for (const Direction direction : {kAxial, kLateral, kVertical}) {
+    if (factors[direction] == 0) continue;
+    field.shaking[direction] = excitation.through_ground()
+                                   ? through_ground(scene, columns(scene.ground(), begin, end, direction),
+                                                    direction, motions, factors[direction], steps)
+                                   : direct(motions, factors[direction], steps);
+  }
+  return field;
+}
+
+}  // namespace adit::simplified

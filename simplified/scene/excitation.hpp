@@ -1,0 +1,30 @@
+// The ground's motion along the tunnel, from the scene's motion: through the soil columns or as it is.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "protocol/messages/scene.pb.h"
+#include "protocol/motion/motion.hpp"
+#include "simplified/scene/ground.hpp"
+
+namespace adit::simplified {
+
+// One direction of the ground's motion, absolute, at a few places along the tunnel and at every step; a row a
+// step, from time 0. Between the places: along_chainage.hpp.
+struct Shaking {
+  std::size_t places = 0;
+  std::vector<double> displacement, velocity, acceleration;  // [m], [m/s], [m/s^2]
+};
+
+// The ground's motion at the tunnel.
+struct GroundField {
+  std::vector<double> chainage;              // of the places [m]
+  std::array<Shaking, kDirections> shaking;  // empty for a direction that is not excited
+};
+
+// At the tunnel's axis, through the soil columns where the scene asks for them; `steps` steps after time 0.
+GroundField shake(const scene::Simplified& scene, const motion::Motion& motion, double begin, double end,
+                  std::size_t steps);
+
+}  // namespace adit::simplified

@@ -1,0 +1,87 @@
+#include "dem_server/engines/general/observe/fragments.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+
+#include "dem_server/packing/hexagonal.hpp"
+
+namespace adit::dem {
+namespace {
+
+std::vector<Pair> chain(std::uint32_t discs) {
+  std::vector<Pair> pairs;
+  for (std::uint32_t i = 0; i + 1 < discs; ++i) pairs.push_back({i, i + 1});
+  return pairs;
+}
+
+// What nothing holds is a fragment by itself; no discs are no fragments.
+TEST(Fragments, LooseDiscsAreOneEach) {
+  const Fragments loose = fragments_of(3, {});
+  EXPECT_EQ(loose.number, (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_EQ(loose.size, (std::vector<std::uint32_t>{1, 1, 1}));
+  EXPECT_EQ(fragments_of(0, {}).count(), 0u);
+}
+
+// A ring holds when one bond breaks and falls in two with the second one.
+TEST(Fragments, ARingFallsWithItsSecondBond) {
+  auto pairs = chain(6);
+  pairs.push_back({0, 5});
+  EXPECT_EQ(fragments_of(6, pairs).count(), 1u);
+  pairs.erase(pairs.begin() + 1);  // 1 - 2
+  EXPECT_EQ(fragments_of(6, pairs).count(), 1u);
+  pairs.erase(pairs.begin() + 3);  // 4 - 5
+  const Fragments two = fragments_of(6, pairs);
+  EXPECT_EQ(two.number, (std::vector<std::uint32_t>{0, 0, 1, 1, 1, 0}));
+  EXPECT_EQ(two.size, (std::vector<std::uint32_t>{3, 3}));
+}
+
+// Two discs have the same number exactly where a walk along the pairs leads from one to the other, and
+// numbers ascend with the lowest discs, whatever the order of the pairs.
+RC_GTEST_PROP(Fragments, AreWhatAWalkReaches, ()) {
+  const auto discs = *rc::gen::inRange<std::uint32_t>(1, 30);
+  const auto end = rc::gen::inRange<std::uint32_t>(0, discs);
+  auto pairs =
+      *rc::gen::container<std::vector<Pair>>(rc::gen::map(rc::gen::pair(end, end), [](const auto& p) {
+        return Pair{p.first, p.second};
+      }));
+  const Fragments fragments = fragments_of(discs, pairs);
+  std::ranges::reverse(pairs);
+  RC_ASSERT(fragments_of(discs, pairs).number == fragments.number);
+
+  std::vector<std::uint32_t> number(discs, discs);
+  std::uint32_t count = 0;
+  for (std::uint32_t start = 0; start < discs; ++start) {
+    if (number[start] != discs) continue;
+    number[start] = count;
+    for (bool grows = true; grows;) {
+      grows = false;
+      for (const Pair& p : pairs)
+        if ((number[p.first] == count) != (number[p.second] == count)) {
+          number[p.first] = number[p.second] = count;
+          grows = true;
+        }
+    }
+    RC_ASSERT(fragments.size[count] == std::ranges::count(number, count));
+    ++count;
+  }
+  RC_ASSERT(fragments.number == number);
+  RC_ASSERT(fragments.count() == count);
+}
+
+// In a hexagonal packing a disc has six neighbours, at an even edge four, at a corner two or three.
+TEST(Coordination, OfAHexagonalPacking) {
+  const Packing packing = pack_hexagonally({0, 10, 0, 9 * 0.8660254037844387}, 0.5);
+  std::vector<Pair> pairs;
+  for (const Link& link : packing.links) pairs.push_back({link.first, link.second});
+  const auto count = coordination_of(packing.x.size(), pairs);
+  EXPECT_EQ(count[0], 2u);       // corner
+  EXPECT_EQ(count[5], 4u);       // bottom
+  EXPECT_EQ(count[10 + 4], 6u);  // inside
+  EXPECT_EQ(count[10], 5u);      // end of a short row
+  EXPECT_EQ(count[19], 3u);      // end of a long row
+}
+
+}  // namespace
+}  // namespace adit::dem

@@ -1,0 +1,149 @@
+// Every error of a scene's materials: the field's path and a sentence that says what to do; and that what is
+// written is what is computed.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "fdm_server/model/ground.hpp"
+#include "protocol/errors.hpp"
+#include "tests/unit/fdm_server/scenes.hpp"
+
+namespace adit::fdm::test {
+namespace {
+
+using testing::HasSubstr;
+
+// A scene in plane strain whose material has `law`.
+wire::Setup ground_of(const std::string& law, const std::string& continuum = "",
+                      const std::string& plane = "PLANE_STRAIN", const std::string& more = "") {
+  return setup_of(continuum, kBlock,
+                  "plane: " + plane + " material { young_modulus: 1e9 poisson_ratio: 0.3 density: 2000 " +
+                      law + " } " + more);
+}
+
+struct Case {
+  std::string name, law, path, message;
+  std::string continuum = "", plane = "PLANE_STRAIN", more = "";
+};
+class MaterialError : public testing::TestWithParam<Case> {};
+
+TEST_P(MaterialError, NamesTheFieldAndTheRemedy) {
+  const auto& [name, law, path, message, continuum, plane, more] = GetParam();
+  FdmParticipant participant;
+  wire::Model model;
+  try {
+    participant.set_up(ground_of(law, continuum, plane, more), model);
+    FAIL() << "no error";
+  } catch (const protocol::UserError& error) {
+    EXPECT_EQ(error.path(), path);
+    EXPECT_THAT(error.what(), HasSubstr(message));
+  }
+}
+
+const std::string kSoil = "young_modulus: 1e8 poisson_ratio: 0.3 density: 1800 ";
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, MaterialError,
+    testing::Values(
+        Case{"cohesion", "mohr_coulomb { cohesion: -1 }", "material.mohr_coulomb.cohesion",
+             "must be 0 or above"},
+        Case{"degrees", "mohr_coulomb { cohesion: 1e3 friction_angle: 30 }",
+             "material.mohr_coulomb.friction_angle", "degrees are written `30 deg`"},
+        Case{"dilation", "mohr_coulomb { cohesion: 1e3 friction_angle: 0.3 dilation_angle: 0.4 }",
+             "material.mohr_coulomb.dilation_angle", "more than the friction angle of 0.3 rad"},
+        Case{"tension", "mohr_coulomb { cohesion: 1e3 friction_angle: 0.785398163397 tension: 2e3 }",
+             "material.mohr_coulomb.tension", "must lie between 0 and cohesion / tan(friction_angle) = 1000"},
+        Case{"softening_strain",
+             "mohr_coulomb { cohesion: 1e3 softening { plastic_shear_strain: 0.1 } softening { "
+             "plastic_shear_strain: 0.05 } }",
+             "material.mohr_coulomb.softening[1].plastic_shear_strain", "must be larger than 0.1 before it"},
+        Case{"softening_dilation",
+             "mohr_coulomb { cohesion: 1e3 friction_angle: 0.5 dilation_angle: 0.2 softening { "
+             "plastic_shear_strain: 0.1 friction_angle: 0.1 } }",
+             "material.mohr_coulomb.softening[0].dilation_angle", "would gain energy"},
+        Case{"no_curve", "hysteretic {}", "material.hysteretic", "names no curve; give table or hyperbola"},
+        Case{"two_laws", "mohr_coulomb { cohesion: 1 } hysteretic { hyperbola { reference_strain: 1e-3 } }",
+             "material.hysteretic", "a zone follows one of them"},
+        Case{"hysteretic_plane",
+             "weak_plane { dip_angle: 1 cohesion: 1 } hysteretic { hyperbola { reference_strain: 1e-3 } }",
+             "material.weak_plane", "elastic or mohr_coulomb ground only"},
+        Case{"percent", "hysteretic { hyperbola { reference_strain: 5 } }",
+             "material.hysteretic.hyperbola.reference_strain", "must lie between 0 and 1"},
+        Case{"counts",
+             "hysteretic { table { shear_strain: 1e-5 shear_strain: 1e-4 shear_strain: 1e-3 ratio: 1 ratio: "
+             "0.8 } }",
+             "material.hysteretic.table", "has 3 strains and 2 ratios"},
+        Case{"order",
+             "hysteretic { table { shear_strain: 1e-5 shear_strain: 1e-3 shear_strain: 1e-4 ratio: 1 ratio: "
+             "0.8 "
+             "ratio: 0.5 } }",
+             "material.hysteretic.table.shear_strain", "does not increase at its value 3"},
+        Case{"rising",
+             "hysteretic { table { shear_strain: 1e-5 shear_strain: 1e-4 shear_strain: 1e-3 ratio: 1 ratio: "
+             "0.8 "
+             "ratio: 0.9 } }",
+             "material.hysteretic.table.ratio", "at its value 3: 0.9"},
+        Case{"first_ratio",
+             "hysteretic { table { shear_strain: 1e-5 shear_strain: 1e-4 shear_strain: 1e-3 ratio: 0.9 "
+             "ratio: 0.8 "
+             "ratio: 0.5 } }",
+             "material.hysteretic.table.ratio", "begins with 0.9"},
+        Case{"falling_stress",
+             "hysteretic { table { shear_strain: 1e-5 shear_strain: 1e-4 shear_strain: 2e-4 ratio: 1 ratio: "
+             "0.8 "
+             "ratio: 0.3 } }",
+             "material.hysteretic.table.ratio", "this law cannot soften"},
+        Case{"plane_stress", "mohr_coulomb { cohesion: 1e3 }", "material", "in plane strain only", "",
+             "PLANE_STRESS"},
+        Case{"large_strain_in_plane_stress", "", "continuum.large_strain", "in plane strain only",
+             "large_strain: true", "PLANE_STRESS"},
+        Case{"large_strain_coupled", "", "continuum.large_strain", "leave one of the two out",
+             "large_strain: true", "PLANE_STRAIN", "interface {}"},
+        Case{"area_nowhere", "", "continuum.materials[0].where", "selects no zones",
+             "materials { where { x_min: 7 } material { " + kSoil + " } }"},
+        Case{"area_material", "", "continuum.materials[1].material.young_modulus", "must be positive",
+             "materials { where {} material { " + kSoil +
+                 " } } materials { where {} material { density: 1 } }"}),
+    [](const auto& scene) { return scene.param.name; });
+
+// Later areas override earlier ones; the base material fills the rest.
+TEST(Materials, LaterAreasOverrideEarlierOnes) {
+  const auto setup =
+      ground_of("", "materials { where { x_max: 4 } material { " + kSoil +
+                        " } } materials { where { x_min: 2 x_max: 3 } material { " + kSoil + " } }");
+  const Grid grid = make_grid({0, 6, 0, 1, 6, 1});
+  EXPECT_EQ(materials_of_zones(setup.scene().continuum(), grid),
+            (std::vector<std::uint32_t>{1, 1, 2, 1, 0, 0}));
+}
+
+// The critical step is that of the stiffest and lightest zone, wherever it lies.
+TEST(Materials, CriticalStepIsThatOfTheStiffestZone) {
+  FdmParticipant all, some;
+  wire::Model soft, stiff;
+  all.set_up(ground_of(""), soft);
+  some.set_up(
+      ground_of("",
+                "materials { where { x_max: 1 } material { young_modulus: 4e9 poisson_ratio: 0.3 density: "
+                "2000 mohr_coulomb { cohesion: 1e3 } } }"),
+      stiff);
+  EXPECT_NEAR(stiff.critical_dt(), soft.critical_dt() / 2, 1e-12 * soft.critical_dt());
+}
+
+// What is left out of a row of softening stays as in the row before, and the tension never leaves the cone.
+TEST(Materials, SofteningRowsKeepWhatTheyLeaveOut) {
+  const auto setup = ground_of(
+      "mohr_coulomb { cohesion: 1e3 friction_angle: 0.5 softening { plastic_shear_strain: 0.01 cohesion: 100 "
+      "} "
+      "softening { plastic_shear_strain: 0.03 friction_angle: 0.4 } }");
+  const auto ground = read_ground(setup.scene());
+  const auto& law = *ground.materials[0].mohr_coulomb;
+  EXPECT_DOUBLE_EQ(law.strength(0.005).cohesion, 550);
+  EXPECT_DOUBLE_EQ(law.strength(0.02).cohesion, 100);
+  EXPECT_DOUBLE_EQ(law.strength(0.02).friction_angle, 0.45);
+  EXPECT_DOUBLE_EQ(law.strength(1).friction_angle, 0.4);
+  EXPECT_DOUBLE_EQ(law.strength(1).tension, 100 / std::tan(0.5));
+}
+
+}  // namespace
+}  // namespace adit::fdm::test

@@ -1,0 +1,161 @@
+// Every error of the scene that this server finds: the field's path and a sentence that says what to do.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "protocol/errors.hpp"
+#include "tests/unit/fdm_server/scenes.hpp"
+
+namespace adit::fdm::test {
+namespace {
+
+using testing::HasSubstr;
+
+struct Case {
+  std::string name, conditions, path, message;
+  std::string block = kBlock, material = kMaterial;
+};
+
+class SceneError : public testing::TestWithParam<Case> {};
+
+TEST_P(SceneError, NamesTheFieldAndTheRemedy) {
+  const auto& [name, conditions, path, message, block, material] = GetParam();
+  FdmParticipant participant;
+  wire::Model model;
+  wire::Interface interface;
+  try {
+    participant.set_up(setup_of(conditions, block, material), model);
+    participant.weigh({}, interface);
+    FAIL() << "no error";
+  } catch (const protocol::UserError& error) {
+    EXPECT_EQ(error.path(), path);
+    EXPECT_THAT(error.what(), HasSubstr(message));
+  }
+}
+
+std::string block(const std::string& x_min, const std::string& x_max, const std::string& y_max,
+                  const std::string& zones) {
+  return "block { x_min: " + x_min + " x_max: " + x_max + " y_min: 0 y_max: " + y_max + " " + zones + " }";
+}
+std::string material(const std::string& e, const std::string& nu, const std::string& rho) {
+  return "material { young_modulus: " + e + " poisson_ratio: " + nu + " density: " + rho + " } ";
+}
+const std::string kLining =
+    "linings { name: 'top' along { line { points { x: 0 y: 1 } points { x: 6 y: 1 } } } thickness: 0.5 "
+    "young_modulus: 30e9 } ";
+const std::string kZones = "zones_x: 4 zones_y: 2", kNowhere = "where { x_min: 7 } ";
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, SceneError,
+    testing::Values(
+        Case{"empty_width", "", "continuum.block.x_max", "is 1 m, but must be larger than x_min = 2 m",
+             block("2", "1", "1", kZones)},
+        Case{"empty_height", "", "continuum.block.y_max", "is 0 m, but must be larger than y_min = 0 m",
+             block("0", "1", "0", kZones)},
+        Case{"infinite_block", "", "continuum.block.x_max", "is not finite", block("0", "inf", "1", kZones)},
+        Case{"no_zones", "", "continuum.block.zones_y", "give at least one zone",
+             block("0", "1", "1", "zones_x: 4 zones_y: 0")},
+        Case{"too_many_zones", "", "continuum.block", "use larger zones",
+             block("0", "1", "1", "zones_x: 4000000000 zones_y: 4000000000")},
+        Case{"young", "", "material.young_modulus", "must be positive", kBlock, material("0", "0.2", "2500")},
+        Case{"poisson", "", "material.poisson_ratio", "must lie between -1 and 0.5", kBlock,
+             material("1e9", "0.5", "2500")},
+        Case{"density", "", "material.density", "must be positive", kBlock, material("1e9", "0.2", "-1")},
+        Case{"own_young", "material { young_modulus: -1 poisson_ratio: 0.2 density: 2500 }",
+             "continuum.material.young_modulus", "must be positive"},
+        Case{"no_material", "", "material", "is missing; give it, or continuum.material", kBlock, ""},
+        Case{"point_load_nowhere", "point_loads { " + kNowhere + "force { x: 1 } }",
+             "continuum.point_loads[0].where", "selects no grid points"},
+        Case{"edge_load_nowhere",
+             "edge_loads { where { x_max: 0 } force { x: 1 } } edge_loads { where { x_min: 0.1 x_max: 0.4 } "
+             "force { x: 1 } }",
+             "continuum.edge_loads[1].where", "holds no whole edge of the continuum's boundary"},
+        Case{"body_load_nowhere", "body_loads { " + kNowhere + "acceleration { y: -10 } }",
+             "continuum.body_loads[0].where", "selects no grid points"},
+        Case{"motion_nowhere", "motions { " + kNowhere + "velocity { x: 0 } }", "continuum.motions[0].where",
+             "selects no grid points"},
+        Case{"motion_of_nothing", "motions { where { x_max: 0 } velocity {} }",
+             "continuum.motions[0].velocity", "give x, y or both"},
+        Case{"motions_contradict",
+             "motions { where { x_max: 0 } velocity { x: 0 y: 0 } } motions { where { y_max: 0 } velocity { "
+             "y: 1 } }",
+             "continuum.motions[1].velocity", "prescribes another y velocity than motions[0]"},
+        Case{"load_table",
+             "point_loads { where { x_max: 0 } force { x: 1 } time { table { time: 0 time: 1 value: 0 } } }",
+             "continuum.point_loads[0].time.table", "2 times and 1 values"},
+        Case{"motion_table",
+             "motions { where { x_max: 0 } velocity { x: 1 } time { table { time: 1 time: 0 value: 0 value: "
+             "1 } } }",
+             "continuum.motions[0].time.table.time", "does not increase"},
+        Case{"history_of_no_lining", "histories { name: 'a' quantity: MOMENT at { x: 3 y: 1 } }",
+             "continuum.histories[0].lining", "is missing; name the lining"},
+        Case{"history_of_another_lining",
+             kLining + "histories { name: 'a' quantity: THRUST at { x: 3 y: 1 } lining: 'tob' }",
+             "continuum.histories[0].lining", "is `tob`, but no lining of the continuum has this name"},
+        Case{"history_off_the_lining",
+             kLining + "histories { name: 'a' quantity: THRUST at { x: 3 y: 0.5 } lining: 'top' }",
+             "continuum.histories[0].at", "m from the lining's nearest node"},
+        Case{"history_outside", "histories { name: 'a' quantity: VELOCITY_X at { x: 9 y: 0 } }",
+             "continuum.histories[0].at",
+             "is (9, 0) m, where the continuum has no zone; its nearest grid point is (6, 0) m, put it "
+             "inside"}),
+    [](const auto& scene) { return scene.param.name; });
+
+// A scene without a continuum is not for this server.
+TEST(SceneErrors, ContinuumIsMissing) {
+  FdmParticipant participant;
+  wire::Model model;
+  try {
+    participant.set_up({}, model);
+    FAIL() << "no error";
+  } catch (const protocol::UserError& error) {
+    EXPECT_EQ(error.path(), "continuum");
+  }
+}
+
+// An overlap that leaves nothing of the continuum is refused.
+TEST(SceneErrors, OverlapLeavesNoZone) {
+  const Conversation whole("");
+  wire::Weights weights;
+  weights.mutable_weights()->Resize(whole.model.sample_points_size() / 2, 0.0);
+  try {
+    Conversation("", weights);
+    FAIL() << "no error";
+  } catch (const protocol::UserError& error) {
+    EXPECT_EQ(error.path(), "interface.overlap");
+    EXPECT_THAT(error.what(), HasSubstr("leaves no zone"));
+  }
+}
+
+// The continuum's own material is taken instead of the scene's: twice the stiffness, a critical step shorter
+// by the root of 2.
+TEST(SceneErrors, OwnMaterialReplacesTheScenes) {
+  const Conversation of_scene("");
+  const Conversation own("material { young_modulus: 50e9 poisson_ratio: 0.2 density: 2500 }");
+  EXPECT_NEAR(own.model.critical_dt() * std::sqrt(2.0), of_scene.model.critical_dt(),
+              1e-14 * of_scene.model.critical_dt());
+}
+
+// A step above the critical one is refused with both values.
+TEST(SceneErrors, StepAboveTheCriticalOne) {
+  Conversation run("");
+  try {
+    run.advance(0, 1.01 * run.model.critical_dt());
+    FAIL() << "no error";
+  } catch (const protocol::UserError& error) {
+    EXPECT_EQ(error.path(), "time.dt");
+    EXPECT_THAT(error.what(), HasSubstr("above the continuum's critical step"));
+  }
+}
+
+// Two motions that agree may share points: fixed corners of two fixed sides.
+TEST(SceneErrors, AgreeingMotionsMayOverlap) {
+  EXPECT_NO_THROW(Conversation(
+      "motions { where { x_max: 0 } velocity { x: 0 y: 0 } } motions { where { y_max: 0 } velocity { x: "
+      "0 y: 0 } }"));
+}
+
+}  // namespace
+}  // namespace adit::fdm::test

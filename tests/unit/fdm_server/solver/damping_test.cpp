@@ -1,0 +1,119 @@
+// Requirements on damping: standing waves decay at the rate that theory gives.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "fdm_server/zones/critical_step.hpp"
+#include "tests/unit/fdm_server/boundaries/boundary_scenes.hpp"
+#include "tests/unit/fdm_server/grid/grids.hpp"
+
+namespace adit::fdm::test {
+namespace {
+
+using std::numbers::pi;
+
+const PlaneLaw kLaw = plane_strain(2e8, 0.25);
+constexpr double kHeight = 10;  // [m]
+
+double frequency(int mode) {
+  return mode * kShearVelocity / (2 * kHeight);
+}
+
+// Energy of the standing shear wave of a layer held below and above, v = sin(mode pi y/H), over that at its
+// start, after some whole periods.
+double energy_left(ZoneKind kind, const DampingLaw& law, int mode, int periods) {
+  const std::uint32_t zones = 80;
+  const Grid grid = make_grid({0, 1, 0, kHeight, 1, zones});
+  std::vector<std::uint32_t> all(grid.x.size()), ends;
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    all[i] = i;
+    if (grid.y[i] == 0 || grid.y[i] == kHeight) ends.push_back(i);
+  }
+  const auto always = [](double) { return 1.0; };
+  Continuum continuum(make_zones(kind, grid, kLaw, ones(grid)),
+                      lumped_masses(grid, ones(grid), kGroundDensity), {},
+                      {{all, Axis::kY, 0.0, always}, {ends, Axis::kX, 0.0, always}});
+  continuum.set_damping(law);
+  const double longest = critical_step(law, critical_step(kind, grid, kLaw, kGroundDensity));
+  const double duration = periods / frequency(mode);
+  const auto steps = static_cast<std::uint64_t>(std::ceil(duration / (0.5 * longest)));
+  const double dt = duration / static_cast<double>(steps);
+  continuum.step({0, dt});
+  for (std::size_t i = 0; i < grid.x.size(); ++i)
+    continuum.vx()[i] = std::sin(mode * pi * grid.y[i] / kHeight);
+  for (const auto i : ends) continuum.vx()[i] = 0;
+  Energies first{}, last{};
+  continuum.step({1, dt}, &first);
+  for (std::uint64_t n = 2; n <= steps + 1; ++n) continuum.step({n, dt}, &last);
+  EXPECT_NEAR(last.kinetic + last.strain + last.dissipated, first.kinetic + first.strain + first.dissipated,
+              1e-10 * first.kinetic);
+  return (last.kinetic + last.strain) / (first.kinetic + first.strain);
+}
+
+// Rayleigh damping: the stated ratio at both frequencies, the known one between and above; within 0.5 % of
+// the rate.
+TEST(Damping, StandingWavesDecayAtRayleighsRate) {
+  const double ratio = 0.03;
+  const DampingLaw law = rayleigh(ratio, frequency(1), frequency(4));
+  for (const ZoneKind kind : kKinds)
+    for (const int mode : {1, 2, 4, 6}) {
+      const double w = 2 * pi * frequency(mode), here = (law.mass / w + law.stiffness * w) / 2;
+      if (mode == 1 || mode == 4) {
+        EXPECT_NEAR(here, ratio, 1e-12);
+      }
+      const int periods = 8;
+      const double decay = -std::log(energy_left(kind, law, mode, periods)) / (2 * 2 * pi * periods);
+      EXPECT_NEAR(decay, here, 0.005 * here) << "mode " << mode;
+    }
+}
+
+// Either part alone, too.
+TEST(Damping, MassAndStiffnessDampAlone) {
+  for (const DampingLaw& law : {DampingLaw{.mass = 3}, DampingLaw{.stiffness = 5e-4}})
+    for (const int mode : {1, 3}) {
+      const double w = 2 * pi * frequency(mode), here = (law.mass / w + law.stiffness * w) / 2;
+      const double decay = -std::log(energy_left(kKinds[0], law, mode, 8)) / (4 * pi * 8);
+      EXPECT_NEAR(decay, here, 0.005 * here) << "mode " << mode;
+    }
+}
+
+// Local damping: half a cycle leaves (1 - a)/(1 + a) of the energy, whatever the frequency, because the
+// stiffness is 1 - a on the way to rest and 1 + a on the way from it.
+TEST(Damping, LocalDampingIsTheSameAtEveryFrequency) {
+  const double a = 0.05;
+  for (const int mode : {1, 3}) {
+    const double decay = -std::log(energy_left(kKinds[0], {.local = a}, mode, 4));
+    const double expected = -2 * 4 * std::log((1 - a) / (1 + a));
+    EXPECT_NEAR(decay, expected, 0.005 * expected) << "mode " << mode;
+  }
+}
+
+// Stiffness-proportional damping shortens the critical step as stated: just below it the roughest motion
+// dies, just above it grows.
+TEST(Damping, CriticalStepIsThatOfTheViscousScheme) {
+  const Grid grid = make_grid({0, 4, 0, 3, 4, 3});
+  const DampingLaw law{.stiffness = 1e-3};
+  const double undamped = critical_step(kKinds[1], grid, kLaw, kGroundDensity);
+  EXPECT_LT(critical_step(law, undamped), 0.8 * undamped);
+  const auto grows = [&](const Grid& one, double share) {
+    Continuum continuum(make_zones(kKinds[1], one, kLaw, ones(one)),
+                        lumped_masses(one, ones(one), kGroundDensity), {}, {});
+    continuum.set_damping(law);
+    const double dt = share * critical_step(law, critical_step(kKinds[1], one, kLaw, kGroundDensity));
+    continuum.step({0, dt});
+    for (std::size_t i = 0; i < one.x.size(); ++i) {
+      continuum.vx()[i] = std::sin(7.0 * static_cast<double>(i));
+      continuum.vy()[i] = std::cos(5.0 * static_cast<double>(i));
+    }
+    Energies e{};
+    for (std::uint64_t n = 1; n <= 3000; ++n) continuum.step({n, dt}, &e);
+    return !(e.strain < 1e6);
+  };
+  EXPECT_FALSE(grows(grid, 0.999));
+  const Grid single = make_grid({0, 1, 0, 1, 1, 1});  // of which the bound is exact
+  EXPECT_FALSE(grows(single, 0.999));
+  EXPECT_TRUE(grows(single, 1.01));
+}
+
+}  // namespace
+}  // namespace adit::fdm::test

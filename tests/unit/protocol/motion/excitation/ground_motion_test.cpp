@@ -1,0 +1,99 @@
+// Requirements on the way from the scene's earthquake to the velocity of a base.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "protocol/errors.hpp"
+#include "protocol/motion/excitation/ground_motion.hpp"
+#include "protocol/motion/processing/processing.hpp"
+#include "protocol/motion/velocity_history.hpp"
+#include "tests/unit/protocol/motion/support.hpp"
+
+namespace adit::motion::test {
+namespace {
+
+using std::numbers::pi;
+using testing::HasSubstr;
+
+// The velocity between the values of the acceleration is the exact integral: of a straight line, a parabola.
+TEST(VelocityHistory, IntegratesTheStraightLinesExactly) {
+  const VelocityHistory velocity({0.5, {0, 1, -1}});
+  EXPECT_EQ(velocity(-1), 0);
+  EXPECT_DOUBLE_EQ(velocity(0.25), 0.0625);  // t^2
+  EXPECT_DOUBLE_EQ(velocity(0.5), 0.25);
+  EXPECT_DOUBLE_EQ(velocity(0.75), 0.375);  // the acceleration passes zero: the largest velocity
+  EXPECT_DOUBLE_EQ(velocity(1), 0.25);
+  EXPECT_DOUBLE_EQ(velocity(7), 0.25);
+}
+
+// A motion sampled at its natural step has the velocity of its formula to 1e-4 of the peak.
+TEST(GroundMotion, NaturalStepIsFineEnough) {
+  scene::GroundMotion scene;
+  scene.mutable_ricker()->set_frequency(4);
+  scene.mutable_ricker()->set_time(0.5);
+  scene.set_baseline(false);
+  const VelocityHistory velocity(ground_motion(scene, "motion", 1.0));
+  const double largest = std::exp(-0.5) / (pi * 4 * std::sqrt(2.0));
+  for (double t = 0.001; t < 1; t += 0.0137) {
+    const double x = pi * 4 * (t - 0.5);
+    EXPECT_NEAR(velocity(t), x / (pi * 4) * std::exp(-x * x), 1e-4 * largest) << t;
+  }
+}
+
+// Taper, then filter, then baseline, then scale: the field does what the functions do.
+TEST(GroundMotion, IsPreparedInTheStatedOrder) {
+  scene::GroundMotion scene;
+  scene.mutable_gabor()->set_frequency(3);
+  scene.mutable_gabor()->set_time(0.6);
+  scene.set_taper(0.3);
+  scene.set_peak(2);
+  const Sampling sampling{.dt = 0.005, .duration = 2};
+  const Motion expected =
+      scaled_to_peak(baseline_corrected(tapered(gabor(1, 3, 4, 0, 0.6, sampling), 0.3, 0.3)), 2);
+  EXPECT_EQ(ground_motion(scene, "motion", sampling).acceleration, expected.acceleration);
+}
+
+// A record keeps its own step for a solver that needs no other.
+TEST(GroundMotion, RecordKeepsItsStep) {
+  scene::GroundMotion scene;
+  scene.mutable_file()->set_path("a.csv");
+  scene.mutable_file()->set_content("time_s,a_m/s^2\n0,0\n0.25,2\n0.5,-2\n0.75,0\n1,1\n1.25,0\n");
+  scene.set_baseline(false);
+  const Motion motion = ground_motion(scene, "motion", 1.0);
+  EXPECT_EQ(motion.dt, 0.25);
+  EXPECT_THAT(motion.acceleration, testing::ElementsAre(0, 2, -2, 0, 1));
+}
+
+// What the record's text refuses is an error of the field that names the file.
+TEST(GroundMotion, RecordsErrorsNameTheField) {
+  scene::GroundMotion scene;
+  scene.mutable_file()->set_path("wrong.csv");
+  scene.mutable_file()->set_content("time_s,acceleration_kg\n0,0\n1,1\n");
+  try {
+    ground_motion(scene, "motion", 1.0);
+    FAIL() << "no error";
+  } catch (const protocol::UserError& error) {
+    EXPECT_EQ(error.path(), "motion.file.path");
+    EXPECT_THAT(error.what(), HasSubstr("wrong.csv:1: "));
+  }
+}
+
+// Corners that let nothing pass.
+TEST(GroundMotion, RefusesExchangedCorners) {
+  scene::GroundMotion scene;
+  scene.mutable_ricker()->set_frequency(5);
+  scene.mutable_ricker()->set_time(0.5);
+  scene.set_low_corner(20);
+  scene.set_high_corner(2);
+  try {
+    ground_motion(scene, "motion", 1.0);
+    FAIL() << "no error";
+  } catch (const protocol::UserError& error) {
+    EXPECT_EQ(error.path(), "motion.low_corner");
+    EXPECT_THAT(error.what(), HasSubstr("is 20 Hz, not below high_corner = 2 Hz"));
+  }
+}
+
+}  // namespace
+}  // namespace adit::motion::test

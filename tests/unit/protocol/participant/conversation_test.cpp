@@ -1,0 +1,197 @@
+#include <gmock/gmock.h>
+
+#include <stdexcept>
+#include <thread>
+
+#include "protocol/errors.hpp"
+#include "protocol/participant/participant.hpp"
+
+namespace adit::protocol {
+namespace {
+
+using testing::HasSubstr;
+
+class Recorder : public Participant {
+ public:
+  void set_up(const wire::Setup&, wire::Model& model) override { model.set_critical_dt(1); }
+  void weigh(const wire::Weights&, wire::Interface& interface) override { interface.set_zones(4); }
+  void couple(const wire::Couple&, wire::Operator& op) override { op.add_values(1); }
+  void advance(const wire::Advance& advance, wire::Predicted& predicted) override {
+    EXPECT_FALSE(predicted.has_energies()) << "answers arrive cleared";
+    predicted.set_step(advance.step());
+    if (advance.want_energies()) predicted.mutable_energies();
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  void snapshot(const wire::SnapshotRequest&, wire::Snapshot& snapshot) override { snapshot.add_pieces(); }
+  void finish(wire::Bye& bye) override { bye.set_updates(9); }
+};
+
+wire::Frame request(wire::Frame::ContentCase kind, std::uint64_t step = 0) {
+  wire::Frame frame;
+  const auto* field = wire::Frame::descriptor()->FindFieldByNumber(kind);
+  wire::Frame::GetReflection()->MutableMessage(&frame, field);
+  if (frame.has_advance()) frame.mutable_advance()->set_step(step);
+  return frame;
+}
+
+struct ConversationTest : testing::Test {
+  Recorder participant;
+  Conversation conversation{participant};
+  wire::Frame reply;
+
+  wire::Frame::ContentCase ask(wire::Frame::ContentCase kind, std::uint64_t step = 0) {
+    conversation.answer(request(kind, step), reply);
+    return reply.content_case();
+  }
+};
+
+// Every request of a coupled run is answered by the message that wire.proto pairs with it.
+TEST_F(ConversationTest, AnswersACoupledRun) {
+  EXPECT_EQ(ask(wire::Frame::kSetup), wire::Frame::kModel);
+  EXPECT_EQ(ask(wire::Frame::kWeights), wire::Frame::kInterface);
+  EXPECT_EQ(ask(wire::Frame::kCouple), wire::Frame::kOperator);
+  EXPECT_EQ(ask(wire::Frame::kAdvance, 0), wire::Frame::kPredicted);
+  EXPECT_EQ(ask(wire::Frame::kSnapshotRequest), wire::Frame::kSnapshot);
+  EXPECT_EQ(ask(wire::Frame::kAdvance, 1), wire::Frame::kPredicted);
+  EXPECT_GE(reply.predicted().compute_seconds(), 0.002);
+  EXPECT_FALSE(conversation.finished());
+  EXPECT_EQ(ask(wire::Frame::kFinish), wire::Frame::kBye);
+  EXPECT_TRUE(conversation.finished());
+}
+
+TEST_F(ConversationTest, AnswersARunWithoutCoupling) {
+  ask(wire::Frame::kSetup);
+  ask(wire::Frame::kWeights);
+  EXPECT_EQ(ask(wire::Frame::kAdvance, 0), wire::Frame::kPredicted);
+}
+
+// What was wanted in one step does not stand in the answer to the next.
+TEST_F(ConversationTest, AnswersArriveCleared) {
+  ask(wire::Frame::kSetup);
+  ask(wire::Frame::kWeights);
+  auto advance = request(wire::Frame::kAdvance, 0);
+  advance.mutable_advance()->set_want_energies(true);
+  conversation.answer(advance, reply);
+  EXPECT_TRUE(reply.predicted().has_energies());
+  ask(wire::Frame::kAdvance, 1);
+  EXPECT_FALSE(reply.predicted().has_energies());
+}
+
+// Statics come first, with steps of their own; time then begins at step 0, once.
+TEST_F(ConversationTest, StaticsComeBeforeTime) {
+  const auto advance = [&](std::uint64_t step, bool relax) {
+    auto frame = request(wire::Frame::kAdvance, step);
+    frame.mutable_advance()->set_relax(relax);
+    conversation.answer(frame, reply);
+  };
+  ask(wire::Frame::kSetup);
+  ask(wire::Frame::kWeights);
+  advance(0, true);
+  EXPECT_THROW(advance(0, true), std::logic_error);
+  advance(1, true);
+  EXPECT_THROW(advance(2, false), std::logic_error);
+  advance(0, false);
+  EXPECT_THROW(advance(0, false), std::logic_error);
+  EXPECT_THROW(advance(1, true), std::logic_error);
+  advance(1, false);
+}
+
+TEST_F(ConversationTest, RefusesWhatIsOutOfOrder) {
+  using Kind = wire::Frame::ContentCase;
+  const auto refuses = [&](Kind kind, std::uint64_t step = 0) {
+    EXPECT_THROW(ask(kind, step), std::logic_error) << "kind " << kind;
+  };
+  for (const Kind kind : {Kind::kWeights, Kind::kCouple, Kind::kAdvance, Kind::kSnapshotRequest,
+                          Kind::kFinish, Kind::kHello, Kind::kModel}) {
+    refuses(kind);
+  }
+  ask(Kind::kSetup);
+  for (const Kind kind : {Kind::kSetup, Kind::kCouple, Kind::kAdvance, Kind::kSnapshotRequest}) refuses(kind);
+  ask(Kind::kWeights);
+  for (const Kind kind : {Kind::kSetup, Kind::kWeights}) refuses(kind);
+  ask(Kind::kAdvance, 0);
+  refuses(Kind::kCouple);
+  ask(Kind::kFinish);
+  for (const Kind kind : {Kind::kSetup, Kind::kAdvance, Kind::kFinish}) refuses(kind);
+}
+
+// Leaves the rest of every step, which takes a while, to complete().
+class Deferrer : public Recorder {
+ public:
+  void advance(const wire::Advance& advance, wire::Predicted& predicted) override {
+    EXPECT_EQ(completed, asked++) << "step " << advance.step() << " finds the one before whole";
+    predicted.set_step(advance.step());
+  }
+  void complete() override {
+    ++completed;
+    std::this_thread::sleep_for(std::chrono::milliseconds(3));
+    if (unstable) throw Unstable("not finite");
+  }
+  int asked = 0, completed = 0;
+  bool unstable = false;
+};
+
+struct DeferringConversation : testing::Test {
+  Deferrer participant;
+  Conversation conversation{participant};
+  wire::Frame reply;
+
+  void SetUp() override {
+    for (const auto kind : {wire::Frame::kSetup, wire::Frame::kWeights, wire::Frame::kCouple})
+      conversation.answer(request(kind), reply);
+  }
+  void advance(std::uint64_t step) { conversation.answer(request(wire::Frame::kAdvance, step), reply); }
+};
+
+// A step is completed once, after its answer; the next answer says how long that took.
+TEST_F(DeferringConversation, CompletesEveryStepOnce) {
+  conversation.complete();
+  EXPECT_EQ(participant.completed, 0) << "no step yet";
+  advance(0);
+  EXPECT_EQ(participant.completed, 0) << "the answer comes first";
+  EXPECT_EQ(reply.predicted().hidden_seconds(), 0);
+  conversation.complete();
+  conversation.complete();
+  EXPECT_EQ(participant.completed, 1);
+  advance(1);
+  EXPECT_GE(reply.predicted().hidden_seconds(), 0.003);
+  EXPECT_LT(reply.predicted().compute_seconds(), 0.003) << "is not counted twice";
+}
+
+// Whatever comes next finds the step whole, also where nobody said that the answer was sent.
+TEST_F(DeferringConversation, NothingIsAnsweredFromHalfAStep) {
+  advance(0);
+  advance(1);
+  conversation.answer(request(wire::Frame::kSnapshotRequest), reply);
+  EXPECT_EQ(participant.completed, 2);
+  advance(2);
+  conversation.answer(request(wire::Frame::kFinish), reply);
+  EXPECT_EQ(participant.completed, 3);
+}
+
+// An error in the rest of a step is the answer to the next request, whichever that is.
+TEST_F(DeferringConversation, ErrorsOfTheRestAreTheNextAnswer) {
+  participant.unstable = true;
+  advance(0);
+  EXPECT_NO_THROW(conversation.complete());
+  for (const auto kind : {wire::Frame::kSnapshotRequest, wire::Frame::kFinish})
+    EXPECT_THROW(conversation.answer(request(kind), reply), Unstable);
+  EXPECT_THROW(advance(1), Unstable);
+}
+
+// A step that is left out or repeated is named.
+TEST_F(ConversationTest, RefusesASkippedStep) {
+  ask(wire::Frame::kSetup);
+  ask(wire::Frame::kWeights);
+  ask(wire::Frame::kAdvance, 0);
+  try {
+    ask(wire::Frame::kAdvance, 2);
+    FAIL() << "accepted";
+  } catch (const std::logic_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("advance to step 2"));
+    EXPECT_THAT(error.what(), HasSubstr("next step: 1"));
+  }
+}
+
+}  // namespace
+}  // namespace adit::protocol

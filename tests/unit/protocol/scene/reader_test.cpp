@@ -1,0 +1,177 @@
+// What a scene file may say, and what the program then sees.
+#include "protocol/scene/reader.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "protocol/scene/hash.hpp"
+#include "protocol/scene/writer.hpp"
+#include "tests/unit/protocol/scene/scene_files.hpp"
+
+namespace adit::protocol {
+namespace {
+
+using testing::ScratchFolder;
+
+const std::string kBeam = R"(plane: plane_stress
+material: {young_modulus: 25 GPa, poisson_ratio: 0.2, density: 2.5 t/m^3}
+time: {duration: 50 ms}
+particles:
+  packing: {x_min: 0, x_max: 10 m, y_min: 0, y_max: 1 m, radius: 6 cm}
+  bonds: {tensile_strength: inf, shear_strength: 8 MN}
+  loads:
+    - where: {x_max: 0.065 m}
+      force: {y: 5 MN}
+      time: {sine: {frequency: 50 Hz, phase: 90 deg, end: 10 ms}}
+    - where: {x_min: 9 m}
+      force: {x: 1 kN}
+      time: {table: {time: [0, 10 ms, 0.5], value: [0, 1, 1]}}
+  histories:
+    - {name: tip, quantity: displacement_y, at: {x: 0 m, y: 0.5 m}}
+output:
+  field_times: [20 ms, 0.024]
+)";
+
+scene::Scene read(const ScratchFolder& folder, const std::string& name,
+                  const std::vector<std::string>& sets = {}) {
+  return read_scene(folder.path(name), parse_overrides(sets)).scene;
+}
+
+TEST(SceneReader, EveryKindOfFieldIsRead) {
+  const ScratchFolder folder;
+  folder.write("beam.yaml", kBeam);
+  const scene::Scene scene = read(folder, "beam.yaml");
+  EXPECT_EQ(scene.name(), "beam");
+  EXPECT_EQ(scene.plane(), scene::PLANE_STRESS);
+  EXPECT_EQ(scene.material().young_modulus(), 25e9);
+  EXPECT_EQ(scene.material().density(), 2500);
+  EXPECT_EQ(scene.particles().packing().radius(), 0.06);
+  EXPECT_TRUE(std::isinf(scene.particles().bonds().tensile_strength()));
+  EXPECT_EQ(scene.particles().bonds().shear_strength(), 8e6);
+  ASSERT_EQ(scene.particles().loads_size(), 2);
+  EXPECT_EQ(scene.particles().loads(0).time().sine().end(), 0.01);
+  EXPECT_DOUBLE_EQ(scene.particles().loads(0).time().sine().phase(), std::acos(0.0));
+  EXPECT_THAT(scene.particles().loads(1).time().table().time(), ::testing::ElementsAre(0, 0.01, 0.5));
+  EXPECT_EQ(scene.particles().histories(0).quantity(), scene::DISPLACEMENT_Y);
+  EXPECT_EQ(scene.particles().histories(0).name(), "tip");
+  EXPECT_THAT(scene.output().field_times(), ::testing::ElementsAre(0.02, 0.024));
+}
+
+TEST(SceneReader, WhatIsNotGivenStaysUnsetAndHasItsDefault) {
+  const ScratchFolder folder;
+  folder.write("beam.yaml", kBeam);
+  const scene::Scene scene = read(folder, "beam.yaml");
+  EXPECT_FALSE(scene.time().has_dt_factor());
+  EXPECT_EQ(scene.time().dt_factor(), 0.5);
+  EXPECT_FALSE(scene.has_continuum());
+  EXPECT_FALSE(scene.particles().loads(0).where().has_x_min());
+}
+
+TEST(SceneReader, AMappingIsMergedKeyByKeyAndAListReplacesThatOfTheBase) {
+  const ScratchFolder folder;
+  folder.write("beam.yaml", kBeam);
+  folder.write("soft.yaml", "base: beam.yaml\nmaterial: {young_modulus: 1 GPa}\nparticles: {loads: []}\n");
+  const scene::Scene scene = read(folder, "soft.yaml");
+  EXPECT_EQ(scene.material().young_modulus(), 1e9);
+  EXPECT_EQ(scene.material().poisson_ratio(), 0.2);
+  EXPECT_EQ(scene.particles().loads_size(), 0);
+  EXPECT_EQ(scene.particles().histories_size(), 1);
+  EXPECT_EQ(scene.name(), "soft");
+}
+
+TEST(SceneReader, BasesAreRelativeToTheFileThatNamesThemAndMayHaveBases) {
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder.path("deep"));
+  folder.write("beam.yaml", "name: beam\n" + kBeam);
+  folder.write("deep/middle.yaml", "base: ../beam.yaml\nmaterial: {poisson_ratio: 0.3}\n");
+  folder.write("top.yaml", "base: deep/middle.yaml\nmaterial: {density: 1 t/m^3}\n");
+  const scene::Scene scene = read(folder, "top.yaml");
+  EXPECT_EQ(scene.material().young_modulus(), 25e9);
+  EXPECT_EQ(scene.material().poisson_ratio(), 0.3);
+  EXPECT_EQ(scene.material().density(), 1000);
+  EXPECT_EQ(scene.name(), "top");  // else both would write into one results' folder
+  EXPECT_EQ(read(folder, "beam.yaml").name(), "beam");
+}
+
+// Required fields may come from the base or from the command line.
+TEST(SceneReader, RequiredFieldsAreCheckedAfterMerging) {
+  const ScratchFolder folder;
+  folder.write("base.yaml", "material: {young_modulus: 1 GPa, poisson_ratio: 0.2}\n");
+  folder.write("x.yaml", "base: base.yaml\ntime: {duration: 1 s}\n");
+  EXPECT_EQ(read(folder, "x.yaml", {"material.density=2 t/m^3"}).material().density(), 2000);
+}
+
+TEST(SceneReader, OfAlternativesTheLaterLayerWins) {
+  const ScratchFolder folder;
+  folder.write(
+      "base.yaml",
+      "material: {young_modulus: 1 GPa, poisson_ratio: 0.2, density: 1 t/m^3}\ntime: {duration: 1 s}\n"
+      "continuum:\n"
+      "  block: {x_min: 0, x_max: 1, y_min: 0, y_max: 1, zones_x: 1, zones_y: 2}\n"
+      "  point_loads:\n"
+      "    - {where: {}, force: {x: 1}, time: {constant: 3}}\n");
+  EXPECT_EQ(read(folder, "base.yaml").continuum().point_loads(0).time().constant(), 3);
+  const auto time = read(folder, "base.yaml", {"continuum.point_loads[0].time.sine.frequency=2 Hz"})
+                        .continuum()
+                        .point_loads(0)
+                        .time();
+  EXPECT_EQ(time.shape_case(), scene::TimeFunction::kSine);
+  EXPECT_EQ(time.sine().frequency(), 2);
+}
+
+TEST(SceneReader, SetsReplaceFieldsElementsAndWholeMappingsInTheirOrder) {
+  const ScratchFolder folder;
+  folder.write("beam.yaml", kBeam);
+  const scene::Scene scene = read(
+      folder, "beam.yaml",
+      {"particles.loads[0].force.y=1 MN", "particles.loads[0].force.y=-2 MN", "interface.weight_floor=0.01",
+       "interface.overlap={particles_begin: {x: 4, y: 0}, continuum_ends: {x: 6 m, y: 0}}",
+       "particles.bonds={tensile_strength: 10 MN}", "output.field_times=[1 ms, 2 ms]",
+       "output.field_times[1]=3 ms", "description=other = one"});
+  EXPECT_EQ(scene.particles().loads(0).force().y(), -2e6);
+  EXPECT_EQ(scene.particles().loads(0).time().sine().frequency(), 50);
+  EXPECT_EQ(scene.interface().weight_floor(), 0.01);
+  EXPECT_EQ(scene.interface().overlap().continuum_ends().x(), 6);
+  EXPECT_EQ(scene.particles().bonds().tensile_strength(), 10e6);
+  EXPECT_FALSE(scene.particles().bonds().has_shear_strength());
+  EXPECT_THAT(scene.output().field_times(), ::testing::ElementsAre(0.001, 0.003));
+  EXPECT_EQ(scene.description(), "other = one");
+}
+
+// Errors that are found after reading are reported where the field, or what holds it, was written.
+TEST(SceneReader, FieldsAreLocatedInTheFileThatGaveThem) {
+  const ScratchFolder folder;
+  const std::string beam = folder.write("beam.yaml", kBeam);
+  const std::string top =
+      folder.write("top.yaml", "base: beam.yaml\n\nparticles:\n  bonds: {shear_strength: 1 N}\n");
+  const SceneFile file =
+      read_scene(top, parse_overrides(std::vector<std::string>{"particles.bonds.tensile_strength=1 MN"}));
+  EXPECT_EQ(file.locate("particles.loads[0].where"), beam + ":8:7");
+  EXPECT_EQ(file.locate("particles.loads[0].where.x_min"), beam + ":8:7");
+  EXPECT_EQ(file.locate("particles.loads[1]"), beam + ":11:7");
+  EXPECT_EQ(file.locate("particles.loads[7].where"), beam + ":7:3");
+  EXPECT_EQ(file.locate("output.field_times[1]"), beam + ":17:24");
+  EXPECT_EQ(file.locate("particles.bonds.shear_strength"), top + ":4:11");
+  EXPECT_EQ(file.locate("particles.bonds.tensile_strength"), "--set particles.bonds.tensile_strength=1 MN");
+  EXPECT_EQ(file.locate("interface.overlap"), top + ":1:1");
+  EXPECT_EQ(file.locate(""), top + ":1:1");
+  EXPECT_EQ(file.locate("]no.[path"), top + ":1:1");
+  EXPECT_EQ(describe(file, UserError("particles.loads[0].where", "selects no particles")),
+            beam + ":8:7: particles.loads[0].where: selects no particles");
+  EXPECT_EQ(describe(file, UserError("", "nothing listens there")), "nothing listens there");
+}
+
+// What a run directory keeps of the scene is the scene.
+TEST(SceneReader, AWrittenSceneReadsBackAsTheSameMessage) {
+  const ScratchFolder folder;
+  folder.write("beam.yaml", kBeam);
+  const scene::Scene scene = read(folder, "beam.yaml");
+  folder.write("again.yaml", to_yaml(scene));
+  const scene::Scene again = read(folder, "again.yaml");
+  EXPECT_EQ(again.SerializeAsString(), scene.SerializeAsString());
+  EXPECT_EQ(scene_hash(again), scene_hash(scene));
+}
+
+}  // namespace
+}  // namespace adit::protocol

@@ -1,0 +1,284 @@
+#include "protocol/server/server.hpp"
+
+#include <gmock/gmock.h>
+#include <signal.h>
+
+#include <boost/process.hpp>
+#include <chrono>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/unit/protocol/wire/loopback.hpp"
+
+namespace adit::protocol {
+namespace {
+
+namespace process = boost::process;
+using namespace std::chrono_literals;
+using testing::AllOf;
+using testing::HasSubstr;
+
+// -1: still running.
+int exit_code_within(process::child& child, std::chrono::milliseconds time) {
+  const auto deadline = std::chrono::steady_clock::now() + time;
+  while (child.running()) {
+    if (std::chrono::steady_clock::now() > deadline) return -1;
+    std::this_thread::sleep_for(2ms);
+  }
+  return child.exit_code();
+}
+
+// The program scripted_server, listening on a free port.
+class Server {
+ public:
+  explicit Server(const std::vector<std::string>& arguments = {})
+      : child_(SCRIPTED_SERVER, "--log-level", "off", process::args(arguments), process::std_out > output_) {
+    std::string line;
+    std::getline(output_, line);
+    const std::string expected = "listening on ";
+    if (line.rfind(expected, 0) != 0) throw std::runtime_error("the server said: " + line);
+    address_ = parse_address(line.substr(expected.size()));
+  }
+  ~Server() { child_.terminate(); }
+
+  const Address& address() const { return address_; }
+  void signal(int number) { ::kill(child_.id(), number); }
+  int exit_code_within(std::chrono::milliseconds time) { return protocol::exit_code_within(child_, time); }
+  std::string rest_of_output() {
+    std::string rest;
+    std::getline(output_, rest, '\0');
+    return rest;
+  }
+
+ private:
+  process::ipstream output_;
+  process::child child_;
+  Address address_;
+};
+
+// A coupler, as far as the server can tell.
+class Client {
+ public:
+  explicit Client(const Server& server) : connection_(connect(server.address(), "scripted_server")) {
+    handshake(*connection_, "coupler");
+  }
+  const wire::Frame& ask(const wire::Frame& request) {
+    connection_->send(request);
+    connection_->receive(reply_);
+    return reply_;
+  }
+  const wire::Frame& set_up(const std::string& run_id) {
+    wire::Frame request;
+    request.mutable_setup()->set_run_id(run_id);
+    return ask(request);
+  }
+  const wire::Frame& advance(std::uint64_t step) {
+    wire::Frame request;
+    request.mutable_advance()->set_step(step);
+    return ask(request);
+  }
+  std::uint64_t finish() {
+    wire::Frame request;
+    request.mutable_finish();
+    return ask(request).bye().updates();
+  }
+
+ private:
+  std::unique_ptr<Connection> connection_;
+  wire::Frame reply_;
+};
+
+// The server notices a client's end when it reads, so one who comes at once may still find it busy.
+std::uint64_t serve_soon(const Server& server) {
+  const auto deadline = std::chrono::steady_clock::now() + 5s;
+  while (true) {
+    try {
+      Client client(server);
+      client.set_up("next");
+      return client.finish();
+    } catch (const UserError&) {
+      if (std::chrono::steady_clock::now() > deadline) throw;
+      std::this_thread::sleep_for(1ms);
+    }
+  }
+}
+
+// A client may come back the moment it has its bye: it is never told that the server is busy with itself.
+TEST(Server, ServesOneRunAfterAnother) {
+  const Server server;
+  for (int run = 0; run < 50; ++run) {
+    Client client(server);
+    EXPECT_EQ(client.set_up("run " + std::to_string(run)).model().critical_dt(), 0.25);
+    EXPECT_EQ(client.finish(), 42u);
+  }
+}
+
+TEST(Server, RefusesASecondClientAtOnceAndNamesTheRun) {
+  const Server server;
+  Client first(server);
+  first.set_up("cantilever-7");
+  EXPECT_THAT(message_of<UserError>([&] { Client second(server); }),
+              AllOf(HasSubstr("scripted_server at 127.0.0.1"), HasSubstr("busy with run cantilever-7")));
+  EXPECT_EQ(first.finish(), 42u);
+}
+
+// A killed client leaves its sockets closed without a word; so does this one.
+TEST(Server, GoesOnAfterALostClient) {
+  const Server server;
+  {
+    Client lost(server);
+    lost.set_up("lost");
+  }
+  EXPECT_EQ(serve_soon(server), 42u);
+}
+
+TEST(Server, ReportsErrorsOfTheParticipantAndGoesOn) {
+  const Server server;
+  try {
+    Client(server).set_up("scene error");
+    ADD_FAILURE() << "no error";
+  } catch (const UserError& error) {
+    EXPECT_EQ(error.path(), "particles.radius");
+    EXPECT_STREQ(error.what(), "must be positive");
+  }
+  EXPECT_THAT(message_of<Unstable>([&] { Client(server).set_up("unstable"); }), HasSubstr("not finite"));
+  EXPECT_THAT(message_of<PeerLost>([&] { Client(server).set_up("bug"); }), HasSubstr("a bug"));
+  EXPECT_EQ(serve_soon(server), 42u);
+}
+
+// The rest of a step is computed while the client has its answer already, and takes no part of the next one.
+TEST(Server, SendsTheAnswerBeforeItCompletesTheStep) {
+  const Server server;
+  Client client(server);
+  client.set_up("slow rest");
+  wire::Frame weights;
+  weights.mutable_weights();
+  client.ask(weights);
+  const auto start = std::chrono::steady_clock::now();
+  client.advance(0);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, 450ms);
+  const auto& second = client.advance(1).predicted();
+  EXPECT_GE(second.hidden_seconds(), 0.5);
+  EXPECT_LT(second.compute_seconds(), 0.45);
+}
+
+// What goes wrong after an answer reaches the client as the answer to its next request.
+TEST(Server, ReportsErrorsOfTheRestOfAStep) {
+  const Server server;
+  Client client(server);
+  client.set_up("unstable rest");
+  wire::Frame weights;
+  weights.mutable_weights();
+  client.ask(weights);
+  EXPECT_TRUE(client.advance(0).has_predicted());
+  std::this_thread::sleep_for(50ms);
+  EXPECT_THAT(message_of<Unstable>([&] { client.finish(); }), HasSubstr("the rest is not finite"));
+  EXPECT_EQ(serve_soon(server), 42u);
+}
+
+TEST(Server, ReportsARequestOutOfOrder) {
+  const Server server;
+  Client client(server);
+  EXPECT_THAT(message_of<PeerLost>([&] { client.finish(); }), HasSubstr("request out of order: finish"));
+}
+
+TEST(Server, SurvivesAClientThatSpeaksAnotherProtocol) {
+  const Server server;
+  boost::asio::io_context io;
+  tcp::socket stranger(io);
+  stranger.connect({boost::asio::ip::make_address(server.address().host), server.address().port});
+  write_raw(stranger, std::as_bytes(std::span("GET / HTTP/1.1\r\n\r\n", 18)));
+  EXPECT_EQ(serve_soon(server), 42u);
+}
+
+// SIGTERM and SIGINT end it with exit code 0: while it waits for a client, for a request, and in
+// mid-computation.
+TEST(Server, EndsPromptlyWhenTold) {
+  Server idle;
+  idle.signal(SIGTERM);
+  EXPECT_EQ(idle.exit_code_within(5s), 0);
+  EXPECT_EQ(idle.rest_of_output(), "") << "stdout holds one line";
+
+  Server in_run;
+  Client client(in_run);
+  client.set_up("run");
+  in_run.signal(SIGINT);
+  EXPECT_EQ(in_run.exit_code_within(5s), 0);
+  EXPECT_THROW(client.finish(), PeerLost);
+
+  Server computing;
+  std::thread waiting([&] { EXPECT_THROW(Client(computing).set_up("compute for ever"), PeerLost); });
+  std::this_thread::sleep_for(200ms);
+  computing.signal(SIGTERM);
+  EXPECT_EQ(computing.exit_code_within(8s), 0);
+  waiting.join();
+}
+
+struct Outcome {
+  int exit_code;
+  std::string errors;
+};
+
+Outcome run_with(const std::vector<std::string>& arguments) {
+  process::ipstream errors;
+  process::child child(SCRIPTED_SERVER, process::args(arguments), process::std_out > process::null,
+                       process::std_err > errors);
+  const int exit_code = exit_code_within(child, 5s);
+  child.terminate();
+  std::string text;
+  std::getline(errors, text, '\0');
+  return {exit_code, text};
+}
+
+TEST(Server, APortInUseIsTheUsersError) {
+  const Server first;
+  const auto outcome = run_with({"--listen", to_string(first.address())});
+  EXPECT_EQ(outcome.exit_code, kUserError);
+  EXPECT_THAT(outcome.errors,
+              AllOf(HasSubstr("port " + std::to_string(first.address().port)), HasSubstr("is in use")));
+}
+
+TEST(Server, ListensBeyondLoopbackOnlyWhenAllowed) {
+  const auto outcome = run_with({"--listen", "0.0.0.0:0"});
+  EXPECT_EQ(outcome.exit_code, kUserError);
+  EXPECT_THAT(outcome.errors,
+              AllOf(HasSubstr("no authentication"), HasSubstr("ssh"), HasSubstr("--insecure")));
+  const Server server({"--listen", "0.0.0.0:0", "--insecure"});
+  EXPECT_EQ(server.address().host, "0.0.0.0");
+}
+
+TEST(Server, AWrongCommandLineIsTheUsersError) {
+  EXPECT_EQ(run_with({"--lisen", "127.0.0.1:0"}).exit_code, kUserError);
+  EXPECT_EQ(run_with({"--listen", "nowhere"}).exit_code, kUserError);
+  EXPECT_EQ(run_with({"--help"}).exit_code, kSuccess);
+  EXPECT_EQ(run_with({"--version"}).exit_code, kSuccess);
+}
+
+// A shell starts the server in the background and is killed: the server ends, so its stdout does.
+TEST(Server, EndsWithItsParentWhenAsked) {
+  process::ipstream output;
+  process::child shell("/bin/sh", "-c",
+                       std::string(SCRIPTED_SERVER) + " --exit-with-parent --log-level off & wait",
+                       process::std_out > output);
+  std::string line;
+  std::getline(output, line);
+  const Address address = parse_address(line.substr(std::string("listening on ").size()));
+  EXPECT_NO_THROW(connect(address, "scripted_server"));
+  shell.terminate();
+  const auto deadline = std::chrono::steady_clock::now() + 5s;
+  bool gone = false;
+  while (!gone && std::chrono::steady_clock::now() < deadline) {
+    try {
+      connect(address, "scripted_server");
+      std::this_thread::sleep_for(10ms);
+    } catch (const UserError&) {
+      gone = true;
+    }
+  }
+  EXPECT_TRUE(gone);
+}
+
+}  // namespace
+}  // namespace adit::protocol

@@ -1,0 +1,30 @@
+#include "protocol/threads/stretches.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace adit::protocol {
+namespace {
+
+// The stretches of either value name every number once, in order, and none is longer than need be.
+RC_GTEST_PROP(Stretches, PartitionTheNumbers, (const std::vector<bool>& flags)) {
+  std::vector<int> named(flags.size(), 0);
+  for (const bool value : {true, false}) {
+    std::uint32_t last_end = 0;
+    bool first = true;
+    for (const auto [begin, end] : stretches(flags, value)) {
+      RC_ASSERT(begin < end);
+      RC_ASSERT(first || begin > last_end);  // neighbours would be one stretch
+      for (std::uint32_t k = begin; k < end; ++k) {
+        RC_ASSERT(flags[k] == value);
+        ++named[k];
+      }
+      last_end = end;
+      first = false;
+    }
+  }
+  for (const int times : named) RC_ASSERT(times == 1);
+}
+
+}  // namespace
+}  // namespace adit::protocol

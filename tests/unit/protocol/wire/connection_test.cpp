@@ -1,0 +1,280 @@
+#include "protocol/wire/connection.hpp"
+#include "protocol/release.hpp"
+
+#include <gmock/gmock.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "tests/unit/protocol/wire/loopback.hpp"
+
+namespace adit::protocol {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::MatchesRegex;
+
+constexpr Patience kShort{.silence = 200ms, .answer = 2s, .connect = 300ms, .heartbeat = 40ms};
+
+double seconds_of(const auto& action) {
+  const auto start = std::chrono::steady_clock::now();
+  action();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+TEST(Connection, CarriesFramesOfAnySizeBothWays) {
+  ConnectionPair pair;
+  std::thread echo([&] {
+    wire::Frame frame;
+    for (int i = 0; i < 6; ++i) {
+      pair.far.receive(frame);
+      pair.far.send(frame);
+    }
+  });
+  wire::Frame back;
+  for (const int values : {0, 1, 10, 1000, 100000, 1000000}) {
+    const auto sent = predicted(static_cast<std::uint64_t>(values), values);
+    pair.near.send(sent);
+    pair.near.receive(back);
+    EXPECT_EQ(back.SerializeAsString(), sent.SerializeAsString());
+  }
+  echo.join();
+  EXPECT_EQ(pair.near.traffic().bytes_received, pair.far.traffic().bytes_sent);
+  EXPECT_GT(pair.near.traffic().bytes_sent, 8u * 1101011u);
+  EXPECT_GT(pair.near.traffic().seconds_waited, 0);
+}
+
+// A silent peer is named, with the time for which it was silent, when that time has passed.
+TEST(Connection, SilenceEndsInPeerLost) {
+  SocketPair sockets;
+  Connection connection(std::move(sockets.near), "dem_server", kShort);
+  wire::Frame frame;
+  const double waited = seconds_of([&] {
+    EXPECT_THAT(message_of<PeerLost>([&] { connection.receive(frame); }),
+                MatchesRegex("dem_server at 127.0.0.1:[0-9]+: no sign of life for 0.2 s"));
+  });
+  EXPECT_GE(waited, 0.2);
+  EXPECT_LT(waited, 1.5);
+}
+
+// A peer that computes for longer than the permitted silence is kept alive by its heartbeats.
+TEST(Connection, HeartbeatsKeepASlowAnswerAlive) {
+  ConnectionPair pair(kShort, kShort);
+  std::thread slow([&] {
+    std::this_thread::sleep_for(3 * kShort.silence);
+    pair.far.send(predicted(3, 10));
+  });
+  wire::Frame frame;
+  EXPECT_NO_THROW(pair.near.receive(frame));
+  EXPECT_EQ(frame.predicted().step(), 3u);
+  slow.join();
+}
+
+// Heartbeats do not prolong a wait for ever.
+TEST(Connection, AnAnswerThatNeverComesEndsInPeerLostDespiteHeartbeats) {
+  ConnectionPair pair(kShort, kShort);
+  wire::Frame frame;
+  const double waited = seconds_of([&] {
+    EXPECT_THAT(message_of<PeerLost>([&] { pair.near.receive(frame, 500ms); }),
+                HasSubstr("no answer within 0.5 s"));
+  });
+  EXPECT_GE(waited, 0.5);
+  EXPECT_LT(waited, 1.8);
+}
+
+// A peer that neither reads nor shows a sign of life does not block the sender for ever.
+TEST(Connection, SendingToAPeerThatDoesNotReadEndsInPeerLost) {
+  SocketPair sockets;
+  Connection connection(std::move(sockets.near), "dem_server", kShort);
+  connection.establish(kMaxFrameBytes);
+  const auto large = predicted(1, 2000000);
+  const double waited = seconds_of([&] {
+    EXPECT_THAT(message_of<PeerLost>([&] { connection.send(large); }), HasSubstr("no sign of life"));
+  });
+  EXPECT_LT(waited, 1.8);
+}
+
+// A peer that is busy, but alive, may take its time to read.
+TEST(Connection, SendingWaitsForAPeerThatIsAlive) {
+  ConnectionPair pair(kShort, kShort);
+  const auto large = predicted(1, 2000000);
+  wire::Frame received;
+  std::thread busy([&] {
+    std::this_thread::sleep_for(3 * kShort.silence);
+    pair.far.receive(received);
+  });
+  EXPECT_NO_THROW(pair.near.send(large));
+  busy.join();
+  EXPECT_EQ(received.predicted().velocities_size(), 2000000);
+}
+
+// Frames of the owner and heartbeats of the background thread never mix: heartbeats at the highest pace.
+TEST(Connection, HeartbeatsNeverInterleaveWithFrames) {
+  Patience busy;
+  busy.heartbeat = 2ms;
+  ConnectionPair pair(busy, busy);
+  std::thread sender([&] {
+    for (int i = 0; i < 300; ++i) {
+      pair.far.send(predicted(static_cast<std::uint64_t>(i), 5000));
+      if (i % 10 == 0) std::this_thread::sleep_for(3ms);
+    }
+  });
+  wire::Frame frame;
+  for (int i = 0; i < 300; ++i) {
+    pair.near.receive(frame);
+    ASSERT_EQ(frame.predicted().step(), static_cast<std::uint64_t>(i));
+    ASSERT_EQ(frame.predicted().velocities_size(), 5000);
+  }
+  sender.join();
+}
+
+TEST(Connection, AClosedConnectionIsPeerLost) {
+  ConnectionPair pair;
+  std::thread other([&] { pair.far.close(); });
+  wire::Frame frame;
+  EXPECT_THAT(message_of<PeerLost>([&] { pair.near.receive(frame); }), HasSubstr("closed the connection"));
+  pair.near.close();
+  other.join();
+}
+
+// What a peer said before it went is the cause that is reported, also to one who was sending.
+TEST(Connection, ThePeersLastWordIsHeardBySenders) {
+  SocketPair sockets;
+  Connection connection(std::move(sockets.near), "dem_server", {});
+  wire::Frame error;
+  error.mutable_error()->set_kind(wire::Error::SCENE);
+  error.mutable_error()->set_path("particles.radius");
+  error.mutable_error()->set_message("must be positive");
+  write_frame(sockets.far, error);
+  sockets.far.close();
+  const auto frame = predicted(1, 10);
+  EXPECT_THAT(message_of<UserError>([&] {
+                for (int i = 0; i < 1000; ++i) {
+                  connection.send(frame);
+                  std::this_thread::sleep_for(1ms);
+                }
+              }),
+              HasSubstr("must be positive"));
+}
+
+TEST(Connection, InterruptWakesWhoeverWaits) {
+  ConnectionPair pair;
+  std::thread other([&] {
+    std::this_thread::sleep_for(50ms);
+    pair.near.interrupt();
+  });
+  wire::Frame frame;
+  EXPECT_LT(seconds_of([&] { EXPECT_THROW(pair.near.receive(frame), PeerLost); }), 5.0);
+  other.join();
+}
+
+TEST(Connection, BytesThatAreNoFrameArePeerLost) {
+  SocketPair sockets;
+  Connection connection(std::move(sockets.near), "dem_server", kShort);
+  write_raw(sockets.far, std::as_bytes(std::span("\x03\0\0\0abc", 7)));
+  wire::Frame frame;
+  EXPECT_THAT(message_of<PeerLost>([&] { connection.receive(frame); }),
+              AllOf(HasSubstr("dem_server at"), HasSubstr("no frame of this protocol")));
+}
+
+wire::Frame error_frame(wire::Error::Kind kind) {
+  wire::Frame frame;
+  frame.mutable_error()->set_kind(kind);
+  frame.mutable_error()->set_path("time.dt");
+  frame.mutable_error()->set_message("the reason");
+  return frame;
+}
+
+// Each kind of error frame is thrown as the exception that it stands for.
+TEST(Connection, ErrorFramesAreThrown) {
+  ConnectionPair pair;
+  wire::Frame frame;
+  pair.far.send(error_frame(wire::Error::SCENE));
+  try {
+    pair.near.receive(frame);
+    ADD_FAILURE() << "no error";
+  } catch (const UserError& error) {
+    EXPECT_EQ(error.path(), "time.dt");
+    EXPECT_STREQ(error.what(), "the reason");
+  }
+  pair.far.send(error_frame(wire::Error::UNSTABLE));
+  EXPECT_THAT(message_of<Unstable>([&] { pair.near.receive(frame); }), HasSubstr("the reason"));
+  pair.far.send(error_frame(wire::Error::REFUSED));
+  EXPECT_THAT(message_of<UserError>([&] { pair.near.receive(frame); }),
+              AllOf(HasSubstr("dem_server at 127.0.0.1"), HasSubstr("refused: the reason")));
+  pair.far.send(error_frame(wire::Error::INTERNAL));
+  EXPECT_THAT(message_of<PeerLost>([&] { pair.near.receive(frame); }), HasSubstr("the reason"));
+}
+
+TEST(Handshake, TellsEachEndWhoTheOtherIs) {
+  SocketPair sockets;
+  Connection near(std::move(sockets.near), "dem_server", {});
+  Connection far(std::move(sockets.far), "client", {});
+  wire::Hello of_near;
+  std::thread other([&] { of_near = handshake(far, "dem_server"); });
+  const auto of_far = handshake(near, "coupler");
+  other.join();
+  EXPECT_EQ(of_far.program(), "dem_server");
+  EXPECT_EQ(of_near.program(), "coupler");
+  EXPECT_EQ(of_near.max_frame_bytes(), kMaxFrameBytes);
+  EXPECT_EQ(of_far.release(), release());
+}
+
+// The message names both programs and both versions.
+TEST(Handshake, AnotherProtocolVersionIsAUserError) {
+  SocketPair sockets;
+  Connection connection(std::move(sockets.near), "dem_server", kShort);
+  wire::Frame hello;
+  hello.mutable_hello()->set_protocol_version(7);
+  hello.mutable_hello()->set_program("dem_server");
+  hello.mutable_hello()->set_release("9.9.9");
+  write_raw(sockets.far, encode_preamble(7));
+  write_frame(sockets.far, hello);
+  EXPECT_THAT(message_of<UserError>([&] { handshake(connection, "coupler"); }),
+              AllOf(HasSubstr("dem_server 9.9.9"), HasSubstr("protocol version 7"),
+                    HasSubstr("coupler " + std::string(release())), HasSubstr("speaks version 2")));
+}
+
+TEST(Handshake, AnotherProgramIsAUserError) {
+  SocketPair sockets;
+  Connection connection(std::move(sockets.near), "dem_server", kShort);
+  write_raw(sockets.far, std::as_bytes(std::span("SSH-2.0-OpenSSH_9.2p1\r\n", 23)));
+  EXPECT_THAT(message_of<UserError>([&] { handshake(connection, "coupler"); }),
+              AllOf(HasSubstr("dem_server at 127.0.0.1"), HasSubstr("does not speak the Adit protocol"),
+                    HasSubstr("check host and port")));
+}
+
+// Before hello nobody can make us hold more than 64 KiB.
+TEST(Handshake, AHelloAboveTheLimitIsRefused) {
+  SocketPair sockets;
+  Connection connection(std::move(sockets.near), "dem_server", kShort);
+  write_raw(sockets.far, encode_preamble());
+  write_raw(sockets.far, std::as_bytes(std::span("\x01\0\x01\0", 4)));
+  EXPECT_THAT(message_of<PeerLost>([&] { handshake(connection, "coupler"); }), HasSubstr("65537 bytes"));
+}
+
+TEST(Connect, NothingListensIsAUserError) {
+  Address address{"127.0.0.1", 0};
+  {
+    boost::asio::io_context io;
+    tcp::acceptor acceptor(io, tcp::endpoint(boost::asio::ip::address_v4::loopback(), 0));
+    address.port = acceptor.local_endpoint().port();
+  }
+  EXPECT_THAT(message_of<UserError>([&] { connect(address, "dem_server", kShort); }),
+              AllOf(HasSubstr("nothing listens at " + to_string(address)), HasSubstr("dem_server --listen")));
+}
+
+TEST(Address, IsAHostAndAPort) {
+  EXPECT_EQ(to_string(parse_address("127.0.0.1:4711")), "127.0.0.1:4711");
+  EXPECT_EQ(parse_address("[::1]:0").host, "::1");
+  EXPECT_EQ(to_string(parse_address("[::1]:80")), "[::1]:80");
+  for (const char* text : {"", "localhost", "localhost:", ":80", "a:65536", "a:-1", "a:80x", "::1:80"}) {
+    EXPECT_THAT(message_of<UserError>([&] { parse_address(text); }), HasSubstr("write HOST:PORT")) << text;
+  }
+}
+
+}  // namespace
+}  // namespace adit::protocol

@@ -1,0 +1,188 @@
+#include "protocol/wire/frame.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cstring>
+#include <random>
+#include <string>
+
+namespace adit::protocol {
+namespace {
+
+using testing::HasSubstr;
+
+wire::Frame predicted(std::uint64_t step, int values) {
+  wire::Frame frame;
+  frame.mutable_predicted()->set_step(step);
+  for (int i = 0; i < values; ++i) frame.mutable_predicted()->add_velocities(0.1 * i);
+  return frame;
+}
+
+void feed(FrameDecoder& decoder, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const auto space = decoder.space();
+    const std::size_t count = std::min(space.size(), bytes.size());
+    std::memcpy(space.data(), bytes.data(), count);
+    decoder.arrived(count);
+    bytes = bytes.subspan(count);
+  }
+}
+
+std::vector<std::byte> bytes_of(const wire::Frame& frame) {
+  FrameEncoder encoder;
+  const auto bytes = encoder.encode(frame, kMaxFrameBytes);
+  return {bytes.begin(), bytes.end()};
+}
+
+std::vector<std::byte> header(std::uint32_t length) {
+  std::vector<std::byte> bytes;
+  for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<std::byte>(length >> (8 * i)));
+  return bytes;
+}
+
+TEST(Frame, IsItsLengthInLittleEndianAndItsPayload) {
+  const auto frame = predicted(7, 100);
+  const auto bytes = bytes_of(frame);
+  ASSERT_EQ(bytes.size(), 4 + frame.ByteSizeLong());
+  EXPECT_TRUE(std::equal(bytes.begin(), bytes.begin() + 4, header(bytes.size() - 4).begin()));
+}
+
+// However the stream is cut into pieces, the same frames come out.
+TEST(Frame, SurvivesAnyCutting) {
+  std::vector<std::byte> stream;
+  for (int step = 0; step < 5; ++step) {
+    const auto bytes = bytes_of(predicted(step, 20 * step));
+    stream.insert(stream.end(), bytes.begin(), bytes.end());
+    stream.insert(stream.end(), heartbeat_frame().begin(), heartbeat_frame().end());
+  }
+  for (const std::size_t piece : {1, 2, 3, 7, 64, 10000}) {
+    FrameDecoder decoder;
+    wire::Frame frame;
+    std::uint64_t step = 0;
+    for (std::size_t at = 0; at < stream.size(); at += piece) {
+      feed(decoder, std::span(stream).subspan(at, std::min(piece, stream.size() - at)));
+      while (decoder.take(frame)) {
+        EXPECT_EQ(frame.SerializeAsString(),
+                  predicted(step, 20 * static_cast<int>(step)).SerializeAsString());
+        ++step;
+      }
+    }
+    EXPECT_EQ(step, 5u) << "pieces of " << piece;
+  }
+}
+
+// A megabyte passes through the buffer, which begins at 64 KiB.
+TEST(Frame, MayBeLongerThanTheBuffer) {
+  FrameDecoder decoder;
+  decoder.set_limit(kMaxFrameBytes);
+  const auto sent = predicted(1, 200000);
+  feed(decoder, bytes_of(sent));
+  wire::Frame frame;
+  ASSERT_TRUE(decoder.take(frame));
+  EXPECT_EQ(frame.SerializeAsString(), sent.SerializeAsString());
+}
+
+// A length above the limit is refused when it is read, and costs no memory.
+TEST(Frame, LengthAboveTheLimitIsRefusedBeforeAnyAllocation) {
+  FrameDecoder decoder;
+  wire::Frame frame;
+  feed(decoder, header(kMaxHelloBytes + 1));
+  const std::size_t space = decoder.space().size();
+  try {
+    decoder.take(frame);
+    FAIL() << "accepted";
+  } catch (const Malformed& error) {
+    EXPECT_THAT(error.what(), HasSubstr("announced a frame of 65537 bytes, where 65536 are allowed"));
+  }
+  EXPECT_EQ(decoder.space().size(), space);
+}
+
+// A peer that announces the largest frame and sends four bytes makes us allocate nothing.
+TEST(Frame, MemoryGrowsWithWhatArrived) {
+  FrameDecoder decoder;
+  decoder.set_limit(kMaxFrameBytes);
+  wire::Frame frame;
+  feed(decoder, header(kMaxFrameBytes));
+  EXPECT_FALSE(decoder.take(frame));
+  EXPECT_LE(decoder.space().size(), kMaxHelloBytes);
+}
+
+TEST(Frame, LongerThanThePeerAcceptsIsNotEncoded) {
+  FrameEncoder encoder;
+  EXPECT_THROW(encoder.encode(predicted(1, 1000), 100), std::length_error);
+}
+
+// In a steady conversation the arrays of the message stay where they are.
+TEST(Frame, MemoryOfTheMessageIsUsedAgain) {
+  FrameDecoder decoder;
+  wire::Frame frame;
+  feed(decoder, bytes_of(predicted(1, 500)));
+  ASSERT_TRUE(decoder.take(frame));
+  const double* before = frame.predicted().velocities().data();
+  feed(decoder, bytes_of(predicted(2, 400)));
+  ASSERT_TRUE(decoder.take(frame));
+  EXPECT_EQ(frame.predicted().velocities().data(), before);
+  EXPECT_EQ(frame.SerializeAsString(), predicted(2, 400).SerializeAsString());
+}
+
+// A frame is exactly one known content.
+TEST(Frame, WithoutContentOrOfAnUnknownKindIsRefused) {
+  for (const std::vector<std::byte>& payload :
+       {std::vector<std::byte>{}, std::vector<std::byte>{std::byte{0x08}, std::byte{1}},
+        std::vector<std::byte>{std::byte{0x82}, std::byte{1}, std::byte{0}}}) {
+    FrameDecoder decoder;
+    wire::Frame frame = predicted(1, 1);
+    feed(decoder, header(payload.size()));
+    feed(decoder, payload);
+    EXPECT_THROW(decoder.take(frame), Malformed) << payload.size() << " bytes";
+  }
+}
+
+// Random bytes, and frames with random bytes changed, end in a frame or in Malformed, never otherwise.
+TEST(Frame, AnyBytesAreAFrameOrMalformed) {
+  std::mt19937 random(20240611);
+  int malformed = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    auto bytes = bytes_of(predicted(trial, trial % 50));
+    if (trial % 2 == 0) {
+      for (auto& byte : bytes) byte = static_cast<std::byte>(random());
+      const auto length = header(bytes.size() - 4);
+      if (trial % 4 == 0) std::copy(length.begin(), length.end(), bytes.begin());
+    } else {
+      for (int i = 0; i < 3; ++i) bytes[random() % bytes.size()] = static_cast<std::byte>(random());
+    }
+    FrameDecoder decoder;
+    wire::Frame frame;
+    try {
+      feed(decoder, bytes);
+      while (decoder.take(frame)) {
+        EXPECT_NE(frame.content_case(), wire::Frame::CONTENT_NOT_SET);
+      }
+    } catch (const Malformed&) {
+      ++malformed;
+    }
+  }
+  EXPECT_GT(malformed, 10000);
+}
+
+TEST(Preamble, IsTheMagicAndTheVersion) {
+  FrameDecoder decoder;
+  const auto bytes = encode_preamble(0x01020304);
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    EXPECT_FALSE(decoder.take_preamble().has_value());
+    feed(decoder, std::span(bytes).subspan(i, 1));
+  }
+  EXPECT_EQ(decoder.take_preamble(), 0x01020304u);
+}
+
+// Another program is known by its first byte; it need not send eight.
+TEST(Preamble, OfAnotherProgramIsRefusedAtOnce) {
+  FrameDecoder decoder;
+  const auto bytes = std::as_bytes(std::span("S", 1));
+  feed(decoder, bytes);
+  EXPECT_THROW(decoder.take_preamble(), ForeignPreamble);
+}
+
+}  // namespace
+}  // namespace adit::protocol

@@ -1,0 +1,145 @@
+// Beam and chain of one scene are the same tunnel; what a run finds becomes the motion of a window's edges.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "protocol/errors.hpp"
+#include "protocol/participant/time_function.hpp"
+#include "simplified/models/differences.hpp"
+#include "simplified/output/zoom.hpp"
+#include "simplified/run.hpp"
+#include "tests/unit/simplified/scenes.hpp"
+
+namespace adit::simplified {
+namespace {
+
+using testing::tunnel;
+
+scene::Scene with_model(scene::Scene scene, scene::Simplified::Model model) {
+  scene.mutable_simplified()->set_model(model);
+  return scene;
+}
+
+Response response_of(const scene::Scene& scene) {
+  return solve(set_up(scene));
+}
+
+void expect_equal_peaks(const Response& beam, const Response& chain, const std::string& name,
+                        double tolerance) {
+  const Peak of_beam = peak(beam.chainage, *find(beam, name)),
+             of_chain = peak(chain.chainage, *find(chain, name));
+  EXPECT_GT(of_beam.value, 0);
+  EXPECT_NEAR(of_chain.value, of_beam.value, tolerance * of_beam.value) << name;
+}
+
+double widest(const Response& response) {
+  return std::ranges::max(response.joints, {}, &JointResponse::opening).opening;
+}
+
+// Requirement: on a tunnel that both can represent, beam and chain agree to 1 %: forces, openings, histories.
+TEST(BeamAndChain, AgreeOnAxialMotion) {
+  scene::Scene scene = tunnel();
+  scene.mutable_simplified()->mutable_excitation()->clear_lateral();
+  scene.mutable_simplified()->mutable_excitation()->set_axial(1);
+  const Response beam = response_of(with_model(scene, scene::Simplified::BEAM));
+  const Response chain = response_of(with_model(scene, scene::Simplified::CHAIN));
+  expect_equal_peaks(beam, chain, "axial_force", 0.01);
+  EXPECT_NEAR(widest(chain), widest(beam), 0.01 * widest(beam));
+}
+
+TEST(BeamAndChain, AgreeOnLateralMotion) {
+  const Response beam = response_of(with_model(tunnel(), scene::Simplified::BEAM));
+  const Response chain = response_of(with_model(tunnel(), scene::Simplified::CHAIN));
+  expect_equal_peaks(beam, chain, "moment_lateral", 0.01);
+  expect_equal_peaks(beam, chain, "shear_lateral", 0.01);
+  ASSERT_EQ(beam.histories.rows.size(), chain.histories.rows.size());
+  double largest = 0, difference = 0;  // of the lateral displacement at the station
+  for (std::size_t n = 0; n < beam.histories.rows.size(); ++n) {
+    largest = std::max(largest, std::abs(beam.histories.rows[n][2]));
+    difference = std::max(difference, std::abs(beam.histories.rows[n][2] - chain.histories.rows[n][2]));
+  }
+  EXPECT_LT(difference, 0.01 * largest);
+}
+
+// Requirement: a wave that passes opens the joints more than the same motion everywhere at once.
+TEST(Excitation, PassageOpensJointsThatUniformMotionLeavesClosed) {
+  scene::Scene scene = tunnel();
+  scene.mutable_simplified()->mutable_excitation()->clear_lateral();
+  scene.mutable_simplified()->mutable_excitation()->set_axial(1);
+  const double passing = widest(response_of(scene));
+  scene.mutable_simplified()->mutable_excitation()->clear_incidence();
+  EXPECT_LT(widest(response_of(scene)), 0.01 * passing);
+}
+
+// Requirement: the fourth-order differences err by (w dt)^4/30 of a sine's rate.
+TEST(Rates, AreOfFourthOrder) {
+  const double omega = 2 * std::numbers::pi;
+  double error[2] = {};
+  for (int k = 0; k < 2; ++k) {
+    const double dt = 0.05 / (1 + k);
+    std::vector<double> time, values;
+    for (int n = 0; n <= 40 * (1 + k); ++n) {
+      time.push_back(n * dt);
+      values.push_back(std::sin(omega * n * dt));
+    }
+    const std::vector<double> rate = rates(values, time, 1);
+    for (std::size_t n = 4; n + 4 < time.size(); ++n)
+      error[k] = std::max(error[k], std::abs(rate[n] - omega * std::cos(omega * time[n])));
+    EXPECT_NEAR(error[k], omega * std::pow(omega * dt, 4) / 30, 0.1 * error[k]);
+  }
+}
+
+// Requirement: the windows stand around the largest responses, and their edges move as the tunnel does there.
+TEST(Zoom, EdgesMoveAsTheTunnelDoes) {
+  const Response response = response_of(tunnel());
+  const std::vector<Place> places = largest_responses(response);
+  std::vector<std::string> names;
+  for (const Place& place : places) names.push_back(place.name);
+  EXPECT_THAT(names, ::testing::ElementsAre("opening", "moment", "shear", "strain"));
+  const Window around = window(response.fields, places[1].chainage, 40);
+  EXPECT_NEAR(around.end - around.begin, 40, 1);  // the edges stand at elements of 1 m
+  EXPECT_LE(around.begin, places[1].chainage);
+  EXPECT_GE(around.end, places[1].chainage);
+
+  const scene::Scene scene = fragment(around, 2);
+  ASSERT_EQ(scene.continuum().motions_size(), 4);
+  const std::vector<double>* edges[] = {&around.begin_axial, &around.begin_lateral, &around.end_axial,
+                                        &around.end_lateral};
+  for (int i = 0; i < 4; ++i) {
+    const scene::GridMotion& motion = scene.continuum().motions(i);
+    EXPECT_NO_THROW(protocol::check(motion.time(), "motion"));
+    EXPECT_EQ(motion.velocity().has_x(), i % 2 == 0);
+    for (std::size_t n = 0; n < around.time.size(); n += 7)
+      EXPECT_DOUBLE_EQ(protocol::evaluate(motion.time(), around.time[n]), (*edges[i])[n]);
+  }
+}
+
+// Requirement: the recorded velocity at an edge integrates to the tunnel's displacement in the histories.
+TEST(Zoom, VelocitiesIntegrateToTheDisplacement) {
+  for (const auto model : {scene::Simplified::BEAM, scene::Simplified::CHAIN}) {
+    const Response response = response_of(with_model(tunnel(), model));
+    const Window around = window(response.fields, 120, 40);  // begins at the station
+    double displacement = 0, largest = 0, difference = 0;
+    std::size_t row = 0;
+    for (std::size_t n = 1; n < around.time.size(); ++n) {
+      displacement +=
+          (around.time[n] - around.time[n - 1]) * (around.begin_lateral[n] + around.begin_lateral[n - 1]) / 2;
+      while (response.histories.rows[row][0] < around.time[n] - 1e-9) ++row;
+      if (std::abs(response.histories.rows[row][0] - around.time[n]) > 1e-9) continue;
+      largest = std::max(largest, std::abs(response.histories.rows[row][2]));
+      difference = std::max(difference, std::abs(displacement - response.histories.rows[row][2]));
+    }
+    EXPECT_GT(largest, 0);
+    EXPECT_LT(difference, 0.03 * largest);  // half an element beside the station, the trapezoids of 20 ms
+  }
+}
+
+TEST(Zoom, RefusesAWindowWiderThanTheTunnel) {
+  const Response response = response_of(tunnel());
+  EXPECT_THROW(window(response.fields, 100, 201), protocol::UserError);
+}
+
+}  // namespace
+}  // namespace adit::simplified

@@ -1,0 +1,197 @@
+// Static equilibrium of a grid and a lattice that are joined over an overlap, with stiffnesses taken from the
+// solvers' own kernels: K u + G' λ = 0, G u = 0, and prescribed displacements. No time, no messages.
+#pragma once
+
+#include <Eigen/Dense>
+#include <Eigen/Sparse>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "coupler/bridging/overlap.hpp"
+#include "dem_server/engines/lattice/contact_forces.hpp"
+#include "dem_server/packing/hexagonal.hpp"
+#include "dem_server/particles/assembly.hpp"
+#include "fdm_server/grid/interpolation.hpp"
+#include "fdm_server/grid/samples.hpp"
+#include "fdm_server/zones/zones.hpp"
+
+namespace adit::test {
+
+// A grid as the outer model, a lattice as the inner one, in plane stress.
+struct CoupledPatch {
+  double young, poisson;
+  fdm::Block block;
+  fdm::ZoneKind zone = fdm::ZoneKind::kAssumedStrain;
+  dem::Rectangle packed;
+  double radius;
+  double floor = 1e-6;  // of the weights
+
+  std::function<Eigen::Vector2d(double x, double y)> exact;  // displacement, prescribed on what is held
+  std::function<bool(double x, double y)> is_held_point, is_held_particle;
+};
+
+struct Equilibrium {
+  fdm::Grid grid;
+  dem::Assembly assembly;
+  std::vector<Eigen::Vector2d> grid_points, particles;  // displacements
+};
+
+// Derivatives of forces(displacements), one displacement after another. Central differences: what is of
+// second order in the displacement (bonds turn) cancels, what is of third order is below rounding.
+inline Eigen::MatrixXd stiffness(Eigen::Index size,
+                                 const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& forces) {
+  constexpr double kStep = 1e-8;
+  Eigen::MatrixXd matrix(size, size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const Eigen::VectorXd u = kStep * Eigen::VectorXd::Unit(size, i);
+    matrix.col(i) = (forces(-u) - forces(u)) / (2 * kStep);
+  }
+  return matrix;
+}
+
+inline dem::Assembly weighted_lattice(const CoupledPatch& patch, const coupler::Overlap& overlap) {
+  const dem::Packing packing = dem::pack_hexagonally(patch.packed, patch.radius);
+  std::vector<double> centres, midpoints;
+  for (std::size_t i = 0; i < packing.x.size(); ++i)
+    centres.insert(centres.end(), {packing.x[i], packing.y[i]});
+  for (const auto& link : packing.links)
+    midpoints.insert(midpoints.end(), {(packing.x[link.first] + packing.x[link.second]) / 2,
+                                       (packing.y[link.first] + packing.y[link.second]) / 2});
+  const auto at_centres = overlap.inner_weights(centres), at_midpoints = overlap.inner_weights(midpoints);
+  return dem::assemble(packing, 1.0, {at_centres, at_midpoints, patch.floor});
+}
+
+// Of x, y, rotation of each particle.
+inline Eigen::MatrixXd lattice_stiffness(const CoupledPatch& patch, const dem::Assembly& assembly) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const dem::BondLaw law{dem::calibrate(patch.young, patch.poisson, dem::Plane::kStress), infinity, infinity};
+  const auto size = static_cast<Eigen::Index>(assembly.particles.size());
+  // One step of unit length: the velocities are the displacements, which is what shear increments see.
+  return stiffness(3 * size, [&](const Eigen::VectorXd& u) {
+    dem::Assembly a = assembly;
+    for (Eigen::Index i = 0; i < size; ++i) {
+      a.particles.ux[i] = a.particles.vx[i] = u[3 * i];
+      a.particles.uy[i] = a.particles.vy[i] = u[3 * i + 1];
+      a.particles.spin[i] = u[3 * i + 2];
+    }
+    std::vector<std::uint32_t> broken;
+    dem::compute_contact_forces(law, 1.0, a.particles, a.bonds, broken);
+    Eigen::VectorXd f(3 * size);
+    for (Eigen::Index i = 0; i < size; ++i)
+      f.segment<3>(3 * i) << a.particles.fx[i], a.particles.fy[i], a.particles.moment[i];
+    return f;
+  });
+}
+
+// Of x, y of each grid point.
+inline Eigen::MatrixXd grid_stiffness(const CoupledPatch& patch, const fdm::Grid& grid,
+                                      const std::vector<double>& weights) {
+  const auto size = static_cast<Eigen::Index>(grid.x.size());
+  return stiffness(2 * size, [&](const Eigen::VectorXd& u) {
+    const auto zones =
+        fdm::make_zones(patch.zone, grid, fdm::plane_stress(patch.young, patch.poisson), weights);
+    std::vector<double> vx(size), vy(size), fx(size), fy(size);
+    for (Eigen::Index i = 0; i < size; ++i) vx[i] = u[2 * i], vy[i] = u[2 * i + 1];
+    zones->follow(vx.data(), vy.data());
+    zones->add_forces(1.0, {vx.data(), vy.data(), fx.data(), fy.data()});
+    Eigen::VectorXd f(2 * size);
+    for (Eigen::Index i = 0; i < size; ++i) f.segment<2>(2 * i) << fx[i], fy[i];
+    return f;
+  });
+}
+
+inline Equilibrium equilibrium(const CoupledPatch& patch, const coupler::Overlap& overlap) {
+  Equilibrium result{fdm::make_grid(patch.block), weighted_lattice(patch, overlap), {}, {}};
+  fdm::Grid& grid = result.grid;
+  const dem::Particles& particles = result.assembly.particles;
+  auto weights = fdm::zone_weights(grid, overlap.outer_weights(fdm::sample_points(grid)), patch.floor);
+  fdm::compact(grid, weights);
+
+  std::vector<std::size_t> coupled;
+  std::vector<double> points;
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    if (overlap.contains(particles.x[i], particles.y[i])) {
+      coupled.push_back(i);
+      points.insert(points.end(), {particles.x[i], particles.y[i]});
+    }
+  const auto rows = fdm::interpolate(grid, points);
+
+  const auto grid_values = 2 * static_cast<Eigen::Index>(grid.x.size());
+  const auto values = grid_values + 3 * static_cast<Eigen::Index>(particles.size());
+  const auto multipliers = 2 * static_cast<Eigen::Index>(coupled.size());
+  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(values + multipliers, values + multipliers);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(values + multipliers);
+  system.topLeftCorner(grid_values, grid_values) = grid_stiffness(patch, grid, weights);
+  system.block(grid_values, grid_values, values - grid_values, values - grid_values) =
+      lattice_stiffness(patch, result.assembly);
+  for (Eigen::Index k = 0; k < multipliers / 2; ++k)
+    for (Eigen::Index direction = 0; direction < 2; ++direction) {
+      const Eigen::Index row = values + 2 * k + direction;
+      for (std::size_t e = 0; e < rows[k].points.size(); ++e)
+        if (rows[k].shares[e] != 0) system(row, 2 * rows[k].points[e] + direction) = rows[k].shares[e];
+      system(row, grid_values + 3 * static_cast<Eigen::Index>(coupled[k]) + direction) = -1;
+      system.col(row).head(values) = system.row(row).head(values);
+    }
+  const auto prescribe = [&](Eigen::Index value, double displacement) {
+    system.row(value).setZero();
+    system(value, value) = 1;
+    right[value] = displacement;
+  };
+  for (std::size_t j = 0; j < grid.x.size(); ++j)
+    if (patch.is_held_point(grid.x[j], grid.y[j]))
+      for (int direction = 0; direction < 2; ++direction)
+        prescribe(2 * static_cast<Eigen::Index>(j) + direction, patch.exact(grid.x[j], grid.y[j])[direction]);
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    if (patch.is_held_particle(particles.x[i], particles.y[i])) {
+      const Eigen::Index first = grid_values + 3 * static_cast<Eigen::Index>(i);
+      for (int direction = 0; direction < 2; ++direction)
+        prescribe(first + direction, patch.exact(particles.x[i], particles.y[i])[direction]);
+      prescribe(first + 2, 0);
+    }
+
+  // Bonds without shear stiffness resist no spin: it stays 0.
+  const double stiffest = system.topLeftCorner(values, values).cwiseAbs().maxCoeff();
+  for (Eigen::Index spin = grid_values + 2; spin < values; spin += 3)
+    if (std::abs(system(spin, spin)) < 1e-12 * stiffest) prescribe(spin, 0);
+
+  const Eigen::SparseMatrix<double> sparse = system.sparseView();
+  Eigen::SparseLU<Eigen::SparseMatrix<double>> factor(sparse);
+  Eigen::VectorXd solution = factor.solve(right);
+  for (int pass = 0; pass < 2; ++pass) solution += factor.solve(right - sparse * solution);
+
+  for (std::size_t j = 0; j < grid.x.size(); ++j) result.grid_points.push_back(solution.segment<2>(2 * j));
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    result.particles.push_back(solution.segment<2>(grid_values + 3 * i));
+  return result;
+}
+
+// Largest deviation of a displacement from the exact one.
+inline double displacement_error(const CoupledPatch& patch, const Equilibrium& e) {
+  double error = 0;
+  for (std::size_t j = 0; j < e.grid.x.size(); ++j)
+    error = std::max(error, (e.grid_points[j] - patch.exact(e.grid.x[j], e.grid.y[j])).cwiseAbs().maxCoeff());
+  const dem::Particles& p = e.assembly.particles;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    error = std::max(error, (e.particles[i] - patch.exact(p.x[i], p.y[i])).cwiseAbs().maxCoeff());
+  return error;
+}
+
+// Weighted root mean square, over the bonds, of the deviation from the exact strain: of the relative
+// displacement of a bond's particles over its length.
+inline double strain_error(const CoupledPatch& patch, const Equilibrium& e) {
+  const dem::Particles& p = e.assembly.particles;
+  const dem::Bonds& bonds = e.assembly.bonds;
+  const auto deviation = [&](std::uint32_t i) -> Eigen::Vector2d {
+    return e.particles[i] - patch.exact(p.x[i], p.y[i]);
+  };
+  double sum = 0, weights = 0;
+  for (std::size_t k = 0; k < bonds.size(); ++k) {
+    sum += bonds.weight[k] * (deviation(bonds.second[k]) - deviation(bonds.first[k])).squaredNorm();
+    weights += bonds.weight[k];
+  }
+  return std::sqrt(sum / weights) / bonds.rest_length;
+}
+
+}  // namespace adit::test

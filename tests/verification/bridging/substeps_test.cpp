@@ -1,0 +1,153 @@
+// Requirement: particles may take m steps in one of the continuum (shared_kick.hpp) without loss: energy is
+// kept by the consistent solve and only lost by the others, for every m and however stiff one side is; the
+// motion is that of equal steps to second order.
+#include <gmock/gmock.h>
+#include <google/protobuf/text_format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "coupler/stepping/stepper.hpp"
+#include "protocol/errors.hpp"
+#include "tests/support/local_peer.hpp"
+
+namespace adit {
+namespace {
+
+// A bar, zones of 0.5 m at its pushed end, particles at its fixed end.
+scene::Scene bar(unsigned substeps, scene::Solve solve = scene::CONSISTENT) {
+  scene::Scene scene;
+  EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(R"(
+    plane: PLANE_STRESS
+    material { young_modulus: 1e9 poisson_ratio: 0.2 density: 2000 }
+    time { duration: 0.04 }
+    continuum {
+      block { x_min: 0 x_max: 4 y_min: 0 y_max: 1 zones_x: 8 zones_y: 2 }
+      edge_loads { where { x_max: 0 } force { x: 3e5 y: 1e5 } time { sine { frequency: 100 end: 0.005 } } }
+      histories { name: "tip" quantity: DISPLACEMENT_Y at { x: 0 y: 0.5 } }
+    }
+    particles {
+      packing { x_min: 0 x_max: 4 y_min: 0 y_max: 1 radius: 0.05 }
+      motions { where { x_min: 3.92 } velocity { x: 0 y: 0 } spin: 0 }
+      histories { name: "end" quantity: DISPLACEMENT_Y at { x: 3.5 y: 0.5 } }
+    }
+    interface { overlap { particles_begin { x: 1.3 y: 0 } continuum_ends { x: 2.7 y: 0 } } }
+  )",
+                                                            &scene));
+  scene.mutable_time()->set_substeps(substeps);
+  scene.mutable_interface()->set_solve(solve);
+  return scene;
+}
+
+struct Substeps : testing::TestWithParam<unsigned> {};
+
+TEST_P(Substeps, KeepEnergyOverManyPeriods) {
+  scene::Scene scene = bar(GetParam());
+  scene.mutable_time()->set_duration(0.5);
+  scene.mutable_time()->set_dt_factor(0.9);
+  coupler::Model model = test::local_model(scene);
+  coupler::Stepper stepper(model);
+  double first_half = 0, second_half = 0;
+  for (std::uint64_t n = 0; n <= model.steps; ++n) {
+    stepper.step(n, {.energies = true});
+    double& largest = 2 * n < model.steps ? first_half : second_half;
+    largest = std::max(largest, std::abs(stepper.ledger().drift()));
+  }
+  // The impulse of the window in progress is extrapolated in the ledger: an error of second order in the
+  // step.
+  EXPECT_LE(first_half, 2e-2);
+  EXPECT_LE(second_half, 1.5 * first_half);  // an oscillation, not a growth
+  EXPECT_LE(stepper.ledger().max_constraint_residual(), 1e-12);
+}
+
+TEST_P(Substeps, LoseEnergyOnlyWithTheOtherSolves) {
+  for (const scene::Solve solve : {scene::LUMPED, scene::SPLIT}) {
+    coupler::Model model = test::local_model(bar(GetParam(), solve));
+    coupler::Stepper stepper(model);
+    for (std::uint64_t n = 0; n <= model.steps; ++n) stepper.step(n, {.energies = true});
+    EXPECT_LT(stepper.ledger().kept(), 1 + 1e-3) << scene::Solve_Name(solve);
+    EXPECT_GT(stepper.ledger().kept(), 0.5) << scene::Solve_Name(solve);
+  }
+}
+
+TEST_P(Substeps, SurviveAContrastOfStiffness) {
+  for (const double factor : {1e-3, 1e3}) {
+    scene::Scene scene = bar(GetParam());
+    *scene.mutable_continuum()->mutable_material() = scene.material();
+    scene.mutable_continuum()->mutable_material()->set_young_modulus(factor * 1e9);
+    scene.mutable_time()->set_dt_factor(0.9);
+    coupler::Model model = test::local_model(scene);
+    model.steps = std::min<std::uint64_t>(model.steps, 3000);
+    coupler::Stepper stepper(model);
+    for (std::uint64_t n = 0; n <= model.steps; ++n) stepper.step(n, {.energies = true});
+    EXPECT_LE(std::abs(stepper.ledger().drift()), 2e-2) << factor;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Even, Substeps, testing::Values(2U, 4U, 8U));
+
+// Displacements of both ends at equal times.
+std::vector<double> history(scene::Scene scene, double grid_step) {
+  scene.mutable_time()->set_dt(grid_step / scene.time().substeps());
+  coupler::Model model = test::local_model(scene);
+  coupler::Stepper stepper(model);
+  const auto stride = static_cast<std::uint64_t>(std::lround(0.002 / model.dt));
+  std::vector<double> values;
+  for (std::uint64_t n = 0; n <= model.steps; ++n) {
+    stepper.step(n, {.histories = n % stride == 0});
+    if (n % stride == 0)
+      for (const coupler::Side& side : model.sides) values.push_back(side.prediction().histories(0));
+  }
+  return values;
+}
+
+double difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double squares = 0, norm = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    squares += (a[i] - b[i]) * (a[i] - b[i]);
+    norm += b[i] * b[i];
+  }
+  return std::sqrt(squares / norm);
+}
+
+TEST(Substeps, AreOfSecondOrder) {
+  const std::vector<double> reference = history(bar(1), 0.002 / 1024);
+  for (const unsigned m : {1U, 2U, 4U}) {
+    const double coarse = difference(history(bar(m), 0.002 / 32), reference);
+    const double fine = difference(history(bar(m), 0.002 / 64), reference);
+    EXPECT_GE(std::log2(coarse / fine), 1.8) << m << " substeps: " << coarse << ", " << fine;
+    EXPECT_LE(fine, 1e-2) << m;
+  }
+}
+
+void expect_refusal(const scene::Scene& scene, const std::string& text) {
+  try {
+    test::local_model(scene);
+    FAIL() << "accepted where it should say: " << text;
+  } catch (const protocol::UserError& error) {
+    EXPECT_EQ(error.path(), "time.substeps");
+    EXPECT_THAT(error.what(), testing::HasSubstr(text));
+  }
+}
+
+TEST(Substeps, AreRefusedWhereTheContinuumHasNoMiddleToMoveIn) {
+  expect_refusal(bar(3), "even number");
+  scene::Scene alone = bar(2);
+  alone.clear_interface();
+  alone.clear_particles();
+  expect_refusal(alone, "joined to particles");
+}
+
+// Requirement: the automatic choice follows the two critical steps.
+TEST(Substeps, AreChosenFromTheCriticalSteps) {
+  const coupler::Model model = test::local_model(bar(0));
+  EXPECT_EQ(model.substeps % 2, 0U);
+  EXPECT_LE(model.dt, 0.4 * model.sides[0].model.critical_dt());
+  EXPECT_GT(model.dt * (model.substeps + 2.0) / model.substeps, 0.4 * model.sides[0].model.critical_dt());
+  EXPECT_NEAR(model.dt * static_cast<double>(model.steps), 0.04, 1e-15);
+}
+
+}  // namespace
+}  // namespace adit
