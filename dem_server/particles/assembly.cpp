@@ -4,7 +4,7 @@
 #include <atomic>
 #include <limits>
 
-#include "protocol/threads/stretches.hpp"
+#include "protocol/threads/index_ranges.hpp"
 
 namespace adit::dem {
 namespace {
@@ -117,12 +117,12 @@ void Bonds::break_bond(std::uint32_t bond, BondState to) {
 SplitRuns split(std::span<const Run> runs, const std::vector<bool>& chosen) {
   SplitRuns parts;
   for (const Run& run : runs)
-    protocol::for_each_stretch(
+    protocol::for_each_range(
         run.count, [&](std::uint32_t k) { return chosen[run.first + k] || chosen[run.second + k]; },
-        [&](const protocol::Stretch& stretch, bool touches) {
+        [&](const protocol::IndexRange& range, bool touches) {
           Run part = run;
-          part.count = stretch.end - stretch.begin;
-          for (auto* number : {&part.begin, &part.first, &part.second}) *number += stretch.begin;
+          part.count = range.end - range.begin;
+          for (auto* number : {&part.begin, &part.first, &part.second}) *number += range.begin;
           (touches ? parts.touching : parts.others).push_back(part);
         });
   return parts;

@@ -8,7 +8,7 @@
 
 namespace adit::dem {
 
-ADIT_VECTOR_CLONES double move(double dt, std::span<const protocol::Stretch> some, Particles& p) {
+ADIT_VECTOR_CLONES double move(double dt, std::span<const protocol::IndexRange> some, Particles& p) {
   const double *vx = p.vx.data(), *vy = p.vy.data();
   double *ux = p.ux.data(), *uy = p.uy.data();
   std::int64_t fastest = 0;  // the order of non-negative doubles is that of their bits
@@ -22,8 +22,8 @@ ADIT_VECTOR_CLONES double move(double dt, std::span<const protocol::Stretch> som
   return std::bit_cast<double>(fastest);
 }
 
-ADIT_VECTOR_CLONES void kick(double dt, std::span<const protocol::Stretch> some, const Resultants& resultants,
-                             Particles& p) {
+ADIT_VECTOR_CLONES void kick(double dt, std::span<const protocol::IndexRange> some,
+                             const Resultants& resultants, Particles& p) {
   const auto [fx, fy, moment] = resultants;
   const double *inverse_mass = p.inverse_mass.data(), *inverse_inertia = p.inverse_inertia.data();
   double *vx = p.vx.data(), *vy = p.vy.data(), *spin = p.spin.data();

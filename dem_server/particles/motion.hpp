@@ -5,15 +5,15 @@
 #include <span>
 
 #include "dem_server/particles/assembly.hpp"
-#include "protocol/threads/stretches.hpp"
+#include "protocol/threads/index_ranges.hpp"
 
 namespace adit::dem {
 
 // u += dt v. Returns the largest v^2 [m^2/s^2].
-double move(double dt, std::span<const protocol::Stretch> some, Particles& particles);
+double move(double dt, std::span<const protocol::IndexRange> some, Particles& particles);
 
 // v += dt f / m and spin += dt moment / J; half of dt in the first step, from rest.
-void kick(double dt, std::span<const protocol::Stretch> some, const Resultants& resultants,
+void kick(double dt, std::span<const protocol::IndexRange> some, const Resultants& resultants,
           Particles& particles);
 
 }  // namespace adit::dem

@@ -133,8 +133,8 @@ void Continuum::plan(const std::vector<bool>& chosen) {
   interior_.structures = structures_.standing();
   interface_.structures = structures_.take(interior_.structures, chosen);
 
-  interface_.points = protocol::stretches(chosen, true);
-  interior_.points = protocol::stretches(chosen, false);
+  interface_.points = protocol::index_ranges(chosen, true);
+  interior_.points = protocol::index_ranges(chosen, false);
   const auto [touching, others] = split(zones_->runs(), chosen);
   std::vector<bool> reached = chosen;
   for (const ZoneRun& run : touching)

@@ -148,7 +148,7 @@ class Continuum {
   struct Part {
     Sweep sweep;
     Structures::Part structures;
-    std::vector<protocol::Stretch> points;
+    std::vector<protocol::IndexRange> points;
     std::vector<Loading> loads;
     std::vector<Prescribed> motions;
     std::vector<Dashpot> dashpots;

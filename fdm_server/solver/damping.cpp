@@ -15,12 +15,12 @@ double critical_step(const DampingLaw& law, double undamped) {
   return undamped * (std::sqrt(1 + x * x) - x);
 }
 
-void Damping::add_viscous(std::span<const protocol::Stretch> stretches, const protocol::Step& step,
+void Damping::add_viscous(std::span<const protocol::IndexRange> ranges, const protocol::Step& step,
                           const PointColumns& points) {
   if (law_.stiffness == 0 || step.relax) return;
   const double factor = step.from_rest() ? 0 : law_.stiffness / step.dt;
   const auto axis = [&](double* force, double* zones, double* viscous) {
-    for (const auto [begin, end] : stretches)
+    for (const auto [begin, end] : ranges)
       for (std::size_t i = begin; i < end; ++i) {
         viscous[i] = factor * (force[i] - zones[i]);
         zones[i] = force[i];
@@ -31,14 +31,14 @@ void Damping::add_viscous(std::span<const protocol::Stretch> stretches, const pr
   axis(points.fy, state_[kZonesY].data(), state_[kViscousY].data());
 }
 
-double Damping::add_others(std::span<const protocol::Stretch> stretches, const protocol::Step& step,
+double Damping::add_others(std::span<const protocol::IndexRange> ranges, const protocol::Step& step,
                            const PointColumns& points, std::span<const double> masses) {
   if (!law_.any() || step.relax) return 0;
   const double half = step.kick() / 2, implicit = 1 + law_.mass * half;
   double power = 0;
   const auto axis = [&](const double* velocity, double* force, const double* inverse_mass,
                         const double* viscous, double* damping) {
-    for (const auto [begin, end] : stretches)
+    for (const auto [begin, end] : ranges)
       for (std::size_t i = begin; i < end; ++i) {
         double added = 0;
         if (!step.from_rest()) {

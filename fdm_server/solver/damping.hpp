@@ -19,7 +19,7 @@
 #include "fdm_server/solver/dashpots.hpp"
 #include "fdm_server/zones/columns.hpp"
 #include "protocol/participant/step.hpp"
-#include "protocol/threads/stretches.hpp"
+#include "protocol/threads/index_ranges.hpp"
 
 namespace adit::fdm {
 
@@ -44,11 +44,11 @@ class Damping {
   bool acts() const { return law_.any(); }
 
   // Adds beta's force where the points' forces are those of the zones alone.
-  void add_viscous(std::span<const protocol::Stretch> stretches, const protocol::Step& step,
+  void add_viscous(std::span<const protocol::IndexRange> ranges, const protocol::Step& step,
                    const PointColumns& points);
   // Adds the other forces, where the points have all forces, and returns what was dissipated since the last
   // step [J].
-  double add_others(std::span<const protocol::Stretch> stretches, const protocol::Step& step,
+  double add_others(std::span<const protocol::IndexRange> ranges, const protocol::Step& step,
                     const PointColumns& points, std::span<const double> masses);
 
  private:

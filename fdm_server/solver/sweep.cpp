@@ -6,7 +6,7 @@
 namespace adit::fdm {
 namespace {
 
-using protocol::Stretch;
+using protocol::IndexRange;
 
 // Of zones. A chunk is worth a thread's call and has many rows, so that few points belong to two.
 constexpr std::size_t kLeastChunk = 4096, kRows = 16, kBlock = 512;
@@ -36,16 +36,16 @@ std::vector<std::span<const ZoneRun>> pieces(std::span<const ZoneRun> runs, std:
 }
 
 // `points` ascend.
-void append(std::vector<Stretch>& stretches, std::span<const std::uint32_t> points) {
+void append(std::vector<IndexRange>& ranges, std::span<const std::uint32_t> points) {
   for (const auto point : points)
-    if (!stretches.empty() && stretches.back().end == point)
-      ++stretches.back().end;
+    if (!ranges.empty() && ranges.back().end == point)
+      ++ranges.back().end;
     else
-      stretches.push_back({point, point + 1});
+      ranges.push_back({point, point + 1});
 }
 
-void move(std::span<const Stretch> stretches, double dt, const PointColumns& points) {
-  for (const auto [begin, end] : stretches)
+void move(std::span<const IndexRange> ranges, double dt, const PointColumns& points) {
+  for (const auto [begin, end] : ranges)
 #pragma GCC ivdep
     for (std::size_t i = begin; i < end; ++i) {
       points.ux[i] += dt * points.vx[i];
@@ -53,9 +53,9 @@ void move(std::span<const Stretch> stretches, double dt, const PointColumns& poi
     }
 }
 
-void add_steady(std::span<const Stretch> stretches, const PointColumns& points, double* fx, double* fy) {
+void add_steady(std::span<const IndexRange> ranges, const PointColumns& points, double* fx, double* fy) {
   if (!points.steady_x) return;
-  for (const auto [begin, end] : stretches)
+  for (const auto [begin, end] : ranges)
 #pragma GCC ivdep
     for (std::size_t i = begin; i < end; ++i) {
       fx[i] += points.steady_x[i];
@@ -63,9 +63,9 @@ void add_steady(std::span<const Stretch> stretches, const PointColumns& points, 
     }
 }
 
-void predict(std::span<const Stretch> stretches, double kick, const PointColumns& points, double* fx,
+void predict(std::span<const IndexRange> ranges, double kick, const PointColumns& points, double* fx,
              double* fy) {
-  for (const auto [begin, end] : stretches)
+  for (const auto [begin, end] : ranges)
 #pragma GCC ivdep
     for (std::size_t i = begin; i < end; ++i) {
       points.vx[i] += kick * (points.inverse_mass_x[i] * fx[i]);
@@ -198,11 +198,11 @@ void Sweep::run(protocol::Team& team, Zones& zones, double dt, double kick, cons
     compute(chunks_[c], buffers_[thread], zones, dt, kick, points);
   });
   team.run(chunks_.size(), [&](std::size_t c, std::size_t) {
-    for (const auto& [stretch, place] : chunks_[c].sums) {
-      pour(stretch.end - stretch.begin, &waiting_.x[place], points.fx + stretch.begin);
-      pour(stretch.end - stretch.begin, &waiting_.y[place], points.fy + stretch.begin);
+    for (const auto& [range, place] : chunks_[c].sums) {
+      pour(range.end - range.begin, &waiting_.x[place], points.fx + range.begin);
+      pour(range.end - range.begin, &waiting_.y[place], points.fy + range.begin);
     }
-    for (const Stretches* own : {&chunks_[c].swept, &chunks_[c].kept})
+    for (const IndexRanges* own : {&chunks_[c].swept, &chunks_[c].kept})
       add_steady(*own, points, points.fx, points.fy);
     fdm::predict(chunks_[c].swept, kick, points, points.fx, points.fy);
   });
@@ -221,9 +221,9 @@ void Sweep::compute(const Chunk& chunk, Buffer& buffer, Zones& zones, double dt,
       pour(end - begin, fy + begin, points.fy + begin);
     }
   }
-  for (const auto& [stretch, place] : chunk.shared) {
-    pour(stretch.end - stretch.begin, fx + stretch.begin, &waiting_.x[place]);
-    pour(stretch.end - stretch.begin, fy + stretch.begin, &waiting_.y[place]);
+  for (const auto& [range, place] : chunk.shared) {
+    pour(range.end - range.begin, fx + range.begin, &waiting_.x[place]);
+    pour(range.end - range.begin, fy + range.begin, &waiting_.y[place]);
   }
 }
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "fdm_server/zones/zones.hpp"
-#include "protocol/threads/stretches.hpp"
+#include "protocol/threads/index_ranges.hpp"
 #include "protocol/threads/team.hpp"
 
 namespace adit::fdm {
@@ -54,15 +54,15 @@ class Sweep {
   void predict(protocol::Team& team, double kick, const PointColumns& points) const;
 
  private:
-  using Stretches = std::vector<protocol::Stretch>;
+  using IndexRanges = std::vector<protocol::IndexRange>;
   struct Survey;
   struct Block {
     std::span<const ZoneRun> runs;
-    Stretches moved, swept, left;  // left: forces go to fx, fy
+    IndexRanges moved, swept, left;  // left: forces go to fx, fy
   };
   // Points of several chunks, and where their forces from one of these wait.
   struct Shared {
-    protocol::Stretch points;
+    protocol::IndexRange points;
     std::size_t place;
   };
   struct Chunk {
@@ -71,9 +71,9 @@ class Sweep {
     std::vector<Shared> shared;
     // of the points that no earlier chunk has: those to move before all chunks, forces to be summed after
     // them, then to be predicted; and those that are kept
-    Stretches moved;
+    IndexRanges moved;
     std::vector<Shared> sums;
-    Stretches swept, kept;
+    IndexRanges swept, kept;
   };
   struct Buffer {
     std::vector<double> x, y;

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "protocol/threads/stretches.hpp"
+#include "protocol/threads/index_ranges.hpp"
 
 namespace adit::fdm {
 namespace {
@@ -27,10 +27,10 @@ bool continues(const ZoneRun& run, const ZonePoints& zone) {
   return true;
 }
 
-ZoneRun piece(ZoneRun run, const protocol::Stretch& stretch) {
-  run.first += stretch.begin;
-  run.count = stretch.end - stretch.begin;
-  for (auto& point : run.points) point += static_cast<std::int32_t>(stretch.begin);
+ZoneRun piece(ZoneRun run, const protocol::IndexRange& range) {
+  run.first += range.begin;
+  run.count = range.end - range.begin;
+  for (auto& point : run.points) point += static_cast<std::int32_t>(range.begin);
   return run;
 }
 
@@ -54,13 +54,13 @@ ZoneLayout lay_out(const Grid& grid) {
 SplitRuns split(std::span<const ZoneRun> runs, const std::vector<bool>& chosen) {
   SplitRuns parts;
   for (const ZoneRun& run : runs)
-    protocol::for_each_stretch(
+    protocol::for_each_range(
         run.count,
         [&](std::uint32_t k) {
           return std::ranges::any_of(run.points, [&](auto point) { return chosen[point + k]; });
         },
-        [&](const protocol::Stretch& stretch, bool touches) {
-          (touches ? parts.touching : parts.others).push_back(piece(run, stretch));
+        [&](const protocol::IndexRange& range, bool touches) {
+          (touches ? parts.touching : parts.others).push_back(piece(run, range));
         });
   return parts;
 }
@@ -68,10 +68,10 @@ SplitRuns split(std::span<const ZoneRun> runs, const std::vector<bool>& chosen) 
 std::vector<ZoneRun> without(std::span<const ZoneRun> runs, const std::vector<bool>& zones) {
   std::vector<ZoneRun> left;
   for (const ZoneRun& run : runs)
-    protocol::for_each_stretch(
+    protocol::for_each_range(
         run.count, [&](std::uint32_t k) { return !zones[run.first + k]; },
-        [&](const protocol::Stretch& stretch, bool stays) {
-          if (stays) left.push_back(piece(run, stretch));
+        [&](const protocol::IndexRange& range, bool stays) {
+          if (stays) left.push_back(piece(run, range));
         });
   return left;
 }

@@ -22,16 +22,16 @@ class Team {
 
   std::size_t threads() const { return others_.size() + 1; }
 
-  // Calls work(task, thread) for the tasks 0 … count - 1, each thread for a stretch of them of nearly equal
+  // Calls work(task, thread) for the tasks 0 … count - 1, each thread for a share of them of nearly equal
   // length, always the same one. Returns when all are done. `work` must not throw.
   template <class Work>
   void run(std::size_t count, Work&& work) {
-    const auto stretch = [&](std::size_t thread) {
+    const auto share = [&](std::size_t thread) {
       for (std::size_t i = count * thread / threads(); i < count * (thread + 1) / threads(); ++i)
         work(i, thread);
     };
     if (count > 1 && !others_.empty())
-      call(stretch);
+      call(share);
     else
       for (std::size_t i = 0; i < count; ++i) work(i, 0);
   }
@@ -43,13 +43,13 @@ class Team {
     void (*invoke)(const void* function, std::size_t thread) = nullptr;
   };
 
-  template <class Stretch>
-  void call(const Stretch& stretch) {
-    call_ = {&stretch, [](const void* function, std::size_t thread) {
-               (*static_cast<const Stretch*>(function))(thread);
+  template <class Share>
+  void call(const Share& share) {
+    call_ = {&share, [](const void* function, std::size_t thread) {
+               (*static_cast<const Share*>(function))(thread);
              }};
     begin();
-    stretch(0);
+    share(0);
     await_others();
   }
   void begin();

@@ -15,7 +15,7 @@ std::int64_t bits_of_size(double force) {
   return std::bit_cast<std::int64_t>(std::abs(force));
 }
 
-protocol::Stretch stretch_of(std::uint32_t block, std::size_t discs) {
+protocol::IndexRange range_of(std::uint32_t block, std::size_t discs) {
   return {block * kBlock, static_cast<std::uint32_t>(std::min<std::size_t>((block + 1) * kBlock, discs))};
 }
 
@@ -53,7 +53,7 @@ void Solver::step(const protocol::Step& step, std::span<Loads* const> loads, Mot
   for (Loads* load : loads) load->apply(step, particles_);
   support_edges(step.relax, dt);
   team_->run(results_.size(), [&](std::size_t block, std::size_t) {
-    const auto [begin, end] = stretch_of(static_cast<std::uint32_t>(block), particles_.size());
+    const auto [begin, end] = range_of(static_cast<std::uint32_t>(block), particles_.size());
     results_[block].loss = damping_.kick(step, begin, end, particles_);
   });
   motions.impose(step, particles_);
@@ -64,7 +64,7 @@ void Solver::step(const protocol::Step& step, std::span<Loads* const> loads, Mot
 void Solver::move(const protocol::Step& step) {
   if (step.from_rest()) return;
   team_->run(results_.size(), [&](std::size_t block, std::size_t) {
-    const protocol::Stretch discs = stretch_of(static_cast<std::uint32_t>(block), particles_.size());
+    const protocol::IndexRange discs = range_of(static_cast<std::uint32_t>(block), particles_.size());
     results_[block].fastest = adit::dem::move(step.dt, {&discs, 1}, particles_);
   });
   double fastest = 0;
@@ -76,7 +76,7 @@ void Solver::move(const protocol::Step& step) {
 void Solver::pull(double dt) {
   team_->run(results_.size(), [&](std::size_t b, std::size_t) {
     const auto block = static_cast<std::uint32_t>(b);
-    const auto [begin, end] = stretch_of(block, particles_.size());
+    const auto [begin, end] = range_of(block, particles_.size());
     for (auto* sum : {&particles_.fx, &particles_.fy, &particles_.moment})
       std::fill(sum->begin() + begin, sum->begin() + end, 0.0);
     pull_block(block, laws_, dt, particles_, bonds_, results_[b].bonds);
@@ -87,7 +87,7 @@ void Solver::pull(double dt) {
   walls_.pull(dt, particles_);
   team_->run(results_.size(), [&](std::size_t b, std::size_t) {
     const auto block = static_cast<std::uint32_t>(b);
-    const auto [begin, end] = stretch_of(block, particles_.size());
+    const auto [begin, end] = range_of(block, particles_.size());
     gather_block(block, bonds_, particles_);
     gather_block(block, neighbours_.pairs(), particles_);
     results_[b].work = work_of_pairs(dt, begin, end);

@@ -166,7 +166,7 @@ ADIT_VECTOR_CLONES void find_normal_forces(const BondLaw& law, const Run& run, c
 
 }  // namespace
 
-void clear(std::span<const protocol::Stretch> some, const Resultants& resultants) {
+void clear(std::span<const protocol::IndexRange> some, const Resultants& resultants) {
   for (double* resultant : {resultants.fx, resultants.fy, resultants.moment})
     for (const auto [begin, end] : some) std::fill(resultant + begin, resultant + end, 0.0);
 }
@@ -233,7 +233,7 @@ double strain_energy(const BondLaw& law, std::span<const Run> runs, const Partic
 
 ContactResult compute_contact_forces(const BondLaw& law, double dt, Particles& particles, Bonds& bonds,
                                      std::vector<std::uint32_t>& broken) {
-  const protocol::Stretch all{0, static_cast<std::uint32_t>(particles.size())};
+  const protocol::IndexRange all{0, static_cast<std::uint32_t>(particles.size())};
   clear({&all, 1}, resultants_of(particles));
   ContactResult result;
   add_contact_forces(law, dt, bonds.runs, particles, bonds, resultants_of(particles), result, broken);

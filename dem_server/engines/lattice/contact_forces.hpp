@@ -20,7 +20,7 @@
 
 #include "dem_server/model/calibration.hpp"
 #include "dem_server/particles/assembly.hpp"
-#include "protocol/threads/stretches.hpp"
+#include "protocol/threads/index_ranges.hpp"
 
 namespace adit::dem {
 
@@ -42,7 +42,7 @@ struct ContactResult {
 };
 
 // Sets the resultants of some particles to 0.
-void clear(std::span<const protocol::Stretch> some, const Resultants& resultants);
+void clear(std::span<const protocol::IndexRange> some, const Resultants& resultants);
 
 // Adds the forces of the runs' contacts to the resultants, from displacements at n and velocities at n - 1/2.
 // `result` grows to that of all runs of the step so far; bonds that broke are appended to `broken`.

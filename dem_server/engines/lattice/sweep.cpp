@@ -9,7 +9,7 @@
 namespace adit::dem {
 namespace {
 
-using protocol::Stretch;
+using protocol::IndexRange;
 
 // Particles of a block at least: worth a thread's call, and so many times the reach of a bond that little
 // lies in seams.
@@ -24,21 +24,21 @@ std::uint32_t end_of(const Run& run) {
   return std::max(run.first, run.second) + run.count;
 }
 
-// The stretches of the particles begin … end - 1 that pass the test.
+// The ranges of the particles begin … end - 1 that pass the test.
 template <class Test>
-std::vector<Stretch> chosen(std::uint32_t begin, std::uint32_t end, Test&& test) {
-  std::vector<Stretch> found;
+std::vector<IndexRange> chosen(std::uint32_t begin, std::uint32_t end, Test&& test) {
+  std::vector<IndexRange> found;
   if (begin < end)
-    protocol::for_each_stretch(
+    protocol::for_each_range(
         end - begin, [&](std::uint32_t k) { return test(begin + k); },
-        [&](const Stretch& stretch, bool passed) {
-          if (passed) found.push_back({begin + stretch.begin, begin + stretch.end});
+        [&](const IndexRange& range, bool passed) {
+          if (passed) found.push_back({begin + range.begin, begin + range.end});
         });
   return found;
 }
 
-void pour(const Stretch& stretch, std::uint32_t first, std::vector<double>& from, std::vector<double>& to) {
-  for (std::uint32_t i = stretch.begin; i < stretch.end; ++i) {
+void pour(const IndexRange& range, std::uint32_t first, std::vector<double>& from, std::vector<double>& to) {
+  for (std::uint32_t i = range.begin; i < range.end; ++i) {
     to[i] += from[i - first];
     from[i - first] = 0;
   }
@@ -193,10 +193,10 @@ void Sweep::run_block(const Block& block, Buffer& buffer, const BondLaw& law, co
     kick(step.kick(), beat.swept, resultants, particles);
     clear(beat.swept, resultants);
   }
-  for (const Stretch& stretch : block.left) {
-    pour(stretch, first, buffer.fx, particles.fx);
-    pour(stretch, first, buffer.fy, particles.fy);
-    pour(stretch, first, buffer.moment, particles.moment);
+  for (const IndexRange& range : block.left) {
+    pour(range, first, buffer.fx, particles.fx);
+    pour(range, first, buffer.fy, particles.fy);
+    pour(range, first, buffer.moment, particles.moment);
   }
 }
 

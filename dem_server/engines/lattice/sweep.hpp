@@ -18,7 +18,7 @@
 #include "dem_server/engines/lattice/contact_forces.hpp"
 #include "dem_server/particles/assembly.hpp"
 #include "protocol/participant/step.hpp"
-#include "protocol/threads/stretches.hpp"
+#include "protocol/threads/index_ranges.hpp"
 #include "protocol/threads/team.hpp"
 
 namespace adit::dem {
@@ -50,19 +50,19 @@ class Sweep {
   void predict(protocol::Team& team, double kick, Particles& particles) const;
 
  private:
-  using Stretches = std::vector<protocol::Stretch>;
+  using IndexRanges = std::vector<protocol::IndexRange>;
   struct Beat {
     std::vector<Run> runs;
-    Stretches moved, swept;
+    IndexRanges moved, swept;
   };
   struct Block {
-    protocol::Stretch particles;
+    protocol::IndexRange particles;
     std::vector<Beat> beats;
-    Stretches cleared, left;  // left: what beats pull on whose resultants go to memory
-    Stretches kept;
+    IndexRanges cleared, left;  // left: what beats pull on whose resultants go to memory
+    IndexRanges kept;
     // with the next block
     std::vector<Run> seam;
-    Stretches seam_swept;
+    IndexRanges seam_swept;
   };
   struct Outcome {
     ContactResult contacts;

@@ -144,7 +144,7 @@ inline Swing swing(const BondLaw& law, double phase, const Eigen::Vector3d& mode
     return sum;
   };
   const double norm = along(start.vx, start.vy, start.spin);
-  const protocol::Stretch all{0, static_cast<std::uint32_t>(p.size())};
+  const protocol::IndexRange all{0, static_cast<std::uint32_t>(p.size())};
   std::vector<std::uint32_t> broken;
   std::vector<double> rates{1};
   for (int n = 0; n < steps; ++n) {

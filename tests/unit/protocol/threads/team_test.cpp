@@ -27,7 +27,7 @@ TEST(Team, DoesEveryTaskOnce) {
 }
 
 // A thread always gets the same tasks, next to one another: its data stay in its cache.
-TEST(Team, GivesAThreadTheSameStretchOfTasks) {
+TEST(Team, GivesAThreadTheSameShareOfTasks) {
   Team team(3);
   std::vector<std::size_t> first(10), again(10);
   team.run(10, [&](std::size_t task, std::size_t thread) { first[task] = thread; });

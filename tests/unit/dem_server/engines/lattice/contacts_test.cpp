@@ -49,7 +49,7 @@ TEST(Contacts, ListHoldsAllThatTouchAndIsMadeNoSooner) {
   test::fill_randomly(p.vy, 1, 2);
   Contacts contacts(a);
   const double dt = 0.004;
-  const protocol::Stretch all{0, static_cast<std::uint32_t>(p.size())};
+  const protocol::IndexRange all{0, static_cast<std::uint32_t>(p.size())};
   auto listed = p;
   std::uint64_t lists = contacts.lists();
   for (int n = 0; n < 600; ++n) {

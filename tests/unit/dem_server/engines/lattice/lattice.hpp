@@ -51,7 +51,7 @@ struct Ledger {
 
 // One step of a free lattice; `start` for the step that does not move.
 inline void step(const BondLaw& law, double dt, bool start, Assembly& a, Ledger& ledger) {
-  const protocol::Stretch all{0, static_cast<std::uint32_t>(a.particles.size())};
+  const protocol::IndexRange all{0, static_cast<std::uint32_t>(a.particles.size())};
   if (!start) move(dt, {&all, 1}, a.particles);
   ledger.released += compute(law, dt, a).first.released;
   Velocities before;

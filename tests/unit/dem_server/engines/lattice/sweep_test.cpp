@@ -48,7 +48,7 @@ Outcome swept(const Packing& packing, std::size_t threads, const BondLaw& law) {
 Outcome passed(const Packing& packing, const BondLaw& law) {
   Outcome out{shaken(packing), {}, {}};
   Assembly& a = out.assembly;
-  const protocol::Stretch all{0, static_cast<std::uint32_t>(a.particles.size())};
+  const protocol::IndexRange all{0, static_cast<std::uint32_t>(a.particles.size())};
   const double dt = 0.3 * critical_step(a, law.stiffness);
   for (std::uint64_t n = 0; n < 100; ++n) {
     const protocol::Step step{n, dt};

@@ -1,4 +1,4 @@
-#include "protocol/threads/stretches.hpp"
+#include "protocol/threads/index_ranges.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -6,15 +6,15 @@
 namespace adit::protocol {
 namespace {
 
-// The stretches of either value name every number once, in order, and none is longer than need be.
-RC_GTEST_PROP(Stretches, PartitionTheNumbers, (const std::vector<bool>& flags)) {
+// The ranges of either value name every number once, in order, and none is longer than need be.
+RC_GTEST_PROP(IndexRanges, PartitionTheNumbers, (const std::vector<bool>& flags)) {
   std::vector<int> named(flags.size(), 0);
   for (const bool value : {true, false}) {
     std::uint32_t last_end = 0;
     bool first = true;
-    for (const auto [begin, end] : stretches(flags, value)) {
+    for (const auto [begin, end] : index_ranges(flags, value)) {
       RC_ASSERT(begin < end);
-      RC_ASSERT(first || begin > last_end);  // neighbours would be one stretch
+      RC_ASSERT(first || begin > last_end);  // neighbours would be one range
       for (std::uint32_t k = begin; k < end; ++k) {
         RC_ASSERT(flags[k] == value);
         ++named[k];
