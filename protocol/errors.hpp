@@ -1,4 +1,4 @@
-// The two ways in which a run ends without being our bug.
+// The ways in which a run ends without being our bug.
 #pragma once
 
 #include <stdexcept>
@@ -31,6 +31,13 @@ class PeerLost : public std::runtime_error {
 
  private:
   std::string peer_;
+};
+
+// The other end asked for what the conversation does not allow, or for what contradicts an earlier request
+// (wire.proto): its bug. The message says what came and what was expected.
+class RequestError : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
 };
 
 // A value that must be finite is not, or energy grows without cause: the step, the place and the value.

@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <unordered_map>
 
 #include "dem_server/participant/triangulation.hpp"
@@ -55,7 +54,8 @@ std::vector<double> CouplingPoints::offer(const Particles& p, const Rectangle& b
 
 void CouplingPoints::tie(std::span<const double> places, const Particles& p, const BondedPairs& bonds,
                          const Motions& motions) {
-  if (places.size() % 2 != 0) throw std::logic_error("couple: the coupling points are not pairs of x and y");
+  if (places.size() % 2 != 0)
+    throw protocol::RequestError("couple: the coupling points are not pairs of x and y");
   std::unordered_map<Key, std::uint32_t, Hash> centres;
   for (const std::uint32_t i : offered_) centres.emplace(key_of(p.x[i], p.y[i]), i);
   std::optional<Triangulation> triangulation;  // made where a place needs it
@@ -68,7 +68,7 @@ void CouplingPoints::tie(std::span<const double> places, const Particles& p, con
       continue;
     }
     if (!std::isfinite(x) || !std::isfinite(y))
-      throw std::logic_error("couple: a coupling point is not finite");
+      throw protocol::RequestError("couple: a coupling point is not finite");
     if (!triangulation) triangulation.emplace(p, bonds);
     rows.push_back(between_particles(*triangulation, x, y));
   }

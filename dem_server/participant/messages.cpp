@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "protocol/errors.hpp"
 
 namespace adit::dem {
 
@@ -21,12 +22,12 @@ std::span<const double> view(const google::protobuf::RepeatedField<double>& fiel
 SampledWeights split_weights(const wire::Weights& sent, std::size_t centres, std::size_t midpoints) {
   const auto& all = sent.weights();
   if (static_cast<std::size_t>(all.size()) != centres + midpoints)
-    throw std::logic_error(
+    throw protocol::RequestError(
         fmt::format("weights: {} weights came for {} sample points", all.size(), centres + midpoints));
   if (!std::all_of(all.begin(), all.end(), [](double w) { return w >= 0 && w <= 1; }))
-    throw std::logic_error("weights: a weight lies outside [0, 1]");
+    throw protocol::RequestError("weights: a weight lies outside [0, 1]");
   if (!(sent.floor() > 0 && sent.floor() <= 1))
-    throw std::logic_error("weights: the floor lies outside (0, 1]");
+    throw protocol::RequestError("weights: the floor lies outside (0, 1]");
   return {{all.data(), centres}, {all.data() + centres, midpoints}, sent.floor()};
 }
 
@@ -43,16 +44,17 @@ void report(const Crack& crack, std::uint64_t step, wire::Crack& to) {
 
 void check_impulses(std::span<const double> impulses, std::size_t points, const protocol::Step& last) {
   if (last.dt == 0)
-    throw std::logic_error("impulses came before the first step, which has nothing to correct");
+    throw protocol::RequestError("impulses came before the first step, which has nothing to correct");
   if (impulses.size() != 2 * points)
-    throw std::logic_error(fmt::format("{} impulses came for {} coupling points", impulses.size(), points));
+    throw protocol::RequestError(
+        fmt::format("{} impulses came for {} coupling points", impulses.size(), points));
 }
 
 double checked_dt(const wire::Advance& advance, double before) {
   const double dt = advance.dt();
   if (advance.step() == 0) before = dt;
   if (!(dt > 0) || !std::isfinite(dt) || dt != before)
-    throw std::logic_error(fmt::format(
+    throw protocol::RequestError(fmt::format(
         "advance: dt is {} s; it must be positive and the same in every step (it was {} s)", dt, before));
   return dt;
 }

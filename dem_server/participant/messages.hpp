@@ -21,10 +21,10 @@ SampledWeights split_weights(const wire::Weights& sent, std::size_t centres, std
 
 void report(const Crack& crack, std::uint64_t step, wire::Crack& to);
 
-// Throws std::logic_error unless a step was made and each coupling point has its two impulses.
+// Throws protocol::RequestError unless a step was made and each coupling point has its two impulses.
 void check_impulses(std::span<const double> impulses, std::size_t points, const protocol::Step& last);
 
-// Throws std::logic_error unless dt [s] is positive and, after step 0, that of the steps before.
+// Throws protocol::RequestError unless dt [s] is positive and, after step 0, that of the steps before.
 double checked_dt(const wire::Advance& advance, double before);
 
 }  // namespace adit::dem

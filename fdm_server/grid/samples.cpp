@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "fdm_server/grid/edges.hpp"
+#include "protocol/errors.hpp"
 
 namespace adit::fdm {
 namespace {
@@ -46,7 +46,7 @@ std::vector<double> zone_weights(const Grid& grid, std::span<const double> sampl
              in_zones = at_edges + edges.list.size();
   const std::size_t count = grid.x.size() + edges.list.size() + grid.zones.size();
   if (samples.size() != count)
-    throw std::invalid_argument(fmt::format("got {} weights for {} sample points", samples.size(), count));
+    throw protocol::RequestError(fmt::format("got {} weights for {} sample points", samples.size(), count));
   std::vector<double> weights(grid.zones.size());
   for (std::size_t z = 0; z < grid.zones.size(); ++z) {
     const auto j = jacobians(corners(grid, z));

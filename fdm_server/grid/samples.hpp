@@ -16,7 +16,7 @@ std::vector<double> sample_points(const Grid& grid);
 //   1/A sum w_ij J_ij sample_ij,  w = (1 4 1) x (1 4 1) / 36 · 4,
 // exact for linear weights on every quadrilateral (sample and Jacobian are both bilinear), so that a patch of
 // uniform strain passes through the overlap; at least `floor`. A zone whose samples are all 0 has 0.
-// Throws std::invalid_argument where there is not one sample for each point.
+// Throws protocol::RequestError where there is not one sample for each point.
 std::vector<double> zone_weights(const Grid& grid, std::span<const double> samples, double floor);
 
 }  // namespace adit::fdm

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <iterator>
 #include <span>
-#include <stdexcept>
 #include <utility>
 
 #include "fdm_server/boundaries/boundaries.hpp"
@@ -20,30 +19,29 @@
 #include "fdm_server/solver/deformed_grid.hpp"
 #include "fdm_server/zones/nonlinear/material_zones.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/messages/spans.hpp"
 
 namespace adit::fdm {
 namespace {
 
+using protocol::Step;
+using protocol::view;
+
 constexpr std::uint64_t kFiniteCheckInterval = 100;  // steps
 constexpr std::uint64_t kShapeCheckInterval = 1000;  // steps; costs as much as some tens
-
-std::span<const double> view(const google::protobuf::RepeatedField<double>& field) {
-  return {field.data(), static_cast<std::size_t>(field.size())};
-}
 
 // One weight a zone from the wire's samples; all 1 where there are none.
 std::vector<double> read_weights(const wire::Weights& weights, const Grid& grid) {
   if (weights.weights().empty()) return std::vector<double>(grid.zones.size(), 1.0);
   const auto in_range = [](double value) { return value >= 0 && value <= 1; };
   if (!std::ranges::all_of(weights.weights(), in_range) || !in_range(weights.floor()))
-    throw std::invalid_argument("got a weight or a floor outside [0, 1]");
+    throw protocol::RequestError("got a weight or a floor outside [0, 1]");
   return zone_weights(grid, view(weights.weights()), weights.floor());
 }
 
 }  // namespace
 
 void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
-  started_ = std::clock();
   scene_ = setup.scene();
   setup_ = read_setup(scene_);
   grid_ = read_grid(scene_.continuum());
@@ -147,7 +145,7 @@ void FdmParticipant::offer_grid_points(const wire::Weights& box, wire::Interface
 void FdmParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
   if (couple.points_size() % 2 != 0 ||
       !std::ranges::all_of(couple.points(), [](double value) { return std::isfinite(value); }))
-    throw std::invalid_argument("got coupling points that are no finite pairs x y");
+    throw protocol::RequestError("got coupling points that are no finite pairs x y");
   operator_ = protocol::InterfaceOperator(interpolate(grid_, view(couple.points())));
   require_interface_stays();
   continuum_->set_interface(operator_.points());
@@ -159,76 +157,26 @@ void FdmParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
   }
 }
 
-void FdmParticipant::advance(const wire::Advance& advance, wire::Predicted& predicted) {
-  if (relaxation_ && !advance.relax()) start_over();
-  if (next_step_ == 0) step_.dt = advance.dt();
-  check(advance);
-  push(advance.impulses());
-  take_peak_forces();
-  take_peaks();
-  if (advance.relax()) relax(advance.stop(), *predicted.mutable_relaxation());
-  if (advance.stage() > stage_) excavate(advance.stage());
-  histories_->remember(*continuum_);
-  if (advance.want_peaks()) {
-    if (!peaks_) peaks_.emplace(grid_);
-    peaks_->remember(*continuum_);
-    peaks_due_ = true;
-  }
-
-  const std::uint64_t step = advance.step();
-  step_ = {step, advance.dt(), advance.relax(), advance.stop()};
-  rest_left_ =
-      operator_.rows() > 0 && !advance.relax() && !advance.want_energies() && !advance.want_histories();
-  Energies energies{};
-  if (rest_left_)
-    continuum_->step_interface(step_);
-  else
-    continuum_->step(step_, advance.want_energies() ? &energies : nullptr);
-  next_step_ = step + 1;
-  ++steps_done_;
-
-  predicted.set_step(step);
-  const int count = 2 * static_cast<int>(operator_.rows());
-  predicted.mutable_velocities()->Resize(count, 0.0);
-  operator_.velocities(continuum_->vx(), continuum_->vy(),
-                       {predicted.mutable_velocities()->mutable_data(), static_cast<std::size_t>(count)});
-  if (advance.want_energies()) {
-    predicted.mutable_energies()->set_kinetic(energies.kinetic);
-    predicted.mutable_energies()->set_strain(energies.strain);
-    predicted.mutable_energies()->set_external_work(energies.external_work);
-    predicted.mutable_energies()->set_dissipated(energies.dissipated);
-  }
-  if (advance.relax()) predicted.mutable_relaxation()->set_kinetic_energy(kinetic_energy(*continuum_));
-  if (advance.want_histories())
-    histories_->read(grid_, supports_, *continuum_, step_, *predicted.mutable_histories());
-  check_answer(predicted);
-  if (!rest_left_ && step % kFiniteCheckInterval == 0) check_grid(step);
-  if (setup_.ground.large_strain && steps_done_ % kShapeCheckInterval == 0 &&
-      !scene_.time().beyond_critical())
-    require_stable_shapes(setup_.kind, grid_, setup_.ground, damping_, weights_, *continuum_, step_);
+void FdmParticipant::correct(std::span<const double> impulses) {
+  const auto own = operator_.gather(impulses);
+  for (std::size_t j = 0; j < operator_.points().size(); ++j)
+    continuum_->push(operator_.points()[j], own[2 * j], own[2 * j + 1]);
 }
 
-void FdmParticipant::complete() {
-  if (!rest_left_) return;
-  rest_left_ = false;
-  continuum_->step_interior(step_);
-  if (step_.number % kFiniteCheckInterval == 0) check_grid(step_.number);
-}
-
-void FdmParticipant::take_peaks() {
-  if (!peaks_due_) return;
-  peaks_due_ = false;
-  peaks_->take(grid_, *continuum_, step_);
-}
-
-void FdmParticipant::relax(bool stop, wire::Relaxation& answer) {
+void FdmParticipant::measure_unrest(const Step& last, wire::Relaxation& answer) {
   if (!relaxation_) relaxation_.emplace(grid_, weights_);
-  const Unrest unrest = relaxation_->measure(*continuum_, step_.kick());
+  const Unrest unrest = relaxation_->measure(*continuum_, last.kick());
   answer.set_unbalanced_force(unrest.unbalanced_force);
   answer.set_internal_force(unrest.internal_force);
   answer.set_points(grid_.x.size());
   answer.set_elements(grid_.zones.size());
-  if (!stop) return;
+}
+
+double FdmParticipant::kinetic_energy() const {
+  return fdm::kinetic_energy(*continuum_);
+}
+
+void FdmParticipant::stop() {
   continuum_->stop();
   relaxation_->stopped();
 }
@@ -237,10 +185,10 @@ void FdmParticipant::start_over() {
   relaxation_.reset();
   continuum_->start_over();
   if (!scene_.statics().keep_displacements() || stage_ == 0) continuum_->reset_displacements();
-  next_step_ = 0;
 }
 
 void FdmParticipant::excavate(std::uint32_t stage) {
+  if (stage <= stage_) return;
   std::vector<std::uint32_t> zones;
   for (std::uint32_t z = 0; z < grid_.zones.size(); ++z)
     if (stage_of_zone_[z] > stage_ && stage_of_zone_[z] <= stage) zones.push_back(z);
@@ -250,6 +198,39 @@ void FdmParticipant::excavate(std::uint32_t stage) {
   const auto masses = this->masses();
   continuum_->excavate(zones, masses, loads(masses), stage);
   relaxation_.emplace(grid_, weights_);
+}
+
+void FdmParticipant::remember_for_peaks() {
+  if (!peaks_) peaks_.emplace(grid_);
+  peaks_->remember(*continuum_);
+}
+
+void FdmParticipant::take_peaks(const Step& step) {
+  peaks_->take(grid_, *continuum_, step);
+}
+
+void FdmParticipant::prepare(const Step& step, const wire::Advance& wanted) {
+  if (step.dt > critical_dt_ && !scene_.time().beyond_critical())
+    throw protocol::UserError("time.dt", fmt::format("is {} s, above the continuum's critical step of {} s; "
+                                                     "give at most that",
+                                                     step.dt, critical_dt_));
+  histories_->remember(*continuum_);
+  if (wanted.want_energies()) continuum_->remember_velocities();
+}
+
+void FdmParticipant::step_interface(const Step& step) {
+  continuum_->step_interface(step);
+  check_interface(step);
+}
+
+void FdmParticipant::step_interior(const Step& step) {
+  continuum_->step_interior(step);
+  ++steps_done_;
+  if (!step.relax) peak_forces_.take(supports_.linings, continuum_->structures());
+  if (step.number % kFiniteCheckInterval == 0) check_grid(step);
+  if (setup_.ground.large_strain && steps_done_ % kShapeCheckInterval == 0 &&
+      !scene_.time().beyond_critical())
+    require_stable_shapes(setup_.kind, grid_, setup_.ground, damping_, weights_, *continuum_, step);
 }
 
 // The coupler knows the masses at the coupling points once and for all.
@@ -283,66 +264,54 @@ std::vector<std::uint32_t> FdmParticipant::zone_kinds() const {
   return kinds;
 }
 
-void FdmParticipant::check(const wire::Advance& advance) const {
-  if (advance.step() != next_step_)
-    throw std::invalid_argument(
-        fmt::format("was asked for step {}, but the next one is {}", advance.step(), next_step_));
-  if (!(advance.dt() > 0) || advance.dt() != step_.dt)
-    throw std::invalid_argument(
-        fmt::format("was asked to advance by {} s in a run of {} s a step", advance.dt(), step_.dt));
-  if (advance.dt() > critical_dt_ && !scene_.time().beyond_critical())
-    throw protocol::UserError("time.dt", fmt::format("is {} s, above the continuum's critical step of {} s; "
-                                                     "give at most that",
-                                                     advance.dt(), critical_dt_));
+void FdmParticipant::check_interface(const Step& step) const {
+  const auto finite = [this](std::uint32_t point) {
+    return std::isfinite(continuum_->vx()[point]) && std::isfinite(continuum_->vy()[point]);
+  };
+  if (!std::ranges::all_of(operator_.points(), finite)) check_grid(step);
 }
 
-void FdmParticipant::push(const google::protobuf::RepeatedField<double>& impulses) {
-  if (impulses.empty()) return;
-  if (next_step_ == 0 || static_cast<std::size_t>(impulses.size()) != 2 * operator_.rows())
-    throw std::invalid_argument(fmt::format("got {} impulse components for {} coupling points before step {}",
-                                            impulses.size(), operator_.rows(), next_step_));
-  const auto own = operator_.gather(view(impulses));
-  for (std::size_t j = 0; j < operator_.points().size(); ++j)
-    continuum_->push(operator_.points()[j], own[2 * j], own[2 * j + 1]);
-}
-
-void FdmParticipant::take_peak_forces() {
-  if (next_step_ > 0 && !step_.relax) peak_forces_.take(supports_.linings, continuum_->structures());
-}
-
-void FdmParticipant::check_answer(const wire::Predicted& predicted) const {
-  const auto finite = [](double value) { return std::isfinite(value); };
-  const auto& energies = predicted.energies();
-  const bool energies_finite = finite(energies.kinetic()) && finite(energies.strain());
-  if (!energies_finite || !std::ranges::all_of(predicted.velocities(), finite)) check_grid(predicted.step());
-  if (!energies_finite)
-    throw protocol::Unstable(fmt::format(
-        "step {}: the continuum's energy is not finite (kinetic {} J, strain {} J); lower time.dt "
-        "and look at the loads",
-        predicted.step(), energies.kinetic(), energies.strain()));
-}
-
-void FdmParticipant::check_grid(std::uint64_t step) const {
+void FdmParticipant::check_grid(const Step& step) const {
   const Continuum& continuum = *continuum_;
   const auto point = continuum.first_non_finite();
   if (!point) return;
   throw protocol::Unstable(fmt::format(
       "step {}: the velocity of the grid point at ({}, {}) m is ({}, {}) m/s; lower time.dt and look at the "
       "loads",
-      step, grid_.x[*point], grid_.y[*point], continuum.vx()[*point], continuum.vy()[*point]));
+      step.number, grid_.x[*point], grid_.y[*point], continuum.vx()[*point], continuum.vy()[*point]));
 }
 
-void FdmParticipant::snapshot(const wire::SnapshotRequest& request, wire::Snapshot& snapshot) {
-  push(request.impulses());
-  if (operator_.rows() == 0 || !request.impulses().empty()) take_peaks();
+void FdmParticipant::read_velocities(std::span<double> velocities) const {
+  operator_.velocities(continuum_->vx(), continuum_->vy(), velocities);
+}
+
+void FdmParticipant::read_energies(const Step& step, wire::Energies& answer) {
+  const Energies energies = continuum_->energies(step);
+  if (!std::isfinite(energies.kinetic) || !std::isfinite(energies.strain)) {
+    check_grid(step);
+    throw protocol::Unstable(
+        fmt::format("step {}: the continuum's energy is not finite (kinetic {} J, strain {} J); lower "
+                    "time.dt and look at "
+                    "the loads",
+                    step.number, energies.kinetic, energies.strain));
+  }
+  answer.set_kinetic(energies.kinetic);
+  answer.set_strain(energies.strain);
+  answer.set_external_work(energies.external_work);
+  answer.set_dissipated(energies.dissipated);
+}
+
+void FdmParticipant::read_histories(const Step& step, google::protobuf::RepeatedField<double>& values) {
+  histories_->read(grid_, supports_, *continuum_, step, values);
+}
+
+void FdmParticipant::draw(wire::Snapshot& snapshot) {
   fill_snapshot(grid_, *continuum_, weights_, snapshot);
   if (peaks_) add_peaks(*peaks_, weights_, *snapshot.mutable_pieces(0));
-  take_peak_forces();
   add_supports(grid_, *continuum_, supports_, peak_forces_, snapshot);
 }
 
 void FdmParticipant::finish(wire::Bye& bye) {
-  bye.set_cpu_seconds(static_cast<double>(std::clock() - started_) / CLOCKS_PER_SEC);
   bye.set_updates(grid_.zones.size() * steps_done_);
 }
 

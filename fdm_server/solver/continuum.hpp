@@ -92,6 +92,11 @@ class Continuum {
   void step_interface(const protocol::Step& step);
   void step_interior(const protocol::Step& step);
 
+  // The energies of a step that was made in halves: to be asked for after both, if its velocities were
+  // remembered before the first.
+  void remember_velocities();
+  Energies energies(const protocol::Step& step) const;
+
   // All velocities become 0: before a step from rest.
   void stop();
   // Time begins: at rest, work from 0, stresses as they are. Step 0 is next.
@@ -166,9 +171,7 @@ class Continuum {
   void apply_loads(Part& part, const protocol::Step& step);
   void find_reactions(Part& part, const protocol::Step& step);
   void predict(const Part& part, const protocol::Step& step);
-  void remember_velocities();
   double steady_work() const;
-  Energies energies(const protocol::Step& step) const;
 
   std::unique_ptr<Zones> zones_;
   Structures structures_;

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <stdexcept>
+
+#include "protocol/errors.hpp"
 
 namespace adit::protocol {
 namespace {
@@ -35,6 +36,7 @@ void Conversation::answer(const wire::Frame& request, wire::Frame& reply) {
   switch (request.content_case()) {
     case wire::Frame::kSetup:
       require(stage_ == Stage::kConnected, request);
+      cpu_start_ = std::clock();
       participant_.set_up(request.setup(), cleared(reply.mutable_model()));
       stage_ = Stage::kSetUp;
       break;
@@ -60,6 +62,7 @@ void Conversation::answer(const wire::Frame& request, wire::Frame& reply) {
     case wire::Frame::kFinish:
       require(stage_ == Stage::kSetUp || ready, request);
       participant_.finish(cleared(reply.mutable_bye()));
+      reply.mutable_bye()->set_cpu_seconds(static_cast<double>(std::clock() - cpu_start_) / CLOCKS_PER_SEC);
       stage_ = Stage::kFinished;
       break;
     default:
@@ -100,7 +103,7 @@ void Conversation::require(bool in_order, const wire::Frame& request) const {
   constexpr const char* kExpected[] = {"setup", "weights or finish",
                                        "couple, advance, snapshot_request or finish",
                                        "advance, snapshot_request or finish", "nothing more"};
-  throw std::logic_error(
+  throw RequestError(
       fmt::format("request out of order: {}{}, where {} was expected (next step: {})", name_of(request),
                   request.has_advance() ? fmt::format(" to step {}", request.advance().step()) : "",
                   kExpected[static_cast<int>(stage_)], next_step_));

@@ -1,7 +1,8 @@
-// What a solver fills in to take part in a run. The server calls these in the order of the conversation
-// (wire.proto), one participant object a run; each function reads the request and fills the answer, which
-// arrives cleared but keeps its memory from step to step. Errors are thrown as UserError (the scene) or
-// Unstable.
+// What takes part in a run. The server calls these in the order of the conversation (wire.proto), one
+// participant object a run; each function reads the request and fills the answer, which arrives cleared but
+// keeps its memory from step to step. Errors are thrown as UserError (the scene), RequestError (the other
+// end) or Unstable. Solvers derive from SteppedParticipant, which knows how the requests of a step are
+// answered.
 //
 // The answer to advance needs the velocities at the coupling points only. What else belongs to the step may
 // be left to complete(), which is called once that answer was sent: others then need not wait for it. Results
@@ -9,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <ctime>
 #include <exception>
 #include <functional>
 #include <memory>
@@ -41,8 +43,8 @@ class Conversation {
  public:
   explicit Conversation(Participant& participant) : participant_(participant) {}
 
-  // Answers one request. The clock of `predicted.compute_seconds` runs here. A request out of order, or one
-  // that no participant answers, throws std::logic_error.
+  // Answers one request. The clocks of `predicted.compute_seconds` and `bye.cpu_seconds` run here. A request
+  // out of order, or one that no participant answers, throws RequestError.
   void answer(const wire::Frame& request, wire::Frame& reply);
 
   // To be called when the answer was sent: completes the step that it answered, where something is left of
@@ -63,6 +65,7 @@ class Conversation {
   std::uint64_t next_step_ = 0;
   bool relaxing_ = false;       // the last step did
   bool step_open_ = false;      // answered, but not completed
+  std::clock_t cpu_start_ = 0;  // at set-up
   double hidden_seconds_ = 0;   // in complete() since the last step was answered
   std::exception_ptr failure_;  // of complete()
 };

@@ -9,6 +9,8 @@ void fill_error(const std::exception& cause, wire::Error& error) {
     error.set_path(user_error->path());
   } else if (dynamic_cast<const Unstable*>(&cause) != nullptr) {
     error.set_kind(wire::Error::UNSTABLE);
+  } else if (dynamic_cast<const RequestError*>(&cause) != nullptr) {
+    error.set_kind(wire::Error::REQUEST);
   } else {
     error.set_kind(wire::Error::INTERNAL);
   }
@@ -22,6 +24,8 @@ void throw_error(const std::string& peer, const wire::Error& error) {
       throw Unstable(peer + ": " + error.message());
     case wire::Error::REFUSED:
       throw UserError("", peer + " refused: " + error.message());
+    case wire::Error::REQUEST:
+      throw RequestError(peer + " cannot answer: " + error.message());
     default:
       throw PeerLost(peer, error.message());
   }

@@ -1,6 +1,6 @@
 // How errors travel: the exception of one end becomes a wire::Error and is thrown again at the other.
-//   SCENE <-> UserError     UNSTABLE <-> Unstable     INTERNAL: any other exception -> PeerLost
-//   REFUSED -> UserError without a path, naming the peer
+//   SCENE <-> UserError     UNSTABLE <-> Unstable     REQUEST <-> RequestError
+//   INTERNAL: any other exception -> PeerLost         REFUSED -> UserError without a path, naming the peer
 #pragma once
 
 #include <exception>

@@ -247,21 +247,20 @@ TEST(Participant, StopsWhereAVelocityIsNotFinite) {
 TEST(Participant, RefusesContradictoryRequests) {
   wire::Weights weights;
   weights.add_weights(1);
-  EXPECT_THROW(Conversation("", weights), std::invalid_argument);
+  EXPECT_THROW(Conversation("", weights), protocol::RequestError);
   const Conversation whole("");
   weights = ramp(whole.model, 2, 4);
   weights.set_weights(3, std::nan(""));
-  EXPECT_THROW(Conversation("", weights), std::invalid_argument);
+  EXPECT_THROW(Conversation("", weights), protocol::RequestError);
   Conversation run("");
-  EXPECT_THROW(run.advance(1, kDt), std::invalid_argument);
-  EXPECT_THROW(run.advance(0, -kDt), std::invalid_argument);
+  EXPECT_THROW(run.advance(0, -kDt), protocol::RequestError);
   run.advance(0, kDt);
-  EXPECT_THROW(run.advance(1, 2 * kDt), std::invalid_argument);
-  EXPECT_THROW(run.advance(1, kDt, {1, 2}), std::invalid_argument);
+  EXPECT_THROW(run.advance(1, 2 * kDt), protocol::RequestError);
+  EXPECT_THROW(run.advance(1, kDt, {1, 2}), protocol::RequestError);
   wire::Couple couple;
   couple.add_points(1);
   wire::Operator op;
-  EXPECT_THROW(run.participant.couple(couple, op), std::invalid_argument);
+  EXPECT_THROW(run.participant.couple(couple, op), protocol::RequestError);
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include <gmock/gmock.h>
 
-#include <stdexcept>
 #include <thread>
 
 #include "protocol/errors.hpp"
@@ -87,19 +86,19 @@ TEST_F(ConversationTest, StaticsComeBeforeTime) {
   ask(wire::Frame::kSetup);
   ask(wire::Frame::kWeights);
   advance(0, true);
-  EXPECT_THROW(advance(0, true), std::logic_error);
+  EXPECT_THROW(advance(0, true), RequestError);
   advance(1, true);
-  EXPECT_THROW(advance(2, false), std::logic_error);
+  EXPECT_THROW(advance(2, false), RequestError);
   advance(0, false);
-  EXPECT_THROW(advance(0, false), std::logic_error);
-  EXPECT_THROW(advance(1, true), std::logic_error);
+  EXPECT_THROW(advance(0, false), RequestError);
+  EXPECT_THROW(advance(1, true), RequestError);
   advance(1, false);
 }
 
 TEST_F(ConversationTest, RefusesWhatIsOutOfOrder) {
   using Kind = wire::Frame::ContentCase;
   const auto refuses = [&](Kind kind, std::uint64_t step = 0) {
-    EXPECT_THROW(ask(kind, step), std::logic_error) << "kind " << kind;
+    EXPECT_THROW(ask(kind, step), RequestError) << "kind " << kind;
   };
   for (const Kind kind : {Kind::kWeights, Kind::kCouple, Kind::kAdvance, Kind::kSnapshotRequest,
                           Kind::kFinish, Kind::kHello, Kind::kModel}) {
@@ -187,7 +186,7 @@ TEST_F(ConversationTest, RefusesASkippedStep) {
   try {
     ask(wire::Frame::kAdvance, 2);
     FAIL() << "accepted";
-  } catch (const std::logic_error& error) {
+  } catch (const RequestError& error) {
     EXPECT_THAT(error.what(), HasSubstr("advance to step 2"));
     EXPECT_THAT(error.what(), HasSubstr("next step: 1"));
   }

@@ -181,7 +181,7 @@ TEST(Server, ReportsErrorsOfTheRestOfAStep) {
 TEST(Server, ReportsARequestOutOfOrder) {
   const Server server;
   Client client(server);
-  EXPECT_THAT(message_of<PeerLost>([&] { client.finish(); }), HasSubstr("request out of order: finish"));
+  EXPECT_THAT(message_of<RequestError>([&] { client.finish(); }), HasSubstr("request out of order: finish"));
 }
 
 TEST(Server, SurvivesAClientThatSpeaksAnotherProtocol) {

@@ -1,0 +1,94 @@
+#include "protocol/participant/stepped_participant.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "protocol/errors.hpp"
+#include "protocol/messages/spans.hpp"
+
+namespace adit::protocol {
+
+void SteppedParticipant::advance(const wire::Advance& request, wire::Predicted& predicted) {
+  check(request);
+  correct_last_step(request.impulses());
+  take_peaks_due();
+  if (last_.relax && !request.relax()) start_over();
+  if (request.relax()) relax(request, *predicted.mutable_relaxation());
+
+  const Step step{request.step(), request.dt(), request.relax(), request.stop()};
+  prepare(step, request);
+  if (request.want_peaks()) remember_for_peaks();
+  const bool whole =
+      coupling_points() == 0 || request.relax() || request.want_energies() || request.want_histories();
+  step_interface(step);
+  if (whole) step_interior(step);
+  last_ = step;
+  started_ = true;
+  corrected_ = false;
+  peaks_due_ = request.want_peaks();
+  interior_left_ = !whole;
+
+  predicted.set_step(step.number);
+  read_velocities(resize(*predicted.mutable_velocities(), 2 * coupling_points()));
+  read_events(predicted);
+  if (request.relax()) predicted.mutable_relaxation()->set_kinetic_energy(kinetic_energy());
+  if (request.want_energies()) read_energies(step, *predicted.mutable_energies());
+  if (request.want_histories()) read_histories(step, *predicted.mutable_histories());
+}
+
+void SteppedParticipant::complete() {
+  if (!interior_left_) return;
+  interior_left_ = false;
+  step_interior(last_);
+}
+
+void SteppedParticipant::snapshot(const wire::SnapshotRequest& request, wire::Snapshot& snapshot) {
+  correct_last_step(request.impulses());
+  if (coupling_points() == 0 || corrected_) take_peaks_due();
+  draw(snapshot);
+}
+
+void SteppedParticipant::relax(const wire::Advance& request, wire::Relaxation& answer) {
+  measure_unrest(started_ ? last_ : Step{0, request.dt()}, answer);
+  if (request.stop()) stop();
+  excavate(request.stage());
+}
+
+void SteppedParticipant::take_peaks_due() {
+  if (!peaks_due_) return;
+  peaks_due_ = false;
+  take_peaks(last_);
+}
+
+void SteppedParticipant::correct_last_step(const google::protobuf::RepeatedField<double>& impulses) {
+  if (impulses.empty()) return;
+  const auto count = static_cast<std::size_t>(impulses.size());
+  if (!started_) throw RequestError("impulses came before the first step, which has nothing to correct");
+  if (corrected_)
+    throw RequestError(
+        fmt::format("impulses came twice to correct step {}; send them once, with the next "
+                    "step or with a snapshot before it",
+                    last_.number));
+  if (count != 2 * coupling_points())
+    throw RequestError(fmt::format("{} impulse components came for {} coupling points; send two for each",
+                                   count, coupling_points()));
+  correct(view(impulses));
+  corrected_ = true;
+}
+
+// Statics and time may have different steps, and either begins with step 0.
+void SteppedParticipant::check(const wire::Advance& request) const {
+  const double dt = request.dt();
+  if (!(dt > 0) || !std::isfinite(dt))
+    throw RequestError(
+        fmt::format("step {}: dt is {} s; send a positive, finite number", request.step(), dt));
+  if (request.step() > 0 && dt != last_.dt)
+    throw RequestError(fmt::format("step {}: dt is {} s, but it was {} s in the step before; keep it",
+                                   request.step(), dt, last_.dt));
+  if (!request.relax() && (request.stop() || request.stage() > 0))
+    throw RequestError(fmt::format("step {}: `stop` or `stage` came without `relax`; only statics know them",
+                                   request.step()));
+}
+
+}  // namespace adit::protocol

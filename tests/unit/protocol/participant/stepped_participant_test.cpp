@@ -1,0 +1,315 @@
+// Requirements on the steps of every participant (wire.proto, Advance): the order in which they are computed,
+// what is refused, what statics leave behind, when peaks are taken and what may come after the answer.
+#include "protocol/participant/stepped_participant.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+
+#include "protocol/errors.hpp"
+
+namespace adit::protocol {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr double kDt = 0.5, kMass = 2, kForce = 8;
+
+// A point mass under a steady force, with one coupling point at its place. It notes what it is asked for.
+class PointMass : public SteppedParticipant {
+ public:
+  void set_up(const wire::Setup&, wire::Model&) override {}
+  void weigh(const wire::Weights&, wire::Interface&) override {}
+  void couple(const wire::Couple&, wire::Operator&) override { points_ = 1; }
+  void finish(wire::Bye&) override {}
+
+  std::vector<std::string> calls;
+  std::vector<double> peaks;  // velocities that entered them
+
+ private:
+  void note(const std::string& call) { calls.push_back(call); }
+
+  std::size_t coupling_points() const override { return points_; }
+  void correct(std::span<const double> impulses) override {
+    note("correct");
+    velocity_ += impulses[0] / kMass;
+  }
+  void measure_unrest(const Step& last, wire::Relaxation& answer) override {
+    note(fmt::format("measure_unrest {}", last.number));
+    answer.set_unbalanced_force(kMass * velocity_ / last.kick());
+  }
+  double kinetic_energy() const override { return kMass * velocity_ * velocity_ / 2; }
+  void stop() override {
+    note("stop");
+    velocity_ = 0;
+  }
+  void excavate(std::uint32_t stage) override { note(fmt::format("excavate {}", stage)); }
+  void start_over() override {
+    note("start_over");
+    velocity_ = 0;
+  }
+  void remember_for_peaks() override { note("remember_for_peaks"); }
+  void take_peaks(const Step& step) override {
+    note(fmt::format("take_peaks {}", step.number));
+    peaks.push_back(velocity_);
+  }
+  void prepare(const Step& step, const wire::Advance&) override {
+    note(fmt::format("prepare {}", step.number));
+  }
+  void step_interface(const Step& step) override {
+    note(fmt::format("step_interface {}", step.number));
+    velocity_ += step.kick() * kForce / kMass;
+  }
+  void step_interior(const Step& step) override { note(fmt::format("step_interior {}", step.number)); }
+  void read_velocities(std::span<double> velocities) const override {
+    if (!velocities.empty()) velocities[0] = velocity_;
+  }
+  void read_energies(const Step&, wire::Energies& energies) override {
+    energies.set_kinetic(kinetic_energy());
+  }
+  void read_histories(const Step& step, google::protobuf::RepeatedField<double>& values) override {
+    values.Add(step.time());
+  }
+  void draw(wire::Snapshot& snapshot) override {
+    note("draw");
+    snapshot.add_pieces()->add_points(velocity_);
+  }
+
+  std::size_t points_ = 0;
+  double velocity_ = 0;
+};
+
+// A run of it, asked as the coupler asks.
+struct PointRun {
+  PointMass participant;
+  Conversation conversation{participant};
+  wire::Frame reply;
+
+  explicit PointRun(bool coupled = true) {
+    wire::Frame request;
+    request.mutable_setup();
+    conversation.answer(request, reply);
+    request.mutable_weights();
+    conversation.answer(request, reply);
+    if (!coupled) return;
+    request.mutable_couple();
+    conversation.answer(request, reply);
+  }
+
+  const wire::Predicted& advance(const wire::Advance& advance) {
+    participant.calls.clear();
+    wire::Frame request;
+    *request.mutable_advance() = advance;
+    conversation.answer(request, reply);
+    return reply.predicted();
+  }
+  double draw(std::initializer_list<double> impulses = {}) {
+    participant.calls.clear();
+    wire::Frame request;
+    request.mutable_snapshot_request()->mutable_impulses()->Assign(impulses.begin(), impulses.end());
+    conversation.answer(request, reply);
+    return reply.snapshot().pieces(0).points(0);
+  }
+  std::vector<std::string> rest() {
+    participant.calls.clear();
+    conversation.complete();
+    return participant.calls;
+  }
+};
+
+wire::Advance step(std::uint64_t number, std::initializer_list<double> impulses = {}) {
+  wire::Advance advance;
+  advance.set_step(number);
+  advance.set_dt(kDt);
+  advance.mutable_impulses()->Assign(impulses.begin(), impulses.end());
+  return advance;
+}
+
+wire::Advance relaxing(std::uint64_t number, std::initializer_list<double> impulses = {}) {
+  wire::Advance advance = step(number, impulses);
+  advance.set_relax(true);
+  return advance;
+}
+
+// Impulses belong to the step before: they come first, and what the step overwrites is remembered after them.
+TEST(SteppedParticipant, CorrectsBeforeItSteps) {
+  PointRun run;
+  run.advance(step(0));
+  EXPECT_THAT(run.participant.calls, ElementsAre("prepare 0", "step_interface 0"));
+  EXPECT_EQ(run.reply.predicted().velocities(0), kDt / 2 * kForce / kMass) << "half a kick from rest";
+  run.conversation.complete();
+  const double predicted = run.advance(step(1, {6, 0})).velocities(0);
+  EXPECT_THAT(run.participant.calls, ElementsAre("correct", "prepare 1", "step_interface 1"));
+  EXPECT_EQ(predicted, (kDt / 2 + kDt) * kForce / kMass + 6 / kMass);
+}
+
+// A coupled participant computes the rest of a step after its answer, unless something needs all of it.
+TEST(SteppedParticipant, LeavesTheInteriorUntilTheAnswerWasSent) {
+  PointRun run;
+  run.advance(step(0));
+  EXPECT_THAT(run.rest(), ElementsAre("step_interior 0"));
+  EXPECT_THAT(run.rest(), ElementsAre()) << "once";
+
+  wire::Advance energies = step(1), histories = step(2);
+  energies.set_want_energies(true);
+  histories.set_want_histories(true);
+  for (const wire::Advance& wanted : {energies, histories}) {
+    run.advance(wanted);
+    EXPECT_EQ(run.participant.calls.back(), fmt::format("step_interior {}", wanted.step()));
+    EXPECT_THAT(run.rest(), ElementsAre());
+  }
+  EXPECT_THAT(run.reply.predicted().histories(), ElementsAre(2 * kDt));
+
+  PointRun alone(false);
+  EXPECT_EQ(alone.advance(step(0)).velocities_size(), 0);
+  EXPECT_EQ(alone.participant.calls.back(), "step_interior 0") << "nobody waits for the answer";
+}
+
+// Peaks are those of final velocities: after the correction, which comes with the next step or a snapshot.
+TEST(SteppedParticipant, TakesPeaksOfTheCorrectedStep) {
+  PointRun run;
+  wire::Advance wanted = step(0);
+  wanted.set_want_peaks(true);
+  run.advance(wanted);
+  EXPECT_THAT(run.participant.calls, ElementsAre("prepare 0", "remember_for_peaks", "step_interface 0"));
+  run.draw();
+  EXPECT_THAT(run.participant.peaks, ElementsAre()) << "the correction may still come";
+  run.draw({6, 0});
+  EXPECT_THAT(run.participant.calls, ElementsAre("correct", "take_peaks 0", "draw"));
+  const double corrected = kDt / 2 * kForce / kMass + 6 / kMass;
+  EXPECT_THAT(run.participant.peaks, ElementsAre(corrected));
+  run.draw();
+  EXPECT_EQ(run.participant.peaks.size(), 1u) << "a step enters once";
+
+  wanted.set_step(1);
+  run.advance(wanted);
+  run.advance(step(2, {2, 0}));
+  EXPECT_THAT(run.participant.peaks, ElementsAre(corrected, corrected + kDt * kForce / kMass + 2 / kMass));
+  run.advance(step(3, {2, 0}));
+  EXPECT_EQ(run.participant.peaks.size(), 2u) << "step 2 was not wanted";
+}
+
+// Without a coupling there is no correction to wait for.
+TEST(SteppedParticipant, TakesPeaksInASnapshotWhereItIsAlone) {
+  PointRun alone(false);
+  wire::Advance wanted = step(0);
+  wanted.set_want_peaks(true);
+  alone.advance(wanted);
+  alone.draw();
+  EXPECT_THAT(alone.participant.calls, ElementsAre("take_peaks 0", "draw"));
+}
+
+// Statics: the unrest is that of the corrected step before, a stop comes after it and before the step.
+TEST(SteppedParticipant, RelaxesInTheOrderOfTheWire) {
+  PointRun run;
+  EXPECT_EQ(run.advance(relaxing(0)).relaxation().unbalanced_force(), 0);
+  const double velocity = kDt / 2 * kForce / kMass;
+  EXPECT_EQ(run.reply.predicted().relaxation().kinetic_energy(), kMass * velocity * velocity / 2);
+  EXPECT_EQ(run.participant.calls.back(), "step_interior 0") << "the energy is that of the whole";
+
+  wire::Advance stopping = relaxing(1, {6, 0});
+  stopping.set_stop(true);
+  stopping.set_stage(2);
+  const wire::Relaxation& relaxation = run.advance(stopping).relaxation();
+  EXPECT_THAT(run.participant.calls, ElementsAre("correct", "measure_unrest 0", "stop", "excavate 2",
+                                                 "prepare 1", "step_interface 1", "step_interior 1"));
+  EXPECT_EQ(relaxation.unbalanced_force(), kMass * (velocity + 6 / kMass) / (kDt / 2));
+  EXPECT_EQ(relaxation.kinetic_energy(), kMass * velocity * velocity / 2) << "from rest, half a kick";
+}
+
+// The impulses that come with the first step of time correct the last one of statics, and leave no trace:
+// time starts from rest with them as without.
+TEST(SteppedParticipant, TimeStartsFromRestWhateverCorrectsTheLastStepOfStatics) {
+  PointRun with, without;
+  for (PointRun* run : {&with, &without}) {
+    run->advance(relaxing(0));
+    run->advance(relaxing(1, {6, 0}));
+  }
+  with.advance(step(0, {6, 0}));
+  without.advance(step(0));
+  EXPECT_THAT(with.participant.calls, ElementsAre("correct", "start_over", "prepare 0", "step_interface 0"));
+  EXPECT_THAT(without.participant.calls, ElementsAre("start_over", "prepare 0", "step_interface 0"));
+  EXPECT_EQ(with.reply.predicted().velocities(0), kDt / 2 * kForce / kMass);
+  EXPECT_EQ(without.reply.predicted().velocities(0), kDt / 2 * kForce / kMass);
+  with.rest();
+  with.advance(step(1, {6, 0}));
+  EXPECT_THAT(with.participant.calls, ElementsAre("correct", "prepare 1", "step_interface 1")) << "once";
+}
+
+void expect_refused(PointRun& run, const wire::Advance& advance, const std::string& text) {
+  try {
+    run.advance(advance);
+    FAIL() << "accepted, instead of: " << text;
+  } catch (const RequestError& error) {
+    EXPECT_THAT(error.what(), HasSubstr(text));
+    EXPECT_THAT(run.participant.calls, ElementsAre()) << "nothing is computed";
+  }
+}
+
+TEST(SteppedParticipant, RefusesImpulsesBeforeTheFirstStep) {
+  for (const wire::Advance& first : {step(0, {1, 2}), relaxing(0, {1, 2})}) {
+    PointRun run;
+    expect_refused(run, first, "before the first step");
+  }
+}
+
+TEST(SteppedParticipant, RefusesImpulsesThatDoNotFitTheCouplingPoints) {
+  PointRun coupled, alone(false);
+  for (PointRun* run : {&coupled, &alone}) run->advance(step(0));
+  for (PointRun* run : {&coupled, &alone}) run->conversation.complete();
+  expect_refused(coupled, step(1, {1, 2, 3}), "3 impulse components came for 1 coupling points");
+  expect_refused(alone, step(1, {1, 2}), "2 impulse components came for 0 coupling points");
+}
+
+// What a snapshot corrected is final.
+TEST(SteppedParticipant, RefusesToCorrectAStepTwice) {
+  PointRun run;
+  run.advance(step(0));
+  run.draw({1, 2});
+  expect_refused(run, step(1, {1, 2}), "twice to correct step 0");
+  EXPECT_THROW(run.draw({1, 2}), RequestError);
+  run.advance(step(1));
+  run.advance(step(2, {1, 2}));
+}
+
+TEST(SteppedParticipant, RefusesATimeStepThatIsNoTimeStep) {
+  for (const double dt : {0.0, -kDt, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    PointRun run;
+    wire::Advance first = step(0);
+    first.set_dt(dt);
+    expect_refused(run, first, "send a positive, finite number");
+  }
+}
+
+// dt is one number in statics and another one in time, where the scene has substeps.
+TEST(SteppedParticipant, RefusesATimeStepThatChanges) {
+  const auto longer = [](wire::Advance advance) {
+    advance.set_dt(2 * kDt);
+    return advance;
+  };
+  PointRun run;
+  run.advance(relaxing(0));
+  run.rest();
+  run.participant.calls.clear();
+  expect_refused(run, longer(relaxing(1)), "dt is 1 s, but it was 0.5 s in the step before");
+  run.advance(longer(step(0)));
+  run.rest();
+  expect_refused(run, step(1), "dt is 0.5 s, but it was 1 s in the step before");
+  run.advance(longer(step(1)));
+}
+
+TEST(SteppedParticipant, RefusesStopAndStageOutsideStatics) {
+  wire::Advance stopping = step(0), excavating = step(0);
+  stopping.set_stop(true);
+  excavating.set_stage(1);
+  for (const wire::Advance& advance : {stopping, excavating}) {
+    PointRun run;
+    expect_refused(run, advance, "came without `relax`");
+  }
+}
+
+}  // namespace
+}  // namespace adit::protocol

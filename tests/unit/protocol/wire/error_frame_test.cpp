@@ -1,0 +1,38 @@
+// Requirement: an error is thrown at the other end as what it was thrown as at the first.
+#include "protocol/wire/error_frame.hpp"
+
+#include <gmock/gmock.h>
+
+namespace adit::protocol {
+namespace {
+
+// The message that arrives as an exception of the same kind; empty for another kind.
+template <class Cause>
+std::string arrives(const Cause& cause) {
+  wire::Error error;
+  fill_error(cause, error);
+  try {
+    throw_error("fdm_server", error);
+  } catch (const Cause& arrived) {
+    return arrived.what();
+  } catch (const std::exception&) {
+    return "";
+  }
+}
+
+TEST(ErrorFrame, KeepsItsKind) {
+  EXPECT_EQ(arrives(UserError("material", "is missing")), "is missing");
+  EXPECT_EQ(arrives(Unstable("step 3")), "fdm_server: step 3");
+  EXPECT_EQ(arrives(RequestError("2 impulses came")), "fdm_server cannot answer: 2 impulses came");
+}
+
+// A bug of the sender ends the conversation, not the receiver's program with a bug of its own.
+TEST(ErrorFrame, ABugOfTheSenderLosesThePeer) {
+  wire::Error error;
+  fill_error(std::logic_error("no such zone"), error);
+  EXPECT_EQ(error.kind(), wire::Error::INTERNAL);
+  EXPECT_THROW(throw_error("fdm_server", error), PeerLost);
+}
+
+}  // namespace
+}  // namespace adit::protocol
