@@ -136,6 +136,9 @@ void run(const scene::Scene& scene, std::vector<Side> sides, const RunLabels& la
 void check(const scene::Scene& scene, std::vector<Side> sides) {
   Model model = set_up(scene, std::move(sides), "check/" + scene.name());
   const MotionOutputs motions(model, Schedule(model).interval());
+  for (const Side& side : model.sides)
+    if (!side.model.engine().empty())
+      fmt::print("the engine of {} is {}\n", side.member.name, side.model.engine());
   finish(model);
 }
 

@@ -52,6 +52,7 @@ RunSummary::RunSummary(const RunLabels& labels, const Model& model) : model_(mod
   summary_.set("zones", counts.zones());
   summary_.set("grid_points", counts.grid_points());
   summary_.set("coupling_points", model.coupling_points.size() / 2);
+  add_engines();
   add_notes();
   if (model.interfaces.empty()) return;
   summary_.set("solve", protocol::lower_case(scene::Solve_Name(model.interfaces[0].given.solve())));
@@ -61,6 +62,14 @@ RunSummary::RunSummary(const RunLabels& labels, const Model& model) : model_(mod
   summary_.set("overlap_particles_begin_y_m", overlap.particles_begin().y());
   summary_.set("overlap_continuum_ends_x_m", overlap.continuum_ends().x());
   summary_.set("overlap_continuum_ends_y_m", overlap.continuum_ends().y());
+}
+
+void RunSummary::add_engines() {
+  for (const Side& side : model_.sides) {
+    if (side.model.engine().empty()) continue;
+    summary_.set(side.member.name + "_engine", side.model.engine());
+    lines_.push_back(fmt::format("engine             {}: {}", side.member.name, side.model.engine()));
+  }
 }
 
 void RunSummary::add_notes() {

@@ -44,6 +44,7 @@ class RunSummary {
 
  private:
   // What the participants say of their models.
+  void add_engines();
   void add_notes();
   void add_findings(const Findings& findings);
   void add_event(const std::string& name, const Event& event, bool happened);

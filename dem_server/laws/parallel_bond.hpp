@@ -11,7 +11,7 @@
 #include <cmath>
 
 #include "dem_server/laws/encounter.hpp"
-#include "dem_server/particles/assembly.hpp"
+#include "dem_server/laws/bond_state.hpp"
 
 namespace adit::dem {
 

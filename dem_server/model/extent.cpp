@@ -4,8 +4,8 @@
 
 namespace adit::dem {
 
-Rectangle extent_of(const Discs& d) {
-  Rectangle box{d.x[0], d.x[0], d.y[0], d.y[0]};
+geometry::BoundingBox extent_of(const Discs& d) {
+  geometry::BoundingBox box{d.x[0], d.x[0], d.y[0], d.y[0]};
   for (std::size_t i = 0; i < d.size(); ++i) {
     box.x_min = std::min(box.x_min, d.x[i] - d.radius[i]);
     box.x_max = std::max(box.x_max, d.x[i] + d.radius[i]);

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "dem_server/packing/discs.hpp"
-#include "dem_server/packing/hexagonal.hpp"
+#include "protocol/geometry/bounding_box.hpp"
 
 namespace adit::dem {
 
 // The box around at least one disc.
-Rectangle extent_of(const Discs& discs);
+geometry::BoundingBox extent_of(const Discs& discs);
 
 }  // namespace adit::dem

@@ -1,8 +1,9 @@
-// What a scene with discs of any size describes, at rest: discs, what joins them, what they touch. The scene
-// is read into it (read_model.hpp), the solver computes it (solver.hpp).
+// What the particles of a scene describe, at rest: discs, what joins them, what they touch, what acts on them.
+// The scene is read into it (reading/read_model.hpp), an overlap weighs it (weigh.hpp), engines compute it.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -12,24 +13,30 @@
 #include "dem_server/laws/parallel_bond.hpp"
 #include "dem_server/laws/smooth_joint.hpp"
 #include "dem_server/packing/discs.hpp"
-#include "protocol/messages/scene.pb.h"
+#include "protocol/geometry/bounding_box.hpp"
 
 namespace adit::dem {
 
 inline constexpr double kUnbreakable = std::numeric_limits<double>::infinity();
 
+// The factor of a load or a motion at a time [s].
+using TimeFactor = std::function<double(double time)>;
+
 // A contact bond: springs at the touching point, without a moment of their own.
 struct ContactBond {
   double normal_stiffness, shear_stiffness;                               // [N/m]
   double tensile_strength = kUnbreakable, shear_strength = kUnbreakable;  // [N]
+  bool operator==(const ContactBond&) const = default;
 };
 
-// Two joined discs, first < second. Exactly one law is given beside the contact that remains when it breaks.
-struct Joined {
+// What joins two discs, first < second. Exactly one law is given beside the contact that remains when it
+// breaks.
+struct Bond {
   std::uint32_t first, second;
   enum class Law : std::uint8_t { kContactBond, kParallelBond, kSmoothJoint } law;
   std::uint32_t number;   // of the law among the model's laws of its kind
   double nx = 0, ny = 0;  // of a smooth joint: its plane's unit normal, from the first to the second side
+  double weight = 1;      // energy weight
 };
 
 // Rigid, straight, between two ends; discs touch it from either side.
@@ -38,7 +45,7 @@ struct MovingWall {
   double x_1, y_1, x_2, y_2;  // at rest [m]
   LinearContact contact;
   double vx, vy;  // [m/s], times
-  scene::TimeFunction time;
+  TimeFactor time;
 };
 
 // Between the centres of two discs; N = pretension + stiffness (L - L0), at least 0 where it knows tension
@@ -56,26 +63,66 @@ struct EdgeDashpot {
   double damping_x, damping_y;  // [N s/m]
 };
 
+// On some discs, times a factor: a force that they share equally, or an acceleration of each.
+struct Load {
+  enum class Kind : std::uint8_t { kForce, kAcceleration } kind;
+  std::vector<std::uint32_t> discs;  // ascending
+  double x, y;                       // [N] or [m/s^2]
+  TimeFactor time;
+  std::string path;  // in the scene
+};
+
+enum class Component : std::uint8_t { kX, kY, kSpin };
+
+// Some discs have this velocity [m/s] or spin [rad/s], times a factor. No component of a disc is prescribed
+// twice.
+struct PrescribedMotion {
+  Component component;
+  std::vector<std::uint32_t> discs;  // ascending
+  double amplitude;
+  TimeFactor time;
+  std::string path;  // in the scene
+};
+
+// The stress before anything acts, tension positive: at y = 0, and its growth with y.
+struct InitialStress {
+  double xx = 0, yy = 0, xy = 0;                // [Pa]
+  double xx_per_metre = 0, yy_per_metre = 0;  // [Pa/m]
+};
+
 struct Model {
   Discs discs;
-  std::vector<double> mass, inertia;  // [kg], [kg m^2]
-  std::vector<std::uint32_t> group;   // of each disc, in group_names; 0 is the model's own
+  std::vector<double> mass;          // without weight [kg]
+  std::vector<double> weight;        // energy weight of each disc
+  std::vector<std::uint32_t> id;     // of each disc: its place in the packing
+  std::vector<std::uint32_t> group;  // of each disc, in group_names; 0 is the model's own
   std::vector<std::string> group_names;
+  geometry::BoundingBox extent{};    // of the solid [m]
 
-  std::vector<Joined> joined;  // ascending by first, then by second
+  std::vector<Bond> bonds;  // of a hexagonal packing row by row, in a row by direction; else ascending
   std::vector<ContactBond> contact_bonds;
   std::vector<ParallelBond> parallel_bonds;  // by group or joint and width: equal ones once
   std::vector<SmoothJoint> smooth_joints;
 
-  // Contacts of discs of groups i and j: contacts[i * groups + j], symmetric.
-  std::vector<LinearContact> contacts;
+  std::vector<LinearContact> contacts;  // of discs of two groups, see contact()
   // Overlaps at the start bear no force; else the contacts do, and so do contact bonds that begin compressed.
   bool overlaps_free = true;
   std::vector<MovingWall> walls;
   std::vector<Spring> springs;
   std::vector<EdgeDashpot> edges;
+  std::vector<Load> loads;  // forces, then accelerations
+  std::vector<PrescribedMotion> motions;
+  std::optional<InitialStress> initial_stress;
   double local_damping = 0, viscous_damping = 0;  // share, [1/s]
   std::vector<std::string> notes;                 // for the user: what was packed, what was taken away
+
+  std::uint32_t groups() const { return group_names.empty() ? 1 : static_cast<std::uint32_t>(group_names.size()); }
+  // Number in `contacts` of the law between discs of two groups; the table is symmetric.
+  std::uint32_t contact_number(std::uint32_t group_1, std::uint32_t group_2) const {
+    return group_1 * groups() + group_2;
+  }
+  // Moment of inertia of a disc without its weight, m R^2 / 2 [kg m^2].
+  double inertia(std::size_t disc) const { return mass[disc] * discs.radius[disc] * discs.radius[disc] / 2; }
 };
 
 }  // namespace adit::dem

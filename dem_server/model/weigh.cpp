@@ -1,63 +1,88 @@
 #include "dem_server/model/weigh.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
+#include <string>
+#include <vector>
 
-#include "dem_server/engines/general/critical_step.hpp"
+#include "dem_server/model/bond_springs.hpp"
+#include "protocol/geometry/selection.hpp"
 
 namespace adit::dem {
+namespace {
 
-Weighed weigh(const Weighed& whole, const SampledWeights& weights) {
-  const Model& model = whole.model;
-  constexpr std::uint32_t kVanished = std::numeric_limits<std::uint32_t>::max();
-  Weighed out{model, {}, {}};
+constexpr std::uint32_t kVanished = std::numeric_limits<std::uint32_t>::max();
+
+// Keeps the discs whose weight is not 0. Returns the new number of each disc, or kVanished.
+std::vector<std::uint32_t> keep_discs(std::span<const double> weights, Model& model) {
   std::vector<std::uint32_t> place(model.discs.size(), kVanished);
   std::vector<bool> keep(model.discs.size());
-  std::vector<double> centre;  // weights of what stays
-  out.model.mass.clear();
-  out.model.inertia.clear();
-  out.model.group.clear();
-  for (std::uint32_t i = 0; i < model.discs.size(); ++i) {
-    if (!(keep[i] = weights.centres[i] != 0)) continue;
-    place[i] = static_cast<std::uint32_t>(out.id.size());
-    out.id.push_back(whole.id[i]);
-    centre.push_back(weights.centres[i]);
-    out.model.mass.push_back(model.mass[i]);
-    out.model.inertia.push_back(model.inertia[i]);
-    out.model.group.push_back(model.group[i]);
-  }
-  keep_only(keep, out.model.discs);
+  std::uint32_t kept = 0;
+  for (std::size_t i = 0; i < place.size(); ++i)
+    if ((keep[i] = weights[i] != 0)) place[i] = kept++;
+  keep_only(keep, model.discs);
+  keep_only(keep, model.mass, model.weight, model.id, model.group);
+  return place;
+}
 
+// Mean weight of each disc's bonds, by stiffness; that of its centre where it has none, as it comes in.
+// Stiffnesses count as shares of the largest: equal ones give the plain mean.
+void weigh_by_bonds(const std::vector<double>& stiffness, Model& model) {
+  const double largest = stiffness.empty() ? 0 : std::ranges::max(stiffness);
+  std::vector<double> sum(model.discs.size(), 0.0), weighted = sum;
+  for (std::size_t k = 0; k < model.bonds.size(); ++k)
+    for (const std::uint32_t i : {model.bonds[k].first, model.bonds[k].second}) {
+      sum[i] += stiffness[k] / largest;
+      weighted[i] += stiffness[k] / largest * model.bonds[k].weight;
+    }
+  for (std::size_t i = 0; i < sum.size(); ++i)
+    if (sum[i] > 0) model.weight[i] = weighted[i] / sum[i];
+}
+
+// Of what acts on several discs.
+template <class Condition>
+void keep_conditions(const std::vector<std::uint32_t>& place, std::vector<Condition>& conditions) {
+  for (Condition& condition : conditions) {
+    std::erase_if(condition.discs, [&](std::uint32_t disc) { return place[disc] == kVanished; });
+    if (condition.discs.empty()) protocol::refuse_empty(condition.path + ".where", "particles");
+    for (std::uint32_t& disc : condition.discs) disc = place[disc];
+  }
+}
+
+}  // namespace
+
+Model weigh(const Model& whole, const SampledWeights& weights) {
+  Model model = whole;
+  for (std::size_t i = 0; i < model.weight.size(); ++i)
+    model.weight[i] = std::max(weights.centres[i], weights.floor);
+  const auto place = keep_discs(weights.centres, model);
   const auto stays = [&](auto& pair) {
-    if (!keep[pair.first] || !keep[pair.second]) return false;
+    if (place[pair.first] == kVanished || place[pair.second] == kVanished) return false;
     pair.first = place[pair.first];
     pair.second = place[pair.second];
     return true;
   };
-  std::vector<double> stiffness(out.id.size(), 0.0), weighted = stiffness;
-  out.model.joined.clear();
-  for (std::size_t k = 0; k < model.joined.size(); ++k) {
-    Joined pair = model.joined[k];
-    if (!stays(pair)) continue;
-    const double own = stiffness_of(model, model.joined[k]),
-                 weight = std::max(weights.midpoints[k], weights.floor);
-    for (const std::uint32_t i : {pair.first, pair.second}) {
-      stiffness[i] += own;
-      weighted[i] += own * weight;
-    }
-    out.model.joined.push_back(pair);
-    out.weights.joined.push_back(weight);
+  std::vector<double> stiffness;
+  model.bonds.clear();
+  for (std::size_t k = 0; k < whole.bonds.size(); ++k) {
+    Bond bond = whole.bonds[k];
+    if (!stays(bond)) continue;
+    bond.weight = std::max(weights.midpoints[k], weights.floor);
+    model.bonds.push_back(bond);
+    const BondSprings springs = stiffest_springs(whole, whole.bonds[k]);
+    stiffness.push_back(std::max(springs.kn, springs.ks));
   }
-  for (std::size_t i = 0; i < out.id.size(); ++i)
-    out.weights.discs.push_back(stiffness[i] > 0 ? weighted[i] / stiffness[i]
-                                                 : std::max(centre[i], weights.floor));
-  std::erase_if(out.model.springs, [&](Spring& spring) { return !stays(spring); });
-  std::erase_if(out.model.edges, [&](EdgeDashpot& edge) {
-    const bool gone = !keep[edge.disc];
+  weigh_by_bonds(stiffness, model);
+  std::erase_if(model.springs, [&](Spring& spring) { return !stays(spring); });
+  std::erase_if(model.edges, [&](EdgeDashpot& edge) {
+    const bool gone = place[edge.disc] == kVanished;
     edge.disc = place[edge.disc];
     return gone;
   });
-  return out;
+  keep_conditions(place, model.loads);
+  keep_conditions(place, model.motions);
+  return model;
 }
 
 }  // namespace adit::dem

@@ -75,15 +75,6 @@ std::vector<Pair> pairs_within(const Discs& discs, double reach) {
   return in_order(discs.size(), pairs);
 }
 
-void keep_only(const std::vector<bool>& keep, Discs& discs) {
-  for (auto* column : {&discs.x, &discs.y, &discs.radius}) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < keep.size(); ++i)
-      if (keep[i]) (*column)[kept++] = (*column)[i];
-    column->resize(kept);
-  }
-}
-
 std::vector<bool> without_floaters(std::size_t discs, std::span<const Pair> contacts,
                                    std::span<const std::uint32_t> walls, std::uint32_t fewest) {
   std::vector<bool> keep(discs, true);

@@ -23,8 +23,20 @@ struct Pair {
 // then by second.
 std::vector<Pair> pairs_within(const Discs& discs, double reach);
 
-// Keeps the discs for which keep[i] is set, in their order.
-void keep_only(const std::vector<bool>& keep, Discs& discs);
+// Keeps the values for which keep[i] is set, in their order, of each of some columns.
+template <class... Columns>
+void keep_only(const std::vector<bool>& keep, Columns&... columns) {
+  const auto thin_out = [&keep](auto& column) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < column.size(); ++i)
+      if (keep[i]) column[kept++] = column[i];
+    column.resize(kept);
+  };
+  (thin_out(columns), ...);
+}
+inline void keep_only(const std::vector<bool>& keep, Discs& discs) {
+  keep_only(keep, discs.x, discs.y, discs.radius);
+}
 
 // Which discs hold their neighbours: those left when discs with fewer than `fewest` contacts are taken away
 // until there are none. Contacts are the pairs, and `walls[i]` further ones of disc i (empty: none).

@@ -19,7 +19,7 @@ constexpr double kLoose = 1e-10;
 
 }  // namespace
 
-PressedDiscs::PressedDiscs(Discs discs, const Rectangle& box)
+PressedDiscs::PressedDiscs(Discs discs, const geometry::BoundingBox& box)
     : discs_(std::move(discs)), box_(box), skin_(0.3 * *std::ranges::min_element(discs_.radius)) {
   for (auto* column : {&fx_, &fy_, &vx_, &vy_}) column->resize(discs_.size());
   list_neighbours();

@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "dem_server/packing/discs.hpp"
-#include "dem_server/packing/hexagonal.hpp"
+#include "protocol/geometry/bounding_box.hpp"
 
 namespace adit::dem {
 
 class PressedDiscs {
  public:
-  PressedDiscs(Discs discs, const Rectangle& box);
+  PressedDiscs(Discs discs, const geometry::BoundingBox& box);
 
   void scale_radii(double factor);
 
@@ -42,7 +42,7 @@ class PressedDiscs {
   Forces add_forces();
 
   Discs discs_;
-  Rectangle box_;
+  geometry::BoundingBox box_;
   double skin_;
   std::vector<Pair> neighbours_;
   std::vector<double> listed_x_, listed_y_;  // where the discs were when neighbours were listed

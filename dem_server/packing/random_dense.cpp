@@ -26,7 +26,7 @@ constexpr double kLargestGrowth = 0.02, kLooseGrowth = 0.002;
 constexpr double kJammed = 1e-3;
 constexpr std::uint32_t kFewestContacts = 3;
 
-double area(const Rectangle& box) {
+double area(const geometry::BoundingBox& box) {
   return (box.x_max - box.x_min) * (box.y_max - box.y_min);
 }
 

@@ -13,12 +13,12 @@
 #include <string>
 
 #include "dem_server/packing/discs.hpp"
-#include "dem_server/packing/hexagonal.hpp"
+#include "protocol/geometry/bounding_box.hpp"
 
 namespace adit::dem {
 
 struct RandomPacking {
-  Rectangle box;
+  geometry::BoundingBox box;
   double radius_min, radius_max;  // sizes are uniform between them [m]
   double porosity;                // of the discs as drawn; random frictionless discs jam near 0.16
   double stress;                  // isotropic, compression positive, over the contacts' normal stiffness

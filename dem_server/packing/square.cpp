@@ -4,7 +4,7 @@
 
 namespace adit::dem {
 
-Discs pack_squarely(const Rectangle& box, double radius) {
+Discs pack_squarely(const geometry::BoundingBox& box, double radius) {
   // forgiving the rounding of lengths such as 20 * 0.05
   const auto whole = [radius](double length) { return std::floor(length / (2 * radius) + 1e-6); };
   const double columns = whole(box.x_max - box.x_min), rows = whole(box.y_max - box.y_min);

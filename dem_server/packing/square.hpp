@@ -2,12 +2,12 @@
 #pragma once
 
 #include "dem_server/packing/discs.hpp"
-#include "dem_server/packing/hexagonal.hpp"
+#include "protocol/geometry/bounding_box.hpp"
 
 namespace adit::dem {
 
 // As many columns and rows 2 R wide as fit, centred in the box; row by row from below, each from left to
 // right.
-Discs pack_squarely(const Rectangle& box, double radius);
+Discs pack_squarely(const geometry::BoundingBox& box, double radius);
 
 }  // namespace adit::dem

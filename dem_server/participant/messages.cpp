@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "protocol/errors.hpp"
 
@@ -13,12 +12,6 @@ void assign(google::protobuf::RepeatedField<double>& field, std::span<const doub
   field.Assign(values.begin(), values.end());
 }
 
-std::span<const double> view(const google::protobuf::RepeatedField<double>& field) {
-  return {field.data(), static_cast<std::size_t>(field.size())};
-}
-
-// Weights of the particles' centres and the bonds' midpoints, from one list in the order of the sample
-// points.
 SampledWeights split_weights(const wire::Weights& sent, std::size_t centres, std::size_t midpoints) {
   const auto& all = sent.weights();
   if (static_cast<std::size_t>(all.size()) != centres + midpoints)
@@ -42,21 +35,24 @@ void report(const Crack& crack, std::uint64_t step, wire::Crack& to) {
   to.set_parent_b(crack.parent_b);
 }
 
-void check_impulses(std::span<const double> impulses, std::size_t points, const protocol::Step& last) {
-  if (last.dt == 0)
-    throw protocol::RequestError("impulses came before the first step, which has nothing to correct");
-  if (impulses.size() != 2 * points)
-    throw protocol::RequestError(
-        fmt::format("{} impulses came for {} coupling points", impulses.size(), points));
+void report(const Strongest& strongest, std::uint64_t step, wire::BondForce& to) {
+  to.set_step(step);
+  to.set_force(strongest.force);
+  to.set_x(strongest.x);
+  to.set_y(strongest.y);
 }
 
-double checked_dt(const wire::Advance& advance, double before) {
-  const double dt = advance.dt();
-  if (advance.step() == 0) before = dt;
-  if (!(dt > 0) || !std::isfinite(dt) || dt != before)
-    throw protocol::RequestError(fmt::format(
-        "advance: dt is {} s; it must be positive and the same in every step (it was {} s)", dt, before));
-  return dt;
+void report(const Energies& energies, wire::Energies& to) {
+  to.set_kinetic(energies.kinetic);
+  to.set_strain(energies.strain);
+  to.set_external_work(energies.external_work);
+  to.set_released(energies.released);
+  to.set_dissipated(energies.dissipated);
+  for (const auto& [name, value] : energies.shares) {
+    wire::EnergyShare& share = *to.add_shares();
+    share.set_name(name);
+    share.set_value(value);
+  }
 }
 
 }  // namespace adit::dem

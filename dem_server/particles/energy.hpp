@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "dem_server/particles/assembly.hpp"
+#include "dem_server/particles/particles.hpp"
 
 namespace adit::dem {
 

@@ -1,21 +1,19 @@
-// Forces on particles from the scene: loads shared equally by what a box selects, body loads by mass.
+// Forces of the model's loads on particles: forces shared equally, accelerations by mass.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "dem_server/particles/assembly.hpp"
-#include "protocol/messages/scene.pb.h"
+#include "dem_server/model/model.hpp"
+#include "dem_server/particles/particles.hpp"
 #include "protocol/participant/step.hpp"
 
 namespace adit::dem {
 
 class Loads {
  public:
-  // Resolves the boxes among the particles that exist, at rest. UserError at particles.loads[i] and
-  // particles.body_loads[i].
-  Loads(const scene::Particles& scene, const Particles& particles, double tolerance);
   Loads() = default;
+  Loads(const Model& model, const Particles& particles);
 
   // Takes the shares of the chosen particles out, before the first step.
   Loads take(const std::vector<bool>& chosen);
@@ -27,19 +25,24 @@ class Loads {
   // dt v(n-1/2) (f(n-1) + f(n)) / 2, to work().
   void apply(const protocol::Step& step, Particles& particles);
 
-  double work() const { return work_; }  // [J]
-  void start_over() { work_ = 0; }
+  // Of forces and of accelerations since the start [J].
+  struct Work {
+    double forces = 0, accelerations = 0;
+  };
+  const Work& work() const { return work_; }
+  void start_over() { work_ = {}; }
 
  private:
-  struct Load {
+  struct Shared {
+    Load::Kind kind;
     std::vector<std::uint32_t> particles;
     std::vector<double> share;  // force = share * (x, y) * factor
     double x, y;
-    scene::TimeFunction time;
+    TimeFactor time;
     double factor = 0;  // at the last step
   };
-  std::vector<Load> loads_;
-  double work_ = 0;
+  std::vector<Shared> loads_;
+  Work work_;
 };
 
 }  // namespace adit::dem

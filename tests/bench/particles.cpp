@@ -3,23 +3,22 @@
 //
 //   particles KIND DISCS ROWS THREADS
 //
-// KIND: lattice, equal discs with contact bonds; contact_bonds and parallel_bonds, discs of any size.
+// KIND: lattice, the engine of equal discs with contact bonds; contact_bonds and parallel_bonds, the general one.
 #include <malloc.h>
 
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <limits>
+#include <map>
+#include <memory>
 #include <numbers>
 #include <string>
 
-#include "dem_server/engines/general/arrange.hpp"
-#include "dem_server/engines/general/critical_step.hpp"
-#include "dem_server/engines/general/solver.hpp"
-#include "dem_server/engines/lattice/contacts.hpp"
-#include "dem_server/engines/lattice/critical_step.hpp"
-#include "dem_server/engines/lattice/sweep.hpp"
+#include "dem_server/engines/general/general_engine.hpp"
+#include "dem_server/engines/lattice/lattice_engine.hpp"
+#include "dem_server/model/lattice.hpp"
+#include "dem_server/packing/hexagonal.hpp"
 #include "protocol/threads/vector_clones.hpp"
 #include "tests/bench/measure.hpp"
 
@@ -27,7 +26,6 @@ namespace {
 
 using namespace adit;
 
-constexpr double kUnbreakable = std::numeric_limits<double>::infinity();
 constexpr double kNormal = 1.8e10, kShear = 6e9, kCellMass = 2000, kRadius = 0.5;
 
 // What a step must read and write, once each, and the sums and products of a bond-step: the law, what it adds
@@ -44,10 +42,6 @@ constexpr double kBytesOfShape = 3 * sizeof(std::uint32_t) + 4 * sizeof(double);
 constexpr Costs kContactBonds{kBytesOfDisc, kBytesOfShape + 4 * sizeof(double), 49 + 8 + 9};
 constexpr Costs kParallelBonds{kBytesOfDisc, kBytesOfShape + 6 * sizeof(double), 73 + 8 + 9};
 
-dem::Packing packed(std::uint32_t discs, std::uint32_t rows) {
-  return dem::pack_hexagonally({0, 1.0 * discs, 0, std::numbers::sqrt3 / 2 * rows}, kRadius);
-}
-
 void stir(dem::Particles& p) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     p.vx[i] = 1e-3 * std::sin(p.x[i] + 0.3 * p.y[i]);
@@ -60,63 +54,49 @@ double heap_bytes() {
   return static_cast<double>(info.uordblks + info.hblkhd);
 }
 
-struct Lattice {
-  dem::Assembly assembly;
-  dem::Contacts contacts;
-  dem::Sweep sweep;
-  protocol::Team team;
-  dem::BondLaw law{{kNormal, kShear}, kUnbreakable, kUnbreakable};
-  double dt;
-  std::uint64_t next = 1;
-  std::vector<std::uint32_t> broken;
-
-  Lattice(const dem::Packing& packing, std::size_t threads)
-      : assembly(dem::assemble(packing, kCellMass)),
-        contacts(assembly),
-        sweep(assembly.bonds.runs, std::vector(assembly.particles.size(), dem::Role::kSwept),
-              std::vector<bool>(assembly.particles.size(), true), threads),
-        team(threads),
-        dt(0.5 * dem::critical_step(assembly, law.stiffness)) {
-    stir(assembly.particles);
-  }
-  void step() {
-    const protocol::Step step{next++, dt};
-    dem::ContactResult result;
-    contacts.update(dt, assembly);
-    contacts.moved(dt, sweep.run(team, law, step, assembly, result, broken));
-    sweep.predict(team, step.kick(), assembly.particles);
-  }
-};
-
-dem::Model model_of(const dem::Packing& packing, bool parallel) {
+// A beam of touching discs: contact bonds with contacts without friction, or parallel bonds beside contacts with
+// friction.
+dem::Model beam_of(const std::string& kind, std::uint32_t discs, std::uint32_t rows) {
+  const double height = std::numbers::sqrt3 / 2 * rows;
+  dem::HexagonalLattice lattice = dem::pack_hexagonally({0, 1.0 * discs, 0, height}, kRadius);
+  const bool parallel = kind == "parallel_bonds";
   dem::Model model;
-  const std::size_t size = packing.x.size();
-  model.discs = {packing.x, packing.y, std::vector(size, kRadius)};
+  const std::size_t size = lattice.discs.size();
+  model.discs = std::move(lattice.discs);
+  model.extent = lattice.cells;
   model.mass.assign(size, kCellMass);
-  model.inertia.assign(size, kCellMass * kRadius * kRadius / 2);
+  model.weight.assign(size, 1);
   model.group.assign(size, 0);
-  model.group_names = {""};
-  model.contacts = {{kNormal, kShear, 0.5}};
-  model.contact_bonds = {{kNormal, kShear, kUnbreakable, kUnbreakable}};
-  model.parallel_bonds = {{kNormal, kShear, kRadius, kUnbreakable, kUnbreakable, 0}};
-  for (const dem::Link& link : packing.links)
-    model.joined.push_back({std::min(link.first, link.second), std::max(link.first, link.second),
-                            parallel ? dem::Joined::Law::kParallelBond : dem::Joined::Law::kContactBond, 0});
-  dem::arrange(model);
+  for (std::uint32_t i = 0; i < size; ++i) model.id.push_back(i);
+  model.contacts = {{kNormal, kShear, kind == "lattice" ? 0 : 0.5}};
+  model.contact_bonds = {{kNormal, kShear}};
+  model.parallel_bonds = {{kNormal, kShear, kRadius, dem::kUnbreakable, dem::kUnbreakable, 0}};
+  const auto law = parallel ? dem::Bond::Law::kParallelBond : dem::Bond::Law::kContactBond;
+  for (const dem::Pair& pair : dem::pairs_within(model.discs, 1e-6 * kRadius))
+    model.bonds.push_back({pair.first, pair.second, law, 0});
+  dem::sort_by_rows(model);
   return model;
 }
 
-struct Discs {
+struct Beam {
+  std::unique_ptr<dem::LocalEngine> engine;
   double dt;
-  dem::Solver solver;
-  dem::Motions motions;
   std::uint64_t next = 1;
 
-  Discs(const dem::Model& model, std::size_t threads)
-      : dt(0.5 * dem::critical_step(model)), solver(model, threads) {
-    stir(solver.particles());
+  Beam(const dem::Model& model, bool lattice, std::size_t threads) {
+    if (lattice)
+      engine = std::make_unique<dem::LatticeEngine>(model, threads);
+    else
+      engine = std::make_unique<dem::GeneralEngine>(model, threads);
+    dt = 0.5 * engine->critical_step();
+    stir(engine->particles());
   }
-  void step() { solver.step({next++, dt}, {}, motions); }
+  void step() {
+    const protocol::Step step{next++, dt};
+    engine->prepare(false);
+    engine->step_interface(step);
+    engine->step_interior(step);
+  }
 };
 
 constexpr std::size_t kInCache = 1024;
@@ -147,11 +127,11 @@ double seconds_a_pass(void (*pass)(const double*, double*), int passes) {
          passes;
 }
 
-template <class Beam, class Description>
-void measure(const Description& description, double particles, double bonds, const Costs& costs,
-             std::size_t threads) {
+void measure(const dem::Model& model, bool lattice, const Costs& costs, std::size_t threads) {
+  const auto particles = static_cast<double>(model.discs.size()),
+             bonds = static_cast<double>(model.bonds.size());
   const double empty = heap_bytes();
-  Beam beam(description, threads);
+  Beam beam(model, lattice, threads);
   const double held = heap_bytes() - empty;
   const double traffic = particles * costs.bytes_of_particle + bonds * costs.bytes_of_bond;
   bench::Triad triad(traffic, threads);
@@ -179,19 +159,13 @@ void measure(const Description& description, double particles, double bonds, con
 
 int main(int argc, char** argv) {
   const std::string kind = argc == 5 ? argv[1] : "";
-  const bool parallel = kind == "parallel_bonds";
-  if (kind != "lattice" && kind != "contact_bonds" && !parallel) {
+  const std::map<std::string, Costs> costs{
+      {"lattice", kLattice}, {"contact_bonds", kContactBonds}, {"parallel_bonds", kParallelBonds}};
+  if (!costs.contains(kind)) {
     std::fprintf(stderr, "usage: particles lattice|contact_bonds|parallel_bonds DISCS ROWS THREADS\n");
     return 2;
   }
   const auto number = [argv](int k) { return static_cast<std::uint32_t>(std::atoi(argv[k])); };
-  const dem::Packing packing = packed(number(2), number(3));
-  const auto particles = static_cast<double>(packing.x.size()),
-             bonds = static_cast<double>(packing.links.size());
-  if (kind == "lattice")
-    measure<Lattice>(packing, particles, bonds, kLattice, number(4));
-  else
-    measure<Discs>(model_of(packing, parallel), particles, bonds, parallel ? kParallelBonds : kContactBonds,
-                   number(4));
+  measure(beam_of(kind, number(2), number(3)), kind == "lattice", costs.at(kind), number(4));
   return 0;
 }

@@ -9,7 +9,7 @@
 
 #include "coupler/sides/set_up.hpp"
 #include "coupler/sides/side.hpp"
-#include "dem_server/participant/any_participant.hpp"
+#include "dem_server/participant/participant.hpp"
 #include "fdm_server/participant/participant.hpp"
 #include "protocol/participant/participant.hpp"
 
@@ -43,7 +43,7 @@ inline std::vector<coupler::Side> local_sides(const scene::Scene& scene) {
     if (member.role == coupler::Role::kContinuum)
       side.peer = std::make_unique<LocalPeer>("fdm_server", std::make_unique<fdm::FdmParticipant>());
     else
-      side.peer = std::make_unique<LocalPeer>("dem_server", std::make_unique<dem::AnyParticipant>());
+      side.peer = std::make_unique<LocalPeer>("dem_server", std::make_unique<dem::DemParticipant>());
   }
   return sides;
 }

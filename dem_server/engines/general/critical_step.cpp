@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "dem_server/model/bond_springs.hpp"
+
 namespace adit::dem {
 namespace {
 
@@ -23,31 +25,12 @@ struct Share {
   std::vector<double> stretch, turn;
 };
 
-std::uint32_t group_count(const Model& model) {
-  return static_cast<std::uint32_t>(std::max<std::size_t>(model.group_names.size(), 1));
-}
-
-// The largest springs that the cement, the contact beside it or the contact after it have.
-Element element_of(const Model& model, const Joined& pair) {
-  const std::uint32_t i = pair.first, j = pair.second;
+Element element_of(const Model& model, const Bond& bond) {
+  const std::uint32_t i = bond.first, j = bond.second;
   const double length = std::hypot(model.discs.x[j] - model.discs.x[i], model.discs.y[j] - model.discs.y[i]);
   const double arm_1 = (length + model.discs.radius[i] - model.discs.radius[j]) / 2;
-  Element e{i, j, 0, 0, 0, arm_1, length - arm_1};
-  const LinearContact& contact = model.contacts[model.group[i] * group_count(model) + model.group[j]];
-  if (pair.law == Joined::Law::kContactBond) {
-    const ContactBond& bond = model.contact_bonds[pair.number];
-    e.kn = std::max(bond.normal_stiffness, contact.normal_stiffness);
-    e.ks = std::max(bond.shear_stiffness, contact.shear_stiffness);
-  } else if (pair.law == Joined::Law::kParallelBond) {
-    const ParallelBond& bond = model.parallel_bonds[pair.number];
-    e.kn = bond.normal_stiffness * bond.area() + contact.normal_stiffness;
-    e.ks = bond.shear_stiffness * bond.area() + contact.shear_stiffness;
-    e.km = bond.normal_stiffness * bond.second_moment();
-  } else {  // its two springs pull in any direction
-    const SmoothJoint& joint = model.smooth_joints[pair.number];
-    e.kn = e.ks = (joint.normal_stiffness + joint.shear_stiffness) * joint.length;
-  }
-  return e;
+  const BondSprings springs = stiffest_springs(model, bond);
+  return {i, j, springs.kn, springs.ks, springs.km, arm_1, length - arm_1};
 }
 
 std::uint32_t most_neighbours(double radius, double smallest) {
@@ -71,19 +54,14 @@ double highest(const Element& e, const Share& share) {
 
 }  // namespace
 
-double stiffness_of(const Model& model, const Joined& pair) {
-  return element_of(model, pair).k();
-}
-
 double critical_step(const Model& model) {
   const std::size_t size = model.discs.size();
-  const std::uint32_t groups = group_count(model);
   std::vector<Element> elements;
   std::vector<std::uint32_t> joined(size, 0);
-  for (const Joined& pair : model.joined) {
-    elements.push_back(element_of(model, pair));
-    ++joined[pair.first];
-    ++joined[pair.second];
+  for (const Bond& bond : model.bonds) {
+    elements.push_back(element_of(model, bond));
+    ++joined[bond.first];
+    ++joined[bond.second];
   }
   for (const Spring& spring : model.springs)
     elements.push_back({spring.first, spring.second, spring.stiffness, 0, 0, 0, 0});
@@ -106,8 +84,8 @@ double critical_step(const Model& model) {
   double one_stretch = 0, one_slip = 0;  // a disc's part of that of a contact
   for (std::uint32_t i = 0; i < size; ++i) {
     double kn = 0, ks = 0;
-    for (std::uint32_t g = 0; g < groups; ++g) {
-      const LinearContact& contact = model.contacts[model.group[i] * groups + g];
+    for (std::uint32_t g = 0; g < model.groups(); ++g) {
+      const LinearContact& contact = model.contacts[model.contact_number(model.group[i], g)];
       kn = std::max(kn, contact.normal_stiffness);
       ks = std::max(ks, contact.shear_stiffness);
     }
@@ -117,7 +95,7 @@ double critical_step(const Model& model) {
     share.stretch[i] += free * std::max(kn, ks) + walls * std::max(wall_kn, wall_ks);
     share.turn[i] += (free * ks + walls * wall_ks) * radius * radius;
     share.stretch[i] /= model.mass[i];
-    share.turn[i] /= model.inertia[i];
+    share.turn[i] /= model.inertia(i);
     if (free + walls == 0) continue;
     const double slip = share.stretch[i] + share.turn[i];
     largest = std::max(largest, slip);  // on a wall

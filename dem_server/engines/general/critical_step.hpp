@@ -17,7 +17,4 @@ namespace adit::dem {
 // Of a model with at least one disc; infinite where nothing has a stiffness [s].
 double critical_step(const Model& model);
 
-// What a joined pair may pull with in any state: k = max(kn, ks) as above [N/m].
-double stiffness_of(const Model& model, const Joined& pair);
-
 }  // namespace adit::dem

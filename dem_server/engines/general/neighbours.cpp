@@ -49,8 +49,8 @@ Neighbours::Neighbours(const Particles& particles, std::vector<double> radius, s
 }
 
 bool Neighbours::update(const Particles& particles) {
-  if (travel_.most() > skin_ / 2) travel_.measure(particles);
-  if (travel_.most() + std::max(travel_.most(), walls_travelled_) <= skin_) return false;
+  if (moved_.most() > skin_ / 2) moved_.measure(particles);
+  if (moved_.most() + std::max(moved_.most(), walls_travelled_) <= skin_) return false;
   list(particles);
   return true;
 }
@@ -58,7 +58,7 @@ bool Neighbours::update(const Particles& particles) {
 void Neighbours::list(const Particles& p) {
   Pairs fresh;
   auto joined = joined_.begin();
-  for (const Pair& pair : pairs_within(travel_.start(p, radius_), skin_)) {
+  for (const Pair& pair : pairs_within(moved_.start(p, radius_), skin_)) {
     while (joined != joined_.end() && before(*joined, pair)) ++joined;
     if (joined != joined_.end() && *joined == pair) continue;
     fresh.first.push_back(pair.first);

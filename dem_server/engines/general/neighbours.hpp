@@ -12,7 +12,7 @@
 
 #include "dem_server/engines/general/pairs.hpp"
 #include "dem_server/packing/discs.hpp"
-#include "dem_server/particles/travel.hpp"
+#include "dem_server/particles/displacement_bound.hpp"
 
 namespace adit::dem {
 
@@ -27,7 +27,7 @@ class Neighbours {
 
   // A step moved the discs, and walls, by at most this [m].
   void moved(double farthest, double farthest_wall) {
-    travel_.add(farthest);
+    moved_.add(farthest);
     walls_travelled_ += farthest_wall;
   }
   // Before the forces: makes a new list where all have moved so far that the old one may miss a contact.
@@ -48,7 +48,7 @@ class Neighbours {
   std::uint32_t groups_ = 1, first_law_ = 0;
   bool dashpots_ = false;
   Pairs pairs_;
-  Travel travel_;               // of the discs since the list was made
+  DisplacementBound moved_;     // of the discs since the list was made
   double skin_ = 0;             // [m]
   double walls_travelled_ = 0;  // at most, by any wall since the list was made [m]
   std::uint64_t lists_ = 0;

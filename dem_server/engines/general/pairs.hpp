@@ -20,7 +20,8 @@
 #include <vector>
 
 #include "dem_server/laws/linear_contact.hpp"
-#include "dem_server/particles/assembly.hpp"
+#include "dem_server/laws/bond_state.hpp"
+#include "dem_server/particles/particles.hpp"
 
 namespace adit::dem {
 

@@ -5,8 +5,8 @@
 #include <bit>
 #include <cmath>
 
-#include "dem_server/engines/general/bodies.hpp"
-#include "dem_server/particles/motion.hpp"
+#include "dem_server/engines/general/build_arrays.hpp"
+#include "dem_server/particles/integrate.hpp"
 
 namespace adit::dem {
 namespace {
@@ -21,9 +21,8 @@ protocol::IndexRange range_of(std::uint32_t block, std::size_t discs) {
 
 }  // namespace
 
-Solver::Solver(const Model& model, std::size_t threads, const ModelWeights& weights)
-    : particles_(particles_of(model, weights.discs)),
-      radius_(model.discs.radius),
+Solver::Solver(const Model& model, std::size_t threads)
+    : particles_(at_rest(model)),
       springs_(model.springs),
       damping_(model.local_damping, model.viscous_damping, model.edges, particles_),
       edges_(model.edges),
@@ -31,26 +30,26 @@ Solver::Solver(const Model& model, std::size_t threads, const ModelWeights& weig
       support_y_(edges_.size()),
       team_(std::make_unique<protocol::Team>(threads)),
       results_(blocks_of(particles_.size())) {
-  Bonded bonded = bonds_of(model, weights.joined);
+  Bonded bonded = bonds_of(model);
   laws_ = std::move(bonded.laws);
   bonds_ = std::move(bonded.bonds);
-  joined_of_bond_ = std::move(bonded.joined_of_bond);
+  bond_of_pair_ = std::move(bonded.bond_of_pair);
   joints_ = Joints(std::move(bonded.joints));
   std::vector<Pair> joined;
-  for (const Joined& pair : model.joined) joined.push_back({pair.first, pair.second});
-  const auto groups = static_cast<std::uint32_t>(std::max<std::size_t>(model.group_names.size(), 1));
-  neighbours_ = Neighbours(particles_, radius_, std::move(joined), model.group, groups,
+  for (const Bond& bond : model.bonds) joined.push_back({bond.first, bond.second});
+  neighbours_ = Neighbours(particles_, model.discs.radius, std::move(joined), model.group, model.groups(),
                            bonded.first_contact_law, bonded.dashpots, model.overlaps_free);
-  walls_ = WallContacts(model.walls, radius_, particles_, neighbours_.skin(), model.overlaps_free);
+  walls_ =
+      WallContacts(model.walls, model.discs.radius, particles_, neighbours_.skin(), model.overlaps_free);
   for (auto* pulled : {&pulled_x_, &pulled_y_, &pulled_moment_}) pulled->assign(particles_.size(), 0.0);
   strain_at_start_ = strain_energy();
 }
 
-void Solver::step(const protocol::Step& step, std::span<Loads* const> loads, Motions& motions) {
+void Solver::step(const protocol::Step& step, Loads& loads, PrescribedMotions& motions) {
   const double dt = step.from_rest() ? 0 : step.dt;
   move(step);
   pull(dt);
-  for (Loads* load : loads) load->apply(step, particles_);
+  loads.apply(step, particles_);
   support_edges(step.relax, dt);
   team_->run(results_.size(), [&](std::size_t block, std::size_t) {
     const auto [begin, end] = range_of(static_cast<std::uint32_t>(block), particles_.size());
@@ -146,7 +145,7 @@ void Solver::take_results() {
   strongest_ = find_strongest();
 }
 
-Solver::Strongest Solver::find_strongest() const {
+Strongest Solver::find_strongest() const {
   const bool bonded = bonds_.size() > 0;
   const Pairs& pairs = bonded ? bonds_ : neighbours_.pairs();
   const PullResult* best = nullptr;
@@ -161,15 +160,8 @@ Solver::Strongest Solver::find_strongest() const {
           (particles_.y[i] + particles_.y[j]) / 2};
 }
 
-void Solver::stop() {
-  for (auto* velocity : {&particles_.vx, &particles_.vy, &particles_.spin}) std::ranges::fill(*velocity, 0.0);
-  walls_.stop();
-}
-
 void Solver::start_over() {
-  stop();
-  particles_.settled_x = particles_.ux;
-  particles_.settled_y = particles_.uy;
+  walls_.stop();
   ledger_ = {};
   walls_.start_over();
   springs_.start_over();

@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "dem_server/engines/answers.hpp"
 #include "dem_server/engines/general/forces/damping.hpp"
 #include "dem_server/engines/general/forces/joints.hpp"
 #include "dem_server/engines/general/forces/spring_forces.hpp"
@@ -23,19 +24,14 @@
 #include "dem_server/engines/general/pair_state.hpp"
 #include "dem_server/engines/general/pull.hpp"
 #include "dem_server/model/model.hpp"
-#include "dem_server/particles/assembly.hpp"
+#include "dem_server/particles/particles.hpp"
+#include "dem_server/particles/prescribed_motions.hpp"
 #include "dem_server/particles/energy.hpp"
 #include "dem_server/particles/loads.hpp"
-#include "dem_server/particles/motions.hpp"
 #include "protocol/participant/step.hpp"
 #include "protocol/threads/team.hpp"
 
 namespace adit::dem {
-
-// Energy weights of what exists, 1 where empty: of the discs, of model.joined.
-struct ModelWeights {
-  std::vector<double> discs, joined;
-};
 
 // Since the start [J]. `pairs`: work of all pairs, joints, springs and walls on the discs.
 struct DiscLedger {
@@ -46,19 +42,18 @@ struct DiscLedger {
 
 class Solver {
  public:
-  Solver(const Model& model, std::size_t threads, const ModelWeights& weights = {});
+  Solver(const Model& model, std::size_t threads);
 
-  // One whole step. `loads` and `motions` are those of the scene, in this order.
-  void step(const protocol::Step& step, std::span<Loads* const> loads, Motions& motions);
-  // All velocities become 0.
-  void stop();
-  // The first step that does not relax is next: ledgers start from 0; quiet edges are let go and carry what
-  // held them.
+  // One whole step.
+  void step(const protocol::Step& step, Loads& loads, PrescribedMotions& motions);
+  // The particles were stopped: so are the walls.
+  void stop() { walls_.stop(); }
+  // The particles were stopped, and the first step that does not relax is next: ledgers start from 0; quiet
+  // edges are let go and carry what held them.
   void start_over();
 
   Particles& particles() { return particles_; }
   const Particles& particles() const { return particles_; }
-  std::span<const double> radius() const { return radius_; }
   const Pairs& bonds() const { return bonds_; }
   const Pairs& contacts() const { return neighbours_.pairs(); }
   const Neighbours& neighbours() const { return neighbours_; }
@@ -66,16 +61,12 @@ class Solver {
   const SpringForces& springs() const { return springs_; }
   const Joints& joints() const { return joints_; }
   std::span<const PairLaw> laws() const { return laws_; }
-  // Which of model.joined a bond is.
-  std::span<const std::uint32_t> joined_of_bond() const { return joined_of_bond_; }
+  // Which of model.bonds a pair is.
+  std::span<const std::uint32_t> bond_of_pair() const { return bond_of_pair_; }
 
   // Bonds that broke in the last step, ascending.
   std::span<const std::uint32_t> broken() const { return broken_; }
-  // The largest normal force of a bond, or where there are none of a contact, in the last step [N], and
-  // where.
-  struct Strongest {
-    double force = 0, x = 0, y = 0;
-  };
+  // In the last step.
   const Strongest& strongest() const { return strongest_; }
 
   // Sum over bonds, contacts, joints and springs of |force|, weighted [N].
@@ -101,10 +92,9 @@ class Solver {
   Strongest find_strongest() const;
 
   Particles particles_;
-  std::vector<double> radius_;
   std::vector<PairLaw> laws_;
   Pairs bonds_;
-  std::vector<std::uint32_t> joined_of_bond_;
+  std::vector<std::uint32_t> bond_of_pair_;
   Neighbours neighbours_;
   Joints joints_;
   SpringForces springs_;

@@ -201,9 +201,9 @@ void add_contact_forces(const BondLaw& law, double dt, std::span<const Run> runs
   result.max_normal_force = std::bit_cast<double>(max_bits);
 }
 
-void find_normal_forces(const BondLaw& law, const Particles& particles, Bonds& bonds) {
-  for (const Run& run : bonds.runs)
-    find_normal_forces(law, run, particles, bonds, &bonds.normal_force[run.begin]);
+void find_normal_forces(const BondLaw& law, const Particles& particles, const Bonds& bonds,
+                        std::span<double> normal) {
+  for (const Run& run : bonds.runs) find_normal_forces(law, run, particles, bonds, &normal[run.begin]);
 }
 
 double strain_energy(const BondLaw& law, std::span<const Run> runs, const Particles& particles,
@@ -237,7 +237,7 @@ ContactResult compute_contact_forces(const BondLaw& law, double dt, Particles& p
   clear({&all, 1}, resultants_of(particles));
   ContactResult result;
   add_contact_forces(law, dt, bonds.runs, particles, bonds, resultants_of(particles), result, broken);
-  find_normal_forces(law, particles, bonds);
+  find_normal_forces(law, particles, bonds, bonds.normal_force);
   return result;
 }
 

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "dem_server/model/calibration.hpp"
-#include "dem_server/particles/assembly.hpp"
+#include "dem_server/engines/lattice/assembly.hpp"
 #include "protocol/threads/index_ranges.hpp"
 
 namespace adit::dem {
@@ -50,9 +50,10 @@ void add_contact_forces(const BondLaw& law, double dt, std::span<const Run> runs
                         Bonds& bonds, const Resultants& resultants, ContactResult& result,
                         std::vector<std::uint32_t>& broken);
 
-// Notes the present normal forces of all bonds, which add_contact_forces does not keep: they follow from the
-// displacements.
-void find_normal_forces(const BondLaw& law, const Particles& particles, Bonds& bonds);
+// The present normal forces of all bonds, unweighted [N], which add_contact_forces does not keep: they follow
+// from the displacements.
+void find_normal_forces(const BondLaw& law, const Particles& particles, const Bonds& bonds,
+                        std::span<double> normal);
 
 // Stored in the runs' bonds, weighted [J]: normal forces follow from the displacements, shear forces are as
 // noted.

@@ -25,24 +25,24 @@ double weight_of(const Pair& pair, const Particles& p) {
 }  // namespace
 
 Contacts::Contacts(const Assembly& assembly)
-    : partners_(assembly.bonds, assembly.particles.size()), skin_(kSkin * assembly.bonds.rest_length / 2) {
+    : bonded_(ends_of(assembly.bonds), assembly.particles.size()), skin_(kSkin * assembly.bonds.rest_length / 2) {
   list(assembly);
 }
 
 bool Contacts::update(double dt, const Assembly& assembly) {
   // The next step will hardly be twice as fast as the last one.
   const double allowed = skin_ / 2 - 2 * dt * speed_;
-  if (travel_.most() <= allowed) return false;
-  travel_.measure(assembly.particles);
-  if (travel_.most() <= allowed) return false;
+  if (moved_.most() <= allowed) return false;
+  moved_.measure(assembly.particles);
+  if (moved_.most() <= allowed) return false;
   list(assembly);
   return true;
 }
 
 void Contacts::list(const Assembly& assembly) {
   const Particles& p = assembly.particles;
-  pairs_ = pairs_within(travel_.start(p, std::vector(p.size(), assembly.bonds.rest_length / 2)), skin_);
-  std::erase_if(pairs_, [&](const Pair& pair) { return partners_.joined(pair.first, pair.second); });
+  pairs_ = pairs_within(moved_.start(p, std::vector(p.size(), assembly.bonds.rest_length / 2)), skin_);
+  std::erase_if(pairs_, [&](const Pair& pair) { return bonded_.bonded(pair.first, pair.second); });
   ++lists_;
 }
 

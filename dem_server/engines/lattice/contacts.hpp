@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "dem_server/packing/discs.hpp"
-#include "dem_server/particles/assembly.hpp"
-#include "dem_server/particles/partners.hpp"
-#include "dem_server/particles/travel.hpp"
+#include "dem_server/engines/lattice/assembly.hpp"
+#include "dem_server/particles/bonded_neighbours.hpp"
+#include "dem_server/particles/displacement_bound.hpp"
 
 namespace adit::dem {
 
@@ -28,7 +28,7 @@ class Contacts {
   bool update(double dt, const Assembly& assembly);
   // Of a step of dt the largest speed at which a particle moved [m/s].
   void moved(double dt, double speed) {
-    travel_.add(dt * speed);
+    moved_.add(dt * speed);
     speed_ = speed;
   }
 
@@ -38,9 +38,9 @@ class Contacts {
  private:
   void list(const Assembly& assembly);
 
-  Partners partners_;
+  BondedNeighbours bonded_;
   std::vector<Pair> pairs_;
-  Travel travel_;     // since the list was made
+  DisplacementBound moved_;  // since the list was made
   double skin_ = 0;   // [m]
   double speed_ = 0;  // of the last step
   std::uint64_t lists_ = 0;

@@ -11,7 +11,7 @@
 #pragma once
 
 #include "dem_server/model/calibration.hpp"
-#include "dem_server/particles/assembly.hpp"
+#include "dem_server/engines/lattice/assembly.hpp"
 
 namespace adit::dem {
 

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
-#include "dem_server/particles/motion.hpp"
+#include "dem_server/particles/integrate.hpp"
 
 namespace adit::dem {
 namespace {
@@ -45,11 +44,6 @@ void pour(const IndexRange& range, std::uint32_t first, std::vector<double>& fro
 }
 
 }  // namespace
-
-std::size_t useful_threads(std::size_t particles) {
-  return std::clamp<std::size_t>(particles / kLeastBlock, 1,
-                                 std::max(1u, std::thread::hardware_concurrency()));
-}
 
 Sweep::Sweep(std::span<const Run> runs, std::span<const Role> roles, const std::vector<bool>& moved,
              std::size_t threads)

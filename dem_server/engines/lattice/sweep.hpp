@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "dem_server/engines/lattice/contact_forces.hpp"
-#include "dem_server/particles/assembly.hpp"
+#include "dem_server/engines/lattice/assembly.hpp"
 #include "protocol/participant/step.hpp"
 #include "protocol/threads/index_ranges.hpp"
 #include "protocol/threads/team.hpp"
@@ -29,9 +29,6 @@ enum class Role : std::uint8_t {
   kKept,     // adds to the resultants, for predict() to take with what else is added there
   kSwept,    // predicts it at once: nothing else pulls on it
 };
-
-// How many threads of this machine are worth calling for so many particles.
-std::size_t useful_threads(std::size_t particles);
 
 class Sweep {
  public:

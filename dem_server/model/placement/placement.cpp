@@ -10,8 +10,10 @@
 #include <numeric>
 
 #include "dem_server/model/calibration.hpp"
+#include "dem_server/model/extent.hpp"
 #include "dem_server/model/placement/placed_table.hpp"
 #include "dem_server/model/placement/scene_checks.hpp"
+#include "dem_server/packing/hexagonal.hpp"
 #include "dem_server/packing/random_dense.hpp"
 #include "dem_server/packing/square.hpp"
 #include "protocol/errors.hpp"
@@ -26,30 +28,33 @@ using Notes = std::vector<std::string>;
 // Stress over normal stiffness above which discs overlap by more than a tenth of their radii.
 constexpr double kLargestStress = 0.1;
 
-Placement lattice(Discs discs, double cell) {
-  std::vector<double> cells(discs.size(), cell);
-  return {std::move(discs), std::move(cells), {}};
-}
-
 Placement hexagonal(const scene::HexagonalPacking& wanted) {
   const std::string path = "particles.packing";
   const double radius = wanted.radius();
   require_positive(radius, path + ".radius", "m");
-  const Rectangle box = checked_box(wanted, path);
+  const geometry::BoundingBox box = checked_box(wanted, path);
   require_room_for(count_hexagonal(box, radius), radius, path + ".radius");
-  Packing packing = pack_hexagonally(box, radius);
-  std::vector<double> radii(packing.x.size(), radius);
-  return lattice({std::move(packing.x), std::move(packing.y), std::move(radii)}, cell_mass(1, radius));
+  HexagonalLattice lattice = pack_hexagonally(box, radius);
+  if (lattice.discs.size() == 0)
+    throw UserError(
+        path, fmt::format("a box of {} m x {} m holds 0 particle(s) of radius {} m (a row is sqrt(3) R high, a "
+                          "disc 2 R wide); enlarge the box or reduce the radius",
+                          box.x_max - box.x_min, box.y_max - box.y_min, radius));
+  return {std::move(lattice.discs), cell_mass, lattice.cells, {}};
 }
 
 Placement square(const scene::SquarePacking& wanted) {
   const std::string path = "particles.square_packing";
   const double radius = wanted.radius();
   require_positive(radius, path + ".radius", "m");
-  const Rectangle box = checked_box(wanted, path);
+  const geometry::BoundingBox box = checked_box(wanted, path);
   require_room_for((box.x_max - box.x_min) * (box.y_max - box.y_min) / (4 * radius * radius), radius,
                    path + ".radius");
-  return lattice(pack_squarely(box, radius), 4 * radius * radius);
+  Discs discs = pack_squarely(box, radius);
+  if (discs.size() == 0)
+    throw UserError(path, "holds no particle; enlarge the box or reduce the radius");
+  const auto extent = extent_of(discs);
+  return {std::move(discs), [](double density, double r) { return density * (4 * r * r); }, extent, {}};
 }
 
 // Tells the user about every two seconds how far the packing is.
@@ -111,12 +116,12 @@ Placement random(const scene::RandomPacking& scene, double normal_stiffness, Not
                   grown->discs.size(), state.porosity, state.stress_x * normal_stiffness,
                   state.stress_y * normal_stiffness, scene.stress(), state.coordination, state.radius_factor,
                   state.floaters, wanted.keep_floaters ? "kept" : "taken away"));
-  Placement placement{std::move(grown->discs), {}, {}, !scene.keep_stress()};
-  const auto& radius = placement.discs.radius;
+  const auto& radius = grown->discs.radius;
   const double squares = std::inner_product(radius.begin(), radius.end(), radius.begin(), 0.0);
   const double box = (wanted.box.x_max - wanted.box.x_min) * (wanted.box.y_max - wanted.box.y_min);
-  for (const double r : radius) placement.cell.push_back(box * r * r / squares);
-  return placement;
+  const auto share_of_box = [=](double density, double r) { return density * (box * r * r / squares); };
+  const auto extent = extent_of(grown->discs);
+  return {std::move(grown->discs), share_of_box, extent, {}, !scene.keep_stress()};
 }
 
 void refuse_deep_overlaps(const Discs& discs, const std::string& path) {
@@ -144,9 +149,9 @@ Placement placed(const scene::PlacedParticles& wanted) {
   if (table.discs.size() == 0) throw UserError(path, "holds no particles; give at least one");
   require_room_for(static_cast<double>(table.discs.size()), std::ranges::min(table.discs.radius), path);
   refuse_deep_overlaps(table.discs, path);
-  std::vector<double> cell;
-  for (const double r : table.discs.radius) cell.push_back(std::numbers::pi * r * r);
-  return {std::move(table.discs), std::move(cell), std::move(table.number), false};
+  const auto extent = extent_of(table.discs);
+  const auto own_area = [](double density, double r) { return density * (std::numbers::pi * r * r); };
+  return {std::move(table.discs), own_area, extent, std::move(table.number), false};
 }
 
 Placement fill(const scene::Particles& p, double normal_stiffness, Notes& notes) {
@@ -191,14 +196,8 @@ void keep_ring(const scene::SegmentRing& ring, Placement& placement) {
 
 void Placement::keep_only(const std::vector<bool>& keep) {
   dem::keep_only(keep, discs);
-  const auto thin_out = [&keep](auto& column) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < column.size(); ++i)
-      if (keep[i]) column[kept++] = column[i];
-    column.resize(kept);
-  };
-  thin_out(cell);
-  thin_out(number);
+  if (!number.empty()) dem::keep_only(keep, number);
+  if (std::ranges::count(keep, false) > 0) extent = extent_of(discs);
 }
 
 double Placement::tolerance() const {
@@ -218,9 +217,6 @@ std::vector<std::uint32_t> select(const scene::Area& area, const Placement& plac
 
 Placement place_discs(const scene::Particles& particles, double normal_stiffness, Notes& notes) {
   Placement placement = fill(particles, normal_stiffness, notes);
-  if (placement.discs.size() == 0)
-    throw UserError(particles.has_packing() ? "particles.packing" : "particles.square_packing",
-                    "holds no particle; enlarge the box or reduce the radius");
   if (particles.has_within())
     placement.keep_only(
         flags(placement.discs.size(), select(particles.within(), placement, "particles.within")));

@@ -1,17 +1,21 @@
 // Where the scene wants discs, before they are joined.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "dem_server/packing/discs.hpp"
+#include "protocol/geometry/bounding_box.hpp"
 #include "protocol/messages/scene.pb.h"
 
 namespace adit::dem {
 
 struct Placement {
   Discs discs;
-  std::vector<double> cell;           // area of the solid that each stands for [m^2]
+  // Mass of the solid that a disc of this radius stands for [kg per metre of thickness].
+  std::function<double(double density, double radius)> mass;
+  geometry::BoundingBox extent;       // of the solid [m]
   std::vector<std::uint32_t> number;  // of each in the table it came from; empty without one
   bool overlaps_free = true;
 

@@ -38,7 +38,7 @@ void require_room_for(double particles, double radius, const std::string& path) 
                           radius, particles, kMostParticles));
 }
 
-Rectangle checked_box(const Rectangle& box, const std::string& path) {
+geometry::BoundingBox checked_box(const geometry::BoundingBox& box, const std::string& path) {
   require_extent(box.x_min, box.x_max, path, "x");
   require_extent(box.y_min, box.y_max, path, "y");
   return box;
@@ -91,39 +91,6 @@ BondStiffness checked_stiffness(const scene::Bonds& bonds, const std::string& pa
     throw UserError(path + ".shear_stiffness",
                     fmt::format("is {} N/m; give a finite number, 0 or above", stiffness.shear));
   return stiffness;
-}
-
-Packing checked_packing(const scene::Scene& scene) {
-  const std::string path = "particles.packing";
-  if (!scene.has_particles())
-    throw UserError("particles", "is missing; a dem_server needs a scene with particles");
-  if (!scene.particles().has_packing())
-    throw UserError(path, "is missing; give the box and the radius of the particles");
-  const auto& wanted = scene.particles().packing();
-  require_positive(wanted.radius(), path + ".radius", "m");
-  const Rectangle box = checked_box(wanted, path);
-  require_room_for(count_hexagonal(box, wanted.radius()), wanted.radius(), path + ".radius");
-  const Packing packing = pack_hexagonally(box, wanted.radius());
-  if (packing.links.empty())
-    throw UserError(
-        path, fmt::format(
-                  "a box of {} m x {} m holds {} particle(s) of radius {} m (a row is sqrt(3) R high, a disc "
-                  "2 R wide) and no bond; enlarge the box or reduce the radius",
-                  box.x_max - box.x_min, box.y_max - box.y_min, packing.x.size(), wanted.radius()));
-  return packing;
-}
-
-BondLaw checked_bond_law(const scene::Scene& scene) {
-  const auto& bonds = scene.particles().bonds();
-  const BondLaw law{checked_stiffness(bonds, "particles.bonds", checked_material(scene), plane_of(scene)),
-                    bonds.tensile_strength(), bonds.shear_strength()};
-  if (!(law.tensile_strength > 0))
-    throw UserError("particles.bonds.tensile_strength",
-                    fmt::format("is {} N; give a number above 0", law.tensile_strength));
-  if (!(law.shear_strength > 0))
-    throw UserError("particles.bonds.shear_strength",
-                    fmt::format("is {} N; give a number above 0", law.shear_strength));
-  return law;
 }
 
 }  // namespace adit::dem

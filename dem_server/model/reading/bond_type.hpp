@@ -8,6 +8,7 @@
 
 #include "dem_server/model/calibration.hpp"
 #include "dem_server/model/model.hpp"
+#include "protocol/messages/scene.pb.h"
 
 namespace adit::dem {
 

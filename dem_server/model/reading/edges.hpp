@@ -7,6 +7,7 @@
 
 #include "dem_server/model/model.hpp"
 #include "dem_server/model/placement/groups.hpp"
+#include "protocol/messages/scene.pb.h"
 
 namespace adit::dem {
 

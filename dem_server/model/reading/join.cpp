@@ -129,7 +129,7 @@ class Laws {
  public:
   explicit Laws(Model& model) : model_(model) {}
 
-  std::pair<Joined::Law, std::uint32_t> find(int type, const BondType& bond, double radius) {
+  std::pair<Bond::Law, std::uint32_t> find(int type, const BondType& bond, double radius) {
     const auto add = [&](auto& laws, auto law) {
       const auto [found, is_new] =
           numbers_.try_emplace({type, radius}, static_cast<std::uint32_t>(laws.size()));
@@ -138,16 +138,16 @@ class Laws {
     };
     if (const auto* contact = std::get_if<ContactBond>(&bond.law)) {
       radius = 0;  // any
-      return {Joined::Law::kContactBond, add(model_.contact_bonds, *contact)};
+      return {Bond::Law::kContactBond, add(model_.contact_bonds, *contact)};
     }
     if (const auto* parallel = std::get_if<ParallelBond>(&bond.law)) {
       ParallelBond law = *parallel;
       law.radius *= radius;
-      return {Joined::Law::kParallelBond, add(model_.parallel_bonds, law)};
+      return {Bond::Law::kParallelBond, add(model_.parallel_bonds, law)};
     }
     SmoothJoint law = std::get<SmoothJoint>(bond.law);
     law.length *= 2 * radius;
-    return {Joined::Law::kSmoothJoint, add(model_.smooth_joints, law)};
+    return {Bond::Law::kSmoothJoint, add(model_.smooth_joints, law)};
   }
 
  private:
@@ -198,13 +198,13 @@ void join(const scene::Particles& particles, const std::vector<Group>& groups, M
       parts_some[static_cast<std::size_t>(barrier)] = true;
     if (!joins(type)) continue;
     const auto [law, number] = laws.find(type, types[type], std::min(discs.radius[i], discs.radius[j]));
-    Joined joined{i, j, law, number};
-    if (law == Joined::Law::kSmoothJoint) {
+    Bond bond{i, j, law, number};
+    if (law == Bond::Law::kSmoothJoint) {
       const auto [nx, ny] = lines[static_cast<std::size_t>(barrier)].normal(discs, pair);
-      joined.nx = nx;
-      joined.ny = ny;
+      bond.nx = nx;
+      bond.ny = ny;
     }
-    model.joined.push_back(joined);
+    model.bonds.push_back(bond);
   }
   for (std::size_t k = 0; k < lines.size(); ++k)
     if (!parts_some[k])

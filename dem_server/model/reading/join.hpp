@@ -3,10 +3,11 @@
 
 #include "dem_server/model/model.hpp"
 #include "dem_server/model/placement/groups.hpp"
+#include "protocol/messages/scene.pb.h"
 
 namespace adit::dem {
 
-// Sets `joined` and the laws of the model from its discs and their groups. The rule for two discs near each
+// Sets `bonds` and the laws of the model from its discs and their groups. The rule for two discs near each
 // other: the last of `joints` whose line parts them; else the ring's joints; else `between` their groups;
 // else the bonds of their groups. UserError for joints that part nothing, groups that are unknown or joined
 // by laws of two kinds.

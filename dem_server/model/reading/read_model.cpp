@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem_server/model/lattice.hpp"
 #include "dem_server/model/placement/groups.hpp"
 #include "dem_server/model/placement/placement.hpp"
+#include "dem_server/model/reading/conditions.hpp"
 #include "dem_server/model/reading/edges.hpp"
 #include "dem_server/model/reading/join.hpp"
 #include "dem_server/model/reading/springs.hpp"
@@ -25,7 +27,7 @@ void set_particles(const scene::Particles& particles, const std::vector<Group>& 
                    const Placement& placement, Model& model) {
   model.discs = placement.discs;
   model.group = assign_groups(particles, placement);
-  model.joined.clear();
+  model.bonds.clear();
   model.contact_bonds.clear();
   model.parallel_bonds.clear();
   model.smooth_joints.clear();
@@ -34,7 +36,7 @@ void set_particles(const scene::Particles& particles, const std::vector<Group>& 
 
 void remove_floaters(const Model& model, std::vector<std::string>& notes, Placement& placement) {
   std::vector<Pair> neighbours = pairs_within(model.discs, 0);
-  for (const Joined& joined : model.joined) neighbours.push_back({joined.first, joined.second});
+  for (const Bond& bond : model.bonds) neighbours.push_back({bond.first, bond.second});
   const auto by_both = [](const Pair& a, const Pair& b) {
     return std::pair(a.first, a.second) < std::pair(b.first, b.second);
   };
@@ -52,11 +54,12 @@ void remove_floaters(const Model& model, std::vector<std::string>& notes, Placem
         fmt::format("{} particles were taken away that were joined to fewer than three others", removed));
 }
 
-void weigh(const std::vector<Group>& groups, const Placement& placement, Model& model) {
+void set_masses(const std::vector<Group>& groups, const Placement& placement, Model& model) {
   for (std::size_t i = 0; i < model.discs.size(); ++i) {
-    const double radius = model.discs.radius[i];
-    model.mass.push_back(groups[model.group[i]].material.material.density() * placement.cell[i]);
-    model.inertia.push_back(model.mass[i] * radius * radius / 2);
+    const double density = groups[model.group[i]].material.material.density();
+    model.mass.push_back(placement.mass(density, model.discs.radius[i]));
+    model.weight.push_back(1);
+    model.id.push_back(static_cast<std::uint32_t>(i));
   }
 }
 
@@ -97,17 +100,6 @@ void note_estimates(const scene::Particles& particles, const std::vector<Group>&
 
 }  // namespace
 
-bool needs_discs(const scene::Particles& p) {
-  const auto of_discs = [](const scene::History& history) {
-    return history.has_radius() || history.has_wall();
-  };
-  return !p.has_packing() || p.has_square_packing() || p.has_random_packing() || p.has_placed() ||
-         p.has_within() || p.has_ring() || p.remove_floaters() || p.groups_size() > 0 ||
-         p.between_size() > 0 || p.joints_size() > 0 || p.springs_size() > 0 || p.has_contacts() ||
-         p.walls_size() > 0 || p.quiet_size() > 0 || p.has_damping() || p.bonds().has_parallel() ||
-         p.bonds().has_reach() || std::ranges::any_of(p.histories(), of_discs);
-}
-
 Model read_model(const scene::Scene& scene) {
   if (!scene.has_particles())
     throw UserError("particles", "is missing; a dem_server needs a scene with particles");
@@ -123,11 +115,16 @@ Model read_model(const scene::Scene& scene) {
     remove_floaters(model, model.notes, placement);
     set_particles(particles, groups, placement, model);
   }
-  weigh(groups, placement, model);
+  if (particles.has_packing()) sort_by_rows(model);
+  model.extent = placement.extent;
+  set_masses(groups, placement, model);
   note_estimates(particles, groups, model);
   model.walls = read_walls(particles, groups.front());
   model.springs = read_springs(particles, model.discs);
   model.edges = read_edges(particles, groups, placement, model.group);
+  model.loads = read_loads(particles, placement);
+  model.motions = read_motions(particles, placement);
+  model.initial_stress = read_initial_stress(scene);
   return model;
 }
 

@@ -10,11 +10,9 @@
 #pragma once
 
 #include "dem_server/model/model.hpp"
+#include "protocol/messages/scene.pb.h"
 
 namespace adit::dem {
-
-// Whether the particles are more than a hexagonal lattice of equal, contact-bonded discs.
-bool needs_discs(const scene::Particles& particles);
 
 // UserError for whatever cannot be computed.
 Model read_model(const scene::Scene& scene);

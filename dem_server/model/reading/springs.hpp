@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dem_server/model/model.hpp"
+#include "protocol/messages/scene.pb.h"
 
 namespace adit::dem {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "dem_server/model/reading/conditions.hpp"
 #include "protocol/errors.hpp"
-#include "protocol/participant/time_function.hpp"
 #include "protocol/text.hpp"
 
 namespace adit::dem {
@@ -23,7 +23,6 @@ std::vector<MovingWall> read_walls(const scene::Particles& particles, const Grou
                                                   protocol::quote(wall.name())));
     if (wall.from().x() == wall.to().x() && wall.from().y() == wall.to().y())
       throw UserError(path + ".to", "is the same place as `from`; give a wall two ends");
-    protocol::check(wall.velocity().time(), path + ".velocity.time");
     const LinearContact contact =
         wall.has_contacts() ? read_contact(wall.contacts(), path + ".contacts",
                                            [&own] {
@@ -32,7 +31,7 @@ std::vector<MovingWall> read_walls(const scene::Particles& particles, const Grou
                                            })
                             : own.contact();
     walls.push_back({wall.name(), wall.from().x(), wall.from().y(), wall.to().x(), wall.to().y(), contact,
-                     wall.velocity().x(), wall.velocity().y(), wall.velocity().time()});
+                     wall.velocity().x(), wall.velocity().y(), factor_of(wall.velocity().time(), path + ".velocity.time")});
   }
   return walls;
 }

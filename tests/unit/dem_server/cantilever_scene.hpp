@@ -1,10 +1,11 @@
-// The cantilever of the paper as a scene of particles only, and a participant that runs it in process.
+// The cantilever of the paper as a scene of particles only.
 #pragma once
 
 #include <cmath>
 #include <numbers>
 
-#include "dem_server/participant/participant.hpp"
+#include "dem_server/model/calibration.hpp"
+#include "tests/unit/dem_server/in_process_run.hpp"
 
 namespace adit::dem::test {
 
@@ -41,36 +42,5 @@ inline scene::Scene cantilever_scene() {
   tip.mutable_at()->set_y(packing.y_max() / 2);
   return scene;
 }
-
-// A participant after set_up and weigh, with the messages that it answered.
-struct InProcessRun {
-  DemParticipant participant;
-  wire::Model model;
-  wire::Interface interface;
-  wire::Predicted predicted;
-  std::uint64_t next = 0;
-  double dt;
-
-  explicit InProcessRun(const scene::Scene& scene, const wire::Weights& weights = {},
-                        double dt_factor = 0.5) {
-    wire::Setup setup;
-    *setup.mutable_scene() = scene;
-    participant.set_up(setup, model);
-    participant.weigh(weights, interface);
-    dt = dt_factor * model.critical_dt();
-  }
-
-  const wire::Predicted& advance(const std::vector<double>& impulses = {}) {
-    wire::Advance request;
-    request.set_step(next++);
-    request.set_dt(dt);
-    request.mutable_impulses()->Assign(impulses.begin(), impulses.end());
-    request.set_want_energies(true);
-    request.set_want_histories(true);
-    predicted.Clear();
-    participant.advance(request, predicted);
-    return predicted;
-  }
-};
 
 }  // namespace adit::dem::test

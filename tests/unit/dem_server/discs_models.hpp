@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -22,7 +23,8 @@ inline Model loose_discs(const std::vector<std::array<double, 3>>& discs, const 
     model.discs.y.push_back(y);
     model.discs.radius.push_back(radius);
     model.mass.push_back(kSolidDensity * std::numbers::pi * radius * radius);
-    model.inertia.push_back(model.mass.back() * radius * radius / 2);
+    model.weight.push_back(1);
+    model.id.push_back(static_cast<std::uint32_t>(model.id.size()));
   }
   model.group.assign(discs.size(), 0);
   model.group_names = {""};
@@ -31,14 +33,27 @@ inline Model loose_discs(const std::vector<std::array<double, 3>>& discs, const 
 }
 
 // Joins all pairs that touch by the model's first law of this kind.
-inline void join(Model& model, Joined::Law law) {
+inline void join(Model& model, Bond::Law law) {
   for (const Pair& pair : pairs_within(model.discs, 1e-9))
-    model.joined.push_back({pair.first, pair.second, law, 0});
+    model.bonds.push_back({pair.first, pair.second, law, 0});
+}
+
+inline Loads no_loads;
+
+// All discs are accelerated by this [m/s^2].
+inline void add_gravity(Model& model, double y) {
+  std::vector<std::uint32_t> all(model.discs.size());
+  std::iota(all.begin(), all.end(), 0u);
+  model.loads.push_back({Load::Kind::kAcceleration, all, 0, y, [](double) { return 1.0; }, "body_loads"});
+}
+
+inline double always(double) {
+  return 1;
 }
 
 inline MovingWall wall(double x_1, double y_1, double x_2, double y_2, const LinearContact& contact,
                        double vx = 0, double vy = 0) {
-  return {"wall", x_1, y_1, x_2, y_2, contact, vx, vy, {}};
+  return {"wall", x_1, y_1, x_2, y_2, contact, vx, vy, always};
 }
 
 // Runs a solver without loads and motions. Numbers start at 1: no step is from rest, velocities are those of
@@ -47,7 +62,8 @@ struct Run {
   Solver solver;
   double dt;
   std::uint64_t next = 1;
-  Motions motions;
+  Loads loads;
+  PrescribedMotions motions;
   std::vector<double> before_x, before_y, before_spin;
 
   Run(const Model& model, double dt, std::size_t threads = 1) : solver(model, threads), dt(dt) {}
@@ -56,7 +72,7 @@ struct Run {
     before_x = p.vx;
     before_y = p.vy;
     before_spin = p.spin;
-    solver.step({next++, dt}, {}, motions);
+    solver.step({next++, dt}, loads, motions);
   }
   void steps(int count) {
     for (int n = 0; n < count; ++n) step();

@@ -28,12 +28,11 @@ class CrackRun {
       : model_(read_model(scene)),
         solver_(model_, threads),
         dt_(0.5 * critical_step(model_)),
-        loads_(scene.particles(), solver_.particles(), 1e-9),
-        motions_(scene.particles(), solver_.particles(), 1e-9) {}
+        loads_(model_, solver_.particles()),
+        motions_(model_, solver_.particles()) {}
 
   void step() {
-    Loads* const loads[] = {&loads_};
-    solver_.step({number_++, dt_}, loads, motions_);
+    solver_.step({number_++, dt_}, loads_, motions_);
     for (const std::uint32_t bond : solver_.broken()) cracks_.push_back(crack(bond));
   }
   double time() const { return static_cast<double>(number_) * dt_; }
@@ -60,7 +59,7 @@ class CrackRun {
   Solver solver_;
   double dt_;
   Loads loads_;
-  Motions motions_;
+  PrescribedMotions motions_;
   std::uint64_t number_ = 0;
   std::vector<Crack> cracks_;
 };

@@ -13,7 +13,7 @@ TEST(DiscsEndurance, TenMillionSteps) {
   const LinearContact contact{1e8, 5e7, 0.3};
   Model model = test::loose_discs({{0, 0, 0.1}, {0.2, 0, 0.1}, {1, 0, 0.1}}, contact);
   model.parallel_bonds = {{1e9, 4e8, 0.1, INFINITY, INFINITY, 0}};
-  test::join(model, Joined::Law::kParallelBond);
+  test::join(model, Bond::Law::kParallelBond);
   model.walls = {test::wall(0.6, -5, 0.6, 5, {1e8, 0, 0}), test::wall(2, -5, 2, 5, {1e8, 0, 0})};
   test::Run run(model, 0.2 * critical_step(model));
   Particles& p = run.solver.particles();

@@ -23,9 +23,9 @@ struct Outcome {
       0;  // of it what the discs do not book as their time step's share, over the largest stored energy
 };
 
-scene::Scene cantilever(const std::string& name, bool of_discs) {
+scene::Scene cantilever(const std::string& name, scene::Particles::Engine engine) {
   auto scene = protocol::read_scene(std::string(ADIT_CASES) + "/cantilever/" + name + ".yaml").scene;
-  if (of_discs) scene.mutable_particles()->mutable_damping()->set_local(0);
+  scene.mutable_particles()->set_engine(engine);
   return scene;
 }
 
@@ -72,8 +72,8 @@ void expect_near(const std::vector<double>& one, const std::vector<double>& othe
 class Engines : public testing::TestWithParam<const char*> {};
 
 TEST_P(Engines, AgreeOnALattice) {
-  const Outcome lattice = compute(cantilever(GetParam(), false)),
-                discs = compute(cantilever(GetParam(), true));
+  const Outcome lattice = compute(cantilever(GetParam(), scene::Particles::LATTICE)),
+                discs = compute(cantilever(GetParam(), scene::Particles::GENERAL));
   // Slip by the middle of the step (laws/encounter.hpp) is all that differs.
   expect_near(lattice.tip, discs.tip, 1e-5);
   ASSERT_EQ(lattice.cracks.size(), discs.cracks.size());
@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(Cantilever, Engines, testing::Values("full_dem", "coupl
 // Parallel bonds that crack beside contacts with friction, coupled to a continuum: the energies of both close
 // but for what the time step takes, which the discs' own books say.
 TEST(CoupledDiscs, KeepEnergyAsParallelBondsBreak) {
-  scene::Scene scene = cantilever("coupled", true);
+  scene::Scene scene = cantilever("coupled", scene::Particles::AUTOMATIC);
   const double radius = scene.particles().packing().radius();
   auto& bonds = *scene.mutable_particles()->mutable_bonds();
   bonds.Clear();

@@ -21,8 +21,7 @@
 
 #include "dem_server/engines/lattice/contact_forces.hpp"
 #include "dem_server/engines/lattice/critical_step.hpp"
-#include "dem_server/particles/assembly.hpp"
-#include "dem_server/particles/motion.hpp"
+#include "dem_server/particles/integrate.hpp"
 
 namespace adit::dem::test {
 

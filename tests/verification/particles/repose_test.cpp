@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 #include <random>
 
 #include "tests/unit/dem_server/discs_models.hpp"
@@ -34,11 +35,12 @@ Model discs_in_a_box(unsigned seed, double begin, double speed) {
   const double width = 1.25 * kColumns, height = 1.25 * kRows + 1;
   model.walls.push_back(test::wall(0, 0, 0, height, kContact));
   model.walls.push_back(test::wall(width, 0, width, height, kContact, speed));
-  auto& table = *model.walls.back().time.mutable_table();
-  for (const auto& [time, value] : {std::pair(0.0, 0.0), {begin, 0.0}, {begin + 1, 1.0}, {1e9, 1.0}}) {
-    table.add_time(time);
-    table.add_value(value);
-  }
+  model.walls.back().time = [begin](double time) { return std::clamp(time - begin, 0.0, 1.0); };
+  test::add_gravity(model, -kGravity);
+  std::vector<std::uint32_t> floor(static_cast<std::size_t>(kLength));
+  std::iota(floor.begin(), floor.end(), 0u);
+  for (const Component component : {Component::kX, Component::kY, Component::kSpin})
+    model.motions.push_back({component, floor, 0, test::always, "motions"});
   return model;
 }
 
@@ -67,18 +69,10 @@ double slope_after_release(unsigned seed) {
   const Model model = discs_in_a_box(seed, kSettled, kSpeed);
   Solver solver(model, 1);
   const Particles& p = solver.particles();
-  scene::Particles scene;
-  scene.add_body_loads()->mutable_acceleration()->set_y(-kGravity);
-  auto& floor = *scene.add_motions();
-  floor.mutable_where()->set_y_max(-0.4);
-  floor.mutable_velocity()->set_x(0);
-  floor.mutable_velocity()->set_y(0);
-  floor.set_spin(0);
-  Loads loads(scene, p, 1e-9);
-  Loads* const all[] = {&loads};
-  Motions motions(scene, p, 1e-9);
+  Loads loads(model, p);
+  PrescribedMotions motions(model, p);
   const double dt = 0.7 * critical_step(model);
-  for (std::uint64_t n = 0; static_cast<double>(n) * dt < kEnd; ++n) solver.step({n, dt}, all, motions);
+  for (std::uint64_t n = 0; static_cast<double>(n) * dt < kEnd; ++n) solver.step({n, dt}, loads, motions);
 
   double fastest = 0;
   for (std::size_t i = 0; i < p.size(); ++i) fastest = std::max(fastest, std::hypot(p.vx[i], p.vy[i]));

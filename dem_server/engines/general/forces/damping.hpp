@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "dem_server/model/model.hpp"
-#include "dem_server/particles/assembly.hpp"
+#include "dem_server/particles/particles.hpp"
 #include "protocol/participant/step.hpp"
 
 namespace adit::dem {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "dem_server/laws/smooth_joint.hpp"
-#include "dem_server/particles/assembly.hpp"
+#include "dem_server/particles/particles.hpp"
 
 namespace adit::dem {
 

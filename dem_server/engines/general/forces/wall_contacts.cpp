@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "protocol/participant/time_function.hpp"
-
 namespace adit::dem {
 
 WallContacts::WallContacts(std::vector<MovingWall> walls, std::span<const double> radius,
@@ -29,7 +27,7 @@ double WallContacts::move(const protocol::Step& step) {
 
 void WallContacts::drive(const protocol::Step& step) {
   for (std::size_t w = 0; w < walls_.size(); ++w) {
-    const double factor = step.relax ? 0 : protocol::evaluate(walls_[w].time, step.half_time());
+    const double factor = step.relax ? 0 : walls_[w].time(step.half_time());
     states_[w].vx = walls_[w].vx * factor;
     states_[w].vy = walls_[w].vy * factor;
   }

@@ -8,7 +8,7 @@
 
 #include "dem_server/laws/linear_contact.hpp"
 #include "dem_server/model/model.hpp"
-#include "dem_server/particles/assembly.hpp"
+#include "dem_server/particles/particles.hpp"
 #include "protocol/participant/step.hpp"
 
 namespace adit::dem {

@@ -2,10 +2,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "dem_server/packing/hexagonal.hpp"
-#include "dem_server/particles/assembly.hpp"
 #include "fdm_server/grid/samples.hpp"
 #include "protocol/geometry/shape.hpp"
+#include "tests/support/weighted_lattice.hpp"
 #include "tests/unit/coupler/bridging/random_overlaps.hpp"
 
 namespace adit::coupler {
@@ -103,18 +102,6 @@ TEST(ZoneWeight, AHoleBetweenTheSamplesIsNotSeen) {
   EXPECT_EQ(zone_weights(block, overlap)[3 * 6 + 3], 0);
 }
 
-// Energy-weighted area of the particles: that of their cells, 2 R wide and sqrt(3) R high.
-dem::Assembly weighted_particles(const dem::Packing& packing, const Overlap& overlap) {
-  std::vector<double> centres, midpoints;
-  for (std::size_t i = 0; i < packing.x.size(); ++i)
-    centres.insert(centres.end(), {packing.x[i], packing.y[i]});
-  for (const auto& link : packing.links)
-    midpoints.insert(midpoints.end(), {(packing.x[link.first] + packing.x[link.second]) / 2,
-                                       (packing.y[link.first] + packing.y[link.second]) / 2});
-  const auto at_centres = overlap.inner_weights(centres), at_midpoints = overlap.inner_weights(midpoints);
-  return dem::assemble(packing, 1.0, {at_centres, at_midpoints, kFloor});
-}
-
 // Whether the weight is not linear in the box (corners suffice for a strip).
 bool bends_in(const Overlap& overlap, const BoundingBox& box) {
   std::vector<double> depths;
@@ -132,8 +119,8 @@ struct Balance {
   double area, expected, bound;
 };
 
-Balance balance(const Overlap& overlap, const fdm::Block& block, const dem::Packing& packing,
-                double missing) {
+// The particles' area is that of their cells, 2 R wide and sqrt(3) R high.
+Balance balance(const Overlap& overlap, const fdm::Block& block, const dem::Model& lattice, double missing) {
   const auto weights = zone_weights(block, overlap);
   const double zone = zone_width(block) * zone_height(block);
   Balance result{0, (block.x_max - block.x_min) * (block.y_max - block.y_min) - missing, 1e-9};
@@ -143,13 +130,14 @@ Balance balance(const Overlap& overlap, const fdm::Block& block, const dem::Pack
       if (bends_in(overlap, zone_box(block, i, j)))
         result.bound += zone * largest_error(block, 1 / overlap.width());
     }
-  const double radius = packing.radius, cell = 2 * std::numbers::sqrt3 * radius * radius;
-  for (const double mass : weighted_particles(packing, overlap).particles.mass) result.area += cell * mass;
-  for (std::size_t i = 0; i < packing.x.size(); ++i) {
-    const double x = packing.x[i], y = packing.y[i];
+  const double radius = lattice.discs.radius[0], cell = 2 * std::numbers::sqrt3 * radius * radius;
+  for (const double mass : dem::test::weighted_lattice(lattice, overlap, kFloor).particles.mass)
+    result.area += cell * mass;
+  for (std::size_t i = 0; i < lattice.discs.size(); ++i) {
+    const double x = lattice.discs.x[i], y = lattice.discs.y[i];
     const BoundingBox reach{x - radius, x + radius, y - radius, y + radius};
-    const bool at_surface = y - radius < packing.cells.y_min || y + radius > packing.cells.y_max ||
-                            x - 2 * radius < packing.cells.x_min || x + 2 * radius > packing.cells.x_max;
+    const bool at_surface = y - radius < lattice.extent.y_min || y + radius > lattice.extent.y_max ||
+                            x - 2 * radius < lattice.extent.x_min || x + 2 * radius > lattice.extent.x_max;
     if (bends_in(overlap, reach) || (at_surface && overlap.depth(x, y) < 1))
       result.bound += cell * (1 + 0.764) * radius / overlap.width();
   }
@@ -159,8 +147,8 @@ Balance balance(const Overlap& overlap, const fdm::Block& block, const dem::Pack
 // Requirement: a coupled model has the mass and the stiffness of the one-sided one.
 RC_GTEST_PROP(SharedEnergy, ARingKeepsTheArea, ()) {
   const Overlap overlap = test::overlap_of(test::ring(test::random_shape(), test::random_between(0.3, 1)));
-  const auto packing = dem::pack_hexagonally({-2.9, 2.9, -2.9, 2.9}, test::random_between(0.02, 0.06));
-  const Balance sum = balance(overlap, random_block(), packing, 0);
+  const auto lattice = dem::test::lattice_in({-2.9, 2.9, -2.9, 2.9}, test::random_between(0.02, 0.06));
+  const Balance sum = balance(overlap, random_block(), lattice, 0);
   RC_ASSERT(std::abs(sum.area - sum.expected) <= sum.bound);
 }
 
@@ -168,12 +156,12 @@ RC_GTEST_PROP(SharedEnergy, AStripKeepsTheArea, ()) {
   const double radius = test::random_between(0.02, 0.06), pitch = std::numbers::sqrt3 * radius;
   const double rows = std::floor(2 / pitch), length = 4 * radius * std::floor(2 / radius);
   const fdm::Block block{0, length, 0, rows * pitch, *rc::gen::inRange(5u, 40u), *rc::gen::inRange(1u, 10u)};
-  const auto packing = dem::pack_hexagonally({0, length, 0, block.y_max}, radius);
+  const auto lattice = dem::test::lattice_in({0, length, 0, block.y_max}, radius);
   const double x = test::random_between(3, 4), width = test::random_between(0.3, 1),
                slope = test::random_between(-0.3, 0.3);
   const Overlap overlap = test::overlap_of(test::strip(x, 0, x + width, width * slope));
   // Every second row lacks half a cell at the bar's end.
-  const Balance sum = balance(overlap, block, packing, std::floor(rows / 2) * radius * pitch);
+  const Balance sum = balance(overlap, block, lattice, std::floor(rows / 2) * radius * pitch);
   RC_ASSERT(std::abs(sum.area - sum.expected) <= sum.bound);
 }
 

@@ -29,7 +29,7 @@ TEST(BondLaw, NormalForceFollowsTheLength) {
 
 // A strain of 1e-12 far from the origin keeps its digits: forces come from displacements, not from places.
 TEST(BondLaw, TinyStrainsKeepTheirDigits) {
-  Assembly a = assemble(pack_hexagonally({1e6, 1e6 + 2, 0, 0.9}, 0.5), 1.0);
+  Assembly a = test::assemble(test::lattice_in({1e6, 1e6 + 2, 0, 0.9}, 0.5), 1.0);
   a.particles.ux[1] = 1e-12;
   compute(kLaw, 0.1, a);
   EXPECT_NEAR(a.bonds.normal_force[0] / (kNormal * 1e-12), 1, 1e-11);
@@ -167,7 +167,7 @@ TEST(BondLaw, TensileBreakReleasesNormalAndShear) {
 
 // The largest force is found with its bond, tension or compression, at any place of any run.
 TEST(BondLaw, FindsTheStrongestBond) {
-  Assembly a = assemble(test::rows_of(4, 11), 1.0);
+  Assembly a = test::assemble(test::rows_of(4, 11), 1.0);
   test::fill_randomly(a.particles.ux, 0.05, 3);
   test::fill_randomly(a.particles.uy, 0.05, 4);
   const ContactResult result = compute(kLaw, 0.1, a).first;
@@ -181,7 +181,7 @@ TEST(BondLaw, FindsTheStrongestBond) {
 // A value that is not finite anywhere shows in the largest force.
 TEST(BondLaw, LargestForceIsNotFiniteWhereAnyForceIsNot) {
   for (const double bad : {std::nan(""), -std::nan(""), std::numeric_limits<double>::infinity()}) {
-    Assembly a = assemble(test::rows_of(4, 11), 1.0);
+    Assembly a = test::assemble(test::rows_of(4, 11), 1.0);
     a.particles.ux[17] = bad;
     EXPECT_FALSE(std::isfinite(compute(kLaw, 0.1, a).first.max_normal_force));
   }
@@ -190,7 +190,7 @@ TEST(BondLaw, LargestForceIsNotFiniteWhereAnyForceIsNot) {
 // A long row gives the same bits whatever vectors and remainders it is computed in: bond k of a row is
 // the same as that bond alone.
 TEST(BondLaw, VectorsAndRemaindersGiveTheSameBits) {
-  Assembly row = assemble(test::rows_of(1, 300), 1.0);
+  Assembly row = test::assemble(test::rows_of(1, 300), 1.0);
   for (auto* values :
        {&row.particles.ux, &row.particles.uy, &row.particles.vx, &row.particles.vy, &row.particles.spin})
     test::fill_randomly(*values, 0.1, 7);

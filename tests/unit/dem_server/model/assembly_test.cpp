@@ -1,4 +1,4 @@
-#include "dem_server/particles/assembly.hpp"
+#include "dem_server/engines/lattice/assembly.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,14 +15,14 @@ double ramp(double x) {
 }
 
 struct Weighted {
-  Packing packing = test::rows_of(5, 10);
+  Model packing = test::rows_of(5, 10);
   std::vector<double> centres, midpoints;
   Assembly assembly;
   explicit Weighted(double floor) {
-    for (const double x : packing.x) centres.push_back(ramp(x));
-    for (const Link& link : packing.links)
-      midpoints.push_back(ramp((packing.x[link.first] + packing.x[link.second]) / 2));
-    assembly = assemble(packing, kCellMass, {centres, midpoints, floor});
+    for (const double x : packing.discs.x) centres.push_back(ramp(x));
+    for (const Bond& link : packing.bonds)
+      midpoints.push_back(ramp((packing.discs.x[link.first] + packing.discs.x[link.second]) / 2));
+    assembly = test::assemble(packing, kCellMass, {centres, midpoints, floor});
   }
 };
 
@@ -32,12 +32,12 @@ TEST(Assembly, ParticlesWithoutWeightVanishAndIdsStay) {
   const Particles& p = w.assembly.particles;
   std::size_t expected = 0;
   for (const double weight : w.centres) expected += weight > 0;
-  EXPECT_LT(expected, w.packing.x.size());
+  EXPECT_LT(expected, w.packing.discs.x.size());
   ASSERT_EQ(p.size(), expected);
   for (std::size_t i = 0; i < p.size(); ++i) {
     EXPECT_GT(w.centres[p.id[i]], 0);
-    EXPECT_EQ(p.x[i], w.packing.x[p.id[i]]);
-    EXPECT_EQ(p.y[i], w.packing.y[p.id[i]]);
+    EXPECT_EQ(p.x[i], w.packing.discs.x[p.id[i]]);
+    EXPECT_EQ(p.y[i], w.packing.discs.y[p.id[i]]);
   }
 }
 
@@ -68,9 +68,9 @@ TEST(Assembly, ParticleWeightIsTheMeanOfItsBonds) {
 
 // A particle whose neighbours all vanish stays, with its centre's weight.
 TEST(Assembly, LoneParticleKeepsItsCentreWeight) {
-  const Packing packing = test::rows_of(1, 3);
+  const Model packing = test::rows_of(1, 3);
   const std::vector<double> centres{0.5, 0, 0.0001}, midpoints{0.4, 0.3};
-  const Assembly a = assemble(packing, kCellMass, {centres, midpoints, 0.01});
+  const Assembly a = test::assemble(packing, kCellMass, {centres, midpoints, 0.01});
   ASSERT_EQ(a.particles.size(), 2u);
   EXPECT_EQ(a.bonds.size(), 0u);
   EXPECT_EQ(a.particles.weight[0], 0.5);
@@ -79,7 +79,7 @@ TEST(Assembly, LoneParticleKeepsItsCentreWeight) {
 
 // Runs cover every bond once and describe its particles, however long the rows are.
 TEST(Assembly, RunsCoverTheBonds) {
-  const Assembly a = assemble(test::rows_of(3, 600), kCellMass);
+  const Assembly a = test::assemble(test::rows_of(3, 600), kCellMass);
   std::uint32_t next = 0;
   for (const adit::dem::Run& run : a.bonds.runs) {
     EXPECT_EQ(run.begin, next);

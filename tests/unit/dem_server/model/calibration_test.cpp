@@ -16,7 +16,7 @@ struct Stress {
 // Mean stress of the cell around an interior particle under the strain (xx, yy, xy), from the forces of its
 // bonds: sum of force (x) half branch vector over the cell's area.
 Stress stress_under(double exx, double eyy, double exy, const BondLaw& law, double radius) {
-  Assembly a = assemble(test::rows_of(5, 6, radius), 1.0);
+  Assembly a = test::assemble(test::rows_of(5, 6, radius), 1.0);
   Particles& p = a.particles;
   for (std::size_t i = 0; i < p.size(); ++i) {
     p.vx[i] = p.ux[i] = exx * p.x[i] + exy * p.y[i];
@@ -100,10 +100,10 @@ TEST_P(Waves, FollowTheDispersionRelation) {
                amplitude = 1e-9;
   const BondLaw law{{4.0, 1.5}, kUnbreakable, kUnbreakable};
   const double kn = law.stiffness.normal, ks = law.stiffness.shear;
-  const Packing packing = test::rows_of(3, 12, radius);
+  const Model packing = test::rows_of(3, 12, radius);
   const std::uint32_t centre = 12 + 5;
 
-  Assembly p_wave = assemble(packing, mass);
+  Assembly p_wave = test::assemble(packing, mass);
   for (std::size_t i = 0; i < p_wave.particles.size(); ++i)
     p_wave.particles.vx[i] = p_wave.particles.ux[i] =
         amplitude * std::cos(phi * p_wave.particles.x[i] / radius);
@@ -123,7 +123,7 @@ TEST_P(Waves, FollowTheDispersionRelation) {
   for (int mode = 0; mode < 2; ++mode) {
     const double omega2 = modes.eigenvalues()(mode);
     const double u = amplitude * modes.eigenvectors()(0, mode), t = amplitude * modes.eigenvectors()(1, mode);
-    Assembly a = assemble(packing, mass);
+    Assembly a = test::assemble(packing, mass);
     Particles& p = a.particles;
     for (std::size_t i = 0; i < p.size(); ++i) {
       p.vy[i] = p.uy[i] = u * std::cos(phi * p.x[i] / radius);

@@ -46,8 +46,9 @@ State after(int steps, bool keep_stress) {
   const Model model = read_model(boxed_scene(keep_stress));
   Solver solver(model, 1);
   const double dt = 0.5 * critical_step(model);
-  Motions motions;
-  for (int n = 0; n < steps; ++n) solver.step({static_cast<std::uint64_t>(n), dt}, {}, motions);
+  Loads loads;
+  PrescribedMotions motions;
+  for (int n = 0; n < steps; ++n) solver.step({static_cast<std::uint64_t>(n), dt}, loads, motions);
   const auto& walls = solver.walls();
   State state{(walls.force(1).x - walls.force(0).x) / (2 * kHeight),
               (walls.force(3).y - walls.force(2).y) / (2 * kWidth), 0};

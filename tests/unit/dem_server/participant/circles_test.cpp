@@ -1,4 +1,4 @@
-#include "dem_server/engines/general/observe/circles.hpp"
+#include "dem_server/observe/circles.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,28 +9,28 @@
 #include <vector>
 
 #include "dem_server/model/calibration.hpp"
-#include "dem_server/packing/hexagonal.hpp"
 #include "dem_server/packing/random_dense.hpp"
+#include "tests/support/lattice_model.hpp"
 
 namespace adit::dem {
 namespace {
 
 constexpr double kRadius = 0.5;
 
-Packing lattice(double size) {
-  return pack_hexagonally({-size, size, -size, size}, kRadius);
+Model lattice(double size) {
+  return test::lattice_in({-size, size, -size, size}, kRadius);
 }
 
 // Forces of an even strain in a lattice of bonds.
-std::vector<Branch> even_forces(const Packing& packing, const BondStiffness& k, const Tensor& strain) {
+std::vector<Branch> even_forces(const Model& model, const BondStiffness& k, const Tensor& strain) {
   std::vector<Branch> branches;
-  for (const Link& link : packing.links) {
-    const auto [lx, ly] = rest_vector(link.direction, packing.radius);
-    const double length = 2 * packing.radius, nx = lx / length, ny = ly / length;
+  const auto& [x, y, radius] = model.discs;
+  for (const Bond& bond : model.bonds) {
+    const auto [lx, ly] = rest_vector(direction_of(model, bond).value(), kRadius);
+    const double length = 2 * kRadius, nx = lx / length, ny = ly / length;
     const double ux = strain.xx * lx + strain.xy * ly, uy = strain.xy * lx + strain.yy * ly;
     const double normal = k.normal * (ux * nx + uy * ny), shear = k.shear * (uy * nx - ux * ny);
-    branches.push_back({packing.x[link.first], packing.y[link.first], packing.x[link.second],
-                        packing.y[link.second], normal * nx - shear * ny, normal * ny + shear * nx});
+    branches.push_back({x[bond.first], y[bond.first], x[bond.second], y[bond.second], normal * nx - shear * ny, normal * ny + shear * nx});
   }
   return branches;
 }
@@ -102,7 +102,7 @@ TEST(Circles, NothingJumpsAtTheEdge) {
 // (the virial theorem), and a circle over most of the box feels the same pressure within the packing's
 // scatter.
 TEST(Circles, StressOfARandomPacking) {
-  const Rectangle box{0, 1, 0, 1};
+  const geometry::BoundingBox box{0, 1, 0, 1};
   const auto grown = pack_randomly({box, 0.01, 0.015, 0.16, 1e-3, 4, true}, [](const std::string&) {});
   ASSERT_TRUE(grown);
   const Discs& d = grown->discs;
@@ -163,9 +163,8 @@ TEST(Circles, StrainRateNeedsThreeDiscs) {
 
 // Porosity of a lattice is 1 - pi / (2 sqrt(3)); a disc covers what of it lies inside.
 TEST(Circles, Porosity) {
-  const Packing packing = lattice(24);
-  const std::vector<double> radius(packing.x.size(), kRadius);
-  EXPECT_NEAR(porosity({0.3, 0.1, 20}, packing.x, packing.y, radius),
+  const Discs discs = lattice(24).discs;
+  EXPECT_NEAR(porosity({0.3, 0.1, 20}, discs.x, discs.y, discs.radius),
               1 - std::numbers::pi / 2 / std::numbers::sqrt3, 5e-4);
   const auto of_one = [](double x, double r) {
     const double y = 0;

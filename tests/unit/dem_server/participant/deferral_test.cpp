@@ -16,7 +16,7 @@ using test::cantilever_scene;
 // Either part holds whole runs, and together every bond once; exactly the bonds with a chosen particle are in
 // the first.
 TEST(SplitRuns, PartitionTheBonds) {
-  const Assembly a = assemble(test::rows_of(9, 300), 1.0);
+  const Assembly a = test::assemble(test::rows_of(9, 300), 1.0);
   std::vector<bool> chosen(a.particles.size());
   for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = (i / 13) % 5 == 2;
   const SplitRuns parts = split(a.bonds.runs, chosen);

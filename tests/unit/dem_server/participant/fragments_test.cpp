@@ -1,4 +1,4 @@
-#include "dem_server/engines/general/observe/fragments.hpp"
+#include "dem_server/observe/fragments.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -72,10 +72,8 @@ RC_GTEST_PROP(Fragments, AreWhatAWalkReaches, ()) {
 
 // In a hexagonal packing a disc has six neighbours, at an even edge four, at a corner two or three.
 TEST(Coordination, OfAHexagonalPacking) {
-  const Packing packing = pack_hexagonally({0, 10, 0, 9 * 0.8660254037844387}, 0.5);
-  std::vector<Pair> pairs;
-  for (const Link& link : packing.links) pairs.push_back({link.first, link.second});
-  const auto count = coordination_of(packing.x.size(), pairs);
+  const Discs discs = pack_hexagonally({0, 10, 0, 9 * 0.8660254037844387}, 0.5).discs;
+  const auto count = coordination_of(discs.size(), pairs_within(discs, 1e-6));
   EXPECT_EQ(count[0], 2u);       // corner
   EXPECT_EQ(count[5], 4u);       // bottom
   EXPECT_EQ(count[10 + 4], 6u);  // inside

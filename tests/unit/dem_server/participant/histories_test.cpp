@@ -1,4 +1,5 @@
-#include "dem_server/engines/general/observe/disc_histories.hpp"
+// Requirements on histories of particles: motions, means over circles, forces on walls.
+#include "dem_server/observe/histories.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,8 +7,9 @@
 #include <array>
 #include <functional>
 
-#include "dem_server/engines/general/observe/branches.hpp"
-#include "dem_server/engines/general/observe/fragments.hpp"
+#include "dem_server/engines/general/general_engine.hpp"
+#include "dem_server/observe/branches.hpp"
+#include "dem_server/observe/fragments.hpp"
 #include "protocol/errors.hpp"
 #include "tests/unit/dem_server/discs_models.hpp"
 
@@ -47,7 +49,7 @@ void add_force(scene::Particles& scene, scene::Quantity quantity) {
 
 // Discs that overlap by 0.01 m press with kn 0.01 m on every 0.99 m; values come in the scene's order,
 // motions between them.
-TEST(DiscHistories, ReadCirclesAndWalls) {
+TEST(Histories, ReadCirclesAndWalls) {
   scene::Particles scene;
   for (const auto quantity : {scene::STRESS_XX, scene::STRESS_YY, scene::STRESS_XY}) add(scene, quantity, 12);
   add(scene, scene::VELOCITY_X, 0).mutable_at()->set_x(kSpacing);
@@ -57,18 +59,18 @@ TEST(DiscHistories, ReadCirclesAndWalls) {
   add_force(scene, scene::FORCE_X);
   add_force(scene, scene::FORCE_Y);
 
-  test::Run run(pressed_square(), 1e-9);
-  DiscHistories histories(scene, run.solver);
-  Particles& p = run.solver.particles();
+  GeneralEngine engine(pressed_square(), 1);
+  Histories histories(scene, engine);
+  Particles& p = engine.particles();
   histories.remember(p);
-  run.step();
+  engine.step_interface({1, 1e-9});
   for (std::size_t i = 0; i < p.size(); ++i) {
     p.vx[i] = 2 * p.x[i] + 0.5 * p.y[i];
     p.vy[i] = 0.25 * p.x[i] - 3 * p.y[i];
   }
   histories.remember(p);
   google::protobuf::RepeatedField<double> values;
-  histories.read(run.solver, {1, 1e-9}, values);
+  histories.read(engine, {1, 1e-9}, values);
   ASSERT_EQ(values.size(), 11);
   const double pressure = kStiffness * 0.01 / kSpacing;
   EXPECT_NEAR(values[0] / -pressure, 1, 1e-3);
@@ -86,16 +88,16 @@ TEST(DiscHistories, ReadCirclesAndWalls) {
 
 // The branches of all discs and the wall balance: what the wall bears goes through every column.
 TEST(Branches, CarryTheWallsForce) {
-  test::Run run(pressed_square(), 1e-9);
-  run.step();
+  GeneralEngine engine(pressed_square(), 1);
+  engine.step_interface({1, 1e-9});
   double at_wall = 0;
-  for (const Branch& b : branches_of(run.solver))
+  for (const Branch& b : branches_of(engine))
     if (b.x_2 < -0.4) {
       EXPECT_NEAR(b.x_2, -0.495, 1e-9);
       EXPECT_NEAR(b.y_2, b.y_1, 1e-9);
       at_wall += b.fx;
     }
-  EXPECT_NEAR(at_wall, -run.solver.walls().force(0).x, 1e-3);
+  EXPECT_NEAR(at_wall, -engine.walls()[0].x, 1e-3);
   EXPECT_GT(at_wall, 0);
 }
 
@@ -104,16 +106,16 @@ TEST(Branches, BondsHoldAndContactsTouch) {
   Model model = test::loose_discs({{0, 0, 0.5}, {1, 0, 0.5}, {1.99, 0, 0.5}, {3.2, 0, 0.5}}, kContact);
   model.overlaps_free = false;
   model.contact_bonds = {{kStiffness, kStiffness, 1e3, 1e3}};
-  model.joined = {{0, 1, Joined::Law::kContactBond, 0}};
-  test::Run run(model, 1e-6);
-  run.step();
-  EXPECT_EQ(whole_bonds(run.solver), (std::vector<Pair>{{0, 1}}));
-  EXPECT_EQ(touching_discs(run.solver), (std::vector<Pair>{{0, 1}, {1, 2}}));
-  EXPECT_EQ(fragments_of(4, whole_bonds(run.solver)).number, (std::vector<std::uint32_t>{0, 0, 1, 2}));
-  run.solver.particles().vx[0] = -1e3;
-  run.step();
-  EXPECT_TRUE(whole_bonds(run.solver).empty());
-  EXPECT_EQ(touching_discs(run.solver), (std::vector<Pair>{{1, 2}}));
+  model.bonds = {{0, 1, Bond::Law::kContactBond, 0}};
+  GeneralEngine engine(model, 1);
+  engine.step_interface({1, 1e-6});
+  EXPECT_EQ(whole_bonds(engine), (std::vector<Pair>{{0, 1}}));
+  EXPECT_EQ(touching_particles(engine), (std::vector<Pair>{{0, 1}, {1, 2}}));
+  EXPECT_EQ(fragments_of(4, whole_bonds(engine)).number, (std::vector<std::uint32_t>{0, 0, 1, 2}));
+  engine.particles().vx[0] = -1e3;
+  engine.step_interface({2, 1e-6});
+  EXPECT_TRUE(whole_bonds(engine).empty());
+  EXPECT_EQ(touching_particles(engine), (std::vector<Pair>{{1, 2}}));
 }
 
 struct Case {
@@ -123,15 +125,15 @@ struct Case {
 std::ostream& operator<<(std::ostream& out, const Case& c) {
   return out << c.name;
 }
-class DiscHistoryErrors : public testing::TestWithParam<Case> {};
+class HistoryErrors : public testing::TestWithParam<Case> {};
 
-TEST_P(DiscHistoryErrors, NameTheFieldAndTheRemedy) {
-  const test::Run run(pressed_square(), 1e-9);
+TEST_P(HistoryErrors, NameTheFieldAndTheRemedy) {
+  const GeneralEngine engine(pressed_square(), 1);
   scene::Particles scene;
   add(scene, scene::DISPLACEMENT_X, 0);
   GetParam().ask(scene);
   try {
-    DiscHistories(scene, run.solver);
+    Histories(scene, engine);
     FAIL() << "accepted";
   } catch (const protocol::UserError& error) {
     EXPECT_EQ(error.path(), "particles.histories[1]." + GetParam().path);
@@ -140,7 +142,7 @@ TEST_P(DiscHistoryErrors, NameTheFieldAndTheRemedy) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    All, DiscHistoryErrors,
+    All, HistoryErrors,
     testing::Values(Case{"NoRadius", "radius", "is missing; stress_xx of particles is a mean over a circle",
                          [](auto& s) { add(s, scene::STRESS_XX, 0); }},
                     Case{"NoMiddle", "at", "is missing; give the circle's middle",

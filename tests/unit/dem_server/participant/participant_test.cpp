@@ -89,7 +89,7 @@ TEST(Participant, SnapshotHoldsParticlesAndBonds) {
   ASSERT_GT(cracks, 0u);
   wire::Snapshot snapshot;
   run.participant.snapshot({}, snapshot);
-  ASSERT_EQ(snapshot.pieces_size(), 2);
+  ASSERT_EQ(snapshot.pieces_size(), 3);
   const auto field = [](const auto& fields, const std::string& name) -> const wire::Field& {
     for (const auto& f : fields)
       if (f.name() == name) return f;

@@ -1,5 +1,5 @@
 // Requirements on the field between the particles.
-#include "dem_server/participant/triangulation.hpp"
+#include "dem_server/coupling/triangulation.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -15,10 +15,10 @@ constexpr double kRadius = 0.3;
 constexpr int kRows = 7, kDiscs = 9;
 
 Assembly packing_at(double x, double y) {
-  Packing packing = test::rows_of(kRows, kDiscs, kRadius);
-  for (double& value : packing.x) value += x;
-  for (double& value : packing.y) value += y;
-  return assemble(packing, 1.0);
+  Model packing = test::rows_of(kRows, kDiscs, kRadius);
+  for (double& value : packing.discs.x) value += x;
+  for (double& value : packing.discs.y) value += y;
+  return test::assemble(packing, 1.0);
 }
 
 double sum_of(const TrianglePlace& place, const std::vector<double>& values) {
@@ -36,7 +36,7 @@ double between(double low, double high) {
 RC_GTEST_PROP(Triangulation, ReproducesLinearFields, ()) {
   const double x0 = *rc::gen::element(0.0, 1e6, -3e5), y0 = *rc::gen::element(0.0, -1e6);
   const Assembly a = packing_at(x0, y0);
-  const Triangulation triangulation(a.particles, a.bonds);
+  const Triangulation triangulation(a.particles, ends_of(a.bonds));
   const double x = x0 + between(0, 2 * kRadius * kDiscs);
   const double y = y0 + between(0, std::sqrt(3.0) * kRadius * kRows);
   const auto place = triangulation.locate(x, y);
@@ -57,7 +57,7 @@ RC_GTEST_PROP(Triangulation, ReproducesLinearFields, ()) {
 // Between its outermost centres the packing is covered without gaps: no share is negative there.
 RC_GTEST_PROP(Triangulation, InterpolatesInside, ()) {
   const Assembly a = packing_at(0, 0);
-  const Triangulation triangulation(a.particles, a.bonds);
+  const Triangulation triangulation(a.particles, ends_of(a.bonds));
   const auto place = triangulation.locate(between(2 * kRadius, 2 * kRadius * (kDiscs - 1)),
                                           between(std::sqrt(0.75), std::sqrt(3.0) * (kRows - 0.5)) * kRadius);
   RC_ASSERT(place);
@@ -68,7 +68,7 @@ RC_GTEST_PROP(Triangulation, InterpolatesInside, ()) {
 TEST(Triangulation, CentresAndBondsTouchNoOtherParticle) {
   const Assembly a = packing_at(1e3, 0);
   const Particles& p = a.particles;
-  const Triangulation triangulation(p, a.bonds);
+  const Triangulation triangulation(p, ends_of(a.bonds));
   const auto share_of = [](const TrianglePlace& place, std::uint32_t particle) {
     for (std::size_t e = 0; e < 3; ++e)
       if (place.particles[e] == particle) return place.shares[e];
@@ -92,20 +92,20 @@ TEST(Triangulation, CentresAndBondsTouchNoOtherParticle) {
 // The field ends a diameter away from the last triangle, and where the weights left a hole.
 TEST(Triangulation, EndsADiameterAway) {
   const Assembly a = packing_at(0, 0);
-  const Triangulation triangulation(a.particles, a.bonds);
+  const Triangulation triangulation(a.particles, ends_of(a.bonds));
   const double bottom = std::sqrt(0.75) * kRadius;  // height of the lowest centres
   EXPECT_TRUE(triangulation.locate(3 * kRadius, bottom - 1.99 * kRadius));
   EXPECT_FALSE(triangulation.locate(3 * kRadius, bottom - 2.01 * kRadius));
   EXPECT_FALSE(triangulation.locate(-100, 0.5));
   EXPECT_FALSE(triangulation.locate(1e300, -1e300));
 
-  const Packing packing = test::rows_of(30, 30, kRadius);
-  std::vector<double> centres(packing.x.size()), midpoints(packing.links.size(), 1.0);
+  const Model packing = test::rows_of(30, 30, kRadius);
+  std::vector<double> centres(packing.discs.x.size()), midpoints(packing.bonds.size(), 1.0);
   const double middle = 30 * kRadius;
   for (std::size_t i = 0; i < centres.size(); ++i)
-    centres[i] = std::hypot(packing.x[i] - middle, packing.y[i] - middle) > 10 * kRadius ? 1 : 0;
-  const Assembly ring = assemble(packing, 1.0, {centres, midpoints, 1e-3});
-  const Triangulation around(ring.particles, ring.bonds);
+    centres[i] = std::hypot(packing.discs.x[i] - middle, packing.discs.y[i] - middle) > 10 * kRadius ? 1 : 0;
+  const Assembly ring = test::assemble(packing, 1.0, {centres, midpoints, 1e-3});
+  const Triangulation around(ring.particles, ends_of(ring.bonds));
   EXPECT_TRUE(around.locate(middle + 9 * kRadius, middle));
   EXPECT_FALSE(around.locate(middle, middle));
 }
@@ -113,7 +113,7 @@ TEST(Triangulation, EndsADiameterAway) {
 // One row of particles has no triangle, so no field.
 TEST(Triangulation, ARowHasNoField) {
   const Assembly row = test::pair_of_particles();
-  EXPECT_FALSE(Triangulation(row.particles, row.bonds).locate(0.5, 0.5));
+  EXPECT_FALSE(Triangulation(row.particles, ends_of(row.bonds)).locate(0.5, 0.5));
 }
 
 }  // namespace

@@ -11,11 +11,10 @@
 
 #include "coupler/bridging/overlap.hpp"
 #include "dem_server/engines/lattice/contact_forces.hpp"
-#include "dem_server/packing/hexagonal.hpp"
-#include "dem_server/particles/assembly.hpp"
 #include "fdm_server/grid/interpolation.hpp"
 #include "fdm_server/grid/samples.hpp"
 #include "fdm_server/zones/zones.hpp"
+#include "tests/support/weighted_lattice.hpp"
 
 namespace adit::test {
 
@@ -24,7 +23,7 @@ struct CoupledPatch {
   double young, poisson;
   fdm::Block block;
   fdm::ZoneKind zone = fdm::ZoneKind::kAssumedStrain;
-  dem::Rectangle packed;
+  geometry::BoundingBox packed;
   double radius;
   double floor = 1e-6;  // of the weights
 
@@ -49,18 +48,6 @@ inline Eigen::MatrixXd stiffness(Eigen::Index size,
     matrix.col(i) = (forces(-u) - forces(u)) / (2 * kStep);
   }
   return matrix;
-}
-
-inline dem::Assembly weighted_lattice(const CoupledPatch& patch, const coupler::Overlap& overlap) {
-  const dem::Packing packing = dem::pack_hexagonally(patch.packed, patch.radius);
-  std::vector<double> centres, midpoints;
-  for (std::size_t i = 0; i < packing.x.size(); ++i)
-    centres.insert(centres.end(), {packing.x[i], packing.y[i]});
-  for (const auto& link : packing.links)
-    midpoints.insert(midpoints.end(), {(packing.x[link.first] + packing.x[link.second]) / 2,
-                                       (packing.y[link.first] + packing.y[link.second]) / 2});
-  const auto at_centres = overlap.inner_weights(centres), at_midpoints = overlap.inner_weights(midpoints);
-  return dem::assemble(packing, 1.0, {at_centres, at_midpoints, patch.floor});
 }
 
 // Of x, y, rotation of each particle.
@@ -103,7 +90,7 @@ inline Eigen::MatrixXd grid_stiffness(const CoupledPatch& patch, const fdm::Grid
 }
 
 inline Equilibrium equilibrium(const CoupledPatch& patch, const coupler::Overlap& overlap) {
-  Equilibrium result{fdm::make_grid(patch.block), weighted_lattice(patch, overlap), {}, {}};
+  Equilibrium result{fdm::make_grid(patch.block), dem::test::weighted_lattice(dem::test::lattice_in(patch.packed, patch.radius), overlap, patch.floor), {}, {}};
   fdm::Grid& grid = result.grid;
   const dem::Particles& particles = result.assembly.particles;
   auto weights = fdm::zone_weights(grid, overlap.outer_weights(fdm::sample_points(grid)), patch.floor);

@@ -169,20 +169,16 @@ TEST(Collisions, FrictionStopsASlidingBlock) {
   Model model = test::loose_discs({{0, kRadius - pressed, kRadius}}, contact);
   model.overlaps_free = false;
   model.walls = {test::wall(-1, 0, 1, 0, contact)};
-  scene::Particles scene;
-  scene.add_body_loads()->mutable_acceleration()->set_y(-g);
-  auto& upright = *scene.add_motions();
-  upright.mutable_where()->set_x_min(-1);
-  upright.set_spin(0);
+  test::add_gravity(model, -g);
+  model.motions = {{Component::kSpin, {0}, 0, test::always, "motions"}};
   const double dt = 0.02 * critical_step(model);
   Solver solver(model, 1);
   Particles& p = solver.particles();
-  Loads gravity(scene, p, 1e-9);
-  Motions motions(scene, p, 1e-9);
-  Loads* const loads[] = {&gravity};
+  Loads gravity(model, p);
+  PrescribedMotions motions(model, p);
   p.vx[0] = speed;
   for (std::uint64_t n = 1; static_cast<double>(n) * dt < 1.5 * speed / (mu * g); ++n)
-    solver.step({n, dt}, loads, motions);
+    solver.step({n, dt}, gravity, motions);
   EXPECT_NEAR(p.ux[0], speed * speed / (2 * mu * g), 1e-4 * speed * speed / (2 * mu * g));
 }
 

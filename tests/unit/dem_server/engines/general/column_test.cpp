@@ -19,7 +19,7 @@ Model column(int discs) {
   for (int i = 0; i < discs; ++i) places.push_back({0, 2 * kRadius * i, kRadius});
   Model model = test::loose_discs(places, {0, 0, 0});
   model.parallel_bonds = {{kNormal, kShear, kRadius, INFINITY, INFINITY, 0}};
-  test::join(model, Joined::Law::kParallelBond);
+  test::join(model, Bond::Law::kParallelBond);
   return model;
 }
 
@@ -29,8 +29,8 @@ Eigen::MatrixXd stiffness_matrix(const Model& model) {
   const auto size = static_cast<Eigen::Index>(3 * (model.discs.size() - 1));
   Eigen::MatrixXd k(size, size);
   Solver still(model, 1);
-  Motions motions;
-  still.step({1, 1e-9}, {}, motions);
+  PrescribedMotions motions;
+  still.step({1, 1e-9}, test::no_loads, motions);
   const Particles& rest = still.particles();
   for (Eigen::Index column = 0; column < size; ++column) {
     Solver solver(model, 1);
@@ -38,8 +38,8 @@ Eigen::MatrixXd stiffness_matrix(const Model& model) {
     std::vector<double>* const velocities[] = {&p.vx, &p.vy, &p.spin};
     constexpr double kSmall = 1e-9;
     (*velocities[column % 3])[static_cast<std::size_t>(column / 3 + 1)] = kSmall;
-    Motions none;
-    solver.step({1, 1.0}, {}, none);
+    PrescribedMotions none;
+    solver.step({1, 1.0}, test::no_loads, none);
     for (Eigen::Index row = 0; row < size; row += 3) {
       const auto i = static_cast<std::size_t>(row / 3 + 1);
       k(row, column) = (rest.fx[i] - p.fx[i]) / kSmall;
@@ -77,7 +77,7 @@ TEST(DiscsColumn, FirstThreeFrequencies) {
   const Eigen::MatrixXd k = stiffness_matrix(model);
   Eigen::VectorXd mass(k.rows());
   for (Eigen::Index row = 0; row < k.rows(); ++row)
-    mass[row] = row % 3 == 2 ? model.inertia[1] : model.mass[1];
+    mass[row] = row % 3 == 2 ? model.inertia(1) : model.mass[1];
   const Eigen::MatrixXd root = mass.cwiseSqrt().cwiseInverse().asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(root * k * root);
   // From the held centre to the free end, half a disc beyond the last centre.
@@ -111,14 +111,14 @@ TEST(DiscsColumn, TheTimeStepsBoundHoldsForAnyDiscs) {
     for (const Pair& pair : pairs_within(model.discs, 0)) {
       const double lot = any(random);
       if (lot < 0.6)
-        model.joined.push_back(
-            {pair.first, pair.second, lot < 0.3 ? Joined::Law::kParallelBond : Joined::Law::kContactBond, 0});
+        model.bonds.push_back(
+            {pair.first, pair.second, lot < 0.3 ? Bond::Law::kParallelBond : Bond::Law::kContactBond, 0});
     }
     Eigen::MatrixXd k = stiffness_matrix(model);
     Eigen::VectorXd mass(k.rows());
     for (Eigen::Index row = 0; row < k.rows(); ++row) {
       const auto i = static_cast<std::size_t>(row / 3 + 1);
-      mass[row] = row % 3 == 2 ? model.inertia[i] : model.mass[i];
+      mass[row] = row % 3 == 2 ? model.inertia(i) : model.mass[i];
     }
     const Eigen::MatrixXd root = mass.cwiseSqrt().cwiseInverse().asDiagonal();
     const Eigen::MatrixXd symmetric = root * (k + k.transpose()) * root / 2;

@@ -8,7 +8,7 @@
 
 #include "protocol/errors.hpp"
 #include "tests/unit/dem_server/discs_models.hpp"
-#include "tests/unit/dem_server/discs_run.hpp"
+#include "tests/unit/dem_server/in_process_run.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
 namespace adit::dem {
@@ -18,7 +18,7 @@ namespace {
 TEST(DiscsExtremes, OneParticle) {
   auto scene = test::placed_scene("x_m,y_m,radius_m\n1,2,0.1\n");
   scene.mutable_particles()->add_body_loads()->mutable_acceleration()->set_y(-10);
-  test::DiscsRun run(scene);
+  test::InProcessRun run(scene);
   ASSERT_TRUE(std::isfinite(run.dt) && run.dt > 0);
   run.advance();
   const double start = run.sum();
@@ -33,7 +33,7 @@ TEST(DiscsExtremes, OneParticle) {
 TEST(DiscsExtremes, TwoAtOnePointAreRefused) {
   const auto scene = test::placed_scene("x_m,y_m,radius_m\n0,0,0.1\n3,1,0.1\n0.5,0,0.1\n3,1,0.2\n");
   try {
-    test::DiscsRun run(scene);
+    test::InProcessRun run(scene);
     FAIL();
   } catch (const protocol::UserError& error) {
     EXPECT_EQ(error.path(), "particles.placed.path");
@@ -46,7 +46,7 @@ TEST(DiscsExtremes, InitialStressIsRefused) {
   auto scene = test::square_scene(3, 3);
   scene.mutable_initial_stress()->set_yy(-1e6);
   try {
-    test::DiscsRun run(scene);
+    test::InProcessRun run(scene);
     FAIL();
   } catch (const protocol::UserError& error) {
     EXPECT_EQ(error.path(), "initial_stress");
@@ -60,7 +60,7 @@ TEST(DiscsExtremes, InstabilityIsNamed) {
   auto& push = *scene.mutable_particles()->add_body_loads();
   push.mutable_where()->set_x_max(2);
   push.mutable_acceleration()->set_x(1);
-  test::DiscsRun run(scene, 5);
+  test::InProcessRun run(scene, {}, 5);
   try {
     for (int n = 0; n < 5000; ++n) run.advance();
     FAIL();
@@ -99,7 +99,7 @@ TEST(DiscsExtremes, SizesOneToFifty) {
     for (std::uint32_t i = 0; i < p.size(); ++i)
       for (std::uint32_t j = i + 1; j < p.size(); ++j)
         if (std::hypot(p.x[j] + p.ux[j] - p.x[i] - p.ux[i], p.y[j] + p.uy[j] - p.y[i] - p.uy[i]) <
-            run.solver.radius()[i] + run.solver.radius()[j]) {
+            p.radius[i] + p.radius[j]) {
           ASSERT_TRUE(listed.contains({i, j})) << i << ' ' << j << " at step " << n;
         }
   }
@@ -117,8 +117,8 @@ TEST(DiscsExtremes, StiffnessContrastOfAMillion) {
       discs.push_back({0.2 * column + (row % 2) * 0.1, 0.1 * std::sqrt(3) * row, 0.1});
   Model model = test::loose_discs(discs, {0, 0, 0});
   model.contact_bonds = {{1e12, 3e11}, {1e6, 3e5}};
-  test::join(model, Joined::Law::kContactBond);
-  for (std::size_t k = 0; k < model.joined.size(); k += 2) model.joined[k].number = 1;
+  test::join(model, Bond::Law::kContactBond);
+  for (std::size_t k = 0; k < model.bonds.size(); k += 2) model.bonds[k].number = 1;
   test::Run run(model, critical_step(model));
   Particles& p = run.solver.particles();
   for (std::size_t i = 0; i < p.size(); ++i) p.vx[i] = 1e-3 * std::sin(7.0 * static_cast<double>(i));
@@ -143,7 +143,7 @@ TEST(DiscsExtremes, AllBondsBreakAtOnce) {
     for (int column = 0; column < 40; ++column) discs.push_back({0.2 * column, 0.2 * row, 0.1});
   Model model = test::loose_discs(discs, {1e8, 1e8, 0.5});
   model.parallel_bonds = {{1e9, 4e8, 0.1, 1e3, 1e3, 0.5}};
-  test::join(model, Joined::Law::kParallelBond);
+  test::join(model, Bond::Law::kParallelBond);
   for (const std::size_t threads : {1u, 2u}) {
     test::Run run(model, 0.5 * critical_step(model), threads);
     Particles& p = run.solver.particles();
@@ -152,7 +152,7 @@ TEST(DiscsExtremes, AllBondsBreakAtOnce) {
       p.vy[i] = 3 * (p.y[i] - 4);
     }
     run.step();
-    EXPECT_EQ(run.solver.broken().size(), model.joined.size());
+    EXPECT_EQ(run.solver.broken().size(), model.bonds.size());
     double start = 0;
     for (int n = 0; n < 500; ++n) {
       run.step();
@@ -189,7 +189,7 @@ TEST(DiscsExtremes, ThreadsChangeNothing) {
   Model model = test::loose_discs(discs, contact);
   model.parallel_bonds = {{1e10, 4e9, 0.1, 2e5, 1e6, 0.5}};
   for (const Pair& pair : pairs_within(model.discs, 0.012))
-    model.joined.push_back({pair.first, pair.second, Joined::Law::kParallelBond, 0});
+    model.bonds.push_back({pair.first, pair.second, Bond::Law::kParallelBond, 0});
   model.walls = {
       test::wall(-1, -0.1, 13, -0.1, contact),
       test::wall(-1, 0.1 * std::sqrt(3) * 59 + 0.1, 13, 0.1 * std::sqrt(3) * 59 + 0.1, contact, 0, -5)};

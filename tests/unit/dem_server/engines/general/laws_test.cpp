@@ -14,7 +14,7 @@ namespace {
 Body body_of(const Solver& solver, std::size_t i) {
   const Particles& p = solver.particles();
   return {p.x[i] + p.ux[i], p.y[i] + p.uy[i],   p.vx[i],           p.vy[i],
-          p.spin[i],        solver.radius()[i], p.inverse_mass[i], p.inverse_inertia[i]};
+          p.spin[i],        p.radius[i], p.inverse_mass[i], p.inverse_inertia[i]};
 }
 
 // Resultants that a pull gives to two bodies.
@@ -55,7 +55,7 @@ TEST(DiscsLaws, ContactsAreLinearContacts) {
   const double dt = 1e-5;
   for (int trial = 0; trial < 20; ++trial) {
     Solver solver(two.model, 1);
-    Motions none;
+    PrescribedMotions none;
     LinearContactState state;
     for (std::uint64_t n = 1; n <= 5; ++n) {
       two.set_off(solver, trial < 15 ? 3 : 200);
@@ -66,7 +66,7 @@ TEST(DiscsLaws, ContactsAreLinearContacts) {
       }
       const Encounter e = meet(before[0], before[1], dt);
       const Pull f = pull(law, e, dt, state);
-      solver.step({n, dt}, {}, none);
+      solver.step({n, dt}, test::no_loads, none);
       expect_pull(solver, f, e);
     }
   }
@@ -78,12 +78,12 @@ TEST(DiscsLaws, ParallelBondsActBesideContacts) {
   const ParallelBond bond{2e7, 1e7, 0.05, 2.5e4, 2e4, 0.5};
   Two two(contact, 0);
   two.model.parallel_bonds = {bond};
-  two.model.joined = {{0, 1, Joined::Law::kParallelBond, 0}};
+  two.model.bonds = {{0, 1, Bond::Law::kParallelBond, 0}};
   const double dt = 1e-5;
   int broken = 0;
   for (int trial = 0; trial < 40; ++trial) {
     Solver solver(two.model, 1);
-    Motions none;
+    PrescribedMotions none;
     ParallelBondState cement{std::hypot(two.model.discs.x[1] - 0.3, two.model.discs.y[1] + 0.2)};
     LinearContactState surfaces;
     for (std::uint64_t n = 1; n <= 5; ++n) {
@@ -95,7 +95,7 @@ TEST(DiscsLaws, ParallelBondsActBesideContacts) {
       }
       const Encounter e = meet(before[0], before[1], dt);
       const Pull a = pull(bond, e, dt, cement), b = pull(contact, e, dt, surfaces);
-      solver.step({n, dt}, {}, none);
+      solver.step({n, dt}, test::no_loads, none);
       // The elongation of bodies loses digits of their places that the solver keeps.
       const double lost = 1e-15 * bond.normal_stiffness * bond.area();
       const Particles& p = solver.particles();
@@ -117,15 +117,15 @@ TEST(DiscsLaws, ParallelBondsActBesideContacts) {
 TEST(DiscsLaws, ContactBondsLeaveContacts) {
   Two two({2e6, 1e6, 0.3}, 0);
   two.model.contact_bonds = {{2e6, 1e6, 1e3, 2e3}};
-  two.model.joined = {{0, 1, Joined::Law::kContactBond, 0}};
+  two.model.bonds = {{0, 1, Bond::Law::kContactBond, 0}};
   const double nx = 0.6, ny = 0.8, dt = 1e-5;
   const auto pulled_by = [&](double stretch, double slip) {
     Solver solver(two.model, 1);
     Particles& p = solver.particles();
     p.vx[1] = (stretch * nx - slip * ny) / dt;
     p.vy[1] = (stretch * ny + slip * nx) / dt;
-    Motions none;
-    solver.step({1, dt}, {}, none);
+    PrescribedMotions none;
+    solver.step({1, dt}, test::no_loads, none);
     return std::tuple(p.fx[0] * nx + p.fy[0] * ny, p.fy[0] * nx - p.fx[0] * ny, solver.bonds().state[0]);
   };
   const auto [pull_n, pull_t, whole] = pulled_by(4.9e-4, 0);
@@ -144,7 +144,7 @@ TEST(DiscsLaws, SmoothJointsSlideAlongTheirPlane) {
   const SmoothJoint joint{1e9, 4e8, 0.2, 0.0, 0.1};
   Two two({1e8, 1e8, 0.5}, 0);
   two.model.smooth_joints = {joint};
-  two.model.joined = {{0, 1, Joined::Law::kSmoothJoint, 0, 0, 1}};
+  two.model.bonds = {{0, 1, Bond::Law::kSmoothJoint, 0, 0, 1}};
   test::Run run(two.model, 0.05 * critical_step(two.model));
   Particles& p = run.solver.particles();
   p.vy = {1, -1};

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tests/unit/dem_server/discs_models.hpp"
-#include "tests/unit/dem_server/discs_run.hpp"
+#include "tests/unit/dem_server/in_process_run.hpp"
 
 namespace adit::dem {
 namespace {
@@ -55,7 +55,7 @@ struct Account {
 };
 
 Account crush(const scene::Scene& scene, double dt_factor, double duration) {
-  test::DiscsRun run(scene, dt_factor);
+  test::InProcessRun run(scene, {}, dt_factor);
   Account account;
   double start = 0;
   while (static_cast<double>(run.next) * run.dt < duration) {
@@ -94,7 +94,7 @@ TEST(DiscsLedger, ClosesAtEveryStepOfACrushing) {
 TEST(DiscsLedger, TheTimeStepsShareIsOfSecondOrder) {
   Model model = test::loose_discs({{0, 0, 0.1}, {0.2, 0, 0.1}, {0.35, 0, 0.05}, {0.45, 0, 0.05}}, {0, 0, 0});
   model.parallel_bonds = {{1e9, 4e8, 0.05, INFINITY, INFINITY, 0}};
-  test::join(model, Joined::Law::kParallelBond);
+  test::join(model, Bond::Law::kParallelBond);
   std::vector<double> worst;
   for (const double dt_factor : {0.2, 0.1, 0.05}) {
     test::Run run(model, dt_factor * critical_step(model));

@@ -18,9 +18,9 @@ TEST(DiscsParts, SpringsPullOnlyAndBreak) {
   for (const auto& [stretch, force] :
        {std::pair{1e-3, 1500.0}, {-4e-4, 100.0}, {-1e-3, 0.0}, {1.6e-3, 0.0}}) {
     Solver solver(model, 1);
-    Motions none;
+    PrescribedMotions none;
     solver.particles().vx[1] = stretch;
-    solver.step({1, 1.0}, {}, none);
+    solver.step({1, 1.0}, test::no_loads, none);
     EXPECT_NEAR(solver.particles().fx[0], force, 1e-6);
     EXPECT_NEAR(solver.particles().fx[1], -force, 1e-6);
     EXPECT_EQ(solver.springs().broken(), stretch == 1.6e-3 ? 1u : 0u);
@@ -47,7 +47,7 @@ TEST(DiscsParts, EdgesSwallowAWave) {
   for (int i = 0; i < kDiscs; ++i) places.push_back({2 * kRadius * i, 0, kRadius});
   Model model = test::loose_discs(places, {0, 0, 0});
   model.contact_bonds = {{kStiffness, 0}};
-  test::join(model, Joined::Law::kContactBond);
+  test::join(model, Bond::Law::kContactBond);
   const double mass = model.mass[0], c = std::sqrt(kStiffness * mass);
   model.edges = {{kDiscs - 1, c, 0}};
   model.mass[kDiscs - 1] /= 2;  // half a cell
@@ -60,7 +60,7 @@ TEST(DiscsParts, EdgesSwallowAWave) {
     p.ux[i] = 1e-4 * std::exp(-s * s);
   }
   run.solver.start_over();
-  run.solver.step({0, run.dt}, {}, run.motions);  // finds the forces of the start
+  run.solver.step({0, run.dt}, test::no_loads, run.motions);  // finds the forces of the start
   for (int i = 0; i < kDiscs; ++i) {
     const double before = (p.x[i] - speed * run.dt / 2 - 100 * 2 * kRadius) / width;
     p.vx[i] = speed * 1e-4 * 2 * before / width * std::exp(-before * before);
@@ -99,14 +99,12 @@ TEST(DiscsParts, ViscousDampingSlowsByTheMass) {
 TEST(DiscsParts, LocalDampingSharesTheResultant) {
   Model model = test::loose_discs({{0, 0, 0.1}}, {1e8, 0, 0});
   model.local_damping = 0.3;
-  scene::Particles scene;
-  scene.add_body_loads()->mutable_acceleration()->set_y(-10);
+  test::add_gravity(model, -10);
   Solver solver(model, 1);
-  Loads gravity(scene, solver.particles(), 1e-9);
-  Loads* const loads[] = {&gravity};
-  Motions none;
+  Loads gravity(model, solver.particles());
+  PrescribedMotions none;
   solver.particles().vy[0] = -1e-9;
-  for (std::uint64_t n = 1; n <= 100; ++n) solver.step({n, 1e-3}, loads, none);
+  for (std::uint64_t n = 1; n <= 100; ++n) solver.step({n, 1e-3}, gravity, none);
   EXPECT_NEAR(solver.particles().vy[0], -0.7, 1e-8);
   EXPECT_NEAR(solver.ledger().damping.local, 0.3 * gravity.work(), 1e-9 * gravity.work());
 }

@@ -28,7 +28,7 @@ class LatticeBeam {
       : radius_(kLength / 2 / std::round(kLength * rows * std::numbers::sqrt3 / 2)),
         height_(rows * std::numbers::sqrt3 * radius_),
         assembly_(
-            assemble(pack_hexagonally({0, kLength, 0, height_}, radius_), cell_mass(kDensity, radius_))) {
+            test::assemble(test::lattice_in({0, kLength, 0, height_}, radius_), cell_mass(kDensity, radius_))) {
     const BondLaw law{calibrate(kYoung, kNu, Plane::kStress), test::kUnbreakable, test::kUnbreakable};
     Eigen::SparseMatrix<double> k = test::stiffness_matrix(law, assembly_);
     // Fixed degrees of freedom keep their diagonal only: they take part in nothing.

@@ -19,7 +19,7 @@ double largest(const std::vector<double>& values) {
 
 // A rigid translation, however far and fast, gives no force.
 TEST(RigidMotion, TranslationGivesNoForce) {
-  Assembly a = assemble(test::rows_of(5, 8), 2.0);
+  Assembly a = test::assemble(test::rows_of(5, 8), 2.0);
   Particles& p = a.particles;
   for (auto* values : {&p.ux, &p.vx}) std::fill(values->begin(), values->end(), 12.5);
   for (auto* values : {&p.uy, &p.vy}) std::fill(values->begin(), values->end(), -3.25);
@@ -31,7 +31,7 @@ TEST(RigidMotion, TranslationGivesNoForce) {
 // A rigid rotation by any angle, with the spins equal to the rate of rotation, gives no force.
 TEST(RigidMotion, RotationGivesNoForce) {
   for (const double angle : {0.1, 1.0, 3.0}) {
-    Assembly a = assemble(test::rows_of(5, 8), 2.0);
+    Assembly a = test::assemble(test::rows_of(5, 8), 2.0);
     Particles& p = a.particles;
     const double rate = 2.0, c = std::cos(angle), s = std::sin(angle);
     for (std::size_t i = 0; i < p.size(); ++i) {
@@ -66,15 +66,15 @@ Momenta momenta(const Particles& p) {
 
 // A free, weighted lattice in violent motion, breaking in both modes.
 struct Violent {
-  Packing packing = test::rows_of(6, 9);
+  Model packing = test::rows_of(6, 9);
   Assembly a;
   BondLaw law{{7.0, 3.0}, 0.55, 0.45};
   double dt;
   Violent() {
-    std::vector<double> centres(packing.x.size(), 1.0), midpoints(packing.links.size());
+    std::vector<double> centres(packing.discs.x.size(), 1.0), midpoints(packing.bonds.size());
     test::fill_randomly(midpoints, 0.4, 9);
     for (double& weight : midpoints) weight += 0.5;
-    a = assemble(packing, 2.0, {centres, midpoints, 1e-3});
+    a = test::assemble(packing, 2.0, {centres, midpoints, 1e-3});
     test::fill_randomly(a.particles.vx, 0.2, 1);
     test::fill_randomly(a.particles.vy, 0.2, 2);
     test::fill_randomly(a.particles.spin, 0.4, 3);
@@ -100,7 +100,7 @@ TEST(Conservation, MomentaStay) {
 
 // Drift of the total energy over `steps` steps of free vibration with velocities of the given size.
 double drift(double amplitude, double dt_factor, int steps) {
-  Assembly a = assemble(test::rows_of(6, 9), 2.0);
+  Assembly a = test::assemble(test::rows_of(6, 9), 2.0);
   test::fill_randomly(a.particles.vx, amplitude, 1);
   test::fill_randomly(a.particles.vy, amplitude, 2);
   test::fill_randomly(a.particles.spin, amplitude, 3);

@@ -40,7 +40,7 @@ RC_GTEST_PROP(Pairs, AreThoseOfAFullSearch, ()) {
 // is in the list, and lists are made only when some disc has moved by half the skin, a quarter of a radius,
 // less what two steps move it.
 TEST(Contacts, ListHoldsAllThatTouchAndIsMadeNoSooner) {
-  Assembly a = assemble(test::rows_of(12, 12), 1.0);
+  Assembly a = test::assemble(test::rows_of(12, 12), 1.0);
   a.bonds = Bonds{};
   a.bonds.rest_length = 1;
   a.bonds.finish();
@@ -78,14 +78,14 @@ TEST(Contacts, ListHoldsAllThatTouchAndIsMadeNoSooner) {
 
 // Bonded pairs are not contacts, broken or not: the bond's own law holds.
 TEST(Contacts, LeaveBondedPairsAlone) {
-  Assembly a = assemble(test::rows_of(5, 9), 1.0);
+  Assembly a = test::assemble(test::rows_of(5, 9), 1.0);
   a.bonds.break_bond(3, BondState::kShearCrack);
   EXPECT_THAT(Contacts(a).pairs(), testing::IsEmpty());
 }
 
 // Fn = kn times the overlap on both, along the line between them; its work is the strain energy.
 TEST(Contacts, PushByTheOverlap) {
-  Assembly a = assemble(test::rows_of(1, 3), 1.0);
+  Assembly a = test::assemble(test::rows_of(1, 3), 1.0);
   Particles& p = a.particles;
   p.ux[2] = -1 - 0.3;  // 0.7 from the first
   p.uy[2] = 0.4;

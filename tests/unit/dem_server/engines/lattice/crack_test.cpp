@@ -1,4 +1,4 @@
-#include "dem_server/participant/crack.hpp"
+#include "dem_server/observe/crack.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,13 +10,12 @@ namespace {
 // A crack lies where the particles touched, across the bond, and is as long as the cells' common edge.
 TEST(Crack, IsTheCommonEdgeOfTheCells) {
   const double radius = 0.5;
-  Assembly a = assemble(test::rows_of(2, 3, radius), 1.0);
-  a.bonds.state.assign(a.bonds.size(), BondState::kShearCrack);
+  const Assembly a = test::assemble(test::rows_of(2, 3, radius), 1.0);
   std::size_t seen[3] = {0, 0, 0};
   for (std::uint32_t k = 0; k < a.bonds.size(); ++k) {
-    const Crack crack = crack_of_bond(a, k);
     const Particles& p = a.particles;
     const std::uint32_t i = a.bonds.first[k], j = a.bonds.second[k];
+    const Crack crack = crack_between(p, i, j, 0, BondState::kShearCrack);
     EXPECT_EQ(crack.mode, BondState::kShearCrack);
     EXPECT_EQ(crack.parent_a, p.id[i]);
     EXPECT_EQ(crack.parent_b, p.id[j]);
@@ -36,7 +35,9 @@ TEST(Crack, IsTheCommonEdgeOfTheCells) {
 
 // A bond along a row leaves an upright crack: pi/2, not -pi/2.
 TEST(Crack, UprightCrackHasAPositiveAngle) {
-  EXPECT_DOUBLE_EQ(crack_of_bond(test::pair_of_particles(), 0).orientation, std::numbers::pi / 2);
+  const Particles p = test::pair_of_particles().particles;
+  for (const auto& [i, j] : {std::pair(0u, 1u), {1u, 0u}})
+    EXPECT_DOUBLE_EQ(crack_between(p, i, j, 0, BondState::kTensileCrack).orientation, std::numbers::pi / 2);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ double exact_step(const BondLaw& law, const Assembly& a) {
 // Inside a large lattice the bound is the larger of the modes 12 kn / m and 36 ks / m.
 TEST(CriticalStep, InteriorBondGovernsLargeLattices) {
   const double mass = 5.0;
-  const Assembly a = assemble(test::rows_of(9, 9), mass);
+  const Assembly a = test::assemble(test::rows_of(9, 9), mass);
   EXPECT_DOUBLE_EQ(critical_step(a, {7.0, 1.0}), 2 / std::sqrt(12 * 7.0 / mass));
   EXPECT_DOUBLE_EQ(critical_step(a, {7.0, 6.0}), 2 / std::sqrt(36 * 6.0 / mass));
 }
@@ -35,7 +35,7 @@ TEST(CriticalStep, LoneBondIsExact) {
 TEST(CriticalStep, StaysBelowTheExactStep) {
   for (const double shear : {0.0, 2.0, 7.0}) {
     const BondLaw law{{7.0, shear}, kUnbreakable, kUnbreakable};
-    const Assembly a = assemble(test::rows_of(5, 6), 2.0);
+    const Assembly a = test::assemble(test::rows_of(5, 6), 2.0);
     const double bound = critical_step(a, law.stiffness), exact = exact_step(law, a);
     EXPECT_LE(bound, exact);
     EXPECT_GT(bound, 0.6 * exact);
@@ -45,16 +45,16 @@ TEST(CriticalStep, StaysBelowTheExactStep) {
 // Weights of any kind, vanished particles included, do not shorten the step: neither the bound nor the truth.
 TEST(CriticalStep, WeightsDoNotShortenIt) {
   const BondLaw law{{7.0, 2.0}, kUnbreakable, kUnbreakable};
-  const Packing packing = test::rows_of(5, 6);
-  const double unweighted = critical_step(assemble(packing, 2.0), law.stiffness);
+  const Model packing = test::rows_of(5, 6);
+  const double unweighted = critical_step(test::assemble(packing, 2.0), law.stiffness);
   for (const unsigned seed : {1u, 2u, 3u, 4u}) {
-    std::vector<double> centres(packing.x.size()), midpoints(packing.links.size());
+    std::vector<double> centres(packing.discs.x.size()), midpoints(packing.bonds.size());
     test::fill_randomly(centres, 1.0, seed);
     test::fill_randomly(midpoints, 1.0, seed + 10);
     for (double& weight : centres) weight = weight < -0.7 ? 0 : std::abs(weight);
     for (double& weight : midpoints) weight = std::pow(std::abs(weight), 4);
-    const Assembly a = assemble(packing, 2.0, {centres, midpoints, 1e-3});
-    ASSERT_LT(a.particles.size(), packing.x.size());
+    const Assembly a = test::assemble(packing, 2.0, {centres, midpoints, 1e-3});
+    ASSERT_LT(a.particles.size(), packing.discs.x.size());
     EXPECT_GE(critical_step(a, law.stiffness), unweighted * (1 - 1e-14));
     EXPECT_GE(exact_step(law, a), unweighted);
   }
@@ -65,7 +65,7 @@ TEST(CriticalStep, WeightsDoNotShortenIt) {
 TEST(CriticalStep, ExactStepIsTheLimitOfStability) {
   const BondLaw law{{7.0, 2.0}, kUnbreakable, kUnbreakable};
   const auto peak = [&](double factor) {
-    Assembly a = assemble(test::rows_of(4, 5), 2.0);
+    Assembly a = test::assemble(test::rows_of(4, 5), 2.0);
     test::fill_randomly(a.particles.vx, 1e-9, 5);
     test::fill_randomly(a.particles.vy, 1e-9, 6);
     const double dt = factor * exact_step(law, a);

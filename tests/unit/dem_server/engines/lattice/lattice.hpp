@@ -11,17 +11,17 @@
 #include <vector>
 
 #include "dem_server/engines/lattice/contact_forces.hpp"
-#include "dem_server/particles/assembly.hpp"
 #include "dem_server/particles/energy.hpp"
-#include "dem_server/particles/motion.hpp"
+#include "dem_server/particles/integrate.hpp"
+#include "tests/support/lattice_model.hpp"
 
 namespace adit::dem::test {
 
-inline constexpr double kUnbreakable = std::numeric_limits<double>::infinity();
+using dem::kUnbreakable;
 
-// Rows of touching discs, the first, third, … with `discs` of them, from the origin.
-inline Packing rows_of(int rows, int discs, double radius = 0.5) {
-  return pack_hexagonally({0, 2 * radius * discs, 0, std::numbers::sqrt3 * radius * rows}, radius);
+// Rows of touching, bonded discs, the first, third, … with `discs` of them, from the origin.
+inline Model rows_of(int rows, int discs, double radius = 0.5) {
+  return lattice_in({0, 2 * radius * discs, 0, std::numbers::sqrt3 * radius * rows}, radius);
 }
 
 // Two particles at rest with one bond along x.

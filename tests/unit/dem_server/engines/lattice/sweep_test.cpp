@@ -12,8 +12,8 @@ namespace {
 
 constexpr BondLaw kBrittle{{7.0, 3.0}, 0.02, 0.015};
 
-Assembly shaken(const Packing& packing) {
-  Assembly a = assemble(packing, 2.0);
+Assembly shaken(const Model& packing) {
+  Assembly a = test::assemble(packing, 2.0);
   test::fill_randomly(a.particles.vx, 0.01, 1);
   test::fill_randomly(a.particles.vy, 0.01, 2);
   test::fill_randomly(a.particles.spin, 0.01, 3);
@@ -27,7 +27,7 @@ struct Outcome {
 };
 
 // A hundred steps by the sweep; every 7th particle is kept, as if something else pulled on it too.
-Outcome swept(const Packing& packing, std::size_t threads, const BondLaw& law) {
+Outcome swept(const Model& packing, std::size_t threads, const BondLaw& law) {
   Outcome out{shaken(packing), {}, {}};
   Assembly& a = out.assembly;
   std::vector<Role> roles(a.particles.size(), Role::kSwept);
@@ -45,7 +45,7 @@ Outcome swept(const Packing& packing, std::size_t threads, const BondLaw& law) {
 }
 
 // The same in three passes over everything.
-Outcome passed(const Packing& packing, const BondLaw& law) {
+Outcome passed(const Model& packing, const BondLaw& law) {
   Outcome out{shaken(packing), {}, {}};
   Assembly& a = out.assembly;
   const protocol::IndexRange all{0, static_cast<std::uint32_t>(a.particles.size())};
@@ -60,11 +60,11 @@ Outcome passed(const Packing& packing, const BondLaw& law) {
 }
 
 // 9 968 particles make two blocks, 31 416 seven.
-class Sweeps : public testing::TestWithParam<Packing> {};
+class Sweeps : public testing::TestWithParam<Model> {};
 INSTANTIATE_TEST_SUITE_P(Sizes, Sweeps,
                          testing::Values(test::rows_of(6, 52), test::rows_of(32, 312),
                                          test::rows_of(100, 315)),
-                         [](const auto& info) { return std::to_string(info.param.x.size()) + "particles"; });
+                         [](const auto& info) { return std::to_string(info.param.discs.size()) + "particles"; });
 
 // One, two, three and eight threads give the same bits, breaking included.
 TEST_P(Sweeps, ThreadsChangeNoBit) {
@@ -88,13 +88,13 @@ TEST_P(Sweeps, IsThePlainStep) {
   const Outcome a = swept(GetParam(), 2, unbreakable), b = passed(GetParam(), unbreakable);
   EXPECT_NEAR(a.last.max_normal_force, b.last.max_normal_force, 1e-12 * b.last.max_normal_force);
   for (auto member : {&Particles::ux, &Particles::uy, &Particles::vx, &Particles::vy, &Particles::spin})
-    for (std::size_t i = 0; i < GetParam().x.size(); ++i)
+    for (std::size_t i = 0; i < GetParam().discs.size(); ++i)
       ASSERT_NEAR((a.assembly.particles.*member)[i], (b.assembly.particles.*member)[i], 1e-13) << i;
 }
 
 // Bonds that break in one step are told in the order of their numbers, wherever they were computed.
 TEST_P(Sweeps, TellsBrokenBondsInOrder) {
-  Assembly a = assemble(GetParam(), 2.0);
+  Assembly a = test::assemble(GetParam(), 2.0);
   for (std::size_t i = 0; i < a.particles.size(); ++i) a.particles.ux[i] = 0.01 * a.particles.x[i];
   Sweep sweep(a.bonds.runs, std::vector(a.particles.size(), Role::kSwept),
               std::vector<bool>(a.particles.size(), true), 2);
@@ -108,7 +108,7 @@ TEST_P(Sweeps, TellsBrokenBondsInOrder) {
 
 // What the sweep says of speed is the largest that moved something.
 TEST_P(Sweeps, FindsTheLargestSpeed) {
-  Assembly a = assemble(GetParam(), 2.0);
+  Assembly a = test::assemble(GetParam(), 2.0);
   a.particles.vx[a.particles.size() / 2] = -3;
   a.particles.vy[a.particles.size() / 2] = 4;
   Sweep sweep(a.bonds.runs, std::vector(a.particles.size(), Role::kSwept),

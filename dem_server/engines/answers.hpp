@@ -1,0 +1,35 @@
+// What an engine says of its particles, as counts and sums.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace adit::dem {
+
+struct Counts {
+  std::size_t particles, bonds;
+};
+
+// The bond with the largest |normal force| of a step, or where there are none the contact; unweighted.
+struct Strongest {
+  double force = 0, x = 0, y = 0;  // [N], [m]
+};
+
+struct EnergyShare {
+  const char* name;
+  double value;  // [J]
+};
+
+// At the step made last, weighted [J]; all but the first two since the start.
+struct Energies {
+  double kinetic = 0, strain = 0, external_work = 0, released = 0, dissipated = 0;
+  std::vector<EnergyShare> shares;  // what some of these consist of
+};
+
+// How far the particles are from rest (wire.proto, message Relaxation).
+struct Unrest {
+  double unbalanced_force, internal_force;  // [N]
+  std::size_t particles, elements;          // elements: bonds and contacts
+};
+
+}  // namespace adit::dem

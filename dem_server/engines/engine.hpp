@@ -1,0 +1,67 @@
+// What computes the particles of a run. The participant drives an engine and knows no other.
+//
+// Particles need not lie in this process: what an engine is asked for are points, velocities at the coupling
+// points, counts, sums, events and pieces of a snapshot.
+//
+// A step has two parts. The interface's gives the velocities at the coupling points, the interior's the rest;
+// results do not depend on when the second is computed. Errors that end a run are protocol::Unstable.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dem_server/engines/answers.hpp"
+#include "dem_server/observe/crack.hpp"
+#include "protocol/geometry/bounding_box.hpp"
+#include "protocol/messages/scene.pb.h"
+#include "protocol/messages/wire.pb.h"
+#include "protocol/participant/step.hpp"
+
+namespace adit::dem {
+
+class Engine {
+ public:
+  virtual ~Engine() = default;
+
+  virtual Counts counts() const = 0;
+  virtual double critical_step() const = 0;  // proven, without weights [s]
+
+  // The scene's histories. UserError for one that cannot be told.
+  virtual void watch(const scene::Particles& scene) = 0;
+
+  // Centres at rest inside or on the box, x0 y0 x1 y1 … [m]
+  virtual std::vector<double> offer(const geometry::BoundingBox& box) = 0;
+  // Ties the particles to the coupling points [m] and tells how they follow. UserError where they do not reach.
+  virtual void tie(std::span<const double> places, wire::Operator& op) = 0;
+  // Adds N^T impulse / mass to the velocities predicted last; one pair [N s] a coupling point.
+  virtual void correct(std::span<const double> impulses) = 0;
+
+  // Before a step: notes the velocities that its histories, its energies where they are wanted, and its peaks
+  // need.
+  virtual void prepare(bool energies) = 0;
+  virtual void remember_for_peaks() = 0;
+  virtual void step_interface(const protocol::Step& step) = 0;
+  virtual void step_interior(const protocol::Step& step) = 0;
+
+  virtual void read_velocities(std::span<double> velocities) const = 0;  // at the coupling points [m/s]
+  virtual std::span<const Crack> broken() const = 0;                     // in the last whole step
+  virtual Strongest strongest() const = 0;                               // likewise
+  virtual Energies energies(const protocol::Step& step) = 0;
+  virtual double kinetic_energy() const = 0;  // of the present velocities, weighted [J]
+  virtual void read_histories(const protocol::Step& step,
+                              google::protobuf::RepeatedField<double>& values) const = 0;
+
+  // Of a step whose velocities are corrected.
+  virtual void take_peaks(const protocol::Step& step) = 0;
+  virtual Unrest unrest(const protocol::Step& step) = 0;
+  // All velocities become 0.
+  virtual void stop() = 0;
+  // The first step that does not relax is next: displacements, energies and work count from here.
+  virtual void start_over() = 0;
+
+  virtual void snapshot(wire::Snapshot& snapshot) const = 0;  // observe/snapshot.hpp, with the peaks
+  virtual std::uint64_t fragments() const = 0;                // bodies that whole bonds hold together
+};
+
+}  // namespace adit::dem

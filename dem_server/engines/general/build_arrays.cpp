@@ -1,0 +1,107 @@
+#include "dem_server/engines/general/build_arrays.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "dem_server/model/initial_stress.hpp"
+
+namespace adit::dem {
+namespace {
+
+PairLaw law_of(const Model& model, const Bond& joined, std::uint32_t contact) {
+  PairLaw law{.contact = model.contacts[contact]};
+  if (joined.law == Bond::Law::kContactBond) {
+    const ContactBond& bond = model.contact_bonds[joined.number];
+    law.kn = bond.normal_stiffness;
+    law.ks = bond.shear_stiffness;
+    law.tensile_strength = bond.tensile_strength;
+    law.cohesion = bond.shear_strength;
+  } else {
+    const ParallelBond& bond = model.parallel_bonds[joined.number];
+    law.kn = bond.normal_stiffness;
+    law.ks = bond.shear_stiffness;
+    law.km = bond.normal_stiffness / 12;
+    law.tensile_strength = bond.tensile_strength;
+    law.bending = 6;
+    law.cohesion = bond.cohesion;
+    law.tan_friction_angle = bond.tan_friction_angle;
+    law.beside = true;
+  }
+  return law;
+}
+
+// Bonds of a lattice bear the initial stress. Where one breaks, its contact is pressed by what the bond was.
+void set_initial_forces(const Model& model, const std::vector<PairLaw>& laws, Pairs& bonds) {
+  for (std::uint32_t k = 0; k < bonds.size(); ++k) {
+    const PairLaw& law = laws[bonds.law[k]];
+    const double height = (model.discs.y[bonds.first[k]] + model.discs.y[bonds.second[k]]) / 2;
+    const auto [normal, shear] =
+        initial_forces(*model.initial_stress, {law.kn, law.ks},
+                       {bonds.rest_x[k], bonds.rest_y[k], bonds.rest_length[k], height});
+    bonds.initial[k] = normal;
+    bonds.shear[k] = shear;
+    bonds.slack[k] = normal / law.contact.normal_stiffness;
+  }
+}
+
+}  // namespace
+
+Bonded bonds_of(const Model& model) {
+  Bonded out;
+  const Discs& d = model.discs;
+  std::map<std::tuple<Bond::Law, std::uint32_t, std::uint32_t>, std::uint32_t> numbers;
+  std::vector<std::uint32_t> laws;
+  for (std::uint32_t k = 0; k < model.bonds.size(); ++k) {
+    const Bond& pair = model.bonds[k];
+    if (pair.law == Bond::Law::kSmoothJoint) {
+      out.joints.push_back({pair.first, pair.second, pair.nx, pair.ny,
+                            (d.radius[pair.first] - d.radius[pair.second]) / 2, pair.weight,
+                            model.smooth_joints[pair.number]});
+      continue;
+    }
+    const std::uint32_t contact = model.contact_number(model.group[pair.first], model.group[pair.second]);
+    const auto [found, fresh] = numbers.try_emplace({pair.law, pair.number, contact});
+    if (fresh) {
+      const PairLaw law = law_of(model, pair, contact);
+      found->second = static_cast<std::uint32_t>(std::ranges::find(out.laws, law) - out.laws.begin());
+      if (found->second == out.laws.size()) out.laws.push_back(law);
+    }
+    laws.push_back(found->second);
+    out.bonds.first.push_back(pair.first);
+    out.bonds.second.push_back(pair.second);
+    out.bond_of_pair.push_back(k);
+  }
+  out.first_contact_law = static_cast<std::uint32_t>(out.laws.size());
+  for (const LinearContact& contact : model.contacts) {
+    out.laws.push_back({.contact = contact});
+    out.dashpots |= contact.normal_damping > 0 || contact.shear_damping > 0;
+  }
+
+  Pairs& bonds = out.bonds;
+  bonds.finish(d.size(), true, out.dashpots);
+  bonds.law = std::move(laws);
+  for (std::uint32_t k = 0; k < bonds.size(); ++k) {
+    const std::uint32_t i = bonds.first[k], j = bonds.second[k];
+    const double x = d.x[j] - d.x[i], y = d.y[j] - d.y[i], length = std::sqrt(x * x + y * y);
+    const double gap = length - d.radius[i] - d.radius[j];
+    const PairLaw& law = out.laws[bonds.law[k]];
+    const Bond& bond = model.bonds[out.bond_of_pair[k]];
+    bonds.width[k] = law.beside ? model.parallel_bonds[bond.number].area() : 1;
+    bonds.rest_x[k] = x;
+    bonds.rest_y[k] = y;
+    bonds.rest_length[k] = length;
+    bonds.half_difference[k] = (d.radius[i] - d.radius[j]) / 2;
+    bonds.slack[k] = model.overlaps_free ? std::max(gap, 0.0) : gap;
+    // Rounding of places is no gap.
+    if (std::abs(bonds.slack[k]) < 1e-12 * length) bonds.slack[k] = 0;
+    if (!law.beside) bonds.initial[k] = law.kn * std::min(bonds.slack[k], 0.0);
+    bonds.weight[k] = bond.weight;
+  }
+  if (model.initial_stress) set_initial_forces(model, out.laws, bonds);
+  bonds.sort_chunks();
+  return out;
+}
+
+}  // namespace adit::dem

@@ -1,0 +1,135 @@
+#include "dem_server/engines/general/general_engine.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dem_server/engines/general/critical_step.hpp"
+#include "dem_server/engines/general/renumber.hpp"
+#include "dem_server/engines/useful_threads.hpp"
+#include "protocol/errors.hpp"
+
+namespace adit::dem {
+namespace {
+
+constexpr double kFar = 10;  // extents of the model from where it stood: a particle has left
+
+Model renumbered(Model model) {
+  renumber(model);
+  return model;
+}
+
+}  // namespace
+
+GeneralEngine::GeneralEngine(Model model, std::size_t threads)
+    : GeneralEngine(threads > 0 ? threads : useful_threads(model.discs.size()), renumbered(std::move(model))) {}
+
+GeneralEngine::GeneralEngine(std::size_t threads, Model model)
+    : LocalEngine(model),
+      model_(std::move(model)),
+      solver_(model_, threads),
+      loads_(model_, solver_.particles()),
+      motions_(model_, solver_.particles()),
+      lists_(solver_.neighbours().lists()) {}
+
+double GeneralEngine::critical_step() const {
+  return dem::critical_step(model_);
+}
+
+void GeneralEngine::tie(std::span<const double> places, wire::Operator& op) {
+  const Pairs& bonds = solver_.bonds();
+  const double longest = bonds.size() > 0 ? std::ranges::max(bonds.rest_length) : 0;
+  tie_particles(places, {bonds.first, bonds.second, longest}, motions_, op);
+}
+
+void GeneralEngine::step_interface(const protocol::Step& step) {
+  solver_.step(step, loads_, motions_);
+  require_finite(step);
+  note_cracks();
+  warn_of_escapes(step);
+}
+
+void GeneralEngine::require_finite(const protocol::Step& step) const {
+  const auto [force, x, y] = solver_.strongest();
+  if (!std::isfinite(force))
+    throw protocol::Unstable(
+        fmt::format("step {}: the normal force between the particles at ({:.6g}, {:.6g}) m is {} N; reduce "
+                    "time.dt_factor",
+                    step.number, x, y, force));
+  if (!std::isfinite(solver_.ledger().pairs))
+    throw protocol::Unstable(fmt::format(
+        "step {}: the work of the particles' forces is not finite; reduce time.dt_factor", step.number));
+}
+
+void GeneralEngine::note_cracks() {
+  cracks_.clear();
+  for (const std::uint32_t pair : solver_.broken()) {
+    const Bond& bond = model_.bonds[solver_.bond_of_pair()[pair]];
+    const double width =
+        bond.law == Bond::Law::kParallelBond ? model_.parallel_bonds[bond.number].area() : 0;
+    cracks_.push_back(
+        crack_between(particles(), bond.first, bond.second, width, solver_.bonds().state[pair]));
+  }
+}
+
+// Only what moves far makes new lists of neighbours.
+void GeneralEngine::warn_of_escapes(const protocol::Step& step) {
+  if (escaped_ || solver_.neighbours().lists() == lists_) return;
+  lists_ = solver_.neighbours().lists();
+  const auto& extent = model_.extent;
+  const double far = kFar * std::hypot(extent.x_max - extent.x_min, extent.y_max - extent.y_min);
+  const Particles& p = particles();
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (!(std::hypot(p.ux[i], p.uy[i]) > far)) continue;
+    escaped_ = true;
+    spdlog::warn(
+        "step {}: particle {} has left the model: it is {:.3g} m from where it stood at ({:.6g}, {:.6g}) m; "
+        "the run goes on, and further ones are not reported",
+        step.number, p.id[i], std::hypot(p.ux[i], p.uy[i]), p.x[i], p.y[i]);
+    return;
+  }
+}
+
+Energies GeneralEngine::energies(const protocol::Step& step) {
+  const DiscLedger ledger = solver_.ledger();
+  const Stored stored = solver_.stored();
+  const double loads = loads_.work().forces, body_loads = loads_.work().accelerations,
+               motions = motions_.work(), walls = solver_.walls().work();
+  return {.kinetic = kinetic_energy_of(step),
+          .strain = solver_.strain_energy(),
+          .external_work = loads + body_loads + motions + walls + ledger.support,
+          .released = ledger.released,
+          .dissipated = ledger.friction + ledger.dashpots + ledger.damping.local + ledger.damping.viscous +
+                        ledger.damping.edges,
+          .shares = {{"contacts", stored.contacts},
+                     {"contact_bonds", stored.contact_bonds},
+                     {"parallel_bonds", stored.parallel_bonds},
+                     {"joints", solver_.joints().strain_energy()},
+                     {"springs", solver_.springs().strain_energy()},
+                     {"loads", loads},
+                     {"body_loads", body_loads},
+                     {"motions", motions},
+                     {"walls", walls},
+                     {"friction", ledger.friction},
+                     {"contact_dashpots", ledger.dashpots},
+                     {"local_damping", ledger.damping.local},
+                     {"viscous_damping", ledger.damping.viscous},
+                     {"quiet_edges", ledger.damping.edges},
+                     {"time_step", solver_.time_step_share()}}};
+}
+
+void GeneralEngine::stop() {
+  LocalEngine::stop();
+  solver_.stop();
+}
+
+void GeneralEngine::start_over() {
+  LocalEngine::start_over();
+  solver_.start_over();
+  loads_.start_over();
+  motions_.start_over();
+}
+
+}  // namespace adit::dem

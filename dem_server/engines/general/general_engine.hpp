@@ -1,0 +1,63 @@
+// The engine of discs of any size under all laws (solver.hpp). It computes the whole step with the interface's
+// part; nothing is left to the interior.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dem_server/engines/general/solver.hpp"
+#include "dem_server/engines/local_engine.hpp"
+#include "dem_server/particles/loads.hpp"
+#include "dem_server/particles/prescribed_motions.hpp"
+
+namespace adit::dem {
+
+class GeneralEngine final : public LocalEngine {
+ public:
+  // Threads that share the computing, 0: as many as pay. Results do not depend on their number.
+  GeneralEngine(Model model, std::size_t threads);
+
+  Solver& solver() { return solver_; }
+
+  const Particles& particles() const override { return solver_.particles(); }
+  Particles& particles() override { return solver_.particles(); }
+  void for_each_bond(const SeePair& see) const override;
+  void for_each_contact(const SeePair& see) const override;
+  std::vector<Branch> branches_of_joints() const override;
+  std::vector<Branch> branches_of_walls() const override;
+  std::vector<SpringForce> springs() const override;
+  std::vector<WallForce> walls() const override;
+
+  Counts counts() const override { return {solver_.particles().size(), model_.bonds.size()}; }
+  double critical_step() const override;
+  void tie(std::span<const double> places, wire::Operator& op) override;
+  void correct(std::span<const double> impulses) override { push(impulses, motions_); }
+  void step_interface(const protocol::Step& step) override;
+  void step_interior(const protocol::Step&) override {}
+  std::span<const Crack> broken() const override { return cracks_; }
+  Strongest strongest() const override { return solver_.strongest(); }
+  Energies energies(const protocol::Step& step) override;
+  void stop() override;
+  void start_over() override;
+
+ private:
+  explicit GeneralEngine(std::size_t threads, Model renumbered);
+
+  double internal_force() const override { return solver_.internal_force(); }
+  std::size_t elements() const override { return solver_.bonds().size() + solver_.contacts().size(); }
+
+  void require_finite(const protocol::Step& step) const;
+  // Tells the user once of a particle that is far from where it stood.
+  void warn_of_escapes(const protocol::Step& step);
+  void note_cracks();
+
+  Model model_;
+  Solver solver_;
+  Loads loads_;
+  PrescribedMotions motions_;
+  std::vector<Crack> cracks_;  // of the last step
+  std::uint64_t lists_;        // of neighbours when particles were last looked for far away
+  bool escaped_ = false;
+};
+
+}  // namespace adit::dem

@@ -1,0 +1,108 @@
+#include "dem_server/engines/lattice/assembly.hpp"
+
+#include <algorithm>
+#include <atomic>
+
+#include "dem_server/model/initial_stress.hpp"
+#include "dem_server/model/lattice.hpp"
+#include "protocol/threads/index_ranges.hpp"
+
+namespace adit::dem {
+namespace {
+
+void append_to_runs(std::vector<Run>& runs, std::uint32_t bond, std::uint32_t first, std::uint32_t second,
+                    double rest_x, double rest_y) {
+  if (!runs.empty()) {
+    Run& last = runs.back();
+    if (last.count < kLongestRun && first == last.first + last.count && second == last.second + last.count &&
+        rest_x == last.rest_x && rest_y == last.rest_y) {
+      ++last.count;
+      return;
+    }
+  }
+  runs.push_back({bond, 1, first, second, rest_x, rest_y});
+}
+
+void set_initial_forces(const Model& model, Bonds& b) {
+  const ContactBond& law = model.contact_bonds[model.bonds.front().number];
+  const auto& y = model.discs.y;
+  b.initial_normal_force.resize(b.size());
+  for (const Run& run : b.runs)
+    for (std::uint32_t k = 0; k < run.count; ++k) {
+      const double height = (y[run.first + k] + y[run.second + k]) / 2;
+      const auto [normal, shear] = initial_forces(*model.initial_stress, {law.normal_stiffness, law.shear_stiffness},
+                                                  {run.rest_x, run.rest_y, b.rest_length, height});
+      b.initial_normal_force[run.begin + k] = normal;
+      b.shear_force[run.begin + k] = shear;
+    }
+}
+
+Bonds bonds_of(const Model& model) {
+  Bonds b;
+  const double radius = model.discs.radius.front();
+  b.rest_length = 2 * radius;
+  for (const Bond& bond : model.bonds) {
+    const auto [rest_x, rest_y] = rest_vector(direction_of(model, bond).value(), radius);
+    append_to_runs(b.runs, static_cast<std::uint32_t>(b.size()), bond.first, bond.second, rest_x, rest_y);
+    b.first.push_back(bond.first);
+    b.second.push_back(bond.second);
+  }
+  b.finish();
+  for (std::uint32_t k = 0; k < b.size(); ++k) b.set_weight(k, model.bonds[k].weight);
+  if (model.initial_stress) set_initial_forces(model, b);
+  return b;
+}
+
+}  // namespace
+
+void Bonds::finish() {
+  weight.assign(size(), 1.0);
+  intact.assign(size(), 1.0);
+  normal_force.assign(size(), 0.0);
+  shear_force.assign(size(), 0.0);
+  state.assign(size(), BondState::kIntact);
+  marked_.assign(size() / kGroup + 1, false);
+}
+
+bool Bonds::plain(const Run& run) const {
+  const auto last = (run.begin + run.count - 1) / kGroup;
+  for (auto group = run.begin / kGroup; group <= last; ++group)
+    if (std::atomic_ref(marked_[group]).load(std::memory_order_relaxed)) return false;
+  return true;
+}
+
+void Bonds::mark(std::uint32_t bond) {
+  std::atomic_ref(marked_[bond / kGroup]).store(true, std::memory_order_relaxed);
+}
+
+void Bonds::set_weight(std::uint32_t bond, double value) {
+  weight[bond] = value;
+  if (value != 1) mark(bond);
+}
+
+void Bonds::break_bond(std::uint32_t bond, BondState to) {
+  state[bond] = to;
+  intact[bond] = 0;
+  shear_force[bond] = 0;
+  mark(bond);
+}
+
+SplitRuns split(std::span<const Run> runs, const std::vector<bool>& chosen) {
+  SplitRuns parts;
+  for (const Run& run : runs)
+    protocol::for_each_range(
+        run.count, [&](std::uint32_t k) { return chosen[run.first + k] || chosen[run.second + k]; },
+        [&](const protocol::IndexRange& range, bool touches) {
+          Run part = run;
+          part.count = range.end - range.begin;
+          for (auto* number : {&part.begin, &part.first, &part.second}) *number += range.begin;
+          (touches ? parts.touching : parts.others).push_back(part);
+        });
+  return parts;
+}
+
+Assembly assemble(const Model& model) {
+  return {at_rest(model), bonds_of(model)};
+}
+
+}  // namespace adit::dem

@@ -1,0 +1,205 @@
+#include "dem_server/engines/lattice/lattice_engine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "dem_server/engines/lattice/critical_step.hpp"
+#include "dem_server/engines/useful_threads.hpp"
+#include "dem_server/packing/meeting_place.hpp"
+#include "protocol/errors.hpp"
+
+namespace adit::dem {
+namespace {
+
+BondLaw law_of(const Model& model) {
+  const ContactBond& bond = model.contact_bonds[model.bonds.front().number];
+  return {{bond.normal_stiffness, bond.shear_stiffness}, bond.tensile_strength, bond.shear_strength};
+}
+
+// From the first to the second of two particles where they are now.
+struct Facing {
+  double nx, ny, gap;
+};
+Facing facing(const Particles& p, std::uint32_t i, std::uint32_t j) {
+  const double dx = (p.x[j] - p.x[i]) + (p.ux[j] - p.ux[i]), dy = (p.y[j] - p.y[i]) + (p.uy[j] - p.uy[i]);
+  const double length = std::hypot(dx, dy);
+  return {dx / length, dy / length, length - p.radius[i] - p.radius[j]};
+}
+
+}  // namespace
+
+LatticeEngine::LatticeEngine(const Model& model, std::size_t threads)
+    : LocalEngine(model),
+      team_(threads > 0 ? threads : useful_threads(model.discs.size())),
+      law_(law_of(model)),
+      assembly_(assemble(model)),
+      contacts_(assembly_),
+      tied_(model.discs.size(), false) {
+  interior_.loads = Loads(model, assembly_.particles);
+  interior_.motions = PrescribedMotions(model, assembly_.particles);
+  plan();
+}
+
+double LatticeEngine::critical_step() const {
+  return dem::critical_step(assembly_, law_.stiffness);
+}
+
+void LatticeEngine::tie(std::span<const double> places, wire::Operator& op) {
+  tie_particles(places, ends_of(assembly_.bonds), interior_.motions, op);
+  for (const std::uint32_t i : tied()) tied_[i] = true;
+  interface_.loads = interior_.loads.take(tied_);
+  interface_.motions = interior_.motions.take(tied_, assembly_.particles);
+  plan();
+}
+
+void LatticeEngine::plan() {
+  const std::size_t size = assembly_.particles.size();
+  std::vector<bool> pulled(size, false);  // by others than bonds
+  for (Part* part : {&interface_, &interior_}) {
+    part->loads.mark(pulled);
+    part->motions.mark(pulled);
+    part->pairs.clear();
+  }
+  const auto [touching, others] = split(assembly_.bonds.runs, tied_);
+  std::vector<bool> reached = tied_;
+  for (const Run& run : touching)
+    for (std::uint32_t k = 0; k < run.count; ++k) reached[run.first + k] = reached[run.second + k] = true;
+  for (const Pair& pair : contacts_.pairs()) {
+    const bool touches = tied_[pair.first] || tied_[pair.second];
+    (touches ? interface_ : interior_).pairs.push_back(pair);
+    for (const std::uint32_t i : {pair.first, pair.second}) {
+      pulled[i] = true;
+      if (touches) reached[i] = true;
+    }
+  }
+
+  std::vector<Role> of_interface(size, Role::kForeign), of_interior = of_interface;
+  for (std::size_t i = 0; i < size; ++i)
+    if (tied_[i])
+      of_interface[i] = pulled[i] ? Role::kKept : Role::kSwept;
+    else
+      of_interior[i] = pulled[i] || reached[i] ? Role::kKept : Role::kSwept;
+  interface_.sweep = {touching, of_interface, reached, team_.threads()};
+  reached.flip();
+  interior_.sweep = {others, of_interior, reached, team_.threads()};
+}
+
+void LatticeEngine::step_interface(const protocol::Step& step) {
+  result_ = {};
+  speed_ = 0;
+  broken_.clear();
+  if (contacts_.update(step.dt, assembly_)) plan();
+  pull(step, interface_);
+  predict(step, interface_);
+}
+
+void LatticeEngine::step_interior(const protocol::Step& step) {
+  pull(step, interior_);
+  predict(step, interior_);
+  released_ += result_.released;
+  contacts_.moved(step.dt, speed_);
+  cracks_.clear();
+  for (const std::uint32_t bond : broken_)
+    cracks_.push_back(crack_between(assembly_.particles, assembly_.bonds.first[bond],
+                                    assembly_.bonds.second[bond], 0, assembly_.bonds.state[bond]));
+}
+
+void LatticeEngine::pull(const protocol::Step& step, Part& part) {
+  speed_ = std::max(speed_, part.sweep.run(team_, law_, step, assembly_, result_, broken_));
+  add_contacts(law_.stiffness.normal, assembly_.bonds.rest_length, part.pairs, assembly_.particles,
+               resultants_of(assembly_.particles));
+  if (!std::isfinite(result_.max_normal_force)) {
+    const auto [force, x, y] = strongest();
+    throw protocol::Unstable(fmt::format(
+        "step {}: the normal force of the bond at ({:.6g}, {:.6g}) m is {} N; reduce time.dt_factor",
+        step.number, x, y, force));
+  }
+  part.loads.apply(step, assembly_.particles);
+}
+
+void LatticeEngine::predict(const protocol::Step& step, Part& part) {
+  part.sweep.predict(team_, step.kick(), assembly_.particles);
+  part.motions.impose(step, assembly_.particles);
+}
+
+Strongest LatticeEngine::strongest() const {
+  const Bonds& b = assembly_.bonds;
+  const auto [x, y] =
+      meeting_place(assembly_.particles, b.first[result_.strongest_bond], b.second[result_.strongest_bond]);
+  return {result_.max_normal_force, x, y};
+}
+
+Energies LatticeEngine::energies(const protocol::Step& step) {
+  const double bonds = strain_of_bonds(),
+               contacts = contact_energy(law_.stiffness.normal, assembly_.bonds.rest_length, contacts_.pairs(),
+                                         assembly_.particles);
+  Energies energies;
+  energies.kinetic = kinetic_energy_of(step);
+  energies.strain = bonds + contacts;
+  energies.released = released_;
+  for (const Part* part : {&interface_, &interior_})
+    energies.external_work +=
+        part->loads.work().forces + part->loads.work().accelerations + part->motions.work();
+  return energies;
+}
+
+double LatticeEngine::strain_of_bonds() {
+  std::array<double, 64> parts{};  // as many whoever computes them
+  const std::span<const Run> runs = assembly_.bonds.runs;
+  team_.run(parts.size(), [&](std::size_t part, std::size_t) {
+    const std::size_t begin = runs.size() * part / parts.size(),
+                      end = runs.size() * (part + 1) / parts.size();
+    parts[part] = strain_energy(law_, runs.subspan(begin, end - begin), assembly_.particles, assembly_.bonds);
+  });
+  return std::accumulate(parts.begin(), parts.end(), 0.0);
+}
+
+void LatticeEngine::start_over() {
+  LocalEngine::start_over();
+  released_ = 0;
+  for (Part* part : {&interface_, &interior_}) {
+    part->loads.start_over();
+    part->motions.start_over();
+  }
+}
+
+std::vector<double> LatticeEngine::normal_forces() const {
+  std::vector<double> normal(assembly_.bonds.size());
+  find_normal_forces(law_, assembly_.particles, assembly_.bonds, normal);
+  return normal;
+}
+
+double LatticeEngine::internal_force() const {
+  const Bonds& b = assembly_.bonds;
+  const auto normal = normal_forces();
+  double sum = 0;
+  for (std::size_t k = 0; k < b.size(); ++k) sum += b.weight[k] * std::hypot(normal[k], b.shear_force[k]);
+  return sum;
+}
+
+void LatticeEngine::for_each_bond(const SeePair& see) const {
+  const Particles& p = assembly_.particles;
+  const Bonds& b = assembly_.bonds;
+  const auto normal = normal_forces();
+  for (std::uint32_t k = 0; k < b.size(); ++k) {
+    const std::uint32_t i = b.first[k], j = b.second[k];
+    const auto [nx, ny, gap] = facing(p, i, j);
+    see({i, j, nx, ny, normal[k], b.shear_force[k], 0, b.weight[k], b.state[k], normal[k] < 0});
+  }
+}
+
+void LatticeEngine::for_each_contact(const SeePair& see) const {
+  const Particles& p = assembly_.particles;
+  for (const Pair& pair : contacts_.pairs()) {
+    const auto [nx, ny, gap] = facing(p, pair.first, pair.second);
+    if (gap < 0)
+      see({pair.first, pair.second, nx, ny, law_.stiffness.normal * gap, 0, 0,
+           (p.weight[pair.first] + p.weight[pair.second]) / 2});
+  }
+}
+
+}  // namespace adit::dem

@@ -1,0 +1,78 @@
+#include "dem_server/engines/local_engine.hpp"
+
+#include <array>
+
+#include "dem_server/observe/branches.hpp"
+#include "dem_server/observe/fragments.hpp"
+#include "dem_server/observe/snapshot.hpp"
+
+namespace adit::dem {
+
+std::vector<double> LocalEngine::offer(const geometry::BoundingBox& box) {
+  return coupling_.offer(particles(), box);
+}
+
+void LocalEngine::tie_particles(std::span<const double> places, const BondEnds& bonds,
+                                const PrescribedMotions& motions, wire::Operator& op) {
+  coupling_.tie(places, particles(), bonds, motions);
+  coupling_.fill(op);
+  if (histories_) histories_->tie(coupling_.particles());
+}
+
+void LocalEngine::prepare(bool energies) {
+  if (histories_) histories_->remember(particles());
+  if (energies) remember(particles(), before_);
+}
+
+void LocalEngine::remember_for_peaks() {
+  const Particles& p = particles();
+  if (!peaks_) peaks_.emplace(p.size());
+  peaks_->remember({p.vx, p.vy});
+}
+
+void LocalEngine::read_velocities(std::span<double> velocities) const {
+  coupling_.read_velocities(particles(), velocities);
+}
+
+void LocalEngine::read_histories(const protocol::Step& step,
+                                 google::protobuf::RepeatedField<double>& values) const {
+  if (histories_) histories_->read(*this, step, values);
+}
+
+void LocalEngine::take_peaks(const protocol::Step& step) {
+  const Particles& p = particles();
+  const auto displacement = [&p](std::size_t i) {
+    return std::array{p.ux[i] - p.settled_x[i], p.uy[i] - p.settled_y[i]};
+  };
+  peaks_->take(displacement, {p.vx, p.vy}, step);
+}
+
+Unrest LocalEngine::unrest(const protocol::Step& step) {
+  const Particles& p = particles();
+  if (!relaxation_) relaxation_.emplace(p);
+  return {relaxation_->measure(p, step.kick()), internal_force(), p.size(), elements()};
+}
+
+void LocalEngine::stop() {
+  dem::stop(particles());
+  if (relaxation_) relaxation_->stopped(particles());
+}
+
+void LocalEngine::start_over() {
+  Particles& p = particles();
+  dem::stop(p);
+  relaxation_.reset();
+  p.settled_x = p.ux;
+  p.settled_y = p.uy;
+}
+
+void LocalEngine::snapshot(wire::Snapshot& snapshot) const {
+  write_snapshot(*this, snapshot);
+  if (peaks_) protocol::add_peak_fields(*peaks_, *snapshot.mutable_pieces(0)->mutable_point_fields());
+}
+
+std::uint64_t LocalEngine::fragments() const {
+  return fragments_of(particles().size(), whole_bonds(*this)).count();
+}
+
+}  // namespace adit::dem

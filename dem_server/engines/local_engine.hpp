@@ -1,0 +1,64 @@
+// An engine whose particles lie in this process's arrays: how they follow the coupling points and what is
+// observed of them, whatever computes their forces.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "dem_server/coupling/coupling_points.hpp"
+#include "dem_server/engines/engine.hpp"
+#include "dem_server/observe/histories.hpp"
+#include "dem_server/observe/observable.hpp"
+#include "dem_server/particles/energy.hpp"
+#include "dem_server/particles/relaxation.hpp"
+#include "protocol/participant/peak_motion.hpp"
+
+namespace adit::dem {
+
+class LocalEngine : public Engine, public Observable {
+ public:
+  using Observable::particles;
+  virtual Particles& particles() = 0;
+  std::span<const std::uint32_t> group() const final { return group_; }
+
+  void watch(const scene::Particles& scene) final { histories_.emplace(scene, *this); }
+  std::vector<double> offer(const geometry::BoundingBox& box) final;
+  void prepare(bool energies) final;
+  void remember_for_peaks() final;
+  void read_velocities(std::span<double> velocities) const final;
+  double kinetic_energy() const final { return dem::kinetic_energy(particles()); }
+  void read_histories(const protocol::Step& step, google::protobuf::RepeatedField<double>& values) const final;
+  void take_peaks(const protocol::Step& step) final;
+  Unrest unrest(const protocol::Step& step) final;
+  void stop() override;
+  void start_over() override;
+  void snapshot(wire::Snapshot& snapshot) const final;
+  std::uint64_t fragments() const final;
+
+ protected:
+  explicit LocalEngine(const Model& model) : group_(model.group) {}
+
+  void tie_particles(std::span<const double> places, const BondEnds& bonds, const PrescribedMotions& motions,
+                     wire::Operator& op);
+  void push(std::span<const double> impulses, PrescribedMotions& motions) {
+    coupling_.push(impulses, particles(), motions);
+  }
+  std::span<const std::uint32_t> tied() const { return coupling_.particles(); }
+  // In the form that the scheme keeps (energy.hpp), of the step made last.
+  double kinetic_energy_of(const protocol::Step& step) const {
+    return dem::kinetic_energy(particles(), before_, step.from_rest());
+  }
+
+  virtual double internal_force() const = 0;  // sum over bonds and contacts of |force|, weighted [N]
+  virtual std::size_t elements() const = 0;   // of them
+
+ private:
+  std::vector<std::uint32_t> group_;
+  CouplingPoints coupling_;
+  std::optional<Histories> histories_;
+  Velocities before_;
+  std::optional<protocol::PeakMotion> peaks_;  // once wanted
+  std::optional<Relaxation> relaxation_;       // in statics
+};
+
+}  // namespace adit::dem

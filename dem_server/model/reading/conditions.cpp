@@ -1,0 +1,90 @@
+#include "dem_server/model/reading/conditions.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "protocol/errors.hpp"
+#include "protocol/participant/time_function.hpp"
+
+namespace adit::dem {
+namespace {
+
+using protocol::UserError;
+
+// Which components of which particles earlier motions prescribe.
+class Prescribed {
+ public:
+  explicit Prescribed(std::size_t particles) {
+    for (auto& flags : flags_) flags.assign(particles, false);
+  }
+  void add(const PrescribedMotion& motion) {
+    static constexpr const char* kNames[] = {"velocity.x", "velocity.y", "spin"};
+    const auto component = static_cast<std::size_t>(motion.component);
+    for (const std::uint32_t i : motion.discs) {
+      if (flags_[component][i])
+        throw UserError(motion.path + ".where",
+                        fmt::format("selects particles whose {} an earlier motion prescribes; separate the boxes",
+                                    kNames[component]));
+      flags_[component][i] = true;
+    }
+  }
+
+ private:
+  std::array<std::vector<bool>, 3> flags_;
+};
+
+}  // namespace
+
+TimeFactor factor_of(const scene::TimeFunction& function, const std::string& path) {
+  protocol::check(function, path);
+  return [function](double time) { return protocol::evaluate(function, time); };
+}
+
+std::vector<Load> read_loads(const scene::Particles& particles, const Placement& placement) {
+  std::vector<Load> loads;
+  for (int i = 0; i < particles.loads_size(); ++i) {
+    const auto& load = particles.loads(i);
+    const std::string path = fmt::format("particles.loads[{}]", i);
+    const TimeFactor time = factor_of(load.time(), path + ".time");
+    loads.push_back({Load::Kind::kForce, select(load.where(), placement, path + ".where"), load.force().x(),
+                     load.force().y(), time, path});
+  }
+  for (int i = 0; i < particles.body_loads_size(); ++i) {
+    const auto& load = particles.body_loads(i);
+    const std::string path = fmt::format("particles.body_loads[{}]", i);
+    const TimeFactor time = factor_of(load.time(), path + ".time");
+    loads.push_back({Load::Kind::kAcceleration, select(load.where(), placement, path + ".where"),
+                     load.acceleration().x(), load.acceleration().y(), time, path});
+  }
+  return loads;
+}
+
+std::vector<PrescribedMotion> read_motions(const scene::Particles& particles, const Placement& placement) {
+  std::vector<PrescribedMotion> motions;
+  Prescribed prescribed(placement.discs.size());
+  for (int i = 0; i < particles.motions_size(); ++i) {
+    const auto& motion = particles.motions(i);
+    const auto& velocity = motion.velocity();
+    const std::string path = fmt::format("particles.motions[{}]", i);
+    const TimeFactor time = factor_of(motion.time(), path + ".time");
+    if (!velocity.has_x() && !velocity.has_y() && !motion.has_spin())
+      throw UserError(path, "prescribes nothing; give velocity.x, velocity.y or spin, or remove it");
+    const auto chosen = select(motion.where(), placement, path + ".where");
+    const auto add = [&](Component component, double amplitude) {
+      prescribed.add(motions.emplace_back(component, chosen, amplitude, time, path));
+    };
+    if (velocity.has_x()) add(Component::kX, velocity.x());
+    if (velocity.has_y()) add(Component::kY, velocity.y());
+    if (motion.has_spin()) add(Component::kSpin, motion.spin());
+  }
+  return motions;
+}
+
+std::optional<InitialStress> read_initial_stress(const scene::Scene& scene) {
+  if (!scene.has_initial_stress()) return std::nullopt;
+  const auto& s = scene.initial_stress();
+  return InitialStress{s.xx(), s.yy(), s.xy(), s.xx_per_metre(), s.yy_per_metre()};
+}
+
+}  // namespace adit::dem

@@ -1,0 +1,25 @@
+// What acts on particles: loads, prescribed motions, initial stress.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dem_server/model/model.hpp"
+#include "dem_server/model/placement/placement.hpp"
+
+namespace adit::dem {
+
+// UserError at `path` for a function that cannot be evaluated.
+TimeFactor factor_of(const scene::TimeFunction& function, const std::string& path);
+
+// Loads, then body loads. UserError at particles.loads[i] and particles.body_loads[i] that select nothing.
+std::vector<Load> read_loads(const scene::Particles& particles, const Placement& placement);
+
+// UserError at particles.motions[i]: nothing prescribed, nothing selected, or a component that another motion
+// prescribes too.
+std::vector<PrescribedMotion> read_motions(const scene::Particles& particles, const Placement& placement);
+
+std::optional<InitialStress> read_initial_stress(const scene::Scene& scene);
+
+}  // namespace adit::dem

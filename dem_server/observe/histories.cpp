@@ -1,0 +1,211 @@
+#include "dem_server/observe/histories.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "dem_server/observe/branches.hpp"
+#include "dem_server/observe/fragments.hpp"
+#include "dem_server/observe/quantities.hpp"
+#include "protocol/errors.hpp"
+#include "protocol/text.hpp"
+
+namespace adit::dem {
+namespace {
+
+using protocol::UserError;
+
+std::uint32_t nearest(const Particles& p, double x, double y) {
+  std::uint32_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double dx = p.x[i] - x, dy = p.y[i] - y, squared = dx * dx + dy * dy;
+    if (squared < least) {
+      least = squared;
+      best = static_cast<std::uint32_t>(i);
+    }
+  }
+  return best;
+}
+
+std::uint32_t particle_at(const scene::History& history, const std::string& path, const Particles& particles) {
+  if (!history.has_at()) throw UserError(path + ".at", "is missing; give the place, {x: …, y: …}");
+  const double x = history.at().x(), y = history.at().y();
+  const std::uint32_t particle = nearest(particles, x, y);
+  if (const double distance = std::hypot(particles.x[particle] - x, particles.y[particle] - y);
+      distance > 2 * particles.radius[particle])
+    throw UserError(path + ".at", fmt::format("is ({:g}, {:g}) m, but the nearest particle is {:g} m away; choose "
+                                              "a place within a diameter of a particle",
+                                              x, y, distance));
+  return particle;
+}
+
+Circle circle_of(const scene::History& history, const std::string& path, const Particles& p) {
+  if (!history.has_at()) throw UserError(path + ".at", "is missing; give the circle's middle, {x: …, y: …}");
+  if (!history.has_radius())
+    throw UserError(
+        path + ".radius",
+        fmt::format("is missing; {} of particles is a mean over a circle: give its radius, best ten of a "
+                    "particle's or more",
+                    protocol::name_of(history.quantity())));
+  const Circle circle{history.at().x(), history.at().y(), history.radius()};
+  std::size_t inside = 0;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (std::hypot(p.x[i] - circle.x, p.y[i] - circle.y) < circle.radius) ++inside;
+  if (inside < 3)
+    throw UserError(
+        path + ".radius",
+        fmt::format("is {:g} m, but the centres of {} particle(s) lie so near to ({:g}, {:g}) m; choose a "
+                    "radius that holds three and more",
+                    circle.radius, inside, circle.x, circle.y));
+  return circle;
+}
+
+std::size_t wall_of(const scene::History& history, const std::string& path, const Observable& observed) {
+  std::vector<std::string> names;
+  for (const WallForce& wall : observed.walls()) {
+    if (wall.name == history.wall()) return names.size();
+    names.push_back(wall.name);
+  }
+  throw UserError(path + ".wall",
+                  fmt::format("is {}, but {} is a force on a wall; {}",
+                              history.has_wall() ? protocol::quote(history.wall()) : "missing",
+                              protocol::name_of(history.quantity()),
+                              names.empty() ? "add it to particles.walls"
+                                            : fmt::format("choose one of {}", fmt::join(names, ", "))));
+}
+
+double velocity(const Particles& p, scene::Quantity quantity, std::uint32_t i) {
+  return quantity == scene::VELOCITY_Y || quantity == scene::ACCELERATION_Y ? p.vy[i] : p.vx[i];
+}
+
+// What means over circles need of all particles, found once a row and only where it is asked for.
+class CircleMeans {
+ public:
+  explicit CircleMeans(const Observable& observed) : observed_(observed), p_(observed.particles()) {
+    for (std::size_t i = 0; i < p_.size(); ++i) {
+      x_.push_back(p_.x[i] + p_.ux[i]);
+      y_.push_back(p_.y[i] + p_.uy[i]);
+    }
+  }
+
+  double value(scene::Quantity quantity, const Circle& circle) {
+    switch (quantity) {
+      case scene::STRESS_XX:
+        return stress(circle).xx;
+      case scene::STRESS_YY:
+        return stress(circle).yy;
+      case scene::STRESS_XY:
+        return stress(circle).xy;
+      case scene::STRAIN_RATE_XX:
+        return strain_rate(circle).xx;
+      case scene::STRAIN_RATE_YY:
+        return strain_rate(circle).yy;
+      case scene::SHEAR_STRAIN_RATE_XY:
+        return 2 * strain_rate(circle).xy;
+      case scene::COORDINATION:
+        return mean_coordination(circle, x_, y_, coordination());
+      default:
+        return porosity(circle, x_, y_, p_.radius);
+    }
+  }
+
+ private:
+  Tensor stress(const Circle& circle) {
+    if (!branches_) branches_ = branches_of(observed_);
+    return mean_stress(circle, *branches_);
+  }
+  Tensor strain_rate(const Circle& circle) const {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    return mean_strain_rate(circle, x_, y_, p_.vx, p_.vy).value_or(Tensor{kNone, kNone, kNone});
+  }
+  const std::vector<std::uint32_t>& coordination() {
+    if (!coordination_) coordination_ = coordination_of(p_.size(), touching_particles(observed_));
+    return *coordination_;
+  }
+
+  const Observable& observed_;
+  const Particles& p_;
+  std::vector<double> x_, y_;
+  std::optional<std::vector<Branch>> branches_;
+  std::optional<std::vector<std::uint32_t>> coordination_;
+};
+
+}  // namespace
+
+Histories::Histories(const scene::Particles& scene, const Observable& observed) {
+  for (int i = 0; i < scene.histories_size(); ++i) {
+    const auto& given = scene.histories(i);
+    const std::string path = fmt::format("particles.histories[{}]", i);
+    History history{.quantity = given.quantity()};
+    switch (taken_over(given.quantity())) {
+      case Over::kParticle:
+        history.particle = particle_at(given, path, observed.particles());
+        break;
+      case Over::kCircle:
+        history.circle = circle_of(given, path, observed.particles());
+        break;
+      case Over::kWall:
+        history.wall = wall_of(given, path, observed);
+        break;
+      case Over::kNothing:
+        throw UserError(
+            path + ".quantity",
+            fmt::format("is {}, which particles do not have; choose a motion, a stress, a strain rate, "
+                        "coordination or porosity, or a force on a wall",
+                        protocol::name_of(given.quantity())));
+    }
+    histories_.push_back(history);
+  }
+}
+
+void Histories::tie(std::span<const std::uint32_t> particles) {
+  for (History& history : histories_)
+    history.tied = std::ranges::find(particles, history.particle) != particles.end();
+}
+
+void Histories::remember(const Particles& particles) {
+  for (History& history : histories_)
+    history.velocity.remember(velocity(particles, history.quantity, history.particle));
+}
+
+void Histories::read(const Observable& observed, const protocol::Step& step,
+                     google::protobuf::RepeatedField<double>& values) const {
+  const Particles& p = observed.particles();
+  std::optional<CircleMeans> means;
+  for (const History& history : histories_) {
+    const std::uint32_t i = history.particle;
+    switch (history.quantity) {
+      case scene::DISPLACEMENT_X:
+        values.Add(p.ux[i] - p.settled_x[i]);
+        break;
+      case scene::DISPLACEMENT_Y:
+        values.Add(p.uy[i] - p.settled_y[i]);
+        break;
+      case scene::VELOCITY_X:
+      case scene::VELOCITY_Y:
+        values.Add(history.velocity.before());
+        break;
+      case scene::ACCELERATION_X:
+      case scene::ACCELERATION_Y:
+        values.Add(history.velocity.acceleration(velocity(p, history.quantity, i), step, history.tied));
+        break;
+      case scene::FORCE_X:
+        values.Add(observed.walls()[history.wall].x);
+        break;
+      case scene::FORCE_Y:
+        values.Add(observed.walls()[history.wall].y);
+        break;
+      default:
+        if (!means) means.emplace(observed);
+        values.Add(means->value(history.quantity, history.circle));
+    }
+  }
+}
+
+}  // namespace adit::dem

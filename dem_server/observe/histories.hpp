@@ -1,0 +1,47 @@
+// Quantities over time: motions of the particles nearest to the scene's points, means over circles, forces on
+// walls.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dem_server/observe/circles.hpp"
+#include "dem_server/observe/observable.hpp"
+#include "protocol/messages/scene.pb.h"
+#include "protocol/participant/history.hpp"
+
+namespace adit::dem {
+
+class Histories {
+ public:
+  // Motions are of the nearest centre at rest; of two equally near ones the first. protocol::UserError for a
+  // place farther than a diameter from all of them, for circles without radius or particles, for walls that
+  // do not exist, and for quantities that are none of these.
+  Histories(const scene::Particles& scene, const Observable& observed);
+
+  // The velocities of these particles await the correction by another model after every step.
+  void tie(std::span<const std::uint32_t> particles);
+
+  // Before every step, after the correction of the step before.
+  void remember(const Particles& particles);
+
+  // Adds the values at the step just made, in the scene's order and as scene.proto defines them. Circles stay
+  // where they are; strain rates are of the velocities of half a step later, NaN where fewer than three
+  // particles are left in the circle.
+  void read(const Observable& observed, const protocol::Step& step,
+            google::protobuf::RepeatedField<double>& values) const;
+
+ private:
+  struct History {
+    scene::Quantity quantity;
+    std::uint32_t particle = 0;  // of a motion
+    bool tied = false;
+    protocol::HalfStepVelocity velocity{};  // its component
+    Circle circle{};
+    std::size_t wall = 0;
+  };
+  std::vector<History> histories_;
+};
+
+}  // namespace adit::dem

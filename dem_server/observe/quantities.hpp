@@ -1,0 +1,36 @@
+// Which of the scene's quantities particles have, and over what.
+#pragma once
+
+#include "protocol/messages/scene.pb.h"
+
+namespace adit::dem {
+
+enum class Over { kParticle, kCircle, kWall, kNothing };
+
+inline Over taken_over(scene::Quantity quantity) {
+  switch (quantity) {
+    case scene::DISPLACEMENT_X:
+    case scene::DISPLACEMENT_Y:
+    case scene::VELOCITY_X:
+    case scene::VELOCITY_Y:
+    case scene::ACCELERATION_X:
+    case scene::ACCELERATION_Y:
+      return Over::kParticle;
+    case scene::STRESS_XX:
+    case scene::STRESS_YY:
+    case scene::STRESS_XY:
+    case scene::STRAIN_RATE_XX:
+    case scene::STRAIN_RATE_YY:
+    case scene::SHEAR_STRAIN_RATE_XY:
+    case scene::COORDINATION:
+    case scene::POROSITY:
+      return Over::kCircle;
+    case scene::FORCE_X:
+    case scene::FORCE_Y:
+      return Over::kWall;
+    default:
+      return Over::kNothing;
+  }
+}
+
+}  // namespace adit::dem

@@ -1,0 +1,39 @@
+#include "dem_server/particles/integrate.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+#include "protocol/threads/vector_clones.hpp"
+
+namespace adit::dem {
+
+ADIT_VECTOR_CLONES double move(double dt, std::span<const protocol::IndexRange> some, Particles& p) {
+  const double *vx = p.vx.data(), *vy = p.vy.data();
+  double *ux = p.ux.data(), *uy = p.uy.data();
+  std::int64_t fastest = 0;  // the order of non-negative doubles is that of their bits
+  for (const auto [begin, end] : some)
+#pragma GCC ivdep
+    for (std::size_t i = begin; i < end; ++i) {
+      ux[i] += dt * vx[i];
+      uy[i] += dt * vy[i];
+      fastest = std::max(fastest, std::bit_cast<std::int64_t>(vx[i] * vx[i] + vy[i] * vy[i]));
+    }
+  return std::bit_cast<double>(fastest);
+}
+
+ADIT_VECTOR_CLONES void kick(double dt, std::span<const protocol::IndexRange> some,
+                             const Resultants& resultants, Particles& p) {
+  const auto [fx, fy, moment] = resultants;
+  const double *inverse_mass = p.inverse_mass.data(), *inverse_inertia = p.inverse_inertia.data();
+  double *vx = p.vx.data(), *vy = p.vy.data(), *spin = p.spin.data();
+  for (const auto [begin, end] : some)
+#pragma GCC ivdep
+    for (std::size_t i = begin; i < end; ++i) {
+      vx[i] += dt * fx[i] * inverse_mass[i];
+      vy[i] += dt * fy[i] * inverse_mass[i];
+      spin[i] += dt * moment[i] * inverse_inertia[i];
+    }
+}
+
+}  // namespace adit::dem

@@ -1,0 +1,19 @@
+// Central differences: displacements at n from velocities at n - 1/2, velocities at n + 1/2 from forces at n.
+// Each for some of the particles.
+#pragma once
+
+#include <span>
+
+#include "dem_server/particles/particles.hpp"
+#include "protocol/threads/index_ranges.hpp"
+
+namespace adit::dem {
+
+// u += dt v. Returns the largest v^2 [m^2/s^2].
+double move(double dt, std::span<const protocol::IndexRange> some, Particles& particles);
+
+// v += dt f / m and spin += dt moment / J; half of dt in the first step, from rest.
+void kick(double dt, std::span<const protocol::IndexRange> some, const Resultants& resultants,
+          Particles& particles);
+
+}  // namespace adit::dem

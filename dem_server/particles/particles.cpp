@@ -1,0 +1,32 @@
+#include "dem_server/particles/particles.hpp"
+
+#include <algorithm>
+
+#include "dem_server/model/model.hpp"
+
+namespace adit::dem {
+
+Particles at_rest(const Model& model) {
+  Particles p;
+  p.id = model.id;
+  p.x = model.discs.x;
+  p.y = model.discs.y;
+  p.radius = model.discs.radius;
+  p.weight = model.weight;
+  for (auto* zeroed :
+       {&p.ux, &p.uy, &p.settled_x, &p.settled_y, &p.vx, &p.vy, &p.spin, &p.fx, &p.fy, &p.moment})
+    zeroed->assign(p.size(), 0.0);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    p.mass.push_back(p.weight[i] * model.mass[i]);
+    p.inertia.push_back(p.mass[i] * p.radius[i] * p.radius[i] / 2);
+    p.inverse_mass.push_back(1 / p.mass[i]);
+    p.inverse_inertia.push_back(1 / p.inertia[i]);
+  }
+  return p;
+}
+
+void stop(Particles& p) {
+  for (auto* velocity : {&p.vx, &p.vy, &p.spin}) std::ranges::fill(*velocity, 0.0);
+}
+
+}  // namespace adit::dem

@@ -1,0 +1,42 @@
+// The particles that a run computes with: structure of arrays, no gaps.
+//
+// Places at rest stay, displacements move: a bond's strain then keeps all its digits wherever the model lies.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace adit::dem {
+
+struct Model;
+
+struct Particles {
+  std::vector<std::uint32_t> id;                      // place in the packing
+  std::vector<double> x, y;                           // centre at rest [m]
+  std::vector<double> radius;                         // [m]
+  std::vector<double> ux, uy;                         // displacement [m]
+  std::vector<double> settled_x, settled_y;           // of it by statics, before time began [m]
+  std::vector<double> vx, vy, spin;                   // velocity [m/s], [rad/s]
+  std::vector<double> fx, fy, moment;                 // resultants of this step [N], [N m]
+  std::vector<double> weight;                         // energy weight, in mass and inertia already
+  std::vector<double> mass, inertia;                  // weighted [kg], [kg m^2]
+  std::vector<double> inverse_mass, inverse_inertia;  // [1/kg], [1/(kg m^2)]
+  std::size_t size() const { return id.size(); }
+};
+
+// The discs of a model at rest.
+Particles at_rest(const Model& model);
+
+// All velocities and spins become 0.
+void stop(Particles& particles);
+
+// Where forces and moments are summed, one value a particle [N], [N m].
+struct Resultants {
+  double *fx, *fy, *moment;
+};
+inline Resultants resultants_of(Particles& p) {
+  return {p.fx.data(), p.fy.data(), p.moment.data()};
+}
+
+}  // namespace adit::dem

@@ -1,0 +1,27 @@
+// How far the particles are from rest while they relax (wire.proto, message Relaxation).
+#pragma once
+
+#include "dem_server/particles/energy.hpp"
+#include "dem_server/particles/particles.hpp"
+
+namespace adit::dem {
+
+// Of the present velocities and spins, weighted [J].
+double kinetic_energy(const Particles& particles);
+
+class Relaxation {
+ public:
+  explicit Relaxation(const Particles& at_rest) { remember(at_rest, before_); }
+
+  // The unbalanced force of the step whose velocities were just corrected: the sum over the particles of
+  // |mass · change of velocity| / duration of the kick [N], weighted. A kick changed them for `kick` seconds
+  // since the last call, or since all were 0.
+  double measure(const Particles& particles, double kick);
+  // All velocities became 0.
+  void stopped(const Particles& particles) { remember(particles, before_); }
+
+ private:
+  Velocities before_;  // a step before
+};
+
+}  // namespace adit::dem
