@@ -1,18 +1,9 @@
-#!/usr/bin/python3
-"""Draws how fast waves travel over the grid: scripts/dispersion
+"""How fast waves travel over the grid: docs/continuum.md."""
 
-Builds and runs tests/bench/dispersion, writes docs/pictures/dispersion.png and prints the table of docs/continuum.md.
-"""
-import csv
-import io
-import subprocess
-import sys
 from collections import defaultdict
-from pathlib import Path
 
 from adit_plots import style
 
-ROOT = Path(__file__).resolve().parent.parent
 ZONES = {"assumed strain": style.BLUE, "mixed discretization": style.RED}
 
 
@@ -51,13 +42,3 @@ def table(rows):
         cells = [", ".join(f"{100 * largest(rows, zone=zone, zones=str(zones), wave=wave):.2f}"
                            for wave in ("S", "P", "Rayleigh")) for zone in ZONES]
         yield f"| {zones} | {cells[0]} | {cells[1]} | {(zones / 10) ** 3:.2g} |"
-
-
-built = subprocess.run([ROOT / "scripts" / "build", "release", "dispersion"])
-if built.returncode:
-    sys.exit(built.returncode)
-output = subprocess.run([ROOT / "build" / "release" / "tests" / "bench" / "dispersion"], capture_output=True, text=True,
-                        check=True).stdout
-lines = list(csv.DictReader(io.StringIO(output)))
-style.save(picture(lines), ROOT / "docs" / "pictures" / "dispersion.png")
-print(*table(lines), sep="\n")
