@@ -10,7 +10,6 @@
 #include "protocol/scene/command_line.hpp"
 #include "protocol/scene/program.hpp"
 #include "protocol/scene/writer.hpp"
-#include "simplified/benchmark.hpp"
 #include "simplified/run.hpp"
 
 namespace {
@@ -41,14 +40,7 @@ int main(int argc, char** argv) {
   protocol::SceneCommandLine line(
       "simplified",
       "Computes a whole tunnel under an earthquake by a simplified model and writes the results.");
-  long steps = 200;
-  auto* bench = line.app.add_subcommand("bench", "times the chain's step, as lines of JSON");
-  bench->add_option("--steps", steps, "steps for each size")->check(CLI::PositiveNumber);
   if (const auto ended = line.parse(argc, argv)) return *ended;
-  if (bench->parsed()) {
-    simplified::time_chain(steps);
-    return protocol::kSuccess;
-  }
   const auto& work = line.run->parsed() ? run_scene : check_scene;
   return protocol::with_scene(line.scene, line.sets,
                               [&](const protocol::SceneFile& file) { work(line, file); });

@@ -15,12 +15,13 @@ CASES = (
 
 def run(root):
     program = root / "build/release/simplified/simplified"
-    return chain_steps(program) + [record for scene, limit in CASES for record in case(program, root, scene, limit)]
+    return chain_steps(root) + [record for scene, limit in CASES for record in case(program, root, scene, limit)]
 
 
-def chain_steps(program):
+def chain_steps(root):
     """Nanoseconds a body and step: the Riccati sweep, and Eigen's sparse LDLT on the same equations."""
-    lines = subprocess.run([program, "bench"], check=True, capture_output=True, text=True).stdout.splitlines()
+    program = root / "build/release/tests/bench/chain_bench"
+    lines = subprocess.run([program, "200"], check=True, capture_output=True, text=True).stdout.splitlines()
     records = []
     for size in map(json.loads, lines):
         for name, key in (("chain, Riccati sweep", "sweep_ns"), ("chain, sparse LDLT", "direct_ns")):

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 #include <stdexcept>
 
 #include "protocol/errors.hpp"
@@ -14,14 +12,12 @@
 #include "simplified/chain/joints/joint_forces.hpp"
 #include "simplified/chain/results.hpp"
 #include "simplified/chain/riccati.hpp"
-#include "simplified/chain/transfer_matrix.hpp"
 
 namespace adit::simplified::chain {
 namespace {
 
 constexpr std::size_t kBlock = 128;  // bodies whose passes share the cache
 constexpr int kBold = 8;             // iterations of plain Newton before it becomes cautious
-const double kAllDigits = -std::log10(std::numeric_limits<double>::epsilon());
 
 const char* direction_name(std::size_t direction) {
   return direction == 0 ? "axial" : direction == 1 ? "shear" : "rotation";
@@ -37,10 +33,6 @@ void check(const Settings& settings) {
 
 }  // namespace
 
-bool DigitsLost::dead() const {
-  return std::max(predicted, measured) > kAllDigits - 1e-9;
-}
-
 class Simulation::Impl {
  public:
   Impl(const Chain& chain, const Settings& settings)
@@ -54,19 +46,14 @@ class Simulation::Impl {
         zero_(model_.bodies, 0.0),
         results_(model_.bodies) {
     const std::size_t n = model_.bodies;
-    for (Components* all : {&load_, &before_, &ahead_, &r_, &y_, &y_riccati_, &trial_})
-      *all = components(n + 2);
+    for (Components* all : {&load_, &before_, &ahead_, &r_, &y_, &trial_}) *all = components(n + 2);
     hinge_forces_ = components(n + 1);
-    if (settings.sweep == Sweep::kTransferMatrix) product_.emplace(model_);
     factor(0);
     results_.start(model_, curved_, tracks_);
   }
 
   void start(const InitialMotion& motion, const Excitation& at_start);
   void step(const Excitation& at_end);
-  DigitsLost digits_lost() const {
-    return {predicted_digits_lost(model_, integrator_.A(), integrator_.C()), measured_digits_};
-  }
   BodyMotion motion() const;
   Joints joints() const;
 
@@ -76,14 +63,12 @@ class Simulation::Impl {
   CurvedHinges curved_;
   Integrator integrator_;
   RiccatiSweep riccati_;
-  std::optional<TransferMatrixSweep> product_;
   Tracks tracks_;
   const std::vector<double> zero_;
   // On the bodies, without the chain's own: at the end of this step, of the last one, theta steps ahead.
   Components load_, before_, ahead_;
-  Components hinge_forces_, r_, y_, y_riccati_, trial_;
+  Components hinge_forces_, r_, y_, trial_;
   Results results_;
-  double measured_digits_ = 0;
 
  private:
   std::span<const double> given(std::span<const double> values, const char* name) const;
@@ -99,7 +84,6 @@ class Simulation::Impl {
   void solve();
   void solve_to_curves();
   void check_finite();
-  void measure_digits();
   void sweep_forward();
   void sweep_back();
   void finish(std::size_t begin, std::size_t end);
@@ -116,7 +100,6 @@ std::span<const double> Simulation::Impl::given(std::span<const double> values, 
 
 void Simulation::Impl::factor(std::size_t changed_hinge) {
   riccati_.factor(model_, integrator_.A(), integrator_.C(), changed_hinge);
-  if (product_) product_->factor(model_, integrator_.A(), integrator_.C());
 }
 
 // Outer forces, and those of ground springs and dashpots where only the ground moves.
@@ -226,13 +209,8 @@ void Simulation::Impl::balance(const Components& load) {
 // One solution of the linear equations, with the tangents at hand.
 void Simulation::Impl::solve() {
   const std::size_t n = model_.bodies;
-  if (product_) {
-    product_->solve(r_, y_);
-    measure_digits();
-  } else {
-    riccati_.forward(r_, 1, n + 1);
-    riccati_.back(y_, 1, n + 1);
-  }
+  riccati_.forward(r_, 1, n + 1);
+  riccati_.back(y_, 1, n + 1);
   ++iterations_;
   check_finite();
 }
@@ -263,24 +241,6 @@ void Simulation::Impl::solve_to_curves() {
   }
 }
 
-// Both sweeps solve the same equations in this step: their difference is what the product has lost.
-void Simulation::Impl::measure_digits() {
-  riccati_.forward(r_, 1, model_.bodies + 1);
-  riccati_.back(y_riccati_, 1, model_.bodies + 1);
-  double difference = 0, largest = 0;
-  for (std::size_t i = 1; i <= model_.bodies; ++i) {
-    const double arm = std::hypot(model_.half_x[i], model_.half_y[i]);
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double unit = c == 2 ? arm : 1, d = unit * std::abs(y_[c][i] - y_riccati_[c][i]);
-      difference = std::isnan(d) ? INFINITY : std::max(difference, d);
-      largest = std::max(largest, unit * std::abs(y_riccati_[c][i]));
-    }
-  }
-  if (largest == 0) return;
-  const double digits = kAllDigits + std::log10(difference / largest);
-  measured_digits_ = digits < kAllDigits ? std::max(digits, 0.0) : kAllDigits;
-}
-
 void Simulation::Impl::step(const Excitation& at_end) {
   const FlushDenormals fast;
   if (steps_ == kHouboltStart && std::holds_alternative<Houbolt>(settings_.method)) {
@@ -290,7 +250,7 @@ void Simulation::Impl::step(const Excitation& at_end) {
   std::swap(before_, load_);
   set_load(at_end);
   look_ahead(at_end);
-  if (curved_.empty() && !product_) {
+  if (curved_.empty()) {
     sweep_forward();
     sweep_back();
   } else {
@@ -332,9 +292,7 @@ void Simulation::Impl::report_unstable() const {
   for (std::size_t i = 1; i <= model_.bodies; ++i)
     if (!std::isfinite(r_[0][i] + r_[1][i] + r_[2][i]))
       throw protocol::Unstable(fmt::format("{}: the force on body {} is not finite", when, i - 1));
-  throw protocol::Unstable(fmt::format(
-      "{}: the motion is not finite{}", when,
-      product_ ? "; the plain transfer-matrix product has lost all its digits, take the Riccati sweep" : ""));
+  throw protocol::Unstable(when + ": the motion is not finite");
 }
 
 BodyMotion Simulation::Impl::motion() const {
@@ -381,9 +339,6 @@ Joints Simulation::joints() const {
 }
 const Envelopes& Simulation::envelopes() const {
   return impl_->results_.envelopes;
-}
-DigitsLost Simulation::digits_lost() const {
-  return impl_->digits_lost();
 }
 
 }  // namespace adit::simplified::chain

@@ -18,13 +18,9 @@
 
 namespace adit::simplified::chain {
 
-// Riccati is for use. The plain product of transfer matrices is for study: it loses digits with every joint.
-enum class Sweep { kRiccati, kTransferMatrix };
-
 struct Settings {
   double dt = 0;  // [s]
   Method method = Newmark{};
-  Sweep sweep = Sweep::kRiccati;
   // Curves are re-linearized within the step until no joint's force is off its curve by more than this part
   // of the largest force in its table.
   double tolerance = 1e-9;
@@ -61,20 +57,10 @@ struct Joints {
   JointDirection axial, shear, rotation;
 };
 
-// How many of the 15.65 decimal digits of a double the plain product of transfer matrices loses in this
-// chain.
-struct DigitsLost {
-  double predicted = 0;  // sum over the hinges of log10 of the growth of one cell: acosh(1 + s/2k)/ln 10 in
-                         // axial direction, s the body's dynamic stiffness m A + K + C C_g, k the hinge's
-  double measured =
-      0;  // in the last step, against the Riccati sweep, capped at 15.65; only with kTransferMatrix
-  bool dead() const;  // no digit is left: what the product says is noise
-};
-
 class Simulation {
  public:
   // At rest. Throws protocol::UserError at a field of the chain, `dt`, `integrator.…`, `tolerance`,
-  // `max_iterations`, or where a hinge without stiffness meets kTransferMatrix.
+  // `max_iterations`.
   Simulation(const Chain& chain, const Settings& settings);
   ~Simulation();
   Simulation(Simulation&&) noexcept;
@@ -94,8 +80,6 @@ class Simulation {
   BodyMotion bodies() const;  // valid until the next step, as all that follows
   Joints joints() const;
   const Envelopes& envelopes() const;  // since the start
-  // Computes the prediction anew (O(n), some microseconds a joint): ask once a run, not once a step.
-  DigitsLost digits_lost() const;
 
  private:
   class Impl;

@@ -5,7 +5,7 @@
 #include <ctime>
 #include <new>
 
-#include "simplified/chain/benchmark.hpp"
+#include "tests/support/chain/sweep_cost.hpp"
 #include "tests/unit/simplified/chain/chains.hpp"
 
 namespace {
@@ -50,7 +50,7 @@ TEST(Cost, NoAllocationInTheStep) {
 // stays within ten times that at 500 (a quadratic method would show a hundred), the same motion as the direct
 // solver's.
 TEST(Cost, LinearInTheNumberOfBodies) {
-  const BenchmarkResult small = benchmark(500, 400), large = benchmark(50000, 8);
+  const test::SweepCost small = test::sweep_cost(500, 400), large = test::sweep_cost(50000, 8);
   EXPECT_LT(large.sweep_ns(), 10 * small.sweep_ns());
   EXPECT_LT(small.relative_difference, 1e-10);
   EXPECT_LT(large.relative_difference, 1e-10);
@@ -61,7 +61,7 @@ TEST(Cost, LinearInTheNumberOfBodies) {
 TEST(Cost, SmallestNumbersAreNotSlow) {
   const std::size_t n = 4000;
   const auto seconds = [n](const std::vector<double>& load) {
-    Simulation run(rings(n), {.dt = 0.005});
+    Simulation run(test::rings(n), {.dt = 0.005});
     double best = 1e9;
     for (int round = 0; round < 10; ++round) {
       const std::clock_t begin = std::clock();

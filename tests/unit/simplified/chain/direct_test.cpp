@@ -1,9 +1,9 @@
 // The Riccati sweep against general sparse integration of the same equations.
-#include "simplified/chain/direct_integration.hpp"
+#include "tests/support/chain/direct_integration.hpp"
 
 #include <gtest/gtest.h>
 
-#include "simplified/chain/benchmark.hpp"
+#include "tests/support/chain/sweep_cost.hpp"
 #include "tests/unit/simplified/chain/chains.hpp"
 
 namespace adit::simplified::chain {
@@ -13,7 +13,7 @@ namespace {
 double worst_difference(const Chain& chain, const Settings& settings, long steps) {
   const std::size_t n = chain.bodies.size();
   Simulation sweep(chain, settings);
-  DirectIntegration direct(chain, settings);
+  test::DirectIntegration direct(chain, settings);
   test::Wave wave(n);
   double worst = 0, largest = 0;
   for (long step = 1; step <= steps; ++step) {
@@ -41,7 +41,7 @@ TEST(RiccatiAgainstDirect, ImmersedTunnel) {
 
 // 4,667 rings in varying ground agree to 1e-10 over 10,000 steps.
 TEST(RiccatiAgainstDirect, BoredTunnel) {
-  EXPECT_LT(worst_difference(rings(4667), {.dt = 0.005}, 10000), 1e-10);
+  EXPECT_LT(worst_difference(test::rings(4667), {.dt = 0.005}, 10000), 1e-10);
 }
 
 // So they do with every method of integration, with two abutments, at block borders and for a single body.

@@ -94,12 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"UnstableTheta", "integrator.theta", "1.4 is usual",
              [](auto&, auto& s) { s.method = WilsonTheta{1}; }},
         Case{"Tolerance", "tolerance", "between 0 and 1", [](auto&, auto& s) { s.tolerance = 0; }},
-        Case{"Iterations", "max_iterations", "below 1", [](auto&, auto& s) { s.max_iterations = 0; }},
-        Case{"ProductThroughAnOpenHinge", "chain.hinges[1].shear", "take the Riccati sweep",
-             [](auto& c, auto& s) {
-               c.hinges[1].shear = {};
-               s.sweep = Sweep::kTransferMatrix;
-             }}),
+        Case{"Iterations", "max_iterations", "below 1", [](auto&, auto& s) { s.max_iterations = 0; }}),
     [](const auto& info) { return info.param.name; });
 
 // Values for another number of bodies are the caller's error, by name.

@@ -1,14 +1,16 @@
-#include "simplified/chain/transfer_matrix.hpp"
+#include "tests/support/chain/transfer_matrix.hpp"
 
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "protocol/errors.hpp"
+#include "simplified/chain/riccati.hpp"
 
-namespace adit::simplified::chain {
+namespace adit::simplified::chain::test {
 namespace {
 
 void check_stiffness(const Model& model, double C) {
@@ -84,4 +86,25 @@ double predicted_digits_lost(const Model& model, double A, double C) {
   return digits;
 }
 
-}  // namespace adit::simplified::chain
+double measured_digits_lost(const Model& model, double A, double C, const Components& r) {
+  TransferMatrixSweep product(model);
+  RiccatiSweep riccati(model);
+  product.factor(model, A, C);
+  riccati.factor(model, A, C, 0);
+  Components lossy = components(model.bodies + 2), exact = lossy;
+  product.solve(r, lossy);
+  riccati.forward(r, 1, model.bodies + 1);
+  riccati.back(exact, 1, model.bodies + 1);
+  double difference = 0, largest = 0;
+  for (std::size_t i = 1; i <= model.bodies; ++i) {
+    const double arm = std::hypot(model.half_x[i], model.half_y[i]);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double unit = c == 2 ? arm : 1, d = unit * std::abs(lossy[c][i] - exact[c][i]);
+      difference = std::isnan(d) ? INFINITY : std::max(difference, d);
+      largest = std::max(largest, unit * std::abs(exact[c][i]));
+    }
+  }
+  return std::clamp(kAllDigits + std::log10(difference / largest), 0.0, kAllDigits);
+}
+
+}  // namespace adit::simplified::chain::test

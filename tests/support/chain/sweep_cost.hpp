@@ -5,13 +5,13 @@
 
 #include "simplified/chain/model/chain.hpp"
 
-namespace adit::simplified::chain {
+namespace adit::simplified::chain::test {
 
 // A bored tunnel of n rings of 1.5 m (concrete of 6.8/5.84 m), flexible ring joints, in ground that varies
-// along it; ends free. What the benchmark computes.
+// along it; ends free.
 Chain rings(std::size_t n);
 
-struct BenchmarkResult {
+struct SweepCost {
   std::size_t bodies;
   long steps;
   double sweep_seconds;        // Riccati sweep: the steps alone
@@ -23,6 +23,6 @@ struct BenchmarkResult {
 
 // Shakes rings(bodies) by a travelling wave for `steps` steps of 5 ms with both solvers. The steps alone are
 // timed, without factoring and filling in ground motions, in processor time of the one core.
-BenchmarkResult benchmark(std::size_t bodies, long steps);
+SweepCost sweep_cost(std::size_t bodies, long steps);
 
-}  // namespace adit::simplified::chain
+}  // namespace adit::simplified::chain::test

@@ -7,11 +7,11 @@
 #include "simplified/chain/joints/integrator.hpp"
 #include "simplified/chain/simulation.hpp"
 
-namespace adit::simplified::chain {
+namespace adit::simplified::chain::test {
 
 class DirectIntegration {
  public:
-  // At rest. `sweep`, `tolerance` and `max_iterations` of the settings have no meaning here. Throws
+  // At rest. `tolerance` and `max_iterations` of the settings have no meaning here. Throws
   // std::invalid_argument where a hinge has a curve.
   DirectIntegration(const Chain& chain, const Settings& settings);
 
@@ -39,4 +39,4 @@ class DirectIntegration {
   Vector load_;
 };
 
-}  // namespace adit::simplified::chain
+}  // namespace adit::simplified::chain::test

@@ -1,14 +1,14 @@
-#include "simplified/chain/benchmark.hpp"
+#include "tests/support/chain/sweep_cost.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <ctime>
 
-#include "simplified/chain/direct_integration.hpp"
 #include "simplified/chain/flush_denormals.hpp"
 #include "simplified/chain/simulation.hpp"
+#include "tests/support/chain/direct_integration.hpp"
 
-namespace adit::simplified::chain {
+namespace adit::simplified::chain::test {
 namespace {
 
 constexpr double kRing = 1.5;                         // length [m]
@@ -78,13 +78,13 @@ Chain rings(std::size_t n) {
   return chain;
 }
 
-BenchmarkResult benchmark(std::size_t bodies, long steps) {
+SweepCost sweep_cost(std::size_t bodies, long steps) {
   const Chain chain = rings(bodies);
   const Settings settings{.dt = kDt};
   const FlushDenormals fast;  // for both
   Simulation sweep(chain, settings);
   DirectIntegration direct(chain, settings);
-  BenchmarkResult result{bodies, steps, seconds(sweep, bodies, steps), seconds(direct, bodies, steps), 0};
+  SweepCost result{bodies, steps, seconds(sweep, bodies, steps), seconds(direct, bodies, steps), 0};
   double largest = 0, difference = 0;
   const BodyMotion motion = sweep.bodies();
   for (std::size_t i = 0; i < bodies; ++i) {
@@ -97,4 +97,4 @@ BenchmarkResult benchmark(std::size_t bodies, long steps) {
   return result;
 }
 
-}  // namespace adit::simplified::chain
+}  // namespace adit::simplified::chain::test

@@ -1,11 +1,11 @@
-#include "simplified/chain/direct_integration.hpp"
+#include "tests/support/chain/direct_integration.hpp"
 
 #include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
-namespace adit::simplified::chain {
+namespace adit::simplified::chain::test {
 namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
@@ -163,4 +163,4 @@ void DirectIntegration::step(const Excitation& at_end) {
   ++step_;
 }
 
-}  // namespace adit::simplified::chain
+}  // namespace adit::simplified::chain::test
