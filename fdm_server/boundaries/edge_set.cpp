@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
-#include "fdm_server/grid/selection.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::fdm {
+
 // c_p = sqrt((kappa + mu)/rho) in either plane condition, c_s = sqrt(mu/rho)
 Impedance impedance(const PlaneLaw& law, double density, double weight) {
   return {weight * std::sqrt(density * (law.bulk + law.shear)), weight * std::sqrt(density * law.shear)};
@@ -22,20 +21,20 @@ Symmetric dashpots(const BoundaryEdge& edge, const Impedance& impedance) {
 EdgeSet::EdgeSet(const Grid& grid, std::span<const BoundaryEdge> outline,
                  std::span<const FreeFieldColumn> columns)
     : grid_(grid), outline_(outline), columns_(columns), holders_(outline.size()) {
-  for (std::size_t e = 0; e < outline.size(); ++e) numbers_[{outline[e].from, outline[e].to}] = e;
+  for (std::size_t e = 0; e < outline.size(); ++e) number_of_[{outline[e].from, outline[e].to}] = e;
 }
 
 std::optional<std::size_t> EdgeSet::find(std::uint32_t from, std::uint32_t to) const {
-  const auto found = numbers_.find({from, to});
-  return found == numbers_.end() ? std::nullopt : std::optional(found->second);
+  const auto found = number_of_.find({from, to});
+  return found == number_of_.end() ? std::nullopt : std::optional(found->second);
 }
 
-std::vector<std::size_t> EdgeSet::inside(const scene::Area& area, const std::string& path) const {
+std::vector<std::size_t> EdgeSet::numbers(std::span<const Edge> edges, const std::string& path) const {
   std::vector<std::size_t> chosen;
-  for (const Edge& edge : select_edges(grid_, area, path)) {
+  for (const Edge& edge : edges) {
     const auto from = static_cast<std::uint32_t>(edge.from), to = static_cast<std::uint32_t>(edge.to);
     auto number = find(from, to);
-    if (!number) number = find(to, from);  // of a curve, which runs either way
+    if (!number) number = find(to, from);
     if (!number)
       throw protocol::UserError(
           path, fmt::format("holds the edge from ({}, {}) to ({}, {}) m, which is none of the "
@@ -44,14 +43,6 @@ std::vector<std::size_t> EdgeSet::inside(const scene::Area& area, const std::str
     chosen.push_back(*number);
   }
   return chosen;
-}
-
-std::vector<std::size_t> EdgeSet::lowest() const {
-  double bottom = HUGE_VAL;
-  for (const auto& edge : outline_) bottom = std::min(bottom, grid_.y[edge.from]);
-  scene::Area area;
-  area.set_y_max(bottom);
-  return inside(area, "continuum.base");
 }
 
 void EdgeSet::claim(std::size_t e, const std::string& holder, const std::string& path) {

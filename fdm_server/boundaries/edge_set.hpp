@@ -14,7 +14,6 @@
 #include "fdm_server/boundaries/free_field.hpp"
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/solver/dashpots.hpp"
-#include "protocol/messages/geometry.pb.h"
 
 namespace adit::fdm {
 
@@ -40,14 +39,14 @@ class EdgeSet {
   EdgeSet(const Grid& grid, std::span<const BoundaryEdge> outline, std::span<const FreeFieldColumn> columns);
 
   const Grid& grid() const { return grid_; }
+  std::span<const BoundaryEdge> outline() const { return outline_; }
   const BoundaryEdge& operator[](std::size_t e) const { return outline_[e]; }
   // The edge's number; none where it is not of the boundary.
   std::optional<std::size_t> find(std::uint32_t from, std::uint32_t to) const;
 
-  // UserError at `path` where the area holds no edge, or one of a group that is none of the boundary.
-  std::vector<std::size_t> inside(const scene::Area& area, const std::string& path) const;
-  // Edges at the lowest level.
-  std::vector<std::size_t> lowest() const;
+  // The numbers of these edges, which may run either way. UserError at `path` where one is none of the
+  // boundary.
+  std::vector<std::size_t> numbers(std::span<const Edge> edges, const std::string& path) const;
 
   // An edge has one condition: UserError at `path` where it has one already.
   void claim(std::size_t e, const std::string& holder, const std::string& path);
@@ -61,7 +60,7 @@ class EdgeSet {
   std::span<const BoundaryEdge> outline_;
   std::span<const FreeFieldColumn> columns_;
   std::vector<std::string> holders_;  // scene paths
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> numbers_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> number_of_;
 };
 
 }  // namespace adit::fdm

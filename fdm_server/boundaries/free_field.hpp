@@ -12,8 +12,7 @@
 
 #include "fdm_server/boundaries/boundary_edge.hpp"
 #include "fdm_server/grid/grid.hpp"
-#include "fdm_server/solver/continuum.hpp"
-#include "fdm_server/solver/dashpots.hpp"
+#include "fdm_server/solver/loads.hpp"
 
 namespace adit::fdm {
 

@@ -8,8 +8,8 @@
 
 #include "fdm_server/materials/hysteretic.hpp"
 #include "fdm_server/materials/mohr_coulomb.hpp"
+#include "fdm_server/materials/plane_law.hpp"
 #include "fdm_server/materials/weak_plane.hpp"
-#include "fdm_server/zones/plane_law.hpp"
 
 namespace adit::fdm {
 
@@ -35,6 +35,16 @@ struct Ground {
     return plane_stress ? fdm::plane_stress(material.young, material.poisson)
                         : plane_strain(material.young, material.poisson);
   }
+  // Whether its zones' stress is a linear function of the displacements.
+  bool is_elastic(const Material& material) const { return material.linear() && !large_strain; }
 };
+
+// Density of each zone [kg/m^3].
+inline std::vector<double> zone_densities(const Ground& ground) {
+  std::vector<double> densities;
+  densities.reserve(ground.of_zone.size());
+  for (const auto material : ground.of_zone) densities.push_back(ground.materials[material].density);
+  return densities;
+}
 
 }  // namespace adit::fdm

@@ -32,6 +32,11 @@ struct SofteningRow {
   Strength strength;
 };
 
+// What the yield planes need of a strength.
+struct YieldCone {
+  double sin_friction, sin_dilation, twice_c_cos, tension;
+};
+
 class MohrCoulomb {
  public:
   explicit MohrCoulomb(const Strength& strength) : MohrCoulomb({{0.0, strength}}) {}
@@ -49,14 +54,8 @@ class MohrCoulomb {
   Strength strength(double plastic_shear_strain) const;
 
  private:
-  struct Cone {  // what the planes need of a strength
-    double sin_friction, sin_dilation, twice_c_cos, tension;
-  };
-  static Cone cone_of(const Strength& strength);
-  static unsigned to_planes(const Elasticity& elasticity, const Cone& cone, double (&principal)[3]);
-
   std::vector<SofteningRow> rows_;
-  Cone first_;
+  YieldCone first_;
 };
 
 }  // namespace adit::fdm

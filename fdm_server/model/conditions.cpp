@@ -7,8 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "fdm_server/grid/selection.hpp"
-#include "fdm_server/supports/lining_probe.hpp"
+#include "fdm_server/model/grid/selection.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/participant/time_function.hpp"
 
@@ -88,8 +87,8 @@ std::vector<Load> resolve_loads(const scene::Continuum& scene, const Grid& grid,
   return loads;
 }
 
-std::vector<Motion> resolve_motions(const scene::Continuum& scene, const Grid& grid) {
-  std::vector<Motion> motions;
+std::vector<PrescribedMotion> resolve_motions(const scene::Continuum& scene, const Grid& grid) {
+  std::vector<PrescribedMotion> motions;
   // the motion that prescribes each point's x and y, or -1
   std::array<std::vector<int>, 2> owner{std::vector<int>(grid.x.size(), -1),
                                         std::vector<int>(grid.x.size(), -1)};
@@ -100,7 +99,7 @@ std::vector<Motion> resolve_motions(const scene::Continuum& scene, const Grid& g
   const auto prescribe = [&](int i, Axis axis, std::span<const std::uint32_t> chosen) {
     const auto& here = scene.motions(i);
     const auto path = fmt::format("continuum.motions[{}]", i);
-    Motion motion{{}, axis, velocity(i, axis), factor(here.time(), path)};
+    PrescribedMotion motion{{}, axis, velocity(i, axis), factor(here.time(), path)};
     for (const auto point : chosen) {
       int& before = owner[axis == Axis::kX ? 0 : 1][point];
       if (before >= 0 &&

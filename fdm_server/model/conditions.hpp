@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fdm_server/grid/grid.hpp"
-#include "fdm_server/solver/continuum.hpp"
+#include "fdm_server/solver/loads.hpp"
 #include "protocol/messages/scene.pb.h"
 
 namespace adit::fdm {
@@ -20,6 +20,6 @@ std::vector<Load> resolve_loads(const scene::Continuum& scene, const Grid& grid,
                                 std::span<const double> masses);
 
 // A component of a point that two motions prescribe differently is an error.
-std::vector<Motion> resolve_motions(const scene::Continuum& scene, const Grid& grid);
+std::vector<PrescribedMotion> resolve_motions(const scene::Continuum& scene, const Grid& grid);
 
 }  // namespace adit::fdm

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "fdm_server/grid/selection.hpp"
+#include "fdm_server/model/grid/selection.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::fdm {

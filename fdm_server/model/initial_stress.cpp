@@ -2,7 +2,7 @@
 
 namespace adit::fdm {
 
-void set_initial_stress(const scene::Stress& stress, const Grid& grid, Zones& zones) {
+void set_initial_stress(const scene::Stress& stress, const Grid& grid, ZoneSet& zones) {
   for (std::size_t z = 0; z < grid.zones.size(); ++z) {
     const double y = centroid(corners(grid, z))[1];
     zones.set_stress(

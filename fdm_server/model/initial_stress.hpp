@@ -3,11 +3,11 @@
 #pragma once
 
 #include "fdm_server/grid/grid.hpp"
-#include "fdm_server/zones/zones.hpp"
+#include "fdm_server/zones/zone_set.hpp"
 #include "protocol/messages/scene.pb.h"
 
 namespace adit::fdm {
 
-void set_initial_stress(const scene::Stress& stress, const Grid& grid, Zones& zones);
+void set_initial_stress(const scene::Stress& stress, const Grid& grid, ZoneSet& zones);
 
 }  // namespace adit::fdm

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fdm_server/materials/material.hpp"
-#include "fdm_server/zones/zones.hpp"
+#include "fdm_server/zones/kernel/zone_kernel.hpp"
 #include "protocol/messages/scene.pb.h"
 
 namespace adit::fdm {

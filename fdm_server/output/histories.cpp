@@ -9,7 +9,7 @@
 #include <string>
 
 #include "fdm_server/grid/locate.hpp"
-#include "fdm_server/output/strain.hpp"
+#include "fdm_server/output/mean_strain.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::fdm {
@@ -61,7 +61,7 @@ double stress(const Stress& stress, scene::Quantity quantity) {
   return quantity == scene::STRESS_XX ? stress.xx : quantity == scene::STRESS_YY ? stress.yy : stress.xy;
 }
 
-double strain(const Strain& strain, scene::Quantity quantity) {
+double strain(const MeanStrain& strain, scene::Quantity quantity) {
   return quantity == scene::STRAIN_XX ? strain.xx : quantity == scene::STRAIN_YY ? strain.yy : strain.xy;
 }
 

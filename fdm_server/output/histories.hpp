@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "fdm_server/grid/grid.hpp"
+#include "fdm_server/output/lining_probe.hpp"
 #include "fdm_server/output/zone_fit.hpp"
 #include "fdm_server/solver/continuum.hpp"
-#include "fdm_server/supports/lining_probe.hpp"
 #include "protocol/messages/scene.pb.h"
 #include "protocol/participant/history.hpp"
 

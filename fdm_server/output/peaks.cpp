@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fdm_server/output/strain.hpp"
+#include "fdm_server/output/mean_strain.hpp"
 
 namespace adit::fdm {
 
@@ -38,7 +38,7 @@ void Peaks::take(const Grid& grid, const Continuum& continuum, const protocol::S
     return std::sqrt(difference * difference + twice_shear * twice_shear);
   };
   for (std::size_t z = 0; z < gradients_.size(); ++z) {
-    const Strain e = mean_strain(gradients_[z], grid.zones[z], ux, uy);
+    const MeanStrain e = mean_strain(gradients_[z], grid.zones[z], ux, uy);
     shear_strain_[z] = std::max(shear_strain_[z], radius(e.xx - e.yy, e.xy));
     const Stress s = continuum.zones().stress(z);
     const double mean = (s.xx + s.yy) / 2, deviator = radius(s.xx - s.yy, 2 * s.xy) / 2;

@@ -6,7 +6,7 @@
 
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/solver/continuum.hpp"
-#include "fdm_server/zones/mean_gradient.hpp"
+#include "fdm_server/zones/shape/mean_gradient.hpp"
 #include "protocol/participant/peak_motion.hpp"
 
 namespace adit::fdm {

@@ -8,16 +8,19 @@
 #include <span>
 #include <utility>
 
-#include "fdm_server/boundaries/boundaries.hpp"
 #include "fdm_server/grid/interpolation.hpp"
 #include "fdm_server/grid/samples.hpp"
-#include "fdm_server/model/excavation.hpp"
+#include "fdm_server/model/boundaries/boundaries.hpp"
+#include "fdm_server/model/damping.hpp"
+#include "fdm_server/model/grid/excavation.hpp"
+#include "fdm_server/model/grid/read_grid.hpp"
 #include "fdm_server/model/ground.hpp"
 #include "fdm_server/model/initial_stress.hpp"
-#include "fdm_server/model/read_grid.hpp"
+#include "fdm_server/model/supports/supports.hpp"
 #include "fdm_server/participant/snapshot.hpp"
 #include "fdm_server/solver/deformed_grid.hpp"
-#include "fdm_server/zones/nonlinear/material_zones.hpp"
+#include "fdm_server/zones/critical_step.hpp"
+#include "fdm_server/zones/zone_set.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/messages/spans.hpp"
 
@@ -107,8 +110,8 @@ void FdmParticipant::make_continuum() {
   std::ranges::move(boundaries.motions, std::back_inserter(motions));
   base_loads_ = std::move(boundaries.loads);
 
-  std::unique_ptr<Zones> zones = std::make_unique<MaterialZones>(setup_.kind, grid_, setup_.ground, weights_);
-  if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), grid_, *zones);
+  ZoneSet zones(setup_.kind, grid_, setup_.ground, weights_);
+  if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), grid_, zones);
   const auto masses = this->masses();
   continuum_ = std::make_unique<Continuum>(std::move(zones), masses, loads(masses), std::move(motions),
                                            threads_ > 0 ? threads_ : useful_threads(grid_.zones.size()),

@@ -17,7 +17,6 @@
 #include "fdm_server/output/histories.hpp"
 #include "fdm_server/output/peaks.hpp"
 #include "fdm_server/solver/relaxation.hpp"
-#include "fdm_server/supports/lining_probe.hpp"
 #include "fdm_server/supports/peak_forces.hpp"
 #include "fdm_server/supports/supports.hpp"
 #include "protocol/participant/interface_operator.hpp"

@@ -21,8 +21,8 @@ Load take(Load& load, const std::vector<bool>& chosen) {
 }
 
 // Moves the chosen points out of a motion.
-Motion take(Motion& motion, const std::vector<bool>& chosen) {
-  Motion taken{{}, motion.axis, motion.velocity, motion.factor}, left = taken;
+PrescribedMotion take(PrescribedMotion& motion, const std::vector<bool>& chosen) {
+  PrescribedMotion taken{{}, motion.axis, motion.velocity, motion.factor}, left = taken;
   for (const auto point : motion.points) (chosen[point] ? taken : left).points.push_back(point);
   motion = std::move(left);
   return taken;
@@ -30,14 +30,14 @@ Motion take(Motion& motion, const std::vector<bool>& chosen) {
 
 }  // namespace
 
-Continuum::Continuum(std::unique_ptr<Zones> zones, std::span<const double> masses, std::vector<Load> loads,
-                     std::vector<Motion> motions, std::size_t threads, Structures structures)
+Continuum::Continuum(ZoneSet zones, std::span<const double> masses, std::vector<Load> loads,
+                     std::vector<PrescribedMotion> motions, std::size_t threads, Structures structures)
     : zones_(std::move(zones)), structures_(std::move(structures)), points_(masses.size()), team_(threads) {
   for (std::size_t i = 0; i < masses.size(); ++i) {
     points_[kMass][i] = masses[i];
     points_[kInverseMassX][i] = points_[kInverseMassY][i] = 1 / masses[i];
   }
-  zones_->follow(points_[kUx].data(), points_[kUy].data());
+  zones_.follow(points_[kUx].data(), points_[kUy].data());
   place(std::move(loads));
   for (auto& motion : motions) {
     for (const auto point : motion.points)
@@ -70,13 +70,13 @@ void Continuum::place(std::vector<Load> loads) {
 }
 
 std::vector<bool> Continuum::of_interface() const {
-  std::vector<bool> chosen(points_.rows(), false);
+  std::vector<bool> chosen(points_.size(), false);
   for (const auto [begin, end] : interface_.points)
     std::fill(chosen.begin() + begin, chosen.begin() + end, true);
   return chosen;
 }
 
-Continuum::Prescribed Continuum::prescribed(Motion motion) const {
+Continuum::Prescribed Continuum::prescribed(PrescribedMotion motion) const {
   double mass = 0;
   for (const auto point : motion.points) mass += points_[kMass][point];
   return {std::move(motion), mass};
@@ -85,16 +85,16 @@ Continuum::Prescribed Continuum::prescribed(Motion motion) const {
 void Continuum::set_dashpots(std::vector<Dashpot> dashpots, bool support) {
   interior_.dashpots = std::move(dashpots);
   supports_ = support;
-  plan(std::vector<bool>(points_.rows(), false));
+  plan(std::vector<bool>(points_.size(), false));
 }
 
 void Continuum::set_damping(const DampingLaw& law) {
-  damping_ = Damping(law, points_.rows());
-  plan(std::vector<bool>(points_.rows(), false));
+  damping_ = Damping(law, points_.size());
+  plan(std::vector<bool>(points_.size(), false));
 }
 
 void Continuum::set_interface(std::span<const std::uint32_t> points) {
-  std::vector<bool> chosen(points_.rows(), false);
+  std::vector<bool> chosen(points_.size(), false);
   for (const auto point : points) chosen[point] = true;
   for (const auto& dashpot : interior_.dashpots)  // which need the column's velocity
     if (dashpot.field && chosen[dashpot.point]) chosen[dashpot.field->column_point] = true;
@@ -118,7 +118,7 @@ void Continuum::set_interface(std::span<const std::uint32_t> points) {
 
 // Before loads, motions and dashpots are divided.
 void Continuum::plan(const std::vector<bool>& chosen) {
-  std::vector<bool> pulled(points_.rows(), damping_.acts());  // by others than zones
+  std::vector<bool> pulled(points_.size(), damping_.acts());  // by others than zones
   for (const Part* part : {&interface_, &interior_}) {
     for (const auto& [load, factor] : part->loads)
       for (const auto point : load.points) pulled[point] = true;
@@ -135,18 +135,18 @@ void Continuum::plan(const std::vector<bool>& chosen) {
 
   interface_.points = protocol::index_ranges(chosen, true);
   interior_.points = protocol::index_ranges(chosen, false);
-  const auto [touching, others] = split(zones_->runs(), chosen);
+  const auto [touching, others] = split(zones_.runs(), chosen);
   std::vector<bool> reached = chosen;
   for (const ZoneRun& run : touching)
     for (const auto point : run.points)
       for (std::uint32_t k = 0; k < run.count; ++k) reached[point + k] = true;
 
-  std::vector<bool> in_zones(points_.rows(), false);
-  for (const ZoneRun& run : zones_->runs())
+  std::vector<bool> in_zones(points_.size(), false);
+  for (const ZoneRun& run : zones_.runs())
     for (const auto point : run.points)
       for (std::uint32_t k = 0; k < run.count; ++k) in_zones[point + k] = true;
-  std::vector<Role> of_interface(points_.rows(), Role::kForeign), of_interior = of_interface;
-  for (std::size_t i = 0; i < points_.rows(); ++i)
+  std::vector<Role> of_interface(points_.size(), Role::kForeign), of_interior = of_interface;
+  for (std::size_t i = 0; i < points_.size(); ++i)
     if (chosen[i])
       of_interface[i] = pulled[i] || !in_zones[i] ? Role::kKept : Role::kSwept;
     else
@@ -176,7 +176,7 @@ void Continuum::hold(Axis axis, std::uint32_t point, double impulse) {
     }
 }
 
-PointColumns Continuum::columns() {
+PointArrays Continuum::arrays() {
   return {points_[kUx].data(),
           points_[kUy].data(),
           points_[kVx].data(),
@@ -209,13 +209,12 @@ void Continuum::step_interior(const protocol::Step& step) {
 }
 
 void Continuum::pull(Part& part, const protocol::Step& step) {
-  const PointColumns points = columns();
-  part.sweep.run(team_, *zones_, step.dt, step.kick(), points);
+  const PointArrays points = arrays();
+  part.sweep.run(team_, zones_, step.dt, step.kick(), points);
   structures_.add_forces(part.structures, step.dt, {points.vx, points.vy, points.fx, points.fy});
   if (damping_.acts()) damping_.add_viscous(part.points, step, points);
   apply_loads(part, step);
-  add_boundary_forces(part.dashpots, supports_, damping_.law().stiffness, step, *zones_, points,
-                      boundary_work_);
+  add_boundary_forces(part.dashpots, supports_, damping_.law().beta, step, zones_, points, boundary_work_);
   if (damping_.acts()) damped_ += damping_.add_others(part.points, step, points, points_[kMass]);
   find_reactions(part, step);
 }
@@ -261,7 +260,7 @@ void Continuum::remember_velocities() {
 double Continuum::steady_work() const {
   if (!steady_) return 0;
   double work = 0;
-  for (std::size_t i = 0; i < points_.rows(); ++i)
+  for (std::size_t i = 0; i < points_.size(); ++i)
     work += points_[kSteadyX][i] * points_[kUx][i] + points_[kSteadyY][i] * points_[kUy][i];
   return work;
 }
@@ -271,16 +270,16 @@ Energies Continuum::energies(const protocol::Step& step) const {
     return (step.from_rest() ? -after : before) * after;
   };
   double twice = structures_.twice_kinetic_energy(step);
-  for (std::size_t i = 0; i < points_.rows(); ++i)
+  for (std::size_t i = 0; i < points_.size(); ++i)
     twice += points_[kMass][i] *
              (product(points_[kLastVx][i], points_[kVx][i]) + product(points_[kLastVy][i], points_[kVy][i]));
-  return {twice / 2, zones_->strain_energy() + structures_.strain_energy(),
+  return {twice / 2, zones_.strain_energy() + structures_.strain_energy(),
           external_work_ + steady_work() + boundary_work_.external,
-          zones_->dissipated() + structures_.dissipated() + boundary_work_.dissipated + damped_};
+          zones_.dissipated() + structures_.dissipated() + boundary_work_.dissipated + damped_};
 }
 
 void Continuum::predict(const Part& part, const protocol::Step& step) {
-  part.sweep.predict(team_, step.kick(), columns());
+  part.sweep.predict(team_, step.kick(), arrays());
   structures_.move_and_predict(part.structures, step);
   for (const auto& prescribed : part.motions) {
     const auto velocity = points_[prescribed.motion.axis == Axis::kX ? kVx : kVy];
@@ -291,7 +290,7 @@ void Continuum::predict(const Part& part, const protocol::Step& step) {
 }
 
 void Continuum::stop() {
-  for (const Column column : {kVx, kVy}) std::ranges::fill(points_[column], 0.0);
+  for (const Field velocity : {kVx, kVy}) std::ranges::fill(points_[velocity], 0.0);
   structures_.stop();
 }
 
@@ -303,13 +302,13 @@ void Continuum::start_over() {
 }
 
 void Continuum::reset_displacements() {
-  zones_->start_over();
-  for (const Column column : {kUx, kUy}) std::ranges::fill(points_[column], 0.0);
+  zones_.start_over();
+  for (const Field displacement : {kUx, kUy}) std::ranges::fill(points_[displacement], 0.0);
 }
 
 std::optional<std::uint32_t> Continuum::first_non_finite() const {
   const auto vx = points_[kVx], vy = points_[kVy];
-  for (std::size_t i = 0; i < points_.rows(); ++i)
+  for (std::size_t i = 0; i < points_.size(); ++i)
     if (!std::isfinite(vx[i]) || !std::isfinite(vy[i])) return static_cast<std::uint32_t>(i);
   return std::nullopt;
 }

@@ -9,48 +9,28 @@
 //
 // Energies at step n: kinetic 1/2 sum m v(n-1/2) v(n+1/2), strain energy of the stresses; work of loads,
 // prescribed motions and boundaries, and what dashpots and damping dissipate, summed as
-// dt v(n+1/2) (F(n) + F(n+1))/2; dissipation of the materials (materials/law_zones.hpp). Then kinetic +
-// strain + dissipated - work keeps its value of step 0 to rounding: M (v(n+3/2) - v(n-1/2)) = dt (f(n) +
-// f(n+1)), times v(n+1/2)/2, is the change of the kinetic energy, and f = F - K u. That value is -1/2 sum m
-// v(1/2)^2, 0 where nothing acts at t = 0.
+// dt v(n+1/2) (F(n) + F(n+1))/2; dissipation of the materials (zones/nonlinear/nonlinear_zones.hpp). Then
+// kinetic + strain + dissipated - work keeps its value of step 0 to rounding: M (v(n+3/2) - v(n-1/2)) = dt
+// (f(n) + f(n+1)), times v(n+1/2)/2, is the change of the kinetic energy, and f = F - K u. That value is -1/2
+// sum m v(1/2)^2, 0 where nothing acts at t = 0.
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "fdm_server/grid/field_arrays.hpp"
 #include "fdm_server/solver/damping.hpp"
 #include "fdm_server/solver/dashpots.hpp"
+#include "fdm_server/solver/loads.hpp"
 #include "fdm_server/solver/sweep.hpp"
 #include "fdm_server/structures/structures.hpp"
-#include "fdm_server/zones/columns.hpp"
-#include "fdm_server/zones/zones.hpp"
+#include "fdm_server/zones/zone_set.hpp"
 #include "protocol/participant/step.hpp"
 #include "protocol/threads/team.hpp"
 
 namespace adit::fdm {
-
-using TimeFactor = std::function<double(double t)>;
-
-// Forces of unit factor on some points.
-struct Load {
-  std::vector<std::uint32_t> points;
-  std::vector<double> fx, fy;  // [N], one of each a point
-  TimeFactor factor;           // none: steady, which costs a step next to nothing
-};
-
-enum class Axis { kX, kY };
-
-// One velocity component of some points, ascending. No component of a point is named twice.
-struct Motion {
-  std::vector<std::uint32_t> points;
-  Axis axis;
-  double velocity;  // [m/s], times the factor
-  TimeFactor factor;
-};
 
 struct Energies {
   double kinetic, strain, external_work;  // [J]
@@ -61,8 +41,8 @@ class Continuum {
  public:
   // `masses`: one weighted mass a point, with that of the structures [kg]. Results do not depend on the
   // number of threads.
-  Continuum(std::unique_ptr<Zones> zones, std::span<const double> masses, std::vector<Load> loads,
-            std::vector<Motion> motions, std::size_t threads = 1, Structures structures = {});
+  Continuum(ZoneSet zones, std::span<const double> masses, std::vector<Load> loads,
+            std::vector<PrescribedMotion> motions, std::size_t threads = 1, Structures structures = {});
 
   // Before the first step, and before the interface is set. At most one dashpot a point, columns before what
   // is linked to them; where they `support`, points that bear on them are in equilibrium at step 0, whatever
@@ -113,14 +93,14 @@ class Continuum {
   std::span<const double> masses() const { return points_[kMass]; }                  // weighted [kg]
   std::span<const double> inverse_mass_x() const { return points_[kInverseMassX]; }  // 0: prescribed [1/kg]
   std::span<const double> inverse_mass_y() const { return points_[kInverseMassY]; }
-  const Zones& zones() const { return *zones_; }
+  const ZoneSet& zones() const { return zones_; }
   const Structures& structures() const { return structures_; }
 
   // A point whose velocity is not finite, if any.
   std::optional<std::uint32_t> first_non_finite() const;
 
  private:
-  enum Column {
+  enum Field {
     kUx,
     kUy,
     kVx,
@@ -134,14 +114,14 @@ class Continuum {
     kMass,
     kLastVx,
     kLastVy,
-    kColumns
+    kFields
   };
   struct Loading {
     Load load;
     double factor = 0;  // of the last step
   };
   struct Prescribed {
-    Motion motion;
+    PrescribedMotion motion;
     double mass;          // of all its points
     double before = 0;    // velocity half a step ago
     double after = 0;     // and half a step ahead
@@ -161,9 +141,9 @@ class Continuum {
 
   // Says which points the parts may sweep: those that others pull on, too, have to wait for these.
   void plan(const std::vector<bool>& chosen);
-  PointColumns columns();
+  PointArrays arrays();
   void add_steady(const Load& load);
-  Prescribed prescribed(Motion motion) const;
+  Prescribed prescribed(PrescribedMotion motion) const;
   void place(std::vector<Load> loads);
   std::vector<bool> of_interface() const;  // of every point
   void hold(Axis axis, std::uint32_t point, double impulse);
@@ -173,9 +153,9 @@ class Continuum {
   void predict(const Part& part, const protocol::Step& step);
   double steady_work() const;
 
-  std::unique_ptr<Zones> zones_;
+  ZoneSet zones_;
   Structures structures_;
-  Columns<kColumns> points_;
+  FieldArrays<kFields> points_;
   protocol::Team team_;
   Part interface_, interior_;
   Damping damping_{{}, 0};

@@ -7,18 +7,18 @@ namespace adit::fdm {
 
 DampingLaw rayleigh(double ratio, double low_frequency, double high_frequency) {
   const double low = 2 * std::numbers::pi * low_frequency, high = 2 * std::numbers::pi * high_frequency;
-  return {.mass = 2 * ratio * low * high / (low + high), .stiffness = 2 * ratio / (low + high)};
+  return {.alpha = 2 * ratio * low * high / (low + high), .beta = 2 * ratio / (low + high)};
 }
 
 double critical_step(const DampingLaw& law, double undamped) {
-  const double x = law.stiffness / undamped;  // beta w/2 with w = 2/undamped
+  const double x = law.beta / undamped;  // beta w/2 with w = 2/undamped
   return undamped * (std::sqrt(1 + x * x) - x);
 }
 
 void Damping::add_viscous(std::span<const protocol::IndexRange> ranges, const protocol::Step& step,
-                          const PointColumns& points) {
-  if (law_.stiffness == 0 || step.relax) return;
-  const double factor = step.from_rest() ? 0 : law_.stiffness / step.dt;
+                          const PointArrays& points) {
+  if (law_.beta == 0 || step.relax) return;
+  const double factor = step.from_rest() ? 0 : law_.beta / step.dt;
   const auto axis = [&](double* force, double* zones, double* viscous) {
     for (const auto [begin, end] : ranges)
       for (std::size_t i = begin; i < end; ++i) {
@@ -32,9 +32,9 @@ void Damping::add_viscous(std::span<const protocol::IndexRange> ranges, const pr
 }
 
 double Damping::add_others(std::span<const protocol::IndexRange> ranges, const protocol::Step& step,
-                           const PointColumns& points, std::span<const double> masses) {
+                           const PointArrays& points, std::span<const double> masses) {
   if (!law_.any() || step.relax) return 0;
-  const double half = step.kick() / 2, implicit = 1 + law_.mass * half;
+  const double half = step.kick() / 2, implicit = 1 + law_.alpha * half;
   double power = 0;
   const auto axis = [&](const double* velocity, double* force, const double* inverse_mass,
                         const double* viscous, double* damping) {
@@ -43,7 +43,7 @@ double Damping::add_others(std::span<const protocol::IndexRange> ranges, const p
         double added = 0;
         if (!step.from_rest()) {
           const double v = velocity[i];
-          added = -law_.mass * masses[i] * (v + half * inverse_mass[i] * force[i]) / implicit;
+          added = -law_.alpha * masses[i] * (v + half * inverse_mass[i] * force[i]) / implicit;
           if (v != 0 && inverse_mass[i] > 0) added -= law_.local * std::copysign(force[i], v);
         }
         force[i] += added;

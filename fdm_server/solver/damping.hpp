@@ -16,19 +16,19 @@
 
 #include <span>
 
+#include "fdm_server/grid/field_arrays.hpp"
 #include "fdm_server/solver/dashpots.hpp"
-#include "fdm_server/zones/columns.hpp"
 #include "protocol/participant/step.hpp"
 #include "protocol/threads/index_ranges.hpp"
 
 namespace adit::fdm {
 
 struct DampingLaw {
-  double mass = 0;       // alpha [1/s]
-  double stiffness = 0;  // beta [s]
-  double local = 0;      // a
+  double alpha = 0;  // [1/s]
+  double beta = 0;   // [s]
+  double local = 0;  // a
 
-  bool any() const { return mass != 0 || stiffness != 0 || local != 0; }
+  bool any() const { return alpha != 0 || beta != 0 || local != 0; }
 };
 
 // The ratio at both frequencies [Hz].
@@ -45,18 +45,18 @@ class Damping {
 
   // Adds beta's force where the points' forces are those of the zones alone.
   void add_viscous(std::span<const protocol::IndexRange> ranges, const protocol::Step& step,
-                   const PointColumns& points);
+                   const PointArrays& points);
   // Adds the other forces, where the points have all forces, and returns what was dissipated since the last
   // step [J].
   double add_others(std::span<const protocol::IndexRange> ranges, const protocol::Step& step,
-                    const PointColumns& points, std::span<const double> masses);
+                    const PointArrays& points, std::span<const double> masses);
 
  private:
   // Of the zones at the last step; of beta at this one; of all damping at the last one [N].
-  enum Column { kZonesX, kZonesY, kViscousX, kViscousY, kDampingX, kDampingY, kColumns };
+  enum Field { kZonesX, kZonesY, kViscousX, kViscousY, kDampingX, kDampingY, kFields };
 
   DampingLaw law_;
-  Columns<kColumns> state_;
+  FieldArrays<kFields> state_;
 };
 
 }  // namespace adit::fdm

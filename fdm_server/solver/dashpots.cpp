@@ -17,23 +17,23 @@ double dot(const Vector& a, const Vector& b) {
   return a.x * b.x + a.y * b.y;
 }
 
-Vector velocity(const PointColumns& points, std::uint32_t i) {
+Vector velocity(const PointArrays& points, std::uint32_t i) {
   return {points.vx[i], points.vy[i]};
 }
 
-void add(const PointColumns& points, std::uint32_t i, const Vector& force) {
+void add(const PointArrays& points, std::uint32_t i, const Vector& force) {
   points.fx[i] += force.x;
   points.fy[i] += force.y;
 }
 
 // (v(n-1/2) + v(n+1/2))/2 under the forces that the point has so far.
-Vector mean_velocity(const PointColumns& points, std::uint32_t i, double kick) {
+Vector mean_velocity(const PointArrays& points, std::uint32_t i, double kick) {
   return {points.vx[i] + kick / 2 * points.inverse_mass_x[i] * points.fx[i],
           points.vy[i] + kick / 2 * points.inverse_mass_y[i] * points.fy[i]};
 }
 
 // The dashpots' force F of the header's equation.
-Vector drag(const Dashpot& dashpot, const PointColumns& points, double kick) {
+Vector drag(const Dashpot& dashpot, const PointArrays& points, double kick) {
   const Symmetric& c = dashpot.damping;
   const Vector pull = c * mean_velocity(points, dashpot.point, kick);
   const double wx = kick / 2 * points.inverse_mass_x[dashpot.point];
@@ -43,7 +43,7 @@ Vector drag(const Dashpot& dashpot, const PointColumns& points, double kick) {
   return {-(yy * pull.x - xy * pull.y) / determinant, -(xx * pull.y - yx * pull.x) / determinant};
 }
 
-Vector stress_force(const FreeFieldLink& link, const Zones& zones) {
+Vector stress_force(const FreeFieldLink& link, const ZoneSet& zones) {
   Vector force;
   for (std::size_t k = 0; k < link.zones.size(); ++k) {
     if (link.lengths[k] == 0) continue;
@@ -53,18 +53,18 @@ Vector stress_force(const FreeFieldLink& link, const Zones& zones) {
   return force;
 }
 
-Vector free_field_force(Dashpot& dashpot, double viscosity, const protocol::Step& step, const Zones& zones,
-                        const PointColumns& points) {
+Vector free_field_force(Dashpot& dashpot, double beta, const protocol::Step& step, const ZoneSet& zones,
+                        const PointArrays& points) {
   const FreeFieldLink& link = *dashpot.field;
   const Vector before = std::exchange(dashpot.stress, stress_force(link, zones));
   if (step.from_rest()) return dashpot.stress;
-  const double rate = step.relax ? 0 : viscosity / step.dt;
+  const double rate = step.relax ? 0 : beta / step.dt;
   const Vector viscous{rate * (dashpot.stress.x - before.x), rate * (dashpot.stress.y - before.y)};
   return dashpot.stress + viscous + link.damping * mean_velocity(points, link.column_point, step.kick());
 }
 
 // In statics: the components that are held take no part.
-void hold(const Dashpot& dashpot, const PointColumns& points) {
+void hold(const Dashpot& dashpot, const PointArrays& points) {
   if (dashpot.hold_x) points.fx[dashpot.point] = 0;
   if (dashpot.hold_y) points.fy[dashpot.point] = 0;
 }
@@ -78,12 +78,11 @@ Symmetric& Symmetric::operator+=(const Symmetric& other) {
   return *this;
 }
 
-void add_boundary_forces(std::span<Dashpot> dashpots, bool supports, double viscosity,
-                         const protocol::Step& step, const Zones& zones, const PointColumns& points,
-                         BoundaryWork& work) {
+void add_boundary_forces(std::span<Dashpot> dashpots, bool supports, double beta, const protocol::Step& step,
+                         const ZoneSet& zones, const PointArrays& points, BoundaryWork& work) {
   for (Dashpot& dashpot : dashpots) {
     const Vector given_before = dashpot.given, drag_before = dashpot.drag;
-    const Vector field = dashpot.field ? free_field_force(dashpot, viscosity, step, zones, points) : Vector{};
+    const Vector field = dashpot.field ? free_field_force(dashpot, beta, step, zones, points) : Vector{};
     const std::uint32_t i = dashpot.point;
     if (step.number == 0 && supports && !step.relax)
       dashpot.support = {-points.fx[i] - field.x, -points.fy[i] - field.y};

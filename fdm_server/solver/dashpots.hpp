@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "fdm_server/solver/sweep.hpp"
-#include "fdm_server/zones/zones.hpp"
+#include "fdm_server/zones/zone_set.hpp"
 #include "protocol/participant/step.hpp"
 
 namespace adit::fdm {
@@ -64,10 +64,9 @@ struct BoundaryWork {
 };
 
 // Adds the forces of the dashpots at step n to those of the points, which hold all others. Where `supports`,
-// step 0 finds the forces that keep the points in equilibrium as they are. `viscosity`: beta of the damping
-// [s]. Columns come before the points that are linked to them.
-void add_boundary_forces(std::span<Dashpot> dashpots, bool supports, double viscosity,
-                         const protocol::Step& step, const Zones& zones, const PointColumns& points,
-                         BoundaryWork& work);
+// step 0 finds the forces that keep the points in equilibrium as they are. `beta`: of the damping [s].
+// Free-field columns come before the points that are linked to them.
+void add_boundary_forces(std::span<Dashpot> dashpots, bool supports, double beta, const protocol::Step& step,
+                         const ZoneSet& zones, const PointArrays& points, BoundaryWork& work);
 
 }  // namespace adit::fdm

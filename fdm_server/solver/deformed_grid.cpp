@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "fdm_server/zones/nonlinear/material_zones.hpp"
+#include "fdm_server/zones/critical_step.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::fdm {

@@ -8,7 +8,7 @@
 #include "fdm_server/materials/material.hpp"
 #include "fdm_server/solver/continuum.hpp"
 #include "fdm_server/solver/damping.hpp"
-#include "fdm_server/zones/zones.hpp"
+#include "fdm_server/zones/kernel/zone_kernel.hpp"
 #include "protocol/participant/step.hpp"
 
 namespace adit::fdm {

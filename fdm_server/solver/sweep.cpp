@@ -44,7 +44,7 @@ void append(std::vector<IndexRange>& ranges, std::span<const std::uint32_t> poin
       ranges.push_back({point, point + 1});
 }
 
-void move(std::span<const IndexRange> ranges, double dt, const PointColumns& points) {
+void move(std::span<const IndexRange> ranges, double dt, const PointArrays& points) {
   for (const auto [begin, end] : ranges)
 #pragma GCC ivdep
     for (std::size_t i = begin; i < end; ++i) {
@@ -53,7 +53,7 @@ void move(std::span<const IndexRange> ranges, double dt, const PointColumns& poi
     }
 }
 
-void add_steady(std::span<const IndexRange> ranges, const PointColumns& points, double* fx, double* fy) {
+void add_steady(std::span<const IndexRange> ranges, const PointArrays& points, double* fx, double* fy) {
   if (!points.steady_x) return;
   for (const auto [begin, end] : ranges)
 #pragma GCC ivdep
@@ -63,7 +63,7 @@ void add_steady(std::span<const IndexRange> ranges, const PointColumns& points, 
     }
 }
 
-void predict(std::span<const IndexRange> ranges, double kick, const PointColumns& points, double* fx,
+void predict(std::span<const IndexRange> ranges, double kick, const PointArrays& points, double* fx,
              double* fy) {
   for (const auto [begin, end] : ranges)
 #pragma GCC ivdep
@@ -192,7 +192,7 @@ void Sweep::share(std::uint32_t chunk, std::uint32_t first, std::uint32_t point)
   waiting_.hold(waiting_.x.size() + 1);
 }
 
-void Sweep::run(protocol::Team& team, Zones& zones, double dt, double kick, const PointColumns& points) {
+void Sweep::run(protocol::Team& team, ZoneSet& zones, double dt, double kick, const PointArrays& points) {
   team.run(chunks_.size(), [&](std::size_t c, std::size_t) { move(chunks_[c].moved, dt, points); });
   team.run(chunks_.size(), [&](std::size_t c, std::size_t thread) {
     compute(chunks_[c], buffers_[thread], zones, dt, kick, points);
@@ -208,8 +208,8 @@ void Sweep::run(protocol::Team& team, Zones& zones, double dt, double kick, cons
   });
 }
 
-void Sweep::compute(const Chunk& chunk, Buffer& buffer, Zones& zones, double dt, double kick,
-                    const PointColumns& points) {
+void Sweep::compute(const Chunk& chunk, Buffer& buffer, ZoneSet& zones, double dt, double kick,
+                    const PointArrays& points) {
   double *fx = buffer.x.data() - chunk.first_point, *fy = buffer.y.data() - chunk.first_point;
   for (const Block& block : chunk.blocks) {
     move(block.moved, dt, points);
@@ -227,7 +227,7 @@ void Sweep::compute(const Chunk& chunk, Buffer& buffer, Zones& zones, double dt,
   }
 }
 
-void Sweep::predict(protocol::Team& team, double kick, const PointColumns& points) const {
+void Sweep::predict(protocol::Team& team, double kick, const PointArrays& points) const {
   team.run(chunks_.size(), [&](std::size_t c, std::size_t) {
     fdm::predict(chunks_[c].kept, kick, points, points.fx, points.fy);
   });

@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-#include "fdm_server/zones/zones.hpp"
+#include "fdm_server/zones/zone_set.hpp"
 #include "protocol/threads/index_ranges.hpp"
 #include "protocol/threads/team.hpp"
 
@@ -22,7 +22,7 @@ namespace adit::fdm {
 
 // One value a point: displacements, velocities, forces for others to add to, inverse masses; steady forces,
 // which every point gets beside those of its zones, null where there are none.
-struct PointColumns {
+struct PointArrays {
   double *ux, *uy, *vx, *vy, *fx, *fy;
   const double *inverse_mass_x, *inverse_mass_y;
   const double *steady_x, *steady_y;
@@ -49,9 +49,9 @@ class Sweep {
   Sweep& operator=(Sweep&&) = default;
 
   // Moves by dt v, then adds the zones' forces and predicts the swept points: v += kick f/m.
-  void run(protocol::Team& team, Zones& zones, double dt, double kick, const PointColumns& points);
+  void run(protocol::Team& team, ZoneSet& zones, double dt, double kick, const PointArrays& points);
   // Predicts the kept points, and empties their fx, fy.
-  void predict(protocol::Team& team, double kick, const PointColumns& points) const;
+  void predict(protocol::Team& team, double kick, const PointArrays& points) const;
 
  private:
   using IndexRanges = std::vector<protocol::IndexRange>;
@@ -87,8 +87,8 @@ class Sweep {
   void fill(std::uint32_t number, std::span<const ZoneRun> runs, std::span<const Role> roles,
             const std::vector<bool>& moved, Survey& survey);
   void share(std::uint32_t chunk, std::uint32_t first, std::uint32_t point);
-  void compute(const Chunk& chunk, Buffer& buffer, Zones& zones, double dt, double kick,
-               const PointColumns& points);
+  void compute(const Chunk& chunk, Buffer& buffer, ZoneSet& zones, double dt, double kick,
+               const PointArrays& points);
 
   std::vector<ZoneRun> runs_;
   std::vector<Chunk> chunks_;

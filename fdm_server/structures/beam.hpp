@@ -31,7 +31,7 @@
 #include <cstdint>
 
 #include "fdm_server/structures/section.hpp"
-#include "fdm_server/zones/zone_runs.hpp"
+#include "fdm_server/zones/kernel/zone_runs.hpp"
 
 namespace adit::fdm {
 // What the kernels read and add to, one value a rotation.

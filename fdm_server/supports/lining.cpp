@@ -1,10 +1,34 @@
 #include "fdm_server/supports/lining.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
+#include "protocol/errors.hpp"
+
 namespace adit::fdm {
+
+std::size_t nearest_node(const geometry::Point& place, const Path& lining, const Grid& grid,
+                         const std::string& path) {
+  const auto distance = [&](std::size_t node) {
+    const auto point = lining.points[node];
+    return std::hypot(grid.x[point] - place.x, grid.y[point] - place.y);
+  };
+  std::size_t nearest = 0;
+  for (std::size_t node = 1; node < lining.points.size(); ++node)
+    if (distance(node) < distance(nearest)) nearest = node;
+  const auto next = lining.points[nearest == 0 ? 1 : nearest - 1], here = lining.points[nearest];
+  const double beam = std::hypot(grid.x[next] - grid.x[here], grid.y[next] - grid.y[here]);
+  if (!(distance(nearest) <= 0.6 * beam))
+    throw protocol::UserError(
+        path, fmt::format("lies at ({:.6g}, {:.6g}) m, {:.3g} m from the lining's nearest node; put it on "
+                          "the lining",
+                          place.x, place.y, distance(nearest)));
+  return nearest;
+}
 
 Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structures) {
   const auto& points = plan.path.points;

@@ -7,6 +7,7 @@
 
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/structures/structures.hpp"
+#include "protocol/geometry/shape.hpp"
 
 namespace adit::fdm {
 
@@ -35,6 +36,11 @@ struct Lining {
   Path path;
   std::uint32_t first_beam, beams;  // numbers in the structures
 };
+
+// The node of a lining's path nearest to a place. UserError at `path`, the scene's field, where the place
+// does not lie about as near as half a beam.
+std::size_t nearest_node(const geometry::Point& place, const Path& lining, const Grid& grid,
+                         const std::string& path);
 
 Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structures);
 

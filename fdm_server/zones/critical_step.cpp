@@ -5,16 +5,32 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
-namespace adit::fdm {
+#include "fdm_server/zones/elastic/elastic_zones.hpp"
+#include "fdm_server/zones/nonlinear/nonlinear_zones.hpp"
+#include "fdm_server/zones/zone_set.hpp"
 
+namespace adit::fdm {
 namespace {
 
-MakeZones maker(ZoneKind kind, const PlaneLaw& law) {
+// Makes the zones of a grid, unstressed, with weights 1.
+using MakeZones = std::function<std::unique_ptr<ZoneKernel>(const Grid& grid)>;
+
+MakeZones elastic_zones(ZoneKind kind, const PlaneLaw& law) {
   return [kind, law](const Grid& grid) {
-    return make_zones(kind, grid, law, std::vector<double>(grid.zones.size(), 1.0));
+    return std::make_unique<ElasticZones>(kind, grid, law, std::vector<double>(grid.zones.size(), 1.0));
+  };
+}
+
+// The stiffness is measured on displacements of 1 m, hence without the law's strength and in small strain.
+MakeZones nonlinear_zones(ZoneKind kind, const Material& material) {
+  return [kind, elastic = Material{material.density, material.young, material.poisson}](const Grid& grid) {
+    return std::make_unique<NonlinearZones>(kind, grid, elastic, std::vector<double>(grid.zones.size(), 1.0),
+                                            false);
   };
 }
 
@@ -50,17 +66,7 @@ std::vector<Stiffness> stiffnesses(std::span<const Corners> shapes, const MakeZo
   return found;
 }
 
-}  // namespace
-
-Eigen::Matrix<double, 8, 8> zone_stiffness(ZoneKind kind, const Corners& corners, const PlaneLaw& law) {
-  return stiffnesses(std::array{corners}, maker(kind, law)).front();
-}
-
-double critical_step(ZoneKind kind, const Grid& grid, const PlaneLaw& law, double density) {
-  return critical_step(grid, density, maker(kind, law));
-}
-
-double critical_step(const Grid& grid, double density, const MakeZones& make) {
+double critical_step_of(const Grid& grid, double density, const MakeZones& make) {
   constexpr std::size_t kAtOnce = 1024;  // few enough for the cache
   const auto& shapes = lay_out(grid).shapes;
   double largest = 0;
@@ -73,6 +79,29 @@ double critical_step(const Grid& grid, double density, const MakeZones& make) {
     }
   }
   return 2 / std::sqrt(largest);
+}
+
+}  // namespace
+
+Eigen::Matrix<double, 8, 8> zone_stiffness(ZoneKind kind, const Corners& corners, const PlaneLaw& law) {
+  return stiffnesses(std::array{corners}, elastic_zones(kind, law)).front();
+}
+
+double critical_step(ZoneKind kind, const Grid& grid, const PlaneLaw& law, double density) {
+  return critical_step_of(grid, density, elastic_zones(kind, law));
+}
+
+double critical_step(ZoneKind kind, const Grid& grid, const Ground& ground) {
+  double smallest = HUGE_VAL;
+  for (std::size_t m = 0; m < ground.materials.size(); ++m) {
+    const Grid own = zones_of_material(grid, ground, m);
+    if (own.zones.empty()) continue;
+    const Material& material = ground.materials[m];
+    const MakeZones make = ground.is_elastic(material) ? elastic_zones(kind, ground.plane_law(material))
+                                                       : nonlinear_zones(kind, material);
+    smallest = std::min(smallest, critical_step_of(own, material.density, make));
+  }
+  return smallest;
 }
 
 }  // namespace adit::fdm

@@ -27,8 +27,8 @@ struct Ground {
 
   Ground(fdm::ZoneKind kind, const fdm::Grid& grid, std::size_t threads)
       : threads(threads),
-        continuum(fdm::make_zones(kind, grid, law(), ones(grid)),
-                  fdm::lumped_masses(grid, ones(grid), kDensity), {}, {}, threads),
+        continuum(fdm::ZoneSet(kind, grid, law(), ones(grid)), fdm::lumped_masses(grid, ones(grid), kDensity),
+                  {}, {}, threads),
         dt(0.8 * fdm::critical_step(kind, grid, law(), kDensity)) {
     continuum.step({0, dt});
     for (std::size_t i = 0; i < grid.x.size(); ++i) {

@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "fdm_server/solver/continuum.hpp"
-#include "fdm_server/zones/nonlinear/material_zones.hpp"
+#include "fdm_server/zones/critical_step.hpp"
+#include "fdm_server/zones/zone_set.hpp"
 
 namespace {
 
@@ -22,8 +23,7 @@ double zone_steps_per_second(ZoneKind kind, const Material& material, bool large
   const std::size_t zones = grid.zones.size();
   const std::vector<double> ones(zones, 1.0);
   const Ground ground{{material}, std::vector<std::uint32_t>(zones, 0), false, large_strain};
-  Continuum continuum(std::make_unique<MaterialZones>(kind, grid, ground, ones),
-                      lumped_masses(grid, ones, material.density), {}, {});
+  Continuum continuum(ZoneSet(kind, grid, ground, ones), lumped_masses(grid, ones, material.density), {}, {});
   const double dt = 0.5 * critical_step(kind, grid, ground);
   std::uint64_t n = 0;
   continuum.step({n++, dt});

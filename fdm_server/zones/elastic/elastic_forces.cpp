@@ -7,9 +7,74 @@ namespace {
 
 enum class Form { kRectangles, kSame, kEach };
 
+// One zone's coefficients, displacements of its corners, strains and generalized stresses:
+// elastic_forces.hpp.
+struct Zone {
+  double gx0, gx1, gy0, gy1, area, c0, c1, bulk, shear, kxx, kyy, kxy;
+};
+struct Displacements {
+  double x0, x1, x2, x3, y0, y1, y2, y3;
+};
+struct Strains {
+  double exx, eyy, gxy, qx, qy;
+};
+struct Stresses {
+  double p, t, s, hx, hy;
+};
+struct Forces {  // on corners 0 and 1
+  double x0, x1, y0, y1;
+};
+
+template <class Coefficient>
+[[gnu::always_inline]] inline Zone zone(Coefficient&& of) {
+  return {of(kGx0),    of(kGx1),  of(kGy0),   of(kGy1), of(kArea), of(kGamma0),
+          of(kGamma1), of(kBulk), of(kShear), of(kKxx), of(kKyy),  of(kKxy)};
+}
+
+template <bool kRectangle>
+[[gnu::always_inline]] inline Strains strains(const Zone& z, const Displacements& u) {
+  const double x02 = u.x0 - u.x2, x13 = u.x1 - u.x3, x23 = u.x2 - u.x3;
+  const double y02 = u.y0 - u.y2, y13 = u.y1 - u.y3, y23 = u.y2 - u.y3;
+  if constexpr (kRectangle)
+    return {.exx = z.gx0 * (x02 - x13),
+            .eyy = z.gy0 * (y02 + y13),
+            .gxy = z.gy0 * (x02 + x13) + z.gx0 * (y02 - y13),
+            .qx = 0.25 * ((u.x0 - u.x1) + x23),
+            .qy = 0.25 * ((u.y0 - u.y1) + y23)};
+  else
+    return {.exx = z.gx0 * x02 + z.gx1 * x13,
+            .eyy = z.gy0 * y02 + z.gy1 * y13,
+            .gxy = (z.gy0 * x02 + z.gy1 * x13) + (z.gx0 * y02 + z.gx1 * y13),
+            .qx = (z.c0 * x02 + z.c1 * x13) + 0.5 * x23,
+            .qy = (z.c0 * y02 + z.c1 * y13) + 0.5 * y23};
+}
+
+template <bool kRectangle>
+[[gnu::always_inline]] inline Stresses stresses(const Zone& z, const Strains& e) {
+  return {.p = z.bulk * (e.exx + e.eyy),
+          .t = z.shear * (e.exx - e.eyy),
+          .s = z.shear * e.gxy,
+          .hx = kRectangle ? z.kxx * e.qx : z.kxx * e.qx + z.kxy * e.qy,
+          .hy = kRectangle ? z.kyy * e.qy : z.kxy * e.qx + z.kyy * e.qy};
+}
+
+// The force on a point is minus the derivative of the energy.
+template <bool kRectangle>
+[[gnu::always_inline]] inline Forces corner_forces(const Zone& z, const Stresses& q) {
+  const double xx = z.area * (q.p + q.t), yy = z.area * (q.p - q.t), xy = z.area * q.s;
+  if constexpr (kRectangle) {
+    const double xn = z.gx0 * xx, xs = z.gy0 * xy, yn = z.gy0 * yy, ys = z.gx0 * xy;
+    const double wx = 0.25 * q.hx, wy = 0.25 * q.hy;
+    return {-(xn + xs) - wx, (xn - xs) + wx, -(yn + ys) - wy, (ys - yn) + wy};
+  } else {
+    return {-((z.gx0 * xx + z.gy0 * xy) + z.c0 * q.hx), -((z.gx1 * xx + z.gy1 * xy) + z.c1 * q.hx),
+            -((z.gy0 * yy + z.gx0 * xy) + z.c0 * q.hy), -((z.gy1 * yy + z.gx1 * xy) + z.c1 * q.hy)};
+  }
+}
+
 template <Form kForm, bool kInitial, bool kWeighted>
 [[gnu::always_inline]] inline void compute(const ElasticBatch& batch, CornerForces& forces) {
-  constexpr bool kRectangles = kForm == Form::kRectangles, kEach = kForm == Form::kEach;
+  constexpr bool kRectangle = kForm == Form::kRectangles, kEach = kForm == Form::kEach;
   const auto [ux0, ux1, ux2, ux3] = batch.ux;
   const auto [uy0, uy1, uy2, uy3] = batch.uy;
   const auto each = batch.each;
@@ -22,33 +87,9 @@ template <Form kForm, bool kInitial, bool kWeighted>
 
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < batch.count; ++i) {
-    const auto coefficient = [&](Coefficient c) { return kEach ? each[c][i] : same[c]; };
-    const double gx0 = coefficient(kGx0), gx1 = kRectangles ? -gx0 : coefficient(kGx1);
-    const double gy0 = coefficient(kGy0), gy1 = kRectangles ? gy0 : coefficient(kGy1);
-    const double c0 = coefficient(kGamma0), c1 = coefficient(kGamma1);
-    const double bulk = coefficient(kBulk), shear = coefficient(kShear), area = coefficient(kArea);
-    const double kxx = coefficient(kKxx), kyy = coefficient(kKyy), kxy = coefficient(kKxy);
-
-    const double x02 = ux0[i] - ux2[i], x13 = ux1[i] - ux3[i], x23 = ux2[i] - ux3[i];
-    const double y02 = uy0[i] - uy2[i], y13 = uy1[i] - uy3[i], y23 = uy2[i] - uy3[i];
-    double exx, eyy, gxy, qx, qy;
-    if constexpr (kRectangles) {
-      exx = gx0 * (x02 - x13);
-      eyy = gy0 * (y02 + y13);
-      gxy = gy0 * (x02 + x13) + gx0 * (y02 - y13);
-      qx = 0.25 * ((ux0[i] - ux1[i]) + x23);
-      qy = 0.25 * ((uy0[i] - uy1[i]) + y23);
-    } else {
-      exx = gx0 * x02 + gx1 * x13;
-      eyy = gy0 * y02 + gy1 * y13;
-      gxy = (gy0 * x02 + gy1 * x13) + (gx0 * y02 + gx1 * y13);
-      qx = (c0 * x02 + c1 * x13) + 0.5 * x23;
-      qy = (c0 * y02 + c1 * y13) + 0.5 * y23;
-    }
-
-    double p = bulk * (exx + eyy), t = shear * (exx - eyy), s = shear * gxy;
-    double hx = kRectangles ? kxx * qx : kxx * qx + kxy * qy;
-    double hy = kRectangles ? kyy * qy : kxy * qx + kyy * qy;
+    const Zone z = zone([&](Coefficient c) { return kEach ? each[c][i] : same[c]; });
+    const Displacements u{ux0[i], ux1[i], ux2[i], ux3[i], uy0[i], uy1[i], uy2[i], uy3[i]};
+    auto [p, t, s, hx, hy] = stresses<kRectangle>(z, strains<kRectangle>(z, u));
     if constexpr (kInitial) {
       p += initial[kMean][i];
       t += initial[kDeviator][i];
@@ -63,24 +104,8 @@ template <Form kForm, bool kInitial, bool kWeighted>
       hx *= weight[i];
       hy *= weight[i];
     }
-
-    // The force on a point is minus the derivative of the energy. Of opposite corners, b cancels and gamma
-    // sums to half a pattern.
-    const double xx = area * (p + t), yy = area * (p - t), xy = area * s;
-    double x0, x1, y0, y1;
-    if constexpr (kRectangles) {
-      const double xn = gx0 * xx, xs = gy0 * xy, yn = gy0 * yy, ys = gx0 * xy, wx = 0.25 * hx, wy = 0.25 * hy;
-      x0 = -(xn + xs) - wx;
-      x1 = (xn - xs) + wx;
-      y0 = -(yn + ys) - wy;
-      y1 = (ys - yn) + wy;
-    } else {
-      x0 = -((gx0 * xx + gy0 * xy) + c0 * hx);
-      x1 = -((gx1 * xx + gy1 * xy) + c1 * hx);
-      y0 = -((gy0 * yy + gx0 * xy) + c0 * hy);
-      y1 = -((gy1 * yy + gx1 * xy) + c1 * hy);
-    }
-    const double half_x = 0.5 * hx, half_y = 0.5 * hy;
+    const auto [x0, x1, y0, y1] = corner_forces<kRectangle>(z, {p, t, s, hx, hy});
+    const double half_x = 0.5 * hx, half_y = 0.5 * hy;  // of opposite corners, b cancels, gamma sums to 1/2 h
     fx0[i] = x0;
     fx1[i] = x1;
     fx2[i] = -half_x - x0;

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "fdm_server/zones/zone_runs.hpp"
+#include "fdm_server/zones/kernel/zone_runs.hpp"
 
 namespace adit::fdm {
 

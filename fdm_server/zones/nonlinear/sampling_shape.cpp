@@ -3,10 +3,10 @@
 #include <cmath>
 #include <cstddef>
 
-#include "fdm_server/zones/assumed_strain.hpp"
-#include "fdm_server/zones/hourglass.hpp"
-#include "fdm_server/zones/mean_gradient.hpp"
-#include "fdm_server/zones/mixed_discretization.hpp"
+#include "fdm_server/zones/shape/assumed_strain.hpp"
+#include "fdm_server/zones/shape/hourglass.hpp"
+#include "fdm_server/zones/shape/mean_gradient.hpp"
+#include "fdm_server/zones/shape/mixed_discretization.hpp"
 
 namespace adit::fdm {
 namespace {

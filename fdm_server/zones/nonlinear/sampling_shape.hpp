@@ -13,8 +13,8 @@
 #include <array>
 
 #include "fdm_server/grid/grid.hpp"
-#include "fdm_server/zones/plane_law.hpp"
-#include "fdm_server/zones/zones.hpp"
+#include "fdm_server/materials/plane_law.hpp"
+#include "fdm_server/zones/kernel/zone_kernel.hpp"
 
 namespace adit::fdm {
 

@@ -108,10 +108,10 @@ inline double reflected_by_the_grid(ZoneKind kind, const Medium& medium, Inciden
   const std::vector<double> weights(grid.zones.size(), 1.0);
   const double dt = sampling.dt_factor * critical_step(kind, grid, medium.law, medium.density);
   const Packet packet{medium, wave, k * sine, k * cosine, reach, deviation};
-  auto zones = make_zones(kind, grid, medium.law, weights);
+  ZoneSet zones(kind, grid, medium.law, weights);
   for (std::size_t z = 0; z < grid.zones.size(); ++z) {
     const Corners at = corners(grid, z);
-    zones->set_stress(z, packet.at((at.x[0] + at.x[1]) / 2, (at.y[0] + at.y[2]) / 2, 0).stress);
+    zones.set_stress(z, packet.at((at.x[0] + at.x[1]) / 2, (at.y[0] + at.y[2]) / 2, 0).stress);
   }
   Continuum continuum(std::move(zones), lumped_masses(grid, weights, medium.density), {}, {});
   std::vector<Dashpot> dashpots;

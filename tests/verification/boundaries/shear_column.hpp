@@ -27,8 +27,8 @@ inline std::complex<double> transfer(const std::vector<SoilLayer>& from_surface,
   const double w = 2 * std::numbers::pi * frequency;
   Complex u = 1, tau = 0;
   for (const auto& [thickness, velocity, density] : from_surface) {
-    const Complex modulus = density * velocity * velocity * (1.0 + i * w * law.stiffness);
-    const Complex k = w * std::sqrt(density * (1.0 - i * law.mass / w) / modulus);
+    const Complex modulus = density * velocity * velocity * (1.0 + i * w * law.beta);
+    const Complex k = w * std::sqrt(density * (1.0 - i * law.alpha / w) / modulus);
     const Complex c = std::cos(k * thickness), s = std::sin(k * thickness),
                   below = u * c + tau * s / (k * modulus);
     tau = tau * c - u * k * modulus * s;

@@ -21,7 +21,7 @@ std::vector<double> masses(const Grid& grid) {
   return lumped_masses(grid, std::vector<double>(grid.zones.size(), 1.0), kDensity);
 }
 Continuum free_body(ZoneKind kind, const Grid& grid) {
-  return {make_zones(kind, grid, kLaw, std::vector<double>(grid.zones.size(), 1.0)), masses(grid), {}, {}};
+  return {ZoneSet(kind, grid, kLaw, std::vector<double>(grid.zones.size(), 1.0)), masses(grid), {}, {}};
 }
 // Velocities without any order, which contain all that the grid can do.
 void roughen(Continuum& continuum, double scale) {
@@ -57,12 +57,12 @@ TEST_P(FreeBody, PassesThePatchTest) {
   const double exx = 1e-3, eyy = -4e-4, gxy = 7e-4, turn = 3e-4;
   const auto vx = [=](double x, double y) { return 2e-3 + exx * x + (gxy / 2 - turn) * y; };
   const auto vy = [=](double x, double y) { return -1e-3 + eyy * y + (gxy / 2 + turn) * x; };
-  std::vector<Motion> motions;
+  std::vector<PrescribedMotion> motions;
   for (const auto i : edge_points(grid)) {
     motions.push_back({{i}, Axis::kX, vx(grid.x[i], grid.y[i]), [](double) { return 1.0; }});
     motions.push_back({{i}, Axis::kY, vy(grid.x[i], grid.y[i]), [](double) { return 1.0; }});
   }
-  Continuum continuum(make_zones(kind, grid, kLaw, std::vector<double>(grid.zones.size(), 1.0)), masses(grid),
+  Continuum continuum(ZoneSet(kind, grid, kLaw, std::vector<double>(grid.zones.size(), 1.0)), masses(grid),
                       {}, std::move(motions));
   const double dt = 0.9 * limit;
   continuum.step({0, dt});

@@ -57,7 +57,7 @@ TEST_P(DispersionOfEachZone, IsTheSolversAtFortyFiveDegrees) {
   const double dt = kStepFactor * critical_step(GetParam(), grid, kMedium.law, kMedium.density);
   for (const bool is_p : {false, true}) {
     const double omega = total * dispersion.speeds(total, pi / 4)[is_p], sign = is_p ? 1 : -1;
-    Continuum continuum(make_zones(GetParam(), grid, kMedium.law, ones),
+    Continuum continuum(ZoneSet(GetParam(), grid, kMedium.law, ones),
                         lumped_masses(grid, ones, kMedium.density), {},
                         {{x_walls, Axis::kX, 0, [](double) { return 0.0; }},
                          {y_walls, Axis::kY, 0, [](double) { return 0.0; }}});

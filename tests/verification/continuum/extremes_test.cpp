@@ -67,7 +67,7 @@ TEST_P(Extremes, SlenderZonesAreAsGoodAsTheirLength) {
 std::vector<double> shaken(ZoneKind kind, const Grid& grid, double dt) {
   const Medium medium{plane_strain(1e9, 0.3), 2000};
   const std::vector<double> ones(grid.zones.size(), 1.0);
-  Continuum continuum(make_zones(kind, grid, medium.law, ones), lumped_masses(grid, ones, medium.density), {},
+  Continuum continuum(ZoneSet(kind, grid, medium.law, ones), lumped_masses(grid, ones, medium.density), {},
                       {});
   continuum.step({0, dt});
   for (std::size_t i = 0; i < grid.x.size(); ++i)

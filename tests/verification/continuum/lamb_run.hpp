@@ -36,7 +36,7 @@ inline std::vector<Peaks> lamb_errors(ZoneKind kind, std::vector<double> wavelen
   for (std::uint32_t j = 0; j <= rows; ++j) axis.push_back(j * (columns + 1));
 
   const std::vector<double> ones(grid.zones.size(), 1.0);
-  Continuum continuum(make_zones(kind, grid, kGround.law, ones), lumped_masses(grid, ones, kGround.density),
+  Continuum continuum(ZoneSet(kind, grid, kGround.law, ones), lumped_masses(grid, ones, kGround.density),
                       {{{first}, {0}, {-kForce / 2}, [&](double t) { return source(t).real(); }}},
                       {{axis, Axis::kX, 0, [](double) { return 0.0; }}});
   const auto steps = static_cast<std::uint64_t>(

@@ -46,22 +46,22 @@ inline double always(double /*t*/) {
 }
 
 // Both components of these points stay where they are.
-inline std::vector<Motion> held(const std::vector<std::uint32_t>& points) {
+inline std::vector<PrescribedMotion> held(const std::vector<std::uint32_t>& points) {
   return {{points, Axis::kX, 0, none}, {points, Axis::kY, 0, none}};
 }
 
 // Unstressed zones strained by the displacements u + i v of all points.
-inline std::unique_ptr<Zones> strained_zones(ZoneKind kind, const Grid& grid, const PlaneLaw& law,
-                                             const std::vector<std::complex<double>>& displacements) {
-  auto zones = make_zones(kind, grid, law, std::vector<double>(grid.zones.size(), 1.0));
+inline ZoneSet strained_zones(ZoneKind kind, const Grid& grid, const PlaneLaw& law,
+                              const std::vector<std::complex<double>>& displacements) {
+  ZoneSet zones(kind, grid, law, std::vector<double>(grid.zones.size(), 1.0));
   const std::size_t n = grid.x.size();
   std::vector<double> ux(n), uy(n);
   for (std::size_t i = 0; i < n; ++i) {
     ux[i] = displacements[i].real();
     uy[i] = displacements[i].imag();
   }
-  zones->follow(ux.data(), uy.data());
-  zones->start_over();
+  zones.follow(ux.data(), uy.data());
+  zones.start_over();
   return zones;
 }
 

@@ -94,7 +94,7 @@ TEST_P(Statics, LameCylinderIsWithinTwoPercent) {
   outside.push_back(outside.front());
   inside.push_back(inside.front());
   std::ranges::reverse(inside);
-  Continuum continuum(make_zones(GetParam(), grid, kLaw, std::vector<double>(grid.zones.size(), 1.0)),
+  Continuum continuum(ZoneSet(GetParam(), grid, kLaw, std::vector<double>(grid.zones.size(), 1.0)),
                       masses(grid), {traction(grid, outside, exact), traction(grid, inside, exact)}, {});
   relax(continuum, grid, time_step(GetParam(), grid), 1e-6);
   EXPECT_LE(largest_error(continuum, grid, exact, magnitude), 0.02);
@@ -117,7 +117,7 @@ TEST_P(Statics, FlamantStressesAreWithinTwoPercent) {
   for (std::uint32_t i = 0; i <= kZones; ++i) edge.push_back(i);
   for (std::uint32_t j = 1; j <= kZones; ++j) edge.push_back(j * (kZones + 1) + kZones);
   for (std::uint32_t j = 0; j <= kZones; ++j) axis.push_back(j * (kZones + 1));
-  Continuum continuum(make_zones(GetParam(), grid, kLaw, std::vector<double>(grid.zones.size(), 1.0)),
+  Continuum continuum(ZoneSet(GetParam(), grid, kLaw, std::vector<double>(grid.zones.size(), 1.0)),
                       masses(grid), {traction(grid, edge, exact), {{axis.back()}, {0}, {-force / 2}, always}},
                       {{axis, Axis::kX, 0, none}, {{kZones}, Axis::kY, 0, none}});
   relax(continuum, grid, time_step(GetParam(), grid), 1e-6);
@@ -142,7 +142,7 @@ TEST_P(Statics, GravityGivesTheElasticPressureAtRest) {
     if (grid.x[i] == 0 || grid.x[i] == 3) walls.push_back(i);
     if (grid.y[i] == -30) base.push_back(i);
   }
-  Continuum continuum(make_zones(GetParam(), grid, kLaw, std::vector<double>(grid.zones.size(), 1.0)), weight,
+  Continuum continuum(ZoneSet(GetParam(), grid, kLaw, std::vector<double>(grid.zones.size(), 1.0)), weight,
                       {gravity}, {{walls, Axis::kX, 0, none}, {base, Axis::kY, 0, none}});
   relax(continuum, grid, time_step(GetParam(), grid), 1e-10);
   for (std::size_t z = 0; z < grid.zones.size(); ++z) {

@@ -97,7 +97,7 @@ class WaveRun {
         left = std::min(left, grid_.x[i]);
         right = std::max(right, grid_.x[i]);
       }
-    std::vector<Motion> motions;
+    std::vector<PrescribedMotion> motions;
     for (const auto i : edge_points(grid_)) {
       const double x = grid_.x[i], y = grid_.y[i];
       if (free_surface && y == 0 && x != left && x != right) continue;
@@ -109,7 +109,7 @@ class WaveRun {
     }
     // u = cos(omega t) u(0) + sin(omega t) u(quarter period)
     const double omega = wave_.omega(), quarter = std::numbers::pi / 2 / omega;
-    return {make_zones(kind, grid_, wave_.medium().law, ones),
+    return {ZoneSet(kind, grid_, wave_.medium().law, ones),
             masses,
             {body_force(masses, 0,
                         [=, this](double t) {

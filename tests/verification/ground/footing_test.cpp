@@ -6,7 +6,8 @@
 #include <numbers>
 
 #include "fdm_server/solver/continuum.hpp"
-#include "fdm_server/zones/nonlinear/material_zones.hpp"
+#include "fdm_server/zones/critical_step.hpp"
+#include "fdm_server/zones/zone_set.hpp"
 
 namespace adit::fdm::test {
 namespace {
@@ -34,8 +35,8 @@ double bearing_pressure(ZoneKind kind, std::uint32_t zones_per_width, const Mate
   }
   const auto always = [](double) { return 1.0; };
   const double end = 30 * cohesion / material.young / speed, ramp = 0.02 * end;
-  Continuum continuum(std::make_unique<MaterialZones>(kind, grid, ground, weights),
-                      lumped_masses(grid, weights, material.density), {},
+  Continuum continuum(ZoneSet(kind, grid, ground, weights), lumped_masses(grid, weights, material.density),
+                      {},
                       {{bottom, Axis::kX, 0.0, always},
                        {bottom, Axis::kY, 0.0, always},
                        {sides, Axis::kX, 0.0, always},

@@ -6,7 +6,8 @@
 #include <numbers>
 
 #include "fdm_server/solver/continuum.hpp"
-#include "fdm_server/zones/nonlinear/material_zones.hpp"
+#include "fdm_server/zones/critical_step.hpp"
+#include "fdm_server/zones/zone_set.hpp"
 
 namespace adit::fdm::test {
 namespace {
@@ -87,10 +88,10 @@ TEST_P(PlasticHole, HasSalenconsStressesAndRadius) {
   rock.mohr_coulomb = MohrCoulomb({kCohesion, kFriction, dilation, apex(kCohesion, kFriction)});
   const Ground ground{{rock}, std::vector<std::uint32_t>(ring.grid.zones.size(), 0)};
   const std::vector<double> weights(ring.grid.zones.size(), 1.0);
-  auto zones = std::make_unique<MaterialZones>(kind, ring.grid, ground, weights);
+  ZoneSet zones(kind, ring.grid, ground, weights);
   for (std::size_t z = 0; z < weights.size(); ++z) {
-    zones->set_stress(z, {-kPressure, -kPressure, 0});
-    zones->set_stress_zz(z, -kPressure);
+    zones.set_stress(z, {-kPressure, -kPressure, 0});
+    zones.set_stress_zz(z, -kPressure);
   }
   std::vector<std::uint32_t> on_x, on_y;
   for (std::uint32_t i = 0; i < ring.grid.x.size(); ++i) {

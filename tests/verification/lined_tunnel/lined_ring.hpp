@@ -60,13 +60,13 @@ inline std::vector<LiningForces> forces_at_rest(const Grid& grid, std::uint32_t 
   const Lining lining = add_lining({"lining", path, section, {}, false, false}, grid, structures);
   structures.add_masses(masses);
 
-  std::vector<Motion> motions;
+  std::vector<PrescribedMotion> motions;
   for (auto p = static_cast<std::uint32_t>(grid.x.size()) - around; p < grid.x.size(); ++p) {
     const auto u = rim(grid.x[p], grid.y[p]);
     motions.push_back({{p}, Axis::kX, u[0], constant});
     motions.push_back({{p}, Axis::kY, u[1], constant});
   }
-  Continuum continuum(make_zones(ZoneKind::kAssumedStrain, grid, law, unweighted), masses, {},
+  Continuum continuum(ZoneSet(ZoneKind::kAssumedStrain, grid, law, unweighted), masses, {},
                       std::move(motions), 1, structures);
   continuum.step({0, 1.0});  // at unit velocity: displaces the rim in the next step
   settle(continuum, 1.0, 1, 1e-14);

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "fdm_server/grid/samples.hpp"
-#include "fdm_server/zones/zone_runs.hpp"
+#include "fdm_server/zones/kernel/zone_runs.hpp"
 #include "tests/unit/fdm_server/grid/grids.hpp"
 
 namespace adit::fdm::test {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fdm_server/grid/grid.hpp"
-#include "fdm_server/zones/zones.hpp"
+#include "fdm_server/zones/elastic/elastic_zones.hpp"
 
 namespace adit::fdm::test {
 
@@ -41,9 +41,9 @@ inline Eigen::VectorXd forces(ZoneKind kind, const Grid& grid, const PlaneLaw& l
     vx[i] = u[2 * i];
     vy[i] = u[2 * i + 1];
   }
-  const auto zones = make_zones(kind, grid, law, ones(grid));
-  zones->follow(vx.data(), vy.data());
-  zones->add_forces(1.0, {vx.data(), vy.data(), fx.data(), fy.data()});
+  ElasticZones zones(kind, grid, law, ones(grid));
+  zones.follow(vx.data(), vy.data());
+  zones.add_forces(1.0, {vx.data(), vy.data(), fx.data(), fy.data()});
   Eigen::VectorXd result(2 * n);
   for (std::size_t i = 0; i < n; ++i) {
     result[2 * i] = fx[i];

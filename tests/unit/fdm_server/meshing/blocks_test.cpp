@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "fdm_server/grid/samples.hpp"
-#include "fdm_server/model/read_grid.hpp"
-#include "fdm_server/zones/zone_runs.hpp"
+#include "fdm_server/model/grid/read_grid.hpp"
+#include "fdm_server/zones/kernel/zone_runs.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::fdm::test {

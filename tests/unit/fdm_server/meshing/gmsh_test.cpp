@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "fdm_server/model/read_grid.hpp"
+#include "fdm_server/model/grid/read_grid.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::fdm::test {

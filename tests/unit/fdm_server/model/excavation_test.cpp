@@ -1,11 +1,11 @@
 // Requirements on zones that are taken away.
-#include "fdm_server/model/excavation.hpp"
+#include "fdm_server/model/grid/excavation.hpp"
 
 #include <gmock/gmock.h>
 
 #include <numeric>
 
-#include "fdm_server/model/read_grid.hpp"
+#include "fdm_server/model/grid/read_grid.hpp"
 #include "protocol/errors.hpp"
 #include "tests/unit/fdm_server/scenes.hpp"
 

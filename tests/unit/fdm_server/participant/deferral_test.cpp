@@ -26,8 +26,8 @@ TEST(SplitRuns, PartitionTheZones) {
   compact(grid, weights);
   std::vector<bool> chosen(grid.x.size());
   for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = (i / 11) % 4 == 1;
-  const auto zones = make_zones(kKinds[0], grid, plane_stress(kYoung, kPoisson), weights);
-  const SplitRuns parts = split(zones->runs(), chosen);
+  const ZoneSet zones(kKinds[0], grid, plane_stress(kYoung, kPoisson), weights);
+  const SplitRuns parts = split(zones.runs(), chosen);
   std::vector<int> seen(grid.zones.size(), 0);
   for (const bool touching : {true, false})
     for (const ZoneRun& run : touching ? parts.touching : parts.others)
@@ -50,7 +50,7 @@ TEST(Deferral, TheHalvesOfAStepShareThePoints) {
     everywhere.fx.push_back(masses[i]);
     everywhere.fy.push_back(-masses[i]);
   }
-  Continuum continuum(make_zones(kKinds[0], grid, plane_stress(kYoung, kPoisson), ones(grid)), masses,
+  Continuum continuum(ZoneSet(kKinds[0], grid, plane_stress(kYoung, kPoisson), ones(grid)), masses,
                       {everywhere}, {});
   const std::set<std::uint32_t> interface { 14, 15, 27, 40, 64 };
   continuum.set_interface(std::vector<std::uint32_t>(interface.begin(), interface.end()));

@@ -46,7 +46,7 @@ void expect_exact_ledger(ZoneKind kind, const std::vector<std::uint32_t>& interf
   const auto left = points_at_x(grid, 0), right = points_at_x(grid, 4);
   const std::vector<double> fx(left.size(), 2e5), fy(left.size(), -1e5);
   Continuum continuum(
-      make_zones(kind, grid, kLaw, weights), masses, {{left, fx, fy, always}},
+      ZoneSet(kind, grid, kLaw, weights), masses, {{left, fx, fy, always}},
       {{right, Axis::kX, 0.0, always}, {right, Axis::kY, 0.3, [](double t) { return std::cos(600 * t); }}});
   if (!interface.empty()) continuum.set_interface(interface);
   const double dt = 0.8 * critical_step(kind, grid, kLaw, kDensity);
@@ -77,11 +77,11 @@ TEST_P(ContinuumOfEachZone, SteadyLoadIsALoadOfConstantFactor) {
     gravity.points.push_back(i);
     gravity.fx.push_back(9.81 * masses[i]);
   }
-  const Motion fixed{points_at_x(grid, 0), Axis::kX, 0.0, always};
+  const PrescribedMotion fixed{points_at_x(grid, 0), Axis::kX, 0.0, always};
   const double dt = 0.8 * critical_step(GetParam(), grid, kLaw, kDensity);
   const auto run = [&](const TimeFactor& factor, std::span<const std::uint32_t> interface) {
     gravity.factor = factor;
-    Continuum continuum(make_zones(GetParam(), grid, kLaw, ones(grid)), masses, {gravity}, {fixed});
+    Continuum continuum(ZoneSet(GetParam(), grid, kLaw, ones(grid)), masses, {gravity}, {fixed});
     if (!interface.empty()) continuum.set_interface(interface);
     Energies e{};
     for (std::uint64_t n = 0; n <= 200; ++n) continuum.step({n, dt}, &e);
@@ -106,7 +106,7 @@ TEST_P(ContinuumOfEachZone, MomentumOfAFreeBlockIsTheImpulseOfItsLoad) {
   const auto masses = lumped_masses(grid, ones(grid), kDensity);
   const double dt = 0.9 * critical_step(GetParam(), grid, kLaw, kDensity);
   const auto factor = sine(50);
-  Continuum continuum(make_zones(GetParam(), grid, kLaw, ones(grid)), masses,
+  Continuum continuum(ZoneSet(GetParam(), grid, kLaw, ones(grid)), masses,
                       {{{0, 7}, {3e6, 1e6}, {0, -2e6}, factor}}, {});
   double impulse = 0;
   for (std::uint64_t n = 0; n <= 2000; ++n) {
@@ -127,7 +127,7 @@ TEST_P(ContinuumOfEachZone, MomentumOfAFreeBlockIsTheImpulseOfItsLoad) {
 TEST_P(ContinuumOfEachZone, RigidMotionIsFree) {
   const Grid grid = distorted_grid({0, 3, 0, 2, 6, 4});
   const auto masses = lumped_masses(grid, ones(grid), kDensity);
-  Continuum continuum(make_zones(GetParam(), grid, kLaw, ones(grid)), masses, {}, {});
+  Continuum continuum(ZoneSet(GetParam(), grid, kLaw, ones(grid)), masses, {}, {});
   const double dt = 0.9 * critical_step(GetParam(), grid, kLaw, kDensity);
   continuum.step({0, dt});
   for (std::size_t i = 0; i < masses.size(); ++i) {
@@ -148,7 +148,7 @@ double standing_wave_error(ZoneKind kind, std::uint32_t zones) {
   std::vector<std::uint32_t> all(grid.x.size()), ends = points_at_x(grid, 0);
   for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
   std::ranges::copy(points_at_x(grid, 1), std::back_inserter(ends));
-  Continuum continuum(make_zones(kind, grid, kLaw, ones(grid)), masses, {},
+  Continuum continuum(ZoneSet(kind, grid, kLaw, ones(grid)), masses, {},
                       {{all, Axis::kY, 0.0, always}, {ends, Axis::kX, 0.0, always}});
   const double omega = pi * std::sqrt((kLaw.bulk + kLaw.shear) / kDensity);
   const double end = 0.35 * 2 * pi / omega;
@@ -180,7 +180,7 @@ TEST(Motion, PrescribedPointsFollowTheirVelocity) {
   const Grid grid = make_grid({0, 2, 0, 1, 4, 2});
   const auto masses = lumped_masses(grid, ones(grid), kDensity);
   const auto left = points_at_x(grid, 0);
-  Continuum continuum(make_zones(kKinds[0], grid, kLaw, ones(grid)), masses, {},
+  Continuum continuum(ZoneSet(kKinds[0], grid, kLaw, ones(grid)), masses, {},
                       {{left, Axis::kX, 2.0, sine(100)}});
   const double dt = 1e-5;
   double u = 0;
@@ -198,7 +198,7 @@ TEST(Motion, PrescribedPointsFollowTheirVelocity) {
 TEST(Motion, ImpulseIsDividedByTheMass) {
   const Grid grid = make_grid({0, 2, 0, 1, 4, 2});
   const auto masses = lumped_masses(grid, ones(grid), kDensity);
-  Continuum continuum(make_zones(kKinds[0], grid, kLaw, ones(grid)), masses, {}, {});
+  Continuum continuum(ZoneSet(kKinds[0], grid, kLaw, ones(grid)), masses, {}, {});
   continuum.push(6, 10, -20);
   EXPECT_DOUBLE_EQ(continuum.vx()[6], 10 / masses[6]);
   EXPECT_DOUBLE_EQ(continuum.vy()[6], -20 / masses[6]);
@@ -209,8 +209,8 @@ TEST(Motion, IsReproducibleToTheLastBit) {
   const auto run = [] {
     const Grid grid = distorted_grid({0, 4, 0, 1, 70, 5});
     const auto masses = lumped_masses(grid, ones(grid), kDensity);
-    Continuum continuum(make_zones(kKinds[0], grid, kLaw, ones(grid)), masses,
-                        {{{0}, {1e6}, {2e6}, sine(70)}}, {});
+    Continuum continuum(ZoneSet(kKinds[0], grid, kLaw, ones(grid)), masses, {{{0}, {1e6}, {2e6}, sine(70)}},
+                        {});
     for (std::uint64_t n = 0; n < 300; ++n) continuum.step({n, 1e-6});
     return std::vector<double>(continuum.vx().begin(), continuum.vx().end());
   };

@@ -30,9 +30,8 @@ double energy_left(ZoneKind kind, const DampingLaw& law, int mode, int periods) 
     if (grid.y[i] == 0 || grid.y[i] == kHeight) ends.push_back(i);
   }
   const auto always = [](double) { return 1.0; };
-  Continuum continuum(make_zones(kind, grid, kLaw, ones(grid)),
-                      lumped_masses(grid, ones(grid), kGroundDensity), {},
-                      {{all, Axis::kY, 0.0, always}, {ends, Axis::kX, 0.0, always}});
+  Continuum continuum(ZoneSet(kind, grid, kLaw, ones(grid)), lumped_masses(grid, ones(grid), kGroundDensity),
+                      {}, {{all, Axis::kY, 0.0, always}, {ends, Axis::kX, 0.0, always}});
   continuum.set_damping(law);
   const double longest = critical_step(law, critical_step(kind, grid, kLaw, kGroundDensity));
   const double duration = periods / frequency(mode);
@@ -57,7 +56,7 @@ TEST(Damping, StandingWavesDecayAtRayleighsRate) {
   const DampingLaw law = rayleigh(ratio, frequency(1), frequency(4));
   for (const ZoneKind kind : kKinds)
     for (const int mode : {1, 2, 4, 6}) {
-      const double w = 2 * pi * frequency(mode), here = (law.mass / w + law.stiffness * w) / 2;
+      const double w = 2 * pi * frequency(mode), here = (law.alpha / w + law.beta * w) / 2;
       if (mode == 1 || mode == 4) {
         EXPECT_NEAR(here, ratio, 1e-12);
       }
@@ -69,9 +68,9 @@ TEST(Damping, StandingWavesDecayAtRayleighsRate) {
 
 // Either part alone, too.
 TEST(Damping, MassAndStiffnessDampAlone) {
-  for (const DampingLaw& law : {DampingLaw{.mass = 3}, DampingLaw{.stiffness = 5e-4}})
+  for (const DampingLaw& law : {DampingLaw{.alpha = 3}, DampingLaw{.beta = 5e-4}})
     for (const int mode : {1, 3}) {
-      const double w = 2 * pi * frequency(mode), here = (law.mass / w + law.stiffness * w) / 2;
+      const double w = 2 * pi * frequency(mode), here = (law.alpha / w + law.beta * w) / 2;
       const double decay = -std::log(energy_left(kKinds[0], law, mode, 8)) / (4 * pi * 8);
       EXPECT_NEAR(decay, here, 0.005 * here) << "mode " << mode;
     }
@@ -92,11 +91,11 @@ TEST(Damping, LocalDampingIsTheSameAtEveryFrequency) {
 // dies, just above it grows.
 TEST(Damping, CriticalStepIsThatOfTheViscousScheme) {
   const Grid grid = make_grid({0, 4, 0, 3, 4, 3});
-  const DampingLaw law{.stiffness = 1e-3};
+  const DampingLaw law{.beta = 1e-3};
   const double undamped = critical_step(kKinds[1], grid, kLaw, kGroundDensity);
   EXPECT_LT(critical_step(law, undamped), 0.8 * undamped);
   const auto grows = [&](const Grid& one, double share) {
-    Continuum continuum(make_zones(kKinds[1], one, kLaw, ones(one)),
+    Continuum continuum(ZoneSet(kKinds[1], one, kLaw, ones(one)),
                         lumped_masses(one, ones(one), kGroundDensity), {}, {});
     continuum.set_damping(law);
     const double dt = share * critical_step(law, critical_step(kKinds[1], one, kLaw, kGroundDensity));

@@ -37,16 +37,16 @@ struct StandingWave {
 
   // At step 0, with the velocities of dt / 2.
   std::unique_ptr<Continuum> start(ZoneKind kind, const Grid& grid, double dt) const {
-    std::vector<Motion> rollers;
+    std::vector<PrescribedMotion> rollers;
     for (const auto& [axis, side] :
          {std::pair{Axis::kX, 0.0}, {Axis::kX, kWidth}, {Axis::kY, 0.0}, {Axis::kY, kHeight}}) {
-      Motion roller{{}, axis, 0, [](double) { return 1; }};
+      PrescribedMotion roller{{}, axis, 0, [](double) { return 1; }};
       for (std::uint32_t i = 0; i < grid.x.size(); ++i)
         if ((axis == Axis::kX ? grid.x : grid.y)[i] == side) roller.points.push_back(i);
       rollers.push_back(std::move(roller));
     }
     const auto masses = lumped_masses(grid, ones(grid), kDensity);
-    auto continuum = std::make_unique<Continuum>(make_zones(kind, grid, law, ones(grid)), masses,
+    auto continuum = std::make_unique<Continuum>(ZoneSet(kind, grid, law, ones(grid)), masses,
                                                  std::vector<Load>{}, std::move(rollers));
     continuum->step({0, dt});
     for (std::uint32_t i = 0; i < grid.x.size(); ++i) {

@@ -7,7 +7,7 @@
 
 #include "fdm_server/solver/continuum.hpp"
 #include "fdm_server/zones/critical_step.hpp"
-#include "fdm_server/zones/nonlinear/material_zones.hpp"
+#include "fdm_server/zones/zone_set.hpp"
 #include "tests/unit/fdm_server/grid/grids.hpp"
 
 namespace adit::fdm::test {
@@ -44,10 +44,9 @@ Ground yielding_ground(const Grid& grid) {
   return ground;
 }
 
-std::unique_ptr<Zones> variant_zones(const Variant& variant, const Grid& grid,
-                                     std::span<const double> weights) {
-  if (variant.solid == Solid::kElastic) return make_zones(variant.kind, grid, kLaw, weights);
-  return std::make_unique<MaterialZones>(variant.kind, grid, yielding_ground(grid), weights);
+ZoneSet variant_zones(const Variant& variant, const Grid& grid, std::span<const double> weights) {
+  if (variant.solid == Solid::kElastic) return {variant.kind, grid, kLaw, weights};
+  return {variant.kind, grid, yielding_ground(grid), weights};
 }
 
 struct Motions {
@@ -67,7 +66,7 @@ Motions shaken(const Variant& variant, const Grid& grid, std::size_t threads, bo
   for (std::size_t z = 0; z < weights.size(); ++z)
     weights[z] = std::min(1.0, 0.2 + 0.01 * corners(grid, z).x[0]);
   Load hit{{}, {}, {}, [](double t) { return std::cos(500 * t); }};
-  Motion fixed{{}, Axis::kX, 0.0, [](double) { return 1.0; }};
+  PrescribedMotion fixed{{}, Axis::kX, 0.0, [](double) { return 1.0; }};
   std::vector<std::uint32_t> interface;
   for (std::uint32_t i = 0; i < grid.x.size(); ++i) {
     if (i % 701 == 0) hit.points.push_back(i);

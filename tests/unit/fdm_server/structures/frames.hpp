@@ -41,8 +41,8 @@ struct Frame {
     structures.add_masses(masses);
     return masses;
   }
-  Continuum continuum(std::vector<Load> loads, std::vector<Motion> motions = {}) const {
-    return {make_zones(ZoneKind::kAssumedStrain, grid, plane_strain(kConcrete, kNu), {}),
+  Continuum continuum(std::vector<Load> loads, std::vector<PrescribedMotion> motions = {}) const {
+    return {ZoneSet(ZoneKind::kAssumedStrain, grid, plane_strain(kConcrete, kNu), {}),
             masses(),
             std::move(loads),
             std::move(motions),
@@ -76,7 +76,7 @@ inline Grid circle(double radius, std::size_t beams) {
 inline double constant(double /*t*/) {
   return 1;
 }
-inline Motion fixed(std::vector<std::uint32_t> points, Axis axis) {
+inline PrescribedMotion fixed(std::vector<std::uint32_t> points, Axis axis) {
   return {std::move(points), axis, 0.0, constant};
 }
 

@@ -36,10 +36,10 @@ struct LinedGround {
     const std::vector<std::uint32_t> base{0, 1, 2, 3, 4, 5, 6, 7, 8}, pushed{22, 44};
     const std::vector<double> fx{4e5, 0}, fy{-8e5, 3e5};
     const auto shake = [](double t) { return std::cos(150 * t); };
-    return {make_zones(ZoneKind::kAssumedStrain, grid, kLaw, ones(grid)),
+    return {ZoneSet(ZoneKind::kAssumedStrain, grid, kLaw, ones(grid)),
             masses,
             {Load{pushed, fx, fy, constant}},
-            {Motion{base, Axis::kX, 0.5, shake}, Motion{base, Axis::kY, 0.2, shake}},
+            {PrescribedMotion{base, Axis::kX, 0.5, shake}, PrescribedMotion{base, Axis::kY, 0.2, shake}},
             1,
             structures};
   }

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "fdm_server/grid/edges.hpp"
-#include "fdm_server/supports/supports.hpp"
+#include "fdm_server/model/supports/supports.hpp"
 #include "protocol/errors.hpp"
 #include "tests/unit/fdm_server/scenes.hpp"
 #include "tests/unit/fdm_server/structures/frames.hpp"

@@ -27,7 +27,7 @@ double exact_limit(ZoneKind kind, const Grid& grid) {
 // Largest velocity after 1000 steps from a pattern that contains every mode.
 double velocity_after_many_steps(ZoneKind kind, const Grid& grid, double dt) {
   const auto masses = lumped_masses(grid, ones(grid), kDensity);
-  Continuum continuum(make_zones(kind, grid, kLaw, ones(grid)), masses, {}, {});
+  Continuum continuum(ZoneSet(kind, grid, kLaw, ones(grid)), masses, {}, {});
   continuum.step({0, dt});
   for (std::size_t i = 0; i < masses.size(); ++i) {
     continuum.vx()[i] = std::sin(1.7 * static_cast<double>(i * i));

@@ -13,7 +13,7 @@
 #include "dem_server/engines/lattice/contact_forces.hpp"
 #include "fdm_server/grid/interpolation.hpp"
 #include "fdm_server/grid/samples.hpp"
-#include "fdm_server/zones/zones.hpp"
+#include "fdm_server/zones/elastic/elastic_zones.hpp"
 #include "tests/support/weighted_lattice.hpp"
 
 namespace adit::test {
@@ -77,80 +77,106 @@ inline Eigen::MatrixXd grid_stiffness(const CoupledPatch& patch, const fdm::Grid
                                       const std::vector<double>& weights) {
   const auto size = static_cast<Eigen::Index>(grid.x.size());
   return stiffness(2 * size, [&](const Eigen::VectorXd& u) {
-    const auto zones =
-        fdm::make_zones(patch.zone, grid, fdm::plane_stress(patch.young, patch.poisson), weights);
+    fdm::ElasticZones zones(patch.zone, grid, fdm::plane_stress(patch.young, patch.poisson), weights);
     std::vector<double> vx(size), vy(size), fx(size), fy(size);
     for (Eigen::Index i = 0; i < size; ++i) vx[i] = u[2 * i], vy[i] = u[2 * i + 1];
-    zones->follow(vx.data(), vy.data());
-    zones->add_forces(1.0, {vx.data(), vy.data(), fx.data(), fy.data()});
+    zones.follow(vx.data(), vy.data());
+    zones.add_forces(1.0, {vx.data(), vy.data(), fx.data(), fy.data()});
     Eigen::VectorXd f(2 * size);
     for (Eigen::Index i = 0; i < size; ++i) f.segment<2>(2 * i) << fx[i], fy[i];
     return f;
   });
 }
 
+// The equations of equilibrium: displacements x, y of the grid's points, then x, y, rotation of the
+// particles, then two multipliers for each coupled particle.
+struct StaticSystem {
+  Eigen::Index grid_values, values;
+  Eigen::MatrixXd matrix;
+  Eigen::VectorXd right;
+
+  Eigen::Index of_point(std::size_t j) const { return 2 * static_cast<Eigen::Index>(j); }
+  Eigen::Index of_particle(std::size_t i) const { return grid_values + 3 * static_cast<Eigen::Index>(i); }
+  void prescribe(Eigen::Index value, double displacement) {
+    matrix.row(value).setZero();
+    matrix(value, value) = 1;
+    right[value] = displacement;
+  }
+};
+
+inline StaticSystem stiffness_of(const CoupledPatch& patch, const Equilibrium& parts,
+                                 const std::vector<double>& zone_weights, std::size_t coupled) {
+  const auto grid_values = 2 * static_cast<Eigen::Index>(parts.grid.x.size());
+  const auto values = grid_values + 3 * static_cast<Eigen::Index>(parts.assembly.particles.size());
+  const Eigen::Index size = values + 2 * static_cast<Eigen::Index>(coupled);
+  StaticSystem system{grid_values, values, Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
+  system.matrix.topLeftCorner(grid_values, grid_values) = grid_stiffness(patch, parts.grid, zone_weights);
+  system.matrix.block(grid_values, grid_values, values - grid_values, values - grid_values) =
+      lattice_stiffness(patch, parts.assembly);
+  return system;
+}
+
+// The coupled particles move as the grid does at their places.
+inline void tie(const fdm::Grid& grid, const dem::Particles& particles,
+                const std::vector<std::size_t>& coupled, StaticSystem& system) {
+  std::vector<double> places;
+  for (const std::size_t i : coupled) places.insert(places.end(), {particles.x[i], particles.y[i]});
+  const auto rows = fdm::interpolate(grid, places);
+  for (std::size_t k = 0; k < coupled.size(); ++k)
+    for (Eigen::Index direction = 0; direction < 2; ++direction) {
+      const Eigen::Index row = system.values + 2 * static_cast<Eigen::Index>(k) + direction;
+      for (std::size_t e = 0; e < rows[k].points.size(); ++e)
+        if (rows[k].shares[e] != 0) system.matrix(row, 2 * rows[k].points[e] + direction) = rows[k].shares[e];
+      system.matrix(row, system.of_particle(coupled[k]) + direction) = -1;
+      system.matrix.col(row).head(system.values) = system.matrix.row(row).head(system.values);
+    }
+}
+
+inline void hold(const CoupledPatch& patch, const fdm::Grid& grid, const dem::Particles& particles,
+                 StaticSystem& system) {
+  const auto as_exact = [&](Eigen::Index first, double x, double y) {
+    for (int direction = 0; direction < 2; ++direction)
+      system.prescribe(first + direction, patch.exact(x, y)[direction]);
+  };
+  for (std::size_t j = 0; j < grid.x.size(); ++j)
+    if (patch.is_held_point(grid.x[j], grid.y[j])) as_exact(system.of_point(j), grid.x[j], grid.y[j]);
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    if (patch.is_held_particle(particles.x[i], particles.y[i])) {
+      as_exact(system.of_particle(i), particles.x[i], particles.y[i]);
+      system.prescribe(system.of_particle(i) + 2, 0);
+    }
+  // Bonds without shear stiffness resist no spin: it stays 0.
+  const double stiffest = system.matrix.topLeftCorner(system.values, system.values).cwiseAbs().maxCoeff();
+  for (Eigen::Index spin = system.grid_values + 2; spin < system.values; spin += 3)
+    if (std::abs(system.matrix(spin, spin)) < 1e-12 * stiffest) system.prescribe(spin, 0);
+}
+
 inline Equilibrium equilibrium(const CoupledPatch& patch, const coupler::Overlap& overlap) {
-  Equilibrium result{fdm::make_grid(patch.block), dem::test::weighted_lattice(dem::test::lattice_in(patch.packed, patch.radius), overlap, patch.floor), {}, {}};
+  Equilibrium result{
+      fdm::make_grid(patch.block),
+      dem::test::weighted_lattice(dem::test::lattice_in(patch.packed, patch.radius), overlap, patch.floor),
+      {},
+      {}};
   fdm::Grid& grid = result.grid;
   const dem::Particles& particles = result.assembly.particles;
   auto weights = fdm::zone_weights(grid, overlap.outer_weights(fdm::sample_points(grid)), patch.floor);
   fdm::compact(grid, weights);
-
   std::vector<std::size_t> coupled;
-  std::vector<double> points;
   for (std::size_t i = 0; i < particles.size(); ++i)
-    if (overlap.contains(particles.x[i], particles.y[i])) {
-      coupled.push_back(i);
-      points.insert(points.end(), {particles.x[i], particles.y[i]});
-    }
-  const auto rows = fdm::interpolate(grid, points);
+    if (overlap.contains(particles.x[i], particles.y[i])) coupled.push_back(i);
 
-  const auto grid_values = 2 * static_cast<Eigen::Index>(grid.x.size());
-  const auto values = grid_values + 3 * static_cast<Eigen::Index>(particles.size());
-  const auto multipliers = 2 * static_cast<Eigen::Index>(coupled.size());
-  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(values + multipliers, values + multipliers);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(values + multipliers);
-  system.topLeftCorner(grid_values, grid_values) = grid_stiffness(patch, grid, weights);
-  system.block(grid_values, grid_values, values - grid_values, values - grid_values) =
-      lattice_stiffness(patch, result.assembly);
-  for (Eigen::Index k = 0; k < multipliers / 2; ++k)
-    for (Eigen::Index direction = 0; direction < 2; ++direction) {
-      const Eigen::Index row = values + 2 * k + direction;
-      for (std::size_t e = 0; e < rows[k].points.size(); ++e)
-        if (rows[k].shares[e] != 0) system(row, 2 * rows[k].points[e] + direction) = rows[k].shares[e];
-      system(row, grid_values + 3 * static_cast<Eigen::Index>(coupled[k]) + direction) = -1;
-      system.col(row).head(values) = system.row(row).head(values);
-    }
-  const auto prescribe = [&](Eigen::Index value, double displacement) {
-    system.row(value).setZero();
-    system(value, value) = 1;
-    right[value] = displacement;
-  };
-  for (std::size_t j = 0; j < grid.x.size(); ++j)
-    if (patch.is_held_point(grid.x[j], grid.y[j]))
-      for (int direction = 0; direction < 2; ++direction)
-        prescribe(2 * static_cast<Eigen::Index>(j) + direction, patch.exact(grid.x[j], grid.y[j])[direction]);
-  for (std::size_t i = 0; i < particles.size(); ++i)
-    if (patch.is_held_particle(particles.x[i], particles.y[i])) {
-      const Eigen::Index first = grid_values + 3 * static_cast<Eigen::Index>(i);
-      for (int direction = 0; direction < 2; ++direction)
-        prescribe(first + direction, patch.exact(particles.x[i], particles.y[i])[direction]);
-      prescribe(first + 2, 0);
-    }
-
-  // Bonds without shear stiffness resist no spin: it stays 0.
-  const double stiffest = system.topLeftCorner(values, values).cwiseAbs().maxCoeff();
-  for (Eigen::Index spin = grid_values + 2; spin < values; spin += 3)
-    if (std::abs(system(spin, spin)) < 1e-12 * stiffest) prescribe(spin, 0);
-
-  const Eigen::SparseMatrix<double> sparse = system.sparseView();
+  StaticSystem system = stiffness_of(patch, result, weights, coupled.size());
+  tie(grid, particles, coupled, system);
+  hold(patch, grid, particles, system);
+  const Eigen::SparseMatrix<double> sparse = system.matrix.sparseView();
   Eigen::SparseLU<Eigen::SparseMatrix<double>> factor(sparse);
-  Eigen::VectorXd solution = factor.solve(right);
-  for (int pass = 0; pass < 2; ++pass) solution += factor.solve(right - sparse * solution);
+  Eigen::VectorXd solution = factor.solve(system.right);
+  for (int pass = 0; pass < 2; ++pass) solution += factor.solve(system.right - sparse * solution);
 
-  for (std::size_t j = 0; j < grid.x.size(); ++j) result.grid_points.push_back(solution.segment<2>(2 * j));
+  for (std::size_t j = 0; j < grid.x.size(); ++j)
+    result.grid_points.push_back(solution.segment<2>(system.of_point(j)));
   for (std::size_t i = 0; i < particles.size(); ++i)
-    result.particles.push_back(solution.segment<2>(grid_values + 3 * i));
+    result.particles.push_back(solution.segment<2>(system.of_particle(i)));
   return result;
 }
 

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-#include "fdm_server/zones/plane_law.hpp"
+#include "fdm_server/materials/plane_law.hpp"
 
 namespace adit::fdm::oracle {
 

@@ -1,0 +1,66 @@
+#include "fdm_server/model/boundaries/base_motion.hpp"
+
+#include <string>
+#include <utility>
+
+#include "protocol/errors.hpp"
+#include "protocol/motion/errors_at.hpp"
+#include "protocol/motion/excitation/ground_motion.hpp"
+#include "protocol/motion/excitation/stations.hpp"
+#include "protocol/motion/velocity_history.hpp"
+#include "protocol/participant/time_function.hpp"
+
+namespace adit::fdm {
+namespace {
+
+using protocol::UserError;
+
+const std::string kPath = "continuum.base";
+
+// Of BaseVelocity and BaseStress.
+template <class Given>
+TimeFactor scaled(const Given& given, const std::string& path) {
+  protocol::check(given.time(), path + ".time");
+  return [given](double t) { return given.amplitude() * protocol::evaluate(given.time(), t); };
+}
+
+std::vector<TimeFactor> shaken(const scene::Base& base, std::span<const double> places, double duration) {
+  const motion::Motion motion = motion::ground_motion(base.acceleration(), kPath + ".acceleration", duration);
+  if (!base.has_incidence()) return {motion::VelocityHistory(motion)};
+  const scene::Incidence& incidence = base.incidence();
+  return motion::errors_at(kPath + ".incidence", [&] {
+    std::vector<TimeFactor> histories;
+    for (auto& here : motion::station_motions(motion, places,
+                                              {.apparent_velocity = incidence.apparent_velocity(),
+                                              .drift = incidence.coherency().drift(),
+                                              .seed = incidence.coherency().seed()}))
+      histories.emplace_back(motion::VelocityHistory(std::move(here)));
+    return histories;
+  });
+}
+
+}  // namespace
+
+std::vector<TimeFactor> base_histories(const scene::Base& base, std::span<const double> places,
+                                       double duration) {
+  if (base.has_incidence() && !base.has_acceleration())
+    throw UserError(kPath + ".incidence",
+                    "goes with `acceleration` only; leave it out, or give the motion so");
+  switch (base.motion_case()) {
+    case scene::Base::kAcceleration:
+      return shaken(base, places, duration);
+    case scene::Base::kVelocity:
+      return {scaled(base.velocity(), kPath + ".velocity")};
+    case scene::Base::kStress:
+      if (base.kind() == scene::Base::RIGID)
+        throw UserError(kPath + ".stress",
+                        "is given to a rigid base, which moves as it is told; give its "
+                        "`acceleration` or `velocity`, or `kind: compliant`");
+      return {scaled(base.stress(), kPath + ".stress")};
+    case scene::Base::MOTION_NOT_SET:
+      break;
+  }
+  throw UserError(kPath, "has no motion; give one of acceleration, velocity, stress");
+}
+
+}  // namespace adit::fdm

@@ -1,0 +1,81 @@
+#include "fdm_server/model/boundaries/boundaries.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "fdm_server/boundaries/dashpot_set.hpp"
+#include "fdm_server/model/boundaries/base.hpp"
+#include "fdm_server/model/grid/selection.hpp"
+#include "protocol/errors.hpp"
+
+namespace adit::fdm {
+namespace {
+
+using protocol::UserError;
+
+bool along_axis(double normal) {
+  return std::abs(normal) > 1 - 1e-9;
+}
+
+void quieten(const scene::QuietBoundary& quiet, const std::string& path, EdgeSet& edges,
+             const ImpedanceOf& impedance, DashpotSet& dashpots) {
+  if (!quiet.normal() && !quiet.shear())
+    throw UserError(path, "has neither `normal` nor `shear` dashpots; leave one of them true");
+  const auto chosen = select_edges(edges.grid(), quiet.where(), path + ".where");
+  for (const std::size_t e : edges.numbers(chosen, path + ".where")) {
+    edges.claim(e, path, path + ".where");
+    dashpots.add_quiet(edges, e, impedance, quiet.normal(), quiet.shear());
+    const bool along_x = along_axis(edges[e].normal_x), along_y = along_axis(edges[e].normal_y);
+    if (quiet.normal()) dashpots.hold(edges, e, !along_y, !along_x);  // oblique: both
+  }
+}
+
+void require_apart(std::span<const PrescribedMotion> base, std::span<const PrescribedMotion> motions,
+                   const Grid& grid) {
+  for (const PrescribedMotion& of_base : base)
+    for (const PrescribedMotion& other : motions) {
+      if (of_base.axis != other.axis) continue;
+      for (const auto point : of_base.points)
+        if (std::ranges::binary_search(other.points, point))
+          throw UserError("continuum.base",
+                          fmt::format("prescribes the {} velocity of the grid point ({}, {}) m, as one of "
+                                      "`motions` does; let its place leave the base out",
+                                      of_base.axis == Axis::kX ? "x" : "y", grid.x[point], grid.y[point]));
+    }
+}
+
+}  // namespace
+
+std::vector<FreeFieldColumn> add_columns(const scene::Continuum& scene, std::span<const BoundaryEdge> outline,
+                                         Grid& grid) {
+  std::vector<FreeFieldColumn> columns;
+  if (scene.free_field().left())
+    columns.push_back(add_column(grid, outline, -1, "continuum.free_field.left"));
+  if (scene.free_field().right())
+    columns.push_back(add_column(grid, outline, 1, "continuum.free_field.right"));
+  return columns;
+}
+
+Boundaries resolve_boundaries(const scene::Continuum& scene, double duration, const Grid& grid,
+                              std::span<const BoundaryEdge> outline, std::span<const FreeFieldColumn> columns,
+                              const ImpedanceOf& impedance, std::span<const PrescribedMotion> motions) {
+  EdgeSet edges(grid, outline, columns);
+  DashpotSet dashpots;
+  for (const auto& column : columns) {
+    for (const auto& edge : column.edges)
+      edges.claim(*edges.find(edge.from, edge.to), "continuum.free_field", "continuum.free_field");
+    dashpots.add_free_field(column, impedance);
+  }
+  for (int i = 0; i < scene.quiet_size(); ++i)
+    quieten(scene.quiet(i), fmt::format("continuum.quiet[{}]", i), edges, impedance, dashpots);
+  BaseActions actions;
+  if (scene.has_base()) actions = resolve_base(scene.base(), duration, edges, impedance, dashpots);
+  require_apart(actions.motions, motions, grid);
+  return {dashpots.in_order(grid), std::move(actions.loads), std::move(actions.motions)};
+}
+
+}  // namespace adit::fdm

@@ -1,0 +1,29 @@
+// What acts on grid points from outside: forces, and velocities that do not yield.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace adit::fdm {
+
+using TimeFactor = std::function<double(double t)>;
+
+// Forces of unit factor on some points.
+struct Load {
+  std::vector<std::uint32_t> points;
+  std::vector<double> fx, fy;  // [N], one of each a point
+  TimeFactor factor;           // none: steady, which costs a step next to nothing
+};
+
+enum class Axis { kX, kY };
+
+// One velocity component of some points, ascending. No component of a point is named twice.
+struct PrescribedMotion {
+  std::vector<std::uint32_t> points;
+  Axis axis;
+  double velocity;  // [m/s], times the factor
+  TimeFactor factor;
+};
+
+}  // namespace adit::fdm

@@ -1,0 +1,187 @@
+#include "fdm_server/zones/elastic/elastic_zones.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fdm_server/zones/shape/assumed_strain.hpp"
+#include "fdm_server/zones/shape/mixed_discretization.hpp"
+
+namespace adit::fdm {
+namespace {
+
+// To the rounding of the coordinates.
+bool is_upright_rectangle(const Corners& c) {
+  double largest = 0;
+  for (std::size_t a = 0; a < 4; ++a) largest = std::max({largest, std::abs(c.x[a]), std::abs(c.y[a])});
+  return std::ranges::all_of(std::array{c.x[3] - c.x[0], c.x[2] - c.x[1], c.y[1] - c.y[0], c.y[3] - c.y[2]},
+                             [rounding = 8 * std::numeric_limits<double>::epsilon() *
+                                         largest](double offset) { return std::abs(offset) <= rounding; });
+}
+
+// A run of fewer zones is not worth a call of the kernel, if its neighbours can be had with it.
+constexpr std::uint32_t kShort = 8;
+constexpr std::uint32_t kOwnShapes = ~std::uint32_t{0};
+
+bool continues(const ZoneRun& run, const ZoneRun& next) {
+  if (next.first != run.first + run.count) return false;
+  for (std::size_t c = 0; c < 4; ++c)
+    if (next.points[c] != run.points[c] + static_cast<std::int32_t>(run.count)) return false;
+  return true;
+}
+
+}  // namespace
+
+ElasticShape elastic_shape(ZoneKind kind, const Corners& c, const PlaneLaw& law) {
+  const auto g = mean_gradient(c);
+  const auto pattern = gamma(c, g);
+  const auto k = kind == ZoneKind::kMixedDiscretization ? mixed_discretization_stiffness(c, law)
+                                                        : assumed_strain_stiffness(c, law);
+  return {{g.x0, g.x1, g.y0, g.y1, area(c), pattern[0], pattern[1], law.bulk, law.shear, k.xx, k.yy, k.xy},
+          is_upright_rectangle(c)};
+}
+
+ElasticZones::ElasticZones(ZoneKind kind, const Grid& grid, const PlaneLaw& law,
+                           std::span<const double> weights, double across)
+    : weights_(weights.begin(), weights.end()),
+      weighted_(std::ranges::any_of(weights, [](double weight) { return weight != 1; })),
+      across_(across) {
+  auto layout = lay_out(grid);
+  runs_ = std::move(layout.runs);
+  for (const auto& shape : layout.shapes) shapes_.push_back(elastic_shape(kind, shape, law));
+  join_short_runs();
+}
+
+void ElasticZones::join_short_runs() {
+  std::vector<ZoneRun> joined;
+  const auto take_up = [this](const ZoneRun& run) {
+    if (!own_) own_.emplace(count());
+    for (std::size_t c = 0; c < kCoefficients; ++c)
+      std::ranges::fill((*own_)[c].subspan(run.first, run.count), shapes_[run.shape].coefficients[c]);
+  };
+  for (const ZoneRun& run : runs_) {
+    ZoneRun* last = joined.empty() ? nullptr : &joined.back();
+    if (!last || run.count >= kShort || !continues(*last, run) ||
+        (last->shape != kOwnShapes && last->count >= kShort)) {
+      joined.push_back(run);
+      continue;
+    }
+    if (last->shape != kOwnShapes) take_up(*last);
+    take_up(run);
+    last->shape = kOwnShapes;
+    last->count += run.count;
+  }
+  runs_ = std::move(joined);
+}
+
+Coefficients ElasticZones::coefficients(const ZoneRun& run, std::uint32_t k) const {
+  if (run.shape != kOwnShapes) return shapes_[run.shape].coefficients;
+  Coefficients result{};
+  for (std::size_t c = 0; c < kCoefficients; ++c) result[c] = (*own_)[c][run.first + k];
+  return result;
+}
+
+void ElasticZones::follow(const double* ux, const double* uy) {
+  ux_ = ux;
+  uy_ = uy;
+}
+
+void ElasticZones::add_forces(std::span<const ZoneRun> runs, double /*dt*/, const PointView& points) {
+  add_batches(runs, points,
+              [this](const ZoneRun& run, std::uint32_t done, std::uint32_t count, CornerForces& forces) {
+                elastic_forces(batch(run, done, count), forces);
+              });
+}
+
+ElasticBatch ElasticZones::batch(const ZoneRun& run, std::uint32_t done, std::uint32_t count) const {
+  ElasticBatch result{{}, {}, count, nullptr, false, {}, {}, nullptr};
+  for (std::size_t c = 0; c < 4; ++c) {
+    result.ux[c] = ux_ + run.points[c] + done;
+    result.uy[c] = uy_ + run.points[c] + done;
+  }
+  const std::size_t first = run.first + done;
+  if (run.shape == kOwnShapes) {
+    for (std::size_t c = 0; c < kCoefficients; ++c) result.each[c] = &(*own_)[c][first];
+  } else {
+    result.same = &shapes_[run.shape].coefficients;
+    result.rectangles = shapes_[run.shape].rectangle;
+  }
+  if (initial_)
+    for (std::size_t c = 0; c < kComponents; ++c) result.initial[c] = &(*initial_)[c][first];
+  if (weighted_) result.weight = &weights_[first];
+  return result;
+}
+
+ElasticZones::State ElasticZones::state(const ZoneRun& run, std::uint32_t k) const {
+  const auto [gx0, gx1, gy0, gy1, area, c0, c1, bulk, shear, kxx, kyy, kxy] = coefficients(run, k);
+  std::array<double, 4> x{}, y{};
+  for (std::size_t c = 0; c < 4; ++c) {
+    x[c] = ux_[run.points[c] + static_cast<std::int32_t>(k)];
+    y[c] = uy_[run.points[c] + static_cast<std::int32_t>(k)];
+  }
+  const double x02 = x[0] - x[2], x13 = x[1] - x[3], y02 = y[0] - y[2], y13 = y[1] - y[3];
+  const double exx = gx0 * x02 + gx1 * x13, eyy = gy0 * y02 + gy1 * y13;
+  const double gxy = (gy0 * x02 + gy1 * x13) + (gx0 * y02 + gx1 * y13);
+  const double qx = (c0 * x02 + c1 * x13) + 0.5 * (x[2] - x[3]),
+               qy = (c0 * y02 + c1 * y13) + 0.5 * (y[2] - y[3]);
+  State state{bulk * (exx + eyy), shear * (exx - eyy), shear * gxy, kxx * qx + kxy * qy, kxy * qx + kyy * qy};
+  if (initial_)
+    for (std::size_t c = 0; c < kComponents; ++c) state[c] += (*initial_)[c][run.first + k];
+  return state;
+}
+
+FieldArrays<kComponents>& ElasticZones::initial() {
+  if (!initial_) initial_.emplace(count());
+  return *initial_;
+}
+
+void ElasticZones::set_stress(std::size_t zone, const Stress& stress) {
+  const State uniform{(stress.xx + stress.yy) / 2, (stress.xx - stress.yy) / 2, stress.xy, 0, 0};
+  for (std::size_t c = 0; c < kComponents; ++c) initial()[c][zone] = uniform[c];
+}
+
+void ElasticZones::remove(const std::vector<bool>& gone) {
+  runs_ = without(runs_, gone);
+  for (std::size_t z = 0; z < gone.size(); ++z)
+    if (gone[z]) weights_[z] = 0;
+}
+
+void ElasticZones::start_over() {
+  initial();
+  for (const auto& run : runs_)
+    for (std::uint32_t k = 0; k < run.count; ++k) {
+      const State reached = state(run, k);
+      for (std::size_t c = 0; c < kComponents; ++c) (*initial_)[c][run.first + k] = reached[c];
+    }
+}
+
+double ElasticZones::strain_energy() const {
+  double energy = 0;
+  for (const auto& run : runs_) {
+    for (std::uint32_t k = 0; k < run.count; ++k) {
+      const auto shape = coefficients(run, k);
+      const double kxx = shape[kKxx], kyy = shape[kKyy], kxy = shape[kKxy];
+      const auto [p, t, s, hx, hy] = state(run, k);
+      const double uniform = shape[kArea] * (p * p / shape[kBulk] + (t * t + s * s) / shape[kShear]);
+      const double pattern = (kyy * hx * hx - 2 * kxy * hx * hy + kxx * hy * hy) / (kxx * kyy - kxy * kxy);
+      energy += 0.5 * weights_[run.first + k] * (uniform + pattern);
+    }
+  }
+  return energy;
+}
+
+Stress ElasticZones::stress(std::size_t zone) const {
+  if (weights_[zone] == 0) return {};  // taken away
+  // the run that holds the zone is the last that does not begin behind it
+  const auto run = std::ranges::upper_bound(runs_, static_cast<std::uint32_t>(zone), {}, &ZoneRun::first) - 1;
+  const auto [p, t, s, hx, hy] = state(*run, static_cast<std::uint32_t>(zone) - run->first);
+  return {p + t, p - t, s};
+}
+
+double ElasticZones::field(std::size_t zone, ZoneField field) const {
+  if (field != ZoneField::kStressZz) return 0;
+  const auto [xx, yy, xy] = stress(zone);
+  return across_ * (xx + yy);
+}
+
+}  // namespace adit::fdm

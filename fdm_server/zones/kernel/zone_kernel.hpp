@@ -1,0 +1,53 @@
+// Zones of one law with their stresses: what a kernel of any kind offers.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "fdm_server/grid/grid.hpp"
+#include "fdm_server/materials/plane_law.hpp"
+#include "fdm_server/zones/kernel/zone_runs.hpp"
+
+namespace adit::fdm {
+
+enum class ZoneKind { kAssumedStrain, kMixedDiscretization };
+
+// What a zone can tell of its material beside the stress in the plane.
+enum class ZoneField {
+  kStressZz,            // across the plane [Pa]
+  kPlasticShearStrain,  // engineering, summed over the run
+  kYieldState,          // bits of Yield (materials/solid.hpp): what yields now or did before
+};
+
+class ZoneKernel {
+ public:
+  virtual ~ZoneKernel() = default;
+  virtual std::size_t count() const = 0;
+  // All zones, in their order.
+  virtual std::span<const ZoneRun> runs() const = 0;
+  // The points' displacements, which stay at this place; every step has moved them before it asks for forces.
+  // Zones whose stress is a function of them read it there, zones that add up strain increments need none.
+  virtual void follow(const double* ux, const double* uy) = 0;
+  // Adds the weighted internal forces of the runs' zones to the points' forces, after the points moved by dt
+  // times their velocities. Several threads may ask at once, each for zones of its own.
+  virtual void add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) = 0;
+  void add_forces(double dt, const PointView& points) { add_forces(runs(), dt, points); }
+  // A zone's stress becomes uniform: before the first step. Across the plane it is that of plane strain.
+  virtual void set_stress(std::size_t zone, const Stress& stress) = 0;
+  // Then another stress across the plane, where the material has one of its own.
+  virtual void set_stress_zz(std::size_t /*zone*/, double /*zz*/) {}
+  // Takes the zones whose flag is set away, from runs() too: their energy and stress are 0 from then on.
+  virtual void remove(const std::vector<bool>& gone) = 0;
+  // The displacements are about to become 0; stresses stay.
+  virtual void start_over() = 0;
+  // Weighted elastic energy of all zones [J].
+  virtual double strain_energy() const = 0;
+  // Weighted work that plastic and hysteretic strain took since the start [J]; never falls.
+  virtual double dissipated() const { return 0; }
+  // Mean stress of a zone, unweighted.
+  virtual Stress stress(std::size_t zone) const = 0;
+  virtual double field(std::size_t zone, ZoneField field) const = 0;
+};
+
+}  // namespace adit::fdm

@@ -1,0 +1,57 @@
+// The zones of a grid of one or several materials, by number in the grid. One kernel computes those of each
+// material: elastic ones in small strain the fast kernel (elastic/), others the general one (nonlinear/).
+// Runs carry the number of their part, so that the choice costs one virtual call for many zones.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "fdm_server/materials/material.hpp"
+#include "fdm_server/zones/kernel/zone_kernel.hpp"
+
+namespace adit::fdm {
+
+class ZoneSet {
+ public:
+  // One weight a zone; it multiplies the zone's forces.
+  ZoneSet(ZoneKind kind, const Grid& grid, const Ground& ground, std::span<const double> weights);
+  // Elastic zones of one law, in small strain; their stress across the plane is not known and reads 0.
+  ZoneSet(ZoneKind kind, const Grid& grid, const PlaneLaw& law, std::span<const double> weights);
+
+  // These are as ZoneKernel explains them.
+  std::size_t count() const { return places_.size(); }
+  std::span<const ZoneRun> runs() const { return runs_; }
+  void follow(const double* ux, const double* uy);
+  void add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points);
+  void set_stress(std::size_t zone, const Stress& stress);
+  void set_stress_zz(std::size_t zone, double zz);
+  void remove(const std::vector<bool>& gone);
+  void start_over();
+  double strain_energy() const;
+  double dissipated() const;
+  Stress stress(std::size_t zone) const;
+  double field(std::size_t zone, ZoneField field) const;
+
+ private:
+  struct Place {
+    std::uint32_t part, zone;  // number in the part
+  };
+  struct Part {
+    std::unique_ptr<ZoneKernel> kernel;
+    std::vector<std::uint32_t> numbers;  // of its zones in the grid
+  };
+  void add_part(std::unique_ptr<ZoneKernel> kernel, std::vector<std::uint32_t> numbers);
+  void collect_runs();
+
+  std::vector<Part> parts_;
+  std::vector<Place> places_;  // of each zone
+  std::vector<ZoneRun> runs_;
+};
+
+// The zones of one material of the ground, among the same points.
+Grid zones_of_material(const Grid& grid, const Ground& ground, std::size_t material);
+
+}  // namespace adit::fdm
