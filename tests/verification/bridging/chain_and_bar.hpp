@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 namespace adit::test {
 
@@ -62,85 +63,102 @@ inline Eigen::MatrixXd correction(const ChainAndBar& set, const Eigen::MatrixXd&
   return map;
 }
 
-inline ChainEnergies simulate(const ChainAndBar& set, std::size_t steps) {
+// Points in a row, joined by springs, at rest.
+struct SpringRow {
   using Vector = Eigen::VectorXd;
-  const auto particles = static_cast<Eigen::Index>(std::lround(set.end));
-  const auto zones = static_cast<Eigen::Index>(std::lround((set.length - set.begin) / set.zone));
-  const auto bar_weight = [&](double x) {
-    return std::clamp((x - set.begin) / (set.end - set.begin), 0.0, 1.0);
-  };
+  Vector mass, stiffness;
+  Vector u, v, f, before;  // before: the velocity half a step ago
 
-  // Spring i joins particles i and i + 1, at x = i + 1/2 and i + 3/2; masses take the mean weight of their
-  // springs.
-  Vector spring(particles - 1), mass(particles);
-  for (Eigen::Index i = 0; i + 1 < particles; ++i) spring[i] = 1 - bar_weight(static_cast<double>(i) + 1);
+  SpringRow(Vector masses, Vector springs)
+      : mass(std::move(masses)), stiffness(std::move(springs)), u(Vector::Zero(mass.size())) {
+    v = f = before = u;
+  }
+  void move(double dt) { u += dt * v; }
+  void find_forces() {
+    const Eigen::Index count = stiffness.size();
+    const Vector tension = stiffness.cwiseProduct(stretch());
+    f.setZero();
+    f.head(count) += tension;
+    f.tail(count) -= tension;
+  }
+  void kick(double duration) {
+    before = v;
+    v += duration * f.cwiseQuotient(mass);
+  }
+  double energy() const {
+    return 0.5 * before.dot(mass.cwiseProduct(v)) + 0.5 * stretch().dot(stiffness.cwiseProduct(stretch()));
+  }
+  Vector stretch() const { return u.tail(stiffness.size()) - u.head(stiffness.size()); }
+};
+
+inline double bar_weight(const ChainAndBar& set, double x) {
+  return std::clamp((x - set.begin) / (set.end - set.begin), 0.0, 1.0);
+}
+
+// Spring i joins particles i and i + 1, at x = i + 1/2 and i + 3/2; masses take the mean weight of their
+// springs.
+inline SpringRow weighted_chain(const ChainAndBar& set) {
+  const auto particles = static_cast<Eigen::Index>(std::lround(set.end));
+  Eigen::VectorXd spring(particles - 1), mass(particles);
+  for (Eigen::Index i = 0; i + 1 < particles; ++i)
+    spring[i] = 1 - bar_weight(set, static_cast<double>(i) + 1);
   for (Eigen::Index i = 0; i < particles; ++i) {
     const bool first = i == 0, last = i + 1 == particles;
     mass[i] = first ? spring[0] : last ? spring[i - 1] : (spring[i - 1] + spring[i]) / 2;
   }
-  Vector element(zones), nodal = Vector::Zero(zones + 1);
-  for (Eigen::Index e = 0; e < zones; ++e) {
-    element[e] = bar_weight(set.begin + (static_cast<double>(e) + 0.5) * set.zone);
-    nodal[e] += element[e] * set.zone / 2;
-    nodal[e + 1] += element[e] * set.zone / 2;
-  }
-  mass *= set.section;
-  nodal *= set.section;
-  const Vector spring_stiffness = set.section * spring, element_stiffness = set.section / set.zone * element;
+  return {set.section * mass, set.section * spring};
+}
 
-  // Particles in the overlap and their interpolation on the bar.
+inline SpringRow weighted_bar(const ChainAndBar& set) {
+  const auto zones = static_cast<Eigen::Index>(std::lround((set.length - set.begin) / set.zone));
+  Eigen::VectorXd element(zones), mass = Eigen::VectorXd::Zero(zones + 1);
+  for (Eigen::Index e = 0; e < zones; ++e) {
+    element[e] = bar_weight(set, set.begin + (static_cast<double>(e) + 0.5) * set.zone);
+    mass[e] += element[e] * set.zone / 2;
+    mass[e + 1] += element[e] * set.zone / 2;
+  }
+  return {set.section * mass, set.section / set.zone * element};
+}
+
+// The particles in the overlap, the last ones, interpolated on the bar's first points.
+inline Eigen::MatrixXd interpolation(const ChainAndBar& set, Eigen::Index particles) {
   const auto coupled = static_cast<Eigen::Index>(std::lround(set.end - set.begin));
-  const Eigen::Index first = particles - coupled;
   const auto seen = static_cast<Eigen::Index>(std::lround((set.end - set.begin) / set.zone)) + 1;
   Eigen::MatrixXd n = Eigen::MatrixXd::Zero(coupled, seen);
   for (Eigen::Index k = 0; k < coupled; ++k) {
-    const double place = (static_cast<double>(first + k) + 0.5 - set.begin) / set.zone;
+    const double place = (static_cast<double>(particles - coupled + k) + 0.5 - set.begin) / set.zone;
     const auto e = static_cast<Eigen::Index>(place);
     n(k, e) = 1 - (place - static_cast<double>(e));
     n(k, e + 1) = place - static_cast<double>(e);
   }
-  const Eigen::MatrixXd map = correction(set, n, mass.tail(coupled), nodal.head(seen));
-  Vector overlap(coupled + seen);
+  return n;
+}
 
-  Vector u = Vector::Zero(particles), v = u, f = u, before = u;
-  Vector bar_u = Vector::Zero(zones + 1), bar_v = bar_u, bar_f = bar_u, bar_before = bar_u;
+inline ChainEnergies simulate(const ChainAndBar& set, std::size_t steps) {
+  SpringRow chain = weighted_chain(set), bar = weighted_bar(set);
+  const Eigen::MatrixXd n = interpolation(set, chain.mass.size());
+  const Eigen::Index coupled = n.rows(), seen = n.cols();
+  const Eigen::MatrixXd map = correction(set, n, chain.mass.tail(coupled), bar.mass.head(seen));
+  Eigen::VectorXd overlap(coupled + seen);
   double work = 0, reaction = 0;
-  const auto forces = [](const Vector& displacement, const Vector& stiffness, Vector& force) {
-    const Eigen::Index count = stiffness.size();
-    const Vector tension = stiffness.cwiseProduct(displacement.tail(count) - displacement.head(count));
-    force.setZero();
-    force.head(count) += tension;
-    force.tail(count) -= tension;
-  };
   for (std::size_t step = 0; step <= steps; ++step) {
-    if (step > 0) {
-      u += set.dt * v;
-      bar_u += set.dt * bar_v;
-    }
-    forces(u, spring_stiffness, f);
-    forces(bar_u, element_stiffness, bar_f);
     const double kick = step == 0 ? set.dt / 2 : set.dt;
-    before = v;
-    bar_before = bar_v;
-    v += kick * f.cwiseQuotient(mass);
-    bar_v += kick * bar_f.cwiseQuotient(nodal);
+    for (SpringRow* row : {&chain, &bar}) {
+      if (step > 0) row->move(set.dt);
+      row->find_forces();
+      row->kick(kick);
+    }
     const double next = set.source((static_cast<double>(step) + 0.5) * set.dt);
     const double last_reaction = reaction;
-    reaction = mass[0] * (next - before[0]) / kick - f[0];
-    if (step > 0) work += set.dt * before[0] * (last_reaction + reaction) / 2;
-    v[0] = next;
-    overlap << v.tail(coupled), bar_v.head(seen);
+    reaction = chain.mass[0] * (next - chain.before[0]) / kick - chain.f[0];
+    if (step > 0) work += set.dt * chain.before[0] * (last_reaction + reaction) / 2;
+    chain.v[0] = next;
+    overlap << chain.v.tail(coupled), bar.v.head(seen);
     overlap = map * overlap;
-    v.tail(coupled) = overlap.head(coupled);
-    bar_v.head(seen) = overlap.tail(seen);
+    chain.v.tail(coupled) = overlap.head(coupled);
+    bar.v.head(seen) = overlap.tail(seen);
   }
-  const auto energy = [](const Vector& m, const Vector& v0, const Vector& v1, const Vector& k,
-                         const Vector& displacement) {
-    const Vector stretch = displacement.tail(k.size()) - displacement.head(k.size());
-    return 0.5 * v0.dot(m.cwiseProduct(v1)) + 0.5 * stretch.dot(k.cwiseProduct(stretch));
-  };
-  return {work, energy(mass, before, v, spring_stiffness, u),
-          energy(nodal, bar_before, bar_v, element_stiffness, bar_u)};
+  return {work, chain.energy(), bar.energy()};
 }
 
 }  // namespace adit::test
