@@ -171,9 +171,10 @@ def _shade_overlap(axes, run, grid, scale=0):
     shade = {"fc": OVERLAP_FACE, "ec": "none", "alpha": 0.45}
     if ends is None:
         weight = np.array([]) if grid is None else grid.field("weight", np.array([]))
-        if not np.any(weight < 1):
+        shared = weight < 1 - 1e-9  # beyond the overlap rounding leaves a weight just below 1
+        if not np.any(shared):
             return []
-        axes.add_collection(PolyCollection(grid.moved(scale)[grid.cells[weight < 1]], zorder=1.5, **shade))
+        axes.add_collection(PolyCollection(grid.moved(scale)[grid.cells[shared]], zorder=1.5, **shade))
         return [Patch(label="overlap", **shade)]
     direction = ends[1] - ends[0]
     along = np.array([-direction[1], direction[0]]) / np.hypot(*direction)
