@@ -160,7 +160,7 @@ Placement fill(const scene::Particles& p, double normal_stiffness, Notes& notes)
     throw UserError(
         "particles",
         fmt::format("has {} packings; give one of packing, square_packing, random_packing and placed",
-                    given == 0 ? "none of four" : std::to_string(given)));
+                    given == 0 ? "no" : std::to_string(given)));
   if (p.has_packing()) return hexagonal(p.packing());
   if (p.has_square_packing()) return square(p.square_packing());
   if (p.has_random_packing()) return random(p.random_packing(), normal_stiffness, notes);

@@ -106,9 +106,10 @@ class BondTypes {
     if (!common)
       throw UserError(
           "particles.between",
-          fmt::format("says not what joins the groups {} and {}, which meet, one with contact bonds and one "
-                      "with parallel bonds; name the two there",
-                      protocol::quote(groups_[pair.first].name), protocol::quote(groups_[pair.second].name)));
+          fmt::format(
+              "does not say how to bond the groups {} and {}, which meet, one with contact bonds and one "
+              "with parallel bonds; name the two there",
+              protocol::quote(groups_[pair.first].name), protocol::quote(groups_[pair.second].name)));
     return common;
   }
 
@@ -163,7 +164,8 @@ std::vector<JointLine> read_lines(const scene::Particles& particles) {
     if (from.x == to.x && from.y == to.y)
       throw UserError(path + ".to", "is the same place as `from`; give a joint two ends");
     if (joint.law_case() == scene::ParticleJoint::LAW_NOT_SET || (joint.has_open() && !joint.open()))
-      throw UserError(path, "says not what joins the particles across it; give bonds, smooth or open: true");
+      throw UserError(path,
+                      "does not say what joins the particles across it; give bonds, smooth or open: true");
     lines.emplace_back(from, to);
   }
   return lines;

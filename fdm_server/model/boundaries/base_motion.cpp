@@ -54,7 +54,7 @@ std::vector<TimeFactor> base_histories(const scene::Base& base, std::span<const 
     case scene::Base::kStress:
       if (base.kind() == scene::Base::RIGID)
         throw UserError(kPath + ".stress",
-                        "is given to a rigid base, which moves as it is told; give its "
+                        "is given to a rigid base, whose motion is prescribed; give its "
                         "`acceleration` or `velocity`, or `kind: compliant`");
       return {scaled(base.stress(), kPath + ".stress")};
     case scene::Base::MOTION_NOT_SET:

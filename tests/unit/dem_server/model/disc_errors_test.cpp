@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(
     Packing, DiscErrors,
     testing::Values(Case{"NoParticles", "particles", "needs a scene with particles",
                          square([](auto& s, auto&) { s.clear_particles(); })},
-                    Case{"NoPacking", "particles", "has none of four packings",
+                    Case{"NoPacking", "particles", "has no packings; give one of",
                          square([](auto&, auto& p) { p.clear_square_packing(); })},
                     Case{"TwoPackings", "particles", "has 2 packings; give one of",
                          square([](auto&, auto& p) { p.mutable_placed(); })},
