@@ -31,8 +31,8 @@ double area(const Corners& c) {
   return 0.5 * ((c.x[2] - c.x[0]) * (c.y[3] - c.y[1]) - (c.x[3] - c.x[1]) * (c.y[2] - c.y[0]));
 }
 
-// Of the two triangles beside a diagonal, by area; relative to a corner, so that far from the origin no digit
-// is lost.
+// The centroid of the two triangles beside a diagonal, weighted by area and relative to a corner, so that far
+// from the origin no digit is lost.
 std::array<double, 2> centroid(const Corners& c) {
   std::array<double, 3> x{}, y{};
   for (std::size_t i = 0; i < 3; ++i) {

@@ -47,8 +47,8 @@ class Hysteretic {
 
   // Shear stress over the initial modulus in first loading.
   double stress(double shear_strain) const;
-  // Of Masing's closed loops between -strain and +strain: dissipated energy over 4 pi times the elastic
-  // energy of the secant, with A the area under the backbone, 2/pi (2 A/(tau strain) - 1).
+  // Damping ratio of Masing's closed loops between -strain and +strain: dissipated energy over 4 pi times the
+  // elastic energy of the secant, with A the area under the backbone, 2/pi (2 A/(tau strain) - 1).
   double damping_ratio(double shear_strain) const;
   std::span<const BackbonePoint> backbone() const { return backbone_; }
 

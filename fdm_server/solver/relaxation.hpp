@@ -10,21 +10,21 @@
 
 namespace adit::fdm {
 
-// Of a step, weighted.
+// How far a step is from rest, weighted.
 struct Unrest {
   double unbalanced_force;  // sum over the points of |mass · change of velocity| / duration of the kick [N]
   double internal_force;    // sum over the zones of |stress| · √area, |stress| its Frobenius norm [N]
 };
 
-// Of the present velocities and rotations, weighted [J].
+// The kinetic energy of the present velocities and rotations, weighted [J].
 double kinetic_energy(const Continuum& continuum);
 
 class Relaxation {
  public:
   Relaxation(const Grid& grid, std::span<const double> zone_weights);
 
-  // Of the step whose velocities were just corrected. A kick changed them for `kick` seconds since the last
-  // call, or since all were 0.
+  // Measures the step whose velocities were just corrected. A kick changed them for `kick` seconds since the
+  // last call, or since all were 0.
   Unrest measure(const Continuum& continuum, double kick);
   // All velocities became 0.
   void stopped();

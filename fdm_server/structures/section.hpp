@@ -24,7 +24,7 @@ inline LiningMaterial lining_material(bool plane_strain, double young, double po
   return {plane_strain ? young / (1 - poisson * poisson) : young, young / (2 * (1 + poisson)), density};
 }
 
-// Of area A and moment of inertia I; 5/6 of the area carries shear, as of a rectangle.
+// A section of area A and moment of inertia I; 5/6 of the area carries shear, as in a rectangle.
 inline Section make_section(const LiningMaterial& material, double area, double inertia,
                             bool shear_flexible) {
   constexpr double kShearShare = 5.0 / 6;

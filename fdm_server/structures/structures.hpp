@@ -36,7 +36,7 @@ class Structures {
   // `dt`: a critical step of the lining's beams. Stiffness > 0 [N m/rad], yield moment [N m].
   void add_joint(std::uint32_t first, std::uint32_t second, double stiffness, double yield, double dt);
 
-  // Of what stands in this stage.
+  // Masses of the structures that stand in this stage.
   void add_masses(std::span<double> of_points, std::uint32_t stage = 0) const;
   void mark_points(std::vector<bool>& touched) const;
   // A chosen point to which something is attached after stage 0, if any.
@@ -59,7 +59,7 @@ class Structures {
   void stop();        // rates become 0
   void start_over();  // and rotations, and what was dissipated
 
-  // Of the last step: twice the kinetic energy of the rotations in the leap-frog's form [J].
+  // Twice the kinetic energy of the rotations at the last step, in the form of the leap-frog scheme [J].
   double twice_kinetic_energy(const protocol::Step& step) const;
   double rotational_energy() const;                  // of the present rates [J]
   double strain_energy() const;                      // [J]

@@ -11,7 +11,7 @@ namespace adit::fdm {
 
 class PeakForces {
  public:
-  // Of a step whose forces are known.
+  // Takes the peaks of a step whose forces are known.
   void take(std::span<const Lining> linings, const Structures& structures);
   // One value a node, lining after lining: thrust [N], moment [N m], shear [N]; empty before the first step.
   const std::array<std::vector<double>, 3>& values() const { return values_; }

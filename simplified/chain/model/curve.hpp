@@ -27,7 +27,7 @@ struct Line {
   double at(double deformation) const { return offset + slope * deformation; }
 };
 
-// Of a checked, non-empty curve.
+// The curve is checked and not empty.
 Line line_at(const Curve& curve, double deformation);
 
 }  // namespace adit::simplified::chain

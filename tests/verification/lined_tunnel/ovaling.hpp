@@ -62,7 +62,7 @@ inline double penzien_moment_without_slip(const Tunnel& t) {
   return 3 * t.lining.bending / diameter * 4 * (1 - t.poisson) / (a + 1);
 }
 
-// Of the ground's stress tau at infinity.
+// Ring and ground under the shear stress tau at infinity.
 class Ovaling {
  public:
   Ovaling(const Tunnel& tunnel, double tau) : t_(tunnel), tau_(tau), a_(0), b_(0) {
