@@ -18,7 +18,7 @@ using protocol::PeerLost;
 constexpr std::chrono::seconds kStartPatience{10};
 constexpr std::chrono::seconds kStopPatience{3};
 
-// Installed side by side, or in the build tree as <folder>/<program>/<program>.
+// Installed participant by participant, or in the build tree as <folder>/<program>/<program>.
 std::filesystem::path find_program(const std::string& program) {
   const auto here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   for (const auto& candidate : {here / program, here.parent_path() / program / program})

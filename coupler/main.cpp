@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "coupler/launch.hpp"
+#include "coupler/participants/remote_connection.hpp"
+#include "coupler/participants/set_up.hpp"
 #include "coupler/run.hpp"
-#include "coupler/sides/remote_peer.hpp"
-#include "coupler/sides/set_up.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/release.hpp"
 #include "protocol/results/run_directory.hpp"
@@ -40,7 +40,7 @@ struct Options : protocol::SceneCommandLine {
 // The servers of a run: started here, or running elsewhere.
 struct Participants {
   std::vector<std::unique_ptr<ServerProcess>> processes;
-  std::vector<Side> sides;
+  std::vector<Participant> participants;
   std::string versions = "coupler " + std::string(protocol::release());
 };
 
@@ -104,9 +104,9 @@ Participants join(const adit::scene::Scene& scene, const Options& options, const
     const auto hello = protocol::handshake(*connection, "coupler");
     require_program(hello.program(), member, connection->peer());
     participants.versions += ", " + hello.program() + " " + hello.release();
-    Side& side = participants.sides.emplace_back();
-    side.member = member;
-    side.peer = std::make_unique<RemotePeer>(std::move(connection));
+    Participant& participant = participants.participants.emplace_back();
+    participant.member = member;
+    participant.connection = std::make_unique<RemoteConnection>(std::move(connection));
   }
   return participants;
 }
@@ -118,7 +118,7 @@ void run_scene(const Options& options, const protocol::SceneFile& file) {
   joins(file.scene, members(file.scene));  // refused before anything is started or written
   results::prepare_run_directory(directory, options.scene);
   Participants participants = join(file.scene, options, directory);
-  run(file.scene, std::move(participants.sides),
+  run(file.scene, std::move(participants.participants),
       {.case_name = name,
        .scene_hash = protocol::scene_hash(file.scene),
        .versions = participants.versions,
@@ -128,7 +128,7 @@ void run_scene(const Options& options, const protocol::SceneFile& file) {
 
 void check_scene(const Options& options, const protocol::SceneFile& file) {
   Participants participants = join(file.scene, options, {});
-  check(file.scene, std::move(participants.sides));
+  check(file.scene, std::move(participants.participants));
   fmt::print("{} can be computed\n", options.scene);
 }
 

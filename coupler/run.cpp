@@ -9,7 +9,7 @@
 #include "coupler/output/motion_outputs.hpp"
 #include "coupler/output/recorder.hpp"
 #include "coupler/output/schedule.hpp"
-#include "coupler/sides/set_up.hpp"
+#include "coupler/participants/set_up.hpp"
 #include "coupler/stepping/progress.hpp"
 #include "coupler/stepping/statics.hpp"
 #include "coupler/stepping/stepper.hpp"
@@ -65,13 +65,13 @@ void require_bounded_energy(Stepper& stepper, const Model& model, std::uint64_t 
       n, static_cast<double>(n) * model.dt, 100 * drift, fastest.x, fastest.y, fastest.speed));
 }
 
-// Afterwards every side's reply is its farewell.
+// Afterwards every participant's reply is its farewell.
 void finish(Model& model) {
-  for (Side& side : model.sides) {
-    side.request.mutable_finish();
-    side.peer->post(side.request);
+  for (Participant& participant : model.participants) {
+    participant.request.mutable_finish();
+    participant.connection->post(participant.request);
   }
-  for (Side& side : model.sides) collect(side, wire::Frame::kBye);
+  for (Participant& participant : model.participants) collect(participant, wire::Frame::kBye);
 }
 
 void step_to_the_end(Model& model, const Schedule& schedule, Stepper& stepper, Recorder& recorder,
@@ -95,10 +95,10 @@ void step_to_the_end(Model& model, const Schedule& schedule, Stepper& stepper, R
 
 }  // namespace
 
-void run(const scene::Scene& scene, std::vector<Side> sides, const RunLabels& labels,
+void run(const scene::Scene& scene, std::vector<Participant> participants, const RunLabels& labels,
          const std::filesystem::path& directory) {
   const auto start = std::chrono::steady_clock::now();
-  Model model = set_up(scene, std::move(sides), labels.case_name + "/" + scene.name());
+  Model model = set_up(scene, std::move(participants), labels.case_name + "/" + scene.name());
   const Schedule schedule(model);
   MotionOutputs motions(model, schedule.interval());
   results::clear_results(directory);  // only now is it sure that there will be new ones
@@ -119,7 +119,8 @@ void run(const scene::Scene& scene, std::vector<Side> sides, const RunLabels& la
     if (scene.has_statics()) summary.add_statics(relax(model, stepper));
     step_to_the_end(model, schedule, stepper, recorder, motions, reached);
     finish(model);
-    for (const Side& side : model.sides) summary.add_participant(side, side.reply.bye());
+    for (const Participant& participant : model.participants)
+      summary.add_participant(participant, participant.reply.bye());
     summary.add_motions(motions.write(directory / "spectra"));
   } catch (const std::exception& error) {
     try {
@@ -133,12 +134,12 @@ void run(const scene::Scene& scene, std::vector<Side> sides, const RunLabels& la
   summary.print(directory);
 }
 
-void check(const scene::Scene& scene, std::vector<Side> sides) {
-  Model model = set_up(scene, std::move(sides), "check/" + scene.name());
+void check(const scene::Scene& scene, std::vector<Participant> participants) {
+  Model model = set_up(scene, std::move(participants), "check/" + scene.name());
   const MotionOutputs motions(model, Schedule(model).interval());
-  for (const Side& side : model.sides)
-    if (!side.model.engine().empty())
-      fmt::print("the engine of {} is {}\n", side.member.name, side.model.engine());
+  for (const Participant& participant : model.participants)
+    if (!participant.model.engine().empty())
+      fmt::print("the engine of {} is {}\n", participant.member.name, participant.model.engine());
   finish(model);
 }
 

@@ -43,8 +43,8 @@ double sampling_interval(const scene::Spectra& spectra) {
 }
 
 MotionOutputs::MotionOutputs(const Model& model, double interval) : interval_(interval) {
-  for (const Side& side : model.sides)
-    for (const auto& history : histories_of(model.scene, side.member)) histories_.push_back(history);
+  for (const Participant& participant : model.participants)
+    for (const auto& history : histories_of(model.scene, participant.member)) histories_.push_back(history);
   const auto& output = model.scene.output();
   for (int i = 0; i < output.spectra_size(); ++i) {
     const auto& spectra = output.spectra(i);

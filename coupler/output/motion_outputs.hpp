@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "coupler/sides/set_up.hpp"
+#include "coupler/participants/set_up.hpp"
 #include "protocol/motion/motion.hpp"
 
 namespace adit::coupler {

@@ -9,23 +9,23 @@ namespace {
 
 std::vector<std::string> history_columns(const Model& model) {
   std::vector<std::string> columns = {"time_s"};
-  for (const Side& side : model.sides)
-    for (const auto& history : histories_of(model.scene, side.member))
+  for (const Participant& participant : model.participants)
+    for (const auto& history : histories_of(model.scene, participant.member))
       columns.push_back(protocol::column_of(history));
   if (has_particles(model)) columns.emplace_back("max_bond_force_N");
-  for (const Side& side : model.sides)
+  for (const Participant& participant : model.participants)
     for (const char* energy : {"_kinetic_J", "_strain_J", "_released_J", "_external_work_J",
                                "_multiplier_work_J", "_dissipated_J"})
-      columns.push_back(side.member.name + energy);
+      columns.push_back(participant.member.name + energy);
   columns.emplace_back("energy_drift");
   return columns;
 }
 
 std::vector<std::string> share_columns(const Model& model) {
   std::vector<std::string> columns = {"time_s"};
-  for (const Side& side : model.sides)
-    for (const wire::EnergyShare& share : side.prediction().energies().shares())
-      columns.push_back(side.member.name + "_" + share.name() + "_J");
+  for (const Participant& participant : model.participants)
+    for (const wire::EnergyShare& share : participant.prediction().energies().shares())
+      columns.push_back(participant.member.name + "_" + share.name() + "_J");
   return columns;
 }
 
@@ -40,16 +40,17 @@ Recorder::Recorder(const std::filesystem::path& directory, Model& model)
 }
 
 void Recorder::record_events() {
-  for (Side& side : model_.sides) {
-    const double dt = side.member.role == Role::kParticles ? model_.dt / model_.substeps : model_.dt;
+  for (Participant& participant : model_.participants) {
+    const double dt = participant.member.role == Role::kParticles ? model_.dt / model_.substeps : model_.dt;
     const auto time_of = [dt](std::uint64_t step) { return static_cast<double>(step) * dt; };
-    if (side.strongest.force() > findings_.peak_bond_force) {
-      findings_.peak_bond_force = side.strongest.force();
-      findings_.peak = {time_of(side.strongest.step()), side.strongest.x(), side.strongest.y()};
+    if (participant.strongest.force() > findings_.peak_bond_force) {
+      findings_.peak_bond_force = participant.strongest.force();
+      findings_.peak = {time_of(participant.strongest.step()), participant.strongest.x(),
+                        participant.strongest.y()};
     }
-    for (const wire::Crack& crack : side.cracks) record_crack(crack, time_of(crack.step()));
-    side.cracks.clear();
-    side.strongest.Clear();
+    for (const wire::Crack& crack : participant.cracks) record_crack(crack, time_of(crack.step()));
+    participant.cracks.clear();
+    participant.strongest.Clear();
   }
 }
 
@@ -66,18 +67,18 @@ void Recorder::record_crack(const wire::Crack& crack, double time) {
 
 std::span<const double> Recorder::record_histories(std::uint64_t n, const Ledger& ledger) {
   row_.assign(1, static_cast<double>(n) * model_.dt);
-  for (const Side& side : model_.sides) {
-    const auto& values = side.prediction().histories();
+  for (const Participant& participant : model_.participants) {
+    const auto& values = participant.prediction().histories();
     row_.insert(row_.end(), values.begin(), values.end());
   }
   if (has_particles(model_)) {
     double strongest = 0;
-    for (const Side& side : model_.sides)
-      if (side.member.role == Role::kParticles)
-        strongest = std::max(strongest, side.prediction().strongest().rbegin()->force());
+    for (const Participant& participant : model_.participants)
+      if (participant.member.role == Role::kParticles)
+        strongest = std::max(strongest, participant.prediction().strongest().rbegin()->force());
     row_.push_back(strongest);
   }
-  for (const SideEnergies& e : ledger.sides())
+  for (const ParticipantEnergies& e : ledger.energies())
     row_.insert(row_.end(),
                 {e.kinetic, e.strain, e.released, e.external_work, e.multiplier_work, e.dissipated});
   row_.push_back(ledger.drift());
@@ -94,15 +95,15 @@ void Recorder::record_shares() {
     shares_.emplace(directory_ / "energies.csv", columns);
   }
   share_row_.assign(1, row_.front());
-  for (const Side& side : model_.sides)
-    for (const wire::EnergyShare& share : side.prediction().energies().shares())
+  for (const Participant& participant : model_.participants)
+    for (const wire::EnergyShare& share : participant.prediction().energies().shares())
       share_row_.push_back(share.value());
   shares_->row(share_row_);
 }
 
 void Recorder::record_fields(std::uint64_t n, std::vector<wire::Snapshot> snapshots) {
   for (std::size_t s = 0; s < snapshots.size(); ++s) {
-    const Member& member = model_.sides[s].member;
+    const Member& member = model_.participants[s].member;
     if (is_region(member))
       for (wire::Piece& piece : *snapshots[s].mutable_pieces())
         piece.set_name(member.name + "_" + piece.name());

@@ -1,5 +1,5 @@
-// What a run leaves in its directory while it goes on: histories.csv, energies.csv (of sides that say what
-// their energies consist of), cracks.csv, fields/.
+// What a run leaves in its directory while it goes on: histories.csv, energies.csv (of participants that say
+// what their energies consist of), cracks.csv, fields/.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "coupler/sides/set_up.hpp"
+#include "coupler/participants/set_up.hpp"
 #include "coupler/stepping/ledger.hpp"
 #include "protocol/results/csv.hpp"
 #include "protocol/results/vtk.hpp"
@@ -34,10 +34,10 @@ class Recorder {
   // Opens the files in `directory`, which exists.
   Recorder(const std::filesystem::path& directory, Model& model);
 
-  void record_events();  // every step: takes what the sides reported since
+  void record_events();  // every step: takes what the participants reported since
   std::span<const double> record_histories(std::uint64_t n,
                                            const Ledger& ledger);              // the row, until the next one
-  void record_fields(std::uint64_t n, std::vector<wire::Snapshot> snapshots);  // one for each side
+  void record_fields(std::uint64_t n, std::vector<wire::Snapshot> snapshots);  // one for each participant
 
   const Findings& findings() const { return findings_; }
 

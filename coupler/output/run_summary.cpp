@@ -40,12 +40,12 @@ RunSummary::RunSummary(const RunLabels& labels, const Model& model) : model_(mod
   summary_.set("dt_s", model.dt);
   summary_.set("substeps", model.substeps);
   summary_.set("critical_dt_s", model.critical_dt);
-  wire::Interface counts;  // of all sides; a participant says nothing of what it does not have
-  for (const Side& side : model.sides) {
-    counts.set_particles(counts.particles() + side.counts.particles());
-    counts.set_bonds(counts.bonds() + side.counts.bonds());
-    counts.set_zones(counts.zones() + side.counts.zones());
-    counts.set_grid_points(counts.grid_points() + side.counts.grid_points());
+  wire::Interface counts;  // of all participants; a participant says nothing of what it does not have
+  for (const Participant& participant : model.participants) {
+    counts.set_particles(counts.particles() + participant.counts.particles());
+    counts.set_bonds(counts.bonds() + participant.counts.bonds());
+    counts.set_zones(counts.zones() + participant.counts.zones());
+    counts.set_grid_points(counts.grid_points() + participant.counts.grid_points());
   }
   summary_.set("particles", counts.particles());
   summary_.set("bonds", counts.bonds());
@@ -65,18 +65,19 @@ RunSummary::RunSummary(const RunLabels& labels, const Model& model) : model_(mod
 }
 
 void RunSummary::add_engines() {
-  for (const Side& side : model_.sides) {
-    if (side.model.engine().empty()) continue;
-    summary_.set(side.member.name + "_engine", side.model.engine());
-    lines_.push_back(fmt::format("engine             {}: {}", side.member.name, side.model.engine()));
+  for (const Participant& participant : model_.participants) {
+    if (participant.model.engine().empty()) continue;
+    summary_.set(participant.member.name + "_engine", participant.model.engine());
+    lines_.push_back(
+        fmt::format("engine             {}: {}", participant.member.name, participant.model.engine()));
   }
 }
 
 void RunSummary::add_notes() {
   std::vector<std::string> notes;
-  for (const Side& side : model_.sides)
-    for (const std::string& note : side.model.notes()) {
-      notes.push_back(side.member.name + ": " + note);
+  for (const Participant& participant : model_.participants)
+    for (const std::string& note : participant.model.notes()) {
+      notes.push_back(participant.member.name + ": " + note);
       lines_.push_back("note               " + notes.back());
     }
   summary_.set("notes", notes);
@@ -96,9 +97,9 @@ void RunSummary::add_motions(const MotionOutputs::Found& found) {
   warnings_.insert(warnings_.end(), found.warnings.begin(), found.warnings.end());
 }
 
-void RunSummary::add_participant(const Side& side, const wire::Bye& bye) {
-  summary_.set(side.member.name + "_cpu_s", bye.cpu_seconds());
-  (side.member.role == Role::kContinuum ? zone_updates_ : particle_updates_) += bye.updates();
+void RunSummary::add_participant(const Participant& participant, const wire::Bye& bye) {
+  summary_.set(participant.member.name + "_cpu_s", bye.cpu_seconds());
+  (participant.member.role == Role::kContinuum ? zone_updates_ : particle_updates_) += bye.updates();
 }
 
 void RunSummary::add_outcome(const Stepper& stepper, const Findings& findings, std::uint64_t steps,
@@ -133,7 +134,8 @@ void RunSummary::add_event(const std::string& name, const Event& event, bool hap
 
 void RunSummary::add_ledger(const Ledger& ledger) {
   double multiplier_work = 0;
-  for (const SideEnergies& side : ledger.sides()) multiplier_work += side.multiplier_work;
+  for (const ParticipantEnergies& participant : ledger.energies())
+    multiplier_work += participant.multiplier_work;
   summary_.set("max_energy_drift", ledger.max_drift());
   summary_.set("energy_kept", ledger.kept());
   summary_.set("multiplier_work_J", multiplier_work);
@@ -151,11 +153,11 @@ void RunSummary::add_cost(const Stepper& stepper, std::uint64_t steps, double wa
   summary_.set("coupler_wait_s", stepper.cost().wait);
   summary_.set("coupler_solve_s", stepper.cost().solve);
   double computed = 0, hidden = 0;
-  for (const Side& side : model_.sides) {
-    summary_.set(side.member.name + "_compute_s", side.compute_s);
-    summary_.set(side.member.name + "_hidden_s", side.hidden_s);
-    computed += side.compute_s + side.hidden_s;
-    hidden += side.hidden_s;
+  for (const Participant& participant : model_.participants) {
+    summary_.set(participant.member.name + "_compute_s", participant.compute_s);
+    summary_.set(participant.member.name + "_hidden_s", participant.hidden_s);
+    computed += participant.compute_s + participant.hidden_s;
+    hidden += participant.hidden_s;
   }
   if (model_.constraint) {
     const SolveCost solve = model_.constraint->multipliers().cost();

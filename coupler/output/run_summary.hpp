@@ -31,7 +31,7 @@ class RunSummary {
   void add_motions(const MotionOutputs::Found& found);
 
   // What a participant said at the end.
-  void add_participant(const Side& side, const wire::Bye& bye);
+  void add_participant(const Participant& participant, const wire::Bye& bye);
 
   // `steps` were computed in `stepping_s` of `wall_s` seconds; `error` is empty for a complete run.
   void add_outcome(const Stepper& stepper, const Findings& findings, std::uint64_t steps, double wall_s,

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <set>
 
-#include "coupler/sides/set_up.hpp"
+#include "coupler/participants/set_up.hpp"
 
 namespace adit::coupler {
 

@@ -14,23 +14,25 @@ double dot(std::span<const double> a, std::span<const double> b) {
 
 }  // namespace
 
-Ledger::Ledger(const std::vector<Side>& sides) : energies_(sides.size()), accounts_(sides.size()) {
-  for (std::size_t s = 0; s < sides.size(); ++s) {
-    accounts_[s].impulses.resize(sides[s].impulses.size());
-    accounts_[s].velocities.resize(sides[s].impulses.size());
+Ledger::Ledger(const std::vector<Participant>& participants)
+    : energies_(participants.size()), accounts_(participants.size()) {
+  for (std::size_t s = 0; s < participants.size(); ++s) {
+    accounts_[s].impulses.resize(participants[s].predicted.size());
+    accounts_[s].velocities.resize(participants[s].predicted.size());
   }
 }
 
-void Ledger::take_energies(std::size_t s, const Side& side) {
+void Ledger::take_energies(std::size_t s, const Participant& participant) {
   const Account& account = accounts_[s];
-  const wire::Energies& e = side.prediction().energies();
+  const wire::Energies& e = participant.prediction().energies();
   double kinetic = e.kinetic(), work = account.multiplier_work;
   if (account.started) {
-    const double power = dot(account.velocities, side.impulses);
+    const double power = dot(account.velocities, participant.correction.impulses());
     kinetic += 0.5 * power;
     work += 0.5 * (dot(account.velocities, account.impulses) + power);
   } else {
-    kinetic -= 0.5 * (dot(side.impulses, side.predicted) + dot(side.impulses, side.corrected));
+    kinetic -= 0.5 * (dot(participant.correction.impulses(), participant.predicted) +
+                      dot(participant.correction.impulses(), participant.corrected));
   }
   energies_[s] = {.kinetic = kinetic,
                   .strain = e.strain(),
@@ -47,14 +49,15 @@ void Ledger::compare() {
   peak_unexplained_ = std::max(peak_unexplained_, std::abs(unexplained()));
 }
 
-void Ledger::close_step(std::size_t s, const Side& side) {
+void Ledger::close_step(std::size_t s, const Participant& participant) {
   Account& account = accounts_[s];
   if (account.started)
-    account.multiplier_work +=
-        0.5 * (dot(account.velocities, account.impulses) + dot(account.velocities, side.impulses));
+    account.multiplier_work += 0.5 * (dot(account.velocities, account.impulses) +
+                                      dot(account.velocities, participant.correction.impulses()));
   const double steps = account.started ? 1 : 2;  // half a step has half an impulse
-  for (std::size_t i = 0; i < side.impulses.size(); ++i) account.impulses[i] = steps * side.impulses[i];
-  std::copy(side.corrected.begin(), side.corrected.end(), account.velocities.begin());
+  const std::span<const double> impulses = participant.correction.impulses();
+  for (std::size_t i = 0; i < impulses.size(); ++i) account.impulses[i] = steps * impulses[i];
+  std::copy(participant.corrected.begin(), participant.corrected.end(), account.velocities.begin());
   account.started = true;
 }
 
@@ -67,13 +70,13 @@ void Ledger::book_gap(std::span<const double> coarse, std::span<const double> fi
 
 double Ledger::stored() const {
   double sum = 0;
-  for (const SideEnergies& e : energies_) sum += e.kinetic + e.strain + e.released;
+  for (const ParticipantEnergies& e : energies_) sum += e.kinetic + e.strain + e.released;
   return sum;
 }
 
 double Ledger::unexplained() const {
   double sum = stored() - unexplained_at_start_;
-  for (const SideEnergies& e : energies_) sum += e.dissipated - e.external_work;
+  for (const ParticipantEnergies& e : energies_) sum += e.dissipated - e.external_work;
   return sum;
 }
 

@@ -7,37 +7,38 @@
 // participant's kinetic energy ends with its prediction; the impulse p of the same step adds ½ (N v(n−½))·p.
 // Before step 0 the system rests: v(−½) = −v(½), and the first impulse acts over half a step.
 //
-// Every side is booked in its own steps, which may differ in length.
+// Every participant is booked in its own steps, which may differ in length.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "coupler/sides/side.hpp"
+#include "coupler/participants/participant.hpp"
 
 namespace adit::coupler {
 
-struct SideEnergies {  // [J]
+struct ParticipantEnergies {  // [J]
   double kinetic = 0, strain = 0, released = 0, external_work = 0, multiplier_work = 0, dissipated = 0;
 };
 
 class Ledger {
  public:
-  explicit Ledger(const std::vector<Side>& sides);
+  explicit Ledger(const std::vector<Participant>& participants);
 
-  // Takes down the energies that the side's last answer holds; its impulses are those of the same step.
-  void take_energies(std::size_t s, const Side& side);
-  // After the energies of all sides: compares them with those of the start and of the peak.
+  // Takes down the energies that the participant's last answer holds; its impulses are those of the same
+  // step.
+  void take_energies(std::size_t s, const Participant& participant);
+  // After the energies of all participants: compares them with those of the start and of the peak.
   void compare();
 
-  // Books the side's step: its impulses, and its velocities after them.
-  void close_step(std::size_t s, const Side& side);
+  // Books the participant's step: its impulses, and its velocities after them.
+  void close_step(std::size_t s, const Participant& participant);
   // Books the gap that the corrected velocities leave at the coupling points.
   void book_gap(std::span<const double> coarse, std::span<const double> fine);
 
   // As of the last compare().
-  const std::vector<SideEnergies>& sides() const { return energies_; }
-  double stored() const;  // kinetic, strain and released energy of all sides
+  const std::vector<ParticipantEnergies>& energies() const { return energies_; }
+  double stored() const;  // kinetic, strain and released energy of all participants
   // Stored and dissipated minus external work, since the start: what drifted, or what a lossy solve took.
   double unexplained() const;
   double drift() const;      // the same relative to the largest stored energy so far
@@ -51,10 +52,10 @@ class Ledger {
   struct Account {
     bool started = false;                      // step 0 is closed
     double multiplier_work = 0;                // up to the last step closed
-    std::vector<double> impulses, velocities;  // of that step, at the side's coupling points
+    std::vector<double> impulses, velocities;  // of that step, at the participant's coupling points
   };
 
-  std::vector<SideEnergies> energies_;
+  std::vector<ParticipantEnergies> energies_;
   std::vector<Account> accounts_;
   bool compared_ = false;
   double unexplained_at_start_ = 0;

@@ -1,7 +1,6 @@
 #include "coupler/stepping/shared_kick.hpp"
 
-#include "coupler/stepping/exchange.hpp"
-#include "coupler/stepping/stopwatch.hpp"
+#include "coupler/exchange/exchange.hpp"
 
 namespace adit::coupler {
 
@@ -27,7 +26,7 @@ void SharedKick::step(std::uint64_t n, Wanted wanted) {
 
 void SharedKick::start(Wanted wanted) {
   ask(Role::kContinuum, 0, model_.dt, wanted);
-  model_.constraint->read(model_.sides, Part::kCoarse, &Side::predicted, p_);
+  model_.constraint->read(model_.participants, Part::kCoarse, &Participant::predicted, p_);
   for (std::size_t i = 0; i < w_.size(); ++i) {
     w_[i] = total_[i] = 0;
     q_[i] = 2 * p_[i];
@@ -40,7 +39,7 @@ void SharedKick::kick(std::uint64_t k, Wanted wanted) {
   ask(Role::kParticles, k, model_.dt / model_.substeps, wanted);
   const Stopwatch solving(cost_.solve);
   Constraint& constraint = *model_.constraint;
-  constraint.read(model_.sides, Part::kFine, &Side::predicted, v_);
+  constraint.read(model_.participants, Part::kFine, &Participant::predicted, v_);
   constraint.solve(w_, v_, lambda_);
   constraint.correct_coarse(lambda_, w_);
   for (std::size_t i = 0; i < total_.size(); ++i) total_[i] += lambda_[i];
@@ -52,7 +51,7 @@ void SharedKick::shared_kick(std::uint64_t k, std::uint64_t n, Wanted wanted) {
   Constraint& constraint = *model_.constraint;
   {
     const Stopwatch solving(cost_.solve);
-    constraint.read(model_.sides, Part::kFine, &Side::predicted, v_);
+    constraint.read(model_.participants, Part::kFine, &Participant::predicted, v_);
     for (std::size_t i = 0; i < w_.size(); ++i) target_[i] = w_[i] + q_[i];
     constraint.solve(target_, v_, lambda_1_);
     for (std::size_t i = 0; i < w_.size(); ++i) {
@@ -61,17 +60,17 @@ void SharedKick::shared_kick(std::uint64_t k, std::uint64_t n, Wanted wanted) {
       y_[i] = w_[i] + q_[i] / 2;
     }
     constraint.correct_coarse(lambda_1_, y_);
-    constraint.assign(total_, 1, Part::kCoarse, model_.sides);
-    for (std::size_t s = 0; s < model_.sides.size(); ++s) {
-      Side& side = model_.sides[s];
-      if (side.member.role != Role::kContinuum) continue;
-      correct_velocities(side);
-      ledger_.close_step(s, side);
+    constraint.assign(total_, 1, Part::kCoarse, model_.participants);
+    for (std::size_t s = 0; s < model_.participants.size(); ++s) {
+      Participant& participant = model_.participants[s];
+      if (participant.member.role != Role::kContinuum) continue;
+      correct_velocities(participant);
+      ledger_.close_step(s, participant);
     }
   }
   ask(Role::kContinuum, n, model_.dt, wanted);
   const Stopwatch solving(cost_.solve);
-  constraint.read(model_.sides, Part::kCoarse, &Side::predicted, p_);
+  constraint.read(model_.participants, Part::kCoarse, &Participant::predicted, p_);
   for (std::size_t i = 0; i < w_.size(); ++i) {
     q_[i] = p_[i] - y_[i];
     target_[i] = w_[i] + q_[i];
@@ -90,40 +89,35 @@ void SharedKick::shared_kick(std::uint64_t k, std::uint64_t n, Wanted wanted) {
 // Sends the participants of one role to their step and waits for their predictions.
 void SharedKick::ask(Role role, std::uint64_t step, double dt, Wanted wanted) {
   const Stopwatch waiting(cost_.wait);
-  request_.Clear();
-  request_.set_step(step);
-  request_.set_dt(dt);
-  request_.set_want_energies(wanted.energies);
-  request_.set_want_histories(wanted.histories);
-  request_.set_want_peaks(wanted.peaks);
-  for (Side& side : model_.sides)
-    if (side.member.role == role) post_advance(side, request_);
-  for (Side& side : model_.sides)
-    if (side.member.role == role) receive_prediction(side);
+  fill_request(request_, step, dt, wanted);
+  for (Participant& participant : model_.participants)
+    if (participant.member.role == role) post_advance(participant, request_);
+  for (Participant& participant : model_.participants)
+    if (participant.member.role == role) receive_prediction(participant);
 }
 
 void SharedKick::finish_kick(const std::vector<double>& multipliers) {
-  model_.constraint->assign(multipliers, 1, Part::kFine, model_.sides);
-  for (std::size_t s = 0; s < model_.sides.size(); ++s) {
-    Side& side = model_.sides[s];
-    if (side.member.role != Role::kParticles) continue;
-    correct_velocities(side);
-    if (side.prediction().has_energies()) ledger_.take_energies(s, side);
-    ledger_.close_step(s, side);
+  model_.constraint->assign(multipliers, 1, Part::kFine, model_.participants);
+  for (std::size_t s = 0; s < model_.participants.size(); ++s) {
+    Participant& participant = model_.participants[s];
+    if (participant.member.role != Role::kParticles) continue;
+    correct_velocities(participant);
+    if (participant.prediction().has_energies()) ledger_.take_energies(s, participant);
+    ledger_.close_step(s, participant);
   }
-  model_.constraint->read(model_.sides, Part::kFine, &Side::corrected, v_);
+  model_.constraint->read(model_.participants, Part::kFine, &Participant::corrected, v_);
   ledger_.book_gap(w_, v_);
 }
 
 // The grid's energies, by the impulse of its window, of which this share is known.
 void SharedKick::take_energies(double window_share) {
-  model_.constraint->assign(total_, 1 / window_share, Part::kCoarse, model_.sides);
-  for (std::size_t s = 0; s < model_.sides.size(); ++s) {
-    Side& side = model_.sides[s];
-    if (side.member.role != Role::kContinuum) continue;
-    side.impulses_pending = false;  // goes to the grid with the rest of its window
-    correct_velocities(side);
-    ledger_.take_energies(s, side);
+  model_.constraint->assign(total_, 1 / window_share, Part::kCoarse, model_.participants);
+  for (std::size_t s = 0; s < model_.participants.size(); ++s) {
+    Participant& participant = model_.participants[s];
+    if (participant.member.role != Role::kContinuum) continue;
+    participant.correction.withhold();  // it goes to the grid with the rest of its window
+    correct_velocities(participant);
+    ledger_.take_energies(s, participant);
   }
   ledger_.compare();
 }

@@ -23,10 +23,10 @@
 // The first term is the change of the grid's strain energy, as in leap-frog, the second telescopes. With the
 // consistent solve the multipliers do no work, and for linear models
 //   H = ½ vᵀmv + ½ u_k·k u_{k+1} + ½ XᵀMX + ½ UᵀKU − ⅛ DT² FᵀPF
-// is kept exactly. It is positive while each side is below its own critical step, for every m and every
-// contrast: there are no resonances, which other explicit schemes of several time steps have (Grote, Michel
-// and Sauter 2021). The lumped and the split solve only take energy away. Xiao and Belytschko (2004) and
-// Gravouil and Combescure (2001) are the schemes that it was measured against.
+// is kept exactly. It is positive while each participant is below its own critical step, for every m and
+// every contrast: there are no resonances, which other explicit schemes of several time steps have (Grote,
+// Michel and Sauter 2021). The lumped and the split solve only take energy away. Xiao and Belytschko (2004)
+// and Gravouil and Combescure (2001) are the schemes that it was measured against.
 //
 // The particles' velocities carry a sawtooth of period DT, which radiates where m asin(dt/dt_critical) ≥ π;
 // displacements of both sides agree to O(DT²).
@@ -35,20 +35,21 @@
 #include <cstdint>
 #include <vector>
 
-#include "coupler/sides/set_up.hpp"
+#include "coupler/exchange/step_cost.hpp"
+#include "coupler/participants/set_up.hpp"
 #include "coupler/stepping/ledger.hpp"
-#include "coupler/stepping/wanted.hpp"
+#include "coupler/stepping/time_scheme.hpp"
 
 namespace adit::coupler {
 
-class SharedKick {
+class SharedKick : public TimeScheme {
  public:
   SharedKick(Model& model, Ledger& ledger, StepCost& cost);
 
-  // To the time of the grid's step n = 0, 1, 2 …: the grid is at its step n, the particles at step n m.
+  // To the time of the grid's step n: the grid is at its step n, the particles at step n m.
   // Energies are those of that time; the impulse of the grid's window, half of which is still to come, is
   // extrapolated in them.
-  void step(std::uint64_t n, Wanted wanted);
+  void step(std::uint64_t n, Wanted wanted) override;
 
  private:
   void start(Wanted wanted);

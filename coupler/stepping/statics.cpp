@@ -5,33 +5,34 @@
 #include <algorithm>
 #include <set>
 
-#include "coupler/stepping/exchange.hpp"
+#include "coupler/exchange/exchange.hpp"
 #include "coupler/stepping/progress.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::coupler {
 namespace {
 
-// What the multipliers' impulses add to a side's predicted kinetic energy, from both velocities at the
+// What the multipliers' impulses add to a participant's predicted kinetic energy, from both velocities at the
 // coupling points: the change of m v^2 / 2.
-double kinetic_energy_of_correction(Side& side) {
-  if (!side.interpolation) return 0;
-  correct_velocities(side);
+double kinetic_energy_of_correction(Participant& participant) {
+  if (!participant.interpolation) return 0;
+  correct_velocities(participant);
   double twice = 0;
-  for (std::size_t i = 0; i < side.impulses.size(); ++i)
-    twice += side.impulses[i] * (side.predicted[i] + side.corrected[i]);
+  const std::span<const double> impulses = participant.correction.impulses();
+  for (std::size_t i = 0; i < impulses.size(); ++i)
+    twice += impulses[i] * (participant.predicted[i] + participant.corrected[i]);
   return twice / 2;
 }
 
-// Of all sides together: kinetic energy of this step, forces of the step before.
+// Of all participants together: kinetic energy of this step, forces of the step before.
 struct State {
   double kinetic_energy = 0, unbalanced_force = 0, internal_force = 0;
   std::uint64_t points = 0, elements = 0;
 
-  explicit State(std::vector<Side>& sides) {
-    for (Side& side : sides) {
-      const wire::Relaxation& r = side.prediction().relaxation();
-      kinetic_energy += r.kinetic_energy() + kinetic_energy_of_correction(side);
+  explicit State(std::vector<Participant>& participants) {
+    for (Participant& participant : participants) {
+      const wire::Relaxation& r = participant.prediction().relaxation();
+      kinetic_energy += r.kinetic_energy() + kinetic_energy_of_correction(participant);
       unbalanced_force += r.unbalanced_force();
       internal_force += r.internal_force();
       points += r.points();
@@ -73,7 +74,7 @@ Rest relax(Model& model, Stepper& stepper) {
     double internal_at_first = 0;  // force
     for (std::uint64_t n = 0; n <= statics.max_steps(); ++n) {
       stepper.relax(step, stop, stage);
-      const State state(model.sides);
+      const State state(model.participants);
       rest.steps = step++;
       if (n == 0) internal_at_first = state.internal_force;
       rest.unbalanced_ratio = state.unbalanced_ratio(internal_at_first);

@@ -1,11 +1,11 @@
 // Bringing a model to rest under its loads before it is shaken.
 //
-// All sides step together, ties and all, without damping; whenever the kinetic energy of the whole model has
-// passed a peak, all velocities are set to 0, before they move anything, and it starts again from where it
-// is (kinetic damping: Cundall 1976; Barnes 1999). A step's delay would leave the fastest motions, which pass
-// their peak every third step, undamped. The method needs no parameter, does not depend on the sides' masses,
-// and leaves the constraint and the weighted overlap what they are in dynamics, so that what is at rest stays
-// at rest when time begins.
+// All participants step together, ties and all, without damping; whenever the kinetic energy of the whole
+// model has passed a peak, all velocities are set to 0, before they move anything, and it starts again from
+// where it is (kinetic damping: Cundall 1976; Barnes 1999). A step's delay would leave the fastest motions,
+// which pass their peak every third step, undamped. The method needs no parameter, does not depend on the
+// participants' masses, and leaves the constraint and the weighted overlap what they are in dynamics, so that
+// what is at rest stays at rest when time begins.
 #pragma once
 
 #include <cstdint>

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "protocol/messages/wire.pb.h"
+#include "protocol/participant/sparse_rows.hpp"
 
 namespace adit::protocol {
 
@@ -23,7 +24,7 @@ class InterfaceOperator {
   InterfaceOperator() = default;
   explicit InterfaceOperator(std::span<const OperatorRow> rows);
 
-  std::size_t rows() const { return row_starts_.size() - 1; }
+  std::size_t rows() const { return n_.rows(); }
   std::span<const std::uint32_t> points() const { return points_; }  // that take part, ascending
 
   // All of the message but the inverse masses, which belong to points() in their order.
@@ -36,12 +37,10 @@ class InterfaceOperator {
   void velocities(std::span<const double> vx, std::span<const double> vy, std::span<double> result) const;
 
  private:
-  std::vector<std::uint32_t> row_starts_{0};
-  std::vector<std::uint32_t> columns_;  // into points_
-  std::vector<double> values_;
+  SparseRows n_;  // its columns are places in points_
   std::vector<std::uint32_t> points_;
-  bool identity_ = false;  // the coupling points are points_ in their order
-  std::vector<double> gathered_;
+  bool identity_ = false;            // the coupling points are points_ in their order
+  mutable std::vector<double> own_;  // scratch: one pair for each of points_
 };
 
 }  // namespace adit::protocol

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "coupler/stepping/stepper.hpp"
-#include "tests/support/local_peer.hpp"
+#include "tests/support/local_participants.hpp"
 #include "tests/support/momentum.hpp"
 #include "tests/verification/bridging/bars.hpp"
 
@@ -47,8 +47,8 @@ struct BreakAway : testing::TestWithParam<std::tuple<scene::Solve, unsigned>> {
     }
     const auto momentum = test::momentum(stepper.snapshots(), test::kDensity);
     EXPECT_NEAR(momentum[0], kPush.x * impulse, (substeps ? 1e-2 : 1e-10) * kPush.x * impulse);
-    return static_cast<double>(model.sides[1].cracks.size()) /
-           static_cast<double>(model.sides[1].counts.bonds());
+    return static_cast<double>(model.participants[1].cracks.size()) /
+           static_cast<double>(model.participants[1].counts.bonds());
   }
 };
 

@@ -12,7 +12,7 @@
 
 #include "coupler/stepping/stepper.hpp"
 #include "protocol/scene/reader.hpp"
-#include "tests/support/local_peer.hpp"
+#include "tests/support/local_participants.hpp"
 
 namespace adit {
 namespace {
@@ -53,10 +53,10 @@ Outcome compute(const std::string& scene_name) {
   for (std::uint64_t n = 0; n <= model.steps; ++n) {
     stepper.step(n, {.energies = n % 10 == 0, .histories = true});
     outcome.times.push_back(static_cast<double>(n) * model.dt);
-    for (const coupler::Side& side : model.sides) {
-      const wire::Predicted& predicted = side.prediction();
+    for (const coupler::Participant& participant : model.participants) {
+      const wire::Predicted& predicted = participant.prediction();
       if (predicted.histories_size() == 1) outcome.tip.push_back(predicted.histories(0));
-      if (side.member.role != coupler::Role::kParticles) continue;
+      if (participant.member.role != coupler::Role::kParticles) continue;
       outcome.max_force.push_back(predicted.strongest(0).force());
       for (const auto& crack : predicted.cracks())
         outcome.cracks.push_back({outcome.times.back(), crack.x(), crack.y()});

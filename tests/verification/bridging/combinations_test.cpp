@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "coupler/stepping/stepper.hpp"
-#include "tests/support/local_peer.hpp"
+#include "tests/support/local_participants.hpp"
 #include "tests/support/momentum.hpp"
 #include "tests/verification/bridging/bars.hpp"
 
@@ -98,8 +98,8 @@ std::vector<double> displacements(const Bar& bar, scene::Solve solve, const test
   std::vector<double> values;
   for (std::uint64_t n = 0; n <= steps; ++n) {
     stepper.step(n, {.histories = true});
-    for (const coupler::Side& side : model.sides)
-      if (side.histories > 0) values.push_back(side.prediction().histories(0));
+    for (const coupler::Participant& participant : model.participants)
+      if (participant.histories > 0) values.push_back(participant.prediction().histories(0));
   }
   return values;
 }

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "coupler/stepping/stepper.hpp"
-#include "tests/support/local_peer.hpp"
+#include "tests/support/local_participants.hpp"
 #include "tests/support/momentum.hpp"
 
 namespace adit {
@@ -76,9 +76,9 @@ TEST_P(Conservation, EachSideBalancesWithTheWorkOfTheMultipliers) {
   coupler::Model model = test::local_model(free_bar(GetParam()));
   coupler::Stepper stepper(model);
   for (std::uint64_t n = 0; n <= model.steps; ++n) stepper.step(n, {.energies = n == model.steps});
-  for (const auto& side : stepper.ledger().sides()) {
-    const double stored = side.kinetic + side.strain;
-    EXPECT_NEAR(stored, side.external_work + side.multiplier_work, 1e-5 * stored);
+  for (const auto& participant : stepper.ledger().energies()) {
+    const double stored = participant.kinetic + participant.strain;
+    EXPECT_NEAR(stored, participant.external_work + participant.multiplier_work, 1e-5 * stored);
   }
 }
 
@@ -110,8 +110,8 @@ TEST(Conservation, RestStaysRest) {
   coupler::Stepper stepper(model);
   for (std::uint64_t n = 0; n <= 200; ++n) stepper.step(n, {.energies = true});
   EXPECT_EQ(stepper.ledger().stored(), 0);
-  for (const coupler::Side& side : model.sides)
-    for (const double velocity : side.predicted) EXPECT_EQ(velocity, 0);
+  for (const coupler::Participant& participant : model.participants)
+    for (const double velocity : participant.predicted) EXPECT_EQ(velocity, 0);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "coupler/stepping/stepper.hpp"
-#include "tests/support/local_peer.hpp"
+#include "tests/support/local_participants.hpp"
 
 namespace adit {
 namespace {
@@ -38,7 +38,7 @@ Response respond(const std::string& grid) {
   Response response{{}, 0, 0};
   for (std::uint64_t n = 0; n <= model.steps; ++n) {
     stepper.step(n, {.energies = true, .histories = true});
-    response.tip.push_back(model.sides[0].prediction().histories(0));
+    response.tip.push_back(model.participants[0].prediction().histories(0));
     response.energy_error = std::max(response.energy_error, std::abs(stepper.ledger().unexplained()));
     response.peak = std::max(response.peak, std::abs(response.tip.back()));
   }

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "coupler/stepping/stepper.hpp"
-#include "tests/support/local_peer.hpp"
+#include "tests/support/local_participants.hpp"
 #include "tests/verification/bridging/bars.hpp"
 
 namespace adit {
@@ -27,8 +27,8 @@ TEST_P(Endurance, RestStaysRestForTenMillionSteps) {
   constexpr std::uint64_t kSteps = 10'000'000;
   for (std::uint64_t n = 0; n <= kSteps; ++n) stepper.step(n, {.energies = n % 1'000'000 == 0});
   EXPECT_EQ(stepper.ledger().stored(), 0);
-  for (const coupler::Side& side : model.sides)
-    for (const double velocity : side.predicted) EXPECT_EQ(velocity, 0);
+  for (const coupler::Participant& participant : model.participants)
+    for (const double velocity : participant.predicted) EXPECT_EQ(velocity, 0);
 }
 
 // Energies are looked at at every hundredth step; the work of the multipliers is summed at every one.

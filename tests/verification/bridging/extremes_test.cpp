@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "coupler/stepping/stepper.hpp"
-#include "tests/support/local_peer.hpp"
+#include "tests/support/local_participants.hpp"
 #include "tests/verification/bridging/bars.hpp"
 
 namespace adit {
@@ -188,8 +188,8 @@ TEST_P(Extremes, RestStaysRest) {
   coupler::Stepper stepper(model);
   for (std::uint64_t n = 0; n <= 20; ++n) stepper.step(n, {.energies = true});
   EXPECT_EQ(stepper.ledger().stored(), 0);
-  for (const coupler::Side& side : model.sides)
-    for (const double velocity : side.corrected) EXPECT_EQ(velocity, 0);
+  for (const coupler::Participant& participant : model.participants)
+    for (const double velocity : participant.corrected) EXPECT_EQ(velocity, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Extremes,
@@ -210,7 +210,7 @@ TEST(FarFromTheOrigin, TheSameMotionIsComputed) {
       coupler::Model model = test::local_model(bar(extreme, scene::CONSISTENT, 1));
       coupler::Stepper stepper(model);
       for (std::uint64_t n = 0; n <= 2000; ++n) stepper.step(n, {});
-      found.push_back(model.sides[1].predicted);
+      found.push_back(model.participants[1].predicted);
     }
   ASSERT_EQ(found.size(), 2U);
   double largest = 0, difference = 0;

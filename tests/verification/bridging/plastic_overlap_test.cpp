@@ -8,7 +8,7 @@
 #include <string>
 
 #include "coupler/stepping/stepper.hpp"
-#include "tests/support/local_peer.hpp"
+#include "tests/support/local_participants.hpp"
 
 namespace adit {
 namespace {
@@ -44,7 +44,7 @@ Balance push(const std::string& law, const std::string& solve) {
     balance.rise = std::max(balance.rise, unexplained - before);
     balance.error = std::max(balance.error, std::abs(unexplained));
     before = unexplained;
-    const auto& energies = model.sides[0].prediction().energies();
+    const auto& energies = model.participants[0].prediction().energies();
     balance.work = std::max(balance.work, energies.external_work());
     balance.dissipated = energies.dissipated();
   }

@@ -8,7 +8,7 @@
 
 #include "coupler/stepping/stepper.hpp"
 #include "protocol/errors.hpp"
-#include "tests/support/local_peer.hpp"
+#include "tests/support/local_participants.hpp"
 #include "tests/verification/bridging/bars.hpp"
 
 namespace adit {

@@ -11,7 +11,7 @@
 
 #include "coupler/stepping/stepper.hpp"
 #include "protocol/errors.hpp"
-#include "tests/support/local_peer.hpp"
+#include "tests/support/local_participants.hpp"
 
 namespace adit {
 namespace {
@@ -98,7 +98,8 @@ std::vector<double> history(scene::Scene scene, double grid_step) {
   for (std::uint64_t n = 0; n <= model.steps; ++n) {
     stepper.step(n, {.histories = n % stride == 0});
     if (n % stride == 0)
-      for (const coupler::Side& side : model.sides) values.push_back(side.prediction().histories(0));
+      for (const coupler::Participant& participant : model.participants)
+        values.push_back(participant.prediction().histories(0));
   }
   return values;
 }
@@ -144,8 +145,9 @@ TEST(Substeps, AreRefusedWhereTheContinuumHasNoMiddleToMoveIn) {
 TEST(Substeps, AreChosenFromTheCriticalSteps) {
   const coupler::Model model = test::local_model(bar(0));
   EXPECT_EQ(model.substeps % 2, 0U);
-  EXPECT_LE(model.dt, 0.4 * model.sides[0].model.critical_dt());
-  EXPECT_GT(model.dt * (model.substeps + 2.0) / model.substeps, 0.4 * model.sides[0].model.critical_dt());
+  EXPECT_LE(model.dt, 0.4 * model.participants[0].model.critical_dt());
+  EXPECT_GT(model.dt * (model.substeps + 2.0) / model.substeps,
+            0.4 * model.participants[0].model.critical_dt());
   EXPECT_NEAR(model.dt * static_cast<double>(model.steps), 0.04, 1e-15);
 }
 

@@ -14,7 +14,7 @@
 #include <string>
 
 #include "coupler/stepping/stepper.hpp"
-#include "tests/support/local_peer.hpp"
+#include "tests/support/local_participants.hpp"
 #include "tests/verification/bridging/chain_and_bar.hpp"
 
 namespace adit {
@@ -107,7 +107,7 @@ Shares send(double wavelength, scene::Solve solve, double dt = kStep) {
   coupler::Model model = test::local_model(bar(packet, solve, dt));
   coupler::Stepper stepper(model);
   for (std::uint64_t n = 0; n <= model.steps; ++n) stepper.step(n, {.energies = n == model.steps});
-  const auto& energies = stepper.ledger().sides();
+  const auto& energies = stepper.ledger().energies();
   const double incident = energies[1].external_work;
   const double transmitted = (energies[0].kinetic + energies[0].strain) / incident;
   const double reflected = (energies[1].kinetic + energies[1].strain) / incident;

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "coupler/stepping/statics.hpp"
-#include "tests/support/local_peer.hpp"
+#include "tests/support/local_participants.hpp"
 
 namespace adit {
 namespace {

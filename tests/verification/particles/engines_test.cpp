@@ -9,7 +9,7 @@
 
 #include "coupler/stepping/stepper.hpp"
 #include "protocol/scene/reader.hpp"
-#include "tests/support/local_peer.hpp"
+#include "tests/support/local_participants.hpp"
 
 namespace adit {
 namespace {
@@ -36,10 +36,10 @@ Outcome compute(const scene::Scene& scene) {
   double unbooked = 0, stored = 0;
   for (std::uint64_t n = 0; n <= model.steps; ++n) {
     stepper.step(n, {.energies = n % 10 == 0, .histories = true});
-    for (const coupler::Side& side : model.sides) {
-      const wire::Predicted& predicted = side.prediction();
+    for (const coupler::Participant& participant : model.participants) {
+      const wire::Predicted& predicted = participant.prediction();
       if (predicted.histories_size() == 1) outcome.tip.push_back(predicted.histories(0));
-      if (side.member.role != coupler::Role::kParticles) continue;
+      if (participant.member.role != coupler::Role::kParticles) continue;
       if (!predicted.energies().shares().empty()) {
         const wire::EnergyShare& time_step = *predicted.energies().shares().rbegin();
         EXPECT_EQ(time_step.name(), "time_step");

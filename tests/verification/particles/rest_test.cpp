@@ -7,11 +7,11 @@
 #include <cmath>
 #include <string>
 
-#include "coupler/sides/time_step.hpp"
+#include "coupler/participants/time_step.hpp"
 #include "coupler/stepping/statics.hpp"
 #include "coupler/stepping/stepper.hpp"
 #include "protocol/errors.hpp"
-#include "tests/support/local_peer.hpp"
+#include "tests/support/local_participants.hpp"
 
 namespace adit {
 namespace {
@@ -48,7 +48,7 @@ TEST(DiscsAtRest, StayWhenTimeBegins) {
     coupler::Stepper stepper(model);
     relax(model, stepper);
     for (std::uint64_t n = 0; n <= model.steps; ++n) stepper.step(n, {.energies = true, .histories = true});
-    const wire::Predicted& predicted = model.sides[0].prediction();
+    const wire::Predicted& predicted = model.participants[0].prediction();
     // In free fall it would reach g t and g t^2 / 2.
     const double t = static_cast<double>(model.steps) * model.dt;
     EXPECT_LT(std::abs(predicted.histories(0)), 1e-4 * kGravity * t) << held;

@@ -10,7 +10,7 @@
 
 #include "coupler/bridging/decay.hpp"
 #include "protocol/errors.hpp"
-#include "tests/unit/coupler/sides/interface_fixture.hpp"
+#include "tests/unit/coupler/participants/interface_fixture.hpp"
 
 namespace adit::coupler {
 namespace {

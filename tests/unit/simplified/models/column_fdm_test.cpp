@@ -8,7 +8,7 @@
 #include "coupler/stepping/stepper.hpp"
 #include "protocol/motion/motion.hpp"
 #include "simplified/run.hpp"
-#include "tests/support/local_peer.hpp"
+#include "tests/support/local_participants.hpp"
 #include "tests/unit/simplified/scenes.hpp"
 
 namespace adit::simplified {
@@ -66,7 +66,7 @@ TEST(Column, AgreesWithTheContinuumOnASoftLayer) {
     if (n % ratio != 0) continue;
     const double of_column = column.histories.rows[n / ratio][1];
     largest = std::max(largest, std::abs(of_column));
-    difference = std::max(difference, std::abs(of_column - model.sides[0].prediction().histories(0)));
+    difference = std::max(difference, std::abs(of_column - model.participants[0].prediction().histories(0)));
   }
   EXPECT_GT(largest, 0);
   EXPECT_LT(difference, 0.01 * largest);

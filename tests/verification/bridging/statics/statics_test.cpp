@@ -15,7 +15,7 @@
 
 #include "dem_server/model/calibration.hpp"
 #include "protocol/errors.hpp"
-#include "tests/support/local_peer.hpp"
+#include "tests/support/local_participants.hpp"
 #include "tests/support/overlaps.hpp"
 
 namespace adit {
@@ -234,7 +234,7 @@ TEST_P(CoupledStatics, StayAtRest) {
   const double settlement = kDensity * kGravity * kHeight * kHeight / 2 / 5e7;
   for (std::uint64_t n = 0; n <= 300; ++n) {
     settled.stepper.step(n, {.energies = true, .histories = true});
-    for (const auto& side : settled.model.sides) {
+    for (const auto& side : settled.model.participants) {
       const double displacement = side.prediction().histories(0);
       EXPECT_LE(std::abs(displacement), n == 0 ? 0 : 1e-5 * settlement);
     }
@@ -311,7 +311,7 @@ TEST(Statics, ShakenGroundMovesAsWithoutWeight) {
     std::vector<double> displacements;
     for (std::uint64_t n = 0; n <= model.steps; ++n) {
       stepper.step(n, {.energies = true, .histories = true});
-      displacements.push_back(model.sides[0].prediction().histories(0));
+      displacements.push_back(model.participants[0].prediction().histories(0));
     }
     EXPECT_LE(stepper.ledger().max_drift(), 1e-6);
     return displacements;

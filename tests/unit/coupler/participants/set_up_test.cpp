@@ -1,5 +1,5 @@
 // Set-ups that cannot be computed are refused by name, before anything is stepped.
-#include "coupler/sides/set_up.hpp"
+#include "coupler/participants/set_up.hpp"
 
 #include <gmock/gmock.h>
 #include <google/protobuf/text_format.h>
@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "protocol/errors.hpp"
-#include "tests/support/local_peer.hpp"
+#include "tests/support/local_participants.hpp"
 
 namespace adit::coupler {
 namespace {
@@ -45,7 +45,7 @@ TEST(SetUp, PutsCouplingPointsOnTheParticlesOfTheOverlap) {
     EXPECT_GE(model.coupling_points[i], 1 - 1e-8);
     EXPECT_LE(model.coupling_points[i], 3 + 1e-8);
   }
-  EXPECT_EQ(model.sides[0].counts.zones(), 12U);  // those behind the overlap are gone
+  EXPECT_EQ(model.participants[0].counts.zones(), 12U);  // those behind the overlap are gone
 }
 
 // Requirement: particles inside a ring and in it, zones outside it and in it, both coupled in the ring; where
@@ -67,8 +67,9 @@ TEST(SetUp, JoinsZonesAroundParticlesOverARing) {
     EXPECT_GE(from_the_middle, 0.5 - 1e-8);
     EXPECT_LE(from_the_middle, 1.5 + 1e-8);
   }
-  EXPECT_EQ(model.sides[0].counts.zones(), 12U);      // those between 1.5 m and 2.5 m are gone
-  EXPECT_EQ(model.sides[1].counts.particles(), 78U);  // rows of 16, two of them on the edges, and of 15
+  EXPECT_EQ(model.participants[0].counts.zones(), 12U);  // those between 1.5 m and 2.5 m are gone
+  EXPECT_EQ(model.participants[1].counts.particles(),
+            78U);  // rows of 16, two of them on the edges, and of 15
 }
 
 // Requirement: the last step ends on the duration, and no step is longer than what was asked for.

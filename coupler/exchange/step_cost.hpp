@@ -4,6 +4,12 @@
 
 namespace adit::coupler {
 
+// Seconds of a run so far.
+struct StepCost {
+  double wait = 0;   // from the first send to the last answer, the ledger's work included
+  double solve = 0;  // for the multipliers
+};
+
 // Adds the seconds of its own life to a sum.
 class Stopwatch {
  public:

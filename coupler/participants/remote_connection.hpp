@@ -4,14 +4,14 @@
 #include <memory>
 #include <string>
 
-#include "coupler/sides/side.hpp"
+#include "coupler/participants/connection.hpp"
 #include "protocol/wire/connection.hpp"
 
 namespace adit::coupler {
 
-class RemotePeer : public Peer {
+class RemoteConnection : public Connection {
  public:
-  explicit RemotePeer(std::unique_ptr<protocol::Connection> connection)
+  explicit RemoteConnection(std::unique_ptr<protocol::Connection> connection)
       : connection_(std::move(connection)) {}
 
   const std::string& name() const override { return connection_->peer(); }

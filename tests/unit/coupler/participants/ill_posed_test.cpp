@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "protocol/errors.hpp"
-#include "tests/support/local_peer.hpp"
+#include "tests/support/local_participants.hpp"
 #include "tests/support/overlaps.hpp"
 #include "tests/verification/bridging/bars.hpp"
 

@@ -1,4 +1,4 @@
-#include "coupler/sides/interface.hpp"
+#include "coupler/participants/interface.hpp"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -17,9 +17,9 @@ using protocol::UserError;
 // beyond that line do not.
 constexpr double kTrace = 1e-9;
 
-double weight_at(const Side& side, std::size_t s, const std::vector<Interface>& interfaces, double x,
-                 double y) {
-  const bool particles = side.member.role == Role::kParticles;
+double weight_at(const Participant& participant, std::size_t s, const std::vector<Interface>& interfaces,
+                 double x, double y) {
+  const bool particles = participant.member.role == Role::kParticles;
   double weight = 1;
   for (const Interface& interface : interfaces) {
     if (interface.outer != s && interface.inner != s) continue;
@@ -40,11 +40,11 @@ std::vector<std::string> paths_at(const std::vector<Interface>& interfaces, doub
   return paths;
 }
 
-// The candidates of the side that lie in the overlap.
-std::vector<double> candidates(const Side& side, const Overlap& overlap) {
+// The candidates of the participant that lie in the overlap.
+std::vector<double> candidates_in(const Overlap& overlap, const Participant& participant) {
   std::vector<double> inside;
-  const auto& points = side.counts.points();
-  for (int i = 0; i + 1 < points.size(); i += 2)
+  const std::vector<double>& points = participant.candidates;
+  for (std::size_t i = 0; i + 1 < points.size(); i += 2)
     if (overlap.contains(points[i], points[i + 1])) inside.insert(inside.end(), {points[i], points[i + 1]});
   return inside;
 }
@@ -55,25 +55,26 @@ BoundingBox bounds(const wire::Model& model) {
   return {model.x_min(), model.x_max(), model.y_min(), model.y_max()};
 }
 
-std::vector<double> weights_of(std::size_t s, const std::vector<Side>& sides,
+std::vector<double> weights_of(std::size_t s, const std::vector<Participant>& participants,
                                const std::vector<Interface>& interfaces, std::span<const double> points) {
   std::vector<double> weights(points.size() / 2);
   for (std::size_t i = 0; i < weights.size(); ++i)
-    weights[i] = weight_at(sides[s], s, interfaces, points[2 * i], points[2 * i + 1]);
+    weights[i] = weight_at(participants[s], s, interfaces, points[2 * i], points[2 * i + 1]);
   return weights;
 }
 
-void require_one_owner(const std::vector<Side>& sides, const std::vector<Interface>& interfaces) {
+void require_one_owner(const std::vector<Participant>& participants,
+                       const std::vector<Interface>& interfaces) {
   if (interfaces.size() < 2) return;
   constexpr double kTolerance = 1e-6;  // traces of weight on the lines where models end
-  for (std::size_t s = 0; s < sides.size(); ++s) {
-    const auto& points = sides[s].model.sample_points();
+  for (std::size_t s = 0; s < participants.size(); ++s) {
+    const auto& points = participants[s].model.sample_points();
     for (int i = 0; i + 1 < points.size(); i += 2) {
       const double x = points[i], y = points[i + 1];
-      if (weight_at(sides[s], s, interfaces, x, y) == 0) continue;
+      if (weight_at(participants[s], s, interfaces, x, y) == 0) continue;
       double sum = 0;
-      for (std::size_t other = 0; other < sides.size(); ++other)
-        sum += weight_at(sides[other], other, interfaces, x, y);
+      for (std::size_t other = 0; other < participants.size(); ++other)
+        sum += weight_at(participants[other], other, interfaces, x, y);
       if (std::abs(sum - 1) > kTolerance)
         throw UserError(
             interfaces.back().path + ".overlap",
@@ -84,45 +85,45 @@ void require_one_owner(const std::vector<Side>& sides, const std::vector<Interfa
   }
 }
 
-BoundingBox overlap_bounds(std::size_t side, const std::vector<Side>& sides,
+BoundingBox overlap_bounds(std::size_t participant, const std::vector<Participant>& participants,
                            const std::vector<Interface>& interfaces) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   BoundingBox box{kInfinity, -kInfinity, kInfinity, -kInfinity};
   for (const Interface& interface : interfaces) {
-    if (interface.outer != side && interface.inner != side) continue;
-    const BoundingBox part = interface.overlap.bounds(bounds(sides[side].model));
+    if (interface.outer != participant && interface.inner != participant) continue;
+    const BoundingBox part = interface.overlap.bounds(bounds(participants[participant].model));
     box = {std::min(box.x_min, part.x_min), std::max(box.x_max, part.x_max), std::min(box.y_min, part.y_min),
            std::max(box.y_max, part.y_max)};
   }
   return box;
 }
 
-std::vector<double> choose_coupling_points(const std::vector<Side>& sides,
+std::vector<double> choose_coupling_points(const std::vector<Participant>& participants,
                                            std::vector<Interface>& interfaces) {
   std::vector<double> coupling_points;
-  std::set<std::tuple<std::size_t, double, double>> taken;  // side and place
+  std::set<std::tuple<std::size_t, double, double>> taken;  // participant and place
   for (Interface& interface : interfaces) {
-    auto outer = candidates(sides[interface.outer], interface.overlap);
-    auto inner = candidates(sides[interface.inner], interface.overlap);
-    const Role outer_role = sides[interface.outer].member.role,
-               inner_role = sides[interface.inner].member.role;
+    auto outer = candidates_in(interface.overlap, participants[interface.outer]);
+    auto inner = candidates_in(interface.overlap, participants[interface.inner]);
+    const Role outer_role = participants[interface.outer].member.role,
+               inner_role = participants[interface.inner].member.role;
     const bool inner_is_fine =
         outer_role == inner_role ? inner.size() >= outer.size() : inner_role == Role::kParticles;
     interface.fine = inner_is_fine ? interface.inner : interface.outer;
     interface.coarse = inner_is_fine ? interface.outer : interface.inner;
     const std::vector<double>& points = inner_is_fine ? inner : outer;
     if (points.empty())
-      throw UserError(
-          interface.path + ".overlap",
-          fmt::format("holds no {} of `{}`; widen it to several of their diameters",
-                      sides[interface.fine].member.role == Role::kParticles ? "particle" : "grid point",
-                      sides[interface.fine].member.name));
+      throw UserError(interface.path + ".overlap",
+                      fmt::format("holds no {} of `{}`; widen it to several of their diameters",
+                                  participants[interface.fine].member.role == Role::kParticles ? "particle"
+                                                                                               : "grid point",
+                                  participants[interface.fine].member.name));
     for (std::size_t i = 0; i < points.size(); i += 2)
       if (!taken.insert({interface.fine, points[i], points[i + 1]}).second)
         throw UserError(interface.path + ".overlap",
                         fmt::format("ties the point ({:g}, {:g}) m of `{}`, which another interface ties "
                                     "already; move the overlaps apart",
-                                    points[i], points[i + 1], sides[interface.fine].member.name));
+                                    points[i], points[i + 1], participants[interface.fine].member.name));
     interface.begin = coupling_points.size() / 2;
     coupling_points.insert(coupling_points.end(), points.begin(), points.end());
     interface.end = coupling_points.size() / 2;

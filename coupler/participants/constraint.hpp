@@ -1,5 +1,5 @@
-// The velocity constraint over all coupling points of a model: one system, whatever sides and interfaces it
-// joins, so that interfaces may share grid points.
+// The velocity constraint over all coupling points of a model: one system, whatever participants and
+// interfaces it joins, so that interfaces may share grid points.
 #pragma once
 
 #include <memory>
@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "coupler/bridging/solves/multipliers.hpp"
-#include "coupler/sides/interface.hpp"
-#include "coupler/sides/side.hpp"
+#include "coupler/participants/interface.hpp"
+#include "coupler/participants/participant.hpp"
 
 namespace adit::coupler {
 
@@ -17,26 +17,27 @@ enum class Part { kCoarse, kFine };
 class Constraint {
  public:
   // `points`: the coupling points of all interfaces in turn, x0 y0 x1 y1 …; dt: time between two corrections
-  // [s]. Every side has its operator. Throws protocol::UserError where a point is tied twice, where the
-  // interfaces name different solves, and for what the solve itself refuses.
-  Constraint(const scene::Scene& scene, const std::vector<Side>& sides,
-             const std::vector<Interface>& interfaces, std::span<const double> points, double dt);
+  // [s]. Every participant has its operator. Throws protocol::UserError where a point is tied twice, where
+  // the interfaces name different solves, and for what the solve itself refuses.
+  Constraint(const scene::Scene& scene, const std::vector<Participant>& participants, const std::vector<Interface>& interfaces,
+             std::span<const double> points, double dt);
 
   std::size_t size() const { return coarse_.coupling_points(); }
 
   // Velocities of all coupling points, as the coarse or as the fine sides have them: `velocities` names the
-  // member of Side to read, predicted or corrected.
-  void read(const std::vector<Side>& sides, Part part, std::vector<double> Side::*velocities,
-            std::span<double> at_points) const;
+  // member of Participant to read, predicted or corrected.
+  void read(const std::vector<Participant>& participants, Part part,
+            std::vector<double> Participant::*velocities, std::span<double> at_points) const;
 
   // The multipliers λ [N s] for these velocities of both parts.
   void solve(std::span<const double> coarse, std::span<const double> fine, std::span<double> multipliers) {
     solve_->solve(coarse, fine, multipliers);
   }
 
-  // Impulses on the sides, for the coupling points where they are this part: −factor·λ on the coarse sides,
-  // +factor·λ on the fine ones.
-  void assign(std::span<const double> multipliers, double factor, Part part, std::vector<Side>& sides) const;
+  // Renews the corrections of the participants, at the coupling points where they are this part: −factor·λ on
+  // the coarse sides, +factor·λ on the fine ones.
+  void assign(std::span<const double> multipliers, double factor, Part part,
+              std::vector<Participant>& participants) const;
 
   // velocities −= N M⁻¹ Nᵀ λ: what −λ does to the coarse velocities at the coupling points.
   void correct_coarse(std::span<const double> multipliers, std::span<double> velocities);

@@ -1,4 +1,4 @@
-#include "coupler/sides/members.hpp"
+#include "coupler/participants/members.hpp"
 
 #include <spdlog/fmt/fmt.h>
 

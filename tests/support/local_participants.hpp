@@ -7,17 +7,17 @@
 #include <utility>
 #include <vector>
 
-#include "coupler/sides/set_up.hpp"
-#include "coupler/sides/side.hpp"
+#include "coupler/participants/participant.hpp"
+#include "coupler/participants/set_up.hpp"
 #include "dem_server/participant/participant.hpp"
 #include "fdm_server/participant/participant.hpp"
 #include "protocol/participant/participant.hpp"
 
 namespace adit::test {
 
-class LocalPeer : public coupler::Peer {
+class LocalConnection : public coupler::Connection {
  public:
-  LocalPeer(std::string name, std::unique_ptr<protocol::Participant> participant)
+  LocalConnection(std::string name, std::unique_ptr<protocol::Participant> participant)
       : name_(std::move(name)), participant_(std::move(participant)), conversation_(*participant_) {}
 
   const std::string& name() const override { return name_; }
@@ -34,22 +34,24 @@ class LocalPeer : public coupler::Peer {
   wire::Frame reply_;
 };
 
-// The sides that the scene needs, in this process.
-inline std::vector<coupler::Side> local_sides(const scene::Scene& scene) {
-  std::vector<coupler::Side> sides;
+// The participants that the scene needs, in this process.
+inline std::vector<coupler::Participant> local_participants(const scene::Scene& scene) {
+  std::vector<coupler::Participant> participants;
   for (const coupler::Member& member : coupler::members(scene)) {
-    coupler::Side& side = sides.emplace_back();
-    side.member = member;
+    coupler::Participant& participant = participants.emplace_back();
+    participant.member = member;
     if (member.role == coupler::Role::kContinuum)
-      side.peer = std::make_unique<LocalPeer>("fdm_server", std::make_unique<fdm::FdmParticipant>());
+      participant.connection =
+          std::make_unique<LocalConnection>("fdm_server", std::make_unique<fdm::FdmParticipant>());
     else
-      side.peer = std::make_unique<LocalPeer>("dem_server", std::make_unique<dem::DemParticipant>());
+      participant.connection =
+          std::make_unique<LocalConnection>("dem_server", std::make_unique<dem::DemParticipant>());
   }
-  return sides;
+  return participants;
 }
 
 inline coupler::Model local_model(const scene::Scene& scene) {
-  return coupler::set_up(scene, local_sides(scene), "test");
+  return coupler::set_up(scene, local_participants(scene), "test");
 }
 
 }  // namespace adit::test

@@ -1,4 +1,4 @@
-#include "coupler/sides/constraint.hpp"
+#include "coupler/participants/constraint.hpp"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -16,65 +16,68 @@ namespace {
 
 using protocol::UserError;
 
-bool interpolates(const Side& side) {
-  return std::any_of(side.segments.begin(), side.segments.end(), [](const Segment& s) { return s.coarse; });
+bool interpolates(const Participant& participant) {
+  return std::any_of(participant.segments.begin(), participant.segments.end(),
+                     [](const Segment& s) { return s.coarse; });
 }
 
-// Own points of the sides that interpolate, in one numbering: the number of each side's first point.
-std::vector<std::size_t> number_own_points(const std::vector<Side>& sides) {
+// Own points of the participants that interpolate, in one numbering: the number of each participant's first
+// point.
+std::vector<std::size_t> number_own_points(const std::vector<Participant>& participants) {
   std::vector<std::size_t> first = {0};
-  for (const Side& side : sides)
-    first.push_back(first.back() + (interpolates(side) ? side.interpolation->own_points() : 0));
+  for (const Participant& participant : participants)
+    first.push_back(first.back() + (interpolates(participant) ? participant.interpolation->own_points() : 0));
   return first;
 }
 
 // N of the coarse sides, over all coupling points.
-Interpolation coarse_operator(const std::vector<Side>& sides, const std::vector<Interface>& interfaces) {
-  const std::vector<std::size_t> first = number_own_points(sides);
+Interpolation coarse_operator(const std::vector<Participant>& participants,
+                              const std::vector<Interface>& interfaces) {
+  const std::vector<std::size_t> first = number_own_points(participants);
   std::vector<std::uint32_t> row_starts = {0}, columns;
   std::vector<double> values, inverse_masses;
   for (const Interface& interface : interfaces) {
-    const Side& side = sides[interface.coarse];
-    const Segment& segment = *std::find_if(side.segments.begin(), side.segments.end(),
+    const Participant& participant = participants[interface.coarse];
+    const Segment& segment = *std::find_if(participant.segments.begin(), participant.segments.end(),
                                            [&](const Segment& s) { return s.global == interface.begin; });
     for (std::size_t k = 0; k < segment.count; ++k) {
-      for (const std::uint32_t column : side.interpolation->columns(segment.begin + k))
+      for (const std::uint32_t column : participant.interpolation->columns(segment.begin + k))
         columns.push_back(static_cast<std::uint32_t>(first[interface.coarse] + column));
-      const auto row = side.interpolation->values(segment.begin + k);
+      const auto row = participant.interpolation->values(segment.begin + k);
       values.insert(values.end(), row.begin(), row.end());
       row_starts.push_back(static_cast<std::uint32_t>(columns.size()));
     }
   }
-  for (const Side& side : sides)
-    if (interpolates(side)) {
-      const auto own = side.interpolation->inverse_masses();
+  for (const Participant& participant : participants)
+    if (interpolates(participant)) {
+      const auto own = participant.interpolation->inverse_masses();
       inverse_masses.insert(inverse_masses.end(), own.begin(), own.end());
     }
   return {std::move(row_starts), std::move(columns), std::move(values), std::move(inverse_masses)};
 }
 
 // Masses of the fine points. Each must be a point of its own: of its participant, and of the constraint.
-std::vector<double> fine_masses(const std::vector<Side>& sides, const std::vector<Interface>& interfaces,
-                                std::span<const double> points) {
+std::vector<double> fine_masses(const std::vector<Participant>& participants,
+                                const std::vector<Interface>& interfaces, std::span<const double> points) {
   std::vector<double> masses(points.size());
-  std::map<std::pair<std::size_t, std::uint32_t>, const Interface*> used;  // side and own point
+  std::map<std::pair<std::size_t, std::uint32_t>, const Interface*> used;  // participant and own point
   const auto refuse = [&](const Interface& interface, std::size_t k, const Interface& other) {
     throw UserError(
         interface.path + ".overlap",
         fmt::format("ties the point ({:g}, {:g}) m of `{}`, which {} ties already; move the "
                     "overlaps apart",
-                    points[2 * k], points[2 * k + 1], sides[interface.fine].member.name, other.path));
+                    points[2 * k], points[2 * k + 1], participants[interface.fine].member.name, other.path));
   };
   const auto each_row = [&](const Interface& interface, std::size_t s, auto&& visit) {
-    for (const Segment& segment : sides[s].segments)
+    for (const Segment& segment : participants[s].segments)
       if (segment.global == interface.begin)
         for (std::size_t k = 0; k < segment.count; ++k) visit(segment.global + k, segment.begin + k);
   };
   for (const Interface& interface : interfaces) {
-    const Interpolation& n = *sides[interface.fine].interpolation;
+    const Interpolation& n = *participants[interface.fine].interpolation;
     each_row(interface, interface.fine, [&](std::size_t k, std::size_t row) {
       if (n.columns(row).size() != 1 || n.values(row)[0] != 1.0)
-        throw protocol::PeerLost(sides[interface.fine].peer->name(),
+        throw protocol::PeerLost(participants[interface.fine].connection->name(),
                                  "sent an operator that interpolates at a point that it offered itself");
       const std::uint32_t own = n.columns(row)[0];
       const auto [other, first] = used.try_emplace({interface.fine, own}, &interface);
@@ -85,7 +88,7 @@ std::vector<double> fine_masses(const std::vector<Side>& sides, const std::vecto
   }
   for (const Interface& interface : interfaces)
     each_row(interface, interface.coarse, [&](std::size_t k, std::size_t row) {
-      for (const std::uint32_t own : sides[interface.coarse].interpolation->columns(row))
+      for (const std::uint32_t own : participants[interface.coarse].interpolation->columns(row))
         if (const auto other = used.find({interface.coarse, own}); other != used.end())
           refuse(interface, k, *other->second);
     });
@@ -103,12 +106,12 @@ scene::Solve common_solve(const std::vector<Interface>& interfaces) {
 }
 
 // Share of the fine motion that the split solve removes in one step at each coupling point.
-std::vector<double> decay(const scene::Scene& scene, const std::vector<Side>& sides,
+std::vector<double> decay(const scene::Scene& scene, const std::vector<Participant>& participants,
                           const std::vector<Interface>& interfaces, std::span<const double> points,
                           double dt) {
   std::vector<double> shares;
   for (const Interface& interface : interfaces) {
-    const scene::Material& material = material_of(scene, sides[interface.fine].member);
+    const scene::Material& material = material_of(scene, participants[interface.fine].member);
     const double wave_speed = std::sqrt(material.young_modulus() / material.density());
     const double rate = interface.given.has_decay_rate()
                             ? interface.given.decay_rate()
@@ -126,38 +129,40 @@ std::vector<double> decay(const scene::Scene& scene, const std::vector<Side>& si
 
 }  // namespace
 
-Constraint::Constraint(const scene::Scene& scene, const std::vector<Side>& sides,
+Constraint::Constraint(const scene::Scene& scene, const std::vector<Participant>& participants,
                        const std::vector<Interface>& interfaces, std::span<const double> points, double dt)
-    : coarse_(coarse_operator(sides, interfaces)), own_(2 * coarse_.own_points()), at_points_(points.size()) {
+    : coarse_(coarse_operator(participants, interfaces)),
+      own_(2 * coarse_.own_points()),
+      at_points_(points.size()) {
   const scene::Solve kind = common_solve(interfaces);
   try {
     solve_ = make_multiplier_solve(
-        kind, coarse_, fine_masses(sides, interfaces, points),
-        kind == scene::SPLIT ? decay(scene, sides, interfaces, points, dt) : std::vector<double>{});
+        kind, coarse_, fine_masses(participants, interfaces, points),
+        kind == scene::SPLIT ? decay(scene, participants, interfaces, points, dt) : std::vector<double>{});
   } catch (const UserError& error) {  // which speaks of the only interface that it knows
     throw UserError(error.path() == "interface.overlap" ? interfaces.back().path + ".overlap" : error.path(),
                     error.what());
   }
 }
 
-void Constraint::read(const std::vector<Side>& sides, Part part, std::vector<double> Side::*velocities,
-                      std::span<double> at_points) const {
-  for (const Side& side : sides)
-    for (const Segment& segment : side.segments)
+void Constraint::read(const std::vector<Participant>& participants, Part part,
+                      std::vector<double> Participant::*velocities, std::span<double> at_points) const {
+  for (const Participant& participant : participants)
+    for (const Segment& segment : participant.segments)
       if (segment.coarse == (part == Part::kCoarse))
-        std::copy_n((side.*velocities).begin() + 2 * segment.begin, 2 * segment.count,
+        std::copy_n((participant.*velocities).begin() + 2 * segment.begin, 2 * segment.count,
                     at_points.begin() + 2 * segment.global);
 }
 
 void Constraint::assign(std::span<const double> multipliers, double factor, Part part,
-                        std::vector<Side>& sides) const {
+                        std::vector<Participant>& participants) const {
   const double signed_factor = part == Part::kCoarse ? -factor : factor;
-  for (Side& side : sides)
-    for (const Segment& segment : side.segments) {
+  for (Participant& participant : participants)
+    for (const Segment& segment : participant.segments) {
       if (segment.coarse != (part == Part::kCoarse)) continue;
+      const std::span<double> impulses = participant.correction.renew().subspan(2 * segment.begin);
       for (std::size_t i = 0; i < 2 * segment.count; ++i)
-        side.impulses[2 * segment.begin + i] = signed_factor * multipliers[2 * segment.global + i];
-      side.impulses_pending = true;
+        impulses[i] = signed_factor * multipliers[2 * segment.global + i];
     }
 }
 

@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "coupler/sides/constraint.hpp"
-#include "coupler/sides/interface.hpp"
-#include "coupler/sides/side.hpp"
+#include "coupler/participants/constraint.hpp"
+#include "coupler/participants/interface.hpp"
+#include "coupler/participants/participant.hpp"
 #include "protocol/messages/scene.pb.h"
 
 namespace adit::coupler {
 
 struct Model {
   scene::Scene scene;
-  std::vector<Side> sides;  // in the order of members()
+  std::vector<Participant> participants;  // in the order of members()
   std::vector<Interface> interfaces;
   std::vector<double> coupling_points;     // of all interfaces in turn, x0 y0 x1 y1 … [m]
   std::unique_ptr<Constraint> constraint;  // of coupled runs
@@ -28,9 +28,9 @@ struct Model {
 
 bool has_particles(const Model& model);
 
-// Takes every side, one for each of members(scene) in their order, through setup, weights and couple. Throws
-// protocol::UserError with the scene's path for what cannot be computed: no overlap, an overlap outside a
-// model or without particles, overlaps that meet, a time step above the critical one.
-Model set_up(const scene::Scene& scene, std::vector<Side> sides, const std::string& run_id);
+// Takes every participant, one for each of members(scene) in their order, through setup, weights and couple.
+// Throws protocol::UserError with the scene's path for what cannot be computed: no overlap, an overlap
+// outside a model or without particles, overlaps that meet, a time step above the critical one.
+Model set_up(const scene::Scene& scene, std::vector<Participant> participants, const std::string& run_id);
 
 }  // namespace adit::coupler

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coupler/sides/set_up.hpp"
+#include "coupler/participants/set_up.hpp"
 
 namespace adit::coupler {
 

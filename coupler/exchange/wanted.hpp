@@ -9,10 +9,4 @@ struct Wanted {
   bool peaks = false;  // the step enters the peaks over time
 };
 
-// Seconds of a run so far.
-struct StepCost {
-  double wait = 0;   // from the first send to the last answer, the ledger's work included
-  double solve = 0;  // for the multipliers
-};
-
 }  // namespace adit::coupler

@@ -1,4 +1,4 @@
-#include "coupler/sides/time_step.hpp"
+#include "coupler/participants/time_step.hpp"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -17,13 +17,13 @@ struct Critical {  // the smallest critical step of each kind [s], and whose it 
   double continuum = std::numeric_limits<double>::infinity(), particles = continuum;
   std::string continuum_name, particles_name;
 
-  explicit Critical(const std::vector<Side>& sides) {
-    for (const Side& side : sides) {
-      const bool is_continuum = side.member.role == Role::kContinuum;
+  explicit Critical(const std::vector<Participant>& participants) {
+    for (const Participant& participant : participants) {
+      const bool is_continuum = participant.member.role == Role::kContinuum;
       double& smallest = is_continuum ? continuum : particles;
-      if (side.model.critical_dt() >= smallest) continue;
-      smallest = side.model.critical_dt();
-      (is_continuum ? continuum_name : particles_name) = side.member.name;
+      if (participant.model.critical_dt() >= smallest) continue;
+      smallest = participant.model.critical_dt();
+      (is_continuum ? continuum_name : particles_name) = participant.member.name;
     }
   }
   // Of the particles' step, with m of them in one of the continuum.
@@ -42,7 +42,7 @@ void require_substeps_possible(const Model& model, unsigned m) {
   if (model.interfaces.empty())
     throw UserError("time.substeps", "needs a continuum joined to particles; leave it out");
   for (const Interface& interface : model.interfaces)
-    if (model.sides[interface.outer].member.role == model.sides[interface.inner].member.role)
+    if (model.participants[interface.outer].member.role == model.participants[interface.inner].member.role)
       throw UserError("time.substeps", fmt::format("does not go with {}, which joins two models of one kind; "
                                                    "leave it out",
                                                    interface.path));
@@ -59,7 +59,7 @@ unsigned substeps_that_cost_nothing(const Critical& critical, double dt) {
 }  // namespace
 
 void choose_time_step(Model& model) {
-  const Critical critical(model.sides);
+  const Critical critical(model.participants);
   const auto& time = model.scene.time();
   unsigned m = time.substeps();
   if (m == 0) {

@@ -1,0 +1,40 @@
+#include "coupler/participants/participant.hpp"
+
+#include <algorithm>
+
+#include "protocol/errors.hpp"
+
+namespace adit::coupler {
+namespace {
+
+// A participant knows its model as `continuum` or `particles`, and its interfaces as `interface`.
+std::string path_in_scene(const std::string& path, const Participant& participant) {
+  const auto replaced = [&](const std::string& from, const std::string& to) {
+    return to + path.substr(from.size());
+  };
+  const std::string own = to_string(participant.member.role), interface = "interface";
+  if (path.rfind(own, 0) == 0) return replaced(own, participant.member.path);
+  if (path.rfind(interface, 0) == 0) return replaced(interface, participant.interface_path);
+  return path;
+}
+
+}  // namespace
+
+void collect(Participant& participant, wire::Frame::ContentCase expected) {
+  try {
+    participant.connection->collect(participant.reply);
+  } catch (const protocol::UserError& error) {
+    throw protocol::UserError(path_in_scene(error.path(), participant), error.what());
+  }
+  if (participant.reply.content_case() == expected) return;
+  const auto* descriptor = wire::Frame::descriptor();
+  const auto name = [&](int number) {
+    const auto* field = descriptor->FindFieldByNumber(number);
+    return field ? field->name() : std::string("nothing");
+  };
+  throw protocol::PeerLost(
+      participant.connection->name(),
+      "answered " + name(participant.reply.content_case()) + " where " + name(expected) + " was expected");
+}
+
+}  // namespace adit::coupler

@@ -1,0 +1,143 @@
+#include "coupler/participants/set_up.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "coupler/bridging/overlap_checks.hpp"
+#include "coupler/participants/time_step.hpp"
+#include "protocol/errors.hpp"
+
+namespace adit::coupler {
+namespace {
+
+using protocol::UserError;
+
+// Two histories of one name and quantity would be one column of the table.
+void require_distinct_histories(const scene::Scene& scene, const std::vector<Participant>& participants) {
+  std::set<std::pair<std::string, int>> columns;
+  for (const Participant& participant : participants) {
+    const auto& histories = histories_of(scene, participant.member);
+    for (int i = 0; i < histories.size(); ++i)
+      if (!columns.insert({histories[i].name(), histories[i].quantity()}).second)
+        throw UserError(fmt::format("{}.histories[{}].name", participant.member.path, i),
+                        fmt::format("is `{}` a second time for the same quantity; choose another name",
+                                    histories[i].name()));
+  }
+}
+
+void ask_all(Model& model, wire::Frame::ContentCase expected) {
+  for (Participant& participant : model.participants) participant.connection->post(participant.request);
+  for (Participant& participant : model.participants) collect(participant, expected);
+}
+
+void build_models(Model& model, const std::string& run_id) {
+  for (Participant& participant : model.participants) {
+    participant.histories = histories_of(model.scene, participant.member).size();
+    auto& setup = *participant.request.mutable_setup();
+    setup.set_run_id(run_id);
+    *setup.mutable_scene() = part_of(model.scene, participant.member);
+  }
+  ask_all(model, wire::Frame::kModel);
+  for (Participant& participant : model.participants) {
+    participant.model.Swap(participant.reply.mutable_model());
+    if (!(participant.model.critical_dt() > 0) || !std::isfinite(participant.model.critical_dt()))
+      throw protocol::PeerLost(participant.connection->name(), "sent no positive, finite critical time step");
+  }
+}
+
+bool is_coupled(std::size_t participant, const std::vector<Interface>& interfaces) {
+  return std::any_of(interfaces.begin(), interfaces.end(), [participant](const Interface& interface) {
+    return interface.outer == participant || interface.inner == participant;
+  });
+}
+
+void share_energy(Model& model) {
+  for (const Interface& interface : model.interfaces)
+    require_inside(interface.overlap, bounds(model.participants[interface.outer].model),
+                   bounds(model.participants[interface.inner].model));
+  require_one_owner(model.participants, model.interfaces);
+  for (std::size_t s = 0; s < model.participants.size(); ++s) {
+    Participant& participant = model.participants[s];
+    auto& weights = *participant.request.mutable_weights();
+    if (!is_coupled(s, model.interfaces)) continue;
+    const auto& points = participant.model.sample_points();
+    const auto values =
+        weights_of(s, model.participants, model.interfaces, std::span(points.data(), points.size()));
+    weights.mutable_weights()->Add(values.begin(), values.end());
+    double floor = 1;
+    for (const Interface& interface : model.interfaces)
+      if (interface.outer == s || interface.inner == s)
+        floor = std::min(floor, interface.given.weight_floor());
+    weights.set_floor(floor);
+    const BoundingBox box = overlap_bounds(s, model.participants, model.interfaces);
+    weights.set_x_min(box.x_min);
+    weights.set_x_max(box.x_max);
+    weights.set_y_min(box.y_min);
+    weights.set_y_max(box.y_max);
+  }
+  ask_all(model, wire::Frame::kInterface);
+  for (Participant& participant : model.participants) {
+    participant.counts.Swap(participant.reply.mutable_interface());
+    participant.candidates.assign(participant.counts.points().begin(), participant.counts.points().end());
+    participant.counts.clear_points();
+  }
+}
+
+// Each participant is asked about the coupling points of all its interfaces in turn.
+void couple(Model& model) {
+  model.coupling_points = choose_coupling_points(model.participants, model.interfaces);
+  for (std::size_t s = 0; s < model.participants.size(); ++s) {
+    Participant& participant = model.participants[s];
+    auto& points = *participant.request.mutable_couple()->mutable_points();
+    for (const Interface& interface : model.interfaces) {
+      if (interface.coarse != s && interface.fine != s) continue;
+      participant.segments.push_back({.begin = static_cast<std::size_t>(points.size()) / 2,
+                                      .global = interface.begin,
+                                      .count = interface.end - interface.begin,
+                                      .coarse = interface.coarse == s});
+      points.Add(model.coupling_points.begin() + 2 * static_cast<std::ptrdiff_t>(interface.begin),
+                 model.coupling_points.begin() + 2 * static_cast<std::ptrdiff_t>(interface.end));
+    }
+  }
+  ask_all(model, wire::Frame::kOperator);
+  for (Participant& participant : model.participants) {
+    const std::size_t count = participant.segments.back().begin + participant.segments.back().count;
+    participant.interpolation.emplace(participant.reply.operator_(), count, participant.connection->name());
+    participant.correction = Correction(count);
+    for (auto* vector : {&participant.predicted, &participant.corrected}) vector->assign(2 * count, 0.0);
+    participant.own.assign(2 * participant.interpolation->own_points(), 0.0);
+  }
+  model.constraint = std::make_unique<Constraint>(model.scene, model.participants, model.interfaces, model.coupling_points,
+                                                  model.dt / model.substeps);
+}
+
+}  // namespace
+
+bool has_particles(const Model& model) {
+  return std::any_of(
+      model.participants.begin(), model.participants.end(),
+      [](const Participant& participant) { return participant.member.role == Role::kParticles; });
+}
+
+Model set_up(const scene::Scene& scene, std::vector<Participant> participants, const std::string& run_id) {
+  Model model;
+  model.scene = scene;
+  model.participants = std::move(participants);
+  std::vector<Member> members;
+  for (const Participant& participant : model.participants) members.push_back(participant.member);
+  for (const Join& join : joins(scene, members)) model.interfaces.emplace_back(join);
+  for (const Interface& interface : model.interfaces)
+    for (const std::size_t participant : {interface.outer, interface.inner})
+      model.participants[participant].interface_path = interface.path;
+  require_distinct_histories(scene, model.participants);
+  build_models(model, run_id);
+  choose_time_step(model);
+  share_energy(model);
+  if (!model.interfaces.empty()) couple(model);
+  return model;
+}
+
+}  // namespace adit::coupler
