@@ -12,7 +12,8 @@
 
 namespace adit::coupler {
 
-// Rate where the fine side ends [1/s], for an overlap of this width [m].
+// Rate where the fine side ends [1/s], for an overlap of this width [m] and compression waves of this speed
+// in the fine side [m/s].
 double default_decay_rate(double wave_speed, double width);
 
 // The share of the fine motion that each coupling point loses in a step: 1 − exp(−rate · across³ · dt).

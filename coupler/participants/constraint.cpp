@@ -3,7 +3,6 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -105,17 +104,26 @@ scene::Solve common_solve(const std::vector<Interface>& interfaces) {
   return interfaces[0].given.solve();
 }
 
+// The rate that the scene gives, or the one that suits the waves of the fine side [1/s].
+double decay_rate(const Interface& interface, const Participant& fine) {
+  if (interface.given.has_decay_rate()) return interface.given.decay_rate();
+  const double wave_speed = fine.model.p_wave_speed();
+  if (!(wave_speed > 0))
+    throw UserError(
+        interface.path + ".decay_rate",
+        fmt::format("is missing, and {} does not say how fast waves run in `{}`; give the rate, or "
+                    "choose another solve than `split`",
+                    fine.connection->name(), fine.member.name));
+  return default_decay_rate(wave_speed, interface.overlap.width());
+}
+
 // Share of the fine motion that the split solve removes in one step at each coupling point.
-std::vector<double> decay(const scene::Scene& scene, const std::vector<Participant>& participants,
+std::vector<double> decay(const std::vector<Participant>& participants,
                           const std::vector<Interface>& interfaces, std::span<const double> points,
                           double dt) {
   std::vector<double> shares;
   for (const Interface& interface : interfaces) {
-    const scene::Material& material = material_of(scene, participants[interface.fine].member);
-    const double wave_speed = std::sqrt(material.young_modulus() / material.density());
-    const double rate = interface.given.has_decay_rate()
-                            ? interface.given.decay_rate()
-                            : default_decay_rate(wave_speed, interface.overlap.width());
+    const double rate = decay_rate(interface, participants[interface.fine]);
     std::vector<double> across;
     for (std::size_t k = interface.begin; k < interface.end; ++k) {
       const double depth = interface.overlap.depth(points[2 * k], points[2 * k + 1]);
@@ -129,8 +137,8 @@ std::vector<double> decay(const scene::Scene& scene, const std::vector<Participa
 
 }  // namespace
 
-Constraint::Constraint(const scene::Scene& scene, const std::vector<Participant>& participants,
-                       const std::vector<Interface>& interfaces, std::span<const double> points, double dt)
+Constraint::Constraint(const std::vector<Participant>& participants, const std::vector<Interface>& interfaces,
+                       std::span<const double> points, double dt)
     : coarse_(coarse_operator(participants, interfaces)),
       own_(2 * coarse_.own_points()),
       at_points_(points.size()) {
@@ -138,7 +146,7 @@ Constraint::Constraint(const scene::Scene& scene, const std::vector<Participant>
   try {
     solve_ = make_multiplier_solve(
         kind, coarse_, fine_masses(participants, interfaces, points),
-        kind == scene::SPLIT ? decay(scene, participants, interfaces, points, dt) : std::vector<double>{});
+        kind == scene::SPLIT ? decay(participants, interfaces, points, dt) : std::vector<double>{});
   } catch (const UserError& error) {  // which speaks of the only interface that it knows
     throw UserError(error.path() == "interface.overlap" ? interfaces.back().path + ".overlap" : error.path(),
                     error.what());

@@ -19,7 +19,7 @@ class Constraint {
   // `points`: the coupling points of all interfaces in turn, x0 y0 x1 y1 …; dt: time between two corrections
   // [s]. Every participant has its operator. Throws protocol::UserError where a point is tied twice, where
   // the interfaces name different solves, and for what the solve itself refuses.
-  Constraint(const scene::Scene& scene, const std::vector<Participant>& participants, const std::vector<Interface>& interfaces,
+  Constraint(const std::vector<Participant>& participants, const std::vector<Interface>& interfaces,
              std::span<const double> points, double dt);
 
   std::size_t size() const { return coarse_.coupling_points(); }

@@ -146,12 +146,6 @@ scene::Scene part_of(const scene::Scene& scene, const Member& member) {
   return part;
 }
 
-const scene::Material& material_of(const scene::Scene& scene, const Member& member) {
-  if (!has_own_material(scene, member)) return scene.material();
-  return member.role == Role::kContinuum ? continuum_of(scene, member).material()
-                                         : particles_of(scene, member).material();
-}
-
 const google::protobuf::RepeatedPtrField<scene::History>& histories_of(const scene::Scene& scene,
                                                                        const Member& member) {
   return member.role == Role::kContinuum ? continuum_of(scene, member).histories()

@@ -41,9 +41,6 @@ std::vector<Join> joins(const scene::Scene& scene, const std::vector<Member>& me
 // the other models, of the interfaces, of the results.
 scene::Scene part_of(const scene::Scene& scene, const Member& member);
 
-// The member's own material, or that of the scene.
-const scene::Material& material_of(const scene::Scene& scene, const Member& member);
-
 // What the scene wants to know of a model, in the order of its answers.
 const google::protobuf::RepeatedPtrField<scene::History>& histories_of(const scene::Scene& scene,
                                                                        const Member& member);

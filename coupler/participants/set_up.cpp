@@ -45,6 +45,10 @@ void build_models(Model& model, const std::string& run_id) {
     participant.model.Swap(participant.reply.mutable_model());
     if (!(participant.model.critical_dt() > 0) || !std::isfinite(participant.model.critical_dt()))
       throw protocol::PeerLost(participant.connection->name(), "sent no positive, finite critical time step");
+    for (const double speed : {participant.model.p_wave_speed(), participant.model.s_wave_speed()})
+      if (!(speed >= 0) || !std::isfinite(speed))
+        throw protocol::PeerLost(participant.connection->name(),
+                                 "sent a wave speed that is negative or not finite");
   }
 }
 
@@ -110,7 +114,7 @@ void couple(Model& model) {
     for (auto* vector : {&participant.predicted, &participant.corrected}) vector->assign(2 * count, 0.0);
     participant.own.assign(2 * participant.interpolation->own_points(), 0.0);
   }
-  model.constraint = std::make_unique<Constraint>(model.scene, model.participants, model.interfaces, model.coupling_points,
+  model.constraint = std::make_unique<Constraint>(model.participants, model.interfaces, model.coupling_points,
                                                   model.dt / model.substeps);
 }
 

@@ -3,29 +3,46 @@
 #include <algorithm>
 
 namespace adit::dem {
+namespace {
 
-BondSprings stiffest_springs(const Model& model, const Bond& bond) {
-  const LinearContact& contact =
-      model.contacts[model.contact_number(model.group[bond.first], model.group[bond.second])];
+const LinearContact& contact_of(const Model& model, const Bond& bond) {
+  return model.contacts[model.contact_number(model.group[bond.first], model.group[bond.second])];
+}
+
+}  // namespace
+
+BondSprings whole_springs(const Model& model, const Bond& bond) {
   switch (bond.law) {
     case Bond::Law::kContactBond: {
       const ContactBond& law = model.contact_bonds[bond.number];
-      return {std::max(law.normal_stiffness, contact.normal_stiffness),
-              std::max(law.shear_stiffness, contact.shear_stiffness)};
+      return {law.normal_stiffness, law.shear_stiffness};
     }
     case Bond::Law::kParallelBond: {
       const ParallelBond& law = model.parallel_bonds[bond.number];
+      const LinearContact& contact = contact_of(model, bond);
       return {law.normal_stiffness * law.area() + contact.normal_stiffness,
               law.shear_stiffness * law.area() + contact.shear_stiffness,
               law.normal_stiffness * law.second_moment()};
     }
-    case Bond::Law::kSmoothJoint: {  // its two springs pull in any direction
+    case Bond::Law::kSmoothJoint: {
       const SmoothJoint& law = model.smooth_joints[bond.number];
-      const double both = (law.normal_stiffness + law.shear_stiffness) * law.length;
-      return {both, both};
+      return {law.normal_stiffness * law.length, law.shear_stiffness * law.length};
     }
   }
   return {};
+}
+
+BondSprings stiffest_springs(const Model& model, const Bond& bond) {
+  BondSprings springs = whole_springs(model, bond);
+  if (bond.law == Bond::Law::kContactBond) {  // the contact takes its place when it breaks
+    const LinearContact& contact = contact_of(model, bond);
+    springs.kn = std::max(springs.kn, contact.normal_stiffness);
+    springs.ks = std::max(springs.ks, contact.shear_stiffness);
+  } else if (bond.law == Bond::Law::kSmoothJoint) {  // its two springs pull in any direction
+    const SmoothJoint& law = model.smooth_joints[bond.number];
+    springs.kn = springs.ks = (law.normal_stiffness + law.shear_stiffness) * law.length;
+  }
+  return springs;
 }
 
 }  // namespace adit::dem

@@ -17,8 +17,9 @@ struct EngineChoice {
   std::string told() const { return lattice ? "lattice" : "general: " + reason; }
 };
 
-// Where the scene leaves it to us, the lattice's engine, which is faster, if it can compute the model. UserError
-// at particles.engine where that is asked for and cannot; at initial_stress where no engine can start under it.
+// Where the scene leaves it to us, the lattice's engine, which is faster, if it can compute the model.
+// UserError at particles.engine where that is asked for and cannot; at initial_stress where no engine can
+// start under it.
 EngineChoice choose_engine(scene::Particles::Engine wanted, const Model& model);
 
 // Threads that share the computing, 0: as many as pay.

@@ -24,6 +24,11 @@ SampledWeights split_weights(const wire::Weights& sent, std::size_t centres, std
   return {{all.data(), centres}, {all.data() + centres, midpoints}, sent.floor()};
 }
 
+void report(const WaveSpeeds& speeds, wire::Model& to) {
+  to.set_p_wave_speed(speeds.p);
+  to.set_s_wave_speed(speeds.s);
+}
+
 void report(const Crack& crack, std::uint64_t step, wire::Crack& to) {
   to.set_step(step);
   to.set_mode(crack.mode == BondState::kTensileCrack ? wire::Crack::TENSILE : wire::Crack::SHEAR);

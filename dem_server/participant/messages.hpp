@@ -8,6 +8,7 @@
 #include "dem_server/engines/answers.hpp"
 #include "dem_server/model/weigh.hpp"
 #include "dem_server/observe/crack.hpp"
+#include "dem_server/participant/wave_speeds.hpp"
 #include "protocol/messages/wire.pb.h"
 
 namespace adit::dem {
@@ -18,6 +19,7 @@ void assign(google::protobuf::RepeatedField<double>& field, std::span<const doub
 // points. RequestError where they do not fit.
 SampledWeights split_weights(const wire::Weights& sent, std::size_t centres, std::size_t midpoints);
 
+void report(const WaveSpeeds& speeds, wire::Model& to);
 void report(const Crack& crack, std::uint64_t step, wire::Crack& to);
 void report(const Strongest& strongest, std::uint64_t step, wire::BondForce& to);
 void report(const Energies& energies, wire::Energies& to);

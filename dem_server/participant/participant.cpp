@@ -18,6 +18,7 @@ void DemParticipant::set_up(const wire::Setup& setup, wire::Model& answer) {
   engine_ = make_engine(choice_, model_, threads_);
   spdlog::info("the engine of the particles is {}", choice_.told());
   answer.set_critical_dt(engine_->critical_step());
+  report(wave_speeds(model_), answer);
   answer.set_x_min(model_.extent.x_min);
   answer.set_x_max(model_.extent.x_max);
   answer.set_y_min(model_.extent.y_min);
@@ -32,9 +33,10 @@ void DemParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
     const bool bonded = !model_.bonds.empty();
     model_ = dem::weigh(model_, split_weights(weights, model_.discs.size(), model_.bonds.size()));
     if (model_.discs.size() == 0 || (bonded && model_.bonds.empty()))
-      throw protocol::UserError("interface.overlap",
-                                "leaves no bonded particles, their weight being 0 everywhere; let the packing "
-                                "reach into the overlap and beyond it on the particles' own side");
+      throw protocol::UserError(
+          "interface.overlap",
+          "leaves no bonded particles, their weight being 0 everywhere; let the packing "
+          "reach into the overlap and beyond it on the particles' own side");
     engine_ = make_engine(choice_, model_, threads_);
     assign(*interface.mutable_points(),
            engine_->offer({weights.x_min(), weights.x_max(), weights.y_min(), weights.y_max()}));

@@ -1,4 +1,5 @@
-// Bonded particles as a participant of a run: translates the conversation (wire.proto) into calls of an engine.
+// Bonded particles as a participant of a run: translates the conversation (wire.proto) into calls of an
+// engine.
 #pragma once
 
 #include <cstdint>

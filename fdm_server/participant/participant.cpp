@@ -10,6 +10,7 @@
 
 #include "fdm_server/grid/interpolation.hpp"
 #include "fdm_server/grid/samples.hpp"
+#include "fdm_server/materials/wave_speeds.hpp"
 #include "fdm_server/model/boundaries/boundaries.hpp"
 #include "fdm_server/model/damping.hpp"
 #include "fdm_server/model/grid/excavation.hpp"
@@ -59,6 +60,9 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
                                           "stiffness and of the density",
                                           critical_dt_));
   model.set_critical_dt(critical_dt_);
+  const WaveSpeeds speeds = wave_speeds(setup_.ground);
+  model.set_p_wave_speed(speeds.p);
+  model.set_s_wave_speed(speeds.s);
   const auto box = bounds(grid_);
   model.set_x_min(box.x_min);
   model.set_x_max(box.x_max);

@@ -98,10 +98,11 @@ def between(server, tamper):
 
 
 class ForeignPeer(ProgramTest):
-    def run_with(self, tamper):
+    def run_with(self, tamper, *more):
         with Server("dem_server") as dem:
             listener = Listener(between(dem, tamper))
-            return coupler("run", CASE / "coupled.yaml", "--out", self.folder / "foreign", "--dem", listener.address, *SHORT)
+            return coupler("run", CASE / "coupled.yaml", "--out", self.folder / "foreign", "--dem", listener.address, *SHORT,
+                           *more)
 
     def test_a_python_participant_gives_the_same_results_to_the_bit(self):
         result = self.run_with(lambda frame: None)
@@ -136,6 +137,19 @@ class ForeignPeer(ProgramTest):
                 frame.bye.cpu_seconds = 1
 
         self.assert_refused(tamper, "model was expected")
+
+    def test_a_peer_that_does_not_say_its_wave_speed_takes_part_unless_the_solve_needs_it(self):
+        def tamper(frame):
+            if frame.WhichOneof("content") == "model":
+                frame.model.ClearField("p_wave_speed")
+
+        self.assertEqual(self.run_with(tamper).returncode, 0)
+        split = ("--set", "interface.solve=split")
+        result = self.run_with(tamper, *split)
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertIn("interface.decay_rate", result.stderr)
+        self.assertIn("dem_server", result.stderr)
+        self.assertEqual(self.run_with(tamper, *split, "--set", "interface.decay_rate=1000").returncode, 0)
 
     def greeting(self, reply):
         def serve(client):

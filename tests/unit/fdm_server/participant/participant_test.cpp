@@ -39,6 +39,19 @@ TEST(Participant, DescribesItsModel) {
   EXPECT_EQ(run.interface.points_size(), 0);
 }
 
+// Waves run as the plane's elastic constants say, in the fastest material that a zone is made of.
+TEST(Participant, ReportsTheWaveSpeedsOfItsZones) {
+  const Conversation plain("");
+  EXPECT_NEAR(plain.model.p_wave_speed(), std::sqrt(25e9 / (1 - 0.2 * 0.2) / 2500), 1e-9);  // plane stress
+  EXPECT_NEAR(plain.model.s_wave_speed(), std::sqrt(25e9 / (2 * 1.2) / 2500), 1e-9);
+  const auto with_area = [](const std::string& box) {
+    return Conversation("materials { where { " + box +
+                        " } material { young_modulus: 1e11 poisson_ratio: 0.2 density: 2500 } }")
+        .model.p_wave_speed();
+  };
+  EXPECT_NEAR(with_area("x_max: 1"), 2 * plain.model.p_wave_speed(), 1e-9);
+}
+
 // Zones behind the overlap do not exist, and an overlap may cut through zones.
 TEST(Participant, RemovesZonesWithoutWeight) {
   const Conversation whole("");

@@ -1,0 +1,97 @@
+#include "dem_server/participant/wave_speeds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "dem_server/model/bond_springs.hpp"
+
+namespace adit::dem {
+namespace {
+
+constexpr int kDirections = 12;  // over half a turn
+
+struct ElasticBond {
+  std::uint32_t first, second;
+  double kn, ks;  // [N/m]
+};
+
+std::vector<ElasticBond> elastic_bonds(const Model& model) {
+  std::vector<ElasticBond> bonds;
+  bonds.reserve(model.bonds.size() + model.springs.size());
+  for (const Bond& bond : model.bonds) {
+    const BondSprings springs = whole_springs(model, bond);
+    bonds.push_back({bond.first, bond.second, springs.kn, springs.ks});
+  }
+  for (const Spring& spring : model.springs)
+    bonds.push_back({spring.first, spring.second, spring.stiffness, 0});
+  return bonds;
+}
+
+// Squares of the speeds by the bonds of one particle, in one direction [m^2/s^2].
+struct Squares {
+  double p = 0, s = 0;
+};
+
+// Of each particle, for waves in the direction (ex, ey).
+std::vector<Squares> squares(const Model& model, const std::vector<ElasticBond>& bonds, double ex,
+                             double ey) {
+  std::vector<Squares> sums(model.discs.size());
+  for (const ElasticBond& bond : bonds) {
+    const double x = model.discs.x[bond.second] - model.discs.x[bond.first],
+                 y = model.discs.y[bond.second] - model.discs.y[bond.first];
+    const double length = std::hypot(x, y);
+    const double cosine = (x * ex + y * ey) / length, sine = (y * ex - x * ey) / length;  // from e to n
+    const double along = cosine * cosine, both = cosine * sine, across = (along - sine * sine) / 2;
+    for (const std::uint32_t i : {bond.first, bond.second}) {
+      const double factor = length * length / (2 * model.mass[i]);
+      sums[i].p += factor * (bond.kn * along * along + bond.ks * both * both);
+      sums[i].s += factor * (bond.kn * both * both + bond.ks * across * across);
+    }
+  }
+  return sums;
+}
+
+// Bonded particles of each group.
+std::vector<std::vector<std::uint32_t>> bonded_groups(const Model& model,
+                                                      const std::vector<ElasticBond>& bonds) {
+  std::vector<bool> bonded(model.discs.size(), false);
+  for (const ElasticBond& bond : bonds) bonded[bond.first] = bonded[bond.second] = true;
+  std::vector<std::vector<std::uint32_t>> groups(model.groups());
+  for (std::uint32_t i = 0; i < bonded.size(); ++i)
+    if (bonded[i]) groups[model.group[i]].push_back(i);
+  return groups;
+}
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+WaveSpeeds wave_speeds(const Model& model) {
+  const auto bonds = elastic_bonds(model);
+  const auto groups = bonded_groups(model, bonds);
+  Squares fastest;
+  std::vector<double> p, s;
+  for (int k = 0; k < kDirections; ++k) {
+    const double angle = k * std::numbers::pi / kDirections;
+    const auto of_particle = squares(model, bonds, std::cos(angle), std::sin(angle));
+    for (const auto& group : groups) {
+      if (group.empty()) continue;
+      p.clear();
+      s.clear();
+      for (const std::uint32_t i : group) {
+        p.push_back(of_particle[i].p);
+        s.push_back(of_particle[i].s);
+      }
+      fastest.p = std::max(fastest.p, median(p));
+      fastest.s = std::max(fastest.s, median(s));
+    }
+  }
+  return {std::sqrt(fastest.p), std::sqrt(fastest.s)};
+}
+
+}  // namespace adit::dem
