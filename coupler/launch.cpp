@@ -16,16 +16,18 @@ namespace process = boost::process;
 using protocol::PeerLost;
 
 constexpr std::chrono::seconds kStartPatience{10};
-constexpr std::chrono::seconds kStopPatience{3};
+constexpr std::chrono::seconds kStopPatience{
+    3};  // a server that is told to stop ends itself after 2 s at the latest
 
-// Installed participant by participant, or in the build tree as <folder>/<program>/<program>.
+// The program beside the coupler, as installed, or in its own folder beside the coupler's, as in the build
+// tree.
 std::filesystem::path find_program(const std::string& program) {
   const auto here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   for (const auto& candidate : {here / program, here.parent_path() / program / program})
     if (std::filesystem::is_regular_file(candidate)) return candidate;
   throw PeerLost(program, "is found neither in " + here.string() + " nor in " +
                               (here.parent_path() / program).string() +
-                              "; build it, or start it yourself and give its address");
+                              "; install or build it, or start it yourself and give its address");
 }
 
 // The first line that the server prints: `listening on HOST:PORT`.
@@ -73,7 +75,7 @@ ServerProcess::~ServerProcess() {
   std::error_code ignored;
   if (!child_->process.running(ignored)) return;
   ::kill(child_->process.id(), SIGTERM);
-  // Looking again and again: this Boost's wait_for() misses the end of a child and waits to its limit.
+  // Polling, because wait_for() of Boost 1.74 misses the end of a child and waits for the whole time.
   const auto limit = std::chrono::steady_clock::now() + kStopPatience;
   while (child_->process.running(ignored) && std::chrono::steady_clock::now() < limit)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -1,4 +1,4 @@
-// Starting the servers that a scene needs, on loopback and free ports.
+// Starts the servers that a scene needs, on loopback and on free ports.
 #pragma once
 
 #include <filesystem>
@@ -10,12 +10,11 @@
 
 namespace adit::coupler {
 
-// A server process that lives as long as this object: stopped at the end, and by the kernel should the
-// coupler itself be killed.
+// A server process that lives as long as this object. If the coupler is killed, the kernel stops the server.
 class ServerProcess {
  public:
-  // Starts the executable `program` that lies beside the coupler's folder in the build tree, and waits until
-  // it listens. Its log goes to `log`. A server that does not come up is a protocol::PeerLost.
+  // Starts the executable `program` of the same installation or build tree and waits until it listens. Its
+  // log is written to `log`. Throws protocol::PeerLost if the server does not start.
   ServerProcess(const std::string& program, const std::filesystem::path& log,
                 std::vector<std::string> options = {});
   ~ServerProcess();

@@ -8,10 +8,10 @@ import sys
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
+import adit_programs
 from adit_plots.run_folder import Run
 
-ROOT = Path(__file__).resolve().parents[2]
-COUPLER = Path(os.environ.get("ADIT_BUILD", ROOT / "build" / "release")) / "coupler" / "coupler"
+PLOT = adit_programs.ROOT / "scripts" / "plot"
 
 
 class Failed(Exception):
@@ -24,7 +24,7 @@ def run(scene, folder):
     folder.parent.mkdir(parents=True, exist_ok=True)
     file = folder.parent / f"{folder.name}.yaml"
     file.write_text(json.dumps(scene))  # JSON is YAML
-    done = subprocess.run([COUPLER, "run", file, "--out", folder], capture_output=True, text=True)
+    done = subprocess.run([adit_programs.program("coupler"), "run", file, "--out", folder], capture_output=True, text=True)
     if done.returncode != 0:
         raise Failed(f"{file} failed (exit code {done.returncode}): {done.stderr.strip()}")
     file.unlink()  # the folder holds the scene as it was computed
@@ -32,14 +32,15 @@ def run(scene, folder):
 
 
 def run_case(case, names, usage):
-    """Runs and draws scenes of a case as the command line of its study says; (folder of the results, [Run])."""
+    """Runs and draws scenes of a case with the options on the command line; returns (folder of the results, [Run])."""
     parser = argparse.ArgumentParser(description=usage, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--out", metavar="DIR", type=Path, default=ROOT / "runs" / case.name, help="folder of the results")
+    parser.add_argument("--out", metavar="DIR", type=Path, default=adit_programs.RUNS / case.name, help="folder of the results")
     options, others = parser.parse_known_args()
     folders = [options.out / name for name in names]
     for name, folder in zip(names, folders):
         print(f"run: cases/{case.name}/{name}.yaml", flush=True)
-        for command in ([COUPLER, "run", case / f"{name}.yaml", "--out", folder, *others], [ROOT / "scripts" / "plot", folder]):
+        compute = [adit_programs.program("coupler"), "run", case / f"{name}.yaml", "--out", folder, *others]
+        for command in (compute, [PLOT, folder]):
             done = subprocess.run(command)
             if done.returncode != 0:
                 sys.exit(done.returncode)
@@ -67,7 +68,7 @@ def energy(run, side):
 
 
 def shares(run, source, remainder=0.0):
-    """(reflected, transmitted, lost) of the energy that the source on one side sent, less a remainder that stays."""
+    """Shares (reflected, transmitted, lost) of the energy that a source on one side sent, without a static remainder."""
     far = {"particles": "continuum", "continuum": "particles"}[source]
     incident = last(run, f"{source}_external_work_J") - remainder
     reflected, transmitted = (energy(run, source) - remainder) / incident, energy(run, far) / incident

@@ -4,6 +4,7 @@ import subprocess
 
 import numpy as np
 
+import adit_programs
 from adit_plots.run_folder import Run
 from adit_trade.front import ALONE
 from adit_trade.models import dt_factor
@@ -16,10 +17,10 @@ class RunFailed(Exception):
     """The message is one sentence for the user."""
 
 
-def table(model, programs, out):
-    """Yields a row of the table a variant, as a dictionary."""
+def table(model, out):
+    """Yields a row of the table for each variant, as a dictionary."""
     def finished(scene, settings, name):
-        return compute(programs, scene, settings, out / name.replace(" ", "_").replace(",", ""))
+        return compute(scene, settings, out / name.replace(" ", "_").replace(",", ""))
 
     reference = finished(model.full(), dt_factor(REFERENCE_DT_FACTOR), "reference")
     for family, scene, variants in [(ALONE, model.full(), model.alone),
@@ -31,9 +32,9 @@ def table(model, programs, out):
                    **{key: statistics.median(c[key] for c in costs) for key in COSTS}}
 
 
-def compute(programs, scene, settings, folder):
+def compute(scene, settings, folder):
     sets = [word for setting in settings for word in ("--set", setting)]
-    ended = subprocess.run([programs / "coupler" / "coupler", "run", scene, *sets, "--out", folder],
+    ended = subprocess.run([adit_programs.program("coupler"), "run", scene, *sets, "--out", folder],
                            capture_output=True, text=True)
     if ended.returncode:
         raise RunFailed(f"{folder.name} failed (exit code {ended.returncode}): {ended.stderr.splitlines()[-1]}")
@@ -49,7 +50,7 @@ def size(run):
 
 
 def cost(run):
-    """CPU seconds of all processes, and the seconds that passed."""
+    """CPU time of all processes and wall-clock time [s]."""
     return {"cpu_s": sum(run.number(f"{process}_cpu_s") or 0 for process in ("coupler", "continuum", "particles")),
             "wall_s": run.number("wall_s")}
 
@@ -65,8 +66,8 @@ def errors(model, run, reference):
 
 
 def compare(histories, reference, column, window):
-    """Relative errors against the reference, at the reference's times inside the window: in the mean square, and of
-    the largest absolute value."""
+    """Errors relative to the reference, at the reference's times inside the window: root mean square, and largest
+    absolute value."""
     times = reference["time_s"]
     inside = (window[0] <= times) & (times <= window[1])
     expected = reference[column][inside]

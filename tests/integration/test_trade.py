@@ -1,22 +1,23 @@
-"""scripts/trade measures what speed costs in accuracy."""
+"""scripts/trade measures how accuracy falls with cost."""
 
 import csv
+import os
 import subprocess
 import unittest
 
-from programs import BUILD, PATIENCE_S, SOURCE, ProgramTest
+from programs import PATIENCE_S, SOURCE, ProgramTest
 
 ERRORS = ("force_l2", "near_l2", "far_l2")
 
 
-def trade(*arguments):
+def trade(*arguments, **environment):
     return subprocess.run([SOURCE / "scripts" / "trade", *map(str, arguments)], capture_output=True, text=True,
-                          timeout=PATIENCE_S)
+                          timeout=PATIENCE_S, env=os.environ | environment)
 
 
 class Trade(ProgramTest):
     def test_writes_a_table_and_a_picture_and_errors_fall_with_the_zones(self):
-        result = trade("--quick", "--programs", BUILD, "--out", self.folder)
+        result = trade("--quick", "--out", self.folder)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertRegex(result.stdout, r"coupled, within 10 %: .*; zones 0\.25 m \(.* updates\)")
         self.assertTrue((self.folder / "tiny.png").exists())
@@ -36,7 +37,7 @@ class Trade(ProgramTest):
         self.assertGreater(int(alone["particle_updates"]), int(fine["particle_updates"]))
 
     def test_names_the_missing_program(self):
-        result = trade("--quick", "--programs", self.folder, "--out", self.folder)
+        result = trade("--quick", "--out", self.folder, ADIT_BUILD=str(self.folder))
         self.assertEqual(result.returncode, 2)
         self.assertIn(f"{self.folder / 'coupler' / 'coupler'} does not exist", result.stderr)
 
