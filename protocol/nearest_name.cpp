@@ -13,7 +13,8 @@ bool same_letter(char a, char b) {
   return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
 }
 
-// Of a single letter nothing would be left.
+// The largest distance at which a name still counts as a slip of `name`. A name of a single letter allows
+// none, because one replacement would turn it into any other.
 int tolerated(std::string_view name) {
   return name.size() < 2 ? 0 : std::max(1, static_cast<int>(name.size()) / 3);
 }
@@ -43,7 +44,7 @@ std::string nearest_name(std::string_view name, std::span<const std::string> kno
   int smallest = 0;
   for (const std::string& candidate : known) {
     const int limit = tolerated(candidate);
-    // The distance is at least the difference in length: long garbage costs nothing.
+    // The distance is at least the difference in length, so long input is skipped before the table is filled.
     if (std::abs(static_cast<long>(name.size()) - static_cast<long>(candidate.size())) > limit) continue;
     const int distance = edit_distance(name, candidate);
     if (distance > limit || (!nearest.empty() && distance >= smallest)) continue;

@@ -11,11 +11,11 @@ namespace adit::protocol {
 // (optimal string alignment distance); upper and lower case are the same letter.
 int edit_distance(std::string_view a, std::string_view b);
 
-// The name at the smallest distance, the first of equals; empty where even that one differs in more than a
-// third of its letters (and in more than one).
+// The known name at the smallest distance, the first one among equals. Empty if that name differs from `name`
+// in more than one letter and in more than a third of its letters.
 std::string nearest_name(std::string_view name, std::span<const std::string> known);
 
-// "; did you mean `radius`?", or nothing where no known name is near.
+// "; did you mean `radius`?", or an empty text if no known name is near.
 std::string did_you_mean(std::string_view name, std::span<const std::string> known);
 
 }  // namespace adit::protocol

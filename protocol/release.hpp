@@ -1,4 +1,4 @@
-// Which release of the programs this is.
+// The release of the programs.
 #pragma once
 
 #include <string_view>

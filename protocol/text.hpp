@@ -1,4 +1,4 @@
-// Text that the user reads or wrote: numbers, names, and what fits into a one-line message.
+// Helpers for text that the user reads or has written: numbers, names and one-line messages.
 #pragma once
 
 #include <string>
@@ -6,10 +6,10 @@
 
 namespace adit::protocol {
 
-// Without blanks and tabs at both ends.
+// `text` without blanks and tabs at both ends.
 std::string_view trim(std::string_view text);
 
-// On one line and at most 60 bytes long: control characters become spaces, the rest is cut with `...`.
+// `text` on one line of at most 60 bytes: control characters become spaces, a longer text ends with `...`.
 std::string shorten(std::string_view text);
 
 // `text`, shortened, between backticks.
@@ -18,7 +18,7 @@ std::string quote(std::string_view text);
 // The shortest decimal that reads back to the same bits.
 std::string shortest(double value);
 
-// The scene's own word for an enumerator, whose name is in capitals.
+// The word that scenes use for an enumerator, whose name is written in capitals.
 std::string lower_case(std::string_view name);
 
 }  // namespace adit::protocol

@@ -18,8 +18,8 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 using boost::system::error_code;
 
-constexpr std::chrono::seconds kLastOrders{2};
-constexpr std::chrono::milliseconds kAcceptAgain{100};  // after a failure, such as no free descriptors
+constexpr std::chrono::seconds kLastOrders{2};          // from a signal to the end of the process
+constexpr std::chrono::milliseconds kAcceptAgain{100};  // pause after a failure such as too many open files
 
 tcp::endpoint resolve(asio::io_context& io, const Address& address) {
   error_code error;
@@ -36,12 +36,12 @@ tcp::endpoint resolve(asio::io_context& io, const Address& address) {
 Listener::Listener(const Address& address, bool insecure) {
   const auto endpoint = resolve(io_, address);
   if (!endpoint.address().is_loopback() && !insecure) {
-    throw UserError("",
-                    fmt::format("refusing to listen on {}: whoever reaches it could run models here, since "
-                                "there is no authentication yet; listen on 127.0.0.1 and come through an "
-                                "ssh tunnel (ssh -L PORT:127.0.0.1:PORT HOST), or add --insecure on a "
-                                "network that you trust",
-                                to_string(address)));
+    throw UserError(
+        "", fmt::format("refusing to listen on {}: servers do not authenticate their clients, so that "
+                        "anyone who reaches this address could run models here; listen on 127.0.0.1 "
+                        "and connect through an ssh tunnel (ssh -L PORT:127.0.0.1:PORT HOST), or "
+                        "add --insecure on a network that you trust",
+                        to_string(address)));
   }
   error_code error;
   acceptor_.open(endpoint.protocol(), error);

@@ -1,5 +1,5 @@
-// Where a server's clients arrive: accepts them in a thread of its own, hands out one at a time, and tells
-// those who come meanwhile why they are refused. SIGINT and SIGTERM end it.
+// Accepts the clients of a server in a thread of its own and hands out one at a time. Clients that connect
+// meanwhile are refused and told why. SIGINT and SIGTERM end the listener.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -19,21 +19,23 @@ namespace adit::protocol {
 
 class Listener {
  public:
-  // A port in use, an unknown host, and an address beyond loopback unless `insecure`, are UserErrors.
+  // Throws UserError if the port is in use, the host is unknown, or the address lies beyond loopback and
+  // `insecure` is not set.
   Listener(const Address& address, bool insecure);
   ~Listener();
   Listener(const Listener&) = delete;
   Listener& operator=(const Listener&) = delete;
 
-  Address address() const;  // with the port that was found
+  Address address() const;  // with the port in use, also where any free port was asked for
 
-  // Waits for the next client; none: told to stop. Until vacate(), or the next call, others are refused.
+  // Waits for the next client; nothing once the server is told to stop. Other clients are refused until
+  // vacate() or the next call.
   std::optional<boost::asio::ip::tcp::socket> next_client();
-  void occupy(std::string with);  // what others are told: "busy with ..."
-  void vacate();                  // before the last frame: the client may come back at once
+  void occupy(std::string with);  // other clients are told "busy with ..."
+  void vacate();                  // to be called before the last frame: the client may connect again at once
 
-  // Asked to stop by a signal. Who then has not ended within kLastOrders is ended with the process, which
-  // loses nothing: a server holds no results.
+  // A signal asked the server to stop. A run that has not ended within kLastOrders ends with the process,
+  // which loses nothing, because a server holds no results.
   std::stop_token stopping() const { return stop_.get_token(); }
 
  private:

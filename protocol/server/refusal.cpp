@@ -17,7 +17,7 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 using boost::system::error_code;
 
-constexpr std::chrono::seconds kFarewell{2};
+constexpr std::chrono::seconds kFarewell{2};  // time for the client to read the reason
 
 wire::Frame refused(const std::string& reason) {
   wire::Frame frame;
@@ -30,8 +30,8 @@ asio::const_buffer buffer(std::span<const std::byte> bytes) {
   return {bytes.data(), bytes.size()};
 }
 
-// Lives as long as one of its handlers waits. What the client sends is read and dropped: closing a socket
-// with unread bytes would reset the connection, and the reason might not arrive.
+// One refusal, which lives as long as one of its handlers waits. What the client sends is read and dropped,
+// because closing a socket with unread bytes resets the connection, and the reason might not arrive.
 struct Refusal : std::enable_shared_from_this<Refusal> {
   tcp::socket socket;
   asio::steady_timer timer;

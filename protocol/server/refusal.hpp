@@ -6,8 +6,8 @@
 
 namespace adit::protocol {
 
-// Says REFUSED with `reason` and closes, once the client has read it or a short time has passed; returns at
-// once, the rest happens where the socket's handlers run.
+// Sends REFUSED with `reason`, and closes the socket once the client has read it or a short time has passed.
+// Returns at once; the rest happens in the thread that runs the socket's handlers.
 void refuse(boost::asio::ip::tcp::socket socket, const std::string& reason);
 
 }  // namespace adit::protocol

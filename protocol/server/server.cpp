@@ -14,9 +14,9 @@
 namespace adit::protocol {
 namespace {
 
-constexpr std::size_t kLongestRunId = 100;  // of what a client tells, in our log and in refusals
+constexpr std::size_t kLongestRunId = 100;  // longest part of a client's text that logs and refusals repeat
 
-// Answers one request; an error, also that the answer is too long to send, is an answer, too.
+// Answers one request. An error is an answer, too, also the error that the answer is too long to send.
 void answer(Connection& connection, Listener& listener, Conversation& conversation,
             const wire::Frame& request, wire::Frame& reply) {
   try {
@@ -70,7 +70,7 @@ int serve(const ServerOptions& options, const ParticipantFactory& make_participa
       if (!listener.stopping().stop_requested()) spdlog::warn("run dropped: {}", error.what());
     }
   }
-  spdlog::info("told to stop");
+  spdlog::info("stopped by a signal");
   return kSuccess;
 }
 

@@ -18,7 +18,7 @@ constexpr std::size_t kMostThreads = 1024;
 
 void exit_with(pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (::getppid() != parent) std::raise(SIGTERM);  // it was faster
+  if (::getppid() != parent) std::raise(SIGTERM);  // the parent ended before prctl took effect
 }
 
 }  // namespace
@@ -35,13 +35,13 @@ int server_main(int argc, char** argv, std::string_view program, const Participa
                options.program);
   app.add_option("--listen", listen, "HOST:PORT to listen on; port 0 takes any free one")
       ->capture_default_str();
-  app.add_flag("--insecure", options.insecure, "allow HOST beyond loopback, open to whoever reaches it");
+  app.add_flag("--insecure", options.insecure, "allow a HOST beyond loopback, open to anyone who reaches it");
   app.add_flag("--exit-with-parent", exit_with_parent, "end when the process that started this one ends");
   if (threads)
-    app.add_option("--threads", *threads, "threads that share the computing; 0: as many as pay")
+    app.add_option("--threads", *threads, "threads that share the computing; 0: as many as speed it up")
         ->check(CLI::Range(std::size_t{0}, kMostThreads))
         ->capture_default_str();
-  app.add_option("--log-level", log_level, "what goes to stderr")
+  app.add_option("--log-level", log_level, "least severity of the log on stderr")
       ->check(CLI::IsMember({"debug", "info", "warn", "error", "off"}))
       ->capture_default_str();
   app.set_version_flag("--version", options.program + " " + std::string(release()));

@@ -18,9 +18,10 @@ Address parse_address(std::string_view text) {
   const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), address.port);
   const bool bad_port = port.empty() || error != std::errc() || end != port.data() + port.size();
   if (host.empty() || bad_port || (!brackets && host.find(':') != host.npos)) {
-    throw UserError("", fmt::format("'{}' is no address: write HOST:PORT with a port from 0 to 65535, as in "
-                                    "127.0.0.1:4711 or [::1]:4711",
-                                    text));
+    throw UserError("",
+                    fmt::format("'{}' is not an address: write HOST:PORT with a port from 0 to 65535, as in "
+                                "127.0.0.1:4711 or [::1]:4711",
+                                text));
   }
   address.host = host;
   return address;

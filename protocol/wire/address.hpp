@@ -1,4 +1,4 @@
-// Where a server listens.
+// The address at which a server listens.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,11 @@ namespace adit::protocol {
 
 struct Address {
   std::string host;
-  std::uint16_t port = 0;  // 0: any free port, for a server
+  std::uint16_t port = 0;  // 0: a server takes any free port
 };
 
-// "127.0.0.1:4711", "tunnel.example.org:4711", "[::1]:4711". Anything else is a UserError.
+// Reads HOST:PORT, as in "127.0.0.1:4711", "tunnel.example.org:4711" or "[::1]:4711". Throws UserError on
+// anything else.
 Address parse_address(std::string_view text);
 
 std::string to_string(const Address& address);

@@ -20,17 +20,21 @@ namespace {
 namespace asio = boost::asio;
 using boost::system::error_code;
 
-// Waking from a wait for the socket costs more than a whole round trip of spinning ends, so short waits spin.
-// The end that asks can do so for long ones too: answers take about as long as the ones before, so it sleeps
-// by the clock well into that time, and then spins. (An end that answers must not: it waits for the other's
-// naps, and both would keep each other asleep.) What is later than expected is waited for asleep. And where
-// other work wants the core, a yield hands it over for milliseconds: a yield longer than the spin shows that,
-// and the next waits then sleep at once.
+// How an end waits for a frame:
+// - A thread that sleeps on the socket wakes later than a whole round trip between two spinning ends takes,
+// so
+//   a wait begins by spinning for kSpin.
+// - The end that asks also shortens its long waits. Answers take about as long as the last ones did, so it
+//   sleeps by the clock for kNap of that time and then spins. The end that answers must not do so: its waits
+//   contain the naps of the other end, and each would prolong the other's.
+// - An answer that is later than expected is waited for asleep.
+// - If other work needs the core, a yield lasts milliseconds. A yield longer than kSpin is the sign of that,
+//   and the next kWaitsWithoutSpin waits sleep at once.
 constexpr std::chrono::microseconds kSpin{200};
-constexpr double kNap = 0.8;                               // of the expected wait
-constexpr std::chrono::milliseconds kLongestForecast{50};  // beyond it, latency is no matter
+constexpr double kNap = 0.8;                               // share of the expected wait
+constexpr std::chrono::milliseconds kLongestForecast{50};  // a late wake-up is negligible beside longer waits
 constexpr int kWaitsWithoutSpin = 1000;
-constexpr std::chrono::seconds kFarewell{2};  // for the peer to read our last frame
+constexpr std::chrono::seconds kFarewell{2};  // time for the peer to read our last frame
 
 std::string seconds(std::chrono::milliseconds time) {
   return fmt::format("{:g} s", std::chrono::duration<double>(time).count());
@@ -45,7 +49,7 @@ std::string describe(const asio::ip::tcp::socket& socket, std::string_view progr
 
 }  // namespace
 
-// The two deadlines of one wait: silence of the peer, and the wait as a whole.
+// The two deadlines of one wait: one for the silence of the peer, one for the wait as a whole.
 class Connection::Watch {
  public:
   Watch(const Connection& connection, std::chrono::milliseconds within)
@@ -108,11 +112,11 @@ std::uint32_t Connection::receive_preamble() {
 void Connection::establish(std::uint64_t peer_accepts_bytes) {
   decoder_.set_limit(kMaxFrameBytes);
   send_limit_ = std::min(peer_accepts_bytes, kMaxFrameBytes);
-  // Two looks within the interval: what was quiet since the last one is at most an interval quiet.
+  // The heartbeat looks twice in an interval, so that an end is never silent for longer than the interval.
   heartbeat_.emplace(patience_.heartbeat / 2, [this] { beat(); });
 }
 
-// Reads until `take_complete` finds what it wants among the bytes that have arrived.
+// Reads until `take_complete` finds a complete item among the bytes that have arrived.
 template <class Take>
 void Connection::await(Take take_complete, std::chrono::milliseconds within) {
   if (take_complete()) return;
@@ -141,7 +145,7 @@ void Connection::await(Take take_complete, std::chrono::milliseconds within) {
   }
 }
 
-// The shortest of the last waits: one that was delayed by chance foretells nothing.
+// The shortest of the last waits, because a wait that was delayed by chance says nothing about the next one.
 Connection::Clock::duration Connection::expected_wait() const {
   if (!forecasts_) return Clock::duration::zero();
   const auto shortest = *std::min_element(last_waits_.begin(), last_waits_.end());
@@ -156,7 +160,7 @@ bool Connection::take(wire::Frame& frame) {
   }
 }
 
-// Reads what is there; false when nothing is.
+// Reads the bytes that have arrived; false if there are none.
 bool Connection::read_some() {
   const auto space = decoder_.space();
   error_code error;
@@ -168,8 +172,8 @@ bool Connection::read_some() {
   return true;
 }
 
-// While the peer takes nothing we keep reading, up to a limit: that is how its heartbeats, or the error for
-// which it stopped reading, are seen.
+// If the peer takes no bytes, this end keeps reading up to a limit. So it sees the peer's heartbeats, or the
+// error for which the peer stopped reading.
 void Connection::write(std::span<const std::byte> bytes) {
   std::optional<Watch> watch;
   while (!bytes.empty()) {
@@ -192,7 +196,7 @@ void Connection::write(std::span<const std::byte> bytes) {
   }
 }
 
-// Sleeps until the socket is ready for what is asked, or the time has come.
+// Sleeps until the socket is readable or writable, as asked, or until the given time.
 void Connection::sleep(Clock::time_point until, bool readable, bool writable) {
   const auto wake = [](const error_code&) {};
   if (readable) socket_.async_wait(Socket::wait_read, wake);
@@ -204,7 +208,7 @@ void Connection::sleep(Clock::time_point until, bool readable, bool writable) {
   io_.poll();
 }
 
-// The peer may have said why before it went.
+// Before it closed the connection, the peer may have sent an error that says why; that error is then thrown.
 void Connection::throw_closed(const error_code& error) {
   wire::Frame last;
   while (take(last)) {
@@ -214,8 +218,9 @@ void Connection::throw_closed(const error_code& error) {
                                                   : "the connection broke (" + error.message() + ")");
 }
 
-// In the heartbeat's thread. It never waits: where a frame is on its way, or the socket is full, the peer has
-// enough to read.
+// Runs in the heartbeat's thread and never waits: while a frame is being sent or the socket is full, the peer
+// has bytes to read and needs no heartbeat. A heartbeat that the socket took only in part is completed before
+// anything else is sent.
 void Connection::beat() {
   const std::unique_lock lock(sending_, std::try_to_lock);
   if (!lock) return;

@@ -1,9 +1,9 @@
 // One end of a conversation: frames over a TCP socket, with a deadline on every wait.
 //
-// A wait first spins, yielding the core between two looks at the socket, and then sleeps: a wake-up costs
-// more than a whole round trip, so steps shorter than the spin never pay for one (connection.cpp: kSpin).
-// Both ends send a heartbeat when they have nothing else to say, so that silence means death and a long
-// computation does not.
+// A wait first spins, yielding the core between two looks at the socket, and then sleeps. A wake-up from
+// sleep takes longer than a whole round trip, and short steps avoid it by spinning (connection.cpp: kSpin).
+// An end that has nothing else to send sends heartbeats. Silence therefore means that the peer is lost, and a
+// long computation is not mistaken for it.
 #pragma once
 
 #include <array>
@@ -25,23 +25,25 @@
 namespace adit::protocol {
 
 struct Patience {
-  std::chrono::milliseconds silence = std::chrono::seconds(8);    // without a byte from the peer
-  std::chrono::milliseconds answer = std::chrono::minutes(10);    // for one frame, alive or not
-  std::chrono::milliseconds connect = std::chrono::seconds(5);    // to connect, and to greet
-  std::chrono::milliseconds heartbeat = std::chrono::seconds(1);  // longest silence of ours
+  std::chrono::milliseconds silence = std::chrono::seconds(8);  // longest time without a byte from the peer
+  std::chrono::milliseconds answer =
+      std::chrono::minutes(10);  // longest wait for one frame, peer alive or not
+  std::chrono::milliseconds connect = std::chrono::seconds(5);  // for connecting, and for each greeting
+  std::chrono::milliseconds heartbeat =
+      std::chrono::seconds(1);  // longest time in which this end sends nothing
 };
 
 struct Traffic {
   std::uint64_t bytes_sent = 0;
   std::uint64_t bytes_received = 0;
-  double seconds_waited = 0;  // for frames to arrive
+  double seconds_waited = 0;  // time spent waiting for frames
 };
 
-// Used by one thread, but for interrupt(). Every function throws PeerLost, which names the peer
-// ("dem_server at 127.0.0.1:4711"), when the peer is gone, silent or unintelligible.
+// Used by one thread; only interrupt() may be called from others. Every function throws PeerLost, which names
+// the peer ("dem_server at 127.0.0.1:4711"), if the peer is gone, silent or sends bytes that cannot be read.
 class Connection {
  public:
-  // Takes over a connected socket; `program` is what is thought to be at the other end.
+  // Takes over a connected socket; `program` names the program expected at the other end.
   Connection(boost::asio::ip::tcp::socket&& socket, std::string_view program, const Patience& patience);
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
@@ -50,28 +52,30 @@ class Connection {
   const Patience& patience() const { return patience_; }
   Traffic traffic() const;
 
-  // One frame, in one write. Waits while the peer does not read, as long as it shows signs of life.
-  // Throws std::length_error when the peer does not accept so long a frame.
+  // Sends one frame in one write. Waits for a peer that does not read as long as it shows signs of life.
+  // Throws std::length_error if the frame is longer than the peer accepts.
   void send(const wire::Frame& frame);
 
-  // The next frame that is not a heartbeat; the memory of `frame` is used again. An error frame is thrown
-  // as error_frame.hpp says.
+  // Receives the next frame that is not a heartbeat, reusing the memory of `frame`. An error frame is thrown
+  // as an exception (error_frame.hpp).
   void receive(wire::Frame& frame) { receive(frame, patience_.answer); }
   void receive(wire::Frame& frame, std::chrono::milliseconds within);
 
-  // Says that this end asks and the other answers: waits are then foretold from those before.
+  // Says that this end asks and the other answers. The duration of a wait is then predicted from the last
+  // ones.
   void expect_answers() { forecasts_ = true; }
 
-  // The greeting (greeting.hpp): preambles, then what hello agreed on, from where on heartbeats go out.
+  // The parts of the greeting (greeting.hpp): both preambles, then the frame length that hello agreed on.
+  // Heartbeats are sent from establish() on.
   void send_preamble();
   std::uint32_t receive_preamble();
   void establish(std::uint64_t peer_accepts_bytes);
 
-  // Ends the conversation so that the peer can still read what was sent last: sends no more and drops what
-  // comes until the peer closes too, or a short time has passed. Never throws.
+  // Ends the conversation and leaves the peer time to read what was sent last: sends no more, and drops what
+  // arrives until the peer closes too or kFarewell has passed. Never throws.
   void close();
 
-  // From any thread: ends all traffic; whoever waits here finds the connection closed.
+  // Ends all traffic, from any thread; a waiting call then finds the connection closed.
   void interrupt();
 
  private:
@@ -104,10 +108,11 @@ class Connection {
   std::mutex sending_;  // the frames of the owner and the heartbeats go out one after another
   FrameEncoder encoder_;
   std::uint64_t send_limit_ = kMaxHelloBytes;
-  std::span<const std::byte> rest_of_heartbeat_;  // what the socket did not take
+  std::span<const std::byte> rest_of_heartbeat_;  // bytes that the socket did not take yet
   std::atomic<std::uint64_t> bytes_sent_ = 0;
   std::uint64_t bytes_sent_at_last_beat_ = 0;
-  std::optional<Heartbeat> heartbeat_;  // last, so that its thread ends before the rest goes
+  std::optional<Heartbeat>
+      heartbeat_;  // the last member, so that its thread ends before the others are destroyed
 };
 
 }  // namespace adit::protocol

@@ -1,6 +1,9 @@
-// How errors travel: the exception of one end becomes a wire::Error and is thrown again at the other.
-//   SCENE <-> UserError     UNSTABLE <-> Unstable     REQUEST <-> RequestError
-//   INTERNAL: any other exception -> PeerLost         REFUSED -> UserError without a path, naming the peer
+// Sends exceptions from one end to the other: as a wire::Error, which the other end throws again.
+//   SCENE     UserError at both ends
+//   UNSTABLE  Unstable at both ends
+//   REQUEST   RequestError at both ends
+//   INTERNAL  any other exception here, PeerLost there
+//   REFUSED   sent by a busy server; UserError there, without a path, naming the server
 #pragma once
 
 #include <exception>
@@ -13,7 +16,7 @@ namespace adit::protocol {
 
 void fill_error(const std::exception& cause, wire::Error& error);
 
-// Throws what `error` says, which `peer` sent.
+// Throws the exception that stands for `error`, which `peer` sent.
 [[noreturn]] void throw_error(const std::string& peer, const wire::Error& error);
 
 }  // namespace adit::protocol

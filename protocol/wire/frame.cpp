@@ -31,8 +31,8 @@ bool is_heartbeat(std::span<const std::byte> payload) {
   return !payload.empty() && std::to_integer<int>(payload[0]) == kTag;
 }
 
-// A payload is one content and nothing else: its tag, its length, its bytes. The content is parsed where the
-// last one stands, which keeps the memory of its arrays; parsing the frame would free them.
+// A payload holds one content and nothing else: tag, length, bytes. The content is parsed into the message
+// that held the last one, so that the memory of its arrays is reused; parsing the whole frame would free it.
 void parse(std::span<const std::byte> payload, wire::Frame& frame) {
   google::protobuf::io::CodedInputStream bytes(reinterpret_cast<const std::uint8_t*>(payload.data()),
                                                static_cast<int>(payload.size()));
@@ -45,7 +45,7 @@ void parse(std::span<const std::byte> payload, wire::Frame& frame) {
   if (!well_formed ||
       !wire::Frame::GetReflection()->MutableMessage(&frame, field)->ParseFromCodedStream(&bytes) ||
       !bytes.ConsumedEntireMessage()) {
-    throw Malformed(fmt::format("sent {} bytes that are no frame of this protocol", payload.size()));
+    throw Malformed(fmt::format("sent {} bytes that are not a frame of this protocol", payload.size()));
   }
 }
 
@@ -107,7 +107,8 @@ bool FrameDecoder::take(wire::Frame& frame) {
     const std::byte* bytes = buffer_.data() + begin_;
     const std::size_t length = load(bytes);
     if (length > limit_) {
-      throw Malformed(fmt::format("announced a frame of {} bytes, where {} are allowed", length, limit_));
+      throw Malformed(
+          fmt::format("announced a frame of {} bytes, but at most {} are allowed", length, limit_));
     }
     if (buffered() < kLengthBytes + length) return false;
     begin_ += kLengthBytes + length;

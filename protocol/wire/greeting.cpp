@@ -31,7 +31,8 @@ std::uint32_t receive_preamble(Connection& connection) {
   }
 }
 
-// Of a peer of another version we only hope to learn its name.
+// The name of a peer of another version, for the error message. Its hello may be unreadable, which must not
+// hide the message.
 std::string program_of_other_version(Connection& connection) {
   try {
     wire::Frame frame;
@@ -75,7 +76,7 @@ std::unique_ptr<Connection> connect(const Address& address, std::string_view pro
   }
   if (!found) {
     throw UserError("",
-                    fmt::format("the host of {} is not known ({}): check its name", where, error.message()));
+                    fmt::format("the host in {} is not known ({}): check its name", where, error.message()));
   }
   throw UserError("", fmt::format("nothing listens at {} ({}): start `{} --listen {}` there, or check the "
                                   "address",

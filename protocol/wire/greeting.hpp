@@ -1,4 +1,4 @@
-// How a conversation begins: connect, then both ends say who they are.
+// The beginning of a conversation: one end connects, then both say who they are.
 #pragma once
 
 #include <memory>
@@ -9,13 +9,13 @@
 
 namespace adit::protocol {
 
-// Connects to a server, `program`. An address where nothing listens, or nobody answers, is a UserError.
+// Connects to the server `program`. Throws UserError if nothing listens or answers at the address.
 std::unique_ptr<Connection> connect(const Address& address, std::string_view program,
                                     const Patience& patience = {});
 
-// Exchanges preamble and hello; both ends do the same, and neither waits for the other to begin. Afterwards
-// frames may be as long as both accept, and heartbeats go out. `program` is who we are; the answer is who
-// they are. A peer of another protocol version, or that does not speak the protocol, is a UserError.
+// Exchanges preamble and hello. Both ends do the same, and neither waits for the other to begin. Afterwards
+// frames may be as long as both accept, and heartbeats are sent. `program` names this end; the hello returned
+// describes the other. Throws UserError if the peer has another protocol version or is another program.
 wire::Hello handshake(Connection& connection, std::string_view program);
 
 }  // namespace adit::protocol

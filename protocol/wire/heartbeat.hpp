@@ -1,4 +1,4 @@
-// A thread that calls a function at a steady pace for as long as the object lives.
+// A thread that calls a function at regular intervals as long as the object lives.
 #pragma once
 
 #include <chrono>

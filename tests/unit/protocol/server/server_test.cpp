@@ -244,7 +244,7 @@ TEST(Server, ListensBeyondLoopbackOnlyWhenAllowed) {
   const auto outcome = run_with({"--listen", "0.0.0.0:0"});
   EXPECT_EQ(outcome.exit_code, kUserError);
   EXPECT_THAT(outcome.errors,
-              AllOf(HasSubstr("no authentication"), HasSubstr("ssh"), HasSubstr("--insecure")));
+              AllOf(HasSubstr("do not authenticate"), HasSubstr("ssh"), HasSubstr("--insecure")));
   const Server server({"--listen", "0.0.0.0:0", "--insecure"});
   EXPECT_EQ(server.address().host, "0.0.0.0");
 }

@@ -93,7 +93,7 @@ TEST(Frame, LengthAboveTheLimitIsRefusedBeforeAnyAllocation) {
     decoder.take(frame);
     FAIL() << "accepted";
   } catch (const Malformed& error) {
-    EXPECT_THAT(error.what(), HasSubstr("announced a frame of 65537 bytes, where 65536 are allowed"));
+    EXPECT_THAT(error.what(), HasSubstr("announced a frame of 65537 bytes, but at most 65536 are allowed"));
   }
   EXPECT_EQ(decoder.space().size(), space);
 }
