@@ -1,4 +1,4 @@
-// A box along the axes: where a model reaches, where an overlap may lie.
+// A box along the axes: the extent of a model, or of the places where an overlap may lie.
 #pragma once
 
 namespace adit::geometry {

@@ -1,4 +1,5 @@
-// Things in the plane sorted into square cells: a search costs a few of them, whatever their number.
+// Objects in the plane, sorted into square cells. A search by place looks into a few cells only, whatever the
+// number of objects.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +16,15 @@ struct Extent {
 class Cells {
  public:
   Cells() = default;
-  // Sorts the things, numbered from 0, into cells of the given side [m]; a thing stands in every cell that it
-  // meets.
+  // Sorts the things, numbered from 0, into cells of the given side [m]. A thing is listed in every cell that
+  // it meets.
   Cells(std::span<const Extent> things, double side);
 
-  // What stands in the cell of (x, y), or in the nearest one, ascending.
+  // The things listed in the cell of (x, y), or in the cell nearest to it, ascending.
   std::span<const std::uint32_t> at(double x, double y) const;
 
-  // visit(thing) for all that stand within `reach` of (x, y), and for some others; some come more than once.
+  // Calls visit(thing) for all things within `reach` of (x, y). It also visits some that are farther away,
+  // and some more than once.
   template <class Visit>
   void visit_near(double x, double y, double reach, Visit&& visit) const {
     const Range across = columns(x - reach, x + reach), up = rows(y - reach, y + reach);
@@ -41,7 +43,7 @@ class Cells {
 
   double side_ = 1, x_min_ = 0, y_min_ = 0;
   std::size_t columns_ = 1, rows_ = 1;
-  std::vector<std::uint32_t> starts_{0, 0};  // of each cell in things_, by compressed rows
+  std::vector<std::uint32_t> starts_{0, 0};  // where each cell's list begins in things_ (compressed rows)
   std::vector<std::uint32_t> things_;
 };
 

@@ -17,7 +17,7 @@ double cross(const Point& a, const Point& b) {
   return a.x * b.y - a.y * b.x;
 }
 
-// Vector to `point` from the nearest point of the side.
+// The vector from the nearest point of the side to `point`.
 Point gap(const Side& side, const Point& point) {
   const Point along = side.to - side.from, from = point - side.from;
   const double place = std::clamp(dot(from, along) / dot(along, along), 0.0, 1.0);
@@ -40,14 +40,14 @@ bool meet(const Side& a, const Side& b) {
          lies_on(b, a.from) || lies_on(b, a.to);
 }
 
-// Whether the next side runs back over this one.
+// Whether the next side turns back along this one.
 bool runs_back(const Side& side, const Side& next) {
   const Point a = side.to - side.from, b = next.to - next.from;
   return cross(a, b) == 0 && dot(a, b) < 0;
 }
 
-// Whether every side has a length, and meets the next in their common end and no other. The first follows the
-// last of `closed` ones.
+// Whether every side has a length, and meets no other side except the next one in their common end. In a
+// closed loop the first side follows the last.
 bool meet_in_ends_only(const std::vector<Side>& all, bool closed) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Side &side = all[i], &next = all[(i + 1) % all.size()];
@@ -60,8 +60,8 @@ bool meet_in_ends_only(const std::vector<Side>& all, bool closed) {
   return true;
 }
 
-// Whether a part of the side lies inside the box, not only on its edge: where it is inside along one axis,
-// and along the other.
+// Whether a part of the side lies inside the box and not only on its edge (clipping after Liang and Barsky):
+// the share [begin, end] of the side that lies within the box's limits along both axes is not empty.
 bool enters(const Side& side, const BoundingBox& box) {
   double begin = 0, end = 1;
   const auto clip = [&](double from, double to, double min, double max) {
@@ -89,8 +89,8 @@ class Polygon : public Shape {
 
   double distance(double x, double y) const override { return signed_distance(sides_, {x, y}); }
 
-  // Where no side enters the box and no corner of the box lies inside, the nearest points of both include a
-  // corner.
+  // If no side enters the box and no corner of the box lies inside the polygon, then the shortest distance is
+  // taken at a corner of the box or at a corner of the polygon.
   double distance(const BoundingBox& box) const override {
     double nearest = std::numeric_limits<double>::infinity();
     for (const Point& c : corners(box)) nearest = std::min(nearest, distance(c.x, c.y));
@@ -130,7 +130,7 @@ bool is_simple(const Loop& loop) {
 
 bool is_simple_line(const std::vector<Point>& line) {
   auto all = sides(line);
-  all.pop_back();  // back from the last to the first
+  all.pop_back();  // the side that would join the last point with the first
   const bool closed = line.front().x == line.back().x && line.front().y == line.back().y;
   return meet_in_ends_only(all, closed);
 }
@@ -142,7 +142,8 @@ bool meet(const Loop& a, const Loop& b) {
   });
 }
 
-// The nearest side; inside is whence a ray along x crosses an odd number of sides.
+// The distance to the nearest side. A point lies inside if a ray from it along x crosses an odd number of
+// sides.
 double signed_distance(const std::vector<Side>& sides, const Point& point) {
   double squared = std::numeric_limits<double>::infinity();
   bool inside = false;

@@ -1,4 +1,4 @@
-// Shapes as the scene states them.
+// Reads shapes from the scene.
 #pragma once
 
 #include <memory>
@@ -9,8 +9,8 @@
 
 namespace adit::geometry {
 
-// `path`: of the shape in the scene. Throws protocol::UserError for what encloses no area, crosses itself or
-// has holes that are not its own.
+// `path` is the shape's path in the scene. Throws protocol::UserError if the shape encloses no area or
+// crosses itself, or if a hole does not lie inside it.
 std::shared_ptr<const Shape> read_shape(const scene::Shape& shape, const std::string& path);
 // A box whose four sides are all given.
 BoundingBox read_bounds(const scene::Box& box, const std::string& path);

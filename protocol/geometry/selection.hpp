@@ -1,4 +1,4 @@
-// Selecting by an area of the scene.
+// Selects points by an area of the scene.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@
 
 namespace adit::protocol {
 
-// The places of an area, whatever group it also names.
+// The places of an area; a group that it also names is left to the caller.
 class Places {
  public:
-  // UserError below `path` for a polygon that encloses no area. `tolerance` [m] widens every line.
+  // `tolerance` [m] widens every boundary. Throws UserError below `path` if a polygon encloses no area.
   Places(const scene::Area& area, const std::string& path, double tolerance);
 
-  // Whether (x, y) lies inside or on all that the area gives.
+  // Whether (x, y) lies inside or on the boundary of every shape of the area.
   bool hold(double x, double y) const;
 
  private:
@@ -27,9 +27,8 @@ class Places {
   std::vector<std::shared_ptr<const geometry::Shape>> shapes_;
 };
 
-// Indices of the points (x0 y0 x1 y1 …) that the area selects, ascending, in a model without groups.
-// Selecting nothing is the user's error, reported at `path`; `what` names the points in the message
-// ("particles").
+// Indices of the points (x0 y0 x1 y1 …) that the area selects, ascending, in a model without groups. Throws
+// UserError at `path` if it selects none; `what` names the points in the message ("particles").
 std::vector<std::uint32_t> select(const scene::Area& area, std::span<const double> points, double tolerance,
                                   const std::string& path, const std::string& what);
 

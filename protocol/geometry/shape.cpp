@@ -28,7 +28,7 @@ class HalfPlane : public Shape {
 
   bool covers(const BoundingBox& box) const override { return holds_corners(*this, box); }
 
-  // Only a line along an axis bounds anything.
+  // The strip beside an oblique line is bounded along neither axis.
   BoundingBox box_around(double width) const override {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     BoundingBox box{-kInfinity, kInfinity, -kInfinity, kInfinity};

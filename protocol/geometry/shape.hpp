@@ -1,4 +1,4 @@
-// Shapes of the plane, as far as areas and overlaps ask: how far away is it?
+// Shapes in the plane, with the questions that areas and overlaps ask of them.
 #pragma once
 
 #include <array>
@@ -23,11 +23,12 @@ class Shape {
   virtual double distance(const BoundingBox& box) const = 0;
   // Whether the whole box lies in the shape.
   virtual bool covers(const BoundingBox& box) const = 0;
-  // A box around what lies outside the shape, but not further than `width`; infinite where that is.
+  // A box around all points that lie outside the shape but within `width` of it; infinite along an axis where
+  // these points are.
   virtual BoundingBox box_around(double width) const = 0;
 };
 
-// What lies behind the line through (x, y), seen from where the unit normal points to.
+// The half-plane that the line through (x, y) bounds; the unit normal points out of it.
 std::shared_ptr<const Shape> half_plane(double x, double y, double normal_x, double normal_y);
 
 std::shared_ptr<const Shape> disc(double x, double y, double radius);

@@ -1,4 +1,4 @@
-// Files that are whole or absent, whenever the run is killed.
+// Files that are complete or absent, even if the run is killed while writing.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace adit::results {
 
-// Replaces the file: writes `<path>.part` beside it and renames that. Throws std::runtime_error, with the
-// file and the system's reason, when the disk refuses.
+// Replaces the file: writes `<path>.part` beside it and renames that. Throws std::runtime_error with the file
+// and the system's reason if it cannot be written.
 void replace_file(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace adit::results

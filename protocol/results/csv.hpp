@@ -1,4 +1,4 @@
-// Tables as text: one header line of names that end in their units, then one line a row.
+// Tables as text: a header line of names that end in their units, then one line for each row.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,9 @@
 namespace adit::results {
 
 // Every finished row is handed to the system in one write, so that a killed run keeps all rows so far.
-// Numbers are the shortest decimals that read back to the same bits; text is quoted where CSV asks for it.
-// A disk that refuses is a std::runtime_error; a row of another length than the header a std::logic_error.
+// Numbers are the shortest decimals that read back to the same bits; text is quoted if CSV needs it.
+// Throws std::runtime_error if the file cannot be written, and std::logic_error if a row is not as long as
+// the header.
 class CsvFile {
  public:
   CsvFile(std::filesystem::path path, std::span<const std::string> columns);
@@ -35,7 +36,7 @@ class CsvFile {
   std::filesystem::path path_;
   std::ofstream file_;
   std::size_t columns_;
-  std::size_t cells_ = 0;  // of the unfinished row
+  std::size_t cells_ = 0;  // number of cells in the unfinished row
   std::string line_;       // the unfinished row
 };
 

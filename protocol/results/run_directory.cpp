@@ -11,8 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// All that a run of `coupler` or `simplified` and its pictures leave; `.part` files are those of a run that
-// was killed while writing.
+// All files that a run of `coupler` or `simplified` and its pictures leave. A `.part` file stems from a run
+// that was killed while writing.
 constexpr std::array<std::string_view, 14> kResults = {"summary.json",
                                                        "summary.json.part",
                                                        "histories.csv",
@@ -52,7 +52,7 @@ void prepare_run_directory(const fs::path& directory, const fs::path& scene_file
     refuse("holds the scene itself");
   for (const auto& entry : fs::directory_iterator(directory))
     if (!is_result(entry.path()) && entry.path().extension() != ".log")
-      refuse("holds `" + entry.path().filename().string() + "`, which is no result of a run");
+      refuse("holds `" + entry.path().filename().string() + "`, which is not a result of a run");
 }
 
 void clear_results(const fs::path& directory) {

@@ -1,4 +1,4 @@
-// Where the results of a run go.
+// The folder of a run's results.
 #pragma once
 
 #include <filesystem>
@@ -6,14 +6,14 @@
 
 namespace adit::results {
 
-// The case that a scene file belongs to: its folder's name; `variants` folders belong to the case above.
+// The case to which a scene file belongs: the name of its folder, or of the folder above a folder `variants`.
 std::string case_name(const std::filesystem::path& scene_file);
 
-// Creates the directory where it is absent. One that holds anything but the results of a run, or the scene
-// itself, is a protocol::UserError. Nothing in it is touched.
+// Creates the directory if it is absent, and touches nothing in it. Throws protocol::UserError if it holds
+// the scene itself or anything that is not a result of a run.
 void prepare_run_directory(const std::filesystem::path& directory, const std::filesystem::path& scene_file);
 
-// Takes the results of an older run out of a prepared directory; logs of servers stay.
+// Removes the results of an older run from a prepared directory; logs of servers stay.
 void clear_results(const std::filesystem::path& directory);
 
 }  // namespace adit::results

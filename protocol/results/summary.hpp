@@ -1,4 +1,4 @@
-// summary.json: what a run says of itself, one flat object whose names end in their units.
+// summary.json: the figures of a run, in one flat object whose names end in their units.
 #pragma once
 
 #include <filesystem>
@@ -9,11 +9,11 @@ namespace adit::results {
 
 class Summary {
  public:
-  // Adds a value, in the order of the calls. Numbers that are not finite become null, bytes that are no
-  // UTF-8 are replaced; a name that is set already is a std::logic_error.
+  // Adds a value; the file lists them in the order of the calls. Numbers that are not finite become null, and
+  // bytes that are not UTF-8 are replaced. Throws std::logic_error if the name is set already.
   void set(const std::string& name, nlohmann::ordered_json value);
 
-  // Replaces the file in one go.
+  // Replaces the file as a whole (atomic_file.hpp).
   void write(const std::filesystem::path& path) const;
 
  private:

@@ -19,7 +19,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the files state little-endian values");
 
-// What VTK calls our shapes.
+// VTK's names for the shapes of a piece.
 struct Format {
   std::size_t points_per_cell;
   std::string_view dataset;  // the element that holds the data
@@ -215,7 +215,7 @@ void Collection::add(double time, const std::string& piece, const std::string& f
 void Collection::write() const {
   std::string out = document_start("Collection");
   std::map<std::string, std::size_t>
-      parts;  // pieces by number: the viewer shows the parts of one time together
+      parts;  // a number for each piece, by which viewers show the parts of one time together
   for (const Entry& entry : entries_) {
     const std::size_t part = parts.emplace(entry.piece, parts.size()).first->second;
     out += "<DataSet timestep=\"" + protocol::shortest(entry.time) + "\" part=\"" + std::to_string(part) +

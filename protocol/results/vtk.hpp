@@ -1,7 +1,7 @@
 // Fields as files that ParaView and VTK open: VTU for zones, VTP for particles and bonds, one PVD that
 // names them all with their times. XML with inline base64 data: little-endian, 8-byte lengths, Float64
-// values to the last bit. Points, and fields of two components, get z = 0: viewers know vectors in space
-// only.
+// values to the last bit. Points and fields of two components get z = 0, because viewers know vectors of
+// three components only.
 #pragma once
 
 #include <cstdint>
@@ -13,20 +13,20 @@
 
 namespace adit::results {
 
-// Writes QUADS as an unstructured grid, VERTICES and LINES as poly data. Pieces come from other programs:
-// one that contradicts itself (sizes that do not fit, a point that does not exist, a name that is no
-// name) is a std::runtime_error that says where. Any number may be NaN.
+// Writes QUADS as an unstructured grid, VERTICES and LINES as poly data. Pieces come from other programs, so
+// they are checked: wrong sizes, points that do not exist and invalid names throw std::runtime_error, which
+// names the piece. Any value may be NaN.
 void write_piece(const std::filesystem::path& path, const wire::Piece& piece);
 
 // The PVD file of a folder of pieces.
 class Collection {
  public:
-  // Creates the folder where it is absent.
+  // Creates the folder if it is absent.
   explicit Collection(std::filesystem::path folder);
 
-  // Names a file of the folder at a time [s]; a piece twice at one time is a std::runtime_error.
+  // Lists a file of the folder at a time [s]. Throws std::runtime_error if the piece is listed at that time.
   void add(double time, const std::string& piece, const std::string& file);
-  // Rewrites `fields.pvd`; a killed run leaves the previous one or this one.
+  // Rewrites `fields.pvd` as a whole (atomic_file.hpp).
   void write() const;
   const std::filesystem::path& folder() const { return folder_; }
 

@@ -1,4 +1,4 @@
-// Results never destroy what is no result.
+// A run never deletes files that are not results.
 #include "protocol/results/run_directory.hpp"
 
 #include <gtest/gtest.h>
