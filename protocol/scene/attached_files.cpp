@@ -23,12 +23,13 @@ std::string content(const fs::path& path, const std::string& field) {
   std::error_code error;
   if (!fs::exists(path, error))
     refuse(
-        "there is no such file; check the path, which is relative to the file that states it, in --set to "
-        "the current folder");
+        "there is no such file; check the path, which is relative to the scene file that gives it (with "
+        "--set: "
+        "to the current folder)");
   if (!fs::is_regular_file(path, error)) refuse("this is not a file");
   if (fs::file_size(path, error) > kLargestAttachedBytes)
     refuse("the file is larger than " + std::to_string(kLargestAttachedBytes >> 20) +
-           " MiB; use a coarser mesh, or a shorter record");
+           " MiB; use a coarser mesh or a shorter record");
   std::ifstream stream(path, std::ios::binary);
   if (!stream) refuse("the file cannot be opened; check its permissions");
   return {std::istreambuf_iterator<char>(stream), {}};
@@ -49,7 +50,7 @@ void attach_one(const SceneFile& scene, Message& message, const FieldDescriptor*
   reflection.SetString(&message, name, fs::absolute(file).lexically_normal().string());
 }
 
-// Calls visit(message, field, path) for every field below the message that is the content of a file.
+// Calls visit(message, field, path) for every field within the message that holds the content of a file.
 template <class Visit>
 void for_each_content(Message& message, const std::string& path, const Visit& visit) {
   const auto& reflection = *message.GetReflection();

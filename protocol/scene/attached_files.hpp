@@ -1,5 +1,5 @@
-// Files that a scene names: their contents travel with it, because the server that needs them may run
-// elsewhere.
+// Files that a scene names. Their contents are sent with the scene, because the server that needs them may
+// run on another machine.
 #pragma once
 
 #include "protocol/scene/reader.hpp"
@@ -8,12 +8,13 @@ namespace adit::protocol {
 
 constexpr std::uintmax_t kLargestAttachedBytes = 500 << 20;
 
-// Fills every field that is the content of a file (rule.proto) which the field beside it names, relative to
-// the scene file in which it is written; the name becomes absolute, so that the scene reads the same wherever
-// it is written to. Throws UserError at the name's place for a file that cannot be read.
+// Fills every field that holds the content of a file (rule.proto: content_of). The field beside it names the
+// file, relative to the scene file in which it is written. The name becomes absolute, so that a copy of the
+// scene in another folder means the same file. Throws UserError at the name's place if the file cannot be
+// read.
 void attach_files(SceneFile& file);
 
-// Wherever the files lie, the scene computes the same.
+// Removes the names of the files, which do not change what is computed.
 void forget_file_names(scene::Scene& scene);
 
 }  // namespace adit::protocol

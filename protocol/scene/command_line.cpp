@@ -10,11 +10,11 @@ SceneCommandLine::SceneCommandLine(const std::string& program, const std::string
   app.set_version_flag("--version", program + " " + std::string(release()));
   app.require_subcommand(1);
   run = app.add_subcommand("run", "computes a scene");
-  run->add_option("--out", out, "directory of the results; runs/<case>/<scene name> where absent");
+  run->add_option("--out", out, "folder of the results [default: runs/<case>/<scene name>]");
   check = app.add_subcommand("check", "sets a scene up without computing it");
   for (CLI::App* command : {run, check}) {
     command->add_option("scene", scene, "scene file (YAML)")->required();
-    command->add_option("--set", sets, "path=value: replaces a field of the scene; may be repeated")
+    command->add_option("--set", sets, "path=value: replaces a value of the scene; may be repeated")
         ->take_all()
         ->expected(1);
   }

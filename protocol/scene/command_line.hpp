@@ -10,16 +10,16 @@ namespace adit::protocol {
 
 struct SceneCommandLine {
   SceneCommandLine(const std::string& program, const std::string& description);
-  // The exit code where the program ends here: after --help and --version, or for what cannot be read.
+  // The exit code if the program ends here: after --help or --version, or because of a wrong command line.
   std::optional<int> parse(int argc, const char* const* argv);
 
   CLI::App app;
-  CLI::App* run;    // parsed() where this is wanted; options of its own may be added
+  CLI::App* run;    // run->parsed() tells whether it was asked for; programs may add options to it
   CLI::App* check;  // likewise
 
   std::string scene;
   std::vector<std::string> sets;  // path=value
-  std::string out;                // directory of the results; empty: the usual place
+  std::string out;                // folder of the results; empty: runs/<case>/<scene name>
 };
 
 }  // namespace adit::protocol

@@ -1,4 +1,4 @@
-// A short name for what a run computes.
+// A short identifier of what a run computes.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What every program that computes a scene does alike: reading it, and saying why it ended.
+// What all programs that compute a scene have in common: they read it, and say why they ended.
 #pragma once
 
 #include <functional>

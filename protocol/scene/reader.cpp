@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What keeps the file from being read, with the remedy; empty where nothing does.
+// The reason why the file cannot be read, with the remedy; empty if it can.
 std::string obstacle(const fs::path& path) {
   std::error_code error;
   const auto status = fs::status(path, error);
@@ -93,7 +93,7 @@ std::string SceneFile::folder(std::string_view field) const {
   return place.line > 0 ? fs::path(*place.source).parent_path().string() : "";
 }
 
-// Results go to a folder of this name: it must not lead anywhere else.
+// The results' folder has the scene's name, which therefore must not point to another folder.
 void require_folder_name(const SceneFile& file) {
   const std::string& name = file.scene.name();
   const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {

@@ -14,13 +14,14 @@
 namespace adit::protocol {
 
 struct SceneFile {
-  scene::Scene scene;  // what is not given is unset: the getters return the defaults
+  scene::Scene scene;  // fields that are not given are unset, and their getters return the defaults
   YamlValue tree;      // the merged scene as it was written
 
-  // "file:line:column" (or "--set path=value") of the field, or of the nearest field around it that is given.
+  // "file:line:column" (or "--set path=value") of the field, or of the innermost given field that contains
+  // it.
   std::string locate(std::string_view field) const;
 
-  // Folder of the file in which the field is given, to which a path in it is relative; empty for `--set`.
+  // Folder of the file in which the field is given; paths in the field are relative to it. Empty for `--set`.
   std::string folder(std::string_view field) const;
 
  private:
@@ -37,8 +38,8 @@ constexpr std::uintmax_t kLargestSceneBytes = 4 << 20;
 //   cases/x.yaml:12:5: particles.packing.radius: is -0.1 m, expected a length above 0 m
 SceneFile read_scene(const std::string& path, std::span<const Override> sets = {});
 
-// The same line for an error that was found after reading and names its field by path(). An error without a
-// path (such as those of read_scene) says everything itself.
+// The same line for an error that was found after reading and names its field by path(). The message of an
+// error without a path, such as those of read_scene, is complete already.
 std::string describe(const SceneFile& file, const UserError& error);
 
 }  // namespace adit::protocol

@@ -16,7 +16,8 @@ using google::protobuf::Message;
 
 void emit(YAML::Emitter& out, const Message& message);
 
-// One value of a field: the field's own where `index` is negative, an element of its list otherwise.
+// Writes one value of a field: the field's own value if `index` is negative, otherwise that element of its
+// list.
 void emit_value(YAML::Emitter& out, const Message& message, const FieldDescriptor* field, int index) {
   const auto* reflection = message.GetReflection();
   const bool list = index >= 0;

@@ -56,7 +56,7 @@ struct Parts {
   std::string_view unit;
 };
 
-// The longest front of `text` that is a decimal number, and what follows it.
+// Splits `text` into the longest beginning that is a decimal number, and the rest.
 Parts split(std::string_view text) {
   std::size_t end = 0;
   const auto digits = [&] {
@@ -81,7 +81,7 @@ Parts split(std::string_view text) {
   return {text.substr(0, end), trim(text.substr(end))};
 }
 
-// number * 10^decimals, rounded once: the power of ten joins the exponent in the text.
+// number * 10^decimals, rounded once, because the power of ten is added to the exponent in the text.
 double scale(std::string_view number, int decimals) {
   if (number.starts_with('+')) number.remove_prefix(1);
   const std::size_t mark = std::min(number.find_first_of("eE"), number.size());
@@ -120,7 +120,7 @@ double parse_quantity(std::string_view text, std::string_view si_unit) {
   const std::string_view trimmed = trim(text);
   if (trimmed == "inf" || trimmed == ".inf") return std::numeric_limits<double>::infinity();
   const auto [number, unit_text] = split(trimmed);
-  // A unit begins with a letter or the micro sign; anything else spoils the number ("1,5").
+  // A unit begins with a letter or the micro sign; other signs belong to a mistyped number ("1,5").
   if (number.empty() ||
       (!unit_text.empty() && std::string_view(",.:;_-+'").find(unit_text.front()) != std::string_view::npos))
     refuse(quote(text) + " is not a number; " + expectation(si_unit));

@@ -6,13 +6,13 @@
 
 namespace adit::protocol {
 
-// The number that `text` states, in `si_unit`; a number without unit is in `si_unit` already. An empty
-// `si_unit` asks for a pure number. Independent of the locale; `inf` and `.inf` are infinity. Throws
-// UserError (with no path) for anything else: no number, not a number, beyond the range of a double, unknown
-// unit, unit of another dimension.
+// The number that `text` gives, in `si_unit`. A number without a unit is in `si_unit` already, and an empty
+// `si_unit` means a pure number. `inf` and `.inf` are infinity; the locale has no influence. Throws UserError
+// without a path if the text is not a number, is NaN, lies beyond the range of a double, or has an unknown
+// unit or one of another dimension.
 double parse_quantity(std::string_view text, std::string_view si_unit);
 
-// What a field in `si_unit` holds and how it may be written: "a pressure", "30 GPa".
+// The quantity that a field in `si_unit` holds, and an example of it: "a pressure", "30 GPa".
 std::string quantity_name(std::string_view si_unit);
 std::string quantity_example(std::string_view si_unit);
 

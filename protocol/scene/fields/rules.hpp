@@ -12,10 +12,10 @@ namespace adit::protocol {
 
 const scene::Rule& rule_of(const google::protobuf::FieldDescriptor* field);
 
-// Whether the programs fill it in, not the user.
+// Whether the programs fill the field, so that users must not.
 bool is_internal(const google::protobuf::FieldDescriptor* field);
 
-// Names as a scene writes them.
+// Names as they are written in a scene.
 std::vector<std::string> field_names(const google::protobuf::Descriptor* type);
 std::vector<std::string> enumerators(const google::protobuf::EnumDescriptor* type);  // in lower case
 std::string join(const std::vector<std::string>& names);                             // "x, y, z"

@@ -42,7 +42,7 @@ struct Prefix {
   int decimals;
 };
 
-// The micro sign has two code points (U+00B5, U+03BC).
+// Micro stands three times: as u, and as the micro sign, which has two code points (U+00B5 and U+03BC).
 constexpr Prefix kPrefixes[] = {{"", 0},   {"T", 12}, {"G", 9},  {"M", 6},       {"k", 3},       {"d", -1},
                                 {"c", -2}, {"m", -3}, {"u", -6}, {"\u00b5", -6}, {"\u03bc", -6}, {"n", -9}};
 
@@ -74,7 +74,7 @@ void multiply(Unit& product, const Unit& unit, int power) {
   product.factor *= std::pow(unit.factor, power);
 }
 
-// The steps of parse_unit: each takes what it reads off the front of `rest`.
+// The steps of parse_unit. Each reads from the beginning of `rest` and removes what it has read.
 std::string_view take_symbol(std::string_view& rest) {
   const std::string_view symbol = rest.substr(0, rest.find_first_of(" \t*/^"));
   rest.remove_prefix(symbol.size());
@@ -86,7 +86,7 @@ int take_power(std::string_view& rest, std::string_view whole) {
   int power = 0;
   const auto end = std::from_chars(rest.data() + 1, rest.data() + rest.size(), power).ptr;
   if (power == 0 || std::abs(power) > 9)
-    refuse("unit " + quote(whole) + " has a power that is no whole number from -9 to 9 (without 0)");
+    refuse("unit " + quote(whole) + " has a power that is not a whole number from -9 to 9, without 0");
   rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
   return power;
 }

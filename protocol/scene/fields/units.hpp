@@ -1,9 +1,9 @@
 // Units of measurement: "GPa", "t/m^3", "m/s^2". A unit is a product of symbols with integer powers, joined
 // by `*`, `/` or a blank and read from left to right (kN/m/s = kN m^-1 s^-1):
 //   m s N Pa J Hz rad gal   with the prefixes T G M k d c m u (also µ) n
-//   kg t min h bar deg g    as they are; g is the standard gravity 9.80665 m/s^2, so that 0.3 g is an
+//   kg t min h bar deg g    without prefixes; g is the standard gravity 9.80665 m/s^2, so that 0.3 g is an
 //                           acceleration; masses are written in kg and t
-// The angle counts as a dimension of its own: 50 Hz is no angular velocity, 5 rad/s is no frequency.
+// The angle is a dimension of its own: 50 Hz is not an angular velocity, and 5 rad/s is not a frequency.
 #pragma once
 
 #include <string>
@@ -21,15 +21,15 @@ struct Dimension {
   bool operator==(const Dimension&) const = default;
 };
 
-// Value in SI units = number * 10^decimals * factor. The power of ten stands apart because it goes into the
-// decimal text: "8.8 us" is the same double as 8.8e-6.
+// Value in SI units = number * 10^decimals * factor. The power of ten is kept apart because it is added to
+// the exponent of the decimal text: "8.8 us" then gives the same double as 8.8e-6.
 struct Unit {
   Dimension dimension;
   int decimals = 0;
   double factor = 1;
 };
 
-// Throws UserError (with no path) where `text` is no unit.
+// Throws UserError without a path if `text` is not a unit.
 Unit parse_unit(std::string_view text);
 
 // Every symbol, with and without prefixes.

@@ -13,7 +13,7 @@ using google::protobuf::Descriptor;
 using google::protobuf::FieldDescriptor;
 using Kind = YamlValue::Kind;
 
-// The message that the member `name` of a `type` holds, null for none.
+// The type of the message that the member `name` of `type` holds; null if it holds none.
 const Descriptor* member_type(const Descriptor* type, const std::string& name) {
   const FieldDescriptor* field = type ? type->FindFieldByName(name) : nullptr;
   return field && field->cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE ? field->message_type() : nullptr;
@@ -30,7 +30,7 @@ void drop_rivals(YamlValue& mapping, const std::string& name, const Descriptor* 
   });
 }
 
-// The member `name`, which is added (empty) where it is missing.
+// The member `name`; an empty one is added if it is missing.
 YamlValue& member(YamlValue& mapping, const std::string& name, const Place& place) {
   if (YamlValue* present = mapping.find(name)) return *present;
   YamlValue& added = mapping.children.emplace_back();

@@ -11,9 +11,9 @@
 
 namespace adit::protocol {
 
-// Lays `from` over `into`: mappings member by member, anything else is replaced. Of members that exclude each
-// other (a oneof of `type`) those of `from` stay. `type` is the message that `into` describes, null for none.
-// Merged values keep the place at which they were written.
+// Lays `from` over `into`. Mappings are merged member by member; any other value is replaced. A member of
+// `from` removes the members of `into` that exclude it (a oneof of `type`). `type` is the type of the message
+// that `into` describes, null if it describes none. Merged values keep the place at which they were written.
 void merge(YamlValue& into, YamlValue from, const google::protobuf::Descriptor* type);
 
 // One `--set path=value`; `value` is YAML.
@@ -22,11 +22,11 @@ struct Override {
   std::string value;
 };
 
-// Splits each "path=value"; throws UserError where there is no `=` or no path.
+// Splits each "path=value"; throws UserError if `=` or the path is missing.
 std::vector<Override> parse_overrides(std::span<const std::string> texts);
 
-// Replaces, or adds, what stands at the path; mappings on the way come into being, elements of lists must
-// exist. The values stand at "--set path=value", which errors name.
+// Replaces or adds the value at the path. Missing mappings on the way are added; elements of lists must
+// exist. Errors name "--set path=value" as the place of the value.
 void apply(const Override& set, YamlValue& root, const google::protobuf::Descriptor* type);
 
 }  // namespace adit::protocol

@@ -36,7 +36,7 @@ std::string found(const YamlValue& value) {
   return {};
 }
 
-// One value of one field: where it stands, so that any step of reading it can refuse it.
+// One value of one field with its place, so that every step of reading it can refuse it.
 struct Reading {
   const YamlValue& value;
   const std::string& path;
@@ -45,7 +45,7 @@ struct Reading {
   [[noreturn]] void refuse(const std::string& what) const { refuse_at(value.place, path, what); }
 
   [[noreturn]] void refuse_range() const {
-    // A bare number is in the unit of the field: the message says which.
+    // A number without a unit is in the unit of the field, which the message then names.
     const char* end = value.scalar.data() + value.scalar.size();
     double number = 0;
     const bool bare = std::from_chars(value.scalar.data(), end, number).ptr == end;
@@ -94,7 +94,7 @@ int read_enum(const Reading& r) {
   return r.field->enum_type()->value(static_cast<int>(name - names.begin()))->number();
 }
 
-// Sets the field, or adds an element where it is repeated.
+// Sets the field, or adds an element to a repeated one.
 void read_scalar(const Reading& r, Message& message) {
   const Reflection& set = *message.GetReflection();
   const bool repeated = r.field->is_repeated();

@@ -1,5 +1,5 @@
-// From a YAML tree to a message of scene.proto, by protobuf reflection: the messages themselves say which
-// fields exist, of which type and unit, within which limits.
+// Reads a YAML tree into a message of scene.proto by protobuf reflection: the descriptors of the messages say
+// which fields exist, and their types, units and limits.
 #pragma once
 
 #include <google/protobuf/message.h>
@@ -10,9 +10,9 @@
 
 namespace adit::protocol {
 
-// Fills the empty `message` from `value`, which stands at `path` of the scene; what is not given stays unset.
-// The first thing wrong, in the order of the text, throws UserError in one line with place and path; a
-// missing field counts as being at the end of its mapping.
+// Fills the empty `message` from `value`, which stands at `path` of the scene; fields that are not given stay
+// unset. Throws UserError for the first error in the order of the text, in one line with place and path. A
+// missing field counts as an error at the end of its mapping.
 void read_message(const YamlValue& value, const std::string& path, google::protobuf::Message& message);
 
 }  // namespace adit::protocol

@@ -9,16 +9,16 @@
 
 namespace adit::protocol {
 
-// A field's name and then, for one element of a list, its number.
+// A field's name and, for an element of a list, its number.
 struct PathStep {
   std::string name;
   std::optional<std::size_t> index;
 };
 
-// Nothing where `path` is not of that form; the empty path has no steps.
+// The steps of `path`; nothing if it does not have that form. The empty path has no steps.
 std::optional<std::vector<PathStep>> parse_path(std::string_view path);
 
-// `path` one level deeper.
+// The path of a member or an element of what stands at `path`.
 std::string member_path(std::string_view path, std::string_view name);
 std::string element_path(std::string_view path, std::size_t index);
 

@@ -15,7 +15,7 @@
 namespace adit::protocol {
 namespace {
 
-// Grows the tree from the parser's events: values that are still open wait on a stack.
+// Builds the tree from the parser's events; lists and mappings that have not ended yet wait on a stack.
 class TreeBuilder : public YAML::EventHandler {
  public:
   explicit TreeBuilder(std::shared_ptr<const std::string> source) : source_(std::move(source)) {}
@@ -57,7 +57,7 @@ class TreeBuilder : public YAML::EventHandler {
   struct Key {
     std::string name;  // empty: the next event is a key
     Place place;
-    std::unordered_map<std::string, int> lines;  // of the mapping's keys so far
+    std::unordered_map<std::string, int> lines;  // line of each key of the mapping so far
   };
 
   bool in_mapping() const { return !open_.empty() && open_.back().kind == YamlValue::Kind::kMapping; }
@@ -99,9 +99,8 @@ class TreeBuilder : public YAML::EventHandler {
   void start(YamlValue::Kind kind, const YAML::Mark& mark, const std::string& tag) {
     if (expects_key()) refuse_key(mark);
     if (open_.size() == kDeepestNesting)
-      refuse_at(
-          place(mark), "",
-          "is nested more than " + std::to_string(kDeepestNesting) + " levels deep; no scene needs that");
+      refuse_at(place(mark), "",
+                "is nested more than " + std::to_string(kDeepestNesting) + " levels deep; write it flatter");
     open_.push_back(open(kind, mark, tag));
     keys_.emplace_back();
   }
@@ -116,7 +115,7 @@ class TreeBuilder : public YAML::EventHandler {
   std::shared_ptr<const std::string> source_;
   YamlValue root_;
   std::vector<YamlValue> open_;  // lists and mappings from the root to the innermost
-  std::vector<Key> keys_;        // of the member that comes next, one for each of open_
+  std::vector<Key> keys_;        // key of the next member, for each value in open_
 };
 
 }  // namespace
@@ -144,7 +143,7 @@ YamlValue parse_yaml(const std::string& text, const std::string& source) {
     YamlValue root = builder.take_root();
     if (!root.place.source) root.place = builder.place(YAML::Mark());
     if (parser.HandleNextDocument(builder))
-      refuse_at(builder.take_root().place, "", "a second document begins here; keep one in a file");
+      refuse_at(builder.take_root().place, "", "a second document begins here; write one document in a file");
     return root;
   } catch (const YAML::Exception& error) {
     refuse_at(builder.place(error.mark), "", "is not YAML: " + shorten(error.msg));

@@ -1,4 +1,4 @@
-// YAML text as a tree that remembers where every value was written. It knows nothing of the scene's fields.
+// YAML text as a tree of values with their places in the text. It is independent of the scene's fields.
 #pragma once
 
 #include <cstddef>
@@ -20,21 +20,21 @@ struct Place {
 struct YamlValue {
   enum class Kind { kNull, kScalar, kList, kMapping };
   Kind kind = Kind::kNull;
-  Place place;                      // of the key for a member of a mapping, else of the value
-  std::string key;                  // of a member of a mapping
+  Place place;                      // where the value stands; for a member of a mapping, where its key stands
+  std::string key;                  // key of a member of a mapping
   std::string scalar;               // text of a scalar
   std::vector<YamlValue> children;  // elements of a list; members of a mapping, keys unique
 
-  // The member called `name`, nullptr where there is none.
+  // The member called `name`; nullptr if there is none.
   const YamlValue* find(std::string_view name) const;
   YamlValue* find(std::string_view name);
 };
 
-// Deeper nesting than any scene needs is refused, so that nothing that walks a tree exhausts the stack.
+// Deeper nesting is refused, so that recursive functions on trees cannot exhaust the stack.
 constexpr std::size_t kDeepestNesting = 32;
 
-// Throws UserError (no path; the place stands in the message) for text that is not exactly one YAML document
-// of scalars, lists and mappings with unique names as keys: aliases and tags are refused too.
+// Throws UserError, without a path and with the place in the message, if the text is not exactly one YAML
+// document of scalars, lists and mappings with unique names as keys. Aliases and tags are refused.
 YamlValue parse_yaml(const std::string& text, const std::string& source);
 
 // The error in one line, "cases/x.yaml:12:5: particles.packing.radius: is -0.1 m, …"; the path may be empty.

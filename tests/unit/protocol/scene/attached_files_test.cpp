@@ -1,4 +1,4 @@
-// Requirements on files that a scene names: their contents travel with it.
+// Requirements on files that a scene names: their contents are sent with it.
 #include "protocol/scene/attached_files.hpp"
 
 #include <gmock/gmock.h>

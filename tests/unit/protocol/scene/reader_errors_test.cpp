@@ -1,4 +1,4 @@
-// Everything that can be wrong with a scene file is one line: where, what was found, what was expected.
+// Every error in a scene file is reported in one line: where it is, what was found, what was expected.
 #include <gmock/gmock.h>
 
 #include "tests/unit/protocol/scene/scene_files.hpp"

@@ -1,4 +1,4 @@
-// No text, however wrong, makes the reader do anything but answer or throw UserError.
+// For any text, however wrong, the reader either succeeds or throws UserError.
 #include <gtest/gtest.h>
 
 #include <ctime>

@@ -1,4 +1,4 @@
-// What a scene file may say, and what the program then sees.
+// The forms that a scene file may have, and the scene that the programs then read.
 #include "protocol/scene/reader.hpp"
 
 #include <gmock/gmock.h>

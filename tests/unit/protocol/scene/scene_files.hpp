@@ -1,4 +1,4 @@
-// Scene files of a test, and what the reader says of them.
+// Scene files for tests, and the reader's result or error.
 #pragma once
 
 #include <string>
