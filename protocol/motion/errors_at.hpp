@@ -1,4 +1,4 @@
-// Motions know no scene: their errors get the field that states what they refuse.
+// Adds the path of a scene's field to the errors of motions, which are independent of scenes.
 #pragma once
 
 #include <string>

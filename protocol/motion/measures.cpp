@@ -21,8 +21,8 @@ double largest(const std::vector<double>& values) {
   return result;
 }
 
-// Integral of the acceleration squared up to each of the motion's times, exact for the straight lines
-// [m^2/s^3].
+// Integral of the squared acceleration up to each time of the motion [m^2/s^3], exact for straight lines
+// between its values: over a step from a to b it is dt (a^2 + a b + b^2) / 3.
 std::vector<double> squares(const Motion& motion) {
   check(motion);
   const auto& a = motion.acceleration;
@@ -52,10 +52,10 @@ std::vector<double> husid(const Motion& motion) {
 
 double significant_duration(const Motion& motion, double from, double to) {
   if (!(from >= 0 && from < to && to <= 1))
-    throw protocol::UserError("",
-                              fmt::format("the shares {} and {} of the Arias intensity bound no duration; "
-                                          "give two growing ones from 0 to 1",
-                                          from, to));
+    throw protocol::UserError(
+        "", fmt::format("the shares {} and {} of the Arias intensity do not bound a duration; "
+                        "give two ascending shares from 0 to 1",
+                        from, to));
   const std::vector<double> course = husid(motion);
   if (course.back() == 0) return 0;
   const auto time_of = [&](double share) {
@@ -71,7 +71,7 @@ double cumulative_absolute_velocity(const Motion& motion) {
   double sum = 0;
   for (std::size_t i = 1; i < motion.acceleration.size(); ++i) {
     const double a = motion.acceleration[i - 1], b = motion.acceleration[i];
-    // a line that changes its sign makes two triangles
+    // A line that changes its sign makes two triangles with the axis.
     sum += a * b >= 0 ? std::abs(a + b) : (a * a + b * b) / std::abs(a - b);
   }
   return motion.dt / 2 * sum;

@@ -1,4 +1,4 @@
-// What engineers state of a motion.
+// The measures of a ground motion that engineers quote.
 #pragma once
 
 #include <vector>
@@ -19,18 +19,22 @@ Peaks peaks(const Motion& motion);
 // lines between the values.
 double arias_intensity(const Motion& motion);
 
-// Its course over the motion's times (Husid's plot), as shares from 0 to 1; all 0 where nothing moves.
+// The growth of the Arias intensity over the motion's times (Husid's plot), as shares of its final value from
+// 0 to 1; all 0 if nothing moves.
 std::vector<double> husid(const Motion& motion);
 
-// Time [s] in which it grows from the share `from` to the share `to` of its end; 0.05 and 0.95 for the
-// significant duration of Trifunac and Brady (1975). Linear between the motion's times.
+// Time [s] in which the Arias intensity grows from the share `from` to the share `to` of its final value;
+// 0.05 and 0.95 give the significant duration of Trifunac and Brady (1975). Shares are linear between the
+// motion's times.
 double significant_duration(const Motion& motion, double from, double to);
 
-// Cumulative absolute velocity [m/s]: the integral of |acceleration|, exact for the straight lines.
+// Cumulative absolute velocity [m/s]: the integral of |acceleration|, exact for straight lines between the
+// values.
 double cumulative_absolute_velocity(const Motion& motion);
 
-// Amplitude |dt sum a_k exp(-2 pi i f k dt)| [m/s] at `frequency` [Hz] from 0 to Nyquist. The motion is
-// lengthened with zeros to a power of two, 2 m values; there are m + 1 frequencies at steps of 1 / (2 m dt).
+// Amplitude |dt sum a_k exp(-2 pi i f k dt)| [m/s] at `frequency` [Hz] from 0 to the Nyquist frequency. The
+// motion is padded with zeros to a power of two, 2 m values, so there are m + 1 frequencies at steps of 1 /
+// (2 m dt).
 struct FourierSpectrum {
   std::vector<double> frequency;
   std::vector<double> amplitude;

@@ -7,8 +7,8 @@
 
 namespace adit::motion {
 
-// [m/s]: 0 at time 0 and before, the exact integral of the straight lines between the values of the
-// acceleration, and what it ends with afterwards.
+// The velocity [m/s]: zero up to time 0, then the exact integral of the straight lines between the values of
+// the acceleration, and its last value after the end of the motion.
 class VelocityHistory {
  public:
   explicit VelocityHistory(Motion motion);

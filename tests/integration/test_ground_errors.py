@@ -122,7 +122,7 @@ class GroundErrors(ProgramTest):
 
     def test_records_with_wrong_units(self):
         self.refused_record("x.AT2", "PEER\n\nVELOCITY TIME SERIES IN UNITS OF CM/S\nNPTS= 4, DT= .02 SEC\n .1 .2 .1 .0\n",
-                            "x.AT2:3: `CM/S` is no unit of acceleration")
+                            "x.AT2:3: `CM/S` is not a unit of acceleration")
         self.refused_record("x.csv", "time,acceleration\n0,0\n0.02,1\n", "x.csv:1: `time` states no unit")
-        self.refused_record("x.csv", "time_s,acceleration_furlong\n0,0\n0.02,1\n", "`furlong` is no unit of acceleration")
+        self.refused_record("x.csv", "time_s,acceleration_furlong\n0,0\n0.02,1\n", "`furlong` is not a unit of acceleration")
         self.refused_record("x.csv", "time_s,acceleration_m/s^2\n0,0\n0.02,341\n", "the largest value is 341 m/s^2, beyond any earthquake")

@@ -1,18 +1,20 @@
-// The model's coherency exp(-(drift w d)^2) is the mean of exp(i kappa d) over Gaussian wave numbers kappa of
-// variance 2 (drift w)^2: the field R(x) = sum e_m exp(i kappa_m x) / sqrt(M), kappa_m drawn so and e_m
-// independent complex Gaussian numbers of unit mean square, has it. With U the spectrum of the given motion,
-// gamma_j the coherency wanted with the station that keeps U, d_j the distance from it, the others have
-//   U_j = gamma_j U + U sum e_m (exp(i kappa_m d_j) - gamma_j) / sqrt(M).
-// Then E[U_j U_k*] = gamma_jk |U|^2. The field is that of all places: more stations see more of it, and it
-// costs each of them the same.
+// The coherency of the model, exp(-(drift w d)^2), is the mean of exp(i kappa d) over Gaussian wave numbers
+// kappa with variance 2 (drift w)^2. Draw M such wave numbers kappa_m and independent complex Gaussian
+// numbers e_m of unit mean square; then the random field R(x) = sum e_m exp(i kappa_m x) / sqrt(M) has this
+// coherency. Let U be the spectrum of the given motion, which one station keeps, d_j the distance of station
+// j from that one, and gamma_j the coherency of the model at d_j. The motion of station j is
+//   U_j = gamma_j U + U sum e_m (exp(i kappa_m d_j) - gamma_j) / sqrt(M),
+// so that E[U_j U_k*] = gamma_jk |U|^2. The field is defined at all places, so each station costs the same,
+// and its motion does not depend on the other stations.
 //
-// Independent e_m at every frequency spread the second part over the whole duration. It is therefore made in
-// segments of time that overlap by half, from the motion under a window of half a sine and put back under the
-// same window: the squares of the windows add up to one, so the shaking keeps its place. A segment's noise
-// has the same mean square all along it, and the second window halves its energy: hence the factor sqrt(2).
-// What a segment cannot resolve, below 1 / kSegment, is taken out of the noise: coherency there is higher
-// than the model's. The difference from the given motion has its baseline corrected: all stations end where
-// it ends.
+// With independent e_m at every frequency, the second (incoherent) part would spread over the whole duration.
+// It is therefore made in segments of time that overlap by half: the motion is multiplied by a window of half
+// a sine, and so is the segment's result. The squares of the windows add up to one, so strong shaking stays
+// at its time. The noise of a segment has the same mean square all along the segment, and the second window
+// halves its energy; a factor of sqrt(2) makes up for that. A segment does not resolve frequencies below 1 /
+// kSegment. They are removed from the incoherent part, so that the coherency there is higher than that of the
+// model. The difference from the given motion has its baseline corrected, so that all stations end at the
+// place where the given motion ends.
 #include "protocol/motion/excitation/coherency.hpp"
 
 #include <Eigen/Dense>
@@ -33,16 +35,16 @@ namespace {
 constexpr double kSegment = 5;  // [s]
 constexpr int kHighPassOrder = 4;
 
-// Waves that make up the field at one frequency. The coherency holds in the mean for any number; one draw is
-// off it by 1/sqrt(kWaves) at a single frequency.
+// Number M of waves at one frequency. The mean coherency is right for any number; that of one draw deviates
+// by about 1/sqrt(kWaves) at a single frequency.
 constexpr int kWaves = 64;
 
-// (exp(i kappa_m d_j) - gamma_j) / sqrt(M), a row a station, a column a wave.
+// (exp(i kappa_m d_j) - gamma_j) / sqrt(M), a row for each station and a column for each wave.
 Eigen::MatrixXcd waves_at(std::span<const double> distances, double drift, double frequency, Random& random) {
   const auto stations = static_cast<Eigen::Index>(distances.size());
   Eigen::MatrixXcd waves(stations, kWaves);
   for (Eigen::Index m = 0; m < kWaves; ++m) {
-    // The real part has a variance of one half.
+    // kappa = 2 drift w x, where x, the real part of complex_gaussian(), has the variance 1/2.
     const double kappa = 4 * std::numbers::pi * frequency * drift * random.complex_gaussian().real();
     for (Eigen::Index j = 0; j < stations; ++j) {
       const double distance = distances[static_cast<std::size_t>(j)];
@@ -53,7 +55,7 @@ Eigen::MatrixXcd waves_at(std::span<const double> distances, double drift, doubl
   return waves;
 }
 
-// gamma_j U, for the whole motion at once.
+// The coherent part gamma_j U, for the whole motion at once.
 Motion coherent_part(const Motion& motion, double drift, double distance) {
   const std::size_t n = std::bit_ceil(2 * motion.acceleration.size());
   auto spectrum = transform(motion.acceleration, n);
@@ -64,7 +66,7 @@ Motion coherent_part(const Motion& motion, double drift, double distance) {
   return part;
 }
 
-// The second part for all stations, one row a station, before the high pass.
+// The incoherent part for all stations, one row for each, before frequencies below 1 / kSegment are removed.
 class IncoherentPart {
  public:
   IncoherentPart(const Motion& motion, std::span<const double> distances, double drift, std::uint64_t seed)
@@ -97,7 +99,8 @@ class IncoherentPart {
     const auto spectrum = transform(windowed, windowed.size());
 
     const auto stations = static_cast<Eigen::Index>(parts_.size());
-    Eigen::MatrixXcd mixed = Eigen::MatrixXcd::Zero(stations, half_ + 1);  // its last column stays: no wave
+    // The last column, the Nyquist frequency, stays zero: it has no wave.
+    Eigen::MatrixXcd mixed = Eigen::MatrixXcd::Zero(stations, half_ + 1);
     Eigen::VectorXcd noise(kWaves);
     for (std::ptrdiff_t k = 0; k < half_; ++k) {
       for (std::complex<double>& e : noise) e = random_.complex_gaussian();
@@ -114,9 +117,9 @@ class IncoherentPart {
   }
 
   const Motion& motion_;
-  std::ptrdiff_t half_;  // of a segment, in steps
+  std::ptrdiff_t half_;  // half the length of a segment, in steps
   Random random_;
-  std::vector<Eigen::MatrixXcd> waves_;  // one a frequency
+  std::vector<Eigen::MatrixXcd> waves_;  // one matrix for each frequency
   std::vector<Motion> parts_;
 };
 

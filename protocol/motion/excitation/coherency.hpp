@@ -1,4 +1,4 @@
-// Loss of coherency between stations that the wave meets at the same time.
+// Loss of coherency between stations that the wave reaches at the same time.
 #pragma once
 
 #include <span>
@@ -8,8 +8,8 @@
 
 namespace adit::motion {
 
-// One motion a distance, all of the length of `motion`, any two with the coherency of `luco_wong` between
-// them; distances[reference] keeps `motion` itself.
+// One motion for each distance, all as long as `motion`; any two have the coherency of `luco_wong` between
+// them. The station at distances[reference] has `motion` itself.
 std::vector<Motion> incoherent_motions(const Motion& motion, std::span<const double> distances,
                                        std::size_t reference, double drift, std::uint64_t seed);
 

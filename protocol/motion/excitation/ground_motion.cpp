@@ -33,7 +33,8 @@ TargetSpectrum target(const scene::SyntheticMotion& synthetic) {
   return gb18306(1, synthetic.corner_period());
 }
 
-// Builds up over 15 % of the duration, decays from half of it to 1/20.
+// The shaking grows over the first 15 % of the duration, and decays from its middle on to exp(-3) = 1/20 at
+// the end.
 Motion synthetic(const scene::SyntheticMotion& scene, const Sampling& sampling) {
   return synthesize({.target = target(scene),
                      .shortest_period = std::max(0.1, 4 * sampling.dt),
@@ -47,6 +48,7 @@ Motion synthetic(const scene::SyntheticMotion& scene, const Sampling& sampling) 
       .motion;
 }
 
+// The motion before processing. Pulses have a peak of 1 m/s^2, which the `peak` of the scene scales.
 Motion raw_motion(const scene::GroundMotion& scene, const std::string& path, const Sampling& sampling) {
   switch (scene.source_case()) {
     case Source::kFile:
@@ -63,16 +65,17 @@ Motion raw_motion(const scene::GroundMotion& scene, const std::string& path, con
     case Source::SOURCE_NOT_SET:
       break;
   }
-  throw UserError(path, "has no source; give one of file, ricker, sine, gabor, synthetic");
+  throw UserError(path, "has no motion; give one of file, ricker, sine, gabor, synthetic");
 }
 
 Motion filtered(const scene::GroundMotion& scene, const std::string& path, Motion motion) {
   constexpr int kOrder = 4;
   if (scene.has_low_corner() && scene.has_high_corner() && scene.low_corner() >= scene.high_corner())
-    throw UserError(path + ".low_corner",
-                    fmt::format("is {:.6g} Hz, not below high_corner = {:.6g} Hz, so that nothing passes; "
-                                "exchange them",
-                                scene.low_corner(), scene.high_corner()));
+    throw UserError(
+        path + ".low_corner",
+        fmt::format("is {:.6g} Hz, not below high_corner = {:.6g} Hz, so that no frequency passes; "
+                    "exchange them",
+                    scene.low_corner(), scene.high_corner()));
   if (scene.has_low_corner()) motion = high_pass(motion, scene.low_corner(), kOrder, Phase::kZero);
   if (scene.has_high_corner()) motion = low_pass(motion, scene.high_corner(), kOrder, Phase::kZero);
   return motion;

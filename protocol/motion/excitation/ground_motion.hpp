@@ -1,4 +1,4 @@
-// The scene's earthquake (ground_motion.proto).
+// The ground motion of a scene (ground_motion.proto).
 #pragma once
 
 #include <string>
@@ -9,13 +9,14 @@
 
 namespace adit::motion {
 
-// The motion as the scene prepares it: tapered, filtered, its baseline corrected, scaled. Records travel with
-// the scene (attached_files.hpp). Throws UserError below `path`, such as for a record that is shorter than
-// the sampling's duration.
+// The motion after the processing that the scene asks for: taper, filter, baseline correction, scaling.
+// Records are sent with the scene (attached_files.hpp). Throws UserError below `path`, for example if a
+// record is shorter than the sampling's duration.
 Motion ground_motion(const scene::GroundMotion& scene, const std::string& path, const Sampling& sampling);
 
-// For solvers whose step is much shorter: the record's own step, 1/200 of a pulse's period, 5 ms of a
-// synthetic motion. Straight lines between such values lose less than 1e-4 of the amplitude of a pulse.
+// The same at a step for solvers whose own step is much shorter: the step of a record, 1/200 of the period of
+// a pulse, 5 ms for a synthetic motion. Straight lines between such values change the amplitude of a pulse by
+// less than 1e-4.
 Motion ground_motion(const scene::GroundMotion& scene, const std::string& path, double duration);
 
 }  // namespace adit::motion

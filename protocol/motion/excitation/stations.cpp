@@ -14,7 +14,7 @@ namespace {
 
 using protocol::UserError;
 
-constexpr double kMostValues = 1e9;  // of all stations together: 8 GB
+constexpr double kMostValues = 1e9;  // for all stations together: 8 GB
 
 void check_excitation(std::span<const double> chainages, const NonUniform& excitation) {
   if (chainages.empty()) throw UserError("", "there are no stations; give at least one chainage");

@@ -1,4 +1,4 @@
-// Non-uniform excitation: one motion at the origin becomes a motion of its own at every station along a line.
+// Non-uniform excitation: from one motion, every station along a line gets a motion of its own.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,20 @@
 namespace adit::motion {
 
 struct NonUniform {
-  // Speed at which the motion runs towards larger chainage [m/s]; negative towards smaller. Infinite: all
-  // stations at once.
+  // Speed at which the wave travels along the line [m/s]: positive towards larger chainage, negative towards
+  // smaller, infinite if it reaches all stations at once.
   double apparent_velocity = std::numeric_limits<double>::infinity();
-  // Loss of coherency (Luco & Wong 1986): two stations at a distance d keep exp(-(drift w d)^2) of their
-  // coherency at the angular frequency w. Commonly 2e-4 to 3e-4 s/m; 0: none lost.
+  // Loss of coherency [s/m] (Luco and Wong 1986): two stations at a distance d have the coherency
+  // exp(-(drift w d)^2) at the angular frequency w. Common values are 2e-4 to 3e-4 s/m; 0 means no loss.
   double drift = 0;
-  std::uint64_t seed = 0;  // of the incoherent part
+  std::uint64_t seed = 0;  // seed of the random numbers in the incoherent part
 };
 
-// One motion a station, in the order of the chainages [m], all with the same step and number of values: those
-// of `motion`, and as many more as the wave needs from the first station to the last. The station that the
-// wave meets first (the first of the list where it meets all at once) has exactly `motion`. The incoherent
-// part of a place depends on the seed and on its distance from that station, not on the other stations.
+// One motion for each station, in the order of the chainages [m]. All have the step of `motion`, and as many
+// values as `motion` plus the steps that the wave needs from the first station to the last. The station that
+// the wave reaches first (the first in the list if it reaches all at once) has exactly `motion`. The
+// incoherent part at a station depends on the seed and on the distance from that first station, not on other
+// stations.
 std::vector<Motion> station_motions(const Motion& motion, std::span<const double> chainages,
                                     const NonUniform& excitation);
 

@@ -11,7 +11,7 @@ Eigen::Vector2d at_end(const Motion& motion) {
   return {course.velocity.back(), course.displacement.back()};
 }
 
-// s^power (1 - s) at the times of `motion`.
+// The shape s^power (1 - s) with s = t / duration, at the times of `motion`.
 Motion shape(const Motion& motion, int power) {
   Motion shape = motion;
   auto& a = shape.acceleration;
@@ -24,7 +24,8 @@ Motion shape(const Motion& motion, int power) {
 
 }  // namespace
 
-// The end of the motion depends linearly on its acceleration: two shapes, two conditions.
+// Final velocity and displacement depend linearly on the acceleration, so the factors of two shapes follow
+// from two linear equations.
 Motion baseline_corrected(const Motion& motion) {
   check(motion);
   if (motion.acceleration.size() < 4)

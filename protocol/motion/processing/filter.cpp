@@ -43,14 +43,15 @@ Motion zero_phase(const Motion& motion, Pass pass, double corner, int order) {
   return result;
 }
 
-// y = b0 x + b1 x' + b2 x'' - a1 y' - a2 y'', primes: one and two steps ago.
+// y = b0 x + b1 x' + b2 x'' - a1 y' - a2 y''; one prime means the step before, two the one before that.
 struct Section {
   double b0, b1, b2, a1, a2;
 };
 
 void run_section(const Section& s, std::vector<double>& values) {
   double later = 0,
-         last = 0;  // transposed direct form II: what the past adds to the next value and the one after
+         last =
+             0;  // transposed direct form II: what the past adds to the next value, and to the one after it
   for (double& value : values) {
     const double x = value;
     value = s.b0 * x + later;
@@ -59,8 +60,9 @@ void run_section(const Section& s, std::vector<double>& values) {
   }
 }
 
-// p = tan(pi f_c dt) (1 + z) / (1 - z), z one step back, put into 1/(p^2 + p/q + 1) and 1/(p + 1) for low
-// pass; high pass has p^2 and p in the numerator (p = s/w_c is the bilinear transform that keeps the corner).
+// The analogue low passes are 1/(p^2 + p/q + 1) and 1/(p + 1) with p = s/w_c; high passes have p^2 and p in
+// the numerator. The bilinear transform that keeps the corner frequency is p = (1 - z) / (k (1 + z)) with k =
+// tan(pi f_c dt), where z delays by one step.
 Section second_order(Pass pass, double k, double inverse_q) {
   const double scale = 1 / (1 + k * inverse_q + k * k);
   const double a1 = 2 * (k * k - 1) * scale, a2 = (1 - k * inverse_q + k * k) * scale;
@@ -74,7 +76,8 @@ Section first_order(Pass pass, double k) {
   return {scale, -scale, 0, a1, 0};
 }
 
-// The poles of order n lie on a circle at the angles pi (2 i + 1) / (2 n) from the imaginary axis.
+// The poles of a Butterworth filter of order n lie on a circle, at the angles pi (2 i + 1) / (2 n) from the
+// imaginary axis. Each pair of poles makes a second-order section, a single real pole a first-order one.
 Motion causal(const Motion& motion, Pass pass, double corner, int order) {
   const double k = std::tan(std::numbers::pi * corner * motion.dt);
   Motion result = motion;
@@ -106,7 +109,8 @@ Motion band_pass(const Motion& motion, double low, double high, int order, Phase
   check_filter(motion, high, order);
   if (low >= high)
     throw UserError(
-        "", fmt::format("the band begins at {:.6g} Hz and ends at {:.6g} Hz; let it end higher", low, high));
+        "", fmt::format("the band begins at {:.6g} Hz and ends at {:.6g} Hz; give an end above its begin",
+                        low, high));
   return low_pass(high_pass(motion, low, order, phase), high, order, phase);
 }
 

@@ -33,7 +33,8 @@ std::ptrdiff_t steps(double time, double dt) {
 Motion cut(const Motion& motion, double begin, double end) {
   require_length(begin, "begin of the cut");
   if (!(end > begin))
-    throw UserError("", fmt::format("the cut ends at {} s and begins at {} s; let it end later", end, begin));
+    throw UserError(
+        "", fmt::format("the cut ends at {} s and begins at {} s; give an end after its begin", end, begin));
   require_duration(motion, end, "the motion to cut");
   const auto values = motion.acceleration.begin();
   const auto last = std::min(steps(end, motion.dt), std::ssize(motion.acceleration) - 1);

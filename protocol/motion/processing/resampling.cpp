@@ -10,13 +10,13 @@
 namespace adit::motion {
 namespace {
 
-constexpr double kCrossings = 32;    // of zero, on each side of the kernel
+constexpr double kCrossings = 32;    // zero crossings on each side of the kernel
 constexpr double kKaiser = 9;        // ripple 3e-5 in pass and stop band
-constexpr double kSamePlace = 1e-9;  // in steps
+constexpr double kSamePlace = 1e-9;  // two times this close count as one [steps]
 constexpr double kMostValues = 1e8;
 
-// The low pass at `rate` (<= 1) times the Nyquist frequency, as seen from a place `fraction` of a step after
-// a value: weights of the values from weights.size()/2 - 1 before that one on.
+// The low pass at `rate` (<= 1) times the Nyquist frequency, for a time that lies `fraction` of a step after
+// a value: weights of the values, beginning weights.size()/2 - 1 values before that one.
 std::vector<double> kernel(double fraction, double rate) {
   const int half = static_cast<int>(std::ceil(kCrossings / rate));
   std::vector<double> weights(2 * static_cast<std::size_t>(half));
@@ -29,11 +29,11 @@ std::vector<double> kernel(double fraction, double rate) {
         share * share < 1 ? std::cyl_bessel_i(0.0, kKaiser * std::sqrt(1 - share * share)) : 0.0;
     sum += weights[static_cast<std::size_t>(k)] = sinc * window;
   }
-  for (double& weight : weights) weight /= sum;  // a constant stays what it is
+  for (double& weight : weights) weight /= sum;  // so that a constant is kept
   return weights;
 }
 
-// Sum of weights times the values from `first` on; values beyond the ends are zero.
+// Sum of the weights times the values from number `first` on; values beyond the ends are zero.
 double weighted(std::span<const double> values, std::ptrdiff_t first, std::span<const double> weights) {
   const std::ptrdiff_t begin = std::max<std::ptrdiff_t>(0, -first);
   const std::ptrdiff_t end = std::min(std::ssize(weights), std::ssize(values) - first);
@@ -60,6 +60,7 @@ Motion resampled(const Motion& motion, double dt, Interpolation interpolation) {
     const double fraction = std::max(0.0, place - before);
     const auto first = static_cast<std::ptrdiff_t>(before);
     std::vector<double> weights;
+    // A time that coincides with a given value takes that value, so that the step itself is exact.
     if (interpolation == Interpolation::kLinear)
       weights = {1 - fraction, fraction};
     else if (rate == 1 && fraction < kSamePlace)

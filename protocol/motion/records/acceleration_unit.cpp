@@ -22,7 +22,7 @@ double acceleration_unit(std::string_view unit) {
       name.replace(at, std::string_view(peer).size(), ours);
   const auto refuse = [&] {
     throw UserError("",
-                    quote(unit) + " is no unit of acceleration; give one such as g, gal, cm/s^2 or m/s^2");
+                    quote(unit) + " is not a unit of acceleration; give one such as g, gal, cm/s^2 or m/s^2");
   };
   protocol::Unit found;
   try {

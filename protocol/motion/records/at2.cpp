@@ -18,18 +18,18 @@ namespace {
 
 using protocol::quote;
 
-constexpr std::size_t kLongestHeader = 20;       // lines; PEER writes four
-constexpr std::size_t kLongestHeaderLine = 200;  // characters that are looked at
+constexpr std::size_t kLongestHeader = 20;       // lines that may precede the values; PEER writes four
+constexpr std::size_t kLongestHeaderLine = 200;  // characters of a line that are read
 
 struct Header {
-  std::size_t line;  // of count and step; values follow
+  std::size_t line;  // the line with count and step, which the values follow
   std::size_t unit_line;
   std::string unit;
   double points;
   double dt;
 };
 
-// The words of a line in capitals; blanks, commas, semicolons and equals signs divide them.
+// The words of a line in capitals, separated by blanks, commas, semicolons and equals signs.
 std::vector<std::string> words_of(const std::string& line) {
   std::vector<std::string> words(1);
   for (const char c : line.substr(0, kLongestHeaderLine)) {
@@ -42,7 +42,7 @@ std::vector<std::string> words_of(const std::string& line) {
   return words;
 }
 
-// The line that states count and step, and both in its words.
+// The line that gives count and step, and both as the words of that line.
 struct Size {
   std::size_t line;
   std::string points, dt;
@@ -60,7 +60,7 @@ Size find_size(const RecordText& text) {
                           kLongestHeader));
 }
 
-// The word after "UNITS OF" above the line `end`.
+// The word that follows "UNITS OF" in a line above the line `end`.
 struct UnitWord {
   std::size_t line;
   std::string unit;

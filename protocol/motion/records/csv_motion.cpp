@@ -28,12 +28,13 @@ std::pair<std::string_view, std::string_view> cells(const RecordText& text, std:
   const std::string_view row = text.lines[line];
   const auto comma = row.find(',');
   if (comma == std::string_view::npos || row.find(',', comma + 1) != std::string_view::npos)
-    text.refuse(line,
-                quote(row) + " is not two columns; time and acceleration, divided by a comma, are expected");
+    text.refuse(
+        line, quote(row) + " is not two columns; time and acceleration, separated by a comma, are expected");
   return {trim(row.substr(0, comma)), trim(row.substr(comma + 1))};
 }
 
-// "m/s^2" of "acceleration_m/s^2", "a [m/s^2]" or "a (m/s^2)"; empty where the name has no such end.
+// The unit in a column's name: "m/s^2" for "acceleration_m/s^2", "a [m/s^2]" and "a (m/s^2)"; empty if there
+// is none.
 std::string_view unit_of(std::string_view name) {
   for (const std::string_view brackets : {"[]", "()"})
     if (const auto open = name.rfind(brackets[0]);
@@ -46,13 +47,13 @@ std::string_view unit_of(std::string_view name) {
 double time_unit(std::string_view name) {
   const protocol::Unit unit = protocol::parse_unit(name);
   if (unit.dimension != protocol::Dimension{.time = 1})
-    throw UserError("", quote(name) + " is no unit of time; give one such as s or ms");
+    throw UserError("", quote(name) + " is not a unit of time; give one such as s or ms");
   return unit.factor * std::pow(10.0, unit.decimals);
 }
 
 struct Factors {
   double time, acceleration;
-  std::string_view unit;  // of the acceleration
+  std::string_view unit;  // unit of the acceleration
 };
 
 Factors read_names(const RecordText& text, std::size_t line) {
@@ -73,7 +74,7 @@ struct Row {
   double time;
 };
 
-// The mean step, after a check that no time is far from where that step puts it.
+// The mean step, after a check that every step differs from it by at most kStepTolerance.
 double equal_step(const RecordText& text, const std::vector<Row>& rows) {
   const double dt = (rows.back().time - rows.front().time) / static_cast<double>(rows.size() - 1);
   if (!(dt > 0))
@@ -92,7 +93,7 @@ double equal_step(const RecordText& text, const std::vector<Row>& rows) {
   return dt;
 }
 
-// By the ending.
+// Reads a motion in the format that the ending of the file's name tells.
 template <class Read>
 Motion parse(const std::filesystem::path& file, const Read& text) {
   std::string end = file.extension().string();

@@ -1,4 +1,5 @@
-// What both readers need: the lines of a file, numbers in them, and messages that name the place.
+// What the readers of both formats need: the lines of a file, the numbers in them, and errors that name the
+// line.
 #pragma once
 
 #include <cstddef>
@@ -13,22 +14,22 @@ namespace adit::motion {
 
 struct RecordText {
   std::string file;
-  std::vector<std::string> lines;  // without their ends
+  std::vector<std::string> lines;  // without line ends
 
-  // Throws UserError "file:line: message"; lines count from 0 here and from 1 in the message.
+  // Throws UserError "file:line: message"; lines count from 0 here, and from 1 in the message.
   [[noreturn]] void refuse(std::size_t line, const std::string& message) const;
 
-  // The finite number that is all of `text`, found in `line`.
+  // The number that `text`, a part of `line`, consists of; refused unless it is finite.
   double number(std::size_t line, std::string_view text) const;
 };
 
-// What is wrong with the unit, of so many m/s^2, if the motion is stronger than any earthquake; else empty.
+// A sentence that doubts the unit (`factor` m/s^2) if the motion is stronger than any earthquake; else empty.
 std::string doubt_of_unit(const Motion& motion, double factor, std::string_view unit);
 
 RecordText split_text(const std::string& file, const std::string& content);
 RecordText read_text(const std::filesystem::path& file);
 
-// What records.hpp says of the formats.
+// The formats are described in records.hpp.
 Motion parse_at2(const RecordText& text);
 Motion parse_csv(const RecordText& text);
 

@@ -12,22 +12,23 @@ namespace adit::motion {
 // A file of the PEER strong motion database: a title, the unit ("... IN UNITS OF G"), a line with the count
 // and the step in either style
 //   NPTS =   7500 , DT =   .020 SEC ,        4096    0.0100    NPTS, DT
-// and then the values. Refused are: no unit or none of acceleration; another count of values than stated; a
-// value above 10 g, more than twice the strongest ever recorded, which betrays a wrong unit.
+// and then the values. A file is refused if it gives no unit of acceleration, if the number of values differs
+// from the count, or if a value exceeds 10 g: that is more than twice the strongest motion ever recorded, so
+// the unit must be wrong.
 Motion read_at2(const std::filesystem::path& file);
 
-// Two columns, time and acceleration, below one line of names that state the units, after an underscore or
-// in brackets: "time_s,acceleration_m/s^2", "t [s],a [gal]". Empty lines and lines that begin with `#` are
-// passed over. The times are at equal steps (to 1 % of a step); the motion begins at the first.
+// Two columns, time and acceleration, below one line of names with units, after an underscore or in brackets:
+// "time_s,acceleration_m/s^2", "t [s],a [gal]". Empty lines and lines that begin with `#` are skipped. The
+// time steps must be equal (to 1 %); the motion begins at the first time.
 Motion read_csv(const std::filesystem::path& file);
 
-// By the end of the name, in either case: .at2 or .csv.
+// Reads the format that the ending of the name tells, .at2 or .csv, in capitals or not.
 Motion read_motion(const std::filesystem::path& file);
-// The same of a file's content.
+// The same for the content of a file.
 Motion parse_motion(const std::string& file, const std::string& content);
 
-// What one of `unit` is in m/s^2. Understood: protocol/scene/fields/units.hpp, and as PEER writes them: G,
-// GAL, CM/S/S, CM/SEC/SEC, CM/SEC^2, CM/S**2.
+// The value of one `unit` in m/s^2. Units are written as in protocol/scene/fields/units.hpp, or as PEER
+// writes them: G, GAL, CM/S/S, CM/SEC/SEC, CM/SEC^2, CM/S**2.
 double acceleration_unit(std::string_view unit);
 
 }  // namespace adit::motion

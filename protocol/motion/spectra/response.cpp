@@ -14,9 +14,10 @@ namespace {
 
 using protocol::UserError;
 
-// One step h of the oscillator under the acceleration a + s t, 0 <= t <= h. The particular solution is
-//   u_p = -(a + s t)/w^2 + 2 damping s/w^3,   v_p = -s/w^2;
-// the difference from it swings freely and is carried over the step by the matrix `free_`.
+// Takes the oscillator over one step h under the acceleration a + s t, 0 <= t <= h. The particular solution
+// is
+//   u_p = -(a + s t)/w^2 + 2 damping s/w^3,   v_p = -s/w^2.
+// The difference from it is a free oscillation, which the matrix (uu_ uv_; vu_ vv_) takes over the step.
 class Oscillator {
  public:
   Oscillator(double period, double damping, double h)
@@ -39,7 +40,7 @@ class Oscillator {
     v = vu_ * u_free + vv_ * v_free + v_forced;
   }
 
-  // u'' + a, from the equation of motion.
+  // The absolute acceleration u'' + a, from the equation of motion.
   double absolute_acceleration() const { return -2 * damping_ * w_ * v - w_ * w_ * u; }
 
   double u = 0, v = 0;
@@ -100,7 +101,8 @@ ResponseSpectrum response_spectrum(const Motion& motion, std::span<const double>
   const double pga = peaks(motion).acceleration;
   ResponseSpectrum spectrum;
   for (const double period : periods) {
-    // Below this, the oscillator is rigid at any step a motion can have, and needs over 4000 parts of each.
+    // An oscillator of a shorter period is rigid for any motion with this step, and would need more than 4000
+    // parts of each step.
     const double shortest = motion.dt / 100;
     if (period != 0 && !(period >= shortest && std::isfinite(period)))
       throw UserError(
@@ -119,7 +121,8 @@ ResponseSpectrum response_spectrum(const Motion& motion, std::span<const double>
 std::vector<double> logarithmic_periods(double first, double last, int count) {
   require_positive(first, "shortest period");
   if (!(last > first) || !std::isfinite(last))
-    throw UserError("", fmt::format("periods from {} s to {} s are no band; let it end later", first, last));
+    throw UserError("", fmt::format("periods from {} s to {} s are not a band; give an end above its begin",
+                                    first, last));
   if (count < 2) throw UserError("", fmt::format("{} periods are asked for; give at least 2", count));
   std::vector<double> periods(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)

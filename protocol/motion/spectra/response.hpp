@@ -10,7 +10,7 @@ namespace adit::motion {
 
 // Relative displacement [m] and velocity [m/s], and absolute acceleration [m/s^2], at the motion's times:
 //   u'' + 2 damping w u' + w^2 u = -a(t), w = 2 pi / period, at rest at time 0.
-// Exact for the straight lines between the values (Nigam & Jennings 1969). 0 <= damping < 1, period > 0 [s].
+// Exact for straight lines between the values (Nigam and Jennings 1969). 0 <= damping < 1, period > 0 [s].
 struct OscillatorResponse {
   std::vector<double> displacement;
   std::vector<double> velocity;
@@ -18,9 +18,9 @@ struct OscillatorResponse {
 };
 OscillatorResponse oscillator_response(const Motion& motion, double period, double damping);
 
-// Peaks over the motion, one value a period. A period of 0 is the rigid oscillator: its accelerations are
-// the peak of the motion. Peaks are taken at the motion's times and, for short periods, at times between
-// them, no further apart than period / 40: they are at most 0.3 % too low.
+// Peaks over the motion, one value for each period. A period of 0 means a rigid oscillator, whose
+// accelerations are the peak of the motion. Peaks are taken at the motion's times and, for short periods, at
+// further times between them, at most period / 40 apart: so they are at most 1 - cos(pi/40) = 0.3 % too low.
 struct ResponseSpectrum {
   std::vector<double> period;                 // [s]
   std::vector<double> displacement;           // max |u| [m]

@@ -14,14 +14,14 @@ namespace {
 
 constexpr double kBandwidth = 40;
 
-// Beyond this many zeros on either side the window is below 2e-5 and left out.
+// Beyond this many zeros on either side the window is below 2e-5 and is not summed.
 constexpr double kLobes = 5;
 
-// Lines of the spectrum from 0 to the lowest frequency: the window's half width there, a factor of 1.06,
-// holds three.
+// Number of spectral lines from 0 to the lowest frequency. Half the window's width there, a factor of 1.06,
+// then contains three lines.
 constexpr double kLinesBelowTheFirst = 50;
 
-// With zeros, to a duration [s].
+// The motion padded with zeros to a duration [s].
 Motion lengthened(Motion motion, double duration) {
   check(motion);
   const double count = std::ceil(duration / motion.dt);

@@ -19,8 +19,9 @@ namespace {
 
 using protocol::UserError;
 
-constexpr double kDamping = 0.05;
-// The band is driven a little beyond its ends: an oscillator at an end also feels its neighbours.
+constexpr double kDamping = 0.05;  // damping ratio of the oscillators for which target spectra are defined
+// The motion contains frequencies a little beyond the ends of the band, because an oscillator at an end of
+// the band also responds to neighbouring frequencies.
 constexpr double kOverhang = 1.25;
 
 double envelope_at(const Envelope& envelope, double t) {
@@ -56,7 +57,7 @@ void check_request(const SyntheticRequest& request) {
   if (!request.target) throw UserError("", "the synthetic motion has no target spectrum; give one");
 }
 
-// The value at `x` on the straight lines through (xs, ys); the end values beyond the ends.
+// The value at `x` on the straight lines through the points (xs, ys), constant beyond their ends.
 double interpolated(const std::vector<double>& xs, const std::vector<double>& ys, double x) {
   const auto after = std::ranges::upper_bound(xs, x);
   if (after == xs.begin()) return ys.front();
@@ -78,7 +79,8 @@ class Synthesis {
       require_positive(target_.back(), fmt::format("target spectrum at {:.6g} s", period));
       logarithms_.push_back(std::log(period));
     }
-    // The power that passes an oscillator grows with its band, that is with its frequency.
+    // An oscillator responds to a band of components whose number grows with its own frequency f. Their
+    // amplitudes must fall as 1/sqrt(f) for the same response.
     Random random(request.seed);
     for (std::size_t k = 1; k + 1 < spectrum_.size(); ++k) {
       const double f = frequency(k), phase = 2 * std::numbers::pi * random.uniform();
@@ -95,7 +97,7 @@ class Synthesis {
     return baseline_corrected(motion);
   }
 
-  // target / response at the control periods.
+  // Ratio of target to response at the control periods.
   std::vector<double> ratios(const Motion& motion) const {
     std::vector<double> ratios = response_spectrum(motion, periods_, kDamping).pseudo_acceleration;
     for (std::size_t i = 0; i < ratios.size(); ++i) ratios[i] = target_[i] / ratios[i];

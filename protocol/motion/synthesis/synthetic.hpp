@@ -1,4 +1,4 @@
-// Synthetic motions whose response spectrum follows a target (Gasparini & Vanmarcke 1976, SIMQKE).
+// Synthetic motions whose response spectrum follows a target spectrum (Gasparini and Vanmarcke 1976, SIMQKE).
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace adit::motion {
 
-// Grows as t^2 up to `rise`, is one up to `decay`, then falls by exp(-rate (t - decay)).
+// The envelope grows as t^2 up to `rise`, is one up to `decay`, and then falls as exp(-rate (t - decay)).
 struct Envelope {
   double rise;   // [s]
   double decay;  // [s]
@@ -17,8 +17,8 @@ struct Envelope {
 
 struct SyntheticRequest {
   TargetSpectrum target;
-  double shortest_period;  // [s]; the band in which the target is to be met; at least 4 dt
-  double longest_period;   // [s]; at most a third of the duration
+  double shortest_period;  // [s]; begin of the band in which the target is to be met; at least 4 dt
+  double longest_period;   // [s]; end of the band; at most a third of the duration
   double dt;               // [s]
   double duration;         // [s]
   Envelope envelope;
@@ -27,17 +27,17 @@ struct SyntheticRequest {
 };
 
 struct SyntheticMotion {
-  Motion motion;  // ends at rest and in its place
-  // |response / target - 1| over kControlPeriods periods, evenly spread in the logarithm over the band.
+  Motion motion;  // ends at rest, at the place where it began
+  // |response / target - 1| over kControlPeriods periods, spread evenly over the band on a logarithmic axis.
   double mean_misfit;
   double max_misfit;
-  int iterations;  // after which the motion was the best
+  int iterations;  // number of iterations after which this motion, the best one, was found
 };
 inline constexpr int kControlPeriods = 100;
 
-// a(t) = envelope(t) sum A_k cos(2 pi f_k t + phi_k), phi_k random. Each iteration multiplies A_k by
-// target / response at the period 1/f_k and corrects the baseline; of all motions the one with the
-// smallest mean misfit is returned.
+// a(t) = envelope(t) sum A_k cos(2 pi f_k t + phi_k) with random phi_k. Each iteration multiplies A_k by
+// target / response at the period 1/f_k and corrects the baseline. The motion with the smallest mean misfit
+// is returned.
 SyntheticMotion synthesize(const SyntheticRequest& request);
 
 }  // namespace adit::motion

@@ -50,7 +50,7 @@ TEST(Measures, DurationRefusesWrongShares) {
   EXPECT_THAT(complaint([] {
                 significant_duration({0.5, {1, 1}}, 0.95, 0.05);
               }),
-              testing::HasSubstr("bound no duration; give two growing ones from 0 to 1"));
+              testing::HasSubstr("do not bound a duration; give two ascending shares from 0 to 1"));
 }
 
 // The Fourier spectrum of the Ricker motion is that of its formula:

@@ -1,4 +1,4 @@
-// Requirements on the way from the scene's earthquake to the velocity of a base.
+// Requirements on how the scene's ground motion becomes the velocity of a base.
 #include <gmock/gmock.h>
 
 #include <cmath>

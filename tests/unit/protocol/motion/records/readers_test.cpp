@@ -77,7 +77,7 @@ TEST(At2, NamesFileAndLineOfEveryError) {
   };
   const std::string size = "NPTS = 3, DT = .02 SEC";
   EXPECT_THAT(refused(at2("VELOCITY TIME SERIES IN UNITS OF CM/S", size, kValues)),
-              HasSubstr("x.AT2:3: `CM/S` is no unit of acceleration"));
+              HasSubstr("x.AT2:3: `CM/S` is not a unit of acceleration"));
   EXPECT_THAT(refused(at2("ACCELERATION", size, kValues)),
               HasSubstr("x.AT2:4: no line above states the unit"));
   EXPECT_THAT(refused(at2(kUnit, "3 points", kValues)), HasSubstr("states count and step"));
@@ -114,8 +114,8 @@ TEST(Csv, NamesFileAndLineOfEveryError) {
   };
   EXPECT_THAT(refused("time,acceleration_g\n0,0\n"), HasSubstr("x.csv:1: `time` states no unit"));
   EXPECT_THAT(refused("time_s,acceleration_kN\n0,0\n"),
-              HasSubstr("x.csv:1: `kN` is no unit of acceleration"));
-  EXPECT_THAT(refused("time_m,acceleration_g\n0,0\n"), HasSubstr("x.csv:1: `m` is no unit of time"));
+              HasSubstr("x.csv:1: `kN` is not a unit of acceleration"));
+  EXPECT_THAT(refused("time_m,acceleration_g\n0,0\n"), HasSubstr("x.csv:1: `m` is not a unit of time"));
   EXPECT_THAT(refused("time_s,a_g\n0,0\n0.1,1,2\n"), HasSubstr("x.csv:3: `0.1,1,2` is not two columns"));
   EXPECT_THAT(refused("time_s,a_g\n0,0\n0.1,x\n"), HasSubstr("x.csv:3: `x` is not a number"));
   EXPECT_THAT(refused("time_s,a_g\n0,0\n0.1,0\n0.3,0\n"),

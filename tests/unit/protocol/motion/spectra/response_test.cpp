@@ -120,7 +120,8 @@ TEST(Spectrum, RefusesWrongArguments) {
               HasSubstr("a period of the spectrum is -1 s"));
   EXPECT_THAT(complaint([&] { response_spectrum(motion, std::vector{1.0}, -0.1); }),
               HasSubstr("damping ratio is -0.1"));
-  EXPECT_THAT(complaint([] { logarithmic_periods(1, 0.5, 10); }), HasSubstr("from 1 s to 0.5 s are no band"));
+  EXPECT_THAT(complaint([] { logarithmic_periods(1, 0.5, 10); }),
+              HasSubstr("from 1 s to 0.5 s are not a band"));
   EXPECT_THAT(complaint([] { logarithmic_periods(1, 2, 1); }), HasSubstr("1 periods are asked for"));
 }
 

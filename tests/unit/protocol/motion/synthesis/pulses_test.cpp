@@ -1,4 +1,4 @@
-// Requirements on motions by formula.
+// Requirements on pulses.
 #include "protocol/motion/synthesis/pulses.hpp"
 
 #include <gmock/gmock.h>
