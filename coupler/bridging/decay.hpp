@@ -1,10 +1,10 @@
-// How fast the solve `split` lets the fine motion decay.
+// The rate at which the fine motion decays in the solve `split`.
 //
-// The rate is measured (tests/verification/bridging/wave_test.cpp): damping that sets in gently reflects
-// least, so it grows with the third power of the way through the overlap; a wave far too short for the grid
-// is then absorbed before it comes back from the end of the fine side, while of one with λ = 5h about 1 % is
-// lost. Both depend on rate · width / wave speed alone, whatever h, the particles' size and the time step
-// are.
+// Damping that grows gradually reflects least, so the rate grows with the third power of the distance into
+// the overlap. Its largest value was chosen by measurement (tests/verification/bridging/wave_test.cpp): a
+// wave far too short for the grid is absorbed before it returns from the end of the fine side, while a wave
+// with λ = 5h loses about 1 %. Both depend only on rate · width / wave speed, not on h, the size of the
+// particles or the time step.
 #pragma once
 
 #include <span>
@@ -17,7 +17,7 @@ namespace adit::coupler {
 double default_decay_rate(double wave_speed, double width);
 
 // The share of the fine motion that each coupling point loses in a step: 1 − exp(−rate · across³ · dt).
-// `across`: how far into the overlap a coupling point lies, 0 where the coarse side ends, 1 where the fine
+// `across` is the position of a coupling point in the overlap: 0 where the coarse side ends, 1 where the fine
 // side ends.
 std::vector<double> decay_per_step(std::span<const double> across, double rate, double dt);
 

@@ -9,7 +9,8 @@
 namespace adit::coupler {
 namespace {
 
-// N must reproduce rigid motion: that is what keeps linear momentum exact, whatever the multipliers are.
+// The rows of N must sum to 1, so that N reproduces translation; then linear momentum is kept exactly,
+// whatever the multipliers are.
 constexpr double kRowSumTolerance = 1e-9;
 
 }  // namespace

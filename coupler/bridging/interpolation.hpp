@@ -1,4 +1,4 @@
-// How the motion of one participant enters the velocity constraint.
+// The interpolation by which the motion of one side enters the velocity constraint.
 #pragma once
 
 #include <cstdint>
@@ -21,14 +21,14 @@ class Interpolation : public protocol::SparseRows {
   Interpolation(std::vector<std::uint32_t> row_starts, std::vector<std::uint32_t> columns,
                 std::vector<double> values, std::vector<double> inverse_masses);
 
-  // Checks everything that came over the wire; `peer` is named in the message of a PeerLost.
+  // Checks all that came over the wire and throws PeerLost, which names `peer`, if it cannot be used.
   Interpolation(const wire::Operator& op, std::size_t coupling_points, const std::string& peer);
 
   std::size_t coupling_points() const { return rows(); }
   std::size_t own_points() const { return inverse_masses_.size() / 2; }
   std::span<const double> inverse_masses() const { return inverse_masses_; }
 
-  // Each coupling point is a point of its own with the same velocity (eq. 5 of the paper: N = identity).
+  // Whether each coupling point is an own point and has its velocity (eq. 5 of the paper: N = identity).
   bool is_selection() const;
 
   void divide_by_mass(std::span<double> own) const;  // own *= 1/M

@@ -12,9 +12,10 @@ namespace {
 
 using protocol::UserError;
 
-// What lies on an edge of the overlap belongs to it, whatever the last digits of its place are.
-constexpr double kEdge = 1e-9;                                            // of the width
-constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();  // of the coordinates
+// A point on an edge of the overlap belongs to the overlap, whatever the rounding of its coordinates. The
+// edge therefore has a thickness, relative to the width of the overlap and to the size of the coordinates.
+constexpr double kEdge = 1e-9;
+constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
 
 void require(bool given, const std::string& path, const char* field, const char* purpose) {
   if (!given) throw UserError(path + "." + field, std::string("is missing; ") + purpose);
@@ -58,7 +59,7 @@ std::shared_ptr<const geometry::Shape> core_of(const scene::Overlap& overlap, do
   return geometry::half_plane(end.x(), end.y(), (begin.x() - end.x()) / width, (begin.y() - end.y()) / width);
 }
 
-// Weight of the outer model between the edges.
+// Weight of the outer model at the depth `s` between the edges (overlap.hpp).
 double ramp(scene::Ramp kind, double s) {
   switch (kind) {
     case scene::LINEAR:
@@ -107,6 +108,8 @@ double Overlap::outer_weight(double x, double y) const {
   return ramp(interface_.ramp(), s);
 }
 
+// The smallest weight inside the overlap is kEdge and not 0, so that a particle on the edge exists
+// (overlap.hpp).
 double Overlap::inner_weight(double x, double y) const {
   const double thickness = edge(x, y);
   return share(x, y) > 1.0 + thickness ? 0.0 : std::max(kEdge, 1.0 - outer_weight(x, y));

@@ -1,21 +1,21 @@
-// The overlap of two models, the outer and the inner one, and the energy weights that share it between them.
+// The overlap of two models, the outer and the inner one, and the weights by which they share its energy.
 //
-// The inner model alone fills a shape, the core: half the plane behind a strip, or what a ring lies around.
-// The overlap is what lies outside the core, up to `width` away from it; beyond, the outer model is alone.
-// With d the distance from the core, the weight of the outer model is a ramp of the depth s = d / width: s
-// (linear), 3 s^2 - 2 s^3 (cubic) or one half (constant); the inner model has the rest. Distances are
-// Euclidean: a ring's outer edge is rounded at the corners of its core.
+// The inner model alone fills a shape, the core: half the plane behind a strip, or the shape inside a ring.
+// The overlap consists of the points outside the core, up to a distance `width` from it. Beyond the overlap
+// there is the outer model alone. With d the distance from the core, the weight of the outer model is a ramp
+// over the depth s = d / width: s (linear), 3 s^2 - 2 s^3 (cubic) or one half (constant). The inner model has
+// the rest. Distances are Euclidean, so the outer edge of a ring is rounded at the corners of its core.
 //
-// A linear ramp passes uniform strain exactly where a strip's edges are lines of the grid and of the lattice.
-// Edges that cut zones and bonds, corners and curves cost a strain error of the order of zone size over width
-// (tests/verification/bridging/patch_test.cpp): prefer edges on grid lines and wide overlaps.
+// A linear ramp passes uniform strain exactly if the edges of a strip are lines of the grid and of the
+// lattice. Edges that cut zones and bonds, corners, and curves cause a strain error of the order of zone size
+// over width (tests/verification/bridging/patch_test.cpp); so prefer edges on grid lines, and wide overlaps.
 //
-// Where a grid is the outer model, a zone whose samples of the weight are all 0 does not exist
-// (fdm_server/grid/samples.hpp). If the core is convex, nothing is lost with it: its corners lie in the core,
-// hence all of it, and each point of the overlap lies in a zone that is left, or on its edge. It is so for a
-// strip, a box, a circle. A polygon's notch or hole between the samples, half a zone apart, is not seen: the
-// zones around it vanish, and a coupling point in it is refused as lying outside the grid. Take zones so
-// small that notches and holes are at least one zone wide, or fill them.
+// If a grid is the outer model, a zone whose weights are 0 at all sampling points is left out
+// (fdm_server/grid/samples.hpp). With a convex core nothing is missing then: all corners of such a zone lie
+// in the core, and so does the whole zone, so that each point of the overlap lies in a remaining zone or on
+// its edge. Strips, boxes and circles have convex cores. A notch or a hole of a polygon that lies between the
+// sampling points, half a zone apart, is not found: the zones around it are left out, and a coupling point in
+// it is refused as lying outside the grid. Notches and holes must therefore be at least one zone wide.
 #pragma once
 
 #include <memory>
@@ -32,22 +32,23 @@ using geometry::BoundingBox;
 
 class Overlap {
  public:
-  // `path`: of the interface in the scene, for messages. Throws protocol::UserError for an overlap that is
-  // not exactly one of strip and ring, has no width, or lies around what encloses no area.
+  // `path` is the path of the interface in the scene, for messages. Throws protocol::UserError if the overlap
+  // is not exactly one of strip and ring, has no width, or lies around a shape that encloses no area.
   Overlap(const scene::Interface& interface, const std::string& path);
 
-  // Weight of the outer model at (x, y), in [0, 1]; 0 on the line where it ends.
+  // Weight of the outer model at (x, y), in [0, 1]; 0 on the edge where it ends.
   double outer_weight(double x, double y) const;
 
-  // The rest, which the inner model has. On the line where that ends it is not 0 but very small: a particle
-  // there exists and is coupled, else a lattice plane on the line would leave a gap of half a bond.
+  // Weight of the inner model, the rest. On the edge where the inner model ends it is not 0 but very small. A
+  // particle on that edge therefore exists and is coupled; without it, a row of the lattice on the edge would
+  // leave a gap of half a bond.
   double inner_weight(double x, double y) const;
 
-  // In the overlap, edges included: both models exist and are coupled.
+  // Whether (x, y) lies in the overlap, edges included, where both models exist and are coupled.
   bool contains(double x, double y) const;
 
-  // 0 where the outer model ends, 1 where the inner one does, linear in the distance between, whatever the
-  // ramp; 0 and 1 beyond.
+  // Depth s at (x, y): 0 where the outer model ends, 1 where the inner model ends, linear in the distance
+  // between them for every ramp, constant beyond them.
   double depth(double x, double y) const;
 
   // Weights at points x0 y0 x1 y1 …
@@ -65,7 +66,7 @@ class Overlap {
 
  private:
   double share(double x, double y) const;  // depth, not clamped
-  double edge(double x, double y) const;   // half the thickness of an edge, in depths
+  double edge(double x, double y) const;   // half the thickness of an edge, as a difference of depths
 
   scene::Interface interface_;
   std::string path_;

@@ -23,7 +23,7 @@ BoundingBox grown(const BoundingBox& box, double by_x, double by_y) {
   return {box.x_min - by_x, box.x_max + by_x, box.y_min - by_y, box.y_max + by_y};
 }
 
-// What lies in `box` beyond each side of `other`.
+// The parts of `box` that lie beyond each side of `other`.
 std::vector<BoundingBox> outside(const BoundingBox& box, const BoundingBox& other) {
   std::vector<BoundingBox> parts;
   if (box.x_min < other.x_min)
@@ -45,7 +45,8 @@ bool meets_overlap(const Overlap& overlap, const BoundingBox& box) {
   return meets_core_or_overlap(overlap, box) && !overlap.core().covers(box);
 }
 
-// The edges are parallel: both run through a box if one of its corners lies before them, another behind.
+// The two edges are parallel lines. Both run through the box if one of its corners lies before both of them
+// and another behind both.
 void require_edges_inside(const Overlap& overlap, const std::string& model, const BoundingBox& box) {
   const auto [lowest, highest] =
       std::minmax({overlap.depth(box.x_min, box.y_min), overlap.depth(box.x_max, box.y_min),
@@ -62,7 +63,7 @@ void require_edges_inside(const Overlap& overlap, const std::string& model, cons
   if (lowest > kTouching) refuse("continuum_ends", given.continuum_ends());
 }
 
-// Else part of a weight would be nobody's.
+// Where only one of the two models exists, the weight of the other would be missing.
 void require_equal_cross_sections(const Overlap& overlap, const BoundingBox& outer,
                                   const BoundingBox& inner) {
   const double slack_x = kTolerance * std::max(outer.x_max - outer.x_min, inner.x_max - inner.x_min);
@@ -79,6 +80,8 @@ void require_equal_cross_sections(const Overlap& overlap, const BoundingBox& out
                     overlap.interface().outer(), reach(outer), overlap.interface().inner(), reach(inner)));
 }
 
+// The outer model must surround the ring, or end with the inner one where the ring reaches beyond it. Within
+// the ring the inner model must exist wherever the outer one does.
 void require_ring_filled(const Overlap& overlap, const BoundingBox& outer, const BoundingBox& inner) {
   const auto refuse = [&](const std::string& what) { throw UserError(overlap.path() + ".overlap", what); };
   const std::string &outer_name = overlap.interface().outer(), &inner_name = overlap.interface().inner();

@@ -12,7 +12,7 @@ bool same_in_x_and_y(std::span<const double> interleaved) {
   return true;
 }
 
-constexpr int kFixed = -1;
+constexpr int kFixed = -1;  // marks a point without a row in the matrix
 
 // The lower triangle of the matrix for one direction, without the fixed points.
 Eigen::SparseMatrix<double> assemble(const Interpolation& coarse, std::span<const double> fine_masses,

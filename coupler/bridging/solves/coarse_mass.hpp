@@ -1,7 +1,7 @@
-// The masses of both sides as the points of the coarse one see them: D + Nᵀ m N, in x and in y, with a
-// diagonal D and the masses m of the fine points. The matrix is sparse (points of neighbouring zones),
-// symmetric, positive definite and no worse conditioned than the masses. Parts of the interface that share
-// no point are its blocks.
+// The mass matrix of both sides on the points of the coarse one: D + Nᵀ m N, in x and in y, with a diagonal D
+// and the masses m of the fine points. It is symmetric, positive definite, and sparse, because it couples
+// only points of the same and of neighbouring zones. Its condition is no worse than that of the masses. Parts
+// of the interface that share no point are separate blocks.
 #pragma once
 
 #include <array>
@@ -15,13 +15,13 @@
 
 namespace adit::coupler {
 
-// M, interleaved; infinite where the motion is prescribed.
+// The masses M of the coarse points, interleaved; infinite where a motion is prescribed.
 std::vector<double> masses_of(const Interpolation& coarse);
 
 class CoarseMass {
  public:
-  // Interleaved: `fine_masses` one pair for each coupling point, `diagonal` one for each coarse point. An
-  // infinite entry of the diagonal is a motion that no force changes: its solution is 0.
+  // `fine_masses` has a pair (x, y) for each coupling point, `diagonal` one for each coarse point. An
+  // infinite entry of the diagonal stands for a motion that no force changes; its solution is 0.
   CoarseMass(const Interpolation& coarse, std::span<const double> fine_masses,
              std::span<const double> diagonal);
 
@@ -29,13 +29,14 @@ class CoarseMass {
   const SolveCost& cost() const { return cost_; }
 
  private:
-  // One factor serves both directions where their matrices are the same, as they mostly are.
+  // One factor serves both directions if their matrices are equal, which they are unless a motion is
+  // prescribed in one direction only.
   template <int Sides>
   struct Directions {
     SymmetricFactor factor;
-    std::vector<std::size_t> own;                   // value of `own` that belongs to a place of the factor
-    std::vector<std::size_t> fixed;                 // values that are 0
-    Eigen::Array<double, Sides, Eigen::Dynamic> x;  // reused
+    std::vector<std::size_t> own;                   // for each place of the factor, its value in `own`
+    std::vector<std::size_t> fixed;                 // the values in `own` whose solution is 0
+    Eigen::Array<double, Sides, Eigen::Dynamic> x;  // right-hand sides, whose memory is reused
     void solve(std::span<double> own_values);
   };
   template <int Sides>

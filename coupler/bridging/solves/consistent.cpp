@@ -11,6 +11,7 @@ ConsistentSolve::ConsistentSolve(const Interpolation& coarse, std::span<const do
 
 void ConsistentSolve::solve(std::span<const double> coarse_velocities,
                             std::span<const double> fine_velocities, std::span<double> multipliers) {
+  // Until the last line, `multipliers` holds intermediate vectors: m g, then N y.
   for (std::size_t i = 0; i < gap_.size(); ++i) {
     gap_[i] = coarse_velocities[i] - fine_velocities[i];
     multipliers[i] = fine_masses_[i] * gap_[i];

@@ -1,11 +1,11 @@
 // Exact continuity: A λ = g with the gap g = N V* − v* and A = N M⁻¹ Nᵀ + m⁻¹.
 //
-// A couples all fine points of neighbouring zones: it is nearly full in blocks, though it is only a diagonal
-// plus a term of the coarse side's rank. So λ is found on the coarse side's own points. With y = M⁻¹ Nᵀ λ,
-// the correction of the coarse velocities, the two equations
+// A couples all fine points of neighbouring zones, so its blocks are nearly full. Yet it is a diagonal plus a
+// term whose rank is only the number of coarse points. Therefore λ is found on the points of the coarse side.
+// With y = M⁻¹ Nᵀ λ, the correction of the coarse velocities, the two equations
 //     M y = Nᵀ λ,   λ = m (g − N y)
 // give   (M + Nᵀ m N) y = Nᵀ m g.
-// A coarse velocity that is prescribed (1/M = 0) has y = 0 and drops out.
+// A prescribed coarse velocity (1/M = 0) has y = 0 and is left out of the system.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// What a multiplier solve cost to set up, and what it keeps in memory.
+// The cost of a multiplier solve: the time for setting it up, and its memory.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@ namespace adit::coupler {
 
 struct SolveCost {
   double factor_seconds = 0;     // assembly and factorization
-  std::size_t factor_bytes = 0;  // of the factors
-  std::size_t unknowns = 0;      // of the systems that a step solves
+  std::size_t factor_bytes = 0;  // memory of the factors
+  std::size_t unknowns = 0;      // unknowns of all systems that are solved in a step
 };
 
 }  // namespace adit::coupler

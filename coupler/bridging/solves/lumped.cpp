@@ -6,7 +6,7 @@ namespace adit::coupler {
 
 LumpedSolve::LumpedSolve(const Interpolation& coarse, std::span<const double> fine_masses)
     : inverse_row_sums_(fine_masses.size()) {
-  // The row sums of |N| M⁻¹ |N|ᵀ without forming it: apply it to a vector of ones.
+  // The row sums of |N| M⁻¹ |N|ᵀ, found by applying the matrix to a vector of ones instead of forming it.
   std::vector<double> seen(coarse.own_points());  // |N|ᵀ 1
   for (std::size_t k = 0; k < coarse.coupling_points(); ++k)
     for (std::size_t e = 0; e < coarse.columns(k).size(); ++e)

@@ -17,18 +17,18 @@ using protocol::UserError;
 
 void require_free(std::span<const double> fine_masses) {
   if (!std::ranges::all_of(fine_masses, [](double mass) { return std::isfinite(mass); }))
-    throw UserError(
-        "interface.overlap",
-        "holds a point whose motion is prescribed, so that both would fight for its velocity; move "
-        "the overlap or the motion");
+    throw UserError("interface.overlap",
+                    "contains a particle whose motion is prescribed, which the coupling cannot change; move "
+                    "the overlap or the prescribed motion");
 }
 
-// A coarse point is held by the coupling points that see it (an entry of N that is not 0). In a plane each
-// zone's corner is seen from four zones: with one coupling point in each zone it is seen four times, with
-// zones half as large as the distance of the coupling points about once. Then the constraint falls apart into
-// ties of single points: it is solvable, but most motions of the coarse side end freely in the overlap. The
-// factor leaves room for the edges of narrow overlaps; of very few points nothing can be said. A coarse point
-// that is a coupling point itself is held fully: models with matching points are well posed.
+// Checks that the grid is not finer than the points that it is to follow. A coarse point is tied by each
+// coupling point whose row of N has an entry for it. In the plane a grid point is a corner of four zones:
+// with one coupling point in each zone it is tied four times, and with zones half as large as the distance
+// between coupling points about once. Then the constraint falls apart into ties of single points: it can be
+// solved, but most motions of the coarse side are free in the overlap. The factor leaves room for the edges
+// of narrow overlaps, and very few points are not judged. A coarse point that is itself a coupling point is
+// tied fully, so models with matching points are well posed.
 void require_coarse(const Interpolation& coarse) {
   constexpr double kLeastSightings = 4.0 / 3.0;
   constexpr std::size_t kFew = 4;

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kRegularization = 1e-12;  // ε
 
-// E = ε diag(Nᵀ m N). A point that no fine one sees is left out.
+// E = ε diag(Nᵀ m N). A coarse point that belongs to no coupling point is left out.
 std::vector<double> regularization(const Interpolation& coarse, std::span<const double> fine_masses) {
   std::vector<double> diagonal(2 * coarse.own_points());
   for (std::size_t k = 0; k < coarse.coupling_points(); ++k)
@@ -49,12 +49,14 @@ void SplitSolve::gather_momentum(std::span<const double> velocities, std::span<d
 
 void SplitSolve::solve(std::span<const double> coarse_velocities, std::span<const double> fine_velocities,
                        std::span<double> multipliers) {
+  // c = G⁻¹ Nᵀ m v* and w = D (v* − N c)
   gather_momentum(fine_velocities, carried_);
   fine_only_.solve(carried_);
   coarse_.interpolate(carried_, decayed_);
   for (std::size_t i = 0; i < decayed_.size(); ++i)
     decayed_[i] = decay_[i / 2] * (fine_velocities[i] - decayed_[i]);
 
+  // b = Nᵀ m g, then G z = b + Nᵀ m w and (M + G) y = b
   for (std::size_t i = 0; i < multipliers.size(); ++i)
     multipliers[i] = coarse_velocities[i] - fine_velocities[i];
   gather_momentum(multipliers, correction_);
@@ -63,6 +65,7 @@ void SplitSolve::solve(std::span<const double> coarse_velocities, std::span<cons
   fine_only_.solve(shift_);
   both_.solve(correction_);
 
+  // λ = m (N (z − y) − w)
   for (std::size_t j = 0; j < shift_.size(); ++j) shift_[j] -= correction_[j];
   coarse_.interpolate(shift_, multipliers);
   for (std::size_t i = 0; i < multipliers.size(); ++i)

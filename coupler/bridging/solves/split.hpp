@@ -1,28 +1,31 @@
-// Continuity in the space of the coarse side, and decay of what that space cannot carry.
+// The solve `split`: continuity of the motions that the coarse side can represent, decay of all others.
 //
-// Let G = Nᵀ m N be the fine masses as the coarse points see them and Q = N G⁻¹ Nᵀ m the projection on the
-// motions that the coarse side can represent. Q is self-adjoint in the product xᵀ m y of the kinetic energy,
-// and so is 1 − Q, the projection on the fine motion. A step has two parts.
+// Let G = Nᵀ m N be the fine masses, distributed to the coarse points, and Q = N G⁻¹ Nᵀ m the projection on
+// the motions that the coarse side can represent. Q is self-adjoint in the scalar product xᵀ m y of the
+// kinetic energy, and so is 1 − Q, the projection on the remaining, fine motion. A step has two parts.
 //
-// 1. The fine motion decays: v₁ = v* − S v*, S = (1 − Q) D (1 − Q), with D the shares lost at the points.
-//    S is self-adjoint and 0 ≤ S ≤ 1, as 0 ≤ D ≤ 1: the kinetic energy never rises. Q S = 0: what the coarse
-//    side can carry is untouched, and with it the linear momentum, because N carries constants.
-// 2. The rest becomes continuous by v = v₁ + N μ, V = V* − M⁻¹ G μ, the impulses of m N μ on both sides. From
-//    Nᵀ m (N V − v) = 0 follows, with b = Nᵀ m g and the gap g = N V* − v*,
-//        (G + G M⁻¹ G) μ = b,   μ = z − y,   G z = b,   (M + G) y = b:
-//    y is the correction of the consistent solve. That the work of these impulses is −½ bᵀ μ ≤ 0 follows from
-//    the first form. Then Q v = N V exactly.
-// The first part is an impulse too, −m S v*, and of no effect on the coarse side, since Nᵀ m S = 0. So one
-// vector of multipliers does both, and momentum is exact by construction:
+// 1. The fine motion decays: v₁ = v* − S v*, S = (1 − Q) D (1 − Q), where the diagonal D holds the shares
+// lost at
+//    the coupling points. S is self-adjoint, and 0 ≤ S ≤ 1 because 0 ≤ D ≤ 1, so the kinetic energy never
+//    rises. Q S = 0, so motions that the coarse side can represent do not change. Neither does the linear
+//    momentum, because N represents constants.
+// 2. The coarse part of the motion becomes continuous by v = v₁ + N μ, V = V* − M⁻¹ G μ: the impulses m N μ
+// act on
+//    both sides. From Nᵀ m (N V − v) = 0 follows, with b = Nᵀ m g and the gap g = N V* − v*,
+//        (G + G M⁻¹ G) μ = b,   μ = z − y,   G z = b,   (M + G) y = b,
+//    where y is the correction of the consistent solve. By the first equation the work of these impulses is
+//    −½ bᵀ μ ≤ 0. Afterwards Q v = N V exactly.
+// The first part is an impulse, too, −m S v*. It does not act on the coarse side, because Nᵀ m S = 0. So one
+// vector of multipliers makes both parts, and momentum is kept exactly:
 //     λ = m (N μ − S v*).
 // With c = G⁻¹ Nᵀ m v*, w = D (v* − N c), and z now the solution of G z = b + Nᵀ m w:  λ = m (N (z − y) − w).
 //
-// Where zones are cut, a coarse point may be seen by hardly a fine point, or a motion of the coarse side by
-// none: G is singular or nearly so. G + ε diag G takes its place in all of this. The proofs hold: with E the
-// addition, the eigenvalues of Q fall below 1, but stay in [0, 1); and the work of the impulses,
-// −bᵀμ + ½ μᵀ(G + G M⁻¹ G) μ, stays negative, because G M⁻¹ G ≤ 2 (G + E) M⁻¹ (G + E) + 2 E M⁻¹ E, and
-// E M⁻¹ E ≤ E unless a fine mass is 1/ε times a coarse one. ε only has to exceed the rounding of G; what it
-// leaves of discontinuity and of Q S is of its size.
+// Where the overlap cuts zones, a coarse point may have hardly any fine point nearby, and a motion of the
+// coarse side none. G is then singular or nearly so, and G + ε diag G replaces it in all equations. The
+// proofs still hold. With E = ε diag G, the eigenvalues of Q fall below 1 but stay in [0, 1). The work of the
+// impulses, −bᵀμ + ½ μᵀ(G + G M⁻¹ G) μ, stays negative, because G M⁻¹ G ≤ 2 (G + E) M⁻¹ (G + E) + 2 E M⁻¹ E,
+// and E M⁻¹ E ≤ E unless a fine mass is 1/ε times a coarse one. ε only has to exceed the rounding errors of
+// G; the discontinuity and the Q S that remain are of the order of ε.
 #pragma once
 
 #include <vector>

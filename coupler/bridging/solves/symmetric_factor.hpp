@@ -1,8 +1,8 @@
 // A sparse symmetric positive definite matrix P A Pᵀ = L D Lᵀ, factored once (approximate minimum degree
 // ordering, Eigen) and solved many times.
 //
-// The solve is ours: Eigen's allocates memory in every call and reads L once for each right-hand side. Here
-// a row of right-hand sides, x and y, goes through L together.
+// Eigen's own solve allocates memory in every call and reads L once for each right-hand side. This one
+// allocates nothing and solves for x and y together in one pass through L.
 #pragma once
 
 #include <Eigen/SparseCholesky>
@@ -13,11 +13,12 @@ namespace adit::coupler {
 
 class SymmetricFactor {
  public:
-  // Reads the lower triangle. Throws std::logic_error where the matrix is not positive definite.
+  // Reads the lower triangle. Throws std::logic_error if the matrix is not positive definite.
   explicit SymmetricFactor(const Eigen::SparseMatrix<double>& lower);
 
   Eigen::Index size() const { return pivots_.size(); }
-  // Where the factor keeps a row of the matrix: the rows of a right-hand side come in this order.
+  // The place of a row of the matrix in the factor; the rows of a right-hand side stand in the order of the
+  // places.
   int place(Eigen::Index row) const { return places_[static_cast<std::size_t>(row)]; }
   std::size_t bytes() const;
 

@@ -1,4 +1,4 @@
-// An operator comes over the wire, perhaps from a foreign code: nothing of it is trusted.
+// An operator that comes over the wire, perhaps from a foreign code, is checked completely before it is used.
 #include "coupler/bridging/interpolation.hpp"
 
 #include <gmock/gmock.h>

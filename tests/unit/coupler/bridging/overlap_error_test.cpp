@@ -1,4 +1,4 @@
-// Overlaps that are none are refused in one sentence that names the field; so are those outside their models.
+// Impossible overlaps, and overlaps outside their models, are refused in one sentence that names the field.
 #include <gmock/gmock.h>
 
 #include "coupler/bridging/overlap_checks.hpp"

@@ -1,4 +1,4 @@
-// Interfaces that have no solution, or not one, are refused by name.
+// Interfaces without a unique solution are refused by name.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

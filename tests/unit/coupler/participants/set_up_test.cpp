@@ -1,4 +1,4 @@
-// Set-ups that cannot be computed are refused by name, before anything is stepped.
+// Models that cannot be computed are refused by name before the first step.
 #include "coupler/participants/set_up.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,5 @@
-// What zones and particles make of the weights: the samples' means, the zones that exist, the sum of all.
+// Zones and particles share the energy by the weights: means of the samples, zones that exist, and the sum
+// over both.
 #include <algorithm>
 #include <vector>
 
