@@ -32,12 +32,12 @@ using namespace adit::coupler;
 
 struct Options : protocol::SceneCommandLine {
   using SceneCommandLine::SceneCommandLine;
-  std::string fdm, dem;              // addresses of servers that already listen
-  std::vector<std::string> servers;  // NAME=HOST:PORT, the same for any model
+  std::string fdm, dem;              // addresses of running servers
+  std::vector<std::string> servers;  // NAME=HOST:PORT of running servers, for any model
   std::optional<std::size_t> fdm_threads, dem_threads;
 };
 
-// The servers of a run: started here, or running elsewhere.
+// The servers of a run, started here or running elsewhere.
 struct Participants {
   std::vector<std::unique_ptr<ServerProcess>> processes;
   std::vector<Participant> participants;
@@ -48,12 +48,13 @@ const char* program_of(Role role) {
   return role == Role::kContinuum ? "fdm_server" : "dem_server";
 }
 
-// Another code may stand in for a server under a name of its own; our other server may not.
+// Refuses a continuum server for particles and the other way round. Other codes, which have names of their
+// own, may replace either server.
 void require_program(const std::string& found, const Member& member, const std::string& peer) {
   const std::string other = member.role == Role::kContinuum ? "dem_server" : "fdm_server";
   if (found == other)
     throw protocol::UserError("", peer + " is a " + other + "; a " + program_of(member.role) +
-                                      " is needed for the " + member.name + ", exchange --fdm and --dem");
+                                      " is needed for the " + member.name + "; exchange --fdm and --dem");
 }
 
 // The servers named on the command line, by the names of their models.
@@ -115,7 +116,8 @@ void run_scene(const Options& options, const protocol::SceneFile& file) {
   const std::string name = results::case_name(options.scene);
   const fs::path directory =
       options.out.empty() ? fs::path("runs") / name / file.scene.name() : fs::path(options.out);
-  joins(file.scene, members(file.scene));  // refused before anything is started or written
+  joins(file.scene,
+        members(file.scene));  // wrong interfaces are refused before anything is started or written
   results::prepare_run_directory(directory, options.scene);
   Participants participants = join(file.scene, options, directory);
   run(file.scene, std::move(participants.participants),
@@ -135,8 +137,9 @@ void check_scene(const Options& options, const protocol::SceneFile& file) {
 void add_servers(CLI::App& command, Options& options) {
   command.add_option("--fdm", options.fdm, "HOST:PORT of a continuum server that already listens");
   command.add_option("--dem", options.dem, "HOST:PORT of a particle server that already listens");
-  command.add_option("--fdm-threads", options.fdm_threads,
-                     "threads of the continuum server that is started here; as many as pay where absent");
+  command.add_option(
+      "--fdm-threads", options.fdm_threads,
+      "threads of the continuum server that is started here [default: as many as speed it up]");
   command.add_option("--dem-threads", options.dem_threads, "the same for each particle server");
   command
       .add_option("--server", options.servers,

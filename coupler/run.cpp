@@ -20,21 +20,21 @@
 namespace adit::coupler {
 namespace {
 
-// Energy out of nothing: no scheme of ours creates a fifth of what the run ever held, an unstable one does so
-// within a few steps.
+// A run is unstable if the energy that no work explains exceeds this share of the peak energy. The time
+// integration does not create as much in stable runs; an unstable run exceeds it within a few steps.
 constexpr double kRunawayShare = 0.2;
 
-// With substeps the ledger extrapolates the impulse in progress: its figure swings, at the extremes by a
-// tenth.
+// With substeps the ledger extrapolates the impulse in progress, so that its energy oscillates, by a tenth at
+// most.
 constexpr double kRunawayShareOfSubsteps = 0.5;
 
-// Steps between two looks at the energy: at 1 % above the critical step the fastest motion grows out of
-// rounding to something that the ledger sees within 70 steps. A look costs the step that it is taken in most
-// of what the servers would hide behind the exchange.
+// Steps between two checks of the energy. At 1 % above the critical time step the fastest motion grows from
+// rounding errors to a size that the ledger sees within about 70 steps. A check is not free: in its step the
+// servers cannot compute the interior during the exchange.
 constexpr std::uint64_t kWatchInterval = 50;
 
 struct Fastest {
-  double x = 0, y = 0, speed = -1;  // [m], [m/s]; a speed that is no number counts as infinite
+  double x = 0, y = 0, speed = -1;  // [m], [m/s]; a speed of NaN counts as infinite
 };
 
 Fastest find_fastest(const std::vector<wire::Snapshot>& snapshots) {
@@ -60,12 +60,12 @@ void require_bounded_energy(Stepper& stepper, const Model& model, std::uint64_t 
   const Fastest fastest = find_fastest(stepper.snapshots());
   throw protocol::Unstable(fmt::format(
       "step {} (t = {:g} s): the energy of the model exceeds the work done on it by {:.0f} % of its "
-      "peak, fastest at ({:g}, {:g}) m with {:g} m/s; the run is unstable, choose a smaller "
+      "peak; the fastest point is at ({:g}, {:g}) m with {:g} m/s; the run is unstable, choose a smaller "
       "time.dt_factor",
       n, static_cast<double>(n) * model.dt, 100 * drift, fastest.x, fastest.y, fastest.speed));
 }
 
-// Afterwards every participant's reply is its farewell.
+// Ends all participants; afterwards the last reply of each is its Bye.
 void finish(Model& model) {
   for (Participant& participant : model.participants) {
     participant.request.mutable_finish();
@@ -101,7 +101,7 @@ void run(const scene::Scene& scene, std::vector<Participant> participants, const
   Model model = set_up(scene, std::move(participants), labels.case_name + "/" + scene.name());
   const Schedule schedule(model);
   MotionOutputs motions(model, schedule.interval());
-  results::clear_results(directory);  // only now is it sure that there will be new ones
+  results::clear_results(directory);  // only now, because a set-up that fails leaves the older results
   results::replace_file(directory / "scene.yaml", labels.scene_yaml);
   Stepper stepper(model);
   Recorder recorder(directory, model);
@@ -125,7 +125,7 @@ void run(const scene::Scene& scene, std::vector<Participant> participants, const
   } catch (const std::exception& error) {
     try {
       conclude(error.what());
-    } catch (const std::exception& second) {  // a full disk, say: the first cause matters more
+    } catch (const std::exception& second) {  // for example a full disk; the first error is the one to report
       fmt::print(stderr, "the summary could not be written: {}\n", second.what());
     }
     throw;

@@ -1,4 +1,4 @@
-// A whole run: from the scene and its participants to the results in a directory.
+// A whole run, from the scene and its participants to the results in a directory.
 #pragma once
 
 #include <filesystem>
@@ -10,13 +10,13 @@
 
 namespace adit::coupler {
 
-// Runs to the end into `directory`, which exists, or until an error: then what was computed so far stays in
-// the directory, with a summary that says `"completed": false` and why. Shows progress, ends with what the
-// results say.
+// Runs the scene to its end, or until an error, with results in `directory`, which must exist. After an error
+// the results so far stay there, with a summary that says `"completed": false` and why. Shows progress and
+// prints the main figures at the end.
 void run(const scene::Scene& scene, std::vector<Participant> participants, const RunLabels& labels,
          const std::filesystem::path& directory);
 
-// Takes the participants through all of the set-up and ends there; throws what run() would throw.
+// Sets the participants up without computing; throws whatever run() would throw until then.
 void check(const scene::Scene& scene, std::vector<Participant> participants);
 
 }  // namespace adit::coupler

@@ -1,4 +1,4 @@
-// The tables of a motion.
+// Writes the tables of a motion.
 #pragma once
 
 #include <filesystem>
@@ -12,15 +12,16 @@ namespace adit::coupler {
 // Acceleration, velocity and displacement over time, and the share of the Arias intensity so far.
 void write_motion(const std::filesystem::path& path, const motion::Motion& motion);
 
-// For every damping the largest displacement, velocity and absolute acceleration of oscillators, and their
-// pseudo velocity and acceleration.
+// Response spectra for every damping: largest displacement, velocity and absolute acceleration of
+// oscillators, and their pseudo velocity and pseudo acceleration.
 void write_response(const std::filesystem::path& path, const motion::Motion& motion,
                     const scene::Spectra& spectra);
 
 // The Fourier amplitude of the acceleration from 0 to the Nyquist frequency.
 void write_fourier(const std::filesystem::path& path, const motion::Motion& motion);
 
-// The smoothed Fourier amplitudes of both, and their ratio, which is largest as returned.
+// The smoothed Fourier amplitudes of two motions and their ratio. Returns the largest ratio and its
+// frequency.
 struct Amplification {
   double frequency, ratio;  // [Hz]
 };

@@ -15,7 +15,8 @@ namespace {
 
 using protocol::UserError;
 
-// Straight lines between samples lose 1 - sinc^2(1/20) = 0.8 % of a sine of 20 samples a period.
+// With 20 samples in a period, straight lines between them lower the amplitude of a sine by
+// 1 - sinc^2(1/20) = 0.8 %.
 constexpr double kSamplesAPeriod = 20;
 
 constexpr scene::Quantity kComponents[] = {scene::ACCELERATION_X, scene::ACCELERATION_Y};
@@ -24,7 +25,8 @@ std::string name_of_motion(const std::string& history, scene::Quantity quantity)
   return history + (quantity == scene::ACCELERATION_X ? "_ax" : "_ay");
 }
 
-// Share of the motion's Fourier energy above half the Nyquist frequency, where aliases would stand first.
+// Share of the motion's Fourier energy above half the Nyquist frequency, where frequencies that are too high
+// for the sampling appear first.
 double share_of_fast_motion(const motion::Motion& motion) {
   const auto spectrum = motion::fourier_spectrum(motion);
   double all = 0, fast = 0;
@@ -156,9 +158,8 @@ MotionOutputs::Found MotionOutputs::write(const std::filesystem::path& folder) c
                     peaks.acceleration, peaks.velocity, peaks.displacement, arias, d));
     if (const double fast = share_of_fast_motion(motion); fast > 0.05)
       found.warnings.push_back(
-          fmt::format("{:.0f} % of the motion {} is faster than {:.3g} Hz, half of what its samples resolve: "
-                      "it may be aliased, "
-                      "choose a shorter output.history_interval",
+          fmt::format("{:.0f} % of the energy of the motion {} lies above {:.3g} Hz, half its Nyquist "
+                      "frequency: it may be aliased; choose a shorter output.history_interval",
                       100 * fast, name, 0.25 / interval_));
     if (!relative_to) continue;
     const Amplification top = write_transfer(folder / (name + "_transfer.csv"), records_[*relative_to].motion,

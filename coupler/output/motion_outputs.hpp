@@ -1,5 +1,5 @@
-// What engineers state of the motion at a place: response and Fourier spectra, peaks, Arias intensity and
-// durations, transfer functions, from the rows of histories.csv that follow at equal times.
+// Measures of the motion at a place: response and Fourier spectra, peaks, Arias intensity and durations, and
+// transfer functions. They are computed from those rows of histories.csv that are equally spaced in time.
 #pragma once
 
 #include <cstddef>
@@ -20,36 +20,36 @@ double sampling_interval(const scene::Spectra& spectra);
 
 class MotionOutputs {
  public:
-  // Throws protocol::UserError for spectra of histories that do not exist or are not of accelerations, and of
-  // periods that rows at this interval [s] do not resolve.
+  // Throws protocol::UserError if spectra are asked for of a history that does not exist or is not an
+  // acceleration, or for periods that rows at this interval [s] do not resolve.
   MotionOutputs(const Model& model, double interval);
 
-  // A row of histories.csv, at the next of the equal times.
+  // Takes a row of histories.csv, which must follow the last one after the interval.
   void take(std::span<const double> row);
 
-  // What write() found: measures for the summary, sentences for the user.
+  // The results of write(): measures for the summary, lines and warnings for the user.
   struct Found {
     std::vector<std::pair<std::string, double>> measures;
     std::vector<std::string> lines, warnings;
   };
 
-  // Writes <motion>_motion.csv, _response.csv, _fourier.csv and, relative to another motion, _transfer.csv;
-  // the motion is called <history>_ax or _ay. Makes the folder where there are motions.
+  // Writes <motion>_motion.csv, _response.csv, _fourier.csv and, relative to another motion, _transfer.csv,
+  // where <motion> is <history>_ax or <history>_ay. Creates the folder if there are motions.
   Found write(const std::filesystem::path& folder) const;
 
  private:
   struct Record {
     std::string name;    // crown_ax
-    std::size_t column;  // in a row
+    std::size_t column;  // its column in a row
     motion::Motion motion{};
   };
   struct Request {
     scene::Spectra spectra;
     std::size_t record;
-    std::optional<std::size_t> relative_to;  // another record
+    std::optional<std::size_t> relative_to;  // number of another record
   };
   void check(const scene::Spectra& spectra, const std::string& path, bool interval_given) const;
-  // Of this name, with a column of this quantity; none where the history is not recorded.
+  // The record of the history of this name and quantity; nothing if it is not recorded.
   std::optional<std::size_t> find(const std::string& name, scene::Quantity quantity) const;
   void require_recorded(const std::string& name, const std::string& path) const;
 

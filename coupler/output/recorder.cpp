@@ -41,6 +41,7 @@ Recorder::Recorder(const std::filesystem::path& directory, Model& model)
 
 void Recorder::record_events() {
   for (Participant& participant : model_.participants) {
+    // Particles number their own steps, of which there are `substeps` in one step of the run.
     const double dt = participant.member.role == Role::kParticles ? model_.dt / model_.substeps : model_.dt;
     const auto time_of = [dt](std::uint64_t step) { return static_cast<double>(step) * dt; };
     if (participant.strongest.force() > findings_.peak_bond_force) {
@@ -87,7 +88,8 @@ std::span<const double> Recorder::record_histories(std::uint64_t n, const Ledger
   return row_;
 }
 
-// The first answers say which there are.
+// The file is opened with the first row, because only the first answers of the participants say which
+// energies they report.
 void Recorder::record_shares() {
   if (!shares_) {
     const auto columns = share_columns(model_);

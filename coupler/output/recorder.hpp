@@ -1,5 +1,5 @@
-// What a run leaves in its directory while it goes on: histories.csv, energies.csv (of participants that say
-// what their energies consist of), cracks.csv, fields/.
+// The files that a run writes while it goes on: histories.csv, energies.csv (for participants that report the
+// parts of their energy), cracks.csv, fields/.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +19,8 @@ struct Event {
   double time = 0, x = 0, y = 0;  // [s], [m]
 };
 
-// The largest bond force and the first crack so far, and cracks that say that a particle region is too small.
+// The largest bond force and the cracks so far. Cracks inside an overlap mean that a particle region is too
+// small.
 struct Findings {
   double peak_bond_force = 0;  // [N]
   Event peak;
@@ -31,12 +32,13 @@ struct Findings {
 
 class Recorder {
  public:
-  // Opens the files in `directory`, which exists.
+  // Opens the files in `directory`, which must exist.
   Recorder(const std::filesystem::path& directory, Model& model);
 
-  void record_events();  // every step: takes what the participants reported since
+  // To be called in every step: records what the participants have reported since the last call.
+  void record_events();
   std::span<const double> record_histories(std::uint64_t n,
-                                           const Ledger& ledger);              // the row, until the next one
+                                           const Ledger& ledger);  // the row, valid until the next call
   void record_fields(std::uint64_t n, std::vector<wire::Snapshot> snapshots);  // one for each participant
 
   const Findings& findings() const { return findings_; }
@@ -48,8 +50,8 @@ class Recorder {
   Model& model_;
   std::filesystem::path directory_;
   results::CsvFile histories_;
-  std::optional<results::CsvFile> shares_;  // once there are any
-  std::optional<results::CsvFile> cracks_;  // of models with particles
+  std::optional<results::CsvFile> shares_;  // open once a participant has reported parts of its energy
+  std::optional<results::CsvFile> cracks_;  // open if the model has particles
   results::Collection fields_;
   Findings findings_;
   std::vector<double> row_, share_row_;

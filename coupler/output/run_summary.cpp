@@ -11,7 +11,7 @@
 namespace adit::coupler {
 namespace {
 
-// What a run has nothing to say of is null in its summary: every summary has the same names.
+// A figure that a run does not have is null in its summary, so that every summary has the same names.
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 double own_cpu_seconds() {
@@ -40,7 +40,7 @@ RunSummary::RunSummary(const RunLabels& labels, const Model& model) : model_(mod
   summary_.set("dt_s", model.dt);
   summary_.set("substeps", model.substeps);
   summary_.set("critical_dt_s", model.critical_dt);
-  wire::Interface counts;  // of all participants; a participant says nothing of what it does not have
+  wire::Interface counts;  // sums over all participants, each of which leaves out what it does not have
   for (const Participant& participant : model.participants) {
     counts.set_particles(counts.particles() + participant.counts.particles());
     counts.set_bonds(counts.bonds() + participant.counts.bonds());
@@ -166,8 +166,8 @@ void RunSummary::add_cost(const Stepper& stepper, std::uint64_t steps, double wa
     summary_.set("solve_factor_bytes", solve.factor_bytes);
     summary_.set("hidden_share", computed > 0 ? hidden / computed : 0.0);
     lines_.push_back(
-        fmt::format("exchange           {:.0f} % of the models' work was done while it went on, "
-                    "multipliers took {:.2g} s",
+        fmt::format("exchange           {:.0f} % of the models' work was done during the exchange, "
+                    "the multipliers took {:.2g} s",
                     computed > 0 ? 100 * hidden / computed : 0.0, stepper.cost().solve));
   }
   lines_.push_back(
@@ -177,7 +177,7 @@ void RunSummary::add_cost(const Stepper& stepper, std::uint64_t steps, double wa
 void RunSummary::warn(const Findings& findings) {
   if (findings.cracks_in_overlap > 0)
     warnings_.push_back(
-        fmt::format("{} cracks inside the overlap, the first {}: the particle region is too small, move "
+        fmt::format("{} cracks inside the overlap, the first {}: the particle region is too small; move "
                     "the overlap away from the damage",
                     findings.cracks_in_overlap, at(findings.first_crack_in_overlap)));
   for (const auto& warning : warnings_) lines_.push_back("warning            " + warning);

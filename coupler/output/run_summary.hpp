@@ -1,4 +1,4 @@
-// What the summary of a run says: the model, the cost, the findings, the ledger.
+// The summary of a run: the model, the cost, the findings, the energy ledger.
 #pragma once
 
 #include <filesystem>
@@ -16,34 +16,35 @@ namespace adit::coupler {
 struct RunLabels {
   std::string case_name;  // the summary's `case`
   std::string scene_hash;
-  std::string versions;    // of all programs that take part
-  std::string scene_yaml;  // what is computed
+  std::string versions;    // names and versions of all programs that take part
+  std::string scene_yaml;  // the scene as it is computed
 };
 
 class RunSummary {
  public:
   RunSummary(const RunLabels& labels, const Model& model);
 
-  // How the model came to rest before time began.
+  // Adds how the model came to rest before time began.
   void add_statics(const Rest& rest);
 
-  // Measures of the motions that spectra were asked of.
+  // Adds the measures of the motions for which spectra were asked.
   void add_motions(const MotionOutputs::Found& found);
 
-  // What a participant said at the end.
+  // Adds what a participant reported at the end.
   void add_participant(const Participant& participant, const wire::Bye& bye);
 
-  // `steps` were computed in `stepping_s` of `wall_s` seconds; `error` is empty for a complete run.
+  // Adds how the run ended. `steps` were computed in `stepping_s` of the `wall_s` seconds of the run; `error`
+  // is empty for a complete run.
   void add_outcome(const Stepper& stepper, const Findings& findings, std::uint64_t steps, double wall_s,
                    double stepping_s, const std::string& error);
 
   void write(const std::filesystem::path& path) const { summary_.write(path); }
 
-  // The essence, for a person: on standard output.
+  // Prints the main figures to standard output.
   void print(const std::filesystem::path& directory) const;
 
  private:
-  // What the participants say of their models.
+  // Adds the engines that compute the particles, and the participants' notes on their models.
   void add_engines();
   void add_notes();
   void add_findings(const Findings& findings);
@@ -55,7 +56,7 @@ class RunSummary {
   const Model& model_;
   results::Summary summary_;
   std::uint64_t particle_updates_ = 0, zone_updates_ = 0;
-  std::vector<std::string> lines_, warnings_;  // of print()
+  std::vector<std::string> lines_, warnings_;  // the lines that print() writes
 };
 
 }  // namespace adit::coupler

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kDefaultHistoryRows = 500;
 
-// Looks at a swing in one of its periods: of a sine, the look nearest to its peak is at most cos(pi / 20) too
-// low.
+// Samples in one period for finding peaks. The sample nearest to the peak of a sine lies at most 1/40 of a
+// period from it and is at most 1 - cos(pi/20) = 1.2 % too low.
 constexpr double kLooksAPeriod = 20;
 
 }  // namespace
@@ -28,6 +28,8 @@ Schedule::Schedule(const Model& model) : last_(model.steps) {
   const double interval =
       output.has_history_interval() ? output.history_interval() : duration / kDefaultHistoryRows;
   history_stride_ = steps_in(std::round(interval / model.dt));
+  // Without a given interval, rows are as close together as the spectra need. A given interval is kept, and
+  // refused by MotionOutputs if it is too long for them.
   if (!output.has_history_interval())
     for (const auto& spectra : output.spectra())
       history_stride_ =

@@ -1,4 +1,4 @@
-// Steps at which something is written.
+// The steps at which results are written.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ class Schedule {
   bool wants_row(std::uint64_t n) const {
     return n % history_stride_ == 0 || n == last_ || fields_.contains(n);
   }
-  // Rows that follow at equal times, `interval` [s] apart.
+  // Whether the row of step n is one of the equally spaced ones, `interval` [s] apart.
   bool is_sample(std::uint64_t n) const { return n % history_stride_ == 0; }
   double interval() const { return interval_; }
   bool wants_fields(std::uint64_t n) const { return fields_.contains(n); }

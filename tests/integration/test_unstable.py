@@ -56,7 +56,7 @@ class Unstable(ProgramTest):
         self.assertIn("time.dt", refused.stderr)
         forced = self.run_at(scene, 1.01, "--set", "time.beyond_critical=true")
         self.assertEqual(forced.returncode, 4, forced.stderr)
-        self.assertRegex(forced.stderr, r"energy of the model exceeds .* fastest at \(\S+, \S+\) m")
+        self.assertRegex(forced.stderr, r"energy of the model exceeds .* fastest point is at \(\S+, \S+\) m")
         self.assertLessEqual(int(re.search(r"step (\d+) ", forced.stderr)[1]), 100)
 
     def test_grid(self):
