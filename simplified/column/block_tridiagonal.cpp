@@ -105,7 +105,7 @@ BlockTridiagonalFactor::BlockTridiagonalFactor(BlockTridiagonal matrix) : invers
   }
 }
 
-// Down: b_j -= (D_j-1^-1 A_j-1,j)^T b_j-1; up: x_j = D_j^-1 b_j - D_j^-1 A_j,j+1 x_j+1.
+// Forward: b_j -= (D_j-1^-1 A_j-1,j)^T b_j-1; backward: x_j = D_j^-1 b_j - D_j^-1 A_j,j+1 x_j+1.
 void BlockTridiagonalFactor::solve(std::span<double> right_side, std::span<double> x) const {
   const BlockTridiagonal& f = inverse_;
   for (std::size_t j = 0; j + 1 < f.blocks(); ++j) {

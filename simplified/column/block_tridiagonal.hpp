@@ -1,4 +1,4 @@
-// Symmetric matrices of blocks in which each block row meets only its neighbours.
+// Symmetric block-tridiagonal matrices with blocks of any size, and their factor.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,7 +7,8 @@
 
 namespace adit::simplified::column {
 
-// The blocks lie one after another, row-major, so that a product or a solve is one pass over memory.
+// The blocks are stored one after another, row-major, so that a product or a solve passes through memory
+// once.
 class BlockTridiagonal {
  public:
   BlockTridiagonal() = default;
@@ -15,10 +16,10 @@ class BlockTridiagonal {
 
   std::size_t blocks() const { return sizes_.size(); }
   void add_diagonal(std::size_t block, const Eigen::MatrixXd& values);
-  // Block (block, block + 1); its transpose below the diagonal is understood.
+  // Adds to the block (block, block + 1) above the diagonal; the block below the diagonal is its transpose.
   void add_upper(std::size_t block, const Eigen::MatrixXd& values);
-  void add_scaled(const BlockTridiagonal& other, double factor);  // of the same block sizes
-  // The block's row and column `row` become those of the identity: this coordinate is held.
+  void add_scaled(const BlockTridiagonal& other, double factor);  // `other` must have the same block sizes
+  // Holds a coordinate: the row and the column `row` of the block become those of the identity.
   void hold(std::size_t block, std::size_t row);
 
   // y -= A x.
@@ -30,19 +31,19 @@ class BlockTridiagonal {
   Block diagonal(std::size_t block);
   Block upper(std::size_t block);
 
-  std::vector<std::size_t> sizes_, first_;                 // of each block row: size, first row
-  std::vector<std::size_t> diagonal_begin_, upper_begin_;  // of each block, into the values
+  std::vector<std::size_t> sizes_, first_;                 // size and first row of each block row
+  std::vector<std::size_t> diagonal_begin_, upper_begin_;  // where each block begins in the values
   std::vector<double> diagonal_values_, upper_values_;
 };
 
 // A = L D L^T by blocks, for a positive definite A:
 //     D_0 = A_00,   D_j = A_jj - A_j,j-1 D_j-1^-1 A_j-1,j.
-// The small D_j are kept inverted, beside D_j^-1 A_j,j+1.
+// The inverses of the small D_j are stored, and the products D_j^-1 A_j,j+1.
 class BlockTridiagonalFactor {
  public:
   BlockTridiagonalFactor() = default;
   explicit BlockTridiagonalFactor(BlockTridiagonal matrix);
-  // A x = right_side, which is overwritten.
+  // Solves A x = right_side and overwrites right_side.
   void solve(std::span<double> right_side, std::span<double> x) const;
 
  private:

@@ -48,14 +48,15 @@ std::vector<std::size_t> coordinates_of(const std::vector<ModalColumn>& columns)
   return counts;
 }
 
-// The length of axis that column j stands for; 1 m for a column alone.
+// The length of the axis that column j represents; 1 m if there is only one column.
 double share(std::span<const Column> columns, std::size_t j) {
   if (columns.size() == 1) return 1;
   const std::size_t before = j > 0 ? j - 1 : 0, after = std::min(j + 1, columns.size() - 1);
   return (columns[after].chainage - columns[before].chainage) / 2;
 }
 
-// int rho psi_m psi_n: oscillators are orthogonal, the base (shape 1) carries them.
+// The integrals of rho psi_m psi_n: the shapes of the oscillators are orthogonal, but not to that of the
+// base, 1.
 MatrixXd mass_of(const ModalColumn& column) {
   const auto n = static_cast<Index>(column.modes.size() + 1);
   MatrixXd mass = MatrixXd::Zero(n, n);
@@ -126,7 +127,7 @@ void JoinedColumns::add_springs(std::size_t j, double distance, double modulus_r
   add_coupling(springs.dashpots, j, damping_);
 }
 
-// M + dt/2 C + dt^2/4 K. The base on rigid rock does not move relative to the given motion.
+// Factors M + dt/2 C + dt^2/4 K. On rigid rock the base does not move relative to the given motion.
 void JoinedColumns::factor(BlockTridiagonal mass) {
   mass.add_scaled(damping_, dt_ / 2);
   mass.add_scaled(stiffness_, dt_ * dt_ / 4);
@@ -142,8 +143,8 @@ void JoinedColumns::factor(BlockTridiagonal mass) {
   factor_ = BlockTridiagonalFactor(std::move(mass));
 }
 
-// M x'' + C (x' + e v_g) + K (x + e u_g) + c_rock x_0' = -M e a_g, x relative to the given motion,
-// e the base.
+// One step of M x'' + C (x' + e v_g) + K (x + e u_g) + c_rock x_0' = -M e a_g, where x is relative to the
+// given motion and e is 1 for the coordinates of the bases and 0 for all others.
 void JoinedColumns::step(std::span<const double> acceleration) {
   move_ground(acceleration);
   predict();
@@ -152,7 +153,7 @@ void JoinedColumns::step(std::span<const double> acceleration) {
   correct();
 }
 
-// Exact for an acceleration that varies linearly over the step.
+// Integrates the given motion, exactly for an acceleration that varies linearly over the step.
 void JoinedColumns::move_ground(std::span<const double> acceleration) {
   for (std::size_t j = 0; j < columns_.size(); ++j) {
     const double start = ground_acceleration_[j], end = acceleration[j];
@@ -162,7 +163,8 @@ void JoinedColumns::move_ground(std::span<const double> acceleration) {
   }
 }
 
-// What is known of the end of the step: all but the new acceleration.
+// Predicts displacement and velocity at the end of the step, without the contribution of the new
+// acceleration.
 void JoinedColumns::predict() {
   for (std::size_t i = 0; i < displacement_.size(); ++i) {
     displacement_[i] += dt_ * (velocity_[i] + dt_ / 4 * acceleration_[i]);

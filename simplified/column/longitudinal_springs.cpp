@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Index;
 
-// Depths between which both columns are uniform, from the surface to the deeper column's rock.
+// The depths between which both columns are uniform, from the surface to the rock of the deeper column.
 std::vector<double> common_interfaces(const Deposit& a, const Deposit& b) {
   std::set<double> depths{0};
   for (const Deposit* deposit : {&a, &b}) {
@@ -22,11 +22,11 @@ std::vector<double> common_interfaces(const Deposit& a, const Deposit& b) {
   return {depths.begin(), depths.end()};
 }
 
-// What a column is from depth `top` on: its layer there, or its rock.
+// The properties of a column below depth `top`, those of its layer or of its rock.
 struct Slice {
   double flexibility;  // 1/G [1/Pa]; 0: rigid rock
   double damping;
-  std::vector<Harmonic> shapes;  // of the base, then of the oscillators
+  std::vector<Harmonic> shapes;  // the shape of the base, then those of the oscillators
 };
 
 Slice slice_of(const ModalColumn& column, double top) {
@@ -50,7 +50,7 @@ Slice slice_of(const ModalColumn& column, double top) {
   return slice;
 }
 
-// int f g^T over a thickness.
+// The integrals of f g^T over a thickness.
 Eigen::MatrixXd products(const std::vector<Harmonic>& f, const std::vector<Harmonic>& g, double thickness) {
   Eigen::MatrixXd result(f.size(), g.size());
   for (Index m = 0; m < result.rows(); ++m)
@@ -59,7 +59,7 @@ Eigen::MatrixXd products(const std::vector<Harmonic>& f, const std::vector<Harmo
   return result;
 }
 
-// 1/sqrt(omega) of each coordinate.
+// 1/sqrt(omega) for each coordinate.
 Eigen::VectorXd calibration(const ModalColumn& column) {
   Eigen::VectorXd result(column.modes.size() + 1);
   result[0] = 1 / std::sqrt(column.modes.front().frequency);

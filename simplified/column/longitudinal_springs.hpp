@@ -1,18 +1,20 @@
-// The springs between two neighbouring columns of soil.
+// The springs between two neighbouring soil columns.
 //
-// Half of the ground between the columns is that of the one, half that of the other, each a strip of length
-// d/2 that a difference of the columns' displacements stretches (or shears): two springs in series at every
-// depth,
+// The ground between the columns consists of two strips of length d/2, one with the properties of each
+// column. A difference of the columns' displacements stretches or shears them, so at every depth they act as
+// two springs in series,
 //     1/k(z) = (d/2) / (chi G_a(z)) + (d/2) / (chi G_b(z))        [Pa/m, per depth and width],
-// chi the modulus ratio (joined_columns.hpp). Their loss is that of the two in series as well, to first
-// order in xi: k (1 + 2 i xi), xi = (xi_a G_b + xi_b G_a) / (G_a + G_b). Below a shallower column stands its
-// rock: its modulus (infinite where rigid, so that k = 2 chi G/d) and no loss; below both there is no spring.
-// The energy 1/2 int k (u_a - u_b)^2 dz, in the columns' coordinates u = x_0 + sum psi_n q_n, gives
+// where chi is the modulus ratio (joined_columns.hpp). The damping of the two in series is, to first order in
+// xi, k (1 + 2 i xi) with xi = (xi_a G_b + xi_b G_a) / (G_a + G_b). Below the shallower column its rock
+// continues, with its modulus (infinite if rigid, so that k = 2 chi G/d) and without damping. Below both
+// columns there is no spring. The energy 1/2 int k (u_a - u_b)^2 dz, in the columns' coordinates u = x_0 +
+// sum psi_n q_n, gives
 //     aa = int k psi_a psi_a^T dz,   ab = -int k psi_a psi_b^T dz,   bb = int k psi_b psi_b^T dz,
-// integrated exactly. Dashpots in time: each entry of the loss matrix int 2 xi k psi psi^T over
-// sqrt(omega_m omega_n), the frequencies of its two coordinates, which dissipates the hysteretic
-// loss when a coordinate moves at its own frequency, as the columns' dashpots do, and leaves the matrix
-// positive semi-definite; the base's coordinate counts with the column's fundamental frequency.
+// which are integrated exactly. In time, damping is represented by dashpots: each entry of the loss matrix
+// int 2 xi k psi psi^T dz is divided by sqrt(omega_m omega_n), with the frequencies of its two coordinates. A
+// coordinate that moves at its own frequency then dissipates as much as hysteretic damping would, as with the
+// dashpots of the columns, and the matrix stays positive semi-definite. The coordinate of the base is given
+// the fundamental frequency of its column.
 #pragma once
 
 #include <Eigen/Core>
@@ -30,7 +32,7 @@ struct LongitudinalSprings {
   CouplingBlocks dashpots;   // [Pa s]
 };
 
-// distance: between the columns' chainages [m].
+// `distance` is the difference of the columns' chainages [m].
 LongitudinalSprings longitudinal_springs(const ModalColumn& a, const ModalColumn& b, double distance,
                                          double modulus_ratio);
 

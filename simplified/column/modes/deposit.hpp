@@ -18,7 +18,7 @@ struct Layer {
   bool operator==(const Layer&) const = default;
 };
 
-// The half-space below: elastic, without damping.
+// The half-space below the deposit: elastic, without damping.
 struct Rock {
   double density;        // [kg/m^3]
   double wave_velocity;  // [m/s]
@@ -31,8 +31,8 @@ struct Rock {
 // Depths z are measured downwards from the surface [m].
 struct Deposit {
   std::vector<Layer> layers;  // from the surface down
-  // Absent: rigid rock, the given motion is that of the deposit's base. Present: elastic rock, the given
-  // motion is that of its outcrop, twice the wave that rises.
+  // If absent, the rock is rigid and the given motion is that of the deposit's base. If present, the rock is
+  // elastic and the given motion is that of its outcrop, twice the rising wave.
   std::optional<Rock> rock;
 
   double thickness() const;  // H [m]
@@ -40,8 +40,8 @@ struct Deposit {
   bool operator==(const Deposit&) const = default;
 };
 
-// Throws protocol::UserError, with path `path` + ".layers[i].thickness" and the like, for a deposit without
-// layers, values that are not positive and finite, and damping ratios outside 0 <= xi < 0.5.
+// Throws protocol::UserError, at `path` + ".layers[i].thickness" and the like, if the deposit has no layers,
+// a value is not positive and finite, or a damping ratio lies outside 0 <= xi < 0.5.
 void check(const Deposit& deposit, const std::string& path);
 
 }  // namespace adit::simplified::column

@@ -12,7 +12,7 @@ struct Harmonic {
   double wave_number;  // [1/m]
 };
 
-// The same wave, s counted from `distance` further down.
+// The same wave, with s counted from a point that lies `distance` deeper.
 inline Harmonic further_down(const Harmonic& f, double distance) {
   return {f.amplitude * std::polar(1.0, f.wave_number * distance), f.wave_number};
 }

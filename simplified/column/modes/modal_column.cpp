@@ -31,7 +31,8 @@ Complex base_stiffness(const ModalColumn& column, double frequency, Damping damp
   return -frequency * frequency * mass;
 }
 
-// The rock's force i omega rho_r V_r (u_out - u_b) moves the base: base_stiffness * u_b.
+// From the equilibrium of the base: the force of the rock, i omega rho_r V_r (u_out - u_b), equals
+// base_stiffness * u_b.
 Complex base_over_given(const Deposit& deposit, double frequency, Complex base_stiffness) {
   if (!deposit.rock) return 1;
   const Complex dashpot(0, frequency * deposit.rock->impedance());

@@ -13,10 +13,10 @@ namespace adit::simplified::column {
 
 namespace {
 
-// The amplification on a row of frequencies, as modes are added one by one.
+// The amplification at a series of frequencies, while modes are added one by one.
 class Study {
  public:
-  // Eight samples within the half width of the sharpest peak, the first.
+  // Takes eight samples within half the width of the sharpest peak, which is the first.
   Study(const Deposit& deposit, const Mode& first, double highest_frequency, double depth)
       : deposit_(deposit), depth_(depth) {
     const double spacing = first.frequency * std::max(first.damping, 0.005) / 8;
@@ -78,7 +78,7 @@ std::size_t modes_needed(const Deposit& deposit, double highest_frequency, doubl
   throw protocol::UserError(
       "",
       fmt::format("the modal soil column does not reach an error of {:.3g} up to {:.3g} Hz with {} modes: "
-                  "the least is {:.3g}; allow that, lower the highest frequency or give the layers "
+                  "the smallest is {:.3g}; allow that, lower the highest frequency or give the layers "
                   "damping ratios that differ less",
                   error, highest_frequency / (2 * std::numbers::pi), kMostModes, least));
 }

@@ -5,12 +5,12 @@
 
 #include "simplified/column/modes/harmonic.hpp"
 
-// In a layer of impedance Z = rho V a wave that starts free at the surface is phi = R cos(theta),
-// G phi' = -omega Z R sin(theta), where theta grows by omega h / V over the layer. At an interface phi and G
-// phi' go on, so that tan(theta) is multiplied by Z_above/Z_below and theta stays in its quadrant. All of
-// this only grows with omega: theta at the rock is a strictly increasing function, and phi = 0 there means
-// theta = (n - 1/2) pi for mode n (Sturm; Pruefer's phase). An interface moves theta by less than pi/2,
-// whence |theta - omega sum h/V| < (layers - 1) pi/2, which brackets every mode.
+// Pruefer's phase theta of a wave that is free of stress at the surface: in a layer of impedance Z = rho V,
+// phi = R cos(theta) and G phi' = -omega Z R sin(theta), where theta grows by omega h / V over the layer. At
+// an interface phi and G phi' are continuous, so tan(theta) is multiplied by Z_above/Z_below and theta stays
+// in its quadrant. Each of these steps increases with omega, so theta at the rock increases strictly, and phi
+// = 0 there means theta = (n - 1/2) pi for mode n (Sturm). An interface changes theta by less than pi/2.
+// Hence |theta - omega sum h/V| < (layers - 1) pi/2, which brackets every mode.
 
 namespace adit::simplified::column {
 
@@ -39,7 +39,7 @@ Phase phase_at_rock(const Deposit& deposit, double frequency) {
   return phase;
 }
 
-// Newton's iteration, held within a bracket that shrinks.
+// Newton's iteration, kept within a shrinking bracket.
 double frequency_of_mode(const Deposit& deposit, std::size_t number) {
   double travel_time = 0;
   for (const Layer& layer : deposit.layers) travel_time += layer.thickness / layer.wave_velocity;
@@ -59,8 +59,8 @@ double frequency_of_mode(const Deposit& deposit, std::size_t number) {
   return frequency;
 }
 
-// Amplitudes layer by layer: amplitude = R exp(i theta) at the layer's top, so that its real part is phi and
-// its imaginary part -G phi'/(omega Z).
+// The amplitude of each layer, R exp(i theta) at its top: the real part is phi, the imaginary part -G
+// phi'/(omega Z).
 std::vector<std::complex<double>> amplitudes_of(const Deposit& deposit, double frequency) {
   std::vector<std::complex<double>> amplitudes;
   std::complex<double> amplitude = 1;

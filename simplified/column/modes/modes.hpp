@@ -1,4 +1,4 @@
-// Modes of a layered deposit on an unmoving base, exact from 1-D wave theory:
+// Modes of a layered deposit on a fixed base, exact by 1-D wave theory:
 //     (G phi')' + rho omega^2 phi = 0,   G phi' = 0 at the surface,   phi = 0 at the rock.
 #pragma once
 
@@ -9,22 +9,22 @@
 
 namespace adit::simplified::column {
 
-// Normalized to phi = 1 at the surface.
+// A mode, normalized to phi = 1 at the surface.
 struct Mode {
   double frequency;       // circular frequency omega_n [rad/s]
-  double damping;         // xi_n: the layers' ratios, weighted with the mode's strain energy in each
+  double damping;         // xi_n: mean of the layers' ratios, weighted with the mode's strain energy in each
   double participation;   // Gamma_n = int rho phi / int rho phi^2
   double effective_mass;  // M_n = (int rho phi)^2 / int rho phi^2, per area [kg/m^2]
   // phi = Re(amplitude * exp(i omega s / V)) in each layer, s the distance below the layer's top.
   std::vector<std::complex<double>> amplitudes;
 };
 
-// The first `count` modes in the order of their frequencies, none missed: they are found by the phase of the
-// wave at the rock, which only grows with frequency and passes an odd multiple of pi/2 at every mode.
-// The deposit has been checked.
+// The first `count` modes in the order of their frequencies. None is missed, because they are found by the
+// phase of the wave at the rock, which increases with frequency and passes an odd multiple of pi/2 at every
+// mode. The deposit must have been checked.
 std::vector<Mode> modes(const Deposit& deposit, std::size_t count);
 
-// How many modes have a circular frequency below `frequency` [rad/s].
+// The number of modes whose circular frequency is below `frequency` [rad/s].
 std::size_t modes_below(const Deposit& deposit, double frequency);
 
 // phi at depth z [m]; 0 at the rock and below.

@@ -4,10 +4,11 @@
 
 namespace adit::simplified::column {
 
-// From the free surface (u = 1, tau = 0) down: with k = omega/V and the impedance Z, both complex,
+// The wave is followed from the free surface (u = 1, tau = 0) downwards. With k = omega/V and the impedance
+// Z, both complex, a layer of thickness h changes it to
 //     u(h) = u cos kh + tau/(omega Z) sin kh,   tau(h) = tau cos kh - omega Z u sin kh.
-// In the rock u = E exp(ikz) + F exp(-ikz), tau = i omega Z_r (E - F); E rises, and the outcrop moves by
-// 2 E = u + tau / (i omega Z_r).
+// In the rock u = E exp(ikz) + F exp(-ikz) and tau = i omega Z_r (E - F). E is the rising wave, and the
+// outcrop moves by 2 E = u + tau / (i omega Z_r).
 std::complex<double> wave_transfer(const Deposit& deposit, double frequency, double depth) {
   using Complex = std::complex<double>;
   const Complex i(0, 1);

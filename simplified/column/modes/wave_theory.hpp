@@ -1,4 +1,4 @@
-// The exact answer of a layered deposit to a harmonic motion exp(i omega t), from 1-D wave theory.
+// The exact response of a layered deposit to a harmonic motion exp(i omega t), by 1-D wave theory.
 #pragma once
 
 #include <complex>
@@ -7,10 +7,10 @@
 
 namespace adit::simplified::column {
 
-// Displacement at depth z over the given motion (deposit.hpp: of the base, or of the rock's outcrop), with
-// the hysteretic modulus G (1 + 2 i xi) in every layer. At the rock and below it is the base's motion. A
-// uniform deposit on rigid rock has 1/cos(omega H / (V sqrt(1 + 2 i xi))) at the surface. frequency:
-// circular, > 0 [rad/s].
+// Displacement at depth z divided by the given motion, which is that of the base or of the rock's outcrop
+// (deposit.hpp). Every layer has the hysteretic modulus G (1 + 2 i xi). At the rock and below, the
+// displacement is that of the base. For a uniform deposit on rigid rock the value at the surface is
+// 1/cos(omega H / (V sqrt(1 + 2 i xi))). `frequency` is circular, > 0 [rad/s].
 std::complex<double> wave_transfer(const Deposit& deposit, double frequency, double depth = 0);
 
 }  // namespace adit::simplified::column

@@ -14,10 +14,11 @@ namespace {
 
 struct Lanczos {
   MatrixXd vectors;    // Q
-  VectorXd couplings;  // beta: Q^T A Q has -beta beside its diagonal
+  VectorXd couplings;  // beta: the off-diagonal entries of Q^T A Q are -beta
 };
 
-// Lanczos' tridiagonal form of the diagonal matrix A, from `start`, with full orthogonalization (twice).
+// The tridiagonal form of the diagonal matrix A by Lanczos' method from the vector `start`. Orthogonalization
+// is full and done twice, so that rounding errors do not destroy it.
 Lanczos lanczos(const VectorXd& A, const VectorXd& start) {
   const Index n = A.size();
   Lanczos result{MatrixXd(n, n), VectorXd(n - 1)};
@@ -46,12 +47,13 @@ MatrixXd stiffness_of(const VectorXd& springs) {
 
 }  // namespace
 
-// Inverse eigenvalue problem. The oscillators are, in x_n = sqrt(M_n) q_n, x'' + A x = -r a with A =
-// diag(omega_n^2) and r_n = sqrt(M_n); the base feels r^T A x. A chain of masses m is, in y_i = sqrt(m_i)
-// v_i, y'' + T y = -s a, s_i = sqrt(m_i), T tridiagonal with negative entries beside its diagonal; the base
-// feels s^T T y. They are the same system if y = Q^T x, Q orthogonal: T = Q^T A Q and s = Q^T r. Moving all
-// masses alike strains only the spring at the base: T s = e_0 k_0/s_0, that is A r = q_0 k_0/s_0. So q_0 is
-// the direction of A r and Lanczos gives the rest. All s_i are positive (T^-1 is), and so are all springs:
+// Solves an inverse eigenvalue problem. With x_n = sqrt(M_n) q_n the oscillators obey x'' + A x = -r a, where
+// A = diag(omega_n^2) and r_n = sqrt(M_n), and act on the base with r^T A x. With y_i = sqrt(m_i) v_i a chain
+// of masses m obeys y'' + T y = -s a, where s_i = sqrt(m_i) and T is tridiagonal with negative off-diagonal
+// entries, and acts on the base with s^T T y. The two systems are the same if y = Q^T x with an orthogonal Q,
+// T = Q^T A Q and s = Q^T r. A common displacement of all masses strains only the spring at the base: T s =
+// e_0 k_0/s_0, that is A r = q_0 k_0/s_0. So q_0 has the direction of A r, and Lanczos' method gives the
+// other columns of Q. All s_i are positive, because T^-1 has positive entries only, and so are all springs:
 // k_0 = s^T T s = sum K_n, k_i = beta_i s_i-1 s_i.
 Chain equivalent_chain(const ModalColumn& column) {
   const auto n = static_cast<Index>(column.modes.size());
@@ -83,7 +85,7 @@ Chain equivalent_chain(const ModalColumn& column) {
 
 namespace {
 
-// v over the base's displacement: (K + i L - omega^2 M) v = omega^2 M 1.
+// v divided by the displacement of the base, from (K + i L - omega^2 M) v = omega^2 M 1.
 Eigen::VectorXcd masses_over_base(const Chain& chain, double frequency) {
   Eigen::MatrixXcd dynamic = chain.stiffness + Complex(0, 1) * chain.loss;
   dynamic.diagonal() -= frequency * frequency * chain.masses;

@@ -1,5 +1,5 @@
 // The chain of masses and springs that is exactly equivalent to the parallel oscillators of a modal column:
-// the same frequencies, the same force at the base, whatever the base does.
+// it has the same frequencies and the same force at the base for any motion of the base.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,8 +9,8 @@
 
 namespace adit::simplified::column {
 
-// Mass 0 hangs on the base by spring 0, mass i on mass i - 1 by spring i. The masses stand at no particular
-// depth; the deposit's motion follows from theirs through `oscillators`.
+// Spring 0 connects mass 0 with the base, spring i connects mass i with mass i - 1. The masses do not belong
+// to particular depths; the motion of the deposit follows from theirs through `oscillators`.
 struct Chain {
   Eigen::VectorXd masses;     // per area [kg/m^2]; their sum is that of the effective masses
   Eigen::VectorXd springs;    // per area [Pa/m]
@@ -24,10 +24,10 @@ struct Chain {
 
 Chain equivalent_chain(const ModalColumn& column);
 
-// The same functions as those of the oscillators (modal_column.hpp), with hysteretic springs, from the
-// chain's own equations.
+// The same functions as for the oscillators (modal_column.hpp), with hysteretic springs, computed from the
+// equations of the chain.
 std::complex<double> base_stiffness(const Chain& chain, double frequency);
-// Displacement over the base's, where the shapes psi_n are those given (shapes_at).
+// Displacement divided by that of the base, at the place with the given shapes psi_n (shapes_at).
 std::complex<double> base_transfer(const Chain& chain, double frequency, const std::vector<double>& shapes);
 
 }  // namespace adit::simplified::column

@@ -8,7 +8,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-// (v, v')' = [[0, 1], [-M^-1 K, -M^-1 C]] (v, v') - (0, 1) a
+// The system in the state (v, v'): (v, v')' = [[0, 1], [-M^-1 K, -M^-1 C]] (v, v') - (0, 1) a.
 Recursion recursion_of(const Chain& chain, double dt) {
   const Index n = chain.masses.size();
   const auto inverse_masses = chain.masses.cwiseInverse();

@@ -1,5 +1,5 @@
-// The equivalent chain (chain.hpp) on rigid rock over time: the same interface as the oscillators'
-// (oscillator_response.hpp), the same answer.
+// The response of the equivalent chain (chain.hpp) on rigid rock over time. It has the same interface as that
+// of the oscillators (oscillator_response.hpp) and gives the same results.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,21 +10,21 @@
 
 namespace adit::simplified::column {
 
-// M v'' + C v' + K v = -M 1 a(t), exact for an acceleration that varies linearly between its samples
-// (exponential of the system's matrix, recursion.hpp). At rest at t = 0, with a = 0; each step goes on by dt
-// [s].
+// M v'' + C v' + K v = -M 1 a(t), solved exactly for an acceleration that varies linearly between its samples
+// (exponential of the system's matrix, recursion.hpp). The chain is at rest at t = 0, with a = 0; a step
+// advances it by dt [s].
 class ChainResponse {
  public:
   ChainResponse(const Chain& chain, double dt);
-  // base_acceleration: at the end of the step [m/s^2].
+  // `base_acceleration` is that at the end of the step [m/s^2].
   void step(double base_acceleration);
 
-  // Relative to the base, at the depth of the shapes (shapes_at) [m], [m/s].
+  // Motion relative to the base, at the depth of the shapes (shapes_at) [m], [m/s].
   double displacement(std::span<const double> shapes) const;
   double velocity(std::span<const double> shapes) const;
-  // Absolute [m/s^2].
+  // Absolute acceleration [m/s^2].
   double acceleration(std::span<const double> shapes) const;
-  // Per area, on the deposit: what spring 0 and the dashpots pass, and the rigid mass [Pa].
+  // Force per area on the deposit: that of spring 0, of the dashpots, and of the rigid mass [Pa].
   double base_force() const;
 
  private:

@@ -44,7 +44,7 @@ double OscillatorResponse::velocity(std::span<const double> shapes) const {
   return sum;
 }
 
-// a + sum psi_n q_n'', q_n'' + a = -(omega^2 q + 2 xi omega q').
+// The absolute acceleration a + sum psi_n q_n'', where q_n'' + a = -(omega^2 q + 2 xi omega q').
 double OscillatorResponse::acceleration(std::span<const double> shapes) const {
   double sum = base_acceleration_;
   for (std::size_t n = 0; n < displacement_.size(); ++n)

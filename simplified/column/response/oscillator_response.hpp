@@ -1,4 +1,4 @@
-// The oscillators of a modal column (modal_column.hpp) on rigid rock over time.
+// The response of the oscillators of a modal column (modal_column.hpp) on rigid rock over time.
 #pragma once
 
 #include <span>
@@ -8,21 +8,21 @@
 
 namespace adit::simplified::column {
 
-// The oscillators q'' + 2 xi omega q' + omega^2 q = -a(t) are stepped exactly for an acceleration a that
-// varies linearly between its samples (Nigam and Jennings 1969): no error of period or damping at any time
-// step. At rest at t = 0, with a = 0; each step goes on by dt [s].
+// The oscillators q'' + 2 xi omega q' + omega^2 q = -a(t) are solved exactly for an acceleration a that
+// varies linearly between its samples (Nigam and Jennings 1969): there is no error of period or damping at
+// any time step. They are at rest at t = 0, with a = 0; a step advances them by dt [s].
 class OscillatorResponse {
  public:
   OscillatorResponse(const ModalColumn& column, double dt);
-  // base_acceleration: at the end of the step [m/s^2].
+  // `base_acceleration` is that at the end of the step [m/s^2].
   void step(double base_acceleration);
 
-  // Relative to the base, at the depth of the shapes (shapes_at) [m], [m/s].
+  // Motion relative to the base, at the depth of the shapes (shapes_at) [m], [m/s].
   double displacement(std::span<const double> shapes) const;
   double velocity(std::span<const double> shapes) const;
-  // Absolute [m/s^2].
+  // Absolute acceleration [m/s^2].
   double acceleration(std::span<const double> shapes) const;
-  // Per area, on the deposit [Pa].
+  // Force per area on the deposit [Pa].
   double base_force() const;
 
  private:

@@ -4,7 +4,8 @@
 
 namespace adit::simplified::column {
 
-// With the load among the unknowns, y' = A y + b a, a' = (a_end - a_start)/dt, the step is one exponential.
+// With the load added to the unknowns, y' = A y + b a and a' = (a_end - a_start)/dt, a step is one matrix
+// exponential.
 Recursion piecewise_linear(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, double dt) {
   const Eigen::Index n = A.rows();
   Eigen::MatrixXd with_load = Eigen::MatrixXd::Zero(n + 2, n + 2);

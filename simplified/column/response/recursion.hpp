@@ -1,4 +1,4 @@
-// Exact steps of a linear system y' = A y + b a(t), a(t) linear between its samples.
+// Exact steps of a linear system y' = A y + b a(t) with a(t) linear between its samples.
 #pragma once
 
 #include <Eigen/Core>

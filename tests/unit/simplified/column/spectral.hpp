@@ -1,4 +1,4 @@
-// The answer to a motion by its Fourier transform.
+// The response to a motion by its Fourier transform.
 #pragma once
 
 #include <complex>
