@@ -1,4 +1,4 @@
-// The least and greatest of every result since the start.
+// The least and the greatest value of every result since the start.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@ struct Extremes {
     std::copy(values.begin(), values.end(), min.begin());
     std::copy(values.begin(), values.end(), max.begin());
   }
-  // By values[begin] … values[end - 1]. Mostly none is beyond: then nothing is written, which out of the
-  // cache costs as much as reading.
+  // Widens the envelope to values[begin] … values[end - 1]. In most steps no value lies beyond it; then
+  // nothing is written, because writing to memory beyond the cache costs as much as reading it.
   void widen_to(std::span<const double> values, std::size_t begin, std::size_t end) {
     double *least = min.data(), *most = max.data();
     int beyond = 0;
@@ -40,9 +40,9 @@ struct Envelopes {
         axial_force(joints),
         shear_force(joints),
         moment(joints) {}
-  Extremes x, y;                              // of the centres [m], one a body
-  Extremes opening, slip, rotation;           // [m], [m], [rad], one a joint
-  Extremes axial_force, shear_force, moment;  // [N], [N], [N m], that at rest included
+  Extremes x, y;                              // displacements of the centres [m], by body
+  Extremes opening, slip, rotation;           // [m], [m], [rad], by joint
+  Extremes axial_force, shear_force, moment;  // [N], [N], [N m], by joint, including the force at rest
 };
 
 }  // namespace adit::simplified::chain

@@ -1,7 +1,8 @@
-// While it lives, numbers below 1e-308 are zero in this thread.
+// While an object of this class exists, numbers below 1e-308 (denormals) count as zero in this thread.
 //
-// Far ahead of a travelling wave the motion decays through that range from body to body, where every
-// operation costs a hundred times its price: measured, a chain of 4,667 bodies ran six times slower.
+// Far ahead of a travelling wave the motion decays from body to body through this range, where every
+// operation takes about a hundred times as long. A chain of 4,667 bodies was measured to run six times
+// slower.
 #pragma once
 
 #include <xmmintrin.h>

@@ -26,7 +26,7 @@ void Results::start(const Model& model, const CurvedHinges& curved, const Tracks
 
 void Results::take(const Model& model, const CurvedHinges& curved, const Tracks& tracks, std::size_t first,
                    std::size_t last) {
-  const std::size_t begin = first == 1 ? 0 : first;  // of the hinges
+  const std::size_t begin = first == 1 ? 0 : first;  // the first hinge
   set(model, curved, tracks, begin, last);
   Envelopes& e = envelopes;
   e.x.widen_to(std::span(tracks[0].x).subspan(1), first - 1, last - 1);

@@ -1,4 +1,4 @@
-// What a step leaves behind: the hinges' deformations and forces, and the envelopes.
+// The results of a step: deformations and forces of the hinges, and the envelopes.
 #pragma once
 
 #include "simplified/chain/envelopes.hpp"
@@ -12,10 +12,10 @@ struct Results {
   Components deformation, force;  // n + 1 hinges, in their own axes
   Envelopes envelopes;
 
-  // Envelopes of this state alone.
+  // Sets the envelopes to this state alone.
   void start(const Model& model, const CurvedHinges& curved, const Tracks& tracks);
-  // Results of the bodies first … last - 1 and of the hinges after them, and of the hinge before the first
-  // body of all.
+  // Takes the results of the bodies first … last - 1 and of the hinges after them. With the first body of the
+  // chain, it also takes those of the hinge before it.
   void take(const Model& model, const CurvedHinges& curved, const Tracks& tracks, std::size_t first,
             std::size_t last);
 

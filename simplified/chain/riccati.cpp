@@ -5,18 +5,18 @@
 namespace adit::simplified::chain {
 namespace {
 
-// Without what rounding left of asymmetry.
+// The matrix without the asymmetry that rounding errors cause.
 Matrix3 symmetric(const Matrix3& m) {
   return 0.5 * (m + m.transpose());
 }
 
-// By L D L^T, rotation last: unlike cofactors it keeps its digits where lengths are large.
+// The inverse by L D L^T with the rotation last. Unlike cofactors, it loses no digits if bodies are long.
 Matrix3 inverse(const Matrix3& a) {
   const double l10 = a(1, 0) / a(0, 0), l20 = a(2, 0) / a(0, 0);
   const double d1 = a(1, 1) - l10 * a(1, 0);
   const double l21 = (a(2, 1) - l20 * a(1, 0)) / d1;
   const double d2 = a(2, 2) - l20 * a(2, 0) - l21 * l21 * d1;
-  Matrix3 m = Matrix3::Identity();  // of L
+  Matrix3 m = Matrix3::Identity();  // the inverse of L
   m(1, 0) = -l10;
   m(2, 1) = -l21;
   m(2, 0) = l10 * l21 - l20;
@@ -45,7 +45,7 @@ void RiccatiSweep::factor(const Model& model, double A, double C, std::size_t ch
       for (int column = 0; column < 3; ++column) places_[i].L[3 * row + column] = L(row, column);
     places_[i].X = {X(0, 0), X(0, 1), X(1, 1), X(0, 2), X(1, 2), X(2, 2)};
     if (i == n) break;
-    // The ports lie opposite each other: G_O^-1 = G_I.
+    // G_O^-1 = G_I, because the ports lie opposite each other.
     const Matrix3 S = symmetric(KGX * B_[i] * model.ingoing_port(i));
     B_[i + 1] = model.dynamic_stiffness(i + 1, A, C) + symmetric(in.transpose() * S * in);
   }

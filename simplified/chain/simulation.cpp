@@ -16,8 +16,8 @@
 namespace adit::simplified::chain {
 namespace {
 
-constexpr std::size_t kBlock = 128;  // bodies whose passes share the cache
-constexpr int kBold = 8;             // iterations of plain Newton before it becomes cautious
+constexpr std::size_t kBlock = 128;  // number of bodies whose data stay in the cache from pass to pass
+constexpr int kBold = 8;             // iterations of Newton's method before tangents are taken half-way only
 
 const char* direction_name(std::size_t direction) {
   return direction == 0 ? "axial" : direction == 1 ? "shear" : "rotation";
@@ -102,7 +102,7 @@ void Simulation::Impl::factor(std::size_t changed_hinge) {
   riccati_.factor(model_, integrator_.A(), integrator_.C(), changed_hinge);
 }
 
-// Outer forces, and those of ground springs and dashpots where only the ground moves.
+// The load: outer forces, and the forces of ground springs and dashpots under the motion of the ground alone.
 void Simulation::Impl::set_load(const Excitation& e) {
   const double *ux = given(e.ground_x, "ground_x").data(), *uy = given(e.ground_y, "ground_y").data(),
                *vx = given(e.ground_vx, "ground_vx").data(), *vy = given(e.ground_vy, "ground_vy").data(),
@@ -133,14 +133,14 @@ void Simulation::Impl::move_abutments(const Excitation& e) {
   }
 }
 
-// The equations hold theta steps ahead: forces and abutments go on there along straight lines. The abutments'
-// motion is their prediction; it needs no correction.
+// The equations hold theta steps ahead, where forces and abutments are extrapolated along straight lines. The
+// motion of the abutments is known, so their prediction needs no correction.
 void Simulation::Impl::look_ahead(const Excitation& at_end) {
   const double theta = integrator_.theta();
   const auto ahead = [theta](double now, double after) {
     return theta == 1 ? after : now + theta * (after - now);
   };
-  for (Track& track : tracks_) {  // where they were
+  for (Track& track : tracks_) {  // from the motion at the start of the step
     for (const std::size_t i : {std::size_t{0}, model_.bodies + 1}) {
       track.p[i] = track.x[i];
       track.q[i] = track.v[i];
@@ -158,9 +158,9 @@ void Simulation::Impl::look_ahead(const Excitation& at_end) {
     for (std::size_t i = 0; i < load_[c].size(); ++i) ahead_[c][i] = ahead(before_[c][i], load_[c][i]);
 }
 
-// Prediction, what it lacks of balance, and the first half of the solution, block by block. A body is
-// complete once the hinge after it is known, and that once the next body is predicted: these passes stay one
-// body behind.
+// The prediction, its unbalanced forces, and the forward sweep, block by block. The unbalanced force of a
+// body needs the hinge after it, and that hinge needs the prediction of the next body, so the later passes
+// stay one body behind.
 void Simulation::Impl::sweep_forward() {
   const std::size_t n = model_.bodies;
   const Field p = predicted_displacement(tracks_), q = predicted_velocity(tracks_);
@@ -180,7 +180,7 @@ void Simulation::Impl::sweep_forward() {
   complete(n, n + 1);
 }
 
-// The second half and the state at the end of the step, block by block.
+// The backward sweep and the state at the end of the step, block by block.
 void Simulation::Impl::sweep_back() {
   for (std::size_t end = model_.bodies + 1; end > 1;) {
     const std::size_t begin = end > kBlock + 1 ? end - kBlock : 1;
@@ -192,13 +192,13 @@ void Simulation::Impl::sweep_back() {
   check_finite();
 }
 
-// The state at the end of the step, of bodies whose followers have theirs.
+// The state at the end of the step, for bodies whose following bodies already have theirs.
 void Simulation::Impl::finish(std::size_t begin, std::size_t end) {
   for (std::size_t c = 0; c < 3; ++c) integrator_.correct(tracks_[c], y_[c], begin, end);
   results_.take(model_, curved_, tracks_, begin, end);
 }
 
-// What the prediction lacks of balance, all in one.
+// The unbalanced forces of the prediction, for all bodies at once.
 void Simulation::Impl::balance(const Components& load) {
   const std::size_t n = model_.bodies;
   const Field p = predicted_displacement(tracks_), q = predicted_velocity(tracks_);
@@ -206,7 +206,7 @@ void Simulation::Impl::balance(const Components& load) {
   unbalanced(model_, p, q, load, hinge_forces_, 1, n + 1, r_);
 }
 
-// One solution of the linear equations, with the tangents at hand.
+// One solution of the linear equations with the present tangents.
 void Simulation::Impl::solve() {
   const std::size_t n = model_.bodies;
   riccati_.forward(r_, 1, n + 1);
@@ -215,12 +215,13 @@ void Simulation::Impl::solve() {
   check_finite();
 }
 
-// What is not finite anywhere has come back to the first body: both sweeps end there.
+// Both sweeps together carry any value that is not finite to the first body, so only that one is checked.
 void Simulation::Impl::check_finite() {
   if (!std::isfinite(y_[0][1] + y_[1][1] + y_[2][1])) report_unstable();
 }
 
-// Solutions until every hinge is on its curve; the first is the last where no curve bends.
+// Solves until the force of every hinge lies on its curve; once is enough if no hinge leaves its straight
+// piece.
 void Simulation::Impl::solve_to_curves() {
   const Field x{trial_[0].data(), trial_[1].data(), trial_[2].data()};
   for (int iteration = 1;; ++iteration) {
@@ -230,11 +231,11 @@ void Simulation::Impl::solve_to_curves() {
     const CurvedHinges::Check check = curved_.compare(model_, x);
     if (check.error <= settings_.tolerance) return;
     if (iteration == settings_.max_iterations)
-      throw protocol::Unstable(
-          fmt::format("step {}, t = {} s: the {} force of joint {} is off its curve by {:.2g} of the curve's "
-                      "largest force after {} iterations: take a smaller dt or a smoother curve",
-                      steps_ + 1, (steps_ + 1) * settings_.dt, direction_name(check.direction), check.hinge,
-                      check.error, iteration));
+      throw protocol::Unstable(fmt::format(
+          "step {}, t = {} s: the {} force of joint {} deviates from its curve by {:.2g} of the curve's "
+          "largest force after {} iterations: take a smaller dt or a smoother curve",
+          steps_ + 1, (steps_ + 1) * settings_.dt, direction_name(check.direction), check.hinge, check.error,
+          iteration));
     const std::size_t changed = curved_.relinearize(x, iteration > kBold, model_);
     factor(changed);
     balance(acting_load());
@@ -262,7 +263,7 @@ void Simulation::Impl::step(const Excitation& at_end) {
   ++steps_;
 }
 
-// M a = r at t = 0. The prediction is the initial motion itself, on curves as elsewhere.
+// Finds the accelerations from M a = r at t = 0, where the prediction is the initial motion itself.
 void Simulation::Impl::start(const InitialMotion& motion, const Excitation& at_start) {
   if (steps_ > 0) throw std::logic_error("start() comes before the first step");
   const std::array<std::span<const double>, 3> x{given(motion.x, "x"), given(motion.y, "y"),

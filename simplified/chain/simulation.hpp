@@ -1,11 +1,12 @@
-// A chain in motion: implicit steps of fixed length, O(n) each, no allocation in the step.
+// Computes the motion of a chain in implicit steps of fixed length, each in O(n) and without allocating
+// memory.
 //
 //   Simulation run(chain, {.dt = 0.005});
 //   while (…) { …fill the ground motions of the next instant…; run.step({.ground_x = ux, .ground_vx = vx}); }
 //   run.joints().axial.deformation[j], run.envelopes().axial_force.max[j], …
 //
-// Body i = 0 … n - 1; joint j = 0 … n lies before body j: 0 and n are the ends, 1 … n - 1 the hinges. A free
-// end carries no force; its deformation is the end's motion relative to the ground there.
+// Bodies are numbered i = 0 … n - 1. Joint j = 0 … n lies before body j: 0 and n are the ends, 1 … n - 1 the
+// hinges. A free end carries no force; its deformation is the motion of the end relative to the ground there.
 #pragma once
 
 #include <cstddef>
@@ -21,13 +22,13 @@ namespace adit::simplified::chain {
 struct Settings {
   double dt = 0;  // [s]
   Method method = Newmark{};
-  // Curves are re-linearized within the step until no joint's force is off its curve by more than this part
-  // of the largest force in its table.
+  // Curves are linearized again within the step until no joint's force deviates from its curve by more than
+  // this share of the curve's largest force.
   double tolerance = 1e-9;
   int max_iterations = 50;
 };
 
-// What acts at one instant: one value a body, or none at all for zero.
+// The excitation at one instant: one value for each body, or none if all are zero.
 struct Excitation {
   std::span<const double> ground_x = {}, ground_y = {};    // displacement of the ground [m]
   std::span<const double> ground_vx = {}, ground_vy = {};  // its velocity [m/s]
@@ -35,23 +36,23 @@ struct Excitation {
   std::span<const double> moment = {};                     // [N m]
 };
 
-// One value a body, or none at all for zero.
+// One value for each body, or none if all are zero.
 struct InitialMotion {
   std::span<const double> x = {}, y = {}, rotation = {};  // [m], [rad]
   std::span<const double> vx = {}, vy = {}, spin = {};    // [m/s], [rad/s]
 };
 
-// Of the bodies' centres, in the axes of the plane.
+// The motion of the bodies' centres, in the axes of the plane.
 struct BodyMotion {
   std::span<const double> x, y, rotation;                // displacement [m], [rad]
   std::span<const double> vx, vy, spin;                  // [m/s], [rad/s]
   std::span<const double> ax, ay, angular_acceleration;  // [m/s^2], [rad/s^2]
 };
 
-// One value a joint, in the joint's axes.
+// One value for each joint, in the axes of the joint.
 struct JointDirection {
   std::span<const double> deformation;  // opening, slip [m] or rotation [rad]
-  std::span<const double> force;        // [N], [N m], that at rest included
+  std::span<const double> force;        // [N], [N m], including the force at rest
 };
 struct Joints {
   JointDirection axial, shear, rotation;
@@ -70,13 +71,13 @@ class Simulation {
   // acceleration.
   void start(const InitialMotion& motion, const Excitation& at_start = {});
 
-  // One step; `at_end` acts at its end. Throws std::invalid_argument for spans of a wrong size,
-  // protocol::Unstable with step and place where a value is not finite or a curve does not converge.
+  // Makes one step; `at_end` acts at its end. Throws std::invalid_argument if a span has the wrong size, and
+  // protocol::Unstable, with step and place, if a value is not finite or a curve does not converge.
   void step(const Excitation& at_end);
 
   long steps() const;
-  double time() const;      // [s]
-  long iterations() const;  // solutions of the linear equations so far: more than the steps where curves bend
+  double time() const;        // [s]
+  long iterations() const;    // solutions of the linear equations so far; with curves more than one in a step
   BodyMotion bodies() const;  // valid until the next step, as all that follows
   Joints joints() const;
   const Envelopes& envelopes() const;  // since the start

@@ -28,7 +28,7 @@ CurvedHinges::Check CurvedHinges::compare(const Model& model, const Field& x) co
     const double delta = deformation(model, x, j, d);
     const double tangent = model.at_rest[d][j] + model.offset[d][j] + model.stiffness[d][j] * delta;
     const double difference = std::abs(line_at(term.curve, delta).at(delta) - tangent);
-    // A force of nothing at all (a table of zeros) has no error.
+    // A curve of zeros has no error.
     const double error = difference > 0 ? difference / term.largest : 0;
     if (error > worst.error) worst = {error, j, d};
   }

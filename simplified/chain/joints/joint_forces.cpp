@@ -3,7 +3,7 @@
 namespace adit::simplified::chain {
 namespace {
 
-// Where the ports are and how the hinges lie.
+// The positions of the ports and the directions of the hinges.
 struct Geometry {
   const double *half_x, *half_y, *cos, *sin;
   explicit Geometry(const Model& m)
@@ -14,7 +14,8 @@ struct Local {
   double axial, shear, rotation;
 };
 
-// The ingoing port of place j + 1 relative to the outgoing port of place j, in the axes of hinge j.
+// The motion of the ingoing port of place j + 1 relative to the outgoing port of place j, in the axes of
+// hinge j.
 inline Local relative(const Geometry& g, const Field& f, std::size_t j) {
   const double dx =
       (f.x[j + 1] - f.x[j]) + (g.half_y[j + 1] * f.rotation[j + 1] + g.half_y[j] * f.rotation[j]);

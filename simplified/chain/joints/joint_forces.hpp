@@ -1,4 +1,5 @@
-// The kernels over ranges of hinges and bodies: what the joints do, and what remains unbalanced.
+// Kernels over ranges of hinges and bodies: the forces of the hinges, and the unbalanced forces of the
+// bodies.
 #pragma once
 
 #include <array>
@@ -9,7 +10,7 @@
 
 namespace adit::simplified::chain {
 
-// Displacements (or velocities) of all places, abutments included.
+// Displacements (or velocities) of all bodies and of the two abutments.
 struct Field {
   const double *x, *y, *rotation;
 };
@@ -19,22 +20,24 @@ Field predicted_velocity(const Tracks& tracks);
 Field displacement(const Tracks& tracks);
 Field velocity(const Tracks& tracks);
 
-// Forces of the hinges begin … end - 1 on the place before each (those on the place after are opposite), in
-// the axes of the plane, for the displacements x and velocities v: turned offset + K delta + C delta'.
+// Forces offset + K delta + C delta' of the hinges begin … end - 1 at the displacements x and velocities v,
+// in the axes of the plane. They act on the body before each hinge, and the opposite forces on the body after
+// it.
 void hinge_forces(const Model& model, const Field& x, const Field& v, std::size_t begin, std::size_t end,
                   Components& forces);
 
-// What the bodies begin … end - 1 lack of balance without their inertia:
-// r = load - K x - C v + G_O^T f_after - G_I^T f_before, with `load` that of ground and outer forces.
+// Unbalanced forces of the bodies begin … end - 1, without inertia:
+// r = load - K x - C v + G_O^T f_after - G_I^T f_before, where `load` contains the forces of the ground's
+// motion and outer forces.
 void unbalanced(const Model& model, const Field& x, const Field& v, const Components& load,
                 const Components& hinge_forces, std::size_t begin, std::size_t end, Components& r);
 
-// Deformations of the hinges begin … end - 1 and their forces, those at rest included, in the hinges' own
-// axes.
+// Deformations of the hinges begin … end - 1 and their forces, including those at rest, in the axes of the
+// hinges.
 void measure(const Model& model, const Field& x, const Field& v, std::size_t begin, std::size_t end,
              Components& deformation, Components& force);
 
-// The deformation of one hinge in one direction, for the displacements x.
+// The deformation of one hinge in one direction, at the displacements x.
 double deformation(const Model& model, const Field& x, std::size_t hinge, std::size_t direction);
 
 }  // namespace adit::simplified::chain

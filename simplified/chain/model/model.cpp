@@ -5,7 +5,7 @@
 namespace adit::simplified::chain {
 namespace {
 
-// R diag(axial, lateral, rotation) R^T, with the axis along (c, s).
+// R diag(axial, lateral, rotation) R^T for an axis along (c, s).
 Matrix3 turned(double c, double s, double axial, double lateral, double rotation) {
   Matrix3 turned = Matrix3::Zero();
   turned(0, 0) = axial * c * c + lateral * s * s;

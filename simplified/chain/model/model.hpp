@@ -1,8 +1,8 @@
-// The chain as the kernels read it: structure of arrays, with an abutment as one more body before the first
-// and after the last.
+// The chain as the kernels read it: a structure of arrays, with an abutment as a further body before the
+// first and after the last one.
 //
-// Places 1 … n are the bodies, 0 and n + 1 the abutments, which have no length and move as given. Hinge j
-// stands between places j and j + 1; a free end is a hinge of no stiffness.
+// Places 1 … n are the bodies; 0 and n + 1 are the abutments, which have no length and a prescribed motion.
+// Hinge j lies between the places j and j + 1; a free end is a hinge without stiffness.
 #pragma once
 
 #include <Eigen/Core>
@@ -35,10 +35,10 @@ struct Model {
       half_y;  // from the centre to the outgoing port [m]; the ingoing one is opposite
   PlaneSprings ground_stiffness, ground_dashpot;
 
-  std::vector<double> cos, sin;   // of the hinge's axis; n + 1 values here and below
-  Components stiffness, dashpot;  // of the hinge, tangents where there are curves
-  Components offset;              // force of the tangent at zero deformation, without that at rest
-  Components at_rest;             // force that outer forces balance
+  std::vector<double> cos, sin;   // direction of the hinges' axes; n + 1 values here and below
+  Components stiffness, dashpot;  // properties of the hinges; the tangent stiffness if there is a curve
+  Components offset;              // force of the tangent at zero deformation, without the force at rest
+  Components at_rest;             // force at rest, which outer forces balance
 
   // A diag(m, m, J) + K + C C_g of body i.
   Matrix3 dynamic_stiffness(std::size_t i, double A, double C) const;

@@ -1,4 +1,4 @@
-// Hinges with curves: gaskets that only press, stops with clearance.
+// Hinges with curves: gaskets that carry compression only, and stops with clearance.
 #include "simplified/chain/model/curve.hpp"
 
 #include <gtest/gtest.h>
@@ -138,7 +138,8 @@ TEST(CurvedHinges, NoConvergenceIsAnError) {
       run.step({.load_y = step % 2 ? load : std::vector<double>{0, 0, -2e8}});
     FAIL() << "went on";
   } catch (const protocol::Unstable& error) {
-    EXPECT_NE(std::string(error.what()).find("shear force of joint 2 is off its curve"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("shear force of joint 2 deviates from its curve"),
+              std::string::npos);
   }
 }
 

@@ -1,4 +1,4 @@
-// Every method of integration at its order, on closed forms.
+// Every method of integration has its order of convergence, measured against closed forms.
 #include "simplified/chain/joints/integrator.hpp"
 
 #include <gtest/gtest.h>
