@@ -1,15 +1,15 @@
-// Where the energy of a run is [J], counted from the static state at its beginning.
+// The energies of a run [J], counted from the static state at its beginning.
 #pragma once
 
 namespace adit::simplified::beam {
 
 struct Energy {
   double kinetic = 0;
-  double strain = 0;    // of the lining
+  double strain = 0;    // stored in the lining
   double soil = 0;      // stored in the soil springs
   double joints = 0;    // stored in gaskets, cables and keys, less the work of the water pressure on them
   double slip = 0;      // dissipated in the soil springs
-  double dashpots = 0;  // dissipated there
+  double dashpots = 0;  // dissipated in the dashpots
   double loads = 0;     // work of the static loads
   double input = 0;     // work of the moving ground
 

@@ -23,8 +23,8 @@ Eigen::MatrixXd product(const BlockTridiagonal& matrix, const Eigen::MatrixXd& x
   return y;
 }
 
-// Start vectors that no mode is orthogonal to: cosines along the axis in all directions, with phases of their
-// own.
+// Start vectors to which no mode is orthogonal: cosines along the axis in all directions, each with another
+// phase.
 Eigen::MatrixXd start_vectors(std::size_t dofs, int count) {
   Eigen::MatrixXd x(dofs, count);
   for (int j = 0; j < count; ++j)
@@ -43,11 +43,11 @@ std::vector<double> frequencies(const Tunnel& tunnel, int count) {
   const Structure structure(tunnel);
   const int free_dofs = static_cast<int>(structure.dofs() - kDofs * structure.fixed_nodes.size());
   if (count < 1 || count > free_dofs)
-    throw protocol::UserError(
-        "count",
-        fmt::format("{} frequencies asked of a model with {} free degrees of freedom", count, free_dofs));
+    throw protocol::UserError("count", fmt::format("{} frequencies are asked for, but the model has {} free "
+                                                   "degrees of freedom; ask for at most that many",
+                                                   count, free_dofs));
 
-  // Tangents in the installed state.
+  // The tangent stiffness in the installed state.
   SoilSprings soil(tunnel, structure.mesh, structure.elements);
   JointSprings joints(tunnel, structure.mesh);
   const std::vector<double> rest(structure.dofs());

@@ -1,5 +1,5 @@
-// Natural frequencies of the tunnel on its linear springs (no slip, joints with their tangent in the
-// installed state).
+// Natural frequencies of the tunnel on its linear springs: without slip, and with the joints' tangent
+// stiffness in the installed state.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace adit::simplified::beam {
 
-// The lowest `count` circular frequencies [rad/s], by subspace iteration. Fixed portals stand still.
+// The lowest `count` circular frequencies [rad/s], found by subspace iteration. Fixed portals do not move.
 std::vector<double> frequencies(const Tunnel& tunnel, int count);
 
 }  // namespace adit::simplified::beam

@@ -11,7 +11,8 @@
 namespace adit::simplified::beam {
 namespace {
 
-// A run stops where energy out of nothing passes this share of all energy moved (and what rounding can make).
+// A run stops if the energy that no work explains exceeds this share of all energy exchanged, and also
+// exceeds what rounding errors can cause.
 constexpr double kLargestGrowth = 0.5;
 constexpr double kSmallestEnergy = 1e-3;  // [J]
 

@@ -1,4 +1,4 @@
-// Gathers the results of a run while it steps.
+// Collects the results of a run step by step.
 #pragma once
 
 #include <vector>
@@ -10,10 +10,10 @@ namespace adit::simplified::beam {
 
 class Recorder {
  public:
-  // Throws UserError where a station lies outside the tunnel.
+  // Throws UserError if a station lies outside the tunnel.
   Recorder(const Stepper& stepper, const RunOptions& options, Results& results);
-  void record(long step);  // the stepper's present state
-  void finish();           // energy error and counts
+  void record(long step);  // records the present state of the stepper
+  void finish();           // adds energy error and counts
 
  private:
   void update_envelopes(double time);
@@ -23,8 +23,8 @@ class Recorder {
   const Stepper& stepper_;
   const RunOptions& options_;
   Results& results_;
-  std::vector<SectionForces> forces_;           // by element, now
-  std::vector<double> openings_;                // by joint, now
+  std::vector<SectionForces> forces_;           // present forces, by element
+  std::vector<double> openings_;                // present openings, by joint
   std::vector<std::size_t> all_, at_stations_;  // elements
   double largest_error_ = 0, largest_energy_ = 0;
 };

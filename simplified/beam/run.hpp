@@ -1,4 +1,5 @@
-// One run of the mass-spring-beam model: static state, then the motion; envelopes and histories.
+// One run of the mass-spring-beam model: first the static state, then the motion, with envelopes and
+// histories.
 #pragma once
 
 #include <functional>
@@ -17,17 +18,17 @@ struct RunOptions {
   double dt = 0;   // [s]
   long steps = 0;  // time ends at steps·dt
   Scheme scheme = energy_conserving();
-  std::vector<double> stations;  // [m] chainages whose histories are wanted
+  std::vector<double> stations;  // [m] chainages at which histories are recorded
   int history_every = 1;         // steps between records of histories
   int field_every = 0;  // steps between records along the whole axis (time–distance plots), 0: none
 };
 
-// Largest and smallest value of a quantity and when, by place.
+// Smallest and largest value of a quantity and their times, by place.
 struct Envelope {
   std::vector<double> minimum, minimum_time, maximum, maximum_time;
 };
 
-// Values at one record; along the axis for fields, at the stations for histories.
+// Values at one time: along the axis for fields, at the stations for histories.
 struct Record {
   double time = 0;
   std::vector<double> displacement[3];  // [m] of the tube
@@ -52,8 +53,8 @@ struct JointResult {
 };
 
 struct Results {
-  // At the middle of every element. Forces are those of the run beyond the installed state: the
-  // pre-compression of the joints (−hydrostatic force) is not in the axial force. Static loads are.
+  // Places are the middles of the elements. Forces count from the installed state: the axial force contains
+  // the static loads, but not the pre-compression of the joints (−hydrostatic force).
   std::vector<double> chainage;
   Envelope axial_force, moment_lateral, moment_vertical, shear_lateral, shear_vertical;
   Envelope strain;  // axial strain of the outermost fibre: minimum compressive, maximum tensile
@@ -66,8 +67,8 @@ struct Results {
   long newton_iterations = 0, factorizations = 0;
 };
 
-// Throws UserError (tunnel, options), Unstable where Newton does not converge or a value is not finite, with
-// time.
+// Throws UserError if the tunnel or the options are wrong, and Unstable, with the time, if Newton's method
+// does not converge or a value is not finite.
 Results run(const Tunnel& tunnel, const GroundMotion& motion, const RunOptions& options);
 
 }  // namespace adit::simplified::beam

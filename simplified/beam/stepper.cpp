@@ -11,12 +11,14 @@
 namespace adit::simplified::beam {
 namespace {
 
-// Newton stops where the residual is this small against the first residual of the worst step so far…
+// Newton's method stops if the residual is this small relative to the largest first residual of any step so
+// far,
 constexpr double kTolerance = 1e-8;
-// … or is made of rounding: this many times the stiffness times the displacement, or the force that the
-// water and the gaskets balance.
+// or if it is only rounding error: this small relative to stiffness times displacement, or to the forces of
+// water and gaskets that balance each other.
 constexpr double kRounding = 1e-14;
-// An iteration that shrinks the residual to less than this has a matrix that is good enough for the next one.
+// If an iteration reduces the residual to less than this share, its matrix also serves for the next
+// iteration.
 constexpr double kFast = 1e-3;
 constexpr int kIterations = 60;
 constexpr int kLineSteps = 12;
@@ -61,8 +63,8 @@ Stepper::Stepper(const Tunnel& tunnel, const GroundMotion& motion, const Scheme&
 void Stepper::step() {
   ++steps_;
   read_ground(time());
-  // The last increment once more, a start from which Newton mostly needs one iteration: u1_ still is the
-  // displacement before it.
+  // Newton starts with the increment of the last step, from which it mostly needs one iteration. u1_ still
+  // holds the displacement before that increment.
   for (std::size_t i = 0; i < u1_.size(); ++i) u1_[i] = 2 * u0_[i] - u1_[i];
   prescribe_portals(u1_, ground_.displacement);
   newton();
@@ -73,7 +75,7 @@ void Stepper::read_ground(double time) {
   motion_(time, supports_, ground_);
 }
 
-// The static state: the same equation without M and c, from the installed state u = 0.
+// Finds the static state: the same equation without M and c, starting from the installed state u = 0.
 void Stepper::settle() {
   const Scheme dynamic = scheme_;
   scheme_ = newmark();
@@ -89,8 +91,8 @@ void Stepper::settle() {
   scheme_ = dynamic;
 }
 
-// M a = −(forces out of balance), which at rest are those of the dashpots; prescribed nodes start with their
-// ground.
+// Finds the initial accelerations from M a = −(unbalanced forces), which in the static state are the forces
+// of the dashpots. Prescribed nodes start with the motion of their ground.
 void Stepper::start_accelerations() {
   prescribe_portals(v0_, ground_.velocity);
   v1_ = v0_;
@@ -202,7 +204,8 @@ void Stepper::newton() {
   }
 }
 
-// Goes along the correction, back where the convex function has risen again: secants of its slope.
+// Finds the minimum of the convex function along the correction, where its slope vanishes, by the secant
+// method.
 void Stepper::search_line(double slope) {
   double share = 0, target = 1;
   for (int k = 0; k < kLineSteps; ++k) {

@@ -1,9 +1,9 @@
 // The equation of motion of the tube on its springs, step by step:
 //     M a + K u + Σ Nᵀ f_soil(N u − u_g) + Σ Nᵀ c (N v − v_g) + Σ Bᵀ f_joint(B u) = p.
 // Each step is solved for the displacement at its end by Newton's method with the consistent tangent. All
-// force laws rise with elongation, so the step minimizes a convex function and a line search makes Newton
-// safe. The matrix is factored anew only where a spring changed its tangent and from there on along the
-// tunnel, and only while Newton with the old one is slow.
+// forces rise with elongation, so a step minimizes a convex function, and a line search makes Newton's method
+// converge. The matrix is factored again only if Newton's method is slow with the old factor, and then only
+// from the first link along the tunnel whose springs changed their tangents.
 #pragma once
 
 #include <vector>
@@ -19,11 +19,12 @@ namespace adit::simplified::beam {
 
 class Stepper {
  public:
-  // At time 0 the tube is at rest, in equilibrium with the static loads on the ground as it lies then. The
-  // tunnel must outlive the stepper. Throws UserError where the tube is free to move.
+  // At time 0 the tube is at rest, in equilibrium with the static loads and with the ground's displacement at
+  // time 0. The tunnel must outlive the stepper. Throws UserError if nothing holds the tube in some
+  // direction.
   Stepper(const Tunnel& tunnel, const GroundMotion& motion, const Scheme& scheme, double dt);
 
-  void step();  // throws Unstable where Newton does not converge
+  void step();  // throws Unstable if Newton's method does not converge
 
   double time() const { return static_cast<double>(steps_) * dt_; }
   std::span<const double> displacement() const { return u0_; }
@@ -52,7 +53,7 @@ class Stepper {
   Scheme scheme_;
   double dt_;
   long steps_ = 0;
-  bool moving_ = false;  // false while the static state is found
+  bool moving_ = false;  // false while the static state is being found
   SoilSprings soil_;
   JointSprings joints_;
   std::vector<double> supports_;  // chainages of the start portal, the soil points, the end portal

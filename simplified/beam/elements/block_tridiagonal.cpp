@@ -5,10 +5,12 @@
 namespace adit::simplified::beam {
 namespace {
 
-// A pivot smaller than this against the matrix's own diagonal is rounding: the mode has no stiffness.
+// A pivot that is smaller than this relative to the diagonal of the matrix is a rounding error: the motion
+// has no stiffness.
 constexpr double kSmallestPivot = 1e-14;
 
-// S = C Cᵀ in place (lower triangle); the diagonal of C is stored inverted. Returns the failing column or −1.
+// S = C Cᵀ in place (lower triangle), with the inverse of the diagonal of C. Returns the first column whose
+// pivot is not positive, or −1.
 int cholesky(Block& s, const Block& unreduced) {
   for (int j = 0; j < kDofs; ++j) {
     double pivot = s(j, j);

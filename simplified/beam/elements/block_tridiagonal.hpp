@@ -1,5 +1,6 @@
-// Symmetric block-tridiagonal matrices with 5×5 blocks, one block row a node, and their Cholesky factor.
-// Elements and joints tie each node to the next only, so every matrix of the model has this form.
+// Symmetric block-tridiagonal matrices with 5×5 blocks, one block row for each node, and their Cholesky
+// factor. Elements and joints connect each node with the next only, so every matrix of the model has this
+// form.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,7 +10,8 @@
 
 namespace adit::simplified::beam {
 
-inline constexpr int kDofs = 5;  // a node: u_x, u_y, u_z, section rotation sideways, section rotation upward
+inline constexpr int kDofs =
+    5;  // of a node: u_x, u_y, u_z, section rotation sideways, section rotation upward
 
 using Block = Eigen::Matrix<double, kDofs, kDofs, Eigen::RowMajor>;
 
@@ -23,11 +25,12 @@ struct BlockTridiagonal {
   void multiply(std::span<const double> x, std::span<double> y) const;  // y = A x
 };
 
-// A = L Lᵀ with L block bidiagonal: S_i = D_i − W_{i−1} W_{i−1}ᵀ = C_i C_iᵀ, W_i = B_i C_i⁻ᵀ. O(n).
+// A = L Lᵀ with a block-bidiagonal L: S_i = D_i − W_{i−1} W_{i−1}ᵀ = C_i C_iᵀ, W_i = B_i C_i⁻ᵀ. The cost
+// grows with the number of nodes.
 class BlockCholesky {
  public:
-  // Factors anew from block row `first` on; the rows before it must be those of the last call. Returns the
-  // degree of freedom (5·node + dof) whose pivot is not positive, if any.
+  // Factors the block rows from `first` on; those before it must not have changed since the last call.
+  // Returns the degree of freedom (5·node + dof) whose pivot is not positive, if any.
   std::optional<std::size_t> factor(const BlockTridiagonal& matrix, std::size_t first = 0);
   void solve(std::span<double> x) const;  // in place
 

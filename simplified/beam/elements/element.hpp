@@ -1,10 +1,11 @@
-// One straight beam element between two nodes: linear along the axis; bending in two planes, with or without
-// shear. A node's degrees of freedom are u_x, u_y, u_z, ψ_y, ψ_z, where ψ is the section's rotation as a
-// slope: without shear, ψ_y = du_y/dx and ψ_z = du_z/dx. A fibre at (y, z) moves by u_x − y ψ_y − z ψ_z.
+// A straight beam element between two nodes: linear along the axis, bending in two planes with or without
+// shear. The degrees of freedom of a node are u_x, u_y, u_z, ψ_y, ψ_z, where ψ is the rotation of the
+// section, counted as a slope: without shear, ψ_y = du_y/dx and ψ_z = du_z/dx. A fibre at (y, z) moves by u_x
+// − y ψ_y − z ψ_z.
 //
 // Bending interpolates with the exact static solution of the unloaded Timoshenko beam (Przemieniecki 1968;
-// Friedman & Kosmatka 1993), φ = 12 EI/(G A_s l²), which for φ = 0 is Hermite's cubic: no locking, one
-// element form for both theories, nodal values exact for loads at nodes.
+// Friedman and Kosmatka 1993), φ = 12 EI/(G A_s l²); for φ = 0 this is Hermite's cubic. The element therefore
+// does not lock, serves for both theories, and gives exact nodal values under loads at nodes.
 #pragma once
 
 #include <array>
@@ -26,10 +27,10 @@ struct BendingPlane {
 };
 
 struct Shape {
-  std::array<double, 4> deflection, rotation;  // of w₁, ψ₁, w₂, ψ₂ at a point
+  std::array<double, 4> deflection, rotation;  // at a point, for unit w₁, ψ₁, w₂, ψ₂
 };
 
-// At ξ in [0, 1] of an element of length l.
+// The shape functions at ξ in [0, 1] of an element of this length.
 Shape shape(const BendingPlane& plane, double length, double xi);
 
 class Element {
@@ -39,7 +40,7 @@ class Element {
   double length() const { return length_; }
   const BendingPlane& plane(Direction d) const { return planes_[d == kVertical]; }
   ElementMatrix stiffness() const;
-  ElementMatrix mass() const;                        // consistent; rotary inertia where shear is taken along
+  ElementMatrix mass() const;  // consistent; with rotary inertia if the section has shear
   Eigen::Matrix<double, 2 * kDofs, 1> load() const;  // consistent nodal forces of the section's static load
 
  private:

@@ -13,7 +13,7 @@ Curve scaled(Curve curve, double factor) {
   return curve;
 }
 
-// The load curve per metre of gasket, going on with its last slope.
+// Force of the load curve per metre of gasket, which continues with its last slope.
 double force_at(const std::vector<CurvePoint>& compression, double c) {
   const CurvePoint &a = compression[compression.size() - 2], &b = compression.back();
   return Curve{compression, 0, (b.force - a.force) / (b.elongation - a.elongation)}.force(c);
@@ -25,8 +25,8 @@ double gasket_force(const std::vector<Joint::Gasket>& gaskets, double compressio
   return force;
 }
 
-// The common compression under which all gaskets of a joint together carry the hydrostatic force: bisection
-// of a monotone function to the last bit.
+// The compression, common to all gaskets of a joint, at which together they carry the hydrostatic force. The
+// force is monotone, so bisection finds it to the last bit.
 double common_compression(const Joint& joint) {
   if (joint.hydrostatic_force == 0) return 0;
   double low = 0, high = 1e-3;

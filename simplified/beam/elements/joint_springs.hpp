@@ -13,7 +13,7 @@
 
 namespace adit::simplified::beam {
 
-// How a joint stands now, from the installed state.
+// The present deformation of a joint, from the installed state.
 struct JointState {
   double opening = 0;      // [m] at the point that opens most (negative: all closed)
   double compression = 0;  // [m] at the point that closes most
@@ -24,14 +24,14 @@ class JointSprings {
  public:
   JointSprings(const Tunnel& tunnel, const Mesh& mesh);
 
-  // As SoilSprings: forces of the springs added to `forces`, tangents, and the stored energy of the step
-  // done.
+  // As in SoilSprings: evaluate() adds the forces of the springs to `forces`, and commit() ends the step and
+  // returns the change of stored energy.
   void evaluate(const Scheme& scheme, std::span<const double> u, std::span<double> forces);
   std::size_t update_tangents(BlockTridiagonal& matrix);
   void forget_tangents();
   double commit();
 
-  // Adds to each degree of freedom the largest forces that the curves name: what rounding is measured by.
+  // Adds to each degree of freedom the largest forces of the curves, to which rounding errors are compared.
   void add_force_scales(std::span<double> scales) const;
 
   std::size_t size() const { return links_.size(); }
@@ -42,25 +42,26 @@ class JointSprings {
   struct Spring {
     int link;
     std::array<double, kDofs> arm;             // elongation = arm · (second node − first node)
-    std::size_t curve;                         // of curves_
-    Piece piece;                               // of the curve, on which the step starts
+    std::size_t curve;                         // number in curves_
+    Piece piece;                               // piece of the curve on which the step starts
     double elongation[2] = {}, force[2] = {};  // at the step's start and end
     double tangent = 0, assembled_tangent = 0;
   };
   struct Place {
     double y, z;
   };
-  std::size_t index_of(const Curve& curve);  // of curves_, appended where it is new
-  // The spring's force in the equations of motion; `relative`: second node less first.
+  std::size_t index_of(const Curve& curve);  // number in curves_; a new curve is appended
+  // The spring's force in the equations of motion; `relative` is the motion of the second node minus that of
+  // the first.
   double respond(const Scheme& scheme, Spring& spring, const std::array<double, kDofs>& relative) const;
-  // Over the step; most springs stay on the piece on which it starts.
+  // The mean force over the step. Most springs stay on the piece of the curve on which the step starts.
   SpringAnswer mean(const Spring& spring) const;
   Piece piece_at_end(const Spring& spring) const;
   std::vector<int> links_;  // by joint
   std::size_t link_count_;
   std::vector<double> installed_;              // [m] compression of the gaskets, by joint
-  std::vector<std::vector<Place>> perimeter_;  // where openings are looked at, by joint
-  std::vector<Curve> curves_;                  // different ones: few, so that they stay in the cache
+  std::vector<std::vector<Place>> perimeter_;  // points at which openings are evaluated, by joint
+  std::vector<Curve> curves_;                  // the different curves; they are few and stay in the cache
   std::vector<Spring> springs_;                // in order of link
 };
 

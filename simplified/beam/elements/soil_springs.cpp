@@ -35,7 +35,7 @@ void scatter(const std::array<double, N>& shape, const std::array<int, N>& dofs,
   for (std::size_t i = 0; i < N; ++i) nodal[dofs[i]] += shape[i] * force;
 }
 
-// factor · Nᵀ N into the three blocks of a link.
+// Adds factor · Nᵀ N to the three blocks of a link.
 template <std::size_t N>
 void add_product(BlockTridiagonal& matrix, std::size_t link, const std::array<double, N>& shape,
                  const std::array<int, N>& dofs, double factor) {
@@ -158,7 +158,8 @@ void SoilSprings::add_dashpots(BlockTridiagonal& matrix, double factor) const {
   }
 }
 
-// The ground end of a spring is pushed by the spring's force F, so whoever moves it gives −F Δu_g.
+// The spring's force F acts on the ground end of the spring, so moving that end by Δu_g does the work −F
+// Δu_g.
 SoilWork SoilSprings::commit(const Scheme& scheme) {
   SoilWork work;
   for (Spring& s : springs_) {

@@ -1,4 +1,5 @@
-// What stays the same during a run: mesh, elements, mass, linear stiffness, static loads, prescribed nodes.
+// The parts of the model that do not change during a run: mesh, elements, mass, linear stiffness, static
+// loads, prescribed nodes.
 #pragma once
 
 #include <span>
@@ -14,17 +15,18 @@ namespace adit::simplified::beam {
 // −dM/dx.
 struct SectionForces {
   double axial = 0, moment_lateral = 0, moment_vertical = 0, shear_lateral = 0, shear_vertical = 0;
-  double strain_low = 0, strain_high = 0;  // of the outermost fibres
+  double strain_low = 0, strain_high = 0;  // axial strains of the outermost fibres
 };
 
 struct Structure {
-  explicit Structure(const Tunnel& tunnel);  // of a checked tunnel, which must outlive it
+  explicit Structure(
+      const Tunnel& tunnel);  // the tunnel must have been checked, and must outlive this object
 
   const Tunnel& tunnel;
   Mesh mesh;
   std::vector<Element> elements;
-  BlockTridiagonal mass;       // zero where inertia is switched off
-  BlockTridiagonal stiffness;  // of the lining
+  BlockTridiagonal mass;       // zero if inertia is switched off
+  BlockTridiagonal stiffness;  // stiffness of the lining
   std::vector<double> load;    // [N] [N m] by degree of freedom
   std::vector<std::size_t> fixed_nodes;
 

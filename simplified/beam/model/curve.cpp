@@ -11,7 +11,7 @@
 namespace adit::simplified::beam {
 Piece Curve::piece(double e) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  std::size_t k = 0;  // of the point at its end
+  std::size_t k = 0;  // number of the point at the end of the piece
   while (k < points.size() && points[k].elongation <= e) ++k;
   if (k == 0) return {-kInfinity, points[0].elongation, points[0].elongation, points[0].force, slope_before};
   const CurvePoint& a = points[k - 1];
@@ -29,7 +29,7 @@ SpringAnswer Curve::mean(double e0, double e1) const {
   const auto [low, high] = std::minmax(e0, e1);
   Piece here = piece(low);
   if (here.holds(high)) return here.mean(e0, e1);
-  double area = 0, begin = low;  // trapezoids, piece by piece
+  double area = 0, begin = low;  // sum of the trapezoids, piece by piece
   for (;; here = piece(here.high)) {
     const double end = std::min(here.high, high);
     area += here.at(0.5 * (begin + end)) * (end - begin);

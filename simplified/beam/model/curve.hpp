@@ -12,10 +12,10 @@ struct CurvePoint {
   bool operator==(const CurvePoint&) const = default;
 };
 
-// What a nonlinear spring answers when its elongation goes from e0 to e1 along a straight path.
+// The force of a nonlinear spring whose elongation changes linearly from e0 to e1.
 struct SpringAnswer {
-  double force = 0;    // to put into the equation of motion
-  double tangent = 0;  // its derivative by e1
+  double force = 0;    // the force in the equation of motion
+  double tangent = 0;  // its derivative with respect to e1
 };
 
 // A straight piece of a curve, for elongations in [low, high): f = force + slope (e − anchor).
@@ -33,7 +33,7 @@ struct Curve {
   double slope_before = 0;  // [N/m] below the first point, not negative
   double slope_after = 0;   // [N/m] above the last point, not negative
 
-  Piece piece(double e) const;  // that holds e
+  Piece piece(double e) const;  // the piece that contains e
   double force(double e) const { return piece(e).at(e); }
   double tangent(double e) const { return piece(e).slope; }
   double work(double e0, double e1) const;  // ∫ f de from e0 to e1 [J], exact
@@ -47,16 +47,17 @@ Curve cable(double stiffness, double slack);    // f = k (e − slack) for e > s
 Curve key(double stiffness, double clearance);  // f = k (|e| − clearance) beyond the clearance, either way
 
 // A gasket that carries compression only. `compression` is its load curve (compression [m] from 0, force [N]
-// per metre of gasket, both positive here; beyond the last point the last slope goes on). In the installed
-// state it is compressed by `pre_compression` [N/m of gasket], which outside pressure balances; e counts from
-// there, and f is the force beyond that balance: f(0) = 0, and f = +pre_compression, constant, once the
-// gasket has let go.
+// per metre of gasket, both positive here; the last slope continues beyond the last point). In the installed
+// state it is compressed by the force `pre_compression` [N per metre of gasket], which balances the outside
+// pressure. The elongation e and the force f count from this state: f(0) = 0, and f = +pre_compression,
+// constant, once the gasket has lost contact.
 Curve gasket(const std::vector<CurvePoint>& compression, double pre_compression);
 
 // The compression [m] at which the load curve carries `force`.
 double compression_under(const std::vector<CurvePoint>& compression, double force);
 
-// Throw UserError at path[i] where a table is not monotone (`load curve`: starts at (0, 0), rises).
+// Both throw UserError at path[i] if the table is not monotone. A load curve must also start at (0, 0) and
+// rise everywhere.
 void check(const Curve& curve, const std::string& path);
 void check_load_curve(const std::vector<CurvePoint>& compression, const std::string& path);
 

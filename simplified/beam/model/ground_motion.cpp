@@ -31,7 +31,7 @@ std::size_t check(const StationMotions& motions) {
         if (steps == 0) steps = station.size();
         if (station.size() != steps || steps < 2)
           throw protocol::UserError("displacement",
-                                    fmt::format("a motion of {} steps beside one of {}: all need the same "
+                                    fmt::format("one motion has {} steps and another {}: all need the same "
                                                 "number, two or more",
                                                 station.size(), steps));
       }
@@ -41,7 +41,7 @@ std::size_t check(const StationMotions& motions) {
 
 struct Interpolation {
   std::size_t first, second;
-  double fraction;  // of the second
+  double fraction;  // weight of the second value
 };
 
 Interpolation between_stations(const std::vector<double>& chainages, double x) {
@@ -78,7 +78,7 @@ GroundMotion interpolated(StationMotions motions) {
   const std::size_t steps = check(motions);
   if (steps == 0) return still();
   auto shared = std::make_shared<const StationMotions>(std::move(motions));
-  std::vector<Interpolation> places;  // of the points, found at the first call
+  std::vector<Interpolation> places;  // one for each point, found in the first call
   return [shared, steps, places](double time, std::span<const double> chainages, GroundState& state) mutable {
     if (places.size() != chainages.size()) {
       places.clear();

@@ -1,4 +1,4 @@
-// How the far ends of the soil springs move: each point of the tunnel has its own ground.
+// The motion of the ground ends of the soil springs; each point of the tunnel has its own ground motion.
 #pragma once
 
 #include <array>
@@ -27,8 +27,8 @@ struct StationMotions {
   std::array<std::vector<std::vector<double>>, 3> displacement, velocity;
 };
 
-// Throws UserError (path "stations…") where sizes differ, chainages do not increase or no
-// step is given; the motion itself throws UserError where a time beyond the last step is asked.
+// Throws UserError (path "stations…") if sizes differ, chainages do not increase, or no step is given. The
+// motion itself throws UserError if it is asked for a time after the last step.
 GroundMotion interpolated(StationMotions motions);
 
 GroundMotion still();  // no motion

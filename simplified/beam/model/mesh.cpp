@@ -5,7 +5,7 @@
 namespace adit::simplified::beam {
 namespace {
 
-constexpr double kSame = 1e-6;  // [m] cuts nearer than this are one
+constexpr double kSame = 1e-6;  // [m] cuts closer together than this count as one
 
 // Elements of equal length from the last node to `end`, all of one section.
 void add_elements(Mesh& mesh, double end, int section, double longest) {

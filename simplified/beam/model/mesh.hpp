@@ -1,4 +1,4 @@
-// Nodes along the axis and the links between each and the next: a beam element, or a joint of no length.
+// Nodes along the axis, and the links between neighbouring nodes: beam elements, and joints without length.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 namespace adit::simplified::beam {
 
 struct Link {
-  int section = -1;  // of the beam element, or −1
-  int joint = -1;    // or −1
+  int section = -1;  // section of the beam element; −1 for a joint
+  int joint = -1;    // number of the joint; −1 for an element
 };
 
 struct Mesh {
@@ -19,6 +19,6 @@ struct Mesh {
   std::vector<int> joints;    // links that are joints: those of the tunnel, in order
 };
 
-Mesh build_mesh(const Tunnel& tunnel);  // of a checked tunnel
+Mesh build_mesh(const Tunnel& tunnel);  // the tunnel must have been checked
 
 }  // namespace adit::simplified::beam

@@ -21,7 +21,7 @@ constexpr Scheme newmark(double beta = 0.25, double gamma = 0.5) {
 constexpr Scheme hht(double alpha) {  // 0 ≤ alpha ≤ 1/3
   return {0, alpha, (1 + alpha) * (1 + alpha) / 4, 0.5 + alpha, false};
 }
-// Without inertia nothing is to be conserved and the run uses newmark() instead.
+// Without inertia there is no kinetic energy to conserve, and the run uses newmark() instead.
 constexpr Scheme energy_conserving() {
   return {0.5, 0.5, 0.25, 0.5, true};
 }

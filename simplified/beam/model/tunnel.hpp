@@ -1,9 +1,9 @@
-// The tunnel as a beam on springs: what the user describes. Plain numbers, SI units.
+// The tunnel as a beam on springs, as the user describes it, in plain numbers and SI units.
 //
-// x runs along the axis (chainage), y to the left (lateral), z upward (vertical). The tube's displacements
-// are from the installed state, in which gaskets are compressed and the pressure on the ends balances them.
-// Errors: check() and everything that takes a Tunnel throw UserError, with a path relative to the
-// Tunnel, e.g. "sections[2].from", "joints[4].gaskets[0].compression[3]".
+// x runs along the axis (chainage), y to the left (lateral), z upward (vertical). Displacements of the tube
+// count from the installed state, in which the compressed gaskets balance the water pressure on the ends.
+// check() and all functions that take a Tunnel throw UserError with a path relative to the Tunnel, for
+// example "sections[2].from" or "joints[4].gaskets[0].compression[3]".
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ struct Section {
   double shear_area_vertical = 0;   // [m²]
   double mass = 0;                  // [kg/m]
   double half_width = 0;            // [m] from the axis to the outer fibre sideways: strains only
-  double half_height = 0;           // [m] and upward
+  double half_height = 0;           // [m] and to the outer fibre upward
   std::array<double, 3> load = {};  // [N/m] static: weight less buoyancy is load[kVertical]
 };
 

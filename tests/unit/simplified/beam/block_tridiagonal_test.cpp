@@ -42,7 +42,7 @@ TEST(BlockTridiagonal, MultipliesAndSolvesLikeTheDenseMatrix) {
   EXPECT_LT((product - x).norm(), 1e-13 * x.norm());
 }
 
-// Factoring anew from the first changed row gives the bits of factoring anew altogether.
+// Factoring again from the first changed row gives the same bits as factoring everything again.
 TEST(BlockCholesky, FactorsFromTheFirstChangedRow) {
   BlockTridiagonal matrix = positive_matrix(7);
   BlockCholesky partial, whole;

@@ -1,4 +1,4 @@
-// Joints: a gasket carries compression only and opens when the tension passes what the water pressed it with.
+// Joints: a gasket carries compression only, and opens when the tension exceeds its compression by the water.
 #include <gtest/gtest.h>
 
 #include "tests/unit/simplified/beam/tunnels.hpp"
