@@ -22,7 +22,7 @@ using Scene = scene::Simplified;
 
 constexpr double kDefaultHistoryRows = 500;
 
-// The field's memory and a run's patience end before this.
+// More steps would need more memory for the ground motion than machines have.
 constexpr double kMostSteps = 1e7;
 
 void refuse_other_models(const scene::Scene& scene) {
@@ -35,13 +35,13 @@ void refuse_other_models(const scene::Scene& scene) {
                       : scene.interfaces_size() > 0 ? "interfaces"
                                                     : nullptr;
   if (other)
-    throw UserError(other, "stands beside `simplified`; a scene is for one program: leave one of them out");
+    throw UserError(
+        other, "is given beside `simplified`, but a scene is computed by one program; leave one of them out");
   const char* unwritten = scene.output().has_peaks()          ? "output.peaks"
                           : scene.output().spectra_size() > 0 ? "output.spectra"
                                                               : nullptr;
   if (unwritten)
-    throw UserError(unwritten,
-                    "is for the models of `coupler`; leave it out, peaks over time are in envelopes.csv");
+    throw UserError(unwritten, "is for the models of `coupler`; leave it out, peaks are in envelopes.csv");
 }
 
 Clock clock_of(const scene::Scene& scene) {
@@ -78,7 +78,7 @@ void set_up_tunnel(Setup& setup) {
   setup.line = divide(scene.tunnel());
   setup.begin = setup.line.nodes.front();
   setup.end = setup.line.nodes.back();
-  // What only one of the models cannot do is found in making it.
+  // Making the model finds what this model cannot do.
   if (scene.model() == Scene::BEAM)
     beam_model(scene, setup.line);
   else
@@ -88,11 +88,11 @@ void set_up_tunnel(Setup& setup) {
 void set_up_column(Setup& setup) {
   const Scene& scene = *setup.scene;
   if (!scene.has_ground())
-    throw UserError("simplified.ground", "is missing; the model column is of the ground");
+    throw UserError("simplified.ground", "is missing; the model column computes the ground");
   if (!scene.excitation().through_ground())
     throw UserError("simplified.excitation.through_ground",
-                    "must be true: the model column carries the motion of the "
-                    "rock up through the ground");
+                    "must be true, because the model column computes how the "
+                    "motion of the rock rises through the ground");
   setup.begin = scene.ground().profiles(0).chainage();
   setup.end = scene.ground().profiles(scene.ground().profiles_size() - 1).chainage();
 }

@@ -1,4 +1,4 @@
-// A whole run: from the scene to the results in a directory.
+// A whole run, from the scene to the results in a directory.
 #pragma once
 
 #include <filesystem>
@@ -10,25 +10,26 @@
 
 namespace adit::simplified {
 
-// A scene that can be computed, with all that does not depend on time.
+// A checked scene, with everything that does not change during the run.
 struct Setup {
   const scene::Simplified* scene = nullptr;
-  Line line;                  // empty for the column
-  double begin = 0, end = 0;  // of the tunnel, or of the profiles [m]
+  Line line;                  // empty for the model column
+  double begin = 0, end = 0;  // chainages between which the tunnel, or the soil profiles, reach [m]
   Clock clock{};
   motion::Motion motion;
 };
 
-// Checks all of the scene, prepares its motion; throws UserError.
+// Checks the whole scene and prepares its ground motion; throws UserError.
 Setup set_up(const scene::Scene& scene);
 
-// The response to the ground's motion; throws UserError and Unstable.
+// Computes the response to the ground motion; throws UserError and Unstable.
 Response solve(const Setup& setup);
 
-// Sets up, solves, writes the results into `directory`, which exists, and says what they are.
+// Sets the model up, solves it, writes the results into `directory`, which must exist, and prints the main
+// figures.
 void run(const scene::Scene& scene, const std::string& case_name, const std::filesystem::path& directory);
 
-// Sets up alone.
+// Only sets the model up.
 void check(const scene::Scene& scene);
 
 }  // namespace adit::simplified

@@ -37,7 +37,7 @@ void add_responses(Summary& summary, const Response& response) {
   }
 }
 
-// The joints group by group name: a name may stand for several groups of one kind.
+// The joints by the name of their group; several groups may have the same name.
 void add_joints(Summary& summary, const scene::Tunnel& tunnel, const Response& response) {
   std::vector<std::string> names;
   for (const scene::Joints& group : tunnel.joints())

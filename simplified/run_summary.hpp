@@ -1,4 +1,4 @@
-// What a run says of itself: summary.json, and its essence on standard output.
+// The summary of a run: summary.json, and its main figures on standard output.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace adit::simplified {
 
-// `wall_s`: of the whole computation, excitation included, files not.
+// `wall_s` is the time of the whole computation [s], with the excitation but without writing files.
 void summarize(const scene::Scene& scene, const std::string& case_name, const Setup& setup,
                const Response& response, double wall_s, const std::filesystem::path& directory);
 

@@ -7,22 +7,23 @@ namespace {
 
 using protocol::UserError;
 
-// Shear stiffness of a lining without shear deformation, over that of the bending of one body: the error that
-// it leaves in the deflection is one over it.
+// Shear stiffness of a lining without shear deformation, relative to the bending stiffness of one body. The
+// relative error of the deflection is the inverse of this factor.
 constexpr double kShearlessFactor = 1e4;
 
 const scene::Section& section_of(const scene::Simplified& scene, const Line& line, std::size_t piece) {
   return scene.tunnel().sections(static_cast<int>(line.section[piece]));
 }
 
-// A rigid body stands for its piece; what the piece would deform is gathered in the hinges at its ends.
+// A rigid body replaces a piece of the lining; the deformation of the piece takes place in the hinges at its
+// ends.
 chain::Body body(const scene::Simplified& scene, const scene::Section& section, double from, double to) {
   chain::Body body;
   const double length = to - from, middle = (from + to) / 2;
   body.length = length;
   body.mass = section.mass() * length;
-  // As the beam: a lining with shear deformation (Timoshenko) has the rotary inertia of its cross-section
-  // too.
+  // As in the beam model, a lining with shear deformation (Timoshenko) has the rotary inertia of its
+  // cross-section, too.
   body.inertia = body.mass * length * length / 12;
   if (section.has_shear_area()) body.inertia += body.mass * section.lateral_inertia() / section.area();
   const SoilStiffness soil = soil_stiffness(scene, middle, section);
@@ -34,7 +35,7 @@ chain::Body body(const scene::Simplified& scene, const scene::Section& section, 
   return body;
 }
 
-// Of half a piece: a bar, a beam in bending, and its shear.
+// The flexibility of half a piece of lining: as a bar, in bending, and in shear.
 Flexibility half_lining(const scene::Section& section, double length) {
   const double E = section.young_modulus(), half = length / 2;
   const double bending = E * section.lateral_inertia();
@@ -46,15 +47,17 @@ Flexibility half_lining(const scene::Section& section, double length) {
 
 void check_limits_of_the_chain(const scene::Simplified& scene) {
   if (scene.soil_springs().has_slip_force())
-    throw UserError(
-        "simplified.soil_springs.slip_force",
-        "needs the model beam: the chain's ground springs are linear; leave it out or state `model: beam`");
+    throw UserError("simplified.soil_springs.slip_force",
+                    "needs the model beam, because the chain's ground springs are linear; leave it out or "
+                    "write `model: beam`");
   if (!scene.tunnel().inertia())
-    throw UserError("simplified.tunnel.inertia",
-                    "is false, which needs the model beam: rigid bodies have a mass");
+    throw UserError(
+        "simplified.tunnel.inertia",
+        "is false, which needs the model beam, because rigid bodies have a mass; write `model: beam`");
   if (scene.excitation().vertical() != 0)
-    throw UserError("simplified.excitation.vertical",
-                    "needs the model beam: the chain lies in the horizontal plane");
+    throw UserError(
+        "simplified.excitation.vertical",
+        "needs the model beam, because the chain moves in the horizontal plane; write `model: beam`");
 }
 
 }  // namespace
@@ -62,7 +65,8 @@ void check_limits_of_the_chain(const scene::Simplified& scene) {
 Flexibility lining_about(const scene::Simplified& scene, const Line& line, std::size_t node) {
   Flexibility sum{};
   for (const std::size_t piece : {node - 1, node}) {
-    if (piece >= line.section.size()) continue;  // also the piece before the first
+    if (piece >= line.section.size())
+      continue;  // no piece beyond the portals; before the first, -1 wraps around
     const Flexibility half =
         half_lining(section_of(scene, line, piece), line.nodes[piece + 1] - line.nodes[piece]);
     sum.axial += half.axial;

@@ -5,9 +5,9 @@
 
 namespace adit::simplified {
 
-// Time derivatives of a table, a row of `places` values a time, at equal distances in time: central
-// differences of fourth order, of second next to the ends; the first and last row are the differences to
-// their neighbours.
+// Time derivatives of a table with a row of `places` values for each of the equally spaced times. They are
+// central differences of fourth order, of second order next to the ends, and one-sided in the first and the
+// last row.
 std::vector<double> rates(const std::vector<double>& table, const std::vector<double>& time,
                           std::size_t places);
 

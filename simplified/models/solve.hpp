@@ -1,4 +1,4 @@
-// From a scene to the response of its model.
+// Builds the models of a scene and computes their response.
 #pragma once
 
 #include <cstdint>
@@ -19,18 +19,19 @@ struct Clock {
   std::uint64_t stride;  // steps between two rows of the histories
 };
 
-// The kernels' models of a checked scene.
+// The models of a checked scene, as plain numbers for the kernels.
 beam::Tunnel beam_model(const scene::Simplified& scene, const Line& line);
 chain::Chain chain_model(const scene::Simplified& scene, const Line& line);
 
-// Of the lining between the centres of the two bodies beside a node, which the hinge there has in it.
+// The flexibility of the lining between the centres of the two bodies beside a node. The hinge at the node
+// contains it.
 Flexibility lining_about(const scene::Simplified& scene, const Line& line, std::size_t node);
 
 Response solve_beam(const scene::Simplified& scene, const Line& line, const GroundField& ground,
                     const Clock& clock);
 Response solve_chain(const scene::Simplified& scene, const Line& line, const GroundField& ground,
                      const Clock& clock);
-// The ground itself, at the surface.
+// The response of the ground at its surface.
 Response solve_column(const scene::Simplified& scene, const GroundField& ground, const Clock& clock);
 
 }  // namespace adit::simplified

@@ -16,7 +16,7 @@ namespace {
 
 using protocol::UserError;
 
-// Fields are kept at this distance in time [s]: velocities are derived from them for motions up to 10 Hz.
+// Time between two records of the fields [s]. Velocities are derived from them, for motions up to 10 Hz.
 constexpr double kFieldInterval = 0.02;
 
 beam::Scheme scheme(const scene::Integration& integration) {
@@ -31,13 +31,13 @@ beam::Scheme scheme(const scene::Integration& integration) {
       return beam::hht(0.1);
     default:
       throw UserError("simplified.integration.scheme",
-                      "is for the chain; the beam knows newmark, energy_conserving, hht");
+                      "is for the model chain; the model beam has newmark, energy_conserving and hht");
   }
 }
 
-// The field at its steps, which are those of the beam.
+// The ground motion for the beam, whose time steps are those of the field.
 beam::GroundMotion motion_of(const GroundField& ground, const Clock& clock) {
-  std::optional<AlongChainage> along;  // the chainages are known when the beam asks first
+  std::optional<AlongChainage> along;  // made in the first call, which gives the chainages
   return [&ground, clock, along](double time, std::span<const double> chainages,
                                  beam::GroundState& state) mutable {
     if (!along) along.emplace(ground.chainage, std::vector(chainages.begin(), chainages.end()));

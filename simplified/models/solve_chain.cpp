@@ -13,7 +13,7 @@ namespace {
 
 using protocol::UserError;
 
-// Fields are kept at so many places at most, and at this distance in time [s].
+// Largest number of places at which fields are recorded, and the time between two records [s].
 constexpr std::size_t kFieldPlaces = 1000;
 constexpr double kFieldInterval = 0.02;
 
@@ -28,7 +28,7 @@ chain::Method method(const scene::Integration& integration) {
       return chain::Houbolt{};
     default:
       throw UserError("simplified.integration.scheme",
-                      "is for the beam; the chain knows newmark, wilson, houbolt");
+                      "is for the model beam; the model chain has newmark, wilson and houbolt");
   }
 }
 
@@ -39,7 +39,7 @@ std::vector<double> centres(const Line& line) {
   return centres;
 }
 
-// What the ground does at the bodies, step by step.
+// The ground motion at the bodies, step by step.
 class Ground {
  public:
   Ground(const GroundField& field, const std::vector<double>& centres)
@@ -69,7 +69,7 @@ class Ground {
   std::array<std::vector<double>, 4> values_;
 };
 
-// The axial force of every joint at rest, which the water balances: results count from there.
+// The axial force of every joint at rest, which balances the water pressure. Results count from this state.
 std::vector<double> forces_at_rest(const scene::Simplified& scene, const Line& line) {
   std::vector<double> forces(line.nodes.size());
   for (std::size_t k = 0; k < line.joints.size(); ++k)
@@ -78,7 +78,7 @@ std::vector<double> forces_at_rest(const scene::Simplified& scene, const Line& l
   return forces;
 }
 
-// Writes down histories and fields while the chain moves.
+// Records histories and fields while the chain moves.
 class Recorder {
  public:
   Recorder(const scene::Simplified& scene, const Line& line, const std::vector<double>& centres)
@@ -130,7 +130,7 @@ class Recorder {
 };
 
 Envelope envelope(const char* name, const char* unit, const chain::Extremes& of) {
-  // The two ends carry nothing or are abutments: places are the hinges between bodies.
+  // Places are the hinges between bodies. The two ends are left out: they carry no force or are abutments.
   return {name, unit, {of.min.begin() + 1, of.min.end() - 1}, {of.max.begin() + 1, of.max.end() - 1}};
 }
 
@@ -148,8 +148,8 @@ double largest(const chain::Extremes& extremes, std::size_t j) {
   return std::max(-extremes.min[j], extremes.max[j]);
 }
 
-// Strain of the lining's outer fibre beside every hinge, N/EA and M (d/2)/EI. A bound: force and moment
-// are largest at different times.
+// Strain of the lining's outermost fibre beside every hinge, N/EA plus M (d/2)/EI. It is an upper bound,
+// because force and moment are largest at different times.
 Envelope strain(const scene::Simplified& scene, const Line& line, const chain::Envelopes& envelopes) {
   const Envelope force = axial_force(scene, line, envelopes);
   Envelope strain{"strain", "", {}, {}};
@@ -164,8 +164,9 @@ Envelope strain(const scene::Simplified& scene, const Line& line, const chain::E
   return strain;
 }
 
-// Of the joint alone: the hinge's deformation less what its force makes of the lining. The largest opening is
-// a bound where the joint opens along the axis and turns: both are largest at different times.
+// The deformation of the joints alone: that of the hinge less that of the lining under the hinge's force. The
+// largest opening is an upper bound if a joint both opens along the axis and rotates, because both are
+// largest at different times.
 std::vector<JointResponse> joints(const scene::Simplified& scene, const Line& line,
                                   const chain::Envelopes& envelopes) {
   const Envelope force = axial_force(scene, line, envelopes);

@@ -11,7 +11,7 @@ namespace {
 
 const char* const kNames[kDirections] = {"axial", "lateral", "vertical"};
 
-// Least and greatest value at each place over all steps.
+// The least and the greatest value at each place over all steps.
 Envelope envelope(const std::string& name, const char* unit, const std::vector<double>& table,
                   std::size_t places) {
   Envelope envelope{name, unit, std::vector<double>(places), std::vector<double>(places)};

@@ -1,4 +1,4 @@
-// What a run of any of the models leaves, in the order of the chainage: envelopes, joints, histories, fields.
+// The results of any of the models: envelopes, joints, histories, fields, all in the order of the chainage.
 #pragma once
 
 #include <cstddef>
@@ -8,19 +8,19 @@
 
 namespace adit::simplified {
 
-// Least and greatest value of a quantity at each place.
+// The least and the greatest value of a quantity at each place.
 struct Envelope {
-  std::string name;  // of its columns, with the unit behind: "axial_force", "N"
-  std::string unit;
+  std::string name;  // "axial_force"; with the unit it names the columns of the table
+  std::string unit;  // "N"
   std::vector<double> least, greatest;
 };
 
 struct JointResponse {
   double chainage;
-  std::size_t group;   // of tunnel.joints
-  double opening;      // largest, from the installed state, where the joint opens most [m]
-  double compression;  // largest, likewise [m]
-  double offset;       // largest, across the axis [m]
+  std::size_t group;   // number in tunnel.joints
+  double opening;      // largest opening from the installed state, at the point that opens most [m]
+  double compression;  // largest compression, likewise [m]
+  double offset;       // largest offset across the axis [m]
 };
 
 struct Table {
@@ -28,21 +28,21 @@ struct Table {
   std::vector<std::vector<double>> rows;
 };
 
-// The tunnel's motion and axial force along itself, a row a recorded time.
+// The tunnel's motion and axial force along its axis, a row for each recorded time.
 struct Fields {
   std::vector<double> chainage, time;
   std::vector<double> axial_velocity, lateral_velocity, axial_force;  // [m/s], [m/s], [N]
 };
 
 struct Response {
-  std::vector<double> chainage;  // of the envelopes' places [m]
+  std::vector<double> chainage;  // places of the envelopes [m]
   std::vector<Envelope> envelopes;
   std::vector<JointResponse> joints;
   Table histories;
-  Fields fields;  // empty for the column
+  Fields fields;  // empty for the model column
   std::vector<std::pair<std::string, double>>
-      figures;        // of the model, for the summary: name with unit, value
-  double wall_s = 0;  // of the model itself, without excitation and files
+      figures;        // further figures for the summary: name with unit, value
+  double wall_s = 0;  // time of the model alone, without excitation and files [s]
 };
 
 // The place at which the envelope's magnitude is largest, and that magnitude.
@@ -51,7 +51,7 @@ struct Peak {
 };
 Peak peak(const std::vector<double>& chainage, const Envelope& envelope);
 
-// Null where the response has none of that name.
+// The envelope of that name; null if the response has none.
 const Envelope* find(const Response& response, const std::string& name);
 
 }  // namespace adit::simplified

@@ -44,7 +44,7 @@ void write_joints(const std::filesystem::path& path, const scene::Tunnel& tunnel
   }
 }
 
-// Bottoms and wave velocities of the layers at as many places as a picture shows.
+// Bottoms and wave velocities of the layers, at as many places as a picture can show.
 void write_soil_profile(const std::filesystem::path& path, const scene::Simplified& scene, double begin,
                         double end) {
   constexpr int kPlaces = 200;
@@ -65,7 +65,7 @@ void write_soil_profile(const std::filesystem::path& path, const scene::Simplifi
   }
 }
 
-// As many places and times as a picture shows.
+// The fields, thinned to as many places and times as a picture can show.
 void write_time_distance(const std::filesystem::path& path, const Fields& fields) {
   constexpr std::size_t kPlaces = 200, kTimes = 400;
   const std::array<std::string, 5> columns = {"time_s", "chainage_m", "axial_velocity_m_per_s",

@@ -1,4 +1,4 @@
-// The tables of a run's directory, but for the summary.
+// The tables in a run's directory.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,8 @@
 
 namespace adit::simplified {
 
-// histories.csv, envelopes.csv, joints.csv, soil_profile.csv, time_distance.csv: those for which there is
-// something.
+// Writes histories.csv, envelopes.csv, joints.csv, soil_profile.csv and time_distance.csv, as far as the
+// model has such results.
 void write_tables(const std::filesystem::path& directory, const scene::Simplified& scene,
                   const Response& response);
 

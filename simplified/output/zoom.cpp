@@ -22,7 +22,7 @@ std::vector<double> along_time(const Fields& fields, const std::vector<double>& 
   return values;
 }
 
-// Every grid point on one side of the edge moves with the tunnel there.
+// All grid points beyond the edge move as the tunnel does at the edge.
 void add_motion(scene::Continuum& continuum, const scene::Area& where, const scene::Velocity& direction,
                 const std::vector<double>& time, const std::vector<double>& value) {
   scene::GridMotion& motion = *continuum.add_motions();

@@ -1,5 +1,5 @@
-// From global to local: the places where the tunnel suffers most, and what a model of their surroundings
-// needs.
+// From the whole tunnel to a detailed model: the places with the largest response, and the boundary motions
+// for a model of their surroundings.
 #pragma once
 
 #include <filesystem>
@@ -13,13 +13,13 @@ namespace adit::simplified {
 
 struct Place {
   std::string name;  // "opening", "moment", "shear", "strain"
-  std::string unit;  // of the value
+  std::string unit;  // unit of the value
   double chainage;   // [m]
   double value;      // the largest magnitude
 };
 
-// Of the largest joint opening, lateral moment, lateral shear and strain; without those that the response
-// lacks.
+// The places of the largest joint opening, lateral moment, lateral shear and strain, as far as the response
+// has these.
 std::vector<Place> largest_responses(const Response& response);
 
 // A window around a place and the tunnel's velocity at its two edges.
@@ -29,9 +29,9 @@ struct Window {
   std::vector<double> begin_axial, begin_lateral, end_axial, end_lateral;  // [m/s]
 };
 
-// `width` around the chainage, moved inside the tunnel where it would stand out; its edges are the nearest
-// places of the fields, so that no joint lies between an edge and what is known of it. Throws UserError at
-// "simplified.zoom.width" where it is wider than the tunnel.
+// The window of this width around the chainage, moved into the tunnel if it would reach beyond a portal. Its
+// edges are the nearest places of the fields, so that no joint lies between an edge and the place whose
+// motion it has. Throws UserError at "simplified.zoom.width" if the window is wider than the tunnel.
 Window window(const Fields& fields, double chainage, double width);
 
 // The edges' motion as a scene of the coupled model, in plan: x the chainage, y to the left, the tunnel's

@@ -18,8 +18,8 @@ AlongChainage::AlongChainage(const std::vector<double>& places, const std::vecto
   }
 }
 
-// Slopes are continuous: gap_k-1 c_k-1 + 2 (gap_k-1 + gap_k) c_k + gap_k c_k+1 = 6 (slope_k - slope_k-1),
-// none at the ends.
+// Continuous slopes require gap_k-1 c_k-1 + 2 (gap_k-1 + gap_k) c_k + gap_k c_k+1 = 6 (slope_k - slope_k-1)
+// for the curvatures c, which are zero at the ends. The matrix is tridiagonal and diagonally dominant.
 void AlongChainage::find_curvatures(const double* v) {
   const std::size_t last = gaps_.size();
   double before = 0, slope = (v[1] - v[0]) / gaps_[0];

@@ -26,7 +26,7 @@ double value(const std::vector<double>& values, std::size_t step) {
   return step < values.size() ? values[step] : 0.0;
 }
 
-// The motions are those of the tunnel's surroundings themselves.
+// The motions act on the tunnel's surroundings directly.
 Shaking direct(const std::vector<Motion>& motions, double factor, std::size_t steps) {
   Shaking shaking;
   resize(shaking, motions.size(), steps);
@@ -42,7 +42,7 @@ Shaking direct(const std::vector<Motion>& motions, double factor, std::size_t st
   return shaking;
 }
 
-// The motions are those of the rock; the soil columns carry them up to the tunnel.
+// The motions are those of the rock; soil columns transmit them to the depth of the tunnel.
 Shaking through_ground(const scene::Simplified& scene, const std::vector<column::Column>& columns,
                        Direction direction, const std::vector<Motion>& motions, double factor,
                        std::size_t steps) {
@@ -67,7 +67,8 @@ Shaking through_ground(const scene::Simplified& scene, const std::vector<column:
   return shaking;
 }
 
-// Where the motion is known: at the soil columns, or close enough for the shortest wave of interest.
+// The places at which the motion is computed: those of the soil columns, or as close together as the shortest
+// wave of interest needs.
 std::vector<double> places_along(const scene::Simplified& scene, double begin, double end) {
   std::vector<double> places;
   if (scene.has_ground()) {

@@ -1,4 +1,4 @@
-// The ground's motion along the tunnel, from the scene's motion: through the soil columns or as it is.
+// The ground motion along the tunnel, from the scene's motion: through soil columns, or unchanged.
 #pragma once
 
 #include <array>
@@ -17,13 +17,14 @@ struct Shaking {
   std::vector<double> displacement, velocity, acceleration;  // [m], [m/s], [m/s^2]
 };
 
-// The ground's motion at the tunnel.
+// The ground motion at the tunnel.
 struct GroundField {
-  std::vector<double> chainage;              // of the places [m]
+  std::vector<double> chainage;              // chainages of the places [m]
   std::array<Shaking, kDirections> shaking;  // empty for a direction that is not excited
 };
 
-// At the tunnel's axis, through the soil columns where the scene asks for them; `steps` steps after time 0.
+// The ground motion at the tunnel's axis, through soil columns if the scene asks for them, at time 0 and at
+// `steps` steps after it.
 GroundField shake(const scene::Simplified& scene, const motion::Motion& motion, double begin, double end,
                   std::size_t steps);
 

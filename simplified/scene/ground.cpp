@@ -30,14 +30,14 @@ column::Deposit deposit(const scene::Ground& ground, double chainage, Direction 
                               .wave_velocity = wave_velocity(layer, direction),
                               .damping = layer.damping_ratio()});
   if (ground.has_rock()) {
-    // Rock is taken as a solid of Poisson's ratio 1/4: V_p = sqrt(3) V_s.
+    // Rock is assumed to have Poisson's ratio 1/4, for which V_p = sqrt(3) V_s.
     const double factor = direction == kVertical ? std::numbers::sqrt3 : 1.0;
     deposit.rock = column::Rock{ground.rock().density(), factor * ground.rock().shear_velocity()};
   }
   return deposit;
 }
 
-// G (1 - nu) / (3 - 4 nu) between two depths, the lowest layer going on below.
+// Mean of G (1 - nu) / (3 - 4 nu) between two depths; the lowest layer continues below its bottom.
 double mean_modulus(const scene::SoilProfile& profile, double top, double bottom) {
   double sum = 0, begin = 0;
   for (const scene::Layer& layer : profile.layers()) {
@@ -63,8 +63,8 @@ void check(const scene::Ground& ground) {
     if (profile.layers_size() != before.layers_size())
       throw UserError(
           path + ".layers",
-          fmt::format("are {}, the profile before it has {}; layers are interpolated one by one, so give "
-                      "all profiles as many (a thin one where a layer ends)",
+          fmt::format("are {}, but the profile before it has {}; layers are interpolated one by one, so give "
+                      "all profiles the same number (a thin layer where one ends)",
                       profile.layers_size(), before.layers_size()));
   }
 }
@@ -110,8 +110,8 @@ SoilStiffness soil_stiffness(const scene::Simplified& scene, double chainage, co
   if (!scene.has_ground())
     throw UserError(
         "simplified.soil_springs",
-        "states not all of `axial`, `lateral` and `vertical`, and there is no `ground` to derive the "
-        "others from; give them or the ground");
+        "does not give all of `axial`, `lateral` and `vertical`, and there is no `ground` from which to "
+        "derive the others; give them or the ground");
   if (!given.has_wavelength())
     throw UserError(
         "simplified.soil_springs",

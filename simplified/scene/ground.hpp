@@ -1,4 +1,4 @@
-// The scene's ground along the tunnel: profiles between the given ones, soil columns, soil springs.
+// The scene's ground along the tunnel: interpolated soil profiles, soil columns and soil springs.
 #pragma once
 
 #include <vector>
@@ -11,11 +11,11 @@ namespace adit::simplified {
 enum Direction { kAxial, kLateral, kVertical };
 inline constexpr int kDirections = 3;
 
-// Throws UserError at "simplified.ground.profiles…" for chainages that do not increase and profiles with
+// Throws UserError at "simplified.ground.profiles…" if chainages do not increase or if profiles have
 // different numbers of layers.
 void check(const scene::Ground& ground);
 
-// Thickness and properties layer by layer, linear between the profiles.
+// The profile at a chainage: thickness and properties of each layer are linear between the given profiles.
 scene::SoilProfile profile_at(const scene::Ground& ground, double chainage);
 
 // Columns at equal distances of at most column_spacing from `begin` to `end`, for waves of shear (horizontal
@@ -23,18 +23,19 @@ scene::SoilProfile profile_at(const scene::Ground& ground, double chainage);
 std::vector<column::Column> columns(const scene::Ground& ground, double begin, double end,
                                     Direction direction);
 
-// Of the soil's longitudinal springs in the direction (column/joined_columns.hpp); 0 where columns are not
-// joined.
+// The modulus ratio of the longitudinal springs between soil columns in this direction
+// (column/joined_columns.hpp); 0 if columns are not joined.
 double modulus_ratio(const scene::Ground& ground, Direction direction);
 
 struct SoilStiffness {
   double axial, lateral, vertical;  // per metre of tunnel [N/m^2]
 };
 
-// Given, or K = 16 pi G (1 - nu) / (3 - 4 nu) d / L by St John and Zahrah (1987, eq. 21), d the section's
-// width [m], as the mean over the section's height: springs of all layers beside it act in parallel, and the
-// tunnel passes from one layer to the next gradually. Throws UserError where a stiffness is to be derived and
-// the ground or the wavelength is missing.
+// The stiffness as given in the scene, or else K = 16 pi G (1 - nu) / (3 - 4 nu) d / L by St John and Zahrah
+// (1987, eq. 21), where d is the width of the section [m] and L the wavelength. The modulus is the mean over
+// the height of the section, because the springs of all layers beside it act in parallel; so K changes
+// gradually where the tunnel passes from one layer to the next. Throws UserError if the ground or the
+// wavelength is missing for this.
 SoilStiffness soil_stiffness(const scene::Simplified& scene, double chainage, const scene::Section& section);
 
 }  // namespace adit::simplified

@@ -3,7 +3,7 @@
 
 namespace adit::simplified {
 
-// Between which two elements of a list a chainage lies, and how far it is from the first to the second.
+// The two elements of a list between which a chainage lies, and its position between them, from 0 to 1.
 struct Bracket {
   int before;
   int after;
@@ -11,7 +11,7 @@ struct Bracket {
   double blend(double a, double b) const { return a + share * (b - a); }
 };
 
-// `list`: messages with a chainage, ascending, at least one.
+// `list` holds at least one message; their chainages ascend.
 template <class List>
 Bracket bracket(const List& list, double chainage) {
   int after = 0;

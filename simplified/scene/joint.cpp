@@ -12,13 +12,13 @@ namespace {
 
 using protocol::UserError;
 
-// Deformation that no joint reaches [m]: beyond it curves go on with their last slope.
+// A deformation that no joint reaches [m]; beyond it curves continue with their last slope.
 constexpr double kFar = 10;
 
-// Where gaskets act, two runs on each side of the rectangle.
+// Number of pieces into which the gasket is divided on each side of the rectangle.
 constexpr int kRunsPerSide = 2;
 
-// The load curve: of the whole joint, or of a metre of gasket.
+// The load curve of the whole joint, or of a metre of gasket.
 std::vector<beam::CurvePoint> load_curve(const scene::Gasket& gasket, double length = 1) {
   std::vector<beam::CurvePoint> points;
   for (int i = 0; i < gasket.compression_size(); ++i)
@@ -26,13 +26,13 @@ std::vector<beam::CurvePoint> load_curve(const scene::Gasket& gasket, double len
   return points;
 }
 
-// The gasket of the whole joint as force over opening; opening 0 is the installed state, whose force is not
-// in it.
+// The force of the whole joint's gasket over the opening. Opening and force count from the installed state.
 beam::Curve installed(const scene::Gasket& gasket) {
   return beam::gasket(load_curve(gasket), gasket.installed_force());
 }
 
-// The force over opening of all axial parts of the joint, with the force at rest; its corners.
+// The force over opening of all axial parts of the joint, with the force at rest, and the corners of this
+// curve.
 struct AxialLaw {
   std::function<double(double)> force;
   std::vector<double> corners;
@@ -67,8 +67,8 @@ double tangent_at_rest(const scene::Joints& group) {
   return sum;
 }
 
-// Points of a law in series with a linear flexibility: the opening grows by what the force stretches the
-// lining.
+// The law in series with a linear flexibility: the opening increases by the elongation of the lining under
+// the force.
 chain::Curve in_series(const AxialLaw& law, double flexibility) {
   const double at_rest = law.force(0);
   chain::Curve curve;
@@ -100,15 +100,15 @@ beam::Curve key_curve(bool given, const scene::ShearKeys& keys) {
   return given ? beam::key(keys.stiffness(), keys.clearance()) : beam::Curve{};
 }
 
-// Four springs on the axes of the cross-section that have the stiffness and, both ways, the rotation
-// stiffness.
+// Adds four springs on the axes of the cross-section that together have the axial stiffness and, in both
+// planes, the rotation stiffness.
 void add_linear(beam::Joint& joint, const scene::Joints& group, const Outline& outline) {
   const double k = group.axial_stiffness();
   const double lateral =
       group.has_rotation_stiffness() ? group.rotation_stiffness() / k : outline.lateral_lever2();
   const double vertical =
       group.has_rotation_stiffness() ? group.rotation_stiffness() / k : outline.vertical_lever2();
-  // Two springs of k/4 at the distance r turn against 2 (k/4) r^2.
+  // Two springs of stiffness k/4 at the distance r from the axis have the rotation stiffness 2 (k/4) r^2.
   const double y = std::sqrt(2 * lateral), z = std::sqrt(2 * vertical);
   for (const double side : {-1.0, 1.0}) {
     joint.springs.push_back({side * y, 0, beam::linear(k / 4)});
@@ -124,8 +124,8 @@ void check(const scene::Joints& group, const std::string& path) {
                     "has neither `axial_stiffness` nor `gasket`; a joint needs one that holds it together");
   if (group.has_rotation_stiffness() && !group.has_axial_stiffness())
     throw UserError(path + ".rotation_stiffness",
-                    "stands beside `axial_stiffness`, which is missing; a gasket and "
-                    "cables have their own, from where they are");
+                    "is given without `axial_stiffness`; add it, or leave the rotation stiffness to the "
+                    "gasket and the cables, whose places determine it");
   if (!group.has_gasket()) return;
   const scene::Gasket& gasket = group.gasket();
   if (gasket.compression_size() != gasket.force_size())
@@ -160,7 +160,7 @@ chain::Hinge hinge(const scene::Joints& group, const Outline& outline, const Fle
     hinge.axial.curve = in_series(axial_law(group), lining.axial);
   else
     hinge.axial.stiffness = stiffness_in_series(group.axial_stiffness(), lining.axial);
-  // Rotation is linear: of the parts as they are pressed at rest.
+  // Rotation is linear, with the tangent stiffness of the parts at rest.
   const double rotation = group.has_rotation_stiffness() ? group.rotation_stiffness()
                                                          : tangent_at_rest(group) * outline.lateral_lever2();
   hinge.rotation.stiffness = stiffness_in_series(rotation, lining.rotation);

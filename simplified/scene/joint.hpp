@@ -1,4 +1,4 @@
-// A joint of the scene as force laws, for both models.
+// The force laws of a joint of the scene, for both models.
 #pragma once
 
 #include <string>
@@ -18,21 +18,21 @@ struct Outline {
   double vertical_lever2() const { return lever2(height, width); }
 
  private:
-  // 2 b (a/2)^2 of the sides at the ends of the lever, 2 a^3/12 of those along it.
+  // The two sides b at the ends of the lever a contribute 2 b (a/2)^2, the two sides along it 2 a^3/12.
   static double lever2(double a, double b) { return (b * a * a / 2 + a * a * a / 6) / (2 * (a + b)); }
 };
 
-// Throws UserError below `path`, the group's, where its tables or its parts make no joint.
+// Throws UserError below `path`, the path of the group, if its tables or its parts do not describe a joint.
 void check(const scene::Joints& group, const std::string& path);
 
 beam::Joint beam_joint(const scene::Joints& group, const Outline& outline, double chainage);
 
-// The joint and the lining between the centres of the two rigid bodies, in series: `flexibility` is that of
-// the lining [m/N], [rad/(N m)].
+// The flexibility of the lining between the centres of two rigid bodies [m/N], [rad/(N m)]. A hinge is the
+// joint and this lining in series.
 struct Flexibility {
   double axial, lateral, rotation;
 };
 chain::Hinge hinge(const scene::Joints& group, const Outline& outline, const Flexibility& lining);
-chain::Hinge hinge(const Flexibility& lining);  // no joint: the lining alone
+chain::Hinge hinge(const Flexibility& lining);  // the lining alone, where there is no joint
 
 }  // namespace adit::simplified

@@ -8,7 +8,7 @@
 
 namespace adit::simplified {
 
-// Of one or more places, in any order.
+// The number of the nearest place; there is at least one, and they may stand in any order.
 inline std::size_t nearest(const std::vector<double>& places, double chainage) {
   const auto closer = [chainage](double a, double b) {
     return std::abs(a - chainage) < std::abs(b - chainage);

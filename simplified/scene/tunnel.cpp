@@ -13,10 +13,10 @@ namespace {
 
 using protocol::UserError;
 
-// Two places nearer than this are one [m].
+// Places closer together than this count as one [m].
 constexpr double kSamePlace = 1e-6;
 
-// More pieces than the longest tunnel has rings: a slip in a unit.
+// The longest tunnel has fewer rings; a scene with more pieces has an error in a unit.
 constexpr double kMostPieces = 1e6;
 
 void check_sections(const scene::Tunnel& tunnel) {
@@ -55,7 +55,7 @@ std::vector<double> places(const scene::Joints& group, const std::string& path) 
     for (int i = 0; i <= static_cast<int>(count + kSamePlace); ++i)
       at.push_back(group.from() + i * group.spacing());
   }
-  if (at.empty()) throw UserError(path, "names no place; give `from`, `to` and `spacing`, or `at`");
+  if (at.empty()) throw UserError(path, "gives no place; give `from`, `to` and `spacing`, or `at`");
   return at;
 }
 
@@ -71,7 +71,7 @@ std::vector<PlacedJoint> place_joints(const scene::Tunnel& tunnel, double begin,
       joints.push_back({x, static_cast<std::size_t>(g)});
     }
   }
-  // The first group that names a place has it: a stable sort keeps it in front.
+  // The first group that has a joint at a place keeps it; the stable sort leaves that group in front.
   std::stable_sort(joints.begin(), joints.end(), [](const PlacedJoint& a, const PlacedJoint& b) {
     return a.chainage < b.chainage - kSamePlace;
   });
@@ -94,7 +94,7 @@ Line divide(const scene::Tunnel& tunnel) {
   auto joint = line.joints.begin();
   for (int s = 0; s < tunnel.sections_size(); ++s) {
     const auto& section = tunnel.sections(s);
-    // From stop to stop: a joint, or the end of the section.
+    // Pieces are cut up to the next joint or to the end of the section.
     while (line.nodes.back() < section.to() - kSamePlace) {
       const double from = line.nodes.back();
       const bool joint_first = joint != line.joints.end() && joint->chainage < section.to() + kSamePlace;

@@ -1,4 +1,4 @@
-// The scene's tunnel along its chainage: where what is.
+// The scene's tunnel along its chainage: pieces, sections and joints.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +11,18 @@ namespace adit::simplified {
 
 struct PlacedJoint {
   double chainage;    // [m]
-  std::size_t group;  // of tunnel.joints
+  std::size_t group;  // number in tunnel.joints
 };
 
 struct Line {
   std::vector<double> nodes;            // [m], ascending, first and last are the portals; every joint is one
-  std::vector<std::size_t> section;     // of tunnel.sections, one a piece between two nodes
+  std::vector<std::size_t> section;     // number in tunnel.sections, for each piece between two nodes
   std::vector<PlacedJoint> joints;      // ascending
-  std::vector<std::size_t> joint_node;  // of nodes, one a joint
+  std::vector<std::size_t> joint_node;  // number in `nodes`, for each joint
 };
 
-// Divides the tunnel into elements or bodies. Throws UserError at "simplified.tunnel…" for sections with a
-// gap or an overlap between them, for joints outside the tunnel, and for groups that name no place.
+// Divides the tunnel into elements or bodies. Throws UserError at "simplified.tunnel…" if there is a gap or
+// an overlap between sections, if a joint lies outside the tunnel, or if a group gives no place.
 Line divide(const scene::Tunnel& tunnel);
 
 // Depth of the axis below the ground's surface [m].

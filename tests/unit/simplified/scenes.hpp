@@ -1,4 +1,4 @@
-// A short tunnel that every test of the mapping changes in one place.
+// A short tunnel, of which each test changes one part.
 #pragma once
 
 #include <google/protobuf/text_format.h>

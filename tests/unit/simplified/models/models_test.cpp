@@ -1,4 +1,5 @@
-// Beam and chain of one scene are the same tunnel; what a run finds becomes the motion of a window's edges.
+// Beam and chain of one scene describe the same tunnel; the results of a run become boundary motions of a
+// window.
 #include <gmock/gmock.h>
 
 #include <algorithm>

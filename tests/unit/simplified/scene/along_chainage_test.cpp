@@ -1,4 +1,5 @@
-// Between soil columns the ground moves smoothly: a tunnel bends there as the wave does, not at the columns.
+// Between soil columns the ground motion is smooth, so that a tunnel has the curvature of the wave
+// everywhere.
 #include "simplified/scene/along_chainage.hpp"
 
 #include <gtest/gtest.h>

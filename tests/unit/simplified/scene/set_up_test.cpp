@@ -1,4 +1,5 @@
-// Scenes that cannot be computed are refused at the field to blame; those that can are divided as they say.
+// Scenes that cannot be computed are refused at the wrong field; all others are divided into pieces as they
+// ask.
 #include <gmock/gmock.h>
 
 #include "protocol/errors.hpp"
@@ -92,7 +93,7 @@ TEST(SetUp, RefusesWhatTheModelCannotDo) {
   expect_refusal(scene, "simplified.soil_springs", "no `ground` to derive");
   scene = tunnel();
   scene.mutable_continuum();
-  expect_refusal(scene, "continuum", "stands beside `simplified`");
+  expect_refusal(scene, "continuum", "is given beside `simplified`");
   scene = tunnel();
   scene.mutable_time()->clear_dt();
   expect_refusal(scene, "time.dt", "is missing");
