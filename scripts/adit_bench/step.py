@@ -1,4 +1,4 @@
-"""One coupled step: what it takes, where the time goes, and what the bare machine takes for a round trip."""
+"""One coupled step: its time, the parts of it, and the time of a bare round trip on the same machine."""
 
 import json
 import statistics
@@ -8,7 +8,7 @@ import tempfile
 ROUNDS = 7
 SHORT = "cases/cantilever/variants/coupled_52x6.yaml"
 LONG = "cases/cantilever/variants/coupled_100k.yaml"
-OVERHEAD_BYTES = 40  # of a frame beside its interface values
+OVERHEAD_BYTES = 40  # bytes of a frame besides its interface values
 
 
 def run(root):
@@ -20,7 +20,7 @@ def median_by_key(samples):
 
 
 def coupled(root, scene):
-    """Microseconds a step, by what they were spent on, and the size of the model."""
+    """Microseconds in a step for each of its parts, and the size of the model."""
     with tempfile.TemporaryDirectory() as out:
         subprocess.run([root / "build/release/coupler/coupler", "run", root / scene, "--out", out],
                        check=True, capture_output=True)
@@ -68,7 +68,7 @@ def small(root):
 
 
 def large(root):
-    """10^5 particles: what a step takes beyond the slower side's own computing, hidden or not."""
+    """10^5 particles: the time of a step beyond the computing of the slower side."""
     step = median_by_key([coupled(root, LONG) for _ in range(3)])
     exchange = step["waiting"] + step["coupler"] - max(step["particles"], step["continuum"])
     return [{"name": "coupled step", "size": step["size"], "threads": 3, "value": step["step"], "unit": "us"},

@@ -7,11 +7,11 @@ from matplotlib.patches import Patch
 from adit_plots import style
 
 FORCES = (("thrust_N", "thrust N", "kN"), ("moment_Nm", "moment M", "kN m"), ("shear_N", "shear force Q", "kN"))
-REACH = 0.3  # of the lining's size: how far the largest value stands out
+REACH = 0.3  # length at which the largest value is drawn, relative to the size of the lining
 
 
 def lining_forces(run, time, pieces):
-    """One panel a force; outwards, to the right of the lining's path, what is positive. Dashed: the peaks so far."""
+    """One panel for each force. Positive values are drawn to the right of the lining's path; dashed lines are the peaks."""
     linings = pieces.get("linings")
     if linings is None or len(linings.cells) == 0:
         return None
@@ -50,7 +50,7 @@ def _draw(axes, linings, normals, name, reach):
 
 
 def _right_normals(linings):
-    """At each node, across the mean direction of the beams that meet there."""
+    """The unit normal at each node, perpendicular to the mean direction of the beams that meet there."""
     along = linings.points[linings.cells[:, 1]] - linings.points[linings.cells[:, 0]]
     along /= np.hypot(*along.T)[:, None]
     mean = np.zeros_like(linings.points)

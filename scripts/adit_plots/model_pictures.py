@@ -15,7 +15,7 @@ INTACT, TENSILE_CRACK, SHEAR_CRACK = 0, 1, 2
 
 
 def deformed(run, time, pieces):
-    """Both domains where they have moved to, zones as quads, particles as discs of their size."""
+    """The deformed model: zones as quadrilaterals, particles as discs of their size."""
     grid, particles = pieces.get("grid"), pieces.get("particles")
     models = [piece for piece in (grid, particles) if piece is not None]
     if not models:
@@ -40,7 +40,7 @@ def deformed(run, time, pieces):
 
 
 def force_chains(run, time, pieces):
-    """Bonds as lines as wide as their normal force is large; the largest is marked."""
+    """Bonds as lines whose width is proportional to the normal force; the largest force is marked."""
     bonds = pieces.get("bonds")
     if bonds is None or len(bonds.cells) == 0:
         return None
@@ -137,7 +137,7 @@ def _peak(run, time, pieces, field, what, unit, size):
 
 
 def _mark_largest(axes, pieces, values):
-    """A ring where the largest magnitude is, and what it is."""
+    """Marks the largest magnitude by a ring and writes it below the picture."""
     kind = max(values, key=lambda k: np.abs(values[k]).max())
     top, piece = int(np.argmax(np.abs(values[kind]))), pieces[kind]
     per_cell = len(values[kind]) == len(piece.cells) and kind == "grid"
@@ -166,7 +166,7 @@ def _draw_continuum_faintly(axes, run, pieces):
 
 
 def _shade_overlap(axes, run, grid, scale=0):
-    """The strip between the point where particles begin and that where the continuum ends, or the zones of a ring."""
+    """Shades the overlap: a strip from where particles begin to where the continuum ends, or the zones of a ring."""
     ends = run.overlap()
     shade = {"fc": OVERLAP_FACE, "ec": "none", "alpha": 0.45}
     if ends is None:

@@ -1,4 +1,4 @@
-"""A run's folder as the pictures need it: summary, histories, snapshots."""
+"""Reads a run's folder for the pictures: summary, histories, snapshots."""
 import csv
 import json
 import re
@@ -24,11 +24,11 @@ class Run:
 
     @cached_property
     def scene(self):
-        """What was computed, as mappings and lists in SI units."""
+        """The scene as it was computed, as mappings and lists in SI units."""
         return _read(self.folder / "scene.yaml", lambda path: yaml.load(path.read_text(), _SceneLoader))
 
     def snapshots(self):
-        """Yields (time [s], {kind: Piece}), the pieces of all models together; nothing where no fields were written."""
+        """Yields (time [s], {kind: Piece}) with the pieces of all models joined; nothing if no fields were written."""
         collection = self.folder / "fields" / "fields.pvd"
         if not collection.exists():
             return
@@ -39,19 +39,19 @@ class Run:
             yield time, {kind: Piece.joined(pieces) for kind, pieces in kinds.items()}
 
     def number(self, name):
-        """A number of the summary, None where the run has none (null or absent)."""
+        """A number of the summary; None if the run does not have it (null or absent)."""
         value = self.summary.get(name)
         return float(value) if isinstance(value, (int, float)) else None
 
     def overlap(self):
-        """The points [m] at which particles begin and the continuum ends; None where there is no such strip."""
+        """The points [m] at which particles begin and the continuum ends; None if the overlap is not a strip."""
         ends = ("particles_begin", "continuum_ends")
         values = [[self.number(f"overlap_{end}_{axis}_m") for axis in "xy"] for end in ends]
         return None if any(v is None for end in values for v in end) else np.array(values)
 
 
 class _SceneLoader(yaml.SafeLoader):
-    """Takes 3e+10 for a number, as YAML 1.2 does."""
+    """Reads 3e+10 as a number, as YAML 1.2 does and PyYAML does not."""
 
 
 _SceneLoader.add_implicit_resolver("tag:yaml.org,2002:float", re.compile(r"[-+]?\d+(\.\d*)?e[-+]?\d+$"), list("-+0123456789"))
@@ -62,7 +62,7 @@ def _read(path, reader):
         raise Unusable(f"{path} does not exist: is {path.parent} the folder of a finished run?")
     try:
         return reader(path)
-    except Exception as error:  # whatever a damaged file provokes, the user needs to know which one
+    except Exception as error:  # a damaged file can cause any error, and the user needs to know which file it is
         raise Unusable(f"{path} is damaged ({type(error).__name__}: {error}): run the scene again.") from error
 
 

@@ -1,4 +1,4 @@
-"""Pictures of the motions that spectra were asked of: over time, response spectra, Fourier spectra, amplification."""
+"""Pictures of the motions for which spectra were asked: time histories, response spectra, Fourier spectra, amplification."""
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
@@ -49,7 +49,7 @@ def _over_time(run, name, table):
 
 
 def _response(run, name, table):
-    """Pseudo acceleration, velocity and displacement over the period, one curve a damping."""
+    """Pseudo acceleration, velocity and displacement over the period, one curve for each damping."""
     dampings = [column.removeprefix("sd_").removesuffix("pct_m") for column in table if column.startswith("sd_")]
     figure, axes = plt.subplots(1, 3, figsize=(10.5, 3.9), gridspec_kw={
         "left": 0.07, "right": 0.985, "top": 0.9, "bottom": 0.14, "wspace": 0.3})
@@ -70,7 +70,7 @@ def _response(run, name, table):
 
 
 def _plain_decades(axes):
-    """1, 2, 5 of every decade of the logarithmic axes by plain numbers."""
+    """Labels 1, 2 and 5 of every decade of the logarithmic axes with plain numbers."""
     for axis in (axes.xaxis, axes.yaxis):
         if axis.get_scale() == "log":
             axis.set_major_locator(LogLocator(subs=(1, 2, 5)))

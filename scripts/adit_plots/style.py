@@ -1,11 +1,11 @@
-"""Colours, sizes and the sheet that all pictures share."""
+"""Colours, sizes and the page layout that all pictures share."""
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-# Okabe and Ito's palette: told apart with any colour vision.
+# Okabe and Ito's palette, whose colours can be told apart with any colour vision.
 BLUE, RED, GREEN, ORANGE, SKY, PINK, YELLOW, BLACK = (
     "#0072B2", "#D55E00", "#009E73", "#E69F00", "#56B4E9", "#CC79A7", "#F0E442", "#000000")
 GREY = "#8C8C8C"

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Prints what the runs say, side by side: table.py RUN_DIR..."""
+"""Prints the main figures of runs side by side: table.py RUN_DIR..."""
 import json
 import sys
 from pathlib import Path

@@ -5,11 +5,11 @@ from matplotlib.lines import Line2D
 
 from adit_plots import style
 
-LINES = ("-", "--", "-.", (0, (3, 1, 1, 1, 1, 1)))  # of the models, in turn
+LINES = ("-", "--", "-.", (0, (3, 1, 1, 1, 1, 1)))  # line styles of the models, in turn
 KINDS = {"kinetic": style.BLUE, "strain": style.ORANGE, "released": style.PINK, "dissipated": style.RED, "external_work": style.GREEN,
          "multiplier_work": style.SKY}
 
-# What histories.csv may hold: ends of its columns, what they are, SI unit, and units that read better from a size on.
+# The quantities in histories.csv: endings of the columns' names, name of the quantity, and its units with their sizes.
 QUANTITIES = (
     (("ux_m", "uy_m"), "displacement", (("µm", 1e-6), ("mm", 1e-3), ("m", 1))),
     (("vx_m_per_s", "vy_m_per_s"), "velocity", (("mm/s", 1e-3), ("m/s", 1))),
@@ -22,7 +22,7 @@ QUANTITIES = (
 
 
 def histories(run):
-    """All that the scene asked to record, one panel a quantity."""
+    """All histories of the scene, one panel for each quantity."""
     panels = []
     for endings, quantity, units in QUANTITIES:
         lines = [(name, values) for name, values in run.histories.items() if name.endswith(tuple(f"_{e}" for e in endings))]

@@ -5,7 +5,7 @@ import numpy as np
 from adit_plots import style
 from adit_plots.run_folder import Unusable, read_columns
 
-# What is drawn along the axis: quantity and unit in the table's columns, label and unit in the picture.
+# The quantities drawn along the axis: name and unit in the table's columns, label and unit in the picture.
 QUANTITIES = (
     ("axial_force", "N", "axial force", "N"),
     ("moment_lateral", "N_m", "lateral moment", "N m"),
@@ -21,7 +21,7 @@ def is_tunnel(run):
 
 
 def table(run, name):
-    """A table of the run, None where it has none."""
+    """A table of the run; None if it does not have this table."""
     path = run.folder / name
     return read_columns(path) if path.exists() else None
 
@@ -109,7 +109,7 @@ def _draw_envelope(axes, values, quantity, shown, color, name, both):
 
 
 def _draw_openings(axes, joints, color):
-    """Every group of joints by itself; of several runs, in one color each, only the group that opens most."""
+    """Draws every group of joints in its own colour. Of several runs, it draws only the group that opens most."""
     groups = list(dict.fromkeys(joints["group"]))
     if color:
         groups = [joints["group"][np.argmax(joints["opening_max_m"])]]
@@ -127,7 +127,7 @@ def _draw_soil(axes, run):
     soil = table(run, "soil_profile.csv")
     axes.set_ylabel("depth [m]")
     if soil is None:
-        axes.text(0.5, 0.5, "no ground stated", ha="center", va="center", transform=axes.transAxes)
+        axes.text(0.5, 0.5, "no ground in the scene", ha="center", va="center", transform=axes.transAxes)
         return
     chainage, top, layer = soil["chainage_m"] / 1e3, np.zeros(len(soil["chainage_m"])), 1
     stiffest = max(np.max(v) for k, v in soil.items() if k.endswith("shear_velocity_m_per_s"))

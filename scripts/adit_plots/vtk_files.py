@@ -6,11 +6,11 @@ from pathlib import Path
 import numpy as np
 
 TYPES = {"Float64": "<f8", "Int64": "<i8", "UInt8": "u1"}
-HEADER_BYTES = 8  # the length that stands before the values
+HEADER_BYTES = 8  # size of the length that precedes the values
 
 
 class Piece:
-    """Points [m] of shape (n, 2), cells of shape (m, points a cell), fields by name."""
+    """Points [m] of shape (n, 2), cells of shape (m, points of a cell), and fields by name."""
 
     def __init__(self, path):
         element = ElementTree.parse(path).getroot()[0].find("Piece")
@@ -24,7 +24,7 @@ class Piece:
 
     @staticmethod
     def joined(pieces):
-        """Pieces of one kind, of several models, as one; with the fields that all of them have."""
+        """Joins the pieces of one kind of several models, with the fields that all of them have."""
         first = pieces[0]
         if len(pieces) == 1:
             return first

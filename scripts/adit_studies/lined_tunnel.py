@@ -1,4 +1,4 @@
-"""The tunnel of cases/lined_tunnel: what its runs found, and what closed forms say of a lined circle in sheared ground.
+"""The tunnel of cases/lined_tunnel: results of its runs, and closed forms for a circular lining in sheared ground.
 
 All are by the far field's engineering shear strain gamma = 1. Turned by 45 degrees the shear is a tension along x and as
 much compression along y; thrust and moment follow cos 2 theta of that frame, the shear force sin 2 theta.
@@ -14,16 +14,16 @@ import numpy as np
 
 @dataclass
 class Tunnel:
-    shear_modulus: float  # of the ground [Pa]
+    shear_modulus: float  # shear modulus of the ground [Pa]
     poisson: float
-    radius: float  # of the lining's axis [m]
+    radius: float  # radius of the lining's axis [m]
     axial: float  # EA, EI and G A_s of the lining in plane strain, per metre
     bending: float
     shear: float
 
     @classmethod
     def of(cls, run):
-        """As the run's scene states it."""
+        """The tunnel in the scene of a run."""
         ground, lining = run.scene["material"], run.scene["continuum"]["linings"][0]
         young, ratio, thickness = lining["young_modulus"], lining.get("poisson_ratio", 0.2), lining["thickness"]
         plane = young / (1 - ratio**2)
@@ -41,19 +41,19 @@ class Tunnel:
 
 
 def wang_thrust(t):
-    """Without slip [N per metre]."""
+    """Thrust without slip [N per metre]."""
     nu, n, c, f = t.poisson, 1 - 2 * t.poisson, t.compressibility, t.flexibility
     k = 1 + (f * (n - n * c) - n**2 / 2 + 2) / (f * (3 - 2 * nu + n * c) + c * (2.5 - 8 * nu + 6 * nu**2) + 6 - 8 * nu)
     return k * t.shear_modulus * t.radius
 
 
 def wang_moment(t):
-    """With full slip [N m per metre]."""
+    """Moment with full slip [N m per metre]."""
     return 4 * (1 - t.poisson) / (2 * t.flexibility + 5 - 6 * t.poisson) * t.shear_modulus * t.radius**2
 
 
 def penzien_moment(t):
-    """Without slip [N m per metre]."""
+    """Moment without slip [N m per metre]."""
     d = 2 * t.radius
     return 3 * t.bending / d * 4 * (1 - t.poisson) / (24 * t.bending * (3 - 4 * t.poisson) / (d**3 * t.shear_modulus) + 1)
 
@@ -87,13 +87,13 @@ def around(run):
 
 
 def far_strain(run):
-    """Of the ground far away, from the loads on its sides."""
+    """Shear strain of the ground far away, from the loads on its sides."""
     load, block = run.scene["continuum"]["edge_loads"][0], run.scene["continuum"]["blocks"][0]
     return load["force"]["x"] / block["ring"]["outer_side"] / Tunnel.of(run).shear_modulus
 
 
 def free_strain(run):
-    """Over time, of the free field at the tunnel's depth."""
+    """Shear strain of the free field at the tunnel's depth, over time."""
     height = {place["name"]: place["at"]["y"] for place in run.scene["continuum"]["histories"]}
     h = run.histories
     return (h["free_above_ux_m"] - h["free_below_ux_m"]) / (height["free_above"] - height["free_below"])

@@ -14,7 +14,7 @@ from adit_studies.rock_tests import Micro
 STIFFNESS_RATIOS = (1.0, 10.0)
 COHESIONS = (0.5, 4.0)  # over the tensile strength
 ELASTIC_STRAIN = 4e-4
-POISSON_TOLERANCE, RATIO_TOLERANCE = 0.01, 0.1  # the latter: what the packings' scatter allows
+POISSON_TOLERANCE, RATIO_TOLERANCE = 0.01, 0.1  # the strengths' ratio scatters too much between packings for less
 MOST_TRIALS = 4
 
 
@@ -23,7 +23,7 @@ class Wanted:
     young_modulus: float  # [Pa]
     poisson_ratio: float
     compressive_strength: float  # [Pa]
-    tensile_strength: float  # [Pa], of the Brazilian test
+    tensile_strength: float  # [Pa], in the Brazilian test
 
     def properties(self):
         return {"young_modulus_Pa": self.young_modulus, "poisson_ratio": self.poisson_ratio,
@@ -32,7 +32,7 @@ class Wanted:
 
 
 def search(measure, wanted, start, limits, tolerance):
-    """(argument, measured) where measure(argument) is nearest to `wanted`, within limits; measure grows with it."""
+    """(argument, measured) with measure(argument) nearest to `wanted` within limits; measure increases with its argument."""
     low, high = map(log, limits)
     tried = []
     x = log(start)
@@ -54,7 +54,7 @@ def _slope(two):
 
 
 def fit(wanted, laboratory, say):
-    """(Micro, [Rock]) nearest to what is wanted; say(text) tells of each trial."""
+    """(Micro, [Rock]) nearest to the wanted properties; say(text) reports each trial."""
     moduli = {}
 
     def poisson(ratio):
@@ -81,7 +81,7 @@ def fit(wanted, laboratory, say):
                          RATIO_TOLERANCE)
     micro, reached = tried[cohesion]
     misfit = {name: reached[name] / goal for name, goal in wanted.properties().items()}
-    # half of the misfit to each strength
+    # Each strength gets half of the misfit.
     factor = (misfit["uniaxial_compressive_strength_Pa"] * misfit["brazilian_tensile_strength_Pa"]) ** -0.5
     micro = replace(micro, modulus=micro.modulus / misfit["young_modulus_Pa"],
                     tensile_strength=factor * micro.tensile_strength, cohesion=factor * micro.cohesion)

@@ -13,7 +13,7 @@ def cracks_of(run):
 
 
 def curves(rock):
-    """Stress over the gauges' strains in compression; over the platens' approach, with the number of cracks, of both tests."""
+    """Stress over the gauges' strains in compression; stress and number of cracks over the platens' approach, both tests."""
     figure, (left, middle, right) = style.plt.subplots(1, 3, figsize=(10.5, 3.4))
     test = rock.compression
     risen = slice(0, test.peak + 1)
@@ -41,7 +41,7 @@ def _with_cracks(axes, test, label, title):
 
 
 def cracked(test, title):
-    """The discs, and the cracks until a little after the peak as lines where they opened."""
+    """The discs, and the cracks until shortly after the peak as lines at the places where they opened."""
     _, pieces = next(test.run.snapshots())
     particles = pieces["particles"]
     size = 2 * particles.field("radius_m")

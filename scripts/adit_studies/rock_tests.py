@@ -1,4 +1,4 @@
-"""Laboratory tests on a random packing of cemented discs: uniaxial compression between platens, a Brazilian disc.
+"""Laboratory tests on a random packing of cemented discs: uniaxial compression between platens, and a Brazilian test.
 
 SI, per metre of thickness. The packing is grown under a stress that is a fixed share of the contacts' stiffness, so that
 it is the same whatever the micro-properties; the tests' durations follow from strength over stiffness.
@@ -19,9 +19,9 @@ class Micro:
     """Contacts and cement share a modulus and a ratio of stiffnesses (Potyondy and Cundall 2004)."""
     modulus: float  # [Pa]: the contacts' normal stiffness per metre of thickness
     stiffness_ratio: float  # normal over shear
-    tensile_strength: float  # of the cement [Pa], infinite: unbreakable
-    cohesion: float  # [Pa]
-    friction: float = 0.5  # of the contacts
+    tensile_strength: float  # tensile strength of the cement [Pa]; infinite if it cannot break
+    cohesion: float  # cohesion of the cement [Pa]
+    friction: float = 0.5  # friction coefficient of the contacts
 
 
 @dataclass(frozen=True)
@@ -39,11 +39,11 @@ class Specimen:
 
     @property
     def disc_radius(self):
-        """Of the Brazilian disc that is cut out of the middle."""
+        """Radius of the Brazilian disc that is cut out of the middle."""
         return 0.46 * self.width
 
 
-LAC_DU_BONNET = Micro(62e9, 2.5, 157e6, 157e6)  # the paper's, without the scatter of its strengths
+LAC_DU_BONNET = Micro(62e9, 2.5, 157e6, 157e6)  # from Potyondy and Cundall (2004), without the scatter of strengths
 PLATEN_SPEED = 2e-5  # share of sqrt(modulus / density)
 GAUGES = 9  # displacements in a row
 
@@ -53,7 +53,7 @@ def _four_digits(value):
 
 
 def bonds_and_contacts(micro, specimen):
-    """The words of a scene's `particles` that hold the micro-properties."""
+    """The part of a scene's `particles` that gives the micro-properties."""
     digits = _four_digits
     cement = micro.modulus / (2 * specimen.mean_radius)
     parallel = {"normal_stiffness": digits(cement), "shear_stiffness": digits(cement / micro.stiffness_ratio)}
@@ -68,13 +68,13 @@ def _particles(micro, specimen):
     return {"random_packing": {
                 "x_min": 0, "x_max": specimen.width, "y_min": 0, "y_max": specimen.height,
                 "radius_min": specimen.radius_min, "radius_max": specimen.radius_max, "seed": specimen.seed,
-                # exact: the share of the stiffness is the same to the bit, else discs come to rest elsewhere
+                # The ratio of stress to stiffness must be the same to the bit; otherwise discs come to rest elsewhere.
                 "stress": 3 * _four_digits(micro.modulus) / 10000},
             **bonds_and_contacts(micro, specimen), "damping": {"local": 0.7}}
 
 
 def _scene(micro, specimen, platens, shortening):
-    """The platens, lower and upper (y, half width), come closer by a length [m]."""
+    """The scene of a test in which the platens, lower and upper (y, half width), approach by a length [m]."""
     speed = PLATEN_SPEED * np.sqrt(micro.modulus / specimen.density)
     ramp = 0.05 * shortening / speed
     duration = shortening / speed + ramp / 2
@@ -132,10 +132,10 @@ def brazilian_scene(micro, specimen, packing, shortening):
 
 @dataclass
 class Loading:
-    """What a test measured, row by row."""
+    """The measurements of a test, row by row."""
     run: object
-    approach: np.ndarray  # of the platens to each other [m]
-    stress: np.ndarray  # compression positive; the Brazilian test's tension at the centre [Pa]
+    approach: np.ndarray  # approach of the platens [m]
+    stress: np.ndarray  # compressive stress, or in the Brazilian test the tension at the centre [Pa]
     axial: np.ndarray = None  # strains, shortening positive
     lateral: np.ndarray = None  # widening positive
 
@@ -148,12 +148,12 @@ class Loading:
         return self.stress[self.peak]
 
     def slope(self, of, over):
-        """Of two curves' rows between a fifth and a half of the strength, by least squares."""
+        """Slope of one curve over another between a fifth and a half of the strength, by least squares."""
         rows = slice(np.argmax(self.stress >= 0.2 * self.strength), np.argmax(self.stress >= 0.5 * self.strength) + 1)
         return np.polyfit(over[rows], of[rows], 1)[0]
 
     def elastic_constants(self):
-        """Young's modulus and Poisson's ratio of the solid that strains so in plane strain."""
+        """Young's modulus and Poisson's ratio of the solid that has these strains in plane strain."""
         in_plane = self.slope(self.lateral, self.axial)
         poisson_ratio = in_plane / (1 + in_plane)
         return self.slope(self.stress, self.axial) * (1 - poisson_ratio**2), poisson_ratio
@@ -182,7 +182,7 @@ def compress(micro, specimen, packing, folder, largest_strain):
     gauges = _gauges(specimen, packing)
 
     def strain(low, high, axis):
-        """The rows' mean displacements over their mean distance."""
+        """Difference of the mean displacements of two rows, divided by their mean distance."""
         low_u, high_u = (np.mean([run.histories[f"{row}_{k}_u{'xy'[axis]}_m"] for k in range(GAUGES)], axis=0)
                          for row in (low, high))
         return (high_u - low_u) / (packing[0][gauges[high], axis] - packing[0][gauges[low], axis]).mean()
@@ -200,7 +200,7 @@ def split(micro, specimen, packing, folder, shortening):
 
 @dataclass
 class Rock:
-    """What a rock of these micro-properties is in the laboratory."""
+    """The laboratory tests of a rock."""
     compression: Loading
     brazilian: Loading
 
@@ -212,7 +212,7 @@ class Rock:
 
 
 def _to_failure(test, shortening):
-    """test(shortening) with twice as much again until the load has fallen by a third."""
+    """Repeats test(shortening), each time with twice the shortening, until the load has fallen by a third."""
     for doublings in range(4):
         loading = test(2**doublings * shortening)
         if loading.stress[-1] < 2 / 3 * loading.strength:
@@ -243,17 +243,17 @@ class Laboratory:
         return Laboratory({seed: (specimens[seed], packings[seed]) for seed in specimens}, folder)
 
     def _all(self, test, name):
-        """[test(specimen, packing, folder)] of the seeds."""
+        """[test(specimen, packing, folder)] for all seeds."""
         done = dict(coupled_runs.for_all(
             lambda seed: test(*self.specimens[seed], self.folder / f"{name}_{seed}"), self.specimens))
         return [done[seed] for seed in self.specimens]
 
     def test(self, micro, name):
-        """[Rock] of the seeds."""
+        """[Rock] for all seeds."""
         return self._all(partial(test, micro), name)
 
     def elastic_constants(self, micro, largest_strain, name):
-        """Means of the seeds, by compression alone."""
+        """Means over all seeds, from compression alone."""
         tested = self._all(partial(compress, micro, largest_strain=largest_strain), name)
         return map(mean, zip(*(loading.elastic_constants() for loading in tested)))
 

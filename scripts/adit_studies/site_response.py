@@ -6,12 +6,12 @@ import numpy as np
 from adit_plots.run_folder import read_columns
 
 LOOPS = ("clay", "sand")  # histories of stress and strain
-LOWEST = 0.5  # [Hz] of what is compared
-WEAK = 0.02  # of the outcrop's largest Fourier amplitude: above the last frequency that has it, nothing is compared
+LOWEST = 0.5  # lowest frequency that is compared [Hz]
+WEAK = 0.02  # frequencies are compared up to the last with this share of the outcrop's largest Fourier amplitude
 
 
 class Site:
-    """What a run says of the motion at its surface and of the ground below."""
+    """The motion at the surface and the ground below it, from the results of a run."""
 
     def __init__(self, run):
         self.name, self.scene, self.histories = run.name, run.scene, run.histories
@@ -29,7 +29,7 @@ class Site:
         return np.abs(self.acceleration).max()
 
     def fourier(self, frequency):
-        """Of the acceleration, as it is sampled."""
+        """Time step of the recorded acceleration [s]."""
         return np.array([self.acceleration @ np.exp(-2j * np.pi * f * self.time) for f in frequency]) * self.time[1]
 
     def loop(self, name):
@@ -77,15 +77,15 @@ class Findings:
     frequency: np.ndarray
     measured: np.ndarray  # amplification, surface over outcrop
     theory: np.ndarray
-    doubling: float  # of the outcrop: its peak over the one that the scene states
+    doubling: float  # peak of the computed outcrop motion, relative to that of the scene's motion
 
     @property
     def error(self):
-        """Largest of the amplification at any frequency."""
+        """Largest error of the amplification at any frequency."""
         return np.abs(self.measured / self.theory - 1).max()
 
     def peaks(self):
-        """Rows ((frequency, amplification) measured, and of theory) of the resonances."""
+        """Rows of the resonances: (frequency, amplification) as measured and by theory."""
         def tops(curve):
             inner = np.flatnonzero((curve[1:-1] > curve[:-2]) & (curve[1:-1] > curve[2:])) + 1
             return [(self.frequency[i], curve[i]) for i in inner]
@@ -108,7 +108,7 @@ def compare(outcrop, linear):
 
 
 def table(sites):
-    """Rows of what the sites do to the motion."""
+    """Rows of a table with the sites' effect on the motion."""
     yield f"{'':12}{'PGA [m/s²]':>12}{'largest strain [%]':>20}"
     for site in sites:
         yield f"{site.name:12}{site.peak:12.2f}{100 * site.peak_strain[1].max():20.3f}"

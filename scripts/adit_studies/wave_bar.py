@@ -16,17 +16,17 @@ def scene(case):
     near = case.zone * math.ceil((packet.duration * packet.group_velocity + 100) / case.zone)
     far = case.zone * math.ceil(1.3 * packet.duration * packet.speed / case.zone) + 2 * case.overlap
     duration = math.ceil(packet.duration + near / packet.group_velocity + 2 * case.overlap / packet.speed)
-    begin = near if case.side == "particles" else far  # of the grid
+    begin = near if case.side == "particles" else far  # where the grid begins
     end, length = begin + case.overlap, near + case.overlap + far
 
     scene = case.scene(duration)
-    # dt_factor is the share of a/c, the chain's limit: that of the zones depends on their height too.
+    # dt_factor is relative to a/c, the critical step of the chain; that of the zones also depends on their height.
     del scene["time"]["dt_factor"]
     scene["time"]["dt"] = case.dt_factor * SPACING / packet.speed
     scene["material"] = {"young_modulus": 1, "poisson_ratio": 0, "density": 1}
     scene["particles"] = {
         "packing": {"x_min": 0, "x_max": length, "y_min": 0, "y_max": ROW, "radius": SPACING / 2},
-        "bonds": {"normal_stiffness": ROW, "shear_stiffness": 0}}  # no slanted bonds: the row alone is as stiff
+        "bonds": {"normal_stiffness": ROW, "shear_stiffness": 0}}  # no slanted bonds: the row has all its stiffness
     scene["continuum"] = {"block": {"x_min": 0, "x_max": length, "y_min": 0, "y_max": ROW,
                                     "zones_x": round(length / case.zone), "zones_y": 1}}
     scene["interface"] = {"overlap": {"particles_begin": {"x": end, "y": 0}, "continuum_ends": {"x": begin, "y": 0}},

@@ -1,4 +1,4 @@
-"""Which packets the study of waves through the overlap sends."""
+"""The wave packets that the study of waves through the overlap sends."""
 from itertools import product
 
 from adit_studies.wave_packet import Case
@@ -8,7 +8,7 @@ LENGTHS = (20, 10, 5, 4, 3, 2, 1, 0.5)  # λ/h
 
 
 def cases(full):
-    """All rows of the table, none twice; with `full` those that take long."""
+    """All rows of the table, none twice; with `full` also those that take long."""
     return list(dict.fromkeys([*bar(), *strip(full), *patch()]))
 
 

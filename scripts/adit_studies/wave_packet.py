@@ -10,7 +10,7 @@ ROW = math.sqrt(3) / 2  # height of a row of particles
 POISSON_RATIO = 0.2
 MATERIAL_2D = {"young_modulus": 1 - POISSON_RATIO**2, "poisson_ratio": POISSON_RATIO, "density": 1}
 SPEED = {"P": 1.0, "S": math.sqrt((1 - POISSON_RATIO) / 2)}
-AMPLITUDE = 1e-6  # velocity of the source: displacements stay small against the particles
+AMPLITUDE = 1e-6  # velocity of the source, so that displacements stay small compared with the particles
 
 
 @dataclass(frozen=True)
@@ -23,7 +23,7 @@ class Case:
     overlap_over_h: int = 5
     dt_factor: float = 0.5
     angle_deg: int = 0
-    side: str = "particles"  # of the source
+    side: str = "particles"  # the side on which the source is
     wave: str = "P"
     substeps: int = 1
 
@@ -45,7 +45,7 @@ class Case:
                 f"_lambda{self.lambda_over_h}_dt{self.dt_factor}_angle{self.angle_deg}_{self.side}_m{self.substeps}")
 
     def scene(self, duration):
-        """What the scenes of all models have in common."""
+        """The part that the scenes of all models have in common."""
         return {"plane": "plane_stress", "material": MATERIAL_2D,
                 "time": {"duration": duration, "dt_factor": self.dt_factor, "substeps": self.substeps},
                 "output": {"history_interval": duration}}

@@ -1,4 +1,4 @@
-"""A cylindrical pulse out of a circular patch of particles in the middle of a grid.
+"""A cylindrical pulse that leaves a circular patch of particles in the middle of a grid.
 
 The pulse is sent by radial forces on a ring of particles around the centre. In two dimensions a pulse leaves a
 tail; a model of particles alone says how much of it is still inside when the pulse has left.
@@ -12,7 +12,7 @@ from adit_studies.wave_packet import ROW, SPACING, Packet
 
 
 def radius(case):
-    """Of the patch inside the overlap [m]: what comes back must not return while the pulse still leaves."""
+    """Radius of the patch inside the overlap [m]: reflections must not return while the pulse is still leaving."""
     return case.zone * max(25, math.ceil(packet_of(case).duration / 2 / case.zone + case.overlap_over_h / 2))
 
 
@@ -31,7 +31,7 @@ def tail(case, folder):
 
 
 def fields(case, folder):
-    """The pieces of the snapshot when the pulse has left."""
+    """The pieces of the snapshot that is taken when the pulse has left."""
     return last_snapshot(folder / case.name)
 
 
@@ -57,7 +57,7 @@ def duration_of(case):
 
 
 def particles_alone(case):
-    """So large that nothing comes back from its edges."""
+    """A model so large that no reflection from its edges returns in time."""
     half = (radius(case) + case.overlap + duration_of(case)) / 2 + case.wavelength
     scene = case.scene(duration_of(case))
     scene["particles"] = particles(case, half)

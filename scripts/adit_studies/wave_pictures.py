@@ -1,4 +1,4 @@
-"""Pictures of the study of waves through the overlap; {case: (reflected, transmitted, lost)} goes in."""
+"""Pictures of the study of waves through the overlap, from {case: (reflected, transmitted, lost)}."""
 import math
 
 import numpy as np
@@ -12,7 +12,7 @@ from adit_studies.wave_table import percent as text
 
 COLORS = dict(zip(SOLVES, (style.BLUE, style.ORANGE, style.GREEN)))
 PULSES = (5, 2)  # λ/h of the cylindrical pulses that are drawn
-SMALLEST = 1e-3  # per cent; less is rounding, or the tail of the packet
+SMALLEST = 1e-3  # per cent; smaller shares are rounding errors, or the tail of the packet
 
 
 def over_wavelength(shares):

@@ -17,7 +17,7 @@ HALF_BEAM = 3.0   # [σ]
 
 
 def measure(case, folder):
-    """The shares (reflected, transmitted, lost) once the beam has passed and before what came back returns."""
+    """The shares (reflected, transmitted, lost) after the beam has passed and before reflections return."""
     return coupled_runs.shares(coupled_runs.run(scene(case), folder / case.name), case.side)
 
 
@@ -25,10 +25,10 @@ def scene(case):
     packet = Packet(case.wavelength, SPEED[case.wave], cut=4.0)
     angle = math.radians(case.angle_deg)
     sigma = BEAM_WIDTH * case.wavelength
-    source = HALF_BEAM * sigma / math.cos(angle)  # half of the edge that sends
-    latest = source * math.sin(angle) / packet.speed  # delay of its upper end against its middle
+    source = HALF_BEAM * sigma / math.cos(angle)  # half the length of the edge that sends
+    latest = source * math.sin(angle) / packet.speed  # delay of its upper end relative to its middle
     pulse = packet.duration + 2 * latest
-    # What came back must not have reached the overlap a second time when the last has passed.
+    # Reflections must not have reached the overlap a second time when the end of the beam has passed.
     near = whole(pulse * packet.speed / 2 * math.cos(angle), case.zone)
     duration = pulse + (near + 2 * case.overlap) / math.cos(angle) / packet.speed
     far = whole(0.6 * pulse * packet.speed * math.cos(angle), case.zone) + 3 * case.overlap

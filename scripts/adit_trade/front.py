@@ -1,6 +1,6 @@
-"""The coupled variants that no other one beats, and what they advise."""
+"""The coupled variants that no other variant beats in both cost and error, and the advice that follows."""
 
-ALONE = "particles only"  # the family that is not coupled: no rival in accuracy, only in cost
+ALONE = "particles only"  # the family without coupling, with which only costs are compared
 TARGETS = (0.01, 0.02, 0.05, 0.1)
 UNITS = {"cpu_s": "CPU s", "updates": "updates"}
 
@@ -10,7 +10,7 @@ def coupled(rows):
 
 
 def front(rows, error, cost):
-    """Coupled rows by rising cost, each with a smaller error than all that cost less."""
+    """Coupled rows in the order of their cost, each with a smaller error than all that cost less."""
     best, smallest = [], float("inf")
     for row in sorted(coupled(rows), key=lambda row: (row[cost], row[error])):
         if row[error] < smallest:
@@ -20,7 +20,7 @@ def front(rows, error, cost):
 
 
 def advice(rows):
-    """Lines: what costs least to keep each of the three histories within an error, and what the particles alone cost."""
+    """Lines with the cheapest variant that keeps each of the three histories within an error, and the particles' cost."""
     for row in rows:
         if row["family"] == ALONE:
             yield f"{row['variant']}: " + ", ".join(f"{row[cost]:.3g} {unit}" for cost, unit in UNITS.items())

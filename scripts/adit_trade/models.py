@@ -11,9 +11,9 @@ SCENES = Path(__file__).parent / "scenes"
 @dataclass
 class Model:
     name: str
-    axis: str  # of the displacements that are compared: x or y
-    force_window: tuple  # [s] in which the full model's strongest bond lies where every variant has particles
-    repeats: int  # of a run whose cost is to be measured
+    axis: str  # direction of the displacements that are compared: x or y
+    force_window: tuple  # times [s] between which the strongest bond lies where every variant has particles
+    repeats: int  # number of repeated runs for measuring the cost
     families: dict  # {family: {variant: settings}}
     alone: dict = field(default_factory=dict)  # variants of the full particle model
 
@@ -25,7 +25,7 @@ class Model:
 
 
 def overlap(begin, width):
-    """Particles from `begin` [m] to the fixed end; the first `width` [m] of them overlapped."""
+    """Particles from `begin` [m] to the fixed end, of which the first `width` [m] are the overlap."""
     return [f"interface.overlap.particles_begin.x={begin}", f"interface.overlap.continuum_ends.x={begin + width:g}"]
 
 
@@ -55,7 +55,7 @@ STEPS = {
 }
 ALONE = {f"particles only, dt factor {f}": dt_factor(f) for f in (0.5, 0.9)}
 
-# The 9 rows of the lattice are 7.5 % softer in bending than the beam that they stand for.
+# The 9 rows of the lattice are 7.5 % softer in bending than the beam that they model.
 SOFTENED = continuum_modulus("23.26 GPa")
 
 CANTILEVER = Model(

@@ -1,4 +1,4 @@
-"""The picture of the trade: errors over cost, a colour a family, the front as a line."""
+"""The picture of the trade-off: errors over cost, a colour for each family, the best variants joined by a line."""
 import matplotlib.pyplot as plt
 from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 

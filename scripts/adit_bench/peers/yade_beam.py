@@ -15,7 +15,7 @@ from yade import (Bo1_Sphere_Aabb, CohFrictMat, ForceResetter, Ig2_Sphere_Sphere
                   InteractionLoop, Ip2_CohFrictMat_CohFrictMat_CohFrictPhys, Law2_ScGeom6D_CohFrictPhys_CohesionMoment,
                   NewtonIntegrator, O, Vector3, utils)
 
-NEAR = 1.05  # times the radii: what is bonded and looked at as possible neighbours
+NEAR = 1.05  # discs closer than this times the sum of their radii are bonded and count as neighbours
 
 
 def build(beam):
@@ -70,4 +70,4 @@ result = run(described)
 result["bonds"] = sum(1 for contact in O.interactions if contact.isReal)
 with open(target, "w", encoding="utf-8") as file:
     json.dump(result, file)
-os._exit(0)  # without Yade's own leave-taking, which waits for its prompt
+os._exit(0)  # skips Yade's own exit, which waits for its prompt
