@@ -1,5 +1,5 @@
-// Measuring speed on a machine that has other work too: the time of one thread alone is what it computes, not
-// what it waits; of several threads it is the least of windows so short that many of them pass undisturbed.
+// Measures speed on a machine that also has other work. For one thread this is its CPU time, without waiting.
+// For several threads it is the smallest time of many short windows, of which some pass undisturbed.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// What the machine itself takes for one round trip: two processes exchange BYTES over loopback TCP, bare
-// sockets, TCP_NODELAY, one write a message. Prints the median round trip in microseconds for a reader that
-// blocks and for one that spins, yielding its core between two looks.
+// Measures the round trip of the bare machine: two processes exchange BYTES over loopback TCP with plain
+// sockets, TCP_NODELAY and one write for each message. Prints the median round trip in microseconds for a
+// reader that blocks and for one that spins, yielding its core between two looks.
 //
 //   ping_pong BYTES_THERE BYTES_BACK ROUNDS
 #include <arpa/inet.h>

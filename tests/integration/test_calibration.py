@@ -1,4 +1,4 @@
-"""The laboratory of cemented discs: it measures what theory says, and its fit finds what it is asked for."""
+"""The laboratory tests of cemented discs agree with theory, and the fit finds the wanted properties."""
 
 import math
 import subprocess

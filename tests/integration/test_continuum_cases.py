@@ -1,4 +1,4 @@
-"""The cases of the continuum, in short versions: what their runs say is what wave theory and closed forms say."""
+"""The cases of the continuum, in short versions, agree with wave theory and closed forms."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""A lost participant is named within 10 s, with exit code 3, and what was computed stays readable."""
+"""A lost participant is named within 10 s, with exit code 3, and the results until then stay readable."""
 
 import csv
 import os

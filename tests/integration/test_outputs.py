@@ -1,4 +1,4 @@
-"""Histories, spectra and peaks over time: what a run writes of them is what theory and its own rows say."""
+"""Histories, spectra and peaks over time that a run writes agree with theory and with each other."""
 
 import csv
 import math

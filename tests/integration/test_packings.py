@@ -1,4 +1,4 @@
-"""Packings through the programs: what was packed is stated, tables and results of runs are read where they lie."""
+"""Packings in whole runs: the summary describes them, and particles can be read from tables and from results."""
 
 import unittest
 

@@ -1,4 +1,4 @@
-"""One command runs a scene, alone or with servers that somebody started; the results say the same, to the bit."""
+"""One command runs a scene, also with servers that somebody has started; the results are the same to the bit."""
 
 import csv
 import unittest

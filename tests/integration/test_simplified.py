@@ -1,4 +1,4 @@
-"""The program `simplified`: results, refusals, and the way from global to local."""
+"""The program `simplified`: results, refusals, and boundary motions for detailed models."""
 
 import csv
 import subprocess

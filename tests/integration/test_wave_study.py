@@ -1,4 +1,4 @@
-"""The study of waves through the overlap leaves the table that it promises, with numbers that can be."""
+"""The study of waves through the overlap writes its table, with plausible numbers, and its pictures."""
 
 import csv
 import subprocess

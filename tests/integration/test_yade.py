@@ -1,4 +1,4 @@
-"""The same bonded beam, computed by Yade, moves the same way: a whole swing of a cantilever loaded at once."""
+"""Yade and dem_server compute the same motion of a bonded cantilever during a whole period after sudden loading."""
 
 import csv
 import json

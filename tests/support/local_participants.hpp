@@ -1,5 +1,5 @@
-// A participant in the same process, behind the coupler's view of a server: tests of the method need no
-// sockets, and reach the same code.
+// A participant in the same process, which the coupler sees as a server. Tests of the method then need no
+// sockets and run the same code.
 #pragma once
 
 #include <memory>

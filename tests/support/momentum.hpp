@@ -1,4 +1,4 @@
-// Linear momentum of a model, from what its participants say of themselves.
+// Linear momentum of a model, from the snapshots of its participants.
 #pragma once
 
 #include <array>

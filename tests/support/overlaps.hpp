@@ -1,4 +1,4 @@
-// Overlaps for tests, from their text in the scene's terms.
+// Overlaps for tests, from text as it is written in a scene.
 #pragma once
 
 #include <google/protobuf/text_format.h>

@@ -1,4 +1,4 @@
-// Bars along x that are put together from stretches of grid and of lattice.
+// Bars along x that consist of several pieces of grid and of lattice.
 #pragma once
 
 #include <google/protobuf/text_format.h>

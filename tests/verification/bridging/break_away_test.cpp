@@ -1,6 +1,6 @@
-// Requirement: a particle region that breaks away completely leaves the run stable: the grid goes on by
-// itself, the free particles fly on, momentum stays and no energy comes from the breaking. The same where
-// every bond breaks, also inside the overlap.
+// Requirement: a run stays stable when a particle region breaks away completely. The grid moves on alone, the
+// free particles fly on, momentum is kept, and breaking creates no energy. The same holds if every bond
+// breaks, also inside the overlap.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,5 +1,6 @@
-// Requirement: the coupled cantilever says what the whole beam of particles says (paper, section 5), elastic
-// and cracking, for aligned and for cut zones, and keeps energy. cases/cantilever/README.md tells the story.
+// Requirement: the coupled cantilever gives the results of the whole beam of particles (section 5 of the
+// paper), elastic and cracking, with aligned and with cut zones, and keeps energy
+// (cases/cantilever/README.md).
 #include <gtest/gtest.h>
 
 #include <algorithm>

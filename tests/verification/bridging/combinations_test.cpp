@@ -1,6 +1,6 @@
-// Requirement: models may be joined by pairs in any combination and any number. A free bar of several
-// stretches, pushed at its left end, moves at its right one as a bar of one piece does; its linear momentum
-// is the impulse of the push, and its energy is kept (consistent) or only lost.
+// Requirement: any number of models may be joined in pairs, in any combination. A free bar of several pieces,
+// pushed at its left end, moves at its right end as a bar of one piece does. Its linear momentum is the
+// impulse of the push, and its energy is kept (consistent) or only lost.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// Requirement: the interface makes neither momentum nor energy. A free bar, half zones, half particles, is
-// pushed on its zones: both solves keep linear momentum to rounding; the consistent one keeps energy in
-// every step, the lumped one never gains any.
+// Requirement: the interface creates neither momentum nor energy. A free bar, half zones and half particles,
+// is pushed on its zones. Both solves keep linear momentum except for rounding errors; the consistent one
+// keeps energy in every step, the lumped one never gains any.
 #include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
 

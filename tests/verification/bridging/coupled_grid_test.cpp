@@ -1,5 +1,5 @@
-// Requirement: any grid can be a side of an overlap: what is one block or several, straight or slanted, makes
-// no difference to the method.
+// Requirement: any grid can be a side of an overlap. One block or several, straight or slanted zones make no
+// difference to the method.
 #include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-// Requirement: time does no harm. Nothing moves in 10^7 steps at rest; in 10^6 steps of free vibration the
-// consistent solve keeps energy to a thousandth, and the other solves only lose it.
+// Requirement: errors do not grow in long runs. Nothing moves in 10^7 steps at rest; in 10^6 steps of free
+// vibration the consistent solve keeps energy to a thousandth, and the other solves only lose it.
 //
-// These tests take minutes: ctest knows them by the label `nightly`.
+// These tests take minutes and have the label `nightly` in ctest.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Requirement: the method stays stable at the extremes of what a user may ask for. The energy of a pushed bar
-// stays what was put in (consistent) or falls (lumped, split), and without load nothing moves.
+// Requirement: the method stays stable at the limits of what a scene may ask for. The energy of a pushed bar
+// stays equal to the work of the push (consistent) or falls (lumped, split), and without load nothing moves.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Requirement (physics of the method): a uniform strain passes through the overlap, so that neither the
-// weights nor the multipliers make forces of their own.
+// Requirement: a uniform strain passes through the overlap without spurious forces from the weights or the
+// multipliers.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Requirement: the ground may yield inside an overlap: the joined models then keep the balance of energy, of
-// which the zones dissipate a part, and linear momentum.
+// Requirement: the ground may yield inside an overlap. The joined models then keep linear momentum and the
+// balance of energy, of which the zones dissipate a part.
 #include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Requirement: no set-up that is accepted makes energy. Bars of random zones, particles, overlaps, weights,
-// materials, solves, substeps and time steps, struck and left alone for some thousand steps.
+// Requirement: no accepted scene creates energy. Bars with random zones, particles, overlaps, weights,
+// materials, solves, substeps and time steps are struck and then move freely for some thousand steps.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

@@ -1,6 +1,6 @@
-// Requirement: particles may take m steps in one of the continuum (shared_kick.hpp) without loss: energy is
-// kept by the consistent solve and only lost by the others, for every m and however stiff one side is; the
-// motion is that of equal steps to second order.
+// Requirement: particles may take m steps in one step of the continuum (shared_kick.hpp). The consistent
+// solve keeps energy and the others only lose it, for every m and any ratio of stiffnesses. The motion agrees
+// with that of equal steps to second order.
 #include <gmock/gmock.h>
 #include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>

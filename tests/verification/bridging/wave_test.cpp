@@ -1,8 +1,8 @@
-// Requirement: waves that run through the overlap from the particles' side are reflected, passed and lost to
-// 1 % as an independent one-dimensional program of the same method says (chain_and_bar.hpp), and roughly as
-// the published prototypes' table says, whose packets are known to be Gaussian but not their width: near the
-// grid's cut-off (λ = π h) all figures depend on it. What theory says exactly is tested exactly: the
-// consistent solve loses nothing.
+// Requirement: waves that run through the overlap from the particles' side are reflected, transmitted and
+// lost as an independent one-dimensional program of the same method computes (chain_and_bar.hpp), to 1 %.
+// They also agree roughly with the table of the published prototypes, whose packets are Gaussian but of
+// unknown width, on which all figures near the grid's cut-off (λ = π h) depend. The consistent solve loses
+// nothing, which is tested exactly.
 //
 // The bar is one row of particles and one row of zones: a chain of springs that meets 1-D elements.
 // Spacing a = 1, wave speed 1, zones h = 10 a, overlap 5 h.

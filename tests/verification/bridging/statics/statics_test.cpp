@@ -1,5 +1,6 @@
-// Requirement: continuum and particles come to rest together under gravity and initial stress, and carry the
-// stress of one model alone, also where they share it; shaken afterwards, they move as from any rest.
+// Requirement: continuum and particles come to rest together under gravity and initial stress, with the
+// stress that one model alone has, also in the overlap. Shaken afterwards, they move as from any other state
+// of rest.
 #include "coupler/stepping/statics.hpp"
 
 #include <gmock/gmock.h>
