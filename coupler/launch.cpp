@@ -16,8 +16,7 @@ namespace process = boost::process;
 using protocol::PeerLost;
 
 constexpr std::chrono::seconds kStartPatience{10};
-constexpr std::chrono::seconds kStopPatience{
-    3};  // a server that is told to stop ends itself after 2 s at the latest
+constexpr std::chrono::seconds kStopPatience{3};  // a server ends within 2 s of the signal by itself
 
 // The program beside the coupler, as installed, or in its own folder beside the coupler's, as in the build
 // tree.

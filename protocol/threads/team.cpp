@@ -6,8 +6,8 @@ namespace adit::protocol {
 namespace {
 
 constexpr std::uint64_t kEnd = std::uint64_t{1} << 63;
-constexpr int kLooks = 64;
-constexpr std::chrono::microseconds kSpin{100};
+constexpr int kLooks = 64;                       // looks at the counter before the core is yielded
+constexpr std::chrono::microseconds kSpin{100};  // longer than the serial part between two calls of a step
 
 void pause() {
 #if defined(__x86_64__)
@@ -15,8 +15,8 @@ void pause() {
 #endif
 }
 
-// Returns when the value is another than `old`: looks, then looks again and again after others on this core
-// had their turn, among them the one that is waited for where there are too few cores; then sleeps.
+// Returns when the value differs from `old`. It first looks without yielding, then yields the core between
+// looks, because with too few cores the thread that is waited for may need it, and finally sleeps.
 void await_change(const std::atomic<std::uint64_t>& value, std::uint64_t old) {
   const auto changed = [&] { return value.load(std::memory_order_acquire) != old; };
   for (int i = 0; i < kLooks; ++i) {

@@ -1,7 +1,7 @@
-// Threads that share the work of one step: started once, woken for each call, bound to no step.
+// Threads that share the work of a step. They are started once and woken for each call.
 //
-// A step of some thousand zones takes tens of microseconds: waking a sleeping thread would cost as much. So
-// the others spin for a while after a call, and sleep only when the next one does not come.
+// A step of some thousand zones takes tens of microseconds, and waking a sleeping thread takes about as long.
+// The other threads therefore spin for a while after a call, and sleep only if no further call follows.
 #pragma once
 
 #include <atomic>
@@ -14,7 +14,7 @@ namespace adit::protocol {
 
 class Team {
  public:
-  // Of the calling thread and `threads` - 1 others.
+  // A team consists of the calling thread and `threads` - 1 others.
   explicit Team(std::size_t threads = 1);
   ~Team();
   Team(const Team&) = delete;
@@ -22,8 +22,8 @@ class Team {
 
   std::size_t threads() const { return others_.size() + 1; }
 
-  // Calls work(task, thread) for the tasks 0 … count - 1, each thread for a share of them of nearly equal
-  // length, always the same one. Returns when all are done. `work` must not throw.
+  // Calls work(task, thread) for the tasks 0 … count - 1. Each thread gets consecutive tasks, nearly as many
+  // as the others and always the same ones. Returns when all are done. `work` must not throw.
   template <class Work>
   void run(std::size_t count, Work&& work) {
     const auto share = [&](std::size_t thread) {
@@ -57,8 +57,9 @@ class Team {
   void serve(std::size_t thread);
 
   Call call_;
-  alignas(64) std::atomic<std::uint64_t> calls_{0};     // begun; the top bit tells the threads to end
-  alignas(64) std::atomic<std::uint64_t> finished_{0};  // by the other threads, in all
+  // Each counter has a cache line of its own, so that threads that wait for one do not slow down the other.
+  alignas(64) std::atomic<std::uint64_t> calls_{0};     // calls begun; the top bit tells threads to end
+  alignas(64) std::atomic<std::uint64_t> finished_{0};  // calls that the other threads have finished
   std::vector<std::thread> others_;
 };
 

@@ -50,7 +50,7 @@ inline void add_momentum_of_particles(const wire::Piece& piece, double density, 
                  velocity, static_cast<std::uint32_t>(i), sum);
 }
 
-// Of all models together, which have one density [kg/m^3].
+// The momentum of all models together, which have the same density [kg/m^3].
 inline Momentum momentum(const std::vector<wire::Snapshot>& snapshots, double density) {
   Momentum sum{};
   for (const wire::Snapshot& snapshot : snapshots)

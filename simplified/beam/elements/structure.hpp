@@ -19,8 +19,8 @@ struct SectionForces {
 };
 
 struct Structure {
-  explicit Structure(
-      const Tunnel& tunnel);  // the tunnel must have been checked, and must outlive this object
+  // The tunnel must have been checked, and must outlive this object.
+  explicit Structure(const Tunnel& tunnel);
 
   const Tunnel& tunnel;
   Mesh mesh;

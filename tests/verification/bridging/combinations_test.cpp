@@ -85,7 +85,7 @@ TEST_P(Combination, KeepsMomentumAndMakesNoEnergy) {
 
 constexpr double kStep = 3e-5;  // [s], below all critical ones
 
-// Of the middle of the right end.
+// Displacements of the middle of the right end.
 std::vector<double> displacements(const Bar& bar, scene::Solve solve, const test::Push& push,
                                   scene::Quantity direction, std::uint64_t steps) {
   scene::Scene scene = test::scene_of(bar, solve);

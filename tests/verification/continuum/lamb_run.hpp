@@ -14,7 +14,7 @@ namespace adit::fdm::test {
 inline const oracle::Medium kGround{plane_strain(1e9, 0.25), 2000};
 inline constexpr double kForce = 1e6, kFrequency = 10;
 
-// Of one receiver, over time [m].
+// Largest errors and displacements of one receiver over time [m].
 struct Peaks {
   double error_x = 0, error_y = 0, exact_x = 0, exact_y = 0;
 };

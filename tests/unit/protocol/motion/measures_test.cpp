@@ -26,8 +26,8 @@ TEST(Measures, AriasIntensityOfASine) {
   EXPECT_NEAR(arias_intensity({0.5, {2, 2, 2}}), kPi / (2 * 9.80665) * 4, 1e-14);
 }
 
-// Of whole cycles of a sine over 5 s: the Arias intensity grows evenly, so 90 % of it take 4.5 s; the
-// cumulative absolute velocity is 2 A T / pi.
+// With whole cycles of a sine over 5 s the Arias intensity grows evenly, so that 90 % of it take 4.5 s, and
+// the cumulative absolute velocity is 2 A T / pi.
 TEST(Measures, DurationAndCumulativeVelocityOfASine) {
   const Motion motion = sine(3, 2, 5, {.dt = 0.0005, .duration = 5});
   EXPECT_NEAR(significant_duration(motion, 0.05, 0.95), 4.5, 1e-3);

@@ -55,8 +55,8 @@ TEST(AlongChainage, KeepsStraightLinesAndGoesOnBeyondTheEnds) {
   EXPECT_DOUBLE_EQ(values[3], 13);
 }
 
-// Of a tunnel without mass whose ground takes the wave's form in one step: the largest difference from the
-// moment amplitude * sin(q x), away from the free ends.
+// The largest error of the moment, amplitude * sin(q x), away from the free ends, of a tunnel without mass
+// whose ground takes the form of the wave in one step.
 double moment_error(const scene::Simplified& scene, double spacing, double amplitude) {
   const Line line = divide(scene.tunnel());
   GroundField ground;

@@ -50,7 +50,7 @@ inline Eigen::MatrixXd stiffness(Eigen::Index size,
   return matrix;
 }
 
-// Of x, y, rotation of each particle.
+// The stiffness matrix of the lattice, for x, y and rotation of each particle.
 inline Eigen::MatrixXd lattice_stiffness(const CoupledPatch& patch, const dem::Assembly& assembly) {
   const double infinity = std::numeric_limits<double>::infinity();
   const dem::BondLaw law{dem::calibrate(patch.young, patch.poisson, dem::Plane::kStress), infinity, infinity};
@@ -72,7 +72,7 @@ inline Eigen::MatrixXd lattice_stiffness(const CoupledPatch& patch, const dem::A
   });
 }
 
-// Of x, y of each grid point.
+// The stiffness matrix of the grid, for x and y of each grid point.
 inline Eigen::MatrixXd grid_stiffness(const CoupledPatch& patch, const fdm::Grid& grid,
                                       const std::vector<double>& weights) {
   const auto size = static_cast<Eigen::Index>(grid.x.size());
