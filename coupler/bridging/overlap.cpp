@@ -45,10 +45,11 @@ double width_of(const scene::Overlap& overlap, const std::string& path) {
   if (overlap.has_around()) return overlap.width();
   const double width = std::hypot(overlap.particles_begin().x() - overlap.continuum_ends().x(),
                                   overlap.particles_begin().y() - overlap.continuum_ends().y());
-  if (!(width > 0) || !std::isfinite(width))
-    throw UserError(path,
-                    "has no width: particles_begin and continuum_ends coincide or are not finite; place "
-                    "continuum_ends at least one zone further into the particles");
+  if (!(width > 0))
+    throw UserError(
+        path,
+        "has no width: particles_begin and continuum_ends coincide; place continuum_ends at least "
+        "one zone further into the particles");
   return width;
 }
 

@@ -84,10 +84,6 @@ MotionOutputs::MotionOutputs(const Model& model, double interval) : interval_(in
 void MotionOutputs::check(const scene::Spectra& spectra, const std::string& path, bool interval_given) const {
   require_recorded(spectra.history(), path + ".history");
   if (spectra.has_relative_to()) require_recorded(spectra.relative_to(), path + ".relative_to");
-  if (!(spectra.longest_period() > spectra.shortest_period()))
-    throw UserError(path + ".longest_period",
-                    fmt::format("is {:g} s, not above shortest_period = {:g} s", spectra.longest_period(),
-                                spectra.shortest_period()));
   const double needed = sampling_interval(spectra);
   if (interval_ <= needed * (1 + 1e-9)) return;
   if (interval_given)

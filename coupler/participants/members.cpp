@@ -132,7 +132,7 @@ std::vector<Join> joins(const scene::Scene& scene, const std::vector<Member>& me
 
 scene::Scene part_of(const scene::Scene& scene, const Member& member) {
   scene::Scene part = scene;
-  part.clear_base();
+  part.clear_extends();
   part.clear_continuum();
   part.clear_particles();
   part.clear_regions();

@@ -14,8 +14,7 @@
 namespace adit::fdm {
 namespace {
 
-TimeFactor factor(const scene::TimeFunction& function, const std::string& path) {
-  protocol::check(function, path + ".time");
+TimeFactor factor(const scene::TimeFunction& function) {
   return [function](double t) { return protocol::evaluate(function, t); };
 }
 
@@ -26,8 +25,8 @@ void add(Load& load, std::uint32_t point, double fx, double fy) {
 }
 
 // Forces that never change take up the factor, and have none.
-Load over_time(Load load, const scene::TimeFunction& time, const std::string& path) {
-  load.factor = factor(time, path);
+Load over_time(Load load, const scene::TimeFunction& time) {
+  load.factor = factor(time);
   if (time.has_table() || time.has_sine()) return load;
   for (auto* forces : {&load.fx, &load.fy})
     for (double& force : *forces) force *= load.factor(0);
@@ -40,7 +39,7 @@ Load point_load(const scene::Load& scene, const Grid& grid, const std::string& p
   const double share = 1.0 / static_cast<double>(chosen.size());
   Load load;
   for (const auto point : chosen) add(load, point, share * scene.force().x(), share * scene.force().y());
-  return over_time(std::move(load), scene.time(), path);
+  return over_time(std::move(load), scene.time());
 }
 
 double length(const Edge& edge, const Grid& grid) {
@@ -57,7 +56,7 @@ Load edge_load(const scene::Load& scene, const Grid& grid, const std::string& pa
     add(load, edge.from, half * scene.force().x(), half * scene.force().y());
     add(load, edge.to, half * scene.force().x(), half * scene.force().y());
   }
-  return over_time(std::move(load), scene.time(), path);
+  return over_time(std::move(load), scene.time());
 }
 
 Load body_load(const scene::BodyLoad& scene, const Grid& grid, std::span<const double> masses,
@@ -66,7 +65,7 @@ Load body_load(const scene::BodyLoad& scene, const Grid& grid, std::span<const d
   Load load;
   for (const auto point : chosen)
     add(load, point, masses[point] * scene.acceleration().x(), masses[point] * scene.acceleration().y());
-  return over_time(std::move(load), scene.time(), path);
+  return over_time(std::move(load), scene.time());
 }
 
 bool same_velocity(const scene::GridMotion& a, double va, const scene::GridMotion& b, double vb) {
@@ -99,7 +98,7 @@ std::vector<PrescribedMotion> resolve_motions(const scene::Continuum& scene, con
   const auto prescribe = [&](int i, Axis axis, std::span<const std::uint32_t> chosen) {
     const auto& here = scene.motions(i);
     const auto path = fmt::format("continuum.motions[{}]", i);
-    PrescribedMotion motion{{}, axis, velocity(i, axis), factor(here.time(), path)};
+    PrescribedMotion motion{{}, axis, velocity(i, axis), factor(here.time())};
     for (const auto point : chosen) {
       int& before = owner[axis == Axis::kX ? 0 : 1][point];
       if (before >= 0 &&

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "protocol/errors.hpp"
 #include "protocol/geometry/polygon.hpp"
 
@@ -14,17 +11,14 @@ namespace {
 using protocol::UserError;
 using Corners = google::protobuf::RepeatedPtrField<scene::Point>;
 
-std::shared_ptr<const Shape> read_box(const scene::Box& box, const std::string& path) {
-  const auto four = corners(read_bounds(box, path));
+std::shared_ptr<const Shape> read_box(const scene::Box& box) {
+  const auto four = corners(read_bounds(box));
   return polygon({Loop(four.begin(), four.end())});
 }
 
 Loop read_corners(const Corners& corners, const std::string& path) {
   Loop loop;
   for (const scene::Point& corner : corners) loop.push_back({corner.x(), corner.y()});
-  if (loop.size() < 3) throw UserError(path, fmt::format("has {} corners; give at least 3", loop.size()));
-  if (!std::ranges::all_of(loop, [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }))
-    throw UserError(path, "has a corner that is not finite; give numbers");
   if (!is_simple(loop))
     throw UserError(path,
                     "names a corner twice, or sides that cross, touch or run back over one another; give the "
@@ -38,17 +32,7 @@ bool encloses(const Loop& loop, const Loop& other) {
 
 }  // namespace
 
-BoundingBox read_bounds(const scene::Box& box, const std::string& path) {
-  const auto require_extent = [&](const char* axis, bool both, double min, double max) {
-    if (!both)
-      throw UserError(path, fmt::format("lacks {0}_min or {0}_max; give all four sides of the box", axis));
-    if (!(max > min) || !std::isfinite(max - min))
-      throw UserError(
-          fmt::format("{}.{}_max", path, axis),
-          fmt::format("is {:g} m, not above {}_min = {:g} m; give a box with finite sides", max, axis, min));
-  };
-  require_extent("x", box.has_x_min() && box.has_x_max(), box.x_min(), box.x_max());
-  require_extent("y", box.has_y_min() && box.has_y_max(), box.y_min(), box.y_max());
+BoundingBox read_bounds(const scene::Box& box) {
   return {box.x_min(), box.x_max(), box.y_min(), box.y_max()};
 }
 
@@ -79,7 +63,7 @@ std::shared_ptr<const Shape> read_polygon(const scene::Polygon& given, const std
 std::shared_ptr<const Shape> read_shape(const scene::Shape& shape, const std::string& path) {
   switch (shape.shape_case()) {
     case scene::Shape::kBox:
-      return read_box(shape.box(), path + ".box");
+      return read_box(shape.box());
     case scene::Shape::kCircle:
       return read_circle(shape.circle());
     case scene::Shape::kPolygon:

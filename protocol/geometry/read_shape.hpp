@@ -9,11 +9,10 @@
 
 namespace adit::geometry {
 
-// `path` is the shape's path in the scene. Throws protocol::UserError if the shape encloses no area or
-// crosses itself, or if a hole does not lie inside it.
+// Takes messages that fulfil their rules. `path` is the shape's path in the scene. Throws protocol::UserError
+// if the shape encloses no area or crosses itself, or if a hole does not lie inside it.
 std::shared_ptr<const Shape> read_shape(const scene::Shape& shape, const std::string& path);
-// A box whose four sides are all given.
-BoundingBox read_bounds(const scene::Box& box, const std::string& path);
+BoundingBox read_bounds(const scene::Box& box);
 std::shared_ptr<const Shape> read_circle(const scene::Circle& circle);
 std::shared_ptr<const Shape> read_polygon(const scene::Polygon& polygon, const std::string& path);
 

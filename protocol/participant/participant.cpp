@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "protocol/errors.hpp"
+#include "protocol/scene/fields/check_rules.hpp"
 
 namespace adit::protocol {
 namespace {
@@ -37,6 +38,7 @@ void Conversation::answer(const wire::Frame& request, wire::Frame& reply) {
     case wire::Frame::kSetup:
       require(stage_ == Stage::kConnected, request);
       cpu_start_ = std::clock();
+      check_rules(request.setup().scene());
       participant_.set_up(request.setup(), cleared(reply.mutable_model()));
       stage_ = Stage::kSetUp;
       break;

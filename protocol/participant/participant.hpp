@@ -43,8 +43,9 @@ class Conversation {
  public:
   explicit Conversation(Participant& participant) : participant_(participant) {}
 
-  // Answers one request. The clocks of `predicted.compute_seconds` and `bye.cpu_seconds` run here. A request
-  // out of order, or one that no participant answers, throws RequestError.
+  // Answers one request. The scene of `setup` is checked against its rules first. The clocks of
+  // `predicted.compute_seconds` and `bye.cpu_seconds` run here. A request out of order, or one that no
+  // participant answers, throws RequestError.
   void answer(const wire::Frame& request, wire::Frame& reply);
 
   // To be called when the answer was sent: completes the step that it answered, where something is left of

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
-
-#include "protocol/errors.hpp"
 
 namespace adit::protocol {
 namespace {
@@ -36,19 +33,6 @@ double evaluate(const scene::TimeFunction& function, double t) {
       return 1.0;
   }
   return 1.0;
-}
-
-void check(const scene::TimeFunction& function, const std::string& path) {
-  if (!function.has_table()) return;
-  const auto& table = function.table();
-  if (table.time().empty()) throw UserError(path + ".table.time", "is empty; give at least one time");
-  if (table.time_size() != table.value_size())
-    throw UserError(path + ".table", "has " + std::to_string(table.time_size()) + " times and " +
-                                         std::to_string(table.value_size()) +
-                                         " values; give one value for each time");
-  if (std::adjacent_find(table.time().begin(), table.time().end(), std::greater_equal<>()) !=
-      table.time().end())
-    throw UserError(path + ".table.time", "does not increase; order the times and give each once");
 }
 
 }  // namespace adit::protocol

@@ -5,11 +5,7 @@
 
 namespace adit::protocol {
 
-// Value at time t [s].
+// Value at time t [s] of a function that fulfils its rules (protocol/scene/fields/check_rules.hpp).
 double evaluate(const scene::TimeFunction& function, double t);
-
-// Throws UserError at `path` where the function cannot be evaluated: a table with unequal columns, fewer
-// than one row, or times that do not increase.
-void check(const scene::TimeFunction& function, const std::string& path);
 
 }  // namespace adit::protocol

@@ -5,8 +5,8 @@
 #include <iterator>
 #include <vector>
 
+#include "protocol/scene/fields/path.hpp"
 #include "protocol/scene/fields/rules.hpp"
-#include "protocol/scene/yaml/path.hpp"
 #include "protocol/text.hpp"
 
 namespace adit::protocol {

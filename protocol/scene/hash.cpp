@@ -33,7 +33,7 @@ std::uint64_t fnv_1a(const std::string& bytes) {
 std::string scene_hash(const scene::Scene& scene) {
   scene::Scene computed = scene;
   computed.clear_name();
-  computed.clear_base();
+  computed.clear_extends();
   computed.clear_description();
   forget_file_names(computed);
   char text[17];

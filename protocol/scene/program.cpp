@@ -19,6 +19,7 @@ int with_scene(const std::string& path, const std::vector<std::string>& sets,
   SceneFile file;
   try {
     file = read_scene(path, parse_overrides(sets));
+    for (const std::string& warning : file.warnings) std::cerr << "warning: " << warning << std::endl;
     attach_files(file);
     work(file);
     return kSuccess;

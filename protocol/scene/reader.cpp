@@ -7,8 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "protocol/scene/fields/check_rules.hpp"
+#include "protocol/scene/fields/path.hpp"
 #include "protocol/scene/yaml/message_reader.hpp"
-#include "protocol/scene/yaml/path.hpp"
 #include "protocol/text.hpp"
 
 namespace adit::protocol {
@@ -34,29 +35,43 @@ YamlValue load(const fs::path& path) {
   return parse_yaml({std::istreambuf_iterator<char>(stream), {}}, path.string());
 }
 
-// The file that `base` names, relative to the file `from` in which it stands.
-fs::path base_path(const fs::path& from, const YamlValue& base) {
-  if (base.kind != YamlValue::Kind::kScalar || base.scalar.empty())
-    refuse_at(base.place, "base", "expected the path of a scene file, such as `base.yaml`");
-  fs::path path = (from.parent_path() / base.scalar).lexically_normal();
+// The file that `extends` names, relative to the file `from` in which it stands.
+fs::path extended_path(const fs::path& from, const YamlValue& extends) {
+  if (extends.kind != YamlValue::Kind::kScalar || extends.scalar.empty())
+    refuse_at(extends.place, "extends", "expected the path of a scene file, such as `other.yaml`");
+  fs::path path = (from.parent_path() / extends.scalar).lexically_normal();
   const std::string reason = obstacle(path);
-  if (!reason.empty()) refuse_at(base.place, "base", quote(path.string()) + ": " + reason);
+  if (!reason.empty()) refuse_at(extends.place, "extends", quote(path.string()) + ": " + reason);
   return path;
 }
 
-// The file and the chain of its bases, the file first.
-std::vector<YamlValue> load_layers(fs::path path) {
+// Scenes written before `extends` had its name called it `base`.
+void rename_base(YamlValue& layer, std::vector<std::string>& warnings) {
+  YamlValue* base = layer.find("base");
+  if (!base) return;
+  if (layer.find("extends"))
+    refuse_at(base->place, "base", "is given beside `extends`, its new name; keep that");
+  warnings.push_back(base->place.text() +
+                     ": base: is now called `extends`; write `extends: " + shorten(base->scalar) + "`");
+  base->key = "extends";
+}
+
+// The file and the chain of those that it extends, the file first.
+std::vector<YamlValue> load_layers(fs::path path, std::vector<std::string>& warnings) {
   const std::string reason = obstacle(path);
   if (!reason.empty()) throw UserError("", path.string() + ": " + reason);
   std::vector<YamlValue> layers{load(path)};
   std::set<fs::path> seen{fs::canonical(path)};
-  while (const YamlValue* base = layers.back().find("base")) {
-    path = base_path(path, *base);
+  while (true) {
+    rename_base(layers.back(), warnings);
+    const YamlValue* extends = layers.back().find("extends");
+    if (!extends) return layers;
+    path = extended_path(path, *extends);
     if (!seen.insert(fs::canonical(path)).second)
-      refuse_at(base->place, "base", quote(path.string()) + " builds on this file; no scene is its own base");
+      refuse_at(extends->place, "extends",
+                quote(path.string()) + " extends this file; no scene extends itself");
     layers.push_back(load(path));
   }
-  return layers;
 }
 
 YamlValue merge_layers(std::vector<YamlValue> layers) {
@@ -106,9 +121,15 @@ void require_folder_name(const SceneFile& file) {
 }
 
 SceneFile read_scene(const std::string& path, std::span<const Override> sets) {
-  SceneFile file{{}, merge_layers(load_layers(path))};
+  SceneFile file;
+  file.tree = merge_layers(load_layers(path, file.warnings));
   for (const Override& set : sets) apply(set, file.tree, scene::Scene::descriptor());
   read_message(file.tree, "", file.scene);
+  try {
+    check_rules(file.scene);
+  } catch (const UserError& error) {
+    throw UserError("", describe(file, error));
+  }
   if (!file.scene.has_name()) file.scene.set_name(fs::path(path).stem().string());
   require_folder_name(file);
   return file;

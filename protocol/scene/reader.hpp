@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "protocol/errors.hpp"
 #include "protocol/messages/scene.pb.h"
@@ -16,6 +17,7 @@ namespace adit::protocol {
 struct SceneFile {
   scene::Scene scene;  // fields that are not given are unset, and their getters return the defaults
   YamlValue tree;      // the merged scene as it was written
+  std::vector<std::string> warnings;  // what the user should change: one sentence each, with its place
 
   // "file:line:column" (or "--set path=value") of the field, or of the innermost given field that contains
   // it.
@@ -31,8 +33,10 @@ struct SceneFile {
 // Larger files are refused: a list of short numbers needs some 120 bytes of memory for each byte of its file.
 constexpr std::uintmax_t kLargestSceneBytes = 4 << 20;
 
-// Reads the file at `path` over its chain of bases, then applies `sets` in their order. A base's `name` does
-// not pass to the file that builds on it, so that variants of a case never share a results' folder.
+// Reads the file at `path` over the files that it extends, then applies `sets` in their order and checks the
+// rules of the scene. The `name` of an extended file does not pass to the file that extends it, so that
+// variants of a case never share a results' folder. The former word for `extends`, `base`, is read with a
+// warning.
 //
 // Throws UserError with an empty path() whose what() is one complete line:
 //   cases/x.yaml:12:5: particles.packing.radius: is -0.1 m, expected a length above 0 m

@@ -63,7 +63,7 @@ void emit(YAML::Emitter& out, const Message& message) {
   message.GetReflection()->ListFields(message, &fields);
   out << YAML::BeginMap;
   for (const FieldDescriptor* field : fields) {
-    if (field->full_name() == "adit.scene.Scene.base" || is_internal(field)) continue;
+    if (field->full_name() == "adit.scene.Scene.extends" || is_internal(field)) continue;
     out << YAML::Key << field->name() << YAML::Value;
     if (!field->is_repeated()) {
       emit_value(out, message, field, -1);

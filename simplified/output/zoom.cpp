@@ -49,7 +49,7 @@ void write_fragment(const std::filesystem::path& path, const Place& place, const
               "# The tunnel from {} to {} m, around the largest {} of the run, {:.4g} {} at {:g} m: the "
               "motion of "
               "both edges, which do not turn.\n"
-              "# Not yet a scene: write one with `base: <this file>`, a material, and models over these "
+              "# Not yet a scene: write one with `extends: <this file>`, a material, and models over these "
               "chainages.\n",
               window.begin, window.end, place.name, place.value, place.unit, place.chainage)
        << protocol::to_yaml(fragment(window, duration));

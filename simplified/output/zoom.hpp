@@ -35,7 +35,7 @@ struct Window {
 Window window(const Fields& fields, double chainage, double width);
 
 // The edges' motion as a scene of the coupled model, in plan: x the chainage, y to the left, the tunnel's
-// axis at y = 0. The user adds material and models (`base: <this file>`).
+// axis at y = 0. The user adds material and models (`extends: <this file>`).
 scene::Scene fragment(const Window& window, double duration);
 
 // Writes `<name>.csv` and `<name>.yaml` of each place into `directory`, which is created.

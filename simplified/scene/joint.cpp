@@ -128,10 +128,6 @@ void check(const scene::Joints& group, const std::string& path) {
                     "gasket and the cables, whose places determine it");
   if (!group.has_gasket()) return;
   const scene::Gasket& gasket = group.gasket();
-  if (gasket.compression_size() != gasket.force_size())
-    throw UserError(path + ".gasket.force",
-                    "has " + std::to_string(gasket.force_size()) + " values, `compression` has " +
-                        std::to_string(gasket.compression_size()) + "; give as many of both");
   beam::check_load_curve(load_curve(gasket), path + ".gasket.force");
 }
 

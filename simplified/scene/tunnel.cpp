@@ -23,9 +23,6 @@ void check_sections(const scene::Tunnel& tunnel) {
   for (int i = 0; i < tunnel.sections_size(); ++i) {
     const auto& section = tunnel.sections(i);
     const std::string path = fmt::format("simplified.tunnel.sections[{}]", i);
-    if (!(section.to() > section.from()))
-      throw UserError(path + ".to", fmt::format("is {:g} m, not after the begin of the section at {:g} m",
-                                                section.to(), section.from()));
     if ((section.to() - section.from()) / section.element_length() > kMostPieces)
       throw UserError(path + ".element_length", fmt::format("is {:g} m, which makes more than {:g} pieces",
                                                             section.element_length(), kMostPieces));

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "protocol/errors.hpp"
 #include "protocol/geometry/selection.hpp"
@@ -30,8 +29,6 @@ Group own_group(const scene::Scene& scene) {
 MaterialAt checked_material(const scene::Material& material, const std::string& path) {
   MaterialAt at{material, path};
   require_elastic(at);
-  require_positive(material.density(), path + ".density", "kg/m^3");
-  require_positive(material.young_modulus(), path + ".young_modulus", "Pa");
   return at;
 }
 
@@ -53,7 +50,7 @@ BondStiffness Group::stiffness() const {
 }
 
 LinearContact Group::contact() const {
-  return read_contact(*contacts, contacts_path, [this] { return stiffness(); });
+  return read_contact(*contacts, [this] { return stiffness(); });
 }
 
 std::vector<Group> read_groups(const scene::Scene& scene) {
@@ -62,7 +59,6 @@ std::vector<Group> read_groups(const scene::Scene& scene) {
   for (int k = 0; k < scene.particles().groups_size(); ++k) {
     const auto& group = scene.particles().groups(k);
     const std::string path = group_path(k);
-    if (group.name().empty()) throw UserError(path + ".name", "is empty; give a name");
     if (std::ranges::find(names, group.name()) != names.end())
       throw UserError(path + ".name",
                       group.name() == kOwnGroup
@@ -77,7 +73,7 @@ std::vector<Group> read_groups(const scene::Scene& scene) {
   return groups;
 }
 
-LinearContact read_contact(const scene::ParticleContacts& contacts, const std::string& path,
+LinearContact read_contact(const scene::ParticleContacts& contacts,
                            const std::function<BondStiffness()>& otherwise) {
   BondStiffness stiffness{contacts.normal_stiffness(), contacts.shear_stiffness()};
   if (!contacts.has_normal_stiffness() || !contacts.has_shear_stiffness()) {
@@ -85,15 +81,6 @@ LinearContact read_contact(const scene::ParticleContacts& contacts, const std::s
     if (!contacts.has_normal_stiffness()) stiffness.normal = other.normal;
     if (!contacts.has_shear_stiffness()) stiffness.shear = other.shear;
   }
-  require_positive(stiffness.normal, path + ".normal_stiffness", "N/m");
-  const auto require_share = [&path](double value, const std::string& name) {
-    if (!(value >= 0) || !std::isfinite(value))
-      throw UserError(path + "." + name, fmt::format("is {}; give a finite number, 0 or above", value));
-  };
-  require_share(stiffness.shear, "shear_stiffness");
-  require_share(contacts.friction(), "friction");
-  require_share(contacts.normal_damping(), "normal_damping");
-  require_share(contacts.shear_damping(), "shear_damping");
   return {stiffness.normal, stiffness.shear, contacts.friction(), contacts.normal_damping(),
           contacts.shear_damping()};
 }

@@ -32,7 +32,7 @@ struct Group {
 std::vector<Group> read_groups(const scene::Scene& scene);
 
 // A contact law: stiffnesses that it leaves out are the given ones.
-LinearContact read_contact(const scene::ParticleContacts& contacts, const std::string& path,
+LinearContact read_contact(const scene::ParticleContacts& contacts,
                            const std::function<BondStiffness()>& otherwise);
 
 // The group of each disc.

@@ -31,28 +31,26 @@ constexpr double kLargestStress = 0.1;
 Placement hexagonal(const scene::HexagonalPacking& wanted) {
   const std::string path = "particles.packing";
   const double radius = wanted.radius();
-  require_positive(radius, path + ".radius", "m");
-  const geometry::BoundingBox box = checked_box(wanted, path);
+  const geometry::BoundingBox box = box_of(wanted);
   require_room_for(count_hexagonal(box, radius), radius, path + ".radius");
   HexagonalLattice lattice = pack_hexagonally(box, radius);
   if (lattice.discs.size() == 0)
     throw UserError(
-        path, fmt::format("a box of {} m x {} m holds 0 particle(s) of radius {} m (a row is sqrt(3) R high, a "
-                          "disc 2 R wide); enlarge the box or reduce the radius",
-                          box.x_max - box.x_min, box.y_max - box.y_min, radius));
+        path,
+        fmt::format("a box of {} m x {} m holds 0 particle(s) of radius {} m (a row is sqrt(3) R high, a "
+                    "disc 2 R wide); enlarge the box or reduce the radius",
+                    box.x_max - box.x_min, box.y_max - box.y_min, radius));
   return {std::move(lattice.discs), cell_mass, lattice.cells, {}};
 }
 
 Placement square(const scene::SquarePacking& wanted) {
   const std::string path = "particles.square_packing";
   const double radius = wanted.radius();
-  require_positive(radius, path + ".radius", "m");
-  const geometry::BoundingBox box = checked_box(wanted, path);
+  const geometry::BoundingBox box = box_of(wanted);
   require_room_for((box.x_max - box.x_min) * (box.y_max - box.y_min) / (4 * radius * radius), radius,
                    path + ".radius");
   Discs discs = pack_squarely(box, radius);
-  if (discs.size() == 0)
-    throw UserError(path, "holds no particle; enlarge the box or reduce the radius");
+  if (discs.size() == 0) throw UserError(path, "holds no particle; enlarge the box or reduce the radius");
   const auto extent = extent_of(discs);
   return {std::move(discs), [](double density, double r) { return density * (4 * r * r); }, extent, {}};
 }
@@ -73,23 +71,19 @@ class Progress {
 
 RandomPacking checked(const scene::RandomPacking& wanted, double normal_stiffness) {
   const std::string path = "particles.random_packing";
-  const RandomPacking packing{
-      checked_box(wanted, path),          wanted.radius_min(), wanted.radius_max(),    wanted.porosity(),
-      wanted.stress() / normal_stiffness, wanted.seed(),       wanted.keep_floaters(), wanted.keep_stress()};
-  require_positive(packing.radius_min, path + ".radius_min", "m");
-  require_positive(packing.radius_max, path + ".radius_max", "m");
-  require_positive(wanted.stress(), path + ".stress", "Pa");
-  if (packing.radius_max < packing.radius_min)
-    throw UserError(path + ".radius_max", fmt::format("is {} m, below radius_min = {} m; exchange them",
-                                                      packing.radius_max, packing.radius_min));
+  const RandomPacking packing{box_of(wanted),
+                              wanted.radius_min(),
+                              wanted.radius_max(),
+                              wanted.porosity(),
+                              wanted.stress() / normal_stiffness,
+                              wanted.seed(),
+                              wanted.keep_floaters(),
+                              wanted.keep_stress()};
   const double side = std::min(packing.box.x_max - packing.box.x_min, packing.box.y_max - packing.box.y_min);
   if (side < 4 * packing.radius_max)
     throw UserError(path + ".radius_max",
                     fmt::format("is {} m, but the box is only {} m wide; give at most a quarter of that",
                                 packing.radius_max, side));
-  if (!(packing.porosity > 0 && packing.porosity < 1))
-    throw UserError(path + ".porosity",
-                    fmt::format("is {}; give one above 0 and below 0.9", packing.porosity));
   if (packing.stress > kLargestStress)
     throw UserError(
         path + ".stress",
@@ -175,11 +169,6 @@ std::vector<bool> flags(std::size_t count, const std::vector<std::uint32_t>& cho
 
 void keep_ring(const scene::SegmentRing& ring, Placement& placement) {
   const std::string path = "particles.ring";
-  require_positive(ring.inner_radius(), path + ".inner_radius", "m");
-  if (!(ring.outer_radius() > ring.inner_radius()))
-    throw UserError(path + ".outer_radius",
-                    fmt::format("is {} m, not above inner_radius = {} m; exchange them", ring.outer_radius(),
-                                ring.inner_radius()));
   const double slack = placement.tolerance();
   std::vector<bool> inside;
   for (std::size_t i = 0; i < placement.discs.size(); ++i) {

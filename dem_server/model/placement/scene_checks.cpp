@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "protocol/errors.hpp"
 #include "protocol/wire/frame.hpp"
@@ -17,31 +16,13 @@ using protocol::UserError;
 constexpr double kBytesPerParticle = 260;
 constexpr double kMostParticles = protocol::kMaxFrameBytes / kBytesPerParticle;
 
-void require_extent(double min, double max, const std::string& path, const std::string& axis) {
-  if (!(max > min) || !std::isfinite(max - min))
-    throw UserError(
-        path + "." + axis + "_max",
-        fmt::format("is {} m, not above {}_min = {} m; give a box with finite sides", max, axis, min));
-}
-
 }  // namespace
-
-void require_positive(double value, const std::string& path, const std::string& unit) {
-  if (!(value > 0) || !std::isfinite(value))
-    throw UserError(path, fmt::format("is {} {}; give a finite number above 0", value, unit));
-}
 
 void require_room_for(double particles, double radius, const std::string& path) {
   if (particles > kMostParticles)
     throw UserError(
         path, fmt::format("{} m gives {:.3g} particles, at most {:.3g} can be computed; enlarge the radius",
                           radius, particles, kMostParticles));
-}
-
-geometry::BoundingBox checked_box(const geometry::BoundingBox& box, const std::string& path) {
-  require_extent(box.x_min, box.x_max, path, "x");
-  require_extent(box.y_min, box.y_max, path, "y");
-  return box;
 }
 
 const scene::Material& material_of(const scene::Scene& scene) {
@@ -53,8 +34,6 @@ MaterialAt checked_material(const scene::Scene& scene) {
   const MaterialAt at{material_of(scene), own ? "particles.material" : "material"};
   if (!own && !scene.has_material()) throw UserError(at.path, "is missing; give it, or particles.material");
   if (own) require_elastic(at);
-  require_positive(at.material.density(), at.path + ".density", "kg/m^3");
-  require_positive(at.material.young_modulus(), at.path + ".young_modulus", "Pa");
   return at;
 }
 
@@ -86,10 +65,6 @@ BondStiffness checked_stiffness(const scene::Bonds& bonds, const std::string& pa
     // At the limit itself rounding may leave a shear stiffness just below 0.
     if (!bonds.has_shear_stiffness()) stiffness.shear = std::max(calibrated.shear, 0.0);
   }
-  require_positive(stiffness.normal, path + ".normal_stiffness", "N/m");
-  if (!(stiffness.shear >= 0) || !std::isfinite(stiffness.shear))
-    throw UserError(path + ".shear_stiffness",
-                    fmt::format("is {} N/m; give a finite number, 0 or above", stiffness.shear));
   return stiffness;
 }
 

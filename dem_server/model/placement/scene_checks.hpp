@@ -1,5 +1,5 @@
-// What the particle part of a scene must fulfil beyond the limits of single fields. `path`: where a field
-// stands in the scene, named by the UserError.
+// What the particle part of a scene must fulfil beyond its rules (protocol/scene/fields/check_rules.hpp).
+// `path`: where a field stands in the scene, named by the UserError.
 #pragma once
 
 #include <string>
@@ -10,16 +10,12 @@
 
 namespace adit::dem {
 
-void require_positive(double value, const std::string& path, const std::string& unit);
-
 // A snapshot travels in one frame, which limits the particles.
 void require_room_for(double particles, double radius, const std::string& path);
 
-geometry::BoundingBox checked_box(const geometry::BoundingBox& box, const std::string& path);
-
 template <class Packing>
-geometry::BoundingBox checked_box(const Packing& packing, const std::string& path) {
-  return checked_box(geometry::BoundingBox{packing.x_min(), packing.x_max(), packing.y_min(), packing.y_max()}, path);
+geometry::BoundingBox box_of(const Packing& packing) {
+  return {packing.x_min(), packing.x_max(), packing.y_min(), packing.y_max()};
 }
 
 // The particles' own material, or the scene's.

@@ -1,7 +1,5 @@
 #include "dem_server/model/reading/bond_type.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -13,20 +11,9 @@ namespace {
 
 using protocol::UserError;
 
-double checked(double value, const std::string& path, bool may_be_zero, const std::string& unit = "") {
-  if (!(may_be_zero ? value >= 0 : value > 0) || std::isnan(value))
-    throw UserError(path, fmt::format("is {}{}{}; give a number {}", value, unit.empty() ? "" : " ", unit,
-                                      may_be_zero ? "from 0" : "above 0"));
-  return value;
-}
-
-ParallelBond read_parallel(const scene::ParallelBonds& bonds, const std::string& path) {
-  return {checked(bonds.normal_stiffness(), path + ".normal_stiffness", false, "Pa/m"),
-          checked(bonds.shear_stiffness(), path + ".shear_stiffness", true, "Pa/m"),
-          checked(bonds.width(), path + ".width", false),
-          checked(bonds.tensile_strength(), path + ".tensile_strength", false, "Pa"),
-          checked(bonds.cohesion(), path + ".cohesion", false, "Pa"),
-          std::tan(checked(bonds.friction_angle(), path + ".friction_angle", true, "rad"))};
+ParallelBond read_parallel(const scene::ParallelBonds& bonds) {
+  return {bonds.normal_stiffness(), bonds.shear_stiffness(), bonds.width(),
+          bonds.tensile_strength(), bonds.cohesion(),        std::tan(bonds.friction_angle())};
 }
 
 ContactBond between(const ContactBond& a, const ContactBond& b) {
@@ -47,7 +34,6 @@ ParallelBond between(const ParallelBond& a, const ParallelBond& b) {
 
 BondType read_bond_type(const scene::Bonds& bonds, const std::string& path,
                         const std::function<BondStiffness()>& otherwise) {
-  const double reach = checked(bonds.reach(), path + ".reach", true);
   if (bonds.has_parallel()) {
     for (const auto& [given, name] : {std::pair{bonds.has_tensile_strength(), "tensile_strength"},
                                       std::pair{bonds.has_shear_strength(), "shear_strength"}})
@@ -55,26 +41,21 @@ BondType read_bond_type(const scene::Bonds& bonds, const std::string& path,
         throw UserError(path + "." + name,
                         "is given beside `parallel`, whose cement alone carries tension; give the strengths "
                         "there, in Pa");
-    return {read_parallel(bonds.parallel(), path + ".parallel"), reach};
+    return {read_parallel(bonds.parallel()), bonds.reach()};
   }
-  ContactBond law{bonds.normal_stiffness(), bonds.shear_stiffness(),
-                  checked(bonds.tensile_strength(), path + ".tensile_strength", false, "N"),
-                  checked(bonds.shear_strength(), path + ".shear_strength", false, "N")};
+  ContactBond law{bonds.normal_stiffness(), bonds.shear_stiffness(), bonds.tensile_strength(),
+                  bonds.shear_strength()};
   if (!bonds.has_normal_stiffness() || !bonds.has_shear_stiffness()) {
     const BondStiffness other = otherwise();
     if (!bonds.has_normal_stiffness()) law.normal_stiffness = other.normal;
     if (!bonds.has_shear_stiffness()) law.shear_stiffness = other.shear;
   }
-  checked(law.normal_stiffness, path + ".normal_stiffness", false, "N/m");
-  checked(law.shear_stiffness, path + ".shear_stiffness", true, "N/m");
-  return {law, reach};
+  return {law, bonds.reach()};
 }
 
-BondType read_smooth_joint(const scene::SmoothJoint& joint, double reach, const std::string& path) {
-  return {SmoothJoint{checked(joint.normal_stiffness(), path + ".normal_stiffness", false, "Pa/m"),
-                      checked(joint.shear_stiffness(), path + ".shear_stiffness", false, "Pa/m"),
-                      checked(joint.friction(), path + ".friction", true),
-                      std::tan(checked(joint.dilation(), path + ".dilation", true, "rad")), 1},
+BondType read_smooth_joint(const scene::SmoothJoint& joint, double reach) {
+  return {SmoothJoint{joint.normal_stiffness(), joint.shear_stiffness(), joint.friction(),
+                      std::tan(joint.dilation()), 1},
           reach};
 }
 

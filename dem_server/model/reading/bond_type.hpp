@@ -22,7 +22,7 @@ struct BondType {
 // `otherwise`: stiffnesses of a contact bond that the scene leaves out.
 BondType read_bond_type(const scene::Bonds& bonds, const std::string& path,
                         const std::function<BondStiffness()>& otherwise);
-BondType read_smooth_joint(const scene::SmoothJoint& joint, double reach, const std::string& path);
+BondType read_smooth_joint(const scene::SmoothJoint& joint, double reach);
 
 // Between discs of two groups: stiffnesses in series, the smaller strengths, width and reach. No value for
 // two laws of different kinds.

@@ -23,9 +23,10 @@ class Prescribed {
     const auto component = static_cast<std::size_t>(motion.component);
     for (const std::uint32_t i : motion.discs) {
       if (flags_[component][i])
-        throw UserError(motion.path + ".where",
-                        fmt::format("selects particles whose {} an earlier motion prescribes; separate the boxes",
-                                    kNames[component]));
+        throw UserError(
+            motion.path + ".where",
+            fmt::format("selects particles whose {} an earlier motion prescribes; separate the boxes",
+                        kNames[component]));
       flags_[component][i] = true;
     }
   }
@@ -36,8 +37,7 @@ class Prescribed {
 
 }  // namespace
 
-TimeFactor factor_of(const scene::TimeFunction& function, const std::string& path) {
-  protocol::check(function, path);
+TimeFactor factor_of(const scene::TimeFunction& function) {
   return [function](double time) { return protocol::evaluate(function, time); };
 }
 
@@ -46,14 +46,14 @@ std::vector<Load> read_loads(const scene::Particles& particles, const Placement&
   for (int i = 0; i < particles.loads_size(); ++i) {
     const auto& load = particles.loads(i);
     const std::string path = fmt::format("particles.loads[{}]", i);
-    const TimeFactor time = factor_of(load.time(), path + ".time");
+    const TimeFactor time = factor_of(load.time());
     loads.push_back({Load::Kind::kForce, select(load.where(), placement, path + ".where"), load.force().x(),
                      load.force().y(), time, path});
   }
   for (int i = 0; i < particles.body_loads_size(); ++i) {
     const auto& load = particles.body_loads(i);
     const std::string path = fmt::format("particles.body_loads[{}]", i);
-    const TimeFactor time = factor_of(load.time(), path + ".time");
+    const TimeFactor time = factor_of(load.time());
     loads.push_back({Load::Kind::kAcceleration, select(load.where(), placement, path + ".where"),
                      load.acceleration().x(), load.acceleration().y(), time, path});
   }
@@ -67,7 +67,7 @@ std::vector<PrescribedMotion> read_motions(const scene::Particles& particles, co
     const auto& motion = particles.motions(i);
     const auto& velocity = motion.velocity();
     const std::string path = fmt::format("particles.motions[{}]", i);
-    const TimeFactor time = factor_of(motion.time(), path + ".time");
+    const TimeFactor time = factor_of(motion.time());
     if (!velocity.has_x() && !velocity.has_y() && !motion.has_spin())
       throw UserError(path, "prescribes nothing; give velocity.x, velocity.y or spin, or remove it");
     const auto chosen = select(motion.where(), placement, path + ".where");

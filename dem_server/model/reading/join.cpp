@@ -84,7 +84,7 @@ class BondTypes {
     if (!joint.has_smooth()) return std::nullopt;
     const auto replaced = of_groups(pair);
     const double reach = replaced ? replaced->reach : scene::Bonds::default_instance().reach();
-    return read_smooth_joint(joint.smooth(), reach, path + ".smooth");
+    return read_smooth_joint(joint.smooth(), reach);
   }
 
   std::optional<BondType> read(const scene::Bonds& bonds, const std::string& path,

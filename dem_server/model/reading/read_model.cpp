@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "dem_server/model/lattice.hpp"
 #include "dem_server/model/placement/groups.hpp"
@@ -73,12 +72,6 @@ void set_contacts(const std::vector<Group>& groups, Model& model) {
 }
 
 void set_damping(const scene::ParticleDamping& damping, Model& model) {
-  if (!(damping.local() >= 0 && damping.local() < 1))
-    throw UserError("particles.damping.local",
-                    fmt::format("is {}; give a share from 0 and below 1", damping.local()));
-  if (!(damping.viscous() >= 0) || std::isinf(damping.viscous()))
-    throw UserError("particles.damping.viscous",
-                    fmt::format("is {} 1/s; give a rate from 0", damping.viscous()));
   model.local_damping = damping.local();
   model.viscous_damping = damping.viscous();
 }

@@ -36,7 +36,6 @@ std::uint32_t nearest(const Discs& discs, const Point& place, const std::string&
 }
 
 Spring read_spring(const scene::ParticleSpring& spring, const std::string& path, const Discs& discs) {
-  require_positive(spring.stiffness(), path + ".stiffness", "N/m");
   const std::uint32_t first = nearest(discs, {spring.from().x(), spring.from().y()}, path + ".from");
   const std::uint32_t second = nearest(discs, {spring.to().x(), spring.to().y()}, path + ".to");
   if (first == second)
@@ -49,8 +48,6 @@ Spring read_spring(const scene::ParticleSpring& spring, const std::string& path,
 void add_bolts(const scene::SegmentRing& ring, const Discs& discs, std::vector<Spring>& springs) {
   const std::string path = "particles.ring.bolts";
   const auto& bolts = ring.bolts();
-  require_positive(bolts.stiffness(), path + ".stiffness", "N/m");
-  require_positive(bolts.length(), path + ".length", "m");
   const double middle = 0.5 * (ring.inner_radius() + ring.outer_radius());
   const RingJoints joints(ring);
   for (std::uint32_t k = 0; k < ring.segments(); ++k) {

@@ -19,8 +19,7 @@ const std::string kPath = "continuum.base";
 
 // Of BaseVelocity and BaseStress.
 template <class Given>
-TimeFactor scaled(const Given& given, const std::string& path) {
-  protocol::check(given.time(), path + ".time");
+TimeFactor scaled(const Given& given) {
   return [given](double t) { return given.amplitude() * protocol::evaluate(given.time(), t); };
 }
 
@@ -50,13 +49,13 @@ std::vector<TimeFactor> base_histories(const scene::Base& base, std::span<const 
     case scene::Base::kAcceleration:
       return shaken(base, places, duration);
     case scene::Base::kVelocity:
-      return {scaled(base.velocity(), kPath + ".velocity")};
+      return {scaled(base.velocity())};
     case scene::Base::kStress:
       if (base.kind() == scene::Base::RIGID)
         throw UserError(kPath + ".stress",
                         "is given to a rigid base, whose motion is prescribed; give its "
                         "`acceleration` or `velocity`, or `kind: compliant`");
-      return {scaled(base.stress(), kPath + ".stress")};
+      return {scaled(base.stress())};
     case scene::Base::MOTION_NOT_SET:
       break;
   }

@@ -16,9 +16,7 @@ using protocol::UserError;
 using Sides = std::array<Side, 4>;
 constexpr double kPi = std::numbers::pi;
 
-Point read(const scene::Point& point, const std::string& path) {
-  if (!std::isfinite(point.x()) || !std::isfinite(point.y()))
-    throw UserError(path, "is not finite; give two lengths in m");
+Point read(const scene::Point& point) {
   return {point.x(), point.y()};
 }
 
@@ -34,15 +32,13 @@ double angle(const Point& centre, const Point& a, const Point& b) {
 
 Division read(const scene::Division& division, const std::string& path) {
   constexpr double kSmallest = 1e-6;
-  if (division.zones() == 0) throw UserError(path + ".zones", "is 0; give at least one zone");
   const double ratio = division.ratio();
   const double powers = division.from_both_ends() ? (division.zones() - 1) / 2 : division.zones() - 1.0;
-  if (!(ratio > 0) || !std::isfinite(ratio) || std::abs(std::log(ratio)) * powers > -std::log(kSmallest))
-    throw UserError(
-        path + ".ratio",
-        fmt::format("is {:g} over {} zones; give a positive one that leaves the smallest zone at least "
-                    "{:g} of the largest",
-                    ratio, division.zones(), kSmallest));
+  if (std::abs(std::log(ratio)) * powers > -std::log(kSmallest))
+    throw UserError(path + ".ratio",
+                    fmt::format("is {:g} over {} zones; give one that leaves the smallest zone at least "
+                                "{:g} of the largest",
+                                ratio, division.zones(), kSmallest));
   return {division.zones(), ratio, division.from_both_ends()};
 }
 
@@ -65,10 +61,10 @@ Side arc_through(const Point& a, const Point& b, const Point& through, const std
 }
 
 Side read(const scene::Arc& arc, const Point& a, const Point& b, const std::string& path) {
-  if (arc.has_through()) return arc_through(a, b, read(arc.through(), path + ".through"), path + ".through");
+  if (arc.has_through()) return arc_through(a, b, read(arc.through()), path + ".through");
   if (!arc.has_centre())
     throw UserError(path, "is not known; give a point `through` which it leads, or its `centre`");
-  const Point centre = read(arc.centre(), path + ".centre");
+  const Point centre = read(arc.centre());
   const double from = distance(centre, a), to = distance(centre, b);
   if (!(std::abs(from - to) <= 1e-6 * std::max(from, to)))
     throw UserError(path + ".centre",
@@ -79,10 +75,8 @@ Side read(const scene::Arc& arc, const Point& a, const Point& b, const std::stri
 }
 
 Sides read_quadrilateral(const scene::Quadrilateral& given, const std::string& path) {
-  if (given.corners_size() != 4)
-    throw UserError(path + ".corners", fmt::format("has {} corners; give 4", given.corners_size()));
   std::array<Point, 4> c;
-  for (int i = 0; i < 4; ++i) c[i] = read(given.corners(i), fmt::format("{}.corners[{}]", path, i));
+  for (int i = 0; i < 4; ++i) c[i] = read(given.corners(i));
   const std::array<std::array<int, 2>, 4> ends{{{0, 1}, {1, 2}, {3, 2}, {0, 3}}};
   Sides sides;
   for (int s = 0; s < 4; ++s) {
@@ -110,7 +104,7 @@ Side quarter(const Point& centre, bool circle, double size, double first) {
 }
 
 std::vector<Sides> read_ring(const scene::Ring& ring, const std::string& path) {
-  const Point centre = read(ring.centre(), path + ".centre");
+  const Point centre = read(ring.centre());
   if (ring.inner_case() == scene::Ring::INNER_NOT_SET)
     throw UserError(path, "has no inside; give inner_radius or inner_side");
   if (ring.outer_case() == scene::Ring::OUTER_NOT_SET)
@@ -121,7 +115,7 @@ std::vector<Sides> read_ring(const scene::Ring& ring, const std::string& path) {
   const double reach = ring.has_inner_radius() ? inner : inner * std::numbers::sqrt2 / 2;
   const double begin = ring.has_outer_radius() ? outer : outer / 2;
   const bool both_squares = ring.has_inner_side() && ring.has_outer_side();
-  if (!(inner > 0) || !std::isfinite(outer) || !(both_squares ? outer > inner : begin > reach))
+  if (!(both_squares ? outer > inner : begin > reach))
     throw UserError(
         path, fmt::format("has its inside, {:g} m wide, not within its outside, {:g} m wide; let it lie "
                           "inside everywhere",
@@ -145,7 +139,7 @@ std::vector<MappedBlock> read_blocks(const scene::GridBlock& block, const std::s
   const Division across = read(block.across(), path + ".across");
   switch (block.shape_case()) {
     case scene::GridBlock::kRectangle: {
-      const auto c = corners(geometry::read_bounds(block.rectangle(), path + ".rectangle"));
+      const auto c = corners(geometry::read_bounds(block.rectangle()));
       parts = {{Side(c[0], c[1]), Side(c[1], c[2]), Side(c[3], c[2]), Side(c[0], c[3])}};
       break;
     }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -35,20 +34,6 @@ std::uint64_t points_of(std::uint64_t zones_x, std::uint64_t zones_y) {
 }
 
 Grid read_block(const scene::Block& block) {
-  const std::string path = "continuum.block.";
-  const auto require = [](bool condition, const std::string& at, const std::string& message) {
-    if (!condition) throw UserError(at, message);
-  };
-  const auto extent = [&](double min, double max, const std::string& axis) {
-    require(std::isfinite(min), path + axis + "_min", "is not finite; give a length in m");
-    require(std::isfinite(max), path + axis + "_max", "is not finite; give a length in m");
-    require(max > min, path + axis + "_max",
-            fmt::format("is {} m, but must be larger than {}_min = {} m", max, axis, min));
-  };
-  extent(block.x_min(), block.x_max(), "x");
-  extent(block.y_min(), block.y_max(), "y");
-  require(block.zones_x() > 0, path + "zones_x", "is 0; give at least one zone");
-  require(block.zones_y() > 0, path + "zones_y", "is 0; give at least one zone");
   require_size(points_of(block.zones_x(), block.zones_y()), "continuum.block");
   return make_grid(
       {block.x_min(), block.x_max(), block.y_min(), block.y_max(), block.zones_x(), block.zones_y()});

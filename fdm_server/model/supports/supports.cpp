@@ -25,11 +25,6 @@ void require(bool condition, const std::string& path, const std::string& message
   if (!condition) throw protocol::UserError(path, message);
 }
 
-void require_positive(double value, const std::string& path, const char* unit) {
-  require(value > 0 && std::isfinite(value), path,
-          fmt::format("is {} {}, but must be positive and finite", value, unit));
-}
-
 void require_statics(std::uint32_t stage, const scene::Scene& scene, const std::string& path) {
   require(
       stage == 0 || scene.has_statics(), path + ".stage",
@@ -39,7 +34,6 @@ void require_statics(std::uint32_t stage, const scene::Scene& scene, const std::
 }
 
 std::unique_ptr<Curve> read_circle(const scene::RoundPath& circle, const std::string& path) {
-  require_positive(circle.radius(), path + ".radius", "m");
   require(circle.has_from() == circle.has_to(), path,
           "names one end of an arc; give `from` and `to`, or neither for a whole circle");
   require(!circle.has_from() || (circle.to() > circle.from() && circle.to() - circle.from() <= kTurn),
@@ -51,8 +45,6 @@ std::unique_ptr<Curve> read_circle(const scene::RoundPath& circle, const std::st
 }
 
 std::unique_ptr<Curve> read_line(const scene::LinePath& line, const std::string& path) {
-  require(line.points_size() >= 2, path + ".points",
-          fmt::format("holds {} points; give at least two", line.points_size()));
   std::vector<geometry::Point> points;
   for (const auto& point : line.points()) {
     require(points.empty() || points.back().x != point.x() || points.back().y != point.y(), path + ".points",
@@ -80,20 +72,10 @@ Path read_path(const scene::LiningPath& along, const Grid& grid, const Edges& ed
 }
 
 Section read_section(const scene::Lining& lining, bool plane_strain, const std::string& path) {
-  require_positive(lining.young_modulus(), path + ".young_modulus", "Pa");
-  require_positive(lining.density(), path + ".density", "kg/m^3");
-  require(lining.poisson_ratio() > -1 && lining.poisson_ratio() < 0.5, path + ".poisson_ratio",
-          fmt::format("is {}, but must lie between -1 and 0.5", lining.poisson_ratio()));
   const bool both = lining.has_area() && lining.has_inertia(),
              any = lining.has_area() || lining.has_inertia();
   require(lining.has_thickness() ? !any : both, path,
           "needs a section: give either `thickness`, or both `area` and `inertia`");
-  if (lining.has_thickness())
-    require_positive(lining.thickness(), path + ".thickness", "m");
-  else {
-    require_positive(lining.area(), path + ".area", "m^2");
-    require_positive(lining.inertia(), path + ".inertia", "m^4");
-  }
   const double area = both ? lining.area() : lining.thickness();
   const double inertia = both ? lining.inertia() : std::pow(lining.thickness(), 3) / 12;
   return make_section(
@@ -118,12 +100,6 @@ std::vector<LiningJoint> read_joints(const scene::Lining& lining, const Path& al
   for (int i = 0; i < lining.joints_size(); ++i) {
     const auto& joint = lining.joints(i);
     const auto here = fmt::format("{}.joints[{}]", path, i);
-    require(joint.rotational_stiffness() >= 0 && std::isfinite(joint.rotational_stiffness()),
-            here + ".rotational_stiffness",
-            fmt::format("is {} N m/rad, but must be 0 (a hinge) or positive and finite",
-                        joint.rotational_stiffness()));
-    require(joint.yield_moment() > 0, here + ".yield_moment",
-            fmt::format("is {} N m, but must be positive", joint.yield_moment()));
     require(
         !joint.has_yield_moment() || joint.rotational_stiffness() > 0, here + ".yield_moment",
         "is given to a hinge, which carries no moment; give its rotational_stiffness too, or leave it out");
@@ -163,12 +139,6 @@ class Occupied {
 
 void add_bolt(const scene::Bolt& bolt, const Grid& grid, const Edges& edges, const std::string& path,
               Occupied& occupied, Supports& supports) {
-  require_positive(bolt.area(), path + ".area", "m^2");
-  require_positive(bolt.spacing(), path + ".spacing", "m");
-  require_positive(bolt.young_modulus(), path + ".young_modulus", "Pa");
-  require_positive(bolt.density(), path + ".density", "kg/m^3");
-  require(bolt.yield_force() > 0, path + ".yield_force",
-          fmt::format("is {} N, but must be positive", bolt.yield_force()));
   require(bolt.from().x() != bolt.to().x() || bolt.from().y() != bolt.to().y(), path + ".to",
           "is the same place as `from`; give the bolt a length");
   const auto line = polyline({{bolt.from().x(), bolt.from().y()}, {bolt.to().x(), bolt.to().y()}});

@@ -68,14 +68,8 @@ Motion raw_motion(const scene::GroundMotion& scene, const std::string& path, con
   throw UserError(path, "has no motion; give one of file, ricker, sine, gabor, synthetic");
 }
 
-Motion filtered(const scene::GroundMotion& scene, const std::string& path, Motion motion) {
+Motion filtered(const scene::GroundMotion& scene, Motion motion) {
   constexpr int kOrder = 4;
-  if (scene.has_low_corner() && scene.has_high_corner() && scene.low_corner() >= scene.high_corner())
-    throw UserError(
-        path + ".low_corner",
-        fmt::format("is {:.6g} Hz, not below high_corner = {:.6g} Hz, so that no frequency passes; "
-                    "exchange them",
-                    scene.low_corner(), scene.high_corner()));
   if (scene.has_low_corner()) motion = high_pass(motion, scene.low_corner(), kOrder, Phase::kZero);
   if (scene.has_high_corner()) motion = low_pass(motion, scene.high_corner(), kOrder, Phase::kZero);
   return motion;
@@ -111,7 +105,7 @@ Motion ground_motion(const scene::GroundMotion& scene, const std::string& path, 
   return errors_at(path, [&] {
     Motion motion = raw_motion(scene, path, sampling);
     if (scene.taper() > 0) motion = tapered(motion, scene.taper(), scene.taper());
-    motion = filtered(scene, path, std::move(motion));
+    motion = filtered(scene, std::move(motion));
     if (scene.baseline()) motion = baseline_corrected(motion);
     return scene.has_peak() ? scaled_to_peak(motion, scene.peak()) : motion;
   });

@@ -26,7 +26,7 @@ constexpr Quantity kQuantities[] = {
     {{.length = 3}, "a volume", "0.5 m^3"},
     {{.mass = 1}, "a mass", "30 kg"},
     {{.time = 1}, "a time", "10 ms"},
-    {{.angle = 1}, "an angle", "90 deg"},
+    {{.angle = 1}, "an angle", "30 deg"},
     {{.length = 1, .mass = 1, .time = -2}, "a force", "5 MN"},
     {{.length = -1, .mass = 1, .time = -2}, "a pressure", "30 GPa"},
     {{.length = 2, .mass = 1, .time = -2}, "an energy", "5 kJ"},

@@ -38,7 +38,7 @@ std::string example_element(const FieldDescriptor* field) {
     case FieldDescriptor::CPPTYPE_BOOL:
       return "true";
     case FieldDescriptor::CPPTYPE_STRING:
-      return field->name() == "base" ? "base.yaml" : "some_name";
+      return "some_name";
     default:
       return "10";
   }
@@ -74,6 +74,7 @@ std::string join(const std::vector<std::string>& names) {
 }
 
 std::string example(const FieldDescriptor* field) {
+  if (rule_of(field).has_example()) return rule_of(field).example();
   return field->is_repeated() ? "[" + example_element(field) + "]" : example_element(field);
 }
 
@@ -103,6 +104,15 @@ std::string expectation(const FieldDescriptor* field) {
     default:
       return "a whole number" + limits(rule);
   }
+}
+
+std::string quantity_of(const FieldDescriptor* field) {
+  return quantity_name(rule_of(field).unit());
+}
+
+std::string in_unit(double value, const FieldDescriptor* field) {
+  const std::string& unit = rule_of(field).unit();
+  return shortest(value) + (unit.empty() ? "" : " " + unit);
 }
 
 bool within(const scene::Rule& rule, double value) {

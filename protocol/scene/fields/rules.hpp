@@ -28,6 +28,10 @@ std::string example(const google::protobuf::Descriptor* type);
 // What one value of the field must be: "a length above 0 m", "one of plane_strain, plane_stress".
 std::string expectation(const google::protobuf::FieldDescriptor* field);
 
+// What a number of the field is, and one value of it: "a length", "0.5 m".
+std::string quantity_of(const google::protobuf::FieldDescriptor* field);
+std::string in_unit(double value, const google::protobuf::FieldDescriptor* field);
+
 // Whether a number lies within the limits of the rule.
 bool within(const scene::Rule& rule, double value);
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "protocol/errors.hpp"
-#include "protocol/scene/yaml/path.hpp"
+#include "protocol/scene/fields/path.hpp"
 #include "protocol/text.hpp"
 
 namespace adit::protocol {
@@ -84,8 +84,8 @@ void apply(const Override& set, YamlValue& root, const Descriptor* type) {
   const auto steps = parse_path(set.path);
   if (!steps || steps->empty() || steps->size() > kDeepestNesting)
     refuse_at(place, "", quote(set.path) + " is not a path such as `particles.loads[0].force.y`");
-  if (steps->front().name == "base")
-    refuse_at(place, "base", "can only be given in the scene file; name the other scene file instead");
+  if (steps->front().name == "extends")
+    refuse_at(place, "extends", "can only be given in the scene file; name the other scene file instead");
 
   YamlValue* target = &root;
   std::string path;

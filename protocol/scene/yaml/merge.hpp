@@ -1,4 +1,4 @@
-// Several layers of a scene become one: a file over its base, `--set` over the file.
+// Several layers of a scene become one: a file over the file that it extends, `--set` over the file.
 #pragma once
 
 #include <google/protobuf/descriptor.h>

@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <stdexcept>
 
 #include "protocol/errors.hpp"
 #include "protocol/nearest_name.hpp"
+#include "protocol/scene/fields/path.hpp"
 #include "protocol/scene/fields/quantity.hpp"
 #include "protocol/scene/fields/rules.hpp"
-#include "protocol/scene/yaml/path.hpp"
 #include "protocol/text.hpp"
 
 namespace adit::protocol {
@@ -44,13 +43,14 @@ struct Reading {
 
   [[noreturn]] void refuse(const std::string& what) const { refuse_at(value.place, path, what); }
 
-  [[noreturn]] void refuse_range() const {
+  // A number beyond its limits is refused here already, because here it can be quoted as it was written.
+  void require_within(double number) const {
+    if (within(rule_of(field), number)) return;
     // A number without a unit is in the unit of the field, which the message then names.
     const char* end = value.scalar.data() + value.scalar.size();
-    double number = 0;
-    const bool bare = std::from_chars(value.scalar.data(), end, number).ptr == end;
-    const std::string& unit = rule_of(field).unit();
-    refuse("is " + shorten(value.scalar) + (bare && !unit.empty() ? " " + unit : "") + ", expected " +
+    double bare = 0;
+    const bool is_bare = std::from_chars(value.scalar.data(), end, bare).ptr == end;
+    refuse("is " + (is_bare ? in_unit(number, field) : shorten(value.scalar)) + ", expected " +
            expectation(field));
   }
 };
@@ -62,9 +62,7 @@ double read_double(const Reading& r) {
   } catch (const UserError& error) {
     r.refuse(error.what());
   }
-  if (std::isinf(number) && !std::isinf(r.field->default_value_double()))
-    r.refuse("is infinite, expected " + expectation(r.field));
-  if (!within(rule_of(r.field), number)) r.refuse_range();
+  r.require_within(number);
   return number;
 }
 
@@ -76,7 +74,7 @@ Whole read_whole(const Reading& r) {
   const auto [after, error] = std::from_chars(text.data(), end, number);
   if (error != std::errc() || after != end)
     r.refuse(found(r.value) + ", expected " + expectation(r.field) + ", such as `" + example(r.field) + "`");
-  if (!within(rule_of(r.field), static_cast<double>(number))) r.refuse_range();
+  r.require_within(static_cast<double>(number));
   return number;
 }
 
@@ -166,19 +164,6 @@ const FieldDescriptor* find_field(const YamlValue& member, const std::string& pa
   return field;
 }
 
-void check_required(const YamlValue& mapping, const std::string& path, const Message& message) {
-  const auto* type = message.GetDescriptor();
-  for (int i = 0; i < type->field_count(); ++i) {
-    const FieldDescriptor* field = type->field(i);
-    if (!rule_of(field).required()) continue;
-    const bool given = field->is_repeated() ? message.GetReflection()->FieldSize(message, field) > 0
-                                            : message.GetReflection()->HasField(message, field);
-    if (!given)
-      refuse_at(mapping.place, member_path(path, field->name()),
-                "is missing; write for example `" + field->name() + ": " + example(field) + "`");
-  }
-}
-
 }  // namespace
 
 void read_message(const YamlValue& value, const std::string& path, Message& message) {
@@ -190,7 +175,6 @@ void read_message(const YamlValue& value, const std::string& path, Message& mess
     const FieldDescriptor* field = find_field(member, path, message);
     read_field(member, member_path(path, member.key), field, message);
   }
-  check_required(value, path, message);
 }
 
 }  // namespace adit::protocol

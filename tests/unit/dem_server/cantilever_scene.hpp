@@ -14,6 +14,7 @@ inline constexpr double kCantileverRadius = 10.0 / 156;
 inline scene::Scene cantilever_scene() {
   scene::Scene scene;
   scene.set_plane(scene::PLANE_STRESS);
+  scene.mutable_time()->set_duration(0.05);
   auto& material = *scene.mutable_material();
   material.set_young_modulus(25e9);
   material.set_poisson_ratio(0.2);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dem_server/participant/participant.hpp"
+#include "protocol/scene/fields/check_rules.hpp"
 
 namespace adit::dem::test {
 
@@ -20,6 +21,7 @@ struct InProcessRun {
 
   explicit InProcessRun(const scene::Scene& scene, const wire::Weights& weights = {},
                         double dt_factor = 0.5) {
+    protocol::check_rules(scene);
     wire::Setup setup;
     *setup.mutable_scene() = scene;
     participant.set_up(setup, model);

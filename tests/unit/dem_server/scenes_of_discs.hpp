@@ -12,6 +12,7 @@ inline constexpr double kDensity = 2500;
 inline scene::Scene empty_scene() {
   scene::Scene scene;
   scene.set_plane(scene::PLANE_STRESS);
+  scene.mutable_time()->set_duration(1);
   auto& material = *scene.mutable_material();
   material.set_young_modulus(10e9);
   material.set_poisson_ratio(0.2);

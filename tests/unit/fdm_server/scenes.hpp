@@ -7,6 +7,7 @@
 #include <string>
 
 #include "fdm_server/participant/participant.hpp"
+#include "protocol/scene/fields/check_rules.hpp"
 
 namespace adit::fdm::test {
 
@@ -18,10 +19,16 @@ inline constexpr const char* kBlock = "block { x_min: 0 x_max: 6 y_min: 0 y_max:
 inline wire::Setup setup_of(const std::string& conditions, const std::string& block = kBlock,
                             const std::string& material = kMaterial) {
   wire::Setup setup;
-  if (!google::protobuf::TextFormat::ParseFromString(material + "continuum { " + block + conditions + " }",
-                                                     setup.mutable_scene()))
+  if (!google::protobuf::TextFormat::ParseFromString(
+          material + "time { duration: 1 } continuum { " + block + conditions + " }", setup.mutable_scene()))
     throw std::logic_error("the test's scene cannot be parsed");
   return setup;
+}
+
+// As a server does when a scene arrives: its rules, then the model.
+inline void set_up(FdmParticipant& participant, const wire::Setup& setup, wire::Model& model) {
+  protocol::check_rules(setup.scene());
+  participant.set_up(setup, model);
 }
 
 // A participant that is ready to advance, alone and with all weights 1.
@@ -32,7 +39,7 @@ struct Conversation {
   wire::Predicted predicted;
 
   explicit Conversation(const std::string& conditions, const wire::Weights& weights = {}) {
-    participant.set_up(setup_of(conditions), model);
+    set_up(participant, setup_of(conditions), model);
     participant.weigh(weights, interface);
   }
   const wire::Predicted& advance(std::uint64_t step, double dt, std::initializer_list<double> impulses = {}) {

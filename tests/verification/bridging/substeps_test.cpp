@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "coupler/stepping/stepper.hpp"
-#include "protocol/errors.hpp"
 #include "tests/support/local_participants.hpp"
+#include "tests/support/refusals.hpp"
 
 namespace adit {
 namespace {
@@ -124,13 +124,7 @@ TEST(Substeps, AreOfSecondOrder) {
 }
 
 void expect_refusal(const scene::Scene& scene, const std::string& text) {
-  try {
-    test::local_model(scene);
-    FAIL() << "accepted where it should say: " << text;
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), "time.substeps");
-    EXPECT_THAT(error.what(), testing::HasSubstr(text));
-  }
+  adit::test::expect_refusal([&] { test::local_model(scene); }, "time.substeps", text);
 }
 
 TEST(Substeps, AreRefusedWhereTheContinuumHasNoMiddleToMoveIn) {

@@ -12,6 +12,7 @@
 #include "coupler/stepping/stepper.hpp"
 #include "protocol/errors.hpp"
 #include "tests/support/local_participants.hpp"
+#include "tests/support/refusals.hpp"
 
 namespace adit {
 namespace {
@@ -61,12 +62,7 @@ TEST(DiscsAtRest, RefuseAStepAboveTheCriticalOne) {
   scene::Scene scene = heap(kBetweenWalls);
   coupler::Model model = test::local_model(scene);
   scene.mutable_time()->set_dt(1.01 * model.dt / scene.time().dt_factor());
-  try {
-    test::local_model(scene);
-    FAIL();
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), "time.dt");
-  }
+  test::expect_refusal([&] { test::local_model(scene); }, "time.dt", "above");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "coupler/bridging/decay.hpp"
 #include "protocol/errors.hpp"
+#include "tests/support/refusals.hpp"
 #include "tests/unit/coupler/participants/interface_fixture.hpp"
 
 namespace adit::coupler {
@@ -157,13 +158,8 @@ TEST(ConsistentSolve, JoinsTwoMassesAsAnInelasticImpact) {
 }
 
 void expect_refusal(const Interpolation& coarse, const std::vector<double>& masses, const std::string& text) {
-  try {
-    make_multiplier_solve(scene::CONSISTENT, coarse, masses, {});
-    FAIL() << "was accepted where it should say: " << text;
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), "interface.overlap");
-    EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
-  }
+  test::expect_refusal([&] { make_multiplier_solve(scene::CONSISTENT, coarse, masses, {}); },
+                       "interface.overlap", text);
 }
 
 // Requirement: a particle in the overlap whose motion is prescribed is refused by name.

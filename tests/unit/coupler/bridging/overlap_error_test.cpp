@@ -2,27 +2,21 @@
 #include <gmock/gmock.h>
 
 #include "coupler/bridging/overlap_checks.hpp"
-#include "protocol/errors.hpp"
+#include "protocol/scene/fields/check_rules.hpp"
 #include "tests/support/overlaps.hpp"
+#include "tests/support/refusals.hpp"
 
 namespace adit::coupler {
 namespace {
 
-using protocol::UserError;
-
-void expect_refusal(const std::function<void()>& attempt, const std::string& path, const std::string& text) {
-  try {
-    attempt();
-    ADD_FAILURE() << "accepted where it should say: " << text;
-  } catch (const UserError& error) {
-    EXPECT_EQ(error.path(), path);
-    EXPECT_THAT(error.what(), testing::HasSubstr(text));
-  }
-}
-
 void expect_refused(const std::string& overlap, const std::string& path, const std::string& text) {
-  expect_refusal([&] { Overlap(test::interface_of("overlap { " + overlap + " }"), "interfaces[1]"); },
-                 "interfaces[1].overlap" + path, text);
+  const scene::Interface interface = test::interface_of("overlap { " + overlap + " }");
+  test::expect_refusal(
+      [&] {
+        protocol::check_rules(interface, "interfaces[1]");
+        Overlap(interface, "interfaces[1]");
+      },
+      "interfaces[1].overlap" + path, text);
 }
 
 TEST(OverlapErrors, StripOrRingButOneOfThem) {
@@ -42,13 +36,17 @@ TEST(OverlapErrors, WhatIsMissing) {
 
 TEST(OverlapErrors, AStripWithoutWidth) {
   expect_refused(test::strip(4, 1, 4, 1), "", "has no width");
-  expect_refused("particles_begin { x: nan y: 0 } continuum_ends { x: 1 y: 0 }", "", "not finite");
+  expect_refused("particles_begin { x: nan y: 0 } continuum_ends { x: 1 y: 0 }", ".particles_begin.x",
+                 "is not a number, expected a length");
 }
 
 TEST(OverlapErrors, ABoxWithoutFourSidesInOrder) {
-  expect_refused("around { box { x_min: 0 x_max: 1 y_min: 0 } } width: 1", ".around.box", "y_min or y_max");
-  expect_refused(test::ring(test::box(2, 1, 0, 1), 1), ".around.box.x_max", "not above x_min = 2 m");
-  expect_refused(test::ring(test::box(0, 1, 0, 0), 1), ".around.box.y_max", "not above y_min = 0 m");
+  expect_refused("around { box { x_min: 0 x_max: 1 y_min: 0 } } width: 1", ".around.box.y_max",
+                 "is missing; write for example `y_max: 2 m`");
+  expect_refused(test::ring(test::box(2, 1, 0, 1), 1), ".around.box.x_max",
+                 "is 1 m, expected a length above `x_min` = 2 m");
+  expect_refused(test::ring(test::box(0, 1, 0, 0), 1), ".around.box.y_max",
+                 "is 0 m, expected a length above `y_min` = 0 m");
 }
 
 std::string corners(const std::vector<std::pair<double, double>>& points) {
@@ -62,11 +60,12 @@ void expect_refused_polygon(const std::string& polygon, const std::string& path,
 }
 
 TEST(OverlapErrors, APolygonThatEnclosesNoAreaOrMeetsItself) {
-  expect_refused_polygon(corners({{0, 0}, {1, 0}}), ".corners", "has 2 corners");
+  expect_refused_polygon(corners({{0, 0}, {1, 0}}), ".corners", "has 2 elements, expected at least 3");
   expect_refused_polygon(corners({{0, 0}, {1, 1}, {2, 2}}), ".corners", "run back");
   expect_refused_polygon(corners({{0, 0}, {2, 2}, {2, 0}, {0, 2}}), ".corners", "cross");
   expect_refused_polygon(corners({{0, 0}, {2, 0}, {2, 2}, {0, 0}}), ".corners", "a corner twice");
-  expect_refused_polygon("corners { x: nan y: 0 }" + corners({{0, 1}, {1, 1}}), ".corners", "not finite");
+  expect_refused_polygon("corners { x: nan y: 0 }" + corners({{0, 1}, {1, 1}}), ".corners[0].x",
+                         "is not a number, expected a length");
 }
 
 TEST(OverlapErrors, AHoleThatIsNotInsideItsPolygon) {
@@ -80,7 +79,7 @@ TEST(OverlapErrors, AHoleThatIsNotInsideItsPolygon) {
   expect_refused_polygon(square + hole(1, 1, 3) + hole(2, 2, 1), ".holes[1].corners", "in one another");
   expect_refused_polygon(square + hole(-1, -1, 20), ".holes[0].corners", "outside the polygon");
   expect_refused_polygon(square + "holes { " + corners({{1, 1}, {2, 2}}) + " }", ".holes[0].corners",
-                         "has 2 corners");
+                         "has 2 elements, expected at least 3");
 }
 
 // A bar of 10 m by 1 m as the outer model.
@@ -92,8 +91,8 @@ void accept(const std::string& overlap, const BoundingBox& outer, const Bounding
 
 void refuse(const std::string& overlap, const BoundingBox& outer, const BoundingBox& inner,
             const std::string& path, const std::string& text) {
-  expect_refusal([&] { require_inside(test::overlap_of(overlap), outer, inner); }, "interface.overlap" + path,
-                 text);
+  test::expect_refusal([&] { require_inside(test::overlap_of(overlap), outer, inner); },
+                       "interface.overlap" + path, text);
 }
 
 // Requirement: both edges of a strip run through both models, which fill one cross-section there.

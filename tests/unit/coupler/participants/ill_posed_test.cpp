@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "protocol/errors.hpp"
 #include "tests/support/local_participants.hpp"
 #include "tests/support/overlaps.hpp"
+#include "tests/support/refusals.hpp"
 #include "tests/verification/bridging/bars.hpp"
 
 namespace adit::coupler {
@@ -13,13 +13,7 @@ namespace {
 constexpr auto kGrid = test::Stretch::kGrid, kLattice = test::Stretch::kLattice;
 
 void expect_refusal(const scene::Scene& scene, const std::string& path, const std::string& text) {
-  try {
-    test::local_model(scene);
-    FAIL() << "accepted where it should say: " << text;
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), path);
-    EXPECT_THAT(error.what(), testing::HasSubstr(text));
-  }
+  adit::test::expect_refusal([&] { test::local_model(scene); }, path, text);
 }
 
 void expect_refusal(const test::Bar& bar, const std::string& path, const std::string& text) {

@@ -7,8 +7,8 @@
 
 #include <cmath>
 
-#include "protocol/errors.hpp"
 #include "tests/support/local_participants.hpp"
+#include "tests/support/refusals.hpp"
 
 namespace adit::coupler {
 namespace {
@@ -29,13 +29,7 @@ scene::Scene coupled_bar() {
 }
 
 void expect_refusal(const scene::Scene& scene, const std::string& path, const std::string& text) {
-  try {
-    test::local_model(scene);
-    FAIL() << "accepted where it should say: " << text;
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), path);
-    EXPECT_THAT(error.what(), testing::HasSubstr(text));
-  }
+  adit::test::expect_refusal([&] { test::local_model(scene); }, path, text);
 }
 
 TEST(SetUp, PutsCouplingPointsOnTheParticlesOfTheOverlap) {

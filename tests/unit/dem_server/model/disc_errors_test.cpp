@@ -5,35 +5,24 @@
 #include <functional>
 
 #include "dem_server/model/reading/read_model.hpp"
-#include "protocol/errors.hpp"
+#include "protocol/scene/fields/check_rules.hpp"
+#include "tests/support/refusals.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
 namespace adit::dem {
 namespace {
 
-struct Case {
-  std::string name, path, message;
-  std::function<scene::Scene()> scene;
-};
-
-std::ostream& operator<<(std::ostream& out, const Case& c) {
-  return out << c.name;
-}
-
+using Case = adit::test::Refusal<std::function<scene::Scene()>>;
 class DiscErrors : public testing::TestWithParam<Case> {};
 
 TEST_P(DiscErrors, NameTheFieldAndTheRemedy) {
-  try {
-    read_model(GetParam().scene());
-    FAIL() << "accepted";
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), GetParam().path);
-    EXPECT_THAT(error.what(), testing::HasSubstr(GetParam().message));
-  }
-}
-
-std::string name_of(const testing::TestParamInfo<Case>& info) {
-  return info.param.name;
+  const scene::Scene scene = GetParam().input();
+  adit::test::expect_refusal(
+      [&] {
+        protocol::check_rules(scene);
+        read_model(scene);
+      },
+      GetParam().path, GetParam().message);
 }
 
 // Four by two discs of radius 0.5 m, spoilt.
@@ -110,8 +99,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"NoPacking", "particles", "has no packings; give one of",
                          square([](auto&, auto& p) { p.clear_square_packing(); })},
                     Case{"TwoPackings", "particles", "has 2 packings; give one of",
-                         square([](auto&, auto& p) { p.mutable_placed(); })},
-                    Case{"FlatBox", "particles.square_packing.y_max", "not above y_min",
+                         square([](auto&, auto& p) { p.mutable_placed()->set_path("discs.csv"); })},
+                    Case{"FlatBox", "particles.square_packing.y_max",
+                         "is 0 m, expected a length above `y_min` = 0 m",
                          square([](auto&, auto& p) { p.mutable_square_packing()->set_y_max(0); })},
                     Case{"NegativeRadius", "particles.square_packing.radius", "above 0",
                          square([](auto&, auto& p) { p.mutable_square_packing()->set_radius(-1); })},
@@ -126,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(
                            r.set_radius_max(2e-7);
                          })},
                     Case{"SizesExchanged", "particles.random_packing.radius_max",
-                         "below radius_min = 0.03 m; exchange them",
+                         "is 0.01 m, expected a length of at least `radius_min` = 0.03 m",
                          random([](auto& r) { r.set_radius_max(0.01); })},
                     Case{"DiscsAsLargeAsTheBox", "particles.random_packing.radius_max", "at most a quarter",
                          random([](auto& r) { r.set_radius_max(0.4); })},
@@ -142,7 +132,8 @@ INSTANTIATE_TEST_SUITE_P(
                          square([](auto&, auto& p) { p.mutable_within()->set_x_min(9); })},
                     Case{"RingOfNothing", "particles.ring", "leaves no particles",
                          square([](auto&, auto& p) { set_ring(p, 30, 31); })},
-                    Case{"RingInsideOut", "particles.ring.outer_radius", "not above inner_radius",
+                    Case{"RingInsideOut", "particles.ring.outer_radius",
+                         "is 1 m, expected a length above `inner_radius` = 2 m",
                          square([](auto&, auto& p) { set_ring(p, 2, 1); })},
                     Case{"BoltBesideTheRing", "particles.ring.bolts", "within a diameter of (",
                          square([](auto&, auto& p) {
@@ -152,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(
                          })},
                     Case{"AllFloat", "particles.remove_floaters", "leaves no particles",
                          square([](auto&, auto& p) { p.set_remove_floaters(true); })}),
-    name_of);
+    adit::test::kRefusalName);
 
 INSTANTIATE_TEST_SUITE_P(
     Table, DiscErrors,
@@ -202,14 +193,14 @@ INSTANTIATE_TEST_SUITE_P(
                     "<DataArray format=\"binary\" "
                     "type=\"Float64\">GAAAAA==</DataArray></Points></Piece></PolyData>"
                     "</VTKFile>")}),
-    name_of);
+    adit::test::kRefusalName);
 
 INSTANTIATE_TEST_SUITE_P(
     Groups, DiscErrors,
     testing::Values(
         Case{"NoWhere", "particles.groups[0]", "give exactly one",
              square([](auto&, auto& p) { p.add_groups()->set_name("lining"); })},
-        Case{"NoName", "particles.groups[0].name", "is empty",
+        Case{"NoName", "particles.groups[0].name", "is missing; write for example",
              square([](auto&, auto& p) { add_group(p, ""); })},
         Case{"TwiceNamed", "particles.groups[1].name", "is `fault`, as that of an earlier group",
              square([](auto&, auto& p) {
@@ -274,7 +265,7 @@ INSTANTIATE_TEST_SUITE_P(
                parallel.set_normal_stiffness(1);
                parallel.set_shear_stiffness(1);
              })}),
-    name_of);
+    adit::test::kRefusalName);
 
 INSTANTIATE_TEST_SUITE_P(
     Laws, DiscErrors,
@@ -284,12 +275,14 @@ INSTANTIATE_TEST_SUITE_P(
              square([](auto&, auto& p) {
                p.mutable_bonds()->set_tensile_strength(1);
                p.mutable_bonds()->mutable_parallel()->set_normal_stiffness(1);
+               p.mutable_bonds()->mutable_parallel()->set_shear_stiffness(1);
              })},
-        Case{"SoftCement", "particles.bonds.parallel.normal_stiffness", "is 0 Pa/m; give a number above 0",
-             square([](auto&, auto& p) { p.mutable_bonds()->mutable_parallel(); })},
+        Case{"SoftCement", "particles.bonds.parallel.normal_stiffness", "is 0 Pa/m, expected",
+             square([](auto&, auto& p) { p.mutable_bonds()->mutable_parallel()->set_normal_stiffness(0); })},
         Case{"NegativeStrength", "particles.bonds.shear_strength", "is -1 N",
              square([](auto&, auto& p) { p.mutable_bonds()->set_shear_strength(-1); })},
-        Case{"NegativeFriction", "particles.contacts.friction", "is -0.5; give a finite number, 0 or above",
+        Case{"NegativeFriction", "particles.contacts.friction",
+             "is -0.5, expected a pure number of at least 0",
              square([](auto&, auto& p) { p.mutable_contacts()->set_friction(-0.5); })},
         Case{"PoissonOfContacts", "material.poisson_ratio",
              "or give particles.contacts.normal_stiffness and shear", square([](auto& s, auto& p) {
@@ -302,8 +295,8 @@ INSTANTIATE_TEST_SUITE_P(
              square([](auto&, auto& p) { add_joint(p, 0, 1, 4, 1); })},
         Case{"JointBeside", "particles.joints[0]", "parts no particles that are joined",
              square([](auto&, auto& p) { add_joint(p, 5, 0, 5, 2).set_open(true); })},
-        Case{"JointWithoutStiffness", "particles.joints[0].smooth.shear_stiffness", "above 0",
-             square([](auto&, auto& p) {
+        Case{"JointWithoutStiffness", "particles.joints[0].smooth.shear_stiffness",
+             "is missing; write for example", square([](auto&, auto& p) {
                add_joint(p, 0, 1, 4, 1).mutable_smooth()->set_normal_stiffness(1);
              })},
         Case{"SpringOnOneParticle", "particles.springs[0]", "finds at both ends the particle at (0.5, 0.5) m",
@@ -317,17 +310,24 @@ INSTANTIATE_TEST_SUITE_P(
                add_wall(p, "floor");
                add_wall(p, "floor");
              })},
-        Case{"WallTable", "particles.walls[0].velocity.time.table", "one value for each time",
-             square([](auto&, auto& p) {
-               add_wall(p, "floor").mutable_velocity()->mutable_time()->mutable_table()->add_time(1);
+        Case{"WallTable", "particles.walls[0].velocity.time.table.value",
+             "has 1 elements, expected 2, as many as `time`", square([](auto&, auto& p) {
+               auto& table = *add_wall(p, "floor").mutable_velocity()->mutable_time()->mutable_table();
+               table.add_time(1);
+               table.add_time(2);
+               table.add_value(1);
              })},
-        Case{"QuietNowhere", "particles.quiet[0].where", "selects no particles",
-             square([](auto&, auto& p) { p.add_quiet()->mutable_where()->set_x_min(9); })},
-        Case{"DampingOfOne", "particles.damping.local", "from 0 and below 1",
+        Case{"QuietNowhere", "particles.quiet[0].where", "selects no particles", square([](auto&, auto& p) {
+               p.add_quiet()->mutable_where()->set_x_min(9);
+               p.mutable_quiet(0)->set_side(scene::QuietParticles::RIGHT);
+             })},
+        Case{"DampingOfOne", "particles.damping.local",
+             "is 1, expected a pure number of at least 0 and below 1",
              square([](auto&, auto& p) { p.mutable_damping()->set_local(1); })},
-        Case{"NegativeDamping", "particles.damping.viscous", "give a rate from 0",
+        Case{"NegativeDamping", "particles.damping.viscous",
+             "is -1 1/s, expected a frequency of at least 0 1/s",
              square([](auto&, auto& p) { p.mutable_damping()->set_viscous(-1); })}),
-    name_of);
+    adit::test::kRefusalName);
 
 }  // namespace
 }  // namespace adit::dem

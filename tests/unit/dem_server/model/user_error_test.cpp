@@ -5,32 +5,19 @@
 #include <functional>
 
 #include "protocol/errors.hpp"
+#include "tests/support/refusals.hpp"
 #include "tests/unit/dem_server/cantilever_scene.hpp"
 
 namespace adit::dem {
 namespace {
 
-struct Case {
-  std::string name, path, message;
-  std::function<void(scene::Scene&)> spoil;
-};
-
-std::ostream& operator<<(std::ostream& out, const Case& c) {
-  return out << c.name;
-}
-
+using Case = adit::test::Refusal<std::function<void(scene::Scene&)>>;
 class UserErrors : public testing::TestWithParam<Case> {};
 
 TEST_P(UserErrors, NamesTheFieldAndTheRemedy) {
   auto scene = test::cantilever_scene();
-  GetParam().spoil(scene);
-  try {
-    test::InProcessRun run(scene);
-    FAIL() << "accepted";
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), GetParam().path);
-    EXPECT_THAT(error.what(), testing::HasSubstr(GetParam().message));
-  }
+  GetParam().input(scene);
+  adit::test::expect_refusal([&] { test::InProcessRun run(scene); }, GetParam().path, GetParam().message);
 }
 
 scene::HexagonalPacking& packing(scene::Scene& s) {
@@ -38,6 +25,13 @@ scene::HexagonalPacking& packing(scene::Scene& s) {
 }
 scene::Bonds& bonds(scene::Scene& s) {
   return *s.mutable_particles()->mutable_bonds();
+}
+// Of all particles.
+scene::ParticleMotion& add_motion(scene::Scene& s) {
+  auto& motion = *s.mutable_particles()->add_motions();
+  motion.mutable_where();
+  motion.mutable_velocity();
+  return motion;
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -47,9 +41,9 @@ INSTANTIATE_TEST_SUITE_P(
              [](auto& s) { s.clear_particles(); }},
         Case{"NegativeRadius", "particles.packing.radius", "above 0",
              [](auto& s) { packing(s).set_radius(-1); }},
-        Case{"EmptyBox", "particles.packing.x_max", "not above x_min",
+        Case{"EmptyBox", "particles.packing.x_max", "is 0 m, expected a length above `x_min` = 0 m",
              [](auto& s) { packing(s).set_x_max(0); }},
-        Case{"FlatBox", "particles.packing.y_max", "not above y_min",
+        Case{"FlatBox", "particles.packing.y_max", "is -1 m, expected a length above `y_min` = 0 m",
              [](auto& s) { packing(s).set_y_max(-1); }},
         Case{"TooSmall", "particles.packing", "holds 0 particle(s)",
              [](auto& s) { packing(s).set_radius(6); }},
@@ -74,7 +68,7 @@ INSTANTIATE_TEST_SUITE_P(
              [](auto& s) { s.mutable_material()->set_poisson_ratio(-0.1); }},
         Case{"NoDensity", "material.density", "above 0",
              [](auto& s) { s.mutable_material()->set_density(0); }},
-        Case{"NoModulus", "material.young_modulus", "above 0",
+        Case{"NoModulus", "material.young_modulus", "is missing; write for example",
              [](auto& s) { s.mutable_material()->clear_young_modulus(); }},
         Case{"NoMaterial", "material", "is missing; give it, or particles.material",
              [](auto& s) { s.clear_material(); }},
@@ -90,7 +84,8 @@ INSTANTIATE_TEST_SUITE_P(
              }},
         Case{"NegativeNormal", "particles.bonds.normal_stiffness", "above 0",
              [](auto& s) { bonds(s).set_normal_stiffness(-1); }},
-        Case{"NegativeShear", "particles.bonds.shear_stiffness", "0 or above",
+        Case{"NegativeShear", "particles.bonds.shear_stiffness",
+             "is -1 N/m, expected a stiffness of at least 0 N/m",
              [](auto& s) { bonds(s).set_shear_stiffness(-1); }},
         Case{"NoTensileStrength", "particles.bonds.tensile_strength", "above 0",
              [](auto& s) { bonds(s).set_tensile_strength(0); }},
@@ -98,24 +93,27 @@ INSTANTIATE_TEST_SUITE_P(
              [](auto& s) { bonds(s).set_shear_strength(-5); }},
         Case{"LoadMisses", "particles.loads[0].where", "selects no particles",
              [](auto& s) { s.mutable_particles()->mutable_loads(0)->mutable_where()->set_x_max(0.01); }},
-        Case{"LoadTable", "particles.loads[0].time.table", "one value for each time",
+        Case{"LoadTable", "particles.loads[0].time.table.value",
+             "has 1 elements, expected 2, as many as `time`",
              [](auto& s) {
-               s.mutable_particles()->mutable_loads(0)->mutable_time()->mutable_table()->add_time(1);
+               auto& table = *s.mutable_particles()->mutable_loads(0)->mutable_time()->mutable_table();
+               table.add_time(1);
+               table.add_time(2);
+               table.add_value(1);
              }},
         Case{"BodyLoadMisses", "particles.body_loads[1].where", "selects no particles",
              [](auto& s) {
-               s.mutable_particles()->add_body_loads();
-               s.mutable_particles()->add_body_loads()->mutable_where()->set_x_min(11);
+               for (int i = 0; i < 2; ++i) s.mutable_particles()->add_body_loads()->mutable_acceleration();
+               s.mutable_particles()->mutable_body_loads(1)->mutable_where()->set_x_min(11);
              }},
         Case{"MotionMisses", "particles.motions[0].where", "selects no particles",
              [](auto& s) { s.mutable_particles()->mutable_motions(0)->mutable_where()->set_x_min(11); }},
-        Case{"MotionOfNothing", "particles.motions[1]", "prescribes nothing",
-             [](auto& s) { s.mutable_particles()->add_motions(); }},
+        Case{"MotionOfNothing", "particles.motions[1]", "prescribes nothing", [](auto& s) { add_motion(s); }},
         Case{"MotionsOverlap", "particles.motions[1].where", "earlier motion",
-             [](auto& s) { s.mutable_particles()->add_motions()->mutable_velocity()->set_y(1); }},
+             [](auto& s) { add_motion(s).mutable_velocity()->set_y(1); }},
         Case{"SpinsOverlap", "particles.motions[1].where", "spin",
-             [](auto& s) { s.mutable_particles()->add_motions()->set_spin(1); }}),
-    [](const auto& info) { return info.param.name; });
+             [](auto& s) { add_motion(s).set_spin(1); }}),
+    adit::test::kRefusalName);
 
 // Stiffnesses given by the user need no calibration, so any Poisson ratio will do.
 TEST(UserStiffnesses, ReplaceTheCalibration) {
@@ -134,13 +132,8 @@ TEST(UserErrors, OverlapLeavesNoParticles) {
   wire::Weights weights;
   weights.set_floor(1e-3);
   weights.mutable_weights()->Resize(698 + 1921, 0.0);
-  try {
-    test::InProcessRun run(scene, weights);
-    FAIL() << "accepted";
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), "interface.overlap");
-    EXPECT_THAT(error.what(), testing::HasSubstr("let the packing reach into the overlap"));
-  }
+  adit::test::expect_refusal([&] { test::InProcessRun run(scene, weights); }, "interface.overlap",
+                             "let the packing reach into the overlap");
 }
 
 // The particles' own material is taken instead of the scene's: twice the stiffness, a critical step shorter
@@ -163,12 +156,7 @@ TEST(UserErrors, LoadOnVanishedParticles) {
   weights.set_floor(1e-3);
   for (int k = 0; k < model.sample_points_size(); k += 2)
     weights.add_weights(std::clamp((model.sample_points(k) - 4) / 2, 0.0, 1.0));
-  try {
-    test::InProcessRun run(scene, weights);
-    FAIL() << "accepted";
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), "particles.loads[0].where");
-  }
+  adit::test::expect_refusal([&] { test::InProcessRun run(scene, weights); }, "particles.loads[0].where", "");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "protocol/errors.hpp"
+#include "tests/support/coupled_run.hpp"
 #include "tests/unit/dem_server/cantilever_scene.hpp"
 #include "tests/unit/dem_server/engines/lattice/lattice.hpp"
 
@@ -36,16 +37,11 @@ TEST(SplitRuns, PartitionTheBonds) {
 // The cantilever's part in [4, 10] m as the coupler would drive it, its other side a spring and a dashpot at
 // places between and on centres of [4, 6] m. A load, gravity, a fixed and a shaken part lie on both sides of
 // the division.
-struct CoupledRun {
-  DemParticipant participant;
-  wire::Predicted predicted;
-  std::vector<double> impulses, displacements;
-  std::uint64_t next = 0;
-  double dt;
-
+struct CoupledRun : adit::test::CoupledRun<DemParticipant> {
   explicit CoupledRun(double strength, double speed_of_far_end = 0, bool coupled = true) {
-    auto scene = cantilever_scene();
-    auto& particles = *scene.mutable_particles();
+    wire::Setup setup;
+    *setup.mutable_scene() = cantilever_scene();
+    auto& particles = *setup.mutable_scene()->mutable_particles();
     particles.mutable_bonds()->set_tensile_strength(strength);
     particles.mutable_loads(0)->mutable_where()->set_x_max(7);
     particles.add_body_loads()->mutable_acceleration()->set_y(-9.81);
@@ -57,51 +53,32 @@ struct CoupledRun {
     shaken.mutable_velocity()->set_x(0.1);
     shaken.mutable_time()->mutable_sine()->set_frequency(200);
     auto& speed = *particles.add_histories();
+    speed.set_name("speed");
     speed.set_quantity(scene::VELOCITY_Y);
     for (int i = 0; i < 2; ++i) particles.mutable_histories(i)->mutable_at()->set_x(5 + 2 * i);
-
-    wire::Setup setup;
-    *setup.mutable_scene() = scene;
-    wire::Model model;
-    participant.set_up(setup, model);
+    speed.mutable_at()->set_y(0);
+    set_up(setup);
     dt = 0.5 * model.critical_dt();
+
     wire::Weights weights;
-    for (int k = 0; k < model.sample_points_size(); k += 2)
-      weights.add_weights(std::clamp((model.sample_points(k) - 4) / 2, 0.0, 1.0));
-    weights.set_floor(1e-3);
     weights.set_x_min(5);
     weights.set_x_max(5.5);
     weights.set_y_max(model.y_max());
-    wire::Interface interface;
-    participant.weigh(weights, interface);
+    weigh([](double x) { return std::clamp((x - 4) / 2, 0.0, 1.0); }, weights);
     if (!coupled) return;
-    wire::Couple couple;
-    *couple.mutable_points() = interface.points();
-    for (int k = 0; k < 60; ++k) {
-      couple.add_points(4.2 + 1.8 * std::fmod(0.618034 * k, 1.0));
-      couple.add_points(std::fmod(0.754878 * k, 1.0));
-    }
-    wire::Operator op;
-    participant.couple(couple, op);
-    displacements.assign(couple.points_size(), 0);
+    wire::Couple own;
+    *own.mutable_points() = interface.points();
+    couple(4.2, 1.8, 60, own);
   }
 
-  void advance(bool wanted) {
-    wire::Advance request;
-    request.set_step(next++);
-    request.set_dt(dt);
-    request.mutable_impulses()->Assign(impulses.begin(), impulses.end());
-    request.set_want_energies(wanted);
-    request.set_want_histories(wanted);
-    predicted.Clear();
-    participant.advance(request, predicted);
-    impulses.resize(displacements.size());
-    for (std::size_t i = 0; i < impulses.size(); ++i) {
-      const double velocity = predicted.velocities(static_cast<int>(i));
-      displacements[i] += dt * velocity;
-      impulses[i] = -0.1 * velocity - 5e7 * dt * displacements[i];
-    }
+  double impulse(std::size_t i, double velocity) override {
+    displacements_.resize(std::max(displacements_.size(), i + 1));
+    displacements_[i] += dt * velocity;
+    return -0.1 * velocity - 5e7 * dt * displacements_[i];
   }
+
+ private:
+  std::vector<double> displacements_;
 };
 
 // What a run says of its steps, in the order in which it is told.

@@ -10,7 +10,7 @@
 #include "dem_server/engines/general/general_engine.hpp"
 #include "dem_server/observe/branches.hpp"
 #include "dem_server/observe/fragments.hpp"
-#include "protocol/errors.hpp"
+#include "tests/support/refusals.hpp"
 #include "tests/unit/dem_server/discs_models.hpp"
 
 namespace adit::dem {
@@ -118,27 +118,16 @@ TEST(Branches, BondsHoldAndContactsTouch) {
   EXPECT_EQ(touching_particles(engine), (std::vector<Pair>{{1, 2}}));
 }
 
-struct Case {
-  std::string name, path, message;
-  std::function<void(scene::Particles&)> ask;
-};
-std::ostream& operator<<(std::ostream& out, const Case& c) {
-  return out << c.name;
-}
+using Case = adit::test::Refusal<std::function<void(scene::Particles&)>>;
 class HistoryErrors : public testing::TestWithParam<Case> {};
 
 TEST_P(HistoryErrors, NameTheFieldAndTheRemedy) {
   const GeneralEngine engine(pressed_square(), 1);
   scene::Particles scene;
   add(scene, scene::DISPLACEMENT_X, 0);
-  GetParam().ask(scene);
-  try {
-    Histories(scene, engine);
-    FAIL() << "accepted";
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), "particles.histories[1]." + GetParam().path);
-    EXPECT_THAT(error.what(), testing::HasSubstr(GetParam().message));
-  }
+  GetParam().input(scene);
+  adit::test::expect_refusal([&] { Histories(scene, engine); }, "particles.histories[1]." + GetParam().path,
+                             GetParam().message);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -160,7 +149,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"MomentOfALining", "quantity",
                          "is moment, which particles do not have; choose a motion",
                          [](auto& s) { add(s, scene::MOMENT, 3); }}),
-    [](const auto& info) { return info.param.name; });
+    adit::test::kRefusalName);
 
 }  // namespace
 }  // namespace adit::dem

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "protocol/errors.hpp"
+#include "tests/support/refusals.hpp"
 #include "tests/unit/fdm_server/boundaries/boundary_scenes.hpp"
 
 namespace adit::fdm::test {
@@ -10,21 +10,16 @@ namespace {
 
 using testing::HasSubstr;
 
-struct Case {
-  std::string name, continuum, path, message;
-};
-
+using Case = adit::test::RefusedText;
 class BoundaryError : public testing::TestWithParam<Case> {};
 
 TEST_P(BoundaryError, NamesTheFieldAndTheRemedy) {
   const auto& [name, continuum, path, message] = GetParam();
-  try {
-    GroundRun("block { x_min: 0 x_max: 4 y_min: -3 y_max: 0 zones_x: 4 zones_y: 3 } " + continuum, 1);
-    FAIL() << "no error";
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), path);
-    EXPECT_THAT(error.what(), HasSubstr(message));
-  }
+  adit::test::expect_refusal(
+      [&] {
+        GroundRun("block { x_min: 0 x_max: 4 y_min: -3 y_max: 0 zones_x: 4 zones_y: 3 } " + continuum, 1);
+      },
+      path, message);
 }
 
 std::string base(const std::string& rest) {
@@ -59,11 +54,11 @@ INSTANTIATE_TEST_SUITE_P(
              "continuum.base.incidence", "goes with `acceleration` only"},
         Case{"table_of_a_velocity",
              "base { velocity { amplitude: 1 time { table { time: 0 time: 1 value: 0 } } } }",
-             "continuum.base.velocity.time.table", "2 times and 1 values"},
+             "continuum.base.velocity.time.table.value", "has 1 elements, expected 2, as many as `time`"},
         Case{"no_frequency", "base { acceleration { ricker { frequency: 0 time: 0.3 } } }",
-             "continuum.base.acceleration", "the frequency of the motion is 0; give a value above 0"},
+             "continuum.base.acceleration.ricker.frequency", "is 0 Hz, expected a frequency above 0 Hz"},
         Case{"negative_frequency", "base { acceleration { sine { frequency: -2 end: 0.3 } } }",
-             "continuum.base.acceleration", "the frequency of the motion is -2; give a value above 0"},
+             "continuum.base.acceleration.sine.frequency", "is -2 Hz, expected a frequency above 0 Hz"},
         Case{"corner_above_nyquist",
              "base { acceleration { ricker { frequency: 5 time: 0.3 } high_corner: 800 } }",
              "continuum.base.acceleration", "at steps of 0.001 s give one below 500 Hz"},
@@ -80,21 +75,21 @@ INSTANTIATE_TEST_SUITE_P(
              ".02 "
              "SEC\\n.1 .2\\n' } } }",
              "continuum.base.acceleration.file.path", "states 9 points, but 2 values follow"},
-        Case{"drift", base("incidence { coherency { drift: -1 } }"), "continuum.base.incidence",
-             "give 0 or more"},
+        Case{"drift", base("incidence { coherency { drift: -1 } }"),
+             "continuum.base.incidence.coherency.drift", "is -1 s/m, expected"},
         Case{"base_and_motions", base("") + "motions { where { x_max: 0 } velocity { x: 0 } }",
              "continuum.base",
              "prescribes the x velocity of the grid point (0, -3) m, as one of `motions` does"},
         Case{"damping_of_no_kind", "damping {}", "continuum.damping", "give `rayleigh` or `local`"},
         Case{"negative_ratio", "damping { rayleigh { ratio: -0.1 low_frequency: 1 high_frequency: 5 } }",
-             "continuum.damping.rayleigh.ratio", "must be above 0"},
+             "continuum.damping.rayleigh.ratio", "is -0.1, expected a pure number above 0 and below 1"},
         Case{"no_damping_frequency", "damping { rayleigh { ratio: 0.1 low_frequency: 0 high_frequency: 5 } }",
-             "continuum.damping.rayleigh.low_frequency", "must be above 0"},
+             "continuum.damping.rayleigh.low_frequency", "is 0 Hz, expected a frequency above 0 Hz"},
         Case{"frequencies_exchanged",
              "damping { rayleigh { ratio: 0.1 low_frequency: 5 high_frequency: 1 } }",
              "continuum.damping.rayleigh.high_frequency",
-             "is 1 Hz, below low_frequency = 5 Hz; exchange them"}),
-    [](const auto& scene) { return scene.param.name; });
+             "is 1 Hz, expected a frequency of at least `low_frequency` = 5 Hz"}),
+    adit::test::kRefusalName);
 
 // A side that zones vanished from has no free field.
 TEST(BoundaryErrors, SideOfAFreeFieldIsInterrupted) {
@@ -111,13 +106,8 @@ TEST(BoundaryErrors, SideOfAFreeFieldIsInterrupted) {
   *setup.mutable_scene() = run.scene;
   FdmParticipant participant;
   participant.set_up(setup, run.model);
-  try {
-    participant.weigh(weights, run.interface);
-    FAIL() << "no error";
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), "continuum.free_field.right");
-    EXPECT_THAT(error.what(), HasSubstr("one vertical line, but it is interrupted at (4, -2) m"));
-  }
+  adit::test::expect_refusal([&] { participant.weigh(weights, run.interface); }, "continuum.free_field.right",
+                             "one vertical line, but it is interrupted at (4, -2) m");
 }
 
 }  // namespace

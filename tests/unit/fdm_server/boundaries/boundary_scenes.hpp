@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "fdm_server/participant/participant.hpp"
+#include "protocol/scene/fields/check_rules.hpp"
 
 namespace adit::fdm::test {
 
@@ -34,6 +35,7 @@ struct GroundRun {
                                                        &scene))
       throw std::logic_error("the test's scene cannot be parsed");
     scene.mutable_time()->set_duration(duration);
+    protocol::check_rules(scene);
     wire::Setup setup;
     *setup.mutable_scene() = scene;
     participant.set_up(setup, model);

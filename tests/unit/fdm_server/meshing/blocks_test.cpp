@@ -8,7 +8,8 @@
 #include "fdm_server/grid/samples.hpp"
 #include "fdm_server/model/grid/read_grid.hpp"
 #include "fdm_server/zones/kernel/zone_runs.hpp"
-#include "protocol/errors.hpp"
+#include "protocol/scene/fields/check_rules.hpp"
+#include "tests/support/refusals.hpp"
 
 namespace adit::fdm::test {
 namespace {
@@ -19,6 +20,7 @@ Grid grid_of(const std::string& text) {
   scene::Continuum continuum;
   if (!google::protobuf::TextFormat::ParseFromString(text, &continuum))
     throw std::logic_error("the test's scene cannot be parsed: " + text);
+  protocol::check_rules(continuum, "continuum");
   return read_grid(continuum);
 }
 
@@ -124,19 +126,11 @@ TEST(Blocks, RingsSurroundACore) {
   EXPECT_EQ(grid.x.size(), 81u + 160 + 320);
 }
 
-struct Case {
-  std::string name, continuum, path, message;
-};
+using Case = adit::test::RefusedText;
 class BlockError : public testing::TestWithParam<Case> {};
 
 TEST_P(BlockError, NamesTheBlockThePlaceAndTheRemedy) {
-  try {
-    grid_of(GetParam().continuum);
-    FAIL() << "no error";
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), GetParam().path);
-    EXPECT_THAT(error.what(), HasSubstr(GetParam().message));
-  }
+  adit::test::expect_refusal([&] { grid_of(GetParam().text); }, GetParam().path, GetParam().message);
 }
 
 std::string shaped(const std::string& shape, const std::string& along = "zones: 4") {
@@ -167,16 +161,16 @@ INSTANTIATE_TEST_SUITE_P(
              "falls into pieces"},
         Case{"no_shape", shaped(""), "continuum.blocks[0]", "has no shape"},
         Case{"open_rectangle", shaped("rectangle { x_min: 0 y_min: 0 y_max: 1 }"),
-             "continuum.blocks[0].rectangle", "give all four sides"},
+             "continuum.blocks[0].rectangle.x_max", "is missing; write for example `x_max: 2 m`"},
         Case{"no_zones", shaped("rectangle { x_min: 0 x_max: 1 y_min: 0 y_max: 1 }", "zones: 0"),
-             "continuum.blocks[0].along.zones", "give at least one zone"},
+             "continuum.blocks[0].along.zones", "is 0, expected a whole number above 0"},
         Case{"steep_ratio", shaped("rectangle { x_min: 0 x_max: 1 y_min: 0 y_max: 1 }", "zones: 50 ratio: 2"),
              "continuum.blocks[0].along.ratio", "is 2 over 50 zones"},
         Case{"huge", shaped("rectangle { x_min: 0 x_max: 1 y_min: 0 y_max: 1 }", "zones: 4000000000"),
              "continuum.blocks", "use larger zones"},
         Case{"three_corners",
              shaped("quadrilateral { corners { x: 0 y: 0 } corners { x: 1 y: 0 } corners { x: 1 y: 1 } }"),
-             "continuum.blocks[0].quadrilateral.corners", "has 3 corners; give 4"},
+             "continuum.blocks[0].quadrilateral.corners", "has 3 elements, expected 4"},
         Case{"bow_tie",
              shaped("quadrilateral { corners { x: 0 y: 0 } corners { x: 1 y: 1 } corners { x: 1 y: 0 } "
                     "corners { x: 0 "
@@ -197,7 +191,7 @@ INSTANTIATE_TEST_SUITE_P(
              "continuum.blocks[0].ring", "not within its outside"},
         Case{"ring_without_outside", shaped("ring { centre { x: 0 y: 0 } inner_side: 3 }"),
              "continuum.blocks[0].ring", "give outer_radius or outer_side"}),
-    [](const auto& scene) { return scene.param.name; });
+    adit::test::kRefusalName);
 
 }  // namespace
 }  // namespace adit::fdm::test

@@ -7,6 +7,7 @@
 
 #include "fdm_server/model/grid/read_grid.hpp"
 #include "protocol/errors.hpp"
+#include "tests/support/refusals.hpp"
 
 namespace adit::fdm::test {
 namespace {
@@ -67,19 +68,17 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 const std::string kMesh = kFormat + kNames + kEntities + kNodes + kElements;
 
+void expect_refused(const std::string& mesh, const std::string& message) {
+  adit::test::expect_refusal([&] { grid_of(mesh); }, "continuum.mesh.path", message);
+}
+
 struct Case {
   std::string name, from, to, message;
 };
 class MeshError : public testing::TestWithParam<Case> {};
 
 TEST_P(MeshError, NamesTheFileTheLineAndTheRemedy) {
-  try {
-    grid_of(replaced(kMesh, GetParam().from, GetParam().to));
-    FAIL() << "no error";
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), "continuum.mesh.path");
-    EXPECT_THAT(error.what(), HasSubstr(GetParam().message));
-  }
+  expect_refused(replaced(kMesh, GetParam().from, GetParam().to), GetParam().message);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -109,16 +108,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"clockwise_alone", kElements,
              "$Elements\n1 2 1 9\n2 1 3 2\n8 1 2 5 4\n9 2 5 8 3\n$EndElements\n", "has a tangled zone"},
         Case{"point_twice", "9 2 5 8 3", "9 2 5 5 3", "has a tangled zone: element 9"}),
-    [](const auto& mesh) { return mesh.param.name; });
-
-void expect_refused(const std::string& mesh, const std::string& message) {
-  try {
-    grid_of(mesh);
-    FAIL() << "no error";
-  } catch (const protocol::UserError& error) {
-    EXPECT_THAT(error.what(), HasSubstr(message));
-  }
-}
+    adit::test::kRefusalName);
 
 // Quadrilaterals between numbered nodes from 1, without groups.
 std::string mesh_of(const std::vector<std::pair<double, double>>& nodes,

@@ -7,6 +7,7 @@
 
 #include "fdm_server/model/grid/read_grid.hpp"
 #include "protocol/errors.hpp"
+#include "tests/support/refusals.hpp"
 #include "tests/unit/fdm_server/scenes.hpp"
 
 namespace adit::fdm::test {
@@ -84,14 +85,12 @@ void expect_refused(const std::string& excavations, bool statics, const std::str
   FdmParticipant participant;
   wire::Model model;
   wire::Interface interface;
-  try {
-    participant.set_up(setup, model);
-    participant.weigh({}, interface);
-    FAIL() << "no error";
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), "continuum." + path);
-    EXPECT_THAT(error.what(), HasSubstr(message));
-  }
+  adit::test::expect_refusal(
+      [&] {
+        set_up(participant, setup, model);
+        participant.weigh({}, interface);
+      },
+      "continuum." + path, message);
 }
 
 TEST(Excavation, ErrorsNameTheFieldAndTheRemedy) {
@@ -121,13 +120,8 @@ TEST(Excavation, DoesNotReachTheInterface) {
       EXPECT_NO_THROW(participant.couple(couple, op));
       continue;
     }
-    try {
-      participant.couple(couple, op);
-      FAIL() << "no error";
-    } catch (const protocol::UserError& error) {
-      EXPECT_EQ(error.path(), "continuum.excavations");
-      EXPECT_THAT(error.what(), HasSubstr("(2.25, 0.375) m in stage 1"));
-    }
+    adit::test::expect_refusal([&] { participant.couple(couple, op); }, "continuum.excavations",
+                               "(2.25, 0.375) m in stage 1");
   }
 }
 

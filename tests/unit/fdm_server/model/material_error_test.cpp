@@ -6,7 +6,7 @@
 #include <string>
 
 #include "fdm_server/model/ground.hpp"
-#include "protocol/errors.hpp"
+#include "tests/support/refusals.hpp"
 #include "tests/unit/fdm_server/scenes.hpp"
 
 namespace adit::fdm::test {
@@ -32,13 +32,8 @@ TEST_P(MaterialError, NamesTheFieldAndTheRemedy) {
   const auto& [name, law, path, message, continuum, plane, more] = GetParam();
   FdmParticipant participant;
   wire::Model model;
-  try {
-    participant.set_up(ground_of(law, continuum, plane, more), model);
-    FAIL() << "no error";
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), path);
-    EXPECT_THAT(error.what(), HasSubstr(message));
-  }
+  adit::test::expect_refusal([&] { set_up(participant, ground_of(law, continuum, plane, more), model); },
+                             path, message);
 }
 
 const std::string kSoil = "young_modulus: 1e8 poisson_ratio: 0.3 density: 1800 ";
@@ -47,13 +42,14 @@ INSTANTIATE_TEST_SUITE_P(
     Scenes, MaterialError,
     testing::Values(
         Case{"cohesion", "mohr_coulomb { cohesion: -1 }", "material.mohr_coulomb.cohesion",
-             "must be 0 or above"},
+             "is -1 Pa, expected a pressure of at least 0 Pa"},
         Case{"degrees", "mohr_coulomb { cohesion: 1e3 friction_angle: 30 }",
-             "material.mohr_coulomb.friction_angle", "degrees are written `30 deg`"},
+             "material.mohr_coulomb.friction_angle",
+             "is 30 rad, expected an angle of at least 0 rad and below"},
         Case{"dilation", "mohr_coulomb { cohesion: 1e3 friction_angle: 0.3 dilation_angle: 0.4 }",
              "material.mohr_coulomb.dilation_angle", "more than the friction angle of 0.3 rad"},
         Case{"tension", "mohr_coulomb { cohesion: 1e3 friction_angle: 0.785398163397 tension: 2e3 }",
-             "material.mohr_coulomb.tension", "must lie between 0 and cohesion / tan(friction_angle) = 1000"},
+             "material.mohr_coulomb.tension", "must be at most cohesion / tan(friction_angle) = 1000"},
         Case{"softening_strain",
              "mohr_coulomb { cohesion: 1e3 softening { plastic_shear_strain: 0.1 } softening { "
              "plastic_shear_strain: 0.05 } }",
@@ -69,16 +65,17 @@ INSTANTIATE_TEST_SUITE_P(
              "weak_plane { dip_angle: 1 cohesion: 1 } hysteretic { hyperbola { reference_strain: 1e-3 } }",
              "material.weak_plane", "elastic or mohr_coulomb ground only"},
         Case{"percent", "hysteretic { hyperbola { reference_strain: 5 } }",
-             "material.hysteretic.hyperbola.reference_strain", "must lie between 0 and 1"},
+             "material.hysteretic.hyperbola.reference_strain",
+             "is 5, expected a pure number above 0 and below 1"},
         Case{"counts",
              "hysteretic { table { shear_strain: 1e-5 shear_strain: 1e-4 shear_strain: 1e-3 ratio: 1 ratio: "
              "0.8 } }",
-             "material.hysteretic.table", "has 3 strains and 2 ratios"},
+             "material.hysteretic.table.ratio", "has 2 elements, expected 3, as many as `shear_strain`"},
         Case{"order",
              "hysteretic { table { shear_strain: 1e-5 shear_strain: 1e-3 shear_strain: 1e-4 ratio: 1 ratio: "
              "0.8 "
              "ratio: 0.5 } }",
-             "material.hysteretic.table.shear_strain", "does not increase at its value 3"},
+             "material.hysteretic.table.shear_strain[2]", "before it"},
         Case{"rising",
              "hysteretic { table { shear_strain: 1e-5 shear_strain: 1e-4 shear_strain: 1e-3 ratio: 1 ratio: "
              "0.8 "
@@ -99,13 +96,14 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"large_strain_in_plane_stress", "", "continuum.large_strain", "in plane strain only",
              "large_strain: true", "PLANE_STRESS"},
         Case{"large_strain_coupled", "", "continuum.large_strain", "leave one of the two out",
-             "large_strain: true", "PLANE_STRAIN", "interface {}"},
+             "large_strain: true", "PLANE_STRAIN", "interface { overlap {} }"},
         Case{"area_nowhere", "", "continuum.materials[0].where", "selects no zones",
              "materials { where { x_min: 7 } material { " + kSoil + " } }"},
-        Case{"area_material", "", "continuum.materials[1].material.young_modulus", "must be positive",
+        Case{"area_material", "", "continuum.materials[1].material.young_modulus",
+             "is missing; write for example",
              "materials { where {} material { " + kSoil +
                  " } } materials { where {} material { density: 1 } }"}),
-    [](const auto& scene) { return scene.param.name; });
+    adit::test::kRefusalName);
 
 // Later areas override earlier ones; the base material fills the rest.
 TEST(Materials, LaterAreasOverrideEarlierOnes) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "protocol/errors.hpp"
+#include "tests/support/refusals.hpp"
 #include "tests/unit/fdm_server/scenes.hpp"
 
 namespace adit::fdm::test {
@@ -25,14 +25,12 @@ TEST_P(SceneError, NamesTheFieldAndTheRemedy) {
   FdmParticipant participant;
   wire::Model model;
   wire::Interface interface;
-  try {
-    participant.set_up(setup_of(conditions, block, material), model);
-    participant.weigh({}, interface);
-    FAIL() << "no error";
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), path);
-    EXPECT_THAT(error.what(), HasSubstr(message));
-  }
+  adit::test::expect_refusal(
+      [&] {
+        set_up(participant, setup_of(conditions, block, material), model);
+        participant.weigh({}, interface);
+      },
+      path, message);
 }
 
 std::string block(const std::string& x_min, const std::string& x_max, const std::string& y_max,
@@ -50,21 +48,24 @@ const std::string kZones = "zones_x: 4 zones_y: 2", kNowhere = "where { x_min: 7
 INSTANTIATE_TEST_SUITE_P(
     Scenes, SceneError,
     testing::Values(
-        Case{"empty_width", "", "continuum.block.x_max", "is 1 m, but must be larger than x_min = 2 m",
+        Case{"empty_width", "", "continuum.block.x_max", "is 1 m, expected a length above `x_min` = 2 m",
              block("2", "1", "1", kZones)},
-        Case{"empty_height", "", "continuum.block.y_max", "is 0 m, but must be larger than y_min = 0 m",
+        Case{"empty_height", "", "continuum.block.y_max", "is 0 m, expected a length above `y_min` = 0 m",
              block("0", "1", "0", kZones)},
-        Case{"infinite_block", "", "continuum.block.x_max", "is not finite", block("0", "inf", "1", kZones)},
-        Case{"no_zones", "", "continuum.block.zones_y", "give at least one zone",
+        Case{"infinite_block", "", "continuum.block.x_max", "is infinite, expected a length",
+             block("0", "inf", "1", kZones)},
+        Case{"no_zones", "", "continuum.block.zones_y", "is 0, expected a whole number above 0",
              block("0", "1", "1", "zones_x: 4 zones_y: 0")},
         Case{"too_many_zones", "", "continuum.block", "use larger zones",
              block("0", "1", "1", "zones_x: 4000000000 zones_y: 4000000000")},
-        Case{"young", "", "material.young_modulus", "must be positive", kBlock, material("0", "0.2", "2500")},
-        Case{"poisson", "", "material.poisson_ratio", "must lie between -1 and 0.5", kBlock,
+        Case{"young", "", "material.young_modulus", "is 0 Pa, expected a pressure above 0 Pa", kBlock,
+             material("0", "0.2", "2500")},
+        Case{"poisson", "", "material.poisson_ratio", "expected a pure number above -1 and below 0.5", kBlock,
              material("1e9", "0.5", "2500")},
-        Case{"density", "", "material.density", "must be positive", kBlock, material("1e9", "0.2", "-1")},
+        Case{"density", "", "material.density", "expected a density above 0 kg/m^3", kBlock,
+             material("1e9", "0.2", "-1")},
         Case{"own_young", "material { young_modulus: -1 poisson_ratio: 0.2 density: 2500 }",
-             "continuum.material.young_modulus", "must be positive"},
+             "continuum.material.young_modulus", "is -1 Pa, expected a pressure above 0 Pa"},
         Case{"no_material", "", "material", "is missing; give it, or continuum.material", kBlock, ""},
         Case{"point_load_nowhere", "point_loads { " + kNowhere + "force { x: 1 } }",
              "continuum.point_loads[0].where", "selects no grid points"},
@@ -84,11 +85,11 @@ INSTANTIATE_TEST_SUITE_P(
              "continuum.motions[1].velocity", "prescribes another y velocity than motions[0]"},
         Case{"load_table",
              "point_loads { where { x_max: 0 } force { x: 1 } time { table { time: 0 time: 1 value: 0 } } }",
-             "continuum.point_loads[0].time.table", "2 times and 1 values"},
+             "continuum.point_loads[0].time.table.value", "has 1 elements, expected 2, as many as `time`"},
         Case{"motion_table",
              "motions { where { x_max: 0 } velocity { x: 1 } time { table { time: 1 time: 0 value: 0 value: "
              "1 } } }",
-             "continuum.motions[0].time.table.time", "does not increase"},
+             "continuum.motions[0].time.table.time[1]", "is 0 s, expected more than the 1 s before it"},
         Case{"history_of_no_lining", "histories { name: 'a' quantity: MOMENT at { x: 3 y: 1 } }",
              "continuum.histories[0].lining", "is missing; name the lining"},
         Case{"history_of_another_lining",
@@ -101,18 +102,13 @@ INSTANTIATE_TEST_SUITE_P(
              "continuum.histories[0].at",
              "is (9, 0) m, where the continuum has no zone; its nearest grid point is (6, 0) m, put it "
              "inside"}),
-    [](const auto& scene) { return scene.param.name; });
+    adit::test::kRefusalName);
 
 // A scene without a continuum is not for this server.
 TEST(SceneErrors, ContinuumIsMissing) {
   FdmParticipant participant;
   wire::Model model;
-  try {
-    participant.set_up({}, model);
-    FAIL() << "no error";
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), "continuum");
-  }
+  adit::test::expect_refusal([&] { participant.set_up({}, model); }, "continuum", "");
 }
 
 // An overlap that leaves nothing of the continuum is refused.
@@ -120,13 +116,7 @@ TEST(SceneErrors, OverlapLeavesNoZone) {
   const Conversation whole("");
   wire::Weights weights;
   weights.mutable_weights()->Resize(whole.model.sample_points_size() / 2, 0.0);
-  try {
-    Conversation("", weights);
-    FAIL() << "no error";
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), "interface.overlap");
-    EXPECT_THAT(error.what(), HasSubstr("leaves no zone"));
-  }
+  adit::test::expect_refusal([&] { Conversation("", weights); }, "interface.overlap", "leaves no zone");
 }
 
 // The continuum's own material is taken instead of the scene's: twice the stiffness, a critical step shorter
@@ -141,13 +131,8 @@ TEST(SceneErrors, OwnMaterialReplacesTheScenes) {
 // A step above the critical one is refused with both values.
 TEST(SceneErrors, StepAboveTheCriticalOne) {
   Conversation run("");
-  try {
-    run.advance(0, 1.01 * run.model.critical_dt());
-    FAIL() << "no error";
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), "time.dt");
-    EXPECT_THAT(error.what(), HasSubstr("above the continuum's critical step"));
-  }
+  adit::test::expect_refusal([&] { run.advance(0, 1.01 * run.model.critical_dt()); }, "time.dt",
+                             "above the continuum's critical step");
 }
 
 // Two motions that agree may share points: fixed corners of two fixed sides.

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <google/protobuf/text_format.h>
 
-#include "protocol/errors.hpp"
+#include "tests/support/refusals.hpp"
 #include "tests/unit/fdm_server/grid/grids.hpp"
 
 namespace adit::fdm::test {
@@ -65,13 +65,8 @@ TEST(GridSelection, GroupsOutliveZonesThatVanish) {
 
 void expect_refused(const Grid& grid, const std::string& area, const std::string& path,
                     const std::string& message) {
-  try {
-    select_points(grid, area_of(area), "continuum.motions[0].where");
-    FAIL() << area << " was accepted";
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), "continuum.motions[0].where" + path);
-    EXPECT_THAT(error.what(), testing::HasSubstr(message));
-  }
+  adit::test::expect_refusal([&] { select_points(grid, area_of(area), "continuum.motions[0].where"); },
+                             "continuum.motions[0].where" + path, message);
 }
 
 TEST(GridSelection, AnUnknownGroupIsRefusedWithTheNearestName) {

@@ -7,6 +7,7 @@
 
 #include "fdm_server/zones/critical_step.hpp"
 #include "protocol/errors.hpp"
+#include "tests/support/coupled_run.hpp"
 #include "tests/unit/fdm_server/grid/grids.hpp"
 #include "tests/unit/fdm_server/scenes.hpp"
 
@@ -64,52 +65,22 @@ TEST(Deferral, TheHalvesOfAStepShareThePoints) {
 // A coupled run as the coupler would drive it, its other side a dashpot at every coupling point. The overlap
 // ends in [3, 6] m; a load, gravity and two motions act on both parts. Energies and histories are wanted at
 // every `stride`-th step.
-struct CoupledRun {
-  FdmParticipant participant;
-  wire::Predicted predicted;
-  std::vector<double> impulses;
-  std::uint64_t next = 0;
-
+struct CoupledRun : adit::test::CoupledRun<FdmParticipant> {
   explicit CoupledRun(const std::string& zone = "", bool coupled = true) {
-    wire::Model model;
-    participant.set_up(
-        setup_of(zone + " edge_loads { where { x_min: 1 x_max: 5 y_min: 1 } force { x: 2e6 y: -3e6 } "
-                        "  time { sine { frequency: 400 } } } "
-                        "body_loads { acceleration { y: -9.81 } } "
-                        "motions { where { x_max: 0 } velocity { x: 0 y: 0 } } "
-                        "motions { where { y_max: 0 x_min: 2 } velocity { y: 0.2 } "
-                        "  time { sine { frequency: 300 } } } "
-                        "histories { name: 'u' quantity: DISPLACEMENT_X at { x: 1 y: 1 } } "
-                        "histories { name: 'v' quantity: VELOCITY_Y at { x: 4 y: 1 } }"),
-        model);
-    wire::Weights weights;
-    for (int i = 0; i < model.sample_points_size(); i += 2)
-      weights.add_weights(std::clamp((6.2 - model.sample_points(i)) / 3.2, 0.0, 1.0));
-    weights.set_floor(1e-3);
-    wire::Interface interface;
-    participant.weigh(weights, interface);
-    if (!coupled) return;
-    wire::Couple couple;
-    for (int k = 0; k < 40; ++k) {
-      couple.add_points(3 + 3 * std::fmod(0.618034 * k, 1.0));
-      couple.add_points(std::fmod(0.754878 * k, 1.0));
-    }
-    wire::Operator op;
-    participant.couple(couple, op);
+    set_up(setup_of(zone + " edge_loads { where { x_min: 1 x_max: 5 y_min: 1 } force { x: 2e6 y: -3e6 } "
+                           "  time { sine { frequency: 400 } } } "
+                           "body_loads { acceleration { y: -9.81 } } "
+                           "motions { where { x_max: 0 } velocity { x: 0 y: 0 } } "
+                           "motions { where { y_max: 0 x_min: 2 } velocity { y: 0.2 } "
+                           "  time { sine { frequency: 300 } } } "
+                           "histories { name: 'u' quantity: DISPLACEMENT_X at { x: 1 y: 1 } } "
+                           "histories { name: 'v' quantity: VELOCITY_Y at { x: 4 y: 1 } }"));
+    dt = kDt;
+    weigh([](double x) { return std::clamp((6.2 - x) / 3.2, 0.0, 1.0); });
+    if (coupled) couple(3, 3, 40);
   }
 
-  void advance(bool wanted) {
-    wire::Advance request;
-    request.set_step(next++);
-    request.set_dt(kDt);
-    request.mutable_impulses()->Assign(impulses.begin(), impulses.end());
-    request.set_want_energies(wanted);
-    request.set_want_histories(wanted);
-    predicted.Clear();
-    participant.advance(request, predicted);
-    impulses.clear();
-    for (const double velocity : predicted.velocities()) impulses.push_back(-0.05 * velocity);
-  }
+  double impulse(std::size_t, double velocity) override { return -0.05 * velocity; }
 };
 
 // The answers do not depend on when the interior is computed: neither velocities nor energies, histories and

@@ -11,6 +11,8 @@
 #include "fdm_server/grid/edges.hpp"
 #include "fdm_server/model/supports/supports.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/scene/fields/check_rules.hpp"
+#include "tests/support/refusals.hpp"
 #include "tests/unit/fdm_server/scenes.hpp"
 #include "tests/unit/fdm_server/structures/frames.hpp"
 
@@ -53,7 +55,9 @@ Grid ring_grid() {
 const std::string kConcreteWall = "thickness: 0.3 young_modulus: 30e9 ";
 
 Supports with(const std::string& text, const Grid& grid) {
-  return resolve_supports(parsed(text), grid);
+  const scene::Scene scene = parsed(text);
+  protocol::check_rules(scene.continuum(), "continuum");
+  return resolve_supports(scene, grid);
 }
 std::vector<std::uint32_t> path_of(const std::string& along, const Grid& grid) {
   return with("linings { name: 'l' along { " + along + " } " + kConcreteWall + "}", grid)
@@ -179,21 +183,13 @@ TEST(Supports, ForcesAreRecordedAndDrawn) {
   EXPECT_LT(field(bolt.cell_fields(), "thrust_N")[0], 0);
 }
 
-struct Case {
-  std::string name, text, path, message;
-};
-
+using Case = adit::test::RefusedText;
 class SupportsError : public testing::TestWithParam<Case> {};
 
 TEST_P(SupportsError, NamesTheFieldAndTheRemedy) {
   const auto& [name, text, path, message] = GetParam();
-  try {
-    with(text, name.starts_with("ring") ? ring_grid() : block_grid());
-    FAIL() << "no error";
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), path);
-    EXPECT_THAT(error.what(), HasSubstr(message));
-  }
+  adit::test::expect_refusal([&] { with(text, name.starts_with("ring") ? ring_grid() : block_grid()); }, path,
+                             message);
 }
 
 std::string lining(const std::string& along, const std::string& more = kConcreteWall) {
@@ -225,7 +221,7 @@ INSTANTIATE_TEST_SUITE_P(
              lining(kLine, kConcreteWall + "joints { at { x: 2 y: 1 } yield_moment: 1e3 } "),
              "continuum.linings[0].joints[0].yield_moment", "give its rotational_stiffness too"},
         Case{"one_point", lining("line { points { x: 1 y: 1 } }"), "continuum.linings[0].along.line.points",
-             "give at least two"},
+             "has 1 elements, expected at least 2"},
         Case{"point_twice", lining("line { points { x: 1 y: 1 } points { x: 1 y: 1 } }"),
              "continuum.linings[0].along.line.points", "twice in succession"},
         Case{"no_path", lining(""), "continuum.linings[0].along", "give `circle`, `line` or `wall`"},
@@ -244,11 +240,11 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"two_sections", lining(kLine, kConcreteWall + "area: 0.3 inertia: 1e-3 "),
              "continuum.linings[0]", "give either `thickness`"},
         Case{"soft_as_air", lining(kLine, "thickness: 0.3 young_modulus: 0 "),
-             "continuum.linings[0].young_modulus", "must be positive"},
+             "continuum.linings[0].young_modulus", "is 0 Pa, expected a pressure above 0 Pa"},
         Case{"thin_as_air", lining(kLine, "thickness: -1 young_modulus: 1e9 "),
-             "continuum.linings[0].thickness", "is -1 m, but must be positive"},
+             "continuum.linings[0].thickness", "is -1 m, expected a length above 0 m"},
         Case{"poisson", lining(kLine, kConcreteWall + "poisson_ratio: 0.5 "),
-             "continuum.linings[0].poisson_ratio", "must lie between -1 and 0.5"},
+             "continuum.linings[0].poisson_ratio", "expected a pure number above -1 and below 0.5"},
         Case{"joint_off_the_lining", lining(kLine, kConcreteWall + "joints { at { x: 2 y: 2 } } "),
              "continuum.linings[0].joints[0]", "1 m from the lining's nearest node; put it on the lining"},
         Case{"joint_nowhere", lining(kLine, kConcreteWall + "joints {} "), "continuum.linings[0].joints[0]",
@@ -262,10 +258,11 @@ INSTANTIATE_TEST_SUITE_P(
              "continuum.linings[0].joints[1]", "at the same node as joints[0]"},
         Case{"joint_of_negative_stiffness",
              lining(kLine, kConcreteWall + "joints { at { x: 2 y: 1 } rotational_stiffness: -1 } "),
-             "continuum.linings[0].joints[0].rotational_stiffness", "must be 0 (a hinge) or positive"},
+             "continuum.linings[0].joints[0].rotational_stiffness",
+             "is -1 N*m/rad, expected a quantity in N*m/rad of at least 0"},
         Case{"joint_without_strength",
              lining(kLine, kConcreteWall + "joints { at { x: 2 y: 1 } yield_moment: 0 } "),
-             "continuum.linings[0].joints[0].yield_moment", "must be positive"},
+             "continuum.linings[0].joints[0].yield_moment", "is 0 N*m, expected"},
         Case{"stage_without_statics", lining(kLine, kConcreteWall + "stage: 1 "),
              "continuum.linings[0].stage", "the scene has no statics"},
         Case{"bolt_stage_without_statics", kBolt + "area: 1e-3 stage: 2 }", "continuum.bolts[0].stage",
@@ -281,12 +278,13 @@ INSTANTIATE_TEST_SUITE_P(
              "continuum.bolts[0]", "has no sides of zones along it at (1, 1) m"},
         Case{"bolt_without_length", "bolts { from { x: 1 y: 1 } to { x: 1 y: 1 } area: 1e-3 }",
              "continuum.bolts[0].to", "give the bolt a length"},
-        Case{"bolt_without_area", kBolt + "area: 0 }", "continuum.bolts[0].area", "must be positive"},
+        Case{"bolt_without_area", kBolt + "area: 0 }", "continuum.bolts[0].area",
+             "is 0 m^2, expected an area above 0 m^2"},
         Case{"bolt_without_strength", kBolt + "area: 1e-3 yield_force: 0 }", "continuum.bolts[0].yield_force",
-             "must be positive"},
+             "is 0 N, expected a force above 0 N"},
         Case{"bolts_without_spacing", kBolt + "area: 1e-3 spacing: -2 }", "continuum.bolts[0].spacing",
-             "must be positive"}),
-    [](const auto& scene) { return scene.param.name; });
+             "is -2 m, expected a length above 0 m"}),
+    adit::test::kRefusalName);
 
 }  // namespace
 }  // namespace adit::fdm::test

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "protocol/errors.hpp"
+#include "tests/support/refusals.hpp"
 
 namespace adit::protocol {
 namespace {
@@ -26,13 +26,7 @@ std::vector<std::uint32_t> selected(const std::string& area, double tolerance = 
 }
 
 void expect_refused(const std::string& area, const std::string& path, const std::string& message) {
-  try {
-    selected(area);
-    FAIL() << area << " was accepted";
-  } catch (const UserError& error) {
-    EXPECT_EQ(error.path(), "particles.loads[0].where" + path);
-    EXPECT_THAT(error.what(), ::testing::HasSubstr(message));
-  }
+  adit::test::expect_refusal([&] { selected(area); }, "particles.loads[0].where" + path, message);
 }
 
 TEST(Selection, PointsOnTheEdgeOfTheBoxAreInside) {

@@ -4,6 +4,7 @@
 
 #include "protocol/errors.hpp"
 #include "protocol/participant/participant.hpp"
+#include "tests/support/refusals.hpp"
 
 namespace adit::protocol {
 namespace {
@@ -30,6 +31,7 @@ wire::Frame request(wire::Frame::ContentCase kind, std::uint64_t step = 0) {
   const auto* field = wire::Frame::descriptor()->FindFieldByNumber(kind);
   wire::Frame::GetReflection()->MutableMessage(&frame, field);
   if (frame.has_advance()) frame.mutable_advance()->set_step(step);
+  if (frame.has_setup()) frame.mutable_setup()->mutable_scene()->mutable_time()->set_duration(1);
   return frame;
 }
 
@@ -112,6 +114,21 @@ TEST_F(ConversationTest, RefusesWhatIsOutOfOrder) {
   refuses(Kind::kCouple);
   ask(Kind::kFinish);
   for (const Kind kind : {Kind::kSetup, Kind::kAdvance, Kind::kFinish}) refuses(kind);
+}
+
+// A scene that breaks a rule never reaches the participant, whoever sent it: the error names the field.
+TEST(Conversation, ChecksTheRulesOfTheScene) {
+  struct : Recorder {
+    void set_up(const wire::Setup&, wire::Model&) override { ADD_FAILURE() << "the scene was not checked"; }
+  } participant;
+  Conversation conversation(participant);
+  wire::Frame setup = request(wire::Frame::kSetup), reply;
+  auto& packing = *setup.mutable_setup()->mutable_scene()->mutable_particles()->mutable_packing();
+  packing.set_radius(-1);
+  test::expect_refusal([&] { conversation.answer(setup, reply); }, "particles.packing.radius",
+                       "is -1 m, expected a length above 0 m");
+  packing.set_radius(1);
+  test::expect_refusal([&] { conversation.answer(setup, reply); }, "particles.packing.x_min", "is missing");
 }
 
 // Leaves the rest of every step, which takes a while, to complete().

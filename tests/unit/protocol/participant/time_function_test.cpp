@@ -6,7 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "protocol/errors.hpp"
+#include "protocol/scene/fields/check_rules.hpp"
+#include "tests/support/refusals.hpp"
 
 namespace adit::protocol {
 namespace {
@@ -16,15 +17,6 @@ scene::TimeFunction table(const std::vector<double>& times, const std::vector<do
   function.mutable_table()->mutable_time()->Add(times.begin(), times.end());
   function.mutable_table()->mutable_value()->Add(values.begin(), values.end());
   return function;
-}
-
-std::string faulty_path(const scene::TimeFunction& function) {
-  try {
-    check(function, "loads[0].time");
-    return {};
-  } catch (const UserError& error) {
-    return error.path();
-  }
 }
 
 TEST(TimeFunction, IsOneWhereNothingIsGiven) {
@@ -65,12 +57,16 @@ TEST(TimeFunction, SineStopsAfterItsEnd) {
 }
 
 TEST(TimeFunction, TablesThatCannotBeEvaluatedAreRefusedAtTheirPath) {
-  EXPECT_EQ(faulty_path(scene::TimeFunction()), "");
-  EXPECT_EQ(faulty_path(table({0, 1}, {5, 6})), "");
-  EXPECT_EQ(faulty_path(table({}, {})), "loads[0].time.table.time");
-  EXPECT_EQ(faulty_path(table({0, 1}, {5})), "loads[0].time.table");
-  EXPECT_EQ(faulty_path(table({0, 2, 1}, {5, 6, 7})), "loads[0].time.table.time");
-  EXPECT_EQ(faulty_path(table({0, 1, 1}, {5, 6, 7})), "loads[0].time.table.time");
+  const auto refused = [](const scene::TimeFunction& function, const std::string& path,
+                          const std::string& text) {
+    test::expect_refusal([&] { check_rules(function, "loads[0].time"); }, "loads[0].time.table" + path, text);
+  };
+  EXPECT_NO_THROW(check_rules(scene::TimeFunction()));
+  EXPECT_NO_THROW(check_rules(table({0, 1}, {5, 6})));
+  refused(table({}, {}), ".time", "is missing");
+  refused(table({0, 1}, {5}), ".value", "has 1 elements, expected 2, as many as `time`");
+  refused(table({0, 2, 1}, {5, 6, 7}), ".time[2]", "is 1 s, expected more than the 2 s before it");
+  refused(table({0, 1, 1}, {5, 6, 7}), ".time[2]", "is 1 s, expected more than the 1 s before it");
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ TEST(SceneHash, IsFnv1aInSixteenHexadecimalDigits) {
 TEST(SceneHash, NamesDoNotChangeIt) {
   scene::Scene named = small_scene();
   named.set_name("a");
-  named.set_base("b.yaml");
+  named.set_extends("b.yaml");
   named.set_description("c");
   EXPECT_EQ(scene_hash(named), scene_hash(small_scene()));
 }

@@ -32,7 +32,7 @@ TEST(SceneErrors, UnknownKeyGetsTheNearestNameAndTheKnownOnes) {
       "y_max, radius");
   EXPECT_EQ(
       about("fluid: 3\n"),
-      "x.yaml:3:1: fluid: unknown; known here: base, name, description, plane, material, time, continuum, "
+      "x.yaml:3:1: fluid: unknown; known here: extends, name, description, plane, material, time, continuum, "
       "particles, interface, output, simplified, regions, interfaces, initial_stress, statics");
   EXPECT_THAT(about("<<: {}\n"), StartsWith("x.yaml:3:1: <<: unknown; known here"));
 }
@@ -103,10 +103,9 @@ TEST(SceneErrors, MissingFieldNamesTheMappingAroundItAndWhatToWrite) {
 }
 
 TEST(SceneErrors, WrongKindOfValue) {
-  EXPECT_EQ(
-      about("particles: 5\n"),
-      "x.yaml:3:1: particles: is `5`, expected a mapping such as `{packing: {x_min: 0.5 m, x_max: 0.5 m, "
-      "y_min: 0.5 m, y_max: 0.5 m, radius: 0.5 m}}`");
+  EXPECT_EQ(about("particles: 5\n"),
+            "x.yaml:3:1: particles: is `5`, expected a mapping such as `{packing: {x_min: 0.5 m, x_max: 2 m, "
+            "y_min: 0.5 m, y_max: 2 m, radius: 0.5 m}}`");
   EXPECT_EQ(about("output: [1]\n"),
             "x.yaml:3:1: output: is a list, expected a mapping such as "
             "`{history_interval: 10 ms}`");
@@ -157,7 +156,7 @@ TEST(SceneErrors, WhatIsNotPlainYaml) {
               StartsWith("x.yaml:3:38: is nested more than 32"));
 }
 
-// The first error of the file is reported, whatever its kind.
+// The first key or value of the file that cannot be read, or lies beyond its limits, is reported.
 TEST(SceneErrors, TheFirstErrorInTheFileIsReported) {
   EXPECT_THAT(about("plane: wrong\nfluid: 3\n"), StartsWith("x.yaml:3:1: plane"));
   EXPECT_THAT(about("fluid: 3\nplane: wrong\n"), StartsWith("x.yaml:3:1: fluid"));
@@ -173,27 +172,30 @@ TEST(SceneErrors, FilesThatCannotBeRead) {
             "large.yaml: the file is larger than 4 MiB; thin out its tables");
 }
 
-TEST(SceneErrors, BasesThatCannotBeRead) {
-  EXPECT_THAT(about("base: no.yaml\n"), StartsWith("x.yaml:3:1: base: `"));
-  EXPECT_THAT(about("base: no.yaml\n"), HasSubstr("there is no such file"));
-  EXPECT_THAT(about("base: .\n"), HasSubstr("this is not a file"));
+TEST(SceneErrors, ExtendedFilesThatCannotBeRead) {
+  EXPECT_THAT(about("extends: no.yaml\n"), StartsWith("x.yaml:3:1: extends: `"));
+  EXPECT_THAT(about("extends: no.yaml\n"), HasSubstr("there is no such file"));
+  EXPECT_THAT(about("extends: .\n"), HasSubstr("this is not a file"));
   EXPECT_EQ(about("base: [a.yaml]\n"),
-            "x.yaml:3:1: base: expected the path of a scene file, such as `base.yaml`");
-  EXPECT_EQ(about("base:\n"), "x.yaml:3:1: base: expected the path of a scene file, such as `base.yaml`");
-  EXPECT_THAT(about("base: x.yaml\n"), HasSubstr("builds on this file; no scene is its own base"));
+            "x.yaml:3:1: extends: expected the path of a scene file, such as `other.yaml`");
+  EXPECT_EQ(about("extends:\n"),
+            "x.yaml:3:1: extends: expected the path of a scene file, such as `other.yaml`");
+  EXPECT_THAT(about("extends: x.yaml\n"), HasSubstr("extends this file; no scene extends itself"));
+  EXPECT_EQ(about("extends: y.yaml\nbase: y.yaml\n"),
+            "x.yaml:4:1: base: is given beside `extends`, its new name; keep that");
   const ScratchFolder folder;
-  folder.write("a.yaml", "base: b.yaml\n");
-  folder.write("b.yaml", "base: ./a.yaml\n");
-  EXPECT_THAT(complaint(folder, "a.yaml"), StartsWith("b.yaml:1:1: base: "));
+  folder.write("a.yaml", "extends: b.yaml\n");
+  folder.write("b.yaml", "extends: ./a.yaml\n");
+  EXPECT_THAT(complaint(folder, "a.yaml"), StartsWith("b.yaml:1:1: extends: "));
 }
 
-// A value from a base is blamed on the base's line, a field missing from both on the file itself.
-TEST(SceneErrors, ErrorsInABaseNameTheBase) {
+// A value from an extended file is blamed on its line there, a field missing from both on the file itself.
+TEST(SceneErrors, ErrorsInAnExtendedFileNameThatFile) {
   const ScratchFolder folder;
   folder.write("base.yaml", "\n" + kHead + "plane: wrong\n");
-  folder.write("x.yaml", "base: base.yaml\n");
+  folder.write("x.yaml", "extends: base.yaml\n");
   EXPECT_THAT(complaint(folder, "x.yaml"), StartsWith("base.yaml:4:1: plane: is `wrong`"));
-  folder.write("x.yaml", "base: base.yaml\nplane: plane_stress\nparticles: {packing: {}}\n");
+  folder.write("x.yaml", "extends: base.yaml\nplane: plane_stress\nparticles: {packing: {}}\n");
   EXPECT_THAT(complaint(folder, "x.yaml"), StartsWith("x.yaml:3:13: particles.packing.x_min: is missing"));
 }
 
@@ -215,7 +217,7 @@ TEST(SceneErrors, SetsAreNamedAsTheyWereWritten) {
   EXPECT_THAT(
       about("", {"particles.bonds={tensile_strength: 1 kg}"}),
       HasSubstr("particles.bonds.tensile_strength: `1 kg` is a mass; a force such as `5 MN` is expected"));
-  EXPECT_THAT(about("", {"base=y.yaml"}), HasSubstr("base: can only be given in the scene file"));
+  EXPECT_THAT(about("", {"extends=y.yaml"}), HasSubstr("extends: can only be given in the scene file"));
   for (const std::string path : {"a..b", ".a", "a.", "a[", "a[]", "a[x]", "a[1", "a[1]b", "[1]", "a[-1]"})
     EXPECT_THAT(about("", {path + "=1"}), HasSubstr("is not a path such as `particles.loads[0].force.y`"))
         << path;

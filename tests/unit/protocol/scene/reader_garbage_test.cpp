@@ -7,6 +7,7 @@
 
 #include "protocol/errors.hpp"
 #include "protocol/messages/scene.pb.h"
+#include "protocol/scene/fields/check_rules.hpp"
 #include "protocol/scene/yaml/message_reader.hpp"
 
 namespace adit::protocol {
@@ -17,6 +18,7 @@ std::string complaint(const std::string& text) {
   try {
     scene::Scene scene;
     read_message(parse_yaml(text, "x.yaml"), "", scene);
+    check_rules(scene);
     return {};
   } catch (const UserError& error) {
     return error.what();

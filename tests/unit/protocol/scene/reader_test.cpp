@@ -68,10 +68,10 @@ TEST(SceneReader, WhatIsNotGivenStaysUnsetAndHasItsDefault) {
   EXPECT_FALSE(scene.particles().loads(0).where().has_x_min());
 }
 
-TEST(SceneReader, AMappingIsMergedKeyByKeyAndAListReplacesThatOfTheBase) {
+TEST(SceneReader, AMappingIsMergedKeyByKeyAndAListReplacesThatOfTheExtendedFile) {
   const ScratchFolder folder;
   folder.write("beam.yaml", kBeam);
-  folder.write("soft.yaml", "base: beam.yaml\nmaterial: {young_modulus: 1 GPa}\nparticles: {loads: []}\n");
+  folder.write("soft.yaml", "extends: beam.yaml\nmaterial: {young_modulus: 1 GPa}\nparticles: {loads: []}\n");
   const scene::Scene scene = read(folder, "soft.yaml");
   EXPECT_EQ(scene.material().young_modulus(), 1e9);
   EXPECT_EQ(scene.material().poisson_ratio(), 0.2);
@@ -80,12 +80,12 @@ TEST(SceneReader, AMappingIsMergedKeyByKeyAndAListReplacesThatOfTheBase) {
   EXPECT_EQ(scene.name(), "soft");
 }
 
-TEST(SceneReader, BasesAreRelativeToTheFileThatNamesThemAndMayHaveBases) {
+TEST(SceneReader, ExtendedFilesAreRelativeToTheFileThatNamesThemAndMayExtendOthers) {
   const ScratchFolder folder;
   std::filesystem::create_directory(folder.path("deep"));
   folder.write("beam.yaml", "name: beam\n" + kBeam);
-  folder.write("deep/middle.yaml", "base: ../beam.yaml\nmaterial: {poisson_ratio: 0.3}\n");
-  folder.write("top.yaml", "base: deep/middle.yaml\nmaterial: {density: 1 t/m^3}\n");
+  folder.write("deep/middle.yaml", "extends: ../beam.yaml\nmaterial: {poisson_ratio: 0.3}\n");
+  folder.write("top.yaml", "extends: deep/middle.yaml\nmaterial: {density: 1 t/m^3}\n");
   const scene::Scene scene = read(folder, "top.yaml");
   EXPECT_EQ(scene.material().young_modulus(), 25e9);
   EXPECT_EQ(scene.material().poisson_ratio(), 0.3);
@@ -94,11 +94,24 @@ TEST(SceneReader, BasesAreRelativeToTheFileThatNamesThemAndMayHaveBases) {
   EXPECT_EQ(read(folder, "beam.yaml").name(), "beam");
 }
 
-// Required fields may come from the base or from the command line.
+// The word of older scenes is read, with one warning that says what to write.
+TEST(SceneReader, BaseIsTheFormerWordForExtends) {
+  const ScratchFolder folder;
+  const std::string beam = folder.write("beam.yaml", kBeam);
+  const std::string old = folder.write("old.yaml", "base: beam.yaml\nmaterial: {poisson_ratio: 0.3}\n");
+  const SceneFile file = read_scene(old);
+  EXPECT_EQ(file.scene.material().poisson_ratio(), 0.3);
+  EXPECT_EQ(file.scene.extends(), "beam.yaml");
+  EXPECT_THAT(file.warnings, ::testing::ElementsAre(
+                                 old + ":1:1: base: is now called `extends`; write `extends: beam.yaml`"));
+  EXPECT_THAT(read_scene(beam).warnings, ::testing::IsEmpty());
+}
+
+// Required fields may come from the extended file or from the command line.
 TEST(SceneReader, RequiredFieldsAreCheckedAfterMerging) {
   const ScratchFolder folder;
   folder.write("base.yaml", "material: {young_modulus: 1 GPa, poisson_ratio: 0.2}\n");
-  folder.write("x.yaml", "base: base.yaml\ntime: {duration: 1 s}\n");
+  folder.write("x.yaml", "extends: base.yaml\ntime: {duration: 1 s}\n");
   EXPECT_EQ(read(folder, "x.yaml", {"material.density=2 t/m^3"}).material().density(), 2000);
 }
 
@@ -144,7 +157,7 @@ TEST(SceneReader, FieldsAreLocatedInTheFileThatGaveThem) {
   const ScratchFolder folder;
   const std::string beam = folder.write("beam.yaml", kBeam);
   const std::string top =
-      folder.write("top.yaml", "base: beam.yaml\n\nparticles:\n  bonds: {shear_strength: 1 N}\n");
+      folder.write("top.yaml", "extends: beam.yaml\n\nparticles:\n  bonds: {shear_strength: 1 N}\n");
   const SceneFile file =
       read_scene(top, parse_overrides(std::vector<std::string>{"particles.bonds.tensile_strength=1 MN"}));
   EXPECT_EQ(file.locate("particles.loads[0].where"), beam + ":8:7");

@@ -72,6 +72,7 @@ class Client {
   const wire::Frame& set_up(const std::string& run_id) {
     wire::Frame request;
     request.mutable_setup()->set_run_id(run_id);
+    request.mutable_setup()->mutable_scene()->mutable_time()->set_duration(1);
     return ask(request);
   }
   const wire::Frame& advance(std::uint64_t step) {

@@ -6,33 +6,21 @@
 #include <stdexcept>
 
 #include "protocol/errors.hpp"
+#include "tests/support/refusals.hpp"
 #include "tests/unit/simplified/chain/chains.hpp"
 
 namespace adit::simplified::chain {
 namespace {
 
-struct Case {
-  std::string name, path, message;
-  std::function<void(Chain&, Settings&)> spoil;
-};
-
-std::ostream& operator<<(std::ostream& out, const Case& c) {
-  return out << c.name;
-}
-
+using Case = adit::test::Refusal<std::function<void(Chain&, Settings&)>>;
 class UserErrors : public testing::TestWithParam<Case> {};
 
 TEST_P(UserErrors, NamesTheFieldAndTheRemedy) {
   Chain chain = test::winding(4);
   Settings settings{.dt = 0.005};
-  GetParam().spoil(chain, settings);
-  try {
-    const Simulation run(chain, settings);
-    FAIL() << "accepted";
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), GetParam().path);
-    EXPECT_THAT(error.what(), testing::HasSubstr(GetParam().message));
-  }
+  GetParam().input(chain, settings);
+  adit::test::expect_refusal([&] { const Simulation run(chain, settings); }, GetParam().path,
+                             GetParam().message);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -95,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
              [](auto&, auto& s) { s.method = WilsonTheta{1}; }},
         Case{"Tolerance", "tolerance", "between 0 and 1", [](auto&, auto& s) { s.tolerance = 0; }},
         Case{"Iterations", "max_iterations", "below 1", [](auto&, auto& s) { s.max_iterations = 0; }}),
-    [](const auto& info) { return info.param.name; });
+    adit::test::kRefusalName);
 
 // Values for another number of bodies are the caller's error, by name.
 TEST(Excitation, WrongSizeIsRefused) {

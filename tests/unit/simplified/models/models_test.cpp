@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "protocol/errors.hpp"
-#include "protocol/participant/time_function.hpp"
+#include "protocol/scene/fields/check_rules.hpp"
 #include "simplified/models/differences.hpp"
 #include "simplified/output/zoom.hpp"
 #include "simplified/run.hpp"
@@ -110,7 +110,7 @@ TEST(Zoom, EdgesMoveAsTheTunnelDoes) {
                                         &around.end_lateral};
   for (int i = 0; i < 4; ++i) {
     const scene::GridMotion& motion = scene.continuum().motions(i);
-    EXPECT_NO_THROW(protocol::check(motion.time(), "motion"));
+    EXPECT_NO_THROW(protocol::check_rules(motion, "motion"));
     EXPECT_EQ(motion.velocity().has_x(), i % 2 == 0);
     for (std::size_t n = 0; n < around.time.size(); n += 7)
       EXPECT_DOUBLE_EQ(protocol::evaluate(motion.time(), around.time[n]), (*edges[i])[n]);

@@ -2,9 +2,9 @@
 // ask.
 #include <gmock/gmock.h>
 
-#include "protocol/errors.hpp"
 #include "simplified/run.hpp"
 #include "simplified/scene/ground.hpp"
+#include "tests/support/refusals.hpp"
 #include "tests/unit/simplified/scenes.hpp"
 
 namespace adit::simplified {
@@ -15,13 +15,7 @@ using testing::scene_of;
 using testing::tunnel;
 
 void expect_refusal(const scene::Scene& scene, const std::string& path, const std::string& text) {
-  try {
-    set_up(scene);
-    FAIL() << "accepted where it should say: " << text;
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), path);
-    EXPECT_THAT(error.what(), HasSubstr(text));
-  }
+  adit::test::expect_refusal([&] { set_up(scene); }, path, text);
 }
 
 // Requirement: every joint and every end of a section is a node, and no piece is longer than was asked for.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "protocol/errors.hpp"
+#include "tests/support/refusals.hpp"
 #include "tests/unit/dem_server/discs_models.hpp"
 #include "tests/unit/dem_server/in_process_run.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
@@ -32,26 +33,16 @@ TEST(DiscsExtremes, OneParticle) {
 
 TEST(DiscsExtremes, TwoAtOnePointAreRefused) {
   const auto scene = test::placed_scene("x_m,y_m,radius_m\n0,0,0.1\n3,1,0.1\n0.5,0,0.1\n3,1,0.2\n");
-  try {
-    test::InProcessRun run(scene);
-    FAIL();
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), "particles.placed.path");
-    EXPECT_THAT(error.what(), testing::HasSubstr("1 and 3 (counted from 0) both lie at (3, 1) m"));
-  }
+  adit::test::expect_refusal([&] { test::InProcessRun run(scene); }, "particles.placed.path",
+                             "1 and 3 (counted from 0) both lie at (3, 1) m");
 }
 
 // What no bond law can carry yet is refused by name.
 TEST(DiscsExtremes, InitialStressIsRefused) {
   auto scene = test::square_scene(3, 3);
   scene.mutable_initial_stress()->set_yy(-1e6);
-  try {
-    test::InProcessRun run(scene);
-    FAIL();
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), "initial_stress");
-    EXPECT_THAT(error.what(), testing::HasSubstr("only a hexagonal lattice"));
-  }
+  adit::test::expect_refusal([&] { test::InProcessRun run(scene); }, "initial_stress",
+                             "only a hexagonal lattice");
 }
 
 // A step far above the critical one ends with the step and the place where it went wrong.

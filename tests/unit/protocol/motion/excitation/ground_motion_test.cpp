@@ -4,10 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "protocol/errors.hpp"
 #include "protocol/motion/excitation/ground_motion.hpp"
 #include "protocol/motion/processing/processing.hpp"
 #include "protocol/motion/velocity_history.hpp"
+#include "protocol/scene/fields/check_rules.hpp"
+#include "tests/support/refusals.hpp"
 #include "tests/unit/protocol/motion/support.hpp"
 
 namespace adit::motion::test {
@@ -70,13 +71,8 @@ TEST(GroundMotion, RecordsErrorsNameTheField) {
   scene::GroundMotion scene;
   scene.mutable_file()->set_path("wrong.csv");
   scene.mutable_file()->set_content("time_s,acceleration_kg\n0,0\n1,1\n");
-  try {
-    ground_motion(scene, "motion", 1.0);
-    FAIL() << "no error";
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), "motion.file.path");
-    EXPECT_THAT(error.what(), HasSubstr("wrong.csv:1: "));
-  }
+  adit::test::expect_refusal([&] { ground_motion(scene, "motion", 1.0); }, "motion.file.path",
+                             "wrong.csv:1: ");
 }
 
 // Corners that let nothing pass.
@@ -86,13 +82,8 @@ TEST(GroundMotion, RefusesExchangedCorners) {
   scene.mutable_ricker()->set_time(0.5);
   scene.set_low_corner(20);
   scene.set_high_corner(2);
-  try {
-    ground_motion(scene, "motion", 1.0);
-    FAIL() << "no error";
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), "motion.low_corner");
-    EXPECT_THAT(error.what(), HasSubstr("is 20 Hz, not below high_corner = 2 Hz"));
-  }
+  adit::test::expect_refusal([&] { protocol::check_rules(scene, "motion"); }, "motion.high_corner",
+                             "is 2 Hz, expected a frequency above `low_corner` = 20 Hz");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "protocol/scene/yaml/path.hpp"
+#include "protocol/scene/fields/path.hpp"
 
 #include <charconv>
 
