@@ -11,7 +11,7 @@
 namespace adit::dem {
 
 // UserError at `path` for a function that cannot be evaluated.
-TimeFactor factor_of(const scene::TimeFunction& function, const std::string& path);
+TimeFactor factor_of(const scene::TimeFunction& function);
 
 // Loads, then body loads. UserError at particles.loads[i] and particles.body_loads[i] that select nothing.
 std::vector<Load> read_loads(const scene::Particles& particles, const Placement& placement);

@@ -55,7 +55,7 @@ def edges(fragment):
 def local_scene(fragment, begin, end, place):
     """The lining alone in plan, driven by the fragment's motions."""
     return f"""\
-base: {fragment}
+extends: {fragment}
 name: local
 plane: plane_stress
 material: {{young_modulus: 35 GPa, poisson_ratio: 0.2, density: 2.5 t/m^3}}

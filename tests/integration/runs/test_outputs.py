@@ -145,7 +145,7 @@ class Outputs(ProgramTest):
 
     def test_spectra_without_periods(self):
         message = self.refused_output("{spectra: [{history: base, shortest_period: 2 s, longest_period: 1 s}]}")
-        self.assertIn("output.spectra[0].longest_period: is 1 s, not above shortest_period = 2 s", message)
+        self.assertIn("output.spectra[0].longest_period: is 1 s, expected a time above `shortest_period` = 2 s", message)
 
     def test_rows_too_far_apart_for_the_spectra(self):
         message = self.refused_output("{history_interval: 10 ms, spectra: [{history: base}]}")

@@ -65,7 +65,7 @@ class SiteResponse(ProgramTest):
 
 class LinedTunnel(ProgramTest):
     def test_forces_are_those_of_closed_forms_at_rest_and_under_the_wave(self):
-        coarse = self.scene(f"base: {TUNNEL / 'ovaling.yaml'}\ncontinuum:\n  blocks: [{{ring: {{centre: {{x: 0, y: 0}}, "
+        coarse = self.scene(f"extends: {TUNNEL / 'ovaling.yaml'}\ncontinuum:\n  blocks: [{{ring: {{centre: {{x: 0, y: 0}}, "
                             "inner_radius: 3 m, outer_side: 60 m}, along: {zones: 40}, across: {zones: 16, ratio: 1.15}}]\n")
         ovaling = Run(self.run_scene(coarse, "--set", "statics.unbalanced_ratio=1e-4", out="ovaling"))
         wave = Run(self.run_scene(TUNNEL / "shear_wave.yaml", "--set", "time.duration=1 s", out="shear_wave"))

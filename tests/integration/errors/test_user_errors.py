@@ -6,7 +6,7 @@ import unittest
 
 from programs import BUILD, CASE, SOURCE, ProgramTest, Server, coupler
 
-SCENE = (CASE / "coupled.yaml").read_text().replace("base: full_dem.yaml", f"base: {CASE / 'full_dem.yaml'}")
+SCENE = (CASE / "coupled.yaml").read_text().replace("extends: full_dem.yaml", f"extends: {CASE / 'full_dem.yaml'}")
 
 
 class UserErrors(ProgramTest):
@@ -60,7 +60,7 @@ class UserErrors(ProgramTest):
         """The case's mesh after a change, beside a scene that stands on the case's."""
         case = SOURCE / "cases" / "excavation"
         (self.folder / "changed.msh").write_text(change((case / "tunnel.msh").read_text()))
-        scene = f"base: {case / 'mesh.yaml'}\ncontinuum:\n  mesh: {{path: changed.msh}}\n"
+        scene = f"extends: {case / 'mesh.yaml'}\ncontinuum:\n  mesh: {{path: changed.msh}}\n"
         return self.refusal(self.scene(scene))
 
     def test_a_mesh_travels_to_the_server_and_its_errors_come_back_with_the_scenes_line(self):

@@ -84,7 +84,7 @@ class GroundErrors(ProgramTest):
                 ("{cohesion: -5 kPa}", "cohesion: is -5 kPa", "at least 0 Pa"), ("{friction_angle: 30 deg}", "cohesion: is missing"),
                 ("{cohesion: 5 kPa, friction_angle: 20 deg, dilation_angle: 30 deg}", "dilation_angle: is 0.52", "more than the friction angle"),
                 ("{cohesion: 5 kPa, friction_angle: 30}", "friction_angle: is 30 rad"),
-                ("{cohesion: 5 kPa, friction_angle: 30 deg, tension: 50 kPa}", "tension: is 50000 Pa", "between 0 and cohesion"),
+                ("{cohesion: 5 kPa, friction_angle: 30 deg, tension: 50 kPa}", "tension: is 50000 Pa", "at most cohesion"),
                 ("{cohesion: 5 kPa, softening: [{plastic_shear_strain: 0.1}, {plastic_shear_strain: 0.05}]}",
                  "softening[1].plastic_shear_strain: is 0.05", "larger than 0.1")):
             self.refused(f"material.mohr_coulomb={law}", "material.mohr_coulomb.", *said)
@@ -92,7 +92,7 @@ class GroundErrors(ProgramTest):
     def test_impossible_curves_and_planes(self):
         self.refused("material.hysteretic={}", "names no curve")
         self.refused("material.hysteretic={hyperbola: {reference_strain: 0}}", "reference_strain: is 0", "above 0")
-        self.refused("material.hysteretic={table: {shear_strain: [1e-5, 1e-4, 1e-3], ratio: [1, 0.5]}}", "as many of both")
+        self.refused("material.hysteretic={table: {shear_strain: [1e-5, 1e-4, 1e-3], ratio: [1, 0.5]}}", "ratio: has 2 elements, expected 3, as many as `shear_strain`")
         self.refused("material.hysteretic={table: {shear_strain: [1e-5, 1e-4, 1e-3], ratio: [1, 0.5, 0.7]}}", "G/Gmax falls with the strain")
         self.refused("material.weak_plane={dip_angle: 30 deg, cohesion: -1}", "weak_plane.cohesion: is -1 Pa")
 
@@ -102,11 +102,11 @@ class GroundErrors(ProgramTest):
                 self.refused(f"continuum.base={{acceleration: {{{pulse % frequency}}}}}", f"frequency: is {frequency}", "above 0 Hz")
         pulse = "continuum.base={acceleration: {ricker: {frequency: 5 Hz, time: 0.1 s}, "
         self.refused(pulse + "low_corner: 0 Hz}}", "low_corner: is 0 Hz", "above 0 Hz")
-        self.refused(pulse + "low_corner: 20 Hz, high_corner: 5 Hz}}", "low_corner: is 20 Hz, not below high_corner = 5 Hz")
+        self.refused(pulse + "low_corner: 20 Hz, high_corner: 5 Hz}}", "high_corner: is 5 Hz, expected a frequency above `low_corner` = 20 Hz")
         self.refused(pulse + "high_corner: 1 GHz}}", "the corner frequency of the filter is 1e+09 Hz", "give one below 500 Hz")
         damping = "continuum.damping={rayleigh: {ratio: 0.05, low_frequency: %s, high_frequency: %s}}"
         self.refused(damping % ("0 Hz", "10 Hz"), "low_frequency: is 0 Hz", "above 0 Hz")
-        self.refused(damping % ("10 Hz", "1 Hz"), "high_frequency: is 1 Hz, below low_frequency = 10 Hz")
+        self.refused(damping % ("10 Hz", "1 Hz"), "high_frequency: is 1 Hz, expected a frequency of at least `low_frequency` = 10 Hz")
 
     def refused_record(self, name, text, *said):
         (self.folder / name).write_text(text)
