@@ -34,12 +34,7 @@ Placement hexagonal(const scene::HexagonalPacking& wanted) {
   const geometry::BoundingBox box = box_of(wanted);
   require_room_for(count_hexagonal(box, radius), radius, path + ".radius");
   HexagonalLattice lattice = pack_hexagonally(box, radius);
-  if (lattice.discs.size() == 0)
-    throw UserError(
-        path,
-        fmt::format("a box of {} m x {} m holds 0 particle(s) of radius {} m (a row is sqrt(3) R high, a "
-                    "disc 2 R wide); enlarge the box or reduce the radius",
-                    box.x_max - box.x_min, box.y_max - box.y_min, radius));
+  if (lattice.discs.size() == 0) refuse_small_box(wanted, 0);
   return {std::move(lattice.discs), cell_mass, lattice.cells, {}};
 }
 
@@ -182,6 +177,15 @@ void keep_ring(const scene::SegmentRing& ring, Placement& placement) {
 }
 
 }  // namespace
+
+void refuse_small_box(const scene::HexagonalPacking& packing, std::size_t particles) {
+  throw UserError(
+      "particles.packing",
+      fmt::format("a box of {} m x {} m holds {} particle(s) of radius {} m (a row is sqrt(3) R high, a disc 2 R "
+                  "wide) and no bond; enlarge the box or reduce the radius",
+                  packing.x_max() - packing.x_min(), packing.y_max() - packing.y_min(), particles,
+                  packing.radius()));
+}
 
 void Placement::keep_only(const std::vector<bool>& keep) {
   dem::keep_only(keep, discs);

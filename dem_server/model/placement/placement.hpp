@@ -30,6 +30,9 @@ struct Placement {
 Placement place_discs(const scene::Particles& particles, double normal_stiffness,
                       std::vector<std::string>& notes);
 
+// Throws the UserError of a box that holds too few discs for a bond.
+[[noreturn]] void refuse_small_box(const scene::HexagonalPacking& packing, std::size_t particles);
+
 // Discs by their centres: what `area` selects, ascending. UserError where it selects none.
 std::vector<std::uint32_t> select(const scene::Area& area, const Placement& placement,
                                   const std::string& path);

@@ -108,6 +108,8 @@ Model read_model(const scene::Scene& scene) {
     remove_floaters(model, model.notes, placement);
     set_particles(particles, groups, placement, model);
   }
+  if (particles.has_packing() && groups.front().bonds != nullptr && model.bonds.empty())
+    refuse_small_box(particles.packing(), model.discs.size());
   if (particles.has_packing()) sort_by_rows(model);
   model.extent = placement.extent;
   set_masses(groups, placement, model);

@@ -47,9 +47,12 @@ INSTANTIATE_TEST_SUITE_P(
              [](auto& s) { packing(s).set_y_max(-1); }},
         Case{"TooSmall", "particles.packing", "holds 0 particle(s)",
              [](auto& s) { packing(s).set_radius(6); }},
-        Case{"HistoryOfStress", "particles.histories[0].quantity",
-             "is stress_xx, which particles do not have; choose displacement, velocity or acceleration",
+        Case{"HistoryOfStress", "particles.histories[0].radius",
+             "is missing; stress_xx of particles is a mean over a circle",
              [](auto& s) { s.mutable_particles()->mutable_histories(0)->set_quantity(scene::STRESS_XX); }},
+        Case{"HistoryOfStrain", "particles.histories[0].quantity",
+             "is strain_xx, which particles do not have; choose a motion",
+             [](auto& s) { s.mutable_particles()->mutable_histories(0)->set_quantity(scene::STRAIN_XX); }},
         Case{"OneParticle", "particles.packing", "holds 1 particle(s)",
              [](auto& s) {
                packing(s).set_x_max(1);

@@ -106,7 +106,8 @@ TEST(DiscsParts, LocalDampingSharesTheResultant) {
   solver.particles().vy[0] = -1e-9;
   for (std::uint64_t n = 1; n <= 100; ++n) solver.step({n, 1e-3}, gravity, none);
   EXPECT_NEAR(solver.particles().vy[0], -0.7, 1e-8);
-  EXPECT_NEAR(solver.ledger().damping.local, 0.3 * gravity.work(), 1e-9 * gravity.work());
+  const double work = gravity.work().accelerations;
+  EXPECT_NEAR(solver.ledger().damping.local, 0.3 * work, 1e-9 * work);
 }
 
 // A disc bounces off the face of a wall and off its end, along the line to the nearest point.
