@@ -27,6 +27,14 @@ std::string limits(const scene::Rule& rule) {
   return text;
 }
 
+// The field of the smallest number: what a message held first is what it is about.
+const FieldDescriptor* oldest_field(const Descriptor* type) {
+  const FieldDescriptor* oldest = type->field(0);
+  for (int i = 1; i < type->field_count(); ++i)
+    if (type->field(i)->number() < oldest->number()) oldest = type->field(i);
+  return oldest;
+}
+
 std::string example_element(const FieldDescriptor* field) {
   switch (field->cpp_type()) {
     case FieldDescriptor::CPPTYPE_MESSAGE:
@@ -83,7 +91,10 @@ std::string example(const Descriptor* type) {
   for (int i = 0; i < type->field_count(); ++i)
     if (rule_of(type->field(i)).required())
       members.push_back(type->field(i)->name() + ": " + example(type->field(i)));
-  if (members.empty()) members.push_back(type->field(0)->name() + ": " + example(type->field(0)));
+  if (members.empty()) {
+    const FieldDescriptor* first = oldest_field(type);
+    members.push_back(first->name() + ": " + example(first));
+  }
   return "{" + join(members) + "}";
 }
 

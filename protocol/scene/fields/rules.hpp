@@ -22,7 +22,7 @@ std::string join(const std::vector<std::string>& names);                        
 
 // A value that the field accepts, as YAML on one line: "30 GPa", "{x: 0.5 m, y: 0.5 m}", "[10 ms]".
 std::string example(const google::protobuf::FieldDescriptor* field);
-// The same for a message: its required fields, or its first one.
+// The same for a message: its required fields, or the one of the smallest number.
 std::string example(const google::protobuf::Descriptor* type);
 
 // What one value of the field must be: "a length above 0 m", "one of plane_strain, plane_stress".

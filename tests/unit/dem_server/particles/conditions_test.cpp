@@ -86,8 +86,11 @@ TEST(Conditions, LoadIsSharedEqually) {
 // Particles with a prescribed velocity follow it at the half steps and ignore loads.
 TEST(Conditions, PrescribedVelocityIsFollowed) {
   auto scene = free_block();
-  scene.mutable_particles()->add_loads()->mutable_force()->set_y(1e6);
+  auto& load = *scene.mutable_particles()->add_loads();
+  load.mutable_where();
+  load.mutable_force()->set_y(1e6);
   auto& motion = *scene.mutable_particles()->add_motions();
+  motion.mutable_where();
   motion.mutable_velocity()->set_y(0.5);
   auto& sine = *motion.mutable_time()->mutable_sine();
   sine.set_frequency(100);
@@ -113,6 +116,7 @@ TEST(Conditions, EnergyLedgerClosesUnderLoadsAndMotions) {
   fixed.mutable_time()->mutable_sine()->set_frequency(300);
   auto& spun = *scene.mutable_particles()->add_motions();
   spun.mutable_where()->set_x_max(test::kCantileverRadius);
+  spun.mutable_velocity();
   spun.set_spin(0.01);
   InProcessRun run(scene);
   const double start = ledger(run.advance().energies());
@@ -138,6 +142,7 @@ TEST(Conditions, HistoriesReadTheNearestParticle) {
   for (const auto quantity :
        {scene::VELOCITY_Y, scene::DISPLACEMENT_X, scene::VELOCITY_X, scene::DISPLACEMENT_Y}) {
     auto& history = *particles.add_histories();
+    history.set_name("corner");
     history.set_quantity(quantity);
     history.mutable_at()->set_x(0.9);
     history.mutable_at()->set_y(0.5);

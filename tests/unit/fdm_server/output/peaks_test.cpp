@@ -37,11 +37,11 @@ TEST(Peaks, AreTheLargestOfDenseHistories) {
   std::string histories;
   for (const char* quantity :
        {"DISPLACEMENT_X", "DISPLACEMENT_Y", "VELOCITY_X", "VELOCITY_Y", "ACCELERATION_X", "ACCELERATION_Y"})
-    histories += std::string("histories { quantity: ") + quantity + " at { x: 3 y: 0.5 } } ";
+    histories += std::string("histories { name: 'a' quantity: ") + quantity + " at { x: 3 y: 0.5 } } ";
   for (const char* quantity :
        {"STRESS_XX", "STRESS_YY", "STRESS_XY", "STRAIN_XX", "STRAIN_YY", "SHEAR_STRAIN_XY"})
-    histories +=
-        std::string("histories { quantity: ") + quantity + " at { x: 0.75 y: 0.625 } } ";  // a centroid
+    histories += std::string("histories { name: 'a' quantity: ") + quantity +
+                 " at { x: 0.75 y: 0.625 } } ";  // a centroid
   Conversation run(
       "motions { where { x_max: 0 } velocity { x: 0 y: 0 } } edge_loads { where { x_min: 6 } force { x: 1e5 "
       "y: -1e6 } "

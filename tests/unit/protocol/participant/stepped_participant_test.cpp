@@ -90,7 +90,7 @@ struct PointRun {
 
   explicit PointRun(bool coupled = true) {
     wire::Frame request;
-    request.mutable_setup();
+    request.mutable_setup()->mutable_scene()->mutable_time()->set_duration(1);
     conversation.answer(request, reply);
     request.mutable_weights();
     conversation.answer(request, reply);

@@ -17,6 +17,7 @@ scene::Scene crushing() {
   material.set_young_modulus(30e9);
   material.set_poisson_ratio(0.2);
   material.set_density(2500);
+  scene.mutable_time()->set_duration(1e-3);
   auto& particles = *scene.mutable_particles();
   auto& box = *particles.mutable_random_packing();
   box.set_x_min(0);

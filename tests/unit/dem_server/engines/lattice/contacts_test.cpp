@@ -109,6 +109,7 @@ TEST(Contacts, PushByTheOverlap) {
 TEST(Contacts, BounceBrokenPieces) {
   scene::Scene scene;
   scene.set_plane(scene::PLANE_STRESS);
+  scene.mutable_time()->set_duration(1);
   auto& material = *scene.mutable_material();
   material.set_young_modulus(1e9);
   material.set_poisson_ratio(0.2);
