@@ -177,7 +177,7 @@ TEST(Connection, BytesThatAreNoFrameArePeerLost) {
   write_raw(sockets.far, std::as_bytes(std::span("\x03\0\0\0abc", 7)));
   wire::Frame frame;
   EXPECT_THAT(message_of<PeerLost>([&] { connection.receive(frame); }),
-              AllOf(HasSubstr("dem_server at"), HasSubstr("no frame of this protocol")));
+              AllOf(HasSubstr("dem_server at"), HasSubstr("not a frame of this protocol")));
 }
 
 wire::Frame error_frame(wire::Error::Kind kind) {

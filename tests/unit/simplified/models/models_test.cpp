@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "protocol/errors.hpp"
+#include "protocol/participant/time_function.hpp"
 #include "protocol/scene/fields/check_rules.hpp"
 #include "simplified/models/differences.hpp"
 #include "simplified/output/zoom.hpp"
