@@ -32,7 +32,7 @@ double weight_at(const Participant& participant, std::size_t s, const std::vecto
   return weight;
 }
 
-// Of the interfaces whose inner model reaches (x, y).
+// Paths of the interfaces whose inner model reaches (x, y).
 std::vector<std::string> paths_at(const std::vector<Interface>& interfaces, double x, double y) {
   std::vector<std::string> paths;
   for (const Interface& interface : interfaces)

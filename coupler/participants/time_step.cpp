@@ -26,7 +26,7 @@ struct Critical {  // the smallest critical step of each kind [s], and whose it 
       (is_continuum ? continuum_name : particles_name) = participant.member.name;
     }
   }
-  // Of the particles' step, with m of them in one of the continuum.
+  // The step of the particles, with m of them in one step of the continuum.
   double with(unsigned m) const { return std::min(particles, continuum / m); }
   const std::string& name_with(unsigned m) const {
     return particles <= continuum / m ? particles_name : continuum_name;

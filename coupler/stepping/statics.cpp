@@ -24,7 +24,7 @@ double kinetic_energy_of_correction(Participant& participant) {
   return twice / 2;
 }
 
-// Of all participants together: kinetic energy of this step, forces of the step before.
+// State of all participants together: kinetic energy of this step, forces of the step before.
 struct State {
   double kinetic_energy = 0, unbalanced_force = 0, internal_force = 0;
   std::uint64_t points = 0, elements = 0;

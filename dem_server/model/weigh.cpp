@@ -40,7 +40,7 @@ void weigh_by_bonds(const std::vector<double>& stiffness, Model& model) {
     if (sum[i] > 0) model.weight[i] = weighted[i] / sum[i];
 }
 
-// Of what acts on several discs.
+// Conditions that act on several discs.
 template <class Condition>
 void keep_conditions(const std::vector<std::uint32_t>& place, std::vector<Condition>& conditions) {
   for (Condition& condition : conditions) {

@@ -30,9 +30,9 @@ struct Tensor {
 // Tension positive [N/m^2 per metre of thickness]; the symmetric part, where bonds also bend.
 Tensor mean_stress(const Circle& circle, std::span<const Branch> branches);
 
-// Of the velocity field that is linear over the circle and nearest to the discs' (weighed least squares)
-// [1/s]; xy is the tensor's, half of the rate of gamma. No value where fewer than three discs, or only discs
-// of one line, have their centres inside.
+// The rate of the velocity field that is linear over the circle and nearest to the discs' (weighed least
+// squares) [1/s]; xy is the tensor's, half of the rate of gamma. No value where fewer than three discs, or
+// only discs of one line, have their centres inside.
 std::optional<Tensor> mean_strain_rate(const Circle& circle, std::span<const double> x,
                                        std::span<const double> y, std::span<const double> vx,
                                        std::span<const double> vy);

@@ -20,7 +20,7 @@ struct Fragments {
 // Discs that a chain of `holding` pairs joins are one fragment; a disc that nothing holds is one by itself.
 Fragments fragments_of(std::size_t discs, std::span<const Pair> holding);
 
-// Of each disc: the number of pairs that it is part of.
+// The number of pairs that each disc is part of.
 std::vector<std::uint32_t> coordination_of(std::size_t discs, std::span<const Pair> touching);
 
 }  // namespace adit::dem

@@ -20,7 +20,7 @@ void add_scalars(Fields& fields, const std::string& name, const auto& values) {
   for (const auto value : values) to.Add(static_cast<double>(value));
 }
 
-// Of three components, the third 0.
+// The vectors have three components; the third is 0.
 void add_vectors(Fields& fields, const std::string& name, const std::vector<double>& x,
                  const std::vector<double>& y);
 

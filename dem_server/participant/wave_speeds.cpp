@@ -33,7 +33,7 @@ struct Squares {
   double p = 0, s = 0;
 };
 
-// Of each particle, for waves in the direction (ex, ey).
+// The squares of each particle, for waves in the direction (ex, ey).
 std::vector<Squares> squares(const Model& model, const std::vector<ElasticBond>& bonds, double ex,
                              double ey) {
   std::vector<Squares> sums(model.discs.size());

@@ -18,9 +18,9 @@ struct WaveSpeeds {
   double p = 0, s = 0;  // [m/s]
 };
 
-// Of the model at rest, by its bonds, joints and springs: of the fastest group, in its fastest direction. The
-// speed of a group is the median over its bonded particles, so that neither those on its edge nor a few odd
-// ones count. 0 without bonds.
+// Speeds in the model at rest, by its bonds, joints and springs: those of the fastest group, in its fastest
+// direction. The speed of a group is the median over its bonded particles, so that neither those on its edge
+// nor a few odd ones count. 0 without bonds.
 WaveSpeeds wave_speeds(const Model& model);
 
 }  // namespace adit::dem

@@ -25,7 +25,7 @@ class Loads {
   // dt v(n-1/2) (f(n-1) + f(n)) / 2, to work().
   void apply(const protocol::Step& step, Particles& particles);
 
-  // Of forces and of accelerations since the start [J].
+  // Work of forces and of accelerations since the start [J].
   struct Work {
     double forces = 0, accelerations = 0;
   };

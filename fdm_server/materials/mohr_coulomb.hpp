@@ -23,7 +23,7 @@ struct Strength {
   double tension;  // [Pa], at most the apex; infinite where friction_angle is 0 and there is no cut-off
 };
 
-// Of a cone without cut-off: c / tan(phi) [Pa]; infinite without friction.
+// The apex of a cone without cut-off: c / tan(phi) [Pa]; infinite without friction.
 double apex(double cohesion, double friction_angle);
 
 // The strength at a plastic shear strain (shear_measure).

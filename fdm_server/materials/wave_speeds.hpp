@@ -8,7 +8,7 @@ struct WaveSpeeds {
   double p, s;  // [m/s]
 };
 
-// Of the fastest waves in the zones, elastic and of small strain: c_p = sqrt((kappa + mu) / density),
+// Speeds of the fastest waves in the zones, elastic and of small strain: c_p = sqrt((kappa + mu) / density),
 // c_s = sqrt(mu / density), in either plane condition.
 WaveSpeeds wave_speeds(const Ground& ground);
 

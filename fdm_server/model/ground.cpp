@@ -15,7 +15,7 @@ void require(bool condition, const std::string& path, const std::string& message
   if (!condition) throw protocol::UserError(path, message);
 }
 
-// Of a row of strengths, or a weak plane: what the scene leaves out is as in `before`.
+// A row of strengths, or a weak plane; what the scene leaves out is as in `before`.
 template <class Scene>
 Strength read_strength(const Scene& scene, const Strength& before, const std::string& path) {
   Strength strength = before;

@@ -34,7 +34,7 @@ std::span<const double> velocity(const Continuum& continuum, scene::Quantity qua
   return quantity == scene::VELOCITY_Y || quantity == scene::ACCELERATION_Y ? continuum.vy() : continuum.vx();
 }
 
-// Of values of zones, by number.
+// Reads values of zones by number.
 template <class Value>
 double sum(const ZoneShares& fit, Value&& value) {
   double sum = 0;

@@ -10,7 +10,7 @@ namespace adit::fdm {
 
 namespace {
 
-// Of every point: the columns' are the last, and not looked at.
+// Velocities of every point; those of the columns are the last and are not used.
 protocol::PlaneVectors velocities(const Continuum& continuum, std::size_t points) {
   return {continuum.vx().first(points), continuum.vy().first(points)};
 }

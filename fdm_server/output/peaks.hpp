@@ -13,7 +13,7 @@ namespace adit::fdm {
 
 class Peaks {
  public:
-  // Of the grid without its free-field columns.
+  // Peaks of the grid without its free-field columns.
   explicit Peaks(const Grid& grid);
 
   // Before a step to look at, after the correction of the step before.

@@ -55,9 +55,9 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   void read_histories(const protocol::Step& step, google::protobuf::RepeatedField<double>& values) override;
   void draw(wire::Snapshot& snapshot) override;
 
-  // Of what the weights leave of the grid, with the columns of its free field.
+  // Makes the continuum of what the weights leave of the grid, with the columns of its free field.
   void make_continuum();
-  // Of what is left of the zones; those of the base are the last.
+  // Loads on the zones that are left; those of the base are the last.
   std::vector<Load> loads(std::span<const double> masses) const;
   std::vector<double> masses() const;  // of the points, with those of the structures
   // The grid points inside the box that the weights came with.

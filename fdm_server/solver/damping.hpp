@@ -34,7 +34,7 @@ struct DampingLaw {
 // The ratio at both frequencies [Hz].
 DampingLaw rayleigh(double ratio, double low_frequency, double high_frequency);
 
-// Of a grid whose critical step is `undamped` [s].
+// The critical step [s] of a grid whose undamped critical step is `undamped`.
 double critical_step(const DampingLaw& law, double undamped);
 
 class Damping {
@@ -52,7 +52,7 @@ class Damping {
                     const PointArrays& points, std::span<const double> masses);
 
  private:
-  // Of the zones at the last step; of beta at this one; of all damping at the last one [N].
+  // Forces of the zones at the last step, of beta at this one, of all damping at the last one [N].
   enum Field { kZonesX, kZonesY, kViscousX, kViscousY, kDampingX, kDampingY, kFields };
 
   DampingLaw law_;

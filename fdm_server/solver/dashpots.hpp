@@ -51,7 +51,7 @@ struct Dashpot {
   bool hold_x = false, hold_y = false;  // in statics
   std::optional<FreeFieldLink> field{};
 
-  // Of the last step [N].
+  // Forces of the last step [N].
   Vector support{};  // what held the point at rest
   Vector stress{};   // of the free field
   Vector given{};    // support and free field

@@ -8,7 +8,7 @@ namespace {
 
 using protocol::IndexRange;
 
-// Of zones. A chunk is worth a thread's call and has many rows, so that few points belong to two.
+// Sizes in zones. A chunk is worth a thread's call and has many rows, so that few points belong to two.
 constexpr std::size_t kLeastChunk = 4096, kRows = 16, kBlock = 512;
 
 // Calls visit(point) for each corner of each zone.
@@ -91,7 +91,7 @@ std::size_t useful_threads(std::size_t zones) {
                                  std::max(1u, std::thread::hardware_concurrency()));
 }
 
-// Of each point: the first and last chunk with a zone that pulls on it, and the last block seen to do so.
+// For each point: the first and last chunk with a zone that pulls on it, and the last block seen to do so.
 struct Sweep::Survey {
   std::vector<std::uint32_t> first, last, block;
   std::uint32_t blocks = 1;  // seen, and one

@@ -14,7 +14,7 @@
 
 namespace adit::dem {
 
-// Of a model with at least one disc; infinite where nothing has a stiffness [s].
+// The critical step [s] of a model with at least one disc; infinite where nothing has a stiffness.
 double critical_step(const Model& model);
 
 }  // namespace adit::dem

@@ -62,7 +62,8 @@ struct Assembly {
   Bonds bonds;
 };
 
-// Of a model whose discs and bonds are a lattice (model/lattice.hpp), at rest, its bonds in their order.
+// The assembly of a model at rest whose discs and bonds are a lattice (model/lattice.hpp), its bonds in their
+// order.
 Assembly assemble(const Model& model);
 
 }  // namespace adit::dem

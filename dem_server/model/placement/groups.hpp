@@ -23,7 +23,7 @@ struct Group {
   std::string contacts_path;
   Plane plane;
 
-  // Of its bonds, where left out of the hexagonal lattice of its material.
+  // Stiffness of its bonds; where the scene gives none, that of the hexagonal lattice of its material.
   BondStiffness stiffness() const;
   LinearContact contact() const;
 };
@@ -44,7 +44,7 @@ std::uint32_t group_named(const std::string& name, const std::vector<Group>& gro
 // Half a bond of each in series: that of two equal ones is theirs.
 double in_series(double a, double b);
 BondStiffness in_series(const BondStiffness& a, const BondStiffness& b);
-// Of discs of two groups: stiffnesses in series, the smaller friction and dampings.
+// The contact of discs of two groups: stiffnesses in series, the smaller friction and dampings.
 LinearContact between(const LinearContact& a, const LinearContact& b);
 
 }  // namespace adit::dem

@@ -17,7 +17,7 @@ using protocol::UserError;
 
 const std::string kPath = "continuum.base";
 
-// Of BaseVelocity and BaseStress.
+// For BaseVelocity and BaseStress.
 template <class Given>
 TimeFactor scaled(const Given& given) {
   return [given](double t) { return given.amplitude() * protocol::evaluate(given.time(), t); };

@@ -47,7 +47,7 @@ class ElasticZones final : public ZoneKernel {
   void join_short_runs();
   Coefficients coefficients(const ZoneRun& run, std::uint32_t k) const;
   ElasticBatch batch(const ZoneRun& run, std::uint32_t done, std::uint32_t count) const;
-  // Of zone k of a run.
+  // The state of zone k of a run.
   State state(const ZoneRun& run, std::uint32_t k) const;
   FieldArrays<kComponents>& initial();
 
