@@ -1,17 +1,14 @@
 // Two surfaces that touch: springs, Coulomb friction, dashpots (Cundall & Strack 1979, Geotechnique 29, 47).
 //
-// Normal: the spring kn gap, and the dashpot c stretch_rate, c = 2 beta sqrt(m* kn); together they never
-// pull. Shear: the spring's force grows by ks dt slip_rate and slides at mu |spring's normal force|; the
-// dashpot acts only while it sticks.
-//
-// A dashpot needs the rate at n, but velocities stand at n - 1/2. For the pair alone the rate at n is
-// r - dt F / 2 m*, hence F = (spring + c r) / (1 + c dt / 2 m*): second order, and stable for any c.
+// Normal: the spring kn gap where the gap is negative, and the dashpot c stretch_rate, c = 2 beta sqrt(m*
+// kn); together they never pull. Shear: the spring's force grows by ks dt slip_rate and slides at mu
+// |spring's normal force|; the dashpot acts only while it sticks.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 
-#include "dem_server/laws/encounter.hpp"
+#include "dem_server/laws/pair_kinematics.hpp"
 
 namespace adit::dem {
 
@@ -22,42 +19,63 @@ struct LinearContact {
   bool operator==(const LinearContact&) const = default;
 };
 
-struct LinearContactState {
-  double shear_force = 0;  // of the spring [N]
-  bool slides = false;
-};
+// The normal spring's force [N].
+inline double contact_normal_force(double stiffness, double gap) {
+  return stiffness * std::min(gap, 0.0);
+}
 
-struct ContactWork {
-  double friction = 0, dashpots = 0;  // dissipated in this step, to first order [J]
+// The springs' forces [N]. `trial` is the shear force if the contact stuck: it sticks where shear == trial.
+struct ContactSprings {
+  double normal, shear, trial;
 };
+inline ContactSprings contact_springs(const LinearContact& law, double gap, double slip_rate, double dt,
+                                      double shear_before) {
+  const double normal = contact_normal_force(law.normal_stiffness, gap), limit = -law.friction * normal;
+  const double trial = shear_before + law.shear_stiffness * dt * slip_rate;
+  return {normal, std::min(std::max(trial, -limit), limit), trial};
+}
 
-inline Pull pull(const LinearContact& law, const Encounter& e, double dt, LinearContactState& state,
-                 ContactWork* work = nullptr) {
-  if (!(e.gap < 0)) {
-    state = {};
-    return {0, 0, 0};
-  }
-  const auto with_dashpot = [dt](double spring, double stiffness, double beta, double mass, double rate) {
-    const double c = 2 * beta * std::sqrt(mass * stiffness);
-    return (spring + c * rate) / (1 + c * dt / (2 * mass));
-  };
-  const double spring = law.normal_stiffness * e.gap;
-  const double normal = std::min(
-      0.0, with_dashpot(spring, law.normal_stiffness, law.normal_damping, e.normal_mass, e.stretch_rate));
-  const double trial = state.shear_force + law.shear_stiffness * dt * e.slip_rate;
-  const double limit = -law.friction * spring;
-  state.slides = std::abs(trial) > limit;
-  const double elastic = state.slides ? std::copysign(limit, trial) : trial;
+// What friction takes in the step, times the shear stiffness [N^2]: the mean shear force over the slip
+// (trial - shear) / ks, to first order.
+inline double stiffness_times_friction_work(const ContactSprings& now, double shear_before) {
+  return 0.5 * (now.shear + shear_before) * (now.trial - now.shear);
+}
+
+// 1 / m* of the masses that resist stretching and slipping [1/kg].
+inline double inverse_slip_mass(double inverse_mass, const Arms& arms, double inverse_inertia_1,
+                                double inverse_inertia_2) {
+  return inverse_mass +
+         (arms.first * arms.first * inverse_inertia_1 + arms.second * arms.second * inverse_inertia_2);
+}
+
+// Spring and dashpot together. A dashpot needs the rate at n, but velocities stand at n - 1/2. For the pair
+// alone the rate at n is r - dt F / 2 m*, hence F = (spring + c r) / (1 + c dt / 2 m*): second order, and
+// stable for any c.
+inline double with_dashpot(double spring, double stiffness, double beta, double inverse_mass, double rate,
+                           double dt) {
+  const double mass = 1 / inverse_mass, c = 2 * beta * std::sqrt(mass * stiffness);
+  return (spring + c * rate) / (1 + c * dt / (2 * mass));
+}
+
+// Forces of springs and dashpots together [N], where the surfaces touch or not.
+struct ContactForces {
+  double normal, shear;
+};
+inline ContactForces with_dashpots(const LinearContact& law, const ContactSprings& springs, bool touches,
+                                   double inverse_mass_n, double inverse_mass_t, double stretch_rate,
+                                   double slip_rate, double dt) {
+  const bool sticks = touches && springs.trial == springs.shear;
+  const double normal = std::min(0.0, with_dashpot(springs.normal, law.normal_stiffness, law.normal_damping,
+                                                   inverse_mass_n, stretch_rate, dt));
   const double shear =
-      state.slides ? elastic
-                   : with_dashpot(elastic, law.shear_stiffness, law.shear_damping, e.shear_mass, e.slip_rate);
-  if (work) {
-    if (law.shear_stiffness > 0)
-      work->friction = 0.5 * (elastic + state.shear_force) * (trial - elastic) / law.shear_stiffness;
-    work->dashpots = dt * ((normal - spring) * e.stretch_rate + (shear - elastic) * e.slip_rate);
-  }
-  state.shear_force = elastic;
-  return {normal, shear, 0};
+      with_dashpot(springs.shear, law.shear_stiffness, law.shear_damping, inverse_mass_t, slip_rate, dt);
+  return {touches ? normal : springs.normal, sticks ? shear : springs.shear};
+}
+
+// What dashpots take in a step, by the trapezoid of their forces before and now [J].
+inline double dashpot_work(double dt, const ContactForces& before, const ContactForces& now,
+                           double stretch_rate, double slip_rate) {
+  return 0.5 * dt * ((now.normal + before.normal) * stretch_rate + (now.shear + before.shear) * slip_rate);
 }
 
 }  // namespace adit::dem

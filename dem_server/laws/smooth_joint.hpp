@@ -6,7 +6,7 @@
 // plane, springs kn and ks per metre [Pa/m] act:
 //   N = kn A u.n, at most 0,     S += ks A dt slip_rate, at most mu |N|; sliding by s opens the joint by
 //   |s| tan(dilation), which is taken off u.n.
-// The bodies' material moves by u, and both forces act, where the bodies meet (discs/joints.hpp): spins slip
+// The bodies' material moves by u, and both forces act, where the bodies meet (forces/joints.hpp): spins slip
 // a smooth joint too, which keeps angular momentum and energy.
 #pragma once
 
@@ -27,12 +27,12 @@ struct SmoothJointState {
 };
 
 // Forces on the first disc along n and t [N].
-struct JointPull {
+struct JointForces {
   double normal, shear;
 };
 
-inline JointPull pull(const SmoothJoint& joint, double normal_displacement, double slip_rate, double dt,
-                      SmoothJointState& s) {
+inline JointForces joint_forces(const SmoothJoint& joint, double normal_displacement, double slip_rate,
+                                double dt, SmoothJointState& s) {
   const double kn = joint.normal_stiffness * joint.length, ks = joint.shear_stiffness * joint.length;
   const double normal = std::min(0.0, kn * (normal_displacement - s.opened));
   const double trial = s.shear + ks * dt * slip_rate, limit = -joint.friction * normal;

@@ -15,7 +15,7 @@ BondSprings whole_springs(const Model& model, const Bond& bond) {
   switch (bond.law) {
     case Bond::Law::kContactBond: {
       const ContactBond& law = model.contact_bonds[bond.number];
-      return {law.normal_stiffness, law.shear_stiffness};
+      return {law.stiffness.normal, law.stiffness.shear};
     }
     case Bond::Law::kParallelBond: {
       const ParallelBond& law = model.parallel_bonds[bond.number];

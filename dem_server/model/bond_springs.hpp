@@ -5,10 +5,6 @@
 
 namespace adit::dem {
 
-struct BondSprings {
-  double kn = 0, ks = 0, km = 0;  // [N/m], [N/m], [N m]
-};
-
 // While it is whole, with the contact beside it.
 BondSprings whole_springs(const Model& model, const Bond& bond);
 

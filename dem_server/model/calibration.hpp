@@ -9,15 +9,13 @@
 // nu^2); plane strain is plane stress with E / (1 - nu^2) and nu / (1 - nu).
 #pragma once
 
+#include "dem_server/laws/contact_bond.hpp"
+
 namespace adit::dem {
 
 enum class Plane { kStrain, kStress };
 
-struct BondStiffness {
-  double normal;  // [N/m]
-  double shear;   // [N/m], negative above largest_poisson_ratio
-};
-
+// The shear stiffness is negative above largest_poisson_ratio.
 BondStiffness calibrate(double young_modulus, double poisson_ratio, Plane plane);
 
 // Above it the lattice would need a negative shear stiffness: 1/3 in plane stress, 1/4 in plane strain.

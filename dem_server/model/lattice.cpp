@@ -76,7 +76,7 @@ std::optional<std::string> why_no_lattice(const Model& model) {
 
 std::optional<std::string> why_more_than_lattice(const Model& model) {
   if (const auto reason = why_no_lattice(model)) return reason;
-  const double stiffness = model.contact_bonds[model.bonds.front().number].normal_stiffness;
+  const double stiffness = model.contact_bonds[model.bonds.front().number].stiffness.normal;
   for (const LinearContact& contact : model.contacts) {
     if (contact.friction > 0) return "friction is asked for";
     if (contact.normal_damping > 0 || contact.shear_damping > 0) return "contacts have dashpots";

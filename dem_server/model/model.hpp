@@ -1,33 +1,26 @@
-// What the particles of a scene describe, at rest: discs, what joins them, what they touch, what acts on them.
-// The scene is read into it (reading/read_model.hpp), an overlap weighs it (weigh.hpp), engines compute it.
+// What the particles of a scene describe, at rest: discs, what joins them, what they touch, what acts on
+// them. The scene is read into it (reading/read_model.hpp), an overlap weighs it (weigh.hpp), engines compute
+// it.
 #pragma once
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "dem_server/laws/contact_bond.hpp"
 #include "dem_server/laws/linear_contact.hpp"
 #include "dem_server/laws/parallel_bond.hpp"
 #include "dem_server/laws/smooth_joint.hpp"
+#include "dem_server/model/group_pairs.hpp"
 #include "dem_server/packing/discs.hpp"
 #include "protocol/geometry/bounding_box.hpp"
 
 namespace adit::dem {
 
-inline constexpr double kUnbreakable = std::numeric_limits<double>::infinity();
-
 // The factor of a load or a motion at a time [s].
 using TimeFactor = std::function<double(double time)>;
-
-// A contact bond: springs at the touching point, without a moment of their own.
-struct ContactBond {
-  double normal_stiffness, shear_stiffness;                               // [N/m]
-  double tensile_strength = kUnbreakable, shear_strength = kUnbreakable;  // [N]
-  bool operator==(const ContactBond&) const = default;
-};
 
 // What joins two discs, first < second. Exactly one law is given beside the contact that remains when it
 // breaks.
@@ -86,7 +79,7 @@ struct PrescribedMotion {
 
 // The stress before anything acts, tension positive: at y = 0, and its growth with y.
 struct InitialStress {
-  double xx = 0, yy = 0, xy = 0;                // [Pa]
+  double xx = 0, yy = 0, xy = 0;              // [Pa]
   double xx_per_metre = 0, yy_per_metre = 0;  // [Pa/m]
 };
 
@@ -97,7 +90,7 @@ struct Model {
   std::vector<std::uint32_t> id;     // of each disc: its place in the packing
   std::vector<std::uint32_t> group;  // of each disc, in group_names; 0 is the model's own
   std::vector<std::string> group_names;
-  geometry::BoundingBox extent{};    // of the solid [m]
+  geometry::BoundingBox extent{};  // of the solid [m]
 
   std::vector<Bond> bonds;  // of a hexagonal packing row by row, in a row by direction; else ascending
   std::vector<ContactBond> contact_bonds;
@@ -116,10 +109,12 @@ struct Model {
   double local_damping = 0, viscous_damping = 0;  // share, [1/s]
   std::vector<std::string> notes;                 // for the user: what was packed, what was taken away
 
-  std::uint32_t groups() const { return group_names.empty() ? 1 : static_cast<std::uint32_t>(group_names.size()); }
+  std::uint32_t groups() const {
+    return group_names.empty() ? 1 : static_cast<std::uint32_t>(group_names.size());
+  }
   // Number in `contacts` of the law between discs of two groups; the table is symmetric.
   std::uint32_t contact_number(std::uint32_t group_1, std::uint32_t group_2) const {
-    return group_1 * groups() + group_2;
+    return group_pair_number(groups(), group_1, group_2);
   }
   // Moment of inertia of a disc without its weight, m R^2 / 2 [kg m^2].
   double inertia(std::size_t disc) const { return mass[disc] * discs.radius[disc] * discs.radius[disc] / 2; }

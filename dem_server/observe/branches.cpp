@@ -2,13 +2,19 @@
 
 #include <cmath>
 
+#include "dem_server/laws/pair_kinematics.hpp"
+
 namespace adit::dem {
 namespace {
 
 // A force on the first of two particles.
 Branch between(const Particles& p, std::uint32_t first, std::uint32_t second, double fx, double fy) {
-  return {p.x[first] + p.ux[first],   p.y[first] + p.uy[first], p.x[second] + p.ux[second],
-          p.y[second] + p.uy[second], fx,                       fy};
+  return {p.x[first] + p.ux[first],
+          p.y[first] + p.uy[first],
+          p.x[second] + p.ux[second],
+          p.y[second] + p.uy[second],
+          fx,
+          fy};
 }
 
 Branch along(const Particles& p, const SpringForce& spring) {
@@ -23,7 +29,7 @@ Branch along(const Particles& p, const SpringForce& spring) {
 
 std::vector<Pair> whole_bonds(const Observable& observed) {
   std::vector<Pair> found;
-  observed.for_each_bond([&](const PairForces& bond) {
+  observed.for_each_bond([&](const ObservedPair& bond) {
     if (bond.state == BondState::kIntact) found.push_back({bond.first, bond.second});
   });
   return found;
@@ -31,20 +37,21 @@ std::vector<Pair> whole_bonds(const Observable& observed) {
 
 std::vector<Pair> touching_particles(const Observable& observed) {
   std::vector<Pair> found;
-  observed.for_each_bond([&](const PairForces& bond) {
+  observed.for_each_bond([&](const ObservedPair& bond) {
     if (bond.state == BondState::kIntact || bond.touches) found.push_back({bond.first, bond.second});
   });
-  observed.for_each_contact(
-      [&](const PairForces& contact) { found.push_back({contact.first, contact.second}); });
+  observed.for_each_contact([&](const ObservedPair& contact) {
+    found.push_back({contact.first, contact.second});
+  });
   return found;
 }
 
 std::vector<Branch> branches_of(const Observable& observed) {
   const Particles& p = observed.particles();
   std::vector<Branch> found;
-  const auto add = [&](const PairForces& s) {
-    found.push_back(
-        between(p, s.first, s.second, s.normal * s.nx - s.shear * s.ny, s.normal * s.ny + s.shear * s.nx));
+  const auto add = [&](const ObservedPair& s) {
+    const PlaneVector force = vector_of(s.nx, s.ny, s.normal, s.shear);
+    found.push_back(between(p, s.first, s.second, force.x, force.y));
   };
   observed.for_each_bond(add);
   observed.for_each_contact(add);

@@ -15,13 +15,13 @@ namespace adit::dem {
 
 // Two particles that a bond joins or joined, or that touch, as they are now: n from the first to the second
 // centre, forces on the first without energy weight and dashpots.
-struct PairForces {
+struct ObservedPair {
   std::uint32_t first, second;
   double nx, ny;
-  double normal, shear, moment;           // tension positive; along the left normal of n [N], [N m]
-  double weight = 1;                      // energy weight
-  BondState state = BondState::kIntact;   // of a bond
-  bool touches = true;                    // its particles' surfaces press on each other
+  double normal, shear, moment;          // tension positive; along the left normal of n [N], [N m]
+  double weight = 1;                     // energy weight
+  BondState state = BondState::kIntact;  // of a bond
+  bool touches = true;                   // its particles' surfaces press on each other
 };
 
 // A force [N] on what is at (x_1, y_1), by what is at (x_2, y_2) [m]: a centre or a point on a wall.
@@ -40,7 +40,7 @@ struct WallForce {
   double x, y;  // of the particles on it [N]
 };
 
-using SeePair = std::function<void(const PairForces&)>;
+using SeePair = std::function<void(const ObservedPair&)>;
 
 class Observable {
  public:

@@ -18,7 +18,7 @@ void add_bonds(const Observable& observed, wire::Snapshot& snapshot) {
   wire::Piece& piece = add_piece("bonds", wire::Piece::LINES, observed.particles(), snapshot);
   std::vector<double> normal, shear, moment, weight;
   std::vector<BondState> state;
-  observed.for_each_bond([&](const PairForces& bond) {
+  observed.for_each_bond([&](const ObservedPair& bond) {
     add_line(bond.first, bond.second, piece);
     normal.push_back(bond.normal);
     shear.push_back(bond.shear);
@@ -37,7 +37,7 @@ void add_bonds(const Observable& observed, wire::Snapshot& snapshot) {
 void add_contacts(const Observable& observed, wire::Snapshot& snapshot) {
   wire::Piece& piece = add_piece("contacts", wire::Piece::LINES, observed.particles(), snapshot);
   std::vector<double> normal, shear;
-  observed.for_each_contact([&](const PairForces& contact) {
+  observed.for_each_contact([&](const ObservedPair& contact) {
     add_line(contact.first, contact.second, piece);
     normal.push_back(contact.normal);
     shear.push_back(contact.shear);

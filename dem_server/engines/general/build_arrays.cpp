@@ -14,20 +14,20 @@ PairLaw law_of(const Model& model, const Bond& joined, std::uint32_t contact) {
   PairLaw law{.contact = model.contacts[contact]};
   if (joined.law == Bond::Law::kContactBond) {
     const ContactBond& bond = model.contact_bonds[joined.number];
-    law.kn = bond.normal_stiffness;
-    law.ks = bond.shear_stiffness;
+    law.kn = bond.stiffness.normal;
+    law.ks = bond.stiffness.shear;
     law.tensile_strength = bond.tensile_strength;
     law.cohesion = bond.shear_strength;
   } else {
     const ParallelBond& bond = model.parallel_bonds[joined.number];
     law.kn = bond.normal_stiffness;
     law.ks = bond.shear_stiffness;
-    law.km = bond.normal_stiffness / 12;
+    law.km = bond.moment_stiffness();
     law.tensile_strength = bond.tensile_strength;
-    law.bending = 6;
+    law.moment_factor = ParallelBond::kMomentFactor;
     law.cohesion = bond.cohesion;
     law.tan_friction_angle = bond.tan_friction_angle;
-    law.beside = true;
+    law.contact_beside_bond = true;
   }
   return law;
 }
@@ -88,7 +88,7 @@ Bonded bonds_of(const Model& model) {
     const double gap = length - d.radius[i] - d.radius[j];
     const PairLaw& law = out.laws[bonds.law[k]];
     const Bond& bond = model.bonds[out.bond_of_pair[k]];
-    bonds.width[k] = law.beside ? model.parallel_bonds[bond.number].area() : 1;
+    bonds.width[k] = law.contact_beside_bond ? model.parallel_bonds[bond.number].area() : 1;
     bonds.rest_x[k] = x;
     bonds.rest_y[k] = y;
     bonds.rest_length[k] = length;
@@ -96,7 +96,7 @@ Bonded bonds_of(const Model& model) {
     bonds.slack[k] = model.overlaps_free ? std::max(gap, 0.0) : gap;
     // Rounding of places is no gap.
     if (std::abs(bonds.slack[k]) < 1e-12 * length) bonds.slack[k] = 0;
-    if (!law.beside) bonds.initial[k] = law.kn * std::min(bonds.slack[k], 0.0);
+    if (!law.contact_beside_bond) bonds.initial[k] = contact_normal_force(law.kn, bonds.slack[k]);
     bonds.weight[k] = bond.weight;
   }
   if (model.initial_stress) set_initial_forces(model, out.laws, bonds);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dem_server/engines/general/forces/joints.hpp"
-#include "dem_server/engines/general/pairs.hpp"
+#include "dem_server/engines/general/pairs/pairs.hpp"
 #include "dem_server/model/model.hpp"
 
 namespace adit::dem {

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "dem_server/model/group_pairs.hpp"
+
 namespace adit::dem {
 namespace {
 
@@ -72,7 +74,7 @@ void Neighbours::list(const Particles& p) {
     fresh.rest_length[k] = radius_[i] + radius_[j];
     fresh.half_difference[k] = (radius_[i] - radius_[j]) / 2;
     fresh.weight[k] = (p.weight[i] + p.weight[j]) / 2;
-    fresh.law[k] = first_law_ + group_[i] * groups_ + group_[j];
+    fresh.law[k] = first_law_ + group_pair_number(groups_, group_[i], group_[j]);
   }
   fresh.sort_chunks();
   keep_springs(pairs_, fresh);

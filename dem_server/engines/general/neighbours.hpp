@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "dem_server/engines/general/pairs.hpp"
+#include "dem_server/engines/general/pairs/pairs.hpp"
 #include "dem_server/packing/discs.hpp"
 #include "dem_server/particles/displacement_bound.hpp"
 
@@ -20,7 +20,7 @@ class Neighbours {
  public:
   Neighbours() = default;
   // `joined`: ascending; these never enter the list. The law of a contact of discs of groups a and b is
-  // first_law + a groups + b. Overlaps at the start bear no force where `overlaps_free`.
+  // first_law + group_pair_number(groups, a, b). Overlaps at the start bear no force where `overlaps_free`.
   Neighbours(const Particles& particles, std::vector<double> radius, std::vector<Pair> joined,
              std::vector<std::uint32_t> group, std::uint32_t groups, std::uint32_t first_law, bool dashpots,
              bool overlaps_free);

@@ -6,17 +6,17 @@
 namespace adit::dem {
 namespace {
 
-PairForces forces_of(std::uint32_t pair, const Solver& solver, const Pairs& pairs) {
+ObservedPair forces_of(std::uint32_t pair, const Solver& solver, const Pairs& pairs) {
   const PairState s = state_of(pair, solver.laws(), solver.particles(), pairs);
   return {pairs.first[pair],
           pairs.second[pair],
           s.nx,
           s.ny,
-          s.cement_normal + s.contact_normal,
+          s.bond_normal + s.contact_normal,
           s.shear,
           s.moment,
           pairs.weight[pair],
-          pairs.cemented() ? pairs.state[pair] : BondState::kIntact,
+          pairs.bonded() ? pairs.state[pair] : BondState::kIntact,
           s.touches};
 }
 
@@ -28,16 +28,17 @@ void GeneralEngine::for_each_bond(const SeePair& see) const {
 
 void GeneralEngine::for_each_contact(const SeePair& see) const {
   for (std::uint32_t k = 0; k < solver_.contacts().size(); ++k)
-    if (const PairForces contact = forces_of(k, solver_, solver_.contacts()); contact.touches) see(contact);
+    if (const ObservedPair contact = forces_of(k, solver_, solver_.contacts()); contact.touches) see(contact);
 }
 
 std::vector<Branch> GeneralEngine::branches_of_joints() const {
   const Particles& p = particles();
   std::vector<Branch> branches;
-  for (const Joints::Joint& j : solver_.joints().joints())
+  for (const Joints::Joint& j : solver_.joints().joints()) {
+    const PlaneVector force = vector_of(j.nx, j.ny, j.normal, j.springs.shear);
     branches.push_back({p.x[j.first] + p.ux[j.first], p.y[j.first] + p.uy[j.first],
-                        p.x[j.second] + p.ux[j.second], p.y[j.second] + p.uy[j.second],
-                        j.normal * j.nx - j.springs.shear * j.ny, j.normal * j.ny + j.springs.shear * j.nx});
+                        p.x[j.second] + p.ux[j.second], p.y[j.second] + p.uy[j.second], force.x, force.y});
+  }
   return branches;
 }
 
@@ -45,11 +46,11 @@ std::vector<Branch> GeneralEngine::branches_of_walls() const {
   const Particles& p = particles();
   std::vector<Branch> branches;
   for (const WallContacts::Touch& touch : solver_.walls().touches()) {
-    const Encounter e = solver_.walls().meet_wall(touch.wall, touch.disc, p);
-    const double normal = touch.normal - touch.normal_dashpot, shear = touch.springs.shear_force;
+    const PairKinematics pair = solver_.walls().kinematics(touch.wall, touch.disc, p);
+    const double normal = touch.normal - touch.dashpots.normal, shear = touch.shear;
     const double x = p.x[touch.disc] + p.ux[touch.disc], y = p.y[touch.disc] + p.uy[touch.disc];
-    branches.push_back({x, y, x + e.length * e.nx, y + e.length * e.ny, normal * e.nx - shear * e.ny,
-                        normal * e.ny + shear * e.nx});
+    const PlaneVector force = vector_of(pair.nx, pair.ny, normal, shear);
+    branches.push_back({x, y, x + pair.length * pair.nx, y + pair.length * pair.ny, force.x, force.y});
   }
   return branches;
 }

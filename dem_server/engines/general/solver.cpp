@@ -39,8 +39,7 @@ Solver::Solver(const Model& model, std::size_t threads)
   for (const Bond& bond : model.bonds) joined.push_back({bond.first, bond.second});
   neighbours_ = Neighbours(particles_, model.discs.radius, std::move(joined), model.group, model.groups(),
                            bonded.first_contact_law, bonded.dashpots, model.overlaps_free);
-  walls_ =
-      WallContacts(model.walls, model.discs.radius, particles_, neighbours_.skin(), model.overlaps_free);
+  walls_ = WallContacts(model.walls, model.discs.radius, particles_, neighbours_.skin(), model.overlaps_free);
   for (auto* pulled : {&pulled_x_, &pulled_y_, &pulled_moment_}) pulled->assign(particles_.size(), 0.0);
   strain_at_start_ = strain_energy();
 }
@@ -78,17 +77,17 @@ void Solver::pull(double dt) {
     const auto [begin, end] = range_of(block, particles_.size());
     for (auto* sum : {&particles_.fx, &particles_.fy, &particles_.moment})
       std::fill(sum->begin() + begin, sum->begin() + end, 0.0);
-    pull_block(block, laws_, dt, particles_, bonds_, results_[b].bonds);
-    pull_block(block, laws_, dt, particles_, neighbours_.pairs(), results_[b].contacts);
+    add_pair_forces(block, laws_, dt, particles_, bonds_, results_[b].bonds);
+    add_pair_forces(block, laws_, dt, particles_, neighbours_.pairs(), results_[b].contacts);
   });
-  joints_.pull(dt, particles_);
-  springs_.pull(dt, particles_);
-  walls_.pull(dt, particles_);
+  joints_.add_forces(dt, particles_);
+  springs_.add_forces(dt, particles_);
+  walls_.add_forces(dt, particles_);
   team_->run(results_.size(), [&](std::size_t b, std::size_t) {
     const auto block = static_cast<std::uint32_t>(b);
     const auto [begin, end] = range_of(block, particles_.size());
-    gather_block(block, bonds_, particles_);
-    gather_block(block, neighbours_.pairs(), particles_);
+    gather_pair_forces(block, bonds_, particles_);
+    gather_pair_forces(block, neighbours_.pairs(), particles_);
     results_[b].work = work_of_pairs(dt, begin, end);
   });
 }
@@ -132,7 +131,7 @@ void Solver::take_results() {
   broken_.clear();
   for (const BlockResult& result : results_) {
     ledger_.pairs += result.work;
-    for (const PullResult* pulled : {&result.bonds, &result.contacts}) {
+    for (const PairResult* pulled : {&result.bonds, &result.contacts}) {
       ledger_.friction += pulled->friction;
       ledger_.dashpots += pulled->dashpots;
       ledger_.released += pulled->released;
@@ -148,9 +147,9 @@ void Solver::take_results() {
 Strongest Solver::find_strongest() const {
   const bool bonded = bonds_.size() > 0;
   const Pairs& pairs = bonded ? bonds_ : neighbours_.pairs();
-  const PullResult* best = nullptr;
+  const PairResult* best = nullptr;
   for (const BlockResult& result : results_) {
-    const PullResult& pulled = bonded ? result.bonds : result.contacts;
+    const PairResult& pulled = bonded ? result.bonds : result.contacts;
     if (bits_of_size(pulled.max_normal_force) > bits_of_size(best ? best->max_normal_force : 0))
       best = &pulled;
   }
@@ -186,13 +185,12 @@ double Solver::internal_force() const {
   for (const Pairs* pairs : {&bonds_, &neighbours_.pairs()})
     for (std::uint32_t k = 0; k < pairs->size(); ++k) {
       const PairState s = state_of(k, laws_, particles_, *pairs);
-      sum += pairs->weight[k] * std::hypot(s.cement_normal + s.contact_normal, s.shear);
+      sum += pairs->weight[k] * std::hypot(s.bond_normal + s.contact_normal, s.shear);
     }
   for (const Joints::Joint& joint : joints_.joints())
     sum += joint.weight * std::hypot(joint.normal, joint.springs.shear);
   for (const double force : springs_.forces()) sum += std::abs(force);
-  for (const WallContacts::Touch& touch : walls_.touches())
-    sum += std::hypot(touch.normal, touch.springs.shear_force);
+  for (const WallContacts::Touch& touch : walls_.touches()) sum += std::hypot(touch.normal, touch.shear);
   return sum;
 }
 

@@ -21,13 +21,13 @@
 #include "dem_server/engines/general/forces/spring_forces.hpp"
 #include "dem_server/engines/general/forces/wall_contacts.hpp"
 #include "dem_server/engines/general/neighbours.hpp"
-#include "dem_server/engines/general/pair_state.hpp"
-#include "dem_server/engines/general/pull.hpp"
+#include "dem_server/engines/general/pairs/pair_forces.hpp"
+#include "dem_server/engines/general/pairs/pair_state.hpp"
 #include "dem_server/model/model.hpp"
-#include "dem_server/particles/particles.hpp"
-#include "dem_server/particles/prescribed_motions.hpp"
 #include "dem_server/particles/energy.hpp"
 #include "dem_server/particles/loads.hpp"
+#include "dem_server/particles/particles.hpp"
+#include "dem_server/particles/prescribed_motions.hpp"
 #include "protocol/participant/step.hpp"
 #include "protocol/threads/team.hpp"
 
@@ -80,7 +80,7 @@ class Solver {
 
  private:
   struct BlockResult {
-    PullResult bonds, contacts;
+    PairResult bonds, contacts;
     double fastest = 0, work = 0;
     Damping::Loss loss;
   };

@@ -30,7 +30,7 @@ void set_initial_forces(const Model& model, Bonds& b) {
   for (const Run& run : b.runs)
     for (std::uint32_t k = 0; k < run.count; ++k) {
       const double height = (y[run.first + k] + y[run.second + k]) / 2;
-      const auto [normal, shear] = initial_forces(*model.initial_stress, {law.normal_stiffness, law.shear_stiffness},
+      const auto [normal, shear] = initial_forces(*model.initial_stress, law.stiffness,
                                                   {run.rest_x, run.rest_y, b.rest_length, height});
       b.initial_normal_force[run.begin + k] = normal;
       b.shear_force[run.begin + k] = shear;

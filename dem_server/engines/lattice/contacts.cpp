@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem_server/laws/linear_contact.hpp"
+
 namespace adit::dem {
 namespace {
 
@@ -25,7 +27,8 @@ double weight_of(const Pair& pair, const Particles& p) {
 }  // namespace
 
 Contacts::Contacts(const Assembly& assembly)
-    : bonded_(ends_of(assembly.bonds), assembly.particles.size()), skin_(kSkin * assembly.bonds.rest_length / 2) {
+    : bonded_(ends_of(assembly.bonds), assembly.particles.size()),
+      skin_(kSkin * assembly.bonds.rest_length / 2) {
   list(assembly);
 }
 
@@ -52,11 +55,12 @@ void add_contacts(double normal_stiffness, double diameter, std::span<const Pair
     const Gap gap = gap_of(pair, particles);
     if (!(gap.squared < diameter * diameter)) continue;
     const double length = std::sqrt(gap.squared);
-    const double pull = weight_of(pair, particles) * normal_stiffness * (length - diameter) / length;
-    resultants.fx[pair.first] += pull * gap.x;
-    resultants.fy[pair.first] += pull * gap.y;
-    resultants.fx[pair.second] -= pull * gap.x;
-    resultants.fy[pair.second] -= pull * gap.y;
+    const double force =
+        contact_normal_force(weight_of(pair, particles) * normal_stiffness, length - diameter) / length;
+    resultants.fx[pair.first] += force * gap.x;
+    resultants.fy[pair.first] += force * gap.y;
+    resultants.fx[pair.second] -= force * gap.x;
+    resultants.fy[pair.second] -= force * gap.y;
   }
 }
 

@@ -9,16 +9,12 @@
 
 #include "dem_server/engines/lattice/critical_step.hpp"
 #include "dem_server/engines/useful_threads.hpp"
+#include "dem_server/laws/linear_contact.hpp"
 #include "dem_server/packing/meeting_place.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::dem {
 namespace {
-
-BondLaw law_of(const Model& model) {
-  const ContactBond& bond = model.contact_bonds[model.bonds.front().number];
-  return {{bond.normal_stiffness, bond.shear_stiffness}, bond.tensile_strength, bond.shear_strength};
-}
 
 // From the first to the second of two particles where they are now.
 struct Facing {
@@ -35,7 +31,7 @@ Facing facing(const Particles& p, std::uint32_t i, std::uint32_t j) {
 LatticeEngine::LatticeEngine(const Model& model, std::size_t threads)
     : LocalEngine(model),
       team_(threads > 0 ? threads : useful_threads(model.discs.size())),
-      law_(law_of(model)),
+      law_(model.contact_bonds[model.bonds.front().number]),
       assembly_(assemble(model)),
       contacts_(assembly_),
       tied_(model.discs.size(), false) {
@@ -135,8 +131,8 @@ Strongest LatticeEngine::strongest() const {
 
 Energies LatticeEngine::energies(const protocol::Step& step) {
   const double bonds = strain_of_bonds(),
-               contacts = contact_energy(law_.stiffness.normal, assembly_.bonds.rest_length, contacts_.pairs(),
-                                         assembly_.particles);
+               contacts = contact_energy(law_.stiffness.normal, assembly_.bonds.rest_length,
+                                         contacts_.pairs(), assembly_.particles);
   Energies energies;
   energies.kinetic = kinetic_energy_of(step);
   energies.strain = bonds + contacts;
@@ -197,7 +193,7 @@ void LatticeEngine::for_each_contact(const SeePair& see) const {
   for (const Pair& pair : contacts_.pairs()) {
     const auto [nx, ny, gap] = facing(p, pair.first, pair.second);
     if (gap < 0)
-      see({pair.first, pair.second, nx, ny, law_.stiffness.normal * gap, 0, 0,
+      see({pair.first, pair.second, nx, ny, contact_normal_force(law_.stiffness.normal, gap), 0, 0,
            (p.weight[pair.first] + p.weight[pair.second]) / 2});
   }
 }

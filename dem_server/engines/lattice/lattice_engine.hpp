@@ -1,12 +1,12 @@
-// The engine of lattices (model/lattice.hpp): equal discs on a hexagonal lattice, contact bonds of one law, and
-// contacts without friction. It divides each step between the interface and the interior.
+// The engine of lattices (model/lattice.hpp): equal discs on a hexagonal lattice, contact bonds of one law,
+// and contacts without friction. It divides each step between the interface and the interior.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "dem_server/engines/lattice/assembly.hpp"
-#include "dem_server/engines/lattice/contact_forces.hpp"
+#include "dem_server/engines/lattice/bond_forces.hpp"
 #include "dem_server/engines/lattice/contacts.hpp"
 #include "dem_server/engines/lattice/sweep.hpp"
 #include "dem_server/engines/local_engine.hpp"
@@ -60,12 +60,12 @@ class LatticeEngine final : public LocalEngine {
   std::vector<double> normal_forces() const;
 
   protocol::Team team_;
-  BondLaw law_;
+  ContactBond law_;
   Assembly assembly_;
   Contacts contacts_;
   Part interface_, interior_;
   std::vector<bool> tied_;             // of each particle: the interface acts on it
-  ContactResult result_;               // of this step, as far as computed
+  BondResult result_;                  // of this step, as far as computed
   double speed_ = 0;                   // largest of this step, likewise [m/s]
   std::vector<std::uint32_t> broken_;  // bonds that broke in this step
   std::vector<Crack> cracks_;          // of the last whole step

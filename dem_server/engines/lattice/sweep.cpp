@@ -147,8 +147,8 @@ void Sweep::set_beats(std::vector<Run> runs, Block& block) {
   }
 }
 
-double Sweep::run(protocol::Team& team, const BondLaw& law, const protocol::Step& step, Assembly& assembly,
-                  ContactResult& result, std::vector<std::uint32_t>& broken) {
+double Sweep::run(protocol::Team& team, const ContactBond& law, const protocol::Step& step,
+                  Assembly& assembly, BondResult& result, std::vector<std::uint32_t>& broken) {
   const std::size_t count = blocks_.size();
   for (Outcome& outcome : outcomes_) {
     outcome.contacts = {};
@@ -173,7 +173,7 @@ double Sweep::run(protocol::Team& team, const BondLaw& law, const protocol::Step
   return std::sqrt(fastest);
 }
 
-void Sweep::run_block(const Block& block, Buffer& buffer, const BondLaw& law, const protocol::Step& step,
+void Sweep::run_block(const Block& block, Buffer& buffer, const ContactBond& law, const protocol::Step& step,
                       Assembly& assembly, Outcome& outcome) const {
   Particles& particles = assembly.particles;
   const std::uint32_t first = block.particles.begin;
@@ -182,8 +182,8 @@ void Sweep::run_block(const Block& block, Buffer& buffer, const BondLaw& law, co
   clear(block.cleared, resultants_of(particles));
   for (const Beat& beat : block.beats) {
     if (!step.from_rest()) outcome.fastest = std::max(outcome.fastest, move(step.dt, beat.moved, particles));
-    add_contact_forces(law, step.dt, beat.runs, particles, assembly.bonds, resultants, outcome.contacts,
-                       outcome.broken);
+    add_bond_forces(law, step.dt, beat.runs, particles, assembly.bonds, resultants, outcome.contacts,
+                    outcome.broken);
     kick(step.kick(), beat.swept, resultants, particles);
     clear(beat.swept, resultants);
   }
@@ -194,12 +194,12 @@ void Sweep::run_block(const Block& block, Buffer& buffer, const BondLaw& law, co
   }
 }
 
-void Sweep::run_seam(const Block& block, const BondLaw& law, const protocol::Step& step, Assembly& assembly,
-                     Outcome& outcome) const {
+void Sweep::run_seam(const Block& block, const ContactBond& law, const protocol::Step& step,
+                     Assembly& assembly, Outcome& outcome) const {
   Particles& particles = assembly.particles;
   const Resultants resultants = resultants_of(particles);
-  add_contact_forces(law, step.dt, block.seam, particles, assembly.bonds, resultants, outcome.contacts,
-                     outcome.broken);
+  add_bond_forces(law, step.dt, block.seam, particles, assembly.bonds, resultants, outcome.contacts,
+                  outcome.broken);
   kick(step.kick(), block.seam_swept, resultants, particles);
 }
 

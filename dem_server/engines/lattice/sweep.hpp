@@ -15,8 +15,8 @@
 #include <span>
 #include <vector>
 
-#include "dem_server/engines/lattice/contact_forces.hpp"
 #include "dem_server/engines/lattice/assembly.hpp"
+#include "dem_server/engines/lattice/bond_forces.hpp"
 #include "protocol/participant/step.hpp"
 #include "protocol/threads/index_ranges.hpp"
 #include "protocol/threads/team.hpp"
@@ -41,8 +41,8 @@ class Sweep {
   // bonds; adds to those of others. Predicts the swept particles. `result` grows to that of all bonds of the
   // step so far; bonds that broke are appended to `broken`, ascending. Returns the largest speed of what it
   // moved [m/s].
-  double run(protocol::Team& team, const BondLaw& law, const protocol::Step& step, Assembly& assembly,
-             ContactResult& result, std::vector<std::uint32_t>& broken);
+  double run(protocol::Team& team, const ContactBond& law, const protocol::Step& step, Assembly& assembly,
+             BondResult& result, std::vector<std::uint32_t>& broken);
   // Predicts the kept particles from their resultants.
   void predict(protocol::Team& team, double kick, Particles& particles) const;
 
@@ -62,7 +62,7 @@ class Sweep {
     IndexRanges seam_swept;
   };
   struct Outcome {
-    ContactResult contacts;
+    BondResult contacts;
     std::vector<std::uint32_t> broken;
     double fastest = 0;  // speed squared
   };
@@ -74,9 +74,9 @@ class Sweep {
   void lay_out(std::span<const Run> runs, std::uint32_t particles);
   void deal(std::span<const Run> runs);
   static void set_beats(std::vector<Run> runs, Block& block);
-  void run_block(const Block& block, Buffer& buffer, const BondLaw& law, const protocol::Step& step,
+  void run_block(const Block& block, Buffer& buffer, const ContactBond& law, const protocol::Step& step,
                  Assembly& assembly, Outcome& outcome) const;
-  void run_seam(const Block& block, const BondLaw& law, const protocol::Step& step, Assembly& assembly,
+  void run_seam(const Block& block, const ContactBond& law, const protocol::Step& step, Assembly& assembly,
                 Outcome& outcome) const;
 
   std::vector<Block> blocks_;

@@ -17,8 +17,8 @@ ParallelBond read_parallel(const scene::ParallelBonds& bonds) {
 }
 
 ContactBond between(const ContactBond& a, const ContactBond& b) {
-  return {in_series(a.normal_stiffness, b.normal_stiffness), in_series(a.shear_stiffness, b.shear_stiffness),
-          std::min(a.tensile_strength, b.tensile_strength), std::min(a.shear_strength, b.shear_strength)};
+  return {in_series(a.stiffness, b.stiffness), std::min(a.tensile_strength, b.tensile_strength),
+          std::min(a.shear_strength, b.shear_strength)};
 }
 
 ParallelBond between(const ParallelBond& a, const ParallelBond& b) {
@@ -43,12 +43,12 @@ BondType read_bond_type(const scene::Bonds& bonds, const std::string& path,
                         "there, in Pa");
     return {read_parallel(bonds.parallel()), bonds.reach()};
   }
-  ContactBond law{bonds.normal_stiffness(), bonds.shear_stiffness(), bonds.tensile_strength(),
-                  bonds.shear_strength()};
+  ContactBond law{
+      {bonds.normal_stiffness(), bonds.shear_stiffness()}, bonds.tensile_strength(), bonds.shear_strength()};
   if (!bonds.has_normal_stiffness() || !bonds.has_shear_stiffness()) {
     const BondStiffness other = otherwise();
-    if (!bonds.has_normal_stiffness()) law.normal_stiffness = other.normal;
-    if (!bonds.has_shear_stiffness()) law.shear_stiffness = other.shear;
+    if (!bonds.has_normal_stiffness()) law.stiffness.normal = other.normal;
+    if (!bonds.has_shear_stiffness()) law.stiffness.shear = other.shear;
   }
   return {law, bonds.reach()};
 }

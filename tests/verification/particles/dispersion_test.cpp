@@ -8,9 +8,8 @@ namespace adit::dem {
 namespace {
 
 constexpr double kYoung = 25e9, kDensity = 2500;
-constexpr double kUnbreakable = std::numeric_limits<double>::infinity();
 
-BondLaw law_of(double poisson_ratio) {
+ContactBond law_of(double poisson_ratio) {
   return {calibrate(kYoung, poisson_ratio, Plane::kStress), kUnbreakable, kUnbreakable};
 }
 
@@ -23,7 +22,7 @@ TEST_P(LatticeWaves, FollowTheDispersionCurve) {
   const double mass = kDensity * GetParam().cell_area;
   const Assembly lattice = test::periodic(GetParam(), kCount, mass);
   for (const double poisson_ratio : {0.0, 0.2, 0.3}) {
-    const BondLaw law = law_of(poisson_ratio);
+    const ContactBond law = law_of(poisson_ratio);
     for (std::uint32_t m = 1; m <= kCount / 2; ++m) {
       const double phase = 2 * std::numbers::pi * m / kCount;
       const auto [omega_squared, modes] = test::in_theory(GetParam(), law.stiffness, mass, phase);
@@ -48,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(All, LatticeWaves, testing::ValuesIn(test::kLatticeDire
 TEST(LatticeWaves, LongOnesAreTheElasticSolids) {
   for (const auto& direction : {test::kLatticeDirections[0], test::kLatticeDirections[1]})
     for (const double poisson_ratio : {0.0, 0.2, 0.3}) {
-      const BondLaw law = law_of(poisson_ratio);
+      const ContactBond law = law_of(poisson_ratio);
       const double mu = kYoung / 2 / (1 + poisson_ratio),
                    p_modulus = kYoung / (1 - poisson_ratio * poisson_ratio);
       const double speeds[] = {std::sqrt(mu / kDensity), std::sqrt(p_modulus / kDensity)};
@@ -70,7 +69,7 @@ TEST(LatticeWaves, LongOnesAreTheElasticSolids) {
 // At the longest wave the rotation branch is 24 ks / m: three pairs of bonds resist the spins that all turn
 // alike.
 TEST(LatticeWaves, RotationStartsAtItsOwnFrequency) {
-  const BondLaw law = law_of(0.2);
+  const ContactBond law = law_of(0.2);
   const auto& direction = test::kLatticeDirections[0];
   const double mass = kDensity * direction.cell_area;
   const auto found = test::swing(law, 0, {0, 0, 1}, 300, test::periodic(direction, 8, mass));

@@ -74,7 +74,7 @@ class Engines : public testing::TestWithParam<const char*> {};
 TEST_P(Engines, AgreeOnALattice) {
   const Outcome lattice = compute(cantilever(GetParam(), scene::Particles::LATTICE)),
                 discs = compute(cantilever(GetParam(), scene::Particles::GENERAL));
-  // Slip by the middle of the step (laws/encounter.hpp) is all that differs.
+  // Slip by the middle of the step (laws/pair_kinematics.hpp) is all that differs.
   expect_near(lattice.tip, discs.tip, 1e-5);
   ASSERT_EQ(lattice.cracks.size(), discs.cracks.size());
   for (std::size_t k = 0; k < lattice.cracks.size(); ++k) {

@@ -22,7 +22,7 @@ struct Pulled {
 };
 
 Pulled pull(int rows, const BondStiffness& stiffness) {
-  const BondLaw law{stiffness, test::kUnbreakable, test::kUnbreakable};
+  const ContactBond law{stiffness, kUnbreakable, kUnbreakable};
   const Assembly bar = test::assemble(test::rows_of(rows, kDiscs, kRadius), 1.0);
   const Particles& p = bar.particles;
   const auto size = static_cast<Eigen::Index>(p.size());

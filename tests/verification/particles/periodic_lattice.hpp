@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "dem_server/engines/lattice/contact_forces.hpp"
+#include "dem_server/engines/lattice/bond_forces.hpp"
 #include "dem_server/engines/lattice/critical_step.hpp"
 #include "dem_server/particles/integrate.hpp"
 
@@ -121,7 +121,7 @@ struct Swing {
 
 // Struck at rest with a mode's velocities; the leap-frog's q(n) = q sin(n w dt) obeys
 // q(n+1) - 2 q(n) + q(n-1) = -(omega dt)^2 q(n) exactly, omega being the lattice's.
-inline Swing swing(const BondLaw& law, double phase, const Eigen::Vector3d& mode, int steps, Assembly a) {
+inline Swing swing(const ContactBond& law, double phase, const Eigen::Vector3d& mode, int steps, Assembly a) {
   constexpr double kAmplitude = 1e-9, kShift = 0.7;  // [m/s], of phase: no particle is on a node by symmetry
   Particles& p = a.particles;
   const std::size_t count = p.size() / 2;
@@ -148,7 +148,7 @@ inline Swing swing(const BondLaw& law, double phase, const Eigen::Vector3d& mode
   std::vector<double> rates{1};
   for (int n = 0; n < steps; ++n) {
     move(dt, {&all, 1}, p);
-    compute_contact_forces(law, dt, p, a.bonds, broken);
+    compute_bond_forces(law, dt, p, a.bonds, broken);
     kick(dt, {&all, 1}, resultants_of(p), p);
     rates.push_back(along(p.vx, p.vy, p.spin) / norm);
   }

@@ -31,7 +31,7 @@ class Joints {
   explicit Joints(std::vector<Joint> joints) : joints_(std::move(joints)) {}
 
   // Adds their forces to the resultants; `dt` is 0 where the step starts from rest.
-  void pull(double dt, Particles& particles);
+  void add_forces(double dt, Particles& particles);
 
   double strain_energy() const;
   double friction() const { return friction_; }  // dissipated since the start, weighted [J]

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem_server/laws/pair_kinematics.hpp"
+#include "dem_server/laws/spring.hpp"
+
 namespace adit::dem {
 
 SpringForces::SpringForces(std::vector<Spring> springs)
@@ -10,7 +13,7 @@ SpringForces::SpringForces(std::vector<Spring> springs)
   for (std::size_t k = 0; k < springs_.size(); ++k) forces_[k] = springs_[k].pretension;
 }
 
-void SpringForces::pull(double dt, Particles& p) {
+void SpringForces::add_forces(double dt, Particles& p) {
   for (std::size_t k = 0; k < springs_.size(); ++k) {
     if (!whole_[k]) continue;
     const Spring& spring = springs_[k];
@@ -19,12 +22,12 @@ void SpringForces::pull(double dt, Particles& p) {
     const double ux = p.ux[j] - p.ux[i], uy = p.uy[j] - p.uy[i], dx = rest_x + ux, dy = rest_y + uy;
     const double length = std::hypot(dx, dy);
     const double elongation =
-        (ux * (rest_x + dx) + uy * (rest_y + dy)) / (length + std::hypot(rest_x, rest_y));
+        growth_of_square(rest_x, rest_y, dx, dy, ux, uy) / (length + std::hypot(rest_x, rest_y));
     const double force = spring.pretension + spring.stiffness * elongation;
     forces_[k] = spring.tension_only ? std::max(force, 0.0) : force;
     if (forces_[k] > spring.strength) {
-      const double stretch = dt * ((p.vx[j] - p.vx[i]) * dx + (p.vy[j] - p.vy[i]) * dy) / length;
-      released_ += 0.5 * force * (force / spring.stiffness - stretch);
+      const double stretch = dt * along(dx, dy, p.vx[j] - p.vx[i], p.vy[j] - p.vy[i]) / length;
+      released_ += released_energy(force, spring.stiffness, stretch);
       forces_[k] = 0;
       whole_[k] = false;
       ++broken_;
@@ -39,9 +42,9 @@ void SpringForces::pull(double dt, Particles& p) {
 }
 
 double SpringForces::strain_energy() const {
-  double twice = 0;
-  for (std::size_t k = 0; k < springs_.size(); ++k) twice += forces_[k] * forces_[k] / springs_[k].stiffness;
-  return twice / 2;
+  double sum = 0;
+  for (std::size_t k = 0; k < springs_.size(); ++k) sum += spring_energy(forces_[k], springs_[k].stiffness);
+  return sum;
 }
 
 }  // namespace adit::dem

@@ -16,7 +16,7 @@ class SpringForces {
   explicit SpringForces(std::vector<Spring> springs);
 
   // Adds their forces to the resultants; `dt` is 0 where the step starts from rest.
-  void pull(double dt, Particles& particles);
+  void add_forces(double dt, Particles& particles);
 
   double strain_energy() const;
   double released() const { return released_; }  // stored in those that broke, since the start [J]

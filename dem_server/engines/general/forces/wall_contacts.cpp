@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem_server/laws/spring.hpp"
+
 namespace adit::dem {
 
 WallContacts::WallContacts(std::vector<MovingWall> walls, std::span<const double> radius,
@@ -11,7 +13,7 @@ WallContacts::WallContacts(std::vector<MovingWall> walls, std::span<const double
   list(particles);
   if (overlaps_free)
     for (Touch& touch : touches_)
-      touch.slack = std::max(0.0, -meet_wall(touch.wall, touch.disc, particles).gap);
+      touch.slack = std::max(0.0, -kinematics(touch.wall, touch.disc, particles).elongation);
 }
 
 double WallContacts::move(const protocol::Step& step) {
@@ -37,24 +39,26 @@ void WallContacts::stop() {
   for (State& s : states_) s.vx = s.vy = 0;
 }
 
-// The nearest point of the wall is where they meet.
-Encounter WallContacts::meet_wall(std::uint32_t wall, std::uint32_t disc, const Particles& p,
-                                  double dt) const {
+// They meet on the wall, which does not turn: all of the arm is the disc's.
+PairKinematics WallContacts::kinematics(std::uint32_t wall, std::uint32_t disc, const Particles& p,
+                                        double dt) const {
   const MovingWall& w = walls_[wall];
   const State& s = states_[wall];
-  const Body body{
-      p.x[disc] + p.ux[disc], p.y[disc] + p.uy[disc], p.vx[disc],           p.vy[disc],
-      p.spin[disc],           radius_[disc],          p.inverse_mass[disc], p.inverse_inertia[disc]};
   const double along_x = w.x_2 - w.x_1, along_y = w.y_2 - w.y_1;
-  const double x = body.x - (w.x_1 + s.ux), y = body.y - (w.y_1 + s.uy);
+  const double x = p.x[disc] + p.ux[disc] - (w.x_1 + s.ux), y = p.y[disc] + p.uy[disc] - (w.y_1 + s.uy);
   const double squared = along_x * along_x + along_y * along_y;
   const double share = std::clamp((x * along_x + y * along_y) / squared, 0.0, 1.0);
   const double dx = share * along_x - x, dy = share * along_y - y, distance = std::hypot(dx, dy);
   const double length = std::sqrt(squared);
   const double nx = distance > 0 ? dx / distance : -along_y / length,
                ny = distance > 0 ? dy / distance : along_x / length;
-  const Body second{0, 0, s.vx, s.vy, 0, 0, 0, 0};
-  return laws::at(body, second, nx, ny, distance, distance - body.radius, distance, 0, dt, 1);
+  const double vx = s.vx - p.vx[disc], vy = s.vy - p.vy[disc];
+  const double stretch_rate = along(nx, ny, vx, vy), half = 0.5 * dt * stretch_rate;
+  const Arms arms{distance, 0};
+  const double slip_rate =
+      mid_step_slip_rate(across(nx, ny, vx, vy), half, half / distance, arms, 1, p.spin[disc], 0);
+  return {nx,           ny,        distance,     distance - radius_[disc], arms.first, arms.second,
+          stretch_rate, slip_rate, -p.spin[disc]};
 }
 
 void WallContacts::list(const Particles& p) {
@@ -62,7 +66,7 @@ void WallContacts::list(const Particles& p) {
   auto old = touches_.begin();
   for (std::uint32_t w = 0; w < walls_.size(); ++w)
     for (std::uint32_t i = 0; i < p.size(); ++i) {
-      if (!(meet_wall(w, i, p).gap <= skin_)) continue;
+      if (!(kinematics(w, i, p).elongation <= skin_)) continue;
       while (old != touches_.end() && (old->wall < w || (old->wall == w && old->disc < i))) ++old;
       const bool kept = old != touches_.end() && old->wall == w && old->disc == i;
       fresh.push_back(kept ? *old : Touch{.wall = w, .disc = i});
@@ -70,46 +74,55 @@ void WallContacts::list(const Particles& p) {
   touches_ = std::move(fresh);
 }
 
-void WallContacts::pull(double dt, Particles& p) {
+void WallContacts::add_forces(double dt, Particles& p) {
   for (State& s : states_) {
     work_ += dt / 2 * (s.fx * s.vx + s.fy * s.vy);
     s.fx = s.fy = 0;
   }
   for (Touch& touch : touches_) {
     const std::uint32_t i = touch.disc;
-    const LinearContact& law = walls_[touch.wall].contact;
-    Encounter e = meet_wall(touch.wall, i, p, dt);
-    e.gap += touch.slack;
-    ContactWork work;
-    const Pull f = adit::dem::pull(law, e, dt, touch.springs, &work);
-    const double spring = law.normal_stiffness * std::min(e.gap, 0.0);
-    const double normal_dashpot = f.normal - spring, shear_dashpot = f.shear - touch.springs.shear_force;
-    friction_ += work.friction;
-    dashpots_ += dt / 2 *
-                 ((normal_dashpot + touch.normal_dashpot) * e.stretch_rate +
-                  (shear_dashpot + touch.shear_dashpot) * e.slip_rate);
-    touch.normal = f.normal;
-    touch.normal_dashpot = normal_dashpot;
-    touch.shear_dashpot = shear_dashpot;
-    const double fx = f.normal * e.nx - f.shear * e.ny, fy = f.normal * e.ny + f.shear * e.nx;
-    p.fx[i] += fx;
-    p.fy[i] += fy;
-    p.moment[i] += f.shear * e.arm_1;
-    states_[touch.wall].fx += fx;
-    states_[touch.wall].fy += fy;
+    const PairKinematics pair = kinematics(touch.wall, i, p, dt);
+    const ContactForces f =
+        forces(walls_[touch.wall].contact, pair, dt, p.inverse_mass[i], p.inverse_inertia[i], touch);
+    const PlaneVector force = vector_of(pair.nx, pair.ny, f.normal, f.shear);
+    p.fx[i] += force.x;
+    p.fy[i] += force.y;
+    p.moment[i] += f.shear * pair.arm_1;
+    states_[touch.wall].fx += force.x;
+    states_[touch.wall].fy += force.y;
   }
   for (const State& s : states_) work_ += dt / 2 * (s.fx * s.vx + s.fy * s.vy);
 }
 
+ContactForces WallContacts::forces(const LinearContact& law, const PairKinematics& pair, double dt,
+                                   double inverse_mass, double inverse_inertia, Touch& touch) {
+  const double gap = pair.elongation + touch.slack, before = touch.shear;
+  ContactForces f{0, 0}, dashpots{0, 0};
+  touch.shear = 0;
+  if (gap < 0) {
+    const ContactSprings springs = contact_springs(law, gap, pair.slip_rate, dt, before);
+    f = with_dashpots(law, springs, true, inverse_mass,
+                      inverse_slip_mass(inverse_mass, {pair.arm_1, pair.arm_2}, inverse_inertia, 0),
+                      pair.stretch_rate, pair.slip_rate, dt);
+    dashpots = {f.normal - springs.normal, f.shear - springs.shear};
+    touch.shear = springs.shear;
+    if (law.shear_stiffness > 0)
+      friction_ += stiffness_times_friction_work(springs, before) / law.shear_stiffness;
+  }
+  dashpots_ += dashpot_work(dt, touch.dashpots, dashpots, pair.stretch_rate, pair.slip_rate);
+  touch.normal = f.normal;
+  touch.dashpots = dashpots;
+  return f;
+}
+
 double WallContacts::strain_energy() const {
-  double twice = 0;
+  double sum = 0;
   for (const Touch& touch : touches_) {
     const LinearContact& law = walls_[touch.wall].contact;
-    const double spring = touch.normal - touch.normal_dashpot, shear = touch.springs.shear_force;
-    twice += spring * spring / law.normal_stiffness;
-    if (law.shear_stiffness > 0) twice += shear * shear / law.shear_stiffness;
+    sum += spring_energy(touch.normal - touch.dashpots.normal, law.normal_stiffness);
+    sum += spring_energy(touch.shear, law.shear_stiffness);
   }
-  return twice / 2;
+  return sum;
 }
 
 }  // namespace adit::dem

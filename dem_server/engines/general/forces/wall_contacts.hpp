@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dem_server/laws/linear_contact.hpp"
+#include "dem_server/laws/pair_kinematics.hpp"
 #include "dem_server/model/model.hpp"
 #include "dem_server/particles/particles.hpp"
 #include "protocol/participant/step.hpp"
@@ -26,7 +27,7 @@ class WallContacts {
   void list(const Particles& particles);
   // Adds the contacts' forces to the resultants, from velocities at n - 1/2, and accounts them. `dt` is 0
   // where the step starts from rest.
-  void pull(double dt, Particles& particles);
+  void add_forces(double dt, Particles& particles);
   // After the forces: their velocities of n + 1/2.
   void drive(const protocol::Step& step);
   void stop();
@@ -50,16 +51,21 @@ class WallContacts {
   // A disc near a wall.
   struct Touch {
     std::uint32_t wall, disc;
-    double slack = 0;  // the contact overlaps by -(gap + slack) [m]
-    LinearContactState springs{};
-    double normal = 0, normal_dashpot = 0, shear_dashpot = 0;  // [N]
+    double slack = 0;              // the contact overlaps by -(gap + slack) [m]
+    double shear = 0;              // of the spring [N]
+    double normal = 0;             // of spring and dashpot [N]
+    ContactForces dashpots{0, 0};  // their share [N]
   };
   std::span<const Touch> touches() const { return touches_; }  // by wall, then by disc
-  // As they meet now; no gap is slack.
-  Encounter meet_wall(std::uint32_t wall, std::uint32_t disc, const Particles& particles,
-                      double dt = 0) const;
+  // A disc against the nearest point of a wall; the elongation is the gap, without slack.
+  PairKinematics kinematics(std::uint32_t wall, std::uint32_t disc, const Particles& particles,
+                            double dt = 0) const;
 
  private:
+  // Forces on the disc of a touch, which takes them and what they store and dissipate.
+  ContactForces forces(const LinearContact& law, const PairKinematics& pair, double dt, double inverse_mass,
+                       double inverse_inertia, Touch& touch);
+
   struct State {
     double ux = 0, uy = 0, vx = 0, vy = 0;  // travelled [m], velocity [m/s]
     double fx = 0, fy = 0;                  // on the discs at the last step [N]

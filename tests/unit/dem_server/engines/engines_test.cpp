@@ -50,7 +50,7 @@ TEST_P(Engines, TellTheForcesOfBonds) {
   const double xx = 1e-7, yy = -2e-7, xy = 3e-7;
   strain(*engine, xx, yy, xy);
   std::size_t bonds = 0;
-  engine->for_each_bond([&](const PairForces& bond) {
+  engine->for_each_bond([&](const ObservedPair& bond) {
     const double nx = bond.nx, ny = bond.ny;
     const double normal = 7e6 * 2 * kRadius * (xx * nx * nx + 2 * xy * nx * ny + yy * ny * ny);
     const double shear = 3e6 * 2 * kRadius * ((yy - xx) * nx * ny + xy * (nx * nx - ny * ny));
@@ -60,7 +60,7 @@ TEST_P(Engines, TellTheForcesOfBonds) {
     ++bonds;
   });
   EXPECT_EQ(bonds, engine->counts().bonds);
-  engine->for_each_contact([](const PairForces&) { FAIL() << "nothing else touches"; });
+  engine->for_each_contact([](const ObservedPair&) { FAIL() << "nothing else touches"; });
 }
 
 // The stress in a circle, asked as a history, is that of the solid.
@@ -141,8 +141,8 @@ TEST(EnginesUnderInitialStress, MoveAlike) {
   EXPECT_NEAR(general.energies({299, dt}).strain, strain, 1e-3 * strain);
 }
 
-// A bond that breaks is told with the place where its particles touched, its mode and its particles' places in
-// the packing; what was under pressure stays pressed.
+// A bond that breaks is told with the place where its particles touched, its mode and its particles' places
+// in the packing; what was under pressure stays pressed.
 TEST_P(Engines, TellCracksByTheirPlaces) {
   Model model = test::lattice_in({0, 4, 0, 0.9}, kRadius, 2.0, kBond);
   ASSERT_EQ(model.bonds.size(), 3u);
@@ -182,7 +182,7 @@ TEST_P(Engines, KeepTheWeightsAboveTheFloor) {
   EXPECT_LT(p.size(), whole.discs.size());
   std::vector<double> sum(p.size(), 0), count(p.size(), 0);
   double least = 1;
-  engine->for_each_bond([&](const PairForces& bond) {
+  engine->for_each_bond([&](const ObservedPair& bond) {
     EXPECT_GE(bond.weight, floor);
     least = std::min(least, bond.weight);
     for (const std::uint32_t i : {bond.first, bond.second}) sum[i] += bond.weight, count[i] += 1;

@@ -1,4 +1,4 @@
-#include "dem_server/engines/lattice/contact_forces.hpp"
+#include "dem_server/engines/lattice/bond_forces.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,9 @@ namespace adit::dem {
 namespace {
 
 using test::compute;
-using test::kUnbreakable;
 
 constexpr double kNormal = 7.0, kShear = 3.0;
-const BondLaw kLaw{{kNormal, kShear}, kUnbreakable, kUnbreakable};
+const ContactBond kLaw{{kNormal, kShear}, kUnbreakable, kUnbreakable};
 
 // Fn = kn times the change of length, on both particles, along the line between them.
 TEST(BondLaw, NormalForceFollowsTheLength) {
@@ -86,7 +85,7 @@ TEST(BondLaw, BreaksInTensionJustAboveItsStrength) {
   const double fn = a.bonds.normal_force[0];
   EXPECT_TRUE(compute({kLaw.stiffness, fn, kUnbreakable}, 0.1, a).second.empty());
   EXPECT_EQ(a.bonds.state[0], BondState::kIntact);
-  const BondLaw weaker{kLaw.stiffness, std::nextafter(fn, 0), kUnbreakable};
+  const ContactBond weaker{kLaw.stiffness, std::nextafter(fn, 0), kUnbreakable};
   EXPECT_EQ(compute(weaker, 0.1, a).second, std::vector<std::uint32_t>{0});
   EXPECT_EQ(a.bonds.state[0], BondState::kTensileCrack);
   EXPECT_EQ(a.particles.fx[0], 0);
@@ -137,7 +136,7 @@ TEST(BondLaw, BrokenBondIsAFrictionlessContact) {
   EXPECT_EQ(a.particles.fx[0], 0);
   EXPECT_EQ(a.particles.fy[0], 0);
   a.particles.ux[1] = -0.2;
-  const ContactResult closed = compute(kLaw, 0.1, a).first;
+  const BondResult closed = compute(kLaw, 0.1, a).first;
   EXPECT_NEAR(a.particles.fx[0], -0.2 * kNormal, 1e-14);
   EXPECT_EQ(a.particles.fy[0], 0);
   EXPECT_EQ(a.particles.moment[0], 0);
@@ -161,7 +160,7 @@ TEST(BondLaw, TensileBreakReleasesNormalAndShear) {
   Assembly a = test::pair_of_particles();
   a.particles.ux[1] = 0.1;
   a.bonds.shear_force[0] = 0.6;
-  const ContactResult result = compute({kLaw.stiffness, 0.5, kUnbreakable}, 0.1, a).first;
+  const BondResult result = compute({kLaw.stiffness, 0.5, kUnbreakable}, 0.1, a).first;
   EXPECT_NEAR(result.released, kNormal * 0.01 / 2 + 0.36 / (2 * kShear), 1e-14);
 }
 
@@ -170,7 +169,7 @@ TEST(BondLaw, FindsTheStrongestBond) {
   Assembly a = test::assemble(test::rows_of(4, 11), 1.0);
   test::fill_randomly(a.particles.ux, 0.05, 3);
   test::fill_randomly(a.particles.uy, 0.05, 4);
-  const ContactResult result = compute(kLaw, 0.1, a).first;
+  const BondResult result = compute(kLaw, 0.1, a).first;
   std::uint32_t best = 0;
   for (std::uint32_t k = 0; k < a.bonds.size(); ++k)
     if (std::abs(a.bonds.normal_force[k]) > std::abs(a.bonds.normal_force[best])) best = k;

@@ -7,15 +7,13 @@
 namespace adit::dem {
 namespace {
 
-using test::kUnbreakable;
-
 struct Stress {
   double xx, yy, xy;
 };
 
 // Mean stress of the cell around an interior particle under the strain (xx, yy, xy), from the forces of its
 // bonds: sum of force (x) half branch vector over the cell's area.
-Stress stress_under(double exx, double eyy, double exy, const BondLaw& law, double radius) {
+Stress stress_under(double exx, double eyy, double exy, const ContactBond& law, double radius) {
   Assembly a = test::assemble(test::rows_of(5, 6, radius), 1.0);
   Particles& p = a.particles;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -49,7 +47,7 @@ class Moduli : public testing::TestWithParam<Case> {};
 TEST_P(Moduli, UniformStrainGivesTheSolidsStress) {
   const auto [nu, plane] = GetParam();
   const double e = 25e9, radius = 0.07, strain = 1e-9;
-  const BondLaw law{calibrate(e, nu, plane), kUnbreakable, kUnbreakable};
+  const ContactBond law{calibrate(e, nu, plane), kUnbreakable, kUnbreakable};
   const double mu = e / (2 * (1 + nu));
   const double lambda = plane == Plane::kStress ? e * nu / (1 - nu * nu) : e * nu / ((1 + nu) * (1 - 2 * nu));
   const double tolerance = 1e-6 * e;
@@ -98,7 +96,7 @@ class Waves : public testing::TestWithParam<double> {};
 TEST_P(Waves, FollowTheDispersionRelation) {
   const double phi = GetParam(), radius = 0.5, mass = 3.0, inertia = mass * radius * radius / 2,
                amplitude = 1e-9;
-  const BondLaw law{{4.0, 1.5}, kUnbreakable, kUnbreakable};
+  const ContactBond law{{4.0, 1.5}, kUnbreakable, kUnbreakable};
   const double kn = law.stiffness.normal, ks = law.stiffness.shear;
   const Model packing = test::rows_of(3, 12, radius);
   const std::uint32_t centre = 12 + 5;

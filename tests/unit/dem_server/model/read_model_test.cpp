@@ -123,7 +123,7 @@ TEST(ReadModel, BondsUnlessThereAreContactsAlone) {
   const BondStiffness expected = calibrate(10e9, 0.2, Plane::kStress);
   ASSERT_EQ(bonded.bonds.size(), 12u);
   ASSERT_EQ(bonded.contact_bonds.size(), 1u);
-  EXPECT_EQ(bonded.contact_bonds[0].normal_stiffness, expected.normal);
+  EXPECT_EQ(bonded.contact_bonds[0].stiffness.normal, expected.normal);
   EXPECT_EQ(bonded.contact_bonds[0].tensile_strength, kUnbreakable);
   EXPECT_EQ(bonded.contacts[0].shear_stiffness, expected.shear);
 
@@ -160,7 +160,7 @@ TEST(ReadModel, WidthOfCementFollowsTheSmallerDisc) {
   ASSERT_EQ(model.parallel_bonds.size(), 2u);
   EXPECT_DOUBLE_EQ(model.parallel_bonds[model.bonds[0].number].radius, 0.4);  // 0 and 1
   EXPECT_DOUBLE_EQ(model.parallel_bonds[model.bonds[1].number].radius, 0.8);  // 0 and 2
-  EXPECT_EQ(model.bonds[2].number, model.bonds[0].number);                   // 1 and 3
+  EXPECT_EQ(model.bonds[2].number, model.bonds[0].number);                    // 1 and 3
   EXPECT_NEAR(model.parallel_bonds[0].tan_friction_angle, 1, 1e-15);
   EXPECT_EQ(model.contacts[0].normal_stiffness, calibrate(10e9, 0.2, Plane::kStress).normal);
 }
@@ -187,8 +187,8 @@ TEST(ReadModel, GroupsHaveTheirOwnBonds) {
   EXPECT_EQ(model.mass, (std::vector<double>{2500, 2500, 5000, 5000}));
   ASSERT_EQ(model.bonds.size(), 3u);
   const auto& middle = model.contact_bonds[model.bonds[1].number];
-  EXPECT_DOUBLE_EQ(middle.normal_stiffness, 1.5e9);
-  EXPECT_EQ(middle.shear_stiffness, 0);
+  EXPECT_DOUBLE_EQ(middle.stiffness.normal, 1.5e9);
+  EXPECT_EQ(middle.stiffness.shear, 0);
   EXPECT_EQ(middle.tensile_strength, 500);
   EXPECT_EQ(model.contact_bonds[model.bonds[2].number].tensile_strength, kUnbreakable);
   EXPECT_DOUBLE_EQ(model.contacts[1].normal_stiffness, 1.5e9);

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "dem_server/model/calibration.hpp"
 #include "protocol/errors.hpp"
 #include "tests/support/refusals.hpp"
 #include "tests/unit/dem_server/cantilever_scene.hpp"

@@ -128,7 +128,7 @@ TEST(Deferral, KeepsEveryBit) {
 // Dividing the work changes nothing but the order of some sums: without impulses a run with coupling points
 // is the run without.
 TEST(Deferral, DividesNoPhysics) {
-  CoupledRun divided(test::kUnbreakable), whole(test::kUnbreakable, 0, false);
+  CoupledRun divided(kUnbreakable), whole(kUnbreakable, 0, false);
   double largest = 0;
   for (int n = 0; n <= 1000; ++n) {
     for (auto* run : {&divided, &whole}) {
@@ -168,7 +168,7 @@ TEST(Deferral, ReportsWholeSteps) {
 
 // A force of the interior that is not finite ends the run from complete(), with step and place.
 TEST(Deferral, InstabilityOfTheInteriorIsFound) {
-  CoupledRun run(test::kUnbreakable, 1e300);
+  CoupledRun run(kUnbreakable, 1e300);
   run.advance(false);
   run.participant.complete();
   ASSERT_NO_THROW(run.advance(false));

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "dem_server/model/calibration.hpp"
 #include "protocol/errors.hpp"
 #include "tests/unit/dem_server/cantilever_scene.hpp"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "coupler/bridging/overlap.hpp"
-#include "dem_server/engines/lattice/contact_forces.hpp"
+#include "dem_server/engines/lattice/bond_forces.hpp"
 #include "fdm_server/grid/interpolation.hpp"
 #include "fdm_server/grid/samples.hpp"
 #include "fdm_server/zones/elastic/elastic_zones.hpp"
@@ -53,7 +53,8 @@ inline Eigen::MatrixXd stiffness(Eigen::Index size,
 // The stiffness matrix of the lattice, for x, y and rotation of each particle.
 inline Eigen::MatrixXd lattice_stiffness(const CoupledPatch& patch, const dem::Assembly& assembly) {
   const double infinity = std::numeric_limits<double>::infinity();
-  const dem::BondLaw law{dem::calibrate(patch.young, patch.poisson, dem::Plane::kStress), infinity, infinity};
+  const dem::ContactBond law{dem::calibrate(patch.young, patch.poisson, dem::Plane::kStress), infinity,
+                             infinity};
   const auto size = static_cast<Eigen::Index>(assembly.particles.size());
   // One step of unit length: the velocities are the displacements, which is what shear increments see.
   return stiffness(3 * size, [&](const Eigen::VectorXd& u) {
@@ -64,7 +65,7 @@ inline Eigen::MatrixXd lattice_stiffness(const CoupledPatch& patch, const dem::A
       a.particles.spin[i] = u[3 * i + 2];
     }
     std::vector<std::uint32_t> broken;
-    dem::compute_contact_forces(law, 1.0, a.particles, a.bonds, broken);
+    dem::compute_bond_forces(law, 1.0, a.particles, a.bonds, broken);
     Eigen::VectorXd f(3 * size);
     for (Eigen::Index i = 0; i < size; ++i)
       f.segment<3>(3 * i) << a.particles.fx[i], a.particles.fy[i], a.particles.moment[i];

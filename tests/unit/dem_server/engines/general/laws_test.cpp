@@ -4,21 +4,26 @@
 #include <cmath>
 #include <random>
 
-#include "dem_server/laws/parallel_bond.hpp"
 #include "dem_server/laws/smooth_joint.hpp"
 #include "tests/unit/dem_server/discs_models.hpp"
+#include "tests/unit/dem_server/two_bodies.hpp"
 
 namespace adit::dem {
 namespace {
 
+using test::Body;
+using test::BondedPair;
+using test::forces;
+using test::meet;
+
 Body body_of(const Solver& solver, std::size_t i) {
   const Particles& p = solver.particles();
-  return {p.x[i] + p.ux[i], p.y[i] + p.uy[i],   p.vx[i],           p.vy[i],
-          p.spin[i],        p.radius[i], p.inverse_mass[i], p.inverse_inertia[i]};
+  return {p.x[i] + p.ux[i], p.y[i] + p.uy[i], p.vx[i],           p.vy[i],
+          p.spin[i],        p.radius[i],      p.inverse_mass[i], p.inverse_inertia[i]};
 }
 
-// Resultants that a pull gives to two bodies.
-void expect_pull(const Solver& solver, const Pull& f, const Encounter& e) {
+// Resultants that the forces of a pair give to two bodies.
+void expect_forces(const Solver& solver, const PairForces& f, const PairKinematics& e) {
   const double fx = f.normal * e.nx - f.shear * e.ny, fy = f.normal * e.ny + f.shear * e.nx;
   const double scale = std::hypot(f.normal, f.shear);
   const Particles& p = solver.particles();
@@ -56,7 +61,7 @@ TEST(DiscsLaws, ContactsAreLinearContacts) {
   for (int trial = 0; trial < 20; ++trial) {
     Solver solver(two.model, 1);
     PrescribedMotions none;
-    LinearContactState state;
+    double shear = 0;
     for (std::uint64_t n = 1; n <= 5; ++n) {
       two.set_off(solver, trial < 15 ? 3 : 200);
       std::vector<Body> before = {body_of(solver, 0), body_of(solver, 1)};
@@ -64,10 +69,10 @@ TEST(DiscsLaws, ContactsAreLinearContacts) {
         body.x += dt * body.vx;
         body.y += dt * body.vy;
       }
-      const Encounter e = meet(before[0], before[1], dt);
-      const Pull f = pull(law, e, dt, state);
+      const PairKinematics e = meet(before[0], before[1], dt);
+      const PairForces f = forces(law, e, before[0], before[1], dt, shear);
       solver.step({n, dt}, test::no_loads, none);
-      expect_pull(solver, f, e);
+      expect_forces(solver, f, e);
     }
   }
 }
@@ -84,8 +89,8 @@ TEST(DiscsLaws, ParallelBondsActBesideContacts) {
   for (int trial = 0; trial < 40; ++trial) {
     Solver solver(two.model, 1);
     PrescribedMotions none;
-    ParallelBondState cement{std::hypot(two.model.discs.x[1] - 0.3, two.model.discs.y[1] + 0.2)};
-    LinearContactState surfaces;
+    BondedPair bonded{std::hypot(two.model.discs.x[1] - 0.3, two.model.discs.y[1] + 0.2)};
+    double surfaces = 0;
     for (std::uint64_t n = 1; n <= 5; ++n) {
       two.set_off(solver, 60);
       std::vector<Body> before = {body_of(solver, 0), body_of(solver, 1)};
@@ -93,8 +98,9 @@ TEST(DiscsLaws, ParallelBondsActBesideContacts) {
         body.x += dt * body.vx;
         body.y += dt * body.vy;
       }
-      const Encounter e = meet(before[0], before[1], dt);
-      const Pull a = pull(bond, e, dt, cement), b = pull(contact, e, dt, surfaces);
+      const PairKinematics e = meet(before[0], before[1], dt);
+      const PairForces a = forces(bond, e, dt, bonded),
+                       b = forces(contact, e, before[0], before[1], dt, surfaces);
       solver.step({n, dt}, test::no_loads, none);
       // The elongation of bodies loses digits of their places that the solver keeps.
       const double lost = 1e-15 * bond.normal_stiffness * bond.area();
@@ -105,9 +111,9 @@ TEST(DiscsLaws, ParallelBondsActBesideContacts) {
       EXPECT_NEAR(p.fy[0], normal * e.ny + shear * e.nx, scale);
       EXPECT_NEAR(p.moment[0], shear * e.arm_1 + a.moment, scale);
       EXPECT_NEAR(p.moment[1], shear * e.arm_2 - a.moment, scale);
-      EXPECT_EQ(solver.bonds().state[0], cement.state);
+      EXPECT_EQ(solver.bonds().state[0], bonded.state);
     }
-    broken += cement.state != BondState::kIntact;
+    broken += bonded.state != BondState::kIntact;
   }
   EXPECT_GT(broken, 5);
   EXPECT_LT(broken, 35);

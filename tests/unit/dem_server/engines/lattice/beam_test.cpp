@@ -27,9 +27,9 @@ class LatticeBeam {
   explicit LatticeBeam(int rows)
       : radius_(kLength / 2 / std::round(kLength * rows * std::numbers::sqrt3 / 2)),
         height_(rows * std::numbers::sqrt3 * radius_),
-        assembly_(
-            test::assemble(test::lattice_in({0, kLength, 0, height_}, radius_), cell_mass(kDensity, radius_))) {
-    const BondLaw law{calibrate(kYoung, kNu, Plane::kStress), test::kUnbreakable, test::kUnbreakable};
+        assembly_(test::assemble(test::lattice_in({0, kLength, 0, height_}, radius_),
+                                 cell_mass(kDensity, radius_))) {
+    const ContactBond law{calibrate(kYoung, kNu, Plane::kStress), kUnbreakable, kUnbreakable};
     Eigen::SparseMatrix<double> k = test::stiffness_matrix(law, assembly_);
     // Fixed degrees of freedom keep their diagonal only: they take part in nothing.
     k.prune([this](Eigen::Index i, Eigen::Index j, double) { return i == j || (is_free(i) && is_free(j)); });

@@ -7,9 +7,7 @@
 namespace adit::dem {
 namespace {
 
-using test::kUnbreakable;
-
-const BondLaw kLaw{{7.0, 3.0}, kUnbreakable, kUnbreakable};
+const ContactBond kLaw{{7.0, 3.0}, kUnbreakable, kUnbreakable};
 
 double largest(const std::vector<double>& values) {
   double most = 0;
@@ -68,7 +66,7 @@ Momenta momenta(const Particles& p) {
 struct Violent {
   Model packing = test::rows_of(6, 9);
   Assembly a;
-  BondLaw law{{7.0, 3.0}, 0.55, 0.45};
+  ContactBond law{{7.0, 3.0}, 0.55, 0.45};
   double dt;
   Violent() {
     std::vector<double> centres(packing.discs.x.size(), 1.0), midpoints(packing.bonds.size());
@@ -149,7 +147,7 @@ TEST(Conservation, EnergyLedgerClosesOverBreaking) {
 TEST(Conservation, ReleasedEnergyOfOneBondIsExact) {
   Assembly a = test::pair_of_particles();
   a.particles.vx = {-1.0, 1.0};
-  const BondLaw law{{7.0, 3.0}, 1.0, kUnbreakable};
+  const ContactBond law{{7.0, 3.0}, 1.0, kUnbreakable};
   test::Ledger ledger;
   test::step(law, 0.01, true, a, ledger);
   const double start = ledger.total();

@@ -7,10 +7,8 @@
 namespace adit::dem {
 namespace {
 
-using test::kUnbreakable;
-
 // 2 / omega of the assembled lattice's highest mode.
-double exact_step(const BondLaw& law, const Assembly& a) {
+double exact_step(const ContactBond& law, const Assembly& a) {
   const Eigen::MatrixXd mass = test::mass_diagonal(a.particles).asDiagonal();
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(
       Eigen::MatrixXd(test::stiffness_matrix(law, a)), mass, Eigen::EigenvaluesOnly);
@@ -34,7 +32,7 @@ TEST(CriticalStep, LoneBondIsExact) {
 // The bound is never above the exact step of the assembled lattice, nor wastefully below it.
 TEST(CriticalStep, StaysBelowTheExactStep) {
   for (const double shear : {0.0, 2.0, 7.0}) {
-    const BondLaw law{{7.0, shear}, kUnbreakable, kUnbreakable};
+    const ContactBond law{{7.0, shear}, kUnbreakable, kUnbreakable};
     const Assembly a = test::assemble(test::rows_of(5, 6), 2.0);
     const double bound = critical_step(a, law.stiffness), exact = exact_step(law, a);
     EXPECT_LE(bound, exact);
@@ -44,7 +42,7 @@ TEST(CriticalStep, StaysBelowTheExactStep) {
 
 // Weights of any kind, vanished particles included, do not shorten the step: neither the bound nor the truth.
 TEST(CriticalStep, WeightsDoNotShortenIt) {
-  const BondLaw law{{7.0, 2.0}, kUnbreakable, kUnbreakable};
+  const ContactBond law{{7.0, 2.0}, kUnbreakable, kUnbreakable};
   const Model packing = test::rows_of(5, 6);
   const double unweighted = critical_step(test::assemble(packing, 2.0), law.stiffness);
   for (const unsigned seed : {1u, 2u, 3u, 4u}) {
@@ -63,7 +61,7 @@ TEST(CriticalStep, WeightsDoNotShortenIt) {
 // Just below the exact step small vibrations stay bounded, just above it they grow: the exact step is the
 // limit.
 TEST(CriticalStep, ExactStepIsTheLimitOfStability) {
-  const BondLaw law{{7.0, 2.0}, kUnbreakable, kUnbreakable};
+  const ContactBond law{{7.0, 2.0}, kUnbreakable, kUnbreakable};
   const auto peak = [&](double factor) {
     Assembly a = test::assemble(test::rows_of(4, 5), 2.0);
     test::fill_randomly(a.particles.vx, 1e-9, 5);

@@ -4,20 +4,17 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <random>
 #include <utility>
 #include <vector>
 
-#include "dem_server/engines/lattice/contact_forces.hpp"
+#include "dem_server/engines/lattice/bond_forces.hpp"
 #include "dem_server/particles/energy.hpp"
 #include "dem_server/particles/integrate.hpp"
 #include "tests/support/lattice_model.hpp"
 
 namespace adit::dem::test {
-
-using dem::kUnbreakable;
 
 // Rows of touching, bonded discs, the first, third, … with `discs` of them, from the origin.
 inline Model rows_of(int rows, int discs, double radius = 0.5) {
@@ -29,10 +26,10 @@ inline Assembly pair_of_particles(double mass = 2.0, double radius = 0.5) {
   return assemble(rows_of(1, 2, radius), mass);
 }
 
-inline std::pair<ContactResult, std::vector<std::uint32_t>> compute(const BondLaw& law, double dt,
-                                                                    Assembly& a) {
+inline std::pair<BondResult, std::vector<std::uint32_t>> compute(const ContactBond& law, double dt,
+                                                                 Assembly& a) {
   std::vector<std::uint32_t> broken;
-  const ContactResult result = compute_contact_forces(law, dt, a.particles, a.bonds, broken);
+  const BondResult result = compute_bond_forces(law, dt, a.particles, a.bonds, broken);
   return {result, broken};
 }
 
@@ -50,7 +47,7 @@ struct Ledger {
 };
 
 // One step of a free lattice; `start` for the step that does not move.
-inline void step(const BondLaw& law, double dt, bool start, Assembly& a, Ledger& ledger) {
+inline void step(const ContactBond& law, double dt, bool start, Assembly& a, Ledger& ledger) {
   const protocol::IndexRange all{0, static_cast<std::uint32_t>(a.particles.size())};
   if (!start) move(dt, {&all, 1}, a.particles);
   ledger.released += compute(law, dt, a).first.released;
@@ -64,7 +61,7 @@ inline void step(const BondLaw& law, double dt, bool start, Assembly& a, Ledger&
 // Force on every degree of freedom (x, y, spin of particle 0, then 1, …) per unit of each one, about rest:
 // minus the stiffness matrix, column by column through the kernel. Displacements are tiny, so that the
 // lattice's geometric nonlinearity stays below 1e-8.
-inline Eigen::SparseMatrix<double> stiffness_matrix(const BondLaw& law, Assembly a) {
+inline Eigen::SparseMatrix<double> stiffness_matrix(const ContactBond& law, Assembly a) {
   const double small = 1e-9 * a.bonds.rest_length, dt = 1.0;
   Particles& p = a.particles;
   const int n = static_cast<int>(p.size());

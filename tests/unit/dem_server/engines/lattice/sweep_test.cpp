@@ -10,7 +10,7 @@
 namespace adit::dem {
 namespace {
 
-constexpr BondLaw kBrittle{{7.0, 3.0}, 0.02, 0.015};
+constexpr ContactBond kBrittle{{7.0, 3.0}, 0.02, 0.015};
 
 Assembly shaken(const Model& packing) {
   Assembly a = test::assemble(packing, 2.0);
@@ -22,12 +22,12 @@ Assembly shaken(const Model& packing) {
 
 struct Outcome {
   Assembly assembly;
-  ContactResult last;
+  BondResult last;
   std::vector<std::uint32_t> broken;  // in their order
 };
 
 // A hundred steps by the sweep; every 7th particle is kept, as if something else pulled on it too.
-Outcome swept(const Model& packing, std::size_t threads, const BondLaw& law) {
+Outcome swept(const Model& packing, std::size_t threads, const ContactBond& law) {
   Outcome out{shaken(packing), {}, {}};
   Assembly& a = out.assembly;
   std::vector<Role> roles(a.particles.size(), Role::kSwept);
@@ -45,7 +45,7 @@ Outcome swept(const Model& packing, std::size_t threads, const BondLaw& law) {
 }
 
 // The same in three passes over everything.
-Outcome passed(const Model& packing, const BondLaw& law) {
+Outcome passed(const Model& packing, const ContactBond& law) {
   Outcome out{shaken(packing), {}, {}};
   Assembly& a = out.assembly;
   const protocol::IndexRange all{0, static_cast<std::uint32_t>(a.particles.size())};
@@ -53,7 +53,7 @@ Outcome passed(const Model& packing, const BondLaw& law) {
   for (std::uint64_t n = 0; n < 100; ++n) {
     const protocol::Step step{n, dt};
     if (!step.from_rest()) move(dt, {&all, 1}, a.particles);
-    out.last = compute_contact_forces(law, dt, a.particles, a.bonds, out.broken);
+    out.last = compute_bond_forces(law, dt, a.particles, a.bonds, out.broken);
     kick(step.kick(), {&all, 1}, resultants_of(a.particles), a.particles);
   }
   return out;
@@ -61,10 +61,9 @@ Outcome passed(const Model& packing, const BondLaw& law) {
 
 // 9 968 particles make two blocks, 31 416 seven.
 class Sweeps : public testing::TestWithParam<Model> {};
-INSTANTIATE_TEST_SUITE_P(Sizes, Sweeps,
-                         testing::Values(test::rows_of(6, 52), test::rows_of(32, 312),
-                                         test::rows_of(100, 315)),
-                         [](const auto& info) { return std::to_string(info.param.discs.size()) + "particles"; });
+INSTANTIATE_TEST_SUITE_P(
+    Sizes, Sweeps, testing::Values(test::rows_of(6, 52), test::rows_of(32, 312), test::rows_of(100, 315)),
+    [](const auto& info) { return std::to_string(info.param.discs.size()) + "particles"; });
 
 // One, two, three and eight threads give the same bits, breaking included.
 TEST_P(Sweeps, ThreadsChangeNoBit) {
@@ -84,7 +83,7 @@ TEST_P(Sweeps, ThreadsChangeNoBit) {
 
 // The sweep is the plain step: what differs is the order of sums.
 TEST_P(Sweeps, IsThePlainStep) {
-  const BondLaw unbreakable{{7.0, 3.0}, test::kUnbreakable, test::kUnbreakable};
+  const ContactBond unbreakable{{7.0, 3.0}, kUnbreakable, kUnbreakable};
   const Outcome a = swept(GetParam(), 2, unbreakable), b = passed(GetParam(), unbreakable);
   EXPECT_NEAR(a.last.max_normal_force, b.last.max_normal_force, 1e-12 * b.last.max_normal_force);
   for (auto member : {&Particles::ux, &Particles::uy, &Particles::vx, &Particles::vy, &Particles::spin})
@@ -99,9 +98,9 @@ TEST_P(Sweeps, TellsBrokenBondsInOrder) {
   Sweep sweep(a.bonds.runs, std::vector(a.particles.size(), Role::kSwept),
               std::vector<bool>(a.particles.size(), true), 2);
   protocol::Team team(2);
-  ContactResult result;
+  BondResult result;
   std::vector<std::uint32_t> broken;
-  sweep.run(team, {{7.0, 3.0}, 1e-3, test::kUnbreakable}, {0, 0.1}, a, result, broken);
+  sweep.run(team, {{7.0, 3.0}, 1e-3, kUnbreakable}, {0, 0.1}, a, result, broken);
   EXPECT_EQ(broken.size(), a.bonds.size());
   EXPECT_TRUE(std::ranges::is_sorted(broken));
 }
@@ -114,7 +113,7 @@ TEST_P(Sweeps, FindsTheLargestSpeed) {
   Sweep sweep(a.bonds.runs, std::vector(a.particles.size(), Role::kSwept),
               std::vector<bool>(a.particles.size(), true), 1);
   protocol::Team team;
-  ContactResult result;
+  BondResult result;
   std::vector<std::uint32_t> broken;
   EXPECT_EQ(sweep.run(team, kBrittle, {1, 1e-6}, a, result, broken), 5);
 }

@@ -1,10 +1,13 @@
-#include "dem_server/engines/lattice/contact_forces.hpp"
+#include "dem_server/engines/lattice/bond_forces.hpp"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 
+#include "dem_server/laws/contact_bond.hpp"
+#include "dem_server/laws/pair_kinematics.hpp"
+#include "dem_server/laws/spring.hpp"
 #include "protocol/threads/vector_clones.hpp"
 
 namespace adit::dem {
@@ -21,27 +24,14 @@ struct RunOutcome {
   bool breaks;            // some bond exceeds a strength
 };
 
-// Shape of a bond whose second particle has moved by du more than its first.
-struct BondShape {
-  double length, elongation, nx, ny;
-};
-
-// L - L0 = (L^2 - L0^2) / (L + L0), and L^2 - L0^2 = du.(2 d0 + du): no digits are lost. One division serves
-// both this and 1 / L.
-inline BondShape shape_of(const Run& run, double rest_length, double du_x, double du_y) {
-  const double dx = run.rest_x + du_x, dy = run.rest_y + du_y;
-  const double length = std::sqrt(dx * dx + dy * dy);
-  const double sum = length + rest_length;
-  const double quotient = 1 / (length * sum);
-  const double inverse_length = quotient * sum;
-  const double elongation = (du_x * (run.rest_x + dx) + du_y * (run.rest_y + dy)) * (quotient * length);
-  return {length, elongation, dx * inverse_length, dy * inverse_length};
+inline PairShape shape_of(const Run& run, double rest_length, double ux, double uy) {
+  return bond_shape<Division::kShared>(run.rest_x, run.rest_y, rest_length, ux, uy);
 }
 
 // One pass over a run, written so that the compiler turns it into vector code. The bonds of most runs are
 // plain: intact, of weight 1, and without initial forces; they need not load any of these.
 template <bool kPlain, bool kPrestressed>
-ADIT_VECTOR_CLONES RunOutcome pull_run(const BondLaw& law, double dt, const Run& run, double rest_length,
+ADIT_VECTOR_CLONES RunOutcome find_run(const ContactBond& law, double dt, const Run& run, double rest_length,
                                        const Particles& p, Bonds& b, RunForces& out) {
   const double *ux1 = &p.ux[run.first], *uy1 = &p.uy[run.first], *ux2 = &p.ux[run.second],
                *uy2 = &p.uy[run.second], *vx1 = &p.vx[run.first], *vy1 = &p.vy[run.first],
@@ -57,56 +47,57 @@ ADIT_VECTOR_CLONES RunOutcome pull_run(const BondLaw& law, double dt, const Run&
   std::int64_t max_bits = 0, exceeded = 0;
 #pragma GCC ivdep  // no bond writes what another one reads
   for (std::uint32_t k = 0; k < rest.count; ++k) {
-    const auto [length, elongation, nx, ny] = shape_of(rest, rest_length, ux2[k] - ux1[k], uy2[k] - uy1[k]);
-    double fn = kn * elongation;
+    const PairShape s = shape_of(rest, rest_length, ux2[k] - ux1[k], uy2[k] - uy1[k]);
+    double fn = bond_normal_force(kn, s.elongation);
     if constexpr (kPrestressed) fn += initial[k];
-    if constexpr (!kPlain) fn = fn > 0 ? intact[k] * fn : fn;
-    const double arm = 0.5 * length;
-    const double slip = (vy2[k] - vy1[k]) * nx - (vx2[k] - vx1[k]) * ny - (w1[k] + w2[k]) * arm;
-    double fs = shear[k] + ks_dt * slip;
+    if constexpr (!kPlain) fn = without_lost_tension(fn, intact[k]);
+    const double arm = 0.5 * s.length;
+    const double slip = slip_rate(across(s.nx, s.ny, vx2[k] - vx1[k], vy2[k] - vy1[k]), arm, w1[k], w2[k]);
+    double fs = bond_shear_force(shear[k], ks_dt, slip);
     if constexpr (!kPlain) fs *= intact[k];
     shear[k] = fs;
     normal[k] = fn;
-    exceeded |= static_cast<std::int64_t>(fn > tensile_strength) |
-                static_cast<std::int64_t>(std::abs(fs) > shear_strength);
+    exceeded |= static_cast<std::int64_t>(breaks_in_tension(fn, tensile_strength)) |
+                static_cast<std::int64_t>(breaks_in_shear(fs, shear_strength));
     max_bits = std::max(max_bits, std::bit_cast<std::int64_t>(std::abs(fn)));
     const double w = kPlain ? 1.0 : weight[k];
-    fx[k] = w * (fn * nx - fs * ny);
-    fy[k] = w * (fn * ny + fs * nx);
+    const PlaneVector force = vector_of(s.nx, s.ny, fn, fs);
+    fx[k] = w * force.x;
+    fy[k] = w * force.y;
     moment[k] = w * (fs * arm);
   }
   return {max_bits, exceeded != 0};
 }
 
 // Breaks one bond whose forces exceed a strength. Returns the energy that it loses [J].
-double break_bond(const BondLaw& law, double dt, const Run& run, std::uint32_t k, const Particles& p,
+double break_bond(const ContactBond& law, double dt, const Run& run, std::uint32_t k, const Particles& p,
                   Bonds& b, RunForces& forces) {
   const std::uint32_t bond = run.begin + k, i = run.first + k, j = run.second + k;
-  const auto [length, elongation, nx, ny] =
-      shape_of(run, b.rest_length, p.ux[j] - p.ux[i], p.uy[j] - p.uy[i]);
-  const double dvx = p.vx[j] - p.vx[i], dvy = p.vy[j] - p.vy[i];
-  const double stretch = dt * (dvx * nx + dvy * ny);
-  const double slip = dt * (dvy * nx - dvx * ny - 0.5 * length * (p.spin[i] + p.spin[j]));
+  const PairShape s = shape_of(run, b.rest_length, p.ux[j] - p.ux[i], p.uy[j] - p.uy[i]);
+  const double vx = p.vx[j] - p.vx[i], vy = p.vy[j] - p.vy[i];
+  const double stretch = dt * along(s.nx, s.ny, vx, vy);
+  const double slip = dt * slip_rate(across(s.nx, s.ny, vx, vy), 0.5 * s.length, p.spin[i], p.spin[j]);
   const double fn = forces.normal[k], fs = b.shear_force[bond];
-  // F(n-1) F(n) / 2k with F(n-1) = F(n) - k (motion of this step); compression survives the break.
-  double lost = 0.5 * fs * (law.stiffness.shear > 0 ? fs / law.stiffness.shear - slip : 0.0);
-  if (fn > 0) lost += 0.5 * fn * (fn / law.stiffness.normal - stretch);
+  double lost = released_energy(fs, law.stiffness.shear, slip);
+  if (fn > 0) lost += released_energy(fn, law.stiffness.normal, stretch);  // compression survives the break
 
-  b.break_bond(bond, fn > law.tensile_strength ? BondState::kTensileCrack : BondState::kShearCrack);
+  b.break_bond(
+      bond, breaks_in_tension(fn, law.tensile_strength) ? BondState::kTensileCrack : BondState::kShearCrack);
   forces.normal[k] = std::min(fn, 0.0);
-  forces.x[k] = b.weight[bond] * forces.normal[k] * nx;
-  forces.y[k] = b.weight[bond] * forces.normal[k] * ny;
+  forces.x[k] = b.weight[bond] * forces.normal[k] * s.nx;
+  forces.y[k] = b.weight[bond] * forces.normal[k] * s.ny;
   forces.moment[k] = 0;
   return b.weight[bond] * lost;
 }
 
 // Breaks every bond of the run that exceeds a strength; returns the energy lost [J].
-double break_bonds(const BondLaw& law, double dt, const Run& run, const Particles& p, Bonds& b,
+double break_bonds(const ContactBond& law, double dt, const Run& run, const Particles& p, Bonds& b,
                    RunForces& forces, std::vector<std::uint32_t>& broken) {
   double lost = 0;
   for (std::uint32_t k = 0; k < run.count; ++k) {
     const std::uint32_t bond = run.begin + k;
-    if (forces.normal[k] > law.tensile_strength || std::abs(b.shear_force[bond]) > law.shear_strength) {
+    if (breaks_in_tension(forces.normal[k], law.tensile_strength) ||
+        breaks_in_shear(b.shear_force[bond], law.shear_strength)) {
       lost += break_bond(law, dt, run, k, p, b, forces);
       broken.push_back(bond);
     }
@@ -149,7 +140,7 @@ ADIT_VECTOR_CLONES void apply_to_particles(const Run& run, const RunForces& forc
   }
 }
 
-ADIT_VECTOR_CLONES void find_normal_forces(const BondLaw& law, const Run& run, const Particles& p,
+ADIT_VECTOR_CLONES void find_normal_forces(const ContactBond& law, const Run& run, const Particles& p,
                                            const Bonds& b, double* normal) {
   const double *ux1 = &p.ux[run.first], *uy1 = &p.uy[run.first], *ux2 = &p.ux[run.second],
                *uy2 = &p.uy[run.second], *intact = &b.intact[run.begin];
@@ -158,10 +149,10 @@ ADIT_VECTOR_CLONES void find_normal_forces(const BondLaw& law, const Run& run, c
   const Run rest = run;
 #pragma GCC ivdep
   for (std::uint32_t k = 0; k < rest.count; ++k)
-    normal[k] = kn * shape_of(rest, rest_length, ux2[k] - ux1[k], uy2[k] - uy1[k]).elongation;
+    normal[k] =
+        bond_normal_force(kn, shape_of(rest, rest_length, ux2[k] - ux1[k], uy2[k] - uy1[k]).elongation);
   for (std::uint32_t k = 0; initial != nullptr && k < rest.count; ++k) normal[k] += initial[k];
-  for (std::uint32_t k = 0; k < rest.count; ++k)
-    normal[k] = normal[k] > 0 ? intact[k] * normal[k] : normal[k];
+  for (std::uint32_t k = 0; k < rest.count; ++k) normal[k] = without_lost_tension(normal[k], intact[k]);
 }
 
 }  // namespace
@@ -171,23 +162,23 @@ void clear(std::span<const protocol::IndexRange> some, const Resultants& resulta
     for (const auto [begin, end] : some) std::fill(resultant + begin, resultant + end, 0.0);
 }
 
-void ContactResult::add(const ContactResult& later) {
+void BondResult::add(const BondResult& later) {
   released += later.released;
   if (bits_of_size(later.max_normal_force) <= bits_of_size(max_normal_force)) return;
   max_normal_force = later.max_normal_force;
   strongest_bond = later.strongest_bond;
 }
 
-void add_contact_forces(const BondLaw& law, double dt, std::span<const Run> runs, const Particles& particles,
-                        Bonds& bonds, const Resultants& resultants, ContactResult& result,
-                        std::vector<std::uint32_t>& broken) {
+void add_bond_forces(const ContactBond& law, double dt, std::span<const Run> runs, const Particles& particles,
+                     Bonds& bonds, const Resultants& resultants, BondResult& result,
+                     std::vector<std::uint32_t>& broken) {
   RunForces forces;
-  const auto pull_plain = bonds.initial_normal_force.empty() ? pull_run<true, false> : pull_run<true, true>;
-  const auto pull_any = bonds.initial_normal_force.empty() ? pull_run<false, false> : pull_run<false, true>;
+  const auto find_plain = bonds.initial_normal_force.empty() ? find_run<true, false> : find_run<true, true>;
+  const auto find_any = bonds.initial_normal_force.empty() ? find_run<false, false> : find_run<false, true>;
   auto max_bits = std::bit_cast<std::int64_t>(result.max_normal_force);
   for (const Run& run : runs) {
-    const auto pull = bonds.plain(run) ? pull_plain : pull_any;
-    RunOutcome outcome = pull(law, dt, run, bonds.rest_length, particles, bonds, forces);
+    const auto find = bonds.plain(run) ? find_plain : find_any;
+    RunOutcome outcome = find(law, dt, run, bonds.rest_length, particles, bonds, forces);
     if (outcome.breaks) {
       result.released += break_bonds(law, dt, run, particles, bonds, forces, broken);
       outcome.max_bits = largest(run, forces);
@@ -201,12 +192,12 @@ void add_contact_forces(const BondLaw& law, double dt, std::span<const Run> runs
   result.max_normal_force = std::bit_cast<double>(max_bits);
 }
 
-void find_normal_forces(const BondLaw& law, const Particles& particles, const Bonds& bonds,
+void find_normal_forces(const ContactBond& law, const Particles& particles, const Bonds& bonds,
                         std::span<double> normal) {
   for (const Run& run : bonds.runs) find_normal_forces(law, run, particles, bonds, &normal[run.begin]);
 }
 
-double strain_energy(const BondLaw& law, std::span<const Run> runs, const Particles& particles,
+double strain_energy(const ContactBond& law, std::span<const Run> runs, const Particles& particles,
                      const Bonds& bonds) {
   const double normal_compliance = 1 / law.stiffness.normal;
   const double shear_compliance = law.stiffness.shear > 0 ? 1 / law.stiffness.shear : 0.0;
@@ -231,12 +222,12 @@ double strain_energy(const BondLaw& law, std::span<const Run> runs, const Partic
   return twice / 2;
 }
 
-ContactResult compute_contact_forces(const BondLaw& law, double dt, Particles& particles, Bonds& bonds,
-                                     std::vector<std::uint32_t>& broken) {
+BondResult compute_bond_forces(const ContactBond& law, double dt, Particles& particles, Bonds& bonds,
+                               std::vector<std::uint32_t>& broken) {
   const protocol::IndexRange all{0, static_cast<std::uint32_t>(particles.size())};
   clear({&all, 1}, resultants_of(particles));
-  ContactResult result;
-  add_contact_forces(law, dt, bonds.runs, particles, bonds, resultants_of(particles), result, broken);
+  BondResult result;
+  add_bond_forces(law, dt, bonds.runs, particles, bonds, resultants_of(particles), result, broken);
   find_normal_forces(law, particles, bonds, bonds.normal_force);
   return result;
 }

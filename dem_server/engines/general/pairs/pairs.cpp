@@ -1,16 +1,16 @@
-#include "dem_server/engines/general/pairs.hpp"
+#include "dem_server/engines/general/pairs/pairs.hpp"
 
 #include <algorithm>
 
 namespace adit::dem {
 
-void Pairs::finish(std::size_t discs, bool cement, bool dashpots) {
+void Pairs::finish(std::size_t discs, bool bonded, bool dashpots) {
   for (auto* zeroed : {&rest_x, &rest_y, &rest_length, &half_difference, &slack, &slide})
     zeroed->assign(size(), 0.0);
   weight.assign(size(), 1.0);
   law.assign(size(), 0);
-  for (auto* zeroed : {&width, &initial, &shear, &moment}) zeroed->assign(cement ? size() : 0, 0.0);
-  state.assign(cement ? size() : 0, BondState::kIntact);
+  for (auto* zeroed : {&width, &initial, &shear, &moment}) zeroed->assign(bonded ? size() : 0, 0.0);
+  state.assign(bonded ? size() : 0, BondState::kIntact);
   for (auto* zeroed : {&normal_dashpot, &shear_dashpot}) zeroed->assign(dashpots ? size() : 0, 0.0);
 
   const std::size_t blocks = blocks_of(discs);
@@ -42,7 +42,7 @@ void Pairs::sort_chunks() {
   for (Chunk& chunk : chunks) {
     const std::uint32_t one = chunk.begin;
     chunk.one_law = true;
-    bool varied = cemented(), plain = varied;
+    bool varied = bonded(), plain = varied;
     for (std::uint32_t k = one; k < chunk.end; ++k) {
       chunk.one_law &= law[k] == law[one];
       if (!varied) continue;

@@ -1,0 +1,185 @@
+#include "dem_server/engines/general/pairs/pair_kernel.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "dem_server/laws/linear_contact.hpp"
+#include "dem_server/laws/pair_kinematics.hpp"
+#include "dem_server/laws/parallel_bond.hpp"
+#include "protocol/threads/vector_clones.hpp"
+
+namespace adit::dem {
+namespace {
+
+// Plain bonds are all intact, of one law and weight 1, without N0, and have one width and no slack; varied
+// ones differ in width and slack.
+enum class Kind { kPlainContactBonds, kPlainParallelBonds, kVariedParallelBonds, kBonds, kContacts };
+
+// The loop over a chunk. It becomes vector code only where all that it calls is inlined.
+template <Kind kKind, bool kOneLaw, bool kDashpots>
+struct Kernel {
+  static constexpr bool kBond = kKind != Kind::kContacts, kContact = kKind != Kind::kPlainContactBonds;
+  static constexpr bool kPlain = kKind == Kind::kPlainContactBonds || kKind == Kind::kPlainParallelBonds;
+  static constexpr bool kGeneral = kKind == Kind::kBonds || kKind == Kind::kContacts;
+
+  const double dt;
+  const ChunkDiscs& discs;
+  const ChunkLaws& laws;
+  ChunkForces& out;
+  const double *rest_x, *rest_y, *rest_length, *half_difference, *slack, *weight, *initial, *width;
+  double *shear, *moment, *slide, *normal_dashpot, *shear_dashpot;
+  std::int64_t breaks = 0, slides = 0;
+
+  Kernel(std::uint32_t begin, double dt, const ChunkDiscs& discs, const ChunkLaws& laws, Pairs& pairs,
+         ChunkForces& out)
+      : dt(dt),
+        discs(discs),
+        laws(laws),
+        out(out),
+        rest_x(&pairs.rest_x[begin]),
+        rest_y(&pairs.rest_y[begin]),
+        rest_length(&pairs.rest_length[begin]),
+        half_difference(&pairs.half_difference[begin]),
+        slack(&pairs.slack[begin]),
+        weight(&pairs.weight[begin]),
+        initial(kBond ? &pairs.initial[begin] : nullptr),
+        width(kBond ? &pairs.width[begin] : nullptr),
+        shear(kBond ? &pairs.shear[begin] : nullptr),
+        moment(kBond ? &pairs.moment[begin] : nullptr),
+        slide(&pairs.slide[begin]),
+        normal_dashpot(kDashpots ? &pairs.normal_dashpot[begin] : nullptr),
+        shear_dashpot(kDashpots ? &pairs.shear_dashpot[begin] : nullptr) {}
+
+  static double of_pair(const ChunkColumn& column, std::uint32_t k) { return column[kOneLaw ? 0 : k]; }
+
+  [[gnu::always_inline]] PairKinematics kinematics(std::uint32_t k) const {
+    const PairShape s =
+        kBond ? bond_shape<Division::kShared>(rest_x[k], rest_y[k], rest_length[k], discs.ux[k], discs.uy[k])
+              : contact_shape<Division::kShared>(rest_x[k], rest_y[k], rest_length[k], discs.ux[k],
+                                                 discs.uy[k]);
+    const Arms arms = arms_of(s.length, half_difference[k]);
+    const double stretch_rate = along(s.nx, s.ny, discs.vx[k], discs.vy[k]), half = 0.5 * dt * stretch_rate;
+    const double slip_rate =
+        mid_step_slip_rate(across(s.nx, s.ny, discs.vx[k], discs.vy[k]), half, half * s.inverse_length, arms,
+                           0.5, discs.spin_1[k], discs.spin_2[k]);
+    return {s.nx,         s.ny,       s.length,
+            s.elongation, arms.first, arms.second,
+            stretch_rate, slip_rate,  discs.spin_2[k] - discs.spin_1[k]};
+  }
+
+  [[gnu::always_inline]] PairForces bond(std::uint32_t k, const PairKinematics& pair) {
+    const double w = width[kPlain ? 0 : k];
+    const BondSprings springs =
+        springs_of_width(of_pair(laws.kn, k), of_pair(laws.ks, k), of_pair(laws.km, k), w);
+    PairForces f = bond_forces(springs, pair, dt, shear[k], moment[k]);
+    if constexpr (kGeneral) {
+      f.normal = (f.normal + initial[k]) * laws.intact[k];
+      f.shear *= laws.intact[k];
+      f.moment *= laws.intact[k];
+    }
+    shear[k] = f.shear;
+    moment[k] = f.moment;
+    breaks |= static_cast<std::int64_t>(breaks_in_tension(f, w, of_pair(laws.moment_factor, k),
+                                                          of_pair(laws.tensile_strength, k))) |
+              static_cast<std::int64_t>(
+                  breaks_in_shear(f, w, of_pair(laws.cohesion, k), of_pair(laws.tan_friction_angle, k)));
+    return f;
+  }
+
+  [[gnu::always_inline]] ContactForces contact(std::uint32_t k, const PairKinematics& pair) {
+    const double gap = kPlain ? pair.elongation : pair.elongation + slack[k];
+    const double acts = kKind == Kind::kBonds ? laws.contact_acts[k] : 1.0;
+    const LinearContact law{acts * of_pair(laws.contact_kn, k), of_pair(laws.contact_ks, k),
+                            of_pair(laws.friction, k), of_pair(laws.normal_beta, k),
+                            of_pair(laws.shear_beta, k)};
+    const double before = slide[k];
+    const ContactSprings springs = contact_springs(law, gap, pair.slip_rate, dt, before);
+    slide[k] = springs.shear;
+    const double friction =
+        stiffness_times_friction_work(springs, before) * of_pair(laws.contact_compliance, k);
+    slides |= static_cast<std::int64_t>(friction != 0);
+    const double w = kGeneral ? weight[k] : 1.0;
+    out.friction[k] = w * friction;
+    ContactForces f{springs.normal, springs.shear};
+    if constexpr (kDashpots) {
+      const ContactForces by_dashpots = dashpots(k, pair, law, springs, acts * gap < 0);
+      f.normal += by_dashpots.normal;
+      f.shear += by_dashpots.shear;
+    }
+    return f;
+  }
+
+  [[gnu::always_inline]] ContactForces dashpots(std::uint32_t k, const PairKinematics& pair,
+                                                const LinearContact& law, const ContactSprings& springs,
+                                                bool touches) {
+    const double inverse_mass = discs.inverse_mass[k];
+    const double inverse_mass_t = inverse_slip_mass(inverse_mass, {pair.arm_1, pair.arm_2},
+                                                    discs.inverse_inertia_1[k], discs.inverse_inertia_2[k]);
+    const ContactForces both = with_dashpots(law, springs, touches, inverse_mass, inverse_mass_t,
+                                             pair.stretch_rate, pair.slip_rate, dt);
+    const ContactForces before{normal_dashpot[k], shear_dashpot[k]},
+        now{both.normal - springs.normal, both.shear - springs.shear};
+    const double w = kGeneral ? weight[k] : 1.0;
+    out.dashpot[k] = w * dashpot_work(dt, before, now, pair.stretch_rate, pair.slip_rate);
+    normal_dashpot[k] = now.normal;
+    shear_dashpot[k] = now.shear;
+    return now;
+  }
+
+  // Returns |N|, as bits.
+  [[gnu::always_inline]] std::int64_t find(std::uint32_t k) {
+    const PairKinematics pair = kinematics(k);
+    PairForces f{0, 0, 0};
+    if constexpr (kBond) f = bond(k, pair);
+    if constexpr (kContact) {
+      const ContactForces surfaces = contact(k, pair);
+      f.normal += surfaces.normal;
+      f.shear += surfaces.shear;
+    }
+    const double w = kGeneral ? weight[k] : 1.0;
+    const PlaneVector force = vector_of(pair.nx, pair.ny, f.normal, f.shear);
+    out.normal[k] = f.normal;
+    out.x[k] = w * force.x;
+    out.y[k] = w * force.y;
+    out.moment_1[k] = w * (f.shear * pair.arm_1 + f.moment);
+    out.moment_2[k] = w * (f.shear * pair.arm_2 - f.moment);
+    return std::bit_cast<std::int64_t>(std::abs(f.normal));
+  }
+};
+
+template <Kind kKind, bool kOneLaw, bool kDashpots>
+ADIT_VECTOR_CLONES ChunkOutcome find_chunk(const Pairs::Chunk& chunk, double dt, const ChunkDiscs& discs,
+                                           const ChunkLaws& laws, Pairs& pairs, ChunkForces& out) {
+  Kernel<kKind, kOneLaw, kDashpots> kernel(chunk.begin, dt, discs, laws, pairs, out);
+  const std::uint32_t count = chunk.end - chunk.begin;
+  std::int64_t max_bits = 0;
+#pragma GCC ivdep  // no pair writes what another one reads
+  for (std::uint32_t k = 0; k < count; ++k) max_bits = std::max(max_bits, kernel.find(k));
+  return {max_bits, kernel.breaks != 0, kernel.slides != 0};
+}
+
+template <Kind kKind>
+ChunkOutcome find_general(const Pairs::Chunk& chunk, double dt, const ChunkDiscs& discs,
+                          const ChunkLaws& laws, bool dashpots, Pairs& pairs, ChunkForces& out) {
+  const auto find = chunk.one_law
+                        ? (dashpots ? find_chunk<kKind, true, true> : find_chunk<kKind, true, false>)
+                        : (dashpots ? find_chunk<kKind, false, true> : find_chunk<kKind, false, false>);
+  return find(chunk, dt, discs, laws, pairs, out);
+}
+
+}  // namespace
+
+ChunkOutcome find_forces(const Pairs::Chunk& chunk, double dt, const ChunkDiscs& discs, const ChunkLaws& laws,
+                         bool contact_beside_bond, bool dashpots, Pairs& pairs, ChunkForces& out) {
+  if (!pairs.bonded()) return find_general<Kind::kContacts>(chunk, dt, discs, laws, dashpots, pairs, out);
+  if (!dashpots && chunk.kind == Pairs::Kind::kPlain && !contact_beside_bond)
+    return find_chunk<Kind::kPlainContactBonds, true, false>(chunk, dt, discs, laws, pairs, out);
+  if (!dashpots && chunk.kind == Pairs::Kind::kPlain)
+    return find_chunk<Kind::kPlainParallelBonds, true, false>(chunk, dt, discs, laws, pairs, out);
+  if (!dashpots && chunk.kind == Pairs::Kind::kVaried && contact_beside_bond)
+    return find_chunk<Kind::kVariedParallelBonds, true, false>(chunk, dt, discs, laws, pairs, out);
+  return find_general<Kind::kBonds>(chunk, dt, discs, laws, dashpots, pairs, out);
+}
+
+}  // namespace adit::dem
