@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "dem_server/particles/bonded_neighbours.hpp"
 #include "dem_server/particles/particles.hpp"
 #include "dem_server/particles/prescribed_motions.hpp"
-#include "dem_server/particles/bonded_neighbours.hpp"
 #include "protocol/participant/interface_operator.hpp"
 
 namespace adit::dem {

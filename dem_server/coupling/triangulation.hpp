@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "dem_server/particles/particles.hpp"
 #include "dem_server/particles/bonded_neighbours.hpp"
+#include "dem_server/particles/particles.hpp"
 #include "protocol/geometry/cells.hpp"
 
 namespace adit::dem {

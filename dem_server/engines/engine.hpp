@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "dem_server/engines/answers.hpp"
-#include "dem_server/observe/crack.hpp"
+#include "dem_server/engines/crack.hpp"
 #include "protocol/geometry/bounding_box.hpp"
 #include "protocol/messages/scene.pb.h"
 #include "protocol/messages/wire.pb.h"
@@ -32,7 +32,8 @@ class Engine {
 
   // Centres at rest inside or on the box, x0 y0 x1 y1 … [m]
   virtual std::vector<double> offer(const geometry::BoundingBox& box) = 0;
-  // Ties the particles to the coupling points [m] and tells how they follow. UserError where they do not reach.
+  // Ties the particles to the coupling points [m] and tells how they follow. UserError where they do not
+  // reach.
   virtual void tie(std::span<const double> places, wire::Operator& op) = 0;
   // Adds N^T impulse / mass to the velocities predicted last; one pair [N s] a coupling point.
   virtual void correct(std::span<const double> impulses) = 0;

@@ -7,10 +7,10 @@
 
 #include "dem_server/coupling/coupling_points.hpp"
 #include "dem_server/engines/engine.hpp"
+#include "dem_server/engines/relaxation.hpp"
 #include "dem_server/observe/histories.hpp"
 #include "dem_server/observe/observable.hpp"
 #include "dem_server/particles/energy.hpp"
-#include "dem_server/particles/relaxation.hpp"
 #include "protocol/participant/peak_motion.hpp"
 
 namespace adit::dem {
@@ -27,7 +27,8 @@ class LocalEngine : public Engine, public Observable {
   void remember_for_peaks() final;
   void read_velocities(std::span<double> velocities) const final;
   double kinetic_energy() const final { return dem::kinetic_energy(particles()); }
-  void read_histories(const protocol::Step& step, google::protobuf::RepeatedField<double>& values) const final;
+  void read_histories(const protocol::Step& step,
+                      google::protobuf::RepeatedField<double>& values) const final;
   void take_peaks(const protocol::Step& step) final;
   Unrest unrest(const protocol::Step& step) final;
   void stop() override;

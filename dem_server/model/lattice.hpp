@@ -1,4 +1,5 @@
-// The hexagonal lattice: equal discs that touch, all joined by contact bonds of one law along three directions.
+// The hexagonal lattice: equal discs that touch, all joined by contact bonds of one law along three
+// directions.
 #pragma once
 
 #include <array>

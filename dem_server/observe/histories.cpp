@@ -33,15 +33,17 @@ std::uint32_t nearest(const Particles& p, double x, double y) {
   return best;
 }
 
-std::uint32_t particle_at(const scene::History& history, const std::string& path, const Particles& particles) {
+std::uint32_t particle_at(const scene::History& history, const std::string& path,
+                          const Particles& particles) {
   if (!history.has_at()) throw UserError(path + ".at", "is missing; give the place, {x: …, y: …}");
   const double x = history.at().x(), y = history.at().y();
   const std::uint32_t particle = nearest(particles, x, y);
   if (const double distance = std::hypot(particles.x[particle] - x, particles.y[particle] - y);
       distance > 2 * particles.radius[particle])
-    throw UserError(path + ".at", fmt::format("is ({:g}, {:g}) m, but the nearest particle is {:g} m away; choose "
-                                              "a place within a diameter of a particle",
-                                              x, y, distance));
+    throw UserError(path + ".at",
+                    fmt::format("is ({:g}, {:g}) m, but the nearest particle is {:g} m away; choose "
+                                "a place within a diameter of a particle",
+                                x, y, distance));
   return particle;
 }
 

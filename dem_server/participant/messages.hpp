@@ -6,8 +6,8 @@
 #include <span>
 
 #include "dem_server/engines/answers.hpp"
+#include "dem_server/engines/crack.hpp"
 #include "dem_server/model/weigh.hpp"
-#include "dem_server/observe/crack.hpp"
 #include "dem_server/participant/wave_speeds.hpp"
 #include "protocol/messages/wire.pb.h"
 

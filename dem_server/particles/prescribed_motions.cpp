@@ -6,8 +6,7 @@ namespace adit::dem {
 namespace {
 
 // What a motion of this component moves: the sum of the particles' masses or moments of inertia.
-double inertia_of(const std::vector<std::uint32_t>& chosen, Component component,
-                  const Particles& particles) {
+double inertia_of(const std::vector<std::uint32_t>& chosen, Component component, const Particles& particles) {
   const auto& each = component == Component::kSpin ? particles.inertia : particles.mass;
   double sum = 0;
   for (const std::uint32_t i : chosen) sum += each[i];
@@ -19,7 +18,8 @@ double inertia_of(const std::vector<std::uint32_t>& chosen, Component component,
 PrescribedMotions::PrescribedMotions(const Model& model, const Particles& particles) {
   for (auto& flags : prescribed_) flags.assign(particles.size(), false);
   for (const PrescribedMotion& motion : model.motions) {
-    for (const std::uint32_t i : motion.discs) prescribed_[static_cast<std::size_t>(motion.component)][i] = true;
+    for (const std::uint32_t i : motion.discs)
+      prescribed_[static_cast<std::size_t>(motion.component)][i] = true;
     motions_.push_back({motion.component, motion.discs, motion.amplitude, motion.time,
                         inertia_of(motion.discs, motion.component, particles)});
   }
@@ -51,8 +51,7 @@ void PrescribedMotions::impose(const protocol::Step& step, Particles& p) {
   const std::vector<double>* const resultants[] = {&p.fx, &p.fy, &p.moment};
   for (Motion& motion : motions_) {
     const auto component = static_cast<std::size_t>(motion.component);
-    const double velocity =
-        step.relax ? 0 : motion.amplitude * motion.time(step.half_time());
+    const double velocity = step.relax ? 0 : motion.amplitude * motion.time(step.half_time());
     motion.before = step.from_rest() ? -velocity : motion.after;
     motion.after = velocity;
     double reaction = motion.inertia * (velocity - motion.before) / step.dt;

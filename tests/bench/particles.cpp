@@ -3,7 +3,8 @@
 //
 //   particles KIND DISCS ROWS THREADS
 //
-// KIND: lattice, the engine of equal discs with contact bonds; contact_bonds and parallel_bonds, the general one.
+// KIND: lattice, the engine of equal discs with contact bonds; contact_bonds and parallel_bonds, the general
+// one.
 #include <malloc.h>
 
 #include <cmath>
@@ -54,8 +55,8 @@ double heap_bytes() {
   return static_cast<double>(info.uordblks + info.hblkhd);
 }
 
-// A beam of touching discs: contact bonds with contacts without friction, or parallel bonds beside contacts with
-// friction.
+// A beam of touching discs: contact bonds with contacts without friction, or parallel bonds beside contacts
+// with friction.
 dem::Model beam_of(const std::string& kind, std::uint32_t discs, std::uint32_t rows) {
   const double height = std::numbers::sqrt3 / 2 * rows;
   dem::HexagonalLattice lattice = dem::pack_hexagonally({0, 1.0 * discs, 0, height}, kRadius);

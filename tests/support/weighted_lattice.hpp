@@ -12,7 +12,8 @@ namespace adit::dem::test {
 inline Assembly weighted_lattice(const Model& model, const coupler::Overlap& overlap, double floor) {
   const auto weights = overlap.inner_weights(sample_points(model));
   const std::size_t centres = model.discs.size();
-  return assemble(model, 1.0, {std::span(weights).first(centres), std::span(weights).subspan(centres), floor});
+  return assemble(model, 1.0,
+                  {std::span(weights).first(centres), std::span(weights).subspan(centres), floor});
 }
 
 }  // namespace adit::dem::test

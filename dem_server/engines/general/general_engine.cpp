@@ -24,7 +24,8 @@ Model renumbered(Model model) {
 }  // namespace
 
 GeneralEngine::GeneralEngine(Model model, std::size_t threads)
-    : GeneralEngine(threads > 0 ? threads : useful_threads(model.discs.size()), renumbered(std::move(model))) {}
+    : GeneralEngine(threads > 0 ? threads : useful_threads(model.discs.size()),
+                    renumbered(std::move(model))) {}
 
 GeneralEngine::GeneralEngine(std::size_t threads, Model model)
     : LocalEngine(model),
@@ -67,8 +68,7 @@ void GeneralEngine::note_cracks() {
   cracks_.clear();
   for (const std::uint32_t pair : solver_.broken()) {
     const Bond& bond = model_.bonds[solver_.bond_of_pair()[pair]];
-    const double width =
-        bond.law == Bond::Law::kParallelBond ? model_.parallel_bonds[bond.number].area() : 0;
+    const double width = bond.law == Bond::Law::kParallelBond ? model_.parallel_bonds[bond.number].area() : 0;
     cracks_.push_back(
         crack_between(particles(), bond.first, bond.second, width, solver_.bonds().state[pair]));
   }

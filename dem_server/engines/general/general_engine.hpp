@@ -1,5 +1,5 @@
-// The engine of discs of any size under all laws (solver.hpp). It computes the whole step with the interface's
-// part; nothing is left to the interior.
+// The engine of discs of any size under all laws (solver.hpp). It computes the whole step with the
+// interface's part; nothing is left to the interior.
 #pragma once
 
 #include <cstdint>

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "dem_server/model/extent.hpp"
+#include "dem_server/packing/extent.hpp"
 
 namespace adit::dem {
 namespace {

@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
-#include "dem_server/packing/discs.hpp"
 #include "dem_server/engines/lattice/assembly.hpp"
+#include "dem_server/packing/discs.hpp"
 #include "dem_server/particles/bonded_neighbours.hpp"
 #include "dem_server/particles/displacement_bound.hpp"
 
@@ -41,8 +41,8 @@ class Contacts {
   BondedNeighbours bonded_;
   std::vector<Pair> pairs_;
   DisplacementBound moved_;  // since the list was made
-  double skin_ = 0;   // [m]
-  double speed_ = 0;  // of the last step
+  double skin_ = 0;          // [m]
+  double speed_ = 0;         // of the last step
   std::uint64_t lists_ = 0;
 };
 

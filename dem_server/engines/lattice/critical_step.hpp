@@ -10,8 +10,8 @@
 // own. Nor does breaking, which takes stiffness away and leaves the mass.
 #pragma once
 
-#include "dem_server/model/calibration.hpp"
 #include "dem_server/engines/lattice/assembly.hpp"
+#include "dem_server/model/calibration.hpp"
 
 namespace adit::dem {
 

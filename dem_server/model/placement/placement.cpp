@@ -10,9 +10,9 @@
 #include <numeric>
 
 #include "dem_server/model/calibration.hpp"
-#include "dem_server/model/extent.hpp"
 #include "dem_server/model/placement/placed_table.hpp"
 #include "dem_server/model/placement/scene_checks.hpp"
+#include "dem_server/packing/extent.hpp"
 #include "dem_server/packing/hexagonal.hpp"
 #include "dem_server/packing/random_dense.hpp"
 #include "dem_server/packing/square.hpp"
@@ -181,10 +181,10 @@ void keep_ring(const scene::SegmentRing& ring, Placement& placement) {
 void refuse_small_box(const scene::HexagonalPacking& packing, std::size_t particles) {
   throw UserError(
       "particles.packing",
-      fmt::format("a box of {} m x {} m holds {} particle(s) of radius {} m (a row is sqrt(3) R high, a disc 2 R "
-                  "wide) and no bond; enlarge the box or reduce the radius",
-                  packing.x_max() - packing.x_min(), packing.y_max() - packing.y_min(), particles,
-                  packing.radius()));
+      fmt::format(
+          "a box of {} m x {} m holds {} particle(s) of radius {} m (a row is sqrt(3) R high, a disc 2 R "
+          "wide) and no bond; enlarge the box or reduce the radius",
+          packing.x_max() - packing.x_min(), packing.y_max() - packing.y_min(), particles, packing.radius()));
 }
 
 void Placement::keep_only(const std::vector<bool>& keep) {

@@ -1,5 +1,5 @@
-// Requirement: the engine follows from what is to be computed, never from what is only observed, and the choice
-// comes with its reason.
+// Requirement: the engine follows from what is to be computed, never from what is only observed, and the
+// choice comes with its reason.
 #include "dem_server/participant/choose_engine.hpp"
 
 #include <gmock/gmock.h>
@@ -36,26 +36,25 @@ EngineChoice choose(const Spoil& spoil) {
 
 // Loads, observation, and words that ask for nothing leave the lattice to its engine.
 TEST(EngineChoice, OfALatticeIsItsEngine) {
-  const std::vector<Spoil> words{
-      [](auto&) {},
-      [](auto& p) { p.mutable_bonds()->set_tensile_strength(1e6); },
-      [](auto& p) { p.add_loads()->mutable_force()->set_x(1); },
-      [](auto& p) { p.add_body_loads(); },
-      [](auto& p) { p.add_motions()->mutable_velocity()->set_x(0); },
-      [](auto& p) { p.add_histories()->set_radius(3); },
-      [](auto& p) { p.mutable_damping(); },
-      [](auto& p) { p.mutable_damping()->set_local(0); },
-      [](auto& p) {
-        p.mutable_contacts()->set_friction(0);
-        p.mutable_bonds();
-      },
-      [](auto& p) { p.mutable_within()->set_x_max(4); },
-      [](auto& p) { p.set_engine(scene::Particles::LATTICE); },
-      [](auto& p) {
-        auto& group = *p.add_groups();
-        group.set_name("left");
-        group.mutable_where()->set_x_max(3);
-      }};
+  const std::vector<Spoil> words{[](auto&) {},
+                                 [](auto& p) { p.mutable_bonds()->set_tensile_strength(1e6); },
+                                 [](auto& p) { p.add_loads()->mutable_force()->set_x(1); },
+                                 [](auto& p) { p.add_body_loads(); },
+                                 [](auto& p) { p.add_motions()->mutable_velocity()->set_x(0); },
+                                 [](auto& p) { p.add_histories()->set_radius(3); },
+                                 [](auto& p) { p.mutable_damping(); },
+                                 [](auto& p) { p.mutable_damping()->set_local(0); },
+                                 [](auto& p) {
+                                   p.mutable_contacts()->set_friction(0);
+                                   p.mutable_bonds();
+                                 },
+                                 [](auto& p) { p.mutable_within()->set_x_max(4); },
+                                 [](auto& p) { p.set_engine(scene::Particles::LATTICE); },
+                                 [](auto& p) {
+                                   auto& group = *p.add_groups();
+                                   group.set_name("left");
+                                   group.mutable_where()->set_x_max(3);
+                                 }};
   for (std::size_t k = 0; k < words.size(); ++k) EXPECT_EQ(choose(words[k]).told(), "lattice") << k;
 }
 

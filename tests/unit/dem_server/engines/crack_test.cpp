@@ -1,4 +1,4 @@
-#include "dem_server/observe/crack.hpp"
+#include "dem_server/engines/crack.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "dem_server/model/extent.hpp"
+#include "dem_server/packing/extent.hpp"
 
 #include <algorithm>
 

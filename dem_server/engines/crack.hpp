@@ -1,9 +1,9 @@
 // Geometry of the crack that a broken bond leaves, in the body at rest: across the bond, where the particles
 // touched.
 //
-// It is as long as a parallel bond is wide. A contact bond leaves the edge of the hexagonal cell of its smaller
-// particle, 2 R / sqrt(3), so that the cracks around a particle that is cut off close and their lengths add up
-// to a fracture's.
+// It is as long as a parallel bond is wide. A contact bond leaves the edge of the hexagonal cell of its
+// smaller particle, 2 R / sqrt(3), so that the cracks around a particle that is cut off close and their
+// lengths add up to a fracture's.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "dem_server/particles/relaxation.hpp"
+#include "dem_server/engines/relaxation.hpp"
 
 #include <cmath>
 

@@ -30,7 +30,8 @@ std::vector<Branch> even_forces(const Model& model, const BondStiffness& k, cons
     const double length = 2 * kRadius, nx = lx / length, ny = ly / length;
     const double ux = strain.xx * lx + strain.xy * ly, uy = strain.xy * lx + strain.yy * ly;
     const double normal = k.normal * (ux * nx + uy * ny), shear = k.shear * (uy * nx - ux * ny);
-    branches.push_back({x[bond.first], y[bond.first], x[bond.second], y[bond.second], normal * nx - shear * ny, normal * ny + shear * nx});
+    branches.push_back({x[bond.first], y[bond.first], x[bond.second], y[bond.second],
+                        normal * nx - shear * ny, normal * ny + shear * nx});
   }
   return branches;
 }
