@@ -39,4 +39,26 @@ inline scene::Scene tunnel() {
   )");
 }
 
+// The same shaking on an immersed tube: wider than high, with unequal inertias, and joints that turn as
+// stiffly as their place on the perimeter makes them.
+inline scene::Scene immersed_tunnel() {
+  scene::Scene scene = tunnel();
+  auto& tunnel = *scene.mutable_simplified()->mutable_tunnel();
+  for (auto& section : *tunnel.mutable_sections()) {
+    section.set_width(38);
+    section.set_height(11);
+    section.set_area(158);
+    section.set_lateral_inertia(2.4e4);
+    section.set_vertical_inertia(2.5e3);
+    section.set_mass(4e5);
+  }
+  tunnel.mutable_joints(0)->set_axial_stiffness(1e12);
+  tunnel.mutable_joints(0)->clear_rotation_stiffness();
+  auto& springs = *scene.mutable_simplified()->mutable_soil_springs();
+  springs.set_axial(4e8);
+  springs.set_lateral(4e8);
+  springs.set_vertical(4e8);
+  return scene;
+}
+
 }  // namespace adit::simplified::testing
