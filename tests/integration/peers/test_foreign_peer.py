@@ -163,15 +163,17 @@ class ForeignPeer(ProgramTest):
         self.assertIn(listener.address, result.stderr)
         return result.stderr
 
-    def test_a_peer_of_another_protocol_version_is_refused_with_both_versions(self):
-        hello = wire_pb2.Frame()
-        hello.hello.protocol_version = 7
-        hello.hello.program = "dem_server"
-        hello.hello.release = "9.9"
-        payload = hello.SerializeToString()
-        message = self.greeting(MAGIC + struct.pack("<I", 7) + struct.pack("<I", len(payload)) + payload)
-        self.assertIn("version 7", message)
-        self.assertIn("version 2", message)
+    def test_a_peer_of_an_older_or_newer_protocol_version_is_refused_with_both_versions(self):
+        for version in (0, VERSION - 1, 7):
+            hello = wire_pb2.Frame()
+            hello.hello.protocol_version = version
+            hello.hello.program = "dem_server"
+            hello.hello.release = "9.9"
+            payload = hello.SerializeToString()
+            preamble = MAGIC + struct.pack("<I", version)
+            message = self.greeting(preamble + struct.pack("<I", len(payload)) + payload)
+            self.assertIn(f"version {version}", message)
+            self.assertIn(f"version {VERSION}", message)
 
     def test_a_peer_that_speaks_something_else_is_named(self):
         self.assertIn("protocol", self.greeting(b"HTTP/1.1 400 Bad Request\r\n\r\n"))

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "coupler/stepping/stepper.hpp"
 #include "tests/support/local_participants.hpp"
@@ -102,9 +103,28 @@ scene::Scene bar(const Packet& packet, scene::Solve solve, double dt) {
   return scene;
 }
 
-Shares send(double wavelength, scene::Solve solve, double dt = kStep) {
-  const Packet packet{wavelength};
-  coupler::Model model = test::local_model(bar(packet, solve, dt));
+// The same bar by regions: the chain is the outer model, the bar of zones lies within it.
+scene::Scene with_the_chain_outside(scene::Scene scene) {
+  auto &zones = *scene.add_regions(), &chain = *scene.add_regions();
+  zones.set_name("zones");
+  chain.set_name("chain");
+  *zones.mutable_continuum() = scene.continuum();
+  *chain.mutable_particles() = scene.particles();
+  auto& interface = *scene.add_interfaces() = scene.interface();
+  interface.set_outer("chain");
+  interface.set_inner("zones");
+  const auto [chain_ends, zones_begin] = std::pair{scene.interface().overlap().particles_begin().x(),
+                                                   scene.interface().overlap().continuum_ends().x()};
+  interface.mutable_overlap()->mutable_particles_begin()->set_x(zones_begin);
+  interface.mutable_overlap()->mutable_continuum_ends()->set_x(chain_ends);
+  scene.clear_continuum();
+  scene.clear_particles();
+  scene.clear_interface();
+  return scene;
+}
+
+Shares send_through(const scene::Scene& scene) {
+  coupler::Model model = test::local_model(scene);
   coupler::Stepper stepper(model);
   for (std::uint64_t n = 0; n <= model.steps; ++n) stepper.step(n, {.energies = n == model.steps});
   const auto& energies = stepper.ledger().energies();
@@ -112,6 +132,10 @@ Shares send(double wavelength, scene::Solve solve, double dt = kStep) {
   const double transmitted = (energies[0].kinetic + energies[0].strain) / incident;
   const double reflected = (energies[1].kinetic + energies[1].strain) / incident;
   return {reflected, transmitted, 1 - reflected - transmitted};
+}
+
+Shares send(double wavelength, scene::Solve solve, double dt = kStep) {
+  return send_through(bar(Packet{wavelength}, solve, dt));
 }
 
 Shares send_by_independent_program(double wavelength, scene::Solve solve) {
@@ -198,6 +222,14 @@ class SplitWave : public testing::TestWithParam<Bounds> {};
 TEST_P(SplitWave, IsAsTheIndependentProgramSays) {
   const double wavelength = GetParam().ratio * kZone;
   expect_independent_program_agrees(wavelength, scene::SPLIT, send(wavelength, scene::SPLIT));
+}
+
+// Requirement: it is the same whichever of the two is called the outer model.
+TEST_P(SplitWave, IsTheSameWithTheParticlesOutside) {
+  const double wavelength = GetParam().ratio * kZone;
+  expect_independent_program_agrees(
+      wavelength, scene::SPLIT,
+      send_through(with_the_chain_outside(bar(Packet{wavelength}, scene::SPLIT, kStep))));
 }
 
 // Requirement: the bounds hold, and the figures stay within 10 % (λ ≥ h), when the time step is changed by 8.

@@ -15,13 +15,19 @@ const RandomPacking kWanted{{-1, 2, 5, 6}, 0.03, 0.05, 0.16, 1e-3, 7};
 
 void ignore(const std::string&) {}
 
-// The walls feel the stress asked for, within the 1 % that is promised, alike in both directions.
+// The walls feel the stress asked for, within the 1 % that is promised, alike in both directions; whatever
+// the discs that were drawn, and from the loosest packing on that is jammed.
 TEST(RandomPacking, ReachesTheIsotropicStress) {
-  const auto grown = pack_randomly(kWanted, ignore);
-  ASSERT_TRUE(grown);
-  const double mean = (grown->state.stress_x + grown->state.stress_y) / 2;
-  EXPECT_NEAR(mean, kWanted.stress, 0.01 * kWanted.stress);
-  EXPECT_NEAR(grown->state.stress_x, grown->state.stress_y, 0.15 * kWanted.stress);
+  RandomPacking wanted = kWanted;
+  for (const double stress : {1e-4, 1e-3, 1e-2})
+    for (wanted.seed = 1; wanted.seed <= 4; ++wanted.seed) {
+      wanted.stress = stress;
+      const auto grown = pack_randomly(wanted, ignore);
+      ASSERT_TRUE(grown);
+      const double mean = (grown->state.stress_x + grown->state.stress_y) / 2;
+      EXPECT_NEAR(mean, stress, 0.01 * stress) << "seed " << wanted.seed;
+      EXPECT_NEAR(grown->state.stress_x, grown->state.stress_y, 0.15 * stress) << "seed " << wanted.seed;
+    }
 }
 
 // Frictionless discs jam at a porosity of 0.16 (O'Hern, Silbert, Liu & Nagel 2003, Phys. Rev. E 68, 011306:

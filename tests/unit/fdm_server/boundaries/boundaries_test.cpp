@@ -170,6 +170,29 @@ TEST(FreeField, GroundAtRestStays) {
   }
 }
 
+// Where an overlap leaves the grid a part of the weight everywhere, its sides and its base push with that
+// part too: it rests and moves as the whole ground.
+TEST(FreeField, PartOfTheWeightMovesAsTheWhole) {
+  const std::string ground = kBlock + kSides + kWeight + "base { kind: COMPLIANT " + kRicker +
+                             "} histories { name: 'a' quantity: VELOCITY_X at { x: 3 y: 0 } } "
+                             "histories { name: 'b' quantity: STRESS_XX at { x: 0.5 y: -4.5 } } ";
+  GroundRun whole(ground, 0.3, 0.8, kAtRest), part(ground, 0.3, 0.8, kAtRest, 0.3);
+  std::array<double, 2> largest{}, difference{};
+  for (std::uint64_t n = 0; n <= whole.steps(); ++n) {
+    whole.advance();
+    part.advance();
+    for (int q = 0; q < 2; ++q) {
+      const double a = whole.predicted.histories(q), b = part.predicted.histories(q);
+      largest[q] = std::max(largest[q], std::abs(a));
+      difference[q] = std::max(difference[q], std::abs(a - b));
+    }
+  }
+  for (int q = 0; q < 2; ++q) {
+    EXPECT_GT(largest[q], 0);
+    EXPECT_LT(difference[q], 1e-9 * largest[q]);
+  }
+}
+
 // Splitting the points by an interface changes nothing but the order of sums, also where it cuts the grid's
 // sides.
 TEST(FreeField, InterfaceDividesNoPhysics) {

@@ -28,9 +28,10 @@ struct GroundRun {
   double dt;
   std::uint64_t next = 0;
 
-  // `continuum` and `others` in protobuf's text format; dt as a share of the critical step.
+  // `continuum` and `others` in protobuf's text format; dt as a share of the critical step; `weight`: of all
+  // zones alike.
   explicit GroundRun(const std::string& continuum, double duration, double dt_factor = 0.5,
-                     const std::string& others = "") {
+                     const std::string& others = "", double weight = 1) {
     if (!google::protobuf::TextFormat::ParseFromString(kGround + others + " continuum { " + continuum + " }",
                                                        &scene))
       throw std::logic_error("the test's scene cannot be parsed");
@@ -40,7 +41,10 @@ struct GroundRun {
     *setup.mutable_scene() = scene;
     participant.set_up(setup, model);
     dt = dt_factor * model.critical_dt();
-    participant.weigh({}, interface);
+    wire::Weights weights;
+    if (weight != 1)
+      for (int k = 0; k < model.sample_points_size(); k += 2) weights.add_weights(weight);
+    participant.weigh(weights, interface);
   }
 
   std::uint64_t steps() const { return static_cast<std::uint64_t>(std::ceil(scene.time().duration() / dt)); }

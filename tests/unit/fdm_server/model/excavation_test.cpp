@@ -1,6 +1,7 @@
 // Requirements on zones that are taken away.
 #include "fdm_server/model/grid/excavation.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <numeric>
@@ -29,21 +30,18 @@ TEST(Excavation, OfStageZeroLaysABoundaryBare) {
   EXPECT_EQ(run.interface.zones(), 40u);
 }
 
-// Requirement: a later stage takes mass, stress and weight away; what is left of a body load is the weight of
-// what is left; points inside the hole are held and points around it are not.
-TEST(Excavation, OfALaterStageTakesWeightAway) {
-  wire::Setup setup = setup_of(kHole +
-                               "stage: 2 } body_loads { acceleration { y: -10 } } "
-                               "motions { where { x_max: 0 } velocity { x: 0 y: 0 } }");
-  setup.mutable_scene()->mutable_statics();
-  setup.mutable_scene()->mutable_initial_stress()->set_xx(-1e3);
+// A participant in statics, whose stages of excavation the test calls.
+struct Statics {
   FdmParticipant participant;
   wire::Model model;
   wire::Interface interface;
-  participant.set_up(setup, model);
-  participant.weigh({}, interface);
   wire::Predicted predicted;
-  const auto step = [&](std::uint64_t number, std::uint32_t stage) {
+
+  explicit Statics(const wire::Setup& setup) {
+    participant.set_up(setup, model);
+    participant.weigh({}, interface);
+  }
+  void step(std::uint64_t number, std::uint32_t stage) {
     wire::Advance advance;
     advance.set_step(number);
     advance.set_dt(model.critical_dt() / 2);
@@ -52,29 +50,62 @@ TEST(Excavation, OfALaterStageTakesWeightAway) {
     advance.set_stage(stage);
     predicted.Clear();
     participant.advance(advance, predicted);
-  };
-  const auto zones = [&] {
+  }
+  wire::Piece zones() {
     wire::Snapshot snapshot;
     participant.snapshot({}, snapshot);
     return snapshot.pieces(0);
-  };
-  step(0, 0);
-  step(1, 1);
-  EXPECT_EQ(zones().connectivity_size(), 4 * 48);
-  const double before = predicted.relaxation().internal_force();
-  step(2, 2);
-  EXPECT_EQ(zones().connectivity_size(), 4 * 40);
-  step(3, 2);
+  }
+};
+
+// Requirement: a later stage takes mass, stress and weight away; what is left of a body load is the weight of
+// what is left; points inside the hole are held and points around it are not.
+TEST(Excavation, OfALaterStageTakesWeightAway) {
+  wire::Setup setup = setup_of(kHole +
+                               "stage: 2 } body_loads { acceleration { y: -10 } } "
+                               "motions { where { x_max: 0 } velocity { x: 0 y: 0 } }");
+  setup.mutable_scene()->mutable_statics();
+  setup.mutable_scene()->mutable_initial_stress()->set_xx(-1e3);
+  Statics run(setup);
+  run.step(0, 0);
+  run.step(1, 1);
+  EXPECT_EQ(run.zones().connectivity_size(), 4 * 48);
+  const double before = run.predicted.relaxation().internal_force();
+  run.step(2, 2);
+  EXPECT_EQ(run.zones().connectivity_size(), 4 * 40);
+  run.step(3, 2);
   // stresses of 1 kPa everywhere, the gravity of two steps is nothing beside it
-  EXPECT_NEAR(predicted.relaxation().internal_force() / before, 40.0 / 48, 1e-3);
-  const auto piece = zones();
+  EXPECT_NEAR(run.predicted.relaxation().internal_force() / before, 40.0 / 48, 1e-3);
+  const auto piece = run.zones();
   for (int i = 0; 2 * i < piece.points_size(); ++i) {
     const double x = piece.points(2 * i), y = piece.points(2 * i + 1),
                  vy = piece.point_fields(1).values(3 * i + 1);
     const bool held = x == 0 || (x > 2 && x < 4 && y == 0.5);
     EXPECT_EQ(vy == 0, held) << x << ", " << y;
     if (held || (x > 1.4 && x < 4.6)) continue;
-    EXPECT_NEAR(vy, -10 * model.critical_dt() / 4, 1e-3 * model.critical_dt());
+    EXPECT_NEAR(vy, -10 * run.model.critical_dt() / 4, 1e-3 * run.model.critical_dt());
+  }
+}
+
+// Requirement: a zone that two stages name goes with the earlier one, in whichever order they are given.
+TEST(Excavation, AZoneGoesWithTheFirstStageThatNamesIt) {
+  for (const auto& [left, right] : {std::pair{4, 7}, {7, 4}}) {
+    wire::Setup setup = setup_of(
+        fmt::format("excavations {{ where {{ x_min: 1 x_max: 3 y_min: 0.25 y_max: 0.75 }} stage: {} }} "
+                    "excavations {{ where {{ x_min: 2 x_max: 4.5 y_min: 0.25 y_max: 0.75 }} stage: {} }} ",
+                    left, right));
+    setup.mutable_scene()->mutable_statics();
+    Statics run(setup);
+    const int in_left = 8, in_right = 10, in_both = 4;
+    std::uint64_t number = 0;
+    for (const std::uint32_t stage : {0u, 3u, 4u, 6u, 7u}) {
+      run.step(number++, stage);
+      const int gone = stage < 4    ? 0
+                       : stage == 7 ? in_left + in_right - in_both
+                       : left == 4  ? in_left
+                                    : in_right;
+      EXPECT_EQ(run.zones().connectivity_size(), 4 * (48 - gone)) << "stage " << stage;
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 // Requirements on histories: what they say at any place, measured against closed forms.
 #include "fdm_server/output/histories.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -150,9 +151,35 @@ TEST(Histories, FitStaysInOneKindOfGround) {
   const Grid grid = make_grid({0, 3, 0, 4, 3, 4});
   std::vector<std::uint32_t> kinds(12, 0);
   std::fill(kinds.begin() + 6, kinds.end(), 1);  // the upper half
-  const ZoneShares fit = fit_around(grid, kinds, 4, 1.4, 1.9);
-  for (const auto zone : fit.zones) EXPECT_LT(zone, 6u);
-  EXPECT_EQ(fit.zones.size(), 6u);
+  for (const auto& [zone, y] : {std::pair{4u, 1.9}, {7u, 2.1}}) {
+    const ZoneShares fit = fit_around(grid, kinds, zone, 1.4, y);
+    for (const auto other : fit.zones) EXPECT_EQ(kinds[other], kinds[zone]);
+    EXPECT_EQ(fit.zones.size(), 6u);
+  }
+}
+
+// Two layers that are stretched alike, each point as it is told: beside their joint, on either side, the
+// stress is the layer's own, E / (1 - nu^2) times the strain.
+TEST(Histories, StressBesideAJointIsEachLayersOwn) {
+  constexpr double kSoft = 1e9, kStiff = 4e9, kNu = 0.2;
+  for (const auto& [lower, upper] : {std::pair{kSoft, kStiff}, {kStiff, kSoft}}) {
+    std::string scene = fmt::format(
+        "material {{ young_modulus: {} poisson_ratio: {} density: 2500 }} materials {{ where {{ y_min: 0.5 "
+        "}} "
+        "material {{ young_modulus: {} poisson_ratio: {} density: 2500 }} }} ",
+        lower, kNu, upper, kNu);
+    for (int column = 0; column <= 12; ++column)
+      scene += fmt::format("motions {{ where {{ x_min: {} x_max: {} }} velocity {{ x: {} y: 0 }} }} ",
+                           0.5 * column - 0.1, 0.5 * column + 0.1, 1e-2 * column);
+    for (const double y : {0.49, 0.51})
+      scene += fmt::format("histories {{ quantity: STRESS_XX at {{ x: 3.1 y: {} }} }} ", y);
+    Conversation run(scene);
+    const double dt = run.model.critical_dt() / 2;
+    for (std::uint64_t n = 0; n <= 100; ++n) run.advance(n, dt);
+    const double strain = 2e-2 * 100 * dt;
+    EXPECT_NEAR(run.predicted.histories(0) / (lower / (1 - kNu * kNu) * strain), 1, 1e-9);
+    EXPECT_NEAR(run.predicted.histories(1) / (upper / (1 - kNu * kNu) * strain), 1, 1e-9);
+  }
 }
 
 // Where the ground was taken away nothing is recorded; at its wall, the zone that stays.

@@ -1,4 +1,5 @@
 // Requirements on linings and bolts of a scene: the edges that they follow, and every error with its remedy.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
@@ -130,6 +131,32 @@ TEST(Supports, BoltsAreSpreadOverTheirSpacing) {
   EXPECT_NEAR(masses[9], 7850 * 4e-4, 1e-12);
   const double wave = 1 / std::sqrt(200e9 / 7850);
   EXPECT_NEAR(supports.structures.critical_step(), wave, 1e-12 * wave);
+}
+
+// Twice the bolt at twice the distance is the same ground, whose bolts bear twice the thrust each.
+TEST(Supports, ThrustIsThatOfOneBolt) {
+  const auto drawn = [](int times) {
+    Conversation run(
+        fmt::format("motions {{ where {{ y_max: 0 }} velocity {{ x: 0 y: 0 }} }} body_loads {{ acceleration "
+                    "{{ y: -10 }} }} "
+                    "bolts {{ from {{ x: 3 y: 0 }} to {{ x: 3 y: 1 }} area: {} spacing: {} }} ",
+                    1e-3 * times, 1.0 * times));
+    for (std::uint64_t n = 0; n <= 200; ++n) run.advance(n, run.model.critical_dt() / 2);
+    wire::Snapshot snapshot;
+    run.participant.snapshot({}, snapshot);
+    return snapshot;
+  };
+  const wire::Snapshot one = drawn(1), two = drawn(2);
+  ASSERT_EQ(one.pieces_size(), 2);
+  ASSERT_EQ(one.pieces(1).name(), "bolts");
+  const auto &moved = one.pieces(0).point_fields(0), &thrust = one.pieces(1).cell_fields(0);
+  for (int i = 0; i < moved.values_size(); ++i)
+    EXPECT_EQ(two.pieces(0).point_fields(0).values(i), moved.values(i));
+  ASSERT_EQ(thrust.values_size(), 4);
+  for (int i = 0; i < thrust.values_size(); ++i) {
+    EXPECT_LT(thrust.values(i), 0);
+    EXPECT_EQ(two.pieces(1).cell_fields(0).values(i), 2 * thrust.values(i));
+  }
 }
 
 // The participant's step is that of its stiffest part, and its points carry the lining's mass.

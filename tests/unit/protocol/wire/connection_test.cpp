@@ -223,19 +223,22 @@ TEST(Handshake, TellsEachEndWhoTheOtherIs) {
   EXPECT_EQ(of_far.release(), release());
 }
 
-// The message names both programs and both versions.
+// Older and newer versions are refused alike; the message names both programs and both versions.
 TEST(Handshake, AnotherProtocolVersionIsAUserError) {
-  SocketPair sockets;
-  Connection connection(std::move(sockets.near), "dem_server", kShort);
-  wire::Frame hello;
-  hello.mutable_hello()->set_protocol_version(7);
-  hello.mutable_hello()->set_program("dem_server");
-  hello.mutable_hello()->set_release("9.9.9");
-  write_raw(sockets.far, encode_preamble(7));
-  write_frame(sockets.far, hello);
-  EXPECT_THAT(message_of<UserError>([&] { handshake(connection, "coupler"); }),
-              AllOf(HasSubstr("dem_server 9.9.9"), HasSubstr("protocol version 7"),
-                    HasSubstr("coupler " + std::string(release())), HasSubstr("speaks version 2")));
+  for (const std::uint32_t version : {0u, kProtocolVersion - 1, kProtocolVersion + 1, 7u}) {
+    SocketPair sockets;
+    Connection connection(std::move(sockets.near), "dem_server", kShort);
+    wire::Frame hello;
+    hello.mutable_hello()->set_protocol_version(version);
+    hello.mutable_hello()->set_program("dem_server");
+    hello.mutable_hello()->set_release("9.9.9");
+    write_raw(sockets.far, encode_preamble(version));
+    write_frame(sockets.far, hello);
+    EXPECT_THAT(message_of<UserError>([&] { handshake(connection, "coupler"); }),
+                AllOf(HasSubstr("dem_server 9.9.9"), HasSubstr("protocol version " + std::to_string(version)),
+                      HasSubstr("coupler " + std::string(release())),
+                      HasSubstr("speaks version " + std::to_string(kProtocolVersion))));
+  }
 }
 
 TEST(Handshake, AnotherProgramIsAUserError) {

@@ -93,6 +93,27 @@ TEST(Spectrum, SeesPeaksBetweenTheSteps) {
   }
 }
 
+// Under a steady sine the absolute acceleration is passed on by the closed form, whose damper adds to the
+// spring where damping is strong: sqrt(1 + (2 d r)^2) / sqrt((1 - r^2)^2 + (2 d r)^2), r the ratio of the
+// frequencies.
+TEST(Spectrum, AbsoluteAccelerationHoldsTheDampersForce) {
+  constexpr double kStrong = 0.2;
+  for (const double ratio : {0.5, 1.0, 2.0}) {
+    const Motion motion = sine(1, ratio / kPeriod, 60, {.dt = 0.002, .duration = 60});
+    const auto response = oscillator_response(motion, kPeriod, kStrong);
+    double largest = 0;
+    for (std::size_t i = 15000; i < 29000; ++i)
+      largest = std::max(largest, std::abs(response.absolute_acceleration[i]));
+    const double damper = 2 * kStrong * ratio, spring = 1 - ratio * ratio;
+    const double expected = std::hypot(1, damper) / std::hypot(spring, damper);
+    EXPECT_NEAR(largest / expected, 1, 1e-3) << ratio;
+    if (ratio == 1) {  // reached from below
+      const auto spectrum = response_spectrum(motion, std::vector{kPeriod}, kStrong);
+      EXPECT_NEAR(spectrum.absolute_acceleration[0] / expected, 1, 1e-3);
+    }
+  }
+}
+
 // Without damping pseudo and absolute acceleration are the same.
 TEST(Spectrum, PseudoIsAbsoluteWithoutDamping) {
   const auto spectrum =

@@ -1,0 +1,90 @@
+// Requirement: the critical step of discs that only touch is a bound: below the exact limit of a pile whose
+// contacts are all closed, 2 over its highest circular frequency, and not wastefully so.
+#include <gtest/gtest.h>
+#include <spdlog/fmt/fmt.h>
+
+#include <Eigen/Dense>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "tests/unit/dem_server/in_process_run.hpp"
+#include "tests/unit/dem_server/scenes_of_discs.hpp"
+
+namespace adit::dem {
+namespace {
+
+constexpr double kNormal = 1e8;
+
+using Disc = std::array<double, 3>;  // x, y, radius
+
+// A hexagonal pile with this many rings around its middle.
+std::vector<Disc> hexagon(int rings) {
+  std::vector<Disc> discs;
+  for (int j = -rings; j <= rings; ++j)
+    for (int i = -rings; i <= rings; ++i)
+      if (std::abs(i + j) <= rings) discs.push_back({i + 0.5 * j, 0.5 * std::numbers::sqrt3 * j, 0.5});
+  return discs;
+}
+
+// Twelve small discs around a large one.
+std::vector<Disc> wreath() {
+  const double sine = std::sin(std::numbers::pi / 12), small = sine / (1 - sine);
+  std::vector<Disc> discs = {{0, 0, 1}};
+  for (int k = 0; k < 12; ++k) {
+    const double angle = std::numbers::pi / 6 * k;
+    discs.push_back({(1 + small) * std::cos(angle), (1 + small) * std::sin(angle), small});
+  }
+  return discs;
+}
+
+scene::Scene loose(const std::vector<Disc>& discs, double shear) {
+  std::string table = "x_m,y_m,radius_m\n";
+  for (const auto& [x, y, radius] : discs) table += fmt::format("{:.17g},{:.17g},{:.17g}\n", x, y, radius);
+  auto scene = test::placed_scene(table);
+  scene.mutable_particles()->mutable_contacts()->set_normal_stiffness(kNormal);
+  scene.mutable_particles()->mutable_contacts()->set_shear_stiffness(shear);
+  return scene;
+}
+
+// Of solid discs whose touching pairs all stick: x, y and rotation of each.
+double exact_step(const std::vector<Disc>& discs, double shear) {
+  const auto size = static_cast<Eigen::Index>(3 * discs.size());
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(size, size);
+  Eigen::VectorXd root(size);
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    const auto& [x, y, radius] = discs[i];
+    const double mass = test::kDensity * std::numbers::pi * radius * radius;
+    root.segment<3>(3 * i) << 1 / std::sqrt(mass), 1 / std::sqrt(mass),
+        1 / std::sqrt(mass * radius * radius / 2);
+    for (std::size_t j = 0; j < i; ++j) {
+      const double dx = discs[j][0] - x, dy = discs[j][1] - y, length = std::hypot(dx, dy);
+      if (length > radius + discs[j][2] + 1e-9) continue;
+      Eigen::VectorXd stretch = Eigen::VectorXd::Zero(size), slip = stretch;
+      stretch.segment<2>(3 * i) << -dx / length, -dy / length;
+      stretch.segment<2>(3 * j) << dx / length, dy / length;
+      slip.segment<3>(3 * i) << dy / length, -dx / length, -radius;
+      slip.segment<3>(3 * j) << -dy / length, dx / length, -discs[j][2];
+      stiffness += kNormal * stretch * stretch.transpose() + shear * slip * slip.transpose();
+    }
+  }
+  const Eigen::MatrixXd scaled = root.asDiagonal() * stiffness * root.asDiagonal();
+  return 2 / std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly)
+                           .eigenvalues()
+                           .maxCoeff());
+}
+
+TEST(CriticalStepOfLooseDiscs, IsBelowTheExactStepOfAnyPile) {
+  for (const auto& discs : {hexagon(4), wreath()})
+    for (const double shear : {0.0, 0.5 * kNormal, kNormal, 2 * kNormal}) {
+      const double bound = test::InProcessRun(loose(discs, shear)).model.critical_dt();
+      const double exact = exact_step(discs, shear);
+      EXPECT_LE(bound, exact) << discs.size() << " discs, shear stiffness " << shear;
+      EXPECT_GT(bound, 0.5 * exact) << discs.size() << " discs, shear stiffness " << shear;
+    }
+}
+
+}  // namespace
+}  // namespace adit::dem
