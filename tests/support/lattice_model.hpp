@@ -23,7 +23,7 @@ inline Model lattice_in(const geometry::BoundingBox& box, double radius, double 
   model.group.assign(model.discs.size(), 0);
   for (std::uint32_t i = 0; i < model.discs.size(); ++i) model.id.push_back(i);
   model.group_names = {"particles"};
-  model.contacts = {{law.normal_stiffness, law.shear_stiffness, 0}};
+  model.contacts = {{law.stiffness.normal, law.stiffness.shear, 0}};
   model.contact_bonds = {law};
   for (const Pair& pair : pairs_within(model.discs, 1e-6 * radius))
     model.bonds.push_back({pair.first, pair.second, Bond::Law::kContactBond, 0});

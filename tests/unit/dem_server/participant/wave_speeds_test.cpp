@@ -31,7 +31,7 @@ Model lattice(Bond::Law law, const geometry::BoundingBox& box = {0, 3, 0, 2}, do
 
 WaveSpeeds of_lattice(const BondStiffness& stiffness) {
   Model model = lattice(Bond::Law::kContactBond);
-  model.contact_bonds = {{.normal_stiffness = stiffness.normal, .shear_stiffness = stiffness.shear}};
+  model.contact_bonds = {{.stiffness = stiffness}};
   return wave_speeds(model);
 }
 
@@ -62,7 +62,7 @@ TEST(WaveSpeeds, FollowTheStiffnessOfTheBonds) {
 TEST(WaveSpeeds, OfARowAreThoseOfAChain) {
   Model row = lattice(Bond::Law::kContactBond, {0, 40, 0, std::numbers::sqrt3 / 2}, 0.5);
   ASSERT_EQ(row.bonds.size() + 1, row.discs.size());
-  row.contact_bonds = {{.normal_stiffness = 9, .shear_stiffness = 0}};
+  row.contact_bonds = {{.stiffness = {9, 0}}};
   row.mass.assign(row.discs.size(), 0.25);
   EXPECT_NEAR(wave_speeds(row).p, 6, 1e-12);
 }
@@ -88,8 +88,8 @@ TEST(WaveSpeeds, OfSpringsAreThoseOfBondsWithoutShear) {
 
 TEST(WaveSpeeds, AreThoseOfTheFastestGroup) {
   Model model = lattice(Bond::Law::kContactBond);
-  model.contact_bonds = {{.normal_stiffness = 1e9, .shear_stiffness = 2e8},
-                         {.normal_stiffness = 1e7, .shear_stiffness = 2e6}};
+  model.contact_bonds = {{.stiffness = {1e9, 2e8}},
+                         {.stiffness = {1e7, 2e6}}};
   for (std::size_t i = 0; i < model.discs.size(); ++i) model.group[i] = model.discs.x[i] > 1 ? 1 : 0;
   for (Bond& bond : model.bonds) bond.number = std::max(model.group[bond.first], model.group[bond.second]);
   expect_equal(wave_speeds(model), of_lattice({1e9, 2e8}));

@@ -11,6 +11,7 @@
 
 #include "coupler/bridging/overlap.hpp"
 #include "dem_server/engines/lattice/bond_forces.hpp"
+#include "dem_server/model/calibration.hpp"
 #include "fdm_server/grid/interpolation.hpp"
 #include "fdm_server/grid/samples.hpp"
 #include "fdm_server/zones/elastic/elastic_zones.hpp"
