@@ -12,8 +12,8 @@ namespace {
 
 using protocol::UserError;
 
-// A snapshot takes about 260 bytes a particle with its bonds.
-constexpr double kBytesPerParticle = 260;
+// A snapshot takes about 360 bytes a particle with its bonds and peaks.
+constexpr double kBytesPerParticle = 360;
 constexpr double kMostParticles = protocol::kMaxFrameBytes / kBytesPerParticle;
 
 }  // namespace
