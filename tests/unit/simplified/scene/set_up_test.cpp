@@ -84,7 +84,7 @@ TEST(SetUp, RefusesWhatTheModelCannotDo) {
   expect_refusal(scene, "simplified.ground", "is missing");
   scene = tunnel();
   scene.mutable_simplified()->mutable_soil_springs()->clear_axial();
-  expect_refusal(scene, "simplified.soil_springs", "no `ground` to derive");
+  expect_refusal(scene, "simplified.soil_springs", "no `ground` from which to derive");
   scene = tunnel();
   scene.mutable_continuum();
   expect_refusal(scene, "continuum", "is given beside `simplified`");

@@ -119,8 +119,8 @@ inline StaticSystem stiffness_of(const CoupledPatch& patch, const Equilibrium& p
 }
 
 // The coupled particles move as the grid does at their places.
-inline void tie(const fdm::Grid& grid, const dem::Particles& particles,
-                const std::vector<std::size_t>& coupled, StaticSystem& system) {
+inline void tie_to_grid(const fdm::Grid& grid, const dem::Particles& particles,
+                        const std::vector<std::size_t>& coupled, StaticSystem& system) {
   std::vector<double> places;
   for (const std::size_t i : coupled) places.insert(places.end(), {particles.x[i], particles.y[i]});
   const auto rows = fdm::interpolate(grid, places);
@@ -168,7 +168,7 @@ inline Equilibrium equilibrium(const CoupledPatch& patch, const coupler::Overlap
     if (overlap.contains(particles.x[i], particles.y[i])) coupled.push_back(i);
 
   StaticSystem system = stiffness_of(patch, result, weights, coupled.size());
-  tie(grid, particles, coupled, system);
+  tie_to_grid(grid, particles, coupled, system);
   hold(patch, grid, particles, system);
   const Eigen::SparseMatrix<double> sparse = system.matrix.sparseView();
   Eigen::SparseLU<Eigen::SparseMatrix<double>> factor(sparse);
