@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "dem_server/model/bond_springs.hpp"
-#include "protocol/errors.hpp"
 #include "protocol/geometry/selection.hpp"
 
 namespace adit::dem {
@@ -51,13 +50,6 @@ void keep_conditions(const std::vector<std::uint32_t>& place, std::vector<Condit
   }
 }
 
-void require_particles(const Model& whole, const Model& model) {
-  if (model.discs.size() > 0 && (whole.bonds.empty() || !model.bonds.empty())) return;
-  throw protocol::UserError("interface.overlap",
-                            "leaves no bonded particles, their weight being 0 everywhere; let the packing "
-                            "reach into the overlap and beyond it on the particles' own side");
-}
-
 }  // namespace
 
 Model weigh(const Model& whole, const SampledWeights& weights) {
@@ -81,7 +73,6 @@ Model weigh(const Model& whole, const SampledWeights& weights) {
     const BondSprings springs = stiffest_springs(whole, whole.bonds[k]);
     stiffness.push_back(std::max(springs.kn, springs.ks));
   }
-  require_particles(whole, model);
   weigh_by_bonds(stiffness, model);
   std::erase_if(model.springs, [&](Spring& spring) { return !stays(spring); });
   std::erase_if(model.edges, [&](EdgeDashpot& edge) {
@@ -89,6 +80,7 @@ Model weigh(const Model& whole, const SampledWeights& weights) {
     edge.disc = place[edge.disc];
     return gone;
   });
+  if (model.discs.size() == 0) return model;  // for the caller to refuse, before a load that lost its discs
   keep_conditions(place, model.loads);
   keep_conditions(place, model.motions);
   return model;

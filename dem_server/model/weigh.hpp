@@ -18,7 +18,8 @@ struct SampledWeights {
 // it has none), so that the weights cannot shorten the critical step: where every bond has the share of its
 // discs' masses that its stiffness has, it finds at least its weight times its share of the whole model.
 //
-// protocol::UserError at a load or motion of which no disc is left.
+// protocol::UserError at a load or motion of which no disc is left, unless the whole model vanishes: then it
+// is returned empty.
 Model weigh(const Model& whole, const SampledWeights& weights);
 
 }  // namespace adit::dem

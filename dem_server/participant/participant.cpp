@@ -6,6 +6,7 @@
 #include "dem_server/model/sample_points.hpp"
 #include "dem_server/model/weigh.hpp"
 #include "dem_server/participant/messages.hpp"
+#include "protocol/errors.hpp"
 #include "protocol/messages/spans.hpp"
 
 namespace adit::dem {
@@ -29,7 +30,13 @@ void DemParticipant::set_up(const wire::Setup& setup, wire::Model& answer) {
 
 void DemParticipant::weigh(const wire::Weights& weights, wire::Interface& interface) {
   if (weights.weights_size() > 0) {
+    const bool bonded = !model_.bonds.empty();
     model_ = dem::weigh(model_, split_weights(weights, model_.discs.size(), model_.bonds.size()));
+    if (model_.discs.size() == 0 || (bonded && model_.bonds.empty()))
+      throw protocol::UserError(
+          "interface.overlap",
+          "leaves no bonded particles, their weight being 0 everywhere; let the packing "
+          "reach into the overlap and beyond it on the particles' own side");
     engine_ = make_engine(choice_, model_, threads_);
     assign(*interface.mutable_points(),
            engine_->offer({weights.x_min(), weights.x_max(), weights.y_min(), weights.y_max()}));

@@ -30,8 +30,7 @@ std::vector<MovingWall> read_walls(const scene::Particles& particles, const Grou
                                            })
                             : own.contact();
     walls.push_back({wall.name(), wall.from().x(), wall.from().y(), wall.to().x(), wall.to().y(), contact,
-                     wall.velocity().x(), wall.velocity().y(),
-                     factor_of(wall.velocity().time())});
+                     wall.velocity().x(), wall.velocity().y(), factor_of(wall.velocity().time())});
   }
   return walls;
 }

@@ -88,8 +88,7 @@ TEST(WaveSpeeds, OfSpringsAreThoseOfBondsWithoutShear) {
 
 TEST(WaveSpeeds, AreThoseOfTheFastestGroup) {
   Model model = lattice(Bond::Law::kContactBond);
-  model.contact_bonds = {{.stiffness = {1e9, 2e8}},
-                         {.stiffness = {1e7, 2e6}}};
+  model.contact_bonds = {{.stiffness = {1e9, 2e8}}, {.stiffness = {1e7, 2e6}}};
   for (std::size_t i = 0; i < model.discs.size(); ++i) model.group[i] = model.discs.x[i] > 1 ? 1 : 0;
   for (Bond& bond : model.bonds) bond.number = std::max(model.group[bond.first], model.group[bond.second]);
   expect_equal(wave_speeds(model), of_lattice({1e9, 2e8}));
