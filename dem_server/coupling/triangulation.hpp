@@ -1,5 +1,5 @@
 // The field between the particles: linear on every triangle of three particles that are bonded to each other.
-// Of a hexagonal packing these triangles are the lattice itself.
+// In a hexagonal packing these triangles are the lattice itself.
 #pragma once
 
 #include <array>

@@ -53,7 +53,7 @@ class Engine {
   virtual void read_histories(const protocol::Step& step,
                               google::protobuf::RepeatedField<double>& values) const = 0;
 
-  // Of a step whose velocities are corrected.
+  // Both ask for a step whose velocities are corrected.
   virtual void take_peaks(const protocol::Step& step) = 0;
   virtual Unrest unrest(const protocol::Step& step) = 0;
   // All velocities become 0.

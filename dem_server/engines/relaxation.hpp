@@ -6,7 +6,7 @@
 
 namespace adit::dem {
 
-// Of the present velocities and spins, weighted [J].
+// Kinetic energy of the present velocities and spins, weighted [J].
 double kinetic_energy(const Particles& particles);
 
 class Relaxation {

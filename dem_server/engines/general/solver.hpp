@@ -75,7 +75,7 @@ class Solver {
   DiscLedger ledger() const;
   Stored stored() const;         // of pairs; walls' contacts among the contacts
   double strain_energy() const;  // of all
-  // Of the time step (see above), since the start [J].
+  // The share of the time step (see above), since the start [J].
   double time_step_share() const;
 
  private:

@@ -22,7 +22,7 @@ struct BondResult {
   // F(n-1) F(n) / 2k instead of F(n)^2 / 2k, so that the energy ledger closes to rounding at a break.
   double released = 0;
 
-  // Of bonds that were taken later.
+  // Adds the result of bonds that were taken later.
   void add(const BondResult& later);
 };
 

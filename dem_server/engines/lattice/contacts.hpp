@@ -26,7 +26,7 @@ class Contacts {
   // Before a step of dt: makes a new list where the particles have moved so far that the old one may miss a
   // contact. Returns whether it changed.
   bool update(double dt, const Assembly& assembly);
-  // Of a step of dt the largest speed at which a particle moved [m/s].
+  // Takes the largest speed at which a particle moved in a step of dt [m/s].
   void moved(double dt, double speed) {
     moved_.add(dt * speed);
     speed_ = speed;

@@ -15,7 +15,7 @@
 
 namespace adit::dem {
 
-// Of an assembly with at least one bond [s].
+// The critical step of an assembly with at least one bond [s].
 double critical_step(const Assembly& assembly, const BondStiffness& stiffness);
 
 }  // namespace adit::dem

@@ -76,7 +76,7 @@ void set_damping(const scene::ParticleDamping& damping, Model& model) {
   model.viscous_damping = damping.viscous();
 }
 
-// Of a lattice of another kind the material's stiffness is only an estimate.
+// In a packing of another kind the material's stiffness is only an estimate.
 void note_estimates(const scene::Particles& particles, const std::vector<Group>& groups, Model& model) {
   if (particles.has_packing()) return;
   for (const Group& group : groups) {
