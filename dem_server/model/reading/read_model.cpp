@@ -86,7 +86,7 @@ void note_estimates(const scene::Particles& particles, const std::vector<Group>&
     const auto [normal, shear] = group.stiffness();
     model.notes.push_back(fmt::format(
         "{}: {:.6g} N/m and {:.6g} N/m in shear are those of a hexagonal lattice of the material, in this "
-        "packing only an estimate; scripts/calibrate finds better ones",
+        "packing only an estimate; `adit calibrate` finds better ones",
         group.bonds_path, normal, shear));
   }
 }
