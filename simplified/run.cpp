@@ -49,6 +49,8 @@ Clock clock_of(const scene::Scene& scene) {
     throw UserError("time.dt",
                     "is missing; the implicit models have no critical step, write for example `dt: 10 ms`");
   const double duration = scene.time().duration();
+  // The step is shortened so that a whole number of steps makes up the duration. The small factor keeps a
+  // rounding error from adding a step.
   const double steps = std::max(1.0, std::ceil(duration / scene.time().dt() * (1 - 1e-12)));
   if (steps > kMostSteps)
     throw UserError("time.dt", fmt::format("makes {:g} steps; at most {:g} are computed", steps, kMostSteps));

@@ -55,6 +55,8 @@ std::vector<double> frequencies(const Tunnel& tunnel, int count) {
   GroundState ground;
   for (auto* kind : {&ground.displacement, &ground.velocity})
     for (auto& values : *kind) values.assign(soil.chainages().size() + 2 * SoilSprings::first_support, 0.0);
+  // With Newmark's scheme the tangents are those of the springs themselves; the energy-conserving scheme
+  // would give those of mean forces, which are half as large.
   soil.evaluate(newmark(), rest, rest, ground, forces);
   joints.evaluate(newmark(), rest, forces);
   BlockTridiagonal stiffness = structure.stiffness, mass = structure.mass;
@@ -66,6 +68,8 @@ std::vector<double> frequencies(const Tunnel& tunnel, int count) {
     throw protocol::UserError("soil", "the tube is free to move: give the soil springs a stiffness");
 
   // Subspace iteration: X ← K⁻¹ M X, then Rayleigh–Ritz.
+  // Eight vectors more than wanted speed the iteration up: it converges with the ratio of the highest wanted
+  // eigenvalue to the first one that the vectors do not hold.
   Eigen::MatrixXd x = start_vectors(structure.dofs(), std::min(free_dofs, count + 8));
   Eigen::VectorXd values = Eigen::VectorXd::Zero(count);
   for (int iteration = 0; iteration < kIterations; ++iteration) {

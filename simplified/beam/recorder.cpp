@@ -92,6 +92,7 @@ void Recorder::record(long step) {
   largest_error_ = std::max(largest_error_, std::abs(error));
   largest_energy_ = std::max({largest_energy_, std::abs(e.input), std::abs(e.kinetic), std::abs(e.strain),
                               std::abs(e.soil), std::abs(e.joints), std::abs(e.loads), e.slip, e.dashpots});
+  // Only a gain stops the run: a loss is the numerical damping of a scheme like HHT and cannot blow up.
   if (error > kLargestGrowth * largest_energy_ + kSmallestEnergy)
     throw protocol::Unstable(
         fmt::format("mass-spring-beam: energy grows without cause, {:g} J of {:g} J at time {:g} s: take a "

@@ -22,6 +22,7 @@ void check(const RunOptions& options) {
     throw protocol::UserError("history_every",
                               fmt::format("must be at least 1, got {}", options.history_every));
   const Scheme& s = options.scheme;
+  // The conditions of unconditional stability (Chung & Hulbert 1993), with room for rounding errors.
   if (!(s.alpha_f >= 0 && s.alpha_f <= 0.5 && s.alpha_m <= s.alpha_f && s.beta > 0 &&
         s.gamma >= 0.5 - s.alpha_m + s.alpha_f - 1e-12 &&
         s.beta >= 0.25 * (1 - s.alpha_m + s.alpha_f) - 1e-12))

@@ -176,6 +176,9 @@ void Stepper::refactor() {
                     kNames[*failed % kDofs], structure_.mesh.nodes[*failed / kDofs], time()));
   }
   if (!factored_)
+    // Forces and moments have different units. Residuals are weighted with the flexibility of their degree of
+    // freedom, so that the norm is the root of an energy; the weights stay those of the first matrix, so that
+    // norms of different steps can be compared.
     for (std::size_t i = 0; i < scaling_.size(); ++i)
       scaling_[i] = 1 / tangent_.diagonal[i / kDofs](i % kDofs, i % kDofs);
   factored_ = true;
@@ -214,6 +217,7 @@ void Stepper::search_line(double slope) {
     if (moving_) derive_motion();
     evaluate();
     const double slope_here = dot(correction_, residual_);
+    // The minimum need not be exact: the next correction of Newton's method does the rest.
     if (slope_here <= 0.5 * std::abs(slope)) return;
     target = share * std::max(0.1, slope / (slope - slope_here));
   }

@@ -34,6 +34,7 @@ RiccatiSweep::RiccatiSweep(const Model& model)
 void RiccatiSweep::factor(const Model& model, double A, double C, std::size_t changed) {
   const std::size_t n = model.bodies;
   if (changed == 0) {
+    // The correction of an abutment is 0, so hinge 0 acts on body 1 like a spring to a fixed point.
     const Matrix3 in = model.ingoing_port(1);
     B_[1] = model.dynamic_stiffness(1, A, C) + in.transpose() * model.hinge_stiffness(0, C) * in;
   }
@@ -53,6 +54,7 @@ void RiccatiSweep::factor(const Model& model, double A, double C, std::size_t ch
 
 void RiccatiSweep::forward(const Components& r, std::size_t begin, std::size_t end) {
   const double *rx = r[0].data(), *ry = r[1].data(), *rr = r[2].data();
+  // The blocks of a sweep follow each other: the last block has left b here, and place 0 holds zero.
   auto [b0, b1, b2] = b_[begin - 1];
   for (std::size_t i = begin; i < end; ++i) {
     const auto& L = places_[i - 1].L;  // zero before the first body

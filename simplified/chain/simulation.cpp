@@ -49,6 +49,7 @@ class Simulation::Impl {
     for (Components* all : {&load_, &before_, &ahead_, &r_, &y_, &trial_}) *all = components(n + 2);
     hinge_forces_ = components(n + 1);
     factor(0);
+    // Results can be read before the first step, also without start().
     results_.start(model_, curved_, tracks_);
   }
 
@@ -236,6 +237,8 @@ void Simulation::Impl::solve_to_curves() {
           "largest force after {} iterations: take a smaller dt or a smoother curve",
           steps_ + 1, (steps_ + 1) * settings_.dt, direction_name(check.direction), check.hinge, check.error,
           iteration));
+    // The prediction stays the same, but new tangents give other hinge forces at it, so they are balanced
+    // again.
     const std::size_t changed = curved_.relinearize(x, iteration > kBold, model_);
     factor(changed);
     balance(acting_load());
@@ -245,12 +248,15 @@ void Simulation::Impl::solve_to_curves() {
 void Simulation::Impl::step(const Excitation& at_end) {
   const FlushDenormals fast;
   if (steps_ == kHouboltStart && std::holds_alternative<Houbolt>(settings_.method)) {
+    // A and C of the method enter every matrix, so all are factored again.
     integrator_ = Integrator(settings_.method, settings_.dt, steps_);
     factor(0);
   }
   std::swap(before_, load_);
   set_load(at_end);
   look_ahead(at_end);
+  // Linear hinges let each block pass through all stages while it is in the cache. Curves need the
+  // deformations of the whole chain before their tangents are known.
   if (curved_.empty()) {
     sweep_forward();
     sweep_back();
@@ -279,6 +285,8 @@ void Simulation::Impl::start(const InitialMotion& motion, const Excitation& at_s
     track.p = track.x;
     track.q = track.v;
   }
+  // At the initial displacements themselves the tangents have the forces of the curves, so that the first
+  // accelerations are exact.
   factor(curved_.relinearize(displacement(tracks_), false, model_));
   balance(load_);
   for (std::size_t c = 0; c < 3; ++c) {

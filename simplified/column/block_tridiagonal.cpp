@@ -46,6 +46,8 @@ void BlockTridiagonal::add_scaled(const BlockTridiagonal& other, double factor) 
 
 void BlockTridiagonal::hold(std::size_t block, std::size_t row) {
   const auto r = static_cast<Eigen::Index>(row);
+  // The column is cleared with the row, so that the matrix stays symmetric and positive definite. The caller
+  // sets the right side of a held coordinate to its value.
   Block own = diagonal(block);
   own.row(r).setZero();
   own.col(r).setZero();
@@ -96,6 +98,7 @@ void BlockTridiagonal::subtract_product(std::span<const double> x, std::span<dou
 BlockTridiagonalFactor::BlockTridiagonalFactor(BlockTridiagonal matrix) : inverse_(std::move(matrix)) {
   for (std::size_t j = 0; j < inverse_.blocks(); ++j) {
     auto D = inverse_.diagonal(j);
+    // D is a view of the storage that receives the inverse: the copy and eval() keep the two apart.
     D = Eigen::MatrixXd(D).llt().solve(Eigen::MatrixXd::Identity(D.rows(), D.cols())).eval();
     if (j + 1 == inverse_.blocks()) break;
     auto upper = inverse_.upper(j);

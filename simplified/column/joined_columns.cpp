@@ -62,6 +62,8 @@ MatrixXd mass_of(const ModalColumn& column) {
   MatrixXd mass = MatrixXd::Zero(n, n);
   mass(0, 0) = column.deposit.mass();
   for (Index i = 1; i < n; ++i)
+    // With psi = Gamma phi and Gamma = int rho phi / int rho phi^2, both int rho psi and int rho psi^2 are
+    // the effective mass.
     mass(i, i) = mass(0, i) = mass(i, 0) = column.modes[static_cast<std::size_t>(i - 1)].effective_mass;
   return mass;
 }
@@ -116,6 +118,7 @@ void JoinedColumns::add_column(std::size_t j, double length, BlockTridiagonal& m
   stiffness_.add_diagonal(j, length * stiffness_of(column));
   damping_.add_diagonal(j, length * dashpots_of(column));
   first_.push_back(ground_mass_.size());
+  // Springs and dashpots alone join neighbours, so M e needs the first column of the own block only.
   ground_mass_.insert(ground_mass_.end(), own_mass.col(0).begin(), own_mass.col(0).end());
   rock_dashpot_.push_back(column.deposit.rock ? length * column.deposit.rock->impedance() : 0);
 }
@@ -173,6 +176,8 @@ void JoinedColumns::predict() {
 }
 
 void JoinedColumns::load() {
+  // The bases of neighbours may move differently, and the springs between the columns feel that, so they act
+  // on the total motion. The dashpot of the rock acts on the motion relative to the given one.
   total_displacement_ = displacement_;
   total_velocity_ = velocity_;
   for (std::size_t j = 0; j < columns_.size(); ++j) {
@@ -185,6 +190,7 @@ void JoinedColumns::load() {
   stiffness_.subtract_product(total_displacement_, force_);
   damping_.subtract_product(total_velocity_, force_);
   for (std::size_t j = 0; j < columns_.size(); ++j)
+    // The base on rigid rock is held (factor()): its relative acceleration is 0.
     if (!columns_[j].deposit.rock) force_[first_[j]] = 0;
 }
 

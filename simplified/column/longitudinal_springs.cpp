@@ -46,6 +46,7 @@ Slice slice_of(const ModalColumn& column, double top) {
     }
     layer_top += layer.thickness;
   }
+  // The rock moves with the base; the oscillators have no part in it.
   slice.shapes.resize(column.modes.size() + 1, {0, 0});
   return slice;
 }
@@ -80,6 +81,8 @@ LongitudinalSprings longitudinal_springs(const ModalColumn& a, const ModalColumn
   for (std::size_t i = 0; i + 1 < depths.size(); ++i) {
     const double thickness = depths[i + 1] - depths[i];
     const Slice sa = slice_of(a, depths[i]), sb = slice_of(b, depths[i]);
+    // The depths end at the rock of the deeper column, so at least one of the two is soil here and this is
+    // not 0.
     const double flexibility = sa.flexibility + sb.flexibility;
     const double k = 2 * modulus_ratio / (distance * flexibility);
     const double loss = 2 * k * (sa.damping * sa.flexibility + sb.damping * sb.flexibility) / flexibility;
@@ -94,6 +97,7 @@ LongitudinalSprings longitudinal_springs(const ModalColumn& a, const ModalColumn
     add(springs.stiffness, k);
     add(springs.dashpots, loss);
   }
+  // Scaling by a diagonal matrix from both sides keeps the dashpots symmetric and positive semi-definite.
   const Eigen::VectorXd ca = calibration(a), cb = calibration(b);
   CouplingBlocks& dashpots = springs.dashpots;
   dashpots.aa = (ca.asDiagonal() * dashpots.aa * ca.asDiagonal()).eval();

@@ -47,6 +47,7 @@ beam::Tunnel beam_model(const scene::Simplified& scene, const Line& line) {
     tunnel.sections.push_back(section(here, from, to));
     tunnel.soil.push_back(soil_station(scene, from, here));
     tunnel.soil.push_back(soil_station(scene, to, here));
+    // The length is a little more than the longest piece, so that rounding errors never cut a piece in two.
     tunnel.element_length = std::max(tunnel.element_length, 1.001 * (to - from));
   }
   for (std::size_t j = 0; j < line.joints.size(); ++j) {

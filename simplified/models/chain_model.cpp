@@ -27,6 +27,7 @@ chain::Body body(const scene::Simplified& scene, const scene::Section& section, 
   body.inertia = body.mass * length * length / 12;
   if (section.has_shear_area()) body.inertia += body.mass * section.lateral_inertia() / section.area();
   const SoilStiffness soil = soil_stiffness(scene, middle, section);
+  // The lateral springs along the body also resist its rotation: int k x^2 dx = k l^3/12.
   body.ground_stiffness = {soil.axial * length, soil.lateral * length,
                            soil.lateral * length * length * length / 12};
   const double time = scene.soil_springs().dashpot_time();
@@ -83,6 +84,7 @@ chain::Chain chain_model(const scene::Simplified& scene, const Line& line) {
   for (std::size_t piece = 0; piece < line.section.size(); ++piece) {
     const auto& section = section_of(scene, line, piece);
     chain.bodies.push_back(body(scene, section, line.nodes[piece], line.nodes[piece + 1]));
+    // Hinges lie between pieces, so the first piece has none before it; a fixed portal gets its hinge below.
     if (piece == 0) continue;
     const Flexibility lining = lining_about(scene, line, piece);
     if (joint != line.joint_node.end() && *joint == piece) {

@@ -41,6 +41,7 @@ beam::GroundMotion motion_of(const GroundField& ground, const Clock& clock) {
   return [&ground, clock, along](double time, std::span<const double> chainages,
                                  beam::GroundState& state) mutable {
     if (!along) along.emplace(ground.chainage, std::vector(chainages.begin(), chainages.end()));
+    // The time is a product of a step and dt, which division may turn into a number just below the step.
     const auto step = static_cast<std::size_t>(std::lround(time / clock.dt));
     for (int d = 0; d < kDirections; ++d) {
       const Shaking& shaking = ground.shaking[d];
@@ -118,6 +119,8 @@ beam::Results run(const scene::Simplified& scene, const Line& line, const Ground
   const beam::Tunnel tunnel = beam_model(scene, line);
   try {
     return beam::run(tunnel, motion_of(ground, clock), options);
+    // The kernels know nothing of the scene, so their paths are repeated in the message below the scene's
+    // path.
   } catch (const UserError& error) {
     throw UserError("simplified.tunnel", error.path() + ": " + error.what());
   }

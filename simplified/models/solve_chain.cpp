@@ -90,6 +90,7 @@ class Recorder {
       for (const char* quantity : {"ux_m", "uy_m", "axial_force_N", "moment_lateral_N_m", "shear_lateral_N"})
         response_.histories.columns.push_back(station.name() + "_" + quantity);
     }
+    // Rounded up, so that there are never more places than allowed.
     const std::size_t stride = (centres.size() + kFieldPlaces - 1) / kFieldPlaces;
     for (std::size_t i = 0; i < centres.size(); i += stride) {
       places_.push_back(i);
@@ -189,6 +190,7 @@ chain::Simulation prepare(const scene::Simplified& scene, const Line& line, cons
   try {
     return {chain, {.dt = clock.dt, .method = method(scene.integration())}};
   } catch (const UserError& error) {
+    // Errors of the scene have their path already; those of the kernels name a place of the chain.
     if (error.path().starts_with("simplified.")) throw;
     throw UserError("simplified.tunnel", error.path() + ": " + error.what());
   }

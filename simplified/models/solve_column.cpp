@@ -16,6 +16,7 @@ Envelope envelope(const std::string& name, const char* unit, const std::vector<d
                   std::size_t places) {
   Envelope envelope{name, unit, std::vector<double>(places), std::vector<double>(places)};
   for (std::size_t i = 0; i < table.size(); ++i) {
+    // The ground begins at rest, so the initial 0 is a value of the motion.
     double &least = envelope.least[i % places], &greatest = envelope.greatest[i % places];
     least = std::min(least, table[i]);
     greatest = std::max(greatest, table[i]);

@@ -48,6 +48,7 @@ void write_joints(const std::filesystem::path& path, const scene::Tunnel& tunnel
 void write_soil_profile(const std::filesystem::path& path, const scene::Simplified& scene, double begin,
                         double end) {
   constexpr int kPlaces = 200;
+  // All profiles have the same number of layers (check in ground.hpp).
   const int layers = scene.ground().profiles(0).layers_size();
   std::vector<std::string> columns = {"chainage_m", "axis_depth_m"};
   for (int i = 1; i <= layers; ++i) columns.push_back("layer_" + std::to_string(i) + "_bottom_m");

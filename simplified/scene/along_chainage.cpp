@@ -8,8 +8,10 @@ AlongChainage::AlongChainage(const std::vector<double>& places, const std::vecto
     : pivots_(places.size()), curvatures_(places.size()) {
   for (std::size_t k = 0; k + 1 < places.size(); ++k) gaps_.push_back(places[k + 1] - places[k]);
   for (std::size_t k = 1; k < gaps_.size(); ++k)
+    // The matrix depends on the places only, so it is factored once for all steps.
     pivots_[k] = 1 / (2 * (gaps_[k - 1] + gaps_[k]) - gaps_[k - 1] * gaps_[k - 1] * pivots_[k - 1]);
   for (const double x : chainages) {
+    // The search leaves out both ends, so that a chainage beyond them falls into the first or the last gap.
     const auto after = std::upper_bound(places.begin() + 1, places.end() - 1, x);
     const auto k = static_cast<std::size_t>(after - places.begin()) - 1;
     const double b = std::clamp((x - places[k]) / gaps_[k], 0.0, 1.0), a = 1 - b;

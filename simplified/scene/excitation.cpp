@@ -23,6 +23,7 @@ void resize(Shaking& shaking, std::size_t places, std::size_t steps) {
 }
 
 double value(const std::vector<double>& values, std::size_t step) {
+  // A motion that is shorter than the run counts as 0 after its end.
   return step < values.size() ? values[step] : 0.0;
 }
 
@@ -54,6 +55,7 @@ Shaking through_ground(const scene::Simplified& scene, const std::vector<column:
   Shaking shaking;
   resize(shaking, columns.size(), steps);
   std::vector<double> rock(columns.size());
+  // Row 0 stays zero: the columns begin at rest.
   for (std::size_t n = 1; n <= steps; ++n) {
     for (std::size_t j = 0; j < columns.size(); ++j) rock[j] = factor * value(motions[j].acceleration, n);
     ground.step(rock);
@@ -72,6 +74,7 @@ Shaking through_ground(const scene::Simplified& scene, const std::vector<column:
 std::vector<double> places_along(const scene::Simplified& scene, double begin, double end) {
   std::vector<double> places;
   if (scene.has_ground()) {
+    // Chainages of the columns are the same in every direction.
     for (const auto& column : columns(scene.ground(), begin, end, kLateral))
       places.push_back(column.chainage);
     return places;

@@ -17,6 +17,7 @@ using protocol::UserError;
 
 double wave_velocity(const scene::Layer& layer, Direction direction) {
   const double nu = layer.poisson_ratio();
+  // V_p^2 = V_s^2 * 2 (1 - nu) / (1 - 2 nu) of an elastic medium.
   return direction == kVertical ? layer.shear_velocity() * std::sqrt(2 * (1 - nu) / (1 - 2 * nu))
                                 : layer.shear_velocity();
 }
@@ -42,6 +43,7 @@ double mean_modulus(const scene::SoilProfile& profile, double top, double bottom
   double sum = 0, begin = 0;
   for (const scene::Layer& layer : profile.layers()) {
     const bool lowest = &layer == &*profile.layers().rbegin();
+    // The profile ends at the rock, and a tunnel may reach below it.
     const double end = lowest ? bottom : std::min(bottom, begin + layer.thickness());
     const double nu = layer.poisson_ratio();
     const double modulus = layer.density() * layer.shear_velocity() * layer.shear_velocity();
@@ -99,6 +101,7 @@ std::vector<column::Column> columns(const scene::Ground& ground, double begin, d
 
 double modulus_ratio(const scene::Ground& ground, Direction direction) {
   if (!ground.joined() || direction == kLateral) return ground.joined() ? 1 : 0;
+  // One ratio serves the whole model; that of the first profile's top layer stands for all.
   const double nu = ground.profiles(0).layers(0).poisson_ratio();
   return direction == kAxial ? column::axial_modulus_ratio(nu) : (1 - 2 * nu) / (2 * (1 - nu));
 }

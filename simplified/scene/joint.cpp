@@ -44,10 +44,12 @@ AxialLaw axial_law(const scene::Joints& group) {
   if (group.has_cables()) parts.push_back(beam::cable(group.cables().stiffness(), group.cables().slack()));
   if (group.has_gasket()) parts.push_back(installed(group.gasket()));
   AxialLaw law;
+  // The installed state is a corner, too, so that the point at rest lies on the curve exactly.
   law.corners = {-kFar, 0, kFar};
   for (const beam::Curve& part : parts)
     for (const beam::CurvePoint& point : part.points) law.corners.push_back(point.elongation);
   std::ranges::sort(law.corners);
+  // The chain refuses two points at one deformation, and parts may share corners up to rounding errors.
   const double tiny = 1e-12;
   law.corners.erase(
       std::unique(law.corners.begin(), law.corners.end(), [&](double a, double b) { return b - a < tiny; }),
@@ -91,6 +93,7 @@ chain::HingeDirection keys(const scene::ShearKeys& keys, double flexibility) {
     return direction;
   }
   const double free = keys.clearance(), force = keys.stiffness() * kFar;
+  // The ends carry the force of the keys after kFar beyond the clearance; the lining adds its elongation.
   const double reach = free + kFar + force * flexibility;
   direction.curve = {{-reach, -free, free, reach}, {-force, 0, 0, force}};
   return direction;

@@ -49,6 +49,7 @@ std::vector<double> places(const scene::Joints& group, const std::string& path) 
                       fmt::format("is {:g} m, which makes no sensible number of joints from {:g} m "
                                   "every {:g} m",
                                   group.to(), group.from(), group.spacing()));
+    // The last joint may miss `to` by a rounding error and still counts.
     for (int i = 0; i <= static_cast<int>(count + kSamePlace); ++i)
       at.push_back(group.from() + i * group.spacing());
   }
@@ -94,11 +95,13 @@ Line divide(const scene::Tunnel& tunnel) {
     // Pieces are cut up to the next joint or to the end of the section.
     while (line.nodes.back() < section.to() - kSamePlace) {
       const double from = line.nodes.back();
+      // A joint at the end of a section cuts there, so that the section's end is not cut again beside it.
       const bool joint_first = joint != line.joints.end() && joint->chainage < section.to() + kSamePlace;
       const double stop = joint_first ? joint->chainage : section.to();
       const int pieces =
           std::max(1, static_cast<int>(std::ceil((stop - from) / section.element_length() - kSamePlace)));
       for (int i = 1; i <= pieces; ++i) {
+        // The last node is the given place itself, without the rounding error of the division.
         line.nodes.push_back(i < pieces ? from + (stop - from) * i / pieces : stop);
         line.section.push_back(static_cast<std::size_t>(s));
       }

@@ -16,6 +16,7 @@ int cholesky(Block& s, const Block& unreduced) {
     double pivot = s(j, j);
     for (int k = 0; k < j; ++k) pivot -= s(j, k) * s(j, k);
     if (!(pivot > kSmallestPivot * unreduced(j, j))) return j;
+    // The inverse is stored because a solve then multiplies where it would divide.
     s(j, j) = 1 / std::sqrt(pivot);
     for (int i = j + 1; i < kDofs; ++i) {
       double sum = s(i, j);

@@ -52,6 +52,8 @@ ElementMatrix Element::mass() const {
   for (const Direction d : {kLateral, kVertical}) {
     const auto& dofs = d == kLateral ? kLateralDofs : kVerticalDofs;
     const double inertia = d == kLateral ? section_->inertia_lateral : section_->inertia_vertical;
+    // The theory of Euler and Bernoulli neglects rotary inertia together with shear, that of Timoshenko has
+    // both.
     const double rotary = plane(d).shear_factor > 0 ? density * inertia : 0;
     for (const auto& point : kFourPoints) {  // products of cubics: exact
       const Shape s = shape(plane(d), length_, point.xi);
@@ -70,6 +72,7 @@ Eigen::Matrix<double, 2 * kDofs, 1> Element::load() const {
   for (const int dof : kAxialDofs) p[dof] = section_->load[kAxial] * length_ / 2;
   for (const Direction d : {kLateral, kVertical}) {
     const auto& dofs = d == kLateral ? kLateralDofs : kVerticalDofs;
+    // Three points integrate the cubic shape functions under a uniform load exactly.
     for (const auto& point : kThreePoints) {
       const Shape s = shape(plane(d), length_, point.xi);
       for (int i = 0; i < 4; ++i) p[dofs[i]] += point.weight * length_ * section_->load[d] * s.deflection[i];

@@ -29,6 +29,8 @@ double gasket_force(const std::vector<Joint::Gasket>& gaskets, double compressio
 // force is monotone, so bisection finds it to the last bit.
 double common_compression(const Joint& joint) {
   if (joint.hydrostatic_force == 0) return 0;
+  // The bracket starts at a millimetre and doubles until the gaskets carry the force, which they do because
+  // their load curves rise for ever.
   double low = 0, high = 1e-3;
   while (gasket_force(joint.gaskets, high) < joint.hydrostatic_force) high *= 2;
   for (double middle = 0.5 * high; middle > low && middle < high; middle = 0.5 * (low + high))
@@ -57,6 +59,7 @@ JointSprings::JointSprings(const Tunnel& tunnel, const Mesh& mesh)
     }
     for (const auto& spring : joint.springs) {
       add(along_axis(spring.y, spring.z), spring.curve);
+      // Gaskets lie on the perimeter; without them the springs' places are the outermost known points.
       if (joint.gaskets.empty()) perimeter.push_back({spring.y, spring.z});
     }
     if (perimeter.empty()) perimeter.push_back({0, 0});
@@ -68,6 +71,7 @@ JointSprings::JointSprings(const Tunnel& tunnel, const Mesh& mesh)
 }
 
 std::size_t JointSprings::index_of(const Curve& curve) {
+  // A linear search is enough: joints of one group share their curves, so there are few.
   const auto found = std::ranges::find(curves_, curve);
   if (found != curves_.end()) return static_cast<std::size_t>(found - curves_.begin());
   curves_.push_back(curve);
@@ -119,6 +123,8 @@ double JointSprings::respond(const Scheme& scheme, Spring& s,
 std::size_t JointSprings::update_tangents(BlockTridiagonal& matrix) {
   std::size_t first = link_count_;
   for (Spring& s : springs_) {
+    // Only changes are added, because few springs change their piece in a step and the matrix holds the
+    // others.
     if (s.tangent == s.assembled_tangent) continue;
     const double change = s.tangent - s.assembled_tangent;
     for (int i = 0; i < kDofs; ++i)
@@ -141,6 +147,7 @@ void JointSprings::forget_tangents() {
 double JointSprings::commit() {
   double stored = 0;
   for (Spring& s : springs_) {
+    // The mean force needs the piece at the start of the step, so it comes before the piece is renewed.
     stored += mean(s).force * (s.elongation[1] - s.elongation[0]);
     s.piece = piece_at_end(s);
     s.elongation[0] = s.elongation[1];

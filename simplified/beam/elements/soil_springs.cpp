@@ -7,6 +7,8 @@ namespace adit::simplified::beam {
 namespace {
 
 double between(double a, double b, double fraction) {
+  // An infinite slip force, of a linear spring, has no mean with another value, so the nearer station
+  // decides.
   return std::isinf(a) || std::isinf(b) ? (fraction < 0.5 ? a : b) : std::lerp(a, b, fraction);
 }
 
@@ -64,6 +66,7 @@ SoilSprings::SoilSprings(const Tunnel& tunnel, const Mesh& mesh, std::span<const
       const double length = quadrature.weight * element.length();
       for (int d = 0; d < 3; ++d) {
         const SoilSpring soil = soil_at(tunnel.soil, x, d);
+        // A spring that never slips needs no slider: all of its stiffness is elastic.
         const double slider = std::isinf(soil.slip_force) ? 0 : 1 - soil.hardening;
         Spring spring{};
         spring.elastic = length * (1 - slider) * soil.stiffness;
@@ -83,6 +86,8 @@ void SoilSprings::respond(const Scheme& scheme, Spring& s) {
   double slider_mean = 0.5 * (s.slider_force[0] + trial);
   s.slip = 0;
   if (slips) {
+    // The elongation is linear over the step, so the slider first follows elastically up to its limit and
+    // then slips under the constant limit force. The mean force is that of this path and its work is exact.
     const double elastic_travel = (s.slider_force[1] - s.slider_force[0]) / s.slider;
     const double slip = travel - elastic_travel;
     slider_mean =
@@ -92,6 +97,8 @@ void SoilSprings::respond(const Scheme& scheme, Spring& s) {
   s.force[1] = s.elastic * s.elongation[1] + s.slider_force[1];
   s.mean_force = 0.5 * s.elastic * (s.elongation[0] + s.elongation[1]) + slider_mean;
   if (scheme.mean_force)
+    // The derivative of the mean force by the elongation at the end: half the stiffness of a linear part, and
+    // while slipping (end force - mean force) / travel, as for every mean over an interval.
     s.tangent = 0.5 * s.elastic + (slips ? (s.slider_force[1] - slider_mean) / travel : 0.5 * s.slider);
   else
     s.tangent = (1 - scheme.alpha_f) * (s.elastic + (slips ? 0 : s.slider));

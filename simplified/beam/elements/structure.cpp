@@ -34,6 +34,7 @@ Structure::Structure(const Tunnel& described)
 void Structure::fix(BlockTridiagonal& matrix) const {
   for (const std::size_t node : fixed_nodes) {
     matrix.diagonal[node].setIdentity();
+    // A portal is the first or the last node and has one neighbour, so it has one block of coupling.
     matrix.lower[node == 0 ? 0 : node - 1].setZero();
   }
 }
@@ -72,6 +73,7 @@ double Structure::middle(std::size_t element) const {
 
 double Structure::middle_displacement(std::size_t element, Direction d, std::span<const double> u) const {
   const double *a = u.data() + kDofs * mesh.elements[element], *b = a + kDofs;
+  // Half-way between the nodes the shape functions of the rotations are l/8 and -l/8, whatever the shear.
   const double bulge = d == kAxial ? 0 : elements[element].length() / 8 * (a[d + 2] - b[d + 2]);
   return 0.5 * (a[d] + b[d]) + bulge;
 }

@@ -36,6 +36,7 @@ SpringAnswer Curve::mean(double e0, double e1) const {
     if (here.holds(high)) break;
     begin = end;
   }
+  // The mean is W/(e1 - e0), so its derivative by e1 is (f(e1) - mean)/(e1 - e0).
   const double mean_force = area / (high - low);
   return {mean_force, (force(e1) - mean_force) / (e1 - e0)};
 }
@@ -56,6 +57,7 @@ Curve key(double stiffness, double clearance) {
 Curve gasket(const std::vector<CurvePoint>& compression, double pre_compression) {
   const double installed = compression_under(compression, pre_compression);
   Curve curve;
+  // Compression counts the other way from elongation, so the points are taken from the last to the first.
   for (auto point = compression.rbegin(); point != compression.rend(); ++point)
     curve.points.push_back({installed - point->elongation, pre_compression - point->force});
   const CurvePoint &a = compression[compression.size() - 2], &b = compression.back();

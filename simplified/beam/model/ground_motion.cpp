@@ -63,6 +63,7 @@ void fill(const Series& series, std::span<const Interpolation> places, Interpola
 
 Interpolation between_steps(double dt, std::size_t steps, double time) {
   const double last = static_cast<double>(steps - 1), position = time / dt;
+  // The time is a multiple of the run's step and may exceed the end of the motion by rounding errors.
   if (position > last * (1 + 1e-9))
     throw protocol::UserError("displacement",
                               fmt::format("the ground motion ends at {:g} s, but {:g} s is asked: give a "
@@ -77,6 +78,7 @@ Interpolation between_steps(double dt, std::size_t steps, double time) {
 GroundMotion interpolated(StationMotions motions) {
   const std::size_t steps = check(motions);
   if (steps == 0) return still();
+  // A std::function copies what it holds, so the motions, which may be large, are shared by the copies.
   auto shared = std::make_shared<const StationMotions>(std::move(motions));
   std::vector<Interpolation> places;  // one for each point, found in the first call
   return [shared, steps, places](double time, std::span<const double> chainages, GroundState& state) mutable {

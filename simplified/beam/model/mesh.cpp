@@ -35,6 +35,8 @@ Mesh build_mesh(const Tunnel& tunnel) {
     for (; joint < tunnel.joints.size() && tunnel.joints[joint].chainage < end + kSame; ++joint) {
       const double x = tunnel.joints[joint].chainage;
       if (x > mesh.nodes.back() + kSame)
+        // A joint at a change of section takes the place of that change, so that no sliver of an element
+        // remains.
         add_elements(mesh, std::abs(x - end) < kSame ? end : x, static_cast<int>(s), tunnel.element_length);
       add_joint(mesh, static_cast<int>(joint));
     }

@@ -23,6 +23,7 @@ void check(const Method& method, double dt) {
                       fmt::format("{} is below gamma / 2 = {}: large steps would be unstable", newmark->beta,
                                   0.5 * newmark->gamma));
   } else if (const auto* wilson = std::get_if<WilsonTheta>(&method)) {
+    // Unconditional stability needs theta >= (1 + sqrt(3)) / 2 = 1.366.
     if (!(wilson->theta >= 1.37 && std::isfinite(wilson->theta)))
       throw UserError(
           "integrator.theta",
@@ -84,6 +85,8 @@ void Integrator::correct(Track& track, std::span<const double> corrections, std:
                          std::size_t end) const {
   const double *y = corrections.data(), *p = track.p.data(), *q = track.q.data();
   double *x = track.x.data(), *v = track.v.data(), *a = track.a.data();
+  // The history is moved before x is overwritten. It is kept during the first steps of Newmark's method, too,
+  // because Houbolt's method begins with the displacements of those steps.
   if (!track.x1.empty()) {
     std::copy(track.x1.begin() + begin, track.x1.begin() + end, track.x2.begin() + begin);
     std::copy(track.x.begin() + begin, track.x.begin() + end, track.x1.begin() + begin);
@@ -92,6 +95,8 @@ void Integrator::correct(Track& track, std::span<const double> corrections, std:
     const double per_theta = 1 / theta_, x_from_a = dt_ * dt_ / 6, v_from_a = 0.5 * dt_;
 #pragma GCC ivdep
     for (std::size_t i = begin; i < end; ++i) {
+      // A y is the acceleration theta dt ahead. The one at dt lies on the straight line to it, and the motion
+      // is integrated from there exactly for this linear acceleration.
       const double after = a[i] + per_theta * (A_ * y[i] - a[i]);
       x[i] += dt_ * v[i] + x_from_a * (after + 2 * a[i]);
       v[i] += v_from_a * (a[i] + after);

@@ -16,6 +16,8 @@ struct Local {
 
 // The motion of the ingoing port of place j + 1 relative to the outgoing port of place j, in the axes of
 // hinge j.
+// A port at the arm r from its centre moves by u + rotation (-r_y, r_x). The arm of an ingoing port is minus
+// the half-length, that of an outgoing port plus the half-length: hence the sums.
 inline Local relative(const Geometry& g, const Field& f, std::size_t j) {
   const double dx =
       (f.x[j + 1] - f.x[j]) + (g.half_y[j + 1] * f.rotation[j + 1] + g.half_y[j] * f.rotation[j]);
@@ -65,6 +67,8 @@ void hinge_forces(const Model& model, const Field& x, const Field& v, std::size_
 
 void unbalanced(const Model& model, const Field& x, const Field& v, const Components& load,
                 const Components& hinge_forces, std::size_t begin, std::size_t end, Components& r) {
+  // Plain pointers to the arrays, of which none overlaps another, let the compiler vectorize the loop; it
+  // cannot see through the vectors that writing r changes nothing that is read.
   const PlaneSprings &k = model.ground_stiffness, &c = model.ground_dashpot;
   const double *kxx = k.xx.data(), *kxy = k.xy.data(), *kyy = k.yy.data(), *krr = k.rr.data(),
                *cxx = c.xx.data(), *cxy = c.xy.data(), *cyy = c.yy.data(), *crr = c.rr.data(),
@@ -78,6 +82,8 @@ void unbalanced(const Model& model, const Field& x, const Field& v, const Compon
             (fx[i] - fx[i - 1]);
     ry[i] = load_y[i] - kxy[i] * x.x[i] - kyy[i] * x.y[i] - cxy[i] * v.x[i] - cyy[i] * v.y[i] +
             (fy[i] - fy[i - 1]);
+    // The hinge before the body acts with the opposite force on the opposite arm, so its moment has the same
+    // sign as that of the hinge after it.
     rr[i] = load_r[i] - krr[i] * x.rotation[i] - crr[i] * v.rotation[i] + (moment[i] - moment[i - 1]) +
             hx[i] * (fy[i] + fy[i - 1]) - hy[i] * (fx[i] + fx[i - 1]);
   }

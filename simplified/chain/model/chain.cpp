@@ -65,6 +65,7 @@ void check(const Chain& chain) {
   for (std::size_t i = 0; i < n; ++i) {
     const std::string path = fmt::format("chain.bodies[{}]", i);
     check(chain.bodies[i], path);
+    // A hinge has the mean direction of its two bodies, which means little if the chain turns back.
     if (i > 0 && std::cos(chain.bodies[i].angle - chain.bodies[i - 1].angle) < 0)
       throw UserError(path + ".angle",
                       fmt::format("{} rad turns by more than a right angle from the {} rad of the "

@@ -36,6 +36,8 @@ void check(const Curve& curve, const std::string& path) {
       throw UserError(
           fmt::format("{}.deformation[{}]", path, i),
           fmt::format("{} does not exceed the {} before it: deformations must increase", d[i], d[i - 1]));
+    // A falling piece would be a negative stiffness, with which the matrices of the Riccati sweep are no
+    // longer positive definite.
     if (f[i] < f[i - 1])
       throw UserError(
           fmt::format("{}.force[{}]", path, i),

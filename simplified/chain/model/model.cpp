@@ -42,6 +42,8 @@ void set(Model& model, std::size_t j, const Hinge& hinge) {
     model.dashpot[d][j] = given.dashpot;
     model.stiffness[d][j] = given.stiffness;
     if (given.curve.empty()) continue;
+    // The chain begins at rest, so the first tangent is taken at zero deformation. There the curve's force is
+    // the force at rest, which outer forces balance, so the offset without it is zero.
     const Line line = line_at(given.curve, 0);
     model.stiffness[d][j] = line.slope;
     model.at_rest[d][j] = line.offset;
@@ -90,6 +92,8 @@ Model::Model(const Chain& chain)
   for (std::size_t j = 0; j <= bodies; ++j) {
     const double before = chain.bodies[j == 0 ? 0 : j - 1].angle,
                  after = chain.bodies[j == bodies ? j - 1 : j].angle;
+    // The remainder is the turn by the shorter way, also where one angle lies just below pi and the other
+    // just above -pi.
     const double angle = before + 0.5 * std::remainder(after - before, 2 * M_PI);
     cos[j] = std::cos(angle);
     sin[j] = std::sin(angle);

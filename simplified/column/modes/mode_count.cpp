@@ -19,6 +19,7 @@ class Study {
   // Takes eight samples within half the width of the sharpest peak, which is the first.
   Study(const Deposit& deposit, const Mode& first, double highest_frequency, double depth)
       : deposit_(deposit), depth_(depth) {
+    // The least damping of 0.005 limits the number of samples for a deposit that is hardly damped.
     const double spacing = first.frequency * std::max(first.damping, 0.005) / 8;
     const auto samples = static_cast<std::size_t>(std::ceil(highest_frequency / spacing));
     for (std::size_t i = 1; i <= samples; ++i) {
@@ -67,6 +68,7 @@ double amplification_error(const ModalColumn& column, double highest_frequency, 
 
 std::size_t modes_needed(const Deposit& deposit, double highest_frequency, double error, double depth) {
   const std::vector<Mode> candidates = modes(deposit, kMostModes);
+  // Modes are added to the sums one at a time, so that trying N modes costs N passes and not N^2 / 2.
   Study study(deposit, candidates.front(), highest_frequency, depth);
   double least = 1;
   for (std::size_t n = 0; n < candidates.size(); ++n) {

@@ -28,6 +28,8 @@ Phase phase_at_rock(const Deposit& deposit, double frequency) {
     const Layer& layer = deposit.layers[i];
     if (i > 0) {
       const double ratio = deposit.layers[i - 1].impedance() / layer.impedance();
+      // atan2 knows the angle within one turn only. The change at the interface is less than pi/2, so adding
+      // the change to the whole phase keeps the number of turns.
       const double angle = std::remainder(phase.value, 2 * kPi);
       const double c = std::cos(angle), s = std::sin(angle);
       phase.value += std::atan2(ratio * s, c) - angle;
@@ -52,6 +54,7 @@ double frequency_of_mode(const Deposit& deposit, std::size_t number) {
     (phase.value < target ? low : high) = frequency;
     double next = frequency - (phase.value - target) / phase.slope;
     if (!(next > low && next < high)) next = (low + high) / 2;
+    // 1e-15 is a few rounding errors. Halving alone settles in far fewer than 200 rounds.
     const bool settled = std::abs(next - frequency) <= 1e-15 * frequency;
     frequency = next;
     if (settled) break;
@@ -101,6 +104,8 @@ std::vector<Mode> modes(const Deposit& deposit, std::size_t count) {
 }
 
 std::size_t modes_below(const Deposit& deposit, double frequency) {
+  // Mode n lies below the frequency if the phase has passed (n - 1/2) pi; a mode at the frequency itself does
+  // not count.
   const double passed = phase_at_rock(deposit, frequency).value / kPi + 0.5;
   return passed > 1 ? static_cast<std::size_t>(std::ceil(passed)) - 1 : 0;
 }

@@ -90,6 +90,8 @@ Eigen::VectorXcd masses_over_base(const Chain& chain, double frequency) {
   Eigen::MatrixXcd dynamic = chain.stiffness + Complex(0, 1) * chain.loss;
   dynamic.diagonal() -= frequency * frequency * chain.masses;
   const Eigen::VectorXcd load = frequency * frequency * chain.masses.cast<Complex>();
+  // The matrix is complex and symmetric but not Hermitian, and above the first mode it is not definite, so
+  // Cholesky's method does not apply.
   return dynamic.partialPivLu().solve(load);
 }
 

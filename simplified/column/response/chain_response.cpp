@@ -54,12 +54,16 @@ VectorXd ChainResponse::internal_force() const {
 }
 
 double ChainResponse::acceleration(std::span<const double> shapes) const {
+  // Nothing but springs and dashpots acts on a mass, so they give its absolute acceleration without
+  // differences in time.
   const VectorXd absolute = -internal_force().cwiseQuotient(chain_.masses);
   const VectorXd relative = absolute.array() - base_acceleration_;
   return base_acceleration_ + along(chain_, shapes, relative);
 }
 
 double ChainResponse::base_force() const {
+  // The force at the base moves all masses: m a of the rigid mass, and for each of the others minus its
+  // internal force. Forces between masses cancel in the sum.
   return chain_.rigid_mass * base_acceleration_ - internal_force().sum();
 }
 
