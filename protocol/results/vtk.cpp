@@ -180,6 +180,7 @@ std::string document_end(std::string_view type) {
 }  // namespace
 
 void write_piece(const std::filesystem::path& path, const wire::Piece& piece) {
+  // What follows relies on the sizes, so they are checked first.
   const Format& format = format_of(piece);
   check(piece, format);
   const std::size_t cells = piece.connectivity_size() / format.points_per_cell;
@@ -227,12 +228,14 @@ void Collection::write() const {
 
 void write_snapshot(std::uint64_t step, double time, const wire::Snapshot& snapshot, Collection& collection) {
   std::array<char, 24> digits{};
+  // Leading zeros keep the files in the order of time wherever names are sorted.
   std::snprintf(digits.data(), digits.size(), "%08llu", static_cast<unsigned long long>(step));
   for (const wire::Piece& piece : snapshot.pieces()) {
     const std::string file = piece.name() + "_" + digits.data() + std::string(format_of(piece).ending);
     write_piece(collection.folder() / file, piece);
     collection.add(time, piece.name(), file);
   }
+  // The list comes last, so that it never names a file that does not exist yet.
   collection.write();
 }
 

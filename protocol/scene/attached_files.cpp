@@ -27,6 +27,7 @@ std::string content(const fs::path& path, const std::string& field) {
         "--set: "
         "to the current folder)");
   if (!fs::is_regular_file(path, error)) refuse("this is not a file");
+  // The size is known before a byte is read, so a wrong path cannot fill the memory.
   if (fs::file_size(path, error) > kLargestAttachedBytes)
     refuse("the file is larger than " + std::to_string(kLargestAttachedBytes >> 20) +
            " MiB; use a coarser mesh or a shorter record");
@@ -64,6 +65,7 @@ void for_each_content(Message& message, const std::string& path, const Visit& vi
       for (int k = 0; k < reflection.FieldSize(message, field); ++k)
         for_each_content(*reflection.MutableRepeatedMessage(&message, field, k),
                          element_path(at, static_cast<std::size_t>(k)), visit);
+      // MutableMessage() would add a message that is not given, so that is asked first.
     } else if (field->cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE && reflection.HasField(message, field)) {
       for_each_content(*reflection.MutableMessage(&message, field), at, visit);
     }

@@ -17,6 +17,7 @@ std::string serialize(const scene::Scene& scene) {
   google::protobuf::io::CodedOutputStream coded(&stream);
   coded.SetSerializationDeterministic(true);
   scene.SerializeToCodedStream(&coded);
+  // The stream reserves memory in `bytes` ahead of what is written; the rest must not enter the hash.
   coded.Trim();
   return bytes;
 }

@@ -61,6 +61,7 @@ std::vector<YamlValue> load_layers(fs::path path, std::vector<std::string>& warn
   const std::string reason = obstacle(path);
   if (!reason.empty()) throw UserError("", path.string() + ": " + reason);
   std::vector<YamlValue> layers{load(path)};
+  // Canonical paths, because a file can be reached by several spellings and links.
   std::set<fs::path> seen{fs::canonical(path)};
   while (true) {
     rename_base(layers.back(), warnings);

@@ -48,6 +48,8 @@ void emit_value(YAML::Emitter& out, const Message& message, const FieldDescripto
                    : reflection->GetBool(message, field));
       break;
     case FieldDescriptor::CPPTYPE_STRING:
+      // Quoted, because a bare `true` or `1.0` is a text to the scene but another type to other readers of
+      // YAML.
       out << YAML::DoubleQuoted
           << (list ? reflection->GetRepeatedString(message, field, index)
                    : reflection->GetString(message, field));
@@ -63,6 +65,7 @@ void emit(YAML::Emitter& out, const Message& message) {
   message.GetReflection()->ListFields(message, &fields);
   out << YAML::BeginMap;
   for (const FieldDescriptor* field : fields) {
+    // Bases are merged already, and contents of files are read again from the paths beside them.
     if (field->full_name() == "adit.scene.Scene.extends" || is_internal(field)) continue;
     out << YAML::Key << field->name() << YAML::Value;
     if (!field->is_repeated()) {

@@ -45,6 +45,7 @@ Listener::Listener(const Address& address, bool insecure) {
   }
   error_code error;
   acceptor_.open(endpoint.protocol(), error);
+  // The port of a server that has just ended can be used again at once, although its old connections linger.
   if (!error) acceptor_.set_option(tcp::acceptor::reuse_address(true), error);
   if (!error) acceptor_.bind(endpoint, error);
   if (!error) acceptor_.listen(tcp::acceptor::max_listen_connections, error);
@@ -77,6 +78,7 @@ Address Listener::address() const {
 
 std::optional<tcp::socket> Listener::next_client() {
   std::unique_lock lock(mutex_);
+  // A client may have connected since vacate(); it waits already, and the server stays busy with it.
   if (!waiting_) busy_ = false;
   changed_.wait(lock, [this] { return waiting_ || stop_.stop_requested(); });
   if (stop_.stop_requested()) return std::nullopt;
@@ -101,6 +103,7 @@ void Listener::accept() {
       return accept();
     }
     spdlog::warn("cannot accept a client: {}", error.message());
+    // The failure would come back at once, and the log would fill.
     timer_.expires_after(kAcceptAgain);
     timer_.async_wait([this](const error_code& cancelled) {
       if (!cancelled) accept();
@@ -121,10 +124,13 @@ void Listener::stop() {
   acceptor_.cancel();
   {
     const std::lock_guard lock(mutex_);
+    // Under the lock, so that the request cannot fall between the look and the wait of next_client(), which
+    // would then sleep for ever.
     stop_.request_stop();
   }
   changed_.notify_one();
   timer_.expires_after(kLastOrders);
+  // The process ends without destructors, because the thread that computes does not look at signals.
   timer_.async_wait([](const error_code& cancelled) {
     if (!cancelled) std::_Exit(kSuccess);
   });

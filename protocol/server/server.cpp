@@ -58,11 +58,14 @@ void run(Connection& connection, Listener& listener, const std::string& program,
 
 int serve(const ServerOptions& options, const ParticipantFactory& make_participant) {
   Listener listener(options.listen, options.insecure);
+  // The line is flushed, because a coupler that starts the server waits for it to learn the port.
   std::cout << "listening on " << to_string(listener.address()) << std::endl;
   while (auto socket = listener.next_client()) {
     try {
       Connection connection(std::move(*socket), "client", options.patience);
+      // A signal must also end a wait for this client.
       const std::stop_callback interrupt(listener.stopping(), [&] { connection.interrupt(); });
+      // A new one for each run, so that nothing of a run can pass to the next.
       const auto participant = make_participant();
       run(connection, listener, options.program, *participant);
       connection.close();

@@ -25,6 +25,8 @@ void exit_with(pid_t parent) {
 
 int server_main(int argc, char** argv, std::string_view program, const ParticipantFactory& make_participant,
                 std::size_t* threads) {
+  // The parent is noted before anything else: if it ends meanwhile, exit_with() finds another one in its
+  // place.
   const pid_t parent = ::getppid();
   ServerOptions options{.program = std::string(program)};
   std::string listen = to_string(options.listen);

@@ -50,6 +50,7 @@ void Team::begin() {
 }
 
 void Team::await_others() {
+  // The counters only grow, so no thread ever has to reset one while another looks at it.
   const std::uint64_t all = calls_.load(std::memory_order_relaxed) * others_.size();
   for (std::uint64_t finished; (finished = finished_.load(std::memory_order_acquire)) != all;)
     await_change(finished_, finished);
@@ -59,6 +60,7 @@ void Team::serve(std::size_t thread) {
   for (std::uint64_t seen = 0;;) {
     await_change(calls_, seen);
     if (calls_.load(std::memory_order_acquire) & kEnd) return;
+    // One by one: the caller begins no call before all have finished the last, so none can be missed.
     ++seen;
     call_.invoke(call_.function, thread);
     finished_.fetch_add(1, std::memory_order_release);

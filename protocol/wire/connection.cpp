@@ -76,7 +76,10 @@ class Connection::Watch {
 Connection::Connection(Socket&& socket, std::string_view program, const Patience& patience)
     : peer_(describe(socket, program)), patience_(patience) {
   const auto protocol = socket.local_endpoint().protocol();
+  // The socket comes from the io_context of a listener or of connect(). Here it gets one of its own, which
+  // only this object runs.
   socket_.assign(protocol, socket.release());
+  // A frame is small and its answer is waited for; Nagle's algorithm would hold it back for more bytes.
   socket_.set_option(asio::ip::tcp::no_delay(true));
   socket_.non_blocking(true);
 }
@@ -127,6 +130,7 @@ void Connection::await(Take take_complete, std::chrono::milliseconds within) {
   if (expected > kSpin) std::this_thread::sleep_for(kNap * expected);
   const Clock::duration spin = may_spin ? expected + kSpin : Clock::duration::zero();
   while (true) {
+    // The deadlines are checked after reading, so that bytes that have arrived in time count.
     const bool arrived = read_some();
     const auto now = Clock::now();
     if (arrived) watch.sign_of_life(now);
@@ -202,6 +206,7 @@ void Connection::sleep(Clock::time_point until, bool readable, bool writable) {
   if (readable) socket_.async_wait(Socket::wait_read, wake);
   if (writable) socket_.async_wait(Socket::wait_write, wake);
   io_.restart();
+  // A handler that still waits is cancelled and run, because the next call of sleep() adds its own.
   if (io_.run_one_until(until) == 1 && readable != writable) return;
   error_code ignored;
   socket_.cancel(ignored);
@@ -242,6 +247,8 @@ void Connection::close() {
   heartbeat_.reset();
   error_code error;
   socket_.shutdown(Socket::shutdown_send, error);
+  // As in refusal.cpp: closing with unread bytes would reset the connection, and the last frame might be
+  // lost.
   std::array<std::byte, 4096> dropped;
   const auto deadline = Clock::now() + kFarewell;
   while (Clock::now() < deadline && (!error || error == asio::error::would_block)) {
@@ -252,6 +259,7 @@ void Connection::close() {
 }
 
 void Connection::interrupt() {
+  // The system call may be made from any thread, the functions of the socket object may not.
   ::shutdown(socket_.native_handle(), SHUT_RDWR);
 }
 

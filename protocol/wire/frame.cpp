@@ -25,6 +25,8 @@ constexpr int tag_of(int field) {
   return field << 3 | 2;
 }  // 2: length-delimited
 
+// A heartbeat is known by its first byte, so that it is skipped without parsing and the message of the last
+// frame keeps its memory.
 bool is_heartbeat(std::span<const std::byte> payload) {
   constexpr int kTag = tag_of(wire::Frame::kHeartbeat);
   static_assert(kTag < 128, "one byte");
@@ -83,6 +85,7 @@ std::span<const std::byte> FrameEncoder::encode(const wire::Frame& frame, std::u
 
 std::span<std::byte> FrameDecoder::space() {
   if (begin_ == end_) begin_ = end_ = 0;
+  // Bytes are moved only if the buffer is full to its end, which is rare beside the frames taken.
   if (end_ == buffer_.size() && begin_ > 0) {
     std::memmove(buffer_.data(), buffer_.data() + begin_, buffered());
     end_ -= begin_;
@@ -94,6 +97,8 @@ std::span<std::byte> FrameDecoder::space() {
 
 std::optional<std::uint32_t> FrameDecoder::take_preamble() {
   const std::byte* bytes = buffer_.data() + begin_;
+  // As many bytes as there are are compared, so that another program is noticed at its first wrong byte
+  // instead of by a deadline.
   if (std::memcmp(bytes, kMagic, std::min(buffered(), sizeof kMagic)) != 0) {
     throw ForeignPreamble("does not speak the Adit protocol");
   }

@@ -51,6 +51,8 @@ std::unique_ptr<Connection> connect(const Address& address, std::string_view pro
   tcp::resolver resolver(io);
   tcp::socket socket(io);
   bool found = false;
+  // Both steps are asynchronous, because the blocking calls have no deadline. This error stays if the
+  // deadline comes first.
   error_code error = asio::error::timed_out;
   resolver.async_resolve(address.host, std::to_string(address.port),
                          [&](const error_code& outcome, const tcp::resolver::results_type& endpoints) {
@@ -90,6 +92,8 @@ wire::Hello handshake(Connection& connection, std::string_view program) {
   hello.set_program(std::string(program));
   hello.set_release(std::string(release()));
   hello.set_max_frame_bytes(kMaxFrameBytes);
+  // This end sends before it reads, as the other one does, so neither waits for the other. The version comes
+  // before hello, which another version may write differently.
   connection.send_preamble();
   connection.send(frame);
 

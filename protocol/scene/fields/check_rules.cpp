@@ -49,6 +49,7 @@ std::optional<double> number(const Message& message, const FieldDescriptor* fiel
 }
 
 bool may_be_infinite(const FieldDescriptor* field) {
+  // A default of infinity says that infinity has a meaning for the field: no limit.
   return field->cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE && std::isinf(field->default_value_double());
 }
 

@@ -76,6 +76,7 @@ Parts split(std::string_view text) {
   const std::size_t mantissa = end;
   if (one_of("eE")) {
     one_of("+-");
+    // An `e` without digits begins the unit.
     if (digits() == 0) end = mantissa;
   }
   return {text.substr(0, end), trim(text.substr(end))};
@@ -90,6 +91,7 @@ double scale(std::string_view number, int decimals) {
     const char* begin = number.data() + mark + 1;
     if (*begin == '+') ++begin;
     if (std::from_chars(begin, number.data() + number.size(), exponent).ec != std::errc() ||
+        // The bound keeps the sum below from overflowing; no double has such an exponent.
         std::abs(exponent) > 1'000'000'000)
       refuse(quote(number) + " is beyond the range of numbers");
   }
@@ -109,6 +111,7 @@ std::string expectation(std::string_view si_unit) {
   const std::string name = found.dimension == Dimension{} ? "written with a unit"
                            : quantity                     ? std::string(quantity->name)
                                                           : "another quantity";
+  // A product that holds the standard gravity and is no known quantity, such as g/cm^3, was meant in grams.
   const bool meant_gram = !quantity && found.factor == parse_unit("g").factor;
   refuse(quote(text) + " is " + name + "; " + expectation(si_unit) +
          (meant_gram ? " (`g` is the standard gravity; write masses in kg or t)" : ""));

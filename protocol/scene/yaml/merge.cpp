@@ -45,6 +45,7 @@ void relocate(YamlValue& value, const Place& place) {
 }
 
 YamlValue parse_value(const Override& set, const Place& place) {
+  // The value has no line in a file, so all of it stands at the --set argument.
   YamlValue value = parse_yaml(set.value, *place.source);
   relocate(value, place);
   return value;
@@ -58,6 +59,8 @@ void merge(YamlValue& into, YamlValue from, const Descriptor* type) {
     return;
   }
   into.place = from.place;
+  // All rivals go before any member is merged. Two members of `from` that exclude each other thus both stay,
+  // and the reader refuses them.
   for (const YamlValue& child : from.children) drop_rivals(into, child.key, type);
   for (YamlValue& child : from.children) {
     YamlValue& target = member(into, child.key, child.place);
@@ -107,6 +110,7 @@ void apply(const Override& set, YamlValue& root, const Descriptor* type) {
     target = &target->children[*step.index];
     path = element_path(path, *step.index);
   }
+  // The assignment below replaces the whole value; its key belongs to the mapping and stays.
   std::string key = std::move(target->key);
   *target = parse_value(set, place);
   target->key = std::move(key);

@@ -153,6 +153,7 @@ const FieldDescriptor* find_field(const YamlValue& member, const std::string& pa
     refuse_at(member.place, member_path(path, shorten(member.key)),
               "unknown" + (guess.empty() ? ";" : guess) + " known here: " + join(names));
   }
+  // Protobuf keeps the last member of a oneof and forgets the others, so a second one is refused here.
   const auto* oneof = field->real_containing_oneof();
   if (oneof && message.GetReflection()->HasOneof(message, oneof)) {
     std::vector<std::string> names;

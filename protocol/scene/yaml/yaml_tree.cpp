@@ -16,6 +16,8 @@ namespace adit::protocol {
 namespace {
 
 // Builds the tree from the parser's events; lists and mappings that have not ended yet wait on a stack.
+// The tree is built from events, because the parser's own tree would resolve aliases and nest to any depth
+// before either could be refused.
 class TreeBuilder : public YAML::EventHandler {
  public:
   explicit TreeBuilder(std::shared_ptr<const std::string> source) : source_(std::move(source)) {}
@@ -87,6 +89,7 @@ class TreeBuilder : public YAML::EventHandler {
     value.place = place(mark);
     if (in_mapping()) {
       value.key = std::exchange(keys_.back().name, {});
+      // Errors about a member point to its key, where its name stands.
       value.place = keys_.back().place;
     }
     return value;
