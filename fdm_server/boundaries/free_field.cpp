@@ -82,11 +82,13 @@ FreeFieldColumn add_column(Grid& grid, std::span<const BoundaryEdge> outline, do
 }
 
 void extend_to_column(const FreeFieldColumn& column, std::span<const double> masses, Load& body_load) {
+  // A copy: the search needs ascending numbers, which the points appended below would break.
   const std::vector<std::uint32_t> given = body_load.points;
   for (std::size_t k = 0; k < column.side.size(); ++k) {
     const auto found = std::ranges::lower_bound(given, column.side[k]);
     if (found == given.end() || *found != column.side[k]) continue;
     const auto i = static_cast<std::size_t>(found - given.begin());
+    // Such a load is an acceleration times the mass, so the column's share is that of its mass.
     const double ratio = masses[column.point(k)] / masses[column.side[k]];
     body_load.points.push_back(column.point(k));
     body_load.fx.push_back(ratio * body_load.fx[i]);

@@ -82,6 +82,7 @@ void compact(Grid& grid, std::vector<double>& weights) {
   for (std::size_t z = 0; z < grid.zones.size(); ++z) {
     if (weights[z] == 0) continue;
     for (const auto point : grid.zones[z]) point_number[point] = 0;
+    // In place: the number of a kept zone or point never exceeds its old one.
     weights[zones] = weights[z];
     grid.zones[zones] = grid.zones[z];
     zone_number[z] = zones++;

@@ -30,6 +30,7 @@ std::optional<std::array<double, 2>> inverse_bilinear(const Corners& c, double x
     const double ry = at_y - (py[0] + py[1] * xi + py[2] * eta + py[3] * xi * eta);
     const double x_xi = px[1] + px[3] * eta, x_eta = px[2] + px[3] * xi;
     const double y_xi = py[1] + py[3] * eta, y_eta = py[2] + py[3] * xi;
+    // Far outside it may vanish; the steps are then not finite, and the iteration ends without a result.
     const double determinant = x_xi * y_eta - x_eta * y_xi;
     const double step_xi = (y_eta * rx - x_eta * ry) / determinant;
     const double step_eta = (x_xi * ry - y_xi * rx) / determinant;
@@ -55,6 +56,8 @@ ZoneLocator::ZoneLocator(const Grid& grid) : grid_(grid) {
   const auto [y_low, y_high] = std::ranges::minmax(grid.y);
   const double width = x_high - x_low, height = y_high - y_low;
   const auto zones = static_cast<double>(grid.zones.size());
+  // Cells of the mean area of a zone; in a slender grid no smaller than its length over the zones, so that
+  // there are never many more cells than zones.
   cells_ = {extents, std::max({std::sqrt(width * height / zones), width / zones, height / zones})};
 }
 

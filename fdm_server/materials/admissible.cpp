@@ -4,11 +4,14 @@ namespace adit::fdm {
 
 Admissible admissible(const Material& material, const Elasticity& elasticity, double plastic_shear_strain,
                       const SolidStress& predicted, double turned) {
+  // The strength stays that at the start of the step; softening acts from the next step on.
   const auto to_ground = [&](const Admissible& from) -> Admissible {
     if (!material.mohr_coulomb) return {from.stress, from.plastic_shear_strain, kElastic};
     const auto [stress, yields] =
         material.mohr_coulomb->admissible(elasticity, plastic_shear_strain, from.stress);
     if (yields == kElastic) return {stress, from.plastic_shear_strain, kElastic};
+    // The total strain does not change in a return, so the elastic strain that the stress loses is plastic
+    // strain.
     return {stress, from.plastic_shear_strain + shear_measure(strain_of(elasticity, from.stress - stress)),
             yields};
   };

@@ -13,6 +13,7 @@ struct Deviator {
   double t, s, z;  // (xx - yy)/2, xy, zz
 };
 
+// With it the elastic energy s : s / 4G of the deviator is square / 2G.
 double square(const Deviator& d) {
   return d.t * d.t + d.s * d.s + 0.75 * d.z * d.z;
 }
@@ -29,6 +30,7 @@ Hysteretic::Hysteretic(std::vector<BackbonePoint> backbone) : backbone_(std::mov
     const double next = k + 1 < backbone_.size() ? (backbone_[k + 1].stress - backbone_[k].stress) /
                                                        (backbone_[k + 1].strain - backbone_[k].strain)
                                                  : 0;
+    // An element that yields takes its stiffness out of the sum, so it is the change of slope at its vertex.
     elements_.push_back({slope - next, (slope - next) * backbone_[k].strain});
     slope = next;
   }
@@ -45,6 +47,7 @@ double Hysteretic::damping_ratio(double strain) const {
   double twice_area = 0;
   for (std::size_t i = 0; i < elements_.size(); ++i) {
     const double limit = std::min(strain, backbone_[i].strain);
+    // The area under an element's curve: a triangle up to its yield strain, then a rectangle.
     twice_area += elements_[i].stiffness * limit * (2 * strain - limit);
   }
   return 2 / std::numbers::pi * (twice_area / (stress(strain) * strain) - 1);
@@ -74,6 +77,7 @@ double Hysteretic::add(const Elasticity& elasticity, const Strain& strain, std::
     Deviator now{before.t + stiffness * dt, before.s + stiffness * ds, before.z + stiffness * dz};
     const double predicted = square(now);
     if (predicted > limit * limit) {
+      // For von Mises the way back to the yield surface is radial, so the deviator is scaled.
       const double ratio = limit / std::sqrt(predicted);
       const Deviator lost{(1 - ratio) * now.t, (1 - ratio) * now.s, (1 - ratio) * now.z};
       now = {ratio * now.t, ratio * now.s, ratio * now.z};
@@ -130,6 +134,7 @@ double Hysteretic::energy(const Elasticity& elasticity, std::span<const double> 
 bool Hysteretic::yields(const Elasticity& elasticity, std::span<const double> state) const {
   for (std::size_t i = 0; i < elements_.size(); ++i) {
     const double limit = elements_[i].strength * elasticity.shear;
+    // The return leaves an element at its limit but for rounding errors.
     if (square(deviator(state, i)) >= (1 - 1e-12) * limit * limit) return true;
   }
   return false;

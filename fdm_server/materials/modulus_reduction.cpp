@@ -47,6 +47,7 @@ ModulusReduction hyperbola(double reference_strain, double exponent) {
 
 ModulusReduction reduction_table(std::span<const double> strains, std::span<const double> ratios) {
   std::vector<double> x, y(ratios.begin(), ratios.end());
+  // Measured curves are given and drawn over the logarithm of the strain, which spans several decades.
   for (const double strain : strains) x.push_back(std::log(strain));
   const auto slope = monotone_slopes(x, y);
   return [x, y, slope](double strain) {

@@ -40,6 +40,8 @@ bool solve(std::size_t n, std::array<Principal, 3>& a, Principal& b) {
     std::size_t pivot = k;
     for (std::size_t i = k + 1; i < n; ++i)
       if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
+    // The planes of a set may be dependent, as the three shear planes are without friction; such a set is
+    // left out.
     if (std::abs(a[pivot][k]) <= 1e-13 * std::abs(a[0][0])) return false;
     std::swap(a[k], a[pivot]);
     std::swap(b[k], b[pivot]);
@@ -121,6 +123,7 @@ bool to_set(unsigned set, const Planes& planes, double twice_shear, double round
   stress = predicted;
   bool admissible = true;
   for (std::size_t j = 0; j < n; ++j) {
+    // A flow is a strain; twice the shear modulus makes it a stress, to which the rounding errors compare.
     admissible = admissible && flow[j] * twice_shear >= -rounding;
     for (std::size_t i = 0; i < 3; ++i) stress[i] -= flow[j] * planes.flow[active[j]][i];
   }
@@ -160,6 +163,7 @@ Strength MohrCoulomb::strength(double strain) const {
   const auto& [to, b] = *after;
   const double share = (strain - from) / (to - from);
   const auto between = [share](double first, double last) {
+    // Equal values are returned as they are, because infinite tensions have no difference.
     return first == last ? first : first + share * (last - first);
   };
   return {between(a.cohesion, b.cohesion), between(a.friction_angle, b.friction_angle),
@@ -168,6 +172,7 @@ Strength MohrCoulomb::strength(double strain) const {
 
 MohrCoulomb::Return MohrCoulomb::admissible(const Elasticity& elasticity, double plastic_shear_strain,
                                             const SolidStress& predicted) const {
+  // Before any plastic strain, as in most zones, the first cone is ready and no sine is computed.
   const YieldCone cone =
       plastic_shear_strain > 0 && rows_.size() > 1 ? cone_of(strength(plastic_shear_strain)) : first_;
   const double p = (predicted.xx + predicted.yy) / 2, t = (predicted.xx - predicted.yy) / 2;
@@ -191,6 +196,7 @@ MohrCoulomb::Return MohrCoulomb::admissible(const Elasticity& elasticity, double
   const unsigned yields =
       to_shear_plane(elasticity, cone, sorted) ? kShearNow : search_planes(elasticity, cone, sorted);
   const double a = sorted[in_plane[0]], b = sorted[in_plane[1]];
+  // The principal directions stay, so t and xy shrink in the same ratio as the circle's radius.
   const double new_p = (a + b) / 2, ratio = radius > 0 ? (a - b) / 2 / radius : 0;
   return {{new_p + ratio * t, new_p - ratio * t, sorted[across], ratio * predicted.xy}, yields};
 }

@@ -31,6 +31,8 @@ class PointsByPlace {
 
   // A point within reach, or -1.
   std::int32_t find(const Point& place) const {
+    // A cell is twice as wide as the square of half side `reach` around the place, so the square's corners
+    // lie in all cells that it touches.
     for (const double dy : {-reach_, reach_})
       for (const double dx : {-reach_, reach_}) {
         const auto [begin, end] = cells_.equal_range(cell(place.x + dx, place.y + dy));
@@ -48,6 +50,7 @@ class PointsByPlace {
     const auto number = [size](double place) {
       return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(place / size)));
     };
+    // Cells that fall together by chance cost time only, because find() asks for the distance.
     return number(x) * 0x9e3779b97f4a7c15u ^ number(y);
   }
   const Grid& grid_;
@@ -91,6 +94,7 @@ JoinedBlocks join(const std::vector<MappedBlock>& blocks) {
     for (std::size_t j = 0; j <= rows; ++j)
       for (std::size_t i = 0; i <= columns; ++i) {
         const Point& place = of_blocks[b][number.size()];
+        // Blocks meet along their outlines only, so points inside are not looked up.
         const bool on_outline = i == 0 || i == columns || j == 0 || j == rows;
         std::int32_t point = on_outline ? outline.find(place) : -1;
         if (point < 0) {

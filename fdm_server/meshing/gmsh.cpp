@@ -56,6 +56,7 @@ class Reader {
     grid().boundary = boundary(edges);
     add_lines(edges);
     for (auto& zones : grid().groups | std::views::transform(&Group::zones)) {
+      // Surfaces come in any order, and one may be in two groups of the same name.
       std::ranges::sort(zones);
       zones.erase(std::ranges::unique(zones).begin(), zones.end());
     }
@@ -94,6 +95,7 @@ class Reader {
         const Entity entity{dimension, text_.whole("an entity")};
         for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) text_.number("a bound of an entity");
         for (std::size_t left = text_.count("a number of physical groups"); left > 0; --left)
+          // The sign of a physical group tells the orientation of the entity, which does not matter here.
           groups_of_[entity].push_back(group_of({dimension, std::abs(text_.whole("a physical group"))}));
         if (dimension == 0) continue;
         for (std::size_t left = text_.count("a number of bounding entities"); left > 0; --left)
@@ -181,6 +183,7 @@ class Reader {
     if (node.z != 0)
       text_.refuse(
           fmt::format("has node {} at z = {:g} m; let the mesh lie in the plane z = 0", number, node.z));
+    // Nodes become points when the first quadrilateral needs them, so that nodes without one are left out.
     node.point = static_cast<std::int32_t>(grid().x.size());
     grid().x.push_back(node.x);
     grid().y.push_back(node.y);

@@ -19,6 +19,7 @@ std::vector<double> places(const Division& division) {
     result.push_back(result.back() + std::pow(division.ratio, power));
   }
   const double whole = result.back();
+  // The last place is divided by itself and is exactly 1.
   for (double& place : result) place /= whole;
   return result;
 }
@@ -41,6 +42,8 @@ std::vector<Point> points(const MappedBlock& block) {
     for (const double u : along) {
       const Point between_u = lerp(lower.at(u), upper.at(u), v), between_v = lerp(left.at(v), right.at(v), u);
       const Point bilinear = lerp(lerp(lower.at(0), lower.at(1), u), lerp(upper.at(0), upper.at(1), u), v);
+      // In this order the bracket is exactly 0 on the lower and the upper side, so that points there lie on
+      // the side to the bit.
       result.push_back({between_u.x + (between_v.x - bilinear.x), between_u.y + (between_v.y - bilinear.y)});
     }
   return result;

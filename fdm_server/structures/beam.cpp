@@ -19,6 +19,7 @@ Beam::Beam(std::array<std::uint32_t, 2> points, std::array<std::uint32_t, 2> rot
       bending_(section.bending / chord.length),
       mass_(section.mass * chord.length / 2),
       inertia_(3 * section.rotary * chord.length / 2) {
+  // An infinite shear stiffness gives phi = 0, the beam of Euler and Bernoulli.
   const double phi = 12 * section.bending / (section.shear * chord.length * chord.length);
   shear_ = 3 * bending_ / (1 + phi);
 }

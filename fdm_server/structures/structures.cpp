@@ -79,6 +79,7 @@ std::optional<std::uint32_t> Structures::later_point(const std::vector<bool>& ch
 }
 
 double Structures::critical_step() const {
+  // All stages count, because the step of a run stays the same when more is installed.
   double smallest = std::numeric_limits<double>::infinity();
   for (const auto& beam : beams_) smallest = std::min(smallest, beam.critical_step());
   for (const auto& bar : bars_) smallest = std::min(smallest, bar.critical_step());

@@ -23,6 +23,7 @@ class ArcCurve final : public Curve {
   }
   Foot foot(const Point& place) const override {
     const double x = place.x - centre_.x, y = place.y - centre_.y;
+    // The angle is counted from the middle of the arc, so that a place behind an end goes to the nearer end.
     const double angle = std::remainder(std::atan2(y, x) - from_ - angle_ / 2, kTurn) + angle_ / 2;
     const double held = std::clamp(angle, 0.0, angle_);  // behind an end: that end
     const auto nearest = at(radius_ * held);

@@ -22,6 +22,8 @@ std::size_t nearest_node(const geometry::Point& place, const Path& lining, const
     if (distance(node) < distance(nearest)) nearest = node;
   const auto next = lining.points[nearest == 0 ? 1 : nearest - 1], here = lining.points[nearest];
   const double beam = std::hypot(grid.x[next] - grid.x[here], grid.y[next] - grid.y[here]);
+  // A place on the lining is at most half a beam from a node; the rest is room for beams of unequal length
+  // and for the curve between their nodes.
   if (!(distance(nearest) <= 0.6 * beam))
     throw protocol::UserError(
         path, fmt::format("lies at ({:.6g}, {:.6g}) m, {:.3g} m from the lining's nearest node; put it on "
@@ -42,6 +44,7 @@ Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structur
     rotations.push_back({rotation, rotation});
   }
   for (const auto& joint : plan.joints)
+    // At a joint the beams share the point but not the rotation, so the beam that begins there gets its own.
     rotations[joint.node][1] = structures.add_rotation(points[joint.node]);
 
   Lining lining{plan.name, plan.path, static_cast<std::uint32_t>(structures.beams().size()),

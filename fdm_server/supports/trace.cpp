@@ -47,6 +47,7 @@ std::map<std::uint32_t, std::vector<Step>> steps_along(const Grid& grid, const E
     auto to = curve.foot({grid.x[edge.to], grid.y[edge.to]});
     if (std::max(from.distance, to.distance) > kNear * length) continue;
     double along = to.s - from.s;
+    // The edge over the start of a closed curve goes on by its own length, not back by the whole curve.
     if (curve.closed()) along = std::remainder(along, curve.length());
     if (std::abs(along) < length / 2) continue;
     const auto add = [&](std::int32_t a, std::int32_t b, const Curve::Foot& foot) {
@@ -78,6 +79,7 @@ Path trace(const Grid& grid, const Edges& edges, const Curve& curve, const std::
     if (curve.closed() && step.to == found.points.front()) return found;
     found.points.push_back(step.to);
     if (!curve.closed() && distance(grid, step.to, end) <= step.length / 2) return found;
+    // A way that passes more points than there are runs in circles and never reaches the end.
     if (found.points.size() > grid.x.size()) refuse(grid, {grid.x[here], grid.y[here]}, path);
   }
 }
@@ -114,6 +116,7 @@ Path chain(const Grid& grid, std::span<const Edge> edges, const std::string& pat
                           grid.x[found.points[0]], grid.y[found.points[0]]));
   const auto at = std::ranges::find(found.points, static_cast<std::uint32_t>(edges[0].from));
   const auto next = at + 1 == found.points.end() ? found.points.begin() : at + 1;
+  // An edge has its zone on its left, so the path runs against the first edge to have it on the right.
   if (*next == static_cast<std::uint32_t>(edges[0].to)) std::ranges::reverse(found.points);
   return found;
 }
