@@ -28,6 +28,7 @@ void fill_request(wire::Advance& request, std::uint64_t step, double dt, Wanted 
 
 void post_advance(Participant& participant, const wire::Advance& request) {
   wire::Advance& advance = *participant.request.mutable_advance();
+  // The message of the last step is overwritten, so that its arrays keep their memory.
   advance.CopyFrom(request);
   participant.correction.send(*advance.mutable_impulses());
   participant.connection->post(participant.request);
@@ -72,6 +73,7 @@ void correct_velocities(Participant& participant) {
 
 std::vector<wire::Snapshot> take_snapshots(std::vector<Participant>& participants) {
   for (Participant& participant : participants) {
+    // All are asked before the first answer is read, so that they work at the same time.
     participant.correction.send(*participant.request.mutable_snapshot_request()->mutable_impulses());
     participant.connection->post(participant.request);
   }

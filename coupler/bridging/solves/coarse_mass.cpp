@@ -27,6 +27,7 @@ Eigen::SparseMatrix<double> assemble(const Interpolation& coarse, std::span<cons
     for (std::size_t a = 0; a < columns.size(); ++a)
       for (std::size_t b = 0; b < columns.size(); ++b) {
         const int row = rows[columns[a]], column = rows[columns[b]];
+        // Entries of one place are summed by setFromTriplets(), and the factor reads the lower triangle only.
         if (column != kFixed && row >= column)
           entries.emplace_back(row, column, values[a] * fine_masses[2 * k + direction] * values[b]);
       }
@@ -74,6 +75,7 @@ CoarseMass::Directions<Sides> CoarseMass::factor(const Interpolation& coarse,
       .fixed = std::move(fixed),
       .x = Eigen::Array<double, Sides, Eigen::Dynamic>(Sides, size)};
   for (std::size_t j = 0; j < rows.size(); ++j)
+    // The values are listed in the factor's own order, so that a solve needs no permutation.
     if (rows[j] != kFixed) result.own[result.factor.place(rows[j])] = 2 * j + direction;
   cost_.factor_bytes += result.factor.bytes();
   cost_.unknowns += Sides * result.own.size();

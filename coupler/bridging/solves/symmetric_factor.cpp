@@ -7,6 +7,7 @@ namespace adit::coupler {
 SymmetricFactor::SymmetricFactor(const Eigen::SparseMatrix<double>& lower) {
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor(lower);
   pivots_ = factor.vectorD();
+  // Eigen's L D L^T also factors indefinite matrices, so the signs of the pivots are checked here.
   if (factor.info() != Eigen::Success || (size() > 0 && !(pivots_.minCoeff() > 0)))
     throw std::logic_error("a mass matrix of the interface is not positive definite");
   lower_ = factor.matrixL().nestedExpression();
