@@ -34,6 +34,7 @@ std::vector<Level> levels_of(const Discs& discs, double reach) {
       x.push_back(discs.x[i]);
       y.push_back(discs.y[i]);
     }
+    // Cells as wide as two discs of the level and the reach: a search then looks at few cells of few discs.
     levels.push_back({radius, std::move(own), Torus(2 * radius + reach, x, y)});
   }
   return levels;
@@ -78,6 +79,7 @@ std::vector<Pair> pairs_within(const Discs& discs, double reach) {
 std::vector<bool> without_floaters(std::size_t discs, std::span<const Pair> contacts,
                                    std::span<const std::uint32_t> walls, std::uint32_t fewest) {
   std::vector<bool> keep(discs, true);
+  // A disc that goes takes contacts from its neighbours, so the count is repeated until none goes.
   for (bool changed = true; changed;) {
     std::vector<std::uint32_t> count(walls.begin(), walls.end());
     count.resize(discs, 0);

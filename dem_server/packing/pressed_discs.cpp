@@ -43,6 +43,7 @@ bool PressedDiscs::neighbours_are_stale() const {
     const double dx = discs_.x[i] - listed_x_[i], dy = discs_.y[i] - listed_y_[i];
     farthest = std::max(farthest, dx * dx + dy * dy);
   }
+  // Two discs that approach each other close the skin when each has moved by half of it.
   return farthest > skin_ * skin_ / 4;
 }
 
@@ -94,6 +95,8 @@ bool PressedDiscs::relax(double tolerance, std::uint32_t most_steps) {
 
     const double power = std::inner_product(fx_.begin(), fx_.end(), vx_.begin(), 0.0) +
                          std::inner_product(fy_.begin(), fy_.end(), vy_.begin(), 0.0);
+    // While the discs move downhill, velocities turn towards the forces; as soon as they move uphill, all
+    // stop.
     if (power > 0) {
       const auto square = [](const auto& a, const auto& b) {
         return std::inner_product(a.begin(), a.end(), a.begin(), 0.0) +
@@ -115,6 +118,8 @@ bool PressedDiscs::relax(double tolerance, std::uint32_t most_steps) {
       downhill = 0;
     }
     for (std::size_t i = 0; i < discs_.size(); ++i) {
+      // The new velocity moves the discs (semi-implicit Euler), which stays stable where the explicit rule
+      // gains energy.
       vx_[i] += dt * fx_[i];
       vy_[i] += dt * fy_[i];
       discs_.x[i] += dt * vx_[i];

@@ -54,6 +54,7 @@ Discs draw(const RandomPacking& wanted) {
 void grow(PressedDiscs& pressed, const PackingProgress& progress) {
   const double factor = std::pow(1 / kStartScale, 1.0 / kGrowthSteps);
   for (int step = 1; step <= kGrowthSteps; ++step) {
+    // Between growth steps the discs need not come to rest; a few steps part those that overlap most.
     pressed.relax(kAtRest, kStepsWhileGrowing);
     pressed.scale_radii(factor);
     progress(fmt::format("growing {} discs: step {} of {}", pressed.discs().size(), step, kGrowthSteps));
@@ -74,6 +75,8 @@ std::optional<double> install_stress(double stress, PressedDiscs& pressed, const
     const double reached = mean_stress(pressed);
     progress(fmt::format("isotropic stress {:.4g} of {:.4g} times the normal stiffness", reached, stress));
     if (std::abs(reached - stress) <= kStressTolerance * stress) return std::exp(total);
+    // Loose discs press hardly at all, so their stress says nothing about the stiffness: the radii grow by a
+    // fixed small share until the discs touch.
     const bool jammed = reached > kJammed * stress;
     if (jammed && before > 0) stiffness = std::clamp((reached - before) / growth, kSoftest, kStiffest);
     before = jammed ? reached : 0;

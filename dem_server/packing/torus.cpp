@@ -10,6 +10,7 @@ namespace {
 std::int32_t cell_number(double value, double side) {
   constexpr double kFar = 1 << 30;
   const double cell = std::floor(value / side);
+  // NaN fails the comparison and goes to the first cell, so that no cast overflows.
   return static_cast<std::int32_t>(cell > -kFar ? std::min(cell, kFar) : -kFar);
 }
 

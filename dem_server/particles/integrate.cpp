@@ -11,6 +11,7 @@ namespace adit::dem {
 ADIT_VECTOR_CLONES double move(double dt, std::span<const protocol::IndexRange> some, Particles& p) {
   const double *vx = p.vx.data(), *vy = p.vy.data();
   double *ux = p.ux.data(), *uy = p.uy.data();
+  // A maximum of integers is vectorized by the compiler, that of doubles is not because of NaN.
   std::int64_t fastest = 0;  // the order of non-negative doubles is that of their bits
   for (const auto [begin, end] : some)
 #pragma GCC ivdep

@@ -6,6 +6,8 @@ Loads::Loads(const Model& model, const Particles& particles) {
   for (const Load& load : model.loads) {
     std::vector<double> share(load.discs.size(), 1.0 / static_cast<double>(load.discs.size()));
     if (load.kind == Load::Kind::kAcceleration)
+      // The masses carry the energy weights, so an overlap that is shared with the continuum is not loaded
+      // twice.
       for (std::size_t k = 0; k < share.size(); ++k) share[k] = particles.mass[load.discs[k]];
     loads_.push_back({load.kind, load.discs, std::move(share), load.x, load.y, load.time});
   }

@@ -67,6 +67,8 @@ void Bonds::finish() {
 bool Bonds::plain(const Run& run) const {
   const auto last = (run.begin + run.count - 1) / kGroup;
   for (auto group = run.begin / kGroup; group <= last; ++group)
+    // Another thread may mark a group that this run shares while it is read. Both answers give the same bits,
+    // as the bonds of this run are plain either way.
     if (std::atomic_ref(marked_[group]).load(std::memory_order_relaxed)) return false;
   return true;
 }

@@ -43,6 +43,7 @@ ADIT_VECTOR_CLONES RunOutcome find_run(const ContactBond& law, double dt, const 
   double *fx = out.x.data(), *fy = out.y.data(), *moment = out.moment.data(), *normal = out.normal.data();
   const double kn = law.stiffness.normal, ks_dt = law.stiffness.shear * dt;
   const double tensile_strength = law.tensile_strength, shear_strength = law.shear_strength;
+  // A copy, because the compiler cannot know that the stores below leave `run` unchanged.
   const Run rest = run;
   std::int64_t max_bits = 0, exceeded = 0;
 #pragma GCC ivdep  // no bond writes what another one reads
@@ -125,6 +126,8 @@ ADIT_VECTOR_CLONES void apply_to_particles(const Run& run, const RunForces& forc
   const double *x = forces.x.data(), *y = forces.y.data(), *moment = forces.moment.data();
   double *fx1 = to.fx + run.first, *fy1 = to.fy + run.first, *moment1 = to.moment + run.first;
   double *fx2 = to.fx + run.second, *fy2 = to.fy + run.second, *moment2 = to.moment + run.second;
+  // Two loops: in a row of the lattice the second particle of a bond is the first one of the next, so one
+  // loop would read what it has just written.
   const std::uint32_t count = run.count;
 #pragma GCC ivdep
   for (std::uint32_t k = 0; k < count; ++k) {
@@ -164,6 +167,7 @@ void clear(std::span<const protocol::IndexRange> some, const Resultants& resulta
 
 void BondResult::add(const BondResult& later) {
   released += later.released;
+  // Of equal forces the earlier one stays, which is the same bond for any number of threads.
   if (bits_of_size(later.max_normal_force) <= bits_of_size(max_normal_force)) return;
   max_normal_force = later.max_normal_force;
   strongest_bond = later.strongest_bond;
@@ -179,6 +183,7 @@ void add_bond_forces(const ContactBond& law, double dt, std::span<const Run> run
   for (const Run& run : runs) {
     const auto find = bonds.plain(run) ? find_plain : find_any;
     RunOutcome outcome = find(law, dt, run, bonds.rest_length, particles, bonds, forces);
+    // Breaks are rare, so the vector pass only says that there is one, and a second pass finds it.
     if (outcome.breaks) {
       result.released += break_bonds(law, dt, run, particles, bonds, forces, broken);
       outcome.max_bits = largest(run, forces);

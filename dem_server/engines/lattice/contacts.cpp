@@ -15,6 +15,8 @@ struct Gap {
 };
 
 Gap gap_of(const Pair& pair, const Particles& p) {
+  // Places at rest and displacements are subtracted apart, so that the small differences keep their digits
+  // far from the origin.
   const double x = (p.x[pair.second] - p.x[pair.first]) + (p.ux[pair.second] - p.ux[pair.first]);
   const double y = (p.y[pair.second] - p.y[pair.first]) + (p.uy[pair.second] - p.uy[pair.first]);
   return {x, y, x * x + y * y};

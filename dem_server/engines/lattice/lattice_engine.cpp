@@ -79,6 +79,8 @@ void LatticeEngine::plan() {
       of_interface[i] = pulled[i] ? Role::kKept : Role::kSwept;
     else
       of_interior[i] = pulled[i] || reached[i] ? Role::kKept : Role::kSwept;
+  // The interface moves all particles that its bonds and contacts reach, the interior all others, so that
+  // each moves once.
   interface_.sweep = {touching, of_interface, reached, team_.threads()};
   reached.flip();
   interior_.sweep = {others, of_interior, reached, team_.threads()};
@@ -88,6 +90,7 @@ void LatticeEngine::step_interface(const protocol::Step& step) {
   result_ = {};
   speed_ = 0;
   broken_.clear();
+  // A new list changes which particles others than bonds pull on, hence the roles in the sweeps.
   if (contacts_.update(step.dt, assembly_)) plan();
   pull(step, interface_);
   predict(step, interface_);

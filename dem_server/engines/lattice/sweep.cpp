@@ -121,6 +121,7 @@ void Sweep::deal(std::span<const Run> runs) {
 
 // Where the particles moved and swept by each beat begin and end.
 void Sweep::set_beats(std::vector<Run> runs, Block& block) {
+  // By the lower particle, so that particles complete in the order of memory.
   std::ranges::stable_sort(runs, {}, low_of);
   block.beats.emplace_back();
   std::uint32_t bonds = 0;
