@@ -50,6 +50,7 @@ void add_joints(Summary& summary, const scene::Tunnel& tunnel, const Response& r
       if (group.name() != name) continue;
       ++count;
       if (group.has_seal_limit() && joint.opening > group.seal_limit()) ++failed;
+      // At least equal, so that a group whose joints never open still names a joint.
       if (joint.opening >= widest.opening) widest = joint;
     }
     summary.set(name + "_count", count);

@@ -109,6 +109,7 @@ void Recorder::update_envelopes(double time) {
     widen(results_.moment_vertical, e, f.moment_vertical, f.moment_vertical, time);
     widen(results_.shear_lateral, e, f.shear_lateral, f.shear_lateral, time);
     widen(results_.shear_vertical, e, f.shear_vertical, f.shear_vertical, time);
+    // The fibres on both sides count: one gives the least strain, the other the greatest.
     widen(results_.strain, e, f.strain_low, f.strain_high, time);
   }
 }

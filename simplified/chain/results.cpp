@@ -8,6 +8,7 @@ Results::Results(std::size_t bodies)
 void Results::set(const Model& model, const CurvedHinges& curved, const Tracks& tracks, std::size_t begin,
                   std::size_t end) {
   measure(model, displacement(tracks), velocity(tracks), begin, end, deformation, force);
+  // After measure(), whose tangent forces it replaces for the hinges with curves.
   curved.put_on_curve(model, velocity(tracks), begin, end, deformation, force);
 }
 

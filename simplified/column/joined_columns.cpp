@@ -103,6 +103,7 @@ JoinedColumns::JoinedColumns(std::span<const Column> columns, double modulus_rat
   for (std::size_t j = 0; j < columns_.size(); ++j) add_column(j, share(columns, j), mass);
   for (std::size_t j = 0; j + 1 < columns_.size(); ++j)
     add_springs(j, columns[j + 1].chainage - columns[j].chainage, modulus_ratio);
+  // Apart from M e the mass is needed in the factored matrix only, so it is not kept.
   factor(std::move(mass));
   for (auto* coordinates :
        {&displacement_, &velocity_, &acceleration_, &force_, &total_displacement_, &total_velocity_})

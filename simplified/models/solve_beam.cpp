@@ -21,6 +21,8 @@ constexpr double kFieldInterval = 0.02;
 
 beam::Scheme scheme(const scene::Integration& integration) {
   using Scene = scene::Integration;
+  // An absent enumerator reads as the first one, newmark, but the beam has another default
+  // (simplified.proto).
   if (!integration.has_scheme()) return beam::energy_conserving();
   switch (integration.scheme()) {
     case Scene::NEWMARK:

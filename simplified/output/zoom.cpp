@@ -93,6 +93,8 @@ scene::Scene fragment(const Window& window, double duration) {
   scene::Scene scene;
   scene.mutable_time()->set_duration(duration);
   scene::Continuum& continuum = *scene.mutable_continuum();
+  // A motion has one course in time for all components, so each direction of each edge is a motion of its
+  // own.
   scene::Velocity axial, lateral;
   axial.set_x(1);
   lateral.set_y(1);

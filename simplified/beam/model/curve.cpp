@@ -26,6 +26,7 @@ double Curve::work(double e0, double e1) const {
 }
 
 SpringAnswer Curve::mean(double e0, double e1) const {
+  // The mean does not depend on the direction, so the pieces are always passed upwards.
   const auto [low, high] = std::minmax(e0, e1);
   Piece here = piece(low);
   if (here.holds(high)) return here.mean(e0, e1);
@@ -100,6 +101,8 @@ void check_load_curve(const std::vector<CurvePoint>& compression, const std::str
     throw protocol::UserError(
         path + "[0]", "a gasket's load curve must start at (0 m, 0 N/m) and have at least two points");
   for (std::size_t i = 1; i < compression.size(); ++i)
+    // Where the force is constant, no single compression belongs to it, and compression_under() has no
+    // answer.
     if (compression[i].force == compression[i - 1].force)
       throw protocol::UserError(
           fmt::format("{}[{}]", path, i),

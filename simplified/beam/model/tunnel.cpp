@@ -32,6 +32,7 @@ void check_section(const Section& section, const std::string& path) {
   positive(section.mass, path + ".mass", "kg/m");
   not_negative(section.shear_area_lateral, path + ".shear_area_lateral", "m^2");
   not_negative(section.shear_area_vertical, path + ".shear_area_vertical", "m^2");
+  // The shear modulus is used with a shear area only, so it may stay 0 otherwise.
   if (section.shear_area_lateral > 0 || section.shear_area_vertical > 0)
     positive(section.shear_modulus, path + ".shear_modulus", "Pa");
   not_negative(section.half_width, path + ".half_width", "m");
@@ -47,6 +48,7 @@ void check_sections(const std::vector<Section>& sections) {
     check_section(sections[i], path);
     if (i == 0) continue;
     const double gap = sections[i].from - sections[i - 1].to;
+    // A micrometre is far below a tolerance of construction and far above the rounding errors of a chainage.
     require(std::abs(gap) < 1e-6, path + ".from",
             fmt::format(
                 "{} in chainage: section {} ends at {:g} m and section {} starts at {:g} m; each must start "
@@ -60,6 +62,7 @@ void check_spring(const SoilSpring& spring, const std::string& path) {
   not_negative(spring.dashpot, path + ".dashpot", "N s/m^2");
   require(spring.slip_force > 0, path + ".slip_force",
           fmt::format("must be positive, got {:g} N/m", spring.slip_force));
+  // At 1 nothing would be left that slips, which an infinite slip force says already.
   require(spring.hardening >= 0 && spring.hardening < 1, path + ".hardening",
           fmt::format("must be in [0, 1), got {:g}", spring.hardening));
 }
@@ -84,6 +87,7 @@ void check_soil(const Tunnel& tunnel) {
 
 void check_joint(const Joint& joint, const std::string& path) {
   not_negative(joint.hydrostatic_force, path + ".hydrostatic_force", "N");
+  // Without gaskets no compression balances the water, and the search for it would never end.
   require(joint.hydrostatic_force == 0 || !joint.gaskets.empty(), path + ".hydrostatic_force",
           "no gasket to carry it: give gaskets or set it to 0");
   require(joint.omega_limit > 0, path + ".omega_limit", "must be positive");
