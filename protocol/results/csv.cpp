@@ -13,6 +13,7 @@ namespace {
 template <class T>
 void append_number(std::string& line, T value) {
   std::array<char, 32> text{};  // the longest double takes 24
+  // Streams would follow the locale, which may write a comma for the decimal point.
   line.append(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
 }
 
@@ -56,12 +57,14 @@ CsvFile& CsvFile::cell(std::string_view text) {
     return *this;
   }
   line_ += '"';
+  // Within quotation marks a quotation mark is written twice (RFC 4180).
   for (const char c : text) line_.append(c == '"' ? 2 : 1, c);
   line_ += '"';
   return *this;
 }
 
 void CsvFile::end_row() {
+  // A row with a missing cell would shift all later columns without anyone noticing.
   if (cells_ != columns_) {
     throw std::logic_error(path_.string() + ": a row of " + std::to_string(cells_) + " cells under " +
                            std::to_string(columns_) + " columns");

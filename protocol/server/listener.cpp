@@ -67,6 +67,7 @@ Listener::Listener(const Address& address, bool insecure) {
 }
 
 Listener::~Listener() {
+  // Handlers that wait are dropped, because none may run once the members are destroyed.
   io_.stop();
   thread_.join();
 }

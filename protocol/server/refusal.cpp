@@ -52,6 +52,7 @@ struct Refusal : std::enable_shared_from_this<Refusal> {
     });
     asio::async_write(socket, bytes, [self = shared_from_this()](const error_code&, std::size_t) {
       error_code ignored;
+      // The client reads the end of the stream after the reason and closes, which ends drop().
       self->socket.shutdown(tcp::socket::shutdown_send, ignored);
       self->drop();
     });

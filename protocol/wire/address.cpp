@@ -17,6 +17,7 @@ Address parse_address(std::string_view text) {
   if (brackets) host = host.substr(1, host.size() - 2);
   const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), address.port);
   const bool bad_port = port.empty() || error != std::errc() || end != port.data() + port.size();
+  // A bare IPv6 address has colons of its own, so its last part could be taken for a port: it needs brackets.
   if (host.empty() || bad_port || (!brackets && host.find(':') != host.npos)) {
     throw UserError("",
                     fmt::format("'{}' is not an address: write HOST:PORT with a port from 0 to 65535, as in "

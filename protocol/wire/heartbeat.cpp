@@ -18,6 +18,7 @@ Heartbeat::~Heartbeat() {
 
 void Heartbeat::run(std::chrono::milliseconds interval, const std::function<void()>& beat) {
   std::unique_lock lock(mutex_);
+  // A wait on a condition instead of a sleep, so that the end of a connection need not wait for an interval.
   while (!stop_asked_.wait_for(lock, interval, [this] { return stop_; })) beat();
 }
 

@@ -89,6 +89,7 @@ std::string example(const FieldDescriptor* field) {
 std::string example(const Descriptor* type) {
   std::vector<std::string> members;
   for (int i = 0; i < type->field_count(); ++i)
+    // An example that lacks a required field would be refused when a user copies it.
     if (rule_of(type->field(i)).required())
       members.push_back(type->field(i)->name() + ": " + example(type->field(i)));
   if (members.empty()) {

@@ -102,6 +102,7 @@ int take_operator(std::string_view& rest) {  // the sign of the next power
 
 Unit parse_unit(std::string_view text) {
   constexpr std::size_t kLongest = 60;
+  // A text of this length is no unit; the limit also bounds the powers of the product.
   if (text.size() > kLongest) refuse("unit " + quote(text) + " is too long");
   Unit product;
   std::string_view rest = trim(text);
