@@ -54,6 +54,8 @@ void DashpotSet::add_free_field(const FreeFieldColumn& column, const ImpedanceOf
 
 std::vector<Dashpot> DashpotSet::in_order(const Grid& grid) const {
   std::vector<Dashpot> ordered;
+  // The force on a point of the side depends on the mean velocity of its column's point over the step, hence
+  // on all forces of that point, its own dashpots included.
   for (const bool of_column : {true, false})
     for (const auto& [point, dashpot] : dashpots_)
       if ((point >= grid.own_points()) == of_column) ordered.push_back(dashpot);

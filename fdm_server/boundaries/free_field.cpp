@@ -32,6 +32,7 @@ std::vector<BoundaryEdge> side_edges(const Grid& grid, std::span<const BoundaryE
   std::ranges::copy_if(outline, std::back_inserter(edges), [&](const BoundaryEdge& edge) {
     return normal_x * grid.x[edge.from] >= on_side && normal_x * grid.x[edge.to] >= on_side;
   });
+  // Both sides are sorted from below, although the outline passes them in opposite directions.
   std::ranges::sort(edges, {}, [&](const BoundaryEdge& edge) { return grid.y[lower(grid, edge)]; });
   const char* side = normal_x < 0 ? "left" : "right";
   if (edges.empty())

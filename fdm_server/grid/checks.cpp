@@ -87,6 +87,7 @@ void require_joined(const Grid& grid, const std::string& path, const ZoneName& n
     const auto c = corners(grid, z);
     const auto [x0, x1] = std::ranges::minmax(c.x);
     const auto [y0, y1] = std::ranges::minmax(c.y);
+    // Boxes are widened by the tolerance, else a point just outside a zone would not be looked at.
     const double margin = kReach * std::max(x1 - x0, y1 - y0);
     extents.push_back({x0 - margin, x1 + margin, y0 - margin, y1 + margin});
   }
@@ -100,6 +101,7 @@ void require_joined(const Grid& grid, const std::string& path, const ZoneName& n
       const double x = grid.x[side.from], y = grid.y[side.from];
       const auto& [x_min, x_max, y_min, y_max] = extents[zone];
       const bool own = std::ranges::find(grid.zones[zone], side.from) != grid.zones[zone].end();
+      // The box is asked first, because Newton's method for the place in a zone costs far more.
       if (own || x < x_min || x > x_max || y < y_min || y > y_max) continue;
       const auto natural = inverse_bilinear(corners(grid, zone), x, y);
       if (natural && std::abs((*natural)[0]) <= 1 + kReach && std::abs((*natural)[1]) <= 1 + kReach)
@@ -114,6 +116,7 @@ void require_one_piece(const Grid& grid, const Edges& edges, const std::string& 
     for (const auto edge : edges.of_zone[z]) neighbours[edge].push_back(z);
   std::vector<bool> reached(grid.zones.size(), false);
   std::vector<std::uint32_t> next{0};
+  // A list instead of recursion: the way through a large grid would exhaust the stack.
   reached[0] = true;
   while (!next.empty()) {
     const std::uint32_t zone = next.back();

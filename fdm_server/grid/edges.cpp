@@ -10,6 +10,7 @@ Edges number_edges(const Grid& grid) {
   std::vector<std::uint32_t> first(grid.x.size(), kNone), next;
   Edges edges;
   edges.of_zone.resize(grid.zones.size());
+  // A large grid of quadrilaterals has about two edges a zone.
   edges.list.reserve(2 * grid.zones.size());
   for (std::uint32_t z = 0; z < grid.zones.size(); ++z)
     for (std::size_t c = 0; c < 4; ++c) {
@@ -24,6 +25,8 @@ Edges number_edges(const Grid& grid) {
         next.push_back(first[low]);
         first[low] = edge;
       }
+      // A wrong mesh may have any number of zones at an edge; the count must not wrap around to 1, a
+      // boundary.
       if (edges.zones[edge] < UINT8_MAX) ++edges.zones[edge];
       edges.of_zone[z][c] = edge;
     }

@@ -46,6 +46,7 @@ class Reader {
       else if (section == "$Elements")
         read_elements();
       else if (section.starts_with("$"))
+        // Sections such as periodic nodes or partitions do not matter for the grid.
         text_.skip_past("$End" + std::string(section.substr(1)));
       else
         text_.refuse("has text outside of its sections");
@@ -153,6 +154,7 @@ class Reader {
       else if (dimension == kCurve && type == 1)
         read_lines(entity, count);
       else if (type == 15)
+        // A point element is its number and one node; the grid has the node already.
         for (std::size_t i = 0; i < 2 * count; ++i) text_.whole("a node");
       else
         refuse_type(type);
@@ -220,6 +222,7 @@ class Reader {
   void add_lines(const Edges& edges) {
     if (lines_.empty()) return;
     std::map<std::pair<std::int32_t, std::int32_t>, Edge> by_points;
+    // A line of a curve may run either way, so edges are known by their points in ascending order.
     for (const Edge& edge : edges.list) by_points.emplace(std::minmax(edge.from, edge.to), edge);
     for (const auto& [element, nodes, groups] : lines_) {
       const auto point = [&](std::int64_t node) {

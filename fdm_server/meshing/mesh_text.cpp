@@ -46,6 +46,7 @@ double MeshText::number(const char* what) {
   const auto text = word(what);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  // from_chars() accepts `inf` and `nan`, which are no places.
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
     refuse(fmt::format("has {} where {} was expected", shown(text), what));
   return value;

@@ -118,6 +118,7 @@ void Structures::move_and_predict(const Part& part, const protocol::Step& step) 
     angle_[i] += step.dt * rate_[i];
     rate_before_[i] = rate_[i];
     if (!held_[i]) rate_[i] += step.kick() * (couple_[i] / inertia_[i]);
+    // Ready for the next step, whose forces are added one by one.
     couple_[i] = 0;
   }
 }
@@ -135,6 +136,7 @@ void Structures::start_over() {
 double Structures::twice_kinetic_energy(const protocol::Step& step) const {
   double sum = 0;
   for (std::size_t i = 0; i < rate_.size(); ++i)
+    // From rest the half step before the start mirrors the one after it, as for the points.
     sum += inertia_[i] * (step.from_rest() ? -rate_[i] : rate_before_[i]) * rate_[i];
   return sum;
 }

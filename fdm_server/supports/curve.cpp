@@ -16,6 +16,7 @@ class ArcCurve final : public Curve {
   ArcCurve(const Point& centre, double radius, double from, double to)
       : centre_(centre), radius_(radius), from_(from), angle_(to - from) {}
   double length() const override { return radius_ * angle_; }
+  // Angles may be given in degrees, so a whole turn may miss 2 pi by a rounding error.
   bool closed() const override { return angle_ > kTurn * (1 - 1e-9); }
   Point at(double s) const override {
     const double angle = from_ + s / radius_;
