@@ -8,6 +8,7 @@
 namespace adit::coupler {
 namespace {
 
+// Participants are other programs, so the sizes of what they send are checked before use.
 void require(const Participant& participant, const char* what, int found, std::size_t expected) {
   if (static_cast<std::size_t>(found) != expected)
     throw protocol::PeerLost(participant.connection->name(), "predicted " + std::to_string(found) + " " +

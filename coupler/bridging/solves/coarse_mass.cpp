@@ -41,6 +41,7 @@ Eigen::SparseMatrix<double> assemble(const Interpolation& coarse, std::span<cons
 
 std::vector<double> masses_of(const Interpolation& coarse) {
   std::vector<double> masses;
+  // A prescribed motion has the inverse mass 0, and 1/0 is the infinite mass that stands for it.
   masses.reserve(coarse.inverse_masses().size());
   for (const double inverse : coarse.inverse_masses()) masses.push_back(1.0 / inverse);
   return masses;

@@ -18,6 +18,7 @@ std::vector<double> regularization(const Interpolation& coarse, std::span<const 
             kRegularization * value * fine_masses[2 * k + direction] * value;
       }
   for (double& entry : diagonal)
+    // An infinite entry leaves the point out (coarse_mass.hpp); a zero would make the matrix singular.
     if (entry == 0) entry = std::numeric_limits<double>::infinity();
   return diagonal;
 }
