@@ -78,6 +78,8 @@ std::optional<double> install_stress(double stress, PressedDiscs& pressed, const
     // Loose discs press hardly at all, so their stress says nothing about the stiffness: the radii grow by a
     // fixed small share until the discs touch.
     const bool jammed = reached > kJammed * stress;
+    // A secant needs two jammed states; its slope is kept between bounds, because two states close to each
+    // other give any slope.
     if (jammed && before > 0) stiffness = std::clamp((reached - before) / growth, kSoftest, kStiffest);
     before = jammed ? reached : 0;
     growth =

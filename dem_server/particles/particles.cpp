@@ -18,6 +18,7 @@ Particles at_rest(const Model& model) {
     zeroed->assign(p.size(), 0.0);
   for (std::size_t i = 0; i < p.size(); ++i) {
     p.mass.push_back(p.weight[i] * model.mass[i]);
+    // A full disc: J = m R^2 / 2.
     p.inertia.push_back(p.mass[i] * p.radius[i] * p.radius[i] / 2);
     p.inverse_mass.push_back(1 / p.mass[i]);
     p.inverse_inertia.push_back(1 / p.inertia[i]);

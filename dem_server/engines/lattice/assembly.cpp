@@ -15,6 +15,8 @@ void append_to_runs(std::vector<Run>& runs, std::uint32_t bond, std::uint32_t fi
   if (!runs.empty()) {
     Run& last = runs.back();
     if (last.count < kLongestRun && first == last.first + last.count && second == last.second + last.count &&
+        // Exact equality serves, because rest vectors come from a table of three directions and not from
+        // places.
         rest_x == last.rest_x && rest_y == last.rest_y) {
       ++last.count;
       return;

@@ -47,6 +47,8 @@ double LatticeEngine::critical_step() const {
 void LatticeEngine::tie(std::span<const double> places, wire::Operator& op) {
   tie_particles(places, ends_of(assembly_.bonds), interior_.motions, op);
   for (const std::uint32_t i : tied()) tied_[i] = true;
+  // Loads and motions follow their particles, because the velocities of tied ones are complete before the
+  // interior is computed.
   interface_.loads = interior_.loads.take(tied_);
   interface_.motions = interior_.motions.take(tied_, assembly_.particles);
   plan();

@@ -90,6 +90,8 @@ void Sweep::lay_out(std::span<const Run> runs, std::uint32_t particles) {
     bonds += run.count;
   }
   const std::uint32_t size = std::max(kLeastBlock, kReaches * reach);
+  // The bonds count, too: those of the interface are few among many particles, and a block is worth a
+  // thread's call only if it has bonds enough.
   const std::uint32_t count = std::max(1u, std::min(particles, bonds) / size);
   for (std::uint64_t b = 0; b < count; ++b)
     blocks_.emplace_back().particles = {static_cast<std::uint32_t>(b * particles / count),
@@ -170,6 +172,7 @@ double Sweep::run(protocol::Team& team, const ContactBond& law, const protocol::
     fastest = std::max(fastest, outcome.fastest);
     broken.insert(broken.end(), outcome.broken.begin(), outcome.broken.end());
   }
+  // Blocks and seams list what broke in their own order; sorted, the list does not depend on it.
   std::sort(broken.begin() + old, broken.end());
   return std::sqrt(fastest);
 }
@@ -178,6 +181,7 @@ void Sweep::run_block(const Block& block, Buffer& buffer, const ContactBond& law
                       Assembly& assembly, Outcome& outcome) const {
   Particles& particles = assembly.particles;
   const std::uint32_t first = block.particles.begin;
+  // Particles keep their numbers in the buffer of a block, which holds the resultants from `first` on only.
   const Resultants resultants{buffer.fx.data() - first, buffer.fy.data() - first,
                               buffer.moment.data() - first};
   clear(block.cleared, resultants_of(particles));
@@ -186,6 +190,7 @@ void Sweep::run_block(const Block& block, Buffer& buffer, const ContactBond& law
     add_bond_forces(law, step.dt, beat.runs, particles, assembly.bonds, resultants, outcome.contacts,
                     outcome.broken);
     kick(step.kick(), beat.swept, resultants, particles);
+    // The buffer serves the next block of this thread, so it is left as zero as it was found.
     clear(beat.swept, resultants);
   }
   for (const IndexRange& range : block.left) {
