@@ -6,7 +6,8 @@
 namespace adit::fdm {
 namespace {
 
-// Slopes at the points of a monotone cubic: the harmonic means of its neighbours' chords, 0 at a turn.
+// Slopes at the points of a monotone cubic: the harmonic means of its neighbours' chords, 0 at a turn. The
+// nearer chord has the larger weight (Fritsch and Butland 1984).
 std::vector<double> monotone_slopes(std::span<const double> x, std::span<const double> y) {
   const std::size_t n = x.size();
   std::vector<double> chord(n - 1), slope(n);
@@ -16,7 +17,7 @@ std::vector<double> monotone_slopes(std::span<const double> x, std::span<const d
   for (std::size_t k = 1; k + 1 < n; ++k) {
     const double before = x[k] - x[k - 1], after = x[k + 1] - x[k];
     const double w1 = before + 2 * after, w2 = 2 * before + after;
-    slope[k] = chord[k - 1] * chord[k] > 0 ? (w1 + w2) / (w2 / chord[k - 1] + w1 / chord[k]) : 0;
+    slope[k] = chord[k - 1] * chord[k] > 0 ? (w1 + w2) / (w1 / chord[k - 1] + w2 / chord[k]) : 0;
   }
   return slope;
 }

@@ -53,8 +53,6 @@ Stepper::Stepper(const Tunnel& tunnel, const GroundMotion& motion, const Scheme&
   for (auto* vector : {&u0_, &v0_, &a0_, &u1_, &v1_, &a1_, &blended_, &product_, &residual_, &correction_,
                        &reaction0_, &reaction1_, &scaling_})
     vector->resize(structure_.dofs());
-  for (const double load : structure_.load) force_scales_.push_back(std::abs(load));
-  joints_.add_force_scales(force_scales_);
   read_ground(0);
   settle();
   start_accelerations();

@@ -65,9 +65,8 @@ class Stepper {
   BlockTridiagonal constant_, tangent_;        // without and with the tangents of springs
   BlockCholesky factor_;
   bool factored_ = false;
-  std::vector<double> scaling_;       // 1 / diagonal of the tangent at its first assembly
-  std::vector<double> force_scales_;  // forces that cancel at rest, by degree of freedom
-  double residual_scale_ = 0;         // largest first residual so far
+  std::vector<double> scaling_;  // 1 / diagonal of the tangent at its first assembly
+  double residual_scale_ = 0;    // largest first residual so far
   Energy energy_;
   double kinetic_start_ = 0, strain_start_ = 0;
   long newton_iterations_ = 0, factorizations_ = 0;

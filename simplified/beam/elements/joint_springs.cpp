@@ -156,18 +156,6 @@ double JointSprings::commit() {
   return stored;
 }
 
-void JointSprings::add_force_scales(std::span<double> scales) const {
-  for (const Spring& s : springs_) {
-    double largest = 0;
-    for (const CurvePoint& point : curves_[s.curve].points)
-      largest = std::max(largest, std::abs(point.force));
-    for (int i = 0; i < kDofs; ++i) {
-      scales[kDofs * s.link + i] += std::abs(s.arm[i]) * largest;
-      scales[kDofs * (s.link + 1) + i] += std::abs(s.arm[i]) * largest;
-    }
-  }
-}
-
 JointState JointSprings::state(std::size_t joint, std::span<const double> u) const {
   const double *first = u.data() + kDofs * links_[joint], *second = first + kDofs;
   JointState state{-1e300, -1e300, std::hypot(second[1] - first[1], second[2] - first[2])};

@@ -31,9 +31,6 @@ class JointSprings {
   void forget_tangents();
   double commit();
 
-  // Adds to each degree of freedom the largest forces of the curves, to which rounding errors are compared.
-  void add_force_scales(std::span<double> scales) const;
-
   std::size_t size() const { return links_.size(); }
   double installed_compression(std::size_t joint) const { return installed_[joint]; }
   JointState state(std::size_t joint, std::span<const double> u) const;
