@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "coupler/check/check.hpp"
 #include "coupler/launch.hpp"
 #include "coupler/participants/remote_connection.hpp"
 #include "coupler/participants/set_up.hpp"
@@ -129,8 +130,9 @@ void run_scene(const Options& options, const protocol::SceneFile& file) {
 }
 
 void check_scene(const Options& options, const protocol::SceneFile& file) {
+  if (!options.out.empty()) results::prepare_run_directory(options.out, options.scene);
   Participants participants = join(file.scene, options, {});
-  check(file.scene, std::move(participants.participants));
+  check(file.scene, std::move(participants.participants), protocol::to_yaml(file.scene), options.out);
   fmt::print("{} can be computed\n", options.scene);
 }
 
@@ -152,6 +154,8 @@ void add_servers(CLI::App& command, Options& options) {
 
 int main(int argc, char** argv) {
   Options options("coupler", "Couples a continuum and a particle solver over TCP and writes the results.");
+  options.check->add_option("--out", options.out,
+                            "folder for the fields of the undeformed model [default: none are written]");
   for (CLI::App* command : {options.run, options.check}) add_servers(*command, options);
   if (const auto ended = options.parse(argc, argv)) return *ended;
   const auto& work = options.run->parsed() ? run_scene : check_scene;

@@ -28,11 +28,6 @@ constexpr double kRunawayShare = 0.2;
 // most.
 constexpr double kRunawayShareOfSubsteps = 0.5;
 
-// Steps between two checks of the energy. At 1 % above the critical time step the fastest motion grows from
-// rounding errors to a size that the ledger sees within about 70 steps. A check is not free: in its step the
-// servers cannot compute the interior during the exchange.
-constexpr std::uint64_t kWatchInterval = 50;
-
 struct Fastest {
   double x = 0, y = 0, speed = -1;  // [m], [m/s]; a speed of NaN counts as infinite
 };
@@ -65,28 +60,17 @@ void require_bounded_energy(Stepper& stepper, const Model& model, std::uint64_t 
       n, static_cast<double>(n) * model.dt, 100 * drift, fastest.x, fastest.y, fastest.speed));
 }
 
-// Ends all participants; afterwards the last reply of each is its Bye.
-void finish(Model& model) {
-  for (Participant& participant : model.participants) {
-    participant.request.mutable_finish();
-    participant.connection->post(participant.request);
-  }
-  for (Participant& participant : model.participants) collect(participant, wire::Frame::kBye);
-}
-
 void step_to_the_end(Model& model, const Schedule& schedule, Stepper& stepper, Recorder& recorder,
                      MotionOutputs& motions, std::uint64_t& reached) {
   Progress progress(model.steps, model.dt);
   for (std::uint64_t n = 0; n <= model.steps; ++n) {
-    const bool row = schedule.wants_row(n);
-    const bool watched = row || n % kWatchInterval == 0;
-    stepper.step(n, {.energies = watched, .histories = row, .peaks = schedule.wants_peaks(n)});
+    stepper.step(n, schedule.wanted(n));
     recorder.record_events();
-    if (row) {
+    if (schedule.wants_row(n)) {
       const auto values = recorder.record_histories(n, stepper.ledger());
       if (schedule.is_sample(n)) motions.take(values);
     }
-    if (watched) require_bounded_energy(stepper, model, n);
+    if (schedule.watches(n)) require_bounded_energy(stepper, model, n);
     if (schedule.wants_fields(n)) recorder.record_fields(n, stepper.snapshots());
     reached = n;
     progress.update(n);
@@ -118,7 +102,7 @@ void run(const scene::Scene& scene, std::vector<Participant> participants, const
   try {
     if (scene.has_statics()) summary.add_statics(relax(model, stepper));
     step_to_the_end(model, schedule, stepper, recorder, motions, reached);
-    finish(model);
+    finish(model.participants);
     for (const Participant& participant : model.participants)
       summary.add_participant(participant, participant.reply.bye());
     summary.add_motions(motions.write(directory / "spectra"));
@@ -132,15 +116,6 @@ void run(const scene::Scene& scene, std::vector<Participant> participants, const
   }
   conclude("");
   summary.print(directory);
-}
-
-void check(const scene::Scene& scene, std::vector<Participant> participants) {
-  Model model = set_up(scene, std::move(participants), "check/" + scene.name());
-  const MotionOutputs motions(model, Schedule(model).interval());
-  for (const Participant& participant : model.participants)
-    if (!participant.model.engine().empty())
-      fmt::print("the engine of {} is {}\n", participant.member.name, participant.model.engine());
-  finish(model);
 }
 
 }  // namespace adit::coupler

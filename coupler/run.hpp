@@ -16,7 +16,4 @@ namespace adit::coupler {
 void run(const scene::Scene& scene, std::vector<Participant> participants, const RunLabels& labels,
          const std::filesystem::path& directory);
 
-// Sets the participants up without computing; throws whatever run() would throw until then.
-void check(const scene::Scene& scene, std::vector<Participant> participants);
-
 }  // namespace adit::coupler

@@ -5,7 +5,6 @@
 #include "protocol/participant/history.hpp"
 
 namespace adit::coupler {
-namespace {
 
 std::vector<std::string> history_columns(const Model& model) {
   std::vector<std::string> columns = {"time_s"};
@@ -29,7 +28,16 @@ std::vector<std::string> share_columns(const Model& model) {
   return columns;
 }
 
-}  // namespace
+void write_fields(const Model& model, std::uint64_t n, std::vector<wire::Snapshot> snapshots,
+                  results::Collection& fields) {
+  for (std::size_t s = 0; s < snapshots.size(); ++s) {
+    const Member& member = model.participants[s].member;
+    if (is_region(member))
+      for (wire::Piece& piece : *snapshots[s].mutable_pieces())
+        piece.set_name(member.name + "_" + piece.name());
+    results::write_snapshot(n, static_cast<double>(n) * model.dt, snapshots[s], fields);
+  }
+}
 
 Recorder::Recorder(const std::filesystem::path& directory, Model& model)
     : model_(model),
@@ -104,13 +112,7 @@ void Recorder::record_shares() {
 }
 
 void Recorder::record_fields(std::uint64_t n, std::vector<wire::Snapshot> snapshots) {
-  for (std::size_t s = 0; s < snapshots.size(); ++s) {
-    const Member& member = model_.participants[s].member;
-    if (is_region(member))
-      for (wire::Piece& piece : *snapshots[s].mutable_pieces())
-        piece.set_name(member.name + "_" + piece.name());
-    results::write_snapshot(n, static_cast<double>(n) * model_.dt, snapshots[s], fields_);
-  }
+  write_fields(model_, n, std::move(snapshots), fields_);
 }
 
 }  // namespace adit::coupler

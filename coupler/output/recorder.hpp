@@ -30,6 +30,14 @@ struct Findings {
   Event first_crack_in_overlap;
 };
 
+// Columns of histories.csv, and of energies.csv: the latter once the participants have told their energies.
+std::vector<std::string> history_columns(const Model& model);
+std::vector<std::string> share_columns(const Model& model);
+
+// Writes the snapshots of step n, one a participant; those of regions carry the region's name.
+void write_fields(const Model& model, std::uint64_t n, std::vector<wire::Snapshot> snapshots,
+                  results::Collection& fields);
+
 class Recorder {
  public:
   // Opens the files in `directory`, which must exist.

@@ -49,4 +49,10 @@ Schedule::Schedule(const Model& model) : last_(model.steps) {
   fields_.insert(model.steps);
 }
 
+std::uint64_t Schedule::row_count() const {
+  const auto others = std::ranges::count_if(fields_, [this](std::uint64_t n) { return !is_sample(n); });
+  return last_ / history_stride_ + 1 +
+         static_cast<std::uint64_t>(others);  // the last step is among the fields
+}
+
 }  // namespace adit::coupler

@@ -37,4 +37,12 @@ void collect(Participant& participant, wire::Frame::ContentCase expected) {
       "answered " + name(participant.reply.content_case()) + " where " + name(expected) + " was expected");
 }
 
+void finish(std::vector<Participant>& participants) {
+  for (Participant& participant : participants) {
+    participant.request.mutable_finish();
+    participant.connection->post(participant.request);
+  }
+  for (Participant& participant : participants) collect(participant, wire::Frame::kBye);
+}
+
 }  // namespace adit::coupler

@@ -51,4 +51,7 @@ struct Participant {
 // participant says against its part of the scene is a protocol::UserError at that place of the whole scene.
 void collect(Participant& participant, wire::Frame::ContentCase expected);
 
+// Ends all participants; afterwards the last reply of each is its Bye.
+void finish(std::vector<Participant>& participants);
+
 }  // namespace adit::coupler

@@ -10,6 +10,13 @@ struct Counts {
   std::size_t particles, bonds;
 };
 
+// What bounds the time step: "bond", "joint", "spring", "contact", at (x, y) [m].
+struct CriticalElement {
+  double step;  // [s]
+  const char* kind;
+  double x, y;
+};
+
 // The bond with the largest |normal force| of a step, or where there are none the contact; unweighted.
 struct Strongest {
   double force = 0, x = 0, y = 0;  // [N], [m]

@@ -25,7 +25,8 @@ class Engine {
   virtual ~Engine() = default;
 
   virtual Counts counts() const = 0;
-  virtual double critical_step() const = 0;  // proven, without weights [s]
+  virtual CriticalElement critical_element() const = 0;  // its step is proven, without weights
+  double critical_step() const { return critical_element().step; }
 
   // The scene's histories. UserError for one that cannot be told.
   virtual void watch(const scene::Particles& scene) = 0;

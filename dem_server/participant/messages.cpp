@@ -24,6 +24,13 @@ SampledWeights split_weights(const wire::Weights& sent, std::size_t centres, std
   return {{all.data(), centres}, {all.data() + centres, midpoints}, sent.floor()};
 }
 
+void report(const CriticalElement& element, wire::Model& to) {
+  to.set_critical_dt(element.step);
+  to.set_critical_element(element.kind);
+  to.set_critical_x(element.x);
+  to.set_critical_y(element.y);
+}
+
 void report(const WaveSpeeds& speeds, wire::Model& to) {
   to.set_p_wave_speed(speeds.p);
   to.set_s_wave_speed(speeds.s);

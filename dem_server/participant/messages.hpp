@@ -19,6 +19,7 @@ void assign(google::protobuf::RepeatedField<double>& field, std::span<const doub
 // points. RequestError where they do not fit.
 SampledWeights split_weights(const wire::Weights& sent, std::size_t centres, std::size_t midpoints);
 
+void report(const CriticalElement& element, wire::Model& to);
 void report(const WaveSpeeds& speeds, wire::Model& to);
 void report(const Crack& crack, std::uint64_t step, wire::Crack& to);
 void report(const Strongest& strongest, std::uint64_t step, wire::BondForce& to);

@@ -5,6 +5,7 @@
 #include "dem_server/model/reading/read_model.hpp"
 #include "dem_server/model/sample_points.hpp"
 #include "dem_server/model/weigh.hpp"
+#include "dem_server/participant/breakable_bonds.hpp"
 #include "dem_server/participant/messages.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/messages/spans.hpp"
@@ -17,7 +18,7 @@ void DemParticipant::set_up(const wire::Setup& setup, wire::Model& answer) {
   choice_ = choose_engine(scene_.particles().engine(), model_);
   engine_ = make_engine(choice_, model_, threads_);
   spdlog::info("the engine of the particles is {}", choice_.told());
-  answer.set_critical_dt(engine_->critical_step());
+  report(engine_->critical_element(), answer);
   report(wave_speeds(model_), answer);
   answer.set_x_min(model_.extent.x_min);
   answer.set_x_max(model_.extent.x_max);
@@ -44,6 +45,7 @@ void DemParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   engine_->watch(scene_.particles());
   interface.set_particles(engine_->counts().particles);
   interface.set_bonds(engine_->counts().bonds);
+  interface.set_breakable_bonds(breakable_bonds(model_));
 }
 
 void DemParticipant::couple(const wire::Couple& couple, wire::Operator& op) {

@@ -18,9 +18,9 @@
 #include "fdm_server/model/ground.hpp"
 #include "fdm_server/model/initial_stress.hpp"
 #include "fdm_server/model/supports/supports.hpp"
+#include "fdm_server/participant/critical_element.hpp"
 #include "fdm_server/participant/snapshot.hpp"
 #include "fdm_server/solver/deformed_grid.hpp"
-#include "fdm_server/zones/critical_step.hpp"
 #include "fdm_server/zones/zone_set.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/messages/spans.hpp"
@@ -52,14 +52,18 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   setup_.ground.of_zone = materials_of_zones(scene_.continuum(), grid_);
   const Supports supports = resolve_supports(scene_, grid_);
   damping_ = resolve_damping(scene_.continuum());
-  critical_dt_ = critical_step(damping_, std::min(critical_step(setup_.kind, grid_, setup_.ground),
-                                                  supports.structures.critical_step()));
+  const CriticalElement critical =
+      critical_element(setup_.kind, grid_, setup_.ground, supports.structures, damping_);
+  critical_dt_ = critical.step;
   if (!(critical_dt_ > 0) || !std::isfinite(critical_dt_))
     throw protocol::UserError("material",
                               fmt::format("makes a critical time step of {} s; check the units of the "
                                           "stiffness and of the density",
                                           critical_dt_));
   model.set_critical_dt(critical_dt_);
+  model.set_critical_element(critical.name);
+  model.set_critical_x(critical.place[0]);
+  model.set_critical_y(critical.place[1]);
   const WaveSpeeds speeds = wave_speeds(setup_.ground);
   model.set_p_wave_speed(speeds.p);
   model.set_s_wave_speed(speeds.s);
@@ -314,6 +318,7 @@ void FdmParticipant::read_histories(const Step& step, google::protobuf::Repeated
 
 void FdmParticipant::draw(wire::Snapshot& snapshot) {
   fill_snapshot(grid_, *continuum_, weights_, snapshot);
+  add_materials(setup_.ground.of_zone, weights_, *snapshot.mutable_pieces(0));
   if (peaks_) add_peaks(*peaks_, weights_, *snapshot.mutable_pieces(0));
   add_supports(grid_, *continuum_, supports_, peak_forces_, snapshot);
 }

@@ -128,6 +128,15 @@ void fill_snapshot(const Grid& grid, const Continuum& continuum, std::span<const
   }
 }
 
+void add_materials(std::span<const std::uint32_t> of_zone, std::span<const double> weights,
+                   wire::Piece& piece) {
+  std::vector<double> present;
+  const std::size_t zones = static_cast<std::size_t>(piece.connectivity_size()) / 4;
+  for (std::size_t z = 0; present.size() < zones; ++z)
+    if (weights[z] > 0) present.push_back(of_zone[z]);
+  std::ranges::copy(present, new_field(*piece.mutable_cell_fields(), "material", 1, present.size()));
+}
+
 void add_supports(const Grid& grid, const Continuum& continuum, const Supports& supports,
                   const PeakForces& peaks, wire::Snapshot& snapshot) {
   if (!supports.linings.empty()) add_linings(grid, continuum, supports.linings, peaks, snapshot);

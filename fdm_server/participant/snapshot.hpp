@@ -1,6 +1,7 @@
 // The state of the grid and its supports as pieces that a viewer can draw.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "fdm_server/grid/grid.hpp"
@@ -17,6 +18,11 @@ namespace adit::fdm {
 // later), cell fields stress_Pa (xx, yy, xy) and weight.
 void fill_snapshot(const Grid& grid, const Continuum& continuum, std::span<const double> weights,
                    wire::Snapshot& snapshot);
+
+// Adds the number of each zone's material to that piece, as cell field material: 0 is the continuum's own, 1
+// the first of `materials`.
+void add_materials(std::span<const std::uint32_t> of_zone, std::span<const double> weights,
+                   wire::Piece& piece);
 
 // Pieces of lines, where there are any: "linings" with point fields displacement_m, thrust_N, moment_Nm,
 // shear_N and their peaks, and the lining's number as cell field lining; "bolts" with displacement_m and, of

@@ -1,7 +1,6 @@
 #include "fdm_server/structures/structures.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace adit::fdm {
 namespace {
@@ -78,11 +77,16 @@ std::optional<std::uint32_t> Structures::later_point(const std::vector<bool>& ch
   return of_beams ? of_beams : search(bars_, stage_of_bar_);
 }
 
-double Structures::critical_step() const {
+Structures::Critical Structures::critical_element() const {
   // All stages count, because the step of a run stays the same when more is installed.
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const auto& beam : beams_) smallest = std::min(smallest, beam.critical_step());
-  for (const auto& bar : bars_) smallest = std::min(smallest, bar.critical_step());
+  Critical smallest;
+  const auto search = [&smallest](const auto& elements, const char* kind) {
+    for (const auto& element : elements)
+      if (const double step = element.critical_step(); step < smallest.step)
+        smallest = {step, kind, {element.points()[0], element.points()[1]}};
+  };
+  search(beams_, "beam");
+  search(bars_, "bolt");
   return smallest;
 }
 

@@ -12,7 +12,9 @@
 // No energy weights: where an overlap thins the ground, the lining stays whole.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -41,7 +43,14 @@ class Structures {
   void mark_points(std::vector<bool>& touched) const;
   // A chosen point to which something is attached after stage 0, if any.
   std::optional<std::uint32_t> later_point(const std::vector<bool>& chosen) const;
-  double critical_step() const;  // [s], infinite where there is nothing
+  // The beam or bar with the smallest critical step [s], by its points; infinite where there is none.
+  struct Critical {
+    double step = std::numeric_limits<double>::infinity();
+    const char* kind = "";
+    std::array<std::uint32_t, 2> points{};
+  };
+  Critical critical_element() const;
+  double critical_step() const { return critical_element().step; }
 
   // From now on, what the stages up to this one install takes part.
   void install(std::uint32_t stage) { stage_ = stage; }

@@ -66,19 +66,22 @@ std::vector<Stiffness> stiffnesses(std::span<const Corners> shapes, const MakeZo
   return found;
 }
 
-double critical_step_of(const Grid& grid, double density, const MakeZones& make) {
+CriticalZone critical_zone_of(const Grid& grid, double density, const MakeZones& make) {
   constexpr std::size_t kAtOnce = 1024;  // few enough for the cache
   const auto& shapes = lay_out(grid).shapes;
-  double largest = 0;
+  double largest = 0;  // omega^2
+  std::size_t critical = 0;
   for (std::size_t begin = 0; begin < shapes.size(); begin += kAtOnce) {
     const auto some = std::span(shapes).subspan(begin, std::min(kAtOnce, shapes.size() - begin));
     const auto found = stiffnesses(some, make);
     for (std::size_t z = 0; z < some.size(); ++z) {
       const Eigen::SelfAdjointEigenSolver<Stiffness> solver(found[z], Eigen::EigenvaluesOnly);
-      largest = std::max(largest, solver.eigenvalues().maxCoeff() / (density * area(some[z]) / 4));
+      const double squared = solver.eigenvalues().maxCoeff() / (density * area(some[z]) / 4);
+      if (squared > largest) critical = begin + z;
+      largest = std::max(largest, squared);
     }
   }
-  return 2 / std::sqrt(largest);
+  return {2 / std::sqrt(largest), centroid(shapes[critical])};
 }
 
 }  // namespace
@@ -88,18 +91,19 @@ Eigen::Matrix<double, 8, 8> zone_stiffness(ZoneKind kind, const Corners& corners
 }
 
 double critical_step(ZoneKind kind, const Grid& grid, const PlaneLaw& law, double density) {
-  return critical_step_of(grid, density, elastic_zones(kind, law));
+  return critical_zone_of(grid, density, elastic_zones(kind, law)).step;
 }
 
-double critical_step(ZoneKind kind, const Grid& grid, const Ground& ground) {
-  double smallest = HUGE_VAL;
+CriticalZone critical_zone(ZoneKind kind, const Grid& grid, const Ground& ground) {
+  CriticalZone smallest;
   for (std::size_t m = 0; m < ground.materials.size(); ++m) {
     const Grid own = zones_of_material(grid, ground, m);
     if (own.zones.empty()) continue;
     const Material& material = ground.materials[m];
     const MakeZones make = ground.is_elastic(material) ? elastic_zones(kind, ground.plane_law(material))
                                                        : nonlinear_zones(kind, material);
-    smallest = std::min(smallest, critical_step_of(own, material.density, make));
+    const CriticalZone found = critical_zone_of(own, material.density, make);
+    if (found.step < smallest.step) smallest = found;
   }
   return smallest;
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <limits>
 
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/materials/material.hpp"
@@ -20,7 +22,16 @@ Eigen::Matrix<double, 8, 8> zone_stiffness(ZoneKind kind, const Corners& corners
 // neither do prescribed motions, which restrict u.
 double critical_step(ZoneKind kind, const Grid& grid, const PlaneLaw& law, double density);
 
-// The smallest over the ground's materials: their elastic stiffness bounds every law's.
-double critical_step(ZoneKind kind, const Grid& grid, const Ground& ground);
+// The zone with the smallest critical step [s], by its centre [m].
+struct CriticalZone {
+  double step = std::numeric_limits<double>::infinity();
+  std::array<double, 2> centre{};
+};
+
+// That of all the ground's materials: their elastic stiffness bounds every law's.
+CriticalZone critical_zone(ZoneKind kind, const Grid& grid, const Ground& ground);
+inline double critical_step(ZoneKind kind, const Grid& grid, const Ground& ground) {
+  return critical_zone(kind, grid, ground).step;
+}
 
 }  // namespace adit::fdm

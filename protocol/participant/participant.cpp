@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "protocol/errors.hpp"
+#include "protocol/memory.hpp"
 #include "protocol/scene/fields/check_rules.hpp"
 
 namespace adit::protocol {
@@ -45,6 +46,7 @@ void Conversation::answer(const wire::Frame& request, wire::Frame& reply) {
     case wire::Frame::kWeights:
       require(stage_ == Stage::kSetUp, request);
       participant_.weigh(request.weights(), cleared(reply.mutable_interface()));
+      reply.mutable_interface()->set_resident_bytes(resident_bytes());
       stage_ = Stage::kWeighed;
       break;
     case wire::Frame::kCouple:

@@ -179,7 +179,7 @@ std::string document_end(std::string_view type) {
 
 }  // namespace
 
-void write_piece(const std::filesystem::path& path, const wire::Piece& piece) {
+std::string vtk_document(const wire::Piece& piece) {
   // What follows relies on the sizes, so they are checked first.
   const Format& format = format_of(piece);
   check(piece, format);
@@ -196,7 +196,11 @@ void write_piece(const std::filesystem::path& path, const wire::Piece& piece) {
   append_cells(out, piece, format);
   out += "</Piece>\n";
   out += document_end(format.dataset);
-  replace_file(path, out);
+  return out;
+}
+
+void write_piece(const std::filesystem::path& path, const wire::Piece& piece) {
+  replace_file(path, vtk_document(piece));
 }
 
 Collection::Collection(std::filesystem::path folder) : folder_(std::move(folder)) {

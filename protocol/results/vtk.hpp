@@ -13,9 +13,10 @@
 
 namespace adit::results {
 
-// Writes QUADS as an unstructured grid, VERTICES and LINES as poly data. Pieces come from other programs, so
-// they are checked: wrong sizes, points that do not exist and invalid names throw std::runtime_error, which
-// names the piece. Any value may be NaN.
+// The piece as a file: QUADS as an unstructured grid, VERTICES and LINES as poly data. Pieces come from other
+// programs, so they are checked: wrong sizes, points that do not exist and invalid names throw
+// std::runtime_error, which names the piece. Any value may be NaN.
+std::string vtk_document(const wire::Piece& piece);
 void write_piece(const std::filesystem::path& path, const wire::Piece& piece);
 
 // The PVD file of a folder of pieces.

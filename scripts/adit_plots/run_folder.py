@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import yaml
 
+from adit_plots import mesh_groups
 from adit_plots.vtk_files import Piece, read_collection
 
 
@@ -15,24 +16,33 @@ class Unusable(Exception):
     """A file is missing or is not what it should be; the message is one sentence for the user."""
 
 
-class Run:
+class Folder:
+    """What a run and a checked model both leave: the scene and fields."""
+
     def __init__(self, folder):
         self.folder = Path(folder)
-        self.name = self.folder.resolve().name
-        self.summary = _read(self.folder / "summary.json", lambda path: json.loads(path.read_text()))
-        self.histories = _read(self.folder / "histories.csv", _read_columns)
 
     @cached_property
     def scene(self):
         """The scene as it was computed, as mappings and lists in SI units."""
         return _read(self.folder / "scene.yaml", lambda path: yaml.load(path.read_text(), _SceneLoader))
 
-    def snapshots(self):
-        """Yields (time [s], {kind: Piece}) with the pieces of all models joined; nothing if no fields were written."""
+    def files(self):
+        """[(time [s], {piece name: file})] in the order of time; nothing if no fields were written."""
         collection = self.folder / "fields" / "fields.pvd"
-        if not collection.exists():
-            return
-        for time, files in _read(collection, read_collection):
+        return _read(collection, read_collection) if collection.exists() else []
+
+
+class Run(Folder):
+    def __init__(self, folder):
+        super().__init__(folder)
+        self.name = self.folder.resolve().name
+        self.summary = _read(self.folder / "summary.json", lambda path: json.loads(path.read_text()))
+        self.histories = _read(self.folder / "histories.csv", _read_columns)
+
+    def snapshots(self):
+        """Yields (time [s], {kind: Piece}) with the pieces of all models joined."""
+        for time, files in self.files():
             kinds = {}
             for name, path in files.items():  # `grid`, or `lining_grid` of the region `lining`
                 kinds.setdefault(name.rpartition("_")[2], []).append(_read(path, Piece))
@@ -48,6 +58,73 @@ class Run:
         ends = ("particles_begin", "continuum_ends")
         values = [[self.number(f"overlap_{end}_{axis}_m") for axis in "xy"] for end in ends]
         return None if any(v is None for end in values for v in end) else np.array(values)
+
+
+class Checked(Folder):
+    """The undeformed model that `coupler check --out` leaves."""
+
+    @property
+    def name(self):
+        return self.scene.get("name") or self.folder.resolve().name
+
+    def pieces(self):
+        """{name: Piece} as the models wrote them: `grid`, `particles`, or `lining_grid` of the region `lining`."""
+        files = self.files()
+        if not files:
+            raise Unusable(f"{self.folder} holds no fields: write them by coupler check SCENE --out {self.folder}.")
+        return {name: _read(path, Piece) for name, path in files[0][1].items()}
+
+    def members(self):
+        """The models of the scene, grids and particles."""
+        found = [Member("", kind, self.scene[kind], self.scene) for kind in ("continuum", "particles") if kind in self.scene]
+        for region in self.scene.get("regions", []):
+            kind = "continuum" if "continuum" in region else "particles"
+            found.append(Member(region["name"], kind, region[kind], self.scene, len(found)))
+        return found
+
+
+class Member:
+    """One model of a scene: its name (empty unless it is a region), its kind, its part of the scene."""
+
+    def __init__(self, name, kind, model, scene, first_colour=0):
+        self.model, self.first_colour = model, first_colour
+        self.name = name
+        self.piece = "_".join(filter(None, (name, "grid" if kind == "continuum" else kind)))  # that it is drawn by
+        self.is_grid = kind == "continuum"
+        self.own_material = model.get("material", scene.get("material", {}))
+
+    @cached_property
+    def mesh_groups(self):
+        """The groups of its mesh (mesh_groups.py); none without a mesh."""
+        path = self.model.get("mesh", {}).get("path")
+        return _read(Path(path), mesh_groups.read) if path else {}
+
+    def material(self, number):
+        """What the material of this number is called in a legend."""
+        if number == 0:
+            return _called(self.name, self.own_material)
+        area = self.model["materials"][number - 1]
+        return _called(area.get("where", {}).get("group", ""), area["material"])
+
+    def group(self, number):
+        """What the group of particles of this number is called in a legend."""
+        if number == 0:
+            return _called(self.name, self.own_material)
+        group = self.model["groups"][number - 1]
+        return _called(group["name"], group.get("material", self.own_material))
+
+
+LAWS = {"mohr_coulomb": "Mohr-Coulomb", "hysteretic": "hysteretic", "weak_plane": "weak plane"}
+
+
+def _called(name, material):
+    young = material.get("young_modulus")
+    words = [name] if name else []
+    if young:
+        unit, size = ("GPa", 1e9) if young >= 1e9 else ("MPa", 1e6)
+        words.append(f"E = {young / size:.4g} {unit}")
+    words += [called for law, called in LAWS.items() if law in material]
+    return ", ".join(words)
 
 
 class _SceneLoader(yaml.SafeLoader):

@@ -54,6 +54,48 @@ def model_sheet(bounds, title, width=9.0, right=0.2):
     return figure, axes, add_legend
 
 
+def sheet_with_legend_beside(bounds, title, width=7.5):
+    """A figure with its legend on the right, as large as both need: (figure, axes of equal aspect, legend function)."""
+    left, below, above, gap = 0.65, 0.5, 0.4, 0.2  # inches
+    x_min, x_max, y_min, y_max = bounds
+    tall = (y_max - y_min) / (x_max - x_min)
+    axes_width = min(width, 7.0 / tall)
+    axes_height = axes_width * tall
+    figure = plt.figure()
+    axes = figure.add_axes((0, 0, 1, 1))
+    axes.set(xlim=(x_min, x_max), ylim=(y_min, y_max), xlabel="x [m]", ylabel="y [m]")
+    axes.locator_params(axis="y", nbins=max(3, int(2.5 * axes_height)), min_n_ticks=2)
+    axes.set_title(title, loc="left")
+
+    def place(beside, height):
+        whole = left + axes_width + beside, max(height, above + axes_height + below)
+        figure.set_size_inches(whole)
+        axes.set_position((left / whole[0], 1 - (above + axes_height) / whole[1], axes_width / whole[0], axes_height / whole[1]))
+        return (left + axes_width + gap) / whole[0], 1 - above / whole[1]  # the upper left corner of the legend
+
+    def add_legend(handles):
+        legend = figure.legend(handles=handles, loc="upper left", borderaxespad=0, handlelength=2.2)
+        figure.canvas.draw()
+        size = legend.get_window_extent().size / figure.dpi
+        legend.set_bbox_to_anchor(place(size[0] + 2 * gap, size[1] + above + gap))
+
+    place(3.0, 0)
+    return figure, axes, add_legend
+
+
+def shown(axes, points):
+    """Whether each point lies in the picture."""
+    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    x, y = points[..., 0], points[..., 1]
+    return (x >= left) & (x <= right) & (y >= low) & (y <= high)
+
+
+def length_in_points(axes, lengths):
+    """Median of lengths along x, in the picture."""
+    scale = axes.transData.transform([(0, 0), (1, 0)])
+    return float(np.median(lengths)) * (scale[1, 0] - scale[0, 0]) * 72 / axes.figure.dpi
+
+
 def save(figure, path):
     path.parent.mkdir(parents=True, exist_ok=True)
     figure.savefig(path)

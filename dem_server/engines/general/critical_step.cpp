@@ -13,6 +13,7 @@ namespace adit::dem {
 namespace {
 
 struct Element {
+  const char* kind;
   std::uint32_t first, second;
   double kn, ks, km, arm_1, arm_2;
   double k() const { return std::max(kn, ks); }
@@ -30,7 +31,8 @@ Element element_of(const Model& model, const Bond& bond) {
   const double length = std::hypot(model.discs.x[j] - model.discs.x[i], model.discs.y[j] - model.discs.y[i]);
   const double arm_1 = (length + model.discs.radius[i] - model.discs.radius[j]) / 2;
   const BondSprings springs = stiffest_springs(model, bond);
-  return {i, j, springs.kn, springs.ks, springs.km, arm_1, length - arm_1};
+  const char* kind = bond.law == Bond::Law::kSmoothJoint ? "joint" : "bond";
+  return {kind, i, j, springs.kn, springs.ks, springs.km, arm_1, length - arm_1};
 }
 
 std::uint32_t most_neighbours(double radius, double smallest) {
@@ -52,9 +54,20 @@ double highest(const Element& e, const Share& share) {
   return std::max(e.kn * by_mass, (slip + turn) / 2 + std::hypot((slip - turn) / 2, cross));
 }
 
+// The largest omega^2 so far, and of which element between which discs.
+struct Stiffest {
+  double squared = 0;
+  const char* kind = "";
+  std::uint32_t first = 0, second = 0;
+
+  void see(double other, const char* its_kind, std::uint32_t one, std::uint32_t another) {
+    if (other > squared) *this = {other, its_kind, one, another};
+  }
+};
+
 }  // namespace
 
-double critical_step(const Model& model) {
+CriticalElement critical_element(const Model& model) {
   const std::size_t size = model.discs.size();
   std::vector<Element> elements;
   std::vector<std::uint32_t> joined(size, 0);
@@ -64,7 +77,7 @@ double critical_step(const Model& model) {
     ++joined[bond.second];
   }
   for (const Spring& spring : model.springs)
-    elements.push_back({spring.first, spring.second, spring.stiffness, 0, 0, 0, 0});
+    elements.push_back({"spring", spring.first, spring.second, spring.stiffness, 0, 0, 0, 0});
 
   Share share{std::vector<double>(size, 0.0), std::vector<double>(size, 0.0)};
   for (const Element& e : elements) {
@@ -80,8 +93,7 @@ double critical_step(const Model& model) {
   }
   const double walls = std::min<double>(2, static_cast<double>(model.walls.size()));
   const double smallest = *std::ranges::min_element(model.discs.radius);
-  double largest = 0;                    // omega^2
-  double one_stretch = 0, one_slip = 0;  // a disc's part of that of a contact
+  Stiffest stiffest, one_contact;  // `one_contact`: a disc's part of that of a contact
   for (std::uint32_t i = 0; i < size; ++i) {
     double kn = 0, ks = 0;
     for (std::uint32_t g = 0; g < model.groups(); ++g) {
@@ -98,14 +110,19 @@ double critical_step(const Model& model) {
     share.turn[i] /= model.inertia(i);
     if (free + walls == 0) continue;
     const double slip = share.stretch[i] + share.turn[i];
-    largest = std::max(largest, slip);  // on a wall
+    stiffest.see(slip, "contact", i, i);  // on a wall
     if (free == 0) continue;
-    one_stretch = std::max(one_stretch, share.stretch[i]);
-    one_slip = std::max(one_slip, ks == 0 ? 0 : share.stretch[i] * std::min(1.0, ks / kn) + share.turn[i]);
+    one_contact.see(share.stretch[i], "contact", i, i);
+    if (ks > 0) one_contact.see(share.stretch[i] * std::min(1.0, ks / kn) + share.turn[i], "contact", i, i);
   }
-  largest = std::max({largest, 2 * one_stretch, 2 * one_slip});
-  for (const Element& e : elements) largest = std::max(largest, highest(e, share));
-  return largest > 0 ? 2 / std::sqrt(largest) : std::numeric_limits<double>::infinity();
+  stiffest.see(2 * one_contact.squared, "contact", one_contact.first, one_contact.second);
+  for (const Element& e : elements) stiffest.see(highest(e, share), e.kind, e.first, e.second);
+  const auto middle = [&stiffest](const std::vector<double>& at) {
+    return (at[stiffest.first] + at[stiffest.second]) / 2;
+  };
+  const double step =
+      stiffest.squared > 0 ? 2 / std::sqrt(stiffest.squared) : std::numeric_limits<double>::infinity();
+  return {step, stiffest.kind, middle(model.discs.x), middle(model.discs.y)};
 }
 
 }  // namespace adit::dem

@@ -10,11 +10,16 @@
 // is not joined to are counted as contacts of the stiffest kind, and so are two walls.
 #pragma once
 
+#include "dem_server/engines/answers.hpp"
 #include "dem_server/model/model.hpp"
 
 namespace adit::dem {
 
-// The critical step [s] of a model with at least one disc; infinite where nothing has a stiffness.
-double critical_step(const Model& model);
+// The element with the smallest critical step, of a model with at least one disc; infinite where nothing has
+// a stiffness. A contact stands where its disc does.
+CriticalElement critical_element(const Model& model);
+inline double critical_step(const Model& model) {
+  return critical_element(model).step;
+}
 
 }  // namespace adit::dem

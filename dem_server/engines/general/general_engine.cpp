@@ -35,8 +35,8 @@ GeneralEngine::GeneralEngine(std::size_t threads, Model model)
       motions_(model_, solver_.particles()),
       lists_(solver_.neighbours().lists()) {}
 
-double GeneralEngine::critical_step() const {
-  return dem::critical_step(model_);
+CriticalElement GeneralEngine::critical_element() const {
+  return dem::critical_element(model_);
 }
 
 void GeneralEngine::tie(std::span<const double> places, wire::Operator& op) {

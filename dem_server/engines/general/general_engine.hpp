@@ -29,7 +29,7 @@ class GeneralEngine final : public LocalEngine {
   std::vector<WallForce> walls() const override;
 
   Counts counts() const override { return {solver_.particles().size(), model_.bonds.size()}; }
-  double critical_step() const override;
+  CriticalElement critical_element() const override;
   void tie(std::span<const double> places, wire::Operator& op) override;
   void correct(std::span<const double> impulses) override { push(impulses, motions_); }
   void step_interface(const protocol::Step& step) override;

@@ -10,12 +10,13 @@
 // own. Nor does breaking, which takes stiffness away and leaves the mass.
 #pragma once
 
+#include "dem_server/engines/answers.hpp"
 #include "dem_server/engines/lattice/assembly.hpp"
 #include "dem_server/model/calibration.hpp"
 
 namespace adit::dem {
 
-// The critical step of an assembly with at least one bond [s].
-double critical_step(const Assembly& assembly, const BondStiffness& stiffness);
+// The bond with the smallest critical step, of an assembly with at least one.
+CriticalElement critical_element(const Assembly& assembly, const BondStiffness& stiffness);
 
 }  // namespace adit::dem

@@ -40,8 +40,8 @@ LatticeEngine::LatticeEngine(const Model& model, std::size_t threads)
   plan();
 }
 
-double LatticeEngine::critical_step() const {
-  return dem::critical_step(assembly_, law_.stiffness);
+CriticalElement LatticeEngine::critical_element() const {
+  return dem::critical_element(assembly_, law_.stiffness);
 }
 
 void LatticeEngine::tie(std::span<const double> places, wire::Operator& op) {

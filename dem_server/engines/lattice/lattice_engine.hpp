@@ -27,7 +27,7 @@ class LatticeEngine final : public LocalEngine {
   void for_each_contact(const SeePair& see) const override;
 
   Counts counts() const override { return {assembly_.particles.size(), assembly_.bonds.size()}; }
-  double critical_step() const override;
+  CriticalElement critical_element() const override;
   void tie(std::span<const double> places, wire::Operator& op) override;
   void correct(std::span<const double> impulses) override { push(impulses, interface_.motions); }
   void step_interface(const protocol::Step& step) override;

@@ -1,0 +1,53 @@
+#include "coupler/check/check.hpp"
+
+#include <chrono>
+
+#include "coupler/check/counts.hpp"
+#include "coupler/check/expectations.hpp"
+#include "coupler/check/pace.hpp"
+#include "coupler/check/volume.hpp"
+#include "coupler/check/warnings.hpp"
+#include "coupler/output/motion_outputs.hpp"
+#include "coupler/output/recorder.hpp"
+#include "coupler/output/schedule.hpp"
+#include "coupler/participants/set_up.hpp"
+#include "coupler/stepping/stepper.hpp"
+#include "protocol/errors.hpp"
+#include "protocol/results/atomic_file.hpp"
+#include "protocol/results/run_directory.hpp"
+
+namespace adit::coupler {
+namespace {
+
+void write_undeformed(Model& model, const std::string& scene_yaml, const std::filesystem::path& directory) {
+  results::clear_results(directory);
+  results::replace_file(directory / "scene.yaml", scene_yaml);
+  results::Collection fields(directory / "fields");
+  write_fields(model, 0, take_snapshots(model.participants), fields);
+}
+
+}  // namespace
+
+void check(const scene::Scene& scene, std::vector<Participant> participants, const std::string& scene_yaml,
+           const std::filesystem::path& directory) {
+  const auto start = std::chrono::steady_clock::now();
+  if (std::filesystem::exists(directory / "summary.json"))
+    throw protocol::UserError(
+        "", "the directory " + directory.string() + " holds the results of a run; give another one by --out");
+  Model model = set_up(scene, std::move(participants), "check/" + scene.name());
+  const Schedule schedule(model);
+  const MotionOutputs motions(model, schedule.interval());  // refuses what the run would refuse
+  const std::chrono::duration<double> set_up_time = std::chrono::steady_clock::now() - start;
+  if (!directory.empty()) write_undeformed(model, scene_yaml, directory);
+  print_counts(model);
+  Stepper stepper(model);
+  Pace pace = measure_pace(model, schedule, stepper);
+  pace.set_up = set_up_time.count();
+  Volume volume;
+  if (pace.stable()) volume = measure_volume(model, schedule, stepper.snapshots());
+  print_expectations(model, schedule, pace, volume);
+  print_notes_and_warnings(model, pace);
+  if (pace.stable()) finish(model.participants);
+}
+
+}  // namespace adit::coupler

@@ -1,0 +1,51 @@
+#include "coupler/check/pace.hpp"
+
+#include <chrono>
+#include <functional>
+
+#include "protocol/errors.hpp"
+
+namespace adit::coupler {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kSeconds = 1;    // for the whole calibration
+constexpr double kWarmUp = 0.25;  // share of it that is not counted: memory is touched for the first time
+
+double since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Mean seconds of the steps 0, 1, 2 … up to `last` that fit into the time; at least one is done.
+double seconds_a_step(double seconds, std::uint64_t last, const std::function<void(std::uint64_t)>& step) {
+  std::uint64_t n = 0;
+  const auto step_for = [&](double limit) {
+    const auto start = Clock::now();
+    const std::uint64_t first = n;
+    do step(n++);
+    while (n <= last && since(start) < limit);
+    return since(start) / static_cast<double>(n - first);
+  };
+  const double cold = step_for(kWarmUp * seconds);
+  return n <= last ? step_for((1 - kWarmUp) * seconds) : cold;
+}
+
+}  // namespace
+
+Pace measure_pace(const Model& model, const Schedule& schedule, Stepper& stepper) {
+  Pace pace;
+  const bool relaxes = model.scene.has_statics();
+  try {
+    if (relaxes)
+      pace.relaxing = seconds_a_step(kSeconds / 2, model.scene.statics().max_steps(),
+                                     [&](std::uint64_t n) { stepper.relax(n, false, 0); });
+    pace.step = seconds_a_step(relaxes ? kSeconds / 2 : kSeconds, model.steps,
+                               [&](std::uint64_t n) { stepper.step(n, schedule.wanted(n)); });
+  } catch (const protocol::Unstable& error) {
+    pace.unstable = error.what();
+  }
+  return pace;
+}
+
+}  // namespace adit::coupler

@@ -1,0 +1,63 @@
+#include "coupler/check/warnings.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+
+#include "coupler/check/text.hpp"
+
+namespace adit::coupler {
+namespace {
+
+// A bond that breaks leaves a contact and an impulse, and the bound on the time step counts neither friction
+// nor the speed of what flies apart: half of the critical step has proved enough.
+constexpr double kSafeShareForCracks = 0.5;
+
+// Weight that acts from the beginning and for ever.
+bool has_gravity(const scene::Scene& part) {
+  const auto constant = [](const scene::BodyLoad& load) {
+    return !load.has_time() && (load.acceleration().x() != 0 || load.acceleration().y() != 0);
+  };
+  return std::ranges::any_of(part.continuum().body_loads(), constant) ||
+         std::ranges::any_of(part.particles().body_loads(), constant);
+}
+
+void warn_of_cracks(const Model& model) {
+  const double step = model.dt / model.substeps;
+  for (const Participant& participant : model.participants) {
+    const double share = step / participant.model.critical_dt();
+    if (participant.counts.breakable_bonds() == 0 || share <= kSafeShareForCracks * (1 + 1e-9)) continue;
+    print_line("warning",
+               fmt::format("{} has {} bonds that can break, and the time step is {:.2g} of its critical "
+                           "one; a time.dt_factor of at most {:g} is safe when they do",
+                           participant.member.name, grouped(participant.counts.breakable_bonds()), share,
+                           kSafeShareForCracks));
+  }
+}
+
+void warn_of_absent_statics(const Model& model) {
+  if (model.scene.has_statics()) return;
+  if (model.scene.has_initial_stress())
+    print_line(
+        "warning",
+        "initial_stress is given without `statics`: what the stress does not balance moves when time begins");
+  for (const Participant& participant : model.participants)
+    if (has_gravity(part_of(model.scene, participant.member)))
+      print_line("warning",
+                 fmt::format("gravity acts on the {} without `statics`: it is not at rest when time begins",
+                             participant.member.name));
+}
+
+}  // namespace
+
+void print_notes_and_warnings(const Model& model, const Pace& pace) {
+  for (const Participant& participant : model.participants)
+    for (const std::string& note : participant.model.notes())
+      print_line("note", participant.member.name + ": " + note);
+  warn_of_cracks(model);
+  warn_of_absent_statics(model);
+  if (!pace.stable())
+    print_line("warning", "the first steps, without the statics before them, failed: " + pace.unstable);
+}
+
+}  // namespace adit::coupler

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "fdm_server/grid/grid.hpp"
+#include "fdm_server/materials/material.hpp"
+#include "fdm_server/solver/damping.hpp"
+#include "fdm_server/structures/structures.hpp"
+#include "fdm_server/zones/kernel/zone_kernel.hpp"
+
+namespace adit::fdm {
+
+// What governs the critical time step: its name, such as "zone", "beam" or "zone with Rayleigh damping", and
+// its middle [m].
+struct CriticalElement {
+  double step;  // [s]
+  std::string name;
+  std::array<double, 2> place;
+};
+
+CriticalElement critical_element(ZoneKind kind, const Grid& grid, const Ground& ground,
+                                 const Structures& structures, const DampingLaw& damping);
+
+}  // namespace adit::fdm

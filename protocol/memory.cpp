@@ -1,0 +1,15 @@
+#include "protocol/memory.hpp"
+
+#include <unistd.h>
+
+#include <fstream>
+
+namespace adit::protocol {
+
+std::uint64_t resident_bytes() {
+  std::ifstream file("/proc/self/statm");
+  std::uint64_t total = 0, resident = 0;  // pages
+  return file >> total >> resident ? resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) : 0;
+}
+
+}  // namespace adit::protocol

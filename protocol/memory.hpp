@@ -1,0 +1,10 @@
+#pragma once
+
+#include <cstdint>
+
+namespace adit::protocol {
+
+// Bytes of memory that this process holds now; 0 where the system does not tell.
+std::uint64_t resident_bytes();
+
+}  // namespace adit::protocol
