@@ -44,13 +44,12 @@ time: {{duration: 20 ms}}
 particles:
   packing: {{x_min: 0 m, x_max: 4 m, y_min: 0 m, y_max: 2 m, radius: 5 cm}}
   bonds: {{tensile_strength: 5 kN, shear_strength: 5 kN}}
-  contacts: {{friction: 0.5, normal_stiffness: 1 MN/m, shear_stiffness: 1 MN/m}}
+  contacts: {{friction: 0.5}}
   groups:
     - name: core
       where: {{x_min: 3 m, y_max: 1 m}}
       material: {{young_modulus: 10 GPa, poisson_ratio: 0.2, density: 2500 kg/m^3}}
       bonds: {{}}
-      contacts: {{normal_stiffness: 1 MN/m, shear_stiffness: 1 MN/m}}
   springs: [{{from: {{x: 1 m, y: 0.5 m}}, to: {{x: 2 m, y: 0.5 m}}, stiffness: 1 MN/m}}]
   histories: [{{name: end, quantity: velocity_x, at: {{x: 3.9 m, y: 1 m}}}}]
 """
@@ -141,7 +140,7 @@ class Check(ProgramTest):
         ground = self.check(self.scene(GROUND, "ground.yaml"))
         self.assertEqual([ground.count("continuum", column) for column in ("linings", "bolts", "stages")], [1, 1, 2])
         particles = self.check(self.scene(PARTICLES, "particles.yaml"))
-        self.assertEqual((particles.rows["particles"]["contacts"], particles.count("particles", "springs")), ("2 laws", 1))
+        self.assertEqual((particles.rows["particles"]["contacts"], particles.count("particles", "springs")), ("friction 0.5", 1))
         self.assertIn("particles: general: ", particles.line("engine"))
         for report, model in ((ground, "continuum"), (particles, "particles")):
             size, unit = re.match(rf"(\S+) (MB|GB) for the {model}", report.line("memory")).groups()
@@ -158,12 +157,13 @@ class Check(ProgramTest):
         damped = self.scene(GROUND + rayleigh, "damped.yaml")
         self.assertEqual(self.critical(self.check(damped))[1], "zone with Rayleigh damping")
         model, element, x, y = self.critical(self.check(self.scene(PARTICLES, "particles.yaml")))
-        self.assertEqual((model, element), ("particles", "bond"))
+        self.assertEqual((model, element), ("particles", "contact"))  # of a particle of the core, should one form
         self.assertTrue(x >= 2.9 and y <= 1.1, (x, y))
         spring = self.scene(PARTICLES.replace("stiffness: 1 MN/m}]", "stiffness: 1 TN/m}]"), "spring.yaml")
         model, element, x, y = self.critical(self.check(spring))
         self.assertEqual((model, element), ("particles", "spring"))
         self.assertTrue(abs(x - 1.5) <= 0.1 and abs(y - 0.5) <= 0.1, (x, y))
+        self.assertEqual(self.critical(self.check(CASE / "coupled.yaml", *SHORT))[:2], ("particles", "bond"))
 
     def test_warnings_say_what_is_likely_to_go_wrong(self):
         self.assertEqual(self.check(self.scene(GROUND, "ground.yaml")).warnings(), [])
