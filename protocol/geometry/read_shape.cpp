@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "protocol/errors.hpp"
 #include "protocol/geometry/polygon.hpp"
 
@@ -38,6 +40,21 @@ BoundingBox read_bounds(const scene::Box& box) {
 
 std::shared_ptr<const Shape> read_circle(const scene::Circle& circle) {
   return disc(circle.centre().x(), circle.centre().y(), circle.radius());
+}
+
+std::shared_ptr<const Shape> read_annulus(const scene::Annulus& given) {
+  return annulus(given.centre().x(), given.centre().y(), given.inner_radius(), given.outer_radius());
+}
+
+std::shared_ptr<const Shape> read_band(const scene::Band& band, const std::string& path) {
+  const double dx = band.to().x() - band.from().x(), dy = band.to().y() - band.from().y();
+  const double length = std::hypot(dx, dy);
+  if (!(length > 0)) throw UserError(path + ".to", "is the same place as `from`; give a band two ends");
+  const double nx = -dy / length * band.width() / 2, ny = dx / length * band.width() / 2;
+  return polygon({{{band.from().x() - nx, band.from().y() - ny},
+                   {band.to().x() - nx, band.to().y() - ny},
+                   {band.to().x() + nx, band.to().y() + ny},
+                   {band.from().x() + nx, band.from().y() + ny}}});
 }
 
 std::shared_ptr<const Shape> read_polygon(const scene::Polygon& given, const std::string& path) {

@@ -10,6 +10,8 @@ namespace adit::protocol {
 Places::Places(const scene::Area& area, const std::string& path, double tolerance)
     : area_(area), tolerance_(tolerance) {
   if (area.has_circle()) shapes_.push_back(geometry::read_circle(area.circle()));
+  if (area.has_annulus()) shapes_.push_back(geometry::read_annulus(area.annulus()));
+  if (area.has_band()) shapes_.push_back(geometry::read_band(area.band(), path + ".band"));
   if (area.has_polygon()) shapes_.push_back(geometry::read_polygon(area.polygon(), path + ".polygon"));
 }
 

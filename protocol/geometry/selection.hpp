@@ -15,7 +15,8 @@ namespace adit::protocol {
 // The places of an area; a group that it also names is left to the caller.
 class Places {
  public:
-  // `tolerance` [m] widens every boundary. Throws UserError below `path` if a polygon encloses no area.
+  // `tolerance` [m] widens every boundary. Throws UserError below `path` if a polygon encloses no area or a
+  // band has no length.
   Places(const scene::Area& area, const std::string& path, double tolerance);
 
   // Whether (x, y) lies inside or on the boundary of every shape of the area.

@@ -67,6 +67,31 @@ class Disc : public Shape {
   double radius_;
 };
 
+class Annulus : public Shape {
+ public:
+  Annulus(double x, double y, double inner_radius, double outer_radius)
+      : hole_(x, y, inner_radius), whole_(x, y, outer_radius) {}
+
+  double distance(double x, double y) const override {
+    return std::max(whole_.distance(x, y), -hole_.distance(x, y));
+  }
+
+  // A box that lies wholly in the hole is nearest with the corner farthest from the centre.
+  double distance(const BoundingBox& box) const override {
+    if (!hole_.covers(box)) return whole_.distance(box);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Point& c : corners(box)) nearest = std::min(nearest, -hole_.distance(c.x, c.y));
+    return nearest;
+  }
+
+  bool covers(const BoundingBox& box) const override { return whole_.covers(box) && hole_.distance(box) > 0; }
+
+  BoundingBox box_around(double width) const override { return whole_.box_around(width); }
+
+ private:
+  Disc hole_, whole_;
+};
+
 }  // namespace
 
 std::array<Point, 4> corners(const BoundingBox& box) {
@@ -85,6 +110,10 @@ std::shared_ptr<const Shape> half_plane(double x, double y, double normal_x, dou
 
 std::shared_ptr<const Shape> disc(double x, double y, double radius) {
   return std::make_shared<Disc>(x, y, radius);
+}
+
+std::shared_ptr<const Shape> annulus(double x, double y, double inner_radius, double outer_radius) {
+  return std::make_shared<Annulus>(x, y, inner_radius, outer_radius);
 }
 
 }  // namespace adit::geometry

@@ -33,4 +33,7 @@ std::shared_ptr<const Shape> half_plane(double x, double y, double normal_x, dou
 
 std::shared_ptr<const Shape> disc(double x, double y, double radius);
 
+// What lies between two circles around (x, y).
+std::shared_ptr<const Shape> annulus(double x, double y, double inner_radius, double outer_radius);
+
 }  // namespace adit::geometry

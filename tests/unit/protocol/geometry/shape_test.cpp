@@ -36,6 +36,20 @@ TEST(Shape, DistanceToACircle) {
   EXPECT_DOUBLE_EQ(shape->distance(1, 4), -1);
 }
 
+// Requirement: an annulus answers as the plane between its circles does.
+TEST(Shape, AnAnnulusHasAHole) {
+  const auto shape = annulus(1, 2, 3, 5);
+  EXPECT_DOUBLE_EQ(shape->distance(1, 2), 3);
+  EXPECT_DOUBLE_EQ(shape->distance(1, 8), 1);
+  EXPECT_DOUBLE_EQ(shape->distance(5, 2), -1);
+  EXPECT_DOUBLE_EQ(shape->distance({0, 2, 1, 3}), 3 - std::sqrt(2));  // a box in the hole
+  EXPECT_DOUBLE_EQ(shape->distance({0, 5, 1, 3}), 0);
+  EXPECT_DOUBLE_EQ(shape->distance({8, 9, 1, 3}), 2);
+  EXPECT_TRUE(shape->covers({4.5, 5, 1.5, 2.5}));
+  EXPECT_FALSE(shape->covers({-2, 4, -1, 5}));  // its corners lie between the circles, its middle in the hole
+  EXPECT_EQ(shape->box_around(1).x_max, 7);
+}
+
 // Requirement: a hole is outside, and the order of the corners does not matter.
 TEST(Shape, AHoleIsOutside) {
   const std::string outer =
