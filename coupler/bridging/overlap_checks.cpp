@@ -3,46 +3,43 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <functional>
 #include <vector>
 
+#include "coupler/bridging/presence.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::coupler {
 namespace {
 
 using protocol::UserError;
+using Condition = std::function<bool(double, double)>;
 
-constexpr double kTolerance = 0.15;
+constexpr double kSlack = 0.15;  // of the overlap's width
 
 std::string reach(const BoundingBox& box) {
   return fmt::format("reaches from ({:g}, {:g}) to ({:g}, {:g}) m", box.x_min, box.y_min, box.x_max,
                      box.y_max);
 }
 
-BoundingBox grown(const BoundingBox& box, double by_x, double by_y) {
-  return {box.x_min - by_x, box.x_max + by_x, box.y_min - by_y, box.y_max + by_y};
+std::vector<double> those(std::span<const double> samples, const Condition& wanted) {
+  std::vector<double> chosen;
+  for (std::size_t i = 0; i + 1 < samples.size(); i += 2)
+    if (wanted(samples[i], samples[i + 1])) chosen.insert(chosen.end(), {samples[i], samples[i + 1]});
+  return chosen;
 }
 
-// The parts of `box` that lie beyond each side of `other`.
-std::vector<BoundingBox> outside(const BoundingBox& box, const BoundingBox& other) {
-  std::vector<BoundingBox> parts;
-  if (box.x_min < other.x_min)
-    parts.push_back({box.x_min, std::min(box.x_max, other.x_min), box.y_min, box.y_max});
-  if (box.x_max > other.x_max)
-    parts.push_back({std::max(box.x_min, other.x_max), box.x_max, box.y_min, box.y_max});
-  if (box.y_min < other.y_min)
-    parts.push_back({box.x_min, box.x_max, box.y_min, std::min(box.y_max, other.y_min)});
-  if (box.y_max > other.y_max)
-    parts.push_back({box.x_min, box.x_max, std::max(box.y_min, other.y_max), box.y_max});
-  return parts;
-}
+struct Gap {
+  double x = 0, y = 0, distance = 0;  // [m]
+};
 
-bool meets_core_or_overlap(const Overlap& overlap, const BoundingBox& box) {
-  return overlap.core().distance(box) < overlap.width();
-}
-
-bool meets_overlap(const Overlap& overlap, const BoundingBox& box) {
-  return meets_core_or_overlap(overlap, box) && !overlap.core().covers(box);
+// The one of the places that lies farthest from where the model is.
+Gap widest_gap(std::span<const double> places, const Presence& model, double slack) {
+  Gap widest;
+  for (std::size_t i = 0; i + 1 < places.size(); i += 2)
+    if (const double gap = model.gap(places[i], places[i + 1], slack); gap > widest.distance)
+      widest = {places[i], places[i + 1], gap};
+  return widest;
 }
 
 // The two edges are parallel lines. Both run through the box if one of its corners lies before both of them
@@ -63,52 +60,66 @@ void require_edges_inside(const Overlap& overlap, const std::string& model, cons
   if (lowest > kTouching) refuse("continuum_ends", given.continuum_ends());
 }
 
-// Where only one of the two models exists, the weight of the other would be missing.
-void require_equal_cross_sections(const Overlap& overlap, const BoundingBox& outer,
-                                  const BoundingBox& inner) {
-  const double slack_x = kTolerance * std::max(outer.x_max - outer.x_min, inner.x_max - inner.x_min);
-  const double slack_y = kTolerance * std::max(outer.y_max - outer.y_min, inner.y_max - inner.y_min);
-  const auto fills = [&](const BoundingBox& model, const BoundingBox& other) {
-    return std::ranges::none_of(outside(other, grown(model, slack_x, slack_y)),
-                                [&](const BoundingBox& part) { return meets_overlap(overlap, part); });
-  };
-  if (!fills(inner, outer) || !fills(outer, inner))
-    throw UserError(
-        overlap.path() + ".overlap",
-        fmt::format("joins `{}`, which {}, with `{}`, which {}; both must fill the overlap's "
-                    "cross-section",
-                    overlap.interface().outer(), reach(outer), overlap.interface().inner(), reach(inner)));
+[[noreturn]] void refuse_gap(const Overlap& overlap, const Gap& gap, const std::string& absent,
+                             const std::string& present) {
+  const std::string remedy = overlap.is_ring()
+                                 ? "let it reach over the ring and what that lies around, or let both end "
+                                   "together"
+                                 : "both must fill the overlap's cross-section";
+  throw UserError(
+      overlap.path() + ".overlap",
+      fmt::format("is not filled by `{}` at ({:g}, {:g}) m, where `{}` is: its nearest place is {:.3g} m "
+                  "away; {}",
+                  absent, gap.x, gap.y, present, gap.distance, remedy));
 }
 
-// The outer model must surround the ring, or end with the inner one where the ring reaches beyond it. Within
-// the ring the inner model must exist wherever the outer one does.
-void require_ring_filled(const Overlap& overlap, const BoundingBox& outer, const BoundingBox& inner) {
-  const auto refuse = [&](const std::string& what) { throw UserError(overlap.path() + ".overlap", what); };
+void require_filled(const Overlap& overlap, std::span<const double> outer, std::span<const double> inner) {
   const std::string &outer_name = overlap.interface().outer(), &inner_name = overlap.interface().inner();
-  const double slack = kTolerance * overlap.width();
-  if (!meets_core_or_overlap(overlap, outer))
-    refuse(fmt::format("lies outside `{}`, which {}; move it inside", outer_name, reach(outer)));
-  if (overlap.core().covers(outer))
-    refuse(fmt::format("leaves nothing of `{}`, which {}; give a smaller shape", outer_name, reach(outer)));
-  for (const BoundingBox& part : outside(outer, grown(inner, slack, slack)))
-    if (meets_core_or_overlap(overlap, part))
-      refuse(
-          fmt::format("is not filled by `{}`, which {}; let it reach over the ring and what that lies "
-                      "around, wherever `{}` is",
-                      inner_name, reach(inner), outer_name));
-  for (const BoundingBox& part : outside(inner, grown(outer, slack, slack)))
-    if (meets_overlap(overlap, part))
-      refuse(fmt::format("is not filled by `{}`, which {}, where `{}` reaches further; let both end together",
-                         outer_name, reach(outer), inner_name));
+  const double slack = kSlack * overlap.width();
+  const Condition within = [&](double x, double y) { return overlap.contains(x, y); };
+  const Presence inner_model(inner), outer_model(outer);
+  if (const Gap gap = widest_gap(those(outer, within), inner_model, slack); gap.distance > 0)
+    refuse_gap(overlap, gap, inner_name, outer_name);
+  if (const Gap gap = widest_gap(those(inner, within), outer_model, slack); gap.distance > 0)
+    refuse_gap(overlap, gap, outer_name, inner_name);
+  if (!overlap.is_ring()) return;
+  const Condition lost = [&](double x, double y) {
+    return overlap.core().distance(x, y) < 0 && !inner_model.surrounds(x, y);
+  };
+  if (const Gap gap = widest_gap(those(outer, lost), inner_model, slack); gap.distance > 0)
+    refuse_gap(overlap, gap, inner_name, outer_name);
+}
+
+void require_ring_meets(const Overlap& overlap, const Filled& outer) {
+  const auto refuse = [&](const char* what, const char* remedy) {
+    throw UserError(
+        overlap.path() + ".overlap",
+        fmt::format("{} `{}`, which {}; {}", what, overlap.interface().outer(), reach(outer.box), remedy));
+  };
+  bool meets = false, leaves = false;
+  for (std::size_t i = 0; i + 1 < outer.samples.size(); i += 2) {
+    const double x = outer.samples[i], y = outer.samples[i + 1];
+    meets = meets || overlap.depth(x, y) < 1;
+    leaves = leaves || overlap.outer_weight(x, y) > 0;
+  }
+  if (!meets) refuse("lies outside", "move it inside");
+  if (!leaves) refuse("leaves nothing of", "give a smaller shape");
 }
 
 }  // namespace
 
-void require_inside(const Overlap& overlap, const BoundingBox& outer, const BoundingBox& inner) {
-  if (overlap.is_ring()) return require_ring_filled(overlap, outer, inner);
-  require_edges_inside(overlap, overlap.interface().outer(), outer);
-  require_edges_inside(overlap, overlap.interface().inner(), inner);
-  require_equal_cross_sections(overlap, outer, inner);
+// Only samples in the overlap, in its core and near them matter.
+void require_inside(const Overlap& overlap, const Filled& outer, const Filled& inner) {
+  if (overlap.is_ring()) {
+    require_ring_meets(overlap, outer);
+  } else {
+    require_edges_inside(overlap, overlap.interface().outer(), outer.box);
+    require_edges_inside(overlap, overlap.interface().inner(), inner.box);
+  }
+  const Condition near = [&](double x, double y) {
+    return overlap.core().distance(x, y) <= 2 * overlap.width();
+  };
+  require_filled(overlap, those(outer.samples, near), those(inner.samples, near));
 }
 
 }  // namespace adit::coupler

@@ -1,15 +1,27 @@
 // Does an overlap lie where both its models are?
 #pragma once
 
+#include <span>
+
 #include "coupler/bridging/overlap.hpp"
 
 namespace adit::coupler {
 
-// `outer`, `inner`: what the two models fill. Throws protocol::UserError unless
-// - both edges of a strip run through both models, and these fill the same cross-section along it;
-// - a ring meets the outer model, the inner one fills it and its core wherever the outer one is, and the
-//   outer one is wherever the inner one fills the ring. So a ring may stick out where both models end.
-// A packing may lack a row at either side: gaps up to 15 % (of the cross-section, of the ring's width) pass.
-void require_inside(const Overlap& overlap, const BoundingBox& outer, const BoundingBox& inner);
+// What a model fills.
+struct Filled {
+  BoundingBox box;
+  std::span<const double> samples;  // where it is: points all over it, x0 y0 x1 y1 … [m]
+};
+
+// Throws protocol::UserError, which names a place that is not covered, unless
+// - both edges of a strip run through both models;
+// - in the overlap the inner model is wherever the outer one is, and the other way round: both may end
+// together,
+//   at a free face of any shape;
+// - a ring meets the outer model and leaves some of it;
+// - in the core of a ring the inner model is wherever the outer one would be, except in holes, which it
+// surrounds. Gaps of 1.5 local spacings of the samples (presence.hpp) or 15 % of the overlap's width pass,
+// because a packing may lack a row at either side.
+void require_inside(const Overlap& overlap, const Filled& outer, const Filled& inner);
 
 }  // namespace adit::coupler

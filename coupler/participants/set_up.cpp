@@ -7,6 +7,7 @@
 #include <set>
 
 #include "coupler/bridging/overlap_checks.hpp"
+#include "coupler/bridging/overlap_notes.hpp"
 #include "coupler/participants/time_step.hpp"
 #include "protocol/errors.hpp"
 
@@ -58,10 +59,25 @@ bool is_coupled(std::size_t participant, const std::vector<Interface>& interface
   });
 }
 
+Filled filled_by(const Participant& participant) {
+  const auto& samples = participant.model.sample_points();
+  return {bounds(participant.model), std::span(samples.data(), static_cast<std::size_t>(samples.size()))};
+}
+
+void check_overlaps(Model& model) {
+  for (const Interface& interface : model.interfaces) {
+    Participant &outer = model.participants[interface.outer], &inner = model.participants[interface.inner];
+    require_inside(interface.overlap, filled_by(outer), filled_by(inner));
+    for (std::string& note :
+         overlap_notes(interface.overlap,
+                       {outer.member.name, part_of(model.scene, outer.member), filled_by(outer).samples},
+                       {inner.member.name, part_of(model.scene, inner.member), filled_by(inner).samples}))
+      inner.model.add_notes(std::move(note));
+  }
+}
+
 void share_energy(Model& model) {
-  for (const Interface& interface : model.interfaces)
-    require_inside(interface.overlap, bounds(model.participants[interface.outer].model),
-                   bounds(model.participants[interface.inner].model));
+  check_overlaps(model);
   require_one_owner(model.participants, model.interfaces);
   for (std::size_t s = 0; s < model.participants.size(); ++s) {
     Participant& participant = model.participants[s];

@@ -1,7 +1,7 @@
-// Impossible overlaps, and overlaps outside their models, are refused in one sentence that names the field.
+// Impossible overlaps are refused in one sentence that names the field.
 #include <gmock/gmock.h>
 
-#include "coupler/bridging/overlap_checks.hpp"
+#include "coupler/bridging/overlap.hpp"
 #include "protocol/scene/fields/check_rules.hpp"
 #include "tests/support/overlaps.hpp"
 #include "tests/support/refusals.hpp"
@@ -80,66 +80,6 @@ TEST(OverlapErrors, AHoleThatIsNotInsideItsPolygon) {
   expect_refused_polygon(square + hole(-1, -1, 20), ".holes[0].corners", "outside the polygon");
   expect_refused_polygon(square + "holes { " + corners({{1, 1}, {2, 2}}) + " }", ".holes[0].corners",
                          "has 2 elements, expected at least 3");
-}
-
-// A bar of 10 m by 1 m as the outer model.
-constexpr BoundingBox kBar{0, 10, 0, 1};
-
-void accept(const std::string& overlap, const BoundingBox& outer, const BoundingBox& inner) {
-  EXPECT_NO_THROW(require_inside(test::overlap_of(overlap), outer, inner)) << overlap;
-}
-
-void refuse(const std::string& overlap, const BoundingBox& outer, const BoundingBox& inner,
-            const std::string& path, const std::string& text) {
-  test::expect_refusal([&] { require_inside(test::overlap_of(overlap), outer, inner); },
-                       "interface.overlap" + path, text);
-}
-
-// Requirement: both edges of a strip run through both models, which fill one cross-section there.
-TEST(OverlapInside, AStripRunsThroughBothModels) {
-  const std::string strip = test::strip(4, 0, 6, 0);
-  accept(strip, kBar, kBar);
-  accept(strip, {0, 6, 0, 1}, {4, 10, 0, 1});
-  accept(strip, kBar, {4, 10, 0.05, 0.95});  // a packing whose rows do not fill the height
-  accept(test::strip(4, 0, 6, 1), kBar, kBar);
-  refuse(strip, {0, 5, 0, 1}, kBar, ".continuum_ends", "outside `continuum`");
-  refuse(strip, kBar, {5, 10, 0, 1}, ".particles_begin", "outside `particles`");
-  refuse(strip, {20, 30, 0, 1}, kBar, ".particles_begin", "outside `continuum`");
-  refuse(strip, kBar, {4, 10, 0, 0.5}, "", "cross-section");
-  refuse(strip, {0, 6, 0, 0.5}, {4, 10, 0, 1}, "", "cross-section");
-  accept(test::strip(1, 0, 2, 3), kBar, kBar);
-  refuse(test::strip(1, 0, 2, 3), kBar, {0.9, 8.1, 0, 1}, "", "cross-section");
-}
-
-// Requirement: around a patch inside a grid, particles fill the shape and the ring.
-TEST(OverlapInside, ARingAroundAPatchInsideAGrid) {
-  const BoundingBox grid{-10, 10, -10, 10};
-  for (const std::string& shape : {test::box(-2, 2, -2, 2), test::circle(0, 0, 2)}) {
-    const std::string ring = test::ring(shape, 1);
-    accept(ring, grid, {-3, 3, -3, 3});
-    accept(ring, grid, {-2.9, 2.9, -2.9, 2.9});  // a packing that lacks a row
-    accept(ring, grid, {-5, 5, -5, 5});
-    refuse(ring, grid, {-2.5, 3, -3, 3}, "", "not filled by `particles`");
-    refuse(ring, grid, {-1, 1, -1, 1}, "", "not filled by `particles`");
-    refuse(ring, {4, 10, -10, 10}, {-3, 3, -3, 3}, "", "lies outside `continuum`");
-    refuse(ring, grid, {20, 30, -3, 3}, "", "not filled by `particles`");
-    refuse(ring, {-1, 1, -1, 1}, {-3, 3, -3, 3}, "", "leaves nothing of `continuum`");
-    refuse(ring, {-2.5, 10, -10, 10}, {-3, 3, -3, 3}, "", "not filled by `continuum`");
-  }
-}
-
-// Requirement: where both models end together, a ring may stick out.
-TEST(OverlapInside, ARingMayBeCutByFreeEdges) {
-  const std::string ring = test::ring(test::box(4, 6, -1, 2), 1);
-  accept(ring, kBar, {3, 7, 0, 1});
-  accept(ring, kBar, {3, 7, 0.05, 0.95});
-  accept(ring, kBar, {0, 10, 0, 1});
-  refuse(ring, kBar, {3, 7, 0, 0.5}, "", "not filled by `particles`");
-  refuse(ring, kBar, {3, 7, 0, 2.5}, "",
-         "not filled by `continuum`");  // particles above the bar, in the ring
-  accept(ring, kBar, {3, 7, 0, 1.1});
-  accept(test::ring(test::box(4, 20, -3, 3), 1), kBar, {3, 10, 0, 1});             // the bar's end
-  accept(test::ring(test::box(4, 6, -1, 20), 1), {0, 10, -10, 1}, {3, 7, -2, 1});  // at the surface
 }
 
 }  // namespace
