@@ -42,6 +42,25 @@ Group read_group(const scene::ParticleGroup& scene, const std::string& path, con
           own.plane};
 }
 
+// Whether the ring selects the particles of this group.
+bool is_lining(const scene::Particles& particles, const scene::ParticleGroup& group) {
+  return particles.ring().within_ground() && group.name() == kLining;
+}
+
+std::uint32_t lining_group(const scene::Particles& particles) {
+  const auto& groups = particles.groups();
+  const auto given = std::ranges::find(groups, kLining, [](const auto& group) { return group.name(); });
+  return static_cast<std::uint32_t>(given - groups.begin()) + 1;
+}
+
+scene::Area lining_area(const scene::SegmentRing& ring) {
+  scene::Area area;
+  *area.mutable_annulus()->mutable_centre() = ring.centre();
+  area.mutable_annulus()->set_inner_radius(ring.inner_radius());
+  area.mutable_annulus()->set_outer_radius(ring.outer_radius());
+  return area;
+}
+
 }  // namespace
 
 BondStiffness Group::stiffness() const {
@@ -65,10 +84,18 @@ std::vector<Group> read_groups(const scene::Scene& scene) {
                           ? "is that of the particles outside all groups; choose another"
                           : fmt::format("is {}, as that of an earlier group; give each its own",
                                         protocol::quote(group.name())));
-    if (group.has_where() == group.has_number())
+    if (is_lining(scene.particles(), group)) {
+      if (group.has_where() || group.has_number())
+        throw UserError(path,
+                        "selects its particles, which are those of the ring; leave out `where` and `number`");
+    } else if (group.has_where() == group.has_number())
       throw UserError(path, "selects its particles by one of `where` and `number`; give exactly one");
     names.push_back(group.name());
     groups.push_back(read_group(group, path, groups.front()));
+  }
+  if (scene.particles().ring().within_ground() && std::ranges::find(names, kLining) == names.end()) {
+    groups.push_back(groups.front());
+    groups.back().name = kLining;
   }
   return groups;
 }
@@ -90,6 +117,7 @@ std::vector<std::uint32_t> assign_groups(const scene::Particles& particles, cons
   for (int k = 0; k < particles.groups_size(); ++k) {
     const auto& wanted = particles.groups(k);
     const std::string path = group_path(k);
+    if (is_lining(particles, wanted)) continue;
     std::vector<std::uint32_t> chosen;
     if (wanted.has_where()) {
       chosen = select(wanted.where(), placement, path + ".where");
@@ -107,6 +135,9 @@ std::vector<std::uint32_t> assign_groups(const scene::Particles& particles, cons
     }
     for (const std::uint32_t i : chosen) group[i] = static_cast<std::uint32_t>(k) + 1;
   }
+  if (particles.ring().within_ground())  // the lining holds, whatever else selects its particles
+    for (const std::uint32_t i : select(lining_area(particles.ring()), placement, "particles.ring"))
+      group[i] = lining_group(particles);
   return group;
 }
 

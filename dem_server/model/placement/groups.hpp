@@ -12,6 +12,7 @@
 namespace adit::dem {
 
 inline const std::string kOwnGroup = "particles";  // of those that no group of the scene selects
+inline const std::string kLining = "lining";       // of a ring within ground
 
 // Refers to the scene.
 struct Group {
@@ -28,7 +29,8 @@ struct Group {
   LinearContact contact() const;
 };
 
-// The model's own group, then those of the scene in their order.
+// The model's own group, then those of the scene in their order; then the lining of a ring within ground,
+// where the scene names no group for it.
 std::vector<Group> read_groups(const scene::Scene& scene);
 
 // A contact law: stiffnesses that it leaves out are the given ones.

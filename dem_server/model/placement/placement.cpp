@@ -169,7 +169,8 @@ void keep_ring(const scene::SegmentRing& ring, Placement& placement) {
   for (std::size_t i = 0; i < placement.discs.size(); ++i) {
     const double r =
         std::hypot(placement.discs.x[i] - ring.centre().x(), placement.discs.y[i] - ring.centre().y());
-    inside.push_back(r >= ring.inner_radius() - slack && r <= ring.outer_radius() + slack);
+    inside.push_back(r >= ring.inner_radius() - slack &&
+                     (ring.within_ground() || r <= ring.outer_radius() + slack));
   }
   if (std::ranges::count(inside, true) == 0)
     throw UserError(path, "leaves no particles; give a packing that covers what lies between its circles");

@@ -181,6 +181,12 @@ void join(const scene::Particles& particles, const std::vector<Group>& groups, M
   BondTypes types(particles, groups);
   Laws laws(model);
   std::vector<bool> parts_some(lines.size(), false);
+  // The joints of a ring within ground end at its outer side.
+  const bool within_ground = particles.ring().within_ground();
+  const auto is_lining = [&](std::uint32_t i) { return groups[model.group[i]].name == kLining; };
+  const auto in_ring = [&](const Pair& pair) {
+    return !within_ground || (is_lining(pair.first) && is_lining(pair.second));
+  };
 
   for (const Pair& pair : pairs_within(discs, types.largest_reach() * std::ranges::max(discs.radius))) {
     const auto [i, j] = pair;
@@ -189,7 +195,7 @@ void join(const scene::Particles& particles, const std::vector<Group>& groups, M
         (0.5 * (discs.radius[i] + discs.radius[j]));
     const auto joins = [&](int type) { return type != kNothing && share <= types[type].reach; };
     int barrier = kNothing;
-    if (ring && ring->parts(discs, pair)) barrier = kRing;
+    if (ring && in_ring(pair) && ring->parts(discs, pair)) barrier = kRing;
     for (std::size_t k = lines.size(); k-- > 0;)
       if (lines[k].parts(discs, pair)) {
         barrier = static_cast<int>(k);

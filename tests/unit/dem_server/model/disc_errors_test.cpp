@@ -135,6 +135,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"RingInsideOut", "particles.ring.outer_radius",
                          "is 1 m, expected a length above `inner_radius` = 2 m",
                          square([](auto&, auto& p) { set_ring(p, 2, 1); })},
+                    Case{"LiningThatSelectsItself", "particles.groups[0]",
+                         "are those of the ring; leave out `where`", square([](auto&, auto& p) {
+                           set_ring(p, 0.1, 1).set_within_ground(true);
+                           add_group(p, "lining");
+                         })},
                     Case{"BoltBesideTheRing", "particles.ring.bolts", "within a diameter of (",
                          square([](auto&, auto& p) {
                            auto& bolts = *set_ring(p, 0.1, 4).mutable_bolts();

@@ -314,6 +314,66 @@ TEST(ReadModel, RingHasItsSegmentsAndJoints) {
   EXPECT_LE(jointed.bonds.size() - slit, 12u);
 }
 
+// Within ground, the particles of the ring are the group `lining` and the ground around stays; joints part
+// the lining alone, and `between` says how the ground holds it.
+TEST(ReadModel, RingWithinGroundIsALining) {
+  auto scene = ring_scene(6);
+  scene.mutable_particles()->mutable_ring()->set_within_ground(true);
+  const auto is_lining = [](const Model& model, std::uint32_t i) {
+    return model.group_names[model.group[i]] == "lining";
+  };
+  const Model bonded = read_model(scene);
+  for (std::uint32_t i = 0; i < bonded.discs.size(); ++i) {
+    const double r = std::hypot(bonded.discs.x[i], bonded.discs.y[i]);
+    EXPECT_GE(r, 2.5 - 1e-6);
+    EXPECT_EQ(is_lining(bonded, i), r <= 3 + 1e-6);
+  }
+  EXPECT_GT(std::ranges::max(bonded.discs.x), 3.4);
+  const auto meets_ground = [&](const Model& model) {
+    return std::ranges::count_if(
+        model.bonds, [&](const Bond& b) { return is_lining(model, b.first) != is_lining(model, b.second); });
+  };
+  const auto segment = [&](std::uint32_t i) {
+    const double angle = std::atan2(bonded.discs.y[i], bonded.discs.x[i]) - 0.3 + 4 * std::numbers::pi;
+    return static_cast<int>(std::floor(angle / (std::numbers::pi / 3))) % 6;
+  };
+  std::size_t across_in_ground = 0;
+  for (const Bond& bond : bonded.bonds) {
+    if (segment(bond.first) == segment(bond.second)) continue;
+    EXPECT_FALSE(is_lining(bonded, bond.first) && is_lining(bonded, bond.second));
+    ++across_in_ground;
+  }
+  EXPECT_GT(across_in_ground, 6u);
+  EXPECT_GT(meets_ground(bonded), 100);
+
+  auto& between = *scene.mutable_particles()->add_between();
+  between.set_first("lining");
+  between.set_second("particles");
+  EXPECT_EQ(meets_ground(read_model(scene)), 0);
+}
+
+// The group of the lining takes its properties from the scene's group of this name, whatever other group
+// selects its places.
+TEST(ReadModel, TheLiningOfARingHasItsOwnProperties) {
+  auto scene = ring_scene(1);
+  scene.mutable_particles()->mutable_ring()->set_within_ground(true);
+  auto& lining = *scene.mutable_particles()->add_groups();
+  lining.set_name("lining");
+  *lining.mutable_material() = scene.material();
+  lining.mutable_material()->set_density(2 * scene.material().density());
+  auto& fault = *scene.mutable_particles()->add_groups();
+  fault.set_name("fault");
+  fault.mutable_where()->set_x_min(2);
+  const Model model = read_model(scene);
+  EXPECT_EQ(model.group_names, (std::vector<std::string>{"particles", "lining", "fault"}));
+  const double light = std::ranges::min(model.mass);
+  for (std::size_t i = 0; i < model.discs.size(); ++i) {
+    const bool in_ring = std::hypot(model.discs.x[i], model.discs.y[i]) <= 3 + 1e-6;
+    EXPECT_DOUBLE_EQ(model.mass[i], in_ring ? 2 * light : light);
+    EXPECT_EQ(model.group[i], in_ring ? 1u : model.discs.x[i] >= 2 ? 2u : 0u);
+  }
+}
+
 // One bolt across each joint, tension only, in the middle of the lining, from one segment to the next.
 TEST(ReadModel, RingHasBoltsAcrossItsJoints) {
   auto scene = ring_scene(6);
