@@ -15,6 +15,7 @@
 #include "coupler/participants/remote_connection.hpp"
 #include "coupler/participants/set_up.hpp"
 #include "coupler/run.hpp"
+#include "coupler/tunnel/expand.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/release.hpp"
 #include "protocol/results/run_directory.hpp"
@@ -113,26 +114,30 @@ Participants join(const adit::scene::Scene& scene, const Options& options, const
   return participants;
 }
 
-void run_scene(const Options& options, const protocol::SceneFile& file) {
+void run_scene(const Options& options, const protocol::SceneFile& file, const Expansion& expansion) {
+  const adit::scene::Scene& scene = expansion.scene;
   const std::string name = results::case_name(options.scene);
   const fs::path directory =
-      options.out.empty() ? fs::path("runs") / name / file.scene.name() : fs::path(options.out);
-  joins(file.scene,
-        members(file.scene));  // wrong interfaces are refused before anything is started or written
+      options.out.empty() ? fs::path("runs") / name / scene.name() : fs::path(options.out);
+  joins(scene, members(scene));  // wrong interfaces are refused before anything is started or written
   results::prepare_run_directory(directory, options.scene);
-  Participants participants = join(file.scene, options, directory);
-  run(file.scene, std::move(participants.participants),
+  Participants participants = join(scene, options, directory);
+  run(scene, std::move(participants.participants),
       {.case_name = name,
-       .scene_hash = protocol::scene_hash(file.scene),
+       .scene_hash = protocol::scene_hash(scene),
        .versions = participants.versions,
-       .scene_yaml = protocol::to_yaml(file.scene)},
+       .scene_yaml = protocol::to_yaml(scene),
+       .scene_as_written = file.scene.tunnels_size() > 0 ? protocol::to_yaml(file.scene) : "",
+       .notes = expansion.notes},
       directory);
 }
 
-void check_scene(const Options& options, const protocol::SceneFile& file) {
+void check_scene(const Options& options, const protocol::SceneFile&, const Expansion& expansion) {
   if (!options.out.empty()) results::prepare_run_directory(options.out, options.scene);
-  Participants participants = join(file.scene, options, {});
-  check(file.scene, std::move(participants.participants), protocol::to_yaml(file.scene), options.out);
+  Participants participants = join(expansion.scene, options, {});
+  for (const std::string& note : expansion.notes) fmt::print("note: {}\n", note);
+  check(expansion.scene, std::move(participants.participants), protocol::to_yaml(expansion.scene),
+        options.out);
   fmt::print("{} can be computed\n", options.scene);
 }
 
@@ -159,6 +164,12 @@ int main(int argc, char** argv) {
   for (CLI::App* command : {options.run, options.check}) add_servers(*command, options);
   if (const auto ended = options.parse(argc, argv)) return *ended;
   const auto& work = options.run->parsed() ? run_scene : check_scene;
-  return protocol::with_scene(options.scene, options.sets,
-                              [&](const protocol::SceneFile& file) { work(options, file); });
+  return protocol::with_scene(options.scene, options.sets, [&](const protocol::SceneFile& file) {
+    const Expansion expansion = expand_tunnels(file.scene);
+    try {
+      work(options, file, expansion);
+    } catch (const protocol::UserError& error) {
+      throw expansion.at_tunnel(error);
+    }
+  });
 }

@@ -87,6 +87,8 @@ void run(const scene::Scene& scene, std::vector<Participant> participants, const
   MotionOutputs motions(model, schedule.interval());
   results::clear_results(directory);  // only now, because a set-up that fails leaves the older results
   results::replace_file(directory / "scene.yaml", labels.scene_yaml);
+  if (!labels.scene_as_written.empty())
+    results::replace_file(directory / "scene_as_written.yaml", labels.scene_as_written);
   Stepper stepper(model);
   Recorder recorder(directory, model);
   RunSummary summary(labels, model);

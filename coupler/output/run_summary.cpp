@@ -53,7 +53,7 @@ RunSummary::RunSummary(const RunLabels& labels, const Model& model) : model_(mod
   summary_.set("grid_points", counts.grid_points());
   summary_.set("coupling_points", model.coupling_points.size() / 2);
   add_engines();
-  add_notes();
+  add_notes(labels.notes);
   if (model.interfaces.empty()) return;
   summary_.set("solve", protocol::lower_case(scene::Solve_Name(model.interfaces[0].given.solve())));
   const scene::Overlap& overlap = model.interfaces[0].given.overlap();
@@ -73,13 +73,11 @@ void RunSummary::add_engines() {
   }
 }
 
-void RunSummary::add_notes() {
-  std::vector<std::string> notes;
+void RunSummary::add_notes(std::vector<std::string> notes) {
   for (const Participant& participant : model_.participants)
-    for (const std::string& note : participant.model.notes()) {
+    for (const std::string& note : participant.model.notes())
       notes.push_back(participant.member.name + ": " + note);
-      lines_.push_back("note               " + notes.back());
-    }
+  for (const std::string& note : notes) lines_.push_back("note               " + note);
   summary_.set("notes", notes);
 }
 

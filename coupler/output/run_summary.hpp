@@ -16,8 +16,10 @@ namespace adit::coupler {
 struct RunLabels {
   std::string case_name;  // the summary's `case`
   std::string scene_hash;
-  std::string versions;    // names and versions of all programs that take part
-  std::string scene_yaml;  // the scene as it is computed
+  std::string versions;            // names and versions of all programs that take part
+  std::string scene_yaml;          // the scene as it is computed
+  std::string scene_as_written;    // with its tunnels; empty where it is computed as it was written
+  std::vector<std::string> notes;  // on the scene
 };
 
 class RunSummary {
@@ -44,9 +46,9 @@ class RunSummary {
   void print(const std::filesystem::path& directory) const;
 
  private:
-  // Adds the engines that compute the particles, and the participants' notes on their models.
+  // Adds the engines that compute the particles, and the notes on the scene and on the participants' models.
   void add_engines();
-  void add_notes();
+  void add_notes(std::vector<std::string> notes);
   void add_findings(const Findings& findings);
   void add_event(const std::string& name, const Event& event, bool happened);
   void add_cost(const Stepper& stepper, std::uint64_t steps, double wall_s, double stepping_s);

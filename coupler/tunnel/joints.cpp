@@ -1,0 +1,118 @@
+#include "coupler/tunnel/joints.hpp"
+
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "coupler/tunnel/parts.hpp"
+#include "protocol/errors.hpp"
+
+namespace adit::coupler {
+namespace {
+
+using geometry::Point;
+using protocol::UserError;
+
+// Angles of the joints, from x.
+std::vector<double> joint_angles(const scene::TunnelLining& lining) {
+  if (lining.joints_size() > 0) return {lining.joints().begin(), lining.joints().end()};
+  std::vector<double> angles;
+  if (lining.segments() < 2) return angles;
+  for (std::uint32_t k = 0; k < lining.segments(); ++k)
+    angles.push_back(lining.first_joint() + k * 2 * std::numbers::pi / lining.segments());
+  return angles;
+}
+
+void require_joints_possible(const scene::LinedTunnel& tunnel, const std::string& path) {
+  const scene::TunnelLining& lining = tunnel.lining();
+  const std::string at = path + ".lining.";
+  if (lining.joints_size() > 0 && (lining.has_segments() || lining.has_first_joint()))
+    throw UserError(at + "joints",
+                    "is given beside `segments` or `first_joint`; give equal segments or angles");
+  const bool jointed = !joint_angles(lining).empty();
+  if (jointed && !tunnel.has_circle())
+    throw UserError(at + (lining.joints_size() > 0 ? "joints" : "segments"),
+                    "is given, but only the lining of a circle has segments; leave it out");
+  for (const auto& [given, field] :
+       {std::pair{lining.has_bolts(), "bolts"}, std::pair{lining.has_gasket(), "gasket"},
+        std::pair{lining.has_keys(), "keys"}})
+    if (given && !jointed)
+      throw UserError(at + field, "is given, but the lining has no joints; give `segments` or `joints`");
+}
+
+// Springs across a joint, by their names.
+class Joint {
+ public:
+  Joint(const scene::LinedTunnel& tunnel, const Contour::Cut& cut, std::size_t number,
+        scene::Particles& particles)
+      : tunnel_(tunnel), cut_(cut), number_(number), particles_(particles) {}
+
+  void add_line() {
+    auto& line = *particles_.add_joints();
+    *line.mutable_from() = point(cut_.at(-tunnel_.particles().radius()));
+    *line.mutable_to() = point(cut_.at(tunnel_.lining().thickness()));
+    line.set_open(true);
+    line.set_name(part_name(tunnel_, "joint", number_));
+  }
+
+  void add_bolt(const scene::SegmentBolts& bolts) {
+    auto& spring = add_spring("bolt", bolts.length() / 2);
+    spring.set_stiffness(bolts.stiffness());
+    if (bolts.has_pretension()) spring.set_pretension(bolts.pretension());
+    if (bolts.has_strength()) spring.set_strength(bolts.strength());
+  }
+
+  void add_gasket(const scene::ForceCurve& curve) {
+    auto& spring = add_spring("gasket", kBesideJoint * tunnel_.particles().radius());
+    spring.set_tension_only(false);
+    *spring.mutable_curve() = curve;
+    *spring.mutable_direction() = point({-cut_.ny, cut_.nx});
+  }
+
+  void add_key(const scene::SegmentKeys& keys) {
+    auto& spring = add_spring("key", kBesideJoint * tunnel_.particles().radius());
+    spring.set_tension_only(false);
+    spring.set_stiffness(keys.stiffness());
+    if (keys.has_clearance()) spring.set_clearance(keys.clearance());
+    if (keys.has_strength()) spring.set_strength(keys.strength());
+    *spring.mutable_direction() = point({cut_.nx, cut_.ny});
+  }
+
+ private:
+  // The particle nearest to a place so far from a joint, in radii, lies on the same side of it: no place in a
+  // hexagonal lattice is farther than 1.16 radii from a centre.
+  static constexpr double kBesideJoint = 1.5;
+
+  scene::ParticleSpring& add_spring(const char* part, double beside) {
+    const Point middle = cut_.at(tunnel_.lining().thickness() / 2);
+    auto& spring = *particles_.add_springs();
+    *spring.mutable_from() = point({middle.x + beside * cut_.ny, middle.y - beside * cut_.nx});
+    *spring.mutable_to() = point({middle.x - beside * cut_.ny, middle.y + beside * cut_.nx});
+    spring.set_name(part_name(tunnel_, part, number_));
+    if (tunnel_.stage() > 0) spring.set_stage(stage_of_lining(tunnel_));
+    return spring;
+  }
+
+  const scene::LinedTunnel& tunnel_;
+  const Contour::Cut cut_;
+  const std::size_t number_;
+  scene::Particles& particles_;
+};
+
+}  // namespace
+
+void add_joints(const scene::LinedTunnel& tunnel, const Contour& contour, const std::string& path,
+                scene::Particles& particles) {
+  require_joints_possible(tunnel, path);
+  const scene::TunnelLining& lining = tunnel.lining();
+  std::size_t number = 0;
+  for (const double angle : joint_angles(lining)) {
+    Joint joint(tunnel, contour.cut_at_angle(angle), ++number, particles);
+    joint.add_line();
+    if (lining.has_bolts()) joint.add_bolt(lining.bolts());
+    if (lining.has_gasket()) joint.add_gasket(lining.gasket());
+    if (lining.has_keys()) joint.add_key(lining.keys());
+  }
+}
+
+}  // namespace adit::coupler

@@ -1,0 +1,15 @@
+// The joints between the segments of a circular lining, and the bolts, gaskets and keys across them.
+#pragma once
+
+#include <string>
+
+#include "coupler/tunnel/contour.hpp"
+
+namespace adit::coupler {
+
+// `path`: of the tunnel in the scene. Throws protocol::UserError for joints in a lining that is no circle,
+// and for what crosses joints in a lining without any.
+void add_joints(const scene::LinedTunnel& tunnel, const Contour& contour, const std::string& path,
+                scene::Particles& particles);
+
+}  // namespace adit::coupler

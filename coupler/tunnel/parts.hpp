@@ -1,0 +1,31 @@
+// What the parts of a lining have in common: places, names, and the stage in which they are installed.
+#pragma once
+
+#include <spdlog/fmt/fmt.h>
+
+#include <cstdint>
+#include <string>
+
+#include "protocol/geometry/shape.hpp"
+#include "protocol/messages/scene.pb.h"
+
+namespace adit::coupler {
+
+inline scene::Point point(const geometry::Point& place) {
+  scene::Point point;
+  point.set_x(place.x);
+  point.set_y(place.y);
+  return point;
+}
+
+// Parts count from 1: `tunnel_joint_1`.
+inline std::string part_name(const scene::LinedTunnel& tunnel, const char* part, std::size_t number) {
+  return fmt::format("{}_{}_{}", tunnel.name(), part, number);
+}
+
+// 0: it was always there.
+inline std::uint32_t stage_of_lining(const scene::LinedTunnel& tunnel) {
+  return tunnel.stage() > 0 ? tunnel.stage() + 1 : 0;
+}
+
+}  // namespace adit::coupler

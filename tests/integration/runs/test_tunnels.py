@@ -1,0 +1,51 @@
+"""Scenes with tunnels: the run's `scene.yaml` shows what they became, and the cases of tunnels can be computed."""
+
+import unittest
+
+from programs import SOURCE, ProgramTest, coupler
+
+SCENE = """\
+material: {young_modulus: 1 GPa, poisson_ratio: 0.2, density: 2 t/m^3}
+time: {duration: 2 ms}
+tunnels:
+  - name: tube
+    centre: {x: 0 m, y: 0 m}
+    circle: {radius: 2 m}
+    lining: {thickness: 50 cm, material: {young_modulus: 30 GPa, poisson_ratio: 0.2, density: 2.5 t/m^3}}
+    particles: {radius: 10 cm, ground: 2 m, overlap: 1 m}
+    sections: 0
+continuum:
+  block: {x_min: -10 m, x_max: 10 m, y_min: -10 m, y_max: 10 m, zones_x: 40, zones_y: 40}
+"""
+
+
+class Tunnels(ProgramTest):
+    def test_the_expansion_stands_in_the_results_and_reads_back(self):
+        run = self.run_scene(self.scene(SCENE))
+        expanded = (run / "scene.yaml").read_text()
+        self.assertNotIn("tunnels:", expanded)
+        self.assertIn('name: "tube"', expanded)
+        self.assertIn("tunnels:", (run / "scene_as_written.yaml").read_text())
+        note, = self.summary(run)["notes"]
+        self.assertIn("tube: 2 rows of particles lie over the lining's thickness", note)
+        again = self.run_scene(run / "scene.yaml", out="again")
+        self.assertEqual((again / "histories.csv").read_bytes(), (run / "histories.csv").read_bytes())
+
+    def test_what_a_server_refuses_is_told_at_the_tunnel(self):
+        wrong = SCENE.replace("overlap: 1 m}", "overlap: 1 m, bonds: {tensile_strength: 1 MN, parallel: "
+                              "{normal_stiffness: 1 GPa/m, shear_stiffness: 1 GPa/m}}}")
+        result = coupler("check", self.scene(wrong))
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertIn(":4:", result.stderr)
+        self.assertIn("tunnels[0]: becomes `particles.bonds.tensile_strength`, which is given beside `parallel`",
+                      result.stderr)
+
+    def test_the_cases_can_be_computed(self):
+        for scene in ("shield_ring/ring.yaml", "fault_section/fault.yaml", "cavern/crown_invert.yaml"):
+            result = coupler("check", SOURCE / "cases" / scene)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertIn("can be computed", result.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()

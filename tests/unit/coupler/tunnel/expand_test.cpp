@@ -1,0 +1,218 @@
+// Tunnels become particles, joints, springs, sections, histories and overlaps.
+#include "coupler/tunnel/expand.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "dem_server/model/reading/read_model.hpp"
+#include "protocol/scene/fields/check_rules.hpp"
+#include "tests/support/local_participants.hpp"
+#include "tests/support/refusals.hpp"
+#include "tests/unit/coupler/tunnel/tunnels.hpp"
+
+namespace adit::coupler {
+namespace {
+
+using std::numbers::pi;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+scene::Particles particles_of(const std::string& tunnel) {
+  const Expansion expansion = expand_tunnels(test::scene_with({tunnel}));
+  protocol::check_rules(expansion.scene);
+  return expansion.scene.particles();
+}
+
+void expect_point(const scene::Point& point, double x, double y) {
+  EXPECT_NEAR(point.x(), x, 1e-12);
+  EXPECT_NEAR(point.y(), y, 1e-12);
+}
+
+TEST(ExpandTunnels, ASceneWithoutTunnelsStaysAsItIs) {
+  const scene::Scene scene = test::scene_with({});
+  const Expansion expansion = expand_tunnels(scene);
+  EXPECT_EQ(expansion.scene.SerializeAsString(), scene.SerializeAsString());
+  EXPECT_THAT(expansion.notes, IsEmpty());
+}
+
+// Requirement: the lining is a group that only touches the ground, under the gravity of the continuum.
+TEST(ExpandTunnels, ALiningInGround) {
+  const auto particles = particles_of(test::circular("friction: 0.3"));
+  EXPECT_EQ(particles.within().annulus().inner_radius(), 3);
+  EXPECT_EQ(particles.within().annulus().outer_radius(), 5.5);
+  ASSERT_EQ(particles.groups_size(), 1);
+  EXPECT_EQ(particles.groups(0).name(), "tunnel");
+  EXPECT_EQ(particles.groups(0).where().annulus().outer_radius(), 3.5);
+  EXPECT_EQ(particles.groups(0).contacts().friction(), 0.3);
+  EXPECT_FALSE(particles.groups(0).has_stage());
+  ASSERT_EQ(particles.between_size(), 1);
+  EXPECT_EQ(particles.between(0).first(), "tunnel");
+  EXPECT_EQ(particles.between(0).second(), "particles");
+  EXPECT_FALSE(particles.between(0).has_bonds());
+  EXPECT_TRUE(particles.has_bonds());  // with `contacts` alone the ground would be loose
+  ASSERT_EQ(particles.body_loads_size(), 1);
+  EXPECT_EQ(particles.body_loads(0).acceleration().y(), -9.81);
+  EXPECT_EQ(particles.joints_size() + particles.springs_size() + particles.excavations_size(), 0);
+}
+
+// Requirement: the overlap ends where the particles end, and leaves ground between itself and the lining.
+TEST(ExpandTunnels, TheOverlapLiesInTheOuterGround) {
+  const Expansion expansion = expand_tunnels(test::scene_with({test::circular()}));
+  const auto& overlap = expansion.scene.interface().overlap();
+  EXPECT_EQ(overlap.around().circle().radius(), 4.5);
+  EXPECT_EQ(overlap.width(), 1);
+  EXPECT_EQ(expansion.scene.interface().inner(), "particles");
+}
+
+// Requirement: joints run across the lining at equal angles from the first; bolts, gaskets and keys cross
+// them in the middle, from the clockwise to the counter-clockwise side.
+TEST(ExpandTunnels, SegmentsWithBoltsGasketsAndKeys) {
+  const auto particles = particles_of(test::circular(
+      "segments: 6 first_joint: 0.5 bolts { length: 0.6 stiffness: 2e8 strength: 3e5 } gasket { opening: "
+      "-0.1 opening: 0 force: -2e5 force: -1e5 } keys { stiffness: 1e9 clearance: 0.01 }"));
+  ASSERT_EQ(particles.joints_size(), 6);
+  ASSERT_EQ(particles.springs_size(), 18);
+  for (int k = 0; k < 6; ++k) {
+    const double angle = 0.5 + k * pi / 3, c = std::cos(angle), s = std::sin(angle);
+    const auto& joint = particles.joints(k);
+    EXPECT_EQ(joint.name(), "tunnel_joint_" + std::to_string(k + 1));
+    EXPECT_TRUE(joint.open());
+    expect_point(joint.from(), 1 + 2.95 * c, -12 + 2.95 * s);
+    expect_point(joint.to(), 1 + 3.5 * c, -12 + 3.5 * s);
+    const auto &bolt = particles.springs(3 * k), &gasket = particles.springs(3 * k + 1),
+               &key = particles.springs(3 * k + 2);
+    EXPECT_EQ(bolt.name(), "tunnel_bolt_" + std::to_string(k + 1));
+    expect_point(bolt.from(), 1 + 3.25 * c + 0.3 * s, -12 + 3.25 * s - 0.3 * c);
+    expect_point(bolt.to(), 1 + 3.25 * c - 0.3 * s, -12 + 3.25 * s + 0.3 * c);
+    EXPECT_TRUE(bolt.tension_only());
+    EXPECT_EQ(bolt.strength(), 3e5);
+    EXPECT_EQ(gasket.name(), "tunnel_gasket_" + std::to_string(k + 1));
+    EXPECT_FALSE(gasket.tension_only());
+    EXPECT_EQ(gasket.curve().force(0), -2e5);
+    expect_point(gasket.direction(), -s, c);
+    EXPECT_EQ(key.clearance(), 0.01);
+    expect_point(key.direction(), c, s);
+  }
+}
+
+TEST(ExpandTunnels, JointsAtTheirOwnAngles) {
+  const auto particles = particles_of(test::circular("joints: 0.2 joints: 2.5 joints: 4.5"));
+  ASSERT_EQ(particles.joints_size(), 3);
+  expect_point(particles.joints(1).to(), 1 + 3.5 * std::cos(2.5), -12 + 3.5 * std::sin(2.5));
+}
+
+// Requirement: with a stage the particles fill the tunnel until it is excavated; the lining comes one stage
+// later.
+TEST(ExpandTunnels, AStageOfExcavation) {
+  const auto particles = particles_of(
+      test::circular("segments: 2 bolts { length: 0.6 stiffness: 2e8 }", "stage: 2 released: 0.4"));
+  EXPECT_EQ(particles.within().circle().radius(), 5.5);
+  ASSERT_EQ(particles.excavations_size(), 1);
+  EXPECT_EQ(particles.excavations(0).where().circle().radius(), 3.5);
+  EXPECT_EQ(particles.excavations(0).stage(), 2u);
+  EXPECT_EQ(particles.excavations(0).released(), 0.4);
+  EXPECT_EQ(particles.groups(0).where().annulus().inner_radius(), 3);
+  EXPECT_EQ(particles.groups(0).stage(), 3u);
+  EXPECT_EQ(particles.springs(0).stage(), 3u);
+  EXPECT_FALSE(particles.joints(0).has_stage());  // it begins to act with the lining
+}
+
+// Requirement: a material with Mohr-Coulomb gives the strengths of the bonds, unless they have their own.
+TEST(ExpandTunnels, StrengthOfTheLining) {
+  const auto strong = [](const std::string& lining) {
+    return test::replaced(test::circular(lining), "density: 2500",
+                          "density: 2500 mohr_coulomb { cohesion: 4e6 friction_angle: 0.8 tension: 2e6 }");
+  };
+  EXPECT_TRUE(particles_of(strong("")).groups(0).bonds().strength_of_material());
+  const auto given = particles_of(strong("bonds { tensile_strength: 1e5 }"));
+  EXPECT_EQ(given.groups(0).bonds().tensile_strength(), 1e5);
+  EXPECT_FALSE(given.groups(0).bonds().strength_of_material());
+}
+
+// Requirement: several tunnels become regions, each joined to the continuum.
+TEST(ExpandTunnels, TwoTunnels) {
+  const Expansion expansion = expand_tunnels(
+      test::scene_with({test::circular("", "name: 'left'"),
+                        test::replaced(test::circular("", "name: 'right'"), "x: 1", "x: 12")}));
+  protocol::check_rules(expansion.scene);
+  const auto& scene = expansion.scene;
+  EXPECT_FALSE(scene.has_particles());
+  EXPECT_FALSE(scene.has_interface());
+  ASSERT_EQ(scene.regions_size(), 2);
+  EXPECT_EQ(scene.regions(1).name(), "right");
+  EXPECT_EQ(scene.regions(1).particles().groups(0).name(), "right");
+  EXPECT_EQ(scene.interfaces(1).inner(), "right");
+  EXPECT_EQ(scene.interfaces(1).outer(), "continuum");
+  EXPECT_EQ(joins(scene, members(scene)).size(), 2u);
+}
+
+// Requirement: the lattice is its own mirror image about both axes of the tunnel and fills the area around
+// it.
+TEST(ExpandTunnels, TheLatticeIsSymmetric) {
+  const scene::Scene scene = expand_tunnels(test::scene_with({test::circular()})).scene;
+  const dem::Model model = dem::read_model(part_of(scene, members(scene)[1]));
+  const auto key = [](double x, double y) { return std::pair(std::lround(x * 1e6), std::lround(y * 1e6)); };
+  std::set<std::pair<long, long>> places;
+  for (std::size_t i = 0; i < model.discs.size(); ++i)
+    places.insert(key(model.discs.x[i] - 1, model.discs.y[i] + 12));
+  for (const auto& [x, y] : places) {
+    EXPECT_TRUE(places.contains({-x, y}));
+    EXPECT_TRUE(places.contains({x, -y}));
+  }
+  const double area = 2 * std::numbers::sqrt3 * 0.05 * 0.05 * static_cast<double>(model.discs.size());
+  EXPECT_NEAR(area, pi * (5.5 * 5.5 - 3 * 3), 0.01 * area);
+}
+
+// Requirement: what a tunnel became can be set up.
+TEST(ExpandTunnels, ATunnelOfEachShapeIsSetUp) {
+  for (const char* shape :
+       {"circle { radius: 3 }", "horseshoe { width: 6 height: 5 }", "box { width: 6 height: 4 }"}) {
+    const std::string tunnel =
+        test::replaced(test::circular("", "sections: 0"), "circle { radius: 3 }", shape);
+    const Model model = test::local_model(expand_tunnels(test::scene_with({tunnel})).scene);
+    EXPECT_FALSE(model.coupling_points.empty()) << shape;
+  }
+}
+
+TEST(ExpandTunnels, AThinLiningIsNoted) {
+  EXPECT_THAT(expand_tunnels(test::scene_with({test::circular()})).notes, IsEmpty());  // 5 rows of 8.7 cm
+  const std::string coarse = test::replaced(test::circular(), "radius: 0.05", "radius: 0.08");
+  EXPECT_THAT(expand_tunnels(test::scene_with({coarse})).notes,
+              ElementsAre(HasSubstr("tunnel: 3 rows of particles lie over the lining's thickness")));
+}
+
+void expect_refused(const std::string& tunnel, const std::string& path, const std::string& text) {
+  test::expect_refusal([&] { expand_tunnels(test::scene_with({tunnel})); }, path, text);
+}
+
+TEST(ExpandTunnels, WhatCannotBeBuiltIsRefused) {
+  expect_refused(
+      test::replaced(test::circular("segments: 4"), "circle { radius: 3 }", "box { width: 6 height: 4 }"),
+      "tunnels[0].lining.segments", "only the lining of a circle has segments");
+  expect_refused(test::circular("bolts { length: 0.6 stiffness: 2e8 }"), "tunnels[0].lining.bolts",
+                 "the lining has no joints; give `segments` or `joints`");
+  expect_refused(test::circular("gasket { opening: 0 opening: 1 force: 0 force: 1 }"),
+                 "tunnels[0].lining.gasket", "has no joints");
+  expect_refused(test::circular("keys { stiffness: 1 }"), "tunnels[0].lining.keys", "has no joints");
+  expect_refused(test::circular("segments: 3 joints: 0.1"), "tunnels[0].lining.joints",
+                 "is given beside `segments`");
+  scene::Scene nowhere = test::scene_with({test::circular()});
+  nowhere.clear_continuum();
+  test::expect_refusal([&] { expand_tunnels(nowhere); }, "tunnels", "lie in no ground");
+}
+
+// Requirement: what is refused of the expansion is told at the tunnel, with the place in the expansion.
+TEST(ExpandTunnels, RefusalsComeBackToTheTunnel) {
+  const Expansion expansion = expand_tunnels(test::scene_with({test::circular()}));
+  const auto error = expansion.at_tunnel({"particles.groups[0].where", "selects no particles; widen it"});
+  EXPECT_EQ(error.path(), "tunnels[0]");
+  EXPECT_STREQ(error.what(), "becomes `particles.groups[0].where`, which selects no particles; widen it");
+  EXPECT_EQ(expansion.at_tunnel({"continuum.block", "is empty"}).path(), "continuum.block");
+}
+
+}  // namespace
+}  // namespace adit::coupler
