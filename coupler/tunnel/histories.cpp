@@ -30,4 +30,16 @@ void add_convergence(const scene::LinedTunnel& tunnel, const Contour& contour, s
     }
 }
 
+void add_lining_histories(scene::Particles& particles) {
+  for (const auto& joint : particles.joints())
+    if (joint.has_name())
+      for (const scene::Quantity quantity : {scene::OPENING, scene::OFFSET, scene::ROTATION})
+        add(particles, joint.name(), quantity).set_joint(joint.name());
+  for (const auto& spring : particles.springs())
+    if (spring.has_name()) add(particles, spring.name(), scene::SPRING_FORCE).set_spring(spring.name());
+  for (const auto& section : particles.sections())
+    for (const scene::Quantity quantity : {scene::THRUST, scene::MOMENT, scene::SHEAR_FORCE})
+      add(particles, section.name(), quantity).set_section(section.name());
+}
+
 }  // namespace adit::coupler

@@ -53,6 +53,7 @@ void add_lining(const scene::LinedTunnel& tunnel, const Contour& contour, const 
   add_joints(tunnel, contour, path, particles);
   add_sections(tunnel, contour, particles);
   add_convergence(tunnel, contour, particles);
+  add_lining_histories(particles);
 }
 
 }  // namespace adit::coupler

@@ -105,6 +105,21 @@ TEST(ExpandTunnels, JointsAtTheirOwnAngles) {
   expect_point(particles.joints(1).to(), 1 + 3.5 * std::cos(2.5), -12 + 3.5 * std::sin(2.5));
 }
 
+// Requirement: every named part has its histories, and the inner side its displacements.
+TEST(ExpandTunnels, HistoriesOfEveryPart) {
+  const auto particles = particles_of(
+      test::circular("segments: 2 bolts { length: 0.6 stiffness: 2e8 }", "name: 'left' sections: 4"));
+  std::multiset<std::string> names;
+  for (const auto& history : particles.histories()) names.insert(history.name());
+  for (const char* name : {"left_crown", "left_invert", "left_left", "left_right"})
+    EXPECT_EQ(names.count(name), 2u);
+  for (const char* name : {"left_joint_1", "left_joint_2", "left_section_1", "left_section_4"})
+    EXPECT_EQ(names.count(name), 3u);
+  EXPECT_EQ(names.count("left_bolt_2"), 1u);
+  EXPECT_EQ(names.size(), 8u + 2 * 3 + 4 * 3 + 2);
+  expect_point(particles.histories(0).at(), 1, -12 + 3.05);
+}
+
 // Requirement: with a stage the particles fill the tunnel until it is excavated; the lining comes one stage
 // later.
 TEST(ExpandTunnels, AStageOfExcavation) {
