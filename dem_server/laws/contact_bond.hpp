@@ -4,6 +4,9 @@
 //   N = kn (L - L0) + N0,     S += ks dt slip_rate.
 // N0 is the force at rest. The bond breaks in tension where N exceeds its tensile strength, else in shear
 // where |S| exceeds its shear strength. What is left is a contact.
+//
+// A thin strip of a lattice needs factors on kn and on the tensile strength of some of its bonds
+// (model/solid/thin_strip.hpp). The contact that such a bond leaves is as much stiffer.
 #pragma once
 
 #include <cmath>
@@ -18,11 +21,24 @@ struct BondStiffness {
   bool operator==(const BondStiffness&) const = default;
 };
 
+struct BondFactors {
+  double stiffness = 1, strength = 1;  // of kn and of the tensile strength
+  bool operator==(const BondFactors&) const = default;
+};
+
 struct ContactBond {
   BondStiffness stiffness;
   double tensile_strength = kUnbreakable, shear_strength = kUnbreakable;  // [N]
+  BondFactors factors{};                                                  // not yet in the numbers above
   bool operator==(const ContactBond&) const = default;
 };
+
+// The law with these factors in its numbers, its own left out.
+inline ContactBond scaled(const ContactBond& law, const BondFactors& factors) {
+  return {{law.stiffness.normal * factors.stiffness, law.stiffness.shear},
+          law.tensile_strength * factors.strength,
+          law.shear_strength};
+}
 
 // N - N0 [N], of a stiffness [N/m] and an elongation [m].
 inline double bond_normal_force(double stiffness, double elongation) {

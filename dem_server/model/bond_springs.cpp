@@ -15,7 +15,8 @@ BondSprings whole_springs(const Model& model, const Bond& bond) {
   switch (bond.law) {
     case Bond::Law::kContactBond: {
       const ContactBond& law = model.contact_bonds[bond.number];
-      return {law.stiffness.normal, law.stiffness.shear};
+      const auto [normal, shear] = scaled(law, law.factors).stiffness;
+      return {normal, shear};
     }
     case Bond::Law::kParallelBond: {
       const ParallelBond& law = model.parallel_bonds[bond.number];
@@ -36,7 +37,8 @@ BondSprings stiffest_springs(const Model& model, const Bond& bond) {
   BondSprings springs = whole_springs(model, bond);
   if (bond.law == Bond::Law::kContactBond) {  // the contact takes its place when it breaks
     const LinearContact& contact = contact_of(model, bond);
-    springs.kn = std::max(springs.kn, contact.normal_stiffness);
+    const double factor = model.contact_bonds[bond.number].factors.stiffness;
+    springs.kn = std::max(springs.kn, contact.normal_stiffness * factor);
     springs.ks = std::max(springs.ks, contact.shear_stiffness);
   } else if (bond.law == Bond::Law::kSmoothJoint) {  // its two springs pull in any direction
     const SmoothJoint& law = model.smooth_joints[bond.number];

@@ -1,5 +1,5 @@
 // The hexagonal lattice: equal discs that touch, all joined by contact bonds of one law along three
-// directions.
+// directions. Rows may differ by factors of the law.
 #pragma once
 
 #include <array>

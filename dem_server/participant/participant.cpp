@@ -4,6 +4,7 @@
 
 #include "dem_server/model/reading/read_model.hpp"
 #include "dem_server/model/sample_points.hpp"
+#include "dem_server/model/solid/thin_strip.hpp"
 #include "dem_server/model/weigh.hpp"
 #include "dem_server/participant/breakable_bonds.hpp"
 #include "dem_server/participant/messages.hpp"
@@ -32,7 +33,12 @@ void DemParticipant::set_up(const wire::Setup& setup, wire::Model& answer) {
 void DemParticipant::weigh(const wire::Weights& weights, wire::Interface& interface) {
   if (weights.weights_size() > 0) {
     const bool bonded = !model_.bonds.empty();
-    model_ = dem::weigh(model_, split_weights(weights, model_.discs.size(), model_.bonds.size()));
+    const SampledWeights sampled = split_weights(weights, model_.discs.size(), model_.bonds.size());
+    if (scene_.particles().packing().bends_as_solid() && !faces_are_free(model_.discs, sampled.centres))
+      throw protocol::UserError("interface.overlap",
+                                "covers the lower or upper face of a packing that bends as the solid, whose "
+                                "faces must be free; leave out particles.packing.bends_as_solid");
+    model_ = dem::weigh(model_, sampled);
     if (model_.discs.size() == 0 || (bonded && model_.bonds.empty()))
       throw protocol::UserError(
           "interface.overlap",

@@ -13,7 +13,9 @@ namespace {
 PairLaw law_of(const Model& model, const Bond& joined, std::uint32_t contact) {
   PairLaw law{.contact = model.contacts[contact]};
   if (joined.law == Bond::Law::kContactBond) {
-    const ContactBond& bond = model.contact_bonds[joined.number];
+    const BondFactors& factors = model.contact_bonds[joined.number].factors;
+    const ContactBond bond = scaled(model.contact_bonds[joined.number], factors);
+    law.contact.normal_stiffness *= factors.stiffness;
     law.kn = bond.stiffness.normal;
     law.ks = bond.stiffness.shear;
     law.tensile_strength = bond.tensile_strength;

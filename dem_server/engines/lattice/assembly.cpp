@@ -10,19 +10,20 @@
 namespace adit::dem {
 namespace {
 
-void append_to_runs(std::vector<Run>& runs, std::uint32_t bond, std::uint32_t first, std::uint32_t second,
-                    double rest_x, double rest_y) {
+// `next` is the run of the next bond alone.
+void append_to_runs(std::vector<Run>& runs, const Run& next) {
   if (!runs.empty()) {
     Run& last = runs.back();
-    if (last.count < kLongestRun && first == last.first + last.count && second == last.second + last.count &&
+    if (last.count < kLongestRun && next.first == last.first + last.count &&
+        next.second == last.second + last.count &&
         // Exact equality serves, because rest vectors come from a table of three directions and not from
         // places.
-        rest_x == last.rest_x && rest_y == last.rest_y) {
+        next.rest_x == last.rest_x && next.rest_y == last.rest_y && next.factors == last.factors) {
       ++last.count;
       return;
     }
   }
-  runs.push_back({bond, 1, first, second, rest_x, rest_y});
+  runs.push_back(next);
 }
 
 void set_initial_forces(const Model& model, Bonds& b) {
@@ -45,7 +46,8 @@ Bonds bonds_of(const Model& model) {
   b.rest_length = 2 * radius;
   for (const Bond& bond : model.bonds) {
     const auto [rest_x, rest_y] = rest_vector(direction_of(model, bond).value(), radius);
-    append_to_runs(b.runs, static_cast<std::uint32_t>(b.size()), bond.first, bond.second, rest_x, rest_y);
+    append_to_runs(b.runs, {static_cast<std::uint32_t>(b.size()), 1, bond.first, bond.second, rest_x, rest_y,
+                            model.contact_bonds[bond.number].factors});
     b.first.push_back(bond.first);
     b.second.push_back(bond.second);
   }

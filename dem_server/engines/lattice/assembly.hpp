@@ -7,17 +7,20 @@
 #include <vector>
 
 #include "dem_server/laws/bond_state.hpp"
+#include "dem_server/laws/contact_bond.hpp"
 #include "dem_server/model/model.hpp"
 #include "dem_server/particles/bonded_neighbours.hpp"
 #include "dem_server/particles/particles.hpp"
 
 namespace adit::dem {
 
-// A run: bonds begin … begin + count that are parallel at rest and whose first and second particles each
-// follow one another in memory, so that the contact loop loads vectors instead of gathering numbers.
+// A run: bonds begin … begin + count that are parallel at rest, have the same factors, and whose first and
+// second particles each follow one another in memory, so that the contact loop loads vectors instead of
+// gathering numbers.
 struct Run {
   std::uint32_t begin, count, first, second;
   double rest_x, rest_y;  // from first to second at rest [m]
+  BondFactors factors{};  // of the lattice's law
 };
 inline constexpr std::uint32_t kLongestRun = 128;
 

@@ -148,7 +148,7 @@ ADIT_VECTOR_CLONES void find_normal_forces(const ContactBond& law, const Run& ru
   const double *ux1 = &p.ux[run.first], *uy1 = &p.uy[run.first], *ux2 = &p.ux[run.second],
                *uy2 = &p.uy[run.second], *intact = &b.intact[run.begin];
   const double* initial = b.initial_normal_force.empty() ? nullptr : &b.initial_normal_force[run.begin];
-  const double kn = law.stiffness.normal, rest_length = b.rest_length;
+  const double kn = scaled(law, run.factors).stiffness.normal, rest_length = b.rest_length;
   const Run rest = run;
 #pragma GCC ivdep
   for (std::uint32_t k = 0; k < rest.count; ++k)
@@ -182,10 +182,11 @@ void add_bond_forces(const ContactBond& law, double dt, std::span<const Run> run
   auto max_bits = std::bit_cast<std::int64_t>(result.max_normal_force);
   for (const Run& run : runs) {
     const auto find = bonds.plain(run) ? find_plain : find_any;
-    RunOutcome outcome = find(law, dt, run, bonds.rest_length, particles, bonds, forces);
+    const ContactBond own = scaled(law, run.factors);
+    RunOutcome outcome = find(own, dt, run, bonds.rest_length, particles, bonds, forces);
     // Breaks are rare, so the vector pass only says that there is one, and a second pass finds it.
     if (outcome.breaks) {
-      result.released += break_bonds(law, dt, run, particles, bonds, forces, broken);
+      result.released += break_bonds(own, dt, run, particles, bonds, forces, broken);
       outcome.max_bits = largest(run, forces);
     }
     apply_to_particles(run, forces, resultants);
@@ -204,7 +205,6 @@ void find_normal_forces(const ContactBond& law, const Particles& particles, cons
 
 double strain_energy(const ContactBond& law, std::span<const Run> runs, const Particles& particles,
                      const Bonds& bonds) {
-  const double normal_compliance = 1 / law.stiffness.normal;
   const double shear_compliance = law.stiffness.shear > 0 ? 1 / law.stiffness.shear : 0.0;
   // Eight sums side by side, else each addition waits for the one before.
   constexpr std::uint32_t kSums = 8;
@@ -213,6 +213,7 @@ double strain_energy(const ContactBond& law, std::span<const Run> runs, const Pa
   std::array<double, kSums> sums{};
   for (const Run& run : runs) {
     find_normal_forces(law, run, particles, bonds, stored.data());
+    const double normal_compliance = 1 / scaled(law, run.factors).stiffness.normal;
     const double *shear = &bonds.shear_force[run.begin], *weight = &bonds.weight[run.begin];
     for (std::uint32_t k = 0; k < run.count; ++k)
       stored[k] =

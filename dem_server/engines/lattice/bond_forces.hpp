@@ -1,7 +1,8 @@
 // Forces of contact bonds of particles of one size (laws/contact_bond.hpp): the kernel of the lattice engine.
 //
-// L0 = 2R, and both arms are L / 2. Strengths and stored forces know no energy weight. What is left of a
-// broken bond is a contact without friction: N = min(N0 + kn (L - L0), 0), S = 0, from the breaking step on.
+// L0 = 2R, and both arms are L / 2. All bonds have one law, apart from the factors of their runs. Strengths
+// and stored forces know no energy weight. What is left of a broken bond is a contact without friction: N =
+// min(N0 + kn (L - L0), 0), S = 0, from the breaking step on.
 #pragma once
 
 #include <cstddef>

@@ -26,15 +26,16 @@ Group own_group(const scene::Scene& scene) {
           plane_of(scene)};
 }
 
-MaterialAt checked_material(const scene::Material& material, const std::string& path) {
-  MaterialAt at{material, path};
-  require_elastic(at);
+MaterialAt own_material(const scene::ParticleGroup& scene, const std::string& path, const Group& own) {
+  MaterialAt at{scene.material(), path + ".material"};
+  const auto* bonds = scene.has_bonds() ? &scene.bonds() : own.bonds;
+  require_usable(at, bonds != nullptr ? *bonds : scene::Bonds::default_instance());
   return at;
 }
 
 Group read_group(const scene::ParticleGroup& scene, const std::string& path, const Group& own) {
   return {scene.name(),
-          scene.has_material() ? checked_material(scene.material(), path + ".material") : own.material,
+          scene.has_material() ? own_material(scene, path, own) : own.material,
           scene.has_bonds() ? &scene.bonds() : own.bonds,
           scene.has_bonds() ? path + ".bonds" : own.bonds_path,
           scene.has_contacts() ? &scene.contacts() : own.contacts,

@@ -33,15 +33,17 @@ MaterialAt checked_material(const scene::Scene& scene) {
   const bool own = scene.particles().has_material();
   const MaterialAt at{material_of(scene), own ? "particles.material" : "material"};
   if (!own && !scene.has_material()) throw UserError(at.path, "is missing; give it, or particles.material");
-  if (own) require_elastic(at);
+  if (own) require_usable(at, scene.particles().bonds());
   return at;
 }
 
-void require_elastic(const MaterialAt& at) {
-  if (at.material.has_mohr_coulomb() || at.material.has_hysteretic() || at.material.has_weak_plane())
+void require_usable(const MaterialAt& at, const scene::Bonds& bonds) {
+  const bool strength = at.material.has_mohr_coulomb() && !bonds.strength_of_material();
+  if (strength || at.material.has_hysteretic() || at.material.has_weak_plane())
     throw UserError(at.path,
                     "has a law beyond elasticity, which bonds do not compute; leave it out and give "
-                    "particles.bonds.tensile_strength and shear_strength");
+                    "particles.bonds.tensile_strength and shear_strength, or leave only mohr_coulomb and set "
+                    "particles.bonds.strength_of_material");
 }
 
 Plane plane_of(const scene::Scene& scene) {

@@ -25,9 +25,10 @@ struct MaterialAt {
   const scene::Material& material;
   std::string path;
 };
-// The same where there is one, and elastic: its path beside it.
+// The same where there is one that bonds can stand for: its path beside it.
 MaterialAt checked_material(const scene::Scene& scene);
-void require_elastic(const MaterialAt& material);
+// Refuses laws beyond elasticity, except strengths for bonds that take theirs from the material.
+void require_usable(const MaterialAt& material, const scene::Bonds& bonds);
 
 Plane plane_of(const scene::Scene& scene);
 

@@ -30,10 +30,38 @@ ParallelBond between(const ParallelBond& a, const ParallelBond& b) {
           std::min(a.tan_friction_angle, b.tan_friction_angle)};
 }
 
-}  // namespace
+struct Given {
+  bool given;
+  std::string name;
+};
 
-BondType read_bond_type(const scene::Bonds& bonds, const std::string& path,
-                        const std::function<BondStiffness()>& otherwise) {
+// Strengths of bonds come from their material or from the scene, not from both.
+void refuse_strengths_given_twice(const scene::Bonds& bonds, const std::string& path) {
+  const auto& cement = bonds.parallel();
+  for (const auto& [given, name] : {Given{bonds.has_tensile_strength(), "tensile_strength"},
+                                    Given{bonds.has_shear_strength(), "shear_strength"},
+                                    Given{cement.has_tensile_strength(), "parallel.tensile_strength"},
+                                    Given{cement.has_cohesion(), "parallel.cohesion"},
+                                    Given{cement.has_friction_angle(), "parallel.friction_angle"}})
+    if (given)
+      throw UserError(
+          path + "." + name,
+          "is given beside strength_of_material, which takes the strengths from the material; leave "
+          "out one of the two");
+}
+
+BondType with_strength_of_material(const BondType& type, const std::string& path, const BondSource& source) {
+  const MaterialStrength strength = source.strength(path);
+  if (const auto* cement = std::get_if<ParallelBond>(&type.law))
+    return {with_strength(strength, *cement), type.reach};
+  if (!source.lattice_radius)
+    throw UserError(path,
+                    "is set, but the strengths of contact bonds are known for a hexagonal packing only; give "
+                    "tensile_strength and shear_strength, or parallel bonds");
+  return {with_strength(strength, *source.lattice_radius, std::get<ContactBond>(type.law)), type.reach};
+}
+
+BondType read_without_material(const scene::Bonds& bonds, const std::string& path, const BondSource& source) {
   if (bonds.has_parallel()) {
     for (const auto& [given, name] : {std::pair{bonds.has_tensile_strength(), "tensile_strength"},
                                       std::pair{bonds.has_shear_strength(), "shear_strength"}})
@@ -46,11 +74,20 @@ BondType read_bond_type(const scene::Bonds& bonds, const std::string& path,
   ContactBond law{
       {bonds.normal_stiffness(), bonds.shear_stiffness()}, bonds.tensile_strength(), bonds.shear_strength()};
   if (!bonds.has_normal_stiffness() || !bonds.has_shear_stiffness()) {
-    const BondStiffness other = otherwise();
+    const BondStiffness other = source.stiffness();
     if (!bonds.has_normal_stiffness()) law.stiffness.normal = other.normal;
     if (!bonds.has_shear_stiffness()) law.stiffness.shear = other.shear;
   }
   return {law, bonds.reach()};
+}
+
+}  // namespace
+
+BondType read_bond_type(const scene::Bonds& bonds, const std::string& path, const BondSource& source) {
+  if (!bonds.strength_of_material()) return read_without_material(bonds, path, source);
+  refuse_strengths_given_twice(bonds, path);
+  return with_strength_of_material(read_without_material(bonds, path, source), path + ".strength_of_material",
+                                   source);
 }
 
 BondType read_smooth_joint(const scene::SmoothJoint& joint, double reach) {

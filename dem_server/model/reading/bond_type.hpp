@@ -8,6 +8,7 @@
 
 #include "dem_server/model/calibration.hpp"
 #include "dem_server/model/model.hpp"
+#include "dem_server/model/solid/strength_of_material.hpp"
 #include "protocol/messages/scene.pb.h"
 
 namespace adit::dem {
@@ -19,9 +20,15 @@ struct BondType {
   double reach;  // discs are joined whose gap is at most this share of their mean radius
 };
 
-// `otherwise`: stiffnesses of a contact bond that the scene leaves out.
-BondType read_bond_type(const scene::Bonds& bonds, const std::string& path,
-                        const std::function<BondStiffness()>& otherwise);
+// What the bonds of a scene take from elsewhere.
+struct BondSource {
+  std::function<BondStiffness()> stiffness;  // of a contact bond, where the scene leaves it out
+  // Of the material, the weaker one where there are two; asked for only with `strength_of_material`. A path.
+  std::function<MaterialStrength(const std::string& path)> strength;
+  std::optional<double> lattice_radius;  // of the particles, where they are packed hexagonally [m]
+};
+// UserError below `path` for strengths that are given twice or cannot be had.
+BondType read_bond_type(const scene::Bonds& bonds, const std::string& path, const BondSource& source);
 BondType read_smooth_joint(const scene::SmoothJoint& joint, double reach);
 
 // Between discs of two groups: stiffnesses in series, the smaller strengths, width and reach. No value for

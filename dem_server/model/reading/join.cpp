@@ -89,9 +89,7 @@ class BondTypes {
 
   std::optional<BondType> read(const scene::Bonds& bonds, const std::string& path,
                                const GroupPair& pair) const {
-    return read_bond_type(bonds, path, [&] {
-      return in_series(groups_[pair.first].stiffness(), groups_[pair.second].stiffness());
-    });
+    return read_bond_type(bonds, path, source(groups_[pair.first], groups_[pair.second]));
   }
 
   std::optional<BondType> of_groups(const GroupPair& pair) const {
@@ -113,9 +111,23 @@ class BondTypes {
     return common;
   }
 
-  static std::optional<BondType> of_group(const Group& group) {
+  std::optional<BondType> of_group(const Group& group) const {
     if (group.bonds == nullptr) return std::nullopt;
-    return read_bond_type(*group.bonds, group.bonds_path, [&group] { return group.stiffness(); });
+    return read_bond_type(*group.bonds, group.bonds_path, source(group, group));
+  }
+
+  // Of bonds between particles of two groups, or of one.
+  BondSource source(const Group& first, const Group& second) const {
+    BondSource source{[&] {
+                        return &first == &second ? first.stiffness()
+                                                 : in_series(first.stiffness(), second.stiffness());
+                      },
+                      [&](const std::string& path) {
+                        return weaker(strength_of(first.material, path), strength_of(second.material, path));
+                      },
+                      std::nullopt};
+    if (particles_.has_packing()) source.lattice_radius = particles_.packing().radius();
+    return source;
   }
 
   const scene::Particles& particles_;

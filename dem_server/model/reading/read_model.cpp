@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "dem_server/model/lattice.hpp"
 #include "dem_server/model/placement/groups.hpp"
@@ -12,6 +13,7 @@
 #include "dem_server/model/reading/join.hpp"
 #include "dem_server/model/reading/springs.hpp"
 #include "dem_server/model/reading/walls.hpp"
+#include "dem_server/model/solid/bends_as_solid.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::dem {
@@ -91,6 +93,29 @@ void note_estimates(const scene::Particles& particles, const std::vector<Group>&
   }
 }
 
+// Rows of a lattice over the thickness of a ring below which it is noticeably softer in bending.
+constexpr double kRowsOfStiffRing = 8;
+
+void note_thin_ring(const scene::Particles& particles, Model& model) {
+  if (!particles.has_ring() || !particles.has_packing()) return;
+  const auto& ring = particles.ring();
+  const double rows =
+      (ring.outer_radius() - ring.inner_radius()) / (std::numbers::sqrt3 * particles.packing().radius());
+  if (rows < kRowsOfStiffRing)
+    model.notes.push_back(
+        fmt::format("the ring is about {:.1f} rows of particles thick; cut from a lattice of fewer than {:g} "
+                    "it is softer in "
+                    "bending than the solid, see the table of rings in docs/particles.md",
+                    rows, kRowsOfStiffRing));
+}
+
+void note_no_bonds(const scene::Particles& particles, Model& model) {
+  if (!particles.has_contacts() || particles.has_bonds()) return;
+  model.notes.push_back(
+      "`contacts` is given and `bonds` is not: particles outside groups with bonds of their own only touch; "
+      "write `bonds: {}` for bonds of the stiffness of the material");
+}
+
 }  // namespace
 
 Model read_model(const scene::Scene& scene) {
@@ -111,9 +136,12 @@ Model read_model(const scene::Scene& scene) {
   if (particles.has_packing() && groups.front().bonds != nullptr && model.bonds.empty())
     refuse_small_box(particles.packing(), model.discs.size());
   if (particles.has_packing()) sort_by_rows(model);
+  if (particles.packing().bends_as_solid()) bend_as_solid(scene, model);
   model.extent = placement.extent;
   set_masses(groups, placement, model);
   note_estimates(particles, groups, model);
+  note_thin_ring(particles, model);
+  note_no_bonds(particles, model);
   model.walls = read_walls(particles, groups.front());
   model.springs = read_springs(particles, model.discs);
   model.edges = read_edges(particles, groups, placement, model.group);

@@ -9,6 +9,7 @@
 
 #include "dem_server/engines/general/general_engine.hpp"
 #include "dem_server/engines/lattice/lattice_engine.hpp"
+#include "dem_server/model/solid/thin_strip.hpp"
 #include "dem_server/observe/branches.hpp"
 #include "dem_server/participant/choose_engine.hpp"
 #include "protocol/errors.hpp"
@@ -139,6 +140,62 @@ TEST(EnginesUnderInitialStress, MoveAlike) {
   EXPECT_LT(apart, 1e-3 * largest);
   const double strain = lattice.energies({299, dt}).strain;
   EXPECT_NEAR(general.energies({299, dt}).strain, strain, 1e-3 * strain);
+}
+
+// Both engines compute a model from the same velocities up: how far apart they end.
+struct Apart {
+  std::size_t cracks[2] = {0, 0};              // lattice, general
+  double displacement = 0, strain_energy = 0;  // shares of the largest, of the lattice's
+};
+Apart pluck(const Model& model, std::uint64_t steps) {
+  LatticeEngine lattice(model, 1);
+  GeneralEngine general(model, 1);
+  LocalEngine* const engines[2] = {&lattice, &general};
+  const double dt = 0.4 * std::min(lattice.critical_step(), general.critical_step());
+  Apart apart;
+  for (int k = 0; k < 2; ++k) {
+    Particles& p = engines[k]->particles();
+    for (std::size_t i = 0; i < p.size(); ++i) p.vy[i] = 12 * std::cos(std::numbers::pi * p.x[i] / 10);
+    for (std::uint64_t n = 1; n <= steps; ++n) {
+      engines[k]->prepare(true);
+      engines[k]->step_interface({n, dt});
+      engines[k]->step_interior({n, dt});
+      apart.cracks[k] += engines[k]->broken().size();
+    }
+  }
+  std::vector<double> uy(model.discs.size());
+  for (std::size_t i = 0; i < uy.size(); ++i) uy[lattice.particles().id[i]] = lattice.particles().uy[i];
+  double largest = 0;
+  for (std::size_t i = 0; i < uy.size(); ++i) {
+    const double other = uy[general.particles().id[i]];
+    largest = std::max(largest, std::abs(other));
+    apart.displacement = std::max(apart.displacement, std::abs(general.particles().uy[i] - other));
+  }
+  apart.displacement /= largest;
+  const double strain = lattice.energies({steps, dt}).strain;
+  apart.strain_energy = std::abs(general.energies({steps, dt}).strain / strain - 1);
+  return apart;
+}
+
+Model strip(const ContactBond& law) {
+  Model model = test::lattice_in({0, 20, 0, 5 * std::numbers::sqrt3 * kRadius}, kRadius, 2.0, law);
+  stiffen_outer_rows(model);
+  return model;
+}
+
+TEST(EnginesOfAThinStrip, MoveAlike) {
+  const Apart apart = pluck(strip({kBond.stiffness}), 2000);
+  EXPECT_LT(apart.displacement, 1e-3);
+  EXPECT_LT(apart.strain_energy, 1e-3);
+}
+
+// What a stiffer bond leaves is a stiffer contact, in both engines.
+TEST(EnginesOfAThinStrip, BreakAlike) {
+  const Apart apart = pluck(strip({kBond.stiffness, 8e4, 8e4}), 1000);
+  EXPECT_GT(apart.cracks[0], 0u);
+  EXPECT_EQ(apart.cracks[0], apart.cracks[1]);
+  EXPECT_LT(apart.displacement, 1e-3);
+  EXPECT_LT(apart.strain_energy, 1e-3);
 }
 
 // A bond that breaks is told with the place where its particles touched, its mode and its particles' places

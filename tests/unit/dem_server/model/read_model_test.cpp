@@ -130,6 +130,7 @@ TEST(ReadModel, BondsUnlessThereAreContactsAlone) {
   scene.mutable_particles()->mutable_contacts()->set_friction(0.5);
   const Model loose = read_model(scene);
   EXPECT_TRUE(loose.bonds.empty());
+  EXPECT_THAT(loose.notes, testing::Contains(HasSubstr("only touch")));
   EXPECT_EQ(loose.contacts[0].friction, 0.5);
   EXPECT_EQ(loose.contacts[0].normal_stiffness, expected.normal);
 

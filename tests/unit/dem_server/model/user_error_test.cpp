@@ -54,6 +54,77 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"HistoryOfStrain", "particles.histories[0].quantity",
              "is strain_xx, which particles do not have; choose a motion",
              [](auto& s) { s.mutable_particles()->mutable_histories(0)->set_quantity(scene::STRAIN_XX); }},
+        Case{"StripCut", "particles.packing.bends_as_solid", "`within` cuts the packing",
+             [](auto& s) {
+               packing(s).set_bends_as_solid(true);
+               s.mutable_particles()->mutable_within()->set_x_max(5);
+             }},
+        Case{"StripOfGroups", "particles.packing.bends_as_solid", "`groups` give bonds of several laws",
+             [](auto& s) {
+               packing(s).set_bends_as_solid(true);
+               auto& group = *s.mutable_particles()->add_groups();
+               group.set_name("end");
+               group.mutable_where()->set_x_max(5);
+             }},
+        Case{"StripUnderStress", "particles.packing.bends_as_solid", "starts under an initial stress",
+             [](auto& s) {
+               packing(s).set_bends_as_solid(true);
+               s.mutable_initial_stress()->set_xx(-1e6);
+             }},
+        Case{"StripOfTwoRows", "particles.packing.bends_as_solid", "the packing has 2 row(s)",
+             [](auto& s) {
+               packing(s).set_bends_as_solid(true);
+               packing(s).set_y_max(2 * std::numbers::sqrt3 * packing(s).radius());
+             }},
+        Case{"StripOfStiffShear", "particles.packing.bends_as_solid", "less than 3 times",
+             [](auto& s) {
+               packing(s).set_bends_as_solid(true);
+               packing(s).set_y_max(3 * std::numbers::sqrt3 * packing(s).radius());
+               bonds(s).set_normal_stiffness(1e9);
+               bonds(s).set_shear_stiffness(3e9);
+             }},
+        Case{"StripWithoutBonds", "particles.packing.bends_as_solid", "no bonds join the particles",
+             [](auto& s) {
+               packing(s).set_bends_as_solid(true);
+               s.mutable_particles()->clear_bonds();
+               s.mutable_particles()->mutable_contacts();
+             }},
+        Case{"NoStrengthOfMaterial", "particles.bonds.strength_of_material", "material has no mohr_coulomb",
+             [](auto& s) { bonds(s).set_strength_of_material(true); }},
+        Case{"NoTension", "material.mohr_coulomb.tension", "is 0",
+             [](auto& s) {
+               bonds(s).set_strength_of_material(true);
+               s.mutable_material()->mutable_mohr_coulomb()->set_cohesion(1e6);
+               s.mutable_material()->mutable_mohr_coulomb()->set_tension(0);
+             }},
+        Case{"StrengthsTwice", "particles.bonds.shear_strength", "is given beside strength_of_material",
+             [](auto& s) {
+               s.mutable_material()->mutable_mohr_coulomb()->set_cohesion(1e6);
+               bonds(s).set_strength_of_material(true);
+               bonds(s).set_shear_strength(1e6);
+             }},
+        Case{"StrengthsOfCementTwice", "particles.bonds.parallel.cohesion",
+             "is given beside strength_of_material",
+             [](auto& s) {
+               s.mutable_material()->mutable_mohr_coulomb()->set_cohesion(1e6);
+               bonds(s).set_strength_of_material(true);
+               bonds(s).mutable_parallel()->set_normal_stiffness(1e12);
+               bonds(s).mutable_parallel()->set_shear_stiffness(1e12);
+               bonds(s).mutable_parallel()->set_cohesion(1e6);
+             }},
+        Case{"StrengthOfSquareLattice", "particles.bonds.strength_of_material", "hexagonal packing only",
+             [](auto& s) {
+               s.mutable_material()->mutable_mohr_coulomb()->set_cohesion(1e6);
+               s.mutable_material()->mutable_mohr_coulomb()->set_friction_angle(0.5);
+               bonds(s).set_strength_of_material(true);
+               auto& square = *s.mutable_particles()->mutable_square_packing();
+               square.set_x_min(0);
+               square.set_x_max(10);
+               square.set_y_min(0);
+               square.set_y_max(1);
+               square.set_radius(packing(s).radius());
+               s.mutable_particles()->clear_packing();
+             }},
         Case{"OneParticle", "particles.packing", "holds 1 particle(s)",
              [](auto& s) {
                packing(s).set_x_max(1);

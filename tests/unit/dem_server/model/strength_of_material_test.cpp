@@ -1,0 +1,101 @@
+// Requirement: bonds that take their strength from the material break at its tensile and compressive
+// strength.
+#include "dem_server/model/solid/strength_of_material.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "dem_server/model/initial_stress.hpp"
+#include "dem_server/model/lattice.hpp"
+#include "dem_server/model/reading/read_model.hpp"
+#include "tests/unit/dem_server/cantilever_scene.hpp"
+
+namespace adit::dem {
+namespace {
+
+constexpr double kTension = 3e6, kCohesion = 8e6, kFriction = 0.7;
+
+scene::Scene rock() {
+  scene::Scene scene = test::cantilever_scene();
+  auto& strength = *scene.mutable_material()->mutable_mohr_coulomb();
+  strength.set_tension(kTension);
+  strength.set_cohesion(kCohesion);
+  strength.set_friction_angle(kFriction);
+  scene.mutable_particles()->mutable_bonds()->set_strength_of_material(true);
+  return scene;
+}
+
+// The largest normal and shear force in the bonds of a lattice under a stress.
+struct Largest {
+  double normal = 0, shear = 0;
+};
+Largest largest_under(const InitialStress& stress, const ContactBond& law, double radius) {
+  Largest largest;
+  for (const Direction direction : {Direction::kAlongRow, Direction::kUpRight, Direction::kUpLeft}) {
+    const auto [x, y] = rest_vector(direction, radius);
+    const auto [normal, shear] = initial_forces(stress, law.stiffness, {x, y, 2 * radius, 0});
+    largest.normal = std::max(largest.normal, normal);
+    largest.shear = std::max(largest.shear, std::abs(shear));
+  }
+  return largest;
+}
+
+TEST(StrengthOfMaterial, OfContactBondsIsReachedAtTheMaterialsStrengths) {
+  const Model model = read_model(rock());
+  ASSERT_EQ(model.contact_bonds.size(), 1u);
+  const ContactBond& law = model.contact_bonds.front();
+  const double radius = test::kCantileverRadius;
+  EXPECT_NEAR(largest_under({kTension, 0, 0}, law, radius).normal / law.tensile_strength, 1, 1e-12);
+  const double compressive = 2 * kCohesion * std::cos(kFriction) / (1 - std::sin(kFriction));
+  EXPECT_NEAR(largest_under({-compressive, 0, 0}, law, radius).shear / law.shear_strength, 1, 1e-12);
+  // Across the rows tension breaks bonds at a larger stress.
+  const auto [kn, ks] = law.stiffness;
+  const double across = kTension * (3 * kn + ks) / (2 * kn + ks);
+  EXPECT_NEAR(largest_under({0, across, 0}, law, radius).normal / law.tensile_strength, 1, 1e-12);
+}
+
+TEST(StrengthOfMaterial, OfAStripIsScaledByItsRows) {
+  scene::Scene scene = rock();
+  scene.mutable_particles()->mutable_packing()->set_bends_as_solid(true);
+  const Model model = read_model(scene);
+  ASSERT_EQ(model.contact_bonds.size(), 3u);
+  for (const ContactBond& law : model.contact_bonds)
+    EXPECT_EQ(law.tensile_strength, model.contact_bonds.front().tensile_strength);
+  EXPECT_GT(model.contact_bonds[1].factors.strength, 1);
+}
+
+TEST(StrengthOfMaterial, OfParallelBondsIsThatOfTheirCement) {
+  scene::Scene scene = rock();
+  auto& cement = *scene.mutable_particles()->mutable_bonds()->mutable_parallel();
+  cement.set_normal_stiffness(1e12);
+  cement.set_shear_stiffness(4e11);
+  const Model model = read_model(scene);
+  ASSERT_EQ(model.parallel_bonds.size(), 1u);
+  EXPECT_EQ(model.parallel_bonds.front().tensile_strength, kTension);
+  EXPECT_EQ(model.parallel_bonds.front().cohesion, kCohesion);
+  EXPECT_EQ(model.parallel_bonds.front().tan_friction_angle, std::tan(kFriction));
+}
+
+// Without `tension` the apex of the cone counts; where two groups meet, the weaker material does.
+TEST(StrengthOfMaterial, IsTheWeakerOfTwoMaterials) {
+  scene::Scene scene = rock();
+  auto& group = *scene.mutable_particles()->add_groups();
+  group.set_name("weak");
+  group.mutable_where()->set_x_max(5);
+  *group.mutable_material() = scene.material();
+  auto& strength = *group.mutable_material()->mutable_mohr_coulomb();
+  strength.set_cohesion(1e6);
+  strength.clear_tension();
+  const Model model = read_model(scene);
+  ASSERT_EQ(model.contact_bonds.size(), 3u);
+  double least = kUnbreakable, most = 0;
+  for (const ContactBond& law : model.contact_bonds) {
+    least = std::min(least, law.tensile_strength);
+    most = std::max(most, law.tensile_strength);
+  }
+  EXPECT_NEAR(most / least, kTension / (1e6 / std::tan(kFriction)), 1e-12);
+}
+
+}  // namespace
+}  // namespace adit::dem
