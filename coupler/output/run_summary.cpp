@@ -74,13 +74,8 @@ void RunSummary::add_engines() {
 }
 
 void RunSummary::add_notes() {
-  std::vector<std::string> notes;
-  for (const Participant& participant : model_.participants)
-    for (const std::string& note : participant.model.notes()) {
-      notes.push_back(participant.member.name + ": " + note);
-      lines_.push_back("note               " + notes.back());
-    }
-  summary_.set("notes", notes);
+  for (const std::string& note : model_.notes) lines_.push_back("note               " + note);
+  summary_.set("notes", model_.notes);
 }
 
 void RunSummary::add_statics(const Rest& rest) {

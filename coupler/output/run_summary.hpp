@@ -44,7 +44,7 @@ class RunSummary {
   void print(const std::filesystem::path& directory) const;
 
  private:
-  // Adds the engines that compute the particles, and the participants' notes on their models.
+  // Adds the engines that compute the particles, and the notes on the model.
   void add_engines();
   void add_notes();
   void add_findings(const Findings& findings);

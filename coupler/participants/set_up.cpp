@@ -49,6 +49,8 @@ void build_models(Model& model, const std::string& run_id) {
       if (!(speed >= 0) || !std::isfinite(speed))
         throw protocol::PeerLost(participant.connection->name(),
                                  "sent a wave speed that is negative or not finite");
+    for (const std::string& note : participant.model.notes())
+      model.notes.push_back(participant.member.name + ": " + note);
   }
 }
 
