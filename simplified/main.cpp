@@ -22,7 +22,7 @@ void run_scene(const protocol::SceneCommandLine& line, const protocol::SceneFile
   const std::string name = adit::results::case_name(line.scene);
   const fs::path directory =
       line.out.empty() ? fs::path("runs") / name / file.scene.name() : fs::path(line.out);
-  simplified::check(file.scene);  // before the results of an older run are removed
+  simplified::set_up(file.scene);  // before the results of an older run are removed
   adit::results::prepare_run_directory(directory, line.scene);
   adit::results::clear_results(directory);
   std::ofstream(directory / "scene.yaml") << protocol::to_yaml(file.scene);

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "protocol/errors.hpp"
-#include "protocol/motion/excitation/ground_motion.hpp"
 #include "protocol/scene/hash.hpp"
 #include "simplified/output/results.hpp"
 #include "simplified/output/zoom.hpp"
@@ -118,7 +117,8 @@ Setup set_up(const scene::Scene& scene) {
 }
 
 Response solve(const Setup& setup) {
-  const GroundField ground = shake(*setup.scene, setup.motion, setup.begin, setup.end, setup.clock.steps);
+  const GroundField ground =
+      shake(*setup.scene, setup.motion.motion, setup.begin, setup.end, setup.clock.steps);
   switch (setup.scene->model()) {
     case Scene::CHAIN:
       return solve_chain(*setup.scene, setup.line, ground, setup.clock);
@@ -142,7 +142,7 @@ void run(const scene::Scene& scene, const std::string& case_name, const std::fil
 }
 
 void check(const scene::Scene& scene) {
-  set_up(scene);
+  for (const std::string& note : set_up(scene).motion.notes) fmt::print("note: {}\n", note);
 }
 
 }  // namespace adit::simplified

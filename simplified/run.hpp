@@ -5,6 +5,7 @@
 #include <string>
 
 #include "protocol/messages/scene.pb.h"
+#include "protocol/motion/excitation/ground_motion.hpp"
 #include "simplified/models/solve.hpp"
 #include "simplified/scene/excitation.hpp"
 
@@ -16,7 +17,7 @@ struct Setup {
   Line line;                  // empty for the model column
   double begin = 0, end = 0;  // chainages between which the tunnel, or the soil profiles, reach [m]
   Clock clock{};
-  motion::Motion motion;
+  motion::UsedMotion motion;
 };
 
 // Checks the whole scene and prepares its ground motion; throws UserError.
@@ -29,7 +30,7 @@ Response solve(const Setup& setup);
 // figures.
 void run(const scene::Scene& scene, const std::string& case_name, const std::filesystem::path& directory);
 
-// Only sets the model up.
+// Only sets the model up, and prints the notes on its motion.
 void check(const scene::Scene& scene);
 
 }  // namespace adit::simplified

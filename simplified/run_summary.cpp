@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "protocol/motion/measures.hpp"
 #include "protocol/release.hpp"
 #include "protocol/results/summary.hpp"
 #include "protocol/scene/hash.hpp"
@@ -20,12 +21,6 @@ using results::Summary;
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
-}
-
-double peak_acceleration(const motion::Motion& motion) {
-  double peak = 0;
-  for (const double a : motion.acceleration) peak = std::max(peak, std::abs(a));
-  return peak;
 }
 
 void add_responses(Summary& summary, const Response& response) {
@@ -60,9 +55,10 @@ void add_joints(Summary& summary, const scene::Tunnel& tunnel, const Response& r
   }
 }
 
-void print(const scene::Scene& scene, const Response& response, double wall_s,
+void print(const scene::Scene& scene, const Setup& setup, const Response& response, double wall_s,
            const std::filesystem::path& directory) {
   fmt::print("results            {}\n", directory.string());
+  for (const std::string& note : setup.motion.notes) fmt::print("note               {}\n", note);
   for (const Place& place : largest_responses(response))
     fmt::print("largest {:<10} {:.4g} {} at {:.1f} m\n", place.name, place.value, place.unit, place.chainage);
   fmt::print("wall time          {:.2f} s for {:g} s of motion ({:.0f} times as fast)\n", wall_s,
@@ -86,16 +82,18 @@ void summarize(const scene::Scene& scene, const std::string& case_name, const Se
   summary.set("begin_m", setup.begin);
   summary.set("end_m", setup.end);
   summary.set("apparent_velocity_m_per_s", setup.scene->excitation().incidence().apparent_velocity());
-  summary.set("peak_input_acceleration_m_per_s2", peak_acceleration(setup.motion));
+  summary.set("peak_input_acceleration_m_per_s2",
+              motion::peaks(motion::beginning(setup.motion.motion, scene.time().duration())).acceleration);
   for (const auto& [name, value] : response.figures) summary.set(name, value);
   add_responses(summary, response);
   add_joints(summary, setup.scene->tunnel(), response);
+  summary.set("notes", setup.motion.notes);
   summary.set("completed", true);
   summary.set("wall_s", wall_s);
   summary.set("model_wall_s", response.wall_s);
   summary.set("real_time_factor", scene.time().duration() / wall_s);
   summary.write(directory / "summary.json");
-  print(scene, response, wall_s, directory);
+  print(scene, setup, response, wall_s, directory);
 }
 
 }  // namespace adit::simplified

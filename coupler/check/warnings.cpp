@@ -51,9 +51,7 @@ void warn_of_absent_statics(const Model& model) {
 }  // namespace
 
 void print_notes_and_warnings(const Model& model, const Pace& pace) {
-  for (const Participant& participant : model.participants)
-    for (const std::string& note : participant.model.notes())
-      print_line("note", participant.member.name + ": " + note);
+  for (const std::string& note : model.notes) print_line("note", note);
   warn_of_cracks(model);
   warn_of_absent_statics(model);
   if (!pace.stable())

@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include "coupler/output/motion_files.hpp"
+#include "coupler/time/row_interval.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/motion/excitation/ground_motion.hpp"
 #include "protocol/motion/measures.hpp"
 #include "protocol/nearest_name.hpp"
 #include "protocol/participant/history.hpp"
@@ -14,10 +16,6 @@ namespace adit::coupler {
 namespace {
 
 using protocol::UserError;
-
-// With 20 samples in a period, straight lines between them lower the amplitude of a sine by
-// 1 - sinc^2(1/20) = 0.8 %.
-constexpr double kSamplesAPeriod = 20;
 
 constexpr scene::Quantity kComponents[] = {scene::ACCELERATION_X, scene::ACCELERATION_Y};
 
@@ -40,10 +38,6 @@ double share_of_fast_motion(const motion::Motion& motion) {
 
 }  // namespace
 
-double sampling_interval(const scene::Spectra& spectra) {
-  return spectra.shortest_period() / kSamplesAPeriod;
-}
-
 MotionOutputs::MotionOutputs(const Model& model, double interval) : interval_(interval) {
   for (const Participant& participant : model.participants)
     for (const auto& history : histories_of(model.scene, participant.member)) histories_.push_back(history);
@@ -62,7 +56,7 @@ MotionOutputs::MotionOutputs(const Model& model, double interval) : interval_(in
         records_.push_back({name, at + 1, {interval, {}}});  // the first column is the time
         return records_.size() - 1;
       };
-      Request request{spectra, record(spectra.history(), *column), std::nullopt};
+      Request request{spectra, record(spectra.history(), *column), std::nullopt, quantity};
       for (const Request& other : requests_)
         if (other.record == request.record)
           throw UserError(
@@ -79,6 +73,25 @@ MotionOutputs::MotionOutputs(const Model& model, double interval) : interval_(in
       requests_.push_back(std::move(request));
     }
   }
+  if (!requests_.empty()) read_input(model);
+}
+
+void MotionOutputs::read_input(const Model& model) {
+  for (const Participant& participant : model.participants) {
+    if (participant.member.role != Role::kContinuum) continue;
+    const scene::Base& base = continuum_of(model.scene, participant.member).base();
+    if (!base.has_acceleration()) continue;
+    input_direction_ = base.direction() == scene::Base::X ? scene::ACCELERATION_X : scene::ACCELERATION_Y;
+    input_ = motion::ground_motion(base.acceleration(), participant.member.path + ".base.acceleration",
+                                   model.scene.time().duration())
+                 .acting();
+    return;
+  }
+}
+
+const motion::Motion* MotionOutputs::reference(const Request& request) const {
+  if (request.relative_to) return &records_[*request.relative_to].motion;
+  return input_ && request.quantity == input_direction_ ? &*input_ : nullptr;
 }
 
 void MotionOutputs::check(const scene::Spectra& spectra, const std::string& path, bool interval_given) const {
@@ -91,12 +104,14 @@ void MotionOutputs::check(const scene::Spectra& spectra, const std::string& path
         "output.history_interval",
         fmt::format("makes rows {:g} s apart, but {}.shortest_period = {:g} s needs {:g} s; shorten the "
                     "interval, or begin the spectra at {:g} s",
-                    interval_, path, spectra.shortest_period(), needed, kSamplesAPeriod * interval_));
+                    interval_, path, spectra.shortest_period(), needed,
+                    interval_ / needed * spectra.shortest_period()));
   throw UserError(
       path + ".shortest_period",
       fmt::format("is {:g} s, which needs samples {:g} s apart, but the time step is {:g} s; begin the "
                   "spectra at {:g} s",
-                  spectra.shortest_period(), needed, interval_, kSamplesAPeriod * interval_));
+                  spectra.shortest_period(), needed, interval_,
+                  interval_ / needed * spectra.shortest_period()));
 }
 
 void MotionOutputs::require_recorded(const std::string& name, const std::string& path) const {
@@ -132,10 +147,13 @@ MotionOutputs::Found MotionOutputs::write(const std::filesystem::path& folder) c
   if (requests_.empty()) return found;
   std::filesystem::create_directories(folder);
   found.measures.emplace_back("spectra_sampling_interval_s", interval_);
-  for (const auto& [spectra, record, relative_to] : requests_) {
+  for (const Request& request : requests_) {
+    const auto& [spectra, record, relative_to, quantity] = request;
     const auto& [name, column, motion] = records_[record];
     write_motion(folder / (name + "_motion.csv"), motion);
     write_response(folder / (name + "_response.csv"), motion, spectra);
+    if (const motion::Motion* before = reference(request))
+      write_response(folder / (name + "_reference.csv"), *before, spectra);
     write_fourier(folder / (name + "_fourier.csv"), motion);
     const motion::Peaks peaks = motion::peaks(motion);
     const double arias = motion::arias_intensity(motion),

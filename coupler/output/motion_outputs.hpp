@@ -15,9 +15,6 @@
 
 namespace adit::coupler {
 
-// The longest time between two samples [s] that resolves the shortest period.
-double sampling_interval(const scene::Spectra& spectra);
-
 class MotionOutputs {
  public:
   // Throws protocol::UserError if spectra are asked for of a history that does not exist or is not an
@@ -33,8 +30,9 @@ class MotionOutputs {
     std::vector<std::string> lines, warnings;
   };
 
-  // Writes <motion>_motion.csv, _response.csv, _fourier.csv and, relative to another motion, _transfer.csv,
-  // where <motion> is <history>_ax or <history>_ay. Creates the folder if there are motions.
+  // Writes <motion>_motion.csv, _response.csv, _fourier.csv and, relative to another motion, _transfer.csv.
+  // The spectra of that motion, or else of the base's acceleration in the same direction, are in
+  // _reference.csv. Here <motion> is <history>_ax or <history>_ay. Creates the folder if there are motions.
   Found write(const std::filesystem::path& folder) const;
 
  private:
@@ -47,16 +45,23 @@ class MotionOutputs {
     scene::Spectra spectra;
     std::size_t record;
     std::optional<std::size_t> relative_to;  // number of another record
+    scene::Quantity quantity;                // acceleration in x or y
   };
   void check(const scene::Spectra& spectra, const std::string& path, bool interval_given) const;
   // The record of the history of this name and quantity; nothing if it is not recorded.
   std::optional<std::size_t> find(const std::string& name, scene::Quantity quantity) const;
+  // Takes the acceleration of the base of the first continuum that has one.
+  void read_input(const Model& model);
+  // The motion from which that of the request came, if it is known.
+  const motion::Motion* reference(const Request& request) const;
   void require_recorded(const std::string& name, const std::string& path) const;
 
   double interval_;
   std::vector<scene::History> histories_;  // in the order of their columns
   std::vector<Record> records_;
   std::vector<Request> requests_;
+  std::optional<motion::Motion> input_;  // acceleration of the base
+  scene::Quantity input_direction_ = scene::ACCELERATION_X;
 };
 
 }  // namespace adit::coupler

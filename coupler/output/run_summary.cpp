@@ -74,9 +74,7 @@ void RunSummary::add_engines() {
 }
 
 void RunSummary::add_notes(std::vector<std::string> notes) {
-  for (const Participant& participant : model_.participants)
-    for (const std::string& note : participant.model.notes())
-      notes.push_back(participant.member.name + ": " + note);
+  notes.insert(notes.end(), model_.notes.begin(), model_.notes.end());
   for (const std::string& note : notes) lines_.push_back("note               " + note);
   summary_.set("notes", notes);
 }

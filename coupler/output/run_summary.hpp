@@ -46,7 +46,7 @@ class RunSummary {
   void print(const std::filesystem::path& directory) const;
 
  private:
-  // Adds the engines that compute the particles, and the notes on the scene and on the participants' models.
+  // Adds the engines that compute the particles, and the notes on the scene and on the model.
   void add_engines();
   void add_notes(std::vector<std::string> notes);
   void add_findings(const Findings& findings);

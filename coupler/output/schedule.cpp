@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupler/output/motion_outputs.hpp"
+#include "coupler/time/row_interval.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::coupler {
 namespace {
-
-constexpr double kDefaultHistoryRows = 500;
 
 // Samples in one period for finding peaks. The sample nearest to the peak of a sine lies at most 1/40 of a
 // period from it and is at most 1 - cos(pi/20) = 1.2 % too low.
@@ -21,15 +19,12 @@ constexpr double kLooksAPeriod = 20;
 
 Schedule::Schedule(const Model& model) : last_(model.steps) {
   const auto& output = model.scene.output();
-  const double duration = static_cast<double>(model.steps) * model.dt;
+  const double duration = model.scene.time().duration();
   const auto steps_in = [&](double interval) {
     return static_cast<std::uint64_t>(std::clamp(interval, 1.0, static_cast<double>(model.steps)));
   };
-  const double interval =
-      output.has_history_interval() ? output.history_interval() : duration / kDefaultHistoryRows;
-  history_stride_ = steps_in(std::round(interval / model.dt));
-  // Without a given interval, rows are as close together as the spectra need. A given interval is kept, and
-  // refused by MotionOutputs if it is too long for them.
+  history_stride_ = steps_in(std::round(row_interval(model.scene) / model.dt));
+  // A given interval is kept, and refused by MotionOutputs if it is too long for the spectra.
   if (!output.has_history_interval())
     for (const auto& spectra : output.spectra())
       history_stride_ =

@@ -19,11 +19,6 @@ const scene::Region* region_of(const scene::Scene& scene, const Member& member) 
   return nullptr;
 }
 
-const scene::Continuum& continuum_of(const scene::Scene& scene, const Member& member) {
-  const scene::Region* region = region_of(scene, member);
-  return region ? region->continuum() : scene.continuum();
-}
-
 const scene::Particles& particles_of(const scene::Scene& scene, const Member& member) {
   const scene::Region* region = region_of(scene, member);
   return region ? region->particles() : scene.particles();
@@ -67,6 +62,11 @@ void require_all_joined(const std::vector<Member>& members, const std::vector<Jo
 }
 
 }  // namespace
+
+const scene::Continuum& continuum_of(const scene::Scene& scene, const Member& member) {
+  const scene::Region* region = region_of(scene, member);
+  return region ? region->continuum() : scene.continuum();
+}
 
 const char* to_string(Role role) {
   return role == Role::kContinuum ? "continuum" : "particles";

@@ -50,6 +50,8 @@ void build_models(Model& model, const std::string& run_id) {
       if (!(speed >= 0) || !std::isfinite(speed))
         throw protocol::PeerLost(participant.connection->name(),
                                  "sent a wave speed that is negative or not finite");
+    for (const std::string& note : participant.model.notes())
+      model.notes.push_back(participant.member.name + ": " + note);
   }
 }
 
@@ -68,11 +70,11 @@ void check_overlaps(Model& model) {
   for (const Interface& interface : model.interfaces) {
     Participant &outer = model.participants[interface.outer], &inner = model.participants[interface.inner];
     require_inside(interface.overlap, filled_by(outer), filled_by(inner));
-    for (std::string& note :
+    for (const std::string& note :
          overlap_notes(interface.overlap,
                        {outer.member.name, part_of(model.scene, outer.member), filled_by(outer).samples},
                        {inner.member.name, part_of(model.scene, inner.member), filled_by(inner).samples}))
-      inner.model.add_notes(std::move(note));
+      model.notes.push_back(inner.member.name + ": " + note);
   }
 }
 

@@ -22,8 +22,9 @@ struct Model {
   std::unique_ptr<Constraint> constraint;  // of coupled runs
   double critical_dt = 0;                  // smallest of the participants [s]
   std::uint64_t steps = 0;
-  double dt = 0;          // steps · dt = duration [s]
-  unsigned substeps = 1;  // of the particles in one step
+  double dt = 0;                        // steps · dt is the duration, or less than dt more [s]
+  unsigned substeps = 1;                // of the particles in one step
+  std::vector<std::string> notes = {};  // for the user, of the participants and on the time step
 };
 
 bool has_particles(const Model& model);

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
+#include "coupler/time/row_interval.hpp"
+#include "coupler/time/step_choice.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::coupler {
@@ -56,6 +59,49 @@ unsigned substeps_that_cost_nothing(const Critical& critical, double dt) {
   return pairs >= 1 ? 2 * static_cast<unsigned>(std::min(pairs, 500.0)) : 1;
 }
 
+// By how much a step may be shortened for rows that nobody asked for.
+constexpr double kShortened = 1.1;
+
+std::string shortened(double interval, double limit, double dt) {
+  return fmt::format(
+      "`output.history_interval` of {:g} s shortens the time step from {:g} s to {:g} s, which divides it; "
+      "with "
+      "{:g} s the run takes {:.0f} % fewer steps",
+      interval, limit, dt, limit * std::ceil(interval / limit), 100 * (1 - dt / limit));
+}
+
+std::string not_divided(double interval, double dt, bool given) {
+  const double rows = dt * std::max(1.0, std::round(interval / dt));
+  return fmt::format(
+      "rows of histories.csv are {:g} s apart instead of `output.history_interval` = {:g} s, {}", rows,
+      interval,
+      given ? fmt::format("because `time.dt` makes steps of {:g} s; choose a multiple of it", dt)
+            : fmt::format("because a time step takes {:g} s", dt));
+}
+
+// Steps that divide the interval between rows, where it is not shorter than they are. A given `dt` stays as
+// it is. For an interval that nobody gave the step is shortened a little at most.
+Steps steps_for_rows(const scene::Scene& scene, double limit, std::vector<std::string>& notes) {
+  const auto& time = scene.time();
+  const double duration = time.duration(), interval = row_interval(scene);
+  const bool asked = scene.output().has_history_interval();
+  const std::span<const double> fields(scene.output().field_times().data(),
+                                       static_cast<std::size_t>(scene.output().field_times_size()));
+  const Steps equal = equal_steps(duration, limit);
+  if (interval >= duration * (1 - 1e-12)) return equal;  // a row at the begin and one at the end
+  if (time.has_dt() || interval < limit * (1 - 1e-12)) {
+    if (!asked || on_step(interval, equal.dt)) return equal;
+    if (on_step(interval, limit)) return steps_of(limit, duration);
+    notes.push_back(not_divided(interval, equal.dt, time.has_dt()));
+    return equal;
+  }
+  const Steps dividing = dividing_steps(duration, limit, interval, fields);
+  const bool costly = dividing.dt * kShortened < equal.dt;
+  if (costly && !asked) return equal;
+  if (costly) notes.push_back(shortened(interval, limit, dividing.dt));
+  return dividing;
+}
+
 }  // namespace
 
 void choose_time_step(Model& model) {
@@ -75,12 +121,13 @@ void choose_time_step(Model& model) {
                                 "one, or leave it out and state dt_factor",
                                 time.dt(), model.critical_dt, critical.name_with(m),
                                 m > 1 ? fmt::format(" with {} substeps", m) : ""));
-  const double wanted = m * (time.has_dt() ? time.dt() : time.dt_factor() * model.critical_dt);
-  const double steps = std::ceil(time.duration() / wanted);
-  if (steps > 1e15)
-    throw UserError("time.duration", fmt::format("takes {:g} steps of {:g} s; shorten it", steps, wanted));
-  model.steps = static_cast<std::uint64_t>(std::max(steps, 1.0));
-  model.dt = time.duration() / static_cast<double>(model.steps);
+  const double limit = m * (time.has_dt() ? time.dt() : time.dt_factor() * model.critical_dt);
+  if (time.duration() / limit > 1e15)
+    throw UserError("time.duration",
+                    fmt::format("takes {:g} steps of {:g} s; shorten it", time.duration() / limit, limit));
+  const Steps steps = steps_for_rows(model.scene, limit, model.notes);
+  model.steps = steps.count;
+  model.dt = steps.dt;
 }
 
 }  // namespace adit::coupler

@@ -21,6 +21,7 @@ void DemParticipant::set_up(const wire::Setup& setup, wire::Model& answer) {
   spdlog::info("the engine of the particles is {}", choice_.told());
   report(engine_->critical_element(), answer);
   report(wave_speeds(model_), answer);
+  answer.set_highest_frequency(highest_frequency(model_));
   answer.set_x_min(model_.extent.x_min);
   answer.set_x_max(model_.extent.x_max);
   answer.set_y_min(model_.extent.y_min);

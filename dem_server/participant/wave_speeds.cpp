@@ -72,29 +72,52 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
-}  // namespace
-
-WaveSpeeds wave_speeds(const Model& model) {
+// Of each group, in its fastest direction; 0 for a group without bonds.
+std::vector<Squares> group_squares(const Model& model) {
   const auto bonds = elastic_bonds(model);
   const auto groups = bonded_groups(model, bonds);
-  Squares fastest;
+  std::vector<Squares> fastest(groups.size());
   std::vector<double> p, s;
   for (int k = 0; k < kDirections; ++k) {
     const double angle = k * std::numbers::pi / kDirections;
     const auto of_particle = squares(model, bonds, std::cos(angle), std::sin(angle));
-    for (const auto& group : groups) {
-      if (group.empty()) continue;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      if (groups[g].empty()) continue;
       p.clear();
       s.clear();
-      for (const std::uint32_t i : group) {
+      for (const std::uint32_t i : groups[g]) {
         p.push_back(of_particle[i].p);
         s.push_back(of_particle[i].s);
       }
-      fastest.p = std::max(fastest.p, median(p));
-      fastest.s = std::max(fastest.s, median(s));
+      fastest[g].p = std::max(fastest[g].p, median(p));
+      fastest[g].s = std::max(fastest[g].s, median(s));
     }
   }
+  return fastest;
+}
+
+}  // namespace
+
+WaveSpeeds wave_speeds(const Model& model) {
+  Squares fastest;
+  for (const Squares& group : group_squares(model)) {
+    fastest.p = std::max(fastest.p, group.p);
+    fastest.s = std::max(fastest.s, group.s);
+  }
   return {std::sqrt(fastest.p), std::sqrt(fastest.s)};
+}
+
+double highest_frequency(const Model& model) {
+  constexpr double kParticlesAWavelength = 10;
+  const auto groups = group_squares(model);
+  std::vector<double> radius(groups.size(), 0);
+  for (std::size_t i = 0; i < model.discs.size(); ++i)
+    radius[model.group[i]] = std::max(radius[model.group[i]], model.discs.radius[i]);
+  double lowest = HUGE_VAL;
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    if (groups[g].s > 0)
+      lowest = std::min(lowest, std::sqrt(groups[g].s) / (kParticlesAWavelength * 2 * radius[g]));
+  return std::isfinite(lowest) ? lowest : 0;
 }
 
 }  // namespace adit::dem

@@ -23,4 +23,9 @@ struct WaveSpeeds {
 // nor a few odd ones count. 0 without bonds.
 WaveSpeeds wave_speeds(const Model& model);
 
+// Highest frequency that the model carries well [Hz]: that of which 10 particles, the largest of the group,
+// are a wavelength of the group's shear waves, in the group where it is lowest. 0 without bonds that bear
+// shear.
+double highest_frequency(const Model& model);
+
 }  // namespace adit::dem

@@ -11,12 +11,14 @@
 #include "fdm_server/grid/interpolation.hpp"
 #include "fdm_server/grid/samples.hpp"
 #include "fdm_server/materials/wave_speeds.hpp"
+#include "fdm_server/model/boundaries/base_motion.hpp"
 #include "fdm_server/model/boundaries/boundaries.hpp"
 #include "fdm_server/model/damping.hpp"
 #include "fdm_server/model/grid/excavation.hpp"
 #include "fdm_server/model/grid/read_grid.hpp"
 #include "fdm_server/model/ground.hpp"
 #include "fdm_server/model/initial_stress.hpp"
+#include "fdm_server/model/resolution.hpp"
 #include "fdm_server/model/supports/supports.hpp"
 #include "fdm_server/participant/critical_element.hpp"
 #include "fdm_server/participant/snapshot.hpp"
@@ -67,6 +69,12 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   const WaveSpeeds speeds = wave_speeds(setup_.ground);
   model.set_p_wave_speed(speeds.p);
   model.set_s_wave_speed(speeds.s);
+  base_acceleration_ = base_acceleration(scene_.continuum().base(), scene_.time().duration());
+  for (const std::string& note : base_acceleration_.notes) model.add_notes("base.acceleration: " + note);
+  const Resolution resolution = fdm::resolution(grid_, setup_.ground);
+  model.set_highest_frequency(resolution.frequency);
+  if (const auto note = note_on_resolution(resolution, scene_.continuum(), base_acceleration_.motion))
+    model.add_notes(*note);
   const auto box = bounds(grid_);
   model.set_x_min(box.x_min);
   model.set_x_max(box.x_max);
@@ -108,7 +116,7 @@ void FdmParticipant::make_continuum() {
   for (auto& motion : motions)
     for (const auto& column : columns_) extend_to_column(column, motion.points);
   auto boundaries = resolve_boundaries(
-      conditions, scene_.time().duration(), grid_, edges, columns_,
+      conditions, base_acceleration_, grid_, edges, columns_,
       [this](std::uint32_t zone) {
         const Ground& ground = setup_.ground;
         const Material& material = ground.materials[ground.of_zone[zone]];

@@ -19,6 +19,7 @@
 #include "fdm_server/solver/relaxation.hpp"
 #include "fdm_server/supports/peak_forces.hpp"
 #include "fdm_server/supports/supports.hpp"
+#include "protocol/motion/excitation/ground_motion.hpp"
 #include "protocol/participant/interface_operator.hpp"
 #include "protocol/participant/step.hpp"
 #include "protocol/participant/stepped_participant.hpp"
@@ -79,6 +80,7 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   std::vector<double> weights_;  // of the zones; 0 where they were taken away
   Supports supports_;
   std::vector<FreeFieldColumn> columns_;
+  motion::UsedMotion base_acceleration_;
   std::vector<Load> base_loads_;
   std::vector<std::uint32_t> stage_of_zone_;  // with which each is taken away; 0: it stays
   std::uint32_t stage_ = 0;                   // reached

@@ -89,4 +89,14 @@ FourierSpectrum fourier_spectrum(const Motion& motion) {
   return spectrum;
 }
 
+double frequency_below(const Motion& motion, double share) {
+  const FourierSpectrum spectrum = fourier_spectrum(motion);
+  std::vector<double> energy;
+  double sum = 0;
+  for (const double amplitude : spectrum.amplitude) energy.push_back(sum += amplitude * amplitude);
+  return sum > 0 ? spectrum.frequency[static_cast<std::size_t>(std::ranges::lower_bound(energy, share * sum) -
+                                                               energy.begin())]
+                 : 0;
+}
+
 }  // namespace adit::motion

@@ -41,4 +41,8 @@ struct FourierSpectrum {
 };
 FourierSpectrum fourier_spectrum(const Motion& motion);
 
+// The frequency [Hz] below which this share of the motion's Fourier energy lies, the integral of the squared
+// amplitude (by Parseval's theorem its Arias intensity); 0 if nothing moves.
+double frequency_below(const Motion& motion, double share);
+
 }  // namespace adit::motion

@@ -13,12 +13,15 @@ def motions(run):
     """Yields (name, figure) for every motion of the run."""
     for path in sorted((run.folder / "spectra").glob("*_motion.csv")):
         name = path.name.removesuffix("_motion.csv")
-        tables = {kind: path.with_name(f"{name}_{kind}.csv") for kind in ("response", "fourier", "transfer")}
+        tables = {kind: path.with_name(f"{name}_{kind}.csv") for kind in ("response", "reference", "fourier", "transfer")}
         yield f"{name}_motion", _over_time(run, name, read_columns(path))
-        yield f"{name}_response", _response(run, name, read_columns(tables["response"]))
+        transfer = read_columns(tables["transfer"]) if tables["transfer"].exists() else None
+        reference = read_columns(tables["reference"]) if tables["reference"].exists() else None
+        yield f"{name}_response", _response(run, name, read_columns(tables["response"]), reference,
+                                            _base(transfer) if transfer else "input")
         yield f"{name}_fourier", _fourier(run, name, read_columns(tables["fourier"]))
-        if tables["transfer"].exists():
-            yield f"{name}_transfer", _transfer(run, name, read_columns(tables["transfer"]))
+        if transfer:
+            yield f"{name}_transfer", _transfer(run, name, transfer)
 
 
 def _over_time(run, name, table):
@@ -48,8 +51,14 @@ def _over_time(run, name, table):
     return figure
 
 
-def _response(run, name, table):
-    """Pseudo acceleration, velocity and displacement over the period, one curve for each damping."""
+def _base(transfer):
+    """Name of the motion to which the ratio of a table of amplification refers."""
+    return next(column for column in transfer if column.endswith("_amplitude_m_per_s")).removesuffix("_amplitude_m_per_s")
+
+
+def _response(run, name, table, reference, name_of_reference):
+    """Pseudo acceleration, velocity and displacement over the period, one curve for each damping; dashed, those of the
+    motion from which this one came, if it is known."""
     dampings = [column.removeprefix("sd_").removesuffix("pct_m") for column in table if column.startswith("sd_")]
     figure, axes = plt.subplots(1, 3, figsize=(10.5, 3.9), gridspec_kw={
         "left": 0.07, "right": 0.985, "top": 0.9, "bottom": 0.14, "wspace": 0.3})
@@ -59,6 +68,9 @@ def _response(run, name, table):
         for i, damping in enumerate(dampings):
             panel.loglog(table["period_s"], table[kind.format(damping)], color=COLORS[i % len(COLORS)],
                          label=f"damping {damping} %")
+            if reference:
+                panel.loglog(reference["period_s"], reference[kind.format(damping)], color=COLORS[i % len(COLORS)], lw=0.9,
+                             ls="--", label=f"{name_of_reference}, {damping} %")
         panel.set(xlabel="period [s]", ylabel=f"{quantity} [{unit}]", xlim=(table["period_s"][0], table["period_s"][-1]))
         _plain_decades(panel)
     pga = run.number(f"{name}_pga_m_per_s2")
@@ -93,16 +105,17 @@ def _fourier(run, name, table):
 
 
 def _transfer(run, name, table):
-    base = next(column for column in table if column.endswith("_amplitude_m_per_s")).removesuffix("_amplitude_m_per_s")
+    base = _base(table)
     figure, axes = plt.subplots(figsize=(7.0, 4.0), gridspec_kw={"left": 0.1, "right": 0.97, "top": 0.9, "bottom": 0.13})
     axes.semilogx(table["frequency_Hz"], table["ratio"], color=style.BLUE)
-    top = int(np.nanargmax(table["ratio"]))
-    axes.plot(table["frequency_Hz"][top], table["ratio"][top], "o", ms=6, mfc="none", mec=style.RED, mew=1.2,
-              label=f"{table['ratio'][top]:.3g} at {table['frequency_Hz'][top]:.3g} Hz")
+    if np.isfinite(table["ratio"]).any():  # there is no ratio where the base has no motion
+        top = int(np.nanargmax(table["ratio"]))
+        axes.plot(table["frequency_Hz"][top], table["ratio"][top], "o", ms=6, mfc="none", mec=style.RED, mew=1.2,
+                  label=f"{table['ratio'][top]:.3g} at {table['frequency_Hz'][top]:.3g} Hz")
     axes.axhline(1, color=style.GREY, lw=0.6)
     axes.set(xlabel="frequency [Hz]", ylabel="amplification", ylim=(0, None),
              xlim=(table["frequency_Hz"][0], table["frequency_Hz"][-1]))
     _plain_decades(axes)
-    axes.legend(loc="upper right", handletextpad=0.2)
+    axes.legend(loc="best", handletextpad=0.2)
     axes.set_title(f"{run.name}: {name} relative to {base}", loc="left")
     return figure

@@ -56,7 +56,7 @@ std::map<std::uint32_t, BasePoint> base_points(const scene::Base& base, const Ed
 
 }  // namespace
 
-BaseActions resolve_base(const scene::Base& base, double duration, EdgeSet& edges,
+BaseActions resolve_base(const scene::Base& base, const motion::UsedMotion& acceleration, EdgeSet& edges,
                          const ImpedanceOf& impedance, DashpotSet& dashpots) {
   const bool compliant = base.kind() == scene::Base::COMPLIANT;
   const auto chosen = base_edges(base, edges);
@@ -71,7 +71,7 @@ BaseActions resolve_base(const scene::Base& base, double duration, EdgeSet& edge
   for (const auto& [number, point] : points) places.push_back(point.x);
   std::ranges::sort(places);
   places.erase(std::ranges::unique(places).begin(), places.end());
-  const auto histories = base_histories(base, places, duration);
+  const auto histories = base_histories(base, places, acceleration);
 
   const auto [along, across] =
       base.direction() == scene::Base::X ? std::pair{Axis::kX, Axis::kY} : std::pair{Axis::kY, Axis::kX};

@@ -11,6 +11,7 @@
 #include "fdm_server/boundaries/edge_set.hpp"
 #include "fdm_server/solver/loads.hpp"
 #include "protocol/messages/scene.pb.h"
+#include "protocol/motion/excitation/ground_motion.hpp"
 
 namespace adit::fdm {
 
@@ -19,8 +20,8 @@ struct BaseActions {
   std::vector<PrescribedMotion> motions;
 };
 
-// Base motions last `duration` [s] at least.
-BaseActions resolve_base(const scene::Base& base, double duration, EdgeSet& edges,
+// `acceleration` is that of the base (base_motion.hpp).
+BaseActions resolve_base(const scene::Base& base, const motion::UsedMotion& acceleration, EdgeSet& edges,
                          const ImpedanceOf& impedance, DashpotSet& dashpots);
 
 }  // namespace adit::fdm

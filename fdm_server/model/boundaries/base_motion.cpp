@@ -1,11 +1,9 @@
 #include "fdm_server/model/boundaries/base_motion.hpp"
 
 #include <string>
-#include <utility>
 
 #include "protocol/errors.hpp"
 #include "protocol/motion/errors_at.hpp"
-#include "protocol/motion/excitation/ground_motion.hpp"
 #include "protocol/motion/excitation/stations.hpp"
 #include "protocol/motion/velocity_history.hpp"
 #include "protocol/participant/time_function.hpp"
@@ -23,31 +21,36 @@ TimeFactor scaled(const Given& given) {
   return [given](double t) { return given.amplitude() * protocol::evaluate(given.time(), t); };
 }
 
-std::vector<TimeFactor> shaken(const scene::Base& base, std::span<const double> places, double duration) {
-  const motion::Motion motion = motion::ground_motion(base.acceleration(), kPath + ".acceleration", duration);
-  if (!base.has_incidence()) return {motion::VelocityHistory(motion)};
+std::vector<TimeFactor> shaken(const scene::Base& base, std::span<const double> places,
+                               const motion::UsedMotion& used) {
+  if (!base.has_incidence()) return {motion::VelocityHistory(used.acting())};
   const scene::Incidence& incidence = base.incidence();
   return motion::errors_at(kPath + ".incidence", [&] {
     std::vector<TimeFactor> histories;
-    for (auto& here : motion::station_motions(motion, places,
-                                              {.apparent_velocity = incidence.apparent_velocity(),
-                                              .drift = incidence.coherency().drift(),
-                                              .seed = incidence.coherency().seed()}))
-      histories.emplace_back(motion::VelocityHistory(std::move(here)));
+    for (const auto& here : motion::station_motions(used.motion, places,
+                                                    {.apparent_velocity = incidence.apparent_velocity(),
+                                                    .drift = incidence.coherency().drift(),
+                                                    .seed = incidence.coherency().seed()}))
+      histories.emplace_back(motion::VelocityHistory(used.acting(here)));
     return histories;
   });
 }
 
 }  // namespace
 
+motion::UsedMotion base_acceleration(const scene::Base& base, double duration) {
+  if (!base.has_acceleration()) return {};
+  return motion::ground_motion(base.acceleration(), kPath + ".acceleration", duration);
+}
+
 std::vector<TimeFactor> base_histories(const scene::Base& base, std::span<const double> places,
-                                       double duration) {
+                                       const motion::UsedMotion& acceleration) {
   if (base.has_incidence() && !base.has_acceleration())
     throw UserError(kPath + ".incidence",
                     "goes with `acceleration` only; leave it out, or give the motion so");
   switch (base.motion_case()) {
     case scene::Base::kAcceleration:
-      return shaken(base, places, duration);
+      return shaken(base, places, acceleration);
     case scene::Base::kVelocity:
       return {scaled(base.velocity())};
     case scene::Base::kStress:

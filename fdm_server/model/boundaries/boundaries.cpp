@@ -60,9 +60,10 @@ std::vector<FreeFieldColumn> add_columns(const scene::Continuum& scene, std::spa
   return columns;
 }
 
-Boundaries resolve_boundaries(const scene::Continuum& scene, double duration, const Grid& grid,
-                              std::span<const BoundaryEdge> outline, std::span<const FreeFieldColumn> columns,
-                              const ImpedanceOf& impedance, std::span<const PrescribedMotion> motions) {
+Boundaries resolve_boundaries(const scene::Continuum& scene, const motion::UsedMotion& acceleration,
+                              const Grid& grid, std::span<const BoundaryEdge> outline,
+                              std::span<const FreeFieldColumn> columns, const ImpedanceOf& impedance,
+                              std::span<const PrescribedMotion> motions) {
   EdgeSet edges(grid, outline, columns);
   DashpotSet dashpots;
   for (const auto& column : columns) {
@@ -73,7 +74,7 @@ Boundaries resolve_boundaries(const scene::Continuum& scene, double duration, co
   for (int i = 0; i < scene.quiet_size(); ++i)
     quieten(scene.quiet(i), fmt::format("continuum.quiet[{}]", i), edges, impedance, dashpots);
   BaseActions actions;
-  if (scene.has_base()) actions = resolve_base(scene.base(), duration, edges, impedance, dashpots);
+  if (scene.has_base()) actions = resolve_base(scene.base(), acceleration, edges, impedance, dashpots);
   require_apart(actions.motions, motions, grid);
   return {dashpots.in_order(grid), std::move(actions.loads), std::move(actions.motions)};
 }

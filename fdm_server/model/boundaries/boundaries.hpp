@@ -9,6 +9,7 @@
 #include "fdm_server/solver/dashpots.hpp"
 #include "fdm_server/solver/loads.hpp"
 #include "protocol/messages/scene.pb.h"
+#include "protocol/motion/excitation/ground_motion.hpp"
 
 namespace adit::fdm {
 
@@ -23,9 +24,11 @@ struct Boundaries {
 };
 
 // On what is left of the grid. An edge has one condition at most; a column ends as the grid does beside it.
-// Base motions last `duration` [s] at least. No component is prescribed by the base and by one of `motions`.
-Boundaries resolve_boundaries(const scene::Continuum& scene, double duration, const Grid& grid,
-                              std::span<const BoundaryEdge> outline, std::span<const FreeFieldColumn> columns,
-                              const ImpedanceOf& impedance, std::span<const PrescribedMotion> motions);
+// `acceleration` is that of the base (base_motion.hpp). No component is prescribed by the base and by one of
+// `motions`.
+Boundaries resolve_boundaries(const scene::Continuum& scene, const motion::UsedMotion& acceleration,
+                              const Grid& grid, std::span<const BoundaryEdge> outline,
+                              std::span<const FreeFieldColumn> columns, const ImpedanceOf& impedance,
+                              std::span<const PrescribedMotion> motions);
 
 }  // namespace adit::fdm

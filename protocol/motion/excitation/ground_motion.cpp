@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "protocol/errors.hpp"
 #include "protocol/motion/errors_at.hpp"
+#include "protocol/motion/excitation/cut_notes.hpp"
 #include "protocol/motion/processing/filter.hpp"
-#include "protocol/motion/processing/processing.hpp"
+#include "protocol/motion/processing/part.hpp"
 #include "protocol/motion/records/records.hpp"
 #include "protocol/motion/synthesis/synthetic.hpp"
 
@@ -18,13 +20,40 @@ namespace {
 using protocol::UserError;
 using Source = scene::GroundMotion;
 
-Motion recorded(const scene::MotionFile& file, const std::string& path, const Sampling& sampling) {
-  return errors_at(path, [&] {
-    const Motion record = parse_motion(file.path(), file.content());
-    require_duration(record, sampling.duration, "the motion " + file.path());
-    const Motion part = cut(record, 0, sampling.duration);
-    return part.dt == sampling.dt ? part : resampled(part, sampling.dt, Interpolation::kBandLimited);
+// Steps in one of a record, for solvers that take straight lines between values.
+constexpr int kPartsOfARecord = 8;
+
+// A pulse of this many widths is below 1e-6 of its peak.
+constexpr double kRickerWidths = 4.3, kGaborWidths = 3.8;
+
+Motion recorded(const scene::GroundMotion& scene, const std::string& path, double duration) {
+  return errors_at(path + ".file.path", [&] {
+    Motion record = parse_motion(scene.file().path(), scene.file().content());
+    const std::string name = "the motion " + scene.file().path();
+    if (!std::isfinite(scene.until()))
+      require_duration(record, scene.from() + duration, name);
+    else
+      require_duration(record, scene.until(), name);
+    return record;
   });
+}
+
+// When the whole motion has ended, which the run may cut [s].
+double natural_end(const scene::GroundMotion& scene) {
+  switch (scene.source_case()) {
+    case Source::kRicker:
+      return scene.ricker().time() + kRickerWidths / (std::numbers::pi * scene.ricker().frequency());
+    case Source::kSine:
+      return scene.sine().end();
+    case Source::kGabor:
+      return scene.gabor().time() +
+             kGaborWidths * scene.gabor().width() / (2 * std::numbers::pi * scene.gabor().frequency());
+    case Source::kSynthetic:
+    case Source::kFile:
+    case Source::SOURCE_NOT_SET:
+      break;
+  }
+  return 0;
 }
 
 TargetSpectrum target(const scene::SyntheticMotion& synthetic) {
@@ -48,11 +77,20 @@ Motion synthetic(const scene::SyntheticMotion& scene, const Sampling& sampling) 
       .motion;
 }
 
+// How long a motion is that is made by a formula: one that outlasts the run is made whole.
+double whole_duration(const scene::GroundMotion& scene, const Sampling& sampling) {
+  const double used = scene.from() + sampling.duration;
+  if (scene.has_synthetic()) return std::isfinite(scene.until()) ? scene.until() : used;
+  const double end = natural_end(scene);
+  return end > used ? sampling.dt * std::ceil(end / sampling.dt) : used;
+}
+
 // The motion before processing. Pulses have a peak of 1 m/s^2, which the `peak` of the scene scales.
-Motion raw_motion(const scene::GroundMotion& scene, const std::string& path, const Sampling& sampling) {
+Motion raw_motion(const scene::GroundMotion& scene, const std::string& path, const Sampling& run) {
+  const Sampling sampling{run.dt, whole_duration(scene, run)};
   switch (scene.source_case()) {
     case Source::kFile:
-      return recorded(scene.file(), path + ".file.path", sampling);
+      return recorded(scene, path, run.duration);
     case Source::kRicker:
       return ricker(1, scene.ricker().frequency(), scene.ricker().time(), sampling);
     case Source::kSine:
@@ -73,6 +111,22 @@ Motion filtered(const scene::GroundMotion& scene, Motion motion) {
   if (scene.has_low_corner()) motion = high_pass(motion, scene.low_corner(), kOrder, Phase::kZero);
   if (scene.has_high_corner()) motion = low_pass(motion, scene.high_corner(), kOrder, Phase::kZero);
   return motion;
+}
+
+Motion whole_motion(const scene::GroundMotion& scene, const std::string& path, const Sampling& sampling) {
+  Motion motion = raw_motion(scene, path, sampling);
+  if (scene.taper() > 0) motion = tapered(motion, scene.taper(), scene.taper());
+  motion = filtered(scene, std::move(motion));
+  if (scene.baseline()) motion = baseline_corrected(motion);
+  return scene.has_peak() ? scaled_to_peak(motion, scene.peak()) : motion;
+}
+
+// A record at the steps of a solver. It ends as before, although the kernel spreads a little beyond its ends.
+Motion at_step(const Motion& record, double dt) {
+  const Course course = integrate(record);
+  Motion motion = resampled(record, dt, Interpolation::kBandLimited);
+  if (motion.acceleration.size() < 4) return motion;
+  return ended_with(motion, course.velocity.back(), course.displacement.back());
 }
 
 double natural_step(const scene::GroundMotion& scene, const std::string& path) {
@@ -101,17 +155,29 @@ double natural_step(const scene::GroundMotion& scene, const std::string& path) {
 
 }  // namespace
 
-Motion ground_motion(const scene::GroundMotion& scene, const std::string& path, const Sampling& sampling) {
+Motion UsedMotion::acting(const Motion& other) const {
+  return beginning(interpolation == Interpolation::kBandLimited ? refined(other, kPartsOfARecord) : other,
+                   duration);
+}
+
+UsedMotion ground_motion(const scene::GroundMotion& scene, const std::string& path,
+                         const Sampling& sampling) {
   return errors_at(path, [&] {
-    Motion motion = raw_motion(scene, path, sampling);
-    if (scene.taper() > 0) motion = tapered(motion, scene.taper(), scene.taper());
-    motion = filtered(scene, std::move(motion));
-    if (scene.baseline()) motion = baseline_corrected(motion);
-    return scene.has_peak() ? scaled_to_peak(motion, scene.peak()) : motion;
+    const Motion whole = whole_motion(scene, path, sampling);
+    UsedMotion used{.motion = part(whole, scene.from(), scene.until()),
+                    .duration = sampling.duration,
+                    .notes = notes_on_cut(whole, {scene.from(), scene.until(), sampling.duration})};
+    if (scene.has_file()) {
+      used.interpolation = Interpolation::kBandLimited;
+      if (used.motion.dt != sampling.dt) used.motion = at_step(used.motion, sampling.dt);
+    }
+    const double rest = sampling.duration - used.motion.duration();
+    if (rest > 0 && std::isfinite(scene.until())) used.motion = padded(used.motion, 0, rest + used.motion.dt);
+    return used;
   });
 }
 
-Motion ground_motion(const scene::GroundMotion& scene, const std::string& path, double duration) {
+UsedMotion ground_motion(const scene::GroundMotion& scene, const std::string& path, double duration) {
   const double step = natural_step(scene, path);
   const bool recorded = scene.source_case() == Source::kFile;
   return ground_motion(scene, path,

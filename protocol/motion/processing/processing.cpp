@@ -41,6 +41,15 @@ Motion cut(const Motion& motion, double begin, double end) {
   return {motion.dt, {values + steps(begin, motion.dt), values + last + 1}};
 }
 
+Motion beginning(const Motion& motion, double end) {
+  check(motion);
+  const double kept = std::ceil(end / motion.dt * (1 - 1e-12)) + 1;
+  Motion result = motion;
+  if (kept < static_cast<double>(result.acceleration.size()))
+    result.acceleration.resize(static_cast<std::size_t>(std::max(kept, 1.0)));
+  return result;
+}
+
 Motion padded(const Motion& motion, double before, double after) {
   check(motion);
   require_length(before, "time to pad before the motion");

@@ -24,9 +24,15 @@ Motion scaled(const Motion& motion, double factor);
 // The motion scaled so that its largest absolute acceleration is `peak` [m/s^2].
 Motion scaled_to_peak(const Motion& motion, double peak);
 
-// Makes velocity and displacement at the end zero by adding s (1 - s) (c0 + c1 s), s = t / duration, to the
-// acceleration. The correction vanishes at both ends, so that a motion without acceleration there keeps that.
-// Needs at least four values.
+// The motion up to its first value not before `end` [s], or all of it.
+Motion beginning(const Motion& motion, double end);
+
+// Gives the motion this velocity [m/s] and displacement [m] at its end by adding s (1 - s) (c0 + c1 s),
+// s = t / duration, to the acceleration. The correction vanishes at both ends, so that a motion without
+// acceleration there keeps that. Needs at least four values.
+Motion ended_with(const Motion& motion, double velocity, double displacement);
+
+// The same with both zero: the ground ends at rest, at the place where it began.
 Motion baseline_corrected(const Motion& motion);
 
 // The motion at steps of `dt` up to its last time.
@@ -38,6 +44,13 @@ Motion baseline_corrected(const Motion& motion);
 //                  before.
 enum class Interpolation { kLinear, kBandLimited };
 Motion resampled(const Motion& motion, double dt, Interpolation interpolation);
+
+// The motion with `parts` steps in each of its own, band-limited between its values, which it keeps. It ends
+// with the velocity and displacement of `motion`: what the kernel spreads beyond the ends is made up for.
+// Straight lines between the new values lower an amplitude of frequency f by 1 - sinc^2(f dt / parts); with 8
+// parts that is 1.1 % at 0.9 of the Nyquist frequency, where straight lines between the given values take 59
+// %.
+Motion refined(const Motion& motion, int parts);
 
 // The motion, delayed by `delay` [s], with `count` values. It is band-limited between the steps, so that
 // every frequency below 0.9 of the Nyquist frequency is delayed without loss; a delay by whole steps is

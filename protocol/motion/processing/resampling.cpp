@@ -72,6 +72,22 @@ Motion resampled(const Motion& motion, double dt, Interpolation interpolation) {
   return result;
 }
 
+Motion refined(const Motion& motion, int parts) {
+  const Course course = integrate(motion);
+  const std::size_t steps = motion.acceleration.size() - 1;
+  Motion result{motion.dt / parts, std::vector<double>(steps * static_cast<std::size_t>(parts) + 1)};
+  for (int part = 0; part < parts; ++part) {
+    const std::vector<double> weights =
+        part == 0 ? std::vector<double>{1, 0} : kernel(static_cast<double>(part) / parts, 1);
+    const std::ptrdiff_t before = std::ssize(weights) / 2 - 1;
+    for (std::size_t i = 0; i <= (part == 0 ? steps : steps - 1); ++i)
+      result.acceleration[i * static_cast<std::size_t>(parts) + static_cast<std::size_t>(part)] =
+          weighted(motion.acceleration, static_cast<std::ptrdiff_t>(i) - before, weights);
+  }
+  if (result.acceleration.size() < 4) return result;
+  return ended_with(result, course.velocity.back(), course.displacement.back());
+}
+
 Motion delayed(const Motion& motion, double delay, std::size_t count) {
   check(motion);
   const double place = delay / motion.dt;

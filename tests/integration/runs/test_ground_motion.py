@@ -59,6 +59,24 @@ class GroundMotion(ProgramTest):
         self.assertIn("continuum.base.acceleration.file.path: the motion ", message)
         self.assertIn("record.csv lasts 0.19 s, but 0.5 s are asked for", message)
 
+    def test_a_cut_is_told_and_the_shorter_run_is_the_beginning_of_the_longer_one(self):
+        self.record(rows=301)
+        scene = self.scene(SCENE.replace("peak: 0.2 g}", "peak: 0.2 g, from: 100 ms}")
+                           .replace("time: {duration: 500 ms}", "time: {duration: 500 ms}\noutput: {history_interval: 5 ms}"))
+        checked = coupler("check", scene)
+        self.assertEqual(checked.returncode, 0, checked.stderr)
+        self.assertIn("continuum: base.acceleration: the motion is used up to 0.6 s, inside its shaking", checked.stdout)
+        tables = []
+        for duration in ("20 ms", "500 ms", "1 s"):
+            run = self.run_scene(scene, "--set", f"time.duration={duration}", out=duration.replace(" ", "_"))
+            self.assertIn("is used from 0.1 s on, inside its shaking", self.summary(run)["notes"][0])
+            with open(run / "histories.csv", newline="", encoding="utf-8") as file:
+                tables.append([(float(row["time_s"]), float(row["surface_vx_m_per_s"])) for row in csv.DictReader(file)])
+        for i, (time, velocity) in enumerate(tables[1]):
+            self.assertAlmostEqual(time, 0.005 * i, delta=1e-12)
+            self.assertAlmostEqual(velocity, tables[2][i][1], delta=1e-12)
+        self.assertEqual(tables[0], tables[2][:5])
+
     def test_file_of_another_kind(self):
         (self.folder / "record.csv").write_text("not a table\n")
         self.assertIn("continuum.base.acceleration.file.path: ", self.refusal(self.scene(SCENE)))
@@ -76,6 +94,25 @@ class GroundMotion(ProgramTest):
             self.run_scene(path, "--set", f"{field}={RECORDS / name}", out=name)
         message = self.refusal(path, "--set", f"{field}={RECORDS / 'KOBE_NS1_wrong_header.AT2'}")
         self.assertIn("states 10102 points, but 2567 values follow", message)
+
+
+    @unittest.skipUnless(RECORDS.is_dir() and RECORDS.name, "the PEER records are not on this machine (ADIT_RECORDS)")
+    def test_outcrop_has_the_displacement_of_the_record_for_any_duration(self):
+        outcrop = self.scene("""\
+material: {young_modulus: 3.8 GPa, poisson_ratio: 0.3, density: 2.3 t/m^3}
+time: {duration: 18 s, dt_factor: 0.9}
+continuum:
+  block: {x_min: 0 m, x_max: 2 m, y_min: -5 m, y_max: 0 m, zones_x: 1, zones_y: 5}
+  free_field: {left: true, right: true}
+  base: {kind: compliant, acceleration: {file: {path: record.AT2}, peak: 0.3 g}}
+  histories: [{name: surface, quantity: acceleration_x, at: {x: 1 m, y: 0 m}}]
+output: {field_times: [], spectra: [{history: surface}]}
+""")
+        (self.folder / "record.AT2").write_bytes((RECORDS / "RSN1106_KOBE_KJM000.AT2").read_bytes())
+        for duration in ("18 s", "30 s"):
+            summary = self.summary(self.run_scene(outcrop, "--set", f"time.duration={duration}", out=duration.replace(" ", "_")))
+            self.assertAlmostEqual(summary["surface_ax_pgv_m_per_s"] / 0.330, 1, delta=0.01)
+            self.assertAlmostEqual(summary["surface_ax_pgd_m"] / 0.076, 1, delta=0.01)
 
 
 if __name__ == "__main__":

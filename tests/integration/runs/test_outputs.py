@@ -90,6 +90,33 @@ class Outputs(ProgramTest):
         self.assertAlmostEqual(summary["surface_ax_largest_amplification_Hz"] / own, 1, delta=0.1)
         self.assertGreater(summary["surface_ax_largest_amplification"], 3)
 
+    def test_input_stands_beside_the_response_and_amplification_is_masked_where_it_has_nothing(self):
+        run = self.run_with(f"{{spectra: [{SPECTRA}]}}")
+        reference = table(run / "spectra" / "surface_ax_reference.csv")
+        base = table(run / "spectra" / "base_ax_response.csv")
+        inside = base["period_s"] <= 0.5
+        self.assertAlmostEqual(reference["psa_5pct_m_per_s2"].max() / base["psa_5pct_m_per_s2"][inside].max(), 1, delta=0.02)
+        transfer = table(run / "spectra" / "surface_ax_transfer.csv")
+        below = transfer["base_ax_amplitude_m_per_s"]
+        numpy.testing.assert_array_equal(numpy.isnan(transfer["ratio"]), below < 0.03 * below.max())
+        self.assertTrue(numpy.isnan(transfer["ratio"]).any())
+        self.assertEqual(self.summary(run)["surface_ax_largest_amplification"], numpy.nanmax(transfer["ratio"]))
+
+    def test_motion_of_the_base_stands_beside_the_response(self):
+        scene = SCENE[:SCENE.index("  motions:")] + """\
+  base: {kind: compliant, acceleration: {ricker: {frequency: 4 Hz, time: 0.5 s}, peak: 0.1 g}}
+  histories: [{name: surface, quantity: acceleration_x, at: {x: 2 m, y: 10 m}}]
+"""
+        run = self.run_scene(self.scene(scene + "output: {spectra: [{history: surface}]}\n"))
+        reference = table(run / "spectra" / "surface_ax_reference.csv")
+        # An oscillator that is stiff beside the wavelet has its peak acceleration.
+        self.assertAlmostEqual(reference["psa_5pct_m_per_s2"][0] / (0.1 * G), 1, delta=0.1)
+
+    def test_rows_come_at_the_interval(self):
+        run = self.run_with("{history_interval: 5 ms}")
+        time = table(run / "histories.csv")["time_s"]
+        numpy.testing.assert_allclose(time, 0.005 * numpy.arange(601), rtol=1e-12, atol=0)
+
     def test_peaks_are_the_largest_of_dense_histories(self):
         run = self.run_with("{peaks: {}, history_interval: 1 us, field_times: []}")
         rows = table(run / "histories.csv")

@@ -94,6 +94,18 @@ TEST(WaveSpeeds, AreThoseOfTheFastestGroup) {
   expect_equal(wave_speeds(model), of_lattice({1e9, 2e8}));
 }
 
+// Ten particles make the shortest shear wave that the model carries well; the softest group decides.
+TEST(HighestFrequency, IsThatOfTenParticlesInTheSoftestGroup) {
+  Model model = lattice(Bond::Law::kContactBond);
+  model.contact_bonds = {{.stiffness = {1e9, 2e8}}, {.stiffness = {1e7, 2e6}}};
+  for (std::size_t i = 0; i < model.discs.size(); ++i) model.group[i] = model.discs.x[i] > 1 ? 1 : 0;
+  for (Bond& bond : model.bonds) bond.number = std::max(model.group[bond.first], model.group[bond.second]);
+  const double expected = of_lattice({1e7, 2e6}).s / (10 * 2 * kRadius);
+  EXPECT_NEAR(highest_frequency(model), expected, 1e-9 * expected);
+  model.bonds.clear();
+  EXPECT_EQ(highest_frequency(model), 0);
+}
+
 // Without bonds nothing carries a wave yet.
 TEST(WaveSpeeds, AreNotKnownWithoutBonds) {
   Model model = lattice(Bond::Law::kContactBond);

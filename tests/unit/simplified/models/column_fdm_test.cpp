@@ -57,7 +57,7 @@ TEST(Column, AgreesWithTheContinuumOnASoftLayer) {
   const simplified::Setup setup = set_up(scene);
   const Response column = solve(setup);
 
-  coupler::Model model = test::local_model(strip_scene(setup.motion));
+  coupler::Model model = test::local_model(strip_scene(setup.motion.motion));
   coupler::Stepper stepper(model);
   const auto ratio = static_cast<std::uint64_t>(std::round(1e-3 / model.dt));
   double largest = 0, difference = 0;

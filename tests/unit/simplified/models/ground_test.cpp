@@ -38,7 +38,7 @@ void expect_delayed_outcrop(const char* direction, double velocity) {
   const auto delay = static_cast<std::size_t>(std::lround(kDelay / kStep));
   double largest = 0, difference = 0;
   for (std::size_t n = delay; n < response.histories.rows.size(); ++n) {
-    const double outcrop = setup.motion.acceleration[n - delay];
+    const double outcrop = setup.motion.motion.acceleration[n - delay];
     largest = std::max(largest, std::abs(outcrop));
     difference = std::max(difference, std::abs(response.histories.rows[n][2] - outcrop));
   }

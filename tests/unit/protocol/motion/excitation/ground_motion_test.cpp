@@ -34,7 +34,7 @@ TEST(GroundMotion, NaturalStepIsFineEnough) {
   scene.mutable_ricker()->set_frequency(4);
   scene.mutable_ricker()->set_time(0.5);
   scene.set_baseline(false);
-  const VelocityHistory velocity(ground_motion(scene, "motion", 1.0));
+  const VelocityHistory velocity(ground_motion(scene, "motion", 1.0).acting());
   const double largest = std::exp(-0.5) / (pi * 4 * std::sqrt(2.0));
   for (double t = 0.001; t < 1; t += 0.0137) {
     const double x = pi * 4 * (t - 0.5);
@@ -52,18 +52,18 @@ TEST(GroundMotion, IsPreparedInTheStatedOrder) {
   const Sampling sampling{.dt = 0.005, .duration = 2};
   const Motion expected =
       scaled_to_peak(baseline_corrected(tapered(gabor(1, 3, 4, 0, 0.6, sampling), 0.3, 0.3)), 2);
-  EXPECT_EQ(ground_motion(scene, "motion", sampling).acceleration, expected.acceleration);
+  EXPECT_EQ(ground_motion(scene, "motion", sampling).motion.acceleration, expected.acceleration);
 }
 
-// A record keeps its own step for a solver that needs no other.
-TEST(GroundMotion, RecordKeepsItsStep) {
+// A record keeps its own step and all of its values for a solver that needs no other step.
+TEST(GroundMotion, RecordKeepsItsStepAndItsEnd) {
   scene::GroundMotion scene;
   scene.mutable_file()->set_path("a.csv");
   scene.mutable_file()->set_content("time_s,a_m/s^2\n0,0\n0.25,2\n0.5,-2\n0.75,0\n1,1\n1.25,0\n");
   scene.set_baseline(false);
-  const Motion motion = ground_motion(scene, "motion", 1.0);
+  const Motion motion = ground_motion(scene, "motion", 1.0).motion;
   EXPECT_EQ(motion.dt, 0.25);
-  EXPECT_THAT(motion.acceleration, testing::ElementsAre(0, 2, -2, 0, 1));
+  EXPECT_THAT(motion.acceleration, testing::ElementsAre(0, 2, -2, 0, 1, 0));
 }
 
 // What the record's text refuses is an error of the field that names the file.

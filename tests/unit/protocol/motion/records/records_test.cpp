@@ -1,6 +1,10 @@
 // Requirements on measured records, which are not part of the repository.
 #include <gmock/gmock.h>
 
+#include <fstream>
+#include <iterator>
+
+#include "protocol/motion/excitation/ground_motion.hpp"
 #include "protocol/motion/measures.hpp"
 #include "protocol/motion/processing/processing.hpp"
 #include "protocol/motion/records/records.hpp"
@@ -47,6 +51,33 @@ TEST(Records, EndAtRestAfterBaselineCorrection) {
   EXPECT_NEAR(course.velocity.back(), 0, 1e-10);
   EXPECT_NEAR(course.displacement.back(), 0, 1e-9);
   EXPECT_NEAR(peaks(corrected).acceleration / peaks(motion).acceleration, 1, 0.02);
+}
+
+// A run of 18 s of the record has its PGV and PGD, and its Arias intensity but for what the coda adds. So has
+// one that begins at 4 s, whose displacement counts from there: the ground lies 6 mm away from its place
+// then. At 0.3 g, integrated without any correction, the record has 0.330 m/s and 0.076 m.
+TEST(Records, KeepTheirMeasuresInAShorterRun) {
+  scene::GroundMotion scene;
+  const auto path = kRecords / "RSN1106_KOBE_KJM000.AT2";
+  scene.mutable_file()->set_path(path);
+  std::ifstream file(path);
+  scene.mutable_file()->set_content({std::istreambuf_iterator<char>(file), {}});
+  scene.set_peak(0.3 * 9.80665);
+  const Motion whole = ground_motion(scene, "motion", 149).motion;
+  EXPECT_NEAR(peaks(whole).velocity, 0.330, 0.003);
+  EXPECT_NEAR(peaks(whole).displacement, 0.076, 0.001);
+  for (const double from : {0.0, 4.0}) {
+    scene.set_from(from);
+    const UsedMotion used = ground_motion(scene, "motion", 18 - from);
+    const Motion cut = beginning(used.motion, 18 - from);
+    EXPECT_THAT(used.notes, testing::SizeIs(testing::Ge(1)));
+    EXPECT_NEAR(peaks(cut).velocity, peaks(whole).velocity, 1e-9);
+    EXPECT_NEAR(peaks(cut).displacement, peaks(whole).displacement, from == 0 ? 1e-9 : 0.006);
+    EXPECT_NEAR(arias_intensity(cut) / arias_intensity(whole), 0.98, 0.02);
+    const Peaks acting = peaks(used.acting());
+    EXPECT_NEAR(acting.velocity / peaks(cut).velocity, 1, 0.01);
+    EXPECT_NEAR(acting.displacement / peaks(cut).displacement, 1, 0.002);
+  }
 }
 
 }  // namespace

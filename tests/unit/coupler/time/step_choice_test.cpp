@@ -1,0 +1,112 @@
+// Requirement: rows of histories.csv come at exactly the interval asked for, at the price of few steps; where
+// that is not possible, the user hears how far apart they are.
+#include "coupler/time/step_choice.hpp"
+
+#include <gmock/gmock.h>
+#include <google/protobuf/text_format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "coupler/output/schedule.hpp"
+#include "coupler/participants/time_step.hpp"
+
+namespace adit::coupler {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+TEST(StepChoice, TakesTheFewestStepsThatDivideTheInterval) {
+  const Steps steps = dividing_steps(30, 3.8176e-4, 5e-3, {});
+  EXPECT_DOUBLE_EQ(steps.dt, 5e-3 / 14);
+  EXPECT_EQ(steps.count, 84000U);
+}
+
+// 25 ms are no multiple of 10 ms; with an even number of steps an interval both end on a step.
+TEST(StepChoice, EndsOnTheDurationWhereATenthMoreStepsDoThat) {
+  const Steps steps = dividing_steps(0.025, 1e-3 / 2.1, 0.01, {});
+  EXPECT_DOUBLE_EQ(steps.dt, 0.01 / 22);
+  EXPECT_EQ(steps.count, 55U);
+}
+
+TEST(StepChoice, PutsFieldTimesOnSteps) {
+  const std::vector<double> times{0.0125, 0.0375};
+  const Steps steps = dividing_steps(0.05, 1e-3 / 2.3, 0.01, times);
+  EXPECT_DOUBLE_EQ(steps.dt, 0.01 / 24);
+  EXPECT_EQ(steps.count, 120U);
+}
+
+TEST(StepChoice, EndsLessThanAStepLaterWhereNothingDividesBoth) {
+  const Steps steps = dividing_steps(0.0251234567, 1e-3, 0.01, {});
+  EXPECT_DOUBLE_EQ(steps.dt, 1e-3);
+  EXPECT_EQ(steps.count, 26U);
+}
+
+// A model of one continuum whose critical step is 1 ms.
+Model model_with(const std::string& scene) {
+  Model model;
+  EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(scene, &model.scene));
+  model.participants.emplace_back();
+  model.participants[0].member = {"continuum", Role::kContinuum, "continuum"};
+  model.participants[0].model.set_critical_dt(1e-3);
+  choose_time_step(model);
+  return model;
+}
+
+void expect_rows(const std::string& scene, double interval, double dt) {
+  const Model model = model_with(scene);
+  const Schedule schedule(model);
+  EXPECT_NEAR(model.dt, dt, 1e-12) << scene;
+  EXPECT_NEAR(schedule.interval(), interval, 1e-12) << scene;
+}
+
+TEST(TimeStep, MakesRowsAtTheInterval) {
+  expect_rows("time { duration: 1 dt_factor: 0.9 } output { history_interval: 0.05 }", 0.05, 0.05 / 56);
+  expect_rows("time { duration: 1 dt_factor: 0.9 } output { history_interval: 0.0013 }", 0.0013, 0.00065);
+  expect_rows("time { duration: 1 dt: 0.0005 } output { history_interval: 0.05 }", 0.05, 0.0005);
+}
+
+TEST(TimeStep, MakesFiveHundredRowsInLongRuns) {
+  expect_rows("time { duration: 30 dt_factor: 0.9 }", 0.06, 0.06 / 67);
+  expect_rows("time { duration: 30 dt_factor: 0.9 } output { spectra { shortest_period: 0.5 } }", 0.025,
+              0.025 / 28);
+}
+
+// In short runs the step is not shortened for rows that nobody asked for.
+TEST(TimeStep, KeepsTheStepOfShortRunsWithoutAnInterval) {
+  const Model model = model_with("time { duration: 0.6 dt_factor: 0.9 }");
+  EXPECT_EQ(model.steps, 667U);
+  EXPECT_THAT(model.notes, IsEmpty());
+}
+
+// A given step stays; the run ends at most a step later than asked.
+TEST(TimeStep, KeepsAGivenStepAndSaysWhereRowsMissTheInterval) {
+  Model model = model_with("time { duration: 1.0001 dt: 0.0004 } output { history_interval: 0.002 }");
+  EXPECT_DOUBLE_EQ(model.dt, 0.0004);
+  EXPECT_EQ(model.steps, 2501U);
+  EXPECT_THAT(model.notes, IsEmpty());
+  model = model_with("time { duration: 1 dt: 0.0004 } output { history_interval: 0.001 }");
+  EXPECT_DOUBLE_EQ(model.dt, 0.0004);
+  ASSERT_EQ(model.notes.size(), 1U);
+  EXPECT_THAT(model.notes[0],
+              HasSubstr("rows of histories.csv are 0.0012 s apart instead of "
+                        "`output.history_interval` = 0.001 s, because `time.dt` makes steps of "
+                        "0.0004 s; choose a multiple of it"));
+}
+
+TEST(TimeStep, SaysWhatAnIntervalCosts) {
+  Model model = model_with("time { duration: 1 dt_factor: 0.9 } output { history_interval: 0.001 }");
+  EXPECT_DOUBLE_EQ(model.dt, 0.0005);
+  ASSERT_EQ(model.notes.size(), 1U);
+  EXPECT_THAT(model.notes[0], HasSubstr("with 0.0018 s the run takes 44 % fewer steps"));
+  model = model_with("time { duration: 1 dt_factor: 0.9 } output { history_interval: 0.0001 }");
+  EXPECT_NEAR(model.dt, 0.0009, 1e-6);
+  ASSERT_EQ(model.notes.size(), 1U);
+  EXPECT_THAT(model.notes[0], HasSubstr("because a time step takes 0.0008"));
+}
+
+}  // namespace
+}  // namespace adit::coupler
