@@ -95,6 +95,8 @@ void RunSummary::add_motions(const MotionOutputs::Found& found) {
 
 void RunSummary::add_participant(const Participant& participant, const wire::Bye& bye) {
   summary_.set(participant.member.name + "_cpu_s", bye.cpu_seconds());
+  const std::string region = is_region(participant.member) ? participant.member.name + "_" : "";
+  for (const wire::Figure& figure : bye.figures()) summary_.set(region + figure.name(), figure.value());
   (participant.member.role == Role::kContinuum ? zone_updates_ : particle_updates_) += bye.updates();
 }
 

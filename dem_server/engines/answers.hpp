@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace adit::dem {
@@ -20,6 +21,12 @@ struct CriticalElement {
 // The bond with the largest |normal force| of a step, or where there are none the contact; unweighted.
 struct Strongest {
   double force = 0, x = 0, y = 0;  // [N], [m]
+};
+
+// A name with its unit, and its value.
+struct Figure {
+  std::string name;
+  double value;
 };
 
 struct EnergyShare {

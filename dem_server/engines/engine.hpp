@@ -28,7 +28,7 @@ class Engine {
   virtual CriticalElement critical_element() const = 0;  // its step is proven, without weights
   double critical_step() const { return critical_element().step; }
 
-  // The scene's histories. UserError for one that cannot be told.
+  // The scene's histories and sections. UserError for one that cannot be told.
   virtual void watch(const scene::Particles& scene) = 0;
 
   // Centres at rest inside or on the box, x0 y0 x1 y1 … [m]
@@ -52,7 +52,7 @@ class Engine {
   virtual Energies energies(const protocol::Step& step) = 0;
   virtual double kinetic_energy() const = 0;  // of the present velocities, weighted [J]
   virtual void read_histories(const protocol::Step& step,
-                              google::protobuf::RepeatedField<double>& values) const = 0;
+                              google::protobuf::RepeatedField<double>& values) = 0;
 
   // Both ask for a step whose velocities are corrected.
   virtual void take_peaks(const protocol::Step& step) = 0;
@@ -64,6 +64,7 @@ class Engine {
 
   virtual void snapshot(wire::Snapshot& snapshot) const = 0;  // observe/snapshot.hpp, with the peaks
   virtual std::uint64_t fragments() const = 0;                // bodies that whole bonds hold together
+  virtual std::vector<Figure> figures() const = 0;            // for the summary of the run
 };
 
 }  // namespace adit::dem

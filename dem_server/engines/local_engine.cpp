@@ -2,11 +2,18 @@
 
 #include <array>
 
+#include "dem_server/engines/figures.hpp"
+#include "dem_server/lining/read_sections.hpp"
 #include "dem_server/observe/branches.hpp"
 #include "dem_server/observe/fragments.hpp"
 #include "dem_server/observe/snapshot.hpp"
 
 namespace adit::dem {
+
+void LocalEngine::watch(const scene::Particles& scene) {
+  lining_.sections = read_sections(scene, particles(), all_bonds(*this));
+  histories_.emplace(scene, *this, lining_);
+}
 
 std::vector<double> LocalEngine::offer(const geometry::BoundingBox& box) {
   return coupling_.offer(particles(), box);
@@ -35,8 +42,14 @@ void LocalEngine::read_velocities(std::span<double> velocities) const {
 }
 
 void LocalEngine::read_histories(const protocol::Step& step,
-                                 google::protobuf::RepeatedField<double>& values) const {
-  if (histories_) histories_->read(*this, step, values);
+                                 google::protobuf::RepeatedField<double>& values) {
+  if (histories_) histories_->read(*this, lining_, step, values);
+  take_envelope(step);
+}
+
+void LocalEngine::take_envelope(const protocol::Step& step) {
+  if (lining_.sections.cuts().empty()) return;
+  envelope_.take(section_forces(*this, lining_.sections), static_cast<double>(step.number) * step.dt);
 }
 
 void LocalEngine::take_peaks(const protocol::Step& step) {
@@ -45,6 +58,7 @@ void LocalEngine::take_peaks(const protocol::Step& step) {
     return std::array{p.ux[i] - p.settled_x[i], p.uy[i] - p.settled_y[i]};
   };
   peaks_->take(displacement, {p.vx, p.vy}, step);
+  take_envelope(step);
 }
 
 Unrest LocalEngine::unrest(const protocol::Step& step) {
@@ -68,7 +82,12 @@ void LocalEngine::start_over() {
 
 void LocalEngine::snapshot(wire::Snapshot& snapshot) const {
   write_snapshot(*this, snapshot);
+  add_sections(*this, lining_.sections, envelope_, snapshot);
   if (peaks_) protocol::add_peak_fields(*peaks_, *snapshot.mutable_pieces(0)->mutable_point_fields());
+}
+
+std::vector<Figure> LocalEngine::figures() const {
+  return figures_of(lining_.sections, envelope_);
 }
 
 std::uint64_t LocalEngine::fragments() const {

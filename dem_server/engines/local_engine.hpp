@@ -8,6 +8,8 @@
 #include "dem_server/coupling/coupling_points.hpp"
 #include "dem_server/engines/engine.hpp"
 #include "dem_server/engines/relaxation.hpp"
+#include "dem_server/lining/envelope.hpp"
+#include "dem_server/lining/lining.hpp"
 #include "dem_server/observe/histories.hpp"
 #include "dem_server/observe/observable.hpp"
 #include "dem_server/particles/energy.hpp"
@@ -21,20 +23,20 @@ class LocalEngine : public Engine, public Observable {
   virtual Particles& particles() = 0;
   std::span<const std::uint32_t> group() const final { return group_; }
 
-  void watch(const scene::Particles& scene) final { histories_.emplace(scene, *this); }
+  void watch(const scene::Particles& scene) final;
   std::vector<double> offer(const geometry::BoundingBox& box) final;
   void prepare(bool energies) final;
   void remember_for_peaks() final;
   void read_velocities(std::span<double> velocities) const final;
   double kinetic_energy() const final { return dem::kinetic_energy(particles()); }
-  void read_histories(const protocol::Step& step,
-                      google::protobuf::RepeatedField<double>& values) const final;
+  void read_histories(const protocol::Step& step, google::protobuf::RepeatedField<double>& values) final;
   void take_peaks(const protocol::Step& step) final;
   Unrest unrest(const protocol::Step& step) final;
   void stop() override;
   void start_over() override;
   void snapshot(wire::Snapshot& snapshot) const final;
   std::uint64_t fragments() const final;
+  std::vector<Figure> figures() const final;
 
  protected:
   explicit LocalEngine(const Model& model) : group_(model.group) {}
@@ -54,9 +56,14 @@ class LocalEngine : public Engine, public Observable {
   virtual std::size_t elements() const = 0;   // of them
 
  private:
+  // The forces in all sections enter their envelope.
+  void take_envelope(const protocol::Step& step);
+
   std::vector<std::uint32_t> group_;
   CouplingPoints coupling_;
+  Lining lining_;
   std::optional<Histories> histories_;
+  Envelope envelope_;  // of the sections of the lining
   Velocities before_;
   std::optional<protocol::PeakMotion> peaks_;  // once wanted
   std::optional<Relaxation> relaxation_;       // in statics

@@ -3,11 +3,14 @@
 
 #include <vector>
 
+#include "dem_server/lining/sections.hpp"
 #include "dem_server/observe/observable.hpp"
 #include "dem_server/packing/discs.hpp"
 
 namespace adit::dem {
 
+// Particles that a bond joins or joined, in the order of for_each_bond.
+std::vector<Pair> all_bonds(const Observable& observed);
 // Particles that a whole bond joins.
 std::vector<Pair> whole_bonds(const Observable& observed);
 // These, and particles that touch otherwise.
@@ -16,5 +19,12 @@ std::vector<Pair> touching_particles(const Observable& observed);
 // Forces of bonds, contacts, joints, springs and walls as they are, without energy weights and dashpots; a
 // wall's branch ends where the particle touches it.
 std::vector<Branch> branches_of(const Observable& observed);
+
+// Forces between particles for sections.hpp: those of these bonds, and of all contacts, smooth joints and
+// springs.
+std::vector<PairForce> pair_forces_of(const Observable& observed, std::span<const std::uint32_t> bonds);
+
+// Of all sections, as they are now.
+std::vector<SectionForces> section_forces(const Observable& observed, const Sections& sections);
 
 }  // namespace adit::dem

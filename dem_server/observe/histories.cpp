@@ -68,18 +68,38 @@ Circle circle_of(const scene::History& history, const std::string& path, const P
   return circle;
 }
 
+// What a history names: `given` among `names`; its key, what the quantity is, and where the scene adds one.
+struct Named {
+  std::string key, told, list;
+};
+std::size_t number_of(const Named& kind, const std::string& given, const std::vector<std::string>& names,
+                      scene::Quantity quantity, const std::string& path) {
+  const auto found = std::ranges::find(names, given);
+  if (!given.empty() && found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  throw UserError(path + "." + kind.key,
+                  fmt::format("is {}, but {} is {}; {}", given.empty() ? "missing" : protocol::quote(given),
+                              protocol::name_of(quantity), kind.told,
+                              names.empty() ? "add it to " + kind.list
+                                            : fmt::format("choose one of {}", fmt::join(names, ", "))));
+}
+
 std::size_t wall_of(const scene::History& history, const std::string& path, const Observable& observed) {
   std::vector<std::string> names;
-  for (const WallForce& wall : observed.walls()) {
-    if (wall.name == history.wall()) return names.size();
-    names.push_back(wall.name);
-  }
-  throw UserError(path + ".wall",
-                  fmt::format("is {}, but {} is a force on a wall; {}",
-                              history.has_wall() ? protocol::quote(history.wall()) : "missing",
-                              protocol::name_of(history.quantity()),
-                              names.empty() ? "add it to particles.walls"
-                                            : fmt::format("choose one of {}", fmt::join(names, ", "))));
+  for (const WallForce& wall : observed.walls()) names.push_back(wall.name);
+  return number_of({"wall", "a force on a wall", "particles.walls"}, history.wall(), names,
+                   history.quantity(), path);
+}
+
+std::size_t section_of(const scene::History& history, const std::string& path, const Sections& sections) {
+  std::vector<std::string> names;
+  for (const Cut& cut : sections.cuts()) names.push_back(cut.name);
+  return number_of({"section", "a force in a section", "particles.sections"}, history.section(), names,
+                   history.quantity(), path);
+}
+
+double component(const SectionForces& forces, scene::Quantity quantity) {
+  if (quantity == scene::THRUST) return forces.thrust;
+  return quantity == scene::MOMENT ? forces.moment : forces.shear;
 }
 
 double velocity(const Particles& p, scene::Quantity quantity, std::uint32_t i) {
@@ -140,7 +160,7 @@ class CircleMeans {
 
 }  // namespace
 
-Histories::Histories(const scene::Particles& scene, const Observable& observed) {
+Histories::Histories(const scene::Particles& scene, const Observable& observed, const Lining& lining) {
   for (int i = 0; i < scene.histories_size(); ++i) {
     const auto& given = scene.histories(i);
     const std::string path = fmt::format("particles.histories[{}]", i);
@@ -153,13 +173,16 @@ Histories::Histories(const scene::Particles& scene, const Observable& observed) 
         history.circle = circle_of(given, path, observed.particles());
         break;
       case Over::kWall:
-        history.wall = wall_of(given, path, observed);
+        history.named = wall_of(given, path, observed);
+        break;
+      case Over::kSection:
+        history.named = section_of(given, path, lining.sections);
         break;
       case Over::kNothing:
         throw UserError(
             path + ".quantity",
             fmt::format("is {}, which particles do not have; choose a motion, a stress, a strain rate, "
-                        "coordination or porosity, or a force on a wall",
+                        "coordination or porosity, a force on a wall or in a section",
                         protocol::name_of(given.quantity())));
     }
     histories_.push_back(history);
@@ -176,10 +199,11 @@ void Histories::remember(const Particles& particles) {
     history.velocity.remember(velocity(particles, history.quantity, history.particle));
 }
 
-void Histories::read(const Observable& observed, const protocol::Step& step,
+void Histories::read(const Observable& observed, const Lining& lining, const protocol::Step& step,
                      google::protobuf::RepeatedField<double>& values) const {
   const Particles& p = observed.particles();
   std::optional<CircleMeans> means;
+  std::optional<std::vector<SectionForces>> sections;
   for (const History& history : histories_) {
     const std::uint32_t i = history.particle;
     switch (history.quantity) {
@@ -198,10 +222,16 @@ void Histories::read(const Observable& observed, const protocol::Step& step,
         values.Add(history.velocity.acceleration(velocity(p, history.quantity, i), step, history.tied));
         break;
       case scene::FORCE_X:
-        values.Add(observed.walls()[history.wall].x);
+        values.Add(observed.walls()[history.named].x);
         break;
       case scene::FORCE_Y:
-        values.Add(observed.walls()[history.wall].y);
+        values.Add(observed.walls()[history.named].y);
+        break;
+      case scene::THRUST:
+      case scene::MOMENT:
+      case scene::SHEAR_FORCE:
+        if (!sections) sections = section_forces(observed, lining.sections);
+        values.Add(component((*sections)[history.named], history.quantity));
         break;
       default:
         if (!means) means.emplace(observed);

@@ -1,11 +1,12 @@
 // Quantities over time: motions of the particles nearest to the scene's points, means over circles, forces on
-// walls.
+// walls and in sections.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "dem_server/lining/lining.hpp"
 #include "dem_server/observe/circles.hpp"
 #include "dem_server/observe/observable.hpp"
 #include "protocol/messages/scene.pb.h"
@@ -16,9 +17,9 @@ namespace adit::dem {
 class Histories {
  public:
   // Motions are of the nearest centre at rest; of two equally near ones the first. protocol::UserError for a
-  // place farther than a diameter from all of them, for circles without radius or particles, for walls that
-  // do not exist, and for quantities that are none of these.
-  Histories(const scene::Particles& scene, const Observable& observed);
+  // place farther than a diameter from all of them, for circles without radius or particles, for walls and
+  // sections that do not exist, and for quantities that are none of these.
+  Histories(const scene::Particles& scene, const Observable& observed, const Lining& lining);
 
   // The velocities of these particles await the correction by another model after every step.
   void tie(std::span<const std::uint32_t> particles);
@@ -29,7 +30,7 @@ class Histories {
   // Adds the values at the step just made, in the scene's order and as scene.proto defines them. Circles stay
   // where they are; strain rates are of the velocities of half a step later, NaN where fewer than three
   // particles are left in the circle.
-  void read(const Observable& observed, const protocol::Step& step,
+  void read(const Observable& observed, const Lining& lining, const protocol::Step& step,
             google::protobuf::RepeatedField<double>& values) const;
 
  private:
@@ -39,7 +40,7 @@ class Histories {
     bool tied = false;
     protocol::HalfStepVelocity velocity{};  // its component
     Circle circle{};
-    std::size_t wall = 0;
+    std::size_t named = 0;  // the wall, or the section
   };
   std::vector<History> histories_;
 };

@@ -29,6 +29,12 @@ struct Branch {
   double x_1, y_1, x_2, y_2, fx, fy;
 };
 
+// The force of a smooth joint on the first of two particles [N].
+struct JointForce {
+  std::uint32_t first, second;
+  double fx, fy;
+};
+
 // A spring between two centres, tension positive [N].
 struct SpringForce {
   std::uint32_t first, second;
@@ -50,10 +56,12 @@ class Observable {
 
   // All bonds, whole or broken, in one order for good.
   virtual void for_each_bond(const SeePair& see) const = 0;
+  // Those of these numbers in that order.
+  virtual void see_bonds(std::span<const std::uint32_t> bonds, const SeePair& see) const = 0;
   // Particles that touch and were never joined.
   virtual void for_each_contact(const SeePair& see) const = 0;
 
-  virtual std::vector<Branch> branches_of_joints() const { return {}; }
+  virtual std::vector<JointForce> joints() const { return {}; }
   virtual std::vector<Branch> branches_of_walls() const { return {}; }
   virtual std::vector<SpringForce> springs() const { return {}; }
   virtual std::vector<WallForce> walls() const { return {}; }

@@ -5,7 +5,7 @@
 
 namespace adit::dem {
 
-enum class Over { kParticle, kCircle, kWall, kNothing };
+enum class Over { kParticle, kCircle, kWall, kSection, kNothing };
 
 inline Over taken_over(scene::Quantity quantity) {
   switch (quantity) {
@@ -28,6 +28,10 @@ inline Over taken_over(scene::Quantity quantity) {
     case scene::FORCE_X:
     case scene::FORCE_Y:
       return Over::kWall;
+    case scene::THRUST:
+    case scene::MOMENT:
+    case scene::SHEAR_FORCE:
+      return Over::kSection;
     default:
       return Over::kNothing;
   }

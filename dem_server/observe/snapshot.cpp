@@ -1,5 +1,6 @@
 #include "dem_server/observe/snapshot.hpp"
 
+#include <string>
 #include <vector>
 
 #include "dem_server/observe/branches.hpp"
@@ -73,6 +74,18 @@ void add_particles(const Observable& observed, wire::Snapshot& snapshot) {
   add_scalars(fields, "fragment", fragments_of(p.size(), whole_bonds(observed)).number);
 }
 
+void add_envelope(const Envelope& envelope, Fields& fields) {
+  const auto add = [&fields](const std::string& name, std::span<const Extreme> extremes) {
+    std::vector<double> values;
+    for (const Extreme& extreme : extremes) values.push_back(extreme.value);
+    if (!values.empty()) add_scalars(fields, name, values);
+  };
+  for (const auto& [force, name, unit] : kForceNames) {
+    add(std::string("largest_") + name + "_" + unit, envelope.largest(force));
+    add(std::string("smallest_") + name + "_" + unit, envelope.smallest(force));
+  }
+}
+
 }  // namespace
 
 void write_snapshot(const Observable& observed, wire::Snapshot& snapshot) {
@@ -81,6 +94,33 @@ void write_snapshot(const Observable& observed, wire::Snapshot& snapshot) {
   add_bonds(observed, snapshot);
   add_contacts(observed, snapshot);
   add_springs(observed, snapshot);
+}
+
+void add_sections(const Observable& observed, const Sections& sections, const Envelope& envelope,
+                  wire::Snapshot& snapshot) {
+  const auto forces = section_forces(observed, sections);
+  if (forces.empty()) return;
+  wire::Piece& piece = *snapshot.add_pieces();
+  piece.set_name("sections");
+  piece.set_shape(wire::Piece::VERTICES);
+  std::vector<double> ux, uy, thrust, moment, shear;
+  for (std::uint32_t k = 0; k < forces.size(); ++k) {
+    const geometry::Point place = sections.middle(k), moved = sections.displacement(k, observed.particles());
+    piece.add_points(place.x);
+    piece.add_points(place.y);
+    piece.add_connectivity(k);
+    ux.push_back(moved.x);
+    uy.push_back(moved.y);
+    thrust.push_back(forces[k].thrust);
+    moment.push_back(forces[k].moment);
+    shear.push_back(forces[k].shear);
+  }
+  Fields& fields = *piece.mutable_point_fields();
+  add_vectors(fields, "displacement_m", ux, uy);
+  add_scalars(fields, "thrust_N", thrust);
+  add_scalars(fields, "moment_Nm", moment);
+  add_scalars(fields, "shear_N", shear);
+  add_envelope(envelope, fields);
 }
 
 }  // namespace adit::dem

@@ -1,6 +1,7 @@
 // The state as pieces that a viewer can draw.
 #pragma once
 
+#include "dem_server/lining/envelope.hpp"
 #include "dem_server/observe/observable.hpp"
 #include "protocol/messages/wire.pb.h"
 
@@ -13,5 +14,10 @@ namespace adit::dem {
 // "springs", where there are any: force_N. Displacements at the last step n since time began, velocities of n
 // + 1/2.
 void write_snapshot(const Observable& observed, wire::Snapshot& snapshot);
+
+// Piece "sections", where there are any, at their middles: displacement_m, thrust_N, moment_Nm, shear_N, and
+// of each largest_… and smallest_… over the times that were looked at.
+void add_sections(const Observable& observed, const Sections& sections, const Envelope& envelope,
+                  wire::Snapshot& snapshot);
 
 }  // namespace adit::dem

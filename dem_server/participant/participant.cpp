@@ -98,6 +98,11 @@ void DemParticipant::read_events(wire::Predicted& predicted) {
 void DemParticipant::finish(wire::Bye& bye) {
   bye.set_updates(engine_->counts().particles * moves_);
   bye.set_fragments(engine_->fragments());
+  for (const auto& [name, value] : engine_->figures()) {
+    wire::Figure& figure = *bye.add_figures();
+    figure.set_name(name);
+    figure.set_value(value);
+  }
 }
 
 }  // namespace adit::dem

@@ -22,8 +22,9 @@ class GeneralEngine final : public LocalEngine {
   const Particles& particles() const override { return solver_.particles(); }
   Particles& particles() override { return solver_.particles(); }
   void for_each_bond(const SeePair& see) const override;
+  void see_bonds(std::span<const std::uint32_t> bonds, const SeePair& see) const override;
   void for_each_contact(const SeePair& see) const override;
-  std::vector<Branch> branches_of_joints() const override;
+  std::vector<JointForce> joints() const override;
   std::vector<Branch> branches_of_walls() const override;
   std::vector<SpringForce> springs() const override;
   std::vector<WallForce> walls() const override;

@@ -26,20 +26,22 @@ void GeneralEngine::for_each_bond(const SeePair& see) const {
   for (std::uint32_t k = 0; k < solver_.bonds().size(); ++k) see(forces_of(k, solver_, solver_.bonds()));
 }
 
+void GeneralEngine::see_bonds(std::span<const std::uint32_t> bonds, const SeePair& see) const {
+  for (const std::uint32_t k : bonds) see(forces_of(k, solver_, solver_.bonds()));
+}
+
 void GeneralEngine::for_each_contact(const SeePair& see) const {
   for (std::uint32_t k = 0; k < solver_.contacts().size(); ++k)
     if (const ObservedPair contact = forces_of(k, solver_, solver_.contacts()); contact.touches) see(contact);
 }
 
-std::vector<Branch> GeneralEngine::branches_of_joints() const {
-  const Particles& p = particles();
-  std::vector<Branch> branches;
+std::vector<JointForce> GeneralEngine::joints() const {
+  std::vector<JointForce> joints;
   for (const Joints::Joint& j : solver_.joints().joints()) {
     const PlaneVector force = vector_of(j.nx, j.ny, j.normal, j.springs.shear);
-    branches.push_back({p.x[j.first] + p.ux[j.first], p.y[j.first] + p.uy[j.first],
-                        p.x[j.second] + p.ux[j.second], p.y[j.second] + p.uy[j.second], force.x, force.y});
+    joints.push_back({j.first, j.second, force.x, force.y});
   }
-  return branches;
+  return joints;
 }
 
 std::vector<Branch> GeneralEngine::branches_of_walls() const {

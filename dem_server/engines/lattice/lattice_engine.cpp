@@ -183,10 +183,16 @@ double LatticeEngine::internal_force() const {
 }
 
 void LatticeEngine::for_each_bond(const SeePair& see) const {
+  std::vector<std::uint32_t> all(assembly_.bonds.size());
+  std::iota(all.begin(), all.end(), 0u);
+  see_bonds(all, see);
+}
+
+void LatticeEngine::see_bonds(std::span<const std::uint32_t> bonds, const SeePair& see) const {
   const Particles& p = assembly_.particles;
   const Bonds& b = assembly_.bonds;
   const auto normal = normal_forces();
-  for (std::uint32_t k = 0; k < b.size(); ++k) {
+  for (const std::uint32_t k : bonds) {
     const std::uint32_t i = b.first[k], j = b.second[k];
     const auto [nx, ny, gap] = facing(p, i, j);
     see({i, j, nx, ny, normal[k], b.shear_force[k], 0, b.weight[k], b.state[k], normal[k] < 0});

@@ -24,6 +24,7 @@ class LatticeEngine final : public LocalEngine {
   const Particles& particles() const override { return assembly_.particles; }
   Particles& particles() override { return assembly_.particles; }
   void for_each_bond(const SeePair& see) const override;
+  void see_bonds(std::span<const std::uint32_t> bonds, const SeePair& see) const override;
   void for_each_contact(const SeePair& see) const override;
 
   Counts counts() const override { return {assembly_.particles.size(), assembly_.bonds.size()}; }

@@ -11,23 +11,27 @@ JointLine::JointLine(const geometry::Point& from, const geometry::Point& to)
   ty_ = (to.y - from.y) / length_;
 }
 
-double JointLine::above(double x, double y) const {
-  return (y - from_.y) * tx_ - (x - from_.x) * ty_;
+double JointLine::above(const geometry::Point& place) const {
+  return (place.y - from_.y) * tx_ - (place.x - from_.x) * ty_;
 }
 
-bool JointLine::parts(const Discs& discs, const Pair& pair) const {
-  const auto [i, j] = pair;
-  const double first = above(discs.x[i], discs.y[i]), second = above(discs.x[j], discs.y[j]);
+bool JointLine::parts(const geometry::Point& a, const geometry::Point& b) const {
+  const double first = above(a), second = above(b);
   if ((first < 0) == (second < 0)) return false;
   const double share = first / (first - second);
-  const double x = discs.x[i] + share * (discs.x[j] - discs.x[i]) - from_.x;
-  const double y = discs.y[i] + share * (discs.y[j] - discs.y[i]) - from_.y;
+  const double x = a.x + share * (b.x - a.x) - from_.x;
+  const double y = a.y + share * (b.y - a.y) - from_.y;
   const double along = x * tx_ + y * ty_;
   return along >= 0 && along <= length_;
 }
 
+bool JointLine::parts(const Discs& discs, const Pair& pair) const {
+  const auto [i, j] = pair;
+  return parts({discs.x[i], discs.y[i]}, {discs.x[j], discs.y[j]});
+}
+
 std::array<double, 2> JointLine::normal(const Discs& discs, const Pair& pair) const {
-  const double sign = above(discs.x[pair.first], discs.y[pair.first]) < 0 ? 1 : -1;
+  const double sign = above({discs.x[pair.first], discs.y[pair.first]}) < 0 ? 1 : -1;
   return {-sign * ty_, sign * tx_};
 }
 

@@ -16,12 +16,14 @@ class JointLine {
  public:
   JointLine(const geometry::Point& from, const geometry::Point& to);
   // Whether the line parts the discs: the one between their centres crosses it.
+  bool parts(const geometry::Point& first, const geometry::Point& second) const;
   bool parts(const Discs& discs, const Pair& pair) const;
   // The unit normal, from the side of the pair's first disc to that of its second.
   std::array<double, 2> normal(const Discs& discs, const Pair& pair) const;
+  std::array<double, 2> direction() const { return {tx_, ty_}; }  // unit vector along it
+  double above(const geometry::Point& place) const;               // distance to the left [m]
 
  private:
-  double above(double x, double y) const;  // distance to the left [m]
   geometry::Point from_;
   double tx_, ty_, length_;
 };

@@ -192,9 +192,9 @@ class Outputs(ProgramTest):
         self.assertIn("continuum.histories[0].at: is (1.7, -2) m, where the continuum has no zone", message)
 
     def test_a_quantity_that_particles_do_not_have(self):
-        scene = (CASE / "full_dem.yaml").read_text().replace("quantity: displacement_y", "quantity: thrust")
+        scene = (CASE / "full_dem.yaml").read_text().replace("quantity: displacement_y", "quantity: strain_xx")
         message = self.refusal(self.scene(scene))
-        self.assertIn("particles.histories[0].quantity: is thrust, which particles do not have", message)
+        self.assertIn("particles.histories[0].quantity: is strain_xx, which particles do not have", message)
 
     def test_aliasing_is_told(self):
         # A short hammer blow at the base, sampled as coarsely as the spectra allow.

@@ -60,7 +60,8 @@ TEST(Histories, ReadCirclesAndWalls) {
   add_force(scene, scene::FORCE_Y);
 
   GeneralEngine engine(pressed_square(), 1);
-  Histories histories(scene, engine);
+  const Lining none;
+  Histories histories(scene, engine, none);
   Particles& p = engine.particles();
   histories.remember(p);
   engine.step_interface({1, 1e-9});
@@ -70,7 +71,7 @@ TEST(Histories, ReadCirclesAndWalls) {
   }
   histories.remember(p);
   google::protobuf::RepeatedField<double> values;
-  histories.read(engine, {1, 1e-9}, values);
+  histories.read(engine, none, {1, 1e-9}, values);
   ASSERT_EQ(values.size(), 11);
   const double pressure = kStiffness * 0.01 / kSpacing;
   EXPECT_NEAR(values[0] / -pressure, 1, 1e-3);
@@ -126,8 +127,8 @@ TEST_P(HistoryErrors, NameTheFieldAndTheRemedy) {
   scene::Particles scene;
   add(scene, scene::DISPLACEMENT_X, 0);
   GetParam().input(scene);
-  adit::test::expect_refusal([&] { Histories(scene, engine); }, "particles.histories[1]." + GetParam().path,
-                             GetParam().message);
+  adit::test::expect_refusal([&] { Histories(scene, engine, {}); },
+                             "particles.histories[1]." + GetParam().path, GetParam().message);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -146,9 +147,12 @@ INSTANTIATE_TEST_SUITE_P(
                            add_force(s, scene::FORCE_Y);
                            s.mutable_histories(1)->set_wall("ceiling");
                          }},
-                    Case{"MomentOfALining", "quantity",
-                         "is moment, which particles do not have; choose a motion",
-                         [](auto& s) { add(s, scene::MOMENT, 3); }}),
+                    Case{"NoSection", "section",
+                         "is missing, but moment is a force in a section; add it to particles.sections",
+                         [](auto& s) { add(s, scene::MOMENT, 3); }},
+                    Case{"StrainOfParticles", "quantity",
+                         "is strain_xx, which particles do not have; choose a motion",
+                         [](auto& s) { add(s, scene::STRAIN_XX, 3); }}),
     adit::test::kRefusalName);
 
 }  // namespace

@@ -1,0 +1,35 @@
+#include "dem_server/engines/figures.hpp"
+
+#include <algorithm>
+#include <span>
+#include <string>
+
+namespace adit::dem {
+namespace {
+
+void add(const std::string& name, const std::string& unit, const Extreme& extreme,
+         const geometry::Point& place, std::vector<Figure>& figures) {
+  figures.push_back({name + "_" + unit, extreme.value});
+  figures.push_back({name + "_time_s", extreme.time});
+  figures.push_back({name + "_x_m", place.x});
+  figures.push_back({name + "_y_m", place.y});
+}
+
+}  // namespace
+
+std::vector<Figure> figures_of(const Sections& sections, const Envelope& envelope) {
+  std::vector<Figure> figures;
+  for (const auto& [force, name, unit] : kForceNames) {
+    const auto largest = envelope.largest(force), smallest = envelope.smallest(force);
+    if (largest.empty()) continue;
+    const auto most = std::ranges::max_element(largest, {}, &Extreme::value);
+    const auto least = std::ranges::min_element(smallest, {}, &Extreme::value);
+    add(std::string("sections_largest_") + name, unit, *most,
+        sections.middle(static_cast<std::size_t>(most - largest.begin())), figures);
+    add(std::string("sections_smallest_") + name, unit, *least,
+        sections.middle(static_cast<std::size_t>(least - smallest.begin())), figures);
+  }
+  return figures;
+}
+
+}  // namespace adit::dem

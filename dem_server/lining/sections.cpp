@@ -1,0 +1,69 @@
+#include "dem_server/lining/sections.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "dem_server/lining/median.hpp"
+#include "dem_server/model/placement/joint_lines.hpp"
+
+namespace adit::dem {
+
+Sections::Sections(std::vector<Cut> cuts, const Particles& p, std::span<const Pair> bonds)
+    : cuts_(std::move(cuts)) {
+  std::set<std::uint32_t> cut_bonds;
+  for (const Cut& cut : cuts_) {
+    const JointLine line(cut.from, cut.to);
+    std::set<std::uint32_t> beside;
+    for (std::uint32_t k = 0; k < bonds.size(); ++k) {
+      const auto [i, j] = bonds[k];
+      if (!line.parts({p.x[i], p.y[i]}, {p.x[j], p.y[j]})) continue;
+      cut_bonds.insert(k);
+      beside.insert({i, j});
+    }
+    beside_.emplace_back(beside.begin(), beside.end());
+  }
+  cut_bonds_.assign(cut_bonds.begin(), cut_bonds.end());
+}
+
+geometry::Point Sections::middle(std::size_t cut) const {
+  const auto& [name, from, to] = cuts_[cut];
+  return {(from.x + to.x) / 2, (from.y + to.y) / 2};
+}
+
+geometry::Point Sections::displacement(std::size_t cut, const Particles& p) const {
+  std::vector<double> x, y;
+  for (const std::uint32_t i : beside_[cut]) {
+    x.push_back(p.ux[i]);
+    y.push_back(p.uy[i]);
+  }
+  return x.empty() ? geometry::Point{0, 0} : geometry::Point{median(std::move(x)), median(std::move(y))};
+}
+
+std::vector<SectionForces> Sections::forces(const Particles& particles,
+                                            std::span<const PairForce> pairs) const {
+  std::vector<SectionForces> forces;
+  for (std::size_t cut = 0; cut < cuts_.size(); ++cut) forces.push_back(resultant(cut, particles, pairs));
+  return forces;
+}
+
+SectionForces Sections::resultant(std::size_t cut, const Particles& p,
+                                  std::span<const PairForce> pairs) const {
+  const JointLine line(cuts_[cut].from, cuts_[cut].to);
+  const auto [middle_x, middle_y] = middle(cut);
+  const auto [ux, uy] = displacement(cut, p);
+  const double x = middle_x + ux, y = middle_y + uy;
+  double fx = 0, fy = 0, moment = 0;
+  for (const PairForce& pair : pairs) {
+    const geometry::Point first{p.x[pair.first], p.y[pair.first]};
+    if (!line.parts(first, {p.x[pair.second], p.y[pair.second]})) continue;
+    const double sign = line.above(first) < 0 ? -1 : 1;  // the force on the particle to the left
+    fx += sign * pair.fx;
+    fy += sign * pair.fy;
+    moment += sign * ((pair.x - x) * pair.fy - (pair.y - y) * pair.fx + pair.moment);
+  }
+  const auto [ex, ey] = line.direction();
+  return {fx * ey - fy * ex, -moment, fx * ex + fy * ey};
+}
+
+}  // namespace adit::dem
