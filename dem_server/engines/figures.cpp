@@ -32,4 +32,13 @@ std::vector<Figure> figures_of(const Sections& sections, const Envelope& envelop
   return figures;
 }
 
+std::vector<Figure> figures_of(const SpringBreaks& breaks) {
+  std::vector<Figure> figures{{"springs_broken", static_cast<double>(breaks.count)}};
+  if (breaks.count > 0)
+    figures.insert(figures.end(), {{"first_broken_spring_time_s", breaks.time},
+                                   {"first_broken_spring_x_m", breaks.x},
+                                   {"first_broken_spring_y_m", breaks.y}});
+  return figures;
+}
+
 }  // namespace adit::dem

@@ -3,15 +3,22 @@
 #include <array>
 
 #include "dem_server/engines/figures.hpp"
-#include "dem_server/lining/read_sections.hpp"
+#include "dem_server/lining/read_lining.hpp"
 #include "dem_server/observe/branches.hpp"
 #include "dem_server/observe/fragments.hpp"
 #include "dem_server/observe/snapshot.hpp"
 
 namespace adit::dem {
 
+std::vector<double> LocalEngine::cell_areas() const {
+  const Particles& p = particles();
+  std::vector<double> areas;
+  for (std::size_t i = 0; i < p.size(); ++i) areas.push_back(p.mass[i] / (p.weight[i] * density_[group_[i]]));
+  return areas;
+}
+
 void LocalEngine::watch(const scene::Particles& scene) {
-  lining_.sections = read_sections(scene, particles(), all_bonds(*this));
+  lining_ = read_lining(scene, particles(), all_bonds(*this));
   histories_.emplace(scene, *this, lining_);
 }
 
@@ -48,6 +55,7 @@ void LocalEngine::read_histories(const protocol::Step& step,
 }
 
 void LocalEngine::take_envelope(const protocol::Step& step) {
+  joint_peaks_.take(joints());
   if (lining_.sections.cuts().empty()) return;
   envelope_.take(section_forces(*this, lining_.sections), static_cast<double>(step.number) * step.dt);
 }
@@ -83,6 +91,7 @@ void LocalEngine::start_over() {
 void LocalEngine::snapshot(wire::Snapshot& snapshot) const {
   write_snapshot(*this, snapshot);
   add_sections(*this, lining_.sections, envelope_, snapshot);
+  add_joints(*this, joint_peaks_, snapshot);
   if (peaks_) protocol::add_peak_fields(*peaks_, *snapshot.mutable_pieces(0)->mutable_point_fields());
 }
 

@@ -11,6 +11,7 @@
 #include "dem_server/lining/envelope.hpp"
 #include "dem_server/lining/lining.hpp"
 #include "dem_server/observe/histories.hpp"
+#include "dem_server/observe/joint_peaks.hpp"
 #include "dem_server/observe/observable.hpp"
 #include "dem_server/particles/energy.hpp"
 #include "protocol/participant/peak_motion.hpp"
@@ -22,6 +23,7 @@ class LocalEngine : public Engine, public Observable {
   using Observable::particles;
   virtual Particles& particles() = 0;
   std::span<const std::uint32_t> group() const final { return group_; }
+  std::vector<double> cell_areas() const final;
 
   void watch(const scene::Particles& scene) final;
   std::vector<double> offer(const geometry::BoundingBox& box) final;
@@ -36,10 +38,10 @@ class LocalEngine : public Engine, public Observable {
   void start_over() override;
   void snapshot(wire::Snapshot& snapshot) const final;
   std::uint64_t fragments() const final;
-  std::vector<Figure> figures() const final;
+  std::vector<Figure> figures() const override;
 
  protected:
-  explicit LocalEngine(const Model& model) : group_(model.group) {}
+  explicit LocalEngine(const Model& model) : group_(model.group), density_(model.density) {}
 
   void tie_particles(std::span<const double> places, const BondEnds& bonds, const PrescribedMotions& motions,
                      wire::Operator& op);
@@ -56,14 +58,16 @@ class LocalEngine : public Engine, public Observable {
   virtual std::size_t elements() const = 0;   // of them
 
  private:
-  // The forces in all sections enter their envelope.
+  // The forces in all sections and the motions of smooth joints enter their extremes.
   void take_envelope(const protocol::Step& step);
 
   std::vector<std::uint32_t> group_;
+  std::vector<double> density_;  // of each group
   CouplingPoints coupling_;
   Lining lining_;
   std::optional<Histories> histories_;
   Envelope envelope_;  // of the sections of the lining
+  JointPeaks joint_peaks_;
   Velocities before_;
   std::optional<protocol::PeakMotion> peaks_;  // once wanted
   std::optional<Relaxation> relaxation_;       // in statics

@@ -5,12 +5,15 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "dem_server/laws/contact_bond.hpp"
+#include "dem_server/laws/force_curve.hpp"
 #include "dem_server/laws/linear_contact.hpp"
+#include "dem_server/laws/pair_kinematics.hpp"
 #include "dem_server/laws/parallel_bond.hpp"
 #include "dem_server/laws/smooth_joint.hpp"
 #include "dem_server/model/group_pairs.hpp"
@@ -41,13 +44,17 @@ struct MovingWall {
   TimeFactor time;
 };
 
-// Between the centres of two discs; N = pretension + stiffness (L - L0), at least 0 where it knows tension
-// only.
+// Between two discs (engines/general/forces/spring_forces.hpp): N = pretension + stiffness · opening, at
+// least 0 where it knows tension only; or a curve.
 struct Spring {
   std::uint32_t first, second;
-  double stiffness;  // [N/m]
+  double stiffness;  // [N/m]; of a curve: where it is steepest
   bool tension_only;
   double pretension, strength;  // [N]
+  std::string name = {};
+  double clearance = 0;                          // [m]
+  std::optional<PlaneVector> direction = {};     // unit vector; along the line of centres where absent
+  std::shared_ptr<const ForceCurve> curve = {};  // where given, in place of pretension and stiffness
 };
 
 // Forces -c_n v.n and -c_s v.t on the disc that leave the model through a side.
@@ -90,6 +97,7 @@ struct Model {
   std::vector<std::uint32_t> id;     // of each disc: its place in the packing
   std::vector<std::uint32_t> group;  // of each disc, in group_names; 0 is the model's own
   std::vector<std::string> group_names;
+  std::vector<double> density;     // of each group, of its cells [kg/m^3]
   geometry::BoundingBox extent{};  // of the solid [m]
 
   std::vector<Bond> bonds;  // of a hexagonal packing row by row, in a row by direction; else ascending

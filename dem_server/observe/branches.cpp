@@ -1,6 +1,7 @@
 #include "dem_server/observe/branches.hpp"
 
 #include <cmath>
+#include <numeric>
 
 #include "dem_server/laws/pair_kinematics.hpp"
 #include "dem_server/packing/meeting_place.hpp"
@@ -18,7 +19,10 @@ Branch between(const Particles& p, std::uint32_t first, std::uint32_t second, do
           fy};
 }
 
-Branch along(const Particles& p, const SpringForce& spring) {
+Branch branch_of(const Particles& p, const SpringForce& spring) {
+  if (spring.direction)
+    return between(p, spring.first, spring.second, spring.force * spring.direction->x,
+                   spring.force * spring.direction->y);
   Branch b = between(p, spring.first, spring.second, 0, 0);
   const double length = std::hypot(b.x_2 - b.x_1, b.y_2 - b.y_1);
   b.fx = spring.force * (b.x_2 - b.x_1) / length;
@@ -77,8 +81,9 @@ std::vector<Branch> branches_of(const Observable& observed) {
   observed.for_each_bond(add);
   observed.for_each_contact(add);
   for (const JointForce& j : observed.joints()) found.push_back(between(p, j.first, j.second, j.fx, j.fy));
-  for (const SpringForce& spring : observed.springs()) found.push_back(along(p, spring));
-  for (const Branch& wall : observed.branches_of_walls()) found.push_back(wall);
+  for (const SpringForce& spring : observed.springs()) found.push_back(branch_of(p, spring));
+  for (const auto& [i, x, y, fx, fy] : observed.wall_touches())
+    found.push_back({p.x[i] + p.ux[i], p.y[i] + p.uy[i], x, y, fx, fy});
   return found;
 }
 
@@ -97,10 +102,32 @@ std::vector<PairForce> pair_forces_of(const Observable& observed, std::span<cons
   observed.for_each_contact(add_pair);
   for (const JointForce& joint : observed.joints()) add(joint.first, joint.second, joint.fx, joint.fy, 0);
   for (const SpringForce& spring : observed.springs()) {
-    const Branch b = along(observed.particles(), spring);
+    const Branch b = branch_of(observed.particles(), spring);
     add(spring.first, spring.second, b.fx, b.fy, 0);
   }
   return found;
+}
+
+std::vector<Tensor> particle_stress(const Observable& observed) {
+  const PlacesNow now = places_now(observed.particles());
+  std::vector<Tensor> moments(now.x.size());
+  const auto add = [&](std::uint32_t i, double x, double y, double fx, double fy) {
+    const double arm_x = x - now.x[i], arm_y = y - now.y[i];
+    moments[i].xx += arm_x * fx;
+    moments[i].yy += arm_y * fy;
+    moments[i].xy += (arm_x * fy + arm_y * fx) / 2;
+  };
+  std::vector<std::uint32_t> bonds(all_bonds(observed).size());
+  std::iota(bonds.begin(), bonds.end(), 0u);
+  for (const PairForce& pair : pair_forces_of(observed, bonds)) {
+    add(pair.first, pair.x, pair.y, pair.fx, pair.fy);
+    add(pair.second, pair.x, pair.y, -pair.fx, -pair.fy);
+  }
+  for (const auto& [i, x, y, fx, fy] : observed.wall_touches()) add(i, x, y, fx, fy);
+  const std::vector<double> areas = observed.cell_areas();
+  for (std::size_t i = 0; i < moments.size(); ++i)
+    for (double* component : {&moments[i].xx, &moments[i].yy, &moments[i].xy}) *component /= areas[i];
+  return moments;
 }
 
 std::vector<SectionForces> section_forces(const Observable& observed, const Sections& sections) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dem_server/lining/sections.hpp"
+#include "dem_server/observe/circles.hpp"
 #include "dem_server/observe/observable.hpp"
 #include "dem_server/packing/discs.hpp"
 
@@ -23,6 +24,13 @@ std::vector<Branch> branches_of(const Observable& observed);
 // Forces between particles for sections.hpp: those of these bonds, and of all contacts, smooth joints and
 // springs.
 std::vector<PairForce> pair_forces_of(const Observable& observed, std::span<const std::uint32_t> bonds);
+
+// Mean stress of each particle over its cell of area A, tension positive [Pa]: that of a body at rest under
+// the forces f on its surface at the arms c from its centre is
+//   sigma = 1/A sum c x f,     by the divergence theorem,
+// of which the symmetric part is taken (bonds also bend). It is exact for an even state of a lattice; loads
+// and ties to another model add nothing, so that it is too small where they act.
+std::vector<Tensor> particle_stress(const Observable& observed);
 
 // Of all sections, as they are now.
 std::vector<SectionForces> section_forces(const Observable& observed, const Sections& sections);

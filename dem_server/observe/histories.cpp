@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -76,11 +77,13 @@ std::size_t number_of(const Named& kind, const std::string& given, const std::ve
                       scene::Quantity quantity, const std::string& path) {
   const auto found = std::ranges::find(names, given);
   if (!given.empty() && found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  std::vector<std::string> named;
+  std::ranges::copy_if(names, std::back_inserter(named), [](const auto& name) { return !name.empty(); });
   throw UserError(path + "." + kind.key,
                   fmt::format("is {}, but {} is {}; {}", given.empty() ? "missing" : protocol::quote(given),
                               protocol::name_of(quantity), kind.told,
-                              names.empty() ? "add it to " + kind.list
-                                            : fmt::format("choose one of {}", fmt::join(names, ", "))));
+                              named.empty() ? "add it to " + kind.list
+                                            : fmt::format("choose one of {}", fmt::join(named, ", "))));
 }
 
 std::size_t wall_of(const scene::History& history, const std::string& path, const Observable& observed) {
@@ -97,6 +100,21 @@ std::size_t section_of(const scene::History& history, const std::string& path, c
                    history.quantity(), path);
 }
 
+std::size_t joint_of(const scene::History& history, const std::string& path,
+                     const std::vector<JointFaces>& joints) {
+  std::vector<std::string> names;
+  for (const JointFaces& joint : joints) names.push_back(joint.name());
+  return number_of({"joint", "a motion of a joint", "particles.joints, with a name"}, history.joint(), names,
+                   history.quantity(), path);
+}
+
+std::size_t spring_of(const scene::History& history, const std::string& path, const Observable& observed) {
+  std::vector<std::string> names;
+  for (const SpringForce& spring : observed.springs()) names.push_back(spring.name);
+  return number_of({"spring", "the force of a spring", "particles.springs"}, history.spring(), names,
+                   history.quantity(), path);
+}
+
 double component(const SectionForces& forces, scene::Quantity quantity) {
   if (quantity == scene::THRUST) return forces.thrust;
   return quantity == scene::MOMENT ? forces.moment : forces.shear;
@@ -104,6 +122,11 @@ double component(const SectionForces& forces, scene::Quantity quantity) {
 
 double velocity(const Particles& p, scene::Quantity quantity, std::uint32_t i) {
   return quantity == scene::VELOCITY_Y || quantity == scene::ACCELERATION_Y ? p.vy[i] : p.vx[i];
+}
+
+double component(const JointMotion& motion, scene::Quantity quantity) {
+  if (quantity == scene::OPENING) return motion.opening;
+  return quantity == scene::OFFSET ? motion.offset : motion.rotation;
 }
 
 // What means over circles need of all particles, found once a row and only where it is asked for.
@@ -178,11 +201,18 @@ Histories::Histories(const scene::Particles& scene, const Observable& observed, 
       case Over::kSection:
         history.named = section_of(given, path, lining.sections);
         break;
+      case Over::kJoint:
+        history.named = joint_of(given, path, lining.joints);
+        break;
+      case Over::kSpring:
+        history.named = spring_of(given, path, observed);
+        break;
       case Over::kNothing:
         throw UserError(
             path + ".quantity",
             fmt::format("is {}, which particles do not have; choose a motion, a stress, a strain rate, "
-                        "coordination or porosity, a force on a wall or in a section",
+                        "coordination or porosity, a force on a wall, in a section or of a spring, a motion "
+                        "of a joint",
                         protocol::name_of(given.quantity())));
     }
     histories_.push_back(history);
@@ -204,6 +234,7 @@ void Histories::read(const Observable& observed, const Lining& lining, const pro
   const Particles& p = observed.particles();
   std::optional<CircleMeans> means;
   std::optional<std::vector<SectionForces>> sections;
+  std::optional<Fragments> fragments;
   for (const History& history : histories_) {
     const std::uint32_t i = history.particle;
     switch (history.quantity) {
@@ -226,6 +257,15 @@ void Histories::read(const Observable& observed, const Lining& lining, const pro
         break;
       case scene::FORCE_Y:
         values.Add(observed.walls()[history.named].y);
+        break;
+      case scene::OPENING:
+      case scene::OFFSET:
+      case scene::ROTATION:
+        if (!fragments) fragments = fragments_of(p.size(), whole_bonds(observed));
+        values.Add(component(lining.joints[history.named].motion(p, fragments->number), history.quantity));
+        break;
+      case scene::SPRING_FORCE:
+        values.Add(observed.springs()[history.named].force);
         break;
       case scene::THRUST:
       case scene::MOMENT:

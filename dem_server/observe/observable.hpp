@@ -4,11 +4,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "dem_server/laws/bond_state.hpp"
+#include "dem_server/laws/pair_kinematics.hpp"
 #include "dem_server/particles/particles.hpp"
 
 namespace adit::dem {
@@ -29,16 +31,29 @@ struct Branch {
   double x_1, y_1, x_2, y_2, fx, fy;
 };
 
-// The force of a smooth joint on the first of two particles [N].
+// A smooth joint of two particles: its force on the first [N], how far it has slipped and opened since it was
+// made [m].
 struct JointForce {
   std::uint32_t first, second;
   double fx, fy;
+  double normal, shear;  // along its normal and its plane [N]
+  double slip, opening;
 };
 
-// A spring between two centres, tension positive [N].
+// A spring between two particles, tension positive [N].
 struct SpringForce {
   std::uint32_t first, second;
   double force;
+  double opening;  // [m]
+  bool broken;
+  std::optional<PlaneVector> direction;  // of the force; along the line of centres where absent
+  std::string name;                      // empty: none
+};
+
+// The force of a wall on a particle [N] where it touches it [m].
+struct WallTouch {
+  std::uint32_t particle;
+  double x, y, fx, fy;
 };
 
 struct WallForce {
@@ -53,6 +68,8 @@ class Observable {
   virtual ~Observable() = default;
   virtual const Particles& particles() const = 0;
   virtual std::span<const std::uint32_t> group() const = 0;  // of each particle
+  // The share of the solid's area that each particle stands for [m^2].
+  virtual std::vector<double> cell_areas() const = 0;
 
   // All bonds, whole or broken, in one order for good.
   virtual void for_each_bond(const SeePair& see) const = 0;
@@ -62,7 +79,7 @@ class Observable {
   virtual void for_each_contact(const SeePair& see) const = 0;
 
   virtual std::vector<JointForce> joints() const { return {}; }
-  virtual std::vector<Branch> branches_of_walls() const { return {}; }
+  virtual std::vector<WallTouch> wall_touches() const { return {}; }
   virtual std::vector<SpringForce> springs() const { return {}; }
   virtual std::vector<WallForce> walls() const { return {}; }
 };

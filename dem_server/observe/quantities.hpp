@@ -5,7 +5,7 @@
 
 namespace adit::dem {
 
-enum class Over { kParticle, kCircle, kWall, kSection, kNothing };
+enum class Over { kParticle, kCircle, kWall, kSection, kJoint, kSpring, kNothing };
 
 inline Over taken_over(scene::Quantity quantity) {
   switch (quantity) {
@@ -32,6 +32,12 @@ inline Over taken_over(scene::Quantity quantity) {
     case scene::MOMENT:
     case scene::SHEAR_FORCE:
       return Over::kSection;
+    case scene::OPENING:
+    case scene::OFFSET:
+    case scene::ROTATION:
+      return Over::kJoint;
+    case scene::SPRING_FORCE:
+      return Over::kSpring;
     default:
       return Over::kNothing;
   }

@@ -51,12 +51,17 @@ void add_springs(const Observable& observed, wire::Snapshot& snapshot) {
   const auto springs = observed.springs();
   if (springs.empty()) return;
   wire::Piece& piece = add_piece("springs", wire::Piece::LINES, observed.particles(), snapshot);
-  std::vector<double> force;
+  std::vector<double> force, opening;
+  std::vector<std::uint32_t> broken;
   for (const SpringForce& spring : springs) {
     add_line(spring.first, spring.second, piece);
     force.push_back(spring.force);
+    opening.push_back(spring.opening);
+    broken.push_back(spring.broken);
   }
   add_scalars(*piece.mutable_cell_fields(), "force_N", force);
+  add_scalars(*piece.mutable_cell_fields(), "opening_m", opening);
+  add_scalars(*piece.mutable_cell_fields(), "broken", broken);
 }
 
 void add_particles(const Observable& observed, wire::Snapshot& snapshot) {
@@ -70,6 +75,9 @@ void add_particles(const Observable& observed, wire::Snapshot& snapshot) {
   add_scalars(fields, "weight", p.weight);
   add_scalars(fields, "id", p.id);
   add_scalars(fields, "group", observed.group());
+  auto& stress = add_field(fields, "stress_Pa", 3);
+  for (const auto& [xx, yy, xy] : particle_stress(observed))
+    for (const double component : {xx, yy, xy}) stress.Add(component);
   add_scalars(fields, "coordination", coordination_of(p.size(), touching_particles(observed)));
   add_scalars(fields, "fragment", fragments_of(p.size(), whole_bonds(observed)).number);
 }
@@ -121,6 +129,28 @@ void add_sections(const Observable& observed, const Sections& sections, const En
   add_scalars(fields, "moment_Nm", moment);
   add_scalars(fields, "shear_N", shear);
   add_envelope(envelope, fields);
+}
+
+void add_joints(const Observable& observed, const JointPeaks& peaks, wire::Snapshot& snapshot) {
+  const auto joints = observed.joints();
+  if (joints.empty()) return;
+  wire::Piece& piece = add_piece("joints", wire::Piece::LINES, observed.particles(), snapshot);
+  std::vector<double> normal, shear, slip, opening;
+  for (const JointForce& joint : joints) {
+    add_line(joint.first, joint.second, piece);
+    normal.push_back(joint.normal);
+    shear.push_back(joint.shear);
+    slip.push_back(joint.slip);
+    opening.push_back(joint.opening);
+  }
+  Fields& fields = *piece.mutable_cell_fields();
+  add_scalars(fields, "normal_force_N", normal);
+  add_scalars(fields, "shear_force_N", shear);
+  add_scalars(fields, "slip_m", slip);
+  add_scalars(fields, "opening_m", opening);
+  if (peaks.slip().empty()) return;
+  add_scalars(fields, "peak_slip_m", peaks.slip());
+  add_scalars(fields, "peak_opening_m", peaks.opening());
 }
 
 }  // namespace adit::dem

@@ -2,16 +2,17 @@
 #pragma once
 
 #include "dem_server/lining/envelope.hpp"
-#include "dem_server/observe/observable.hpp"
+#include "dem_server/observe/joint_peaks.hpp"
 #include "protocol/messages/wire.pb.h"
 
 namespace adit::dem {
 
 // Piece "particles": displacement_m, velocity_m_per_s (three components), spin_rad_per_s, radius_m, weight,
-// id, group, coordination (bonds and contacts), fragment. Piece "bonds", over the same points:
-// normal_force_N, shear_force_N, moment_Nm (unweighted), state (0 intact, 1 tensile crack, 2 shear crack),
-// weight. Piece "contacts", of what touches and was never joined: normal_force_N, shear_force_N. Piece
-// "springs", where there are any: force_N. Displacements at the last step n since time began, velocities of n
+// id, group, stress_Pa (xx, yy, xy), coordination (bonds and contacts), fragment. Piece "bonds", over the
+// same points: normal_force_N, shear_force_N, moment_Nm (unweighted), state (0 intact, 1 tensile crack, 2
+// shear crack), weight. Piece "contacts", of what touches and was never joined: normal_force_N,
+// shear_force_N. Piece "springs", where there are any: force_N, opening_m, broken (0 or 1). Displacements at
+// the last step n since time began, velocities of n
 // + 1/2.
 void write_snapshot(const Observable& observed, wire::Snapshot& snapshot);
 
@@ -19,5 +20,9 @@ void write_snapshot(const Observable& observed, wire::Snapshot& snapshot);
 // of each largest_… and smallest_… over the times that were looked at.
 void add_sections(const Observable& observed, const Sections& sections, const Envelope& envelope,
                   wire::Snapshot& snapshot);
+
+// Piece "joints", where there are smooth joints, between their particles: normal_force_N, shear_force_N,
+// slip_m, opening_m, and peak_slip_m, peak_opening_m over the times that were looked at.
+void add_joints(const Observable& observed, const JointPeaks& peaks, wire::Snapshot& snapshot);
 
 }  // namespace adit::dem

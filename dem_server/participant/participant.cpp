@@ -28,6 +28,7 @@ void DemParticipant::set_up(const wire::Setup& setup, wire::Model& answer) {
   answer.set_y_max(model_.extent.y_max);
   answer.set_engine(choice_.told());
   for (const std::string& note : model_.notes) answer.add_notes(note);
+  for (const std::string& group : model_.group_names) answer.add_groups(group);
   assign(*answer.mutable_sample_points(), sample_points(model_));
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <numbers>
 
 #include "dem_server/engines/lattice/assembly.hpp"
 #include "dem_server/model/lattice.hpp"
@@ -23,6 +24,7 @@ inline Model lattice_in(const geometry::BoundingBox& box, double radius, double 
   model.group.assign(model.discs.size(), 0);
   for (std::uint32_t i = 0; i < model.discs.size(); ++i) model.id.push_back(i);
   model.group_names = {"particles"};
+  model.density = {mass / (2 * std::numbers::sqrt3 * radius * radius)};
   model.contacts = {{law.stiffness.normal, law.stiffness.shear, 0}};
   model.contact_bonds = {law};
   for (const Pair& pair : pairs_within(model.discs, 1e-6 * radius))

@@ -35,6 +35,15 @@ Element element_of(const Model& model, const Bond& bond) {
   return {kind, i, j, springs.kn, springs.ks, springs.km, arm_1, length - arm_1};
 }
 
+// One of a fixed direction also turns the discs.
+Element element_of(const Model& model, const Spring& spring) {
+  const std::uint32_t i = spring.first, j = spring.second;
+  if (!spring.direction) return {"spring", i, j, spring.stiffness, 0, 0, 0, 0};
+  const double length = std::hypot(model.discs.x[j] - model.discs.x[i], model.discs.y[j] - model.discs.y[i]);
+  const double arm_1 = (length + model.discs.radius[i] - model.discs.radius[j]) / 2;
+  return {"spring", i, j, spring.stiffness, spring.stiffness, 0, arm_1, length - arm_1};
+}
+
 std::uint32_t most_neighbours(double radius, double smallest) {
   return static_cast<std::uint32_t>(std::numbers::pi / std::asin(smallest / (radius + smallest)) + 1e-9);
 }
@@ -76,8 +85,7 @@ CriticalElement critical_element(const Model& model) {
     ++joined[bond.first];
     ++joined[bond.second];
   }
-  for (const Spring& spring : model.springs)
-    elements.push_back({"spring", spring.first, spring.second, spring.stiffness, 0, 0, 0, 0});
+  for (const Spring& spring : model.springs) elements.push_back(element_of(model, spring));
 
   Share share{std::vector<double>(size, 0.0), std::vector<double>(size, 0.0)};
   for (const Element& e : elements) {

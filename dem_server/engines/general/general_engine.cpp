@@ -9,6 +9,7 @@
 #include "dem_server/engines/general/critical_step.hpp"
 #include "dem_server/engines/general/renumber.hpp"
 #include "dem_server/engines/useful_threads.hpp"
+#include "dem_server/packing/meeting_place.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::dem {
@@ -49,6 +50,7 @@ void GeneralEngine::step_interface(const protocol::Step& step) {
   solver_.step(step, loads_, motions_);
   require_finite(step);
   note_cracks();
+  note_broken_springs(step);
   warn_of_escapes(step);
 }
 
@@ -72,6 +74,24 @@ void GeneralEngine::note_cracks() {
     cracks_.push_back(
         crack_between(particles(), bond.first, bond.second, width, solver_.bonds().state[pair]));
   }
+}
+
+void GeneralEngine::note_broken_springs(const protocol::Step& step) {
+  const auto broken = solver_.springs().broken();
+  if (spring_breaks_.count == 0 && !broken.empty()) {
+    const Spring& first = solver_.springs().springs()[broken.front()];
+    const auto [x, y] = meeting_place(particles(), first.first, first.second);
+    // What breaks in statics is broken when time begins.
+    spring_breaks_ = {0, step.relax ? 0 : static_cast<double>(step.number) * step.dt, x, y};
+  }
+  spring_breaks_.count = broken.size();
+}
+
+std::vector<Figure> GeneralEngine::figures() const {
+  std::vector<Figure> figures = LocalEngine::figures();
+  if (solver_.springs().springs().empty()) return figures;
+  for (const Figure& figure : figures_of(spring_breaks_)) figures.push_back(figure);
+  return figures;
 }
 
 // Only what moves far makes new lists of neighbours.

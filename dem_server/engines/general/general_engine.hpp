@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "dem_server/engines/figures.hpp"
 #include "dem_server/engines/general/solver.hpp"
 #include "dem_server/engines/local_engine.hpp"
 #include "dem_server/particles/loads.hpp"
@@ -25,7 +26,7 @@ class GeneralEngine final : public LocalEngine {
   void see_bonds(std::span<const std::uint32_t> bonds, const SeePair& see) const override;
   void for_each_contact(const SeePair& see) const override;
   std::vector<JointForce> joints() const override;
-  std::vector<Branch> branches_of_walls() const override;
+  std::vector<WallTouch> wall_touches() const override;
   std::vector<SpringForce> springs() const override;
   std::vector<WallForce> walls() const override;
 
@@ -38,6 +39,7 @@ class GeneralEngine final : public LocalEngine {
   std::span<const Crack> broken() const override { return cracks_; }
   Strongest strongest() const override { return solver_.strongest(); }
   Energies energies(const protocol::Step& step) override;
+  std::vector<Figure> figures() const override;
   void stop() override;
   void start_over() override;
 
@@ -51,6 +53,7 @@ class GeneralEngine final : public LocalEngine {
   // Tells the user once of a particle that is far from where it stood.
   void warn_of_escapes(const protocol::Step& step);
   void note_cracks();
+  void note_broken_springs(const protocol::Step& step);
 
   Model model_;
   Solver solver_;
@@ -59,6 +62,7 @@ class GeneralEngine final : public LocalEngine {
   std::vector<Crack> cracks_;  // of the last step
   std::uint64_t lists_;        // of neighbours when particles were last looked for far away
   bool escaped_ = false;
+  SpringBreaks spring_breaks_;
 };
 
 }  // namespace adit::dem

@@ -39,28 +39,34 @@ std::vector<JointForce> GeneralEngine::joints() const {
   std::vector<JointForce> joints;
   for (const Joints::Joint& j : solver_.joints().joints()) {
     const PlaneVector force = vector_of(j.nx, j.ny, j.normal, j.springs.shear);
-    joints.push_back({j.first, j.second, force.x, force.y});
+    joints.push_back(
+        {j.first, j.second, force.x, force.y, j.normal, j.springs.shear, j.slip, j.displacement});
   }
   return joints;
 }
 
-std::vector<Branch> GeneralEngine::branches_of_walls() const {
+std::vector<WallTouch> GeneralEngine::wall_touches() const {
   const Particles& p = particles();
-  std::vector<Branch> branches;
+  std::vector<WallTouch> touches;
   for (const WallContacts::Touch& touch : solver_.walls().touches()) {
     const PairKinematics pair = solver_.walls().kinematics(touch.wall, touch.disc, p);
     const double normal = touch.normal - touch.dashpots.normal, shear = touch.shear;
     const double x = p.x[touch.disc] + p.ux[touch.disc], y = p.y[touch.disc] + p.uy[touch.disc];
     const PlaneVector force = vector_of(pair.nx, pair.ny, normal, shear);
-    branches.push_back({x, y, x + pair.length * pair.nx, y + pair.length * pair.ny, force.x, force.y});
+    touches.push_back({touch.disc, x + pair.length * pair.nx, y + pair.length * pair.ny, force.x, force.y});
   }
-  return branches;
+  return touches;
 }
 
 std::vector<SpringForce> GeneralEngine::springs() const {
+  const SpringForces& all = solver_.springs();
   std::vector<SpringForce> springs;
-  for (const Spring& spring : solver_.springs().springs())
-    springs.push_back({spring.first, spring.second, solver_.springs().forces()[springs.size()]});
+  for (const Spring& spring : all.springs()) {
+    const std::size_t k = springs.size();
+    springs.push_back({spring.first, spring.second, all.forces()[k], all.openings()[k], false,
+                       spring.direction, spring.name});
+  }
+  for (const std::uint32_t k : all.broken()) springs[k].broken = true;
   return springs;
 }
 

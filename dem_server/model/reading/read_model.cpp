@@ -56,9 +56,9 @@ void remove_floaters(const Model& model, std::vector<std::string>& notes, Placem
 }
 
 void set_masses(const std::vector<Group>& groups, const Placement& placement, Model& model) {
+  for (const Group& group : groups) model.density.push_back(group.material.material.density());
   for (std::size_t i = 0; i < model.discs.size(); ++i) {
-    const double density = groups[model.group[i]].material.material.density();
-    model.mass.push_back(placement.mass(density, model.discs.radius[i]));
+    model.mass.push_back(placement.mass(model.density[model.group[i]], model.discs.radius[i]));
     model.weight.push_back(1);
     model.id.push_back(static_cast<std::uint32_t>(i));
   }

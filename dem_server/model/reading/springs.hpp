@@ -6,7 +6,8 @@
 
 namespace adit::dem {
 
-// UserError for springs that find one disc at both ends or none within its diameter.
+// The bolts are named bolt_0, bolt_1 … by their joints. UserError for springs that find one disc at both ends
+// or none within its diameter, and for those whose force is not stated once.
 std::vector<Spring> read_springs(const scene::Particles& particles, const Discs& discs);
 
 }  // namespace adit::dem

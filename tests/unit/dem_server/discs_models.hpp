@@ -28,6 +28,7 @@ inline Model loose_discs(const std::vector<std::array<double, 3>>& discs, const 
   }
   model.group.assign(discs.size(), 0);
   model.group_names = {""};
+  model.density = {kSolidDensity};
   model.contacts = {contact};
   return model;
 }

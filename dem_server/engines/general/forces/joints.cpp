@@ -28,6 +28,7 @@ void Joints::add_forces(double dt, Particles& p) {
 
     const double before = stored(joint), normal = joint.normal, shear = joint.springs.shear;
     joint.displacement += dt * open_rate;
+    joint.slip += dt * slip_rate;
     const JointForces f = joint_forces(joint.law, joint.displacement, slip_rate, dt, joint.springs);
     joint.normal = f.normal;
     // Work into the joint that it does not store.

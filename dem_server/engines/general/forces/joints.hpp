@@ -23,7 +23,7 @@ class Joints {
     double half_difference;  // of the radii [m]
     double weight = 1;
     SmoothJoint law;
-    double displacement = 0;  // along n [m]
+    double displacement = 0, slip = 0;  // along and across n [m]
     SmoothJointState springs{};
     double normal = 0;  // [N]
   };

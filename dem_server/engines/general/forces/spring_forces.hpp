@@ -1,5 +1,13 @@
-// Springs between the centres of two discs, such as bolts: N = N0 + k (L - L0), where wanted at least 0. One
-// whose force exceeds its strength is gone.
+// Springs between two discs, such as bolts, gaskets and keys. One whose force exceeds its strength is gone.
+//
+// A spring along its own line acts on the centres; its opening is e = L - L0. One of a fixed direction d acts
+// where the discs meet, like a smooth joint (joints.hpp): its opening is the sum over the steps of dt r.d,
+// with
+//   r = (v2 - v1) - (arm_1 w1 + arm_2 w2) t,    t the left normal of the line of centres,
+// and its force turns the discs by its lever arms, so that angular momentum is kept.
+//
+// Force by opening: N = N0 + k e, where wanted at least 0; or a curve (laws/force_curve.hpp). The clearance
+// is taken off e first, on either side.
 #pragma once
 
 #include <span>
@@ -22,14 +30,21 @@ class SpringForces {
   double released() const { return released_; }  // stored in those that broke, since the start [J]
   void start_over() { released_ = 0; }
   std::span<const Spring> springs() const { return springs_; }
-  std::span<const double> forces() const { return forces_; }  // [N]
-  std::size_t broken() const { return broken_; }
+  std::span<const double> forces() const { return forces_; }         // [N]
+  std::span<const double> openings() const { return openings_; }     // without clearance [m]
+  std::span<const std::uint32_t> broken() const { return broken_; }  // in the order in which they broke
 
  private:
+  void pull_along_line(std::size_t spring, double dt, Particles& particles);
+  void pull_in_direction(std::size_t spring, double dt, Particles& particles);
+  // Takes the opening and finds the force; `stretch` is the opening's growth in this step [m]. Whether the
+  // spring still is.
+  bool holds(std::size_t spring, double opening, double stretch);
+
   std::vector<Spring> springs_;
-  std::vector<double> forces_;
+  std::vector<double> forces_, openings_;
   std::vector<bool> whole_;
-  std::size_t broken_ = 0;
+  std::vector<std::uint32_t> broken_;
   double released_ = 0;
 };
 

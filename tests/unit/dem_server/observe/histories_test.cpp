@@ -102,6 +102,26 @@ TEST(Branches, CarryTheWallsForce) {
   EXPECT_GT(at_wall, 0);
 }
 
+// Every disc inside is pressed by four contacts of kn 0.01 m at arms of half the spacing, over its own area.
+TEST(Branches, StressOfParticlesIsThatOfAnEvenState) {
+  GeneralEngine engine(pressed_square(), 1);
+  engine.step_interface({1, 1e-9});
+  const Particles& p = engine.particles();
+  const auto stress = particle_stress(engine);
+  const double expected = -2 * kStiffness * 0.01 * kSpacing / 2 / (std::numbers::pi / 4);
+  std::size_t inside = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double last = (kSide - 1.5) * kSpacing;
+    if (p.x[i] > last || p.y[i] > last || p.y[i] < 0.5) continue;
+    ++inside;
+    const double by_wall = p.x[i] < 0.5 ? 0.75 : 1;  // which overlaps half as much as a disc
+    EXPECT_NEAR(stress[i].xx / expected, by_wall, 1e-6);
+    EXPECT_NEAR(stress[i].yy / expected, 1, 1e-6);
+    EXPECT_NEAR(stress[i].xy / expected, 0, 1e-6);
+  }
+  EXPECT_EQ(inside, std::size_t{kSide - 1} * (kSide - 2));
+}
+
 // Whole bonds hold; contacts touch without holding; what has broken and come apart does neither.
 TEST(Branches, BondsHoldAndContactsTouch) {
   Model model = test::loose_discs({{0, 0, 0.5}, {1, 0, 0.5}, {1.99, 0, 0.5}, {3.2, 0, 0.5}}, kContact);

@@ -1,0 +1,104 @@
+#include "dem_server/lining/read_lining.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "dem_server/model/placement/joint_lines.hpp"
+#include "protocol/errors.hpp"
+#include "protocol/text.hpp"
+
+namespace adit::dem {
+namespace {
+
+using protocol::UserError;
+
+// Surfaces of this gap and less face each other; of the largest radius. In a lattice those of second
+// neighbours are 1.46 radii apart.
+constexpr double kFacing = 0.5;
+
+std::string path_of(const char* list, int number) {
+  return fmt::format("particles.{}[{}]", list, number);
+}
+
+geometry::Point place(const scene::Point& point) {
+  return {point.x(), point.y()};
+}
+
+[[noreturn]] void refuse_name(const std::string& path, const std::string& name, const char* kind) {
+  throw UserError(path + ".name", fmt::format("is {}, like that of an earlier {}; give each its own",
+                                              protocol::quote(name), kind));
+}
+
+std::vector<Cut> read_cuts(const scene::Particles& scene) {
+  std::vector<Cut> cuts;
+  for (int k = 0; k < scene.sections_size(); ++k) {
+    const auto& section = scene.sections(k);
+    const std::string path = path_of("sections", k);
+    const Cut cut{section.name(), place(section.from()), place(section.to())};
+    if (cut.from.x == cut.to.x && cut.from.y == cut.to.y)
+      throw UserError(path + ".to", "is the same place as `from`; give a section two ends");
+    if (std::ranges::find(cuts, cut.name, &Cut::name) != cuts.end()) refuse_name(path, cut.name, "section");
+    cuts.push_back(cut);
+  }
+  return cuts;
+}
+
+Sections read_sections(const scene::Particles& scene, const Particles& particles,
+                       std::span<const Pair> bonds) {
+  Sections sections(read_cuts(scene), particles, bonds);
+  for (std::size_t k = 0; k < sections.cuts().size(); ++k)
+    if (sections.beside(k).empty())
+      throw UserError(path_of("sections", static_cast<int>(k)),
+                      "crosses no bond between particles; lay it through the lining, from its inner to its "
+                      "outer side");
+  return sections;
+}
+
+std::vector<JointFaces> read_joints(const scene::Particles& scene, const Particles& p) {
+  const double largest = p.radius.empty() ? 0 : std::ranges::max(p.radius);
+  const std::vector<Pair> near = pairs_within({p.x, p.y, p.radius}, kFacing * largest);
+  std::vector<JointFaces> joints;
+  const auto add = [&](const std::string& name, const geometry::Point& from, const geometry::Point& to,
+                       const std::string& path) {
+    if (std::ranges::find(joints, name, &JointFaces::name) != joints.end()) refuse_name(path, name, "joint");
+    joints.emplace_back(name, from, to, p, near);
+    if (std::min(joints.back().near_face().size(), joints.back().far_face().size()) < 2)
+      throw UserError(path, fmt::format("has fewer than two particles on a face of {}; let it part more",
+                                        protocol::quote(name)));
+  };
+  if (scene.has_ring()) {
+    const auto& ring = scene.ring();
+    const RingJoints lines(ring);
+    for (std::uint32_t k = 0; k < ring.segments(); ++k) {
+      const auto [ex, ey] = lines.direction(k);
+      const auto at = [&](double radius) {
+        return geometry::Point{ring.centre().x() + radius * ex, ring.centre().y() + radius * ey};
+      };
+      add("joint_" + std::to_string(k), at(ring.inner_radius()), at(ring.outer_radius()), "particles.ring");
+    }
+  }
+  for (int k = 0; k < scene.joints_size(); ++k) {
+    const auto& joint = scene.joints(k);
+    if (joint.has_name()) add(joint.name(), place(joint.from()), place(joint.to()), path_of("joints", k));
+  }
+  return joints;
+}
+
+bool has_joints(const scene::Particles& scene) {
+  return scene.has_ring() ||
+         std::ranges::any_of(scene.joints(), [](const auto& joint) { return joint.has_name(); });
+}
+
+}  // namespace
+
+Lining read_lining(const scene::Particles& scene, const Particles& particles, std::span<const Pair> bonds) {
+  Lining lining;
+  if (scene.sections_size() > 0) lining.sections = read_sections(scene, particles, bonds);
+  if (has_joints(scene)) lining.joints = read_joints(scene, particles);
+  return lining;
+}
+
+}  // namespace adit::dem
