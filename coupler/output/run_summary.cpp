@@ -53,6 +53,7 @@ RunSummary::RunSummary(const RunLabels& labels, const Model& model) : model_(mod
   summary_.set("grid_points", counts.grid_points());
   summary_.set("coupling_points", model.coupling_points.size() / 2);
   add_engines();
+  add_names();
   add_notes(labels.notes);
   if (model.interfaces.empty()) return;
   summary_.set("solve", protocol::lower_case(scene::Solve_Name(model.interfaces[0].given.solve())));
@@ -70,6 +71,17 @@ void RunSummary::add_engines() {
     summary_.set(participant.member.name + "_engine", participant.model.engine());
     lines_.push_back(
         fmt::format("engine             {}: {}", participant.member.name, participant.model.engine()));
+  }
+}
+
+// Of what the fields `group` and `material` number.
+void RunSummary::add_names() {
+  const auto add = [this](const std::string& name, const auto& names) {
+    if (names.size() > 1) summary_.set(name, std::vector<std::string>(names.begin(), names.end()));
+  };
+  for (const Participant& participant : model_.participants) {
+    add(participant.member.name + "_groups", participant.model.groups());
+    add(participant.member.name + "_materials", participant.model.materials());
   }
 }
 

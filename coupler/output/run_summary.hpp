@@ -48,6 +48,7 @@ class RunSummary {
  private:
   // Adds the engines that compute the particles, and the notes on the scene and on the model.
   void add_engines();
+  void add_names();
   void add_notes(std::vector<std::string> notes);
   void add_findings(const Findings& findings);
   void add_event(const std::string& name, const Event& event, bool happened);

@@ -80,6 +80,11 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   model.set_x_max(box.x_max);
   model.set_y_min(box.y_min);
   model.set_y_max(box.y_max);
+  model.add_groups("");  // of zones in no group
+  for (const Group& group : grid_.groups) model.add_groups(group.name);
+  model.add_materials(scene_.continuum().has_material() ? "continuum.material" : "material");
+  for (int i = 0; i < scene_.continuum().materials_size(); ++i)
+    model.add_materials(fmt::format("continuum.materials[{}].material", i));
   const auto samples = sample_points(grid_);
   model.mutable_sample_points()->Assign(samples.begin(), samples.end());
 }
@@ -326,7 +331,7 @@ void FdmParticipant::read_histories(const Step& step, google::protobuf::Repeated
 
 void FdmParticipant::draw(wire::Snapshot& snapshot) {
   fill_snapshot(grid_, *continuum_, weights_, snapshot);
-  add_materials(setup_.ground.of_zone, weights_, *snapshot.mutable_pieces(0));
+  add_ground(grid_, setup_.ground, continuum_->zones(), weights_, *snapshot.mutable_pieces(0));
   if (peaks_) add_peaks(*peaks_, weights_, *snapshot.mutable_pieces(0));
   add_supports(grid_, *continuum_, supports_, peak_forces_, snapshot);
 }

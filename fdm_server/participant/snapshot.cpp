@@ -1,5 +1,6 @@
 #include "fdm_server/participant/snapshot.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -128,13 +129,22 @@ void fill_snapshot(const Grid& grid, const Continuum& continuum, std::span<const
   }
 }
 
-void add_materials(std::span<const std::uint32_t> of_zone, std::span<const double> weights,
-                   wire::Piece& piece) {
-  std::vector<double> present;
-  const std::size_t zones = static_cast<std::size_t>(piece.connectivity_size()) / 4;
-  for (std::size_t z = 0; present.size() < zones; ++z)
-    if (weights[z] > 0) present.push_back(of_zone[z]);
-  std::ranges::copy(present, new_field(*piece.mutable_cell_fields(), "material", 1, present.size()));
+void add_ground(const Grid& grid, const Ground& ground, const ZoneSet& zones, std::span<const double> weights,
+                wire::Piece& piece) {
+  std::vector<std::uint32_t> groups(grid.own_zones(), 0);
+  for (std::uint32_t k = 0; k < grid.groups.size(); ++k)
+    for (const auto zone : grid.groups[k].zones) groups[zone] = k + 1;
+  const auto present = std::ranges::count_if(weights.first(grid.own_zones()), [](double w) { return w > 0; });
+  const auto add = [&](const std::string& name, auto&& value_of) {
+    double* values = new_field(*piece.mutable_cell_fields(), name, 1, static_cast<std::size_t>(present));
+    for (std::size_t z = 0; z < grid.own_zones(); ++z)
+      if (weights[z] > 0) *values++ = value_of(z);
+  };
+  add("material", [&](std::size_t z) { return ground.of_zone[z]; });
+  add("group", [&](std::size_t z) { return groups[z]; });
+  if (std::ranges::all_of(ground.materials, &Material::linear)) return;
+  add("yield_state", [&](std::size_t z) { return zones.field(z, ZoneField::kYieldState); });
+  add("plastic_shear_strain", [&](std::size_t z) { return zones.field(z, ZoneField::kPlasticShearStrain); });
 }
 
 void add_supports(const Grid& grid, const Continuum& continuum, const Supports& supports,

@@ -19,10 +19,11 @@ namespace adit::fdm {
 void fill_snapshot(const Grid& grid, const Continuum& continuum, std::span<const double> weights,
                    wire::Snapshot& snapshot);
 
-// Adds the number of each zone's material to that piece, as cell field material: 0 is the continuum's own, 1
-// the first of `materials`.
-void add_materials(std::span<const std::uint32_t> of_zone, std::span<const double> weights,
-                   wire::Piece& piece);
+// Adds to that piece the cell fields material and group, numbers in the lists of the model (wire.proto), a
+// zone of several groups having the last one; where a material follows a law beyond elasticity, yield_state
+// (the bits of materials/solid.hpp) and plastic_shear_strain.
+void add_ground(const Grid& grid, const Ground& ground, const ZoneSet& zones, std::span<const double> weights,
+                wire::Piece& piece);
 
 // Pieces of lines, where there are any: "linings" with point fields displacement_m, thrust_N, moment_Nm,
 // shear_N and their peaks, and the lining's number as cell field lining; "bolts" with displacement_m and, of

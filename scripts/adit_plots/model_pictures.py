@@ -2,7 +2,6 @@
 import math
 
 import numpy as np
-from matplotlib.colors import Normalize
 from matplotlib.collections import EllipseCollection, LineCollection, PolyCollection
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Polygon
@@ -88,63 +87,6 @@ def bonds(run, time, pieces):
             handles.append(Line2D([], [], color=color, lw=2.4, label=_count(counts[mode], f"{name} crack")))
     add_legend(handles)
     return figure
-
-
-PEAKS = {  # field: what it is, unit, size of the unit
-    "peak_displacement_m": ("largest displacement", "mm", 1e-3),
-    "peak_velocity_m_per_s": ("largest velocity", "m/s", 1),
-    "peak_acceleration_m_per_s2": ("largest acceleration", "m/s²", 1),
-    "peak_shear_strain": ("largest shear strain", "10⁻³", 1e-3),
-    "peak_largest_principal_stress_Pa": ("largest principal stress (tension)", "MPa", 1e6),
-    "peak_smallest_principal_stress_Pa": ("smallest principal stress (compression)", "MPa", 1e6)}
-
-
-def peaks(run, time, pieces):
-    """Yields (name, figure) of every peak over time that the snapshot holds, in colours over the undeformed model."""
-    for field, (what, unit, size) in PEAKS.items():
-        shown = {kind: piece for kind, piece in pieces.items()
-                 if kind in ("grid", "particles") and piece.field(field) is not None}
-        if shown:
-            yield field.partition("_m_per")[0].removesuffix("_m").removesuffix("_Pa"), _peak(run, time, shown, field, what,
-                                                                                           unit, size)
-
-
-def _peak(run, time, pieces, field, what, unit, size):
-    bounds = style.bounds_of(*(piece.points for piece in pieces.values()))
-    figure, axes, _ = style.model_sheet(
-        bounds, f"{run.name}: {what} until t = {style.milliseconds(time)} ms", right=1.15)
-    values = {kind: piece.field(field) / size for kind, piece in pieces.items()}
-    every = np.concatenate(list(values.values()))
-    look = {"cmap": "viridis_r" if every.max() <= 0 else "viridis", "norm": Normalize(every.min(), every.max())}
-    for kind, piece in pieces.items():
-        if kind == "particles":
-            width = 2 * piece.field("radius_m")
-            drawn = EllipseCollection(width, width, np.zeros_like(width), units="xy", offsets=piece.points,
-                                      offset_transform=axes.transData, array=values[kind], ec="none", zorder=3, **look)
-            axes.add_collection(drawn)
-        elif field in piece.cell_fields:
-            drawn = PolyCollection(piece.points[piece.cells], array=values[kind], ec="face", lw=0.2, **look)
-            axes.add_collection(drawn)
-        else:
-            triangles = np.concatenate([piece.cells[:, [0, 1, 2]], piece.cells[:, [0, 2, 3]]])
-            drawn = axes.tripcolor(*piece.points.T, triangles, values[kind], shading="gouraud", **look)
-    box = axes.get_position()
-    bar = figure.colorbar(drawn, cax=figure.add_axes((box.x1 + 0.25 / figure.get_figwidth(), box.y0,
-                                                      0.14 / figure.get_figwidth(), box.height)))
-    bar.set_label(f"[{unit}]")
-    _mark_largest(axes, pieces, values)
-    return figure
-
-
-def _mark_largest(axes, pieces, values):
-    """Marks the largest magnitude by a ring and writes it below the picture."""
-    kind = max(values, key=lambda k: np.abs(values[k]).max())
-    top, piece = int(np.argmax(np.abs(values[kind]))), pieces[kind]
-    per_cell = len(values[kind]) == len(piece.cells) and kind == "grid"
-    x, y = piece.points[piece.cells[top]].mean(axis=0) if per_cell else piece.points[top]
-    axes.plot(x, y, "o", ms=9, mfc="none", mec=style.RED, mew=1.3, zorder=5, clip_on=False)
-    axes.figure.text(0.65 / axes.figure.get_figwidth(), 0.14 / axes.figure.get_figheight(), size=8.5,
-                     s=f"○ {values[kind][top]:.4g} at x = {x:.4g} m, y = {y:.4g} m", color=style.RED)
 
 
 def _undeformed_sheet(run, time, pieces, what):

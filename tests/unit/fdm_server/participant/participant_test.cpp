@@ -6,6 +6,9 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "protocol/errors.hpp"
 #include "tests/unit/fdm_server/scenes.hpp"
@@ -237,6 +240,45 @@ TEST(Participant, FillsSnapshotAndFarewell) {
   run.participant.finish(bye);
   EXPECT_EQ(bye.updates(), 48u * 51u);
   EXPECT_GE(bye.cpu_seconds(), 0);
+}
+
+// Zones show material and group by number, with names from the beginning, and where ground can yield how it
+// did.
+TEST(Participant, ShowsMaterialGroupAndYield) {
+  FdmParticipant participant;
+  wire::Model model;
+  const auto setup = setup_of(
+      "blocks { name: 'left' rectangle { x_min: 0 x_max: 1 y_min: 0 y_max: 1 } along { zones: 1 } "
+      "across { zones: 1 } } "
+      "blocks { name: 'right' rectangle { x_min: 1 x_max: 3 y_min: 0 y_max: 1 } along { zones: 2 } "
+      "across { zones: 1 } } "
+      "materials { where { x_min: 2 } material { young_modulus: 1e9 poisson_ratio: 0.2 density: 2000 "
+      "mohr_coulomb { cohesion: 10 } } } motions { where { x_max: 0 } velocity { x: 0 y: 0 } } "
+      "motions { where { x_min: 3 } velocity { x: 0 y: 1 } }",
+      "", "plane: PLANE_STRAIN material { young_modulus: 1e9 poisson_ratio: 0.2 density: 2000 } ");
+  set_up(participant, setup, model);
+  EXPECT_THAT(model.groups(), testing::ElementsAre("", "left", "right"));
+  EXPECT_THAT(model.materials(), testing::ElementsAre("material", "continuum.materials[0].material"));
+  wire::Interface interface;
+  participant.weigh({}, interface);
+  wire::Advance advance;
+  wire::Predicted predicted;
+  advance.set_dt(kDt);
+  for (std::uint64_t n = 0; n <= 50; ++n) {
+    advance.set_step(n);
+    participant.advance(advance, predicted);
+  }
+  wire::Snapshot snapshot;
+  participant.snapshot({}, snapshot);
+  std::map<std::string, std::vector<double>> found;
+  for (const auto& field : snapshot.pieces(0).cell_fields())
+    found[field.name()] = {field.values().begin(), field.values().end()};
+  EXPECT_THAT(found["material"], testing::ElementsAre(0, 0, 1));
+  EXPECT_THAT(found["group"], testing::ElementsAre(1, 2, 2));
+  EXPECT_EQ(found["yield_state"][0], 0);
+  EXPECT_EQ(static_cast<unsigned>(found["yield_state"][2]) & kShearNow, kShearNow);
+  EXPECT_EQ(found["plastic_shear_strain"][0], 0);
+  EXPECT_GT(found["plastic_shear_strain"][2], 0);
 }
 
 // A velocity that is not finite ends the run with step, place and value.

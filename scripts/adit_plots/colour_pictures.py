@@ -1,0 +1,121 @@
+"""Fields of the ground in colours over the undeformed model: peaks over time, principal stress, yield state."""
+import numpy as np
+from matplotlib.collections import EllipseCollection, PolyCollection
+from matplotlib.colors import Normalize, TwoSlopeNorm
+from matplotlib.patches import Patch
+
+from adit_plots import style
+
+LIGHT_WEIGHT = 0.01  # what has less tells little: it follows the other model
+
+PEAKS = {  # field: what it is, unit, size of the unit
+    "peak_displacement_m": ("largest displacement", "mm", 1e-3),
+    "peak_velocity_m_per_s": ("largest velocity", "m/s", 1),
+    "peak_acceleration_m_per_s2": ("largest acceleration", "m/s²", 1),
+    "peak_shear_strain": ("largest shear strain", "10⁻³", 1e-3),
+    "peak_largest_principal_stress_Pa": ("largest principal stress (tension)", "MPa", 1e6),
+    "peak_smallest_principal_stress_Pa": ("smallest principal stress (compression)", "MPa", 1e6)}
+
+# Bits of yield_state (fdm_server/materials/solid.hpp) that make a kind, its name and colour; the first that holds.
+YIELD = ((1, "shear now", style.RED), (2, "tension now", style.BLUE), (16 | 32, "weak plane now", style.GREEN),
+         (4, "shear before", "#F3C3A8"), (8, "tension before", "#B5D3E8"), (64 | 128, "weak plane before", "#B2DDD0"))
+
+
+def peaks(run, time, pieces):
+    """Yields (name, figure) of every peak over time that the snapshot holds."""
+    for field, (what, unit, size) in PEAKS.items():
+        shown = {kind: piece for kind, piece in pieces.items()
+                 if kind in ("grid", "particles") and piece.field(field) is not None}
+        if shown:
+            values = {kind: piece.field(field) / size for kind, piece in shown.items()}
+            yield field.partition("_m_per")[0].removesuffix("_m").removesuffix("_Pa"), _coloured(
+                run, f"{what} until t = {style.milliseconds(time)} ms", shown, values, unit)
+
+
+def principal_stress(run, time, pieces):
+    """The larger principal stress in the plane, tension positive, where the particles are and in the zones among them."""
+    if "particles" not in pieces or pieces["particles"].field("stress_Pa") is None:
+        return None
+    shown = {kind: piece for kind, piece in pieces.items() if kind in ("grid", "particles")}
+    values = {}
+    for kind, piece in shown.items():
+        xx, yy, xy = piece.field("stress_Pa").T
+        values[kind] = ((xx + yy) / 2 + np.hypot((xx - yy) / 2, xy)) / 1e6
+    return _coloured(run, f"largest principal stress (tension) at t = {style.milliseconds(time)} ms", shown, values,
+                     "MPa", [pieces["particles"]])
+
+
+def yield_state(run, time, pieces):
+    """Which zones yield now and which did before, and how."""
+    grid = pieces.get("grid")
+    state = None if grid is None else grid.field("yield_state")
+    if state is None:
+        return None
+    figure, axes, add_legend = style.model_sheet(
+        style.bounds_of(grid.points), f"{run.name}: what yields at t = {style.milliseconds(time)} ms")
+    heavy = grid.field("weight") >= LIGHT_WEIGHT
+    axes.add_collection(PolyCollection(grid.points[grid.cells[heavy]], fc="none", ec="#D5D5D5", lw=0.3))
+    handles, left = [], heavy
+    for bits, name, colour in YIELD:
+        chosen = left & (state.astype(int) & bits > 0)
+        left = left & ~chosen
+        if np.any(chosen):
+            axes.add_collection(PolyCollection(grid.points[grid.cells[chosen]], fc=colour, ec="none"))
+            handles.append(Patch(fc=colour, label=f"{name}: {int(chosen.sum()):,} zones"))
+    handles.append(Patch(fc="white", ec="#D5D5D5", label=f"elastic: {int(left.sum()):,} zones"))
+    add_legend(handles, columns=min(len(handles), 4))
+    return figure
+
+
+def _coloured(run, what, pieces, values, unit, shown=None):
+    """`shown`: the pieces whose extent is drawn, all where absent."""
+    bounds = style.bounds_of(*(piece.points for piece in shown or pieces.values()))
+    figure, axes, _ = style.model_sheet(bounds, f"{run.name}: {what}", right=1.15)
+    heavy = {kind: _heavy(piece, values[kind]) for kind, piece in pieces.items()}
+    every = np.concatenate([values[kind][heavy[kind]] for kind in pieces])
+    look = _look(every)
+    for kind, piece in pieces.items():
+        if kind == "particles":
+            width = 2 * piece.field("radius_m")[heavy[kind]]
+            drawn = EllipseCollection(width, width, np.zeros_like(width), units="xy", offsets=piece.points[heavy[kind]],
+                                      offset_transform=axes.transData, array=values[kind][heavy[kind]], ec="none", zorder=3,
+                                      **look)
+            axes.add_collection(drawn)
+        elif len(values[kind]) == len(piece.cells):
+            cells = piece.points[piece.cells[heavy[kind]]]
+            drawn = PolyCollection(cells, array=values[kind][heavy[kind]], ec="face", lw=0.2, **look)
+            axes.add_collection(drawn)
+        else:
+            triangles = np.concatenate([piece.cells[:, [0, 1, 2]], piece.cells[:, [0, 2, 3]]])
+            drawn = axes.tripcolor(*piece.points.T, triangles, values[kind], shading="gouraud", **look)
+    box = axes.get_position()
+    bar = figure.colorbar(drawn, cax=figure.add_axes((box.x1 + 0.25 / figure.get_figwidth(), box.y0,
+                                                      0.14 / figure.get_figwidth(), box.height)))
+    bar.set_label(f"[{unit}]")
+    _mark_largest(axes, pieces, {kind: np.where(heavy[kind], values[kind], 0) for kind in pieces})
+    return figure
+
+
+def _heavy(piece, values):
+    """Which values count: not those of light zones and particles."""
+    weight = piece.field("weight")
+    return weight >= LIGHT_WEIGHT if weight is not None and len(weight) == len(values) else np.full(len(values), True)
+
+
+def _look(values):
+    """One hue for one sign, two around 0 for both."""
+    low, high = values.min(), values.max()
+    if low < 0 < high:
+        return {"cmap": "RdBu_r", "norm": TwoSlopeNorm(0, low, high)}
+    return {"cmap": "viridis_r" if high <= 0 else "viridis", "norm": Normalize(low, high)}
+
+
+def _mark_largest(axes, pieces, values):
+    """Marks the largest magnitude by a ring and writes it below the picture."""
+    kind = max(values, key=lambda k: np.abs(values[k]).max())
+    top, piece = int(np.argmax(np.abs(values[kind]))), pieces[kind]
+    per_cell = len(values[kind]) == len(piece.cells) and kind == "grid"
+    x, y = piece.points[piece.cells[top]].mean(axis=0) if per_cell else piece.points[top]
+    axes.plot(x, y, "o", ms=9, mfc="none", mec=style.RED, mew=1.3, zorder=5, clip_on=False)
+    axes.figure.text(0.65 / axes.figure.get_figwidth(), 0.14 / axes.figure.get_figheight(), size=8.5,
+                     s=f"○ {values[kind][top]:.4g} at x = {x:.4g} m, y = {y:.4g} m", color=style.RED)
