@@ -10,12 +10,13 @@
 // lattice. Edges that cut zones and bonds, corners, and curves cause a strain error of the order of zone size
 // over width (tests/verification/bridging/patch_test.cpp); so prefer edges on grid lines, and wide overlaps.
 //
-// If a grid is the outer model, a zone whose weights are 0 at all sampling points is left out
-// (fdm_server/grid/samples.hpp). With a convex core nothing is missing then: all corners of such a zone lie
-// in the core, and so does the whole zone, so that each point of the overlap lies in a remaining zone or on
-// its edge. Strips, boxes and circles have convex cores. A notch or a hole of a polygon that lies between the
-// sampling points, half a zone apart, is not found: the zones around it are left out, and a coupling point in
-// it is refused as lying outside the grid. Notches and holes must therefore be at least one zone wide.
+// If a grid is the outer model, a zone whose weights are 0 at all sampling points is left out, and so is one
+// of which only a sliver is left, in which the next zone's motion goes on (fdm_server/grid/samples.hpp). With
+// a convex core nothing is missing then: all corners of such a zone lie in the core, and so does the whole
+// zone, so that each point of the overlap lies in a remaining zone or on its edge. Strips, boxes and circles
+// have convex cores. A notch or a hole of a polygon that lies between the sampling points, half a zone apart,
+// is not found: the zones around it are left out, and a coupling point in it is refused as lying outside the
+// grid. Notches and holes must therefore be at least one zone wide.
 #pragma once
 
 #include <memory>

@@ -10,8 +10,10 @@
 namespace adit::fdm {
 
 // How the velocities at these places, interleaved [m], follow from the grid points: by the bilinear shape
-// functions of the zones that hold them; a place that is a grid point is that point's alone. UserError where
-// one lies outside the grid.
-std::vector<protocol::OperatorRow> interpolate(const Grid& grid, std::span<const double> places);
+// functions of the zones that hold them; a place that is a grid point is that point's alone. In a sliver
+// (samples.hpp), which the grid has lost, the shape functions of the nearest zone go on. UserError where a
+// place lies in neither.
+std::vector<protocol::OperatorRow> interpolate(const Grid& grid, std::span<const double> places,
+                                               std::span<const Corners> slivers = {});
 
 }  // namespace adit::fdm

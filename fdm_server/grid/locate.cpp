@@ -13,6 +13,11 @@ double snap(double natural) {
   return std::abs(natural) > 1 - kTolerance ? std::copysign(1, natural) : natural;
 }
 
+std::array<double, 4> bilinear(double xi, double eta) {
+  return {0.25 * (1 - xi) * (1 - eta), 0.25 * (1 + xi) * (1 - eta), 0.25 * (1 + xi) * (1 + eta),
+          0.25 * (1 - xi) * (1 + eta)};
+}
+
 }  // namespace
 
 std::optional<std::array<double, 2>> inverse_bilinear(const Corners& c, double x, double y) {
@@ -69,11 +74,24 @@ std::optional<Place> ZoneLocator::locate(double x, double y, const std::vector<b
     const auto [xi, eta] = *natural;
     if (std::abs(xi) > 1 + kTolerance || std::abs(eta) > 1 + kTolerance) continue;
     const double a = snap(xi), b = snap(eta);
-    return Place{zone,
-                 {0.25 * (1 - a) * (1 - b), 0.25 * (1 + a) * (1 - b), 0.25 * (1 + a) * (1 + b),
-                  0.25 * (1 - a) * (1 + b)}};
+    return Place{zone, bilinear(a, b)};
   }
   return std::nullopt;
+}
+
+std::optional<Place> ZoneLocator::beyond(double x, double y) const {
+  double least = 3;  // a zone's width from its side
+  std::optional<Place> nearest;
+  for (std::uint32_t zone = 0; zone < grid_.zones.size(); ++zone) {
+    const auto natural = inverse_bilinear(corners(grid_, zone), x, y);
+    if (!natural) continue;
+    const auto [xi, eta] = *natural;
+    const double away = std::max(std::abs(xi), std::abs(eta));
+    if (away >= least) continue;
+    least = away;
+    nearest = Place{zone, bilinear(xi, eta)};
+  }
+  return nearest;
 }
 
 }  // namespace adit::fdm

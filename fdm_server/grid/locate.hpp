@@ -11,7 +11,7 @@
 
 namespace adit::fdm {
 
-// Bilinear shape functions at a point of a zone: non-negative, sum 1.
+// Bilinear shape functions at a point of a zone: sum 1; non-negative in the zone.
 struct Place {
   std::uint32_t zone;
   std::array<double, 4> shape;
@@ -28,6 +28,9 @@ class ZoneLocator {
   // The zone that holds (x, y), within 1e-9 of its size; the first of several (points on an edge). Not one
   // that is hidden: one flag a zone, or none at all.
   std::optional<Place> locate(double x, double y, const std::vector<bool>& hidden = {}) const;
+  // The zone nearest to a point outside all, in natural coordinates, and its shape functions there; no value
+  // farther than a zone's width from it. Looks at every zone.
+  std::optional<Place> beyond(double x, double y) const;
 
  private:
   const Grid& grid_;

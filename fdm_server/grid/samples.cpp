@@ -63,4 +63,17 @@ std::vector<double> zone_weights(const Grid& grid, std::span<const double> sampl
   return weights;
 }
 
+std::vector<Corners> drop_slivers(const Grid& grid, std::span<const double> samples,
+                                  std::vector<double>& weights) {
+  constexpr double kLight = 0.01;
+  const auto in_zones = samples.last(grid.zones.size());
+  std::vector<Corners> slivers;
+  for (std::size_t z = 0; z < weights.size(); ++z) {
+    if (in_zones[z] != 0 || weights[z] == 0 || weights[z] >= kLight) continue;
+    weights[z] = 0;
+    slivers.push_back(corners(grid, z));
+  }
+  return slivers;
+}
+
 }  // namespace adit::fdm

@@ -19,4 +19,15 @@ std::vector<double> sample_points(const Grid& grid);
 // Throws protocol::RequestError where there is not one sample for each point.
 std::vector<double> zone_weights(const Grid& grid, std::span<const double> samples, double floor);
 
+// Zones of which the edge of the overlap leaves a sliver: their middle has no weight, and they weigh less
+// than 0.01. Their weights become 0, and their shapes are returned, for interpolation.hpp.
+//
+// Most points of such a zone lie in the inner model alone and belong to light zones only. Next to nothing
+// resists their motion, so that the constraint at a particle in the sliver moves them first, by its mismatch
+// over their small share of the shape functions: a strain without bound where the ground yields beside it.
+// Without them the motion in the sliver is that of the zone next to it, and less than a hundredth of a zone's
+// energy is missing.
+std::vector<Corners> drop_slivers(const Grid& grid, std::span<const double> samples,
+                                  std::vector<double>& weights);
+
 }  // namespace adit::fdm

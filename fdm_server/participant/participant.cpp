@@ -91,6 +91,7 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
 
 void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interface) {
   weights_ = read_weights(weights, grid_);
+  if (!weights.weights().empty()) slivers_ = drop_slivers(grid_, view(weights.weights()), weights_);
   compact(setup_.ground, weights_);
   compact(grid_, weights_);
   if (grid_.zones.empty())
@@ -170,7 +171,7 @@ void FdmParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
   if (couple.points_size() % 2 != 0 ||
       !std::ranges::all_of(couple.points(), [](double value) { return std::isfinite(value); }))
     throw protocol::RequestError("got coupling points that are no finite pairs x y");
-  operator_ = protocol::InterfaceOperator(interpolate(grid_, view(couple.points())));
+  operator_ = protocol::InterfaceOperator(interpolate(grid_, view(couple.points()), slivers_));
   require_interface_stays();
   continuum_->set_interface(operator_.points());
   operator_.fill(op);

@@ -77,7 +77,8 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   DampingLaw damping_;
   double critical_dt_ = 0;
   Grid grid_;
-  std::vector<double> weights_;  // of the zones; 0 where they were taken away
+  std::vector<double> weights_;   // of the zones; 0 where they were taken away
+  std::vector<Corners> slivers_;  // zones that an overlap leaves next to nothing of (samples.hpp)
   Supports supports_;
   std::vector<FreeFieldColumn> columns_;
   motion::UsedMotion base_acceleration_;
