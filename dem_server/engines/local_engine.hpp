@@ -33,11 +33,14 @@ class LocalEngine : public Engine, public Observable {
   Unrest unrest(const protocol::Step& step) final;
   void stop() override;
   void start_over() override;
+  void count_displacements() final;
   void snapshot(wire::Snapshot& snapshot) const final;
   std::uint64_t fragments() const final;
 
  protected:
-  explicit LocalEngine(const Model& model) : group_(model.group) {}
+  explicit LocalEngine(const Model& model) { take_stage(model); }
+  // The groups, and which particles are there, become those of the model.
+  void take_stage(const Model& model);
 
   void tie_particles(std::span<const double> places, const BondEnds& bonds, const PrescribedMotions& motions,
                      wire::Operator& op);
@@ -55,6 +58,8 @@ class LocalEngine : public Engine, public Observable {
 
  private:
   std::vector<std::uint32_t> group_;
+  std::size_t present_ = 0;         // particles that are there
+  bool counts_from_stage_ = false;  // displacements do, not from the beginning of time
   CouplingPoints coupling_;
   std::optional<Histories> histories_;
   Velocities before_;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 
 #include "dem_server/engines/answers.hpp"
 #include "dem_server/engines/crack.hpp"
@@ -20,7 +21,8 @@ void assign(google::protobuf::RepeatedField<double>& field, std::span<const doub
 SampledWeights split_weights(const wire::Weights& sent, std::size_t centres, std::size_t midpoints);
 
 void report(const WaveSpeeds& speeds, wire::Model& to);
-void report(const Crack& crack, std::uint64_t step, wire::Crack& to);
+void report(const Crack& crack, std::uint64_t step, std::span<const std::string> group_names,
+            wire::Crack& to);
 void report(const Strongest& strongest, std::uint64_t step, wire::BondForce& to);
 void report(const Energies& energies, wire::Energies& to);
 

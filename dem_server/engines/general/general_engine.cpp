@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <tuple>
 
 #include "dem_server/engines/general/critical_step.hpp"
 #include "dem_server/engines/general/renumber.hpp"
 #include "dem_server/engines/useful_threads.hpp"
+#include "dem_server/model/at_stage.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::dem {
@@ -36,7 +39,9 @@ GeneralEngine::GeneralEngine(std::size_t threads, Model model)
       lists_(solver_.neighbours().lists()) {}
 
 double GeneralEngine::critical_step() const {
-  return dem::critical_step(model_);
+  double least = std::numeric_limits<double>::infinity();
+  for (const Model& model : all_stages(model_)) least = std::min(least, dem::critical_step(model));
+  return least;
 }
 
 void GeneralEngine::tie(std::span<const double> places, wire::Operator& op) {
@@ -69,8 +74,9 @@ void GeneralEngine::note_cracks() {
   for (const std::uint32_t pair : solver_.broken()) {
     const Bond& bond = model_.bonds[solver_.bond_of_pair()[pair]];
     const double width = bond.law == Bond::Law::kParallelBond ? model_.parallel_bonds[bond.number].area() : 0;
-    cracks_.push_back(
-        crack_between(particles(), bond.first, bond.second, width, solver_.bonds().state[pair]));
+    Crack crack = crack_between(particles(), bond.first, bond.second, width, solver_.bonds().state[pair]);
+    std::tie(crack.group_a, crack.group_b) = std::minmax({group()[bond.first], group()[bond.second]});
+    cracks_.push_back(crack);
   }
 }
 
@@ -123,6 +129,18 @@ Energies GeneralEngine::energies(const protocol::Step& step) {
 void GeneralEngine::stop() {
   LocalEngine::stop();
   solver_.stop();
+}
+
+void GeneralEngine::begin_stage(std::uint32_t stage) {
+  for (const ParticleStage& next : model_.stages) {
+    if (next.number <= stage_ || next.number > stage) continue;
+    set_stage(next, model_);
+    solver_.begin_stage(stage_, next, model_);
+    stage_ = next.number;
+  }
+  take_stage(model_);
+  loads_ = Loads(model_, particles());
+  motions_ = PrescribedMotions(model_, particles());
 }
 
 void GeneralEngine::start_over() {

@@ -38,6 +38,7 @@ class GeneralEngine final : public LocalEngine {
   Strongest strongest() const override { return solver_.strongest(); }
   Energies energies(const protocol::Step& step) override;
   void stop() override;
+  void begin_stage(std::uint32_t stage) override;
   void start_over() override;
 
  private:
@@ -58,6 +59,7 @@ class GeneralEngine final : public LocalEngine {
   std::vector<Crack> cracks_;  // of the last step
   std::uint64_t lists_;        // of neighbours when particles were last looked for far away
   bool escaped_ = false;
+  std::uint32_t stage_ = 0;  // reached
 };
 
 }  // namespace adit::dem

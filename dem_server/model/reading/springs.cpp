@@ -42,7 +42,13 @@ Spring read_spring(const scene::ParticleSpring& spring, const std::string& path,
     throw UserError(path,
                     fmt::format("finds at both ends the particle at ({:.6g}, {:.6g}) m; move the ends apart",
                                 discs.x[first], discs.y[first]));
-  return {first, second, spring.stiffness(), spring.tension_only(), spring.pretension(), spring.strength()};
+  return {first,
+          second,
+          spring.stiffness(),
+          spring.tension_only(),
+          spring.pretension(),
+          spring.strength(),
+          spring.stage()};
 }
 
 void add_bolts(const scene::SegmentRing& ring, const Discs& discs, std::vector<Spring>& springs) {

@@ -15,6 +15,10 @@ class SpringForces {
   SpringForces() = default;
   explicit SpringForces(std::vector<Spring> springs);
 
+  // Installs those of the stages after `before` up to `stage`, with their pretension, at their present
+  // length; those whose discs were taken away are gone.
+  void begin_stage(std::uint32_t before, std::uint32_t stage, const Particles& particles);
+
   // Adds their forces to the resultants; `dt` is 0 where the step starts from rest.
   void add_forces(double dt, Particles& particles);
 
@@ -28,7 +32,8 @@ class SpringForces {
  private:
   std::vector<Spring> springs_;
   std::vector<double> forces_;
-  std::vector<bool> whole_;
+  std::vector<bool> whole_;           // installed, and not broken
+  std::vector<double> installed_at_;  // elongation with which it bears the pretension alone [m]
   std::size_t broken_ = 0;
   double released_ = 0;
 };
