@@ -28,6 +28,15 @@ std::vector<std::string> share_columns(const Model& model) {
   return columns;
 }
 
+namespace {
+
+std::ptrdiff_t regions_of_particles(const Model& model) {
+  return std::ranges::count(model.participants, Role::kParticles,
+                            [](const Participant& participant) { return participant.member.role; });
+}
+
+}  // namespace
+
 void write_fields(const Model& model, std::uint64_t n, std::vector<wire::Snapshot> snapshots,
                   results::Collection& fields) {
   for (std::size_t s = 0; s < snapshots.size(); ++s) {
@@ -43,8 +52,9 @@ Recorder::Recorder(const std::filesystem::path& directory, Model& model)
     : model_(model),
       directory_(directory),
       histories_(directory / "histories.csv", history_columns(model)),
-      fields_(directory / "fields") {
-  if (has_particles(model)) cracks_.emplace(directory / "cracks.csv", results::crack_columns());
+      fields_(directory / "fields"),
+      several_(regions_of_particles(model) > 1) {
+  if (has_particles(model)) cracks_.emplace(directory / "cracks.csv", results::crack_columns(several_));
 }
 
 void Recorder::record_events() {
@@ -57,14 +67,20 @@ void Recorder::record_events() {
       findings_.peak = {time_of(participant.strongest.step()), participant.strongest.x(),
                         participant.strongest.y()};
     }
-    for (const wire::Crack& crack : participant.cracks) record_crack(crack, time_of(crack.step()));
+    for (const wire::Crack& crack : participant.cracks)
+      record_crack(crack, time_of(crack.step()), participant.member.name);
     participant.cracks.clear();
     participant.strongest.Clear();
   }
 }
 
-void Recorder::record_crack(const wire::Crack& crack, double time) {
-  if (cracks_) results::write_crack(*cracks_, time, crack);
+// Those of statics before the stage from which cracks count are only counted.
+void Recorder::record_crack(const wire::Crack& crack, double time, const std::string& region) {
+  if (crack.in_statics()) {
+    ++findings_.cracks_in_statics[crack.stage()];
+    if (crack.stage() < model_.scene.statics().count_from_stage()) return;
+  }
+  if (cracks_) results::write_crack(*cracks_, time, crack, several_ ? region : "");
   const Event event{time, crack.x(), crack.y()};
   if (findings_.cracks++ == 0) findings_.first_crack = event;
   if (std::none_of(model_.interfaces.begin(), model_.interfaces.end(), [&](const Interface& interface) {

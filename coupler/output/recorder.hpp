@@ -1,8 +1,11 @@
 // The files that a run writes while it goes on: histories.csv, energies.csv (for participants that report the
-// parts of their energy), cracks.csv, fields/.
+// parts of their energy), cracks.csv, fields/. Cracks of statics before the stage from which
+// cracks count do not stand in cracks.csv.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -28,6 +31,7 @@ struct Findings {
   Event first_crack;
   std::uint64_t cracks_in_overlap = 0;
   Event first_crack_in_overlap;
+  std::map<std::uint32_t, std::uint64_t> cracks_in_statics;  // by stage of excavation, before time began
 };
 
 // Columns of histories.csv, and of energies.csv: the latter once the participants have told their energies.
@@ -52,7 +56,7 @@ class Recorder {
   const Findings& findings() const { return findings_; }
 
  private:
-  void record_crack(const wire::Crack& crack, double time);
+  void record_crack(const wire::Crack& crack, double time, const std::string& region);
   void record_shares();
 
   Model& model_;
@@ -61,6 +65,7 @@ class Recorder {
   std::optional<results::CsvFile> shares_;  // open once a participant has reported parts of its energy
   std::optional<results::CsvFile> cracks_;  // open if the model has particles
   results::Collection fields_;
+  bool several_;  // regions of particles
   Findings findings_;
   std::vector<double> row_, share_row_;
 };

@@ -127,6 +127,9 @@ void RunSummary::add_findings(const Findings& findings) {
   summary_.set("peak_bond_force_N", has_particles(model_) ? findings.peak_bond_force : kNothing);
   summary_.set("crack_count", findings.cracks);
   add_event("first_crack", findings.first_crack, findings.cracks > 0);
+  auto by_stage = nlohmann::ordered_json::object();
+  for (const auto& [stage, count] : findings.cracks_in_statics) by_stage[std::to_string(stage)] = count;
+  summary_.set("cracks_in_statics", by_stage);
   if (!has_particles(model_)) return;
   lines_.push_back(
       fmt::format("peak force chain   {:.0f} kN {}", 1e-3 * findings.peak_bond_force, at(findings.peak)));
@@ -190,6 +193,15 @@ void RunSummary::warn(const Findings& findings) {
         fmt::format("{} cracks inside the overlap, the first {}: the particle region is too small; move "
                     "the overlap away from the damage",
                     findings.cracks_in_overlap, at(findings.first_crack_in_overlap)));
+  if (!findings.cracks_in_statics.empty()) {
+    std::vector<std::string> stages;
+    for (const auto& [stage, count] : findings.cracks_in_statics)
+      stages.push_back(fmt::format("{} in stage {}", count, stage));
+    warnings_.push_back(
+        fmt::format("bonds broke before time began, {}: the state from which time starts is "
+                    "cracked; look at strengths and initial stress where it should not be",
+                    fmt::join(stages, ", ")));
+  }
   for (const auto& warning : warnings_) lines_.push_back("warning            " + warning);
   summary_.set("warnings", warnings_);
 }

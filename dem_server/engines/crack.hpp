@@ -15,10 +15,11 @@ namespace adit::dem {
 
 struct Crack {
   BondState mode;
-  double x, y;                       // where the particles touched [m]
-  double length;                     // [m]
-  double orientation;                // of the crack's line, in (-pi/2, pi/2] [rad]
-  std::uint32_t parent_a, parent_b;  // ids of the particles, ascending
+  double x, y;                             // where the particles touched [m]
+  double length;                           // [m]
+  double orientation;                      // of the crack's line, in (-pi/2, pi/2] [rad]
+  std::uint32_t parent_a, parent_b;        // ids of the particles, ascending
+  std::uint32_t group_a = 0, group_b = 0;  // of the particles, ascending
 };
 
 // `width` of a parallel bond [m]; 0: of a contact bond.

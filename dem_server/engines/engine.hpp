@@ -59,6 +59,10 @@ class Engine {
   virtual Unrest unrest(const protocol::Step& step) = 0;
   // All velocities become 0.
   virtual void stop() = 0;
+  // After a stop: what changes with the stages of excavation up to this one does.
+  virtual void begin_stage(std::uint32_t /*stage*/) {}
+  // Displacements count from here, also when time begins.
+  virtual void count_displacements() = 0;
   // The first step that does not relax is next: displacements, energies and work count from here.
   virtual void start_over() = 0;
 

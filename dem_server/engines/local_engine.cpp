@@ -1,5 +1,6 @@
 #include "dem_server/engines/local_engine.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "dem_server/engines/figures.hpp"
@@ -69,10 +70,16 @@ void LocalEngine::take_peaks(const protocol::Step& step) {
   take_envelope(step);
 }
 
+void LocalEngine::take_stage(const Model& model) {
+  group_ = model.group;
+  present_ = model.present.empty() ? model.discs.size()
+                                   : static_cast<std::size_t>(std::ranges::count(model.present, true));
+}
+
 Unrest LocalEngine::unrest(const protocol::Step& step) {
   const Particles& p = particles();
   if (!relaxation_) relaxation_.emplace(p);
-  return {relaxation_->measure(p, step.kick()), internal_force(), p.size(), elements()};
+  return {relaxation_->measure(p, step.kick()), internal_force(), present_, elements()};
 }
 
 void LocalEngine::stop() {
@@ -84,6 +91,14 @@ void LocalEngine::start_over() {
   Particles& p = particles();
   dem::stop(p);
   relaxation_.reset();
+  if (counts_from_stage_) return;
+  p.settled_x = p.ux;
+  p.settled_y = p.uy;
+}
+
+void LocalEngine::count_displacements() {
+  counts_from_stage_ = true;
+  Particles& p = particles();
   p.settled_x = p.ux;
   p.settled_y = p.uy;
 }
@@ -100,7 +115,8 @@ std::vector<Figure> LocalEngine::figures() const {
 }
 
 std::uint64_t LocalEngine::fragments() const {
-  return fragments_of(particles().size(), whole_bonds(*this)).count();
+  const std::size_t gone = particles().size() - present_;
+  return fragments_of(particles().size(), whole_bonds(*this)).count() - gone;
 }
 
 }  // namespace adit::dem

@@ -36,12 +36,15 @@ class LocalEngine : public Engine, public Observable {
   Unrest unrest(const protocol::Step& step) final;
   void stop() override;
   void start_over() override;
+  void count_displacements() final;
   void snapshot(wire::Snapshot& snapshot) const final;
   std::uint64_t fragments() const final;
   std::vector<Figure> figures() const override;
 
  protected:
-  explicit LocalEngine(const Model& model) : group_(model.group), density_(model.density) {}
+  explicit LocalEngine(const Model& model) : density_(model.density) { take_stage(model); }
+  // The groups, and which particles are there, become those of the model.
+  void take_stage(const Model& model);
 
   void tie_particles(std::span<const double> places, const BondEnds& bonds, const PrescribedMotions& motions,
                      wire::Operator& op);
@@ -62,7 +65,9 @@ class LocalEngine : public Engine, public Observable {
   void take_envelope(const protocol::Step& step);
 
   std::vector<std::uint32_t> group_;
-  std::vector<double> density_;  // of each group
+  std::vector<double> density_;     // of each group
+  std::size_t present_ = 0;         // particles that are there
+  bool counts_from_stage_ = false;  // displacements do, not from the beginning of time
   CouplingPoints coupling_;
   Lining lining_;
   std::optional<Histories> histories_;

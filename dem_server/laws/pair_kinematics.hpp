@@ -13,7 +13,8 @@
 namespace adit::dem {
 
 struct PairForces {
-  double normal, shear, moment;  // N, S, M: [N], [N], [N m]
+  double normal = 0, shear = 0, moment = 0;  // N, S, M: [N], [N], [N m]
+  bool operator==(const PairForces&) const = default;
 };
 
 // Rates are of the second particle against the first.

@@ -20,6 +20,7 @@ struct SmoothJoint {
   double friction;                           // coefficient
   double tan_dilation = 0;
   double length;  // A [m]
+  bool operator==(const SmoothJoint&) const = default;
 };
 
 struct SmoothJointState {

@@ -77,6 +77,7 @@ std::optional<std::string> why_no_lattice(const Model& model) {
 }
 
 std::optional<std::string> why_more_than_lattice(const Model& model) {
+  if (!model.stages.empty() || !model.present.empty()) return "its particles change by stages";
   if (const auto reason = why_no_lattice(model)) return reason;
   const double stiffness = model.contact_bonds[model.bonds.front().number].stiffness.normal;
   for (const LinearContact& contact : model.contacts) {

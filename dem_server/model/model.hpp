@@ -33,6 +33,15 @@ struct Bond {
   std::uint32_t number;   // of the law among the model's laws of its kind
   double nx = 0, ny = 0;  // of a smooth joint: its plane's unit normal, from the first to the second side
   double weight = 1;      // energy weight
+  // Before anything moves, unweighted: of the bond, and of the contact beside a parallel bond.
+  PairForces at_rest{};
+  double contact_normal = 0, contact_shear = 0;  // [N]
+};
+
+// Two discs that touch without a bond, first < second, and press on each other before anything moves [N].
+struct TouchingPair {
+  std::uint32_t first, second;
+  double normal, shear;
 };
 
 // Rigid, straight, between two ends; discs touch it from either side.
@@ -55,6 +64,7 @@ struct Spring {
   double clearance = 0;                          // [m]
   std::optional<PlaneVector> direction = {};     // unit vector; along the line of centres where absent
   std::shared_ptr<const ForceCurve> curve = {};  // where given, in place of pretension and stiffness
+  std::uint32_t stage = 0;                       // with which it is installed
 };
 
 // Forces -c_n v.n and -c_s v.t on the disc that leave the model through a side.
@@ -84,10 +94,15 @@ struct PrescribedMotion {
   std::string path;  // in the scene
 };
 
-// The stress before anything acts, tension positive: at y = 0, and its growth with y.
-struct InitialStress {
-  double xx = 0, yy = 0, xy = 0;              // [Pa]
-  double xx_per_metre = 0, yy_per_metre = 0;  // [Pa/m]
+// The particles from the beginning of a stage of excavation on.
+struct ParticleStage {
+  std::uint32_t number;
+  std::vector<bool> present;         // of each disc
+  std::vector<std::uint32_t> group;  // of each disc
+  std::vector<double> held;          // of each disc: the share of its forces that stays where it vanishes
+  std::vector<bool> fresh{};         // of each disc: it begins here, free of stress at its present place
+  std::vector<double> mass{};        // of each disc, without weight [kg]
+  std::vector<Bond> bonds{};         // all of them
 };
 
 struct Model {
@@ -100,7 +115,11 @@ struct Model {
   std::vector<double> density;     // of each group, of its cells [kg/m^3]
   geometry::BoundingBox extent{};  // of the solid [m]
 
+  std::vector<bool> present;          // of each disc: it was not taken away; empty: none was
+  std::vector<ParticleStage> stages;  // after the beginning, ascending
+
   std::vector<Bond> bonds;  // of a hexagonal packing row by row, in a row by direction; else ascending
+  std::vector<TouchingPair> touching;  // that bear a stress at rest; ascending
   std::vector<ContactBond> contact_bonds;
   std::vector<ParallelBond> parallel_bonds;  // by group or joint and width: equal ones once
   std::vector<SmoothJoint> smooth_joints;
@@ -113,7 +132,6 @@ struct Model {
   std::vector<EdgeDashpot> edges;
   std::vector<Load> loads;  // forces, then accelerations
   std::vector<PrescribedMotion> motions;
-  std::optional<InitialStress> initial_stress;
   double local_damping = 0, viscous_damping = 0;  // share, [1/s]
   std::vector<std::string> notes;                 // for the user: what was packed, what was taken away
 

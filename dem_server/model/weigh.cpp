@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "dem_server/model/at_stage.hpp"
 #include "dem_server/model/bond_springs.hpp"
 #include "protocol/geometry/selection.hpp"
 
@@ -22,7 +24,9 @@ std::vector<std::uint32_t> keep_discs(std::span<const double> weights, Model& mo
   for (std::size_t i = 0; i < place.size(); ++i)
     if ((keep[i] = weights[i] != 0)) place[i] = kept++;
   keep_only(keep, model.discs);
-  keep_only(keep, model.mass, model.weight, model.id, model.group);
+  keep_only(keep, model.mass, model.weight, model.id, model.group, model.present);
+  for (ParticleStage& stage : model.stages)
+    keep_only(keep, stage.present, stage.group, stage.held, stage.fresh, stage.mass);
   return place;
 }
 
@@ -50,6 +54,23 @@ void keep_conditions(const std::vector<std::uint32_t>& place, std::vector<Condit
   }
 }
 
+// A bond of a later stage has the weight of the bond that joins its discs in the beginning, or else the mean
+// of the discs' own.
+template <class Stays>
+void weigh_stages(Model& model, const Stays& stays) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> weights;
+  if (!model.stages.empty())
+    for (const Bond& bond : model.bonds) weights[{bond.first, bond.second}] = bond.weight;
+  for (ParticleStage& stage : model.stages) {
+    std::erase_if(stage.bonds, [&](Bond& bond) { return !stays(bond); });
+    for (Bond& bond : stage.bonds) {
+      const auto found = weights.find({bond.first, bond.second});
+      bond.weight =
+          found != weights.end() ? found->second : (model.weight[bond.first] + model.weight[bond.second]) / 2;
+    }
+  }
+}
+
 }  // namespace
 
 Model weigh(const Model& whole, const SampledWeights& weights) {
@@ -74,12 +95,15 @@ Model weigh(const Model& whole, const SampledWeights& weights) {
     stiffness.push_back(std::max(springs.kn, springs.ks));
   }
   weigh_by_bonds(stiffness, model);
+  weigh_stages(model, stays);
+  std::erase_if(model.touching, [&](TouchingPair& pair) { return !stays(pair); });
   std::erase_if(model.springs, [&](Spring& spring) { return !stays(spring); });
   std::erase_if(model.edges, [&](EdgeDashpot& edge) {
     const bool gone = place[edge.disc] == kVanished;
     edge.disc = place[edge.disc];
     return gone;
   });
+  require_overlap_stays(model);
   if (model.discs.size() == 0) return model;  // for the caller to refuse, before a load that lost its discs
   keep_conditions(place, model.loads);
   keep_conditions(place, model.motions);

@@ -67,7 +67,8 @@ void add_springs(const Observable& observed, wire::Snapshot& snapshot) {
 void add_particles(const Observable& observed, wire::Snapshot& snapshot) {
   const Particles& p = observed.particles();
   wire::Piece& piece = add_piece("particles", wire::Piece::VERTICES, p, snapshot);
-  for (std::uint32_t i = 0; i < p.size(); ++i) piece.add_connectivity(i);
+  for (std::uint32_t i = 0; i < p.size(); ++i)
+    if (p.is_there(i)) piece.add_connectivity(i);
   Fields& fields = *piece.mutable_point_fields();
   add_vectors(fields, "velocity_m_per_s", p.vx, p.vy);
   add_scalars(fields, "spin_rad_per_s", p.spin);

@@ -7,22 +7,7 @@
 
 namespace adit::dem {
 
-namespace {
-
-void require_initial_stress_possible(const Model& model) {
-  if (!model.initial_stress) return;
-  if (const auto reason = why_no_lattice(model))
-    throw protocol::UserError("initial_stress",
-                              "is given, but " + *reason +
-                                  ", and only a hexagonal lattice of equal particles, all joined by contact "
-                                  "bonds of one law, can start under it; leave it out, or pack the particles "
-                                  "under a stress that they keep");
-}
-
-}  // namespace
-
 EngineChoice choose_engine(scene::Particles::Engine wanted, const Model& model) {
-  require_initial_stress_possible(model);
   if (wanted == scene::Particles::GENERAL) return {false, "the scene asks for it"};
   const auto beyond = why_more_than_lattice(model);
   if (!beyond) return {true, ""};

@@ -18,8 +18,7 @@ struct EngineChoice {
 };
 
 // Where the scene leaves it to us, the lattice's engine, which is faster, if it can compute the model.
-// UserError at particles.engine where that is asked for and cannot; at initial_stress where no engine can
-// start under it.
+// UserError at particles.engine where that is asked for and cannot.
 EngineChoice choose_engine(scene::Particles::Engine wanted, const Model& model);
 
 // Threads that share the computing, 0: as many as pay.

@@ -36,7 +36,8 @@ void report(const WaveSpeeds& speeds, wire::Model& to) {
   to.set_s_wave_speed(speeds.s);
 }
 
-void report(const Crack& crack, std::uint64_t step, wire::Crack& to) {
+void report(const Crack& crack, std::uint64_t step, std::span<const std::string> group_names,
+            wire::Crack& to) {
   to.set_step(step);
   to.set_mode(crack.mode == BondState::kTensileCrack ? wire::Crack::TENSILE : wire::Crack::SHEAR);
   to.set_x(crack.x);
@@ -45,6 +46,8 @@ void report(const Crack& crack, std::uint64_t step, wire::Crack& to) {
   to.set_orientation(crack.orientation);
   to.set_parent_a(crack.parent_a);
   to.set_parent_b(crack.parent_b);
+  const std::string &a = group_names[crack.group_a], &b = group_names[crack.group_b];
+  to.set_group(crack.group_a == crack.group_b ? a : a + "-" + b);
 }
 
 void report(const Strongest& strongest, std::uint64_t step, wire::BondForce& to) {

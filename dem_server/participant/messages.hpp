@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 
 #include "dem_server/engines/answers.hpp"
 #include "dem_server/engines/crack.hpp"
@@ -21,7 +22,8 @@ SampledWeights split_weights(const wire::Weights& sent, std::size_t centres, std
 
 void report(const CriticalElement& element, wire::Model& to);
 void report(const WaveSpeeds& speeds, wire::Model& to);
-void report(const Crack& crack, std::uint64_t step, wire::Crack& to);
+void report(const Crack& crack, std::uint64_t step, std::span<const std::string> group_names,
+            wire::Crack& to);
 void report(const Strongest& strongest, std::uint64_t step, wire::BondForce& to);
 void report(const Energies& energies, wire::Energies& to);
 

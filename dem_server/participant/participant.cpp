@@ -9,6 +9,7 @@
 #include "dem_server/participant/breakable_bonds.hpp"
 #include "dem_server/participant/messages.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/ground/stages.hpp"
 #include "protocol/messages/spans.hpp"
 
 namespace adit::dem {
@@ -51,6 +52,8 @@ void DemParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
            engine_->offer({weights.x_min(), weights.x_max(), weights.y_min(), weights.y_max()}));
   }
   engine_->watch(scene_.particles());
+  if (scene_.statics().has_count_from_stage() && scene_.statics().count_from_stage() == 0)
+    engine_->count_displacements();
   interface.set_particles(engine_->counts().particles);
   interface.set_bonds(engine_->counts().bonds);
   interface.set_breakable_bonds(breakable_bonds(model_));
@@ -69,6 +72,14 @@ void DemParticipant::measure_unrest(const protocol::Step& last, wire::Relaxation
   answer.set_elements(unrest.elements);
 }
 
+void DemParticipant::excavate(std::uint32_t stage) {
+  if (stage <= stage_) return;
+  const protocol::CountedFrom counted = protocol::counted_from(scene_.statics());
+  if (counted.stage_given && counted.begins(stage_, stage)) engine_->count_displacements();
+  engine_->begin_stage(stage);
+  stage_ = stage;
+}
+
 void DemParticipant::prepare(const protocol::Step&, const wire::Advance& wanted) {
   engine_->prepare(wanted.want_energies());
 }
@@ -78,7 +89,12 @@ void DemParticipant::step_interior(const protocol::Step& step) {
   if (!step.from_rest()) ++moves_;
   // What breaks in statics is broken when time begins.
   const std::uint64_t number = step.relax ? 0 : step.number;
-  for (const Crack& crack : engine_->broken()) report(crack, number, *unreported_.add_cracks());
+  for (const Crack& crack : engine_->broken()) {
+    wire::Crack& told = *unreported_.add_cracks();
+    report(crack, number, model_.group_names, told);
+    told.set_stage(stage_);
+    told.set_in_statics(step.relax);
+  }
   if (!step.relax) report(engine_->strongest(), number, *unreported_.add_strongest());
 }
 

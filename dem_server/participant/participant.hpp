@@ -30,6 +30,7 @@ class DemParticipant final : public protocol::SteppedParticipant {
   void measure_unrest(const protocol::Step& last, wire::Relaxation& answer) override;
   double kinetic_energy() const override { return engine_->kinetic_energy(); }
   void stop() override { engine_->stop(); }
+  void excavate(std::uint32_t stage) override;
   void start_over() override { engine_->start_over(); }
   void remember_for_peaks() override { engine_->remember_for_peaks(); }
   void take_peaks(const protocol::Step& step) override { engine_->take_peaks(step); }
@@ -48,6 +49,7 @@ class DemParticipant final : public protocol::SteppedParticipant {
   EngineChoice choice_{};
   std::unique_ptr<Engine> engine_;
   std::size_t coupling_points_ = 0;
+  std::uint32_t stage_ = 0;     // of excavation, reached
   wire::Predicted unreported_;  // cracks and largest forces of whole steps
   std::uint64_t moves_ = 0;
 };

@@ -4,12 +4,14 @@ namespace adit::dem {
 
 Loads::Loads(const Model& model, const Particles& particles) {
   for (const Load& load : model.loads) {
-    std::vector<double> share(load.discs.size(), 1.0 / static_cast<double>(load.discs.size()));
+    std::vector<std::uint32_t> discs = load.discs;
+    std::erase_if(discs, [&](std::uint32_t i) { return !particles.is_there(i); });
+    std::vector<double> share(discs.size(), 1.0 / static_cast<double>(discs.size()));
     if (load.kind == Load::Kind::kAcceleration)
       // The masses carry the energy weights, so an overlap that is shared with the continuum is not loaded
       // twice.
-      for (std::size_t k = 0; k < share.size(); ++k) share[k] = particles.mass[load.discs[k]];
-    loads_.push_back({load.kind, load.discs, std::move(share), load.x, load.y, load.time});
+      for (std::size_t k = 0; k < share.size(); ++k) share[k] = particles.mass[discs[k]];
+    loads_.push_back({load.kind, std::move(discs), std::move(share), load.x, load.y, load.time});
   }
 }
 

@@ -16,14 +16,21 @@ Particles at_rest(const Model& model) {
   for (auto* zeroed :
        {&p.ux, &p.uy, &p.settled_x, &p.settled_y, &p.vx, &p.vy, &p.spin, &p.fx, &p.fy, &p.moment})
     zeroed->assign(p.size(), 0.0);
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    p.mass.push_back(p.weight[i] * model.mass[i]);
-    // A full disc: J = m R^2 / 2.
-    p.inertia.push_back(p.mass[i] * p.radius[i] * p.radius[i] / 2);
-    p.inverse_mass.push_back(1 / p.mass[i]);
-    p.inverse_inertia.push_back(1 / p.inertia[i]);
-  }
+  set_masses(model, p);
   return p;
+}
+
+void set_masses(const Model& model, Particles& p) {
+  for (auto* column : {&p.mass, &p.inertia, &p.inverse_mass, &p.inverse_inertia})
+    column->assign(p.size(), 0.0);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (!model.present.empty() && !model.present[i]) continue;
+    p.mass[i] = p.weight[i] * model.mass[i];
+    // A full disc: J = m R^2 / 2.
+    p.inertia[i] = p.mass[i] * p.radius[i] * p.radius[i] / 2;
+    p.inverse_mass[i] = 1 / p.mass[i];
+    p.inverse_inertia[i] = 1 / p.inertia[i];
+  }
 }
 
 void stop(Particles& p) {

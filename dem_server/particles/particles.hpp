@@ -23,10 +23,15 @@ struct Particles {
   std::vector<double> mass, inertia;                  // weighted [kg], [kg m^2]
   std::vector<double> inverse_mass, inverse_inertia;  // [1/kg], [1/(kg m^2)]
   std::size_t size() const { return id.size(); }
+  // What was taken away has no mass: nothing moves it, and nobody sees it.
+  bool is_there(std::size_t i) const { return mass[i] > 0; }
 };
 
 // The discs of a model at rest.
 Particles at_rest(const Model& model);
+
+// Gives the particles the masses of a model, none to those that were taken away.
+void set_masses(const Model& model, Particles& particles);
 
 // All velocities and spins become 0.
 void stop(Particles& particles);

@@ -18,10 +18,11 @@ double inertia_of(const std::vector<std::uint32_t>& chosen, Component component,
 PrescribedMotions::PrescribedMotions(const Model& model, const Particles& particles) {
   for (auto& flags : prescribed_) flags.assign(particles.size(), false);
   for (const PrescribedMotion& motion : model.motions) {
-    for (const std::uint32_t i : motion.discs)
-      prescribed_[static_cast<std::size_t>(motion.component)][i] = true;
-    motions_.push_back({motion.component, motion.discs, motion.amplitude, motion.time,
-                        inertia_of(motion.discs, motion.component, particles)});
+    std::vector<std::uint32_t> discs = motion.discs;
+    std::erase_if(discs, [&](std::uint32_t i) { return !particles.is_there(i); });
+    for (const std::uint32_t i : discs) prescribed_[static_cast<std::size_t>(motion.component)][i] = true;
+    const double inertia = inertia_of(discs, motion.component, particles);
+    motions_.push_back({motion.component, std::move(discs), motion.amplitude, motion.time, inertia});
   }
 }
 

@@ -25,6 +25,7 @@
 #include "fdm_server/solver/deformed_grid.hpp"
 #include "fdm_server/zones/zone_set.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/ground/stages.hpp"
 #include "protocol/messages/spans.hpp"
 
 namespace adit::fdm {
@@ -102,7 +103,7 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   supports_ = resolve_supports(scene_, grid_);
   const auto& conditions = scene_.continuum();
   make_continuum();
-  stage_of_zone_ = excavation_stages(scene_, grid_);
+  excavated_ = excavated_zones(scene_, grid_);
   histories_.emplace(conditions, supports_, grid_, zone_kinds());
   if (!weights.weights().empty()) offer_grid_points(weights, interface);
   interface.set_zones(grid_.zones.size());
@@ -209,16 +210,18 @@ void FdmParticipant::stop() {
 void FdmParticipant::start_over() {
   relaxation_.reset();
   continuum_->start_over();
-  if (!scene_.statics().keep_displacements() || stage_ == 0) continuum_->reset_displacements();
+  const protocol::CountedFrom counted = protocol::counted_from(scene_.statics());
+  if (!counted.stage_given || stage_ < counted.stage) continuum_->reset_displacements();
 }
 
 void FdmParticipant::excavate(std::uint32_t stage) {
   if (stage <= stage_) return;
-  std::vector<std::uint32_t> zones;
+  std::vector<Continuum::Excavated> zones;
   for (std::uint32_t z = 0; z < grid_.zones.size(); ++z)
-    if (stage_of_zone_[z] > stage_ && stage_of_zone_[z] <= stage) zones.push_back(z);
-  for (const auto zone : zones) weights_[zone] = 0;
-  if (stage_ == 0) continuum_->reset_displacements();
+    if (excavated_.stage[z] > stage_ && excavated_.stage[z] <= stage)
+      zones.push_back({z, excavated_.held[z]});
+  for (const auto& excavated : zones) weights_[excavated.zone] = 0;
+  if (protocol::counted_from(scene_.statics()).begins(stage_, stage)) continuum_->reset_displacements();
   stage_ = stage;
   const auto masses = this->masses();
   continuum_->excavate(zones, masses, loads(masses), stage);
@@ -263,7 +266,7 @@ void FdmParticipant::require_interface_stays() const {
   std::vector<bool> coupled(grid_.x.size(), false);
   for (const auto point : operator_.points()) coupled[point] = true;
   for (std::size_t z = 0; z < grid_.zones.size(); ++z)
-    if (stage_of_zone_[z] > 0 &&
+    if (excavated_.stage[z] > 0 &&
         std::ranges::any_of(grid_.zones[z], [&](auto point) { return coupled[point]; })) {
       const auto [x, y] = centroid(corners(grid_, z));
       throw protocol::UserError(
@@ -271,7 +274,7 @@ void FdmParticipant::require_interface_stays() const {
           fmt::format(
               "take away the zone at ({:g}, {:g}) m in stage {}, which the interface ties; keep a zone "
               "between excavations and overlap",
-              x, y, stage_of_zone_[z]));
+              x, y, excavated_.stage[z]));
     }
   if (const auto point = supports_.structures.later_point(coupled))
     throw protocol::UserError(
@@ -285,7 +288,7 @@ void FdmParticipant::require_interface_stays() const {
 std::vector<std::uint32_t> FdmParticipant::zone_kinds() const {
   std::vector<std::uint32_t> kinds(grid_.zones.size(), kNoGround);
   for (std::size_t z = 0; z < grid_.own_zones(); ++z)
-    if (stage_of_zone_[z] == 0) kinds[z] = setup_.ground.of_zone[z];
+    if (excavated_.stage[z] == 0) kinds[z] = setup_.ground.of_zone[z];
   return kinds;
 }
 

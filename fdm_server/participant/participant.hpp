@@ -13,6 +13,7 @@
 
 #include "fdm_server/boundaries/free_field.hpp"
 #include "fdm_server/model/conditions.hpp"
+#include "fdm_server/model/grid/excavation.hpp"
 #include "fdm_server/model/setup.hpp"
 #include "fdm_server/output/histories.hpp"
 #include "fdm_server/output/peaks.hpp"
@@ -83,8 +84,8 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   std::vector<FreeFieldColumn> columns_;
   motion::UsedMotion base_acceleration_;
   std::vector<Load> base_loads_;
-  std::vector<std::uint32_t> stage_of_zone_;  // with which each is taken away; 0: it stays
-  std::uint32_t stage_ = 0;                   // reached
+  ExcavatedZones excavated_;
+  std::uint32_t stage_ = 0;  // reached
   std::unique_ptr<Continuum> continuum_;
   protocol::InterfaceOperator operator_;
   PeakForces peak_forces_;

@@ -53,10 +53,16 @@ class Continuum {
   // Makes these points the interface, before the first step.
   void set_interface(std::span<const std::uint32_t> points);
 
-  // Takes zones away between two steps, with their stresses: `masses` and `loads` are those of what is left.
-  // Points without mass are held from then on. Structures of the stages up to `stage` stand from then on. The
-  // interface must not have any of their points.
-  void excavate(std::span<const std::uint32_t> zones, std::span<const double> masses, std::vector<Load> loads,
+  // A zone that is taken away, and the share of its forces on the points that stays until the next
+  // excavation.
+  struct Excavated {
+    std::uint32_t zone;
+    double held = 0;
+  };
+  // Takes zones away between two steps, at rest, with their stresses: `masses` and `loads` are those of what
+  // is left. Points without mass are held from then on. Structures of the stages up to `stage` stand from
+  // then on. The interface must not have any of their points.
+  void excavate(std::span<const Excavated> zones, std::span<const double> masses, std::vector<Load> loads,
                 std::uint32_t stage = 0);
 
   // Adds an impulse [N s] to a point's velocity; a prescribed component does not yield.
@@ -145,6 +151,7 @@ class Continuum {
   void add_steady(const Load& load);
   Prescribed prescribed(PrescribedMotion motion) const;
   void place(std::vector<Load> loads);
+  Load held_forces(std::span<const Excavated> zones);
   std::vector<bool> of_interface() const;  // of every point
   void hold(Axis axis, std::uint32_t point, double impulse);
   void pull(Part& part, const protocol::Step& step);

@@ -1,13 +1,36 @@
 #include <algorithm>
+#include <set>
 
 #include "fdm_server/solver/continuum.hpp"
 
 namespace adit::fdm {
 
-void Continuum::excavate(std::span<const std::uint32_t> zones, std::span<const double> masses,
+// The shares of the zones' forces that stay, as a steady load. Zones at rest answer with the forces that they
+// have.
+Load Continuum::held_forces(std::span<const Excavated> zones) {
+  Load held{{}, std::vector<double>(points_.size(), 0.0), std::vector<double>(points_.size(), 0.0), {}};
+  for (std::uint32_t i = 0; i < points_.size(); ++i) held.points.push_back(i);
+  const std::vector<double> rest(points_.size(), 0.0);
+  std::set<double> shares;
+  for (const Excavated& one : zones) shares.insert(one.held);
+  for (const double share : shares) {
+    std::vector<bool> others(zones_.count(), true);
+    for (const Excavated& one : zones) others[one.zone] = one.held != share;
+    std::vector<double> fx(points_.size(), 0.0), fy = fx;
+    zones_.add_forces(without(zones_.runs(), others), 1, {rest.data(), rest.data(), fx.data(), fy.data()});
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      held.fx[i] += share * fx[i];
+      held.fy[i] += share * fy[i];
+    }
+  }
+  return held;
+}
+
+void Continuum::excavate(std::span<const Excavated> zones, std::span<const double> masses,
                          std::vector<Load> loads, std::uint32_t stage) {
+  const Load held = held_forces(zones);
   std::vector<bool> gone(zones_.count(), false);
-  for (const auto zone : zones) gone[zone] = true;
+  for (const Excavated& one : zones) gone[one.zone] = true;
   zones_.remove(gone);
   for (std::size_t i = 0; i < masses.size(); ++i) {
     points_[kMass][i] = masses[i];
@@ -21,6 +44,7 @@ void Continuum::excavate(std::span<const std::uint32_t> zones, std::span<const d
   }
   for (const Field steady : {kSteadyX, kSteadyY}) std::ranges::fill(points_[steady], 0.0);
   structures_.install(stage);
+  if (std::ranges::any_of(zones, [](const Excavated& one) { return one.held > 0; })) add_steady(held);
   place(std::move(loads));
   plan(of_interface());
 }

@@ -80,15 +80,21 @@ void CsvFile::end_row() {
   cells_ = 0;
 }
 
-std::vector<std::string> crack_columns() {
-  return {"time_s", "step", "mode", "x_m", "y_m", "length_m", "orientation_rad", "parent_a", "parent_b"};
+std::vector<std::string> crack_columns(bool regions) {
+  std::vector<std::string> columns = {"time_s",          "step",     "mode",     "x_m",   "y_m",  "length_m",
+                                      "orientation_rad", "parent_a", "parent_b", "group", "stage"};
+  if (regions) columns.emplace_back("region");
+  return columns;
 }
 
-void write_crack(CsvFile& file, double time, const wire::Crack& crack) {
+void write_crack(CsvFile& file, double time, const wire::Crack& crack, const std::string& region) {
   file.cell(time).cell(std::uint64_t{crack.step()});
   file.cell(std::string_view(crack.mode() == wire::Crack::TENSILE ? "tensile" : "shear"));
   file.cell(crack.x()).cell(crack.y()).cell(crack.length()).cell(crack.orientation());
-  file.cell(std::uint64_t{crack.parent_a()}).cell(std::uint64_t{crack.parent_b()}).end_row();
+  file.cell(std::uint64_t{crack.parent_a()}).cell(std::uint64_t{crack.parent_b()});
+  file.cell(std::string_view(crack.group())).cell(std::uint64_t{crack.stage()});
+  if (!region.empty()) file.cell(std::string_view(region));
+  file.end_row();
 }
 
 }  // namespace adit::results

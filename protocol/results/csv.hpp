@@ -40,10 +40,11 @@ class CsvFile {
   std::string line_;       // the unfinished row
 };
 
-// The columns of cracks.csv.
-std::vector<std::string> crack_columns();
+// The columns of cracks.csv; `regions`: with the region of particles, as there are several.
+std::vector<std::string> crack_columns(bool regions = false);
 
-// One row of cracks.csv: a bond that broke at `time` [s].
-void write_crack(CsvFile& file, double time, const wire::Crack& crack);
+// One row of cracks.csv: a bond that broke at `time` [s]; `region` is empty where the file has no such
+// column.
+void write_crack(CsvFile& file, double time, const wire::Crack& crack, const std::string& region = "");
 
 }  // namespace adit::results

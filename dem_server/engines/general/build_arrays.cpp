@@ -5,7 +5,7 @@
 #include <map>
 #include <tuple>
 
-#include "dem_server/model/initial_stress.hpp"
+#include "dem_server/laws/linear_contact.hpp"
 
 namespace adit::dem {
 namespace {
@@ -34,21 +34,42 @@ PairLaw law_of(const Model& model, const Bond& joined, std::uint32_t contact) {
   return law;
 }
 
-// Bonds of a lattice bear the initial stress. Where one breaks, its contact is pressed by what the bond was.
-void set_initial_forces(const Model& model, const std::vector<PairLaw>& laws, Pairs& bonds) {
-  for (std::uint32_t k = 0; k < bonds.size(); ++k) {
-    const PairLaw& law = laws[bonds.law[k]];
-    const double height = (model.discs.y[bonds.first[k]] + model.discs.y[bonds.second[k]]) / 2;
-    const auto [normal, shear] =
-        initial_forces(*model.initial_stress, {law.kn, law.ks},
-                       {bonds.rest_x[k], bonds.rest_y[k], bonds.rest_length[k], height});
-    bonds.initial[k] = normal;
-    bonds.shear[k] = shear;
-    bonds.slack[k] = normal / law.contact.normal_stiffness;
-  }
+Joints::Joint joint_of(const Model& model, const Bond& bond) {
+  const SmoothJoint& law = model.smooth_joints[bond.number];
+  return {.first = bond.first,
+          .second = bond.second,
+          .nx = bond.nx,
+          .ny = bond.ny,
+          .half_difference = (model.discs.radius[bond.first] - model.discs.radius[bond.second]) / 2,
+          .weight = bond.weight,
+          .law = law,
+          .displacement = bond.at_rest.normal / (law.normal_stiffness * law.length),
+          .springs = {.shear = bond.at_rest.shear},
+          .normal = bond.at_rest.normal};
+}
+
+// Forces at rest. Where a contact bond breaks, its contact is pressed by what the bond was; the contact
+// beside a parallel bond starts with its own part.
+void set_forces_at_rest(const PairLaw& law, const Bond& bond, std::uint32_t k, Pairs& bonds) {
+  if (bond.at_rest == PairForces{} && bond.contact_normal == 0) return;
+  bonds.initial[k] = bond.at_rest.normal;
+  bonds.shear[k] = bond.at_rest.shear;
+  bonds.moment[k] = bond.at_rest.moment;
+  bonds.slide[k] = bond.contact_shear;
+  const double pressing = law.contact_beside_bond ? bond.contact_normal : std::min(bond.at_rest.normal, 0.0);
+  if (pressing < 0)
+    bonds.slack[k] = pressing / law.contact.normal_stiffness;
+  else
+    bonds.slack[k] += bond.at_rest.normal / (law.kn * bonds.width[k]);
 }
 
 }  // namespace
+
+std::vector<Pair> pairs_of(const std::vector<Bond>& bonds) {
+  std::vector<Pair> pairs;
+  for (const Bond& bond : bonds) pairs.push_back({bond.first, bond.second});
+  return pairs;
+}
 
 Bonded bonds_of(const Model& model) {
   Bonded out;
@@ -58,9 +79,7 @@ Bonded bonds_of(const Model& model) {
   for (std::uint32_t k = 0; k < model.bonds.size(); ++k) {
     const Bond& pair = model.bonds[k];
     if (pair.law == Bond::Law::kSmoothJoint) {
-      out.joints.push_back({pair.first, pair.second, pair.nx, pair.ny,
-                            (d.radius[pair.first] - d.radius[pair.second]) / 2, pair.weight,
-                            model.smooth_joints[pair.number]});
+      out.joints.push_back(joint_of(model, pair));
       continue;
     }
     const std::uint32_t contact = model.contact_number(model.group[pair.first], model.group[pair.second]);
@@ -99,9 +118,9 @@ Bonded bonds_of(const Model& model) {
     // Rounding of places is no gap.
     if (std::abs(bonds.slack[k]) < 1e-12 * length) bonds.slack[k] = 0;
     if (!law.contact_beside_bond) bonds.initial[k] = contact_normal_force(law.kn, bonds.slack[k]);
+    set_forces_at_rest(law, bond, k, bonds);
     bonds.weight[k] = bond.weight;
   }
-  if (model.initial_stress) set_initial_forces(model, out.laws, bonds);
   bonds.sort_chunks();
   return out;
 }

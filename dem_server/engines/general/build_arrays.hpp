@@ -20,4 +20,7 @@ struct Bonded {
 };
 Bonded bonds_of(const Model& model);
 
+// The discs that bonds join.
+std::vector<Pair> pairs_of(const std::vector<Bond>& bonds);
+
 }  // namespace adit::dem

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <tuple>
 
 #include "dem_server/engines/general/critical_step.hpp"
 #include "dem_server/engines/general/renumber.hpp"
 #include "dem_server/engines/useful_threads.hpp"
+#include "dem_server/model/at_stage.hpp"
 #include "dem_server/packing/meeting_place.hpp"
 #include "protocol/errors.hpp"
 
@@ -37,7 +40,12 @@ GeneralEngine::GeneralEngine(std::size_t threads, Model model)
       lists_(solver_.neighbours().lists()) {}
 
 CriticalElement GeneralEngine::critical_element() const {
-  return dem::critical_element(model_);
+  CriticalElement least = dem::critical_element(model_);
+  for (const Model& model : all_stages(model_)) {
+    const CriticalElement element = dem::critical_element(model);
+    if (element.step < least.step) least = element;
+  }
+  return least;
 }
 
 void GeneralEngine::tie(std::span<const double> places, wire::Operator& op) {
@@ -71,8 +79,9 @@ void GeneralEngine::note_cracks() {
   for (const std::uint32_t pair : solver_.broken()) {
     const Bond& bond = model_.bonds[solver_.bond_of_pair()[pair]];
     const double width = bond.law == Bond::Law::kParallelBond ? model_.parallel_bonds[bond.number].area() : 0;
-    cracks_.push_back(
-        crack_between(particles(), bond.first, bond.second, width, solver_.bonds().state[pair]));
+    Crack crack = crack_between(particles(), bond.first, bond.second, width, solver_.bonds().state[pair]);
+    std::tie(crack.group_a, crack.group_b) = std::minmax({group()[bond.first], group()[bond.second]});
+    cracks_.push_back(crack);
   }
 }
 
@@ -143,6 +152,18 @@ Energies GeneralEngine::energies(const protocol::Step& step) {
 void GeneralEngine::stop() {
   LocalEngine::stop();
   solver_.stop();
+}
+
+void GeneralEngine::begin_stage(std::uint32_t stage) {
+  for (const ParticleStage& next : model_.stages) {
+    if (next.number <= stage_ || next.number > stage) continue;
+    set_stage(next, model_);
+    solver_.begin_stage(stage_, next, model_);
+    stage_ = next.number;
+  }
+  take_stage(model_);
+  loads_ = Loads(model_, particles());
+  motions_ = PrescribedMotions(model_, particles());
 }
 
 void GeneralEngine::start_over() {

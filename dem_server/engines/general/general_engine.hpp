@@ -41,6 +41,7 @@ class GeneralEngine final : public LocalEngine {
   Energies energies(const protocol::Step& step) override;
   std::vector<Figure> figures() const override;
   void stop() override;
+  void begin_stage(std::uint32_t stage) override;
   void start_over() override;
 
  private:
@@ -62,6 +63,7 @@ class GeneralEngine final : public LocalEngine {
   std::vector<Crack> cracks_;  // of the last step
   std::uint64_t lists_;        // of neighbours when particles were last looked for far away
   bool escaped_ = false;
+  std::uint32_t stage_ = 0;  // reached
   SpringBreaks spring_breaks_;
 };
 

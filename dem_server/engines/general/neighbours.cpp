@@ -16,26 +16,30 @@ bool before(const Pair& a, const Pair& b) {
   return std::tie(a.first, a.second) < std::tie(b.first, b.second);
 }
 
-// What both lists hold keeps its springs and its slack. Both ascend.
-void keep_springs(const Pairs& from, Pairs& to) {
+// What both lists hold keeps its springs and its slack. Both ascend. Returns which pairs of `to` these are.
+std::vector<bool> keep_springs(const Pairs& from, Pairs& to) {
+  std::vector<bool> kept(to.size(), false);
   for (std::uint32_t k = 0, old = 0; k < to.size(); ++k) {
     const Pair pair{to.first[k], to.second[k]};
     while (old < from.size() && before({from.first[old], from.second[old]}, pair)) ++old;
-    if (old == from.size()) return;
+    if (old == from.size()) break;
     if (Pair{from.first[old], from.second[old]} != pair) continue;
+    kept[k] = true;
     to.slack[k] = from.slack[old];
     to.slide[k] = from.slide[old];
     if (to.normal_dashpot.empty()) continue;
     to.normal_dashpot[k] = from.normal_dashpot[old];
     to.shear_dashpot[k] = from.shear_dashpot[old];
   }
+  return kept;
 }
 
 }  // namespace
 
 Neighbours::Neighbours(const Particles& particles, std::vector<double> radius, std::vector<Pair> joined,
                        std::vector<std::uint32_t> group, std::uint32_t groups, std::uint32_t first_law,
-                       bool dashpots, bool overlaps_free)
+                       bool dashpots, bool overlaps_free, std::span<const TouchingPair> touching,
+                       std::span<const PairLaw> laws)
     : radius_(std::move(radius)),
       joined_(std::move(joined)),
       group_(std::move(group)),
@@ -48,6 +52,20 @@ Neighbours::Neighbours(const Particles& particles, std::vector<double> radius, s
   if (overlaps_free)
     for (std::size_t k = 0; k < pairs_.size(); ++k)
       pairs_.slack[k] = std::max(0.0, pairs_.rest_length[k] - std::hypot(pairs_.rest_x[k], pairs_.rest_y[k]));
+  press(touching, laws);
+}
+
+// Both lists ascend.
+void Neighbours::press(std::span<const TouchingPair> touching, std::span<const PairLaw> laws) {
+  std::size_t k = 0;
+  for (const TouchingPair& touch : touching) {
+    const Pair pair{touch.first, touch.second};
+    while (k < pairs_.size() && before({pairs_.first[k], pairs_.second[k]}, pair)) ++k;
+    if (!(touch.normal < 0)) continue;
+    const double gap = std::hypot(pairs_.rest_x[k], pairs_.rest_y[k]) - pairs_.rest_length[k];
+    pairs_.slack[k] = touch.normal / laws[pairs_.law[k]].contact.normal_stiffness - gap;
+    pairs_.slide[k] = touch.shear;
+  }
 }
 
 bool Neighbours::update(const Particles& particles) {
@@ -57,12 +75,13 @@ bool Neighbours::update(const Particles& particles) {
   return true;
 }
 
-void Neighbours::list(const Particles& p) {
+std::vector<bool> Neighbours::list(const Particles& p) {
   Pairs fresh;
   auto joined = joined_.begin();
   for (const Pair& pair : pairs_within(moved_.start(p, radius_), skin_)) {
     while (joined != joined_.end() && before(*joined, pair)) ++joined;
     if (joined != joined_.end() && *joined == pair) continue;
+    if (!p.is_there(pair.first) || !p.is_there(pair.second)) continue;
     fresh.first.push_back(pair.first);
     fresh.second.push_back(pair.second);
   }
@@ -77,10 +96,27 @@ void Neighbours::list(const Particles& p) {
     fresh.law[k] = first_law_ + group_pair_number(groups_, group_[i], group_[j]);
   }
   fresh.sort_chunks();
-  keep_springs(pairs_, fresh);
+  auto kept = keep_springs(pairs_, fresh);
   pairs_ = std::move(fresh);
   walls_travelled_ = 0;
   ++lists_;
+  return kept;
+}
+
+void Neighbours::begin_stage(const Particles& p, std::vector<Pair> joined, std::vector<std::uint32_t> group,
+                             std::uint32_t first_law, const std::vector<bool>& fresh) {
+  joined_ = std::move(joined);
+  group_ = std::move(group);
+  first_law_ = first_law;
+  const auto kept = list(p);
+  for (std::uint32_t k = 0; k < pairs_.size(); ++k) {
+    const std::uint32_t i = pairs_.first[k], j = pairs_.second[k];
+    if (kept[k] && !fresh[i] && !fresh[j]) continue;
+    const double distance =
+        std::hypot(pairs_.rest_x[k] + p.ux[j] - p.ux[i], pairs_.rest_y[k] + p.uy[j] - p.uy[i]);
+    pairs_.slack[k] = std::max(0.0, pairs_.rest_length[k] - distance);
+    pairs_.slide[k] = 0;
+  }
 }
 
 }  // namespace adit::dem

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "dem_server/engines/general/pairs/pairs.hpp"
+#include "dem_server/model/model.hpp"
 #include "dem_server/packing/discs.hpp"
 #include "dem_server/particles/displacement_bound.hpp"
 
@@ -20,10 +21,16 @@ class Neighbours {
  public:
   Neighbours() = default;
   // `joined`: ascending; these never enter the list. The law of a contact of discs of groups a and b is
-  // first_law + group_pair_number(groups, a, b). Overlaps at the start bear no force where `overlaps_free`.
+  // first_law + group_pair_number(groups, a, b). Overlaps at the start bear no force where `overlaps_free`,
+  // except what the pairs of `touching` bear.
   Neighbours(const Particles& particles, std::vector<double> radius, std::vector<Pair> joined,
              std::vector<std::uint32_t> group, std::uint32_t groups, std::uint32_t first_law, bool dashpots,
-             bool overlaps_free);
+             bool overlaps_free, std::span<const TouchingPair> touching, std::span<const PairLaw> laws);
+
+  // Pairs and groups become those of a new stage. Pairs that were not listed before, and those of discs that
+  // begin (`fresh`), start free of force at their present places; discs that were taken away have none.
+  void begin_stage(const Particles& particles, std::vector<Pair> joined, std::vector<std::uint32_t> group,
+                   std::uint32_t first_law, const std::vector<bool>& fresh);
 
   // A step moved the discs, and walls, by at most this [m].
   void moved(double farthest, double farthest_wall) {
@@ -40,7 +47,9 @@ class Neighbours {
   std::uint64_t lists() const { return lists_; }  // made so far
 
  private:
-  void list(const Particles& particles);
+  // Returns which pairs the earlier list held too.
+  std::vector<bool> list(const Particles& particles);
+  void press(std::span<const TouchingPair> touching, std::span<const PairLaw> laws);
 
   std::vector<double> radius_;
   std::vector<Pair> joined_;

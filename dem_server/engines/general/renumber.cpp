@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "dem_server/packing/extent.hpp"
@@ -46,6 +47,24 @@ void take_in_order(const std::vector<std::uint32_t>& order, std::vector<Value>& 
   values = std::move(taken);
 }
 
+template <class Joined>
+std::pair<std::uint32_t, std::uint32_t> by_discs(const Joined& pair) {
+  return {pair.first, pair.second};
+}
+
+void renumber(const std::vector<std::uint32_t>& place, std::vector<Bond>& bonds) {
+  for (Bond& bond : bonds) {
+    bond.first = place[bond.first];
+    bond.second = place[bond.second];
+    if (bond.first < bond.second) continue;
+    std::swap(bond.first, bond.second);
+    bond.nx = -bond.nx;
+    bond.ny = -bond.ny;
+    bond.at_rest.moment = -bond.at_rest.moment;
+  }
+  std::ranges::sort(bonds, {}, by_discs<Bond>);
+}
+
 }  // namespace
 
 void renumber(Model& model) {
@@ -53,18 +72,20 @@ void renumber(Model& model) {
   for (auto* column : {&model.discs.x, &model.discs.y, &model.discs.radius, &model.mass, &model.weight})
     take_in_order(order, *column);
   for (auto* column : {&model.id, &model.group}) take_in_order(order, *column);
+  if (!model.present.empty()) take_in_order(order, model.present);
+  for (ParticleStage& stage : model.stages) {
+    for (auto* column : {&stage.held, &stage.mass}) take_in_order(order, *column);
+    for (auto* column : {&stage.present, &stage.fresh}) take_in_order(order, *column);
+    take_in_order(order, stage.group);
+  }
 
   std::vector<std::uint32_t> place(order.size());
   for (std::uint32_t k = 0; k < order.size(); ++k) place[order[k]] = k;
-  for (Bond& bond : model.bonds) {
-    bond.first = place[bond.first];
-    bond.second = place[bond.second];
-    if (bond.first < bond.second) continue;
-    std::swap(bond.first, bond.second);
-    bond.nx = -bond.nx;
-    bond.ny = -bond.ny;
-  }
-  std::ranges::sort(model.bonds, {}, [](const Bond& bond) { return std::pair(bond.first, bond.second); });
+  for (TouchingPair& pair : model.touching)
+    std::tie(pair.first, pair.second) = std::minmax({place[pair.first], place[pair.second]});
+  std::ranges::sort(model.touching, {}, by_discs<TouchingPair>);
+  renumber(place, model.bonds);
+  for (ParticleStage& stage : model.stages) renumber(place, stage.bonds);
   for (Spring& spring : model.springs) {
     spring.first = place[spring.first];
     spring.second = place[spring.second];

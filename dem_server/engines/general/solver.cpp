@@ -35,10 +35,9 @@ Solver::Solver(const Model& model, std::size_t threads)
   bonds_ = std::move(bonded.bonds);
   bond_of_pair_ = std::move(bonded.bond_of_pair);
   joints_ = Joints(std::move(bonded.joints));
-  std::vector<Pair> joined;
-  for (const Bond& bond : model.bonds) joined.push_back({bond.first, bond.second});
-  neighbours_ = Neighbours(particles_, model.discs.radius, std::move(joined), model.group, model.groups(),
-                           bonded.first_contact_law, bonded.dashpots, model.overlaps_free);
+  neighbours_ =
+      Neighbours(particles_, model.discs.radius, pairs_of(model.bonds), model.group, model.groups(),
+                 bonded.first_contact_law, bonded.dashpots, model.overlaps_free, model.touching, laws_);
   walls_ = WallContacts(model.walls, model.discs.radius, particles_, neighbours_.skin(), model.overlaps_free);
   for (auto* pulled : {&pulled_x_, &pulled_y_, &pulled_moment_}) pulled->assign(particles_.size(), 0.0);
   strain_at_start_ = strain_energy();
@@ -49,6 +48,7 @@ void Solver::step(const protocol::Step& step, Loads& loads, PrescribedMotions& m
   move(step);
   pull(dt);
   loads.apply(step, particles_);
+  support_held();
   support_edges(step.relax, dt);
   team_->run(results_.size(), [&](std::size_t block, std::size_t) {
     const auto [begin, end] = range_of(static_cast<std::uint32_t>(block), particles_.size());
@@ -111,6 +111,14 @@ double Solver::work_of_pairs(double dt, std::uint32_t begin, std::uint32_t end) 
   double total = 0;
   for (const double lane : sum) total += lane;
   return dt / 2 * total;
+}
+
+void Solver::support_held() {
+  for (const Held& held : held_) {
+    particles_.fx[held.disc] += held.x;
+    particles_.fy[held.disc] += held.y;
+    particles_.moment[held.disc] += held.moment;
+  }
 }
 
 // In statics quiet edges are held; later what held them stays.

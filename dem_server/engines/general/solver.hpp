@@ -51,6 +51,9 @@ class Solver {
   // The particles were stopped, and the first step that does not relax is next: ledgers start from 0; quiet
   // edges are let go and carry what held them.
   void start_over();
+  // The particles were stopped, and the first step of a stage is next: `model` is that of the stage, `before`
+  // the stage before. What bonds, joints and contacts of before still stand keep their forces.
+  void begin_stage(std::uint32_t before, const ParticleStage& stage, const Model& model);
 
   Particles& particles() { return particles_; }
   const Particles& particles() const { return particles_; }
@@ -88,6 +91,10 @@ class Solver {
   void pull(double dt);
   double work_of_pairs(double dt, std::uint32_t begin, std::uint32_t end);
   void support_edges(bool relax, double dt);
+  void support_held();
+  struct PairLoad;
+  void hold_what_vanishes(const ParticleStage& stage);
+  void hold(const PairLoad& load, const ParticleStage& stage);
   void take_results();
   Strongest find_strongest() const;
 
@@ -101,7 +108,12 @@ class Solver {
   WallContacts walls_;
   Damping damping_;
   std::vector<EdgeDashpot> edges_;
-  std::vector<double> support_x_, support_y_;                // of the edges [N]
+  std::vector<double> support_x_, support_y_;  // of the edges [N]
+  struct Held {
+    std::uint32_t disc;
+    double x, y, moment;  // weighted [N], [N m]
+  };
+  std::vector<Held> held_;  // of what vanished with this stage, until the next
   std::vector<double> pulled_x_, pulled_y_, pulled_moment_;  // by pairs at the last step
   std::unique_ptr<protocol::Team> team_;
   std::vector<BlockResult> results_;

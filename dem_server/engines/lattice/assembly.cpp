@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 
-#include "dem_server/model/initial_stress.hpp"
 #include "dem_server/model/lattice.hpp"
 #include "protocol/threads/index_ranges.hpp"
 
@@ -26,18 +25,13 @@ void append_to_runs(std::vector<Run>& runs, const Run& next) {
   runs.push_back(next);
 }
 
+// Only where some bond bears a force at rest.
 void set_initial_forces(const Model& model, Bonds& b) {
-  const ContactBond& law = model.contact_bonds[model.bonds.front().number];
-  const auto& y = model.discs.y;
-  b.initial_normal_force.resize(b.size());
-  for (const Run& run : b.runs)
-    for (std::uint32_t k = 0; k < run.count; ++k) {
-      const double height = (y[run.first + k] + y[run.second + k]) / 2;
-      const auto [normal, shear] = initial_forces(*model.initial_stress, law.stiffness,
-                                                  {run.rest_x, run.rest_y, b.rest_length, height});
-      b.initial_normal_force[run.begin + k] = normal;
-      b.shear_force[run.begin + k] = shear;
-    }
+  if (std::ranges::all_of(model.bonds, [](const Bond& bond) { return bond.at_rest == PairForces{}; })) return;
+  for (std::uint32_t k = 0; k < b.size(); ++k) {
+    b.initial_normal_force.push_back(model.bonds[k].at_rest.normal);
+    b.shear_force[k] = model.bonds[k].at_rest.shear;
+  }
 }
 
 Bonds bonds_of(const Model& model) {
@@ -53,7 +47,7 @@ Bonds bonds_of(const Model& model) {
   }
   b.finish();
   for (std::uint32_t k = 0; k < b.size(); ++k) b.set_weight(k, model.bonds[k].weight);
-  if (model.initial_stress) set_initial_forces(model, b);
+  set_initial_forces(model, b);
   return b;
 }
 

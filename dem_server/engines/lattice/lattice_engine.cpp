@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "dem_server/engines/lattice/critical_step.hpp"
 #include "dem_server/engines/useful_threads.hpp"
@@ -104,9 +105,12 @@ void LatticeEngine::step_interior(const protocol::Step& step) {
   released_ += result_.released;
   contacts_.moved(step.dt, speed_);
   cracks_.clear();
-  for (const std::uint32_t bond : broken_)
-    cracks_.push_back(crack_between(assembly_.particles, assembly_.bonds.first[bond],
-                                    assembly_.bonds.second[bond], 0, assembly_.bonds.state[bond]));
+  for (const std::uint32_t bond : broken_) {
+    const std::uint32_t i = assembly_.bonds.first[bond], j = assembly_.bonds.second[bond];
+    Crack crack = crack_between(assembly_.particles, i, j, 0, assembly_.bonds.state[bond]);
+    std::tie(crack.group_a, crack.group_b) = std::minmax({group()[i], group()[j]});
+    cracks_.push_back(crack);
+  }
 }
 
 void LatticeEngine::pull(const protocol::Step& step, Part& part) {

@@ -113,10 +113,12 @@ LinearContact read_contact(const scene::ParticleContacts& contacts,
           contacts.shear_damping()};
 }
 
-std::vector<std::uint32_t> assign_groups(const scene::Particles& particles, const Placement& placement) {
+std::vector<std::uint32_t> assign_groups(const scene::Particles& particles, const Placement& placement,
+                                         std::uint32_t stage) {
   std::vector<std::uint32_t> group(placement.discs.size(), 0);
   for (int k = 0; k < particles.groups_size(); ++k) {
     const auto& wanted = particles.groups(k);
+    if (wanted.stage() > stage) continue;
     const std::string path = group_path(k);
     if (is_lining(particles, wanted)) continue;
     std::vector<std::uint32_t> chosen;

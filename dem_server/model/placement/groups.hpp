@@ -37,8 +37,9 @@ std::vector<Group> read_groups(const scene::Scene& scene);
 LinearContact read_contact(const scene::ParticleContacts& contacts,
                            const std::function<BondStiffness()>& otherwise);
 
-// The group of each disc.
-std::vector<std::uint32_t> assign_groups(const scene::Particles& particles, const Placement& placement);
+// The group of each disc in a stage of excavation.
+std::vector<std::uint32_t> assign_groups(const scene::Particles& particles, const Placement& placement,
+                                         std::uint32_t stage);
 
 // Where the name is known; else UserError at `path`.
 std::uint32_t group_named(const std::string& name, const std::vector<Group>& groups, const std::string& path);

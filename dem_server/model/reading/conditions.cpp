@@ -81,10 +81,4 @@ std::vector<PrescribedMotion> read_motions(const scene::Particles& particles, co
   return motions;
 }
 
-std::optional<InitialStress> read_initial_stress(const scene::Scene& scene) {
-  if (!scene.has_initial_stress()) return std::nullopt;
-  const auto& s = scene.initial_stress();
-  return InitialStress{s.xx(), s.yy(), s.xy(), s.xx_per_metre(), s.yy_per_metre()};
-}
-
 }  // namespace adit::dem

@@ -1,7 +1,6 @@
-// What acts on particles: loads, prescribed motions, initial stress.
+// What acts on particles: loads, prescribed motions.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +18,5 @@ std::vector<Load> read_loads(const scene::Particles& particles, const Placement&
 // UserError at particles.motions[i]: nothing prescribed, nothing selected, or a component that another motion
 // prescribes too.
 std::vector<PrescribedMotion> read_motions(const scene::Particles& particles, const Placement& placement);
-
-std::optional<InitialStress> read_initial_stress(const scene::Scene& scene);
 
 }  // namespace adit::dem

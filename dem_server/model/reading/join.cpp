@@ -183,52 +183,113 @@ std::vector<JointLine> read_lines(const scene::Particles& particles) {
   return lines;
 }
 
-}  // namespace
-
-void join(const scene::Particles& particles, const std::vector<Group>& groups, Model& model) {
-  const Discs& discs = model.discs;
-  const auto lines = read_lines(particles);
-  std::optional<RingJoints> ring;
-  if (particles.has_ring()) ring.emplace(particles.ring());
-  BondTypes types(particles, groups);
-  Laws laws(model);
-  std::vector<bool> parts_some(lines.size(), false);
-  // The joints of a ring within ground end at its outer side.
-  const bool within_ground = particles.ring().within_ground();
-  const auto is_lining = [&](std::uint32_t i) { return groups[model.group[i]].name == kLining; };
-  const auto in_ring = [&](const Pair& pair) {
-    return !within_ground || (is_lining(pair.first) && is_lining(pair.second));
+// The stages with which the joints begin: as the scene says, or else with the groups that each of them parts.
+std::vector<std::uint32_t> begin_of_joints(const scene::Particles& particles, const Discs& discs,
+                                           const std::vector<JointLine>& lines, const std::vector<Pair>& near,
+                                           const std::vector<std::uint32_t>& group) {
+  const auto begin_of = [&](std::uint32_t disc) {
+    const int number = static_cast<int>(group[disc]) - 1;  // that of a ring's lining may stand in no list
+    return number >= 0 && number < particles.groups_size() ? particles.groups(number).stage() : 0;
   };
+  std::vector<std::uint32_t> begin;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const auto& joint = particles.joints(static_cast<int>(k));
+    std::optional<std::uint32_t> first;
+    if (joint.has_stage()) {
+      first = joint.stage();
+    } else {
+      for (const Pair& pair : near)
+        if (lines[k].parts(discs, pair)) {
+          const std::uint32_t stage = std::max(begin_of(pair.first), begin_of(pair.second));
+          first = std::min(first.value_or(stage), stage);
+        }
+    }
+    begin.push_back(first.value_or(0));
+  }
+  return begin;
+}
 
-  for (const Pair& pair : pairs_within(discs, types.largest_reach() * std::ranges::max(discs.radius))) {
+// Joins two discs, if anything does.
+class Joiner {
+ public:
+  Joiner(const scene::Particles& particles, const std::vector<Group>& groups,
+         const std::vector<ParticleStage>& stages, Model& model)
+      : discs_(model.discs),
+        groups_(groups),
+        lines_(read_lines(particles)),
+        types_(particles, groups),
+        laws_(model) {
+    near_ = pairs_within(discs_, types_.largest_reach() * std::ranges::max(discs_.radius));
+    begin_of_lines_ = begin_of_joints(particles, discs_, lines_, near_, stages.back().group);
+    parts_some_.resize(lines_.size(), false);
+    if (particles.has_ring()) ring_.emplace(particles.ring());
+    within_ground_ = particles.ring().within_ground();
+  }
+
+  void join(ParticleStage& stage) {
+    for (const Pair& pair : near_)
+      if (stage.present[pair.first] && stage.present[pair.second]) join(pair, stage);
+  }
+
+  void require_parting() const {
+    for (std::size_t k = 0; k < lines_.size(); ++k)
+      if (!parts_some_[k])
+        throw UserError(joint_path(k), "parts no particles that are joined; move it between them");
+  }
+
+ private:
+  // The joints of a ring within ground end at its outer side.
+  bool in_ring(const Pair& pair, const ParticleStage& stage) const {
+    const auto is_lining = [&](std::uint32_t i) { return groups_[stage.group[i]].name == kLining; };
+    return !within_ground_ || (is_lining(pair.first) && is_lining(pair.second));
+  }
+
+  int barrier_between(const Pair& pair, const ParticleStage& stage) const {
+    for (std::size_t k = lines_.size(); k-- > 0;)
+      if (begin_of_lines_[k] <= stage.number && lines_[k].parts(discs_, pair)) return static_cast<int>(k);
+    return ring_ && in_ring(pair, stage) && ring_->parts(discs_, pair) ? kRing : kNothing;
+  }
+
+  void join(const Pair& pair, ParticleStage& stage) {
     const auto [i, j] = pair;
+    const double distance = std::hypot(discs_.x[j] - discs_.x[i], discs_.y[j] - discs_.y[i]);
     const double share =
-        (std::hypot(discs.x[j] - discs.x[i], discs.y[j] - discs.y[i]) - discs.radius[i] - discs.radius[j]) /
-        (0.5 * (discs.radius[i] + discs.radius[j]));
-    const auto joins = [&](int type) { return type != kNothing && share <= types[type].reach; };
-    int barrier = kNothing;
-    if (ring && in_ring(pair) && ring->parts(discs, pair)) barrier = kRing;
-    for (std::size_t k = lines.size(); k-- > 0;)
-      if (lines[k].parts(discs, pair)) {
-        barrier = static_cast<int>(k);
-        break;
-      }
-    const int type = types.find(barrier, model.group[i], model.group[j]);
-    if (barrier >= 0 && (joins(type) || joins(types.find(kNothing, model.group[i], model.group[j]))))
-      parts_some[static_cast<std::size_t>(barrier)] = true;
-    if (!joins(type)) continue;
-    const auto [law, number] = laws.find(type, types[type], std::min(discs.radius[i], discs.radius[j]));
+        (distance - discs_.radius[i] - discs_.radius[j]) / (0.5 * (discs_.radius[i] + discs_.radius[j]));
+    const auto joins = [&](int type) { return type != kNothing && share <= types_[type].reach; };
+    const int barrier = barrier_between(pair, stage);
+    const int type = types_.find(barrier, stage.group[i], stage.group[j]);
+    if (barrier >= 0 && (joins(type) || joins(types_.find(kNothing, stage.group[i], stage.group[j]))))
+      parts_some_[static_cast<std::size_t>(barrier)] = true;
+    if (!joins(type)) return;
+    const auto [law, number] = laws_.find(type, types_[type], std::min(discs_.radius[i], discs_.radius[j]));
     Bond bond{i, j, law, number};
     if (law == Bond::Law::kSmoothJoint) {
-      const auto [nx, ny] = lines[static_cast<std::size_t>(barrier)].normal(discs, pair);
+      const auto [nx, ny] = lines_[static_cast<std::size_t>(barrier)].normal(discs_, pair);
       bond.nx = nx;
       bond.ny = ny;
     }
-    model.bonds.push_back(bond);
+    stage.bonds.push_back(bond);
   }
-  for (std::size_t k = 0; k < lines.size(); ++k)
-    if (!parts_some[k])
-      throw UserError(joint_path(k), "parts no particles that are joined; move it between them");
+
+  const Discs& discs_;
+  const std::vector<Group>& groups_;
+  std::vector<JointLine> lines_;
+  std::vector<std::uint32_t> begin_of_lines_;
+  std::optional<RingJoints> ring_;
+  bool within_ground_ = false;
+  BondTypes types_;
+  Laws laws_;
+  std::vector<Pair> near_;
+  std::vector<bool> parts_some_;
+};
+
+}  // namespace
+
+void join(const scene::Particles& particles, const std::vector<Group>& groups,
+          std::vector<ParticleStage>& stages, Model& model) {
+  Joiner joiner(particles, groups, stages, model);
+  for (ParticleStage& stage : stages) joiner.join(stage);
+  joiner.require_parting();
 }
 
 }  // namespace adit::dem

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "dem_server/model/initial_state/initial_state.hpp"
 #include "dem_server/model/lattice.hpp"
 #include "dem_server/model/placement/groups.hpp"
 #include "dem_server/model/placement/placement.hpp"
@@ -14,7 +15,9 @@
 #include "dem_server/model/reading/springs.hpp"
 #include "dem_server/model/reading/walls.hpp"
 #include "dem_server/model/solid/bends_as_solid.hpp"
+#include "dem_server/model/stages/read_stages.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/ground/stated_stress.hpp"
 
 namespace adit::dem {
 namespace {
@@ -23,16 +26,21 @@ using protocol::UserError;
 
 constexpr std::uint32_t kFewestNeighbours = 3;
 
-// Discs, groups and bonds of the model.
-void set_particles(const scene::Particles& particles, const std::vector<Group>& groups,
-                   const Placement& placement, Model& model) {
+// Discs, groups and bonds of the model, in all stages.
+void set_particles(const scene::Scene& scene, const std::vector<Group>& groups, const Placement& placement,
+                   Model& model) {
   model.discs = placement.discs;
-  model.group = assign_groups(particles, placement);
-  model.bonds.clear();
   model.contact_bonds.clear();
   model.parallel_bonds.clear();
   model.smooth_joints.clear();
-  join(particles, groups, model);
+  model.stages = read_stages(scene, placement);
+  join(scene.particles(), groups, model.stages, model);
+  ParticleStage& first = model.stages.front();
+  model.group = std::move(first.group);
+  model.bonds = std::move(first.bonds);
+  if (std::ranges::find(first.present, false) != first.present.end())
+    model.present = std::move(first.present);
+  model.stages.erase(model.stages.begin());
 }
 
 void remove_floaters(const Model& model, std::vector<std::string>& notes, Placement& placement) {
@@ -57,8 +65,13 @@ void remove_floaters(const Model& model, std::vector<std::string>& notes, Placem
 
 void set_masses(const std::vector<Group>& groups, const Placement& placement, Model& model) {
   for (const Group& group : groups) model.density.push_back(group.material.material.density());
+  const auto mass = [&](std::size_t i, std::uint32_t group) {
+    return placement.mass(model.density[group], model.discs.radius[i]);
+  };
+  for (ParticleStage& stage : model.stages)
+    for (std::size_t i = 0; i < model.discs.size(); ++i) stage.mass.push_back(mass(i, stage.group[i]));
   for (std::size_t i = 0; i < model.discs.size(); ++i) {
-    model.mass.push_back(placement.mass(model.density[model.group[i]], model.discs.radius[i]));
+    model.mass.push_back(mass(i, model.group[i]));
     model.weight.push_back(1);
     model.id.push_back(static_cast<std::uint32_t>(i));
   }
@@ -116,6 +129,15 @@ void note_no_bonds(const scene::Particles& particles, Model& model) {
       "write `bonds: {}` for bonds of the stiffness of the material");
 }
 
+void start_under_stress(const scene::Scene& scene, Model& model) {
+  if (scene.particles().random_packing().keep_stress())
+    throw UserError(
+        "particles.random_packing.keep_stress",
+        "is set, but initial_stress says under which stress the particles start; give one of both");
+  const protocol::StatedStress stated(scene.initial_stress());
+  set_initial_state([&stated](double y) { return stated.at(y); }, model);
+}
+
 }  // namespace
 
 Model read_model(const scene::Scene& scene) {
@@ -128,10 +150,10 @@ Model read_model(const scene::Scene& scene) {
   set_damping(particles.damping(), model);
   Placement placement = place_discs(particles, model.contacts.front().normal_stiffness, model.notes);
   model.overlaps_free = placement.overlaps_free;
-  set_particles(particles, groups, placement, model);
+  set_particles(scene, groups, placement, model);
   if (particles.remove_floaters()) {
     remove_floaters(model, model.notes, placement);
-    set_particles(particles, groups, placement, model);
+    set_particles(scene, groups, placement, model);
   }
   if (particles.has_packing() && groups.front().bonds != nullptr && model.bonds.empty())
     refuse_small_box(particles.packing(), model.discs.size());
@@ -147,7 +169,7 @@ Model read_model(const scene::Scene& scene) {
   model.edges = read_edges(particles, groups, placement, model.group);
   model.loads = read_loads(particles, placement);
   model.motions = read_motions(particles, placement);
-  model.initial_stress = read_initial_stress(scene);
+  if (scene.has_initial_stress()) start_under_stress(scene, model);
   return model;
 }
 

@@ -91,6 +91,7 @@ Spring read_spring(const scene::ParticleSpring& spring, const std::string& path,
                                 discs.x[first], discs.y[first]));
   Spring read{first, second, 0, false, 0, spring.strength(), spring.name()};
   read_law(spring, path, read);
+  read.stage = spring.stage();
   read.direction = read_direction(spring, path);
   return read;
 }

@@ -8,6 +8,7 @@
 #include "fdm_server/grid/edges.hpp"
 #include "fdm_server/model/grid/selection.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/ground/stages.hpp"
 
 namespace adit::fdm {
 namespace {
@@ -34,24 +35,24 @@ void leave_out(const scene::Continuum& scene, Grid& grid) {
   grid.boundary = boundary(number_edges(grid));
 }
 
-std::vector<std::uint32_t> excavation_stages(const scene::Scene& scene, const Grid& grid) {
-  std::vector<std::uint32_t> stages(grid.zones.size(), 0);
+ExcavatedZones excavated_zones(const scene::Scene& scene, const Grid& grid) {
+  ExcavatedZones zones{std::vector<std::uint32_t>(grid.zones.size(), 0),
+                       std::vector<double>(grid.zones.size(), 0.0)};
+  auto& stages = zones.stage;
   const auto& excavations = scene.continuum().excavations();
   for (int i = 0; i < excavations.size(); ++i) {
     const std::uint32_t stage = excavations[i].stage();
     if (stage == 0) continue;
-    if (!scene.has_statics())
-      throw protocol::UserError(
-          path_of(i) + ".stage",
-          fmt::format("is {}, but stages begin when the ground is at rest, and the scene has no "
-                      "statics; give `statics: {{unbalanced_ratio: 1e-5}}`, or stage 0",
-                      stage));
+    protocol::require_statics(scene, stage, path_of(i));
     for (const auto zone : select_zones(grid, excavations[i].where(), path_of(i) + ".where"))
-      if (stages[zone] == 0 || stage < stages[zone]) stages[zone] = stage;
+      if (stages[zone] == 0 || stage < stages[zone]) {
+        stages[zone] = stage;
+        zones.held[zone] = 1 - excavations[i].released();
+      }
   }
   if (!stages.empty() && std::ranges::find(stages, 0u) == stages.end())
     throw protocol::UserError("continuum.excavations", "leave no zone; give smaller areas");
-  return stages;
+  return zones;
 }
 
 }  // namespace adit::fdm

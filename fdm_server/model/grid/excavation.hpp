@@ -13,6 +13,10 @@ namespace adit::fdm {
 void leave_out(const scene::Continuum& scene, Grid& grid);
 
 // The stage with which each zone goes, 0 for those that stay. Stages need the scene's statics.
-std::vector<std::uint32_t> excavation_stages(const scene::Scene& scene, const Grid& grid);
+struct ExcavatedZones {
+  std::vector<std::uint32_t> stage;  // of each zone; 0: it stays
+  std::vector<double> held;          // of each zone: the share of its forces that stays until the next stage
+};
+ExcavatedZones excavated_zones(const scene::Scene& scene, const Grid& grid);
 
 }  // namespace adit::fdm

@@ -36,6 +36,7 @@ class Joints {
   double strain_energy() const;
   double friction() const { return friction_; }  // dissipated since the start, weighted [J]
   void start_over() { friction_ = 0; }
+  void replace(std::vector<Joint> joints) { joints_ = std::move(joints); }
   std::span<const Joint> joints() const { return joints_; }
 
  private:

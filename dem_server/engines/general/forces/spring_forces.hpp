@@ -23,6 +23,10 @@ class SpringForces {
   SpringForces() = default;
   explicit SpringForces(std::vector<Spring> springs);
 
+  // Installs those of the stages after `before` up to `stage`, with their pretension, at their present
+  // length; those whose discs were taken away are gone.
+  void begin_stage(std::uint32_t before, std::uint32_t stage, const Particles& particles);
+
   // Adds their forces to the resultants; `dt` is 0 where the step starts from rest.
   void add_forces(double dt, Particles& particles);
 
@@ -43,7 +47,8 @@ class SpringForces {
 
   std::vector<Spring> springs_;
   std::vector<double> forces_, openings_;
-  std::vector<bool> whole_;
+  std::vector<bool> whole_;           // installed, and not broken
+  std::vector<double> installed_at_;  // elongation at which a spring along its line was installed [m]
   std::vector<std::uint32_t> broken_;
   double released_ = 0;
 };

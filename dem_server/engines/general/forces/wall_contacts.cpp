@@ -66,7 +66,7 @@ void WallContacts::list(const Particles& p) {
   auto old = touches_.begin();
   for (std::uint32_t w = 0; w < walls_.size(); ++w)
     for (std::uint32_t i = 0; i < p.size(); ++i) {
-      if (!(kinematics(w, i, p).elongation <= skin_)) continue;
+      if (!p.is_there(i) || !(kinematics(w, i, p).elongation <= skin_)) continue;
       while (old != touches_.end() && (old->wall < w || (old->wall == w && old->disc < i))) ++old;
       const bool kept = old != touches_.end() && old->wall == w && old->disc == i;
       fresh.push_back(kept ? *old : Touch{.wall = w, .disc = i});

@@ -9,6 +9,7 @@
 
 #include "dem_server/engines/general/general_engine.hpp"
 #include "dem_server/engines/lattice/lattice_engine.hpp"
+#include "dem_server/model/initial_state/initial_state.hpp"
 #include "dem_server/model/solid/thin_strip.hpp"
 #include "dem_server/observe/branches.hpp"
 #include "dem_server/participant/choose_engine.hpp"
@@ -93,7 +94,11 @@ TEST_P(Engines, TakeStressOverACircle) {
 TEST_P(Engines, StartUnderInitialStress) {
   Model model = block();
   const double weight = 2.0 / (2 * std::numbers::sqrt3 * kRadius * kRadius) * 10;  // [N/m^3]
-  model.initial_stress = InitialStress{-3e3, -5e3, 1e3, weight / 2, weight};
+  set_initial_state(
+      [=](double y) {
+        return protocol::GroundStress{-3e3 + weight / 2 * y, -5e3 + weight * y, 1e3, {}};
+      },
+      model);
   model.loads = {{Load::Kind::kAcceleration, model.id, 0, -10, [](double) { return 1.0; }, "body_loads"}};
   const auto engine = make(model);
   engine->step_interface({0, 1e-6});
@@ -119,7 +124,7 @@ TEST_P(Engines, StartUnderInitialStress) {
 // A stress at the start is let go at the free surface: both engines see the same motion.
 TEST(EnginesUnderInitialStress, MoveAlike) {
   Model model = block();
-  model.initial_stress = InitialStress{-3e3, 1e3, 5e2, 0, 0};
+  set_initial_state([](double) { return protocol::GroundStress{-3e3, 1e3, 5e2, {}}; }, model);
   LatticeEngine lattice(model, 1);
   GeneralEngine general(model, 1);
   const double dt = 0.4 * std::min(lattice.critical_step(), general.critical_step());

@@ -170,17 +170,17 @@ TEST(EngineChoice, MayBeTheGeneralEngine) {
             "general: the scene asks for it");
 }
 
-// A stress at the start is refused by name where no engine can bear it.
-TEST(EngineChoice, RefusesInitialStressOffTheLattice) {
-  auto scene = test::square_scene(4, 4);
-  scene.mutable_initial_stress()->set_xx(-1e6);
-  try {
-    choose(scene);
-    FAIL() << "accepted";
-  } catch (const protocol::UserError& error) {
-    EXPECT_EQ(error.path(), "initial_stress");
-    EXPECT_THAT(error.what(), testing::HasSubstr("is given, but the particles are not packed hexagonally"));
-  }
+// A stress at the start is no reason for either engine.
+TEST(EngineChoice, KnowsNoInitialStress) {
+  auto square = test::square_scene(4, 4);
+  square.mutable_initial_stress()->set_xx(-1e6);
+  EXPECT_EQ(choose(square).told(), "general: the particles are not packed hexagonally");
+  auto lattice = test::empty_scene();
+  auto& packing = *lattice.mutable_particles()->mutable_packing();
+  test::set_box(packing, 6, 6);
+  packing.set_radius(0.5);
+  lattice.mutable_initial_stress()->set_xx(-1e6);
+  EXPECT_EQ(choose(lattice).told(), "lattice");
 }
 
 }  // namespace

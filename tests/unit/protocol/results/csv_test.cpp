@@ -90,10 +90,11 @@ TEST(Csv, ReportsAFullDisk) {
   }
 }
 
-// cracks.csv holds the whole crack record: time, mode, place, length, orientation and both parents.
+// cracks.csv holds the whole crack record: time, mode, place, length, orientation, both parents, their group,
+// the stage of excavation, and the region where there are several.
 TEST(Csv, CrackRowHoldsTheWholeRecord) {
   const ScratchFolder folder;
-  CsvFile file(folder / "cracks.csv", crack_columns());
+  CsvFile file(folder / "cracks.csv", crack_columns()), regions(folder / "regions.csv", crack_columns(true));
   wire::Crack crack;
   crack.set_step(2980);
   crack.set_mode(wire::Crack::SHEAR);
@@ -103,13 +104,19 @@ TEST(Csv, CrackRowHoldsTheWholeRecord) {
   crack.set_orientation(-0.5);
   crack.set_parent_a(696);
   crack.set_parent_b(0xffffffffffffffffU);
+  crack.set_group("particles-lining");
+  crack.set_stage(2);
   write_crack(file, 0.0298, crack);
+  write_crack(regions, 0.0298, crack, "cavern");
   crack.set_mode(wire::Crack::TENSILE);
   write_crack(file, 0.0299, crack);
   EXPECT_EQ(content_of(folder / "cracks.csv"),
-            "time_s,step,mode,x_m,y_m,length_m,orientation_rad,parent_a,parent_b\n"
-            "0.0298,2980,shear,9.875,0.25,0.125,-0.5,696,18446744073709551615\n"
-            "0.0299,2980,tensile,9.875,0.25,0.125,-0.5,696,18446744073709551615\n");
+            "time_s,step,mode,x_m,y_m,length_m,orientation_rad,parent_a,parent_b,group,stage\n"
+            "0.0298,2980,shear,9.875,0.25,0.125,-0.5,696,18446744073709551615,particles-lining,2\n"
+            "0.0299,2980,tensile,9.875,0.25,0.125,-0.5,696,18446744073709551615,particles-lining,2\n");
+  EXPECT_EQ(content_of(folder / "regions.csv"),
+            "time_s,step,mode,x_m,y_m,length_m,orientation_rad,parent_a,parent_b,group,stage,region\n"
+            "0.0298,2980,shear,9.875,0.25,0.125,-0.5,696,18446744073709551615,particles-lining,2,cavern\n");
 }
 
 }  // namespace

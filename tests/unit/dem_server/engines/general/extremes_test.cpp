@@ -37,12 +37,21 @@ TEST(DiscsExtremes, TwoAtOnePointAreRefused) {
                              "1 and 3 (counted from 0) both lie at (3, 1) m");
 }
 
-// What no bond law can carry yet is refused by name.
-TEST(DiscsExtremes, InitialStressIsRefused) {
-  auto scene = test::square_scene(3, 3);
-  scene.mutable_initial_stress()->set_yy(-1e6);
-  adit::test::expect_refusal([&] { test::InProcessRun run(scene); }, "initial_stress",
-                             "only a hexagonal lattice");
+// A stress that no forces can give is refused by name: shear of a square packing without shear stiffness, any
+// stress of a single row, and one beside the stress under which discs were packed.
+TEST(DiscsExtremes, InitialStressThatIsNotResistedIsRefused) {
+  const auto refuse = [](scene::Scene scene, const std::string& path, const std::string& text) {
+    scene.mutable_initial_stress()->set_yy(-1e6);
+    scene.mutable_initial_stress()->set_xy(1e5);
+    adit::test::expect_refusal([&] { test::InProcessRun run(scene); }, path, text);
+  };
+  auto square = test::square_scene(3, 3);
+  square.mutable_particles()->mutable_bonds()->set_shear_stiffness(0);
+  refuse(square, "initial_stress", "which the particles do not resist");
+  refuse(test::square_scene(3, 1), "initial_stress", "no area lies between the particles");
+  auto random = test::random_scene();
+  random.mutable_particles()->mutable_random_packing()->set_keep_stress(true);
+  refuse(random, "particles.random_packing.keep_stress", "is set, but initial_stress");
 }
 
 // A step far above the critical one ends with the step and the place where it went wrong.

@@ -1,0 +1,27 @@
+// The stress of the ground before anything acts, as forces of bonds and contacts that balance.
+//
+// 1. A uniform strain loads every link (network.hpp) as if all discs followed it. Three unit strains, each
+//    brought to balance with the border of the packing held, give the stiffness C of the fabric: their mean
+//    stresses over the faces inside (faces.hpp). The strain C^-1 sigma(y), sigma being the stated stress at
+//    the height of a link, is what the forces start from.
+// 2. The least that lacks for balance is added (equilibrium.hpp), under the loads and springs of t = 0. What
+//    the scene moves is held as far as it is prescribed, and quiet edges are; else the border of the packing
+//    is held, because ground or supports beyond bear the rest there (outside.hpp). A uniform strain, balanced
+//    too, then makes the mean stress the stated one.
+// 3. What a link cannot bear is cut - tension of a contact, shear beyond friction, more than a strength -
+//    and the others balance what is left. The user is told how many were cut.
+//
+// The forces of a hexagonal lattice of one law are those of step 1: they balance on every disc inside where
+// the stress is uniform, and carry the weight where it grows by that.
+#pragma once
+
+#include "dem_server/model/initial_state/outside.hpp"
+#include "dem_server/model/model.hpp"
+
+namespace adit::dem {
+
+// Sets the forces at rest of the model's bonds, and the pairs that touch with theirs; overlaps of its discs
+// bear nothing else. UserError at initial_stress for what no forces can give.
+void set_initial_state(const StressAtHeight& stated, Model& model);
+
+}  // namespace adit::dem

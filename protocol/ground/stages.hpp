@@ -1,0 +1,23 @@
+// What stages of excavation ask of a scene.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "protocol/messages/scene.pb.h"
+
+namespace adit::protocol {
+
+// UserError at `path`.stage for a stage after 0 in a scene without statics.
+void require_statics(const scene::Scene& scene, std::uint32_t stage, const std::string& path);
+
+// The stage from whose beginning displacements count, where they do not count from the beginning of time.
+struct CountedFrom {
+  bool stage_given;     // else they count from the beginning of time
+  std::uint32_t stage;  // 1 where the scene only keeps displacements
+  // Whether what a step from one stage to another passes is the beginning of the count.
+  bool begins(std::uint32_t from, std::uint32_t to) const { return from < stage && to >= stage; }
+};
+CountedFrom counted_from(const scene::Statics& statics);
+
+}  // namespace adit::protocol

@@ -1,0 +1,45 @@
+// The stress that the scene states for the ground before anything acts (scene.proto, Stress).
+//
+// Every component is piecewise linear in y. Layers: from the surface downwards the vertical pressure grows by
+// the weight of each layer, from the surcharge on; both horizontal pressures are k0 times the vertical one.
+// The last layer goes on below its lower side. Above the surface the ground bears the surcharge alone.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "protocol/messages/scene.pb.h"
+
+namespace adit::protocol {
+
+// Of the layers' weight [m/s^2].
+inline constexpr double kStandardGravity = 9.80665;
+
+// Tension positive [Pa].
+struct GroundStress {
+  double xx, yy, xy;
+  std::optional<double> zz;  // where it is stated
+};
+
+class StatedStress {
+ public:
+  // UserError at initial_stress for layers beside components, or out of order.
+  explicit StatedStress(const scene::Stress& stress);
+
+  GroundStress at(double y) const;
+
+ private:
+  struct Linear {
+    double at_zero = 0, per_metre = 0;
+    double at(double y) const { return at_zero + per_metre * y; }
+  };
+  struct Piece {
+    double bottom;  // y [m]
+    Linear xx, yy, xy;
+    std::optional<Linear> zz;
+  };
+  std::vector<Piece> pieces_;  // downwards
+  double surface_;
+};
+
+}  // namespace adit::protocol

@@ -1,0 +1,62 @@
+// Requirement: the stress that the scene states is the same for everyone who asks, and what makes no sense is
+// refused by name.
+#include <google/protobuf/text_format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "protocol/ground/stated_stress.hpp"
+#include "tests/support/refusals.hpp"
+
+namespace adit::protocol {
+namespace {
+
+scene::Stress parse(const std::string& text) {
+  scene::Stress stress;
+  EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(text, &stress)) << text;
+  return stress;
+}
+
+TEST(StatedStress, GrowsLinearlyWithHeight) {
+  const StatedStress stated(parse("xx: -1e3 yy: -2e3 xy: 5e2 xx_per_metre: 10 yy_per_metre: 20"));
+  const GroundStress s = stated.at(-3);
+  EXPECT_DOUBLE_EQ(s.xx, -1030);
+  EXPECT_DOUBLE_EQ(s.yy, -2060);
+  EXPECT_DOUBLE_EQ(s.xy, 500);
+  EXPECT_FALSE(s.zz);
+  EXPECT_DOUBLE_EQ(*StatedStress(parse("zz: -4e3 zz_per_metre: 1")).at(2).zz, -3998);
+}
+
+// Two layers under a surcharge: the pressure goes on from one to the other, the ratio of the horizontal one
+// changes at once, and below the last side the last layer goes on.
+TEST(StatedStress, IsTheWeightOfLayers) {
+  const StatedStress stated(
+      parse("surface: 4 surcharge: 1e4 layers { bottom: 0 density: 2000 k0: 0.5 } "
+            "layers { bottom: -10 density: 2500 k0: 0.8 }"));
+  const double upper = 2000 * kStandardGravity, lower = 2500 * kStandardGravity;
+  EXPECT_NEAR(stated.at(4).yy, -1e4, 1e-6);
+  EXPECT_NEAR(stated.at(9).yy, -1e4, 1e-6);
+  EXPECT_NEAR(stated.at(1).yy, -1e4 - 3 * upper, 1e-6);
+  EXPECT_NEAR(stated.at(1).xx, 0.5 * (-1e4 - 3 * upper), 1e-6);
+  EXPECT_NEAR(*stated.at(1).zz, 0.5 * (-1e4 - 3 * upper), 1e-6);
+  EXPECT_NEAR(stated.at(-12).yy, -1e4 - 4 * upper - 12 * lower, 1e-6);
+  EXPECT_NEAR(stated.at(-12).xx, 0.8 * stated.at(-12).yy, 1e-6);
+  EXPECT_NEAR(stated.at(1e-9).yy, stated.at(-1e-9).yy, 1e-3);
+  EXPECT_EQ(stated.at(1).xy, 0);
+}
+
+TEST(StatedStress, RefusesWhatContradictsItself) {
+  const std::string layer = "layers { bottom: -1 density: 2000 k0: 0.5 } ";
+  const auto refuse = [](const std::string& text, const std::string& path, const std::string& says) {
+    test::expect_refusal([&] { StatedStress stated(parse(text)); }, path, says);
+  };
+  refuse(layer + "xx: -1e3", "initial_stress.layers", "beside components");
+  refuse(layer + "layers { bottom: -1 density: 2000 k0: 1 }", "initial_stress.layers[1].bottom",
+         "is -1 m, not below the layer above");
+  refuse("surface: -2 " + layer, "initial_stress.layers[0].bottom", "not below the surface");
+  refuse("xx: -1e3 surface: 3", "initial_stress.surface", "without layers");
+  refuse("xx: -1e3 surcharge: 3", "initial_stress.surcharge", "without layers");
+}
+
+}  // namespace
+}  // namespace adit::protocol
