@@ -21,5 +21,8 @@ namespace adit::dem {
 
 // The bond with the smallest critical step, of an assembly with at least one.
 CriticalElement critical_element(const Assembly& assembly, const BondStiffness& stiffness);
+inline double critical_step(const Assembly& assembly, const BondStiffness& stiffness) {
+  return critical_element(assembly, stiffness).step;
+}
 
 }  // namespace adit::dem

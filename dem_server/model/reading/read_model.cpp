@@ -115,11 +115,10 @@ void note_thin_ring(const scene::Particles& particles, Model& model) {
   const double rows =
       (ring.outer_radius() - ring.inner_radius()) / (std::numbers::sqrt3 * particles.packing().radius());
   if (rows < kRowsOfStiffRing)
-    model.notes.push_back(
-        fmt::format("the ring is about {:.1f} rows of particles thick; cut from a lattice of fewer than {:g} "
-                    "it is softer in "
-                    "bending than the solid, see the table of rings in docs/particles.md",
-                    rows, kRowsOfStiffRing));
+    model.notes.push_back(fmt::format(
+        "the ring is about {:.1f} rows of particles thick; one of fewer than {:g} rows is softer in "
+        "bending than the solid, see the table of rings in docs/particles.md",
+        rows, kRowsOfStiffRing));
 }
 
 void note_no_bonds(const scene::Particles& particles, Model& model) {
