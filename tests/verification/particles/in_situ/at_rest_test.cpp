@@ -61,7 +61,8 @@ TEST(InSitu, RandomDiscsStandStillUnderTheirWeight) {
   EXPECT_NEAR(test::MeanStress(settled.histories[0]).yy, -deepest / 2, 0.01 * deepest / 2);
 }
 
-// The same discs inside a continuum: after statics they stand, and bear the stress.
+// The same discs inside a continuum: weights in the overlap disturb their balance, and statics finds it again
+// within a twentieth of the stress's own strain; the stress is borne.
 TEST(InSitu, RandomDiscsInAContinuumStandStill) {
   const std::string continuum =
       "continuum { block { x_min: -12 x_max: 12 y_min: -12 y_max: 12 zones_x: 48 zones_y: 48 } "
@@ -74,7 +75,7 @@ TEST(InSitu, RandomDiscsInAContinuumStandStill) {
   const test::MeanStress mean(settled.histories[1]);
   EXPECT_NEAR(mean.xx, -5e5, 0.02 * 1e6);
   EXPECT_NEAR(mean.yy, -1e6, 0.02 * 1e6);
-  EXPECT_LE(test::Drawn(settled.stepper.snapshots()[1]).largest(), 0.02 * 1e6 / kStiffness * kSize);
+  EXPECT_LE(test::Drawn(settled.stepper.snapshots()[1]).largest(), 0.05 * 1e6 / kStiffness * kSize);
 }
 
 }  // namespace

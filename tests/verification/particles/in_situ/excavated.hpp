@@ -1,0 +1,93 @@
+// A tunnel in stressed ground of particles, a lattice in a continuum, beside Kirsch's solution of 1898.
+#pragma once
+
+#include <complex>
+
+#include "tests/verification/continuum/oracles/kirsch.hpp"
+#include "tests/verification/particles/in_situ/in_situ.hpp"
+
+namespace adit::test {
+
+using fdm::oracle::CartesianStress;
+using fdm::oracle::Kirsch;
+
+inline constexpr double kYoung = 1e9, kPoisson = 0.2, kShear = kYoung / (2 * (1 + kPoisson));
+inline constexpr CartesianStress kFar{-5e4, -1e5, 0};  // strains of less than a thousandth
+inline constexpr double kHole = 1.5;
+
+// Particles around the tunnel in a continuum whose outline, 30 radii away, is held.
+inline std::string tunnel_in_lattice(double disc, const std::string& more) {
+  return fmt::format(
+      "material {{ young_modulus: 1e9 poisson_ratio: 0.2 density: 2000 }} time {{ duration: 1e-3 }} "
+      "initial_stress {{ xx: {} yy: {} }} statics {{ unbalanced_ratio: 1e-5 count_from_stage: 1 }} "
+      "continuum {{ block {{ x_min: -45 x_max: 45 y_min: -45 y_max: 45 zones_x: 90 zones_y: 90 }} "
+      "motions {{ where {{ x_max: -45 }} velocity {{ x: 0 y: 0 }} }} "
+      "motions {{ where {{ x_min: 45 }} velocity {{ x: 0 y: 0 }} }} "
+      "motions {{ where {{ y_max: -45 }} velocity {{ x: 0 y: 0 }} }} "
+      "motions {{ where {{ y_min: 45 }} velocity {{ x: 0 y: 0 }} }} }} "
+      "interface {{ overlap {{ around {{ box {{ x_min: -5 x_max: 5 y_min: -5 y_max: 5 }} }} width: 1.5 }} }} "
+      "particles {{ packing {{ x_min: -7.1 x_max: 7.1 y_min: -7.1 y_max: 7.1 radius: {} }} {} }} ",
+      kFar.xx, kFar.yy, disc, more);
+}
+
+inline std::string excavation(const std::string& where, int stage, double released = 1) {
+  return fmt::format(
+      "excavations {{ where {{ circle {{ centre {{ x: 0 y: 0 }} radius: {} }} {} }} stage: {} released: "
+      "{} }} ",
+      kHole, where, stage, released);
+}
+
+// The radius of the circle as large as the cells that were taken away.
+inline double radius_of_hole(std::size_t taken, double disc) {
+  return std::sqrt(static_cast<double>(taken) * 2 * std::numbers::sqrt3 * disc * disc / std::numbers::pi);
+}
+
+// Difference from what a hole in ground without end does, from its wall to three radii, over that: root mean
+// squares. Single discs of the stepped wall differ by two to three times as much.
+inline double displacement_error(const Drawn& drawn, double radius) {
+  const Kirsch hole(radius, kFar, kShear, kPoisson), none(0, kFar, kShear, kPoisson);
+  double error = 0, sum = 0;
+  for (std::size_t i = 0; i < drawn.x.size(); ++i) {
+    const double x = drawn.x[i], y = drawn.y[i];
+    if (std::hypot(x, y) > 3 * radius) continue;
+    const auto u = hole.displacement(x, y) - none.displacement(x, y);
+    error += std::norm(u - std::complex(drawn.ux[i], drawn.uy[i]));
+    sum += std::norm(u);
+  }
+  return std::sqrt(error / sum);
+}
+
+// Mean of Kirsch's stress over a circle, weighed as that of particles (observe/circles.hpp).
+inline CartesianStress mean_stress(const Kirsch& exact, double x, double y, double radius) {
+  CartesianStress mean{0, 0, 0};
+  double total = 0;
+  constexpr int kRings = 20, kAngles = 40;
+  for (int k = 0; k < kRings; ++k)
+    for (int n = 0; n < kAngles; ++n) {
+      const double r = (k + 0.5) / kRings, angle = 2 * std::numbers::pi * n / kAngles;
+      const double weight = r * (1 - r * r) * (1 - r * r);
+      const auto s = exact.stress(x + radius * r * std::cos(angle), y + radius * r * std::sin(angle));
+      mean.xx += weight * s.xx;
+      mean.yy += weight * s.yy;
+      total += weight;
+    }
+  return {mean.xx / total, mean.yy / total, 0};
+}
+
+// Circles at the springline and at the crown, as near to the wall as they can lie.
+inline constexpr double kCircle = 0.6, kAway = kHole + 0.7;
+inline const std::string kHoop = stress_over(kAway, 0, kCircle) + stress_over(0, kAway, kCircle);
+
+inline void expect_kirsch(Settled& settled, double disc, double displacement, double hoop) {
+  const auto snapshot = settled.stepper.snapshots()[1];
+  const Drawn drawn(snapshot);
+  const auto all = static_cast<std::size_t>(snapshot.pieces(0).points_size()) / 2;
+  const double radius = radius_of_hole(all - drawn.x.size(), disc);
+  EXPECT_LT(displacement_error(drawn, radius), displacement);
+  const Kirsch exact(radius, kFar, kShear, kPoisson);
+  const auto stress = settled.histories[1];
+  EXPECT_NEAR(stress[1] / mean_stress(exact, kAway, 0, kCircle).yy, 1, hoop);
+  EXPECT_NEAR(stress[3] / mean_stress(exact, 0, kAway, kCircle).xx, 1, hoop);
+}
+
+}  // namespace adit::test
