@@ -1,7 +1,7 @@
 // Strengths of bonds from the tensile strength f_t, the cohesion c and the friction angle phi of a material.
 //
 // Contact bonds of the hexagonal lattice. A uniform stress s along the rows, where f_t and the unconfined
-// compressive strength UCS are matched, loads the bonds (initial_stress.hpp) along the rows by
+// compressive strength UCS are matched, loads the bonds (initial_state.hpp) along the rows by
 //   N = s R (3 kn + ks) / (sqrt(3) (kn + ks)),
 // and the slanting ones in shear by S = s R ks / (kn + ks), R being the radius. Hence the tensile strength
 // N(f_t) and the shear strength S(UCS), UCS = 2 c cos(phi) / (1 - sin(phi)). Along the rows the lattice is

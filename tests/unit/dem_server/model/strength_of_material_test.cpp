@@ -6,9 +6,10 @@
 
 #include <cmath>
 
-#include "dem_server/model/initial_stress.hpp"
+#include "dem_server/model/initial_state/initial_state.hpp"
 #include "dem_server/model/lattice.hpp"
 #include "dem_server/model/reading/read_model.hpp"
+#include "tests/support/lattice_model.hpp"
 #include "tests/unit/dem_server/cantilever_scene.hpp"
 
 namespace adit::dem {
@@ -30,13 +31,14 @@ scene::Scene rock() {
 struct Largest {
   double normal = 0, shear = 0;
 };
-Largest largest_under(const InitialStress& stress, const ContactBond& law, double radius) {
+Largest largest_under(const protocol::GroundStress& stress, const ContactBond& law, double radius) {
+  const ContactBond unbreakable{law.stiffness.normal, law.stiffness.shear};
+  Model model = test::lattice_in({0, 14 * radius, 0, 14 * radius}, radius, 2.0, unbreakable);
+  set_initial_state([&stress](double) { return stress; }, model);
   Largest largest;
-  for (const Direction direction : {Direction::kAlongRow, Direction::kUpRight, Direction::kUpLeft}) {
-    const auto [x, y] = rest_vector(direction, radius);
-    const auto [normal, shear] = initial_forces(stress, law.stiffness, {x, y, 2 * radius, 0});
-    largest.normal = std::max(largest.normal, normal);
-    largest.shear = std::max(largest.shear, std::abs(shear));
+  for (const Bond& bond : model.bonds) {
+    largest.normal = std::max(largest.normal, bond.at_rest.normal);
+    largest.shear = std::max(largest.shear, std::abs(bond.at_rest.shear));
   }
   return largest;
 }
@@ -46,13 +48,13 @@ TEST(StrengthOfMaterial, OfContactBondsIsReachedAtTheMaterialsStrengths) {
   ASSERT_EQ(model.contact_bonds.size(), 1u);
   const ContactBond& law = model.contact_bonds.front();
   const double radius = test::kCantileverRadius;
-  EXPECT_NEAR(largest_under({kTension, 0, 0}, law, radius).normal / law.tensile_strength, 1, 1e-12);
+  EXPECT_NEAR(largest_under({kTension, 0, 0, {}}, law, radius).normal / law.tensile_strength, 1, 1e-12);
   const double compressive = 2 * kCohesion * std::cos(kFriction) / (1 - std::sin(kFriction));
-  EXPECT_NEAR(largest_under({-compressive, 0, 0}, law, radius).shear / law.shear_strength, 1, 1e-12);
+  EXPECT_NEAR(largest_under({-compressive, 0, 0, {}}, law, radius).shear / law.shear_strength, 1, 1e-12);
   // Across the rows tension breaks bonds at a larger stress.
   const auto [kn, ks] = law.stiffness;
   const double across = kTension * (3 * kn + ks) / (2 * kn + ks);
-  EXPECT_NEAR(largest_under({0, across, 0}, law, radius).normal / law.tensile_strength, 1, 1e-12);
+  EXPECT_NEAR(largest_under({0, across, 0, {}}, law, radius).normal / law.tensile_strength, 1, 1e-12);
 }
 
 TEST(StrengthOfMaterial, OfAStripIsScaledByItsRows) {
