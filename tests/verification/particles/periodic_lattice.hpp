@@ -88,6 +88,7 @@ inline Assembly periodic(const LatticeDirection& lattice, std::uint32_t count, d
   for (auto* zeroed :
        {&p.ux, &p.uy, &p.settled_x, &p.settled_y, &p.vx, &p.vy, &p.spin, &p.fx, &p.fy, &p.moment})
     zeroed->assign(p.size(), 0.0);
+  p.radius.assign(p.size(), 0.5);
   p.weight.assign(p.size(), 1.0);
   p.mass.assign(p.size(), mass);
   p.inertia.assign(p.size(), mass / 8);

@@ -29,11 +29,11 @@ TEST(SceneErrors, UnknownKeyGetsTheNearestNameAndTheKnownOnes) {
   EXPECT_EQ(
       about("particles:\n  packing:\n    radus: 1 m\n"),
       "x.yaml:5:5: particles.packing.radus: unknown; did you mean `radius`? known here: x_min, x_max, y_min, "
-      "y_max, radius");
+      "y_max, radius, bends_as_solid");
   EXPECT_EQ(
       about("fluid: 3\n"),
       "x.yaml:3:1: fluid: unknown; known here: extends, name, description, plane, material, time, continuum, "
-      "particles, interface, output, simplified, regions, interfaces, initial_stress, statics");
+      "particles, interface, output, simplified, regions, interfaces, initial_stress, statics, tunnels");
   EXPECT_THAT(about("<<: {}\n"), StartsWith("x.yaml:3:1: <<: unknown; known here"));
 }
 
