@@ -74,6 +74,9 @@ void LocalEngine::take_stage(const Model& model) {
   group_ = model.group;
   present_ = model.present.empty() ? model.discs.size()
                                    : static_cast<std::size_t>(std::ranges::count(model.present, true));
+  // Sections know the bonds that cross them by their numbers, which are others now.
+  if (const auto& cuts = lining_.sections.cuts(); !cuts.empty())
+    lining_.sections = Sections({cuts.begin(), cuts.end()}, particles(), all_bonds(*this));
 }
 
 Unrest LocalEngine::unrest(const protocol::Step& step) {

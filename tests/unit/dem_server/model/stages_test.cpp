@@ -121,6 +121,34 @@ TEST(ParticleStages, ChangeTheEngine) {
   EXPECT_LT(largest_force_of_plug(), 1e-6);
 }
 
+// A section goes on to tell the force of the bonds that cross it, whose numbers a stage changes.
+TEST(ParticleStages, LeaveSectionsWhatCrossesThem) {
+  auto scene = staged();
+  auto& section = *scene.mutable_particles()->add_sections();
+  section.set_name("right");
+  test::set(*section.mutable_from(), 5, -1);
+  test::set(*section.mutable_to(), 5, 5);
+  auto& history = *scene.mutable_particles()->add_histories();
+  history.set_name("right");
+  history.set_quantity(scene::THRUST);
+  history.set_section("right");
+  GeneralEngine engine(read_model(scene), 1);
+  engine.watch(scene.particles());
+  Particles& p = engine.particles();
+  for (std::size_t i = 0; i < p.size(); ++i) p.ux[i] = 1e-3 * p.x[i];
+  const auto thrust = [&] {
+    google::protobuf::RepeatedField<double> values;
+    engine.read_histories({0, 1e-6}, values);
+    return values.Get(0);
+  };
+  const double before = thrust();
+  EXPECT_GT(before, 1);
+  for (const std::uint32_t stage : {1u, 3u}) {
+    engine.begin_stage(stage);
+    EXPECT_NEAR(thrust(), before, 1e-12 * before) << stage;
+  }
+}
+
 TEST(ParticleStages, AskForTheGeneralEngineAndForStatics) {
   auto lattice = staged();
   lattice.mutable_particles()->clear_square_packing();
