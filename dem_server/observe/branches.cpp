@@ -126,7 +126,8 @@ std::vector<Tensor> particle_stress(const Observable& observed) {
   for (const auto& [i, x, y, fx, fy] : observed.wall_touches()) add(i, x, y, fx, fy);
   const std::vector<double> areas = observed.cell_areas();
   for (std::size_t i = 0; i < moments.size(); ++i)
-    for (double* component : {&moments[i].xx, &moments[i].yy, &moments[i].xy}) *component /= areas[i];
+    if (areas[i] > 0)  // the particle was not taken away
+      for (double* component : {&moments[i].xx, &moments[i].yy, &moments[i].xy}) *component /= areas[i];
   return moments;
 }
 

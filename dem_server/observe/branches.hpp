@@ -29,7 +29,8 @@ std::vector<PairForce> pair_forces_of(const Observable& observed, std::span<cons
 // the forces f on its surface at the arms c from its centre is
 //   sigma = 1/A sum c x f,     by the divergence theorem,
 // of which the symmetric part is taken (bonds also bend). It is exact for an even state of a lattice; loads
-// and ties to another model add nothing, so that it is too small where they act.
+// and ties to another model add nothing, so that it is too small where they act. 0 of particles that were
+// taken away.
 std::vector<Tensor> particle_stress(const Observable& observed);
 
 // Of all sections, as they are now.
