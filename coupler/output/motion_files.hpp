@@ -20,8 +20,8 @@ void write_response(const std::filesystem::path& path, const motion::Motion& mot
 // The Fourier amplitude of the acceleration from 0 to the Nyquist frequency.
 void write_fourier(const std::filesystem::path& path, const motion::Motion& motion);
 
-// The smoothed Fourier amplitudes of two motions and their ratio, which is `nan` where the amplitude of `from`
-// is below a few percent of its largest. Returns the largest ratio and its frequency.
+// The smoothed Fourier amplitudes of two motions and their ratio, which is `nan` where the amplitude of
+// `from` is below a few percent of its largest. Returns the largest ratio and its frequency.
 struct Amplification {
   double frequency, ratio;  // [Hz]
 };

@@ -8,6 +8,7 @@
 #include "coupler/exchange/exchange.hpp"
 #include "coupler/stepping/progress.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/ground/stages.hpp"
 
 namespace adit::coupler {
 namespace {
@@ -50,30 +51,13 @@ struct State {
 
 // 0, the ground as it is in the beginning, and the stages of excavation and of what is installed.
 std::set<std::uint32_t> stages(const scene::Scene& scene) {
-  std::set<std::uint32_t> found{0};
-  // What an excavation does not release at once it releases in the stage that follows.
-  const auto add_excavations = [&found](const auto& excavations) {
-    for (const auto& excavation : excavations) {
-      found.insert(excavation.stage());
-      if (excavation.stage() > 0 && excavation.released() < 1) found.insert(excavation.stage() + 1);
-    }
-  };
-  const auto add_particles = [&](const scene::Particles& particles) {
-    add_excavations(particles.excavations());
-    for (const auto& group : particles.groups()) found.insert(group.stage());
-    for (const auto& joint : particles.joints()) found.insert(joint.stage());
-    for (const auto& spring : particles.springs()) found.insert(spring.stage());
-  };
-  const auto add = [&](const scene::Continuum& continuum) {
-    add_excavations(continuum.excavations());
-    for (const auto& lining : continuum.linings()) found.insert(lining.stage());
-    for (const auto& bolt : continuum.bolts()) found.insert(bolt.stage());
-  };
+  std::set<std::uint32_t> found;
+  const auto add = [&found](const auto& model) { found.merge(protocol::stages_of(model)); };
   add(scene.continuum());
-  add_particles(scene.particles());
+  add(scene.particles());
   for (const scene::Region& region : scene.regions()) {
     add(region.continuum());
-    add_particles(region.particles());
+    add(region.particles());
   }
   return found;
 }

@@ -10,6 +10,15 @@
 #include "dem_server/observe/snapshot.hpp"
 
 namespace adit::dem {
+namespace {
+
+// Displacements count from here.
+void settle(Particles& p) {
+  p.settled_x = p.ux;
+  p.settled_y = p.uy;
+}
+
+}  // namespace
 
 std::vector<double> LocalEngine::cell_areas() const {
   const Particles& p = particles();
@@ -94,16 +103,12 @@ void LocalEngine::start_over() {
   Particles& p = particles();
   dem::stop(p);
   relaxation_.reset();
-  if (counts_from_stage_) return;
-  p.settled_x = p.ux;
-  p.settled_y = p.uy;
+  if (!counts_from_stage_) settle(p);
 }
 
 void LocalEngine::count_displacements() {
   counts_from_stage_ = true;
-  Particles& p = particles();
-  p.settled_x = p.ux;
-  p.settled_y = p.uy;
+  settle(particles());
 }
 
 void LocalEngine::snapshot(wire::Snapshot& snapshot) const {

@@ -5,6 +5,39 @@
 #include "protocol/errors.hpp"
 
 namespace adit::protocol {
+namespace {
+
+template <class Entries>
+void add(const Entries& entries, std::set<std::uint32_t>& stages) {
+  for (const auto& entry : entries) stages.insert(entry.stage());
+}
+
+// What an excavation does not release at once it releases in the stage that follows.
+template <class Model>
+std::set<std::uint32_t> stages_of_excavations(const Model& model) {
+  std::set<std::uint32_t> stages{0};
+  add(model.excavations(), stages);
+  for (const scene::Excavation& excavation : model.excavations())
+    if (excavation.stage() > 0 && excavation.released() < 1) stages.insert(excavation.stage() + 1);
+  return stages;
+}
+
+}  // namespace
+
+std::set<std::uint32_t> stages_of(const scene::Particles& particles) {
+  std::set<std::uint32_t> stages = stages_of_excavations(particles);
+  add(particles.groups(), stages);
+  add(particles.joints(), stages);
+  add(particles.springs(), stages);
+  return stages;
+}
+
+std::set<std::uint32_t> stages_of(const scene::Continuum& continuum) {
+  std::set<std::uint32_t> stages = stages_of_excavations(continuum);
+  add(continuum.linings(), stages);
+  add(continuum.bolts(), stages);
+  return stages;
+}
 
 void require_statics(const scene::Scene& scene, std::uint32_t stage, const std::string& path) {
   if (stage == 0 || scene.has_statics()) return;

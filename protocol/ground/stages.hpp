@@ -2,11 +2,17 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 
 #include "protocol/messages/scene.pb.h"
 
 namespace adit::protocol {
+
+// Stage 0, each in which something is excavated, begins or is installed, and each in which what an excavation
+// has held is let go.
+std::set<std::uint32_t> stages_of(const scene::Particles& particles);
+std::set<std::uint32_t> stages_of(const scene::Continuum& continuum);
 
 // UserError at `path`.stage for a stage after 0 in a scene without statics.
 void require_statics(const scene::Scene& scene, std::uint32_t stage, const std::string& path);

@@ -40,12 +40,9 @@ GeneralEngine::GeneralEngine(std::size_t threads, Model model)
       lists_(solver_.neighbours().lists()) {}
 
 CriticalElement GeneralEngine::critical_element() const {
-  CriticalElement least = dem::critical_element(model_);
-  for (const Model& model : all_stages(model_)) {
-    const CriticalElement element = dem::critical_element(model);
-    if (element.step < least.step) least = element;
-  }
-  return least;
+  std::vector<CriticalElement> elements;
+  for (const Model& model : all_stages(model_)) elements.push_back(dem::critical_element(model));
+  return std::ranges::min(elements, {}, &CriticalElement::step);
 }
 
 void GeneralEngine::tie(std::span<const double> places, wire::Operator& op) {

@@ -113,6 +113,11 @@ LinearContact read_contact(const scene::ParticleContacts& contacts,
           contacts.shear_damping()};
 }
 
+std::uint32_t begin_of_group(const scene::Particles& particles, std::uint32_t group) {
+  const int number = static_cast<int>(group) - 1;  // that of a ring's lining may stand in no list
+  return number >= 0 && number < particles.groups_size() ? particles.groups(number).stage() : 0;
+}
+
 std::vector<std::uint32_t> assign_groups(const scene::Particles& particles, const Placement& placement,
                                          std::uint32_t stage) {
   std::vector<std::uint32_t> group(placement.discs.size(), 0);

@@ -37,6 +37,9 @@ std::vector<Group> read_groups(const scene::Scene& scene);
 LinearContact read_contact(const scene::ParticleContacts& contacts,
                            const std::function<BondStiffness()>& otherwise);
 
+// The stage with which a group begins, by its number among read_groups().
+std::uint32_t begin_of_group(const scene::Particles& particles, std::uint32_t group);
+
 // The group of each disc in a stage of excavation.
 std::vector<std::uint32_t> assign_groups(const scene::Particles& particles, const Placement& placement,
                                          std::uint32_t stage);

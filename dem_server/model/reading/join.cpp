@@ -187,10 +187,7 @@ std::vector<JointLine> read_lines(const scene::Particles& particles) {
 std::vector<std::uint32_t> begin_of_joints(const scene::Particles& particles, const Discs& discs,
                                            const std::vector<JointLine>& lines, const std::vector<Pair>& near,
                                            const std::vector<std::uint32_t>& group) {
-  const auto begin_of = [&](std::uint32_t disc) {
-    const int number = static_cast<int>(group[disc]) - 1;  // that of a ring's lining may stand in no list
-    return number >= 0 && number < particles.groups_size() ? particles.groups(number).stage() : 0;
-  };
+  const auto begin_of = [&](std::uint32_t disc) { return begin_of_group(particles, group[disc]); };
   std::vector<std::uint32_t> begin;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const auto& joint = particles.joints(static_cast<int>(k));

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "dem_server/model/placement/groups.hpp"
 #include "protocol/errors.hpp"
@@ -32,27 +31,16 @@ std::vector<Taken> read_excavations(const scene::Particles& particles, const Pla
   return taken;
 }
 
-std::set<std::uint32_t> stage_numbers(const scene::Scene& scene) {
-  std::set<std::uint32_t> numbers{0};
-  const auto add = [&](const char* list, const auto& entries) {
-    for (int k = 0; k < entries.size(); ++k) {
+void require_statics(const scene::Scene& scene) {
+  const auto require = [&](const char* list, const auto& entries) {
+    for (int k = 0; k < entries.size(); ++k)
       protocol::require_statics(scene, entries[k].stage(), fmt::format("particles.{}[{}]", list, k));
-      numbers.insert(entries[k].stage());
-    }
   };
   const auto& particles = scene.particles();
-  add("excavations", particles.excavations());
-  add("groups", particles.groups());
-  add("joints", particles.joints());
-  add("springs", particles.springs());
-  for (const auto& excavation : particles.excavations())
-    if (excavation.stage() > 0 && excavation.released() < 1) numbers.insert(excavation.stage() + 1);
-  return numbers;
-}
-
-std::uint32_t begin_of_group(const scene::Particles& particles, std::uint32_t group) {
-  const int number = static_cast<int>(group) - 1;  // that of a ring's lining may stand in no list
-  return number >= 0 && number < particles.groups_size() ? particles.groups(number).stage() : 0;
+  require("excavations", particles.excavations());
+  require("groups", particles.groups());
+  require("joints", particles.joints());
+  require("springs", particles.springs());
 }
 
 // Sets which discs are there, and what those that vanish leave behind.
@@ -77,8 +65,9 @@ std::vector<ParticleStage> read_stages(const scene::Scene& scene, const Placemen
   const auto& particles = scene.particles();
   const std::size_t discs = placement.discs.size();
   const auto taken = read_excavations(particles, placement);
+  require_statics(scene);
   std::vector<ParticleStage> stages;
-  for (const std::uint32_t number : stage_numbers(scene)) {
+  for (const std::uint32_t number : protocol::stages_of(particles)) {
     ParticleStage stage{number, std::vector<bool>(discs, true), assign_groups(particles, placement, number),
                         std::vector<double>(discs, 0.0)};
     excavate(particles, taken, stages.empty() ? nullptr : &stages.back(), stage);
