@@ -3,15 +3,14 @@
 #include <algorithm>
 
 namespace adit::dem {
-namespace {
 
 const LinearContact& contact_of(const Model& model, const Bond& bond) {
   return model.contacts[model.contact_number(model.group[bond.first], model.group[bond.second])];
 }
 
-}  // namespace
+namespace {
 
-BondSprings whole_springs(const Model& model, const Bond& bond) {
+BondSprings whole_springs(const Model& model, const Bond& bond, const LinearContact& contact) {
   switch (bond.law) {
     case Bond::Law::kContactBond: {
       const ContactBond& law = model.contact_bonds[bond.number];
@@ -20,7 +19,6 @@ BondSprings whole_springs(const Model& model, const Bond& bond) {
     }
     case Bond::Law::kParallelBond: {
       const ParallelBond& law = model.parallel_bonds[bond.number];
-      const LinearContact& contact = contact_of(model, bond);
       return {law.normal_stiffness * law.area() + contact.normal_stiffness,
               law.shear_stiffness * law.area() + contact.shear_stiffness,
               law.normal_stiffness * law.second_moment()};
@@ -33,10 +31,19 @@ BondSprings whole_springs(const Model& model, const Bond& bond) {
   return {};
 }
 
+}  // namespace
+
+BondSprings whole_springs(const Model& model, const Bond& bond) {
+  return whole_springs(model, bond, contact_of(model, bond));
+}
+
 BondSprings stiffest_springs(const Model& model, const Bond& bond) {
-  BondSprings springs = whole_springs(model, bond);
+  return stiffest_springs(model, bond, contact_of(model, bond));
+}
+
+BondSprings stiffest_springs(const Model& model, const Bond& bond, const LinearContact& contact) {
+  BondSprings springs = whole_springs(model, bond, contact);
   if (bond.law == Bond::Law::kContactBond) {  // the contact takes its place when it breaks
-    const LinearContact& contact = contact_of(model, bond);
     const double factor = model.contact_bonds[bond.number].factors.stiffness;
     springs.kn = std::max(springs.kn, contact.normal_stiffness * factor);
     springs.ks = std::max(springs.ks, contact.shear_stiffness);

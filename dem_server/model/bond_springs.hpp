@@ -8,7 +8,12 @@ namespace adit::dem {
 // While it is whole, with the contact beside it.
 BondSprings whole_springs(const Model& model, const Bond& bond);
 
-// The stiffest ones that it has in any state: whole or broken.
+// The stiffest ones that it has in any state: whole or broken. `contact`: that of its discs, which acts
+// beside a parallel bond and in place of a broken one.
 BondSprings stiffest_springs(const Model& model, const Bond& bond);
+BondSprings stiffest_springs(const Model& model, const Bond& bond, const LinearContact& contact);
+
+// The contact of the bond's discs.
+const LinearContact& contact_of(const Model& model, const Bond& bond);
 
 }  // namespace adit::dem

@@ -26,11 +26,27 @@ struct Share {
   std::vector<double> stretch, turn;
 };
 
-Element element_of(const Model& model, const Bond& bond) {
+// A contact's spring with its dashpot; `inverse_mass` is 1 / m*.
+double effective(double k, double beta, double inverse_mass, double dt) {
+  if (beta == 0 || k == 0) return k;
+  const double x = dt * std::sqrt(k * inverse_mass);
+  return k * std::max(1.0, (1 + 4 * beta / x) / (1 + beta * x));
+}
+
+// Of discs, J = m R^2 / 2: a slip at the surface meets three times the inverse mass.
+LinearContact effective(const LinearContact& contact, double inverse_mass, double dt) {
+  LinearContact with = contact;
+  with.normal_stiffness = effective(contact.normal_stiffness, contact.normal_damping, inverse_mass, dt);
+  with.shear_stiffness = effective(contact.shear_stiffness, contact.shear_damping, 3 * inverse_mass, dt);
+  return with;
+}
+
+Element element_of(const Model& model, const Bond& bond, double dt) {
   const std::uint32_t i = bond.first, j = bond.second;
   const double length = std::hypot(model.discs.x[j] - model.discs.x[i], model.discs.y[j] - model.discs.y[i]);
   const double arm_1 = (length + model.discs.radius[i] - model.discs.radius[j]) / 2;
-  const BondSprings springs = stiffest_springs(model, bond);
+  const LinearContact contact = effective(contact_of(model, bond), 1 / model.mass[i] + 1 / model.mass[j], dt);
+  const BondSprings springs = stiffest_springs(model, bond, contact);
   const char* kind = bond.law == Bond::Law::kSmoothJoint ? "joint" : "bond";
   return {kind, i, j, springs.kn, springs.ks, springs.km, arm_1, length - arm_1};
 }
@@ -42,6 +58,22 @@ Element element_of(const Model& model, const Spring& spring) {
   const double length = std::hypot(model.discs.x[j] - model.discs.x[i], model.discs.y[j] - model.discs.y[i]);
   const double arm_1 = (length + model.discs.radius[i] - model.discs.radius[j]) / 2;
   return {"spring", i, j, spring.stiffness, spring.stiffness, 0, arm_1, length - arm_1};
+}
+
+bool can_break(const Model& model, const Bond& bond) {
+  switch (bond.law) {
+    case Bond::Law::kContactBond: {
+      const ContactBond& law = model.contact_bonds[bond.number];
+      return std::min(law.tensile_strength, law.shear_strength) < kUnbreakable;
+    }
+    case Bond::Law::kParallelBond: {
+      const ParallelBond& law = model.parallel_bonds[bond.number];
+      return std::min(law.tensile_strength, law.cohesion) < kUnbreakable;
+    }
+    case Bond::Law::kSmoothJoint:
+      return true;  // it slides, and its discs part
+  }
+  return true;
 }
 
 std::uint32_t most_neighbours(double radius, double smallest) {
@@ -74,63 +106,134 @@ struct Stiffest {
   }
 };
 
-}  // namespace
+// The hardest contact that a disc can have with another or a wall, and the largest ks / k of any.
+struct Hardest {
+  double kn = 0, ks = 0, slip = 0;
+  double k() const { return std::max(kn, ks); }
+  void add(const LinearContact& contact) {
+    kn = std::max(kn, contact.normal_stiffness);
+    ks = std::max(ks, contact.shear_stiffness);
+    slip = std::max(
+        slip, over(contact.shear_stiffness, std::max(contact.normal_stiffness, contact.shear_stiffness)));
+  }
+};
 
-CriticalElement critical_element(const Model& model) {
-  const std::size_t size = model.discs.size();
+class Touching {
+ public:
+  explicit Touching(const Model& model)
+      : model_(model),
+        smallest_(*std::ranges::min_element(model.discs.radius)),
+        heaviest_(*std::ranges::max_element(model.mass)) {}
+
+  // The largest omega^2 of an element in steps of dt.
+  Stiffest stiffest(double dt) const;
+
+ private:
+  Hardest contact_of_disc(std::uint32_t i, double dt) const;
+  Hardest wall_of_disc(std::uint32_t i, double dt) const;
+  std::vector<Element> elements(double dt) const;
+
+  const Model& model_;
+  double smallest_, heaviest_;
+};
+
+Hardest Touching::contact_of_disc(std::uint32_t i, double dt) const {
+  Hardest hardest;
+  for (std::uint32_t g = 0; g < model_.groups(); ++g)
+    hardest.add(effective(model_.contacts[model_.contact_number(model_.group[i], g)],
+                          1 / model_.mass[i] + 1 / heaviest_, dt));
+  return hardest;
+}
+
+Hardest Touching::wall_of_disc(std::uint32_t i, double dt) const {
+  Hardest hardest;
+  for (const MovingWall& wall : model_.walls) hardest.add(effective(wall.contact, 1 / model_.mass[i], dt));
+  return hardest;
+}
+
+std::vector<Element> Touching::elements(double dt) const {
   std::vector<Element> elements;
-  std::vector<std::uint32_t> joined(size, 0);
-  for (const Bond& bond : model.bonds) {
-    elements.push_back(element_of(model, bond));
-    ++joined[bond.first];
-    ++joined[bond.second];
-  }
-  for (const Spring& spring : model.springs) elements.push_back(element_of(model, spring));
+  for (const Bond& bond : model_.bonds) elements.push_back(element_of(model_, bond, dt));
+  for (const Spring& spring : model_.springs) elements.push_back(element_of(model_, spring));
+  return elements;
+}
 
+Stiffest Touching::stiffest(double dt) const {
+  const std::size_t size = model_.discs.size();
+  const std::vector<Element> elements = this->elements(dt);
+  std::vector<std::uint32_t> joined(size, 0);
   Share share{std::vector<double>(size, 0.0), std::vector<double>(size, 0.0)};
-  for (const Element& e : elements) {
-    share.stretch[e.first] += e.k();
-    share.stretch[e.second] += e.k();
-    share.turn[e.first] += e.turning_1();
-    share.turn[e.second] += e.turning_2();
+  std::vector<Hardest> contacts(size);
+  for (std::uint32_t i = 0; i < size; ++i) contacts[i] = contact_of_disc(i, dt);
+  for (std::size_t k = 0; k < elements.size(); ++k) {
+    const Element& e = elements[k];
+    const bool bond = k < model_.bonds.size(), breaks = bond && can_break(model_, model_.bonds[k]);
+    const auto add = [&](std::uint32_t i, double turning) {
+      const Hardest contact = breaks ? contacts[i] : Hardest{};
+      const double radius = model_.discs.radius[i];
+      share.stretch[i] += std::max(e.k(), contact.k());
+      share.turn[i] += contact.ks > e.ks ? std::max(turning, contact.ks * radius * radius) : turning;
+      joined[i] += bond;
+    };
+    add(e.first, e.turning_1());
+    add(e.second, e.turning_2());
   }
-  double wall_kn = 0, wall_ks = 0;
-  for (const MovingWall& wall : model.walls) {
-    wall_kn = std::max(wall_kn, wall.contact.normal_stiffness);
-    wall_ks = std::max(wall_ks, wall.contact.shear_stiffness);
-  }
-  const double walls = std::min<double>(2, static_cast<double>(model.walls.size()));
-  const double smallest = *std::ranges::min_element(model.discs.radius);
+  const double walls = std::min<double>(2, static_cast<double>(model_.walls.size()));
   Stiffest stiffest, one_contact;  // `one_contact`: a disc's part of that of a contact
   for (std::uint32_t i = 0; i < size; ++i) {
-    double kn = 0, ks = 0;
-    for (std::uint32_t g = 0; g < model.groups(); ++g) {
-      const LinearContact& contact = model.contacts[model.contact_number(model.group[i], g)];
-      kn = std::max(kn, contact.normal_stiffness);
-      ks = std::max(ks, contact.shear_stiffness);
-    }
-    const double radius = model.discs.radius[i];
-    const std::uint32_t most = most_neighbours(radius, smallest);
+    const Hardest &contact = contacts[i], wall = wall_of_disc(i, dt);
+    const double radius = model_.discs.radius[i];
+    const std::uint32_t most = most_neighbours(radius, smallest_);
     const double free = most > joined[i] ? most - joined[i] : 0;
-    share.stretch[i] += free * std::max(kn, ks) + walls * std::max(wall_kn, wall_ks);
-    share.turn[i] += (free * ks + walls * wall_ks) * radius * radius;
-    share.stretch[i] /= model.mass[i];
-    share.turn[i] /= model.inertia(i);
+    share.stretch[i] += free * contact.k() + walls * wall.k();
+    share.turn[i] += (free * contact.ks + walls * wall.ks) * radius * radius;
+    share.stretch[i] /= model_.mass[i];
+    share.turn[i] /= model_.inertia(i);
     if (free + walls == 0) continue;
-    const double slip = share.stretch[i] + share.turn[i];
-    stiffest.see(slip, "contact", i, i);  // on a wall
+    stiffest.see(share.stretch[i] + share.turn[i], "contact", i, i);  // on a wall
     if (free == 0) continue;
     one_contact.see(share.stretch[i], "contact", i, i);
-    if (ks > 0) one_contact.see(share.stretch[i] * std::min(1.0, ks / kn) + share.turn[i], "contact", i, i);
+    if (contact.ks > 0) one_contact.see(share.stretch[i] * contact.slip + share.turn[i], "contact", i, i);
   }
   stiffest.see(2 * one_contact.squared, "contact", one_contact.first, one_contact.second);
   for (const Element& e : elements) stiffest.see(highest(e, share), e.kind, e.first, e.second);
+  return stiffest;
+}
+
+bool any_dashpots(const Model& model) {
+  const auto damped = [](const LinearContact& c) { return c.normal_damping > 0 || c.shear_damping > 0; };
+  return std::ranges::any_of(model.contacts, damped) ||
+         std::ranges::any_of(model.walls, damped, &MovingWall::contact);
+}
+
+// The largest step that the dashpots leave stable, of one that springs alone allow.
+double with_dashpots(const Touching& touching, double unstable) {
+  constexpr int kBisections = 30;
+  double stable = 0;
+  for (int k = 0; k < kBisections; ++k) {
+    const double middle = (stable + unstable) / 2;
+    (touching.stiffest(middle).squared * middle * middle <= 4 ? stable : unstable) = middle;
+  }
+  return stable;
+}
+
+}  // namespace
+
+CriticalElement critical_element(const Model& model) {
+  const Touching touching(model);
+  // Infinitely long steps see the springs alone: their contacts' effective stiffness is k.
+  Stiffest stiffest = touching.stiffest(std::numeric_limits<double>::infinity());
+  double step =
+      stiffest.squared > 0 ? 2 / std::sqrt(stiffest.squared) : std::numeric_limits<double>::infinity();
+  if (stiffest.squared > 0 && any_dashpots(model)) {
+    step = with_dashpots(touching, step);
+    stiffest = touching.stiffest(step);
+  }
   const auto middle = [&stiffest](const std::vector<double>& at) {
     return (at[stiffest.first] + at[stiffest.second]) / 2;
   };
-  const double step =
-      stiffest.squared > 0 ? 2 / std::sqrt(stiffest.squared) : std::numeric_limits<double>::infinity();
-  return {step, stiffest.kind, middle(model.discs.x), middle(model.discs.y)};
+  return {step / std::sqrt(1 + model.local_damping), stiffest.kind, middle(model.discs.x),
+          middle(model.discs.y)};
 }
 
 }  // namespace adit::dem

@@ -91,6 +91,34 @@ TEST(DiscsLedger, ClosesAtEveryStepOfACrushing) {
     EXPECT_GT(account.shares.at(name), 0) << name;
 }
 
+// Requirement: the critical step holds for the contacts and dashpots that appear where bonds break. A
+// lattice, whose bound is tight, is crushed at 0.95 of it: the time step neither makes nor takes more than a
+// hundredth of the work. At the step that the springs alone would allow, 1 / 0.6 times as long, dashpots make
+// energy of nothing.
+TEST(DiscsLedger, StaysClosedNearTheCriticalStepWhereBondsBreak) {
+  scene::Scene scene = crushing();
+  auto& particles = *scene.mutable_particles();
+  auto& packing = *particles.mutable_packing();  // in place of the random one
+  packing.set_x_min(0);
+  packing.set_x_max(0.05);
+  packing.set_y_min(0);
+  packing.set_y_max(0.08);
+  packing.set_radius(2e-3);
+  particles.mutable_bonds()->Clear();
+  particles.mutable_bonds()->set_tensile_strength(2e4);
+  particles.mutable_bonds()->set_shear_strength(4e4);
+  particles.mutable_contacts()->clear_normal_stiffness();
+  particles.mutable_contacts()->clear_shear_stiffness();
+  for (const double damping : {0.2, 0.5}) {
+    particles.mutable_contacts()->set_normal_damping(damping);
+    particles.mutable_contacts()->set_shear_damping(damping);
+    const Account account = crush(scene, 0.95, 6e-4);
+    EXPECT_GT(account.cracks, 50u);
+    EXPECT_LT(std::abs(account.time_step), 1e-2 * account.work) << damping;
+  }
+  EXPECT_GT(crush(scene, 0.95 / 0.6, 6e-4).time_step, 1.0);
+}
+
 // Nothing but springs that turn, stretch, slip and bend: what the time step costs falls by four as dt halves.
 TEST(DiscsLedger, TheTimeStepsShareIsOfSecondOrder) {
   Model model = test::loose_discs({{0, 0, 0.1}, {0.2, 0, 0.1}, {0.35, 0, 0.05}, {0.45, 0, 0.05}}, {0, 0, 0});
