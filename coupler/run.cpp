@@ -30,47 +30,99 @@ constexpr double kRunawayShareOfSubsteps = 0.5;
 
 struct Fastest {
   double x = 0, y = 0, speed = -1;  // [m], [m/s]; a speed of NaN counts as infinite
+  std::size_t participant = 0;
 };
+
+// The velocities of a piece's points, or none.
+const wire::Field* velocities(const wire::Piece& piece) {
+  for (const wire::Field& field : piece.point_fields())
+    if (field.name() == "velocity_m_per_s" && field.components() >= 2 &&
+        field.values_size() / static_cast<int>(field.components()) == piece.points_size() / 2)
+      return &field;
+  return nullptr;
+}
 
 Fastest find_fastest(const std::vector<wire::Snapshot>& snapshots) {
   Fastest fastest;
-  for (const wire::Snapshot& snapshot : snapshots)
-    for (const wire::Piece& piece : snapshot.pieces())
-      for (const wire::Field& field : piece.point_fields()) {
-        const int size = static_cast<int>(field.components());
-        if (field.name() != "velocity_m_per_s" || size < 2 ||
-            field.values_size() / size != piece.points_size() / 2)
-          continue;
-        for (int i = 0; i < piece.points_size() / 2; ++i) {
-          const double speed = std::hypot(field.values(size * i), field.values(size * i + 1));
-          if (!(speed <= fastest.speed)) fastest = {piece.points(2 * i), piece.points(2 * i + 1), speed};
-        }
+  for (std::size_t s = 0; s < snapshots.size(); ++s)
+    for (const wire::Piece& piece : snapshots[s].pieces()) {
+      const wire::Field* field = velocities(piece);
+      if (!field) continue;
+      const int size = static_cast<int>(field->components());
+      for (int i = 0; i < piece.points_size() / 2; ++i) {
+        const double speed = std::hypot(field->values(size * i), field->values(size * i + 1));
+        if (!(speed <= fastest.speed)) fastest = {piece.points(2 * i), piece.points(2 * i + 1), speed, s};
       }
+    }
   return fastest;
 }
 
-void require_bounded_energy(Stepper& stepper, const Model& model, std::uint64_t n) {
-  const double drift = stepper.ledger().drift();
-  if (drift <= (model.substeps > 1 ? kRunawayShareOfSubsteps : kRunawayShare)) return;
-  const Fastest fastest = find_fastest(stepper.snapshots());
-  throw protocol::Unstable(fmt::format(
-      "step {} (t = {:g} s): the energy of the model exceeds the work done on it by {:.0f} % of its "
-      "peak; the fastest point is at ({:g}, {:g}) m with {:g} m/s; the run is unstable, choose a smaller "
-      "time.dt_factor",
-      n, static_cast<double>(n) * model.dt, 100 * drift, fastest.x, fastest.y, fastest.speed));
+// What helps depends on what runs away.
+std::string remedy(const Model& model, const Participant& fastest) {
+  std::string text = "choose a smaller time.dt_factor";
+  if (model.substeps > 1) text += ", or `time.substeps: 1`";
+  if (fastest.member.role == Role::kParticles)
+    text +=
+        "; if it stops at the same time whatever the step, look for loose particles "
+        "(particles.remove_floaters) "
+        "and for contacts without damping there (contacts.normal_damping)";
+  return text;
 }
+
+// Looks at the energy of the steps that want energies, and knows the last one that was good.
+class Watch {
+ public:
+  Watch(Stepper& stepper, const Model& model, Recorder& recorder)
+      : stepper_(stepper), model_(model), recorder_(recorder) {}
+
+  // Ends the run where the energy grows by itself; the fields of now are written before, where they are
+  // numbers.
+  void look(std::uint64_t n) {
+    const double excess = stepper_.ledger().excess();
+    if (excess <= (model_.substeps > 1 ? kRunawayShareOfSubsteps : kRunawayShare)) {
+      last_good_ = n;
+      return;
+    }
+    std::vector<wire::Snapshot> snapshots = stepper_.snapshots();
+    const Fastest fastest = find_fastest(snapshots);
+    if (std::isfinite(fastest.speed)) recorder_.record_fields(n, std::move(snapshots));
+    const Participant& where = model_.participants[fastest.participant];
+    throw protocol::Unstable(
+        fmt::format("step {} (t = {:g} s): the energy of the model exceeds the work done on it by {:.0f} % "
+                    "of its peak; the "
+                    "fastest point is at ({:g}, {:g}) m of `{}` with {:g} m/s; {}; the run is unstable: {}",
+                    n, time_of(n), 100 * excess, fastest.x, fastest.y, where.member.name, fastest.speed,
+                    last_good(), remedy(model_, where)));
+  }
+  std::string last_good() const {
+    return fmt::format("energies were balanced until t = {:g} s", time_of(last_good_));
+  }
+
+ private:
+  double time_of(std::uint64_t n) const { return static_cast<double>(n) * model_.dt; }
+
+  Stepper& stepper_;
+  const Model& model_;
+  Recorder& recorder_;
+  std::uint64_t last_good_ = 0;
+};
 
 void step_to_the_end(Model& model, const Schedule& schedule, Stepper& stepper, Recorder& recorder,
                      MotionOutputs& motions, std::uint64_t& reached) {
   Progress progress(model.steps, model.dt);
+  Watch watch(stepper, model, recorder);
   for (std::uint64_t n = 0; n <= model.steps; ++n) {
-    stepper.step(n, schedule.wanted(n));
+    try {
+      stepper.step(n, schedule.wanted(n));
+    } catch (const protocol::Unstable& error) {  // of a participant, which knows its own part only
+      throw protocol::Unstable(fmt::format("{}; {}", error.what(), watch.last_good()));
+    }
     recorder.record_events();
     if (schedule.wants_row(n)) {
       const auto values = recorder.record_histories(n, stepper.ledger());
       if (schedule.is_sample(n)) motions.take(values);
     }
-    if (schedule.watches(n)) require_bounded_energy(stepper, model, n);
+    if (schedule.watches(n)) watch.look(n);
     if (schedule.wants_fields(n)) recorder.record_fields(n, stepper.snapshots());
     reached = n;
     progress.update(n);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace adit::coupler {
 namespace {
@@ -14,8 +15,20 @@ double dot(std::span<const double> a, std::span<const double> b) {
 
 }  // namespace
 
-Ledger::Ledger(const std::vector<Participant>& participants)
-    : energies_(participants.size()), accounts_(participants.size()) {
+double rounding_energy(const std::vector<Participant>& participants, double dt) {
+  double mass = 0, coordinate = 0;
+  for (const Participant& participant : participants) {
+    mass += participant.counts.mass();
+    const wire::Model& model = participant.model;
+    for (const double bound : {model.x_min(), model.x_max(), model.y_min(), model.y_max()})
+      coordinate = std::max(coordinate, std::abs(bound));
+  }
+  const double speed = std::numeric_limits<double>::epsilon() * coordinate / dt;
+  return mass * speed * speed / 2;
+}
+
+Ledger::Ledger(const std::vector<Participant>& participants, double rounding)
+    : rounding_(rounding), energies_(participants.size()), accounts_(participants.size()) {
   for (std::size_t s = 0; s < participants.size(); ++s) {
     accounts_[s].impulses.resize(participants[s].predicted.size());
     accounts_[s].velocities.resize(participants[s].predicted.size());
@@ -82,6 +95,11 @@ double Ledger::unexplained() const {
 
 double Ledger::drift() const {
   return peak_stored_ > 0 ? unexplained() / peak_stored_ : 0;
+}
+
+double Ledger::excess() const {
+  const double scale = std::max(peak_stored_, rounding_);
+  return scale > 0 ? unexplained() / scale : 0;
 }
 
 double Ledger::max_drift() const {

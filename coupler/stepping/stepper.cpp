@@ -5,7 +5,10 @@
 
 namespace adit::coupler {
 
-Stepper::Stepper(Model& model) : model_(model), ledger_(model.participants), round_trip_(model, cost_) {
+Stepper::Stepper(Model& model)
+    : model_(model),
+      ledger_(model.participants, rounding_energy(model.participants, model.dt / model.substeps)),
+      round_trip_(model, cost_) {
   if (model.substeps > 1)
     scheme_ = std::make_unique<SharedKick>(model, ledger_, cost_);
   else

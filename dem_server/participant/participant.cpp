@@ -2,6 +2,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include <numeric>
+
 #include "dem_server/model/reading/read_model.hpp"
 #include "dem_server/model/sample_points.hpp"
 #include "dem_server/model/solid/thin_strip.hpp"
@@ -57,6 +59,7 @@ void DemParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   interface.set_particles(engine_->counts().particles);
   interface.set_bonds(engine_->counts().bonds);
   interface.set_breakable_bonds(breakable_bonds(model_));
+  interface.set_mass(std::inner_product(model_.mass.begin(), model_.mass.end(), model_.weight.begin(), 0.0));
 }
 
 void DemParticipant::couple(const wire::Couple& couple, wire::Operator& op) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -108,6 +109,7 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   if (!weights.weights().empty()) offer_grid_points(weights, interface);
   interface.set_zones(grid_.zones.size());
   interface.set_grid_points(grid_.x.size());
+  interface.set_mass(std::accumulate(continuum_->masses().begin(), continuum_->masses().end(), 0.0));
 }
 
 // The columns follow their side.

@@ -66,9 +66,16 @@ void GeneralEngine::require_finite(const protocol::Step& step) const {
         fmt::format("step {}: the normal force between the particles at ({:.6g}, {:.6g}) m is {} N; reduce "
                     "time.dt_factor",
                     step.number, x, y, force));
-  if (!std::isfinite(solver_.ledger().pairs))
-    throw protocol::Unstable(fmt::format(
-        "step {}: the work of the particles' forces is not finite; reduce time.dt_factor", step.number));
+  if (std::isfinite(solver_.ledger().pairs)) return;
+  const Particles& p = particles();
+  std::size_t i = 0;
+  while (i + 1 < p.size() && std::isfinite(p.vx[i]) && std::isfinite(p.vy[i]) && std::isfinite(p.spin[i]))
+    ++i;
+  throw protocol::Unstable(
+      fmt::format("step {}: the work of the particles' forces is not finite, near the one that stood at "
+                  "({:.6g}, {:.6g}) m; "
+                  "reduce time.dt_factor",
+                  step.number, p.x[i], p.y[i]));
 }
 
 void GeneralEngine::note_cracks() {
