@@ -36,10 +36,12 @@ double seconds_a_step(double seconds, std::uint64_t last, const std::function<vo
 Pace measure_pace(const Model& model, const Schedule& schedule, Stepper& stepper) {
   Pace pace;
   const bool relaxes = model.scene.has_statics();
+  const double dt = model.dt / model.substeps;
   try {
     if (relaxes)
-      pace.relaxing = seconds_a_step(kSeconds / 2, model.scene.statics().max_steps(),
-                                     [&](std::uint64_t n) { stepper.relax(n, false, 0); });
+      pace.relaxing = seconds_a_step(kSeconds / 2, model.scene.statics().max_steps(), [&](std::uint64_t n) {
+        stepper.relax(n, {.dt = dt, .local_damping = 0});
+      });
     pace.step = seconds_a_step(relaxes ? kSeconds / 2 : kSeconds, model.steps,
                                [&](std::uint64_t n) { stepper.step(n, schedule.wanted(n)); });
   } catch (const protocol::Unstable& error) {

@@ -31,6 +31,12 @@ void post_advance(Participant& participant, const wire::Advance& request) {
   wire::Advance& advance = *participant.request.mutable_advance();
   // The message of the last step is overwritten, so that its arrays keep their memory.
   advance.CopyFrom(request);
+  advance.set_dt(request.dt() * participant.step_ratio);
+  if (participant.drift) {
+    advance.set_drift_x(participant.drift->x);
+    advance.set_drift_y(participant.drift->y);
+    participant.drift.reset();
+  }
   participant.correction.send(*advance.mutable_impulses());
   participant.connection->post(participant.request);
 }

@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 #include <sys/resource.h>
 
+#include <cmath>
 #include <cstdio>
 #include <limits>
 
@@ -13,6 +14,9 @@ namespace {
 
 // A figure that a run does not have is null in its summary, so that every summary has the same names.
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+// Velocity left by statics above which a user is warned [m/s]: a thousandth of that of a moderate earthquake.
+constexpr double kDriftLimit = 1e-4;
 
 double own_cpu_seconds() {
   rusage usage{};
@@ -94,9 +98,21 @@ void RunSummary::add_notes(std::vector<std::string> notes) {
 void RunSummary::add_statics(const Rest& rest) {
   summary_.set("statics_steps", rest.steps);
   summary_.set("statics_stops", rest.stops);
-  summary_.set("statics_unbalanced_ratio", rest.unbalanced_ratio);
-  lines_.push_back(fmt::format("at rest            after {} steps, unbalanced force ratio {:.1e}", rest.steps,
-                               rest.unbalanced_ratio));
+  summary_.set("statics_unbalanced_ratio", rest.mean_ratio);
+  summary_.set("statics_largest_ratio", rest.largest_ratio);
+  const double drift = std::hypot(rest.drift.x, rest.drift.y);
+  summary_.set("statics_drift_m_per_s", drift);
+  lines_.push_back(
+      fmt::format("at rest            after {} steps, unbalanced force ratio {:.1e}, the largest {:.1e} at "
+                  "({:.4g}, {:.4g}) m of "
+                  "{}",
+                  rest.steps, rest.mean_ratio, rest.largest_ratio, rest.x, rest.y, rest.of));
+  if (drift > kDriftLimit)
+    warnings_.push_back(fmt::format(
+        "statics left so much unbalanced that the model would drift at {:.2g} mm/s; its edges were given "
+        "what it "
+        "lacks, and it moves about as fast when time begins; give a smaller statics.unbalanced_ratio",
+        1e3 * drift));
 }
 
 void RunSummary::add_motions(const MotionOutputs::Found& found) {

@@ -49,8 +49,9 @@ Interpolation coarse_operator(const std::vector<Participant>& participants,
   }
   for (const Participant& participant : participants)
     if (interpolates(participant)) {
-      const auto own = participant.interpolation->inverse_masses();
-      inverse_masses.insert(inverse_masses.end(), own.begin(), own.end());
+      const double square = participant.step_ratio * participant.step_ratio;
+      for (const double inverse_mass : participant.interpolation->inverse_masses())
+        inverse_masses.push_back(square * inverse_mass);
     }
   return {std::move(row_starts), std::move(columns), std::move(values), std::move(inverse_masses)};
 }
@@ -74,6 +75,7 @@ std::vector<double> fine_masses(const std::vector<Participant>& participants,
   };
   for (const Interface& interface : interfaces) {
     const Interpolation& n = *participants[interface.fine].interpolation;
+    const double square = participants[interface.fine].step_ratio * participants[interface.fine].step_ratio;
     each_row(interface, interface.fine, [&](std::size_t k, std::size_t row) {
       if (n.columns(row).size() != 1 || n.values(row)[0] != 1.0)
         throw protocol::PeerLost(participants[interface.fine].connection->name(),
@@ -82,7 +84,7 @@ std::vector<double> fine_masses(const std::vector<Participant>& participants,
       const auto [other, first] = used.try_emplace({interface.fine, own}, &interface);
       if (!first) refuse(interface, k, *other->second);
       for (const int component : {0, 1})
-        masses[2 * k + component] = 1.0 / n.inverse_masses()[2 * own + component];
+        masses[2 * k + component] = 1.0 / (square * n.inverse_masses()[2 * own + component]);
     });
   }
   for (const Interface& interface : interfaces)
@@ -158,8 +160,9 @@ void Constraint::read(const std::vector<Participant>& participants, Part part,
   for (const Participant& participant : participants)
     for (const Segment& segment : participant.segments)
       if (segment.coarse == (part == Part::kCoarse))
-        std::copy_n((participant.*velocities).begin() + 2 * segment.begin, 2 * segment.count,
-                    at_points.begin() + 2 * segment.global);
+        for (std::size_t i = 0; i < 2 * segment.count; ++i)
+          at_points[2 * segment.global + i] =
+              participant.step_ratio * (participant.*velocities)[2 * segment.begin + i];
 }
 
 void Constraint::assign(std::span<const double> multipliers, double factor, Part part,
@@ -170,7 +173,7 @@ void Constraint::assign(std::span<const double> multipliers, double factor, Part
       if (segment.coarse != (part == Part::kCoarse)) continue;
       const std::span<double> impulses = participant.correction.renew().subspan(2 * segment.begin);
       for (std::size_t i = 0; i < 2 * segment.count; ++i)
-        impulses[i] = signed_factor * multipliers[2 * segment.global + i];
+        impulses[i] = signed_factor * participant.step_ratio * multipliers[2 * segment.global + i];
     }
 }
 

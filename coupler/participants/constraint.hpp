@@ -1,5 +1,6 @@
 // The velocity constraint over all coupling points of a model: one system, whatever participants and
-// interfaces it joins, so that interfaces may share grid points.
+// interfaces it joins, so that interfaces may share grid points. Velocities, masses and multipliers are those
+// of the model's clock (Participant::step_ratio).
 #pragma once
 
 #include <memory>

@@ -12,6 +12,7 @@
 #include "coupler/participants/correction.hpp"
 #include "coupler/participants/members.hpp"
 #include "protocol/messages/wire.pb.h"
+#include "protocol/participant/step.hpp"
 
 namespace adit::coupler {
 
@@ -32,6 +33,12 @@ struct Participant {
   std::string interface_path = "interface";    // in the scene, of its last interface
   std::vector<Segment> segments;               // its coupling points
   std::optional<Interpolation> interpolation;  // where it has any
+
+  // Its own step over the model's. Velocities times it are those of the model's clock, and impulses at the
+  // coupling points over it: with masses m / ratio² in one clock, the motion is the same. Statics use it
+  // (time_step.hpp).
+  double step_ratio = 1;
+  std::optional<protocol::Drift> drift;  // to be sent with the next step
 
   // Reused in every step; one pair for each of its coupling points.
   wire::Frame request, reply;

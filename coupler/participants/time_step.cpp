@@ -130,4 +130,14 @@ void choose_time_step(Model& model) {
   model.dt = steps.dt;
 }
 
+double choose_static_steps(Model& model, double share, bool own_steps) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Participant& participant : model.participants)
+    smallest = std::min(smallest, share * participant.model.critical_dt());
+  if (own_steps)
+    for (Participant& participant : model.participants)
+      participant.step_ratio = share * participant.model.critical_dt() / smallest;
+  return smallest;
+}
+
 }  // namespace adit::coupler

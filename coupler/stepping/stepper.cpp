@@ -21,11 +21,12 @@ void Stepper::step(std::uint64_t n, Wanted wanted) {
   scheme_->step(n, wanted);
 }
 
-void Stepper::relax(std::uint64_t n, bool stop, std::uint32_t stage) {
-  fill_request(request_, n, model_.dt / model_.substeps, {});
+void Stepper::relax(std::uint64_t n, const Relaxing& how) {
+  fill_request(request_, n, how.dt, {});
   request_.set_relax(true);
-  request_.set_stop(stop);
-  request_.set_stage(stage);
+  request_.set_stop(how.stop);
+  request_.set_stage(how.stage);
+  request_.set_local_damping(how.local_damping);
   round_trip_.run(request_);
 }
 

@@ -26,7 +26,13 @@ class Stepper {
 
   // A step of statics (wire.proto, Advance), without substeps: all velocities are stopped first where `stop`
   // says so. Afterwards step(0, …) starts from the state at rest.
-  void relax(std::uint64_t n, bool stop, std::uint32_t stage);
+  struct Relaxing {
+    double dt;  // of the model [s]
+    double local_damping;
+    std::uint32_t stage = 0;
+    bool stop = false;
+  };
+  void relax(std::uint64_t n, const Relaxing& how);
 
   // The state at the step reached, of every participant in turn.
   std::vector<wire::Snapshot> snapshots() { return take_snapshots(model_.participants); }

@@ -87,12 +87,17 @@ void CouplingPoints::fill(wire::Operator& op) const {
   op.mutable_inverse_masses()->Assign(inverse_masses_.begin(), inverse_masses_.end());
 }
 
-void CouplingPoints::push(std::span<const double> impulses, Particles& p, PrescribedMotions& motions) {
+void CouplingPoints::push(std::span<const double> impulses, double kick, Particles& p,
+                          PrescribedMotions& motions) {
   const auto own = operator_.gather(impulses);
   for (std::size_t j = 0; j < operator_.points().size(); ++j) {
     const std::uint32_t i = operator_.points()[j];
     p.vx[i] += own[2 * j] * inverse_masses_[2 * j];
     p.vy[i] += own[2 * j + 1] * inverse_masses_[2 * j + 1];
+    if (!p.tie_x.empty()) {
+      p.tie_x[i] = own[2 * j] / kick;
+      p.tie_y[i] = own[2 * j + 1] / kick;
+    }
     if (inverse_masses_[2 * j] == 0) motions.hold(Component::kX, i, own[2 * j]);
     if (inverse_masses_[2 * j + 1] == 0) motions.hold(Component::kY, i, own[2 * j + 1]);
   }

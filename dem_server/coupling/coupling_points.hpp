@@ -31,8 +31,8 @@ class CouplingPoints {
   void fill(wire::Operator& op) const;
 
   // v += N^T impulse / m; the impulses [N s] stand x0 y0 x1 y1 … A prescribed component does not yield: the
-  // reaction of its motion takes the impulse up.
-  void push(std::span<const double> impulses, Particles& particles, PrescribedMotions& motions);
+  // reaction of its motion takes the impulse up. The kick that they correct lasted `kick` seconds.
+  void push(std::span<const double> impulses, double kick, Particles& particles, PrescribedMotions& motions);
 
   // Velocities at the coupling points, x0 y0 x1 y1 … [m/s]
   void read_velocities(const Particles& particles, std::span<double> velocities) const;

@@ -42,8 +42,11 @@ struct Energies {
 
 // How far the particles are from rest (wire.proto, message Relaxation).
 struct Unrest {
-  double unbalanced_force, internal_force;  // [N]
-  std::size_t particles, elements;          // elements: bonds and contacts
+  double unbalanced_force = 0, internal_force = 0;  // [N]
+  std::size_t particles = 0, elements = 0;          // elements: bonds and contacts
+  double largest = 0, x = 0, y = 0;                 // unbalanced force of a particle [N], and its place [m]
+  double net_x = 0, net_y = 0;                      // of all that are not on quiet edges [N]
+  double drag_x = 0, drag_y = 0;                    // of quiet edges against a unit velocity [N s/m]
 };
 
 }  // namespace adit::dem

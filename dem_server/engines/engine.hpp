@@ -63,8 +63,9 @@ class Engine {
   virtual void begin_stage(std::uint32_t /*stage*/) {}
   // Displacements count from here, also when time begins.
   virtual void count_displacements() = 0;
-  // The first step that does not relax is next: displacements, energies and work count from here.
-  virtual void start_over() = 0;
+  // The first step that does not relax is next: displacements, energies and work count from here. What held
+  // quiet edges holds them against this drift of the model beside.
+  virtual void start_over(const protocol::Drift& drift) = 0;
 
   virtual void snapshot(wire::Snapshot& snapshot) const = 0;  // observe/snapshot.hpp, with the peaks
   virtual std::uint64_t fragments() const = 0;                // bodies that whole bonds hold together

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "dem_server/engines/figures.hpp"
 #include "dem_server/lining/read_lining.hpp"
@@ -19,6 +20,22 @@ void settle(Particles& p) {
 }
 
 }  // namespace
+
+LocalEngine::LocalEngine(const Model& model)
+    : density_(model.density), edges_(model.edges), held_x_(!model.walls.empty()), held_y_(held_x_) {
+  take_stage(model);
+  for (const PrescribedMotion& motion : model.motions) {
+    held_x_ = held_x_ || motion.component == Component::kX;
+    held_y_ = held_y_ || motion.component == Component::kY;
+  }
+}
+
+void LocalEngine::begin(const protocol::Step& step) {
+  kick_ = step.kick();
+  if (step.local_damping == 0) return;
+  Particles& p = particles();
+  for (auto* tie : {&p.tie_x, &p.tie_y}) tie->resize(p.size(), 0.0);
+}
 
 std::vector<double> LocalEngine::cell_areas() const {
   const Particles& p = particles();
@@ -91,7 +108,14 @@ void LocalEngine::take_stage(const Model& model) {
 Unrest LocalEngine::unrest(const protocol::Step& step) {
   const Particles& p = particles();
   if (!relaxation_) relaxation_.emplace(p);
-  return {relaxation_->measure(p, step.kick()), internal_force(), present_, elements()};
+  Unrest unrest = relaxation_->measure(p, step.kick(), step.local_damping, edges_);
+  unrest.internal_force = internal_force();
+  unrest.particles = present_;
+  unrest.elements = elements();
+  constexpr double kHeld = std::numeric_limits<double>::infinity();
+  if (held_x_) unrest.drag_x = kHeld;
+  if (held_y_) unrest.drag_y = kHeld;
+  return unrest;
 }
 
 void LocalEngine::stop() {
@@ -99,9 +123,11 @@ void LocalEngine::stop() {
   if (relaxation_) relaxation_->stopped(particles());
 }
 
-void LocalEngine::start_over() {
+void LocalEngine::start_over(const protocol::Drift& /*drift*/) {
   Particles& p = particles();
   dem::stop(p);
+  p.tie_x.clear();
+  p.tie_y.clear();
   relaxation_.reset();
   if (!counts_from_stage_) settle(p);
 }

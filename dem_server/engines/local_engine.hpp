@@ -35,22 +35,24 @@ class LocalEngine : public Engine, public Observable {
   void take_peaks(const protocol::Step& step) final;
   Unrest unrest(const protocol::Step& step) final;
   void stop() override;
-  void start_over() override;
+  void start_over(const protocol::Drift& drift) override;
   void count_displacements() final;
   void snapshot(wire::Snapshot& snapshot) const final;
   std::uint64_t fragments() const final;
   std::vector<Figure> figures() const override;
 
  protected:
-  explicit LocalEngine(const Model& model) : density_(model.density) { take_stage(model); }
+  explicit LocalEngine(const Model& model);
   // The groups, and which particles are there, become those of the model.
   void take_stage(const Model& model);
 
   void tie_particles(std::span<const double> places, const BondEnds& bonds, const PrescribedMotions& motions,
                      wire::Operator& op);
   void push(std::span<const double> impulses, PrescribedMotions& motions) {
-    coupling_.push(impulses, particles(), motions);
+    coupling_.push(impulses, kick_, particles(), motions);
   }
+  // Before every step.
+  void begin(const protocol::Step& step);
   std::span<const std::uint32_t> tied() const { return coupling_.particles(); }
   // In the form that the scheme keeps (energy.hpp), of the step made last.
   double kinetic_energy_of(const protocol::Step& step) const {
@@ -68,7 +70,10 @@ class LocalEngine : public Engine, public Observable {
   std::vector<double> density_;     // of each group
   std::size_t present_ = 0;         // particles that are there
   bool counts_from_stage_ = false;  // displacements do, not from the beginning of time
+  std::vector<EdgeDashpot> edges_;
+  bool held_x_, held_y_;  // by walls or prescribed motions
   CouplingPoints coupling_;
+  double kick_ = 0;  // of the last step [s]
   Lining lining_;
   std::optional<Histories> histories_;
   Envelope envelope_;  // of the sections of the lining

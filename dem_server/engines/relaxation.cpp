@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "protocol/participant/local_damping.hpp"
+
 namespace adit::dem {
 
 double kinetic_energy(const Particles& p) {
@@ -11,12 +13,31 @@ double kinetic_energy(const Particles& p) {
   return twice / 2;
 }
 
-double Relaxation::measure(const Particles& p, double kick) {
-  double unbalanced = 0;
-  for (std::size_t i = 0; i < p.size(); ++i)
-    unbalanced += p.mass[i] * std::hypot(p.vx[i] - before_.x[i], p.vy[i] - before_.y[i]) / kick;
+Unrest Relaxation::measure(const Particles& p, double kick, double local_damping,
+                           std::span<const EdgeDashpot> edges) {
+  Unrest unrest;
+  unrest.particles = p.size();
+  const auto force = [&](std::size_t i, double after, double before) {
+    return p.mass[i] * protocol::undamped_change(after - before, before, local_damping) / kick;
+  };
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double x = force(i, p.vx[i], before_.x[i]), y = force(i, p.vy[i], before_.y[i]);
+    const double size = std::hypot(x, y);
+    unrest.unbalanced_force += size;
+    unrest.net_x += x;
+    unrest.net_y += y;
+    if (size > unrest.largest) {
+      unrest.largest = size;
+      unrest.x = p.x[i];
+      unrest.y = p.y[i];
+    }
+  }
+  for (const EdgeDashpot& edge : edges) {  // which statics hold: their velocities are 0
+    unrest.drag_x += edge.damping_x * p.weight[edge.disc];
+    unrest.drag_y += edge.damping_y * p.weight[edge.disc];
+  }
   remember(p, before_);
-  return unbalanced;
+  return unrest;
 }
 
 }  // namespace adit::dem

@@ -1,6 +1,10 @@
 // How far the particles are from rest while they relax (wire.proto, message Relaxation).
 #pragma once
 
+#include <span>
+
+#include "dem_server/engines/answers.hpp"
+#include "dem_server/model/model.hpp"
 #include "dem_server/particles/energy.hpp"
 #include "dem_server/particles/particles.hpp"
 
@@ -13,10 +17,11 @@ class Relaxation {
  public:
   explicit Relaxation(const Particles& at_rest) { remember(at_rest, before_); }
 
-  // The unbalanced force of the step whose velocities were just corrected: the sum over the particles of
-  // |mass · change of velocity| / duration of the kick [N], weighted. A kick changed them for `kick` seconds
-  // since the last call, or since all were 0.
-  double measure(const Particles& particles, double kick);
+  // The unbalanced forces of the step whose velocities were just corrected: mass · change of velocity /
+  // duration of the kick [N], weighted. A kick changed them for `kick` seconds since the last call, or since
+  // all were 0, damped by this share. Internal forces and elements are left to the caller.
+  Unrest measure(const Particles& particles, double kick, double local_damping,
+                 std::span<const EdgeDashpot> edges);
   // All velocities became 0.
   void stopped(const Particles& particles) { remember(particles, before_); }
 

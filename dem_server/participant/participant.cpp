@@ -73,6 +73,13 @@ void DemParticipant::measure_unrest(const protocol::Step& last, wire::Relaxation
   answer.set_internal_force(unrest.internal_force);
   answer.set_points(unrest.particles);
   answer.set_elements(unrest.elements);
+  answer.set_largest_unbalanced_force(unrest.largest);
+  answer.set_x(unrest.x);
+  answer.set_y(unrest.y);
+  answer.set_net_x(unrest.net_x);
+  answer.set_net_y(unrest.net_y);
+  answer.set_drag_x(unrest.drag_x);
+  answer.set_drag_y(unrest.drag_y);
 }
 
 void DemParticipant::excavate(std::uint32_t stage) {

@@ -31,7 +31,7 @@ class DemParticipant final : public protocol::SteppedParticipant {
   double kinetic_energy() const override { return engine_->kinetic_energy(); }
   void stop() override { engine_->stop(); }
   void excavate(std::uint32_t stage) override;
-  void start_over() override { engine_->start_over(); }
+  void start_over(const protocol::Drift& drift) override { engine_->start_over(drift); }
   void remember_for_peaks() override { engine_->remember_for_peaks(); }
   void take_peaks(const protocol::Step& step) override { engine_->take_peaks(step); }
   void prepare(const protocol::Step& step, const wire::Advance& wanted) override;

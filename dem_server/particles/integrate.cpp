@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "protocol/participant/local_damping.hpp"
 #include "protocol/threads/vector_clones.hpp"
 
 namespace adit::dem {
@@ -23,8 +24,10 @@ ADIT_VECTOR_CLONES double move(double dt, std::span<const protocol::IndexRange> 
   return std::bit_cast<double>(fastest);
 }
 
-ADIT_VECTOR_CLONES void kick(double dt, std::span<const protocol::IndexRange> some,
-                             const Resultants& resultants, Particles& p) {
+namespace {
+
+ADIT_VECTOR_CLONES void kick_freely(double dt, std::span<const protocol::IndexRange> some,
+                                    const Resultants& resultants, Particles& p) {
   const auto [fx, fy, moment] = resultants;
   const double *inverse_mass = p.inverse_mass.data(), *inverse_inertia = p.inverse_inertia.data();
   double *vx = p.vx.data(), *vy = p.vy.data(), *spin = p.spin.data();
@@ -35,6 +38,27 @@ ADIT_VECTOR_CLONES void kick(double dt, std::span<const protocol::IndexRange> so
       vy[i] += dt * fy[i] * inverse_mass[i];
       spin[i] += dt * moment[i] * inverse_inertia[i];
     }
+}
+
+void kick_damped(const protocol::Step& step, std::span<const protocol::IndexRange> some, const Resultants& f,
+                 Particles& p) {
+  const double dt = step.kick(), share = step.local_damping;
+  for (const auto [begin, end] : some)
+    for (std::size_t i = begin; i < end; ++i) {
+      p.vx[i] += dt * protocol::damped(f.fx[i], p.tie_x[i], p.vx[i], share) * p.inverse_mass[i];
+      p.vy[i] += dt * protocol::damped(f.fy[i], p.tie_y[i], p.vy[i], share) * p.inverse_mass[i];
+      p.spin[i] += dt * protocol::damped(f.moment[i], 0, p.spin[i], share) * p.inverse_inertia[i];
+    }
+}
+
+}  // namespace
+
+void kick(const protocol::Step& step, std::span<const protocol::IndexRange> some,
+          const Resultants& resultants, Particles& particles) {
+  if (step.local_damping > 0)
+    kick_damped(step, some, resultants, particles);
+  else
+    kick_freely(step.kick(), some, resultants, particles);
 }
 
 }  // namespace adit::dem

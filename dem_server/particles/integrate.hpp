@@ -5,6 +5,7 @@
 #include <span>
 
 #include "dem_server/particles/particles.hpp"
+#include "protocol/participant/step.hpp"
 #include "protocol/threads/index_ranges.hpp"
 
 namespace adit::dem {
@@ -12,8 +13,9 @@ namespace adit::dem {
 // u += dt v. Returns the largest v^2 [m^2/s^2].
 double move(double dt, std::span<const protocol::IndexRange> some, Particles& particles);
 
-// v += dt f / m and spin += dt moment / J; half of dt in the first step, from rest.
-void kick(double dt, std::span<const protocol::IndexRange> some, const Resultants& resultants,
-          Particles& particles);
+// v += dt f / m and spin += dt moment / J; half of dt in a step from rest. Statics may damp f and moment
+// (protocol/participant/local_damping.hpp).
+void kick(const protocol::Step& step, std::span<const protocol::IndexRange> some,
+          const Resultants& resultants, Particles& particles);
 
 }  // namespace adit::dem

@@ -193,10 +193,19 @@ void FdmParticipant::correct(std::span<const double> impulses) {
 
 void FdmParticipant::measure_unrest(const Step& last, wire::Relaxation& answer) {
   if (!relaxation_) relaxation_.emplace(grid_, weights_);
-  const Unrest unrest = relaxation_->measure(*continuum_, last.kick());
+  const Unrest unrest = relaxation_->measure(*continuum_, last.kick(), last.local_damping);
   answer.set_unbalanced_force(unrest.unbalanced_force);
   answer.set_internal_force(unrest.internal_force);
   answer.set_points(grid_.x.size());
+  answer.set_largest_unbalanced_force(unrest.largest);
+  answer.set_x(grid_.x[unrest.at]);
+  answer.set_y(grid_.y[unrest.at]);
+  const protocol::IndexRange own{0, static_cast<std::uint32_t>(grid_.own_points())};
+  const Vector net = relaxation_->net(*continuum_, own), drag = continuum_->drag(own);
+  answer.set_net_x(net.x);
+  answer.set_net_y(net.y);
+  answer.set_drag_x(drag.x);
+  answer.set_drag_y(drag.y);
   answer.set_elements(grid_.zones.size());
 }
 
@@ -209,7 +218,13 @@ void FdmParticipant::stop() {
   relaxation_->stopped();
 }
 
-void FdmParticipant::start_over() {
+void FdmParticipant::start_over(const protocol::Drift& drift) {
+  continuum_->settle({0, static_cast<std::uint32_t>(grid_.own_points())}, drift);
+  for (const FreeFieldColumn& column : columns_) {  // each stands by itself
+    const protocol::IndexRange points{column.point(0), column.point(column.side.size())};
+    const Vector net = relaxation_->net(*continuum_, points), drag = continuum_->drag(points);
+    continuum_->settle(points, {drag.x > 0 ? net.x / drag.x : 0, drag.y > 0 ? net.y / drag.y : 0});
+  }
   relaxation_.reset();
   continuum_->start_over();
   const protocol::CountedFrom counted = protocol::counted_from(scene_.statics());

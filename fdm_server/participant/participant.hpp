@@ -46,7 +46,7 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   // Takes away the zones of the stages after the present one up to this one, and installs their linings and
   // bolts.
   void excavate(std::uint32_t stage) override;
-  void start_over() override;
+  void start_over(const protocol::Drift& drift) override;
   void remember_for_peaks() override;
   void take_peaks(const protocol::Step& step) override;
   void prepare(const protocol::Step& step, const wire::Advance& wanted) override;

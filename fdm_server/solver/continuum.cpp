@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace adit::fdm {
@@ -159,6 +160,10 @@ void Continuum::plan(const std::vector<bool>& chosen) {
 void Continuum::push(std::uint32_t point, double x, double y) {
   points_[kVx][point] += points_[kInverseMassX][point] * x;
   points_[kVy][point] += points_[kInverseMassY][point] * y;
+  if (!tie_x_.empty()) {
+    tie_x_[point] = x / last_kick_;
+    tie_y_[point] = y / last_kick_;
+  }
   if (points_[kInverseMassX][point] == 0) hold(Axis::kX, point, x);
   if (points_[kInverseMassY][point] == 0) hold(Axis::kY, point, y);
 }
@@ -176,7 +181,7 @@ void Continuum::hold(Axis axis, std::uint32_t point, double impulse) {
     }
 }
 
-PointArrays Continuum::arrays() {
+PointArrays Continuum::arrays(const protocol::Step& step) {
   return {points_[kUx].data(),
           points_[kUy].data(),
           points_[kVx].data(),
@@ -186,7 +191,10 @@ PointArrays Continuum::arrays() {
           points_[kInverseMassX].data(),
           points_[kInverseMassY].data(),
           steady_ ? points_[kSteadyX].data() : nullptr,
-          steady_ ? points_[kSteadyY].data() : nullptr};
+          steady_ ? points_[kSteadyY].data() : nullptr,
+          step.local_damping,
+          tie_x_.data(),
+          tie_y_.data()};
 }
 
 void Continuum::step(const protocol::Step& step, Energies* wanted) {
@@ -209,7 +217,11 @@ void Continuum::step_interior(const protocol::Step& step) {
 }
 
 void Continuum::pull(Part& part, const protocol::Step& step) {
-  const PointArrays points = arrays();
+  if (step.local_damping > 0 && tie_x_.empty()) {
+    tie_x_.assign(points_.size(), 0.0);
+    tie_y_.assign(points_.size(), 0.0);
+  }
+  const PointArrays points = arrays(step);
   part.sweep.run(team_, zones_, step.dt, step.kick(), points);
   structures_.add_forces(part.structures, step.dt, {points.vx, points.vy, points.fx, points.fy});
   if (damping_.acts()) damping_.add_viscous(part.points, step, points);
@@ -279,7 +291,7 @@ Energies Continuum::energies(const protocol::Step& step) const {
 }
 
 void Continuum::predict(const Part& part, const protocol::Step& step) {
-  part.sweep.predict(team_, step.kick(), arrays());
+  part.sweep.predict(team_, step.kick(), arrays(step));
   structures_.move_and_predict(part.structures, step);
   for (const auto& prescribed : part.motions) {
     const auto velocity = points_[prescribed.motion.axis == Axis::kX ? kVx : kVy];
@@ -297,6 +309,8 @@ void Continuum::stop() {
 void Continuum::start_over() {
   stop();
   structures_.start_over();
+  tie_x_.clear();
+  tie_y_.clear();
   external_work_ = damped_ = 0;
   boundary_work_ = {};
 }
@@ -304,6 +318,39 @@ void Continuum::start_over() {
 void Continuum::reset_displacements() {
   zones_.start_over();
   for (const Field displacement : {kUx, kUy}) std::ranges::fill(points_[displacement], 0.0);
+}
+
+std::vector<bool> Continuum::on_dashpots() const {
+  std::vector<bool> found(points_.size(), false);
+  for (const Part* part : {&interface_, &interior_})
+    for (const Dashpot& dashpot : part->dashpots) found[dashpot.point] = true;
+  return found;
+}
+
+Vector Continuum::drag(protocol::IndexRange points) const {
+  const auto inside = [points](std::uint32_t point) { return points.begin <= point && point < points.end; };
+  Vector sum;
+  for (const Part* part : {&interface_, &interior_}) {
+    for (const Dashpot& dashpot : part->dashpots) {
+      if (!inside(dashpot.point)) continue;
+      const Symmetric c = of_ground(dashpot);
+      sum.x += c.xx;
+      sum.y += c.yy;
+    }
+    for (const Prescribed& one : part->motions)
+      if (std::ranges::any_of(one.motion.points, inside))
+        (one.motion.axis == Axis::kX ? sum.x : sum.y) = std::numeric_limits<double>::infinity();
+  }
+  return sum;
+}
+
+void Continuum::settle(protocol::IndexRange points, const protocol::Drift& drift) {
+  for (Part* part : {&interface_, &interior_})
+    for (Dashpot& dashpot : part->dashpots) {
+      if (dashpot.point < points.begin || dashpot.point >= points.end) continue;
+      const Vector drag = of_ground(dashpot) * Vector{drift.x, drift.y};
+      dashpot.settling = {-drag.x, -drag.y};
+    }
 }
 
 std::optional<std::uint32_t> Continuum::first_non_finite() const {

@@ -5,7 +5,8 @@
 // The grid starts from rest at step 0, with half a kick: v(1/2) = dt/2 f(0)/m, as if v(-1/2) = -v(1/2).
 // All masses and internal forces carry the zones' weights.
 //
-// Statics take the same steps; every stop starts from rest like step 0, at the stresses reached.
+// Statics take the same steps, damped (protocol/participant/local_damping.hpp) or stopped; every stop starts
+// from rest like step 0, at the stresses reached.
 //
 // Energies at step n: kinetic 1/2 sum m v(n-1/2) v(n+1/2), strain energy of the stresses; work of loads,
 // prescribed motions and boundaries, and what dashpots and damping dissipate, summed as
@@ -87,6 +88,8 @@ class Continuum {
   void stop();
   // Time begins: at rest, work from 0, stresses as they are. Step 0 is next.
   void start_over();
+  // What supports the dashpots of these points from step 0 on holds against this drift beside (dashpots.hpp).
+  void settle(protocol::IndexRange points, const protocol::Drift& drift);
   void reset_displacements();
 
   // One value a point.
@@ -101,6 +104,12 @@ class Continuum {
   std::span<const double> inverse_mass_y() const { return points_[kInverseMassY]; }
   const ZoneSet& zones() const { return zones_; }
   const Structures& structures() const { return structures_; }
+
+  // Whether each point bears on dashpots.
+  std::vector<bool> on_dashpots() const;
+  // The force of the dashpots of these points, but for those against columns, against a unit velocity [N
+  // s/m]; infinite where any of the points is prescribed.
+  Vector drag(protocol::IndexRange points) const;
 
   // A point whose velocity is not finite, if any.
   std::optional<std::uint32_t> first_non_finite() const;
@@ -147,7 +156,7 @@ class Continuum {
 
   // Says which points the parts may sweep: those that others pull on, too, have to wait for these.
   void plan(const std::vector<bool>& chosen);
-  PointArrays arrays();
+  PointArrays arrays(const protocol::Step& step);
   void add_steady(const Load& load);
   Prescribed prescribed(PrescribedMotion motion) const;
   void place(std::vector<Load> loads);
@@ -171,6 +180,7 @@ class Continuum {
   bool steady_ = false;                    // are there steady loads
   double external_work_ = 0, damped_ = 0;  // of all other loads, and of motions
   double last_dt_ = 0, last_kick_ = 0;
+  std::vector<double> tie_x_, tie_y_;  // of the multipliers at the last step, where statics damp [N]
 };
 
 }  // namespace adit::fdm

@@ -3,11 +3,19 @@
 #include <utility>
 
 namespace adit::fdm {
-namespace {
 
 Vector operator*(const Symmetric& c, const Vector& v) {
   return {c.xx * v.x + c.xy * v.y, c.xy * v.x + c.yy * v.y};
 }
+
+Symmetric of_ground(const Dashpot& dashpot) {
+  const Symmetric& all = dashpot.damping;
+  if (!dashpot.field) return all;
+  const Symmetric& link = dashpot.field->damping;
+  return {all.xx - link.xx, all.xy - link.xy, all.yy - link.yy};
+}
+
+namespace {
 
 Vector operator+(const Vector& a, const Vector& b) {
   return {a.x + b.x, a.y + b.y};
@@ -85,7 +93,8 @@ void add_boundary_forces(std::span<Dashpot> dashpots, bool supports, double beta
     const Vector field = dashpot.field ? free_field_force(dashpot, beta, step, zones, points) : Vector{};
     const std::uint32_t i = dashpot.point;
     if (step.number == 0 && supports && !step.relax)
-      dashpot.support = {-points.fx[i] - field.x, -points.fy[i] - field.y};
+      dashpot.support = {dashpot.settling.x - points.fx[i] - field.x,
+                         dashpot.settling.y - points.fy[i] - field.y};
     dashpot.given = dashpot.support + field;
     add(points, i, dashpot.given);
     dashpot.drag = step.from_rest() ? Vector{} : drag(dashpot, points, step.kick());

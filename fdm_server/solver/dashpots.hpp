@@ -11,6 +11,13 @@
 // A side with a free field bears in addition the stress of the column beside it, s n L (with its viscous
 // part, beta ds/dt of damping.hpp), and the same dashpots act against the column's velocity: + C w. In a
 // plane vertical wave both points then move alike, as if the ground went on.
+//
+// Support: when statics end, the points on dashpots are held by the forces that balance those of zones and
+// loads, and keep these forces in time. What the other points still lack of equilibrium, R together, is
+// inertia that no force of the ground balances: with these supports the model would go on at the velocity V
+// with C V = R, C being all dashpots of the ground, for ever. The supports get -C_i V besides: their sum then
+// balances all loads, as the reactions of a model at rest do, and what is unbalanced inside goes away through
+// the dashpots as a wave.
 #pragma once
 
 #include <array>
@@ -52,11 +59,16 @@ struct Dashpot {
   std::optional<FreeFieldLink> field{};
 
   // Forces of the last step [N].
-  Vector support{};  // what held the point at rest
-  Vector stress{};   // of the free field
-  Vector given{};    // support and free field
-  Vector drag{};     // of the dashpots
+  Vector settling{};  // share of what the model lacked of equilibrium when statics ended
+  Vector support{};   // what holds the point at rest, with it
+  Vector stress{};    // of the free field
+  Vector given{};     // support and free field
+  Vector drag{};      // of the dashpots
 };
+
+// The dashpots of a point but for those against its column.
+Symmetric of_ground(const Dashpot& dashpot);
+Vector operator*(const Symmetric& c, const Vector& v);
 
 // Since the start [J].
 struct BoundaryWork {

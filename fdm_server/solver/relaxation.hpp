@@ -14,6 +14,8 @@ namespace adit::fdm {
 struct Unrest {
   double unbalanced_force;  // sum over the points of |mass · change of velocity| / duration of the kick [N]
   double internal_force;    // sum over the zones of |stress| · √area, |stress| its Frobenius norm [N]
+  double largest = 0;       // unbalanced force of a point [N], and its number
+  std::size_t at = 0;
 };
 
 // The kinetic energy of the present velocities and rotations, weighted [J].
@@ -24,13 +26,16 @@ class Relaxation {
   Relaxation(const Grid& grid, std::span<const double> zone_weights);
 
   // Measures the step whose velocities were just corrected. A kick changed them for `kick` seconds since the
-  // last call, or since all were 0.
-  Unrest measure(const Continuum& continuum, double kick);
+  // last call, or since all were 0, damped by this share of the unbalanced forces.
+  Unrest measure(const Continuum& continuum, double kick, double local_damping = 0);
+  // The sum of the unbalanced forces measured last, of those of these points that bear on no dashpots [N].
+  Vector net(const Continuum& continuum, protocol::IndexRange points) const;
   // All velocities became 0.
   void stopped();
 
  private:
   std::vector<double> vx_, vy_;  // a step before
+  std::vector<double> fx_, fy_;  // unbalanced, as measured last [N]
   std::vector<double> factor_;   // weight · √area of each zone [m]
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <thread>
 
+#include "protocol/participant/local_damping.hpp"
+
 namespace adit::fdm {
 namespace {
 
@@ -63,8 +65,23 @@ void add_steady(std::span<const IndexRange> ranges, const PointArrays& points, d
     }
 }
 
+void predict_damped(std::span<const IndexRange> ranges, double kick, const PointArrays& points, double* fx,
+                    double* fy) {
+  for (const auto [begin, end] : ranges)
+#pragma GCC ivdep
+    for (std::size_t i = begin; i < end; ++i) {
+      const double x = protocol::damped(fx[i], points.tie_x[i], points.vx[i], points.damping);
+      const double y = protocol::damped(fy[i], points.tie_y[i], points.vy[i], points.damping);
+      points.vx[i] += kick * (points.inverse_mass_x[i] * x);
+      points.vy[i] += kick * (points.inverse_mass_y[i] * y);
+      fx[i] = 0;
+      fy[i] = 0;
+    }
+}
+
 void predict(std::span<const IndexRange> ranges, double kick, const PointArrays& points, double* fx,
              double* fy) {
+  if (points.damping > 0) return predict_damped(ranges, kick, points, fx, fy);
   for (const auto [begin, end] : ranges)
 #pragma GCC ivdep
     for (std::size_t i = begin; i < end; ++i) {

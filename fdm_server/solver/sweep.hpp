@@ -26,6 +26,9 @@ struct PointArrays {
   double *ux, *uy, *vx, *vy, *fx, *fy;
   const double *inverse_mass_x, *inverse_mass_y;
   const double *steady_x, *steady_y;
+  // Local damping of statics (protocol/participant/local_damping.hpp): its share, and the forces of the ties.
+  double damping = 0;
+  const double *tie_x = nullptr, *tie_y = nullptr;
 };
 
 // What a sweep does with a point, if its zones pull on it.
@@ -48,7 +51,7 @@ class Sweep {
   Sweep(Sweep&&) = default;
   Sweep& operator=(Sweep&&) = default;
 
-  // Moves by dt v, then adds the zones' forces and predicts the swept points: v += kick f/m.
+  // Moves by dt v, then adds the zones' forces and predicts the swept points: v += kick f/m, f damped.
   void run(protocol::Team& team, ZoneSet& zones, double dt, double kick, const PointArrays& points);
   // Predicts the kept points, and empties their fx, fy.
   void predict(protocol::Team& team, double kick, const PointArrays& points) const;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "protocol/participant/local_damping.hpp"
+
 namespace adit::fdm {
 namespace {
 
@@ -121,6 +123,7 @@ void Structures::move_and_predict(const Part& part, const protocol::Step& step) 
   for (const auto i : part.rotations) {
     angle_[i] += step.dt * rate_[i];
     rate_before_[i] = rate_[i];
+    if (step.local_damping > 0) couple_[i] = protocol::damped(couple_[i], 0, rate_[i], step.local_damping);
     if (!held_[i]) rate_[i] += step.kick() * (couple_[i] / inertia_[i]);
     // Ready for the next step, whose forces are added one by one.
     couple_[i] = 0;

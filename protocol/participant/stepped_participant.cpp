@@ -13,10 +13,10 @@ void SteppedParticipant::advance(const wire::Advance& request, wire::Predicted& 
   check(request);
   correct_last_step(request.impulses());
   take_peaks_due();
-  if (last_.relax && !request.relax()) start_over();
+  if (last_.relax && !request.relax()) start_over({request.drift_x(), request.drift_y()});
   if (request.relax()) relax(request, *predicted.mutable_relaxation());
 
-  const Step step{request.step(), request.dt(), request.relax(), request.stop()};
+  const Step step{request.step(), request.dt(), request.relax(), request.stop(), request.local_damping()};
   prepare(step, request);
   if (request.want_peaks()) remember_for_peaks();
   const bool whole =
@@ -83,11 +83,18 @@ void SteppedParticipant::check(const wire::Advance& request) const {
   if (!(dt > 0) || !std::isfinite(dt))
     throw RequestError(
         fmt::format("step {}: dt is {} s; send a positive, finite number", request.step(), dt));
-  if (request.step() > 0 && dt != last_.dt)
+  if (request.step() > 0 && dt != last_.dt && !request.stop())
     throw RequestError(fmt::format("step {}: dt is {} s, but it was {} s in the step before; keep it",
                                    request.step(), dt, last_.dt));
   if (!request.relax() && (request.stop() || request.stage() > 0))
     throw RequestError(fmt::format("step {}: `stop` or `stage` came without `relax`; only statics know them",
+                                   request.step()));
+  if (request.local_damping() < 0 || !(request.local_damping() < 1) ||
+      (!request.relax() && request.local_damping() > 0))
+    throw RequestError(fmt::format("step {}: `local_damping` is {}; send a share below 1, with `relax` only",
+                                   request.step(), request.local_damping()));
+  if ((request.drift_x() != 0 || request.drift_y() != 0) && !(last_.relax && !request.relax()))
+    throw RequestError(fmt::format("step {}: a drift came elsewhere than with the first step after statics",
                                    request.step()));
 }
 

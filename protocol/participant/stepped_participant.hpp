@@ -47,8 +47,9 @@ class SteppedParticipant : public Participant {
   virtual void stop() = 0;
   // The stage of excavation of the next step, told before every step that relaxes.
   virtual void excavate(std::uint32_t /*stage*/) {}
-  // The next step is the first of time: from rest and the stresses reached, all sums from 0.
-  virtual void start_over() = 0;
+  // The next step is the first of time: from rest and the stresses reached, all sums from 0. The forces that
+  // go on holding dashpots' points grow by those of the dashpots against this velocity of the model.
+  virtual void start_over(const Drift& drift) = 0;
 
   // The peaks over time, if the solver keeps any: what a step overwrites, before it; and the step, corrected.
   virtual void remember_for_peaks() {}

@@ -52,6 +52,7 @@ void GeneralEngine::tie(std::span<const double> places, wire::Operator& op) {
 }
 
 void GeneralEngine::step_interface(const protocol::Step& step) {
+  begin(step);
   solver_.step(step, loads_, motions_);
   require_finite(step);
   note_cracks();
@@ -170,9 +171,9 @@ void GeneralEngine::begin_stage(std::uint32_t stage) {
   motions_ = PrescribedMotions(model_, particles());
 }
 
-void GeneralEngine::start_over() {
-  LocalEngine::start_over();
-  solver_.start_over();
+void GeneralEngine::start_over(const protocol::Drift& drift) {
+  LocalEngine::start_over(drift);
+  solver_.start_over(drift);
   loads_.start_over();
   motions_.start_over();
 }

@@ -42,7 +42,7 @@ class GeneralEngine final : public LocalEngine {
   std::vector<Figure> figures() const override;
   void stop() override;
   void begin_stage(std::uint32_t stage) override;
-  void start_over() override;
+  void start_over(const protocol::Drift& drift) override;
 
  private:
   explicit GeneralEngine(std::size_t threads, Model renumbered);

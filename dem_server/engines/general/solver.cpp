@@ -167,7 +167,12 @@ Strongest Solver::find_strongest() const {
           (particles_.y[i] + particles_.y[j]) / 2};
 }
 
-void Solver::start_over() {
+void Solver::start_over(const protocol::Drift& drift) {
+  for (std::size_t k = 0; k < edges_.size(); ++k) {
+    const double weight = particles_.weight[edges_[k].disc];
+    support_x_[k] -= edges_[k].damping_x * weight * drift.x;
+    support_y_[k] -= edges_[k].damping_y * weight * drift.y;
+  }
   walls_.stop();
   ledger_ = {};
   walls_.start_over();

@@ -49,8 +49,9 @@ class Solver {
   // The particles were stopped: so are the walls.
   void stop() { walls_.stop(); }
   // The particles were stopped, and the first step that does not relax is next: ledgers start from 0; quiet
-  // edges are let go and carry what held them.
-  void start_over();
+  // edges are let go and carry what held them, and hold the model against the drift beside: this is what the
+  // model lacks of equilibrium, shared between the dashpots (fdm_server/solver/dashpots.hpp has the reasons).
+  void start_over(const protocol::Drift& drift = {});
   // The particles were stopped, and the first step of a stage is next: `model` is that of the stage, `before`
   // the stage before. What bonds, joints and contacts of before still stand keep their forces.
   void begin_stage(std::uint32_t before, const ParticleStage& stage, const Model& model);

@@ -90,6 +90,7 @@ void LatticeEngine::plan() {
 }
 
 void LatticeEngine::step_interface(const protocol::Step& step) {
+  begin(step);
   result_ = {};
   speed_ = 0;
   broken_.clear();
@@ -127,7 +128,7 @@ void LatticeEngine::pull(const protocol::Step& step, Part& part) {
 }
 
 void LatticeEngine::predict(const protocol::Step& step, Part& part) {
-  part.sweep.predict(team_, step.kick(), assembly_.particles);
+  part.sweep.predict(team_, step, assembly_.particles);
   part.motions.impose(step, assembly_.particles);
 }
 
@@ -163,8 +164,8 @@ double LatticeEngine::strain_of_bonds() {
   return std::accumulate(parts.begin(), parts.end(), 0.0);
 }
 
-void LatticeEngine::start_over() {
-  LocalEngine::start_over();
+void LatticeEngine::start_over(const protocol::Drift& drift) {
+  LocalEngine::start_over(drift);
   released_ = 0;
   for (Part* part : {&interface_, &interior_}) {
     part->loads.start_over();

@@ -36,7 +36,7 @@ class LatticeEngine final : public LocalEngine {
   std::span<const Crack> broken() const override { return cracks_; }
   Strongest strongest() const override;
   Energies energies(const protocol::Step& step) override;
-  void start_over() override;
+  void start_over(const protocol::Drift& drift) override;
 
  private:
   // What is computed together. The bonds of a tied particle are the interface's, and so are the moves of all

@@ -189,7 +189,7 @@ void Sweep::run_block(const Block& block, Buffer& buffer, const ContactBond& law
     if (!step.from_rest()) outcome.fastest = std::max(outcome.fastest, move(step.dt, beat.moved, particles));
     add_bond_forces(law, step.dt, beat.runs, particles, assembly.bonds, resultants, outcome.contacts,
                     outcome.broken);
-    kick(step.kick(), beat.swept, resultants, particles);
+    kick(step, beat.swept, resultants, particles);
     // The buffer serves the next block of this thread, so it is left as zero as it was found.
     clear(beat.swept, resultants);
   }
@@ -206,12 +206,12 @@ void Sweep::run_seam(const Block& block, const ContactBond& law, const protocol:
   const Resultants resultants = resultants_of(particles);
   add_bond_forces(law, step.dt, block.seam, particles, assembly.bonds, resultants, outcome.contacts,
                   outcome.broken);
-  kick(step.kick(), block.seam_swept, resultants, particles);
+  kick(step, block.seam_swept, resultants, particles);
 }
 
-void Sweep::predict(protocol::Team& team, double kick, Particles& particles) const {
+void Sweep::predict(protocol::Team& team, const protocol::Step& step, Particles& particles) const {
   team.run(blocks_.size(), [&](std::size_t b, std::size_t) {
-    dem::kick(kick, blocks_[b].kept, resultants_of(particles), particles);
+    dem::kick(step, blocks_[b].kept, resultants_of(particles), particles);
   });
 }
 

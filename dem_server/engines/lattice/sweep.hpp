@@ -44,7 +44,7 @@ class Sweep {
   double run(protocol::Team& team, const ContactBond& law, const protocol::Step& step, Assembly& assembly,
              BondResult& result, std::vector<std::uint32_t>& broken);
   // Predicts the kept particles from their resultants.
-  void predict(protocol::Team& team, double kick, Particles& particles) const;
+  void predict(protocol::Team& team, const protocol::Step& step, Particles& particles) const;
 
  private:
   using IndexRanges = std::vector<protocol::IndexRange>;

@@ -150,7 +150,7 @@ inline Swing swing(const ContactBond& law, double phase, const Eigen::Vector3d& 
   for (int n = 0; n < steps; ++n) {
     move(dt, {&all, 1}, p);
     compute_bond_forces(law, dt, p, a.bonds, broken);
-    kick(dt, {&all, 1}, resultants_of(p), p);
+    kick(protocol::Step{1, dt}, {&all, 1}, resultants_of(p), p);
     rates.push_back(along(p.vx, p.vy, p.spin) / norm);
   }
   double curved = 0, squared = 0;

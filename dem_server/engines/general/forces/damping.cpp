@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "protocol/participant/local_damping.hpp"
 #include "protocol/threads/vector_clones.hpp"
 
 namespace adit::dem {
@@ -17,10 +18,6 @@ ADIT_VECTOR_CLONES void kick_freely(double dt, std::uint32_t begin, std::uint32_
     vy[i] += dt * fy[i] * inverse_mass[i];
     spin[i] += dt * moment[i] * inverse_inertia[i];
   }
-}
-
-double sign(double value) {
-  return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
 
 }  // namespace
@@ -46,14 +43,16 @@ Damping::Damping(double local_share, double viscous_rate, std::span<const EdgeDa
 }
 
 Damping::Loss Damping::kick(const protocol::Step& step, std::uint32_t begin, std::uint32_t end,
-                            const double* inverse_inertia, double* force, double* velocity,
+                            const double* inverse_inertia, const double* tie, double* force, double* velocity,
                             Component& c) const {
   Loss loss;
   const double h = step.kick(), half = step.from_rest() ? 0 : step.dt / 2;
   for (std::uint32_t i = begin; i < end; ++i) {
     const double before = velocity[i];
-    if (local_share_ > 0) {
-      const double damping = -local_share_ * std::abs(force[i]) * sign(before);
+    if (step.local_damping > 0) {
+      force[i] = protocol::damped(force[i], tie ? tie[i] : 0, before, step.local_damping);
+    } else if (local_share_ > 0) {
+      const double damping = -local_share_ * std::abs(force[i]) * protocol::sign(before);
       loss.local -= half * before * (c.local_force[i] + damping);
       c.local_force[i] = damping;
       force[i] += damping;
@@ -77,15 +76,15 @@ Damping::Loss Damping::kick(const protocol::Step& step, std::uint32_t begin, std
 
 Damping::Loss Damping::kick(const protocol::Step& step, std::uint32_t begin, std::uint32_t end,
                             Particles& p) {
-  if (local_share_ == 0 && !drags_) {
+  if (local_share_ == 0 && !drags_ && step.local_damping == 0) {
     kick_freely(step.kick(), begin, end, p);
     return {};
   }
   Loss sum;
   for (const Loss& loss :
-       {kick(step, begin, end, p.inverse_mass.data(), p.fx.data(), p.vx.data(), x_),
-        kick(step, begin, end, p.inverse_mass.data(), p.fy.data(), p.vy.data(), y_),
-        kick(step, begin, end, p.inverse_inertia.data(), p.moment.data(), p.spin.data(), spin_)}) {
+       {kick(step, begin, end, p.inverse_mass.data(), p.tie_x.data(), p.fx.data(), p.vx.data(), x_),
+        kick(step, begin, end, p.inverse_mass.data(), p.tie_y.data(), p.fy.data(), p.vy.data(), y_),
+        kick(step, begin, end, p.inverse_inertia.data(), nullptr, p.moment.data(), p.spin.data(), spin_)}) {
     sum.local += loss.local;
     sum.viscous += loss.viscous;
     sum.edges += loss.edges;

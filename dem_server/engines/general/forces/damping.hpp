@@ -1,9 +1,9 @@
 // What takes energy out of the discs' motion, and the kick that it enters.
 //
 // Local damping (Cundall 1987): a force -share |f| sign(v-) on every component, f its resultant, spin
-// included. Drag, of viscous damping c = rate m and of quiet edges: -c v at n, where v is the mean of the
-// velocities half a step before and after; that is stable for any c: v+ = [(m/dt - c/2) v- + f] / (m/dt +
-// c/2).
+// included; in statics, their own share takes its place. Drag, of viscous damping c = rate m and of quiet
+// edges: -c v at n, where v is the mean of the velocities half a step before and after; that is stable for
+// any c: v+ = [(m/dt - c/2) v- + f] / (m/dt + c/2).
 #pragma once
 
 #include <cstdint>
@@ -38,7 +38,7 @@ class Damping {
     std::vector<double> local_force, drag_force;
   };
   Loss kick(const protocol::Step& step, std::uint32_t begin, std::uint32_t end, const double* inverse_inertia,
-            double* force, double* velocity, Component& component) const;
+            const double* tie, double* force, double* velocity, Component& component) const;
 
   double local_share_ = 0;
   bool drags_ = false;

@@ -47,7 +47,7 @@ class PointMass : public SteppedParticipant {
     velocity_ = 0;
   }
   void excavate(std::uint32_t stage) override { note(fmt::format("excavate {}", stage)); }
-  void start_over() override {
+  void start_over(const Drift& /*drift*/) override {
     note("start_over");
     velocity_ = 0;
   }

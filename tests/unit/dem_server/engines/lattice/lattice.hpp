@@ -53,7 +53,7 @@ inline void step(const ContactBond& law, double dt, bool start, Assembly& a, Led
   ledger.released += compute(law, dt, a).first.released;
   Velocities before;
   remember(a.particles, before);
-  kick(dt, {&all, 1}, resultants_of(a.particles), a.particles);
+  kick(protocol::Step{1, dt}, {&all, 1}, resultants_of(a.particles), a.particles);
   ledger.kinetic = kinetic_energy(a.particles, before, false);
   ledger.strain = strain_energy(law, a.bonds.runs, a.particles, a.bonds);
 }

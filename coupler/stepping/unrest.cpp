@@ -1,0 +1,76 @@
+#include "coupler/stepping/unrest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "coupler/exchange/exchange.hpp"
+
+namespace adit::coupler {
+namespace {
+
+// What the multipliers' impulses add to a participant's predicted kinetic energy, from both velocities at the
+// coupling points: the change of m v^2 / 2.
+double kinetic_energy_of_correction(Participant& participant) {
+  if (!participant.interpolation) return 0;
+  correct_velocities(participant);
+  double twice = 0;
+  const std::span<const double> impulses = participant.correction.impulses();
+  for (std::size_t i = 0; i < impulses.size(); ++i)
+    twice += impulses[i] * (participant.predicted[i] + participant.corrected[i]);
+  return twice / 2;
+}
+
+}  // namespace
+
+Unrest::Unrest(std::vector<Participant>& participants) {
+  for (Participant& participant : participants) {
+    const wire::Relaxation& r = participant.prediction().relaxation();
+    kinetic_energy += r.kinetic_energy() + kinetic_energy_of_correction(participant);
+    unbalanced_force += r.unbalanced_force();
+    internal_force += r.internal_force();
+    points += r.points();
+    elements += r.elements();
+    net_x += r.net_x();
+    net_y += r.net_y();
+    drag_x += r.drag_x();
+    drag_y += r.drag_y();
+    if (r.largest_unbalanced_force() < largest) continue;
+    largest = r.largest_unbalanced_force();
+    x = r.x();
+    y = r.y();
+    largest_of = participant.member.name;
+  }
+}
+
+double Unrest::mean_internal_force(double internal_at_first) const {
+  return std::max(internal_force, internal_at_first) / static_cast<double>(elements);
+}
+
+double Unrest::mean_ratio(double internal_at_first) const {
+  if (unbalanced_force == 0) return 0;
+  return (unbalanced_force / static_cast<double>(points)) / mean_internal_force(internal_at_first);
+}
+
+double Unrest::largest_ratio(double internal_at_first) const {
+  return largest == 0 ? 0 : largest / mean_internal_force(internal_at_first);
+}
+
+protocol::Drift Unrest::drift() const {
+  return {drag_x > 0 ? net_x / drag_x : 0, drag_y > 0 ? net_y / drag_y : 0};
+}
+
+bool Stall::noticed(double ratio) {
+  if (steps_ % kBin == 0) smallest_.push_back(ratio);
+  smallest_.back() = std::min(smallest_.back(), ratio);
+  ++steps_;
+  if (steps_ < kFirstLook || steps_ % kBin != 0) return false;
+  const auto end = smallest_.end(), middle = end - static_cast<std::ptrdiff_t>(smallest_.size() / 2),
+             begin = middle - static_cast<std::ptrdiff_t>(smallest_.size() / 4);
+  const double before = *std::min_element(begin, middle), now = *std::min_element(middle, end);
+  const double fall = std::log(before / now);  // in about half of the steps
+  const double needed = std::log(now / wanted_) / fall * static_cast<double>(steps_) / 2;
+  return fall <= 0 || needed > 2 * (static_cast<double>(max_steps_) - static_cast<double>(steps_));
+}
+
+}  // namespace adit::coupler
