@@ -39,7 +39,7 @@ Outcome swept(const Model& packing, std::size_t threads, const ContactBond& law)
     const protocol::Step step{n, dt};
     out.last = {};
     sweep.run(team, law, step, a, out.last, out.broken);
-    sweep.predict(team, step.kick(), a.particles);
+    sweep.predict(team, step, a.particles);
   }
   return out;
 }
@@ -54,7 +54,7 @@ Outcome passed(const Model& packing, const ContactBond& law) {
     const protocol::Step step{n, dt};
     if (!step.from_rest()) move(dt, {&all, 1}, a.particles);
     out.last = compute_bond_forces(law, dt, a.particles, a.bonds, out.broken);
-    kick(step.kick(), {&all, 1}, resultants_of(a.particles), a.particles);
+    kick(step, {&all, 1}, resultants_of(a.particles), a.particles);
   }
   return out;
 }
