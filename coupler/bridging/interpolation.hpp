@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "protocol/messages/wire.pb.h"
-#include "protocol/participant/sparse_rows.hpp"
+#include "protocol/participant/interface/sparse_rows.hpp"
 
 namespace adit::coupler {
 

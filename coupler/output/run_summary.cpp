@@ -104,14 +104,12 @@ void RunSummary::add_statics(const Rest& rest) {
   summary_.set("statics_drift_m_per_s", drift);
   lines_.push_back(
       fmt::format("at rest            after {} steps, unbalanced force ratio {:.1e}, the largest {:.1e} at "
-                  "({:.4g}, {:.4g}) m of "
-                  "{}",
+                  "({:.4g}, {:.4g}) m of {}",
                   rest.steps, rest.mean_ratio, rest.largest_ratio, rest.x, rest.y, rest.of));
   if (drift > kDriftLimit)
     warnings_.push_back(fmt::format(
-        "statics left so much unbalanced that the model would drift at {:.2g} mm/s; its edges were given "
-        "what it "
-        "lacks, and it moves about as fast when time begins; give a smaller statics.unbalanced_ratio",
+        "statics left forces without balance that would make the model drift at {:.2g} mm/s; its edges now "
+        "bear them, but it begins about as fast; give a smaller statics.unbalanced_ratio",
         1e3 * drift));
 }
 

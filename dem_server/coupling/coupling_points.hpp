@@ -8,7 +8,7 @@
 #include "dem_server/particles/bonded_neighbours.hpp"
 #include "dem_server/particles/particles.hpp"
 #include "dem_server/particles/prescribed_motions.hpp"
-#include "protocol/participant/interface_operator.hpp"
+#include "protocol/participant/interface/interface_operator.hpp"
 
 namespace adit::dem {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fdm_server/grid/grid.hpp"
-#include "protocol/participant/interface_operator.hpp"
+#include "protocol/participant/interface/interface_operator.hpp"
 
 namespace adit::fdm {
 

@@ -21,7 +21,7 @@
 #include "fdm_server/supports/peak_forces.hpp"
 #include "fdm_server/supports/supports.hpp"
 #include "protocol/motion/excitation/ground_motion.hpp"
-#include "protocol/participant/interface_operator.hpp"
+#include "protocol/participant/interface/interface_operator.hpp"
 #include "protocol/participant/step.hpp"
 #include "protocol/participant/stepped_participant.hpp"
 

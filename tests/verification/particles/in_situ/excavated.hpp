@@ -19,7 +19,7 @@ inline constexpr double kHole = 1.5;
 inline std::string tunnel_in_lattice(double disc, const std::string& more) {
   return fmt::format(
       "material {{ young_modulus: 1e9 poisson_ratio: 0.2 density: 2000 }} time {{ duration: 1e-3 }} "
-      "initial_stress {{ xx: {} yy: {} }} statics {{ unbalanced_ratio: 1e-5 count_from_stage: 1 }} "
+      "initial_stress {{ xx: {} yy: {} }} statics {{ unbalanced_ratio: 5e-6 count_from_stage: 1 }} "
       "continuum {{ block {{ x_min: -45 x_max: 45 y_min: -45 y_max: 45 zones_x: 90 zones_y: 90 }} "
       "motions {{ where {{ x_max: -45 }} velocity {{ x: 0 y: 0 }} }} "
       "motions {{ where {{ x_min: 45 }} velocity {{ x: 0 y: 0 }} }} "

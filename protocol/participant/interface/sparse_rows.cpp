@@ -1,4 +1,4 @@
-#include "protocol/participant/sparse_rows.hpp"
+#include "protocol/participant/interface/sparse_rows.hpp"
 
 #include <algorithm>
 #include <utility>

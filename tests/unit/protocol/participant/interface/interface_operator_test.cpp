@@ -1,4 +1,4 @@
-#include "protocol/participant/interface_operator.hpp"
+#include "protocol/participant/interface/interface_operator.hpp"
 
 #include <gmock/gmock.h>
 
