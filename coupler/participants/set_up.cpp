@@ -10,6 +10,7 @@
 #include "coupler/bridging/overlap_notes.hpp"
 #include "coupler/participants/time_step.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/ground/stages.hpp"
 
 namespace adit::coupler {
 namespace {
@@ -155,6 +156,7 @@ Model set_up(const scene::Scene& scene, std::vector<Participant> participants, c
     for (const std::size_t participant : {interface.outer, interface.inner})
       model.participants[participant].interface_path = interface.path;
   require_distinct_histories(scene, model.participants);
+  protocol::require_counted_stage(scene);
   build_models(model, run_id);
   choose_time_step(model);
   share_energy(model);

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -28,19 +27,6 @@ constexpr double kStepShare = 0.95;
 // each other in the overlap, by as much of their settlement as is still to come. Strengths forgive a fiftieth
 // of it.
 constexpr double kOnePaceAbove = 0.02;
-
-// 0, the ground as it is in the beginning, and the stages of excavation and of what is installed.
-std::set<std::uint32_t> stages(const scene::Scene& scene) {
-  std::set<std::uint32_t> found;
-  const auto add = [&found](const auto& model) { found.merge(protocol::stages_of(model)); };
-  add(scene.continuum());
-  add(scene.particles());
-  for (const scene::Region& region : scene.regions()) {
-    add(region.continuum());
-    add(region.particles());
-  }
-  return found;
-}
 
 // What the scene states, else what is faster: continua and lattices, whose particles are bonded, come down
 // mode by mode, which kinetic damping ends within a fraction of a period; where contacts open, close and
@@ -181,7 +167,7 @@ void Relaxer::give_up(const std::string& stage, std::uint64_t steps, bool stalle
 
 Rest relax(Model& model, Stepper& stepper) {
   Relaxer relaxer(model, stepper);
-  for (const std::uint32_t stage : stages(model.scene)) relaxer.relax(stage);
+  for (const std::uint32_t stage : protocol::stages_of(model.scene)) relaxer.relax(stage);
   for (Participant& participant : model.participants) participant.drift = relaxer.rest().drift;
   return relaxer.rest();
 }

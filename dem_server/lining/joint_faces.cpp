@@ -14,11 +14,11 @@ namespace {
 
 using Face = std::vector<std::uint32_t>;
 
-// Those of the fragment that holds most of the face, of two as large the one with the lower number.
-Face holding_together(const Face& face, std::span<const std::uint32_t> fragment) {
+// Those of the largest body, of two as large the one with the lower number.
+Face holding_together(const Face& face, const Bodies& bodies) {
   std::map<std::uint32_t, Face> parts;
-  for (const std::uint32_t i : face) parts[fragment[i]].push_back(i);
-  const auto size = [](const auto& part) { return part.second.size(); };
+  for (const std::uint32_t i : face) parts[bodies.number[i]].push_back(i);
+  const auto size = [&bodies](const auto& part) { return bodies.size[part.first]; };
   return parts.empty() ? Face{} : std::ranges::max_element(parts, {}, size)->second;
 }
 
@@ -62,10 +62,10 @@ JointFaces::JointFaces(std::string name, const geometry::Point& from, const geom
   far_.assign(far_face.begin(), far_face.end());
 }
 
-JointMotion JointFaces::motion(const Particles& p, std::span<const std::uint32_t> fragment) const {
+JointMotion JointFaces::motion(const Particles& p, const Bodies& bodies) const {
   const geometry::Point middle{(from_.x + to_.x) / 2, (from_.y + to_.y) / 2};
-  const RigidMotion near = rigid_motion(holding_together(near_, fragment), p, middle),
-                    far = rigid_motion(holding_together(far_, fragment), p, middle);
+  const RigidMotion near = rigid_motion(holding_together(near_, bodies), p, middle),
+                    far = rigid_motion(holding_together(far_, bodies), p, middle);
   const auto [tx, ty] = JointLine(from_, to_).direction();
   const double x = far.x - near.x, y = far.y - near.y;
   return {y * tx - x * ty, x * tx + y * ty, far.rotation - near.rotation};

@@ -8,8 +8,8 @@
 //   opening = (u_far - u_near).n,    offset = (u_far - u_near).t,    rotation = w_far - w_near,
 // which no rigid motion of both changes. Displacements are those since time began, rotations small.
 //
-// A grain that falls off must not decide: of a face only the particles of the fragment count that holds most
-// of them.
+// What falls off must not decide, grains or a whole corner: of a face only the particles of the largest body
+// count.
 #pragma once
 
 #include <cstdint>
@@ -27,6 +27,12 @@ struct JointMotion {
   double opening, offset, rotation;  // [m], [m], [rad]
 };
 
+// What whole bonds hold together (observe/fragments.hpp).
+struct Bodies {
+  std::span<const std::uint32_t> number;  // of each particle: its body
+  std::span<const std::uint32_t> size;    // of each body: its particles
+};
+
 class JointFaces {
  public:
   // `near`: pairs of particles that touch or nearly do.
@@ -38,8 +44,8 @@ class JointFaces {
   std::span<const std::uint32_t> near_face() const { return near_; }
   std::span<const std::uint32_t> far_face() const { return far_; }
 
-  // `fragment`: of each particle (fragments.hpp). NaN where fewer than two particles of a face hold together.
-  JointMotion motion(const Particles& particles, std::span<const std::uint32_t> fragment) const;
+  // NaN where fewer than two particles of a face hold together.
+  JointMotion motion(const Particles& particles, const Bodies& bodies) const;
 
  private:
   std::string name_;

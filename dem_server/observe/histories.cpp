@@ -262,7 +262,8 @@ void Histories::read(const Observable& observed, const Lining& lining, const pro
       case scene::OFFSET:
       case scene::ROTATION:
         if (!fragments) fragments = fragments_of(p.size(), whole_bonds(observed));
-        values.Add(component(lining.joints[history.named].motion(p, fragments->number), history.quantity));
+        values.Add(component(lining.joints[history.named].motion(p, {fragments->number, fragments->size}),
+                             history.quantity));
         break;
       case scene::SPRING_FORCE:
         values.Add(observed.springs()[history.named].force);

@@ -39,6 +39,25 @@ std::set<std::uint32_t> stages_of(const scene::Continuum& continuum) {
   return stages;
 }
 
+std::set<std::uint32_t> stages_of(const scene::Scene& scene) {
+  std::set<std::uint32_t> stages;
+  const auto merge = [&stages](const auto& part) {
+    stages.merge(stages_of(part.continuum()));
+    stages.merge(stages_of(part.particles()));
+  };
+  merge(scene);
+  for (const scene::Region& region : scene.regions()) merge(region);
+  return stages;
+}
+
+void require_counted_stage(const scene::Scene& scene) {
+  const std::set<std::uint32_t> stages = stages_of(scene);
+  if (!scene.statics().has_count_from_stage() || stages.contains(scene.statics().count_from_stage())) return;
+  throw UserError("statics.count_from_stage",
+                  fmt::format("is {}, but the stages of the scene are {}; give one of them",
+                              scene.statics().count_from_stage(), fmt::join(stages, ", ")));
+}
+
 void require_statics(const scene::Scene& scene, std::uint32_t stage, const std::string& path) {
   if (stage == 0 || scene.has_statics()) return;
   throw UserError(path + ".stage",

@@ -13,9 +13,13 @@ namespace adit::protocol {
 // has held is let go.
 std::set<std::uint32_t> stages_of(const scene::Particles& particles);
 std::set<std::uint32_t> stages_of(const scene::Continuum& continuum);
+std::set<std::uint32_t> stages_of(const scene::Scene& scene);  // of all models
 
 // UserError at `path`.stage for a stage after 0 in a scene without statics.
 void require_statics(const scene::Scene& scene, std::uint32_t stage, const std::string& path);
+
+// UserError where displacements shall count from a stage that the scene does not have.
+void require_counted_stage(const scene::Scene& scene);
 
 // The stage from whose beginning displacements count, where they do not count from the beginning of time.
 struct CountedFrom {

@@ -98,10 +98,7 @@ def _coloured(run, what, pieces, values, unit, shown=None):
 
 def _heavy(piece, values):
     """Which values count: not those of light zones and particles, nor of particles that were taken away."""
-    there = np.full(len(values), True)
-    if piece.cells.shape[1] == 1:
-        there[:] = False
-        there[piece.cells[:, 0]] = True
+    there = piece.is_there() if piece.cells.shape[1] == 1 else np.full(len(values), True)
     weight = piece.field("weight")
     return there & (weight >= LIGHT_WEIGHT) if weight is not None and len(weight) == len(values) else there
 

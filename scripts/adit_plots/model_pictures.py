@@ -29,9 +29,10 @@ def deformed(run, time, pieces):
         _draw_zones(axes, grid, grid.moved(scale), fc="none", ec=ZONE_EDGE, lw=0.7, zorder=3)  # over the particles
         handles.append(Patch(fc=ZONE_FACE, ec=ZONE_EDGE, label="zones"))
     if particles is not None:
-        size = 2 * particles.field("radius_m", np.zeros(len(particles.points)))
+        there = particles.is_there()
+        size = 2 * particles.field("radius_m", np.zeros(len(there)))[there]
         axes.add_collection(EllipseCollection(
-            size, size, np.zeros_like(size), units="xy", offsets=particles.moved(scale),
+            size, size, np.zeros_like(size), units="xy", offsets=particles.moved(scale)[there],
             offset_transform=axes.transData, fc=DISC_FACE, ec=DISC_EDGE, lw=0.35, zorder=2))
         handles.append(Line2D([], [], ls="", marker="o", ms=6, mfc=DISC_FACE, mec=DISC_EDGE, label="particles"))
     add_legend(handles)

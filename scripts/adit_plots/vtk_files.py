@@ -41,6 +41,12 @@ class Piece:
         """A field of the points or of the cells."""
         return self.point_fields.get(name, self.cell_fields.get(name, default))
 
+    def is_there(self):
+        """Of each point of a cloud: particles that were taken away keep their place but have no cell."""
+        there = np.full(len(self.points), False)
+        there[self.cells[:, 0]] = True
+        return there
+
     def moved(self, scale):
         """The points after the displacement, times `scale`."""
         displacement = self.point_fields.get("displacement_m")

@@ -57,6 +57,11 @@ void expect_motion(const JointMotion& motion) {
   EXPECT_NEAR(motion.rotation, 1e-3, 1e-12);
 }
 
+JointMotion motion_of(const JointFaces& faces, const GeneralEngine& engine) {
+  const Fragments fragments = fragments_of(engine.particles().size(), whole_bonds(engine));
+  return faces.motion(engine.particles(), {fragments.number, fragments.size});
+}
+
 TEST(JointFaces, TellTheRelativeMotionOfRigidBodies) {
   GeneralEngine engine(two_blocks(), 1);
   Particles& p = engine.particles();
@@ -64,7 +69,7 @@ TEST(JointFaces, TellTheRelativeMotionOfRigidBodies) {
   EXPECT_EQ(faces.near_face().size(), std::size_t{kRows});
   EXPECT_EQ(faces.far_face().size(), std::size_t{kRows});
   move_blocks(p);
-  expect_motion(faces.motion(p, fragments_of(p.size(), whole_bonds(engine)).number));
+  expect_motion(motion_of(faces, engine));
 }
 
 // Two grains that are lost, one of either face, change nothing; displacements count from when time began.
@@ -85,7 +90,29 @@ TEST(JointFaces, DoNotFollowGrainsThatFellOff) {
     p.settled_x[i] = 0.01;
     p.ux[i] += 0.01;
   }
-  expect_motion(faces.motion(p, fragments_of(p.size(), whole_bonds(engine)).number));
+  expect_motion(motion_of(faces, engine));
+}
+
+// A corner that breaks off with more than half of a face changes nothing either.
+TEST(JointFaces, DoNotFollowACornerThatFellOff) {
+  Model model = two_blocks();
+  const auto in_corner = [](double x, double y) { return x > 3 && x < 4 && y < 4; };
+  std::erase_if(model.bonds, [&](const Bond& bond) {
+    return in_corner(model.discs.x[bond.first], model.discs.y[bond.first]) !=
+           in_corner(model.discs.x[bond.second], model.discs.y[bond.second]);
+  });
+  GeneralEngine engine(model, 1);
+  Particles& p = engine.particles();
+  const JointFaces faces = joint(p);
+  move_blocks(p);
+  std::size_t fallen = 0;
+  for (const std::uint32_t i : faces.near_face())
+    if (in_corner(p.x[i], p.y[i])) {
+      p.uy[i] -= 5;
+      ++fallen;
+    }
+  EXPECT_EQ(fallen, 4u);
+  expect_motion(motion_of(faces, engine));
 }
 
 TEST(JointFaces, TellNothingOfAFaceThatFellApart) {
@@ -93,7 +120,7 @@ TEST(JointFaces, TellNothingOfAFaceThatFellApart) {
   std::erase_if(model.bonds, [&](const Bond& bond) { return model.discs.x[bond.first] > 3; });
   GeneralEngine engine(model, 1);
   const Particles& p = engine.particles();
-  EXPECT_TRUE(std::isnan(joint(p).motion(p, fragments_of(p.size(), whole_bonds(engine)).number).opening));
+  EXPECT_TRUE(std::isnan(motion_of(joint(p), engine).opening));
 }
 
 constexpr double kStiffness = 1e6, kPull = 2e3, kArm = 2.0;
