@@ -10,6 +10,7 @@
 #include "protocol/participant/time_function.hpp"
 #include "protocol/scene/fields/check_rules.hpp"
 #include "simplified/models/differences.hpp"
+#include "simplified/models/solve.hpp"
 #include "simplified/output/zoom.hpp"
 #include "simplified/run.hpp"
 #include "tests/unit/simplified/scenes.hpp"
@@ -86,6 +87,25 @@ INSTANTIATE_TEST_SUITE_P(Tunnels, BeamAndChain,
                          [](const auto& info) { return info.index == 0 ? "Tube" : "Immersed"; });
 
 // Requirement: a wave that passes opens the joints more than the same motion everywhere at once.
+// A joint has the outline of the section that ends at it, also one element behind a change of sections.
+TEST(BeamModel, JointsHaveTheOutlineOfTheSectionBeforeThem) {
+  scene::Scene scene = tunnel();
+  auto& line = *scene.mutable_simplified()->mutable_tunnel();
+  for (auto& section : *line.mutable_sections()) section.set_element_length(25);
+  line.mutable_sections(1)->set_width(14);
+  line.mutable_sections(1)->set_height(14);
+  line.mutable_joints(0)->clear_rotation_stiffness();
+  const beam::Tunnel model = beam_model(scene.simplified(), divide(line));
+  ASSERT_EQ(model.joints.size(), 7u);
+  const auto half_width = [](const beam::Joint& joint) {
+    return std::ranges::max(joint.springs, {}, &beam::Joint::Spring::y).y;
+  };
+  const double narrow = half_width(model.joints[0]);
+  EXPECT_GT(narrow, 0);
+  for (const beam::Joint& joint : model.joints)
+    EXPECT_DOUBLE_EQ(half_width(joint), joint.chainage > 100 ? 2 * narrow : narrow) << joint.chainage;
+}
+
 TEST(Excitation, PassageOpensJointsThatUniformMotionLeavesClosed) {
   scene::Scene scene = tunnel();
   scene.mutable_simplified()->mutable_excitation()->clear_lateral();

@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "dem_server/engines/general/forces/spring_forces.hpp"
 #include "dem_server/engines/general/general_engine.hpp"
 #include "dem_server/laws/force_curve.hpp"
 #include "tests/support/refusals.hpp"
@@ -61,6 +62,22 @@ TEST(Springs, FollowACurveBeyondTheirClearance) {
   key.springs[0].clearance = 1e-3;
   for (const auto& [stretch, force] : {std::pair{9e-4, 0.0}, {-9e-4, 0.0}, {3e-3, 2e3}, {-3e-3, -2e3}})
     EXPECT_NEAR(pull(key, stretch), force, 1e-6);
+}
+
+// A bolt is gone, with its force, as soon as one of its discs is taken away.
+TEST(Springs, GoWithTheirDiscs) {
+  Model model = two_discs(1);
+  model.springs = {{0, 1, 1e6, false, 5e3, 1e9}};
+  Solver solver(model, 1);
+  SpringForces springs(model.springs);
+  springs.begin_stage(0, 1, solver.particles());
+  EXPECT_EQ(springs.forces()[0], 5e3);
+  solver.particles().mass[1] = 0;
+  springs.begin_stage(1, 2, solver.particles());
+  EXPECT_EQ(springs.forces()[0], 0);
+  EXPECT_EQ(springs.strain_energy(), 0);
+  springs.add_forces(0, solver.particles());
+  EXPECT_EQ(solver.particles().fx[0], 0);
 }
 
 // Discs that fly apart and come back on a gasket keep their energy: on a slope the trapezoid of a step is
