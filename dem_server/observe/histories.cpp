@@ -129,13 +129,20 @@ double component(const JointMotion& motion, scene::Quantity quantity) {
   return quantity == scene::OFFSET ? motion.offset : motion.rotation;
 }
 
-// What means over circles need of all particles, found once a row and only where it is asked for.
+// What means over circles need of the particles that are there, found once a row and only where it is asked
+// for.
 class CircleMeans {
  public:
-  explicit CircleMeans(const Observable& observed) : observed_(observed), p_(observed.particles()) {
-    for (std::size_t i = 0; i < p_.size(); ++i) {
-      x_.push_back(p_.x[i] + p_.ux[i]);
-      y_.push_back(p_.y[i] + p_.uy[i]);
+  explicit CircleMeans(const Observable& observed) : observed_(observed) {
+    const Particles& p = observed.particles();
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      if (!p.is_there(i)) continue;
+      there_.push_back(i);
+      x_.push_back(p.x[i] + p.ux[i]);
+      y_.push_back(p.y[i] + p.uy[i]);
+      vx_.push_back(p.vx[i]);
+      vy_.push_back(p.vy[i]);
+      radius_.push_back(p.radius[i]);
     }
   }
 
@@ -156,7 +163,7 @@ class CircleMeans {
       case scene::COORDINATION:
         return mean_coordination(circle, x_, y_, coordination());
       default:
-        return porosity(circle, x_, y_, p_.radius);
+        return porosity(circle, x_, y_, radius_);
     }
   }
 
@@ -167,16 +174,20 @@ class CircleMeans {
   }
   Tensor strain_rate(const Circle& circle) const {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    return mean_strain_rate(circle, x_, y_, p_.vx, p_.vy).value_or(Tensor{kNone, kNone, kNone});
+    return mean_strain_rate(circle, x_, y_, vx_, vy_).value_or(Tensor{kNone, kNone, kNone});
   }
   const std::vector<std::uint32_t>& coordination() {
-    if (!coordination_) coordination_ = coordination_of(p_.size(), touching_particles(observed_));
+    if (!coordination_) {
+      const auto all = coordination_of(observed_.particles().size(), touching_particles(observed_));
+      coordination_.emplace();
+      for (const std::size_t i : there_) coordination_->push_back(all[i]);
+    }
     return *coordination_;
   }
 
   const Observable& observed_;
-  const Particles& p_;
-  std::vector<double> x_, y_;
+  std::vector<std::size_t> there_;
+  std::vector<double> x_, y_, vx_, vy_, radius_;
   std::optional<std::vector<Branch>> branches_;
   std::optional<std::vector<std::uint32_t>> coordination_;
 };

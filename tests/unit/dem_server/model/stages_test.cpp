@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "dem_server/engines/general/general_engine.hpp"
 #include "dem_server/model/reading/read_model.hpp"
@@ -147,6 +148,39 @@ TEST(ParticleStages, LeaveSectionsWhatCrossesThem) {
     engine.begin_stage(stage);
     EXPECT_NEAR(thrust(), before, 1e-12 * before) << stage;
   }
+}
+
+// A circle inside of what is taken away holds nothing but pores; around a larger one stand four discs with
+// three neighbours.
+TEST(ParticleStages, LeaveCirclesWhatIsThere) {
+  auto scene = staged();
+  const auto add = [&](scene::Quantity quantity, double radius) {
+    auto& history = *scene.mutable_particles()->add_histories();
+    history.set_name(scene::Quantity_Name(quantity));
+    history.set_quantity(quantity);
+    test::set(*history.mutable_at(), 3, 2);
+    history.set_radius(radius);
+  };
+  add(scene::POROSITY, 1);
+  add(scene::COORDINATION, 2);
+  add(scene::STRAIN_RATE_XX, 2);
+  GeneralEngine engine(read_model(scene), 1);
+  engine.watch(scene.particles());
+  const auto values = [&] {
+    Particles& p = engine.particles();
+    for (std::size_t i = 0; i < p.size(); ++i) p.vx[i] = p.is_there(i) ? 0.5 * p.x[i] : 0;
+    google::protobuf::RepeatedField<double> read;
+    engine.read_histories({0, 1e-6}, read);
+    return read;
+  };
+  EXPECT_NEAR(values()[0], 1 - std::numbers::pi / 4, 0.05);
+  EXPECT_GT(values()[1], 3.5);
+  engine.begin_stage(1);
+  EXPECT_NEAR(values()[0], 1, 1e-12);
+  EXPECT_NEAR(values()[1], 3, 1e-12);
+  EXPECT_NEAR(values()[2], 0.5, 1e-12);
+  engine.begin_stage(3);
+  EXPECT_GT(values()[1], 3.5);
 }
 
 TEST(ParticleStages, AskForTheGeneralEngineAndForStatics) {
