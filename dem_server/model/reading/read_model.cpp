@@ -133,6 +133,7 @@ void start_under_stress(const scene::Scene& scene, Model& model) {
     throw UserError(
         "particles.random_packing.keep_stress",
         "is set, but initial_stress says under which stress the particles start; give one of both");
+  refuse_walls_that_bear(model);
   const protocol::StatedStress stated(scene.initial_stress());
   set_initial_state([&stated](double y) { return stated.at(y); }, model);
 }

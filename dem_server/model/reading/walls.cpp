@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "dem_server/model/reading/conditions.hpp"
 #include "protocol/errors.hpp"
@@ -11,6 +12,20 @@
 namespace adit::dem {
 
 using protocol::UserError;
+
+namespace {
+
+constexpr double kTouching = 1e-6;  // of a radius: gaps below are none
+
+double distance(const MovingWall& wall, double x, double y) {
+  const double along_x = wall.x_2 - wall.x_1, along_y = wall.y_2 - wall.y_1;
+  const double to_x = x - wall.x_1, to_y = y - wall.y_1;
+  const double share =
+      std::clamp((to_x * along_x + to_y * along_y) / (along_x * along_x + along_y * along_y), 0.0, 1.0);
+  return std::hypot(to_x - share * along_x, to_y - share * along_y);
+}
+
+}  // namespace
 
 std::vector<MovingWall> read_walls(const scene::Particles& particles, const Group& own) {
   std::vector<MovingWall> walls;
@@ -33,6 +48,20 @@ std::vector<MovingWall> read_walls(const scene::Particles& particles, const Grou
                      wall.velocity().x(), wall.velocity().y(), factor_of(wall.velocity().time())});
   }
   return walls;
+}
+
+void refuse_walls_that_bear(const Model& model) {
+  const Discs& d = model.discs;
+  for (std::size_t k = 0; k < model.walls.size(); ++k)
+    for (std::size_t i = 0; i < d.size(); ++i) {
+      const bool there = model.present.empty() || model.present[i];
+      if (!there || distance(model.walls[k], d.x[i], d.y[i]) > (1 + kTouching) * d.radius[i]) continue;
+      throw UserError(fmt::format("particles.walls[{}]", k),
+                      fmt::format("touches the particle at ({:.6g}, {:.6g}) m, and a wall cannot bear its "
+                                  "part of initial_stress; hold the outermost particles by "
+                                  "particles.motions instead, or move the wall away from them",
+                                  d.x[i], d.y[i]));
+    }
 }
 
 }  // namespace adit::dem

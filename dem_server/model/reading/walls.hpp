@@ -11,4 +11,8 @@ namespace adit::dem {
 // of one name.
 std::vector<MovingWall> read_walls(const scene::Particles& particles, const Group& own);
 
+// UserError for a wall that a particle touches before anything moves: walls start free of force, and under an
+// initial stress they would yield at once.
+void refuse_walls_that_bear(const Model& model);
+
 }  // namespace adit::dem

@@ -11,6 +11,7 @@
 #include "dem_server/model/reading/read_model.hpp"
 #include "protocol/scene/fields/check_rules.hpp"
 #include "tests/support/lattice_model.hpp"
+#include "tests/support/refusals.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
 namespace adit::dem {
@@ -141,6 +142,21 @@ TEST(InitialState, CutsWhatIsBeyondStrength) {
   for (const Bond& bond : model.bonds) most = std::max(most, bond.at_rest.normal);
   EXPECT_DOUBLE_EQ(most, 2e3);
   EXPECT_THAT(model.notes, testing::Contains(testing::HasSubstr("cannot bear their part")));
+}
+
+// A wall starts free of force: one that particles touch is refused, one away from them is not.
+TEST(InitialState, IsNotBorneByWalls) {
+  auto scene = test::square_scene(6, 4);
+  scene.mutable_initial_stress()->set_yy(-1e5);
+  auto& wall = *scene.mutable_particles()->add_walls();
+  wall.set_name("floor");
+  test::set(*wall.mutable_from(), -1, 0);
+  test::set(*wall.mutable_to(), 7, 0);
+  adit::test::expect_refusal([&] { read_model(scene); }, "particles.walls[0]",
+                             "a wall cannot bear its part of initial_stress");
+  wall.mutable_from()->set_y(-0.1);
+  wall.mutable_to()->set_y(-0.1);
+  EXPECT_EQ(read_model(scene).walls.size(), 1u);
 }
 
 }  // namespace
