@@ -2,9 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <set>
-
 #include "coupler/check/text.hpp"
+#include "protocol/ground/stages.hpp"
 #include "protocol/text.hpp"
 
 namespace adit::coupler {
@@ -23,12 +22,10 @@ std::string contacts_of(const scene::Particles& particles) {
                           : fmt::format("{} laws", laws.size());
 }
 
+// Those after the beginning.
 template <class Part>
-std::string stages_of(const Part& part) {
-  std::set<std::uint32_t> stages;
-  for (const auto& excavation : part.excavations())
-    if (excavation.stage() > 0) stages.insert(excavation.stage());
-  return grouped(stages.size());
+std::string stages_in(const Part& part) {
+  return grouped(protocol::stages_of(part).size() - 1);
 }
 
 std::vector<std::string> particles_row(const Participant& participant, const scene::Particles& particles) {
@@ -40,7 +37,7 @@ std::vector<std::string> particles_row(const Participant& participant, const sce
           contacts_of(particles),
           grouped(static_cast<std::uint64_t>(particles.joints_size())),
           grouped(static_cast<std::uint64_t>(particles.springs_size())),
-          stages_of(particles)};
+          stages_in(particles)};
 }
 
 std::vector<std::string> grid_row(const Participant& participant, const scene::Continuum& continuum) {
@@ -49,7 +46,7 @@ std::vector<std::string> grid_row(const Participant& participant, const scene::C
           grouped(participant.counts.grid_points()),
           grouped(static_cast<std::uint64_t>(continuum.linings_size())),
           grouped(static_cast<std::uint64_t>(continuum.bolts_size())),
-          stages_of(continuum)};
+          stages_in(continuum)};
 }
 
 void print_if_any(const Table& table) {

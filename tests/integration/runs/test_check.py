@@ -139,6 +139,8 @@ class Check(ProgramTest):
     def test_what_the_scene_holds_is_told(self):
         ground = self.check(self.scene(GROUND, "ground.yaml"))
         self.assertEqual([ground.count("continuum", column) for column in ("linings", "bolts", "stages")], [1, 1, 2])
+        later = self.scene(GROUND.replace("thickness: 10 cm", "thickness: 10 cm\n      stage: 4"), "later.yaml")
+        self.assertEqual(self.check(later).count("continuum", "stages"), 3)  # that of the lining is one
         particles = self.check(self.scene(PARTICLES, "particles.yaml"))
         self.assertEqual((particles.rows["particles"]["contacts"], particles.count("particles", "springs")), ("friction 0.5", 1))
         self.assertIn("particles: general: ", particles.line("engine"))
