@@ -38,7 +38,7 @@ double largest(const std::vector<double>& values) {
 
 }  // namespace
 
-void write_motion(const std::filesystem::path& path, const motion::Motion& motion) {
+void write_motion(const std::filesystem::path& path, const motion::Motion& motion, double place) {
   const motion::Course course = motion::integrate(motion);
   const std::vector<double> husid = motion::husid(motion);
   const std::vector<std::string> columns{"time_s", "acceleration_m_per_s2", "velocity_m_per_s",
@@ -46,7 +46,7 @@ void write_motion(const std::filesystem::path& path, const motion::Motion& motio
   results::CsvFile file(path, columns);
   for (std::size_t i = 0; i < husid.size(); ++i)
     file.row(std::vector{static_cast<double>(i) * motion.dt, motion.acceleration[i], course.velocity[i],
-                         course.displacement[i], husid[i]});
+                         place + course.displacement[i], husid[i]});
 }
 
 void write_response(const std::filesystem::path& path, const motion::Motion& motion,

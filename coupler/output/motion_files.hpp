@@ -9,8 +9,9 @@
 
 namespace adit::coupler {
 
-// Acceleration, velocity and displacement over time, and the share of the Arias intensity so far.
-void write_motion(const std::filesystem::path& path, const motion::Motion& motion);
+// Acceleration, velocity and displacement over time, and the share of the Arias intensity so far. The
+// displacement counts from `place` [m].
+void write_motion(const std::filesystem::path& path, const motion::Motion& motion, double place);
 
 // Response spectra for every damping: largest displacement, velocity and absolute acceleration of
 // oscillators, and their pseudo velocity and pseudo acceleration.

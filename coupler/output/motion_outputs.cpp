@@ -82,11 +82,16 @@ void MotionOutputs::read_input(const Model& model) {
     const scene::Base& base = continuum_of(model.scene, participant.member).base();
     if (!base.has_acceleration()) continue;
     input_direction_ = base.direction() == scene::Base::X ? scene::ACCELERATION_X : scene::ACCELERATION_Y;
-    input_ = motion::ground_motion(base.acceleration(), participant.member.path + ".base.acceleration",
-                                   model.scene.time().duration())
-                 .acting();
+    const motion::UsedMotion used = motion::ground_motion(
+        base.acceleration(), participant.member.path + ".base.acceleration", model.scene.time().duration());
+    input_ = used.acting();
+    input_place_ = used.place;
     return;
   }
+}
+
+double MotionOutputs::place(const Request& request) const {
+  return request.quantity == input_direction_ ? input_place_ : 0;
 }
 
 const motion::Motion* MotionOutputs::reference(const Request& request) const {
@@ -150,12 +155,12 @@ MotionOutputs::Found MotionOutputs::write(const std::filesystem::path& folder) c
   for (const Request& request : requests_) {
     const auto& [spectra, record, relative_to, quantity] = request;
     const auto& [name, column, motion] = records_[record];
-    write_motion(folder / (name + "_motion.csv"), motion);
+    write_motion(folder / (name + "_motion.csv"), motion, place(request));
     write_response(folder / (name + "_response.csv"), motion, spectra);
     if (const motion::Motion* before = reference(request))
       write_response(folder / (name + "_reference.csv"), *before, spectra);
     write_fourier(folder / (name + "_fourier.csv"), motion);
-    const motion::Peaks peaks = motion::peaks(motion);
+    const motion::Peaks peaks = motion::peaks(motion, place(request));
     const double arias = motion::arias_intensity(motion),
                  d = motion::significant_duration(motion, 0.05, 0.95);
     const auto add = [&, &name = name](const char* measure, double value) {

@@ -52,6 +52,8 @@ class MotionOutputs {
   std::optional<std::size_t> find(const std::string& name, scene::Quantity quantity) const;
   // Takes the acceleration of the base of the first continuum that has one.
   void read_input(const Model& model);
+  // Where a motion begins [m]: those in the input's direction with the input.
+  double place(const Request& request) const;
   // The motion from which that of the request came, if it is known.
   const motion::Motion* reference(const Request& request) const;
   void require_recorded(const std::string& name, const std::string& path) const;
@@ -61,6 +63,7 @@ class MotionOutputs {
   std::vector<Record> records_;
   std::vector<Request> requests_;
   std::optional<motion::Motion> input_;  // acceleration of the base
+  double input_place_ = 0;               // where it begins, in its record's displacement [m]
   scene::Quantity input_direction_ = scene::ACCELERATION_X;
 };
 

@@ -34,8 +34,9 @@ std::vector<double> squares(const Motion& motion) {
 
 }  // namespace
 
-Peaks peaks(const Motion& motion) {
-  const Course course = integrate(motion);
+Peaks peaks(const Motion& motion, double place) {
+  Course course = integrate(motion);
+  for (double& displacement : course.displacement) displacement += place;
   return {largest(motion.acceleration), largest(course.velocity), largest(course.displacement)};
 }
 

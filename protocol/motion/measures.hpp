@@ -13,7 +13,8 @@ struct Peaks {
   double velocity;
   double displacement;
 };
-Peaks peaks(const Motion& motion);
+// The displacement counts from `place` [m].
+Peaks peaks(const Motion& motion, double place = 0);
 
 // Arias intensity [m/s]: pi / (2 g) times the integral of the acceleration squared, exact for the straight
 // lines between the values.

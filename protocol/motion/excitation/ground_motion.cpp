@@ -62,12 +62,15 @@ TargetSpectrum target(const scene::SyntheticMotion& synthetic) {
   return gb18306(1, synthetic.corner_period());
 }
 
+constexpr double kShortestPeriod = 0.1, kLongestPeriod = 4;  // of a synthetic motion [s]
+constexpr double kLongestPeriods = 3;                        // of them in a synthetic motion, at least
+
 // The shaking grows over the first 15 % of the duration, and decays from its middle on to exp(-3) = 1/20 at
 // the end.
 Motion synthetic(const scene::SyntheticMotion& scene, const Sampling& sampling) {
   return synthesize({.target = target(scene),
-                     .shortest_period = std::max(0.1, 4 * sampling.dt),
-                     .longest_period = std::min(4.0, sampling.duration / 3),
+                     .shortest_period = std::max(kShortestPeriod, 4 * sampling.dt),
+                     .longest_period = std::min(kLongestPeriod, sampling.duration / kLongestPeriods),
                      .dt = sampling.dt,
                      .duration = sampling.duration,
                      .envelope = {.rise = 0.15 * sampling.duration,
@@ -77,10 +80,18 @@ Motion synthetic(const scene::SyntheticMotion& scene, const Sampling& sampling) 
       .motion;
 }
 
+// A run too short for any period is a trial: it gets the beginning of a motion of all periods.
+double synthetic_duration(const scene::GroundMotion& scene, const Sampling& run) {
+  if (std::isfinite(scene.until())) return scene.until();
+  const double used = scene.from() + run.duration;
+  const double shortest = std::max(kShortestPeriod, 4 * run.dt);
+  return used > kLongestPeriods * shortest ? used : kLongestPeriods * std::max(kLongestPeriod, 2 * shortest);
+}
+
 // How long a motion is that is made by a formula: one that outlasts the run is made whole.
 double whole_duration(const scene::GroundMotion& scene, const Sampling& sampling) {
+  if (scene.has_synthetic()) return synthetic_duration(scene, sampling);
   const double used = scene.from() + sampling.duration;
-  if (scene.has_synthetic()) return std::isfinite(scene.until()) ? scene.until() : used;
   const double end = natural_end(scene);
   return end > used ? sampling.dt * std::ceil(end / sampling.dt) : used;
 }
@@ -104,6 +115,24 @@ Motion raw_motion(const scene::GroundMotion& scene, const std::string& path, con
       break;
   }
   throw UserError(path, "has no motion; give one of file, ricker, sine, gabor, synthetic");
+}
+
+// The longest period of a synthetic motion follows from its duration, which is that of the run unless `until`
+// says otherwise: a shorter run has another motion.
+void note_synthetic(const scene::GroundMotion& scene, const Sampling& run, UsedMotion& used) {
+  if (!scene.has_synthetic() || std::isfinite(scene.until())) return;
+  const double duration = synthetic_duration(scene, run), all = kLongestPeriods * kLongestPeriod;
+  if (duration > scene.from() + run.duration)
+    used.notes.push_back(
+        fmt::format("the run of {:g} s is too short for a synthetic motion, and gets the beginning of one of "
+                    "{:g} s; give `until` to choose of which",
+                    run.duration, duration));
+  else if (duration < all)
+    used.notes.push_back(fmt::format(
+        "the synthetic motion lasts as long as the run, so that its longest period is {:.3g} s "
+        "instead of {:g} s; give an `until` of {:g} s or more, of which a shorter run is then the "
+        "beginning",
+        duration / kLongestPeriods, kLongestPeriod, all));
 }
 
 Motion filtered(const scene::GroundMotion& scene, Motion motion) {
@@ -166,12 +195,14 @@ UsedMotion ground_motion(const scene::GroundMotion& scene, const std::string& pa
     const Motion whole = whole_motion(scene, path, sampling);
     UsedMotion used{.motion = part(whole, scene.from(), scene.until()),
                     .duration = sampling.duration,
+                    .place = place_at_begin(whole, scene.from(), scene.until()),
                     .notes = notes_on_cut(whole, {scene.from(), scene.until(), sampling.duration})};
     if (scene.has_file()) {
       used.interpolation = Interpolation::kBandLimited;
       if (used.motion.dt != sampling.dt) used.motion = at_step(used.motion, sampling.dt);
     }
     const double rest = sampling.duration - used.motion.duration();
+    note_synthetic(scene, sampling, used);
     if (rest > 0 && std::isfinite(scene.until())) used.motion = padded(used.motion, 0, rest + used.motion.dt);
     return used;
   });

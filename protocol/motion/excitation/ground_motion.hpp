@@ -19,6 +19,8 @@ struct UsedMotion {
   double duration = 0;  // of the run [s]
   // Pulses and synthetic motions are straight lines between their values, records are samples of what was.
   Interpolation interpolation = Interpolation::kLinear;
+  // Where the ground lies when the run begins, in the displacement of the whole motion [m].
+  double place = 0;
   std::vector<std::string> notes = {};  // for the user, where the motion is cut inside shaking
 
   // What acts during the run, with straight lines between the values.
@@ -30,7 +32,7 @@ struct UsedMotion {
 // The motion after the processing that the scene asks for. A record or a pulse is made, tapered, filtered,
 // its baseline corrected, and scaled as a whole; then the run's part is taken, so that the duration of the
 // run changes nothing of what comes before its end. A synthetic motion lasts until `until`, or to the end of
-// the run.
+// the run, but at least as long as its periods need.
 //
 // Records are sent with the scene (attached_files.hpp). They are processed at their own step and have the
 // sampling's step afterwards. Throws UserError below `path`, for example if a record ends before the run does

@@ -91,6 +91,14 @@ Motion part(const Motion& whole, double from, double until) {
   return result;
 }
 
+double place_at_begin(const Motion& whole, double from, double until) {
+  const Stretch kept = stretch(whole, from, until);
+  if (kept.begin == 0) return 0;
+  const std::size_t steps = window_steps(whole, kept);
+  return integrate(whole).displacement[kept.begin + steps] -
+         integrate(part(whole, from, until)).displacement[steps];
+}
+
 double added_by_window(const Motion& whole, double from, double until) {
   const Stretch kept = stretch(whole, from, until);
   const Motion used = part(whole, from, until);

@@ -18,6 +18,10 @@ namespace adit::motion {
 // part outside the motion, and one of fewer than 17 values that is cut inside the motion.
 Motion part(const Motion& whole, double from, double until);
 
+// What the displacement of the part lacks, once the window has risen, to that of the whole motion [m]: where
+// the ground lies when the part begins.
+double place_at_begin(const Motion& whole, double from, double until);
+
 // The most by which the window raises |acceleration| where the part begins and ends [m/s^2].
 double added_by_window(const Motion& whole, double from, double until);
 

@@ -113,6 +113,10 @@ output: {field_times: [], spectra: [{history: surface}]}
             summary = self.summary(self.run_scene(outcrop, "--set", f"time.duration={duration}", out=duration.replace(" ", "_")))
             self.assertAlmostEqual(summary["surface_ax_pgv_m_per_s"] / 0.330, 1, delta=0.01)
             self.assertAlmostEqual(summary["surface_ax_pgd_m"] / 0.076, 1, delta=0.01)
+        later = self.summary(self.run_scene(outcrop, "--set", "time.duration=14 s", "--set",
+                                            "continuum.base.acceleration.from=4 s", out="later"))
+        self.assertAlmostEqual(later["surface_ax_pgv_m_per_s"] / 0.330, 1, delta=0.01)
+        self.assertAlmostEqual(later["surface_ax_pgd_m"] / 0.076, 1, delta=0.01)
 
 
 if __name__ == "__main__":

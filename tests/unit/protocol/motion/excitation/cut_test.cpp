@@ -113,6 +113,24 @@ TEST(CutMotion, IsThatOfTheRecordASecondAfterItsBegin) {
   }
 }
 
+// Displacement counts on from where the ground lies at `from`, so that the peaks of a run that begins before
+// the strong part are those of the record.
+TEST(CutMotion, HasTheMeasuresOfTheRecordWhereItBeginsInside) {
+  const Motion full = beginning(whole(record()), 25);
+  scene::GroundMotion scene = record();
+  EXPECT_EQ(ground_motion(scene, "motion", 20).place, 0);
+  for (const double from : {2.0, 5.0, 8.0}) {
+    scene.set_from(from);
+    const UsedMotion used = ground_motion(scene, "motion", 25 - from);
+    const Motion cut = beginning(used.motion, 25 - from);
+    EXPECT_GT(std::abs(used.place), 1e-3);
+    EXPECT_NEAR(peaks(cut, used.place).velocity, peaks(full).velocity, 1e-12);
+    EXPECT_NEAR(peaks(cut, used.place).displacement, peaks(full).displacement, 1e-10);
+    EXPECT_GT(std::abs(peaks(cut).displacement - peaks(full).displacement), 1e-3);
+    EXPECT_NEAR(arias_intensity(cut), arias_intensity(full), 1e-3 * arias_intensity(full));
+  }
+}
+
 // The closed form of the window on a ground that moves with a constant velocity: w v rises to it within a
 // second, and covers half of its way.
 TEST(CutMotion, LeadsTheVelocityInByHalfACosine) {
@@ -168,6 +186,26 @@ TEST(CutMotion, TellsWhatIsLeftOut) {
   ASSERT_EQ(notes.size(), 2U);
   EXPECT_THAT(notes[0], HasSubstr("is used from 12 s on, inside its shaking: 50.0 % of its Arias intensity"));
   EXPECT_THAT(notes[1], HasSubstr("raises its acceleration there by up to"));
+}
+
+// A trial run of a synthetic motion is its beginning where `until` says how long the whole one is, or where
+// the run is too short for any; else it is another motion, and the user hears that.
+TEST(CutMotion, OfASyntheticOneIsATrial) {
+  scene::GroundMotion scene;
+  scene.mutable_synthetic()->set_seed(5);
+  scene.set_peak(2);
+  EXPECT_THAT(ground_motion(scene, "motion", 20).notes, IsEmpty());
+  EXPECT_THAT(ground_motion(scene, "motion", 2).notes,
+              testing::ElementsAre(HasSubstr("its longest period is 0.667 s instead of 4 s")));
+  const UsedMotion shortest = ground_motion(scene, "motion", 0.2);
+  EXPECT_THAT(shortest.notes, testing::Contains(HasSubstr("gets the beginning of one of 12 s")));
+  scene.set_until(12);
+  const UsedMotion trial = ground_motion(scene, "motion", 0.2);
+  EXPECT_THAT(trial.notes, testing::Contains(HasSubstr("inside its shaking")));
+  const auto a = beginning(shortest.motion, 0.2).acceleration, b = beginning(trial.motion, 0.2).acceleration,
+             c = beginning(ground_motion(scene, "motion", 12).motion, 0.2).acceleration;
+  EXPECT_EQ(a, b);
+  EXPECT_EQ(b, c);
 }
 
 TEST(CutMotion, RefusesAPartThatIsNotThere) {
