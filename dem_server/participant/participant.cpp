@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "dem_server/model/initial_state/initial_state.hpp"
 #include "dem_server/model/reading/read_model.hpp"
 #include "dem_server/model/sample_points.hpp"
 #include "dem_server/model/solid/thin_strip.hpp"
@@ -12,6 +13,7 @@
 #include "dem_server/participant/messages.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/ground/stages.hpp"
+#include "protocol/ground/stated_stress.hpp"
 #include "protocol/messages/spans.hpp"
 
 namespace adit::dem {
@@ -49,6 +51,7 @@ void DemParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
           "interface.overlap",
           "leaves no bonded particles, their weight being 0 everywhere; let the packing "
           "reach into the overlap and beyond it on the particles' own side");
+    if (scene_.has_initial_stress()) balance_under_weights(sampled.centres);
     engine_ = make_engine(choice_, model_, threads_);
     assign(*interface.mutable_points(),
            engine_->offer({weights.x_min(), weights.x_max(), weights.y_min(), weights.y_max()}));
@@ -60,6 +63,13 @@ void DemParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   interface.set_bonds(engine_->counts().bonds);
   interface.set_breakable_bonds(breakable_bonds(model_));
   interface.set_mass(std::inner_product(model_.mass.begin(), model_.mass.end(), model_.weight.begin(), 0.0));
+}
+
+void DemParticipant::balance_under_weights(std::span<const double> centres) {
+  std::vector<double> weights;
+  for (const std::uint32_t place : model_.id) weights.push_back(centres[place]);
+  const protocol::StatedStress stated(scene_.initial_stress());
+  balance_in_overlap([&stated](double y) { return stated.at(y); }, weights, model_);
 }
 
 void DemParticipant::couple(const wire::Couple& couple, wire::Operator& op) {

@@ -24,6 +24,8 @@ class DemParticipant final : public protocol::SteppedParticipant {
   void finish(wire::Bye& bye) override;
 
  private:
+  void balance_under_weights(std::span<const double> centres);
+
   // The steps (stepped_participant.hpp).
   std::size_t coupling_points() const override { return coupling_points_; }
   void correct(std::span<const double> impulses) override { engine_->correct(impulses); }

@@ -101,7 +101,9 @@ Faces find_faces(const Discs& discs, std::span<const Link> links) {
         heights += discs.y[halves.from(half)];
       }
       if (twice_area > 0 && face.size() <= kMostSides) {
-        faces.inside.push_back({twice_area / 2, heights / static_cast<double>(face.size())});
+        Face& inside =
+            faces.inside.emplace_back(Face{twice_area / 2, heights / static_cast<double>(face.size()), {}});
+        for (const std::uint32_t half : face) inside.corners.push_back(halves.from(half));
         for (const std::uint32_t half : face) faces.share[half / 2] += 0.5;
       } else {
         for (const std::uint32_t half : face) faces.border[halves.from(half)] = true;

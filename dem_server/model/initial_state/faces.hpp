@@ -6,6 +6,7 @@
 // side of it, so that the mean stress over the faces inside is exactly sum(share f l) / area of them.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -15,7 +16,8 @@
 namespace adit::dem {
 
 struct Face {
-  double area, height;  // [m^2], mean y of its discs [m]
+  double area, height;                 // [m^2], mean y of its discs [m]
+  std::vector<std::uint32_t> corners;  // its discs, counter-clockwise
 };
 
 struct Faces {

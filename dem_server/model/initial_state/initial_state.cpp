@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "dem_server/model/initial_state/admissible.hpp"
 #include "dem_server/model/initial_state/fabric.hpp"
+#include "dem_server/model/lattice.hpp"
 
 namespace adit::dem {
 namespace {
@@ -34,10 +37,13 @@ double largest(const std::vector<PairForces>& forces) {
   return most;
 }
 
+// Makes forces balance where some links are softer than others.
+using Balance = std::function<void(std::span<const Link> links, std::vector<PairForces>& forces)>;
+
 // Gives the model's links what they can bear of the wanted forces, in rounds: those that bear less yield no
 // further, and the others balance what is left. Returns how many bear less.
-std::size_t bear_all(const Fabric& fabric, std::vector<PairForces> wanted, Model& model) {
-  std::vector<Link> links(fabric.links().begin(), fabric.links().end());
+std::size_t bear_all(std::vector<Link> links, std::vector<PairForces> wanted, const Balance& balance,
+                     Model& model) {
   std::vector<bool> cut(links.size(), false);
   const double rounding = kCut * largest(wanted);
   const std::size_t bonds = model.bonds.size();
@@ -56,9 +62,31 @@ std::size_t bear_all(const Fabric& fabric, std::vector<PairForces> wanted, Model
       if (normal || shear || moment) cut[k] = changed = true;
     }
     if (!changed) break;
-    fabric.balance(links, wanted);
+    balance(links, wanted);
   }
   return static_cast<std::size_t>(std::ranges::count(cut, true));
+}
+
+std::vector<PairForces> forces_at_rest(const Model& model) {
+  std::vector<PairForces> forces;
+  for (const Bond& bond : model.bonds)
+    forces.push_back({bond.at_rest.normal + bond.contact_normal, bond.at_rest.shear + bond.contact_shear,
+                      bond.at_rest.moment});
+  for (const TouchingPair& pair : model.touching) forces.push_back({pair.normal, pair.shear, 0});
+  return forces;
+}
+
+// Energy weights of the links.
+std::vector<double> link_weights(const Model& model) {
+  std::vector<double> weights;
+  for (const Bond& bond : model.bonds) weights.push_back(bond.weight);
+  for (const TouchingPair& pair : model.touching)
+    weights.push_back((model.weight[pair.first] + model.weight[pair.second]) / 2);
+  return weights;
+}
+
+void scale(PairForces& forces, double factor) {
+  forces = {factor * forces.normal, factor * forces.shear, factor * forces.moment};
 }
 
 }  // namespace
@@ -68,7 +96,13 @@ void set_initial_state(const StressAtHeight& stated, Model& model) {
   const auto touching = touching_without_bond(model);
   for (const auto [first, second] : touching) model.touching.push_back({first, second, 0, 0});
   const Fabric fabric(model, touching, stated);
-  const std::size_t cut = bear_all(fabric, fabric.forces(), model);
+  const auto links = fabric.links();
+  const std::size_t cut = bear_all(
+      {links.begin(), links.end()}, fabric.forces(),
+      [&fabric](std::span<const Link> softened, std::vector<PairForces>& forces) {
+        fabric.balance(softened, forces);
+      },
+      model);
   if (cut > 0)
     model.notes.push_back(fmt::format(
         "initial stress: {} of {} bonds and contacts cannot bear their part of it (tension of a contact, "
@@ -76,6 +110,35 @@ void set_initial_state(const StressAtHeight& stated, Model& model) {
         "beyond friction, more than a strength) and bear what they can; the others took over the rest as far "
         "as possible, and statics finds what is left",
         cut, fabric.links().size()));
+}
+
+void balance_in_overlap(const StressAtHeight& stated, std::span<const double> weights, Model& model) {
+  if (!why_no_lattice(model)) return;
+  std::vector<Pair> touching;
+  for (const TouchingPair& pair : model.touching) touching.push_back({pair.first, pair.second});
+  const std::vector<Link> links = links_of(model, touching);
+  const std::vector<double> shares = link_weights(model);
+  const Faces faces = find_faces(model.discs, links);
+  std::vector<bool> border = faces.border;
+  for (std::size_t i = 0; i < border.size(); ++i)
+    if (weights[i] < kShared) border[i] = false;
+  const std::vector<bool> held = held_motions(model, border, stated);
+  std::vector<double> external = external_forces(model);
+  const std::vector<double> overlap = forces_of_overlap(model.discs, faces, weights, stated);
+  for (std::size_t m = 0; m < external.size(); ++m) external[m] += overlap[m];
+
+  const auto balance = [&](std::span<const Link> softened, std::vector<PairForces>& forces) {
+    std::vector<Link> weighed(softened.begin(), softened.end());
+    for (std::size_t k = 0; k < weighed.size(); ++k) {
+      for (double* stiffness : {&weighed[k].kn, &weighed[k].ks, &weighed[k].km}) *stiffness *= shares[k];
+      scale(forces[k], shares[k]);
+    }
+    Equilibrium(weighed, model.discs, held).balance(weighed, external, forces);
+    for (std::size_t k = 0; k < forces.size(); ++k) scale(forces[k], 1 / shares[k]);
+  };
+  std::vector<PairForces> forces = forces_at_rest(model);
+  balance(links, forces);
+  bear_all(links, std::move(forces), balance, model);
 }
 
 }  // namespace adit::dem

@@ -15,6 +15,8 @@
 // the stress is uniform, and carry the weight where it grows by that.
 #pragma once
 
+#include <span>
+
 #include "dem_server/model/initial_state/outside.hpp"
 #include "dem_server/model/model.hpp"
 
@@ -23,5 +25,10 @@ namespace adit::dem {
 // Sets the forces at rest of the model's bonds, and the pairs that touch with theirs; overlaps of its discs
 // bear nothing else. UserError at initial_stress for what no forces can give.
 void set_initial_state(const StressAtHeight& stated, Model& model);
+
+// Makes the forces at rest balance again where an overlap has weighed the model, which the other one then
+// bears a share of (outside.hpp). `weights` are those at the centres. The lattice of one law has balanced
+// forces already.
+void balance_in_overlap(const StressAtHeight& stated, std::span<const double> weights, Model& model);
 
 }  // namespace adit::dem

@@ -61,21 +61,38 @@ TEST(InSitu, RandomDiscsStandStillUnderTheirWeight) {
   EXPECT_NEAR(test::MeanStress(settled.histories[0]).yy, -deepest / 2, 0.01 * deepest / 2);
 }
 
-// The same discs inside a continuum: weights in the overlap disturb their balance, and statics finds it again
-// within a twentieth of the stress's own strain; the stress is borne.
+// The same discs inside a continuum, which bears its share of the stress in the overlap: both balance but for
+// how the discs resolve a zone, here two of them on its side. What is left moves them by less than 2 % of the
+// stress's own strain.
+std::string in_a_continuum(const std::string& of_particles, const std::string& of_continuum) {
+  return random_ground(test::stress_over_box(-2.8, 2.8, -2.8, 2.8, 1.2) + of_particles) +
+         "continuum { block { x_min: -12 x_max: 12 y_min: -12 y_max: 12 zones_x: 48 zones_y: 48 } "
+         "motions { where { x_max: -12 } velocity { x: 0 } } motions { where { x_min: 12 } velocity { x: 0 } "
+         "} motions { where { y_max: -12 } velocity { y: 0 } } " +
+         of_continuum +
+         "} interface { overlap { around { box { x_min: -4 x_max: 4 y_min: -4 y_max: 4 } } width: 0.8 } } ";
+}
+
 TEST(InSitu, RandomDiscsInAContinuumStandStill) {
-  const std::string continuum =
-      "continuum { block { x_min: -12 x_max: 12 y_min: -12 y_max: 12 zones_x: 48 zones_y: 48 } "
-      "motions { where { x_max: -12 } velocity { x: 0 } } motions { where { x_min: 12 } velocity { x: 0 } } "
-      "motions { where { y_max: -12 } velocity { y: 0 } } motions { where { y_min: 12 } velocity { y: 0 } } "
-      "} "
-      "interface { overlap { around { box { x_min: -4 x_max: 4 y_min: -4 y_max: 4 } } width: 0.8 } } ";
-  test::Settled settled(at_rest("xx: -5e5 yy: -1e6",
-                                random_ground(test::stress_over_box(-2.8, 2.8, -2.8, 2.8, 1.2)) + continuum));
+  test::Settled settled(
+      at_rest("xx: -5e5 yy: -1e6", in_a_continuum("", "motions { where { y_min: 12 } velocity { y: 0 } } ")));
   const test::MeanStress mean(settled.histories[1]);
-  EXPECT_NEAR(mean.xx, -5e5, 0.02 * 1e6);
-  EXPECT_NEAR(mean.yy, -1e6, 0.02 * 1e6);
-  EXPECT_LE(test::Drawn(settled.stepper.snapshots()[1]).largest(), 0.05 * 1e6 / kStiffness * kSize);
+  EXPECT_NEAR(mean.xx, -5e5, 0.01 * 1e6);
+  EXPECT_NEAR(mean.yy, -1e6, 0.01 * 1e6);
+  EXPECT_NEAR(mean.xy, 0, 0.01 * 1e6);
+  EXPECT_LE(test::Drawn(settled.stepper.snapshots()[1]).largest(), 0.02 * 1e6 / kStiffness * kSize);
+}
+
+TEST(InSitu, RandomDiscsInAContinuumStandStillUnderTheirWeight) {
+  const std::string weight = fmt::format("body_loads {{ acceleration {{ y: {} }} }} ", -kGravity);
+  test::Settled settled(
+      at_rest("surface: 12 layers { bottom: -12 density: 2500 k0: 0.5 }", in_a_continuum(weight, weight)));
+  const double middle = kDensity * kGravity * 12, deepest = kDensity * kGravity * 17;
+  const test::MeanStress mean(settled.histories[1]);
+  const test::Drawn drawn(settled.stepper.snapshots()[1]);
+  EXPECT_NEAR(mean.xx, -middle / 2, 0.01 * middle);
+  EXPECT_NEAR(mean.yy, -middle, 0.01 * middle);
+  EXPECT_LE(drawn.largest(), 0.02 * deepest / kStiffness * kSize);
 }
 
 }  // namespace
