@@ -37,6 +37,10 @@ void add_lining_histories(scene::Particles& particles) {
         add(particles, joint.name(), quantity).set_joint(joint.name());
   for (const auto& spring : particles.springs())
     if (spring.has_name()) add(particles, spring.name(), scene::SPRING_FORCE).set_spring(spring.name());
+  for (const auto& oval : particles.ovals())
+    for (const scene::Quantity quantity :
+         {scene::LARGEST_DIAMETER_CHANGE, scene::SMALLEST_DIAMETER_CHANGE, scene::LARGEST_DIAMETER_DIRECTION})
+      add(particles, oval.name(), quantity).set_oval(oval.name());
   for (const auto& section : particles.sections())
     for (const scene::Quantity quantity : {scene::THRUST, scene::MOMENT, scene::SHEAR_FORCE})
       add(particles, section.name(), quantity).set_section(section.name());

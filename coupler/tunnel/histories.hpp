@@ -8,8 +8,8 @@ namespace adit::coupler {
 // Displacements of the inner side: `<tunnel>_crown`, `_invert`, `_left`, `_right`.
 void add_convergence(const scene::LinedTunnel& tunnel, const Contour& contour, scene::Particles& particles);
 
-// Opening, offset and rotation of the joints that have names, forces of the springs that have names, and
-// thrust, moment and shear force in the sections, each under its own name.
+// Opening, offset and rotation of the joints that have names, forces of the springs that have names, changes
+// of the diameters of the ovals, and thrust, moment and shear force in the sections, each under its own name.
 void add_lining_histories(scene::Particles& particles);
 
 }  // namespace adit::coupler

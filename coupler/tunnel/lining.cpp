@@ -27,6 +27,7 @@ void add_group(const scene::LinedTunnel& tunnel, const Contour& contour, scene::
   contacts.clear_shear_stiffness();
   contacts.set_friction(lining.friction());
   if (tunnel.stage() > 0) group.set_stage(stage_of_lining(tunnel));
+  if (tunnel.has_circle() && !group.bonds().has_parallel()) group.set_bends_as_solid(true);
   for (const std::string& other : ground) {
     auto& between = *particles.add_between();
     between.set_first(tunnel.name());
@@ -35,14 +36,27 @@ void add_group(const scene::LinedTunnel& tunnel, const Contour& contour, scene::
   }
 }
 
+// A cut ends a little beyond the faces, so that it meets the bonds between particles on a curved face, and
+// evenly, so that its middle is that of the lining.
+constexpr double kBeyondFace = 0.05;  // in radii
+
 void add_sections(const scene::LinedTunnel& tunnel, const Contour& contour, scene::Particles& particles) {
+  const double beyond = kBeyondFace * tunnel.particles().radius();
   for (std::uint32_t k = 0; k < tunnel.sections(); ++k) {
     const auto cut = contour.cut(static_cast<double>(k) / tunnel.sections());
     auto& section = *particles.add_sections();
     section.set_name(part_name(tunnel, "section", k + 1));
-    *section.mutable_from() = point(cut.at(-tunnel.particles().radius()));
-    *section.mutable_to() = point(cut.at(tunnel.lining().thickness()));
+    *section.mutable_from() = point(cut.at(-beyond));
+    *section.mutable_to() = point(cut.at(tunnel.lining().thickness() + beyond));
   }
+}
+
+// The diameters of a circle.
+void add_oval(const scene::LinedTunnel& tunnel, const Contour& contour, scene::Particles& particles) {
+  if (!tunnel.has_circle()) return;
+  auto& oval = *particles.add_ovals();
+  oval.set_name(tunnel.name());
+  *oval.mutable_annulus() = contour.between(0, tunnel.lining().thickness()).annulus();
 }
 
 }  // namespace
@@ -52,6 +66,7 @@ void add_lining(const scene::LinedTunnel& tunnel, const Contour& contour, const 
   add_group(tunnel, contour, particles);
   add_joints(tunnel, contour, path, particles);
   add_sections(tunnel, contour, particles);
+  add_oval(tunnel, contour, particles);
   add_convergence(tunnel, contour, particles);
   add_lining_histories(particles);
 }

@@ -32,6 +32,22 @@ std::vector<Figure> figures_of(const Sections& sections, const Envelope& envelop
   return figures;
 }
 
+std::vector<Figure> figures_of(std::span<const Oval> ovals, const OvalEnvelope& envelope) {
+  std::vector<Figure> figures;
+  if (envelope.largest().empty()) return figures;
+  const auto add_oval = [&](const std::string& name, const auto& extremes, const auto& extreme) {
+    const geometry::Point& centre = ovals[static_cast<std::size_t>(extreme - extremes.begin())].centre();
+    add(name, "m", {extreme->value, extreme->time}, centre, figures);
+    figures.push_back({name + "_direction_rad", extreme->direction});
+  };
+  const auto largest = envelope.largest(), smallest = envelope.smallest();
+  using Extreme = OvalEnvelope::Extreme;
+  add_oval("ovals_largest_diameter_change", largest, std::ranges::max_element(largest, {}, &Extreme::value));
+  add_oval("ovals_smallest_diameter_change", smallest,
+           std::ranges::min_element(smallest, {}, &Extreme::value));
+  return figures;
+}
+
 std::vector<Figure> figures_of(const SpringBreaks& breaks) {
   std::vector<Figure> figures{{"springs_broken", static_cast<double>(breaks.count)}};
   if (breaks.count > 0)

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "dem_server/engines/answers.hpp"
 #include "dem_server/lining/envelope.hpp"
+#include "dem_server/lining/ovals.hpp"
 
 namespace adit::dem {
 
@@ -13,6 +15,11 @@ namespace adit::dem {
 // and times, each with its …_time_s and the middle of its section, …_x_m and …_y_m. None where there are no
 // sections.
 std::vector<Figure> figures_of(const Sections& sections, const Envelope& envelope);
+
+// ovals_largest_diameter_change_m and ovals_smallest_diameter_change_m: over all ovals and times, each with
+// its …_time_s, the direction of that diameter, …_direction_rad, and the middle of its oval, …_x_m and …_y_m.
+// None where there are no ovals.
+std::vector<Figure> figures_of(std::span<const Oval> ovals, const OvalEnvelope& envelope);
 
 // Springs that broke, and where and when the first did [s], [m].
 struct SpringBreaks {

@@ -83,8 +83,11 @@ void LocalEngine::read_histories(const protocol::Step& step,
 
 void LocalEngine::take_envelope(const protocol::Step& step) {
   joint_peaks_.take(joints());
-  if (lining_.sections.cuts().empty()) return;
-  envelope_.take(section_forces(*this, lining_.sections), static_cast<double>(step.number) * step.dt);
+  const double time = static_cast<double>(step.number) * step.dt;
+  std::vector<DiameterChange> diameters;
+  for (const Oval& oval : lining_.ovals) diameters.push_back(oval.change(particles()));
+  oval_envelope_.take(diameters, time);
+  if (!lining_.sections.cuts().empty()) envelope_.take(section_forces(*this, lining_.sections), time);
 }
 
 void LocalEngine::take_peaks(const protocol::Step& step) {
@@ -145,7 +148,9 @@ void LocalEngine::snapshot(wire::Snapshot& snapshot) const {
 }
 
 std::vector<Figure> LocalEngine::figures() const {
-  return figures_of(lining_.sections, envelope_);
+  std::vector<Figure> figures = figures_of(lining_.sections, envelope_);
+  for (const Figure& figure : figures_of(lining_.ovals, oval_envelope_)) figures.push_back(figure);
+  return figures;
 }
 
 std::uint64_t LocalEngine::fragments() const {

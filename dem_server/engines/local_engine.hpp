@@ -63,7 +63,7 @@ class LocalEngine : public Engine, public Observable {
   virtual std::size_t elements() const = 0;   // of them
 
  private:
-  // The forces in all sections and the motions of smooth joints enter their extremes.
+  // The forces in all sections, the diameters of ovals and the motions of smooth joints enter their extremes.
   void take_envelope(const protocol::Step& step);
 
   std::vector<std::uint32_t> group_;
@@ -77,6 +77,7 @@ class LocalEngine : public Engine, public Observable {
   Lining lining_;
   std::optional<Histories> histories_;
   Envelope envelope_;  // of the sections of the lining
+  OvalEnvelope oval_envelope_;
   JointPeaks joint_peaks_;
   Velocities before_;
   std::optional<protocol::PeakMotion> peaks_;  // once wanted

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dem_server/lining/joint_faces.hpp"
+#include "dem_server/lining/ovals.hpp"
 #include "dem_server/lining/sections.hpp"
 
 namespace adit::dem {
@@ -11,6 +12,7 @@ namespace adit::dem {
 struct Lining {
   Sections sections;
   std::vector<JointFaces> joints;
+  std::vector<Oval> ovals;
 };
 
 }  // namespace adit::dem

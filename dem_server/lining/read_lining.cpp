@@ -87,6 +87,23 @@ std::vector<JointFaces> read_joints(const scene::Particles& scene, const Particl
   return joints;
 }
 
+std::vector<Oval> read_ovals(const scene::Particles& scene, const Particles& particles) {
+  std::vector<Oval> ovals;
+  for (int k = 0; k < scene.ovals_size(); ++k) {
+    const auto& oval = scene.ovals(k);
+    const std::string path = path_of("ovals", k);
+    if (std::ranges::find(ovals, oval.name(), &Oval::name) != ovals.end())
+      refuse_name(path, oval.name(), "oval");
+    const auto& annulus = oval.annulus();
+    ovals.emplace_back(oval.name(), place(annulus.centre()), annulus.inner_radius(), annulus.outer_radius(),
+                       particles);
+    if (!ovals.back().is_whole())
+      throw UserError(path + ".annulus",
+                      "has gaps without particles; lay it around a whole ring of them, as thick as the ring");
+  }
+  return ovals;
+}
+
 bool has_joints(const scene::Particles& scene) {
   return scene.has_ring() ||
          std::ranges::any_of(scene.joints(), [](const auto& joint) { return joint.has_name(); });
@@ -98,6 +115,7 @@ Lining read_lining(const scene::Particles& scene, const Particles& particles, st
   Lining lining;
   if (scene.sections_size() > 0) lining.sections = read_sections(scene, particles, bonds);
   if (has_joints(scene)) lining.joints = read_joints(scene, particles);
+  lining.ovals = read_ovals(scene, particles);
   return lining;
 }
 

@@ -115,6 +115,13 @@ std::size_t spring_of(const scene::History& history, const std::string& path, co
                    history.quantity(), path);
 }
 
+std::size_t oval_of(const scene::History& history, const std::string& path, const std::vector<Oval>& ovals) {
+  std::vector<std::string> names;
+  for (const Oval& oval : ovals) names.push_back(oval.name());
+  return number_of({"oval", "that of an oval", "particles.ovals"}, history.oval(), names, history.quantity(),
+                   path);
+}
+
 double component(const SectionForces& forces, scene::Quantity quantity) {
   if (quantity == scene::THRUST) return forces.thrust;
   return quantity == scene::MOMENT ? forces.moment : forces.shear;
@@ -127,6 +134,11 @@ double velocity(const Particles& p, scene::Quantity quantity, std::uint32_t i) {
 double component(const JointMotion& motion, scene::Quantity quantity) {
   if (quantity == scene::OPENING) return motion.opening;
   return quantity == scene::OFFSET ? motion.offset : motion.rotation;
+}
+
+double component(const DiameterChange& change, scene::Quantity quantity) {
+  if (quantity == scene::LARGEST_DIAMETER_CHANGE) return change.largest;
+  return quantity == scene::SMALLEST_DIAMETER_CHANGE ? change.smallest : change.direction;
 }
 
 // What means over circles need of the particles that are there, found once a row and only where it is asked
@@ -218,12 +230,15 @@ Histories::Histories(const scene::Particles& scene, const Observable& observed, 
       case Over::kSpring:
         history.named = spring_of(given, path, observed);
         break;
+      case Over::kOval:
+        history.named = oval_of(given, path, lining.ovals);
+        break;
       case Over::kNothing:
         throw UserError(
             path + ".quantity",
             fmt::format("is {}, which particles do not have; choose a motion, a stress, a strain rate, "
                         "coordination or porosity, a force on a wall, in a section or of a spring, a motion "
-                        "of a joint",
+                        "of a joint, a diameter of an oval",
                         protocol::name_of(given.quantity())));
     }
     histories_.push_back(history);
@@ -278,6 +293,11 @@ void Histories::read(const Observable& observed, const Lining& lining, const pro
         break;
       case scene::SPRING_FORCE:
         values.Add(observed.springs()[history.named].force);
+        break;
+      case scene::LARGEST_DIAMETER_CHANGE:
+      case scene::SMALLEST_DIAMETER_CHANGE:
+      case scene::LARGEST_DIAMETER_DIRECTION:
+        values.Add(component(lining.ovals[history.named].change(p), history.quantity));
         break;
       case scene::THRUST:
       case scene::MOMENT:

@@ -1,5 +1,5 @@
 // Quantities over time: motions of the particles nearest to the scene's points, means over circles, forces on
-// walls, in sections and of springs, motions of joints.
+// walls, in sections and of springs, motions of joints, diameters of ovals.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ class Histories {
  public:
   // Motions are of the nearest centre at rest; of two equally near ones the first. protocol::UserError for a
   // place farther than a diameter from all of them, for circles without radius or particles, for walls,
-  // sections, joints and springs that do not exist, and for quantities that are none of these.
+  // sections, joints, springs and ovals that do not exist, and for quantities that are none of these.
   Histories(const scene::Particles& scene, const Observable& observed, const Lining& lining);
 
   // The velocities of these particles await the correction by another model after every step.
@@ -40,7 +40,7 @@ class Histories {
     bool tied = false;
     protocol::HalfStepVelocity velocity{};  // its component
     Circle circle{};
-    std::size_t named = 0;  // the wall, the section, the joint or the spring
+    std::size_t named = 0;  // the wall, section, joint, spring or oval
   };
   std::vector<History> histories_;
 };

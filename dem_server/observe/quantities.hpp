@@ -5,7 +5,7 @@
 
 namespace adit::dem {
 
-enum class Over { kParticle, kCircle, kWall, kSection, kJoint, kSpring, kNothing };
+enum class Over { kParticle, kCircle, kWall, kSection, kJoint, kSpring, kOval, kNothing };
 
 inline Over taken_over(scene::Quantity quantity) {
   switch (quantity) {
@@ -38,6 +38,10 @@ inline Over taken_over(scene::Quantity quantity) {
       return Over::kJoint;
     case scene::SPRING_FORCE:
       return Over::kSpring;
+    case scene::LARGEST_DIAMETER_CHANGE:
+    case scene::SMALLEST_DIAMETER_CHANGE:
+    case scene::LARGEST_DIAMETER_DIRECTION:
+      return Over::kOval;
     default:
       return Over::kNothing;
   }

@@ -15,6 +15,7 @@
 #include "dem_server/model/reading/springs.hpp"
 #include "dem_server/model/reading/walls.hpp"
 #include "dem_server/model/solid/bends_as_solid.hpp"
+#include "dem_server/model/solid/ring_faces.hpp"
 #include "dem_server/model/stages/read_stages.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/ground/stated_stress.hpp"
@@ -35,6 +36,7 @@ void set_particles(const scene::Scene& scene, const std::vector<Group>& groups, 
   model.smooth_joints.clear();
   model.stages = read_stages(scene, placement);
   join(scene.particles(), groups, model.stages, model);
+  stiffen_ring_faces(scene.particles(), groups, model);
   ParticleStage& first = model.stages.front();
   model.group = std::move(first.group);
   model.bonds = std::move(first.bonds);

@@ -62,6 +62,12 @@ inline double penzien_moment_without_slip(const Tunnel& t) {
   return 3 * t.lining.bending / diameter * 4 * (1 - t.poisson) / (a + 1);
 }
 
+// Thrust under the far stress p on all sides: the ground moves by 2G u = 2 (1 - nu) p R - s R where it bears
+// s, the lining by u = s R^2/EA, N = s R.
+inline double thrust_under_pressure(const Tunnel& t, double p) {
+  return 2 * (1 - t.poisson) * p * t.radius / (1 + 2 * t.shear_modulus * t.radius / t.lining.axial);
+}
+
 // Ring and ground under the shear stress tau at infinity.
 class Ovaling {
  public:
@@ -84,6 +90,10 @@ class Ovaling {
   }
   double moment() const { return shear() * t_.radius / 2; }
 
+  // In the ground at r: amplitudes of s_r and s_rt.
+  double radial_stress(double r) const { return tau_ - 4 * a_ / (r * r) - 6 * b_ / std::pow(r, 4); }
+  double shear_stress(double r) const { return -tau_ - 2 * a_ / (r * r) - 6 * b_ / std::pow(r, 4); }
+
   double radial(double r) const {  // U [m]
     return (tau_ * r + (kappa() + 1) * a_ / r + 2 * b_ / (r * r * r)) / (2 * t_.shear_modulus);
   }
@@ -96,9 +106,8 @@ class Ovaling {
   Eigen::Vector2d residual(double a, double b) {
     a_ = a;
     b_ = b;
-    const double r = t_.radius, r2 = r * r, r4 = r2 * r2;
-    return {(thrust() + 2 * shear()) / r - (tau_ - 4 * a / r2 - 6 * b / r4),
-            (2 * thrust() + shear()) / r - (-tau_ - 2 * a / r2 - 6 * b / r4)};
+    const double r = t_.radius;
+    return {(thrust() + 2 * shear()) / r - radial_stress(r), (2 * thrust() + shear()) / r - shear_stress(r)};
   }
 
   Tunnel t_;

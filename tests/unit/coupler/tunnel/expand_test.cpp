@@ -116,8 +116,25 @@ TEST(ExpandTunnels, HistoriesOfEveryPart) {
   for (const char* name : {"left_joint_1", "left_joint_2", "left_section_1", "left_section_4"})
     EXPECT_EQ(names.count(name), 3u);
   EXPECT_EQ(names.count("left_bolt_2"), 1u);
-  EXPECT_EQ(names.size(), 8u + 2 * 3 + 4 * 3 + 2);
+  EXPECT_EQ(names.count("left"), 3u);  // of the diameters
+  EXPECT_EQ(names.size(), 8u + 2 * 3 + 4 * 3 + 2 + 3);
   expect_point(particles.histories(0).at(), 1, -12 + 3.05);
+}
+
+// Requirement: the lining of a circle bends as the solid, and its sections have their middle in that of the
+// lining.
+TEST(ExpandTunnels, ARingIsAsStiffAsItsThickness) {
+  const auto particles = particles_of(test::circular("", "sections: 2"));
+  EXPECT_TRUE(particles.groups(0).bends_as_solid());
+  ASSERT_EQ(particles.sections_size(), 2);
+  for (const auto& section : particles.sections())
+    EXPECT_NEAR(std::abs(section.from().x() + section.to().x() - 2) / 2, 3.25, 1e-12);
+  ASSERT_EQ(particles.ovals_size(), 1);
+  EXPECT_EQ(particles.ovals(0).annulus().outer_radius(), 3.5);
+  const auto box =
+      particles_of(test::replaced(test::circular(), "circle { radius: 3 }", "box { width: 6 height: 4 }"));
+  EXPECT_FALSE(box.groups(0).bends_as_solid());
+  EXPECT_EQ(box.ovals_size(), 0);
 }
 
 // Requirement: with a stage the particles fill the tunnel until it is excavated; the lining comes one stage

@@ -1,0 +1,86 @@
+#include "dem_server/lining/ovals.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "dem_server/lining/median.hpp"
+
+namespace adit::dem {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kFewestSectors = 8, kMostSectors = 72;
+
+std::size_t number_of_sectors(double mean_radius, double largest_particle) {
+  const double length = 2 * pi * mean_radius;
+  return static_cast<std::size_t>(
+      std::clamp(std::floor(length / (4 * largest_particle)), kFewestSectors, kMostSectors));
+}
+
+}  // namespace
+
+Oval::Oval(std::string name, const geometry::Point& centre, double inner_radius, double outer_radius,
+           const Particles& p)
+    : name_(std::move(name)), centre_(centre) {
+  const double largest = p.radius.empty() ? 0 : std::ranges::max(p.radius);
+  sectors_.resize(number_of_sectors((inner_radius + outer_radius) / 2, largest));
+  const auto count = static_cast<double>(sectors_.size());
+  for (std::uint32_t i = 0; i < p.size(); ++i) {
+    const double x = p.x[i] - centre.x, y = p.y[i] - centre.y, distance = std::hypot(x, y);
+    if (distance < inner_radius || distance > outer_radius) continue;
+    const double turns = std::atan2(y, x) / (2 * pi);
+    const auto sector = static_cast<std::size_t>((turns - std::floor(turns)) * count);
+    sectors_[std::min(sector, sectors_.size() - 1)].push_back(i);
+  }
+}
+
+bool Oval::is_whole() const {
+  return std::ranges::none_of(sectors_, [](const auto& sector) { return sector.empty(); });
+}
+
+double Oval::middle_of(std::size_t sector) const {
+  return 2 * pi * (static_cast<double>(sector) + 0.5) / static_cast<double>(sectors_.size());
+}
+
+DiameterChange Oval::change(const Particles& p) const {
+  double mean = 0, a = 0, b = 0;
+  for (std::size_t k = 0; k < sectors_.size(); ++k) {
+    std::vector<double> outwards;
+    for (const std::uint32_t i : sectors_[k]) {
+      if (!p.is_there(i)) continue;
+      const double x = p.x[i] - centre_.x, y = p.y[i] - centre_.y;
+      outwards.push_back(((p.ux[i] - p.settled_x[i]) * x + (p.uy[i] - p.settled_y[i]) * y) /
+                         std::hypot(x, y));
+    }
+    const double u =
+        outwards.empty() ? std::numeric_limits<double>::quiet_NaN() : median(std::move(outwards));
+    mean += u;
+    a += 2 * u * std::cos(2 * middle_of(k));
+    b += 2 * u * std::sin(2 * middle_of(k));
+  }
+  const auto count = static_cast<double>(sectors_.size());
+  const double oval = std::hypot(a, b);
+  return {2 * (mean + oval) / count, 2 * (mean - oval) / count, std::atan2(b, a) / 2};
+}
+
+void OvalEnvelope::take(std::span<const DiameterChange> changes, double time) {
+  const bool first = largest_.empty();
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    const auto [most, least, direction] = changes[k];
+    const Extreme now{most, time, direction};
+    const Extreme across{least, time, direction > 0 ? direction - pi / 2 : direction + pi / 2};
+    if (first) {
+      largest_.push_back(now);
+      smallest_.push_back(across);
+      continue;
+    }
+    if (now.value > largest_[k].value) largest_[k] = now;
+    if (across.value < smallest_[k].value) smallest_[k] = across;
+  }
+}
+
+}  // namespace adit::dem
