@@ -14,18 +14,23 @@ namespace {
 
 using protocol::UserError;
 
-// A straight strip of so many rows is 12 % softer in bending than the solid, one of 3 rows 22 % (nu = 0.2).
-constexpr double kFewRows = 5;
+// Of a lattice over the thickness, below which it bends noticeably softer than the solid (docs/particles.md).
+struct FewRows {
+  double rows;
+  const char* softer;
+};
+constexpr FewRows kStraight{5, "by 12 % with 5 rows and 22 % with 3 (nu = 0.2)"};
+constexpr FewRows kRing{7, "by 11 % with 5 rows and 31 % with 3 (nu = 0.2)"};
 
 void add_note_on_rows(const scene::LinedTunnel& tunnel, std::vector<std::string>& notes) {
   const double thickness = tunnel.lining().thickness();
   const double rows = std::floor(thickness / (std::numbers::sqrt3 * tunnel.particles().radius()) + 1e-6);
-  if (rows >= kFewRows) return;
+  const auto& [few, softer] = tunnel.has_circle() ? kRing : kStraight;
+  if (rows >= few) return;
   notes.push_back(fmt::format(
       "{}: {:g} row{} of particles lie over the lining's thickness; the fewer they are, the softer it is in "
-      "bending "
-      "than the solid, by 12 % with 5 rows and 22 % with 3 (nu = 0.2); a radius of {:.3g} m or less gives 5",
-      tunnel.name(), rows, rows == 1 ? "" : "s", thickness / (kFewRows * std::numbers::sqrt3)));
+      "bending than the solid, {}; a radius of {:.3g} m or less gives {:g}",
+      tunnel.name(), rows, rows == 1 ? "" : "s", softer, thickness / (few * std::numbers::sqrt3), few));
 }
 
 scene::Interface interface_around(const scene::LinedTunnel& tunnel, const Contour& contour) {

@@ -46,18 +46,33 @@ double Oval::middle_of(std::size_t sector) const {
   return 2 * pi * (static_cast<double>(sector) + 0.5) / static_cast<double>(sectors_.size());
 }
 
-DiameterChange Oval::change(const Particles& p) const {
+geometry::Point Oval::translation(const Particles& p) const {
+  std::vector<double> x, y;
+  for (const auto& sector : sectors_)
+    for (const std::uint32_t i : sector) {
+      if (!p.is_there(i)) continue;
+      x.push_back(p.ux[i] - p.settled_x[i]);
+      y.push_back(p.uy[i] - p.settled_y[i]);
+    }
+  return x.empty() ? geometry::Point{0, 0} : geometry::Point{median(std::move(x)), median(std::move(y))};
+}
+
+double Oval::outwards(std::size_t sector, const geometry::Point& moved, const Particles& p) const {
+  std::vector<double> values;
+  for (const std::uint32_t i : sectors_[sector]) {
+    if (!p.is_there(i)) continue;
+    const double x = p.x[i] - centre_.x, y = p.y[i] - centre_.y;
+    const double ux = p.ux[i] - p.settled_x[i] - moved.x, uy = p.uy[i] - p.settled_y[i] - moved.y;
+    values.push_back((ux * x + uy * y) / std::hypot(x, y));
+  }
+  return values.empty() ? std::numeric_limits<double>::quiet_NaN() : median(std::move(values));
+}
+
+DiameterChange Oval::change(const Particles& particles) const {
+  const geometry::Point moved = translation(particles);
   double mean = 0, a = 0, b = 0;
   for (std::size_t k = 0; k < sectors_.size(); ++k) {
-    std::vector<double> outwards;
-    for (const std::uint32_t i : sectors_[k]) {
-      if (!p.is_there(i)) continue;
-      const double x = p.x[i] - centre_.x, y = p.y[i] - centre_.y;
-      outwards.push_back(((p.ux[i] - p.settled_x[i]) * x + (p.uy[i] - p.settled_y[i]) * y) /
-                         std::hypot(x, y));
-    }
-    const double u =
-        outwards.empty() ? std::numeric_limits<double>::quiet_NaN() : median(std::move(outwards));
+    const double u = outwards(k, moved, particles);
     mean += u;
     a += 2 * u * std::cos(2 * middle_of(k));
     b += 2 * u * std::sin(2 * middle_of(k));

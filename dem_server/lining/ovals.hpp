@@ -1,12 +1,14 @@
 // How the diameters of a ring of particles change.
 //
-// The annulus is divided into K equal sectors. The median of the radial displacements in a sector, which a
-// loose grain does not move, stands for its middle direction t_k. Of the radial displacement
+// The ring moves as a whole by the median of the displacements of all its particles, which is taken off
+// first: in an earthquake it is much larger. The annulus is divided into K equal sectors. The median of the
+// radial displacements in a sector stands for its middle direction t_k. Medians do not follow loose grains.
+// With
 //   u(t) = c + a cos 2t + b sin 2t + odd harmonics, which change no diameter, + even ones from the fourth on
 // the sums over equal sectors give c = sum u_k / K, a = 2 sum u_k cos 2t_k / K, b = 2 sum u_k sin 2t_k / K.
 // The diameter in the direction t changes by 2 u without the odd and higher harmonics: at most by 2 (c +
-// sqrt(a^2 + b^2)), in the direction atan2(b, a) / 2, at right angles to it least, by 2 (c - sqrt(a^2 +
-// b^2)).
+// sqrt(a^2 + b^2)), in the direction atan2(b, a) / 2, and least across it, by 2 (c - sqrt(a^2 + b^2)).
+// Rotations are small.
 #pragma once
 
 #include <cstdint>
@@ -39,6 +41,10 @@ class Oval {
 
  private:
   double middle_of(std::size_t sector) const;  // direction, from x
+  geometry::Point translation(const Particles& particles) const;
+  // Median displacement of a sector, without the translation of the ring.
+  double outwards(std::size_t sector, const geometry::Point& moved, const Particles& particles) const;
+
   std::string name_;
   geometry::Point centre_;
   std::vector<std::vector<std::uint32_t>> sectors_;

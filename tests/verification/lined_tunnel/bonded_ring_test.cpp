@@ -106,8 +106,10 @@ oracle::BondedAnnulus annulus() {
 // Statics do not depend on masses; with these, waves are as fast in the lining as in the ground.
 Settled ring_of_particles() {
   const std::string tunnel = fmt::format(
-      "tunnels {{ name: 'ring' centre {{ x: 0 y: 0 }} circle {{ radius: {} }} lining {{ thickness: {} material "
-      "{{ young_modulus: {} poisson_ratio: {} density: {} }} to_ground {{ }} }} particles {{ radius: {} ground: "
+      "tunnels {{ name: 'ring' centre {{ x: 0 y: 0 }} circle {{ radius: {} }} lining {{ thickness: {} "
+      "material "
+      "{{ young_modulus: {} poisson_ratio: {} density: {} }} to_ground {{ }} }} particles {{ radius: {} "
+      "ground: "
       "0.6 overlap: 0.4 }} }} ",
       kInner, kThickness, kConcrete.young, kConcrete.poisson, 2000 * kConcrete.young / kGround.young, kDisc);
   const std::string text = scene_with(annulus().tractions(kRim), "", tunnel);
@@ -152,14 +154,14 @@ RingForces forces_in_beams() {
       "linings {{ name: 'ring' along {{ circle {{ centre {{ x: 0 y: 0 }} radius: {} }} }} thickness: {} "
       "young_modulus: {} poisson_ratio: {} }}",
       kOuter, kThickness, kConcrete.young, kConcrete.poisson);
-  Settled settled(
-      scene_with({mean, ovaling.radial_stress(kRim), ovaling.shear_stress(kRim)}, lining, ""));
+  Settled settled(scene_with({mean, ovaling.radial_stress(kRim), ovaling.shear_stress(kRim)}, lining, ""));
   return harmonics(piece_named(settled.stepper.snapshots()[0], "linings"));
 }
 
 // Beams have no thickness: the shear stress of the ground acts on their axis, on the annulus half a thickness
-// outside it. Its moment about the axis needs a further shear force, by which theory gives the annulus another
-// one, and another thrust. Each lining has the forces of its own theory, and so they differ as the theories do.
+// outside it. Its moment about the axis needs a further shear force, by which theory gives the annulus
+// another one, and another thrust. Each lining has the forces of its own theory, and so they differ as the
+// theories do.
 void expect_differences_of_theories(const RingForces& bonded, const RingForces& beams) {
   const RingForces thick = annulus().forces(), thin = theory_of_beams();
   EXPECT_NEAR(bonded.thrust / beams.thrust, thick.thrust / thin.thrust, 0.03);
@@ -176,11 +178,6 @@ TEST(BondedRing, IsTheAnnulusAndDiffersFromBeamsAsTheoryDoes) {
   const RingForces beams = forces_in_beams();
   expect_near(beams, theory_of_beams());
   expect_differences_of_theories(bonded, beams);
-  if (getenv("SHOW")) {
-    const auto show = [](const char* n, const RingForces& f) { printf("%s N %.5g + %.5g M %.5g + %.5g Q %.5g\n", n, f.thrust, f.thrust_2, f.moment, f.moment_2, f.shear_2); };
-    show("bonded", bonded); show("annulus", annulus().forces()); show("beams", beams); show("theory", theory_of_beams());
-    printf("oval %.5g %.5g exact %.5g %.5g\n", history(settled, scene::LARGEST_DIAMETER_CHANGE), history(settled, scene::SMALLEST_DIAMETER_CHANGE), annulus().diameter_changes()[1], annulus().diameter_changes()[0]);
-  }
 }
 
 }  // namespace

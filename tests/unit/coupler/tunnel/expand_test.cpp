@@ -17,6 +17,7 @@ namespace adit::coupler {
 namespace {
 
 using std::numbers::pi;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -211,10 +212,17 @@ TEST(ExpandTunnels, ATunnelOfEachShapeIsSetUp) {
 }
 
 TEST(ExpandTunnels, AThinLiningIsNoted) {
-  EXPECT_THAT(expand_tunnels(test::scene_with({test::circular()})).notes, IsEmpty());  // 5 rows of 8.7 cm
-  const std::string coarse = test::replaced(test::circular(), "radius: 0.05", "radius: 0.08");
-  EXPECT_THAT(expand_tunnels(test::scene_with({coarse})).notes,
-              ElementsAre(HasSubstr("tunnel: 3 rows of particles lie over the lining's thickness")));
+  const auto notes = [](const char* radius, const char* shape) {
+    const std::string tunnel = test::replaced(test::circular(), "radius: 0.05", radius);
+    return expand_tunnels(test::scene_with({test::replaced(tunnel, "circle { radius: 3 }", shape)})).notes;
+  };
+  const char *ring = "circle { radius: 3 }", *box = "box { width: 6 height: 4 }";
+  EXPECT_THAT(notes("radius: 0.04", ring), IsEmpty());  // 7 rows of 6.9 cm
+  EXPECT_THAT(notes("radius: 0.08", ring),
+              ElementsAre(AllOf(HasSubstr("tunnel: 3 rows of particles lie over the lining's thickness"),
+                                HasSubstr("gives 7"))));
+  EXPECT_THAT(notes("radius: 0.05", box), IsEmpty());  // 5 rows of 8.7 cm
+  EXPECT_THAT(notes("radius: 0.08", box), ElementsAre(HasSubstr("gives 5")));
 }
 
 void expect_refused(const std::string& tunnel, const std::string& path, const std::string& text) {
