@@ -172,6 +172,20 @@ TEST(RingFaces, ARingIsAsStiffAsTheAnnulus) {
   }
 }
 
+// A bond breaks at the strain at which those without factors break.
+TEST(RingFaces, AStiffFaceIsThereWithItsRing) {
+  auto scene = ring_scene(5, 0.4, true);
+  scene.mutable_statics();
+  scene.mutable_particles()->mutable_groups(0)->set_stage(1);
+  const Model model = read_model(scene);
+  const auto factors = [&model](const Bond& bond) { return model.contact_bonds[bond.number].factors; };
+  for (const Bond& bond : model.bonds) EXPECT_EQ(factors(bond), BondFactors{});
+  ASSERT_EQ(model.stages.size(), 1u);
+  EXPECT_TRUE(std::ranges::any_of(model.stages[0].bonds,
+                                  [&](const Bond& bond) { return factors(bond).stiffness > 1; }));
+  for (const Bond& bond : model.stages[0].bonds) EXPECT_EQ(factors(bond).strength, factors(bond).stiffness);
+}
+
 using Case = adit::test::Refusal<std::function<void(scene::Particles&)>>;
 class RingFacesErrors : public testing::TestWithParam<Case> {};
 
