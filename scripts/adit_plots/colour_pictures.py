@@ -29,7 +29,7 @@ def peaks(run, time, pieces):
         if shown:
             values = {kind: piece.field(field) / size for kind, piece in shown.items()}
             yield field.partition("_m_per")[0].removesuffix("_m").removesuffix("_Pa"), _coloured(
-                run, f"{what} until t = {style.milliseconds(time)} ms", shown, values, unit)
+                run, f"{what} until t = {style.instant(time)}", shown, values, unit)
 
 
 def principal_stress(run, time, pieces):
@@ -41,7 +41,7 @@ def principal_stress(run, time, pieces):
     for kind, piece in shown.items():
         xx, yy, xy = piece.field("stress_Pa").T
         values[kind] = ((xx + yy) / 2 + np.hypot((xx - yy) / 2, xy)) / 1e6
-    return _coloured(run, f"largest principal stress (tension) at t = {style.milliseconds(time)} ms", shown, values,
+    return _coloured(run, f"largest principal stress (tension) at t = {style.instant(time)}", shown, values,
                      "MPa", [pieces["particles"]])
 
 
@@ -52,7 +52,7 @@ def yield_state(run, time, pieces):
     if state is None:
         return None
     figure, axes, add_legend = style.model_sheet(
-        style.bounds_of(grid.points), f"{run.name}: what yields at t = {style.milliseconds(time)} ms")
+        style.bounds_of(grid.points), f"{run.name}: what yields at t = {style.instant(time)}")
     heavy = grid.field("weight") >= LIGHT_WEIGHT
     axes.add_collection(PolyCollection(grid.points[grid.cells[heavy]], fc="none", ec="#D5D5D5", lw=0.3))
     handles, left = [], heavy

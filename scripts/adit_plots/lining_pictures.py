@@ -19,7 +19,7 @@ def lining_forces(run, time, pieces):
     bounds = style.bounds_of(linings.points - REACH * size, linings.points + REACH * size)
     figure, panels = style.plt.subplots(1, len(FORCES), figsize=(10.5, 4.6), gridspec_kw={
         "left": 0.06, "right": 0.99, "top": 0.88, "bottom": 0.19, "wspace": 0.16})
-    figure.suptitle(f"{run.name}: forces in the lining at t = {style.milliseconds(time)} ms, per metre", x=0.01, ha="left")
+    figure.suptitle(f"{run.name}: forces in the lining at t = {style.instant(time)}, per metre", x=0.01, ha="left")
     normals = _right_normals(linings)
     for axes, (name, what, unit) in zip(panels, FORCES):
         axes.set(xlim=bounds[:2], ylim=bounds[2:], aspect="equal", xlabel="x [m]")

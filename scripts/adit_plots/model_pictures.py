@@ -13,16 +13,17 @@ OVERLAP_FACE = "#BDBDBD"
 INTACT, TENSILE_CRACK, SHEAR_CRACK = 0, 1, 2
 
 
-def deformed(run, time, pieces):
-    """The deformed model: zones as quadrilaterals, particles as discs of their size."""
+def deformed(run, time, pieces, scale=None):
+    """The deformed model: zones as quadrilaterals, particles as discs of their size. `scale` of the displacements: else
+    that of this instant."""
     grid, particles = pieces.get("grid"), pieces.get("particles")
     models = [piece for piece in (grid, particles) if piece is not None]
     if not models:
         return None
-    scale = _scale(models)
+    scale = scale or scale_of(pieces)
     figure, axes, add_legend = style.model_sheet(
         style.bounds_of(*(p.points for p in models), *(p.moved(scale) for p in models)),
-        f"{run.name}: deformed model at t = {style.milliseconds(time)} ms, displacements × {scale:g}")
+        f"{run.name}: deformed model at t = {style.instant(time)}, displacements × {scale:g}")
     handles = _shade_overlap(axes, run, grid, scale)
     if grid is not None:
         _draw_zones(axes, grid, grid.moved(scale), fc=ZONE_FACE, ec="none", zorder=1)
@@ -92,7 +93,7 @@ def bonds(run, time, pieces):
 
 def _undeformed_sheet(run, time, pieces, what):
     bounds = style.bounds_of(*(p.points for p in pieces.values()))
-    return style.model_sheet(bounds, f"{run.name}: {what} at t = {style.milliseconds(time)} ms")
+    return style.model_sheet(bounds, f"{run.name}: {what} at t = {style.instant(time)}")
 
 
 def _draw_zones(axes, grid, points, **look):
@@ -140,8 +141,9 @@ def _across(lines):
     return np.stack([middle - turned, middle + turned], axis=1)
 
 
-def _scale(models):
+def scale_of(pieces):
     """The round factor that makes the largest displacement about a fourteenth of the model, at least 1."""
+    models = [pieces[kind] for kind in ("grid", "particles") if kind in pieces]
     size = max(np.ptp(np.concatenate([p.points for p in models]), axis=0))
     largest = max((np.nanmax(np.abs(p.moved(1) - p.points), initial=0) for p in models), default=0)
     return max(1.0, _round_below(0.07 * size / largest)) if largest > 0 else 1.0

@@ -43,10 +43,15 @@ class Run(Folder):
     def snapshots(self):
         """Yields (time [s], {kind: Piece}) with the pieces of all models joined."""
         for time, files in self.files():
-            kinds = {}
-            for name, path in files.items():  # `grid`, or `lining_grid` of the region `lining`
-                kinds.setdefault(name.rpartition("_")[2], []).append(_read(path, Piece))
-            yield time, {kind: Piece.joined(pieces) for kind, pieces in kinds.items()}
+            yield time, self.pieces_of(files)
+
+    @staticmethod
+    def pieces_of(files):
+        """{kind: Piece} of one instant, with the pieces of all models joined."""
+        kinds = {}
+        for name, path in files.items():  # `grid`, or `lining_grid` of the region `lining`
+            kinds.setdefault(name.rpartition("_")[2], []).append(_read(path, Piece))
+        return {kind: Piece.joined(pieces) for kind, pieces in kinds.items()}
 
     def number(self, name):
         """A number of the summary; None if the run does not have it (null or absent)."""

@@ -47,7 +47,7 @@ def draw(axes, members, pieces, span):
         _draw_arrows(axes, places, force, REACH * span)
     if any(len(places) for places, _ in loads):
         handles.append(Line2D([], [], ls="", marker=r"$\rightarrow$", ms=11, color=style.RED, label="loads"))
-    return handles, [Line2D([], [], ls="", label=note) for note in dict.fromkeys(notes + unknown)]
+    return handles, [Line2D([], [], ls="", label=style.literal(note)) for note in dict.fromkeys(notes + unknown)]
 
 
 def _points_in(area, piece):

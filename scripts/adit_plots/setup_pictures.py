@@ -56,7 +56,7 @@ def _draw_zones(axes, member, grid):
         axes.add_collection(PolyCollection(corners[number == k], fc=face, ec="#8AA0B5" if lines else face,
                                            lw=lines or 0.2, zorder=1))
         if style.shown(axes, corners[number == k]).any():
-            handles.append(Patch(fc=face, ec="#8AA0B5", lw=0.5, label=f"zones: {member.material(k)}"))
+            handles.append(Patch(fc=face, ec="#8AA0B5", lw=0.5, label=f"zones: {style.literal(member.material(k))}"))
     return handles
 
 
@@ -69,7 +69,7 @@ def _draw_particles(axes, member, discs):
         axes.add_collection(EllipseCollection(
             size[chosen], size[chosen], np.zeros(chosen.sum()), units="xy", offsets=discs.points[chosen],
             offset_transform=axes.transData, fc=face, ec="none", zorder=2))
-        handles.append(Line2D([], [], ls="", marker="o", ms=7, mfc=face, mec="none", label=f"particles: {member.group(k)}"))
+        handles.append(Line2D([], [], ls="", marker="o", ms=7, mfc=face, mec="none", label=f"particles: {style.literal(member.group(k))}"))
     return handles
 
 
@@ -113,7 +113,7 @@ def _draw_probes(axes, members, bounds, elsewhere):
     places = np.array(list(names))
     axes.plot(*places.T, "o", ms=4.5, mfc="white", mec=style.BLACK, mew=1.1, zorder=7, clip_on=True)
     named = [i for i, place in enumerate(places) if _within(place, bounds) and not any(_within(place, b) for b in elsewhere)]
-    texts = [", ".join(names[tuple(places[i])]) for i in named]
+    texts = [style.literal(", ".join(names[tuple(places[i])])) for i in named]
     add_labels(axes, places[named], texts)
     return [Line2D([], [], ls="", marker="o", ms=4.5, mfc="white", mec=style.BLACK, mew=1.1, label="histories")]
 

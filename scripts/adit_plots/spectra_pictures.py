@@ -46,7 +46,7 @@ def _over_time(run, name, table):
     axes[3].text(0.99, 0.08, f"Arias {run.number(f'{name}_arias_m_per_s') or 0:.3g} m/s, 5 to 95 % in "
                  f"{run.number(f'{name}_significant_duration_s') or 0:.3g} s", transform=axes[3].transAxes, ha="right", size=8.5)
     axes[3].set(ylabel="Arias [%]", xlabel="t [s]", xlim=(time[0], time[-1] or 1), ylim=(0, 102))
-    axes[0].set_title(f"{run.name}: motion {name}", loc="left")
+    axes[0].set_title(f"{run.name}: motion {style.literal(name)}", loc="left")
     figure.align_ylabels()
     return figure
 
@@ -70,14 +70,14 @@ def _response(run, name, table, reference, name_of_reference):
                          label=f"damping {damping} %")
             if reference:
                 panel.loglog(reference["period_s"], reference[kind.format(damping)], color=COLORS[i % len(COLORS)], lw=0.9,
-                             ls="--", label=f"{name_of_reference}, {damping} %")
+                             ls="--", label=f"{style.literal(name_of_reference)}, {damping} %")
         panel.set(xlabel="period [s]", ylabel=f"{quantity} [{unit}]", xlim=(table["period_s"][0], table["period_s"][-1]))
         _plain_decades(panel)
     pga = run.number(f"{name}_pga_m_per_s2")
     if pga:
         axes[0].axhline(pga, color=style.GREY, lw=0.8, ls="--", label="PGA")
     axes[0].legend(loc="lower left")
-    axes[0].set_title(f"{run.name}: response spectra of {name}", loc="left")
+    axes[0].set_title(f"{run.name}: response spectra of {style.literal(name)}", loc="left")
     return figure
 
 
@@ -99,7 +99,7 @@ def _fourier(run, name, table):
              xlim=(table["frequency_Hz"][1], table["frequency_Hz"][-1]))
     axes.grid(lw=0.3, color="#DDDDDD")
     sampling = run.number("spectra_sampling_interval_s")
-    axes.set_title(f"{run.name}: Fourier spectrum of {name}" + (
+    axes.set_title(f"{run.name}: Fourier spectrum of {style.literal(name)}" + (
         f", sampled every {1e3 * sampling:.3g} ms" if sampling else ""), loc="left")
     return figure
 
@@ -117,5 +117,5 @@ def _transfer(run, name, table):
              xlim=(table["frequency_Hz"][0], table["frequency_Hz"][-1]))
     _plain_decades(axes)
     axes.legend(loc="best", handletextpad=0.2)
-    axes.set_title(f"{run.name}: {name} relative to {base}", loc="left")
+    axes.set_title(f"{run.name}: {style.literal(name)} relative to {style.literal(base)}", loc="left")
     return figure

@@ -9,6 +9,7 @@ import numpy as np
 BLUE, RED, GREEN, ORANGE, SKY, PINK, YELLOW, BLACK = (
     "#0072B2", "#D55E00", "#009E73", "#E69F00", "#56B4E9", "#CC79A7", "#F0E442", "#000000")
 GREY = "#8C8C8C"
+WIDTH = 9.0  # inches of a picture of the model; a page to be read on a phone sets less
 
 plt.rcParams.update({
     "figure.dpi": 100, "savefig.dpi": 220, "font.size": 9, "axes.titlesize": 10, "axes.labelsize": 9,
@@ -21,6 +22,16 @@ def milliseconds(time):
     return f"{1e3 * time:.0f}" if time >= 10 else f"{1e3 * time:.4g}"
 
 
+def instant(time):
+    """A time as titles write it."""
+    return f"{time:.4g} s" if time >= 1 else f"{milliseconds(time)} ms"
+
+
+def time_axis(times):
+    """Times [s] in the unit in which an axis shows them, and the axis's label."""
+    return (times, "t [s]") if len(times) and times[-1] >= 1 else (1e3 * times, "t [ms]")
+
+
 def bounds_of(*point_sets):
     """x_min, x_max, y_min, y_max of points, with a margin of 4 % of the larger side."""
     points = np.concatenate([p for p in point_sets if len(p)])
@@ -29,9 +40,15 @@ def bounds_of(*point_sets):
     return low[0] - margin, high[0] + margin, low[1] - margin, high[1] + margin
 
 
-def model_sheet(bounds, title, width=9.0, right=0.2):
+def literal(text):
+    """A name of the scene as it stands there: matplotlib would read what stands between dollar signs as a formula."""
+    return text.replace("$", r"\$")
+
+
+def model_sheet(bounds, title, width=None, right=0.2):
     """A figure as high as the model needs: (figure, axes of equal aspect, legend function)."""
     left, below, above = 0.65, 0.95, 0.4  # inches for labels, legend and title; `right` for a scale of colours
+    width = width or WIDTH
     x_min, x_max, y_min, y_max = bounds
     axes_width = width - left - right
     axes_height = axes_width * (y_max - y_min) / (x_max - x_min)
@@ -54,8 +71,9 @@ def model_sheet(bounds, title, width=9.0, right=0.2):
     return figure, axes, add_legend
 
 
-def sheet_with_legend_beside(bounds, title, width=7.5):
+def sheet_with_legend_beside(bounds, title):
     """A figure with its legend on the right, as large as both need: (figure, axes of equal aspect, legend function)."""
+    width = WIDTH - 1.5
     left, below, above, gap = 0.65, 0.5, 0.4, 0.2  # inches
     x_min, x_max, y_min, y_max = bounds
     tall = (y_max - y_min) / (x_max - x_min)

@@ -35,9 +35,13 @@ def column(folder):
     return [folder.resolve().name] + ["-" if v is None else text.format(v / divisor) for v, divisor, text in values]
 
 
-columns = [[""] + [row[0] for row in ROWS]] + [column(Path(folder)) for folder in sys.argv[1:]]
-widths = [max(map(len, cells)) for cells in columns]
-for line in zip(*columns):
-    if all(cell == "-" for cell in line[1:]):  # no run has it
-        continue
-    print("  " + line[0].ljust(widths[0]), *(cell.rjust(width + 2) for cell, width in zip(line[1:], widths[1:])))
+def lines(folders):
+    columns = [[""] + [row[0] for row in ROWS]] + [column(Path(folder)) for folder in folders]
+    widths = [max(map(len, cells)) for cells in columns]
+    for line in zip(*columns):
+        if any(cell != "-" for cell in line[1:]):  # some run has it
+            yield "  ".join(["  " + line[0].ljust(widths[0]), *(c.rjust(w + 1) for c, w in zip(line[1:], widths[1:]))])
+
+
+if __name__ == "__main__":
+    print("\n".join(lines(sys.argv[1:])))

@@ -11,45 +11,75 @@ KINDS = {"kinetic": style.BLUE, "strain": style.ORANGE, "released": style.PINK, 
 
 # The quantities in histories.csv: endings of the columns' names, name of the quantity, and its units with their sizes.
 QUANTITIES = (
-    (("ux_m", "uy_m"), "displacement", (("µm", 1e-6), ("mm", 1e-3), ("m", 1))),
+    (("ux_m", "uy_m", "uz_m"), "displacement", (("µm", 1e-6), ("mm", 1e-3), ("m", 1))),
     (("vx_m_per_s", "vy_m_per_s"), "velocity", (("mm/s", 1e-3), ("m/s", 1))),
     (("ax_m_per_s2", "ay_m_per_s2"), "acceleration", (("mm/s²", 1e-3), ("m/s²", 1))),
     (("sxx_Pa", "syy_Pa", "szz_Pa", "sxy_Pa"), "stress", (("Pa", 1), ("kPa", 1e3), ("MPa", 1e6))),
     (("exx", "eyy", "gxy"), "strain", (("10⁻⁶", 1e-6), ("10⁻³", 1e-3))),
     (("thrust_N",), "thrust", (("N/m", 1), ("kN/m", 1e3), ("MN/m", 1e6))),
     (("moment_Nm",), "moment", (("N", 1), ("kN", 1e3), ("MN", 1e6))),
-    (("shear_N",), "shear force", (("N/m", 1), ("kN/m", 1e3), ("MN/m", 1e6))))
+    (("shear_N",), "shear force", (("N/m", 1), ("kN/m", 1e3), ("MN/m", 1e6))),
+    (("opening_m", "offset_m"), "joint", (("µm", 1e-6), ("mm", 1e-3), ("m", 1))),
+    (("rotation_rad",), "joint rotation", (("10⁻⁶ rad", 1e-6), ("10⁻³ rad", 1e-3))),
+    (("force_N", "fx_N", "fy_N"), "force", (("N", 1), ("kN", 1e3), ("MN", 1e6))),
+    (("axial_force_N",), "axial force", (("N", 1), ("kN", 1e3), ("MN", 1e6))),
+    (("moment_lateral_N_m", "moment_vertical_N_m"), "moment", (("N m", 1), ("kN m", 1e3), ("MN m", 1e6))),
+    (("shear_lateral_N", "shear_vertical_N"), "shear force", (("N", 1), ("kN", 1e3), ("MN", 1e6))))
+MOST_LINES = 12  # in one panel
 
 
-def histories(run):
-    """All histories of the scene, one panel for each quantity."""
+def histories(run, quantities=None):
+    """The histories of the scene, one panel for each quantity with its largest MOST_LINES."""
     panels = []
-    for endings, quantity, units in QUANTITIES:
-        lines = [(name, values) for name, values in run.histories.items() if name.endswith(tuple(f"_{e}" for e in endings))]
-        if lines and len(run.histories["time_s"]):
-            panels.append((quantity, *_unit(units, [values for _, values in lines]), lines))
+    for quantity, (units, lines) in (quantities or quantities_of(run)).items():
+        panels.append((quantity, *_unit(units, [values for _, values in lines]), _largest(lines)))
     if not panels:
         return None
     figure, axes = plt.subplots(len(panels), 1, sharex=True, squeeze=False, figsize=(8.0, 0.9 + 1.8 * len(panels)))
-    time = 1e3 * run.histories["time_s"]
+    time, label = style.time_axis(run.histories["time_s"])
     for panel, (quantity, unit, size, lines) in zip(axes[:, 0], panels):
         for i, (name, values) in enumerate(lines):
-            place, _, ending = name.partition("_" + _ending(name))
+            ending = _ending(name)
+            place = name.removesuffix("_" + ending)
             panel.plot(time, values / size, lw=1, color=_COLORS[i % len(_COLORS)], ls=LINES[i // len(_COLORS) % len(LINES)],
-                       label=f"{place}, {_ending(name).partition('_')[0]}")
+                       label=f"{style.literal(place)}, {_said(ending)}")
         panel.axhline(0, color=style.GREY, lw=0.4, zorder=0)
         panel.set_ylabel(f"{quantity} [{unit}]")
         panel.legend(loc="upper left", bbox_to_anchor=(1.01, 1.04), handlelength=1.6, labelspacing=0.25)
     axes[0, 0].set_title(f"{run.name}: histories", loc="left")
-    axes[-1, 0].set(xlabel="t [ms]", xlim=(time[0], time[-1] or 1))
+    axes[-1, 0].set(xlabel=label, xlim=(time[0], time[-1] or 1))
     height = figure.get_figheight()
     figure.subplots_adjust(left=0.11, right=0.79, top=1 - 0.32 / height, bottom=0.5 / height, hspace=0.12)
     figure.align_ylabels()
     return figure
 
 
+def quantities_of(run):
+    """{quantity: (its units, [(column, values)])} of the histories of the scene."""
+    found = {}
+    for endings, quantity, units in QUANTITIES:
+        lines = [(name, values) for name, values in run.histories.items() if _ending(name) in endings]
+        if lines and len(run.histories["time_s"]):
+            found[quantity] = units, found.get(quantity, (units, []))[1] + lines
+    return found
+
+
 def _ending(name):
-    return next(ending for endings, *_ in QUANTITIES for ending in endings if name.endswith("_" + ending))
+    """The ending of a column's name that tells its quantity, the longest that fits; None of other columns."""
+    fitting = [ending for endings, *_ in QUANTITIES for ending in endings if name.endswith("_" + ending)]
+    return max(fitting, key=len, default=None)
+
+
+def _said(ending):
+    """What a legend says of an ending: its direction, or its quantity where the panel has several."""
+    first, *others = ending.split("_")
+    return others[0] if others and others[0] in ("lateral", "vertical") else first
+
+
+def _largest(lines):
+    """The lines of largest magnitude, in the order given."""
+    order = sorted(range(len(lines)), key=lambda i: -np.nanmax(np.abs(lines[i][1]), initial=0))
+    return [lines[i] for i in sorted(order[:MOST_LINES])]
 
 
 def _unit(units, series):
@@ -69,7 +99,7 @@ def energy(run):
     names = [(model, kind) for model in models for kind in KINDS if np.any(h.get(f"{model}_{kind}_J", 0))]
     if "energy_drift" not in h or not len(h["time_s"]):
         return None
-    time = 1e3 * h["time_s"]
+    time, label = style.time_axis(h["time_s"])
     figure, (upper, lower) = plt.subplots(2, 1, sharex=True, figsize=(8.0, 5.0), height_ratios=(3, 1),
                                           gridspec_kw={"right": 0.68, "left": 0.1, "top": 0.93, "hspace": 0.16})
     largest = max((np.nanmax(np.abs(h[f"{s}_{k}_J"])) for s, k in names), default=0)
@@ -84,7 +114,7 @@ def energy(run):
     upper.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), handlelength=2.6)
     lower.plot(time, h["energy_drift"], color=style.BLACK, lw=1)
     lower.axhline(0, color=style.GREY, lw=0.5)
-    lower.set(xlabel="t [ms]", ylabel="drift [of the peak]", xlim=(time[0], time[-1] or 1))
+    lower.set(xlabel=label, ylabel="drift [of the peak]", xlim=(time[0], time[-1] or 1))
     lower.ticklabel_format(axis="y", scilimits=(-2, 3))
     figure.align_ylabels()
     return figure
@@ -97,20 +127,21 @@ def comparison(case, runs):
     legend_rows = -(-(len(runs) + 1) // legend_columns)
     figure, panels = plt.subplots(2, 1, sharex=True, figsize=(7.2, 5.6 + 0.2 * legend_rows))
     handles = []
+    end = max((run.histories["time_s"][-1] for run in runs if len(run.histories["time_s"])), default=0)
+    scale, unit = (1, "t [s]") if end >= 1 else (1e3, "t [ms]")
     for i, run in enumerate(runs):
         look = _look(i)
         handles.append(Line2D([], [], label=run.name, **look))
         for axes, (column, divisor, _) in zip(panels, rows):
             if np.any(run.histories.get(column, 0)):  # a continuum has no bonds, a model perhaps no such history
-                axes.plot(1e3 * run.histories["time_s"], run.histories[column] / divisor, **look)
-        _mark_first_crack(panels[1], run, look["color"], 6 + 3 * sum(map(_cracked, runs[:i])))
+                axes.plot(scale * run.histories["time_s"], run.histories[column] / divisor, **look)
+        _mark_first_crack(panels[1], run, scale, look["color"], 6 + 3 * sum(map(_cracked, runs[:i])))
     if any(map(_cracked, runs)):
         handles.append(Line2D([], [], label="first crack (in the model’s colour)", **_ring(style.BLACK, 7)))
     for axes, (_, _, label) in zip(panels, rows):
         axes.set_ylabel(label)
         axes.grid(lw=0.3, color="#DDDDDD")
-    end = max((run.histories["time_s"][-1] for run in runs if len(run.histories["time_s"])), default=0)
-    panels[1].set(xlabel="t [ms]", xlim=(0, 1e3 * end or 1))
+    panels[1].set(xlabel=unit, xlim=(0, scale * end or 1))
     panels[0].set_title(f"{case}: the models compared", loc="left")
     figure.align_ylabels()
     height = figure.get_figheight()
@@ -142,10 +173,10 @@ def _ring(color, size):
     return {"ls": "", "marker": "o", "ms": size, "mfc": "none", "mec": color, "mew": 1.4}
 
 
-def _mark_first_crack(axes, run, color, size):
+def _mark_first_crack(axes, run, scale, color, size):
     """Rings of different sizes, for first cracks that coincide."""
     if not _cracked(run) or "max_bond_force_N" not in run.histories:
         return
     time = run.number("first_crack_time_s")
     force = np.interp(time, run.histories["time_s"], run.histories["max_bond_force_N"])
-    axes.plot(1e3 * time, force / 1e6, zorder=6, **_ring(color, size))
+    axes.plot(scale * time, force / 1e6, zorder=6, **_ring(color, size))

@@ -74,7 +74,7 @@ def _along_the_axis(runs, title):
             _draw_envelope(axes, values, quantity, unit, color, run.name, both=len(runs) == 1)
         if with_joints and joints[i] is not None:
             _draw_openings(panels[-1], joints[i], color if len(runs) > 1 else None)
-    if len(runs) > 1:
+    if rows:
         panels[1].legend(loc="upper left", bbox_to_anchor=(1.01, 1.0))
     for axes in panels[1:]:
         axes.grid(lw=0.3, color="#DDDDDD")
@@ -101,8 +101,8 @@ def _draw_envelope(axes, values, quantity, shown, color, name, both):
     least, greatest = values[f"{column}_min_{unit}"] / divisor, values[f"{column}_max_{unit}"] / divisor
     if both:
         axes.fill_between(chainage, least, greatest, color=style.SKY, alpha=0.35, lw=0)
-        axes.plot(chainage, least, color=style.BLUE, lw=0.8)
-        axes.plot(chainage, greatest, color=style.RED, lw=0.8)
+        axes.plot(chainage, least, color=style.BLUE, lw=0.8, label="least")
+        axes.plot(chainage, greatest, color=style.RED, lw=0.8, label="greatest")
     else:
         axes.plot(chainage, np.maximum(np.abs(least), np.abs(greatest)), color=color, lw=0.9, label=name)
     axes.set_ylabel(f"{label} [{symbol}]")
@@ -116,7 +116,7 @@ def _draw_openings(axes, joints, color):
     for i, group in enumerate(groups):
         chosen = joints["group"] == group
         axes.plot(joints["chainage_m"][chosen] / 1e3, 1e3 * joints["opening_max_m"][chosen], color=color or _color(i),
-                  lw=0.8, marker="." if np.count_nonzero(chosen) < 300 else None, ms=3, label=group.replace("_", " "))
+                  lw=0.8, marker="." if np.count_nonzero(chosen) < 300 else None, ms=3, label=style.literal(group.replace("_", " ")))
     axes.set_ylabel("joint opening [mm]")
     if len(groups) > 1:
         axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0))

@@ -1,0 +1,62 @@
+"""Envelopes around rings and along linings: forces of sections and linings against the angle."""
+import re
+
+import numpy as np
+
+from adit_plots import style
+
+FORCES = (("thrust_N", "thrust N", "kN/m"), ("moment_Nm", "moment M", "kN"), ("shear_N", "shear force Q", "kN/m"))
+
+
+def of_sections(results):
+    """Yields a figure for each ring of sections: least and greatest thrust, moment and shear force over time."""
+    for ring, sections in _rings(results).items():
+        middles = np.array([[(s["from"][axis] + s["to"][axis]) / 2 for axis in "xy"] for s in sections])
+        order, angle = _around(middles)
+        columns = [[results.histories[f"{sections[i]['name']}_{force}"] / 1e3 for i in order] for force, *_ in FORCES]
+        least, greatest = ([np.nanmin(series, axis=1) for series in columns], [np.nanmax(series, axis=1) for series in columns])
+        yield _drawn(f"run: envelopes around {style.literal(ring)}", angle, least, greatest)
+
+
+def of_linings(linings):
+    """A figure of the largest forces of linings so far, without sign, around their centre."""
+    if linings is None or len(linings.cells) == 0 or linings.field("peak_thrust_N") is None:
+        return None
+    order, angle = _around(linings.points)
+    peaks = [linings.field(f"peak_{force}")[order] / 1e3 for force, *_ in FORCES]
+    return _drawn("run: largest forces around the lining, without sign", angle, None, peaks)
+
+
+def _rings(results):
+    """{ring: its sections} whose forces were recorded; `tube_section_7` is of the ring `tube`."""
+    found = {}
+    for _, model in results.models:
+        for section in model.get("sections", []):
+            if all(f"{section['name']}_{force}" in results.histories for force, *_ in FORCES):
+                ring = re.sub(r"_?(section)?_?\d+$", "", section["name"]) or "the ring"
+                found.setdefault(ring, []).append(section)
+    return {ring: sections for ring, sections in found.items() if len(sections) > 3}
+
+
+def _around(points):
+    """The order of points by their angle [°] about their middle, from x, counter-clockwise; and these angles."""
+    x, y = (points - points.mean(axis=0)).T
+    angle = np.degrees(np.arctan2(y, x)) % 360
+    order = np.argsort(angle)
+    return order, angle[order]
+
+
+def _drawn(title, angle, least, greatest):
+    figure, panels = style.plt.subplots(3, 1, sharex=True, figsize=(8.0, 6.0))
+    panels[0].set_title(title, loc="left")
+    for i, (axes, (_, what, unit)) in enumerate(zip(panels, FORCES)):
+        if least is not None:
+            axes.fill_between(angle, least[i], greatest[i], color=style.SKY, alpha=0.35, lw=0)
+            axes.plot(angle, least[i], color=style.BLUE, marker=".", ms=3, lw=1, label="least")
+        axes.plot(angle, greatest[i], color=style.RED, marker=".", ms=3, lw=1, label="greatest")
+        axes.axhline(0, color=style.GREY, lw=0.4, zorder=0)
+        axes.set_ylabel(f"{what} [{unit}]")
+        axes.grid(lw=0.3, color="#DDDDDD")
+    panels[0].legend()
+    panels[-1].set(xlabel="angle from x, counter-clockwise [°]", xlim=(0, 360), xticks=range(0, 361, 45))
+    return figure

@@ -1,0 +1,57 @@
+"""The page that compares the runs of a case: figures side by side, histories in one picture, links to their reports."""
+from pathlib import Path
+
+from adit_plots import time_pictures, tunnel_pictures
+from adit_report import overview, pictures
+from adit_report.markup import bullets, section, table, tag
+from adit_report.page import written
+from adit_report.quantities import figure
+from adit_report.results import Results
+
+
+def of_runs(folders):
+    """Writes report.html beside the runs and returns its path."""
+    runs = [Results(folder) for folder in folders]
+    place = Path(folders[0]).resolve().parent
+    finished = sum(bool(run.summary.get("completed")) for run in runs)
+    told = tag("p", f"{len(runs)} runs are compared; {finished} of them are complete.",
+               class_="state" if finished == len(runs) else "state failed")
+    with pictures.narrow():
+        page = written(f"{place.name}: {len(runs)} runs compared", told,
+                       [_runs(runs, place), _figures(runs), _pictures(place.name, runs), _sizes(runs)])
+    path = place / "report.html"
+    path.write_bytes(page)
+    return path
+
+
+def _runs(runs, place):
+    return section("runs", "The runs", bullets([_run(run, place) for run in runs]))
+
+
+def _run(run, place):
+    own = run.folder.resolve() / "report.html"
+    name = tag("a", run.name, href=own.relative_to(place).as_posix()) if own.exists() and own.is_relative_to(place) else run.name
+    description = run.given.get("description")
+    return [name, f": {description}" if description else None, "" if run.summary.get("completed") else " (not complete)"]
+
+
+def _figures(runs):
+    return section("figures", "Main figures", _side_by_side("Main figures, from each summary.json", overview.main_figures(), runs))
+
+
+def _sizes(runs):
+    known = [("zones", "zones"), ("particles", "particles"), ("bonds", "bonds"), ("time step", "dt_s"), ("steps", "steps"),
+             ("programs", "versions"), ("hash of the scene", "scene_hash")]
+    return section("sizes", "Sizes, versions and hashes", _side_by_side("Sizes and origin, from each summary.json", known, runs))
+
+
+def _side_by_side(caption, known, runs):
+    rows = [(said, *(figure(run.summary, key) for run in runs)) for said, key in known
+            if any(run.summary.get(key) is not None for run in runs)]
+    return table(caption, ("", *(run.name for run in runs)), rows)
+
+
+def _pictures(case, runs):
+    tunnels = [run for run in runs if tunnel_pictures.is_tunnel(run)]
+    draw = tunnel_pictures.comparison if tunnels else time_pictures.comparison
+    return section("comparison", "The runs in one picture", pictures.figure(draw(case, tunnels or runs)))

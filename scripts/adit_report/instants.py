@@ -1,0 +1,65 @@
+"""The model at chosen instants behind a slider: displacement, force chains, cracks, yield, stress, forces of linings."""
+import numpy as np
+
+from adit_plots import colour_pictures, lining_pictures, model_pictures, style
+from adit_report import pictures
+from adit_report.markup import Markup, section, tag
+
+VIEWS = (model_pictures.force_chains, model_pictures.bonds, lining_pictures.lining_forces, colour_pictures.principal_stress,
+         colour_pictures.yield_state)  # beside the deformed model
+MOST = 8  # instants
+MOST_CELLS = 400_000  # points, zones and bonds in all instants, which bounds the time that drawing takes
+
+
+def chosen(results, most):
+    """Numbers of at most `most` instants, spread evenly, the last among them."""
+    pieces = results.last_pieces.values()
+    cells = max(1, sum(len(piece.points) + len(piece.cells) for piece in pieces))
+    count = max(1, min(most, len(results.instants), MOST_CELLS // cells))
+    return sorted({round(number) for number in np.linspace(len(results.instants) - 1, 0, count)})
+
+
+def chapter(results, most=MOST):
+    if not results.instants:
+        return None
+    numbers = chosen(results, most)
+    found = [(results.instants[n][0], results.pieces_at(n)) for n in numbers]
+    found = [(time, pieces) for time, pieces in found if pieces]
+    scale = min((model_pictures.scale_of(pieces) for _, pieces in found), default=1)
+    shown = [(time, _views(results, time, pieces, scale)) for time, pieces in found]
+    if not any(views for _, views in shown):
+        return None
+    return section("instants", "The model at chosen instants", _note(len(shown), len(results.instants)), _slider(shown),
+                   [_instant(i, *one) for i, one in enumerate(shown)], _peaks(results, found[-1]))
+
+
+def _views(results, time, pieces, scale):
+    drawn = [model_pictures.deformed(results, time, pieces, scale), *(view(results, time, pieces) for view in VIEWS)]
+    return [pictures.figure(each, of_model=True) for each in drawn if each is not None]
+
+
+def _note(shown, all_of_them):
+    if shown == all_of_them:
+        return None
+    return tag("p", f"{shown} of {all_of_them} instants are shown, so that this page stays small and is soon drawn; fields/ holds "
+                    "all of them.", class_="note")
+
+
+def _slider(shown):
+    """Moved by a few lines of JavaScript; without it the instants open and close by themselves."""
+    if len(shown) < 2:
+        return None
+    times = ";".join(style.instant(time) for time, _ in shown)
+    return tag("p", tag("label", "Instant", for_="instant"), " ",
+               Markup(f'<input type="range" id="instant" min="0" max="{len(shown) - 1}" step="1" value="0" data-times="{times}">'),
+               " ", tag("output", f"t = {style.instant(shown[0][0])}", for_="instant"), class_="slider", hidden=True)
+
+
+def _instant(number, time, views):
+    return tag("details", tag("summary", f"t = {style.instant(time)}"), tag("div", views, class_="views"), class_="instant",
+               open=number == 0)
+
+
+def _peaks(results, last):
+    drawn = [pictures.figure(figure, of_model=True) for _, figure in colour_pictures.peaks(results, *last)]
+    return [tag("h3", "Peaks over time"), drawn] if drawn else None

@@ -1,0 +1,55 @@
+"""Motions in and out: accelerations over time and response spectra in one picture, and their measures."""
+from adit_plots import spectra_pictures, style
+from adit_report import pictures
+from adit_report.markup import section, table, tag
+from adit_report.quantities import figure
+
+DAMPING = "5pct"  # drawn where it was computed, otherwise the first
+MEASURES = (("PGA", "pga_m_per_s2"), ("PGV", "pgv_m_per_s"), ("PGD", "pgd_m"), ("Arias intensity", "arias_m_per_s"),
+            ("CAV", "cav_m_per_s"), ("significant duration", "significant_duration_s"),
+            ("largest amplification", "largest_amplification"), ("at", "largest_amplification_Hz"))
+
+
+def chapter(results):
+    names = [path.name.removesuffix("_motion.csv") for path in sorted((results.folder / "spectra").glob("*_motion.csv"))]
+    if not names:
+        told = "The scene asks for no spectra (output.spectra), so that motions stand among the histories only."
+        return None if results.is_tunnel else section("motions", "Motions in and out", tag("p", told))
+    drawn = _picture(results, names)
+    amplifications = [f for name, f in spectra_pictures.motions(results) if name.endswith("_transfer")]
+    used = [(said, key) for said, key in MEASURES if any(results.summary.get(f"{name}_{key}") is not None for name in names)]
+    measures = table("Measures of the motions, from summary.json", ("motion", *(said for said, _ in used)), [
+        (name, *(figure(results.summary, f"{name}_{key}") for _, key in used)) for name in names])
+    return section("motions", "Motions in and out", pictures.figure(drawn), measures, map(pictures.figure, amplifications))
+
+
+def _picture(results, names):
+    figure_, (over_time, spectra) = style.plt.subplots(2, 1, figsize=(8.0, 5.4))
+    for name, colour in zip(names, spectra_pictures.COLORS * len(names)):
+        _draw(results, name, colour, over_time, spectra)
+    over_time.set(xlabel="t [s]", ylabel="acceleration [m/s²]")
+    over_time.set_title("run: motions in and out", loc="left")
+    spectra.set(xlabel="period [s]", ylabel="pseudo acceleration [m/s²]", xscale="log")
+    for axes in (over_time, spectra):
+        axes.grid(lw=0.3, color="#DDDDDD")
+        axes.legend()
+    return figure_
+
+
+def _draw(results, name, colour, over_time, spectra):
+    """The motion in solid lines; dashed, the one from which it came."""
+    for kind, label, look in (("input", "in, before ", {"ls": "--", "lw": 0.9, "alpha": 0.8}), ("motion", "", {"lw": 1})):
+        motion = results.table(f"spectra/{name}_{kind}.csv")
+        if motion:
+            over_time.plot(motion["time_s"], motion["acceleration_m_per_s2"], color=colour, label=style.literal(label + name), **look)
+    for kind, label, look in (("reference", "in, before ", {"ls": "--", "lw": 0.9}), ("response", "", {"lw": 1.2})):
+        response = results.table(f"spectra/{name}_{kind}.csv")
+        if response:
+            column = _column(response)
+            share = column.removeprefix("psa_").partition("pct")[0]
+            spectra.plot(response["period_s"], response[column], color=colour, label=style.literal(f"{label}{name}, {share} %"), **look)
+
+
+def _column(response):
+    dampings = [column for column in response if column.startswith("psa_")]
+    return next((column for column in dampings if DAMPING in column), dampings[0])

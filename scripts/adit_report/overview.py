@@ -1,0 +1,120 @@
+"""How the run ended, its warnings, its main figures, and what was computed."""
+from adit_plots.table import ROWS
+from adit_report.markup import bullets, paragraphs, section, table, tag
+from adit_report.quantities import figure, quantity
+
+GAP = 0.01  # of the energy, above which the user guide calls for smaller steps
+
+
+def state(results):
+    """One sentence: complete, failed or not finished."""
+    s = results.summary
+    duration = quantity(s.get("duration_s") or results.given.get("time", {}).get("duration"), "s")
+    if s.get("completed"):
+        return tag("p", f"The run is complete: {duration} were computed.", class_="state")
+    until = "" if results.reached is None else f" at {quantity(results.reached, 's')} of {duration}"
+    if "error" in s:
+        text = f"The run failed{until}. This report shows what was computed until then. The reason: {_sentence(s['error'])}"
+    else:
+        text = f"The run was not finished: it was stopped{until} or is still going on. This report shows what there is."
+    return tag("p", tag("strong", text), class_="state failed")
+
+
+def warnings(results):
+    """Call it last: it tells what could not be read for the rest of the page."""
+    found = list(results.summary.get("warnings", []))
+    drift = results.summary.get("max_energy_drift")
+    if drift is not None and drift > GAP:
+        found.append(f"the energy balance has a gap of {100 * drift:.2g} % of the peak energy; more than 1 % calls for a smaller "
+                     "time.dt_factor")
+    found += results.faults
+    notes = results.summary.get("notes", [])
+    return section("warnings", "Warnings", bullets(map(_sentence, found)) if found else tag("p", "None."),
+                   [tag("h3", "Notes"), bullets(map(_sentence, notes))] if notes else None)
+
+
+def _sentence(text):
+    return text[:1].upper() + text[1:] + ("" if text.endswith(".") else ".")
+
+
+def figures(results):
+    """The main figures of the run, those that scripts/run prints."""
+    return section("figures", "Main figures", table("Main figures, from summary.json", ("figure", "value"), [
+        (name, figure(results.summary, key)) for name, key in main_figures() if results.summary.get(key) is not None]))
+
+
+def main_figures():
+    """(name, key of summary.json); rows such as `at x` carry the name of the quantity that they belong to."""
+    owner = ""
+    for what, key, *_ in ROWS:
+        name = what.partition(" [")[0]
+        if what.startswith(" "):
+            name = f"{owner},{name[1:]}"
+        else:
+            owner = name.removesuffix(" at")
+        yield name, key
+
+
+def computed(results):
+    """What was computed and how, in sentences."""
+    description = results.given.get("description")
+    say = _tunnel if results.is_tunnel else _ground
+    return section("computed", "What was computed and how", paragraphs([description and _sentence(description), *say(results)]))
+
+
+def _tunnel(results):
+    s, scene = results.summary, results.given.get("simplified", {})
+    what = {"beam": "a beam with joints on soil springs", "chain": "a chain of rigid rings on soil springs",
+            "column": "columns of ground"}.get(s.get("model"), s.get("model"))
+    yield f"The simplified model is {what}, from {quantity(s.get('begin_m'), 'm')} to {quantity(s.get('end_m'), 'm')} of chainage."
+    excitation = scene.get("excitation", {})
+    path = "through the ground, from the rock below" if excitation.get("through_ground") else "directly"
+    speed = s.get("apparent_velocity_m_per_s")
+    along = f" and passes along the axis with {quantity(speed, 'm/s')}" if speed else ""
+    yield f"The motion reaches the tunnel {path}{along}."
+    yield motion(excitation.get("motion", {}))
+    yield _steps(s, "implicit")
+
+
+def _ground(results):
+    s = results.summary
+    plane = {"plane_strain": "plane strain", "plane_stress": "plane stress"}.get(s.get("plane"), "two dimensions")
+    parts = [f"a continuum of {s['zones']:,} zones and {s['grid_points']:,} grid points"] if s.get("zones") else []
+    parts += [f"{s['particles']:,} particles with {s['bonds']:,} bonds"] if s.get("particles") else []
+    if parts:
+        yield f"The model is in {plane}: {' and '.join(parts)}."
+    if s.get("coupling_points"):
+        yield (f"The bridging-domain method joins them in the overlap, at {s['coupling_points']:,} coupling points: there both "
+               f"share mass and forces and move alike (solve: {s.get('solve')}).")
+    if s.get("statics_steps") is not None:
+        yield (f"First the model came to rest under its loads, stage by stage where it has stages: {s['statics_steps']:,} steps, "
+               f"until the unbalanced force was {quantity(s.get('statics_unbalanced_ratio'))} of the internal force.")
+    for name, model in results.models:
+        base, sides = model.get("base"), [side for side, on in model.get("free_field", {}).items() if on]
+        yield f"The base of the {name} is {base['kind']}." if base and "kind" in base else None
+        yield motion(base.get("acceleration") or {}) if base else None
+        yield f"The {name} ends in free fields: {' and '.join(sides)}." if sides else None
+    yield _steps(s, "explicit")
+
+
+def motion(given):
+    """A sentence for a motion of the scene."""
+    about = {"file": lambda m: f"the record {m.get('path')}", "synthetic": lambda m: f"synthetic ({_listed(m)})",
+             "ricker": lambda m: f"a Ricker wavelet of {quantity(m.get('frequency'), 'Hz')}",
+             "sine": lambda m: f"a sine of {quantity(m.get('frequency'), 'Hz')}", "table": lambda m: "a table of the scene"}
+    kind = next((kind for kind in about if kind in given), None)
+    if kind is None:
+        return None
+    peak = f", with a peak of {quantity(given['peak'], 'm/s²')}" if "peak" in given else ""
+    return f"The motion is {about[kind](given[kind])}{peak}."
+
+
+def _listed(mapping):
+    return ", ".join(f"{key.replace('_', ' ')} {value}" for key, value in mapping.items() if not isinstance(value, (dict, list)))
+
+
+def _steps(s, kind):
+    if s.get("steps") is None:
+        return None
+    stable = f"; the largest stable one is {quantity(s['critical_dt_s'], 's')}" if s.get("critical_dt_s") else ""
+    return f"Time was integrated in {s['steps']:,} {kind} steps of {quantity(s.get('dt_s'), 's')}{stable}."

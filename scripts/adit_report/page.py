@@ -1,0 +1,43 @@
+"""The page: chapters in order, in one file that needs nothing else and stays below LARGEST."""
+import base64
+import hashlib
+from pathlib import Path
+from string import Template
+
+from adit_report import instants, model, motions, origin, overview, pictures, response
+from adit_report.markup import Markup, bullets, safe, tag
+from adit_report.results import Results
+
+LARGEST = 5_000_000  # bytes of a report
+FEWER = (instants.MOST, 4, 2, 1)  # instants, in turn, until the page is small enough
+FOLDER = Path(__file__).parent
+
+
+def of_run(folder):
+    """Writes FOLDER/report.html and returns its path."""
+    results = Results(folder)
+    case = results.summary.get("case") or results.folder.resolve().parent.name
+    with pictures.narrow():
+        before = [overview.figures(results), overview.computed(results), model.chapter(results), motions.chapter(results),
+                  response.histories(results), response.envelopes(results)]
+        after = [response.cracks(results), response.energy(results), origin.timing(results), origin.chapter(results)]
+        for most in FEWER:
+            chosen = instants.chapter(results, most)
+            page = written(f"{case}: {results.name}", overview.state(results), [overview.warnings(results), *before, chosen, *after])
+            if len(page) <= LARGEST:
+                break
+    path = results.folder / "report.html"
+    path.write_bytes(page)
+    return path
+
+
+def written(title, head, chapters):
+    """The whole page, as bytes."""
+    chapters = [chapter for chapter in chapters if chapter]
+    script = (FOLDER / "page.js").read_text()
+    names = [chapter.partition('id="')[2].partition("-title")[0] for chapter in chapters]
+    titles = [Markup(chapter.partition("<h2")[2].partition(">")[2].partition("</h2>")[0]) for chapter in chapters]
+    return Template((FOLDER / "page.html").read_text()).substitute(
+        title=safe(title), head=safe(head), body="\n".join(chapters), style=(FOLDER / "page.css").read_text(), script=script,
+        script_hash=base64.b64encode(hashlib.sha256(script.encode()).digest()).decode(),
+        chapters=bullets([tag("a", said, href=f"#{name}") for name, said in zip(names, titles)])).encode()

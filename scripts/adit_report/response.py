@@ -1,0 +1,70 @@
+"""What the model did: histories, envelopes, cracks, energy."""
+from adit_plots import time_pictures, tunnel_pictures
+from adit_plots.run_folder import Unusable
+from adit_report import around, pictures
+from adit_report.markup import details, section, table, tag
+from adit_report.quantities import figure, place, quantity, unit_of
+
+LISTED = 20  # cracks
+
+
+def histories(results):
+    """A picture for each quantity; forces of sections stand in the envelopes."""
+    quantities = time_pictures.quantities_of(results)
+    drawn = [_named(time_pictures.histories(results, {name: found}), name, len(found[1])) for name, found in quantities.items()]
+    return section("histories", "Histories", drawn)
+
+
+def _named(drawn, name, count):
+    drawn.axes[0].set_title(f"run: {name} over time", loc="left")
+    left_out = count - time_pictures.MOST_LINES
+    return pictures.figure(drawn, tag("p", f"{left_out} more histories of this quantity, which stay smaller, are in histories.csv.",
+                                      class_="note") if left_out > 0 else None)
+
+
+def envelopes(results):
+    """Along the tunnel, and around rings and linings."""
+    drawn = []
+    if tunnel_pictures.is_tunnel(results):
+        try:
+            drawn = [pictures.figure(tunnel_pictures.envelopes(results)),
+                     pictures.figure(tunnel_pictures.time_distance(results), of_model=True)]
+        except Unusable as reason:
+            results.faults.append(str(reason))
+    drawn += [pictures.figure(each) for each in around.of_sections(results)]
+    return section("envelopes", "Envelopes", drawn, pictures.figure(around.of_linings(results.last_pieces.get("linings"))))
+
+
+def cracks(results):
+    found, s = results.table("cracks.csv"), results.summary
+    if found is None:
+        return None
+    if not len(found["time_s"]):
+        return section("cracks", "Cracks", tag("p", "No bond broke."))
+    told = None if s.get("first_crack_time_s") is None else tag(
+        "p", f"The first of {s['crack_count']:,} cracks came at {quantity(s['first_crack_time_s'], 's')}, "
+             f"{place(s['first_crack_x_m'], s['first_crack_y_m'])}.")
+    names = [name for name in ("time_s", "mode", "x_m", "y_m", "length_m", "group", "stage") if name in found]
+    rows = [(str(i + 1), *(_said(name, found[name][i]) for name in names)) for i in range(min(LISTED, len(found["time_s"])))]
+    heads = ("crack", *(name.removesuffix("_m").removesuffix("_s") for name in names))
+    return section("cracks", "Cracks", told, details(
+        f"The first {len(rows)} of {len(found['time_s']):,} cracks", table("Cracks in the order of time, from cracks.csv", heads, rows)))
+
+
+def _said(name, value):
+    return quantity(float(value), unit_of(name)) if unit_of(name) else f"{value}".removesuffix(".0")
+
+
+def energy(results):
+    s = results.summary
+    drawn = None if results.is_tunnel else time_pictures.energy(results)
+    rows = [(said, figure(s, key)) for said, key in (
+        ("largest gap of the energy balance, of the peak energy", "max_energy_drift"),
+        ("energy kept, of what was put in", "energy_kept"), ("work of the multipliers", "multiplier_work_J")) if s.get(key) is not None]
+    causes = results.table("energies.csv")
+    by_cause = [(name.removesuffix("_J").replace("_", " "), quantity(float(values[-1]), "J"))
+                for name, values in (causes or {}).items() if name != "time_s" and len(values) and values[-1]]
+    told = tag("p", "What is stored and dissipated must equal the work done. The gap is of the order of rounding for an intact "
+                    "continuum; bonds that break and contacts that close within a step raise it.") if rows else None
+    return section("energy", "Energy ledger", told, table("Balance, from summary.json", None, rows), pictures.figure(drawn),
+                   details("Energy by cause at the end", table("The last row of energies.csv", None, by_cause)) if by_cause else None)
