@@ -19,8 +19,10 @@
 #include "protocol/errors.hpp"
 #include "protocol/release.hpp"
 #include "protocol/results/run_directory.hpp"
+#include "protocol/revision.hpp"
 #include "protocol/scene/command_line.hpp"
 #include "protocol/scene/hash.hpp"
+#include "protocol/scene/origin.hpp"
 #include "protocol/scene/program.hpp"
 #include "protocol/scene/writer.hpp"
 #include "protocol/wire/greeting.hpp"
@@ -128,7 +130,8 @@ void run_scene(const Options& options, const protocol::SceneFile& file, const Ex
        .versions = participants.versions,
        .scene_yaml = protocol::to_yaml(scene),
        .scene_as_written = file.scene.tunnels_size() > 0 ? protocol::to_yaml(file.scene) : "",
-       .notes = expansion.notes},
+       .notes = expansion.notes,
+       .origin = protocol::origin_of(options, file, protocol::revision())},
       directory);
 }
 

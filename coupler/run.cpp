@@ -163,6 +163,7 @@ void run(const scene::Scene& scene, std::vector<Participant> participants, const
   } catch (const std::exception& error) {
     try {
       conclude(error.what());
+      fmt::print("results            {}\n", directory.string());  // those until the error
     } catch (const std::exception& second) {  // for example a full disk; the first error is the one to report
       fmt::print(stderr, "the summary could not be written: {}\n", second.what());
     }

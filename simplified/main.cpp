@@ -7,7 +7,9 @@
 #include <string>
 
 #include "protocol/results/run_directory.hpp"
+#include "protocol/revision.hpp"
 #include "protocol/scene/command_line.hpp"
+#include "protocol/scene/origin.hpp"
 #include "protocol/scene/program.hpp"
 #include "protocol/scene/writer.hpp"
 #include "simplified/run.hpp"
@@ -26,7 +28,7 @@ void run_scene(const protocol::SceneCommandLine& line, const protocol::SceneFile
   adit::results::prepare_run_directory(directory, line.scene);
   adit::results::clear_results(directory);
   std::ofstream(directory / "scene.yaml") << protocol::to_yaml(file.scene);
-  simplified::run(file.scene, name, directory);
+  simplified::run(file.scene, name, protocol::origin_of(line, file, protocol::revision()), directory);
 }
 
 void check_scene(const protocol::SceneCommandLine& line, const protocol::SceneFile& file) {

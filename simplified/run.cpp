@@ -130,7 +130,8 @@ Response solve(const Setup& setup) {
   return solve_beam(*setup.scene, setup.line, ground, setup.clock);
 }
 
-void run(const scene::Scene& scene, const std::string& case_name, const std::filesystem::path& directory) {
+void run(const scene::Scene& scene, const std::string& case_name, const protocol::Origin& origin,
+         const std::filesystem::path& directory) {
   const auto started = std::chrono::steady_clock::now();
   const Setup setup = set_up(scene);
   const Response response = solve(setup);
@@ -138,7 +139,7 @@ void run(const scene::Scene& scene, const std::string& case_name, const std::fil
   write_tables(directory, *setup.scene, response);
   if (setup.scene->has_zoom() && !response.fields.time.empty())
     write_zoom(directory / "zoom", response, setup.scene->zoom(), scene.time().duration());
-  summarize(scene, case_name, setup, response, wall_s, directory);
+  summarize(scene, case_name, origin, setup, response, wall_s, directory);
 }
 
 void check(const scene::Scene& scene) {

@@ -6,6 +6,7 @@
 
 #include "protocol/messages/scene.pb.h"
 #include "protocol/motion/excitation/ground_motion.hpp"
+#include "protocol/scene/origin.hpp"
 #include "simplified/models/solve.hpp"
 #include "simplified/scene/excitation.hpp"
 
@@ -28,7 +29,8 @@ Response solve(const Setup& setup);
 
 // Sets the model up, solves it, writes the results into `directory`, which must exist, and prints the main
 // figures.
-void run(const scene::Scene& scene, const std::string& case_name, const std::filesystem::path& directory);
+void run(const scene::Scene& scene, const std::string& case_name, const protocol::Origin& origin,
+         const std::filesystem::path& directory);
 
 // Only sets the model up, and prints the notes on its motion.
 void check(const scene::Scene& scene);

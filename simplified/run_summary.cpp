@@ -68,13 +68,15 @@ void print(const scene::Scene& scene, const Setup& setup, const Response& respon
 
 }  // namespace
 
-void summarize(const scene::Scene& scene, const std::string& case_name, const Setup& setup,
-               const Response& response, double wall_s, const std::filesystem::path& directory) {
+void summarize(const scene::Scene& scene, const std::string& case_name, const protocol::Origin& origin,
+               const Setup& setup, const Response& response, double wall_s,
+               const std::filesystem::path& directory) {
   Summary summary;
   summary.set("case", case_name);
   summary.set("scene", scene.name());
   summary.set("scene_hash", protocol::scene_hash(scene));
   summary.set("versions", "simplified " + std::string(protocol::release()));
+  summary.set_origin(origin);
   summary.set("model", lower(scene::Simplified::Model_Name(setup.scene->model())));
   summary.set("duration_s", scene.time().duration());
   summary.set("dt_s", setup.clock.dt);

@@ -9,7 +9,8 @@
 namespace adit::simplified {
 
 // `wall_s` is the time of the whole computation [s], with the excitation but without writing files.
-void summarize(const scene::Scene& scene, const std::string& case_name, const Setup& setup,
-               const Response& response, double wall_s, const std::filesystem::path& directory);
+void summarize(const scene::Scene& scene, const std::string& case_name, const protocol::Origin& origin,
+               const Setup& setup, const Response& response, double wall_s,
+               const std::filesystem::path& directory);
 
 }  // namespace adit::simplified

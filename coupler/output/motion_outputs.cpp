@@ -157,8 +157,10 @@ MotionOutputs::Found MotionOutputs::write(const std::filesystem::path& folder) c
     const auto& [name, column, motion] = records_[record];
     write_motion(folder / (name + "_motion.csv"), motion, place(request));
     write_response(folder / (name + "_response.csv"), motion, spectra);
-    if (const motion::Motion* before = reference(request))
+    if (const motion::Motion* before = reference(request)) {
+      write_motion(folder / (name + "_input.csv"), *before);
       write_response(folder / (name + "_reference.csv"), *before, spectra);
+    }
     write_fourier(folder / (name + "_fourier.csv"), motion);
     const motion::Peaks peaks = motion::peaks(motion, place(request));
     const double arias = motion::arias_intensity(motion),

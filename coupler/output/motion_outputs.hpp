@@ -31,7 +31,7 @@ class MotionOutputs {
   };
 
   // Writes <motion>_motion.csv, _response.csv, _fourier.csv and, relative to another motion, _transfer.csv.
-  // The spectra of that motion, or else of the base's acceleration in the same direction, are in
+  // That motion, or else the base's acceleration in the same direction, is in _input.csv, its spectra are in
   // _reference.csv. Here <motion> is <history>_ax or <history>_ay. Creates the folder if there are motions.
   Found write(const std::filesystem::path& folder) const;
 

@@ -39,6 +39,7 @@ RunSummary::RunSummary(const RunLabels& labels, const Model& model) : model_(mod
   summary_.set("scene", scene.name());
   summary_.set("scene_hash", labels.scene_hash);
   summary_.set("versions", labels.versions);
+  summary_.set_origin(labels.origin);
   summary_.set("plane", protocol::lower_case(scene::Plane_Name(scene.plane())));
   summary_.set("duration_s", scene.time().duration());
   summary_.set("dt_s", model.dt);

@@ -20,6 +20,7 @@ struct RunLabels {
   std::string scene_yaml;          // the scene as it is computed
   std::string scene_as_written;    // with its tunnels; empty where it is computed as it was written
   std::vector<std::string> notes;  // on the scene
+  protocol::Origin origin;
 };
 
 class RunSummary {

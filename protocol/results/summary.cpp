@@ -12,6 +12,16 @@ void Summary::set(const std::string& name, nlohmann::ordered_json value) {
   values_[name] = std::move(value);
 }
 
+void Summary::set_origin(const protocol::Origin& origin) {
+  set("started", origin.started);
+  set("command", origin.command);
+  set("folder", origin.folder);
+  if (!origin.revision.empty()) set("revision", origin.revision);
+  auto inputs = nlohmann::ordered_json::object();
+  for (const auto& [path, hash] : origin.inputs) inputs[path] = hash;
+  set("inputs", std::move(inputs));
+}
+
 void Summary::write(const std::filesystem::path& path) const {
   // dump() writes numbers that are not finite as null.
   using Json = nlohmann::ordered_json;

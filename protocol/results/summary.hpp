@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "protocol/scene/origin.hpp"
+
 namespace adit::results {
 
 class Summary {
@@ -12,6 +14,9 @@ class Summary {
   // Adds a value; the file lists them in the order of the calls. Numbers that are not finite become null, and
   // bytes that are not UTF-8 are replaced. Throws std::logic_error if the name is set already.
   void set(const std::string& name, nlohmann::ordered_json value);
+
+  // Adds where the results come from: the revision only where it is known.
+  void set_origin(const protocol::Origin& origin);
 
   // Replaces the file as a whole (atomic_file.hpp).
   void write(const std::filesystem::path& path) const;

@@ -81,6 +81,17 @@ void attach_files(SceneFile& file) {
                    });
 }
 
+void for_each_attached_file(
+    const scene::Scene& scene,
+    const std::function<void(const std::string& path, const std::string& content)>& visit) {
+  scene::Scene copy = scene;  // reflection walks messages that may change
+  for_each_content(copy, "", [&](Message& message, const FieldDescriptor* field, const std::string&) {
+    const auto& reflection = *message.GetReflection();
+    if (reflection.HasField(message, field))
+      visit(reflection.GetString(message, name_of(message, field)), reflection.GetString(message, field));
+  });
+}
+
 void forget_file_names(scene::Scene& scene) {
   for_each_content(scene, "", [](Message& message, const FieldDescriptor* field, const std::string&) {
     message.GetReflection()->ClearField(&message, name_of(message, field));

@@ -2,6 +2,9 @@
 // run on another machine.
 #pragma once
 
+#include <functional>
+#include <string>
+
 #include "protocol/scene/reader.hpp"
 
 namespace adit::protocol {
@@ -13,6 +16,11 @@ constexpr std::uintmax_t kLargestAttachedBytes = 500 << 20;
 // scene in another folder means the same file. Throws UserError at the name's place if the file cannot be
 // read.
 void attach_files(SceneFile& file);
+
+// Calls visit(path, content) for every attached file.
+void for_each_attached_file(
+    const scene::Scene& scene,
+    const std::function<void(const std::string& path, const std::string& content)>& visit);
 
 // Removes the names of the files, which do not change what is computed.
 void forget_file_names(scene::Scene& scene);

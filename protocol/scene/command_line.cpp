@@ -4,6 +4,18 @@
 #include "protocol/release.hpp"
 
 namespace adit::protocol {
+namespace {
+
+// Single quotes keep every character; a quote itself stands outside of them.
+std::string quoted_for_shell(const std::string& word) {
+  constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
+}  // namespace
 
 SceneCommandLine::SceneCommandLine(const std::string& program, const std::string& description)
     : app(description) {
@@ -21,6 +33,7 @@ SceneCommandLine::SceneCommandLine(const std::string& program, const std::string
 }
 
 std::optional<int> SceneCommandLine::parse(int argc, const char* const* argv) {
+  for (int i = 0; i < argc; ++i) command += (i > 0 ? " " : "") + quoted_for_shell(argv[i]);
   try {
     app.parse(argc, argv);
     return std::nullopt;

@@ -17,6 +17,7 @@ struct SceneCommandLine {
   CLI::App* run;    // run->parsed() tells whether it was asked for; programs may add options to it
   CLI::App* check;  // likewise
 
+  std::string command;  // all of it, quoted for a shell
   std::string scene;
   std::vector<std::string> sets;  // path=value
   std::string out;                // folder of the results; empty: runs/<case>/<scene name>

@@ -22,14 +22,16 @@ std::string serialize(const scene::Scene& scene) {
   return bytes;
 }
 
+}  // namespace
+
 // Fowler, Noll and Vo, http://www.isthe.com/chongo/tech/comp/fnv
-std::uint64_t fnv_1a(const std::string& bytes) {
+std::string hash_of_bytes(std::string_view bytes) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const unsigned char byte : bytes) hash = (hash ^ byte) * 0x100000001b3;
-  return hash;
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
 }
-
-}  // namespace
 
 std::string scene_hash(const scene::Scene& scene) {
   scene::Scene computed = scene;
@@ -37,9 +39,7 @@ std::string scene_hash(const scene::Scene& scene) {
   computed.clear_extends();
   computed.clear_description();
   forget_file_names(computed);
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(fnv_1a(serialize(computed))));
-  return text;
+  return hash_of_bytes(serialize(computed));
 }
 
 }  // namespace adit::protocol

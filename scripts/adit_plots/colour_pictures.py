@@ -105,10 +105,18 @@ def _heavy(piece, values):
 
 def _look(values):
     """One hue for one sign, two around 0 for both."""
-    low, high = values.min(), values.max()
+    low, high = _range(values)
     if low < 0 < high:
         return {"cmap": "RdBu_r", "norm": TwoSlopeNorm(0, low, high)}
     return {"cmap": "viridis_r" if high <= 0 else "viridis", "norm": Normalize(low, high)}
+
+
+def _range(values):
+    """Least and greatest value; without the outermost 0.5 % where these are farther off than all others are from each other,
+    such as a loose grain among many."""
+    low, inner_low, inner_high, high = np.percentile(values, (0, 0.5, 99.5, 100))
+    spread = inner_high - inner_low
+    return (inner_low if inner_low - low > spread > 0 else low), (inner_high if high - inner_high > spread > 0 else high)
 
 
 def _mark_largest(axes, pieces, values):

@@ -10,6 +10,7 @@ from adit_plots import style
 
 ZONE_FACE, ZONE_EDGE, DISC_FACE, DISC_EDGE = "#C6DBEF", style.BLUE, "#FDD9A0", "#A86400"
 OVERLAP_FACE = "#BDBDBD"
+CLOSE_UP = 0.45  # of the width
 INTACT, TENSILE_CRACK, SHEAR_CRACK = 0, 1, 2
 
 
@@ -92,7 +93,11 @@ def bonds(run, time, pieces):
 
 
 def _undeformed_sheet(run, time, pieces, what):
-    bounds = style.bounds_of(*(p.points for p in pieces.values()))
+    """The whole model, or the bonds alone where they fill a small part of it."""
+    bonds = pieces["bonds"]
+    bounds, near = style.bounds_of(*(p.points for p in pieces.values())), style.bounds_of(bonds.points[np.unique(bonds.cells)])
+    if near[1] - near[0] < CLOSE_UP * (bounds[1] - bounds[0]):
+        bounds = near
     return style.model_sheet(bounds, f"{run.name}: {what} at t = {style.instant(time)}")
 
 

@@ -18,6 +18,11 @@ def of_sections(results):
         yield _drawn(f"run: envelopes around {style.literal(ring)}", angle, least, greatest)
 
 
+def columns(results):
+    """The columns of histories.csv that these figures show."""
+    return {f"{section['name']}_{force}" for ring in _rings(results).values() for section in ring for force, *_ in FORCES}
+
+
 def of_linings(linings):
     """A figure of the largest forces of linings so far, without sign, around their centre."""
     if linings is None or len(linings.cells) == 0 or linings.field("peak_thrust_N") is None:

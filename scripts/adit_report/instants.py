@@ -29,8 +29,9 @@ def chapter(results, most=MOST):
     shown = [(time, _views(results, time, pieces, scale)) for time, pieces in found]
     if not any(views for _, views in shown):
         return None
-    return section("instants", "The model at chosen instants", _note(len(shown), len(results.instants)), _slider(shown),
-                   [_instant(i, *one) for i, one in enumerate(shown)], _peaks(results, found[-1]))
+    first = _first(results, [time for time, _ in shown])
+    return section("instants", "The model at chosen instants", _note(len(shown), len(results.instants)), _slider(shown, first),
+                   [_instant(*one, i == first) for i, one in enumerate(shown)], _peaks(results, found[-1]))
 
 
 def _views(results, time, pieces, scale):
@@ -45,19 +46,24 @@ def _note(shown, all_of_them):
                     "all of them.", class_="note")
 
 
-def _slider(shown):
+def _slider(shown, first):
     """Moved by a few lines of JavaScript; without it the instants open and close by themselves."""
     if len(shown) < 2:
         return None
     times = ";".join(style.instant(time) for time, _ in shown)
     return tag("p", tag("label", "Instant", for_="instant"), " ",
-               Markup(f'<input type="range" id="instant" min="0" max="{len(shown) - 1}" step="1" value="0" data-times="{times}">'),
-               " ", tag("output", f"t = {style.instant(shown[0][0])}", for_="instant"), class_="slider", hidden=True)
+               Markup(f'<input type="range" id="instant" min="0" max="{len(shown) - 1}" step="1" value="{first}" data-times="{times}">'),
+               " ", tag("output", f"t = {style.instant(shown[first][0])}", for_="instant"), class_="slider", hidden=True)
 
 
-def _instant(number, time, views):
-    return tag("details", tag("summary", f"t = {style.instant(time)}"), tag("div", views, class_="views"), class_="instant",
-               open=number == 0)
+def _first(results, times):
+    """The number of the instant that is open at first: that of the largest bond force, or the last."""
+    peak = results.number("peak_bond_force_time_s")
+    return len(times) - 1 if peak is None else int(np.argmin(np.abs(np.array(times) - peak)))
+
+
+def _instant(time, views, is_open):
+    return tag("details", tag("summary", f"t = {style.instant(time)}"), views, class_="instant", open=is_open)
 
 
 def _peaks(results, last):

@@ -7,14 +7,14 @@ class Markup(str):
 
 
 def safe(content):
-    """Content as HTML: texts escaped, lists joined, nothing for None."""
+    """Content as HTML: texts escaped, what can be listed joined, nothing for None."""
     if content is None:
         return Markup()
     if isinstance(content, Markup):
         return content
-    if isinstance(content, (list, tuple)):
-        return Markup("".join(map(safe, content)))
-    return Markup(escape(str(content)))
+    if isinstance(content, (str, int, float)):
+        return Markup(escape(str(content)))
+    return Markup("".join(map(safe, content)))
 
 
 def tag(name, *content, **attributes):

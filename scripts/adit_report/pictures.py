@@ -3,7 +3,10 @@ import base64
 import contextlib
 import io
 
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.gridspec import GridSpec
+from PIL import Image
 
 from adit_plots import style
 from adit_report import curves, legends
@@ -22,7 +25,8 @@ def narrow():
     """Within it, pictures of the model are drawn as narrow as the page needs."""
     wide, style.WIDTH = style.WIDTH, WIDTH
     try:
-        yield
+        with style.plt.rc_context({"axes.formatter.use_mathtext": False}):  # formulas at the ticks would take half of the time
+            yield
     finally:
         style.WIDTH = wide
 
@@ -113,20 +117,30 @@ def _encoded(drawn, of_model):
     """(data URI, width, height in CSS pixels); lines as SVG, the model and what would be too large as WebP."""
     width, height = (round(96 * inches) for inches in drawn.get_size_inches())
     if not of_model:
-        data = _saved(drawn, "svg", metadata={"Date": None})
+        data = _lines(drawn)
         if len(data) <= LARGEST:
             return _uri("image/svg+xml", data), width, height
-    dots = DOTS
-    while len(data := _saved(drawn, "webp", dpi=dots, pil_kwargs={"quality": QUALITY, "method": 2})) > LARGEST:
-        dots *= 0.8
-    return _uri("image/webp", data), width, height
+    return _uri("image/webp", _dots(drawn)), width, height
 
 
-def _saved(drawn, kind, **options):
+def _lines(drawn):
     file = io.BytesIO()
     with style.plt.rc_context({"svg.hashsalt": "adit"}):  # the same names inside for the same picture
-        drawn.savefig(file, format=kind, **options)
+        drawn.savefig(file, format="svg", metadata={"Date": None})
     return file.getvalue()
+
+
+def _dots(drawn):
+    drawn.set_dpi(DOTS)
+    canvas = FigureCanvasAgg(drawn)
+    canvas.draw()
+    dots = Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
+    while True:
+        file = io.BytesIO()
+        dots.save(file, "webp", quality=QUALITY, method=2)
+        if file.tell() <= LARGEST:
+            return file.getvalue()
+        dots = dots.resize([int(0.8 * side) for side in dots.size], Image.LANCZOS)
 
 
 def _uri(kind, data):

@@ -10,8 +10,12 @@ LISTED = 20  # cracks
 
 def histories(results):
     """A picture for each quantity; forces of sections stand in the envelopes."""
-    quantities = time_pictures.quantities_of(results)
-    drawn = [_named(time_pictures.histories(results, {name: found}), name, len(found[1])) for name, found in quantities.items()]
+    of_sections = around.columns(results)
+    drawn = []
+    for name, (units, lines) in time_pictures.quantities_of(results).items():
+        lines = [line for line in lines if line[0] not in of_sections]
+        if lines:
+            drawn.append(_named(time_pictures.histories(results, {name: (units, lines)}), name, len(lines)))
     return section("histories", "Histories", drawn)
 
 
