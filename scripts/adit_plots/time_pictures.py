@@ -134,7 +134,7 @@ def comparison(case, runs):
         handles.append(Line2D([], [], label=run.name, **look))
         for axes, (column, divisor, _) in zip(panels, rows):
             if np.any(run.histories.get(column, 0)):  # a continuum has no bonds, a model perhaps no such history
-                axes.plot(scale * run.histories["time_s"], run.histories[column] / divisor, **look)
+                axes.plot(scale * run.histories["time_s"], run.histories[column] / divisor, label=run.name, **look)
         _mark_first_crack(panels[1], run, scale, look["color"], 6 + 3 * sum(map(_cracked, runs[:i])))
     if any(map(_cracked, runs)):
         handles.append(Line2D([], [], label="first crack (in the model’s colour)", **_ring(style.BLACK, 7)))

@@ -2,7 +2,7 @@
 from pathlib import Path
 
 from adit_plots import time_pictures, tunnel_pictures
-from adit_report import overview, pictures
+from adit_report import instants, motions, overview, pictures
 from adit_report.markup import bullets, section, table, tag
 from adit_report.page import written
 from adit_report.quantities import figure
@@ -18,7 +18,8 @@ def of_runs(folders):
                class_="state" if finished == len(runs) else "state failed")
     with pictures.narrow():
         page = written(f"{place.name}: {len(runs)} runs compared", told,
-                       [_runs(runs, place), _figures(runs), _pictures(place.name, runs), _sizes(runs)])
+                       [_runs(runs, place), _figures(runs), _pictures(place.name, runs), motions.compared(runs),
+                        instants.side_by_side(runs), _sizes(runs)])
     path = place / "report.html"
     path.write_bytes(page)
     return path

@@ -16,7 +16,12 @@ def chosen(results, most):
     pieces = results.last_pieces.values()
     cells = max(1, sum(len(piece.points) + len(piece.cells) for piece in pieces))
     count = max(1, min(most, len(results.instants), MOST_CELLS // cells))
-    return sorted({round(number) for number in np.linspace(len(results.instants) - 1, 0, count)})
+    return _spread(range(len(results.instants)), count)
+
+
+def _spread(items, count):
+    """At most `count` of them, spread evenly, the last among them."""
+    return [items[k] for k in sorted({round(k) for k in np.linspace(len(items) - 1, 0, count)})] if items else []
 
 
 def chapter(results, most=MOST):
@@ -32,6 +37,34 @@ def chapter(results, most=MOST):
     first = _first(results, [time for time, _ in shown])
     return section("instants", "The model at chosen instants", _note(len(shown), len(results.instants)), _slider(shown, first),
                    [_instant(*one, i == first) for i, one in enumerate(shown)], _peaks(results, found[-1]))
+
+
+def side_by_side(runs):
+    """Force chains and cracks of several runs at the instants that all of those with particles have."""
+    runs = [run for run in runs if "bonds" in run.last_pieces]
+    if len(runs) < 2:
+        return None
+    numbers = [[_same(run, time) for run in runs] for time, _ in runs[0].instants]
+    common = [each for each in numbers if None not in each]
+    cells = sum(len(piece.points) + len(piece.cells) for run in runs for piece in run.last_pieces.values())
+    shown = [(runs[0].instants[each[0]][0], _compared(runs, each)) for each in _spread(common, max(1, min(MOST, MOST_CELLS // cells)))]
+    if not shown:
+        return None
+    first = _first(runs[0], [time for time, _ in shown])
+    return section("instants", "Force chains and cracks at chosen instants", _note(len(shown), len(common)), _slider(shown, first),
+                   [_instant(*one, i == first) for i, one in enumerate(shown)])
+
+
+def _same(run, time):
+    """The number of the instant of this time, steps of runs being of different length; nothing if it has none."""
+    near = run.number("dt_s") or 0
+    return next((n for n, (other, _) in enumerate(run.instants) if abs(other - time) <= near), None)
+
+
+def _compared(runs, numbers):
+    pieces = [run.pieces_at(number) for run, number in zip(runs, numbers)]
+    return [pictures.figure(view(run, run.instants[number][0], each), of_model=True, of_run=run.name)
+            for view in (model_pictures.force_chains, model_pictures.bonds) for run, number, each in zip(runs, numbers, pieces)]
 
 
 def _views(results, time, pieces, scale):

@@ -11,11 +11,11 @@ MEASURES = (("PGA", "pga_m_per_s2"), ("PGV", "pgv_m_per_s"), ("PGD", "pgd_m"), (
 
 
 def chapter(results):
-    names = [path.name.removesuffix("_motion.csv") for path in sorted((results.folder / "spectra").glob("*_motion.csv"))]
+    names = _names(results)
     if not names:
         told = "The scene asks for no spectra (output.spectra), so that motions stand among the histories only."
         return None if results.is_tunnel else section("motions", "Motions in and out", tag("p", told))
-    drawn = _picture(results, names)
+    drawn = _picture([(results, name, name) for name in names])
     amplifications = [f for name, f in spectra_pictures.motions(results) if name.endswith("_transfer")]
     used = [(said, key) for said, key in MEASURES if any(results.summary.get(f"{name}_{key}") is not None for name in names)]
     measures = table("Measures of the motions, from summary.json", ("motion", *(said for said, _ in used)), [
@@ -23,10 +23,23 @@ def chapter(results):
     return section("motions", "Motions in and out", pictures.figure(drawn), measures, map(pictures.figure, amplifications))
 
 
-def _picture(results, names):
+def compared(runs):
+    """The motions of several runs in one picture; nothing if fewer than two runs have any."""
+    found = [(run, name, f"{run.name}, {name}") for run in runs for name in _names(run)]
+    if len({run.name for run, *_ in found}) < 2:
+        return None
+    return section("motions", "Motions in and out", pictures.figure(_picture(found)))
+
+
+def _names(results):
+    return [path.name.removesuffix("_motion.csv") for path in sorted((results.folder / "spectra").glob("*_motion.csv"))]
+
+
+def _picture(found):
+    """Motions given as (run, name, what a legend says of it)."""
     figure_, (over_time, spectra) = style.plt.subplots(2, 1, figsize=(8.0, 5.4))
-    for name, colour in zip(names, spectra_pictures.COLORS * len(names)):
-        _draw(results, name, colour, over_time, spectra)
+    for (results, name, said), colour in zip(found, spectra_pictures.COLORS * len(found)):
+        _draw(results, name, said, colour, over_time, spectra)
     over_time.set(xlabel="t [s]", ylabel="acceleration [m/s²]")
     over_time.set_title("run: motions in and out", loc="left")
     spectra.set(xlabel="period [s]", ylabel="pseudo acceleration [m/s²]", xscale="log")
@@ -36,18 +49,18 @@ def _picture(results, names):
     return figure_
 
 
-def _draw(results, name, colour, over_time, spectra):
+def _draw(results, name, said, colour, over_time, spectra):
     """The motion in solid lines; dashed, the one from which it came."""
     for kind, label, look in (("input", "in, before ", {"ls": "--", "lw": 0.9, "alpha": 0.8}), ("motion", "", {"lw": 1})):
         motion = results.table(f"spectra/{name}_{kind}.csv")
         if motion:
-            over_time.plot(motion["time_s"], motion["acceleration_m_per_s2"], color=colour, label=style.literal(label + name), **look)
+            over_time.plot(motion["time_s"], motion["acceleration_m_per_s2"], color=colour, label=style.literal(label + said), **look)
     for kind, label, look in (("reference", "in, before ", {"ls": "--", "lw": 0.9}), ("response", "", {"lw": 1.2})):
         response = results.table(f"spectra/{name}_{kind}.csv")
         if response:
             column = _column(response)
             share = column.removeprefix("psa_").partition("pct")[0]
-            spectra.plot(response["period_s"], response[column], color=colour, label=style.literal(f"{label}{name}, {share} %"), **look)
+            spectra.plot(response["period_s"], response[column], color=colour, label=style.literal(f"{label}{said}, {share} %"), **look)
 
 
 def _column(response):

@@ -31,11 +31,13 @@ def narrow():
         style.WIDTH = wide
 
 
-def figure(drawn, *below, of_model=False):
-    """<figure> with the picture, its title, its legends and the table of its curves; nothing for no figure."""
+def figure(drawn, *below, of_model=False, of_run=None):
+    """<figure> with the picture, its title, its legends and the table of its curves; nothing for no figure. `of_run`: the
+    name of its run, where a page shows several."""
     if drawn is None:
         return None
     title, notes = _take_title(drawn), _take_notes(drawn)
+    title = f"{of_run}: {title}" if of_run else title
     keys = legends.taken_from(drawn)
     table = curves.as_table(drawn, title)
     curves.thin(drawn)
@@ -70,7 +72,8 @@ def _take_notes(drawn):
         bar = getattr(axes, "_colorbar", None)
         if bar is not None:
             low, high, label = bar.norm.vmin, bar.norm.vmax, bar.ax.get_ylabel().strip()
-            notes.append(f"Colours from {digits(low)} to {digits(high)} {label}")
+            what, _, unit = label.rstrip("]").partition("[")
+            notes.append(f"Colours: {what}from {digits(low)} to {digits(high)} {unit}")
     return [legends.plain(note) for note in notes]
 
 

@@ -32,7 +32,8 @@ def quantity(value, unit=""):
 
 def figure(summary, key):
     """A table cell with a figure of the summary, marked with its name there."""
-    return tag("td", quantity(summary.get(key), unit_of(key)), data_key=key)
+    value = summary.get(key)
+    return tag("td", quantity(value, unit_of(key)), data_key=key, class_=None if isinstance(value, str) else "number")
 
 
 def place(x, y):

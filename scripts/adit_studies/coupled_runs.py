@@ -11,7 +11,7 @@ from pathlib import Path
 import adit_programs
 from adit_plots.run_folder import Run
 
-PLOT = adit_programs.ROOT / "scripts" / "plot"
+PLOT, REPORT = (adit_programs.ROOT / "scripts" / name for name in ("plot", "report"))
 
 
 class Failed(Exception):
@@ -35,6 +35,7 @@ def run_case(case, names, usage):
     """Runs and draws scenes of a case with the options on the command line; returns (folder of the results, [Run])."""
     parser = argparse.ArgumentParser(description=usage, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--out", metavar="DIR", type=Path, default=adit_programs.RUNS / case.name, help="folder of the results")
+    parser.add_argument("--no-report", action="store_true", help="write no report.html")
     options, others = parser.parse_known_args()
     folders = [options.out / name for name in names]
     for name, folder in zip(names, folders):
@@ -44,6 +45,8 @@ def run_case(case, names, usage):
             done = subprocess.run(command)
             if done.returncode != 0:
                 sys.exit(done.returncode)
+    if not options.no_report:
+        subprocess.run([REPORT, *folders])
     return options.out, [Run(folder) for folder in folders]
 
 
