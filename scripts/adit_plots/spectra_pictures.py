@@ -72,7 +72,7 @@ def _response(run, name, table, reference, name_of_reference):
                 panel.loglog(reference["period_s"], reference[kind.format(damping)], color=COLORS[i % len(COLORS)], lw=0.9,
                              ls="--", label=f"{style.literal(name_of_reference)}, {damping} %")
         panel.set(xlabel="period [s]", ylabel=f"{quantity} [{unit}]", xlim=(table["period_s"][0], table["period_s"][-1]))
-        _plain_decades(panel)
+        plain_decades(panel)
     pga = run.number(f"{name}_pga_m_per_s2")
     if pga:
         axes[0].axhline(pga, color=style.GREY, lw=0.8, ls="--", label="PGA")
@@ -81,7 +81,7 @@ def _response(run, name, table, reference, name_of_reference):
     return figure
 
 
-def _plain_decades(axes):
+def plain_decades(axes):
     """Labels 1, 2 and 5 of every decade of the logarithmic axes with plain numbers."""
     for axis in (axes.xaxis, axes.yaxis):
         if axis.get_scale() == "log":
@@ -115,7 +115,7 @@ def _transfer(run, name, table):
     axes.axhline(1, color=style.GREY, lw=0.6)
     axes.set(xlabel="frequency [Hz]", ylabel="amplification", ylim=(0, None),
              xlim=(table["frequency_Hz"][0], table["frequency_Hz"][-1]))
-    _plain_decades(axes)
+    plain_decades(axes)
     axes.legend(loc="best", handletextpad=0.2)
     axes.set_title(f"{run.name}: {style.literal(name)} relative to {style.literal(base)}", loc="left")
     return figure

@@ -32,7 +32,7 @@ def histories(run, quantities=None):
     """The histories of the scene, one panel for each quantity with its largest MOST_LINES."""
     panels = []
     for quantity, (units, lines) in (quantities or quantities_of(run)).items():
-        panels.append((quantity, *_unit(units, [values for _, values in lines]), _largest(lines)))
+        panels.append((quantity, *unit_for(units, [values for _, values in lines]), _largest(lines)))
     if not panels:
         return None
     figure, axes = plt.subplots(len(panels), 1, sharex=True, squeeze=False, figsize=(8.0, 0.9 + 1.8 * len(panels)))
@@ -82,7 +82,7 @@ def _largest(lines):
     return [lines[i] for i in sorted(order[:MOST_LINES])]
 
 
-def _unit(units, series):
+def unit_for(units, series):
     """The unit in which the largest value is at least 1: (its name, its size)."""
     largest = max(np.nanmax(np.abs(values), initial=0) for values in series)
     fitting = [unit for unit in units if largest >= unit[1]]
@@ -130,12 +130,12 @@ def comparison(case, runs):
     end = max((run.histories["time_s"][-1] for run in runs if len(run.histories["time_s"])), default=0)
     scale, unit = (1, "t [s]") if end >= 1 else (1e3, "t [ms]")
     for i, run in enumerate(runs):
-        look = _look(i)
-        handles.append(Line2D([], [], label=run.name, **look))
+        drawn = look(i)
+        handles.append(Line2D([], [], label=run.name, **drawn))
         for axes, (column, divisor, _) in zip(panels, rows):
             if np.any(run.histories.get(column, 0)):  # a continuum has no bonds, a model perhaps no such history
-                axes.plot(scale * run.histories["time_s"], run.histories[column] / divisor, label=run.name, **look)
-        _mark_first_crack(panels[1], run, scale, look["color"], 6 + 3 * sum(map(_cracked, runs[:i])))
+                axes.plot(scale * run.histories["time_s"], run.histories[column] / divisor, label=run.name, **drawn)
+        _mark_first_crack(panels[1], run, scale, drawn["color"], 6 + 3 * sum(map(_cracked, runs[:i])))
     if any(map(_cracked, runs)):
         handles.append(Line2D([], [], label="first crack (in the model’s colour)", **_ring(style.BLACK, 7)))
     for axes, (_, _, label) in zip(panels, rows):
@@ -151,7 +151,7 @@ def comparison(case, runs):
     return figure
 
 
-def _look(i):
+def look(i):
     """Colour and dashes of model i; only the first is solid, so that curves that coincide show through."""
     colors = (style.BLACK, style.GREEN, style.RED, style.BLUE, style.ORANGE, style.PINK, style.SKY)
     dashes = ("-", (0, (5, 2)), (0, (1.5, 1.2)), (0, (6, 1.5, 1.5, 1.5)), (0, (9, 3)), (0, (3, 4)), (0, (1, 3)))

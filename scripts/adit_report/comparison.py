@@ -1,12 +1,15 @@
 """The page that compares the runs of a case: figures side by side, histories in one picture, links to their reports."""
 from pathlib import Path
 
-from adit_plots import time_pictures, tunnel_pictures
+from adit_plots import style, time_pictures, tunnel_pictures
 from adit_report import instants, motions, overview, pictures
 from adit_report.markup import bullets, section, table, tag
 from adit_report.page import written
 from adit_report.quantities import figure
 from adit_report.results import Results
+
+IN_THE_FIRST = ("tip_uy_m", "max_bond_force_N")  # columns of time_pictures.comparison
+MOST = 8  # histories
 
 
 def of_runs(folders):
@@ -54,5 +57,31 @@ def _side_by_side(caption, known, runs):
 
 def _pictures(case, runs):
     tunnels = [run for run in runs if tunnel_pictures.is_tunnel(run)]
-    draw = tunnel_pictures.comparison if tunnels else time_pictures.comparison
-    return section("comparison", "The runs in one picture", pictures.figure(draw(case, tunnels or runs)))
+    first = tunnel_pictures.comparison(case, tunnels) if tunnels else None
+    if not tunnels and any("max_bond_force_N" in run.histories for run in runs):
+        first = time_pictures.comparison(case, runs)
+    return section("comparison", "The runs in one picture", pictures.figure(first), map(pictures.figure, _shared(runs, first)))
+
+
+def _shared(runs, first):
+    """A figure for each history that several runs have, without those of the first picture; MOST at most."""
+    drawn = IN_THE_FIRST if first else ()
+    found = {}
+    for i, run in enumerate(runs):
+        for quantity, (units, lines) in time_pictures.quantities_of(run).items():
+            for column, values in lines:
+                found.setdefault(column, (quantity, units, []))[2].append((i, run, values))
+    shared = [(column, *what) for column, what in found.items() if len(what[2]) > 1 and column not in drawn]
+    return [_one(*each) for each in shared[:MOST]]
+
+
+def _one(column, quantity, units, lines):
+    name, size = time_pictures.unit_for(units, [values for *_, values in lines])
+    drawn, axes = style.plt.subplots(figsize=(8.0, 2.6))
+    _, label = style.time_axis(max((run.histories["time_s"] for _, run, _ in lines), key=lambda times: times[-1]))
+    for i, run, values in lines:
+        axes.plot(run.histories["time_s"] * (1 if label == "t [s]" else 1e3), values / size, label=run.name, **time_pictures.look(i))
+    axes.set(xlabel=label, ylabel=f"{quantity} [{name}]")
+    axes.set_title(f"runs: {style.literal(column)}", loc="left")
+    axes.legend()
+    return drawn

@@ -15,12 +15,10 @@ def chapter(results):
     if not names:
         told = "The scene asks for no spectra (output.spectra), so that motions stand among the histories only."
         return None if results.is_tunnel else section("motions", "Motions in and out", tag("p", told))
-    drawn = _picture([(results, name, name) for name in names])
+    found = [(results, name, name) for name in names]
     amplifications = [f for name, f in spectra_pictures.motions(results) if name.endswith("_transfer")]
-    used = [(said, key) for said, key in MEASURES if any(results.summary.get(f"{name}_{key}") is not None for name in names)]
-    measures = table("Measures of the motions, from summary.json", ("motion", *(said for said, _ in used)), [
-        (name, *(figure(results.summary, f"{name}_{key}") for _, key in used)) for name in names])
-    return section("motions", "Motions in and out", pictures.figure(drawn), measures, map(pictures.figure, amplifications))
+    return section("motions", "Motions in and out", pictures.figure(_picture(found)), _measures(found),
+                   map(pictures.figure, amplifications))
 
 
 def compared(runs):
@@ -28,11 +26,18 @@ def compared(runs):
     found = [(run, name, f"{run.name}, {name}") for run in runs for name in _names(run)]
     if len({run.name for run, *_ in found}) < 2:
         return None
-    return section("motions", "Motions in and out", pictures.figure(_picture(found)))
+    return section("motions", "Motions in and out", pictures.figure(_picture(found)), _measures(found))
 
 
 def _names(results):
     return [path.name.removesuffix("_motion.csv") for path in sorted((results.folder / "spectra").glob("*_motion.csv"))]
+
+
+def _measures(found):
+    used = [(said, key) for said, key in MEASURES
+            if any(run.summary.get(f"{name}_{key}") is not None for run, name, _ in found)]
+    return table("Measures of the motions, from summary.json", ("motion", *(said for said, _ in used)), [
+        (told, *(figure(run.summary, f"{name}_{key}") for _, key in used)) for run, name, told in found])
 
 
 def _picture(found):
@@ -43,8 +48,9 @@ def _picture(found):
     over_time.set(xlabel="t [s]", ylabel="acceleration [m/s²]")
     over_time.set_title("run: motions in and out", loc="left")
     spectra.set(xlabel="period [s]", ylabel="pseudo acceleration [m/s²]", xscale="log")
+    spectra_pictures.plain_decades(spectra)
+    over_time.grid(lw=0.3, color="#DDDDDD")
     for axes in (over_time, spectra):
-        axes.grid(lw=0.3, color="#DDDDDD")
         axes.legend()
     return figure_
 
