@@ -39,10 +39,8 @@ def histories(run, quantities=None):
     time, label = style.time_axis(run.histories["time_s"])
     for panel, (quantity, unit, size, lines) in zip(axes[:, 0], panels):
         for i, (name, values) in enumerate(lines):
-            ending = _ending(name)
-            place = name.removesuffix("_" + ending)
             panel.plot(time, values / size, lw=1, color=_COLORS[i % len(_COLORS)], ls=LINES[i // len(_COLORS) % len(LINES)],
-                       label=f"{style.literal(place)}, {_said(ending)}")
+                       label=style.literal(said(name)))
         panel.axhline(0, color=style.GREY, lw=0.4, zorder=0)
         panel.set_ylabel(f"{quantity} [{unit}]")
         panel.legend(loc="upper left", bbox_to_anchor=(1.01, 1.04), handlelength=1.6, labelspacing=0.25)
@@ -70,10 +68,11 @@ def _ending(name):
     return max(fitting, key=len, default=None)
 
 
-def _said(ending):
-    """What a legend says of an ending: its direction, or its quantity where the panel has several."""
+def said(column):
+    """What a legend says of a column: its place, and its direction or quantity."""
+    ending = _ending(column)
     first, *others = ending.split("_")
-    return others[0] if others and others[0] in ("lateral", "vertical") else first
+    return f"{column.removesuffix('_' + ending)}, {others[0] if others and others[0] in ('lateral', 'vertical') else first}"
 
 
 def _largest(lines):

@@ -82,6 +82,6 @@ def _one(column, quantity, units, lines):
     for i, run, values in lines:
         axes.plot(run.histories["time_s"] * (1 if label == "t [s]" else 1e3), values / size, label=run.name, **time_pictures.look(i))
     axes.set(xlabel=label, ylabel=f"{quantity} [{name}]")
-    axes.set_title(f"runs: {style.literal(column)}", loc="left")
+    axes.set_title(f"runs: {quantity} of {style.literal(time_pictures.said(column))}", loc="left")
     axes.legend()
     return drawn

@@ -51,7 +51,21 @@ class Installed(ProgramTest):
         self.assertTrue(self.summary(run)["completed"])
         for picture in ("deformed_5ms", "force_chains_5ms", "histories"):
             self.assertTrue((run / "pictures" / f"{picture}.png").exists(), picture)
+        self.assertIn("report             runs/cantilever/coupled/report.html\n", said)
+        (run / "report.html").unlink()
+        self.user("adit", "report", "runs/cantilever/coupled")
+        self.assertIn("cantilever: coupled", (run / "report.html").read_text())
         self.assertEqual(sorted(self.prefix.rglob("*")), before, "the installation itself is left as it was")
+
+    def test_a_run_leaves_its_report_out_when_asked_and_a_failed_run_has_one(self):
+        run = self.folder / "runs" / "cantilever" / "coupled"
+        self.user("adit", "run", "cases/cantilever/coupled.yaml", "--no-report", *SHORT)
+        self.assertFalse((run / "report.html").exists())
+        environment = {"HOME": str(self.folder), "PATH": f"{self.prefix}/bin:/usr/bin:/bin"}
+        failed = subprocess.run(["adit", "run", "cases/cantilever/coupled.yaml", *SHORT, "--set", "time.beyond_critical=true",
+                                 "--set", "time.dt=40 us"], cwd=self.folder, env=environment, capture_output=True, text=True)
+        self.assertEqual(failed.returncode, 4, failed.stderr)
+        self.assertIn("The run failed", (run / "report.html").read_text())
 
     def test_a_case_with_a_study_runs_where_a_user_copied_it(self):
         shutil.copytree(self.prefix / "share" / "adit" / "cases" / "wave_bar", self.folder / "mine")
@@ -68,7 +82,7 @@ class Installed(ProgramTest):
     def test_unknown_commands_end_with_the_list_of_commands(self):
         done = subprocess.run([self.prefix / "bin" / "adit", "draw"], capture_output=True, text=True)
         self.assertEqual(done.returncode, 2)
-        for command in ("run", "plot", "calibrate", "trade"):
+        for command in ("run", "plot", "report", "calibrate", "trade"):
             self.assertRegex(done.stderr, rf"\n  {command} ")
 
     def test_links_of_the_readme_lead_to_installed_files(self):
@@ -84,7 +98,7 @@ class Package(ProgramTest):
         package, = self.folder.glob("*.deb")
         self.assertRegex(package.name, rf"^adit_{re.escape(project_version())}_[a-z0-9]+\.deb$")
         needed = succeed("dpkg-deb", "-f", package, "Depends")
-        for other in ("python3", "python3-numpy", "python3-matplotlib", "python3-yaml", "libc6", "libprotobuf"):
+        for other in ("python3", "python3-numpy", "python3-matplotlib", "python3-pil", "python3-yaml", "libc6", "libprotobuf"):
             self.assertIn(other, needed)
         succeed("dpkg", "-x", package, self.folder / "root")
         for program in PROGRAMS:
