@@ -34,7 +34,7 @@ def chapter(results, most=MOST):
     shown = [(time, _views(results, time, pieces, scale)) for time, pieces in found]
     if not any(views for _, views in shown):
         return None
-    first = _first(results, [time for time, _ in shown])
+    first = _first(results, found)
     return section("instants", "The model at chosen instants", _note(len(shown), len(results.instants)), _slider(shown, first),
                    [_instant(*one, i == first) for i, one in enumerate(shown)], _peaks(results, found[-1]))
 
@@ -50,7 +50,7 @@ def side_by_side(runs):
     shown = [(runs[0].instants[each[0]][0], _compared(runs, each)) for each in _spread(common, max(1, min(MOST, MOST_CELLS // cells)))]
     if not shown:
         return None
-    first = _first(runs[0], [time for time, _ in shown])
+    first = _first(runs[0], [(time, runs[0].last_pieces) for time, _ in shown])
     return section("instants", "Force chains and cracks at chosen instants", _note(len(shown), len(common)), _slider(shown, first),
                    [_instant(*one, i == first) for i, one in enumerate(shown)])
 
@@ -89,10 +89,13 @@ def _slider(shown, first):
                " ", tag("output", f"t = {style.instant(shown[first][0])}", for_="instant"), class_="slider", hidden=True)
 
 
-def _first(results, times):
-    """The number of the instant that is open at first: that of the largest bond force, or the last."""
+def _first(results, found):
+    """The number of the instant that is open at first: that of the largest bond force, or of the largest displacement."""
     peak = results.number("peak_bond_force_time_s")
-    return len(times) - 1 if peak is None else int(np.argmin(np.abs(np.array(times) - peak)))
+    if peak is not None:
+        return int(np.argmin([abs(time - peak) for time, _ in found]))
+    return int(np.argmax([max(np.nanmax(np.abs(piece.moved(1) - piece.points), initial=0) for piece in pieces.values())
+                          for _, pieces in found]))
 
 
 def _instant(time, views, is_open):
@@ -100,5 +103,7 @@ def _instant(time, views, is_open):
 
 
 def _peaks(results, last):
+    if last[0] == 0:  # a run that failed early has no peaks yet
+        return None
     drawn = [pictures.figure(figure, of_model=True) for _, figure in colour_pictures.peaks(results, *last)]
     return [tag("h3", "Peaks over time"), drawn] if drawn else None

@@ -25,8 +25,9 @@ def tag(name, *content, **attributes):
     return Markup(f"<{name}{written}>{safe(content)}</{name}>")
 
 
-def image(source, alt, width, height):
-    return Markup(f'<img src="{source}" alt="{escape(alt)}" width="{width}" height="{height}">')
+def image(source, alt, width, height, share):
+    """A picture that fills this share [%] of a narrow page."""
+    return Markup(f'<img src="{source}" alt="{escape(alt)}" width="{width}" height="{height}" style="--share: {share:.0f}">')
 
 
 def section(name, title, *content):

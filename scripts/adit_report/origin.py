@@ -22,10 +22,10 @@ def timing(results):
 
 def chapter(results):
     s = results.summary
-    rows = [(said, s[key]) for said, key in (("programs", "versions"), ("revision of the source", "revision"), ("computed at", "started"),
+    rows = [(said, tag("td", s[key], class_="anywhere")) for said, key in (("programs", "versions"), ("commit of the source", "revision"), ("computed at", "started"),
                                              ("hash of the scene", "scene_hash"), ("command", "command"), ("in the folder", "folder"))
             if s.get(key)]
-    rows += [(f"hash of {name}", hash_) for name, hash_ in s.get("inputs", {}).items()]
+    rows += [("hash of a file", tag("td", f"{hash_}  {name}", class_="anywhere")) for name, hash_ in s.get("inputs", {}).items()]
     return section("origin", "Versions, hashes and how to repeat the run", table("Where the results come from", None, rows),
                    _again(results), _scenes(results), details("Every figure of summary.json", every_figure(results)))
 

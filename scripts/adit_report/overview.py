@@ -14,10 +14,10 @@ def state(results):
         return tag("p", f"The run is complete: {duration} were computed.", class_="state")
     until = "" if results.reached is None else f" at {quantity(results.reached, 's')} of {duration}"
     if "error" in s:
-        text = f"The run failed{until}. This report shows what was computed until then. The reason: {_sentence(s['error'])}"
+        text = tag("strong", f"The run failed{until}."), f" This page shows what was computed until then. {_sentence(s['error'])}"
     else:
-        text = f"The run was not finished: it was stopped{until} or is still going on. This report shows what there is."
-    return tag("p", tag("strong", text), class_="state failed")
+        text = tag("strong", f"The run was not finished: it was stopped{until} or is still going on."), " This page shows what there is."
+    return tag("p", text, class_="state failed")
 
 
 def warnings(results):

@@ -46,7 +46,7 @@ def figure(drawn, *below, of_model=False, of_run=None):
     style.plt.close(drawn)
     alt = title + ". " + ("The legend and the numbers stand below." if keys or notes or table else "The numbers stand beside it.")
     caption = tag("figcaption", tag("strong", title), legends.written(keys), [tag("p", note, class_="note") for note in notes])
-    return tag("figure", image(source, alt, width, height), caption, table, below)
+    return tag("figure", image(source, alt, width, height, min(100, 100 * width / (96 * WIDTH))), caption, table, below)
 
 
 def _take_title(drawn):

@@ -62,8 +62,8 @@ class Installed(ProgramTest):
         self.user("adit", "run", "cases/cantilever/coupled.yaml", "--no-report", *SHORT)
         self.assertFalse((run / "report.html").exists())
         environment = {"HOME": str(self.folder), "PATH": f"{self.prefix}/bin:/usr/bin:/bin"}
-        failed = subprocess.run(["adit", "run", "cases/cantilever/coupled.yaml", *SHORT, "--set", "time.beyond_critical=true",
-                                 "--set", "time.dt=40 us"], cwd=self.folder, env=environment, capture_output=True, text=True)
+        failed = subprocess.run(["adit", "run", "cases/cantilever/coupled.yaml", "--set", "time.beyond_critical=true",
+                                 "--set", "time.dt=100 us"], cwd=self.folder, env=environment, capture_output=True, text=True)
         self.assertEqual(failed.returncode, 4, failed.stderr)
         self.assertIn("The run failed", (run / "report.html").read_text())
 
