@@ -8,26 +8,21 @@ from adit_report.markup import Markup, section, tag
 VIEWS = (model_pictures.force_chains, model_pictures.bonds, lining_pictures.lining_forces, colour_pictures.principal_stress,
          colour_pictures.yield_state)  # beside the deformed model
 MOST = 8  # instants
-MOST_CELLS = 400_000  # points, zones and bonds in all instants, which bounds the time that drawing takes
+FEW = 3  # instants of a model so large that they hold more than MOST_CELLS zones, particles and bonds: drawing takes time
+MOST_CELLS = 800_000
 
 
-def chosen(results, most):
-    """Numbers of at most `most` instants, spread evenly, the last among them."""
-    pieces = results.last_pieces.values()
-    cells = max(1, sum(len(piece.points) + len(piece.cells) for piece in pieces))
-    count = max(1, min(most, len(results.instants), MOST_CELLS // cells))
-    return _spread(range(len(results.instants)), count)
-
-
-def _spread(items, count):
-    """At most `count` of them, spread evenly, the last among them."""
-    return [items[k] for k in sorted({round(k) for k in np.linspace(len(items) - 1, 0, count)})] if items else []
+def _spread(items, most, runs):
+    """At most `most` of the items, spread evenly, the last among them; fewer for large models."""
+    cells = max(1, sum(len(piece.cells) for run in runs for piece in run.last_pieces.values()))
+    count = min(most, len(items), max(FEW, MOST_CELLS // cells))
+    return [items[k] for k in sorted({round(k) for k in np.linspace(len(items) - 1, 0, count)})]
 
 
 def chapter(results, most=MOST):
     if not results.instants:
         return None
-    numbers = chosen(results, most)
+    numbers = _spread(range(len(results.instants)), most, [results])
     found = [(results.instants[n][0], results.pieces_at(n)) for n in numbers]
     found = [(time, pieces) for time, pieces in found if pieces]
     scale = min((model_pictures.scale_of(pieces) for _, pieces in found), default=1)
@@ -46,8 +41,7 @@ def side_by_side(runs):
         return None
     numbers = [[_same(run, time) for run in runs] for time, _ in runs[0].instants]
     common = [each for each in numbers if None not in each]
-    cells = sum(len(piece.points) + len(piece.cells) for run in runs for piece in run.last_pieces.values())
-    shown = [(runs[0].instants[each[0]][0], _compared(runs, each)) for each in _spread(common, max(1, min(MOST, MOST_CELLS // cells)))]
+    shown = [(runs[0].instants[each[0]][0], _compared(runs, each)) for each in _spread(common, MOST, runs)]
     if not shown:
         return None
     first = _first(runs[0], [(time, runs[0].last_pieces) for time, _ in shown])

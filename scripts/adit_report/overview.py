@@ -3,6 +3,7 @@ from adit_plots.table import ROWS
 from adit_report.markup import bullets, paragraphs, section, table, tag
 from adit_report.quantities import figure, quantity
 
+PLACES = (("_time_s", ": time"), ("_x_m", ": x"), ("_y_m", ": y"), ("_chainage_m", ": chainage"))
 GAP = 0.01  # of the energy, above which the user guide calls for smaller steps
 
 
@@ -48,11 +49,10 @@ def main_figures():
     owner = ""
     for what, key, *_ in ROWS:
         name = what.partition(" [")[0]
-        if what.startswith(" "):
-            name = f"{owner},{name[1:]}"
-        else:
+        part = next((said for ending, said in PLACES if key.endswith(ending)), "")
+        if not name.startswith(" "):
             owner = name.removesuffix(" at")
-        yield name, key
+        yield f"{owner}{part}", key
 
 
 def computed(results):
