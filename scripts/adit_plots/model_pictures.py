@@ -11,6 +11,8 @@ from adit_plots import style
 ZONE_FACE, ZONE_EDGE, DISC_FACE, DISC_EDGE = "#C6DBEF", style.BLUE, "#FDD9A0", "#A86400"
 OVERLAP_FACE = "#BDBDBD"
 CLOSE_UP = 0.45  # of the width
+LEVELS = 40  # of the widths of force chains
+LINES_OF_A_PATH = 5000  # longer paths overflow the memory of the renderer
 INTACT, TENSILE_CRACK, SHEAR_CRACK = 0, 1, 2
 
 
@@ -54,11 +56,11 @@ def force_chains(run, time, pieces):
     largest = abs(force[top])
     if largest > 0:
         sample = _round_below(largest)
-        order = np.argsort(np.abs(force))  # the largest on top
-        widest = min(4.0, 0.5 * _length_in_points(axes, lines))  # dense bonds stay apart
-        axes.add_collection(LineCollection(
-            lines[order], lw=widest * np.abs(force[order]) / largest, capstyle="round",
-            color=np.where(force[order] > 0, style.RED, style.BLUE)))
+        widest = min(4.0, max(0.8, 0.5 * _length_in_points(axes, lines)))  # dense bonds stay apart
+        level = np.round(LEVELS * np.abs(force) / largest).astype(int)
+        for k in range(1, LEVELS + 1):  # the largest on top; single lines of their own widths take long to draw
+            for sign, color in ((1, style.RED), (-1, style.BLUE)):
+                _draw_lines(axes, lines[(level == k) & (sign * force > 0)], color, widest * k / LEVELS)
         x, y = lines[top].mean(axis=0)
         axes.plot(x, y, "o", ms=11, mfc="none", mec=style.BLACK, mew=1.1, zorder=5)
         handles += [
@@ -82,7 +84,7 @@ def bonds(run, time, pieces):
     figure, axes, add_legend = _undeformed_sheet(
         run, time, pieces, "no cracks" if cracks == 0 else _count(cracks, "crack"))
     handles = _draw_continuum_faintly(axes, run, pieces)
-    axes.add_collection(LineCollection(lines[state == INTACT], lw=0.5, color=style.GREY))
+    _draw_lines(axes, lines[state == INTACT], style.GREY, 0.5)
     handles.append(Line2D([], [], color=style.GREY, lw=0.8, label=_count(counts[INTACT], "intact bond")))
     for mode, name, color in ((TENSILE_CRACK, "tensile", style.RED), (SHEAR_CRACK, "shear", style.BLUE)):
         if counts[mode]:
@@ -91,6 +93,13 @@ def bonds(run, time, pieces):
             handles.append(Line2D([], [], color=color, lw=2.4, label=_count(counts[mode], f"{name} crack")))
     add_legend(handles)
     return figure
+
+
+def _draw_lines(axes, lines, color, width):
+    """Many lines of one look, joined to paths with gaps."""
+    for some in np.array_split(lines, 1 + len(lines) // LINES_OF_A_PATH):
+        x, y = np.insert(some, 2, np.nan, axis=1).reshape(-1, 2).T
+        axes.plot(x, y, color=color, lw=width, solid_capstyle="round")
 
 
 def _undeformed_sheet(run, time, pieces, what):
@@ -151,7 +160,7 @@ def scale_of(pieces):
     """The round factor that makes the largest displacement about a fourteenth of the model, at least 1."""
     models = [pieces[kind] for kind in ("grid", "particles") if kind in pieces]
     size = max(np.ptp(np.concatenate([p.points for p in models]), axis=0))
-    largest = max((np.nanmax(np.abs(p.moved(1) - p.points), initial=0) for p in models), default=0)
+    largest = max((np.nanmax(np.abs(p.moved(1) - p.points)[np.unique(p.cells)], initial=0) for p in models), default=0)
     return max(1.0, _round_below(0.07 * size / largest)) if largest > 0 else 1.0
 
 

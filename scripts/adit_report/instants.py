@@ -88,7 +88,7 @@ def _first(results, found):
     peak = results.number("peak_bond_force_time_s")
     if peak is not None:
         return int(np.argmin([abs(time - peak) for time, _ in found]))
-    return int(np.argmax([max(np.nanmax(np.abs(piece.moved(1) - piece.points), initial=0) for piece in pieces.values())
+    return int(np.argmax([max(np.nanmax(np.abs(piece.moved(1) - piece.points)[np.unique(piece.cells)], initial=0) for piece in pieces.values())
                           for _, pieces in found]))
 
 

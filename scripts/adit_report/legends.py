@@ -62,7 +62,7 @@ def _line(line):
     if line.get_linestyle() not in ("None", "", " ") and line.get_linewidth() > 0:
         dashes = line._dash_pattern[1]  # matplotlib has no public name for the pattern in points
         pattern = f' stroke-dasharray="{",".join(f"{2 * d:.3g}" for d in dashes)}"' if dashes else ""
-        drawn = f'<path d="M1 6H31" stroke="{colour}" stroke-width="{1.4 * line.get_linewidth():.3g}"{pattern}/>'
+        drawn = f'<path d="M1 6H31" stroke="{colour}" stroke-width="{max(1.0, 1.4 * line.get_linewidth()):.3g}"{pattern}/>'
     if marker in MARKERS:
         face = line.get_markerfacecolor()
         fill = "none" if isinstance(face, str) and face == "none" else to_hex(face)
