@@ -30,8 +30,8 @@ def deformed(run, time, pieces, scale=None):
     handles = _shade_overlap(axes, run, grid, scale)
     if grid is not None:
         _draw_zones(axes, grid, grid.moved(scale), fc=ZONE_FACE, ec="none", zorder=1)
-        size = style.length_in_points(axes, np.ptp(grid.points[grid.cells], axis=1).max(axis=1))
-        _draw_zones(axes, grid, grid.moved(scale), fc="none", ec=ZONE_EDGE, lw=min(0.7, 0.06 * size), zorder=3)  # over the particles
+        width = min(0.7, 0.06 * style.length_in_points(axes, np.ptp(grid.points[grid.cells], axis=1).max(axis=1)))
+        _draw_zones(axes, grid, grid.moved(scale), fc="none", ec=ZONE_EDGE, lw=width, zorder=3)  # over the particles
         handles.append(Patch(fc=ZONE_FACE, ec=ZONE_EDGE, label="zones"))
     if particles is not None:
         there = particles.is_there()

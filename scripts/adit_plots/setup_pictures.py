@@ -69,7 +69,8 @@ def _draw_particles(axes, member, discs):
         axes.add_collection(EllipseCollection(
             size[chosen], size[chosen], np.zeros(chosen.sum()), units="xy", offsets=discs.points[chosen],
             offset_transform=axes.transData, fc=face, ec="none", zorder=2))
-        handles.append(Line2D([], [], ls="", marker="o", ms=7, mfc=face, mec="none", label=f"particles: {style.literal(member.group(k))}"))
+        handles.append(Line2D([], [], ls="", marker="o", ms=7, mfc=face, mec="none",
+                              label=f"particles: {style.literal(member.group(k))}"))
     return handles
 
 

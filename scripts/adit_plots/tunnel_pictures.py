@@ -116,7 +116,8 @@ def _draw_openings(axes, joints, color):
     for i, group in enumerate(groups):
         chosen = joints["group"] == group
         axes.plot(joints["chainage_m"][chosen] / 1e3, 1e3 * joints["opening_max_m"][chosen], color=color or _color(i),
-                  lw=0.8, marker="." if np.count_nonzero(chosen) < 300 else None, ms=3, label=style.literal(group.replace("_", " ")))
+                  lw=0.8, marker="." if np.count_nonzero(chosen) < 300 else None, ms=3,
+                  label=style.literal(group.replace("_", " ")))
     axes.set_ylabel("joint opening [mm]")
     if len(groups) > 1:
         axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0))

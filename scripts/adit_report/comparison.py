@@ -2,9 +2,8 @@
 from pathlib import Path
 
 from adit_plots import style, time_pictures, tunnel_pictures
-from adit_report import instants, motions, overview, pictures
+from adit_report import instants, motions, overview, page, pictures
 from adit_report.markup import bullets, section, table, tag
-from adit_report.page import written
 from adit_report.quantities import figure
 from adit_report.results import Results
 
@@ -20,12 +19,9 @@ def of_runs(folders):
     told = tag("p", f"{len(runs)} runs are compared; {finished} of them are complete.",
                class_="state" if finished == len(runs) else "state failed")
     with pictures.narrow():
-        page = written(f"{place.name}: {len(runs)} runs compared", told,
-                       [_runs(runs, place), _figures(runs), _pictures(place.name, runs), motions.compared(runs),
-                        instants.side_by_side(runs), _sizes(runs)])
-    path = place / "report.html"
-    path.write_bytes(page)
-    return path
+        before = [_runs(runs, place), _figures(runs), _pictures(place.name, runs), motions.compared(runs)]
+        return page.write(place / "report.html", lambda most: page.written(
+            f"{place.name}: {len(runs)} runs compared", told, [*before, instants.side_by_side(runs, most), _sizes(runs)]))
 
 
 def _runs(runs, place):
@@ -34,19 +30,20 @@ def _runs(runs, place):
 
 def _run(run, place):
     own = run.folder.resolve() / "report.html"
-    name = tag("a", run.name, href=own.relative_to(place).as_posix()) if own.exists() and own.is_relative_to(place) else run.name
+    linked = own.exists() and own.is_relative_to(place)
+    name = tag("a", run.name, href=own.relative_to(place).as_posix()) if linked else run.name
     description = run.given.get("description")
     return [name, f": {description}" if description else None, "" if run.summary.get("completed") else " (not complete)"]
 
 
 def _figures(runs):
-    return section("figures", "Main figures", _side_by_side("Main figures, from each summary.json", overview.main_figures(), runs))
+    return section("figures", "Main figures", _side_by_side("From each summary.json", overview.main_figures(), runs))
 
 
 def _sizes(runs):
     known = [("zones", "zones"), ("particles", "particles"), ("bonds", "bonds"), ("time step", "dt_s"), ("steps", "steps"),
              ("programs", "versions"), ("hash of the scene", "scene_hash")]
-    return section("sizes", "Sizes, versions and hashes", _side_by_side("Sizes and origin, from each summary.json", known, runs))
+    return section("sizes", "Sizes, versions and hashes", _side_by_side("From each summary.json, too", known, runs))
 
 
 def _side_by_side(caption, known, runs):
@@ -56,7 +53,7 @@ def _side_by_side(caption, known, runs):
 
 
 def _pictures(case, runs):
-    tunnels = [run for run in runs if tunnel_pictures.is_tunnel(run)]
+    tunnels = [run for run in runs if tunnel_pictures.is_tunnel(run) and run.table("envelopes.csv")]
     first = tunnel_pictures.comparison(case, tunnels) if tunnels else None
     if not tunnels and any("max_bond_force_N" in run.histories for run in runs):
         first = time_pictures.comparison(case, runs)
@@ -80,7 +77,8 @@ def _one(column, quantity, units, lines):
     drawn, axes = style.plt.subplots(figsize=(8.0, 2.6))
     _, label = style.time_axis(max((run.histories["time_s"] for _, run, _ in lines), key=lambda times: times[-1]))
     for i, run, values in lines:
-        axes.plot(run.histories["time_s"] * (1 if label == "t [s]" else 1e3), values / size, label=run.name, **time_pictures.look(i))
+        times = run.histories["time_s"] * (1 if label == "t [s]" else 1e3)
+        axes.plot(times, values / size, label=run.name, **time_pictures.look(i))
     axes.set(xlabel=label, ylabel=f"{quantity} [{name}]")
     axes.set_title(f"runs: {quantity} of {style.literal(time_pictures.said(column))}", loc="left")
     axes.legend()

@@ -34,19 +34,19 @@ def chapter(results, most=MOST):
                    [_instant(*one, i == first) for i, one in enumerate(shown)], _peaks(results, found[-1]))
 
 
-def side_by_side(runs):
+def side_by_side(runs, most=MOST):
     """Force chains and cracks of several runs at the instants that all of those with particles have."""
     runs = [run for run in runs if "bonds" in run.last_pieces]
     if len(runs) < 2:
         return None
     numbers = [[_same(run, time) for run in runs] for time, _ in runs[0].instants]
     common = [each for each in numbers if None not in each]
-    shown = [(runs[0].instants[each[0]][0], _compared(runs, each)) for each in _spread(common, MOST, runs)]
+    shown = [(runs[0].instants[each[0]][0], _compared(runs, each)) for each in _spread(common, most, runs)]
     if not shown:
         return None
     first = _first(runs[0], [(time, runs[0].last_pieces) for time, _ in shown])
-    return section("instants", "Force chains and cracks at chosen instants", _note(len(shown), len(common)), _slider(shown, first),
-                   [_instant(*one, i == first) for i, one in enumerate(shown)])
+    return section("instants", "Force chains and cracks at chosen instants", _note(len(shown), len(common)),
+                   _slider(shown, first), [_instant(*one, i == first) for i, one in enumerate(shown)])
 
 
 def _same(run, time):
@@ -69,8 +69,8 @@ def _views(results, time, pieces, scale):
 def _note(shown, all_of_them):
     if shown == all_of_them:
         return None
-    return tag("p", f"{shown} of {all_of_them} instants are shown, so that this page stays small and is soon drawn; fields/ holds "
-                    "all of them.", class_="note")
+    return tag("p", f"{shown} of {all_of_them} instants are shown, so that this page stays small and is soon drawn; fields/ "
+                    "holds all of them.", class_="note")
 
 
 def _slider(shown, first):
@@ -78,9 +78,9 @@ def _slider(shown, first):
     if len(shown) < 2:
         return None
     times = ";".join(style.instant(time) for time, _ in shown)
-    return tag("p", tag("label", "Instant", for_="instant"), " ",
-               Markup(f'<input type="range" id="instant" min="0" max="{len(shown) - 1}" step="1" value="{first}" data-times="{times}">'),
-               " ", tag("output", f"t = {style.instant(shown[first][0])}", for_="instant"), class_="slider", hidden=True)
+    moved = Markup(f'<input type="range" id="instant" min="0" max="{len(shown) - 1}" value="{first}" data-times="{times}">')
+    told = tag("output", f"t = {style.instant(shown[first][0])}", for_="instant")
+    return tag("p", tag("label", "Instant", for_="instant"), " ", moved, " ", told, class_="slider", hidden=True)
 
 
 def _first(results, found):
@@ -88,8 +88,7 @@ def _first(results, found):
     peak = results.number("peak_bond_force_time_s")
     if peak is not None:
         return int(np.argmin([abs(time - peak) for time, _ in found]))
-    return int(np.argmax([max(np.nanmax(np.abs(piece.moved(1) - piece.points)[np.unique(piece.cells)], initial=0) for piece in pieces.values())
-                          for _, pieces in found]))
+    return int(np.argmin([model_pictures.scale_of(pieces) for _, pieces in found]))
 
 
 def _instant(time, views, is_open):

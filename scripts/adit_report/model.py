@@ -8,14 +8,17 @@ from adit_report.markup import details, section, table, tag
 from adit_report.quantities import figure, quantity
 
 SIZES = (("particles", "particles"), ("bonds", "bonds"), ("zones", "zones"), ("grid points", "grid_points"),
-         ("coupling points", "coupling_points"), ("overlap: particles begin at x", "overlap_particles_begin_x_m"),
-         ("overlap: particles begin at y", "overlap_particles_begin_y_m"), ("overlap: continuum ends at x", "overlap_continuum_ends_x_m"),
+         ("coupling points", "coupling_points"),
+         ("overlap: particles begin at x", "overlap_particles_begin_x_m"),
+         ("overlap: particles begin at y", "overlap_particles_begin_y_m"),
+         ("overlap: continuum ends at x", "overlap_continuum_ends_x_m"),
          ("overlap: continuum ends at y", "overlap_continuum_ends_y_m"))
 CONSTANTS = (("young_modulus", "E", "Pa"), ("poisson_ratio", "ν", ""), ("density", "ρ", "kg/m³"))
 STRENGTH = (("cohesion", "c", "Pa"), ("friction_angle", "φ", "°"), ("dilation_angle", "ψ", "°"), ("tension", "tension", "Pa"),
             ("dip_angle", "dip", "°"))
 BONDS = (("tensile_strength", "tensile strength", "N"), ("shear_strength", "shear strength", "N"))
-SMOOTH = (("normal_stiffness", "normal stiffness", "Pa/m"), ("shear_stiffness", "shear stiffness", "Pa/m"), ("friction", "friction", ""))
+SMOOTH = (("normal_stiffness", "normal stiffness", "Pa/m"), ("shear_stiffness", "shear stiffness", "Pa/m"),
+          ("friction", "friction", ""))
 PROPERTIES = (("thickness", "thickness", "m"), ("young_modulus", "E", "Pa"), ("stiffness", "stiffness", "N/m"),
               ("pretension", "pretension", "N"), ("strength", "strength", "N"), ("area", "area", "m²"),
               ("axial_stiffness", "axial stiffness", "N/m"), ("rotation_stiffness", "rotation stiffness", "N m/rad"),
@@ -26,7 +29,8 @@ MANY = 8  # rows that a table may have without being closed at first
 def chapter(results):
     s = results.summary
     sizes = table("Sizes, from summary.json", ("what", "value"), [(n, figure(s, key)) for n, key in SIZES if s.get(key)])
-    return section("model", "The model", _pictures(results), sizes, _overlap_weights(results), _materials(results), _parts(results))
+    return section("model", "The model", _pictures(results), sizes, _overlap_weights(results), _materials(results),
+                   _parts(results))
 
 
 def _pictures(results):
@@ -50,8 +54,8 @@ def _overlap_weights(results):
         shared = np.concatenate([w[w < 1 - 1e-9] for w in weights if w is not None] or [np.array([])])
         if len(shared):
             return tag("p", f"Zones and particles share the energy of the overlap: {len(shared):,} zones weigh from "
-                            f"{quantity(float(shared.min()))} to {quantity(float(shared.max()))} of their own, and the particles "
-                            "among them the rest.")
+                            f"{quantity(float(shared.min()))} to {quantity(float(shared.max()))} of their own, and the "
+                            "particles among them the rest.")
     return None
 
 
@@ -73,7 +77,8 @@ def _material(name, material, bonds=None):
 
 
 def _values(mapping, known):
-    return ", ".join(f"{said} = {_said(mapping[key], unit)}" for key, said, unit in known if isinstance(mapping.get(key), (int, float)))
+    return ", ".join(f"{said} = {_said(mapping[key], unit)}" for key, said, unit in known
+                     if isinstance(mapping.get(key), (int, float)))
 
 
 def _said(value, unit):
@@ -84,7 +89,8 @@ def _where(area):
     area = area or {}
     if "group" in area:
         return f"group {area['group']}"
-    return ", ".join(f"{key} = {quantity(float(v), 'm')}" if isinstance(v, (int, float)) else key for key, v in area.items()) or "all"
+    return ", ".join(f"{key} = {quantity(float(value), 'm')}" if isinstance(value, (int, float)) else key
+                     for key, value in area.items()) or "all"
 
 
 def _parts(results):

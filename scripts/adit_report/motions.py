@@ -60,13 +60,15 @@ def _draw(results, name, said, colour, over_time, spectra):
     for kind, label, look in (("input", "in, before ", {"ls": "--", "lw": 0.9, "alpha": 0.8}), ("motion", "", {"lw": 1})):
         motion = results.table(f"spectra/{name}_{kind}.csv")
         if motion:
-            over_time.plot(motion["time_s"], motion["acceleration_m_per_s2"], color=colour, label=style.literal(label + said), **look)
+            over_time.plot(motion["time_s"], motion["acceleration_m_per_s2"], color=colour,
+                           label=style.literal(label + said), **look)
     for kind, label, look in (("reference", "in, before ", {"ls": "--", "lw": 0.9}), ("response", "", {"lw": 1.2})):
         response = results.table(f"spectra/{name}_{kind}.csv")
         if response:
             column = _column(response)
             share = column.removeprefix("psa_").partition("pct")[0]
-            spectra.plot(response["period_s"], response[column], color=colour, label=style.literal(f"{label}{said}, {share} %"), **look)
+            spectra.plot(response["period_s"], response[column], color=colour,
+                         label=style.literal(f"{label}{said}, {share} %"), **look)
 
 
 def _column(response):

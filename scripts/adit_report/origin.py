@@ -11,6 +11,10 @@ COSTS = (("whole run", "wall_s"), ("model alone", "model_wall_s"), ("steps", "st
 OF_MODELS = (("{}: computing while others wait", "{}_compute_s"), ("{}: computing during the exchange", "{}_hidden_s"),
              ("{}: processor time of its server", "{}_cpu_s"))
 
+ORIGINS = (("programs", "versions"), ("commit of the source", "revision"), ("computed at", "started"),
+           ("hash of the scene", "scene_hash"), ("command", "command"), ("in the folder", "folder"))
+SCENES = (("scene_as_written.yaml", "The scene as it was written"), ("scene.yaml", "The scene as it was computed, in SI units"))
+
 
 def timing(results):
     s = results.summary
@@ -22,23 +26,23 @@ def timing(results):
 
 def chapter(results):
     s = results.summary
-    rows = [(said, tag("td", s[key], class_="anywhere")) for said, key in (("programs", "versions"), ("commit of the source", "revision"), ("computed at", "started"),
-                                             ("hash of the scene", "scene_hash"), ("command", "command"), ("in the folder", "folder"))
-            if s.get(key)]
-    rows += [("hash of a file", tag("td", f"{hash_}  {name}", class_="anywhere")) for name, hash_ in s.get("inputs", {}).items()]
+    told = [(said, s[key]) for said, key in ORIGINS if s.get(key)]
+    told += [("hash of a file", f"{hash_}  {name}") for name, hash_ in s.get("inputs", {}).items()]
+    rows = [(said, tag("td", text, class_="anywhere")) for said, text in told]
     return section("origin", "Versions, hashes and how to repeat the run", table("Where the results come from", None, rows),
                    _again(results), _scenes(results), details("Every figure of summary.json", every_figure(results)))
 
 
 def _again(results):
     program = "simplified" if results.is_tunnel else "coupler"
-    return [tag("p", "The scene of this folder, with all that was extended and set, computes the same results again, to the last bit:"),
+    return [tag("p", "The scene of this folder holds all that was extended and set. It computes the same results again, to the "
+                     "last bit:"),
             tag("pre", tag("code", f"{program} run {results.folder.resolve().name}/scene.yaml --out again"), tabindex=0)]
 
 
 def _scenes(results):
     found = []
-    for name, what in (("scene_as_written.yaml", "The scene as it was written"), ("scene.yaml", "The scene as it was computed, in SI units")):
+    for name, what in SCENES:
         path = results.folder / name
         if path.exists():
             text = path.read_text(errors="replace")

@@ -15,10 +15,10 @@ def state(results):
         return tag("p", f"The run is complete: {duration} were computed.", class_="state")
     until = "" if results.reached is None else f" at {quantity(results.reached, 's')} of {duration}"
     if "error" in s:
-        text = tag("strong", f"The run failed{until}."), f" This page shows what was computed until then. {_sentence(s['error'])}"
+        how, told = f"The run failed{until}.", f" This page shows what was computed until then. {_sentence(s['error'])}"
     else:
-        text = tag("strong", f"The run was not finished: it was stopped{until} or is still going on."), " This page shows what there is."
-    return tag("p", text, class_="state failed")
+        how, told = f"The run was not finished: it was stopped{until} or is still going on.", " This page shows what there is."
+    return tag("p", tag("strong", how), told, class_="state failed")
 
 
 def warnings(results):
@@ -26,9 +26,9 @@ def warnings(results):
     found = list(results.summary.get("warnings", []))
     drift = results.summary.get("max_energy_drift")
     if drift is not None and drift > GAP:
-        found.append(f"the energy balance has a gap of {100 * drift:.2g} % of the peak energy; more than 1 % calls for a smaller "
-                     "time.dt_factor")
-    found += results.faults
+        found.append(f"the energy balance has a gap of {100 * drift:.2g} % of the peak energy; more than 1 % calls for a "
+                     "smaller time.dt_factor")
+    found += dict.fromkeys(results.faults)
     notes = results.summary.get("notes", [])
     return section("warnings", "Warnings", bullets(map(_sentence, found)) if found else tag("p", "None."),
                    [tag("h3", "Notes"), bullets(map(_sentence, notes))] if notes else None)
@@ -66,7 +66,8 @@ def _tunnel(results):
     s, scene = results.summary, results.given.get("simplified", {})
     what = {"beam": "a beam with joints on soil springs", "chain": "a chain of rigid rings on soil springs",
             "column": "columns of ground"}.get(s.get("model"), s.get("model"))
-    yield f"The simplified model is {what}, from {quantity(s.get('begin_m'), 'm')} to {quantity(s.get('end_m'), 'm')} of chainage."
+    begin, end = (quantity(s.get(key), "m") for key in ("begin_m", "end_m"))
+    yield f"The simplified model is {what}, from {begin} to {end} of chainage."
     excitation = scene.get("excitation", {})
     path = "through the ground, from the rock below" if excitation.get("through_ground") else "directly"
     speed = s.get("apparent_velocity_m_per_s")
@@ -87,8 +88,8 @@ def _ground(results):
         yield (f"The bridging-domain method joins them in the overlap, at {s['coupling_points']:,} coupling points: there both "
                f"share mass and forces and move alike (solve: {s.get('solve')}).")
     if s.get("statics_steps") is not None:
-        yield (f"First the model came to rest under its loads, stage by stage where it has stages: {s['statics_steps']:,} steps, "
-               f"until the unbalanced force was {quantity(s.get('statics_unbalanced_ratio'))} of the internal force.")
+        yield (f"First the model came to rest under its loads, stage by stage where it has stages: {s['statics_steps']:,} "
+               f"steps, until the unbalanced force was {quantity(s.get('statics_unbalanced_ratio'))} of the internal force.")
     for name, model in results.models:
         base, sides = model.get("base"), [side for side, on in model.get("free_field", {}).items() if on]
         yield f"The base of the {name} is {base['kind']}." if base and "kind" in base else None
@@ -110,7 +111,8 @@ def motion(given):
 
 
 def _listed(mapping):
-    return ", ".join(f"{key.replace('_', ' ')} {value}" for key, value in mapping.items() if not isinstance(value, (dict, list)))
+    return ", ".join(f"{key.replace('_', ' ')} {value}" for key, value in mapping.items()
+                     if not isinstance(value, (dict, list)))
 
 
 def _steps(s, kind):

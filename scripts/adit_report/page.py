@@ -21,13 +21,22 @@ def of_run(folder):
         before = [overview.figures(results), overview.computed(results), model.chapter(results), motions.chapter(results),
                   response.histories(results), response.envelopes(results)]
         after = [response.cracks(results), response.energy(results), origin.timing(results), origin.chapter(results)]
-        for most in FEWER:
-            chosen = instants.chapter(results, most)
-            page = written(f"{case}: {results.name}", overview.state(results), [overview.warnings(results), *before, chosen, *after])
-            if len(page) <= LARGEST:
-                break
-    path = results.folder / "report.html"
-    path.write_bytes(page)
+
+        def whole(most):
+            chosen = instants.chapter(results, most)  # before the warnings, which tell what could not be read
+            return written(f"{case}: {results.name}", overview.state(results),
+                           [overview.warnings(results), *before, chosen, *after])
+
+        return write(results.folder / "report.html", whole)
+
+
+def write(path, whole):
+    """Writes the page that whole(instants) makes with as many instants as LARGEST allows; returns the path."""
+    for most in FEWER:
+        text = whole(most)
+        if len(text) <= LARGEST:
+            break
+    path.write_bytes(text)
     return path
 
 

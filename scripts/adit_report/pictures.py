@@ -44,8 +44,9 @@ def figure(drawn, *below, of_model=False, of_run=None):
     _fit(drawn)
     source, width, height = _encoded(drawn, of_model)
     style.plt.close(drawn)
-    alt = title + ". " + ("The legend and the numbers stand below." if keys or notes or table else "The numbers stand beside it.")
-    caption = tag("figcaption", tag("strong", title), legends.written(keys), [tag("p", note, class_="note") for note in notes])
+    alt = f"{title}. The legend and the numbers stand below."
+    told = [tag("p", note, class_="note") for note in notes]
+    caption = tag("figcaption", tag("strong", title), legends.written(keys), told)
     return tag("figure", image(source, alt, width, height, min(100, 100 * width / (96 * WIDTH))), caption, table, below)
 
 

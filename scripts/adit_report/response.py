@@ -6,6 +6,8 @@ from adit_report.markup import details, section, table, tag
 from adit_report.quantities import figure, place, quantity, unit_of
 
 LISTED = 20  # cracks
+BALANCE = (("largest gap of the energy balance, of the peak energy", "max_energy_drift"),
+           ("energy kept, of what was put in", "energy_kept"), ("work of the multipliers", "multiplier_work_J"))
 
 
 def histories(results):
@@ -22,8 +24,8 @@ def histories(results):
 def _named(drawn, name, count):
     drawn.axes[0].set_title(f"run: {name} over time", loc="left")
     left_out = count - time_pictures.MOST_LINES
-    return pictures.figure(drawn, tag("p", f"{left_out} more histories of this quantity, which stay smaller, are in histories.csv.",
-                                      class_="note") if left_out > 0 else None)
+    told = f"{left_out} more histories of this quantity, which stay smaller, are in histories.csv."
+    return pictures.figure(drawn, tag("p", told, class_="note") if left_out > 0 else None)
 
 
 def envelopes(results):
@@ -51,8 +53,8 @@ def cracks(results):
     names = [name for name in ("time_s", "mode", "x_m", "y_m", "length_m", "group", "stage") if name in found]
     rows = [(str(i + 1), *(_said(name, found[name][i]) for name in names)) for i in range(min(LISTED, len(found["time_s"])))]
     heads = ("crack", *(name.removesuffix("_m").removesuffix("_s") for name in names))
-    return section("cracks", "Cracks", told, details(
-        f"The first {len(rows)} of {len(found['time_s']):,} cracks", table("Cracks in the order of time, from cracks.csv", heads, rows)))
+    listed = table("Cracks in the order of time, from cracks.csv", heads, rows)
+    return section("cracks", "Cracks", told, details(f"The first {len(rows)} of {len(found['time_s']):,} cracks", listed))
 
 
 def _said(name, value):
@@ -62,13 +64,10 @@ def _said(name, value):
 def energy(results):
     s = results.summary
     drawn = None if results.is_tunnel else time_pictures.energy(results)
-    rows = [(said, figure(s, key)) for said, key in (
-        ("largest gap of the energy balance, of the peak energy", "max_energy_drift"),
-        ("energy kept, of what was put in", "energy_kept"), ("work of the multipliers", "multiplier_work_J")) if s.get(key) is not None]
-    causes = results.table("energies.csv")
+    rows = [(said, figure(s, key)) for said, key in BALANCE if s.get(key) is not None]
     by_cause = [(name.removesuffix("_J").replace("_", " "), quantity(float(values[-1]), "J"))
-                for name, values in (causes or {}).items() if name != "time_s" and len(values) and values[-1]]
+                for name, values in (results.table("energies.csv") or {}).items() if name != "time_s" and len(values) and values[-1]]
     told = tag("p", "What is stored and dissipated must equal the work done. The gap is of the order of rounding for an intact "
                     "continuum; bonds that break and contacts that close within a step raise it.") if rows else None
-    return section("energy", "Energy ledger", told, table("Balance, from summary.json", None, rows), pictures.figure(drawn),
-                   details("Energy by cause at the end", table("The last row of energies.csv", None, by_cause)) if by_cause else None)
+    causes = details("Energy by cause at the end", table("The last row of energies.csv", None, by_cause)) if by_cause else None
+    return section("energy", "Energy ledger", told, table("Balance, from summary.json", None, rows), pictures.figure(drawn), causes)

@@ -9,12 +9,14 @@ from selenium.webdriver.chrome.service import Service
 
 # Pairs of visible boxes with text or pictures that lie on each other by more than a pixel, and what is wider than the page.
 FAULTS = """
-const boxes = [...document.querySelectorAll("h1,h2,h3,p,li,th,td,caption,summary,label,output,input,img,pre,figcaption,a,strong")]
+const kinds = "h1,h2,h3,p,li,th,td,caption,summary,label,output,input,img,pre,figcaption,a,strong";
+const boxes = [...document.querySelectorAll(kinds)]
   .filter(e => e.checkVisibility() && e.getClientRects().length)
   .map(e => [e, e.getBoundingClientRect()]);
 const named = e => e.tagName + " " + (e.textContent || e.alt || e.id).trim().slice(0, 40);
 const found = [];
-if (document.documentElement.scrollWidth > innerWidth) found.push("the page is " + document.documentElement.scrollWidth + " wide");
+const wide = document.documentElement.scrollWidth;
+if (wide > innerWidth) found.push("the page is " + wide + " wide");
 boxes.forEach(([a, r], i) => boxes.slice(i + 1).forEach(([b, s]) => {
   if (a.contains(b) || b.contains(a)) return;
   const x = Math.min(r.right, s.right) - Math.max(r.left, s.left), y = Math.min(r.bottom, s.bottom) - Math.max(r.top, s.top);
