@@ -111,6 +111,10 @@ class Outputs(ProgramTest):
         reference = table(run / "spectra" / "surface_ax_reference.csv")
         # An oscillator that is stiff beside the wavelet has its peak acceleration.
         self.assertAlmostEqual(reference["psa_5pct_m_per_s2"][0] / (0.1 * G), 1, delta=0.1)
+        motion = table(run / "spectra" / "surface_ax_input.csv")
+        top = abs(motion["acceleration_m_per_s2"]).argmax()
+        self.assertAlmostEqual(abs(motion["acceleration_m_per_s2"][top]) / (0.1 * G), 1, delta=1e-2)
+        self.assertAlmostEqual(motion["time_s"][top], 0.5, delta=0.01)
 
     def test_rows_come_at_the_interval(self):
         run = self.run_with("{history_interval: 5 ms}")
