@@ -11,6 +11,7 @@ from adit_plots import style
 ZONE_FACE, ZONE_EDGE, DISC_FACE, DISC_EDGE = "#C6DBEF", style.BLUE, "#FDD9A0", "#A86400"
 OVERLAP_FACE = "#BDBDBD"
 CLOSE_UP = 0.45  # of the width
+NOISE = 1e-9  # displacement relative to the model's size, below which it is left as it is
 LEVELS = 40  # of the widths of force chains
 LINES_OF_A_PATH = 5000  # longer paths overflow the memory of the renderer
 INTACT, TENSILE_CRACK, SHEAR_CRACK = 0, 1, 2
@@ -161,7 +162,7 @@ def scale_of(pieces):
     models = [pieces[kind] for kind in ("grid", "particles") if kind in pieces]
     size = max(np.ptp(np.concatenate([p.points for p in models]), axis=0))
     largest = max((np.nanmax(np.abs(p.moved(1) - p.points)[np.unique(p.cells)], initial=0) for p in models), default=0)
-    return max(1.0, _round_below(0.07 * size / largest)) if largest > 0 else 1.0
+    return max(1.0, _round_below(0.07 * size / largest)) if largest > NOISE * size else 1.0
 
 
 def _round_below(value):
