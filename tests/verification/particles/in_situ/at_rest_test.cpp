@@ -61,9 +61,10 @@ TEST(InSitu, RandomDiscsStandStillUnderTheirWeight) {
   EXPECT_NEAR(test::MeanStress(settled.histories[0]).yy, -deepest / 2, 0.01 * deepest / 2);
 }
 
-// The same discs inside a continuum, which bears its share of the stress in the overlap: both balance but for
-// how the discs resolve a zone, here two of them on its side. What is left moves them by less than 2 % of the
-// stress's own strain.
+// The same discs inside a continuum, which bears its share of the stress in the overlap: both balance as far
+// as the discs resolve the stress that both share. What is left moves them by less than 2 % of the stress's
+// own strain, and by a quarter of that where no groups differ in stiffness; discs of half the size move half
+// as far.
 std::string in_a_continuum(const std::string& of_particles, const std::string& of_continuum) {
   return random_ground(test::stress_over_box(-2.8, 2.8, -2.8, 2.8, 1.2) + of_particles) +
          "continuum { block { x_min: -12 x_max: 12 y_min: -12 y_max: 12 zones_x: 48 zones_y: 48 } "
