@@ -137,6 +137,7 @@ void run(const scene::Scene& scene, const std::string& case_name, const protocol
   const Response response = solve(setup);
   const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   write_tables(directory, *setup.scene, response);
+  write_motion(directory, motion::beginning(setup.motion.motion, scene.time().duration()));
   if (setup.scene->has_zoom() && !response.fields.time.empty())
     write_zoom(directory / "zoom", response, setup.scene->zoom(), scene.time().duration());
   summarize(scene, case_name, origin, setup, response, wall_s, directory);

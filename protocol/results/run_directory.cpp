@@ -13,11 +13,23 @@ namespace fs = std::filesystem;
 
 // All files that a run of `coupler` or `simplified` and its pictures leave. A `.part` file stems from a run
 // that was killed while writing.
-constexpr std::array<std::string_view, 16> kResults = {
-    "summary.json",     "summary.json.part",     "histories.csv", "energies.csv", "cracks.csv",
-    "scene.yaml",       "scene_as_written.yaml", "fields",        "pictures",     "envelopes.csv",
-    "soil_profile.csv", "time_distance.csv",     "joints.csv",    "zoom",         "spectra",
-    "report.html"};
+constexpr std::array<std::string_view, 17> kResults = {"summary.json",
+                                                       "summary.json.part",
+                                                       "histories.csv",
+                                                       "energies.csv",
+                                                       "cracks.csv",
+                                                       "scene.yaml",
+                                                       "scene_as_written.yaml",
+                                                       "fields",
+                                                       "pictures",
+                                                       "envelopes.csv",
+                                                       "soil_profile.csv",
+                                                       "time_distance.csv",
+                                                       "joints.csv",
+                                                       "zoom",
+                                                       "spectra",
+                                                       "report.html",
+                                                       "motion.csv"};
 
 bool is_result(const fs::path& file) {
   return std::find(kResults.begin(), kResults.end(), file.filename().string()) != kResults.end();

@@ -1,5 +1,5 @@
 """Motions in and out: accelerations over time and response spectra in one picture, and their measures."""
-from adit_plots import spectra_pictures, style
+from adit_plots import spectra_pictures, style, time_pictures
 from adit_report import pictures
 from adit_report.markup import section, table, tag
 from adit_report.quantities import figure
@@ -11,10 +11,12 @@ MEASURES = (("PGA", "pga_m_per_s2"), ("PGV", "pgv_m_per_s"), ("PGD", "pgd_m"), (
 
 
 def chapter(results):
+    if results.is_tunnel:
+        return section("motions", "Motions in and out", pictures.figure(_of_tunnel(results)))
     names = _names(results)
     if not names:
         told = "The scene asks for no spectra (output.spectra), so that motions stand among the histories only."
-        return None if results.is_tunnel else section("motions", "Motions in and out", tag("p", told))
+        return section("motions", "Motions in and out", tag("p", told))
     found = [(results, name, name) for name in names]
     amplifications = [f for name, f in spectra_pictures.motions(results) if name.endswith("_transfer")]
     return section("motions", "Motions in and out", pictures.figure(_picture(found)), _measures(found),
@@ -31,6 +33,27 @@ def compared(runs):
 
 def _names(results):
     return [path.name.removesuffix("_motion.csv") for path in sorted((results.folder / "spectra").glob("*_motion.csv"))]
+
+
+def _of_tunnel(results):
+    """The motion of the scene, and below it how the stations of the tunnel move."""
+    motion, moved = results.table("motion.csv"), time_pictures.quantities_of(results).get("displacement")
+    if not motion or not moved:
+        return None
+    drawn, (before, after) = style.plt.subplots(2, 1, sharex=True, figsize=(8.0, 4.6))
+    before.plot(motion["time_s"], motion["acceleration_m_per_s2"], color=style.BLACK, lw=0.9,
+                label="in: the motion of the scene")
+    for i, (column, values) in enumerate(moved[1]):
+        round_of, colour = divmod(i, len(spectra_pictures.COLORS))
+        after.plot(results.histories["time_s"], 1e3 * values, lw=1, color=spectra_pictures.COLORS[colour],
+                   ls=time_pictures.LINES[round_of % len(time_pictures.LINES)],
+                   label=style.literal(f"out: {time_pictures.said(column)}"))
+    before.set_title("run: motions in and out", loc="left")
+    before.set_ylabel("acceleration [m/s²]")
+    after.set(xlabel="t [s]", ylabel="displacement [mm]")
+    for axes in (before, after):
+        axes.legend()
+    return drawn
 
 
 def _measures(found):

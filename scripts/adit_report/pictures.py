@@ -137,6 +137,8 @@ def _lines(drawn):
 def _dots(drawn):
     drawn.set_dpi(DOTS)
     canvas = FigureCanvasAgg(drawn)
+    if drawn.get_layout_engine():  # scales of colours get their place in a second pass
+        canvas.draw()
     canvas.draw()
     dots = Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
     while True:

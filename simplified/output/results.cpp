@@ -96,4 +96,11 @@ void write_tables(const std::filesystem::path& directory, const scene::Simplifie
   if (!response.fields.time.empty()) write_time_distance(directory / "time_distance.csv", response.fields);
 }
 
+void write_motion(const std::filesystem::path& directory, const motion::Motion& motion) {
+  const std::array<std::string, 2> columns = {"time_s", "acceleration_m_per_s2"};
+  CsvFile file(directory / "motion.csv", columns);
+  for (std::size_t n = 0; n < motion.acceleration.size(); ++n)
+    file.row(std::array{static_cast<double>(n) * motion.dt, motion.acceleration[n]});
+}
+
 }  // namespace adit::simplified

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "protocol/messages/scene.pb.h"
+#include "protocol/motion/motion.hpp"
 #include "simplified/output/response.hpp"
 
 namespace adit::simplified {
@@ -12,5 +13,8 @@ namespace adit::simplified {
 // model has such results.
 void write_tables(const std::filesystem::path& directory, const scene::Simplified& scene,
                   const Response& response);
+
+// Writes motion.csv: the acceleration that the scene gives, during the run.
+void write_motion(const std::filesystem::path& directory, const motion::Motion& motion);
 
 }  // namespace adit::simplified

@@ -86,7 +86,7 @@ class Runs(ProgramTest):
                 summary = self.summary(folder)
                 self.assertEqual(summary["model"], model)
                 self.assertGreater(summary["real_time_factor"], 0)
-                for table in (*tables, "histories", "soil_profile"):
+                for table in (*tables, "histories", "soil_profile", "motion"):
                     with open(folder / f"{table}.csv", newline="", encoding="utf-8") as file:
                         self.assertGreater(len(list(csv.reader(file))), 2, table)
 
