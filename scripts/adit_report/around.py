@@ -14,7 +14,7 @@ def of_sections(results):
         middles = np.array([[(s["from"][axis] + s["to"][axis]) / 2 for axis in "xy"] for s in sections])
         order, angle = _around(middles)
         columns = [[results.histories[f"{sections[i]['name']}_{force}"] / 1e3 for i in order] for force, *_ in FORCES]
-        least, greatest = ([np.nanmin(series, axis=1) for series in columns], [np.nanmax(series, axis=1) for series in columns])
+        least, greatest = ([find(series, axis=1) for series in columns] for find in (np.nanmin, np.nanmax))
         yield _drawn(f"run: envelopes around {style.literal(ring)}", angle, least, greatest)
 
 
@@ -24,12 +24,16 @@ def columns(results):
 
 
 def of_linings(linings):
-    """A figure of the largest forces of linings so far, without sign, around their centre."""
+    """Yields a figure for each lining: its largest forces so far, without sign, around its middle."""
     if linings is None or len(linings.cells) == 0 or linings.field("peak_thrust_N") is None:
-        return None
-    order, angle = _around(linings.points)
-    peaks = [linings.field(f"peak_{force}")[order] / 1e3 for force, *_ in FORCES]
-    return _drawn("run: largest forces around the lining, without sign", angle, None, peaks)
+        return
+    number = linings.field("lining", np.zeros(len(linings.cells)))
+    for k in np.unique(number):
+        nodes = np.unique(linings.cells[number == k])
+        order, angle = _around(linings.points[nodes])
+        peaks = [linings.field(f"peak_{force}")[nodes][order] / 1e3 for force, *_ in FORCES]
+        which = f"lining {k + 1:.0f}" if len(np.unique(number)) > 1 else "the lining"
+        yield _drawn(f"run: largest forces around {which}, without sign", angle, None, peaks)
 
 
 def _rings(results):

@@ -9,6 +9,8 @@ MEASURES = (("PGA", "pga_m_per_s2"), ("PGV", "pgv_m_per_s"), ("PGD", "pgd_m"), (
             ("CAV", "cav_m_per_s"), ("significant duration", "significant_duration_s"),
             ("largest amplification", "largest_amplification"), ("at", "largest_amplification_Hz"))
 
+MOST = 6  # amplifications; pictures/ holds all
+
 
 def chapter(results):
     if results.is_tunnel:
@@ -18,9 +20,17 @@ def chapter(results):
         told = "The scene asks for no spectra (output.spectra), so that motions stand among the histories only."
         return section("motions", "Motions in and out", tag("p", told))
     found = [(results, name, name) for name in names]
-    amplifications = [f for name, f in spectra_pictures.motions(results) if name.endswith("_transfer")]
-    return section("motions", "Motions in and out", pictures.figure(_picture(found)), _measures(found),
-                   map(pictures.figure, amplifications))
+    return section("motions", "Motions in and out", pictures.figure(_picture(found)), _measures(found), _amplifications(results))
+
+
+def _amplifications(results):
+    drawn = []
+    for name, each in spectra_pictures.motions(results):
+        if name.endswith("_transfer") and len(drawn) < MOST:
+            drawn.append(pictures.figure(each))
+        else:
+            style.plt.close(each)
+    return drawn
 
 
 def compared(runs):

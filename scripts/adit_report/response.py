@@ -37,8 +37,9 @@ def envelopes(results):
                      pictures.figure(tunnel_pictures.time_distance(results), of_model=True)]
         except Unusable as reason:
             results.faults.append(str(reason))
-    drawn += [pictures.figure(each) for each in around.of_sections(results)]
-    return section("envelopes", "Envelopes", drawn, pictures.figure(around.of_linings(results.last_pieces.get("linings"))))
+    linings = around.of_linings(results.last_pieces.get("linings"))
+    drawn += [pictures.figure(each) for each in (*around.of_sections(results), *linings)]
+    return section("envelopes", "Envelopes", drawn)
 
 
 def cracks(results):
@@ -66,8 +67,10 @@ def energy(results):
     drawn = None if results.is_tunnel else time_pictures.energy(results)
     rows = [(said, figure(s, key)) for said, key in BALANCE if s.get(key) is not None]
     by_cause = [(name.removesuffix("_J").replace("_", " "), quantity(float(values[-1]), "J"))
-                for name, values in (results.table("energies.csv") or {}).items() if name != "time_s" and len(values) and values[-1]]
+                for name, values in (results.table("energies.csv") or {}).items()
+                if name != "time_s" and len(values) and values[-1]]
     told = tag("p", "What is stored and dissipated must equal the work done. The gap is of the order of rounding for an intact "
                     "continuum; bonds that break and contacts that close within a step raise it.") if rows else None
     causes = details("Energy by cause at the end", table("The last row of energies.csv", None, by_cause)) if by_cause else None
-    return section("energy", "Energy ledger", told, table("Balance, from summary.json", None, rows), pictures.figure(drawn), causes)
+    balance = table("Balance, from summary.json", None, rows)
+    return section("energy", "Energy ledger", told, balance, pictures.figure(drawn), causes)

@@ -11,6 +11,8 @@ NO_TIME = {"time_s": np.array([])}
 
 
 class Results(Run):
+    """A run some of whose files may be missing or damaged."""
+
     def __init__(self, folder):
         Folder.__init__(self, folder)
         if not (self.folder / "scene.yaml").exists() and not (self.folder / "summary.json").exists():
@@ -60,7 +62,7 @@ class Results(Run):
 
     def pieces_at(self, number):
         """{kind: Piece} at the instant of this number; empty if a file of it is missing or damaged."""
-        time, files = self.instants[number]
+        _, files = self.instants[number]
         try:
             return self.pieces_of(files)
         except Unusable as reason:
