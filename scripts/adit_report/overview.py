@@ -118,5 +118,8 @@ def _listed(mapping):
 def _steps(s, kind):
     if s.get("steps") is None:
         return None
-    stable = f"; the largest stable one is {quantity(s['critical_dt_s'], 's')}" if s.get("critical_dt_s") else ""
-    return f"Time was integrated in {s['steps']:,} {kind} steps of {quantity(s.get('dt_s'), 's')}{stable}."
+    substeps = s.get("substeps") or 1
+    shorter = f", in each of which the particles took {substeps} steps" if substeps > 1 else ""
+    whose = "of the particles " if substeps > 1 else ""
+    stable = f"; the largest stable step {whose}is {quantity(s['critical_dt_s'], 's')}" if s.get("critical_dt_s") else ""
+    return f"Time was integrated in {s['steps']:,} {kind} steps of {quantity(s.get('dt_s'), 's')}{shorter}{stable}."
