@@ -10,7 +10,8 @@ SHORT = ("--set", "time.duration=5 ms", "--set", "output.field_times=[2 ms]")
 MACHINE = {"wall_s", "steps_per_s", "coupler_cpu_s", "continuum_cpu_s", "particles_cpu_s", "coupler_wait_s",
            "coupler_solve_s", "continuum_compute_s", "particles_compute_s", "continuum_hidden_s", "particles_hidden_s",
            "hidden_share", "solve_factor_s"}
-REQUIRED = """case scene_hash versions steps dt_s wall_s steps_per_s coupler_cpu_s continuum_cpu_s particles_cpu_s
+INVOCATION = {"started", "command", "folder"}  # when and how a run was asked for
+REQUIRED = """case scene_hash versions started command folder inputs steps dt_s wall_s steps_per_s coupler_cpu_s continuum_cpu_s particles_cpu_s
 particles bonds zones coupling_points particle_updates zone_updates peak_bond_force_N peak_bond_force_time_s
 peak_bond_force_x_m first_crack_time_s first_crack_x_m first_crack_y_m crack_count max_energy_drift max_constraint_residual warnings""".split()
 
@@ -18,7 +19,7 @@ peak_bond_force_x_m first_crack_time_s first_crack_x_m first_crack_y_m crack_cou
 class Runs(ProgramTest):
     def results(self, run):
         """All that must repeat: every file but the logs, without the figures of the machine."""
-        summary = {k: v for k, v in self.summary(run).items() if k not in MACHINE}
+        summary = {k: v for k, v in self.summary(run).items() if k not in MACHINE | INVOCATION}
         files = {p.relative_to(run): p.read_bytes() for p in sorted(run.rglob("*"))
                  if p.is_file() and p.name != "summary.json" and p.suffix != ".log"}
         return summary, files
