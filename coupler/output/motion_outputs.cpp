@@ -158,7 +158,7 @@ MotionOutputs::Found MotionOutputs::write(const std::filesystem::path& folder) c
     write_motion(folder / (name + "_motion.csv"), motion, place(request));
     write_response(folder / (name + "_response.csv"), motion, spectra);
     if (const motion::Motion* before = reference(request)) {
-      write_motion(folder / (name + "_input.csv"), *before);
+      write_motion(folder / (name + "_input.csv"), *before, place(request));
       write_response(folder / (name + "_reference.csv"), *before, spectra);
     }
     write_fourier(folder / (name + "_fourier.csv"), motion);
