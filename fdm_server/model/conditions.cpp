@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "fdm_server/model/grid/selection.hpp"
@@ -46,7 +47,20 @@ double length(const Edge& edge, const Grid& grid) {
   return std::hypot(grid.x[edge.to] - grid.x[edge.from], grid.y[edge.to] - grid.y[edge.from]);
 }
 
-Load edge_load(const scene::Load& scene, const Grid& grid, const std::string& path) {
+// Where the edge meets the column's side, at an end of it, the column's own surface goes on from there.
+std::optional<std::uint32_t> surface_of(const FreeFieldColumn& column, const Edge& edge) {
+  const auto on_side = [&column](std::uint32_t point) {
+    return std::ranges::find(column.side, point) != column.side.end();
+  };
+  if (on_side(edge.from) == on_side(edge.to)) return std::nullopt;
+  const std::uint32_t meeting = on_side(edge.from) ? edge.from : edge.to;
+  if (meeting == column.side.back()) return column.point(column.side.size() - 1);
+  if (meeting == column.side.front()) return column.point(0);
+  return std::nullopt;
+}
+
+Load edge_load(const scene::Load& scene, const Grid& grid, std::span<const FreeFieldColumn> columns,
+               const std::string& path) {
   const auto chosen = select_edges(grid, scene.where(), path + ".where");
   double whole = 0;
   for (const auto& edge : chosen) whole += length(edge, grid);
@@ -55,16 +69,22 @@ Load edge_load(const scene::Load& scene, const Grid& grid, const std::string& pa
     const double half = length(edge, grid) / whole / 2;
     add(load, edge.from, half * scene.force().x(), half * scene.force().y());
     add(load, edge.to, half * scene.force().x(), half * scene.force().y());
+    for (const FreeFieldColumn& column : columns)
+      if (const auto point = surface_of(column, edge)) {
+        const double share = column.width / whole;
+        add(load, *point, share * scene.force().x(), share * scene.force().y());
+      }
   }
   return over_time(std::move(load), scene.time());
 }
 
 Load body_load(const scene::BodyLoad& scene, const Grid& grid, std::span<const double> masses,
-               const std::string& path) {
+               std::span<const FreeFieldColumn> columns, const std::string& path) {
   const auto chosen = select_points(grid, scene.where(), path + ".where");
   Load load;
   for (const auto point : chosen)
     add(load, point, masses[point] * scene.acceleration().x(), masses[point] * scene.acceleration().y());
+  for (const FreeFieldColumn& column : columns) extend_to_column(column, masses, load);
   return over_time(std::move(load), scene.time());
 }
 
@@ -75,14 +95,16 @@ bool same_velocity(const scene::GridMotion& a, double va, const scene::GridMotio
 }  // namespace
 
 std::vector<Load> resolve_loads(const scene::Continuum& scene, const Grid& grid,
-                                std::span<const double> masses) {
+                                std::span<const double> masses, std::span<const FreeFieldColumn> columns) {
   std::vector<Load> loads;
   for (int i = 0; i < scene.point_loads_size(); ++i)
     loads.push_back(point_load(scene.point_loads(i), grid, fmt::format("continuum.point_loads[{}]", i)));
   for (int i = 0; i < scene.edge_loads_size(); ++i)
-    loads.push_back(edge_load(scene.edge_loads(i), grid, fmt::format("continuum.edge_loads[{}]", i)));
+    loads.push_back(
+        edge_load(scene.edge_loads(i), grid, columns, fmt::format("continuum.edge_loads[{}]", i)));
   for (int i = 0; i < scene.body_loads_size(); ++i)
-    loads.push_back(body_load(scene.body_loads(i), grid, masses, fmt::format("continuum.body_loads[{}]", i)));
+    loads.push_back(
+        body_load(scene.body_loads(i), grid, masses, columns, fmt::format("continuum.body_loads[{}]", i)));
   return loads;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "fdm_server/boundaries/free_field.hpp"
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/solver/loads.hpp"
 #include "protocol/messages/scene.pb.h"
@@ -15,9 +16,10 @@ namespace adit::fdm {
 
 // Point loads in equal shares; edge loads by length over edges on the grid's boundary (an edge that appears
 // where zones vanished is no boundary of the body), half of an edge's share to each end; body loads on the
-// weighted masses of the points. Point and edge loads are not weighted: they are total forces.
+// weighted masses of the points. Point and edge loads are not weighted: they are total forces. Free-field
+// columns are loaded as their sides are: by body loads, and by the tractions of edges that meet their ends.
 std::vector<Load> resolve_loads(const scene::Continuum& scene, const Grid& grid,
-                                std::span<const double> masses);
+                                std::span<const double> masses, std::span<const FreeFieldColumn> columns);
 
 // A component of a point that two motions prescribe differently is an error.
 std::vector<PrescribedMotion> resolve_motions(const scene::Continuum& scene, const Grid& grid);

@@ -147,9 +147,7 @@ void FdmParticipant::make_continuum() {
 }
 
 std::vector<Load> FdmParticipant::loads(std::span<const double> masses) const {
-  auto loads = resolve_loads(scene_.continuum(), grid_, masses);
-  for (auto& load : std::span(loads).last(scene_.continuum().body_loads_size()))
-    for (const auto& column : columns_) extend_to_column(column, masses, load);
+  auto loads = resolve_loads(scene_.continuum(), grid_, masses, columns_);
   loads.insert(loads.end(), base_loads_.begin(), base_loads_.end());
   return loads;
 }

@@ -14,6 +14,9 @@ Link link_between(const Discs& d, std::uint32_t i, std::uint32_t j) {
   return {i, j, x, y, (d.y[i] + d.y[j]) / 2, ex, ey, arms.first, arms.second, ex, ey, 1, 1, 0};
 }
 
+// Of kn: what is less is what rounding left of none.
+constexpr double kNoShearStiffness = 1e-9;
+
 // Mean of ks / kn; a smooth joint's ratio is that of a plane, and counts nothing.
 class MeanRatio {
  public:
@@ -43,14 +46,16 @@ std::vector<Link> links_of(const Model& model, std::span<const Pair> touching) {
       link.ny = bond.ny;
     } else {
       ratio.add(springs.kn, springs.ks);
+      link.ks = springs.ks > kNoShearStiffness * springs.kn;
     }
   }
   for (const auto [i, j] : touching) {
-    links.push_back(link_between(model.discs, i, j));
+    Link& link = links.emplace_back(link_between(model.discs, i, j));
     const LinearContact& law = model.contacts[model.contact_number(model.group[i], model.group[j])];
     ratio.add(law.normal_stiffness, law.shear_stiffness);
+    link.ks = law.shear_stiffness > kNoShearStiffness * law.normal_stiffness;
   }
-  for (Link& link : links) link.ks = ratio.value();
+  for (Link& link : links) link.ks *= ratio.value();
   return links;
 }
 

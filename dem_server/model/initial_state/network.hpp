@@ -6,7 +6,8 @@
 // of centres or of a smooth joint's plane, and a strip of cement resists that one disc turns against the
 // other: N = kn r.n, S = ks r.t, M = km (w2 - w1). All links have kn = 1 and one ratio ks / kn, the mean of
 // the model's: forces that carry a stress are no matter of stiffness, and contrasts between groups would only
-// disturb a uniform one.
+// disturb a uniform one. But a link that does not resist slip bears no shear force: where an excavation took
+// away what balanced it, it would spin its discs without end.
 #pragma once
 
 #include <array>

@@ -132,6 +132,34 @@ TEST_P(InitialStateOf, RandomDiscsBalances) {
 }
 
 // Bonds that are weaker than their part of the stress bear their strength, and the user is told.
+// Bonds of Poisson's ratio 1/4 in plane strain resist no slip. They bear no shear force, also beside a group
+// whose bonds do: a moment that excavation leaves on a disc could not come to rest.
+TEST(InitialState, LeavesShearToBondsThatResistIt) {
+  scene::Scene scene = test::empty_scene();
+  scene.set_plane(scene::PLANE_STRAIN);
+  scene.mutable_material()->set_poisson_ratio(0.25);
+  auto& packing = *scene.mutable_particles()->mutable_packing();
+  test::set_box(packing, 10, 8);
+  packing.set_radius(0.5);
+  auto& group = *scene.mutable_particles()->add_groups();
+  group.set_name("gouge");
+  group.mutable_where()->set_x_min(4);
+  *group.mutable_material() = scene.material();
+  group.mutable_material()->set_poisson_ratio(0.1);
+  scene.mutable_initial_stress()->set_xx(-2e6);
+  scene.mutable_initial_stress()->set_yy(-4e6);
+  const Model model = read_model(scene);
+  double gouge = 0;
+  for (const Bond& bond : model.bonds) {
+    const auto [left, right] = std::minmax(model.discs.x[bond.first], model.discs.x[bond.second]);
+    if (right < 4)
+      EXPECT_EQ(bond.at_rest.shear, 0);
+    else if (left >= 4)
+      gouge = std::max(gouge, std::abs(bond.at_rest.shear));
+  }
+  EXPECT_GT(gouge, 1e3);
+}
+
 TEST(InitialState, CutsWhatIsBeyondStrength) {
   auto scene = test::random_scene();
   scene.mutable_particles()->mutable_bonds()->set_tensile_strength(2e3);

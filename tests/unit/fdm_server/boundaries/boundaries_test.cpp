@@ -170,6 +170,21 @@ TEST(FreeField, GroundAtRestStays) {
   }
 }
 
+// The same under a load on the surface that stands for ground above the model: the columns bear it, too.
+TEST(FreeField, GroundAtRestUnderALoadOnItsSurfaceStays) {
+  GroundRun run(kBlock + kSides + kWeight +
+                    "edge_loads { where { y_min: 0 } force { y: -1.2e6 } } "  // 100 kPa
+                    "base { kind: COMPLIANT acceleration { ricker { frequency: 8 time: 1 } } } ",
+                0.2, 0.8,
+                "initial_stress { yy: -1e5 yy_per_metre: 2e4 xx: -33333.33333333333 "
+                "xx_per_metre: 6666.666666666667 } ");
+  double largest = 0;
+  for (std::uint64_t n = 0; n <= run.steps(); ++n) run.advance();
+  const auto snapshot = run.snapshot();
+  for (const double u : snapshot.pieces(0).point_fields(0).values()) largest = std::max(largest, std::abs(u));
+  EXPECT_LT(largest, 1e-7);
+}
+
 // Where an overlap leaves the grid a part of the weight everywhere, its sides and its base push with that
 // part too: it rests and moves as the whole ground.
 TEST(FreeField, PartOfTheWeightMovesAsTheWhole) {
