@@ -8,8 +8,9 @@
 //   opening = (u_far - u_near).n,    offset = (u_far - u_near).t,    rotation = w_far - w_near,
 // which no rigid motion of both changes. Displacements are those since time began, rotations small.
 //
-// What falls off must not decide, grains or a whole corner: of a face only the particles of the largest body
-// count.
+// What falls off must not decide, grains or a whole corner, nor a grain of the ground at the joint's end: of
+// a face the particles of one body count, the largest of those that hold at least half as many of the face as
+// the one that holds most.
 #pragma once
 
 #include <cstdint>

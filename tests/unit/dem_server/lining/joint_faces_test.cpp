@@ -115,6 +115,27 @@ TEST(JointFaces, DoNotFollowACornerThatFellOff) {
   expect_motion(motion_of(faces, engine));
 }
 
+// A grain at the end of the joint that belongs to larger ground does not decide either.
+TEST(JointFaces, DoNotFollowTheGroundBesideThem) {
+  Model model = two_blocks();
+  const auto outermost = [](double x, double y) { return x > 3 && x < 4 && y < 1; };
+  std::erase_if(model.bonds, [&](const Bond& bond) {
+    return outermost(model.discs.x[bond.first], model.discs.y[bond.first]) !=
+           outermost(model.discs.x[bond.second], model.discs.y[bond.second]);
+  });
+  GeneralEngine engine(model, 1);
+  Particles& p = engine.particles();
+  const JointFaces faces = joint(p);
+  move_blocks(p);
+  Fragments fragments = fragments_of(p.size(), whole_bonds(engine));
+  for (std::uint32_t i = 0; i < p.size(); ++i)
+    if (outermost(p.x[i], p.y[i])) {
+      p.uy[i] -= 5;
+      fragments.size[fragments.number[i]] = 1000;
+    }
+  expect_motion(faces.motion(p, {fragments.number, fragments.size}));
+}
+
 TEST(JointFaces, TellNothingOfAFaceThatFellApart) {
   Model model = two_blocks();
   std::erase_if(model.bonds, [&](const Bond& bond) { return model.discs.x[bond.first] > 3; });
