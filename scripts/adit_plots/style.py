@@ -10,6 +10,7 @@ BLUE, RED, GREEN, ORANGE, SKY, PINK, YELLOW, BLACK = (
     "#0072B2", "#D55E00", "#009E73", "#E69F00", "#56B4E9", "#CC79A7", "#F0E442", "#000000")
 GREY = "#8C8C8C"
 WIDTH = 9.0  # inches of a picture of the model; a page to be read on a phone sets less
+LABELS_BELOW = 0.5  # inches that the ticks and the label of the x axis take
 
 plt.rcParams.update({
     "figure.dpi": 100, "savefig.dpi": 220, "font.size": 9, "axes.titlesize": 10, "axes.labelsize": 9,
@@ -64,11 +65,29 @@ def model_sheet(bounds, title, width=None, right=0.2):
     axes.set_title(title, loc="left")
 
     def add_legend(handles, columns=None):
-        if handles:
-            figure.legend(handles=handles, loc="lower center", ncol=columns or len(handles),
-                          columnspacing=1.8, handlelength=2.2, borderaxespad=0.4)
+        for count in range(columns or len(handles), 0, -1):
+            legend = figure.legend(handles=handles, loc="lower center", ncol=count,
+                                   columnspacing=1.8, handlelength=2.2, borderaxespad=0.4)
+            figure.canvas.draw()
+            legend_width, legend_height = legend.get_window_extent().size / figure.dpi
+            if legend_width <= figure.get_figwidth() or count == 1:
+                _grow_below(figure, legend_height + LABELS_BELOW - below)
+                break
+            legend.remove()
 
     return figure, axes, add_legend
+
+
+def _grow_below(figure, more):
+    """Makes the figure higher by so many inches under all of its axes."""
+    if more <= 0:
+        return
+    places = [(axes, axes.get_position()) for axes in figure.axes]
+    height = figure.get_figheight()
+    figure.set_figheight(height + more)
+    for axes, box in places:
+        axes.set_position((box.x0, (box.y0 * height + more) / (height + more),
+                           box.width, box.height * height / (height + more)))
 
 
 def sheet_with_legend_beside(bounds, title):
