@@ -49,7 +49,19 @@ def histories(run, quantities=None):
     height = figure.get_figheight()
     figure.subplots_adjust(left=0.11, right=0.79, top=1 - 0.32 / height, bottom=0.5 / height, hspace=0.12)
     figure.align_ylabels()
+    _widen(figure, [panel.get_legend() for panel in axes[:, 0]])
     return figure
+
+
+def _widen(figure, legends):
+    """Makes the figure as wide as the legends at its right need."""
+    figure.canvas.draw()
+    width, needed = figure.get_figwidth(), max(legend.get_window_extent().x1 for legend in legends) / figure.dpi
+    if needed <= width:
+        return
+    at = figure.subplotpars
+    figure.set_figwidth(needed)
+    figure.subplots_adjust(left=at.left * width / needed, right=at.right * width / needed)
 
 
 def quantities_of(run):
