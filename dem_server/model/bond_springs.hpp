@@ -1,5 +1,7 @@
-// The springs of a bond.
+// The springs of a bond, and whether it can break.
 #pragma once
+
+#include <cstddef>
 
 #include "dem_server/model/model.hpp"
 
@@ -12,6 +14,10 @@ BondSprings whole_springs(const Model& model, const Bond& bond);
 // beside a parallel bond and in place of a broken one.
 BondSprings stiffest_springs(const Model& model, const Bond& bond);
 BondSprings stiffest_springs(const Model& model, const Bond& bond, const LinearContact& contact);
+
+// Whether it has a finite strength, in tension or in shear. A smooth joint has none.
+bool is_breakable(const Model& model, const Bond& bond);
+std::size_t breakable_bonds(const Model& model);  // their number
 
 // The contact of the bond's discs.
 const LinearContact& contact_of(const Model& model, const Bond& bond);

@@ -4,12 +4,12 @@
 
 #include <numeric>
 
+#include "dem_server/model/bond_springs.hpp"
 #include "dem_server/model/initial_state/initial_state.hpp"
 #include "dem_server/model/reading/read_model.hpp"
 #include "dem_server/model/sample_points.hpp"
 #include "dem_server/model/solid/thin_strip.hpp"
 #include "dem_server/model/weigh.hpp"
-#include "dem_server/participant/breakable_bonds.hpp"
 #include "dem_server/participant/messages.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/ground/stages.hpp"

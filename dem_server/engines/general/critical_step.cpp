@@ -60,20 +60,9 @@ Element element_of(const Model& model, const Spring& spring) {
   return {"spring", i, j, spring.stiffness, spring.stiffness, 0, arm_1, length - arm_1};
 }
 
-bool can_break(const Model& model, const Bond& bond) {
-  switch (bond.law) {
-    case Bond::Law::kContactBond: {
-      const ContactBond& law = model.contact_bonds[bond.number];
-      return std::min(law.tensile_strength, law.shear_strength) < kUnbreakable;
-    }
-    case Bond::Law::kParallelBond: {
-      const ParallelBond& law = model.parallel_bonds[bond.number];
-      return std::min(law.tensile_strength, law.cohesion) < kUnbreakable;
-    }
-    case Bond::Law::kSmoothJoint:
-      return true;  // it slides, and its discs part
-  }
-  return true;
+// Its discs may meet others: it breaks, or slides until they part.
+bool lets_go(const Model& model, const Bond& bond) {
+  return bond.law == Bond::Law::kSmoothJoint || is_breakable(model, bond);
 }
 
 std::uint32_t most_neighbours(double radius, double smallest) {
@@ -167,7 +156,7 @@ Stiffest Touching::stiffest(double dt) const {
   for (std::uint32_t i = 0; i < size; ++i) contacts[i] = contact_of_disc(i, dt);
   for (std::size_t k = 0; k < elements.size(); ++k) {
     const Element& e = elements[k];
-    const bool bond = k < model_.bonds.size(), breaks = bond && can_break(model_, model_.bonds[k]);
+    const bool bond = k < model_.bonds.size(), breaks = bond && lets_go(model_, model_.bonds[k]);
     const auto add = [&](std::uint32_t i, double turning) {
       const Hardest contact = breaks ? contacts[i] : Hardest{};
       const double radius = model_.discs.radius[i];

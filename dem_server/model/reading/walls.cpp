@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem_server/model/nearest_on_wall.hpp"
 #include "dem_server/model/reading/conditions.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/text.hpp"
@@ -18,11 +19,8 @@ namespace {
 constexpr double kTouching = 1e-6;  // of a radius: gaps below are none
 
 double distance(const MovingWall& wall, double x, double y) {
-  const double along_x = wall.x_2 - wall.x_1, along_y = wall.y_2 - wall.y_1;
-  const double to_x = x - wall.x_1, to_y = y - wall.y_1;
-  const double share =
-      std::clamp((to_x * along_x + to_y * along_y) / (along_x * along_x + along_y * along_y), 0.0, 1.0);
-  return std::hypot(to_x - share * along_x, to_y - share * along_y);
+  const auto [to_x, to_y] = to_wall(wall, x - wall.x_1, y - wall.y_1);
+  return std::hypot(to_x, to_y);
 }
 
 }  // namespace

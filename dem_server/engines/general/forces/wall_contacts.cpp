@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dem_server/laws/spring.hpp"
+#include "dem_server/model/nearest_on_wall.hpp"
 
 namespace adit::dem {
 
@@ -44,12 +45,10 @@ PairKinematics WallContacts::kinematics(std::uint32_t wall, std::uint32_t disc, 
                                         double dt) const {
   const MovingWall& w = walls_[wall];
   const State& s = states_[wall];
-  const double along_x = w.x_2 - w.x_1, along_y = w.y_2 - w.y_1;
   const double x = p.x[disc] + p.ux[disc] - (w.x_1 + s.ux), y = p.y[disc] + p.uy[disc] - (w.y_1 + s.uy);
-  const double squared = along_x * along_x + along_y * along_y;
-  const double share = std::clamp((x * along_x + y * along_y) / squared, 0.0, 1.0);
-  const double dx = share * along_x - x, dy = share * along_y - y, distance = std::hypot(dx, dy);
-  const double length = std::sqrt(squared);
+  const auto [dx, dy] = to_wall(w, x, y);
+  const double along_x = w.x_2 - w.x_1, along_y = w.y_2 - w.y_1;
+  const double distance = std::hypot(dx, dy), length = std::sqrt(along_x * along_x + along_y * along_y);
   const double nx = distance > 0 ? dx / distance : -along_y / length,
                ny = distance > 0 ? dy / distance : along_x / length;
   const double vx = s.vx - p.vx[disc], vy = s.vy - p.vy[disc];

@@ -93,14 +93,18 @@ TEST(JointFaces, DoNotFollowGrainsThatFellOff) {
   expect_motion(motion_of(faces, engine));
 }
 
+// Cuts the bonds between what lies in the area and the rest.
+template <class Area>
+void cut_out(const Area& area, Model& model) {
+  const auto inside = [&](std::uint32_t i) { return area(model.discs.x[i], model.discs.y[i]); };
+  std::erase_if(model.bonds, [&](const Bond& bond) { return inside(bond.first) != inside(bond.second); });
+}
+
 // A corner that breaks off with more than half of a face changes nothing either.
 TEST(JointFaces, DoNotFollowACornerThatFellOff) {
   Model model = two_blocks();
   const auto in_corner = [](double x, double y) { return x > 3 && x < 4 && y < 4; };
-  std::erase_if(model.bonds, [&](const Bond& bond) {
-    return in_corner(model.discs.x[bond.first], model.discs.y[bond.first]) !=
-           in_corner(model.discs.x[bond.second], model.discs.y[bond.second]);
-  });
+  cut_out(in_corner, model);
   GeneralEngine engine(model, 1);
   Particles& p = engine.particles();
   const JointFaces faces = joint(p);
@@ -119,10 +123,7 @@ TEST(JointFaces, DoNotFollowACornerThatFellOff) {
 TEST(JointFaces, DoNotFollowTheGroundBesideThem) {
   Model model = two_blocks();
   const auto outermost = [](double x, double y) { return x > 3 && x < 4 && y < 1; };
-  std::erase_if(model.bonds, [&](const Bond& bond) {
-    return outermost(model.discs.x[bond.first], model.discs.y[bond.first]) !=
-           outermost(model.discs.x[bond.second], model.discs.y[bond.second]);
-  });
+  cut_out(outermost, model);
   GeneralEngine engine(model, 1);
   Particles& p = engine.particles();
   const JointFaces faces = joint(p);

@@ -6,6 +6,7 @@
 
 #include "tests/unit/dem_server/discs_models.hpp"
 #include "tests/unit/dem_server/in_process_run.hpp"
+#include "tests/unit/dem_server/scenes_of_discs.hpp"
 
 namespace adit::dem {
 namespace {
@@ -20,10 +21,7 @@ scene::Scene crushing() {
   scene.mutable_time()->set_duration(1e-3);
   auto& particles = *scene.mutable_particles();
   auto& box = *particles.mutable_random_packing();
-  box.set_x_min(0);
-  box.set_x_max(0.05);
-  box.set_y_min(0);
-  box.set_y_max(0.08);
+  test::set_box(box, 0.05, 0.08);
   box.set_radius_min(1.5e-3);
   box.set_radius_max(2.5e-3);
   box.set_stress(1e6);
@@ -40,10 +38,8 @@ scene::Scene crushing() {
   for (const double y : {0.0, 0.08}) {
     auto& wall = *particles.add_walls();
     wall.set_name(y > 0 ? "upper" : "lower");
-    wall.mutable_from()->set_x(-0.1);
-    wall.mutable_to()->set_x(0.15);
-    wall.mutable_from()->set_y(y);
-    wall.mutable_to()->set_y(y);
+    test::set(*wall.mutable_from(), -0.1, y);
+    test::set(*wall.mutable_to(), 0.15, y);
     if (y > 0) wall.mutable_velocity()->set_y(-1);
   }
   return scene;
@@ -97,10 +93,7 @@ scene::Scene squeezed(double damping) {
   auto& particles = *scene.mutable_particles();
   particles.clear_random_packing();
   auto& packing = *particles.mutable_packing();
-  packing.set_x_min(0);
-  packing.set_x_max(0.05);
-  packing.set_y_min(0);
-  packing.set_y_max(0.08);
+  test::set_box(packing, 0.05, 0.08);
   packing.set_radius(2e-3);
   particles.clear_bonds();
   particles.mutable_contacts()->set_normal_damping(damping);
@@ -111,10 +104,8 @@ scene::Scene squeezed(double damping) {
   for (const double x : {0.0, 0.05}) {
     auto& wall = *particles.add_walls();
     wall.set_name(x > 0 ? "right" : "left");
-    wall.mutable_from()->set_x(x);
-    wall.mutable_to()->set_x(x);
-    wall.mutable_from()->set_y(-0.1);
-    wall.mutable_to()->set_y(0.2);
+    test::set(*wall.mutable_from(), x, -0.1);
+    test::set(*wall.mutable_to(), x, 0.2);
     wall.mutable_velocity()->set_x(x > 0 ? -kSpeed : kSpeed);
   }
   return scene;
