@@ -8,9 +8,9 @@
 //   opening = (u_far - u_near).n,    offset = (u_far - u_near).t,    rotation = w_far - w_near,
 // which no rigid motion of both changes. Displacements are those since time began, rotations small.
 //
-// What falls off must not decide, grains or a whole corner, nor a grain of the ground at the joint's end: of
-// a face the particles of one body count, the largest of those that hold at least half as many of the face as
-// the one that holds most.
+// What falls off must not decide, grains or a whole corner, nor a grain that rolls on a single bond, nor one
+// of the ground at the joint's end: of a face the particles of one body count, the largest of those that hold
+// at least half as many of the face as the one that holds most.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ struct JointMotion {
   double opening, offset, rotation;  // [m], [m], [rad]
 };
 
-// What whole bonds hold together (observe/fragments.hpp).
+// What firm bonds hold together (observe/branches.hpp, observe/fragments.hpp).
 struct Bodies {
   std::span<const std::uint32_t> number;  // of each particle: its body
   std::span<const std::uint32_t> size;    // of each body: its particles

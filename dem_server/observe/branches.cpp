@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "dem_server/laws/pair_kinematics.hpp"
+#include "dem_server/observe/fragments.hpp"
 #include "dem_server/packing/meeting_place.hpp"
 
 namespace adit::dem {
@@ -58,6 +59,15 @@ std::vector<Pair> whole_bonds(const Observable& observed) {
     if (bond.state == BondState::kIntact) found.push_back({bond.first, bond.second});
   });
   return found;
+}
+
+std::vector<Pair> firm_bonds(const Observable& observed) {
+  std::vector<HoldingPair> holding;
+  observed.for_each_bond([&](const ObservedPair& bond) {
+    if (bond.state == BondState::kIntact)
+      holding.push_back({{bond.first, bond.second}, bond.resists_turning});
+  });
+  return without_rolling(observed.particles().size(), holding);
 }
 
 std::vector<Pair> touching_particles(const Observable& observed) {

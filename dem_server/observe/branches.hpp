@@ -14,7 +14,10 @@ namespace adit::dem {
 std::vector<Pair> all_bonds(const Observable& observed);
 // Particles that a whole bond joins.
 std::vector<Pair> whole_bonds(const Observable& observed);
-// These, and particles that touch otherwise.
+// Those of them that hold their particles in place: one that hangs on a single bond rolls, unless the bond
+// resists turning.
+std::vector<Pair> firm_bonds(const Observable& observed);
+// Whole bonds, and particles that touch otherwise.
 std::vector<Pair> touching_particles(const Observable& observed);
 
 // Forces of bonds, contacts, joints, springs and walls as they are, without energy weights and dashpots; a

@@ -32,6 +32,34 @@ Fragments fragments_of(std::size_t discs, std::span<const Pair> holding) {
   return fragments;
 }
 
+std::vector<Pair> without_rolling(std::size_t discs, std::span<const HoldingPair> holding) {
+  std::vector<std::uint32_t> supports(discs, 0);  // a pair that resists turning is as good as two
+  std::vector<std::vector<std::uint32_t>> pairs_of(discs);
+  for (std::uint32_t k = 0; k < holding.size(); ++k)
+    for (const std::uint32_t i : {holding[k].pair.first, holding[k].pair.second}) {
+      supports[i] += holding[k].resists_turning ? 2 : 1;
+      pairs_of[i].push_back(k);
+    }
+  std::vector<std::uint32_t> rolling;
+  for (std::uint32_t i = 0; i < discs; ++i)
+    if (supports[i] == 1) rolling.push_back(i);
+  std::vector<bool> firm(holding.size(), true);
+  while (!rolling.empty()) {
+    const std::uint32_t disc = rolling.back();
+    rolling.pop_back();
+    for (const std::uint32_t k : pairs_of[disc]) {
+      if (!firm[k]) continue;
+      firm[k] = false;
+      const std::uint32_t other = holding[k].pair.first + holding[k].pair.second - disc;
+      if (--supports[other] == 1) rolling.push_back(other);
+    }
+  }
+  std::vector<Pair> left;
+  for (std::size_t k = 0; k < holding.size(); ++k)
+    if (firm[k]) left.push_back(holding[k].pair);
+  return left;
+}
+
 std::vector<std::uint32_t> coordination_of(std::size_t discs, std::span<const Pair> touching) {
   std::vector<std::uint32_t> count(discs, 0);
   for (const Pair& pair : touching)

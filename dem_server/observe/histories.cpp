@@ -287,7 +287,7 @@ void Histories::read(const Observable& observed, const Lining& lining, const pro
       case scene::OPENING:
       case scene::OFFSET:
       case scene::ROTATION:
-        if (!fragments) fragments = fragments_of(p.size(), whole_bonds(observed));
+        if (!fragments) fragments = fragments_of(p.size(), firm_bonds(observed));
         values.Add(component(lining.joints[history.named].motion(p, {fragments->number, fragments->size}),
                              history.quantity));
         break;

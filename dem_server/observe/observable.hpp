@@ -24,6 +24,7 @@ struct ObservedPair {
   double weight = 1;                     // energy weight
   BondState state = BondState::kIntact;  // of a bond
   bool touches = true;                   // its particles' surfaces press on each other
+  bool resists_turning = false;          // as a parallel bond does
 };
 
 // A force [N] on what is at (x_1, y_1), by what is at (x_2, y_2) [m]: a centre or a point on a wall.

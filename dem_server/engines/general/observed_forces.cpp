@@ -17,7 +17,8 @@ ObservedPair forces_of(std::uint32_t pair, const Solver& solver, const Pairs& pa
           s.moment,
           pairs.weight[pair],
           pairs.bonded() ? pairs.state[pair] : BondState::kIntact,
-          s.touches};
+          s.touches,
+          solver.laws()[pairs.law[pair]].km > 0};
 }
 
 }  // namespace

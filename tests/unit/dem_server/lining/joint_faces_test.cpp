@@ -22,13 +22,14 @@ namespace {
 constexpr int kRows = 6;
 
 // Two blocks of cemented discs side by side, apart from each other at x = 3.
-Model two_blocks() {
+Model two_blocks(Bond::Law law = Bond::Law::kParallelBond) {
   std::vector<std::array<double, 3>> discs;
   for (int row = 0; row < kRows; ++row)
     for (int column = 0; column < 6; ++column) discs.push_back({column + 0.5, row + 0.5, 0.5});
   Model model = test::loose_discs(discs, {1e8, 1e8, 0});
   model.parallel_bonds = {{1e9, 1e9, 0.4, 1e12, 1e12, 0}};
-  test::join(model, Bond::Law::kParallelBond);
+  model.contact_bonds = {{.stiffness = {1e8, 1e8}}};
+  test::join(model, law);
   std::erase_if(model.bonds, [&](const Bond& bond) {
     return (model.discs.x[bond.first] < 3) != (model.discs.x[bond.second] < 3);
   });
@@ -58,7 +59,7 @@ void expect_motion(const JointMotion& motion) {
 }
 
 JointMotion motion_of(const JointFaces& faces, const GeneralEngine& engine) {
-  const Fragments fragments = fragments_of(engine.particles().size(), whole_bonds(engine));
+  const Fragments fragments = fragments_of(engine.particles().size(), firm_bonds(engine));
   return faces.motion(engine.particles(), {fragments.number, fragments.size});
 }
 
@@ -117,6 +118,31 @@ TEST(JointFaces, DoNotFollowACornerThatFellOff) {
     }
   EXPECT_EQ(fallen, 4u);
   expect_motion(motion_of(faces, engine));
+}
+
+// A grain that hangs on its body by one bond without moment rolls on it; one whose bond bears moments does
+// not.
+TEST(JointFaces, DoNotFollowAGrainThatRollsOnOneBond) {
+  for (const Bond::Law law : {Bond::Law::kContactBond, Bond::Law::kParallelBond}) {
+    Model model = two_blocks(law);
+    // The lowest disc of the near face keeps the bond to the right alone.
+    std::erase_if(model.bonds, [&](const Bond& bond) {
+      const auto lowest = [&](std::uint32_t i) { return model.discs.x[i] == 3.5 && model.discs.y[i] == 0.5; };
+      const auto beside = [&](std::uint32_t i) { return model.discs.x[i] == 4.5 && model.discs.y[i] == 0.5; };
+      const bool kept = beside(bond.first) || beside(bond.second);
+      return (lowest(bond.first) || lowest(bond.second)) && !kept;
+    });
+    GeneralEngine engine(model, 1);
+    Particles& p = engine.particles();
+    const JointFaces faces = joint(p);
+    move_blocks(p);
+    for (std::size_t i = 0; i < p.size(); ++i)
+      if (p.x[i] == 3.5 && p.y[i] == 0.5) p.ux[i] -= 0.5;
+    if (law == Bond::Law::kContactBond)
+      expect_motion(motion_of(faces, engine));
+    else
+      EXPECT_GT(std::abs(motion_of(faces, engine).opening), 0.05);
+  }
 }
 
 // A grain at the end of the joint that belongs to larger ground does not decide either.

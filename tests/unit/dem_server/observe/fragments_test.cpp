@@ -70,6 +70,21 @@ RC_GTEST_PROP(Fragments, AreWhatAWalkReaches, ()) {
   RC_ASSERT(fragments.count() == count);
 }
 
+// A chain that hangs on a ring rolls up to the ring; where its last pair but one resists turning, only what
+// is beyond rolls. A chain between two rings holds.
+TEST(Fragments, WhatHangsOnASinglePairRolls) {
+  const std::vector<Pair> ring = {{0, 1}, {1, 2}, {2, 0}}, tail = {{2, 3}, {3, 4}, {4, 5}};
+  std::vector<HoldingPair> holding;
+  for (const Pair& pair : ring) holding.push_back({pair, false});
+  for (const Pair& pair : tail) holding.push_back({pair, false});
+  EXPECT_EQ(without_rolling(6, holding), ring);
+  holding[4].resists_turning = true;  // 3 - 4
+  EXPECT_EQ(without_rolling(6, holding), (std::vector<Pair>{{0, 1}, {1, 2}, {2, 0}, {2, 3}, {3, 4}}));
+  holding[4].resists_turning = false;
+  for (const Pair& pair : {Pair{5, 6}, Pair{6, 7}, Pair{7, 5}}) holding.push_back({pair, false});
+  EXPECT_EQ(without_rolling(8, holding).size(), holding.size());
+}
+
 // In a hexagonal packing a disc has six neighbours, at an even edge four, at a corner two or three.
 TEST(Coordination, OfAHexagonalPacking) {
   const Discs discs = pack_hexagonally({0, 10, 0, 9 * 0.8660254037844387}, 0.5).discs;
