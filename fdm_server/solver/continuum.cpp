@@ -217,7 +217,7 @@ void Continuum::step_interior(const protocol::Step& step) {
 }
 
 void Continuum::pull(Part& part, const protocol::Step& step) {
-  if (step.local_damping > 0 && tie_x_.empty()) {
+  if ((step.local_damping > 0 || damping_.law().local > 0) && tie_x_.empty()) {
     tie_x_.assign(points_.size(), 0.0);
     tie_y_.assign(points_.size(), 0.0);
   }

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "protocol/participant/local_damping.hpp"
+
 namespace adit::fdm {
 
 DampingLaw rayleigh(double ratio, double low_frequency, double high_frequency) {
@@ -36,7 +38,7 @@ double Damping::add_others(std::span<const protocol::IndexRange> ranges, const p
   if (!law_.any() || step.relax) return 0;
   const double half = step.kick() / 2, implicit = 1 + law_.alpha * half;
   double power = 0;
-  const auto axis = [&](const double* velocity, double* force, const double* inverse_mass,
+  const auto axis = [&](const double* velocity, double* force, const double* inverse_mass, const double* tie,
                         const double* viscous, double* damping) {
     for (const auto [begin, end] : ranges)
       for (std::size_t i = begin; i < end; ++i) {
@@ -44,7 +46,8 @@ double Damping::add_others(std::span<const protocol::IndexRange> ranges, const p
         if (!step.from_rest()) {
           const double v = velocity[i];
           added = -law_.alpha * masses[i] * (v + half * inverse_mass[i] * force[i]) / implicit;
-          if (v != 0 && inverse_mass[i] > 0) added -= law_.local * std::copysign(force[i], v);
+          if (law_.local > 0 && inverse_mass[i] > 0)
+            added += protocol::damped(force[i], tie[i], v, law_.local) - force[i];
         }
         force[i] += added;
         added += viscous[i];
@@ -52,8 +55,10 @@ double Damping::add_others(std::span<const protocol::IndexRange> ranges, const p
         damping[i] = added;
       }
   };
-  axis(points.vx, points.fx, points.inverse_mass_x, state_[kViscousX].data(), state_[kDampingX].data());
-  axis(points.vy, points.fy, points.inverse_mass_y, state_[kViscousY].data(), state_[kDampingY].data());
+  axis(points.vx, points.fx, points.inverse_mass_x, points.tie_x, state_[kViscousX].data(),
+       state_[kDampingX].data());
+  axis(points.vy, points.fy, points.inverse_mass_y, points.tie_y, state_[kViscousY].data(),
+       state_[kDampingY].data());
   return step.from_rest() ? 0 : -step.dt / 2 * power;
 }
 

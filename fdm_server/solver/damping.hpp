@@ -9,7 +9,8 @@
 //          back, hence the shorter critical step 2/w (sqrt(1 + x^2) - x), x = beta w/2 (Belytschko 1983).
 //
 // Local (Cundall 1987): -a |f| sign(v(n-1/2)), f the unbalanced force of each component: what oscillates has
-// the damping ratio a/pi, whatever its frequency, and what moves steadily none.
+// the damping ratio a/pi, whatever its frequency, and what moves steadily none. The forces of ties are part
+// of f (protocol/participant/local_damping.hpp).
 //
 // Nothing is damped in statics, which have their own relaxation.
 #pragma once

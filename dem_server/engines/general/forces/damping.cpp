@@ -48,11 +48,11 @@ Damping::Loss Damping::kick(const protocol::Step& step, std::uint32_t begin, std
   Loss loss;
   const double h = step.kick(), half = step.from_rest() ? 0 : step.dt / 2;
   for (std::uint32_t i = begin; i < end; ++i) {
-    const double before = velocity[i];
+    const double before = velocity[i], tied = tie ? tie[i] : 0;
     if (step.local_damping > 0) {
-      force[i] = protocol::damped(force[i], tie ? tie[i] : 0, before, step.local_damping);
+      force[i] = protocol::damped(force[i], tied, before, step.local_damping);
     } else if (local_share_ > 0) {
-      const double damping = -local_share_ * std::abs(force[i]) * protocol::sign(before);
+      const double damping = protocol::damped(0, force[i] + tied, before, local_share_);
       loss.local -= half * before * (c.local_force[i] + damping);
       c.local_force[i] = damping;
       force[i] += damping;
@@ -80,10 +80,11 @@ Damping::Loss Damping::kick(const protocol::Step& step, std::uint32_t begin, std
     kick_freely(step.kick(), begin, end, p);
     return {};
   }
+  const auto tie = [](const std::vector<double>& forces) { return forces.empty() ? nullptr : forces.data(); };
   Loss sum;
   for (const Loss& loss :
-       {kick(step, begin, end, p.inverse_mass.data(), p.tie_x.data(), p.fx.data(), p.vx.data(), x_),
-        kick(step, begin, end, p.inverse_mass.data(), p.tie_y.data(), p.fy.data(), p.vy.data(), y_),
+       {kick(step, begin, end, p.inverse_mass.data(), tie(p.tie_x), p.fx.data(), p.vx.data(), x_),
+        kick(step, begin, end, p.inverse_mass.data(), tie(p.tie_y), p.fy.data(), p.vy.data(), y_),
         kick(step, begin, end, p.inverse_inertia.data(), nullptr, p.moment.data(), p.spin.data(), spin_)}) {
     sum.local += loss.local;
     sum.viscous += loss.viscous;

@@ -1,9 +1,9 @@
 // What takes energy out of the discs' motion, and the kick that it enters.
 //
-// Local damping (Cundall 1987): a force -share |f| sign(v-) on every component, f its resultant, spin
-// included; in statics, their own share takes its place. Drag, of viscous damping c = rate m and of quiet
-// edges: -c v at n, where v is the mean of the velocities half a step before and after; that is stable for
-// any c: v+ = [(m/dt - c/2) v- + f] / (m/dt + c/2).
+// Local damping (protocol/participant/local_damping.hpp): a force -share |f| sign(v-) on every component, f
+// its resultant with the forces of ties, spin included; in statics, their own share takes its place. Drag, of
+// viscous damping c = rate m and of quiet edges: -c v at n, where v is the mean of the velocities half a step
+// before and after; that is stable for any c: v+ = [(m/dt - c/2) v- + f] / (m/dt + c/2).
 #pragma once
 
 #include <cstdint>

@@ -5,6 +5,8 @@
 #include "dem_server/model/calibration.hpp"
 #include "protocol/errors.hpp"
 #include "tests/unit/dem_server/cantilever_scene.hpp"
+#include "tests/unit/dem_server/in_process_run.hpp"
+#include "tests/unit/dem_server/scenes_of_discs.hpp"
 
 namespace adit::dem {
 namespace {
@@ -62,6 +64,44 @@ TEST(Coupling, AccelerationHoldsTheCorrection) {
     EXPECT_NEAR(run.predicted.histories(1), velocity, 1e-14);
     EXPECT_NE(velocity, 0);
   }
+}
+
+// Ties that bear the weight of discs let them move steadily, and local damping takes nothing. It would brake
+// by the weight if ties were no forces.
+TEST(Coupling, LocalDampingTakesNothingFromSteadyMotion) {
+  auto scene = test::placed_scene("x_m,y_m,radius_m\n0,0,0.5\n2,0,0.7\n");
+  scene.mutable_particles()->mutable_damping()->set_local(0.2);
+  scene.mutable_particles()->add_body_loads()->mutable_acceleration()->set_y(-10);
+  wire::Weights weights;
+  weights.mutable_weights()->Resize(2, 1.0);
+  weights.set_x_min(-1);
+  weights.set_x_max(3);
+  weights.set_y_min(-1);
+  weights.set_y_max(1);
+  weights.set_floor(1);
+  InProcessRun run(scene, weights);
+  run.dt = 1e-4;
+  wire::Couple couple;
+  *couple.mutable_points() = run.interface.points();
+  wire::Operator op;
+  run.participant.couple(couple, op);
+  ASSERT_EQ(op.inverse_masses_size(), 4);
+  run.advance();
+  double kinetic = 0, taken = 0;  // a few steps after the blow that set the discs in motion
+  for (int n = 1; n <= 50; ++n) {
+    std::vector<double> impulses;
+    for (int k = 0; k < 4; ++k) {
+      const double mass = 1 / op.inverse_masses(k), kick = n == 1 ? run.dt / 2 : run.dt;
+      impulses.push_back(mass * ((k % 2 == 1 ? 10 * kick : 0) + (n == 1 ? 0.3 : 0)));
+    }
+    run.advance(impulses);
+    if (n != 5) continue;
+    kinetic = run.predicted.energies().kinetic();
+    taken = run.shares().at("local_damping");
+  }
+  EXPECT_GT(kinetic, 0.01 * run.interface.mass());
+  EXPECT_NEAR(run.predicted.energies().kinetic(), kinetic, 1e-9 * kinetic);
+  EXPECT_NEAR(run.shares().at("local_damping"), taken, 1e-9 * kinetic);
 }
 
 // The coupled cantilever keeps 419 particles, of which 140 lie in the overlap.
