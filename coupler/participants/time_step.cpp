@@ -131,12 +131,16 @@ void choose_time_step(Model& model) {
 }
 
 double choose_static_steps(Model& model, double share, bool own_steps) {
+  const auto critical = [](const Participant& participant) {
+    const wire::Model& its = participant.model;
+    return its.critical_static_dt() > 0 ? its.critical_static_dt() : its.critical_dt();
+  };
   double smallest = std::numeric_limits<double>::infinity();
   for (const Participant& participant : model.participants)
-    smallest = std::min(smallest, share * participant.model.critical_dt());
+    smallest = std::min(smallest, share * critical(participant));
   if (own_steps)
     for (Participant& participant : model.participants)
-      participant.step_ratio = share * participant.model.critical_dt() / smallest;
+      participant.step_ratio = share * critical(participant) / smallest;
   return smallest;
 }
 

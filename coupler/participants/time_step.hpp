@@ -10,10 +10,10 @@ namespace adit::coupler {
 // one, and for substeps that the model cannot take.
 void choose_time_step(Model& model);
 
-// Statics: gives every participant a step of its own, this share of its critical one, by its step ratio, and
-// returns the model's [s], the smallest. The time of statics means nothing, so that each part may come to
-// rest at its own pace: the same as one clock with masses that give all parts one critical step. Without
-// `own_steps` all take the smallest.
+// Statics: gives every participant a step of its own, this share of its critical one in statics, by its step
+// ratio, and returns the model's [s], the smallest. The time of statics means nothing, so that each part may
+// come to rest at its own pace: the same as one clock with masses that give all parts one critical step.
+// Without `own_steps` all take the smallest.
 double choose_static_steps(Model& model, double share, bool own_steps);
 
 }  // namespace adit::coupler

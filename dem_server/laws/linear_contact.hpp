@@ -19,6 +19,11 @@ struct LinearContact {
   bool operator==(const LinearContact&) const = default;
 };
 
+inline LinearContact without_dashpots(LinearContact law) {
+  law.normal_damping = law.shear_damping = 0;
+  return law;
+}
+
 // The normal spring's force [N].
 inline double contact_normal_force(double stiffness, double gap) {
   return stiffness * std::min(gap, 0.0);

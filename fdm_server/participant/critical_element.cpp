@@ -7,12 +7,15 @@ namespace adit::fdm {
 CriticalElement critical_element(ZoneKind kind, const Grid& grid, const Ground& ground,
                                  const Structures& structures, const DampingLaw& damping) {
   const CriticalZone zone = critical_zone(kind, grid, ground);
-  CriticalElement critical{zone.step, "zone", zone.centre};
+  CriticalElement critical{zone.step, zone.step, "zone", zone.centre};
   if (const auto structure = structures.critical_element(); structure.step < zone.step) {
     const auto [a, b] = structure.points;
-    critical = {structure.step, structure.kind, {(grid.x[a] + grid.x[b]) / 2, (grid.y[a] + grid.y[b]) / 2}};
+    critical = {structure.step,
+                structure.step,
+                structure.kind,
+                {(grid.x[a] + grid.x[b]) / 2, (grid.y[a] + grid.y[b]) / 2}};
   }
-  critical.step = critical_step(damping, critical.step);
+  critical.step = critical_step(damping, critical.static_step);
   if (damping.beta > 0) critical.name += " with Rayleigh damping";
   return critical;
 }

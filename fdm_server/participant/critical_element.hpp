@@ -14,7 +14,8 @@ namespace adit::fdm {
 // What governs the critical time step: its name, such as "zone", "beam" or "zone with Rayleigh damping", and
 // its middle [m].
 struct CriticalElement {
-  double step;  // [s]
+  double step;         // [s]
+  double static_step;  // the same in statics, where no damping acts
   std::string name;
   std::array<double, 2> place;
 };

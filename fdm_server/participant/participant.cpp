@@ -59,12 +59,14 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   const CriticalElement critical =
       critical_element(setup_.kind, grid_, setup_.ground, supports.structures, damping_);
   critical_dt_ = critical.step;
+  critical_static_dt_ = critical.static_step;
   if (!(critical_dt_ > 0) || !std::isfinite(critical_dt_))
     throw protocol::UserError("material",
                               fmt::format("makes a critical time step of {} s; check the units of the "
                                           "stiffness and of the density",
                                           critical_dt_));
   model.set_critical_dt(critical_dt_);
+  model.set_critical_static_dt(critical_static_dt_);
   model.set_critical_element(critical.name);
   model.set_critical_x(critical.place[0]);
   model.set_critical_y(critical.place[1]);
@@ -253,10 +255,11 @@ void FdmParticipant::take_peaks(const Step& step) {
 }
 
 void FdmParticipant::prepare(const Step& step, const wire::Advance& wanted) {
-  if (step.dt > critical_dt_ && !scene_.time().beyond_critical())
+  const double critical = step.relax ? critical_static_dt_ : critical_dt_;
+  if (step.dt > critical && !scene_.time().beyond_critical())
     throw protocol::UserError("time.dt", fmt::format("is {} s, above the continuum's critical step of {} s; "
                                                      "give at most that",
-                                                     step.dt, critical_dt_));
+                                                     step.dt, critical));
   histories_->remember(*continuum_);
   if (wanted.want_energies()) continuum_->remember_velocities();
 }
@@ -273,7 +276,8 @@ void FdmParticipant::step_interior(const Step& step) {
   if (step.number % kFiniteCheckInterval == 0) check_grid(step);
   if (setup_.ground.large_strain && steps_done_ % kShapeCheckInterval == 0 &&
       !scene_.time().beyond_critical())
-    require_stable_shapes(setup_.kind, grid_, setup_.ground, damping_, weights_, *continuum_, step);
+    require_stable_shapes(setup_.kind, grid_, setup_.ground, step.relax ? DampingLaw{} : damping_, weights_,
+                          *continuum_, step);
 }
 
 // The coupler knows the masses at the coupling points once and for all.

@@ -76,7 +76,7 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   scene::Scene scene_;
   Setup setup_{};
   DampingLaw damping_;
-  double critical_dt_ = 0;
+  double critical_dt_ = 0, critical_static_dt_ = 0;
   Grid grid_;
   std::vector<double> weights_;   // of the zones; 0 where they were taken away
   std::vector<Corners> slivers_;  // zones that an overlap leaves next to nothing of (samples.hpp)

@@ -47,7 +47,7 @@ void Solver::begin_stage(std::uint32_t before, const ParticleStage& stage, const
   Bonded bonded = bonds_of(model);
   carry_over({laws_, bonds_}, stage.fresh, bonded.laws, particles_, bonded.bonds);
   carry_over(joints_.joints(), stage.fresh, bonded.joints);
-  laws_ = std::move(bonded.laws);
+  take_laws(std::move(bonded.laws));
   bonds_ = std::move(bonded.bonds);
   bond_of_pair_ = std::move(bonded.bond_of_pair);
   joints_.replace(std::move(bonded.joints));

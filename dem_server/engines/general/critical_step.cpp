@@ -189,6 +189,15 @@ Stiffest Touching::stiffest(double dt) const {
   return stiffest;
 }
 
+// Infinitely long steps see the springs alone: their contacts' effective stiffness is k.
+Stiffest of_springs(const Touching& touching) {
+  return touching.stiffest(std::numeric_limits<double>::infinity());
+}
+
+double step_of(const Stiffest& stiffest) {
+  return stiffest.squared > 0 ? 2 / std::sqrt(stiffest.squared) : std::numeric_limits<double>::infinity();
+}
+
 bool any_dashpots(const Model& model) {
   const auto damped = [](const LinearContact& c) { return c.normal_damping > 0 || c.shear_damping > 0; };
   return std::ranges::any_of(model.contacts, damped) ||
@@ -208,12 +217,14 @@ double with_dashpots(const Touching& touching, double unstable) {
 
 }  // namespace
 
+double critical_static_step(const Model& model) {
+  return step_of(of_springs(Touching(model))) / std::sqrt(1 + model.local_damping);
+}
+
 CriticalElement critical_element(const Model& model) {
   const Touching touching(model);
-  // Infinitely long steps see the springs alone: their contacts' effective stiffness is k.
-  Stiffest stiffest = touching.stiffest(std::numeric_limits<double>::infinity());
-  double step =
-      stiffest.squared > 0 ? 2 / std::sqrt(stiffest.squared) : std::numeric_limits<double>::infinity();
+  Stiffest stiffest = of_springs(touching);
+  double step = step_of(stiffest);
   if (stiffest.squared > 0 && any_dashpots(model)) {
     step = with_dashpots(touching, step);
     stiffest = touching.stiffest(step);

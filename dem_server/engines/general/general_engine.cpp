@@ -45,6 +45,13 @@ CriticalElement GeneralEngine::critical_element() const {
   return std::ranges::min(elements, {}, &CriticalElement::step);
 }
 
+double GeneralEngine::critical_static_step() const {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Model& model : all_stages(model_))
+    smallest = std::min(smallest, dem::critical_static_step(model));
+  return smallest;
+}
+
 void GeneralEngine::tie(std::span<const double> places, wire::Operator& op) {
   const Pairs& bonds = solver_.bonds();
   const double longest = bonds.size() > 0 ? std::ranges::max(bonds.rest_length) : 0;

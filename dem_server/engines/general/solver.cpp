@@ -31,7 +31,7 @@ Solver::Solver(const Model& model, std::size_t threads)
       team_(std::make_unique<protocol::Team>(threads)),
       results_(blocks_of(particles_.size())) {
   Bonded bonded = bonds_of(model);
-  laws_ = std::move(bonded.laws);
+  take_laws(std::move(bonded.laws));
   bonds_ = std::move(bonded.bonds);
   bond_of_pair_ = std::move(bonded.bond_of_pair);
   joints_ = Joints(std::move(bonded.joints));
@@ -43,10 +43,16 @@ Solver::Solver(const Model& model, std::size_t threads)
   strain_at_start_ = strain_energy();
 }
 
+void Solver::take_laws(std::vector<PairLaw> laws) {
+  laws_ = std::move(laws);
+  static_laws_ = laws_;
+  for (PairLaw& law : static_laws_) law.contact = without_dashpots(law.contact);
+}
+
 void Solver::step(const protocol::Step& step, Loads& loads, PrescribedMotions& motions) {
   const double dt = step.from_rest() ? 0 : step.dt;
   move(step);
-  pull(dt);
+  pull(step);
   loads.apply(step, particles_);
   support_held();
   support_edges(step.relax, dt);
@@ -71,18 +77,20 @@ void Solver::move(const protocol::Step& step) {
   if (neighbours_.update(particles_)) walls_.list(particles_);
 }
 
-void Solver::pull(double dt) {
+void Solver::pull(const protocol::Step& step) {
+  const double dt = step.from_rest() ? 0 : step.dt;
+  const std::span<const PairLaw> laws = step.relax ? static_laws_ : laws_;
   team_->run(results_.size(), [&](std::size_t b, std::size_t) {
     const auto block = static_cast<std::uint32_t>(b);
     const auto [begin, end] = range_of(block, particles_.size());
     for (auto* sum : {&particles_.fx, &particles_.fy, &particles_.moment})
       std::fill(sum->begin() + begin, sum->begin() + end, 0.0);
-    add_pair_forces(block, laws_, dt, particles_, bonds_, results_[b].bonds);
-    add_pair_forces(block, laws_, dt, particles_, neighbours_.pairs(), results_[b].contacts);
+    add_pair_forces(block, laws, dt, particles_, bonds_, results_[b].bonds);
+    add_pair_forces(block, laws, dt, particles_, neighbours_.pairs(), results_[b].contacts);
   });
   joints_.add_forces(dt, particles_);
   springs_.add_forces(dt, particles_);
-  walls_.add_forces(dt, particles_);
+  walls_.add_forces(step, particles_);
   team_->run(results_.size(), [&](std::size_t b, std::size_t) {
     const auto block = static_cast<std::uint32_t>(b);
     const auto [begin, end] = range_of(block, particles_.size());

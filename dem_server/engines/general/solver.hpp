@@ -88,8 +88,9 @@ class Solver {
     double fastest = 0, work = 0;
     Damping::Loss loss;
   };
+  void take_laws(std::vector<PairLaw> laws);
   void move(const protocol::Step& step);
-  void pull(double dt);
+  void pull(const protocol::Step& step);
   double work_of_pairs(double dt, std::uint32_t begin, std::uint32_t end);
   void support_edges(bool relax, double dt);
   void support_held();
@@ -100,7 +101,7 @@ class Solver {
   Strongest find_strongest() const;
 
   Particles particles_;
-  std::vector<PairLaw> laws_;
+  std::vector<PairLaw> laws_, static_laws_;  // of pairs; in statics, where no dashpots act
   Pairs bonds_;
   std::vector<std::uint32_t> bond_of_pair_;
   Neighbours neighbours_;

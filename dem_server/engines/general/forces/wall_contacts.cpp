@@ -73,7 +73,8 @@ void WallContacts::list(const Particles& p) {
   touches_ = std::move(fresh);
 }
 
-void WallContacts::add_forces(double dt, Particles& p) {
+void WallContacts::add_forces(const protocol::Step& step, Particles& p) {
+  const double dt = step.from_rest() ? 0 : step.dt;
   for (State& s : states_) {
     work_ += dt / 2 * (s.fx * s.vx + s.fy * s.vy);
     s.fx = s.fy = 0;
@@ -81,8 +82,9 @@ void WallContacts::add_forces(double dt, Particles& p) {
   for (Touch& touch : touches_) {
     const std::uint32_t i = touch.disc;
     const PairKinematics pair = kinematics(touch.wall, i, p, dt);
-    const ContactForces f =
-        forces(walls_[touch.wall].contact, pair, dt, p.inverse_mass[i], p.inverse_inertia[i], touch);
+    const LinearContact& of_time = walls_[touch.wall].contact;
+    const ContactForces f = forces(step.relax ? without_dashpots(of_time) : of_time, pair, dt,
+                                   p.inverse_mass[i], p.inverse_inertia[i], touch);
     const PlaneVector force = vector_of(pair.nx, pair.ny, f.normal, f.shear);
     p.fx[i] += force.x;
     p.fy[i] += force.y;

@@ -25,9 +25,8 @@ class WallContacts {
   double move(const protocol::Step& step);
   // Lists anew which discs are near.
   void list(const Particles& particles);
-  // Adds the contacts' forces to the resultants, from velocities at n - 1/2, and accounts them. `dt` is 0
-  // where the step starts from rest.
-  void add_forces(double dt, Particles& particles);
+  // Adds the contacts' forces to the resultants, from velocities at n - 1/2, and accounts them.
+  void add_forces(const protocol::Step& step, Particles& particles);
   // After the forces: their velocities of n + 1/2.
   void drive(const protocol::Step& step);
   void stop();

@@ -63,6 +63,21 @@ void expect_rows(const std::string& scene, double interval, double dt) {
   EXPECT_NEAR(schedule.interval(), interval, 1e-12) << scene;
 }
 
+// Statics take the steps of statics, where a participant tells one; what it tells not is as in time.
+TEST(StaticSteps, AreThoseThatParticipantsTell) {
+  Model model;
+  for (const auto& [of_time, of_statics] : {std::pair{1e-3, 4e-3}, {2e-3, 0.0}}) {
+    model.participants.emplace_back();
+    model.participants.back().model.set_critical_dt(of_time);
+    model.participants.back().model.set_critical_static_dt(of_statics);
+  }
+  EXPECT_DOUBLE_EQ(choose_static_steps(model, 0.5, false), 1e-3);
+  EXPECT_DOUBLE_EQ(model.participants[0].step_ratio, 1);
+  EXPECT_DOUBLE_EQ(choose_static_steps(model, 0.5, true), 1e-3);
+  EXPECT_DOUBLE_EQ(model.participants[0].step_ratio, 2);
+  EXPECT_DOUBLE_EQ(model.participants[1].step_ratio, 1);
+}
+
 TEST(TimeStep, MakesRowsAtTheInterval) {
   expect_rows("time { duration: 1 dt_factor: 0.9 } output { history_interval: 0.05 }", 0.05, 0.05 / 56);
   expect_rows("time { duration: 1 dt_factor: 0.9 } output { history_interval: 0.0013 }", 0.0013, 0.00065);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/unit/dem_server/discs_models.hpp"
 #include "tests/unit/dem_server/in_process_run.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
@@ -84,6 +85,40 @@ TEST(CriticalStepOfLooseDiscs, IsBelowTheExactStepOfAnyPile) {
       EXPECT_LE(bound, exact) << discs.size() << " discs, shear stiffness " << shear;
       EXPECT_GT(bound, 0.5 * exact) << discs.size() << " discs, shear stiffness " << shear;
     }
+}
+
+// Dashpots shorten the step of time alone; in statics they neither act nor count.
+TEST(CriticalStepOfLooseDiscs, OfStaticsIsThatOfTheSprings) {
+  const auto model_of = [](double damping) {
+    auto scene = loose(hexagon(3), 0.5 * kNormal);
+    scene.mutable_particles()->mutable_contacts()->set_normal_damping(damping);
+    scene.mutable_particles()->mutable_contacts()->set_shear_damping(damping);
+    return test::InProcessRun(scene).model;
+  };
+  const wire::Model undamped = model_of(0), damped = model_of(0.5);
+  EXPECT_EQ(undamped.critical_static_dt(), undamped.critical_dt());
+  EXPECT_EQ(damped.critical_static_dt(), undamped.critical_dt());
+  EXPECT_LT(damped.critical_dt(), 0.5 * undamped.critical_dt());
+}
+
+// Two discs pressed on each other and on a wall: their dashpots change the motion in time, and not in
+// statics.
+TEST(CriticalStepOfLooseDiscs, DashpotsRestInStatics) {
+  const auto pressed = [](double damping, bool relax) {
+    const LinearContact contact{kNormal, 0.4 * kNormal, 0.5, damping, damping};
+    Model model = test::loose_discs({{0.0, 0.45, 0.5}, {0.3, 1.35, 0.5}}, contact);
+    model.walls.push_back(test::wall(-3, 0, 3, 0, contact));
+    model.overlaps_free = false;
+    Solver solver(model, 1);
+    PrescribedMotions motions;
+    Loads loads;
+    for (std::uint64_t n = 1; n <= 100; ++n) solver.step({n, 2e-4, relax}, loads, motions);
+    std::vector<double> places = solver.particles().ux;
+    places.insert(places.end(), solver.particles().uy.begin(), solver.particles().uy.end());
+    return places;
+  };
+  EXPECT_EQ(pressed(0.5, true), pressed(0, true));
+  EXPECT_NE(pressed(0.5, false), pressed(0, false));
 }
 
 }  // namespace
