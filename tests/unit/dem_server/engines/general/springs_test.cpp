@@ -38,6 +38,14 @@ TEST(ForceCurve, IsPiecewiseLinearAndConserves) {
   EXPECT_NEAR(curve.energy(-3e-3), 4 + (2e3 + 14e3) / 2 * 3e-3, 1e-12);
 }
 
+// A force that stays the same around opening 0 is no place without force: energy counts from where it
+// vanishes.
+TEST(ForceCurve, HoldsTheEnergyOfASteadyForce) {
+  const ForceCurve yielding({-4e-3, -2e-3, 2e-3}, {0, 5e3, 5e3});
+  EXPECT_DOUBLE_EQ(yielding.energy(-4e-3), 0);
+  EXPECT_NEAR(yielding.energy(0), 5e3 * (2e-3 / 2 + 2e-3), 1e-12);
+}
+
 Model two_discs(double distance) {
   return test::loose_discs({{0, 0, 0.1}, {distance, 0, 0.1}}, {0, 0, 0});
 }

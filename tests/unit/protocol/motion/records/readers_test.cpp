@@ -121,6 +121,7 @@ TEST(Csv, NamesFileAndLineOfEveryError) {
   EXPECT_THAT(refused("time_s,a_g\n0,0\n0.1,0\n0.3,0\n"),
               HasSubstr("x.csv:3: is 0.1 s after the row before"));
   EXPECT_THAT(refused("time_s,a_g\n1,0\n0,0\n"), HasSubstr("x.csv:3: the last time, 0 s, is not after"));
+  EXPECT_THAT(refused("time_s,a_g\n1,0\n1,0\n"), HasSubstr("x.csv:3: the last time, 1 s, is not after"));
   EXPECT_THAT(refused("time_s,a_g\n0,0\n"), HasSubstr("x.csv:2: has 1 rows"));
   EXPECT_THAT(refused("# nothing\n"), HasSubstr("x.csv:1: holds no motion"));
 }
