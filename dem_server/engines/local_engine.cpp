@@ -22,11 +22,7 @@ void settle(Particles& p) {
 }  // namespace
 
 LocalEngine::LocalEngine(const Model& model)
-    : density_(model.density),
-      edges_(model.edges),
-      damps_locally_(model.local_damping > 0),
-      held_x_(!model.walls.empty()),
-      held_y_(held_x_) {
+    : density_(model.density), edges_(model.edges), held_x_(!model.walls.empty()), held_y_(held_x_) {
   take_stage(model);
   for (const PrescribedMotion& motion : model.motions) {
     held_x_ = held_x_ || motion.component == Component::kX;
@@ -36,7 +32,7 @@ LocalEngine::LocalEngine(const Model& model)
 
 void LocalEngine::begin(const protocol::Step& step) {
   kick_ = step.kick();
-  if (step.local_damping == 0 && !damps_locally_) return;
+  if (step.local_damping == 0) return;
   Particles& p = particles();
   for (auto* tie : {&p.tie_x, &p.tie_y}) tie->resize(p.size(), 0.0);
 }

@@ -23,7 +23,7 @@ struct Particles {
   std::vector<double> mass, inertia;                  // weighted [kg], [kg m^2]
   std::vector<double> inverse_mass, inverse_inertia;  // [1/kg], [1/(kg m^2)]
   std::vector<double> tie_x,
-      tie_y;  // forces of the multipliers at the last step [N], for local damping; else empty
+      tie_y;  // forces of the multipliers at the last step where statics damp [N]; else empty
   std::size_t size() const { return id.size(); }
   // What was taken away has no mass: nothing moves it, and nobody sees it.
   bool is_there(std::size_t i) const { return mass[i] > 0; }

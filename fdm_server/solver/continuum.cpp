@@ -100,6 +100,7 @@ void Continuum::set_interface(std::span<const std::uint32_t> points) {
   for (const auto& dashpot : interior_.dashpots)  // which need the column's velocity
     if (dashpot.field && chosen[dashpot.point]) chosen[dashpot.field->column_point] = true;
   plan(chosen);
+  damping_.tie(points);
   const auto inside = std::ranges::stable_partition(
       interior_.dashpots, [&](const Dashpot& dashpot) { return !chosen[dashpot.point]; });
   interface_.dashpots.assign(inside.begin(), inside.end());
@@ -217,7 +218,7 @@ void Continuum::step_interior(const protocol::Step& step) {
 }
 
 void Continuum::pull(Part& part, const protocol::Step& step) {
-  if ((step.local_damping > 0 || damping_.law().local > 0) && tie_x_.empty()) {
+  if (step.local_damping > 0 && tie_x_.empty()) {
     tie_x_.assign(points_.size(), 0.0);
     tie_y_.assign(points_.size(), 0.0);
   }

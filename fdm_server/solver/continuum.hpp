@@ -180,7 +180,7 @@ class Continuum {
   bool steady_ = false;                    // are there steady loads
   double external_work_ = 0, damped_ = 0;  // of all other loads, and of motions
   double last_dt_ = 0, last_kick_ = 0;
-  std::vector<double> tie_x_, tie_y_;  // of the multipliers at the last step, for local damping [N]
+  std::vector<double> tie_x_, tie_y_;  // of the multipliers at the last step, where statics damp [N]
 };
 
 }  // namespace adit::fdm

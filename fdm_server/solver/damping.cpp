@@ -3,8 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "protocol/participant/local_damping.hpp"
-
 namespace adit::fdm {
 
 DampingLaw rayleigh(double ratio, double low_frequency, double high_frequency) {
@@ -33,12 +31,17 @@ void Damping::add_viscous(std::span<const protocol::IndexRange> ranges, const pr
   axis(points.fy, state_[kZonesY].data(), state_[kViscousY].data());
 }
 
+void Damping::tie(std::span<const std::uint32_t> points) {
+  if (!acts()) return;
+  for (const std::uint32_t i : points) local_[i] = 0;
+}
+
 double Damping::add_others(std::span<const protocol::IndexRange> ranges, const protocol::Step& step,
                            const PointArrays& points, std::span<const double> masses) {
   if (!law_.any() || step.relax) return 0;
   const double half = step.kick() / 2, implicit = 1 + law_.alpha * half;
   double power = 0;
-  const auto axis = [&](const double* velocity, double* force, const double* inverse_mass, const double* tie,
+  const auto axis = [&](const double* velocity, double* force, const double* inverse_mass,
                         const double* viscous, double* damping) {
     for (const auto [begin, end] : ranges)
       for (std::size_t i = begin; i < end; ++i) {
@@ -46,8 +49,7 @@ double Damping::add_others(std::span<const protocol::IndexRange> ranges, const p
         if (!step.from_rest()) {
           const double v = velocity[i];
           added = -law_.alpha * masses[i] * (v + half * inverse_mass[i] * force[i]) / implicit;
-          if (law_.local > 0 && inverse_mass[i] > 0)
-            added += protocol::damped(force[i], tie[i], v, law_.local) - force[i];
+          if (v != 0 && inverse_mass[i] > 0) added -= local_[i] * std::copysign(force[i], v);
         }
         force[i] += added;
         added += viscous[i];
@@ -55,10 +57,8 @@ double Damping::add_others(std::span<const protocol::IndexRange> ranges, const p
         damping[i] = added;
       }
   };
-  axis(points.vx, points.fx, points.inverse_mass_x, points.tie_x, state_[kViscousX].data(),
-       state_[kDampingX].data());
-  axis(points.vy, points.fy, points.inverse_mass_y, points.tie_y, state_[kViscousY].data(),
-       state_[kDampingY].data());
+  axis(points.vx, points.fx, points.inverse_mass_x, state_[kViscousX].data(), state_[kDampingX].data());
+  axis(points.vy, points.fy, points.inverse_mass_y, state_[kViscousY].data(), state_[kDampingY].data());
   return step.from_rest() ? 0 : -step.dt / 2 * power;
 }
 

@@ -9,13 +9,15 @@
 //          back, hence the shorter critical step 2/w (sqrt(1 + x^2) - x), x = beta w/2 (Belytschko 1983).
 //
 // Local (Cundall 1987): -a |f| sign(v(n-1/2)), f the unbalanced force of each component: what oscillates has
-// the damping ratio a/pi, whatever its frequency, and what moves steadily none. The forces of ties are part
-// of f (protocol/participant/local_damping.hpp).
+// the damping ratio a/pi, whatever its frequency, and what moves steadily none. Tied points are left out:
+// what moves them are the ties, and their own forces are not what they lack of balance.
 //
 // Nothing is damped in statics, which have their own relaxation.
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "fdm_server/grid/field_arrays.hpp"
 #include "fdm_server/solver/dashpots.hpp"
@@ -40,9 +42,12 @@ double critical_step(const DampingLaw& law, double undamped);
 
 class Damping {
  public:
-  Damping(const DampingLaw& law, std::size_t points) : law_(law), state_(law.any() ? points : 0) {}
+  Damping(const DampingLaw& law, std::size_t points)
+      : law_(law), local_(law.any() ? points : 0, law.local), state_(law.any() ? points : 0) {}
   const DampingLaw& law() const { return law_; }
   bool acts() const { return law_.any(); }
+  // The motion of these points is that of another model.
+  void tie(std::span<const std::uint32_t> points);
 
   // Adds beta's force where the points' forces are those of the zones alone.
   void add_viscous(std::span<const protocol::IndexRange> ranges, const protocol::Step& step,
@@ -57,6 +62,7 @@ class Damping {
   enum Field { kZonesX, kZonesY, kViscousX, kViscousY, kDampingX, kDampingY, kFields };
 
   DampingLaw law_;
+  std::vector<double> local_;  // of each point
   FieldArrays<kFields> state_;
 };
 

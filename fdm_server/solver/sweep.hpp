@@ -26,7 +26,7 @@ struct PointArrays {
   double *ux, *uy, *vx, *vy, *fx, *fy;
   const double *inverse_mass_x, *inverse_mass_y;
   const double *steady_x, *steady_y;
-  // Local damping (protocol/participant/local_damping.hpp): its share in statics, and the forces of the ties.
+  // Local damping of statics (protocol/participant/local_damping.hpp): its share, and the forces of the ties.
   double damping = 0;
   const double *tie_x = nullptr, *tie_y = nullptr;
 };

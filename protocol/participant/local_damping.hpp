@@ -1,6 +1,5 @@
-// Local damping of statics, and of scenes that ask for it in time (Cundall 1987, in Brown: Analytical and
-// computational methods in engineering rock mechanics), the same for grid points, particles, their spins and
-// the rotations of beams.
+// Local damping of statics (Cundall 1987, in Brown: Analytical and computational methods in engineering rock
+// mechanics), the same for grid points, particles, their spins and the rotations of beams.
 //
 // Each component of the motion gets the force D = −a |F| sign(v), F being its unbalanced force and v =
 // v(n−½): what oscillates loses a fixed share of its energy in each cycle, whatever its frequency and its

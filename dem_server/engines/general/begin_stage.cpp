@@ -55,7 +55,7 @@ void Solver::begin_stage(std::uint32_t before, const ParticleStage& stage, const
                           stage.fresh);
   walls_.list(particles_);
   springs_.begin_stage(before, stage.number, particles_);
-  damping_ = Damping(model.local_damping, model.viscous_damping, edges_, particles_);
+  renew_damping();
 }
 
 }  // namespace adit::dem

@@ -56,6 +56,7 @@ void GeneralEngine::tie(std::span<const double> places, wire::Operator& op) {
   const Pairs& bonds = solver_.bonds();
   const double longest = bonds.size() > 0 ? std::ranges::max(bonds.rest_length) : 0;
   tie_particles(places, {bonds.first, bonds.second, longest}, motions_, op);
+  solver_.tie(tied());
 }
 
 void GeneralEngine::step_interface(const protocol::Step& step) {

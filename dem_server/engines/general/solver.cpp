@@ -24,7 +24,8 @@ protocol::IndexRange range_of(std::uint32_t block, std::size_t discs) {
 Solver::Solver(const Model& model, std::size_t threads)
     : particles_(at_rest(model)),
       springs_(model.springs),
-      damping_(model.local_damping, model.viscous_damping, model.edges, particles_),
+      local_damping_(model.local_damping),
+      viscous_damping_(model.viscous_damping),
       edges_(model.edges),
       support_x_(edges_.size()),
       support_y_(edges_.size()),
@@ -41,6 +42,17 @@ Solver::Solver(const Model& model, std::size_t threads)
   walls_ = WallContacts(model.walls, model.discs.radius, particles_, neighbours_.skin(), model.overlaps_free);
   for (auto* pulled : {&pulled_x_, &pulled_y_, &pulled_moment_}) pulled->assign(particles_.size(), 0.0);
   strain_at_start_ = strain_energy();
+  renew_damping();
+}
+
+void Solver::tie(std::span<const std::uint32_t> discs) {
+  tied_.assign(discs.begin(), discs.end());
+  renew_damping();
+}
+
+// Masses and ties are others.
+void Solver::renew_damping() {
+  damping_ = Damping(local_damping_, viscous_damping_, edges_, particles_, tied_);
 }
 
 void Solver::take_laws(std::vector<PairLaw> laws) {

@@ -44,6 +44,8 @@ class Solver {
  public:
   Solver(const Model& model, std::size_t threads);
 
+  // The motion of these discs is that of another model; local damping leaves them out.
+  void tie(std::span<const std::uint32_t> discs);
   // One whole step.
   void step(const protocol::Step& step, Loads& loads, PrescribedMotions& motions);
   // The particles were stopped: so are the walls.
@@ -89,6 +91,7 @@ class Solver {
     Damping::Loss loss;
   };
   void take_laws(std::vector<PairLaw> laws);
+  void renew_damping();
   void move(const protocol::Step& step);
   void pull(const protocol::Step& step);
   double work_of_pairs(double dt, std::uint32_t begin, std::uint32_t end);
@@ -109,6 +112,8 @@ class Solver {
   SpringForces springs_;
   WallContacts walls_;
   Damping damping_;
+  double local_damping_, viscous_damping_;
+  std::vector<std::uint32_t> tied_;
   std::vector<EdgeDashpot> edges_;
   std::vector<double> support_x_, support_y_;  // of the edges [N]
   struct Held {

@@ -23,14 +23,18 @@ ADIT_VECTOR_CLONES void kick_freely(double dt, std::uint32_t begin, std::uint32_
 }  // namespace
 
 Damping::Damping(double local_share, double viscous_rate, std::span<const EdgeDashpot> edges,
-                 const Particles& p)
+                 const Particles& p, std::span<const std::uint32_t> tied)
     : local_share_(local_share), drags_(viscous_rate > 0 || !edges.empty()) {
   for (Component* c : {&x_, &y_, &spin_}) {
     c->edge.assign(drags_ ? p.size() : 0, 0.0);
     c->viscous = c->edge;
     c->drag_force = c->edge;
-    c->local_force.assign(local_share_ > 0 ? p.size() : 0, 0.0);
+    c->local.assign(local_share_ > 0 ? p.size() : 0, local_share_);
+    c->local_force.assign(c->local.size(), 0.0);
   }
+  for (Component* c : {&x_, &y_})
+    for (const std::uint32_t i : tied)
+      if (!c->local.empty()) c->local[i] = 0;
   if (!drags_) return;
   for (std::size_t i = 0; i < p.size(); ++i) {
     x_.viscous[i] = y_.viscous[i] = viscous_rate * p.mass[i];
@@ -48,11 +52,11 @@ Damping::Loss Damping::kick(const protocol::Step& step, std::uint32_t begin, std
   Loss loss;
   const double h = step.kick(), half = step.from_rest() ? 0 : step.dt / 2;
   for (std::uint32_t i = begin; i < end; ++i) {
-    const double before = velocity[i], tied = tie ? tie[i] : 0;
+    const double before = velocity[i];
     if (step.local_damping > 0) {
-      force[i] = protocol::damped(force[i], tied, before, step.local_damping);
+      force[i] = protocol::damped(force[i], tie ? tie[i] : 0, before, step.local_damping);
     } else if (local_share_ > 0) {
-      const double damping = protocol::damped(0, force[i] + tied, before, local_share_);
+      const double damping = -c.local[i] * std::abs(force[i]) * protocol::sign(before);
       loss.local -= half * before * (c.local_force[i] + damping);
       c.local_force[i] = damping;
       force[i] += damping;
@@ -80,11 +84,10 @@ Damping::Loss Damping::kick(const protocol::Step& step, std::uint32_t begin, std
     kick_freely(step.kick(), begin, end, p);
     return {};
   }
-  const auto tie = [](const std::vector<double>& forces) { return forces.empty() ? nullptr : forces.data(); };
   Loss sum;
   for (const Loss& loss :
-       {kick(step, begin, end, p.inverse_mass.data(), tie(p.tie_x), p.fx.data(), p.vx.data(), x_),
-        kick(step, begin, end, p.inverse_mass.data(), tie(p.tie_y), p.fy.data(), p.vy.data(), y_),
+       {kick(step, begin, end, p.inverse_mass.data(), p.tie_x.data(), p.fx.data(), p.vx.data(), x_),
+        kick(step, begin, end, p.inverse_mass.data(), p.tie_y.data(), p.fy.data(), p.vy.data(), y_),
         kick(step, begin, end, p.inverse_inertia.data(), nullptr, p.moment.data(), p.spin.data(), spin_)}) {
     sum.local += loss.local;
     sum.viscous += loss.viscous;

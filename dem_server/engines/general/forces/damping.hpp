@@ -1,9 +1,10 @@
 // What takes energy out of the discs' motion, and the kick that it enters.
 //
-// Local damping (protocol/participant/local_damping.hpp): a force -share |f| sign(v-) on every component, f
-// its resultant with the forces of ties, spin included; in statics, their own share takes its place. Drag, of
-// viscous damping c = rate m and of quiet edges: -c v at n, where v is the mean of the velocities half a step
-// before and after; that is stable for any c: v+ = [(m/dt - c/2) v- + f] / (m/dt + c/2).
+// Local damping (Cundall 1987): a force -share |f| sign(v-) on every component, f its resultant, spin
+// included; in statics, their own share takes its place. Tied discs are left out: what moves them are the
+// ties, and their own forces are not what they lack of balance. Drag, of viscous damping c = rate m and of
+// quiet edges: -c v at n, where v is the mean of the velocities half a step before and after; that is stable
+// for any c: v+ = [(m/dt - c/2) v- + f] / (m/dt + c/2).
 #pragma once
 
 #include <cstdint>
@@ -23,8 +24,9 @@ class Damping {
   };
 
   Damping() = default;
+  // `tied`: discs whose motion is that of another model.
   Damping(double local_share, double viscous_rate, std::span<const EdgeDashpot> edges,
-          const Particles& particles);
+          const Particles& particles, std::span<const std::uint32_t> tied = {});
 
   // Velocities of n + 1/2 of the discs begin … end - 1 from resultants and velocities of n - 1/2; the
   // resultants then hold the damping forces too. Returns what these took since n - 1, by the trapezoid of
@@ -34,6 +36,7 @@ class Damping {
  private:
   // A component of the motion: its drag coefficients, and the damping forces of the last step.
   struct Component {
+    std::vector<double> local;          // share of each disc; empty: none
     std::vector<double> edge, viscous;  // [N s/m], [N m s]
     std::vector<double> local_force, drag_force;
   };

@@ -66,8 +66,8 @@ TEST(Coupling, AccelerationHoldsTheCorrection) {
   }
 }
 
-// Ties that bear the weight of discs let them move steadily, and local damping takes nothing. It would brake
-// by the weight if ties were no forces.
+// Ties that bear the weight of discs let them move steadily, and local damping takes nothing. Their
+// weight is not what they lack of balance.
 TEST(Coupling, LocalDampingTakesNothingFromSteadyMotion) {
   auto scene = test::placed_scene("x_m,y_m,radius_m\n0,0,0.5\n2,0,0.7\n");
   scene.mutable_particles()->mutable_damping()->set_local(0.2);

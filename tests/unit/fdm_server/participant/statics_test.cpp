@@ -73,7 +73,7 @@ TEST(Statics, TakeTheStepWithoutRayleighDamping) {
 }
 
 // Ties that bear the weight of all points let them fall freely no more: they move steadily, and local damping
-// takes nothing. It would brake by the weight if ties were no forces.
+// takes nothing. Their weight is not what they lack of balance.
 TEST(LocalDamping, TakesNothingFromTiedPointsThatMoveSteadily) {
   wire::Weights weights;
   const Conversation alone("");
