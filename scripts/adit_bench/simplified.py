@@ -4,6 +4,8 @@ import json
 import subprocess
 import tempfile
 
+from adit import Run
+
 # Cases with what they must reach: (scene, seconds of wall time for its 40 s of motion).
 CASES = (
     ("cases/hzm/uniform_0.2g.yaml", 5),
@@ -33,8 +35,7 @@ def chain_steps(root):
 def case(program, root, scene, limit):
     with tempfile.TemporaryDirectory() as out:
         subprocess.run([program, "run", root / scene, "--out", out], check=True, capture_output=True)
-        with open(f"{out}/summary.json", encoding="utf-8") as file:
-            summary = json.load(file)
+        summary = Run(out).summary
     size = summary.get("bodies", summary.get("elements"))
     name = f"{summary['case']} {summary['scene']}"
     return [{"name": f"{name}, wall time", "size": size, "threads": 1, "value": summary["wall_s"],

@@ -1,9 +1,10 @@
 """One coupled step: its time, the parts of it, and the time of a bare round trip on the same machine."""
 
-import json
 import statistics
 import subprocess
 import tempfile
+
+from adit import Run
 
 ROUNDS = 7
 SHORT = "cases/cantilever/variants/coupled_52x6.yaml"
@@ -24,8 +25,7 @@ def coupled(root, scene):
     with tempfile.TemporaryDirectory() as out:
         subprocess.run([root / "build/release/coupler/coupler", "run", root / scene, "--out", out],
                        check=True, capture_output=True)
-        with open(f"{out}/summary.json", encoding="utf-8") as file:
-            s = json.load(file)
+        s = Run(out).summary
     us = 1e6 / s["steps"]
     return {"step": us * (s["coupler_wait_s"] + s["coupler_solve_s"]), "waiting": us * s["coupler_wait_s"], "coupler": us * s["coupler_solve_s"],
             "continuum": us * (s["continuum_compute_s"] + s["continuum_hidden_s"]),

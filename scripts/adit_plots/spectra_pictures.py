@@ -4,22 +4,18 @@ import numpy as np
 from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 
 from adit_plots import style
-from adit_plots.run_folder import read_columns
 
 COLORS = (style.BLACK, style.RED, style.BLUE, style.GREEN, style.ORANGE, style.PINK, style.SKY)
 
 
 def motions(run):
     """Yields (name, figure) for every motion of the run."""
-    for path in sorted((run.folder / "spectra").glob("*_motion.csv")):
-        name = path.name.removesuffix("_motion.csv")
-        tables = {kind: path.with_name(f"{name}_{kind}.csv") for kind in ("response", "reference", "fourier", "transfer")}
-        yield f"{name}_motion", _over_time(run, name, read_columns(path))
-        transfer = read_columns(tables["transfer"]) if tables["transfer"].exists() else None
-        reference = read_columns(tables["reference"]) if tables["reference"].exists() else None
-        yield f"{name}_response", _response(run, name, read_columns(tables["response"]), reference,
+    for name, tables in run.spectra.items():
+        transfer = tables.get("transfer")
+        yield f"{name}_motion", _over_time(run, name, tables["motion"])
+        yield f"{name}_response", _response(run, name, tables["response"], tables.get("reference"),
                                             _base(transfer) if transfer else "input")
-        yield f"{name}_fourier", _fourier(run, name, read_columns(tables["fourier"]))
+        yield f"{name}_fourier", _fourier(run, name, tables["fourier"])
         if transfer:
             yield f"{name}_transfer", _transfer(run, name, transfer)
 

@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 """Prints the main figures of runs side by side: table.py RUN_DIR..."""
-import json
 import sys
 from pathlib import Path
+
+from adit import Run
 
 ROWS = (  # what, key of summary.json, divisor, format
     ("peak bond force [kN]", "peak_bond_force_N", 1e3, "{:,.0f}"),
@@ -27,10 +28,7 @@ ROWS = (  # what, key of summary.json, divisor, format
 
 
 def column(folder):
-    try:
-        summary = json.loads((folder / "summary.json").read_text())
-    except (OSError, ValueError) as error:
-        sys.exit(f"{folder / 'summary.json'} cannot be read: {error}")
+    summary = Run(folder).summary
     values = ((summary.get(key), divisor, text) for _, key, divisor, text in ROWS)
     return [folder.resolve().name] + ["-" if v is None else text.format(v / divisor) for v, divisor, text in values]
 

@@ -2,8 +2,8 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
+from adit import Unusable
 from adit_plots import style
-from adit_plots.run_folder import Unusable, read_columns
 
 # The quantities drawn along the axis: name and unit in the table's columns, label and unit in the picture.
 QUANTITIES = (
@@ -16,14 +16,9 @@ QUANTITIES = (
 SHOWN = 4  # panels below the soil at most
 
 
-def is_tunnel(run):
-    return run.summary.get("model") in ("beam", "chain", "column")
-
-
 def table(run, name):
     """A table of the run; None if it does not have this table."""
-    path = run.folder / name
-    return read_columns(path) if path.exists() else None
+    return run.table(name) if run.has(name) else None
 
 
 def envelopes(run):

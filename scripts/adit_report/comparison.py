@@ -32,7 +32,7 @@ def _run(run, place):
     own = run.folder.resolve() / "report.html"
     linked = own.exists() and own.is_relative_to(place)
     name = tag("a", run.name, href=own.relative_to(place).as_posix()) if linked else run.name
-    description = run.given.get("description")
+    description = run.scene.get("description")
     return [name, f": {description}" if description else None, "" if run.summary.get("completed") else " (not complete)"]
 
 
@@ -53,7 +53,7 @@ def _side_by_side(caption, known, runs):
 
 
 def _pictures(case, runs):
-    tunnels = [run for run in runs if tunnel_pictures.is_tunnel(run) and run.table("envelopes.csv")]
+    tunnels = [run for run in runs if run.is_simplified and run.table("envelopes.csv")]
     first = tunnel_pictures.comparison(case, tunnels) if tunnels else None
     if not tunnels and any("max_bond_force_N" in run.histories for run in runs):
         first = time_pictures.comparison(case, runs)

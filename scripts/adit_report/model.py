@@ -1,8 +1,9 @@
 """The model: its picture, its materials, joints, supports and overlap weights."""
 import numpy as np
 
+from adit import Unusable
 from adit_plots import setup_pictures
-from adit_plots.run_folder import LAWS, Checked, Unusable
+from adit_plots.checked import LAWS, Checked
 from adit_report import pictures
 from adit_report.markup import details, section, table, tag
 from adit_report.quantities import figure, quantity
@@ -34,7 +35,7 @@ def chapter(results):
 
 
 def _pictures(results):
-    if results.is_tunnel:
+    if results.is_simplified:
         return None  # the ground stands above the envelopes
     try:
         drawn = list(setup_pictures.model(Checked(results.folder)))
@@ -62,7 +63,7 @@ def _overlap_weights(results):
 def _materials(results):
     rows = []
     for name, model in results.models:
-        own = model.get("material") or results.given.get("material")
+        own = model.get("material") or results.scene.get("material")
         rows += [_material(name, own, model.get("bonds"))] if own else []
         rows += [_material(f"{name}, {_where(area.get('where'))}", area["material"]) for area in model.get("materials", [])]
         rows += [_material(f"{name}, group {group['name']}", group.get("material") or own, group.get("bonds"))
@@ -100,7 +101,7 @@ def _parts(results):
         for kind, one in (("joints", "joint"), ("springs", "spring"), ("linings", "lining"), ("bolts", "bolts")):
             rows += [(part.get("name") or f"{one} {i + 1}", f"{one} of the {name}", _properties(part))
                      for i, part in enumerate(model.get(kind, []))]
-    tunnel = results.given.get("simplified", {}).get("tunnel", {})
+    tunnel = results.scene.get("simplified", {}).get("tunnel", {})
     rows += [(group.get("name", "joints"), "joints of the tunnel", _properties(group)) for group in tunnel.get("joints", [])]
     listed = table("Joints, springs, linings and bolts, from scene.yaml", ("name", "kind", "properties"), rows)
     return details(f"{len(rows)} joints, springs, linings and bolts", listed) if len(rows) > MANY else listed

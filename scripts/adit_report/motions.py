@@ -13,9 +13,9 @@ MOST = 6  # amplifications; pictures/ holds all
 
 
 def chapter(results):
-    if results.is_tunnel:
+    if results.is_simplified:
         return section("motions", "Motions in and out", pictures.figure(_of_tunnel(results)))
-    names = _names(results)
+    names = list(results.spectra)
     if not names:
         told = "The scene asks for no spectra (output.spectra), so that motions stand among the histories only."
         return section("motions", "Motions in and out", tag("p", told))
@@ -35,14 +35,10 @@ def _amplifications(results):
 
 def compared(runs):
     """The motions of several runs in one picture; nothing if fewer than two runs have any."""
-    found = [(run, name, f"{run.name}, {name}") for run in runs for name in _names(run)]
+    found = [(run, name, f"{run.name}, {name}") for run in runs for name in run.spectra]
     if len({run.name for run, *_ in found}) < 2:
         return None
     return section("motions", "Motions in and out", pictures.figure(_picture(found)), _measures(found))
-
-
-def _names(results):
-    return [path.name.removesuffix("_motion.csv") for path in sorted((results.folder / "spectra").glob("*_motion.csv"))]
 
 
 def _of_tunnel(results):
@@ -91,12 +87,12 @@ def _picture(found):
 def _draw(results, name, said, colour, over_time, spectra):
     """The motion in solid lines; dashed, the one from which it came."""
     for kind, label, look in (("input", "in, before ", {"ls": "--", "lw": 0.9, "alpha": 0.8}), ("motion", "", {"lw": 1})):
-        motion = results.table(f"spectra/{name}_{kind}.csv")
+        motion = results.spectra[name].get(kind)
         if motion:
             over_time.plot(motion["time_s"], motion["acceleration_m_per_s2"], color=colour,
                            label=style.literal(label + said), **look)
     for kind, label, look in (("reference", "in, before ", {"ls": "--", "lw": 0.9}), ("response", "", {"lw": 1.2})):
-        response = results.table(f"spectra/{name}_{kind}.csv")
+        response = results.spectra[name].get(kind)
         if response:
             column = _column(response)
             share = column.removeprefix("psa_").partition("pct")[0]

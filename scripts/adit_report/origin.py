@@ -34,7 +34,7 @@ def chapter(results):
 
 
 def _again(results):
-    program = "simplified" if results.is_tunnel else "coupler"
+    program = "simplified" if results.is_simplified else "coupler"
     return [tag("p", "The scene of this folder holds all that was extended and set. It computes the same results again, to the "
                      "last bit:"),
             tag("pre", tag("code", f"{program} run {results.folder.resolve().name}/scene.yaml --out again"), tabindex=0)]

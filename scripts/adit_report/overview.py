@@ -10,7 +10,7 @@ GAP = 0.01  # of the energy, above which the user guide calls for smaller steps
 def state(results):
     """One sentence: complete, failed or not finished."""
     s = results.summary
-    duration = quantity(s.get("duration_s") or results.given.get("time", {}).get("duration"), "s")
+    duration = quantity(s.get("duration_s") or results.scene.get("time", {}).get("duration"), "s")
     if s.get("completed"):
         return tag("p", f"The run is complete: {duration} were computed.", class_="state")
     until = "" if results.reached is None else f" at {quantity(results.reached, 's')} of {duration}"
@@ -57,13 +57,13 @@ def main_figures():
 
 def computed(results):
     """What was computed and how, in sentences."""
-    description = results.given.get("description")
-    say = _tunnel if results.is_tunnel else _ground
+    description = results.scene.get("description")
+    say = _tunnel if results.is_simplified else _ground
     return section("computed", "What was computed and how", paragraphs([description and _sentence(description), *say(results)]))
 
 
 def _tunnel(results):
-    s, scene = results.summary, results.given.get("simplified", {})
+    s, scene = results.summary, results.scene.get("simplified", {})
     what = {"beam": "a beam with joints on soil springs", "chain": "a chain of rigid rings on soil springs",
             "column": "columns of ground"}.get(s.get("model"), s.get("model"))
     begin, end = (quantity(s.get(key), "m") for key in ("begin_m", "end_m"))

@@ -1,6 +1,6 @@
 """What the model did: histories, envelopes, cracks, energy."""
+from adit import Unusable
 from adit_plots import time_pictures, tunnel_pictures
-from adit_plots.run_folder import Unusable
 from adit_report import around, pictures
 from adit_report.markup import details, section, table, tag
 from adit_report.quantities import figure, place, quantity, unit_of
@@ -31,7 +31,7 @@ def _named(drawn, name, count):
 def envelopes(results):
     """Along the tunnel, and around rings and linings."""
     drawn = []
-    if tunnel_pictures.is_tunnel(results):
+    if results.is_simplified:
         try:
             drawn = [pictures.figure(tunnel_pictures.envelopes(results)),
                      pictures.figure(tunnel_pictures.time_distance(results), of_model=True)]
@@ -64,7 +64,7 @@ def _said(name, value):
 
 def energy(results):
     s = results.summary
-    drawn = None if results.is_tunnel else time_pictures.energy(results)
+    drawn = None if results.is_simplified else time_pictures.energy(results)
     rows = [(said, figure(s, key)) for said, key in BALANCE if s.get(key) is not None]
     by_cause = [(name.removesuffix("_J").replace("_", " "), quantity(float(values[-1]), "J"))
                 for name, values in (results.table("energies.csv") or {}).items()

@@ -1,64 +1,48 @@
 """The folder of a run for its report, also of a run that failed or was stopped."""
-import json
 from functools import cached_property
 
 import numpy as np
 
-from adit_plots import tunnel_pictures
-from adit_plots.run_folder import Folder, Run, Unusable, read_columns
+from adit import Run, Table, Unusable
 
-NO_TIME = {"time_s": np.array([])}
+OF_EVERY_MOTION = {"motion", "response", "fourier"}
 
 
 class Results(Run):
-    """A run some of whose files may be missing or damaged."""
+    """A run some of whose files may be missing or damaged: they are left out, and `faults` names them in sentences."""
 
     def __init__(self, folder):
-        Folder.__init__(self, folder)
-        if not (self.folder / "scene.yaml").exists() and not (self.folder / "summary.json").exists():
-            raise Unusable(f"{self.folder} is not the folder of a run: it holds neither scene.yaml nor summary.json.")
-        self.name = self.folder.resolve().name
-        self.faults = []  # what cannot be read, in sentences
-        self.summary = self._found("summary.json", lambda path: json.loads(path.read_text())) or {}
-        self.histories = self.table("histories.csv") or NO_TIME
+        self.faults = []
+        super().__init__(folder)
+
+    summary = cached_property(lambda self: self._unless_damaged("summary", {}))
+    scene = cached_property(lambda self: self._unless_damaged("scene", {}))
+    instants = cached_property(lambda self: self._unless_damaged("instants", []))
+
+    @cached_property
+    def histories(self):
+        return self.table("histories.csv") or Table({"time_s": np.array([])}, self.folder / "histories.csv")
 
     def table(self, name):
         """A table of the run; None if it is not there or damaged."""
-        return self._found(name, read_columns)
-
-    def _found(self, name, reader):
-        path = self.folder / name
         try:
-            return reader(path) if path.exists() else None
-        except Exception as error:  # a damaged file can cause any error; the report is about what can be read
-            self.faults.append(f"{name} is damaged and left out ({type(error).__name__}).")
-            return None
-
-    @cached_property
-    def given(self):
-        """The scene as mappings and lists; empty if it cannot be read."""
-        try:
-            return self.scene
+            return super().table(name) if self.has(name) else None
         except Unusable as reason:
-            self.faults.append(str(reason))
-            return {}
+            self._note(reason)
 
     @cached_property
-    def is_tunnel(self):
-        return tunnel_pictures.is_tunnel(self) or "simplified" in self.given
+    def spectra(self):
+        """Of the motions all of whose tables can be read."""
+        found = {name: {what: table for what, table in tables.items() if table} for name, tables in super().spectra.items()}
+        return {name: tables for name, tables in found.items() if OF_EVERY_MOTION <= tables.keys()}
 
     @cached_property
     def models(self):
         """[(name, part of the scene)] of the continuum, the particles and the regions."""
-        own = [(name, self.given[name]) for name in ("continuum", "particles") if name in self.given]
+        own = [(name, self.scene[name]) for name in ("continuum", "particles") if name in self.scene]
         regions = [(region["name"], region.get("continuum") or region.get("particles") or {})
-                   for region in self.given.get("regions", [])]
+                   for region in self.scene.get("regions", [])]
         return own + regions
-
-    @cached_property
-    def instants(self):
-        """[(time [s], files)] of the fields that were written; none if their list is damaged."""
-        return self._found("fields/fields.pvd", lambda path: self.files()) or []
 
     def pieces_at(self, number):
         """{kind: Piece} at the instant of this number; empty if a file of it is missing or damaged."""
@@ -66,7 +50,7 @@ class Results(Run):
         try:
             return self.pieces_of(files)
         except Unusable as reason:
-            self.faults.append(str(reason))
+            self._note(reason)
             return {}
 
     @cached_property
@@ -78,3 +62,14 @@ class Results(Run):
         """The last time [s] in histories.csv; None if there is none."""
         times = self.histories["time_s"]
         return float(times[-1]) if len(times) else None
+
+    def _unless_damaged(self, name, otherwise):
+        try:
+            return getattr(super(), name)
+        except Unusable as reason:
+            self._note(reason)
+            return otherwise
+
+    def _note(self, reason):
+        """The page tells the folder, and its sentences need not."""
+        self.faults.append(str(reason).replace(f"{self.folder}/", ""))

@@ -9,7 +9,7 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 import adit_programs
-from adit_plots.run_folder import Run
+from adit import Run
 
 PLOT, REPORT = (adit_programs.ROOT / "scripts" / name for name in ("plot", "report"))
 

@@ -79,8 +79,7 @@ def full_solution(t):
 
 def around(run):
     """(angle from x [deg], thrust, moment, shear force) at the lining's nodes, in the last snapshot."""
-    *_, (_, pieces) = run.snapshots()
-    lining = pieces["linings"]
+    lining = run.fields()["linings"]
     angle = np.degrees(np.arctan2(lining.points[:, 1], lining.points[:, 0])) % 360
     order = np.argsort(angle)
     return angle[order], *(lining.field(name)[order] for name in ("thrust_N", "moment_Nm", "shear_N"))

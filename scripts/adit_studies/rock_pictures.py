@@ -5,11 +5,6 @@ from matplotlib.lines import Line2D
 
 from adit_plots import style
 from adit_plots.model_pictures import DISC_EDGE, DISC_FACE
-from adit_plots.run_folder import read_columns
-
-
-def cracks_of(run):
-    return read_columns(run.folder / "cracks.csv")
 
 
 def curves(rock):
@@ -33,7 +28,7 @@ def _with_cracks(axes, test, label, title):
     axes.set(xlabel="approach of the platens [mm]", ylabel=label, title=title, ylim=(0, None),
              xlim=(0, min(2 * 1e3 * test.approach[test.peak], 1e3 * test.approach[-1])))
     count = axes.twinx()
-    times = np.sort(cracks_of(test.run)["time_s"])
+    times = np.sort(test.run.cracks["time_s"])
     count.plot(1e3 * test.approach, np.searchsorted(times, test.run.histories["time_s"]), color=style.RED, lw=0.9)
     count.set_ylabel("cracks", color=style.RED)
     count.set_ylim(0, None)
@@ -49,7 +44,7 @@ def cracked(test, title):
     figure, axes, add_legend = style.model_sheet(style.bounds_of(particles.points), title, width=5.0)
     axes.add_collection(EllipseCollection(size, size, np.zeros_like(size), units="xy", offsets=particles.points,
                                           offset_transform=axes.transData, fc=DISC_FACE, ec=DISC_EDGE, lw=0.2))
-    cracks = cracks_of(test.run)
+    cracks = test.run.cracks
     soon = cracks["time_s"] <= end
     handles = []
     for mode, color in (("tensile", style.RED), ("shear", style.BLUE)):

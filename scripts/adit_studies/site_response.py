@@ -3,8 +3,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from adit_plots.run_folder import read_columns
-
 LOOPS = ("clay", "sand")  # histories of stress and strain
 LOWEST = 0.5  # lowest frequency that is compared [Hz]
 WEAK = 0.02  # frequencies are compared up to the last with this share of the outcrop's largest Fourier amplitude
@@ -15,12 +13,11 @@ class Site:
 
     def __init__(self, run):
         self.name, self.scene, self.histories = run.name, run.scene, run.histories
-        motion = read_columns(run.folder / "spectra" / "surface_ax_motion.csv")
+        surface = run.spectra["surface_ax"]
+        motion, response = surface["motion"], surface["response"]
         self.time, self.acceleration = motion["time_s"], motion["acceleration_m_per_s2"]
-        response = read_columns(run.folder / "spectra" / "surface_ax_response.csv")
         self.period, self.spectrum = response["period_s"], response["psa_5pct_m_per_s2"]
-        *_, (_, pieces) = run.snapshots()
-        grid = pieces["grid"]
+        grid = run.fields()["grid"]
         self.peak_acceleration = _over_depth(grid.points[:, 1], grid.field("peak_acceleration_m_per_s2"))
         self.peak_strain = _over_depth(grid.points[grid.cells, 1].mean(axis=1), grid.field("peak_shear_strain"))
 

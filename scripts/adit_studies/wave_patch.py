@@ -7,6 +7,7 @@ import math
 
 import numpy as np
 
+from adit import Run
 from adit_studies import coupled_runs
 from adit_studies.wave_packet import ROW, SPACING, Packet
 
@@ -24,20 +25,15 @@ def measure(case, folder):
 
 def tail(case, folder):
     """Energy inside the patch at the end, in the model of particles alone: twice the kinetic energy."""
-    particles = last_snapshot(folder / reference_name(case))["particles"]
+    particles = Run(folder / reference_name(case)).fields()["particles"]
     inside = np.hypot(*particles.points.T) <= radius(case) + case.overlap / 2
     velocity = particles.field("velocity_m_per_s")[inside]
     return float(np.sum(velocity**2) * SPACING * ROW)
 
 
 def fields(case, folder):
-    """The pieces of the snapshot that is taken when the pulse has left."""
-    return last_snapshot(folder / case.name)
-
-
-def last_snapshot(folder):
-    _, pieces = list(coupled_runs.Run(folder).snapshots())[-1]
-    return pieces
+    """The fields when the pulse has left."""
+    return Run(folder / case.name).fields()
 
 
 def reference_name(case):

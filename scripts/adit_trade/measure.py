@@ -5,7 +5,7 @@ import subprocess
 import numpy as np
 
 import adit_programs
-from adit_plots.run_folder import Run
+from adit import Run
 from adit_trade.front import ALONE
 from adit_trade.models import dt_factor
 

@@ -8,7 +8,7 @@ import unittest
 from programs import CASE, SOURCE, ProgramTest, coupler
 
 sys.path.insert(0, str(SOURCE / "scripts"))
-from adit_plots.run_folder import Checked  # noqa: E402
+from adit_plots.checked import Checked  # noqa: E402
 
 SHORT = ("--set", "time.duration=5 ms", "--set", "output.field_times=[2 ms]")
 

@@ -8,7 +8,7 @@ import numpy
 from programs import SOURCE, ProgramTest
 
 sys.path.insert(0, str(SOURCE / "scripts"))
-from adit_plots.run_folder import Run
+from adit import Run
 from adit_studies import lined_tunnel, lined_tunnel_pictures, site_pictures, site_response
 
 SITE, TUNNEL = SOURCE / "cases" / "site_response", SOURCE / "cases" / "lined_tunnel"

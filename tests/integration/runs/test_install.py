@@ -57,6 +57,12 @@ class Installed(ProgramTest):
         self.assertIn("cantilever: coupled", (run / "report.html").read_text())
         self.assertEqual(sorted(self.prefix.rglob("*")), before, "the installation itself is left as it was")
 
+    def test_python_reads_results_by_the_module_of_the_installation(self):
+        self.user("coupler", "run", self.prefix / "share" / "adit" / "cases" / "cantilever" / "coupled.yaml", *SHORT, "--out", "run")
+        said = self.user("env", f"PYTHONPATH={self.prefix}/lib/python3/dist-packages", "PYTHONDONTWRITEBYTECODE=1", "/usr/bin/python3",
+                         "-c", "from adit import Run; print(Run('run').completed, len(Run('run').fields(0.002)['particles'].points))")
+        self.assertEqual(said, f"True {self.summary(self.folder / 'run')['particles']}\n")
+
     def test_a_run_leaves_its_report_out_when_asked_and_a_failed_run_has_one(self):
         run = self.folder / "runs" / "cantilever" / "coupled"
         self.user("adit", "run", "cases/cantilever/coupled.yaml", "--no-report", *SHORT)

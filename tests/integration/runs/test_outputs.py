@@ -11,7 +11,7 @@ import numpy
 from programs import CASE, SOURCE, ProgramTest, coupler
 
 sys.path.insert(0, str(SOURCE / "scripts"))
-from adit_plots.run_folder import Run
+from adit import Run
 
 G = 9.80665
 VELOCITY, FREQUENCY, END = 0.2, 4.0, 2.5  # of the base: ten cycles of a sine, half of one is 5 %

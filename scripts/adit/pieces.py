@@ -1,16 +1,25 @@
-"""Reads the VTU, VTP and PVD files of a run (written by protocol/results/vtk.cpp), without VTK."""
+"""Fields of a run: reads its VTU, VTP and PVD files (written by protocol/results/vtk.cpp), without VTK."""
 import base64
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import numpy as np
 
+from adit.files import Unusable, nearest
+from adit.tables import Table
+
 TYPES = {"Float64": "<f8", "Int64": "<i8", "UInt8": "u1"}
 HEADER_BYTES = 8  # size of the length that precedes the values
 
 
 class Piece:
-    """Points [m] of shape (n, 2), cells of shape (m, points of a cell), and fields by name."""
+    """What was written of one kind at one instant, such as the grid or the bonds.
+
+    points: their places [m] before any displacement, (n, 2)
+    cells: numbers of the points of each zone, bond or beam, (m, points of a cell); of particles, their own number
+    point_fields, cell_fields: Tables of values, (n,) or (n, 3), and (m,) or (m, 3)
+    piece["stress_Pa"]: the field of the points or of the cells
+    """
 
     def __init__(self, path):
         element = ElementTree.parse(path).getroot()[0].find("Piece")
@@ -19,8 +28,8 @@ class Piece:
         arrays = {a.get("Name"): _array(a) for a in cells}
         count = len(arrays["offsets"])
         self.cells = arrays["connectivity"].reshape(count, -1) if count else np.empty((0, 1), int)
-        self.point_fields = {a.get("Name"): _array(a) for a in element.find("PointData")}
-        self.cell_fields = {a.get("Name"): _array(a) for a in element.find("CellData")}
+        self.point_fields, self.cell_fields = (
+            Table({a.get("Name"): _array(a) for a in element.find(data)}, path) for data in ("PointData", "CellData"))
 
     @staticmethod
     def joined(pieces):
@@ -34,12 +43,20 @@ class Piece:
         whole.cells = np.concatenate([piece.cells + offset for piece, offset in zip(pieces, offsets)])
         for fields in ("point_fields", "cell_fields"):
             shared = [name for name in getattr(first, fields) if all(name in getattr(p, fields) for p in pieces)]
-            setattr(whole, fields, {name: np.concatenate([getattr(p, fields)[name] for p in pieces]) for name in shared})
+            joined = {name: np.concatenate([getattr(p, fields)[name] for p in pieces]) for name in shared}
+            setattr(whole, fields, Table(joined, getattr(first, fields).source))
         return whole
 
     def field(self, name, default=None):
-        """A field of the points or of the cells."""
+        """A field of the points or of the cells; the default where it was not written."""
         return self.point_fields.get(name, self.cell_fields.get(name, default))
+
+    def __getitem__(self, name):
+        values = self.field(name)
+        if values is None:
+            known = [*self.point_fields, *self.cell_fields]
+            raise Unusable(f"{self.point_fields.source} has no field `{name}`; {nearest(name, known)}")
+        return values
 
     def is_there(self):
         """Of each point of a cloud: particles that were taken away keep their place but have no cell."""
@@ -51,6 +68,13 @@ class Piece:
         """The points after the displacement, times `scale`."""
         displacement = self.point_fields.get("displacement_m")
         return self.points if displacement is None else self.points + scale * displacement[:, :2]
+
+
+class Fields(dict):
+    """{kind: Piece} of one instant."""
+
+    def __missing__(self, kind):
+        raise Unusable(f"the fields have no `{kind}`; {nearest(kind, self)}")
 
 
 def _array(element):
