@@ -100,7 +100,7 @@ class Run:
     def fields(self, time=None):
         """{kind: Piece} at a time [s] of `times`, the last where none is given. Kinds: grid, particles, bonds, contacts,
         linings, bolts, springs, … Pieces of several regions are joined."""
-        return self.pieces_of(self.instants[self._instant(time)][1])
+        return self.pieces_of(self.instants[self.instant_at(time)][1])
 
     def snapshots(self):
         """Yields (time [s], fields) of all instants."""
@@ -129,8 +129,8 @@ class Run:
     def _read(self, name, reader):
         return read(self.folder / name, reader)
 
-    def _instant(self, time):
-        """The number of the instant of this time."""
+    def instant_at(self, time=None):
+        """The number of the instant of this time [s], -1 where none is given."""
         times = self.times
         if not len(times):
             raise Unusable(f"{self.folder} holds no fields: ask for them by output.field_times, and let the run reach them.")

@@ -45,27 +45,29 @@ def deformed(run, time, pieces, scale=None):
     return figure
 
 
-def force_chains(run, time, pieces):
-    """Bonds as lines whose width is proportional to the normal force; the largest force is marked."""
+def force_chains(run, time, pieces, bounds=None, scale=None):
+    """Bonds as lines whose width is proportional to the normal force; the largest force is marked. `scale`: the force [N] of
+    the widest line, the largest of this picture where it is not given; `bounds`: what is drawn, else `close_up`."""
     bonds = pieces.get("bonds")
     if bonds is None or len(bonds.cells) == 0:
         return None
-    figure, axes, add_legend = _undeformed_sheet(run, time, pieces, "normal forces in the bonds")
+    figure, axes, add_legend = _undeformed_sheet(run, time, pieces, bounds, "normal forces in the bonds")
     lines, force = bonds.points[bonds.cells], bonds.field("normal_force_N")
     handles = _draw_continuum_faintly(axes, run, pieces)
     top = int(np.nanargmax(np.abs(force)))
     largest = abs(force[top])
+    scale = scale or largest
     if largest > 0:
-        sample = _round_below(largest)
+        sample = _round_below(scale)
         widest = min(4.0, max(0.8, 0.5 * _length_in_points(axes, lines)))  # dense bonds stay apart
-        level = np.round(LEVELS * np.abs(force) / largest).astype(int)
+        level = np.round(LEVELS * np.abs(force) / scale).astype(int)
         for k in range(1, LEVELS + 1):  # the largest on top; single lines of their own widths take long to draw
             for sign, color in ((1, style.RED), (-1, style.BLUE)):
                 _draw_lines(axes, lines[(level == k) & (sign * force > 0)], color, widest * k / LEVELS)
         x, y = lines[top].mean(axis=0)
         axes.plot(x, y, "o", ms=11, mfc="none", mec=style.BLACK, mew=1.1, zorder=5)
         handles += [
-            Line2D([], [], color=color, lw=widest * sample / largest, label=f"{sign} (width of {_kilonewton(sample)})")
+            Line2D([], [], color=color, lw=widest * sample / scale, label=f"{sign} (width of {_kilonewton(sample)})")
             for color, sign in ((style.RED, "tension"), (style.BLUE, "compression"))]
         handles.append(Line2D([], [], ls="", marker="o", ms=9, mfc="none", mec=style.BLACK, label=(
             f"largest: {_kilonewton(largest)} ({'tension' if force[top] > 0 else 'compression'})"
@@ -74,7 +76,7 @@ def force_chains(run, time, pieces):
     return figure
 
 
-def bonds(run, time, pieces):
+def bonds(run, time, pieces, bounds=None):
     """Intact bonds as thin lines; a crack as a short line across its bond."""
     piece = pieces.get("bonds")
     if piece is None or len(piece.cells) == 0:
@@ -83,7 +85,7 @@ def bonds(run, time, pieces):
     counts = [int(np.sum(state == mode)) for mode in (INTACT, TENSILE_CRACK, SHEAR_CRACK)]
     cracks = counts[TENSILE_CRACK] + counts[SHEAR_CRACK]
     figure, axes, add_legend = _undeformed_sheet(
-        run, time, pieces, "no cracks" if cracks == 0 else _count(cracks, "crack"))
+        run, time, pieces, bounds, "no cracks" if cracks == 0 else _count(cracks, "crack"))
     handles = _draw_continuum_faintly(axes, run, pieces)
     _draw_lines(axes, lines[state == INTACT], style.GREY, 0.5)
     handles.append(Line2D([], [], color=style.GREY, lw=0.8, label=_count(counts[INTACT], "intact bond")))
@@ -98,18 +100,20 @@ def bonds(run, time, pieces):
 
 def _draw_lines(axes, lines, color, width):
     """Many lines of one look, joined to paths with gaps."""
-    for some in np.array_split(lines, 1 + len(lines) // LINES_OF_A_PATH):
+    for some in np.array_split(lines, 1 + len(lines) // LINES_OF_A_PATH) if len(lines) else ():
         x, y = np.insert(some, 2, np.nan, axis=1).reshape(-1, 2).T
         axes.plot(x, y, color=color, lw=width, solid_capstyle="round")
 
 
-def _undeformed_sheet(run, time, pieces, what):
-    """The whole model, or the bonds alone where they fill a small part of it."""
+def close_up(pieces):
+    """Bounds of the whole model, or of the bonds alone where they fill a small part of it."""
     bonds = pieces["bonds"]
     bounds, near = style.bounds_of(*(p.points for p in pieces.values())), style.bounds_of(bonds.points[np.unique(bonds.cells)])
-    if near[1] - near[0] < CLOSE_UP * (bounds[1] - bounds[0]):
-        bounds = near
-    return style.model_sheet(bounds, f"{run.name}: {what} at t = {style.instant(time)}")
+    return near if near[1] - near[0] < CLOSE_UP * (bounds[1] - bounds[0]) else bounds
+
+
+def _undeformed_sheet(run, time, pieces, bounds, what):
+    return style.model_sheet(bounds or close_up(pieces), f"{run.name}: {what} at t = {style.instant(time)}")
 
 
 def _draw_zones(axes, grid, points, **look):

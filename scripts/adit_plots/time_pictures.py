@@ -1,7 +1,6 @@
-"""Pictures over time: the histories and the energies of a run, and the models of a case side by side."""
+"""Pictures over time: the histories and the energies of a run."""
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.lines import Line2D
 
 from adit_plots import style
 
@@ -82,6 +81,8 @@ def _ending(name):
 
 def said(column):
     """What a legend says of a column: its place, and its direction or quantity."""
+    if column == "max_bond_force_N":
+        return "largest bond force"
     ending = _ending(column)
     first, *others = ending.split("_")
     return f"{column.removesuffix('_' + ending)}, {others[0] if others and others[0] in ('lateral', 'vertical') else first}"
@@ -129,65 +130,3 @@ def energy(run):
     lower.ticklabel_format(axis="y", scilimits=(-2, 3))
     figure.align_ylabels()
     return figure
-
-
-def comparison(case, runs):
-    """Tip deflection and largest bond force against time, all models in one picture; first cracks marked."""
-    rows = [(_tip(runs), 1.0, "tip deflection [m]"), ("max_bond_force_N", 1e6, "largest bond force [MN]")]
-    legend_columns = 4 if len(runs) <= 3 else 3
-    legend_rows = -(-(len(runs) + 1) // legend_columns)
-    figure, panels = plt.subplots(2, 1, sharex=True, figsize=(7.2, 5.6 + 0.2 * legend_rows))
-    handles = []
-    end = max((run.histories["time_s"][-1] for run in runs if len(run.histories["time_s"])), default=0)
-    scale, unit = (1, "t [s]") if end >= 1 else (1e3, "t [ms]")
-    for i, run in enumerate(runs):
-        drawn = look(i)
-        handles.append(Line2D([], [], label=run.name, **drawn))
-        for axes, (column, divisor, _) in zip(panels, rows):
-            if np.any(run.histories.get(column, 0)):  # a continuum has no bonds, a model perhaps no such history
-                axes.plot(scale * run.histories["time_s"], run.histories[column] / divisor, label=run.name, **drawn)
-        _mark_first_crack(panels[1], run, scale, drawn["color"], 6 + 3 * sum(map(_cracked, runs[:i])))
-    if any(map(_cracked, runs)):
-        handles.append(Line2D([], [], label="first crack (in the model’s colour)", **_ring(style.BLACK, 7)))
-    for axes, (_, _, label) in zip(panels, rows):
-        axes.set_ylabel(label)
-        axes.grid(lw=0.3, color="#DDDDDD")
-    panels[1].set(xlabel=unit, xlim=(0, scale * end or 1))
-    panels[0].set_title(f"{case}: the models compared", loc="left")
-    figure.align_ylabels()
-    height = figure.get_figheight()
-    figure.subplots_adjust(left=0.1, right=0.97, top=1 - 0.35 / height, hspace=0.1,
-                           bottom=(0.62 + 0.2 * legend_rows) / height)
-    figure.legend(handles=handles, loc="lower center", ncol=legend_columns, handlelength=3.2, borderaxespad=0.4)
-    return figure
-
-
-def look(i):
-    """Colour and dashes of model i; only the first is solid, so that curves that coincide show through."""
-    colors = (style.BLACK, style.GREEN, style.RED, style.BLUE, style.ORANGE, style.PINK, style.SKY)
-    dashes = ("-", (0, (5, 2)), (0, (1.5, 1.2)), (0, (6, 1.5, 1.5, 1.5)), (0, (9, 3)), (0, (3, 4)), (0, (1, 3)))
-    return {"color": colors[i % len(colors)], "ls": dashes[(i + i // len(colors)) % len(dashes)],
-            "lw": 1.2 if i == 0 else 1.5}
-
-
-def _tip(runs):
-    """The vertical displacement that the runs record: tip_uy_m, else the first one of its kind."""
-    columns = [c for run in runs for c in run.histories if c.endswith("_uy_m")]
-    return "tip_uy_m" if "tip_uy_m" in columns or not columns else columns[0]
-
-
-def _cracked(run):
-    return run.number("first_crack_time_s") is not None
-
-
-def _ring(color, size):
-    return {"ls": "", "marker": "o", "ms": size, "mfc": "none", "mec": color, "mew": 1.4}
-
-
-def _mark_first_crack(axes, run, scale, color, size):
-    """Rings of different sizes, for first cracks that coincide."""
-    if not _cracked(run) or "max_bond_force_N" not in run.histories:
-        return
-    time = run.number("first_crack_time_s")
-    force = np.interp(time, run.histories["time_s"], run.histories["max_bond_force_N"])
-    axes.plot(scale * time, force / 1e6, zorder=6, **_ring(color, size))

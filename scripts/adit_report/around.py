@@ -10,12 +10,24 @@ FORCES = (("thrust_N", "thrust N", "kN/m"), ("moment_Nm", "moment M", "kN"), ("s
 
 def of_sections(results):
     """Yields a figure for each ring of sections: least and greatest thrust, moment and shear force over time."""
+    for ring, angle, least, greatest in _section_envelopes(results):
+        yield _drawn(f"run: envelopes around {style.literal(ring)}", angle, least, greatest)
+
+
+def largest(results):
+    """Yields (which ring or lining, angles [°], [largest magnitudes of each of FORCES over time]) of all of a run."""
+    for ring, angle, least, greatest in _section_envelopes(results):
+        yield ring, angle, [np.maximum(-low, high) for low, high in zip(least, greatest)]
+    yield from _lining_peaks(results.last_pieces.get("linings"))
+
+
+def _section_envelopes(results):
     for ring, sections in _rings(results).items():
         middles = np.array([[(s["from"][axis] + s["to"][axis]) / 2 for axis in "xy"] for s in sections])
         order, angle = _around(middles)
         columns = [[results.histories[f"{sections[i]['name']}_{force}"] / 1e3 for i in order] for force, *_ in FORCES]
         least, greatest = ([find(series, axis=1) for series in columns] for find in (np.nanmin, np.nanmax))
-        yield _drawn(f"run: envelopes around {style.literal(ring)}", angle, least, greatest)
+        yield ring, angle, least, greatest
 
 
 def columns(results):
@@ -25,6 +37,11 @@ def columns(results):
 
 def of_linings(linings):
     """Yields a figure for each lining: its largest forces so far, without sign, around its middle."""
+    for which, angle, peaks in _lining_peaks(linings):
+        yield _drawn(f"run: largest forces around {which}, without sign", angle, None, peaks)
+
+
+def _lining_peaks(linings):
     if linings is None or len(linings.cells) == 0 or linings.field("peak_thrust_N") is None:
         return
     number = linings.field("lining", np.zeros(len(linings.cells)))
@@ -33,7 +50,7 @@ def of_linings(linings):
         order, angle = _around(linings.points[nodes])
         peaks = [linings.field(f"peak_{force}")[nodes][order] / 1e3 for force, *_ in FORCES]
         which = f"lining {k + 1:.0f}" if len(np.unique(number)) > 1 else "the lining"
-        yield _drawn(f"run: largest forces around {which}, without sign", angle, None, peaks)
+        yield which, angle, peaks
 
 
 def _rings(results):
@@ -58,14 +75,20 @@ def _around(points):
 def _drawn(title, angle, least, greatest):
     figure, panels = style.plt.subplots(3, 1, sharex=True, figsize=(8.0, 6.0))
     panels[0].set_title(title, loc="left")
-    for i, (axes, (_, what, unit)) in enumerate(zip(panels, FORCES)):
+    for i, axes in enumerate(panels):
         if least is not None:
             axes.fill_between(angle, least[i], greatest[i], color=style.SKY, alpha=0.35, lw=0)
             axes.plot(angle, least[i], color=style.BLUE, marker=".", ms=3, lw=1, label="least")
         axes.plot(angle, greatest[i], color=style.RED, marker=".", ms=3, lw=1, label="greatest")
+    panels[0].legend()
+    label(panels)
+    return figure
+
+
+def label(panels):
+    """Labels the panels of FORCES."""
+    for axes, (_, what, unit) in zip(panels, FORCES):
         axes.axhline(0, color=style.GREY, lw=0.4, zorder=0)
         axes.set_ylabel(f"{what} [{unit}]")
         axes.grid(lw=0.3, color="#DDDDDD")
-    panels[0].legend()
     panels[-1].set(xlabel="angle from x, counter-clockwise [°]", xlim=(0, 360), xticks=range(0, 361, 45))
-    return figure

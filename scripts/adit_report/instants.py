@@ -12,7 +12,7 @@ FEW = 3  # instants of a model so large that they hold more than MOST_CELLS zone
 MOST_CELLS = 800_000
 
 
-def _spread(items, most, runs):
+def spread(items, most, runs):
     """At most `most` of the items, spread evenly, the last among them; fewer for large models."""
     cells = max(1, sum(len(piece.cells) for run in runs for piece in run.last_pieces.values()))
     count = min(most, len(items), max(FEW, MOST_CELLS // cells))
@@ -22,43 +22,20 @@ def _spread(items, most, runs):
 def chapter(results, most=MOST):
     if not results.instants:
         return None
-    numbers = _spread(range(len(results.instants)), most, [results])
+    numbers = spread(range(len(results.instants)), most, [results])
     found = [(results.instants[n][0], results.pieces_at(n)) for n in numbers]
     found = [(time, pieces) for time, pieces in found if pieces]
     scale = min((model_pictures.scale_of(pieces) for _, pieces in found), default=1)
     shown = [(time, _views(results, time, pieces, scale)) for time, pieces in found]
     if not any(views for _, views in shown):
         return None
-    first = _first(results, found)
-    return section("instants", "The model at chosen instants", _note(len(shown), len(results.instants)), _slider(shown, first),
-                   [_instant(*one, i == first) for i, one in enumerate(shown)], _peaks(results, found[-1]))
+    return section("instants", "The model at chosen instants",
+                   behind_a_slider(shown, _first(results, found), len(results.instants)), _peaks(results, found[-1]))
 
 
-def side_by_side(runs, most=MOST):
-    """Force chains and cracks of several runs at the instants that all of those with particles have."""
-    runs = [run for run in runs if "bonds" in run.last_pieces]
-    if len(runs) < 2:
-        return None
-    numbers = [[_same(run, time) for run in runs] for time, _ in runs[0].instants]
-    common = [each for each in numbers if None not in each]
-    shown = [(runs[0].instants[each[0]][0], _compared(runs, each)) for each in _spread(common, most, runs)]
-    if not shown:
-        return None
-    first = _first(runs[0], [(time, runs[0].last_pieces) for time, _ in shown])
-    return section("instants", "Force chains and cracks at chosen instants", _note(len(shown), len(common)),
-                   _slider(shown, first), [_instant(*one, i == first) for i, one in enumerate(shown)])
-
-
-def _same(run, time):
-    """The number of the instant of this time, steps of runs being of different length; nothing if it has none."""
-    near = run.number("dt_s") or 0
-    return next((n for n, (other, _) in enumerate(run.instants) if abs(other - time) <= near), None)
-
-
-def _compared(runs, numbers):
-    pieces = [run.pieces_at(number) for run, number in zip(runs, numbers)]
-    return [pictures.figure(view(run, run.instants[number][0], each), of_model=True, of_run=run.name)
-            for view in (model_pictures.force_chains, model_pictures.bonds) for run, number, each in zip(runs, numbers, pieces)]
+def behind_a_slider(shown, first, of):
+    """[(time, pictures)], of which the one of number `first` is open; `of`: how many instants there are."""
+    return _note(len(shown), of), _slider(shown, first), [_instant(*one, i == first) for i, one in enumerate(shown)]
 
 
 def _views(results, time, pieces, scale):

@@ -7,6 +7,7 @@ from matplotlib.patches import Patch
 from adit_report.markup import Markup, bullets, safe, tag
 
 MARKERS = {"o": '<circle cx="16" cy="6" r="4" {}/>', "^": '<path d="M11 10L16 2L21 10Z" {}/>',
+           "x": '<path d="M12 2L20 10M20 2L12 10" {}/>', "+": '<path d="M16 1V11M11 6H21" {}/>',
            ".": '<circle cx="16" cy="6" r="2" {}/>'}
 ARROW = '<path d="M8 6H24M19 2L24 6L19 10" {}/>'
 HATCHES = {"/": "M4 11L12 1M12 11L20 1M20 11L28 1", "\\": "M4 1L12 11M12 1L20 11M20 1L28 11", "x": "M4 1L28 11M4 11L28 1",

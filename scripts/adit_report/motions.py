@@ -20,7 +20,7 @@ def chapter(results):
         told = "The scene asks for no spectra (output.spectra), so that motions stand among the histories only."
         return section("motions", "Motions in and out", tag("p", told))
     found = [(results, name, name) for name in names]
-    return section("motions", "Motions in and out", pictures.figure(_picture(found)), _measures(found), _amplifications(results))
+    return section("motions", "Motions in and out", pictures.figure(picture(found)), measures(found), _amplifications(results))
 
 
 def _amplifications(results):
@@ -31,14 +31,6 @@ def _amplifications(results):
         else:
             style.plt.close(each)
     return drawn
-
-
-def compared(runs):
-    """The motions of several runs in one picture; nothing if fewer than two runs have any."""
-    found = [(run, name, f"{run.name}, {name}") for run in runs for name in run.spectra]
-    if len({run.name for run, *_ in found}) < 2:
-        return None
-    return section("motions", "Motions in and out", pictures.figure(_picture(found)), _measures(found))
 
 
 def _of_tunnel(results):
@@ -62,14 +54,14 @@ def _of_tunnel(results):
     return drawn
 
 
-def _measures(found):
+def measures(found):
     used = [(said, key) for said, key in MEASURES
             if any(run.summary.get(f"{name}_{key}") is not None for run, name, _ in found)]
     return table("Measures of the motions, from summary.json", ("motion", *(said for said, _ in used)), [
         (told, *(figure(run.summary, f"{name}_{key}") for _, key in used)) for run, name, told in found])
 
 
-def _picture(found):
+def picture(found):
     """Motions given as (run, name, what a legend says of it)."""
     figure_, (over_time, spectra) = style.plt.subplots(2, 1, figsize=(8.0, 5.4))
     for (results, name, said), colour in zip(found, spectra_pictures.COLORS * len(found)):

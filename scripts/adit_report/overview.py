@@ -1,5 +1,5 @@
 """How the run ended, its warnings, its main figures, and what was computed."""
-from adit_plots.table import ROWS
+from adit_report.main_figures import ROWS
 from adit_report.markup import bullets, paragraphs, section, table, tag
 from adit_report.quantities import figure, quantity
 

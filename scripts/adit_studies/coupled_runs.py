@@ -11,7 +11,7 @@ from pathlib import Path
 import adit_programs
 from adit import Run
 
-PLOT, REPORT = (adit_programs.ROOT / "scripts" / name for name in ("plot", "report"))
+PLOT, REPORT, COMPARE = (adit_programs.ROOT / "scripts" / name for name in ("plot", "report", "compare"))
 
 
 class Failed(Exception):
@@ -47,6 +47,7 @@ def run_case(case, names, usage):
                 sys.exit(done.returncode)
     if not options.no_report:
         subprocess.run([REPORT, *folders])
+        subprocess.run([COMPARE, *folders])
     return options.out, [Run(folder) for folder in folders]
 
 

@@ -56,7 +56,9 @@ class Browser(ProgramTest):
     def test_nothing_overlaps_or_reaches_beyond_the_page(self):
         other = self.run_scene(CASE / "full_dem.yaml", "--set", "time.duration=36 ms", "--set",
                                f"output.field_times=[{', '.join(TIMES)}]", out="full_dem")
-        self.report(self.run_folder, other)
+        self.report(other)
+        subprocess.run([SOURCE / "scripts" / "compare", self.run_folder, other], check=True, capture_output=True, timeout=120)
+        self.assertIn('href="full_dem/report.html"', (self.folder / "report.html").read_text())
         for path in (self.path, self.folder / "report.html"):
             for width in WIDTHS:
                 with page(path, width) as driver:

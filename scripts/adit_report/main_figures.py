@@ -1,9 +1,4 @@
-#!/usr/bin/python3
-"""Prints the main figures of runs side by side: table.py RUN_DIR..."""
-import sys
-from pathlib import Path
-
-from adit import Run
+"""The main figures of runs side by side, for the screen."""
 
 ROWS = (  # what, key of summary.json, divisor, format
     ("peak bond force [kN]", "peak_bond_force_N", 1e3, "{:,.0f}"),
@@ -27,19 +22,15 @@ ROWS = (  # what, key of summary.json, divisor, format
 )
 
 
-def column(folder):
-    summary = Run(folder).summary
-    values = ((summary.get(key), divisor, text) for _, key, divisor, text in ROWS)
-    return [folder.resolve().name] + ["-" if v is None else text.format(v / divisor) for v, divisor, text in values]
-
-
-def lines(folders):
-    columns = [[""] + [row[0] for row in ROWS]] + [column(Path(folder)) for folder in folders]
+def lines(runs):
+    """A line for each figure that some run has, a column for each run."""
+    columns = [[""] + [row[0] for row in ROWS], *map(_column, runs)]
     widths = [max(map(len, cells)) for cells in columns]
     for line in zip(*columns):
-        if any(cell != "-" for cell in line[1:]):  # some run has it
+        if any(cell != "-" for cell in line[1:]):
             yield "  ".join(["  " + line[0].ljust(widths[0]), *(c.rjust(w + 1) for c, w in zip(line[1:], widths[1:]))])
 
 
-if __name__ == "__main__":
-    print("\n".join(lines(sys.argv[1:])))
+def _column(run):
+    values = ((run.summary.get(key), divisor, text) for _, key, divisor, text in ROWS)
+    return [run.name] + ["-" if v is None else text.format(v / divisor) for v, divisor, text in values]
