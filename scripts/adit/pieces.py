@@ -58,16 +58,21 @@ class Piece:
             raise Unusable(f"{self.point_fields.source} has no field `{name}`; {nearest(name, known)}")
         return values
 
+    @property
+    def is_cloud(self):
+        """Whether its cells are single points: particles."""
+        return self.cells.shape[1] == 1
+
     def is_there(self):
         """Of each point of a cloud: particles that were taken away keep their place but have no cell."""
         there = np.full(len(self.points), False)
         there[self.cells[:, 0]] = True
         return there
 
-    def moved(self, scale):
-        """The points after the displacement, times `scale`."""
+    def moved(self, scale, common=0):
+        """The points after the displacement without a `common` one [m], times `scale`."""
         displacement = self.point_fields.get("displacement_m")
-        return self.points if displacement is None else self.points + scale * displacement[:, :2]
+        return self.points if displacement is None else self.points + scale * (displacement[:, :2] - common)
 
 
 class Fields(dict):

@@ -1,4 +1,4 @@
-"""Fields of the ground in colours over the undeformed model: peaks over time, principal stress, yield state."""
+"""Fields in colours over the undeformed model: peaks over time; displacement, principal stress and yield state at an instant."""
 import numpy as np
 from matplotlib.collections import EllipseCollection, PolyCollection
 from matplotlib.colors import Normalize, TwoSlopeNorm
@@ -6,15 +6,16 @@ from matplotlib.patches import Patch
 
 from adit_plots import style
 
-LIGHT_WEIGHT = 0.01  # what has less tells little: it follows the other model
+LIGHT_WEIGHT = 0.01  # zones that have less tell little: they follow the particles
+HALF_WEIGHT = 0.5  # particles that have less: the zones below them tell more
 
-PEAKS = {  # field: what it is, unit, size of the unit
-    "peak_displacement_m": ("largest displacement", "mm", 1e-3),
-    "peak_velocity_m_per_s": ("largest velocity", "m/s", 1),
-    "peak_acceleration_m_per_s2": ("largest acceleration", "m/s²", 1),
-    "peak_shear_strain": ("largest shear strain", "10⁻³", 1e-3),
-    "peak_largest_principal_stress_Pa": ("largest principal stress (tension)", "MPa", 1e6),
-    "peak_smallest_principal_stress_Pa": ("smallest principal stress (compression)", "MPa", 1e6)}
+PEAKS = {  # field: what it is, unit, size of the unit, what is marked: the largest of this function
+    "peak_displacement_m": ("largest displacement", "mm", 1e-3, np.abs),
+    "peak_velocity_m_per_s": ("largest velocity", "m/s", 1, np.abs),
+    "peak_acceleration_m_per_s2": ("largest acceleration", "m/s²", 1, np.abs),
+    "peak_shear_strain": ("largest shear strain", "10⁻³", 1e-3, np.abs),
+    "peak_largest_principal_stress_Pa": ("largest principal stress (tension)", "MPa", 1e6, np.positive),
+    "peak_smallest_principal_stress_Pa": ("smallest principal stress (compression)", "MPa", 1e6, np.negative)}
 
 # Bits of yield_state (fdm_server/materials/solid.hpp) that make a kind, its name and colour; the first that holds.
 YIELD = ((1, "shear now", style.RED), (2, "tension now", style.BLUE), (16 | 32, "weak plane now", style.GREEN),
@@ -23,26 +24,41 @@ YIELD = ((1, "shear now", style.RED), (2, "tension now", style.BLUE), (16 | 32, 
 
 def peaks(run, time, pieces):
     """Yields (name, figure) of every peak over time that the snapshot holds."""
-    for field, (what, unit, size) in PEAKS.items():
-        shown = {kind: piece for kind, piece in pieces.items()
-                 if kind in ("grid", "particles") and piece.field(field) is not None}
+    for field, (what, unit, size, marked) in PEAKS.items():
+        shown = _with_field(pieces, field)
         if shown:
-            values = {kind: piece.field(field) / size for kind, piece in shown.items()}
+            values = {kind: piece[field] / size for kind, piece in shown.items()}
             yield field.partition("_m_per")[0].removesuffix("_m").removesuffix("_Pa"), _coloured(
-                run, f"{what} until t = {style.instant(time)}", shown, values, unit)
+                run, f"{what} until t = {style.instant(time)}", shown, values, unit, marked)
+
+
+def displacement(run, time, pieces):
+    """How far zones and particles have moved."""
+    shown = _with_field(pieces, "displacement_m")
+    if not shown:
+        return None
+    values = {kind: 1e3 * np.hypot(*piece["displacement_m"][:, :2].T) for kind, piece in shown.items()}
+    return _coloured(run, f"displacement at t = {style.instant(time)}", shown, values, "mm", np.abs)
 
 
 def principal_stress(run, time, pieces):
-    """The larger principal stress in the plane, tension positive, where the particles are and in the zones among them."""
-    if "particles" not in pieces or pieces["particles"].field("stress_Pa") is None:
+    """The larger principal stress in the plane, tension positive: of the whole model, or where the particles are and in the
+    zones among them."""
+    shown = _with_field(pieces, "stress_Pa")
+    if not shown:
         return None
-    shown = {kind: piece for kind, piece in pieces.items() if kind in ("grid", "particles")}
     values = {}
     for kind, piece in shown.items():
-        xx, yy, xy = piece.field("stress_Pa").T
+        xx, yy, xy = piece["stress_Pa"].T
         values[kind] = ((xx + yy) / 2 + np.hypot((xx - yy) / 2, xy)) / 1e6
-    return _coloured(run, f"largest principal stress (tension) at t = {style.instant(time)}", shown, values,
-                     "MPa", [pieces["particles"]])
+    near = [shown["particles"]] if "particles" in shown else None
+    return _coloured(run, f"largest principal stress (tension) at t = {style.instant(time)}", shown, values, "MPa", np.positive,
+                     near)
+
+
+def _with_field(pieces, field):
+    """The zones and particles that have this field."""
+    return {kind: pieces[kind] for kind in ("grid", "particles") if kind in pieces and pieces[kind].field(field) is not None}
 
 
 def yield_state(run, time, pieces):
@@ -67,13 +83,13 @@ def yield_state(run, time, pieces):
     return figure
 
 
-def _coloured(run, what, pieces, values, unit, shown=None):
-    """`shown`: the pieces whose extent is drawn, all where absent."""
-    bounds = style.bounds_of(*(piece.points for piece in shown or pieces.values()))
+def _coloured(run, what, pieces, values, unit, marked, near=None):
+    """`marked`: the largest of this function of the values is marked; `near`: the pieces whose extent is drawn, else all."""
+    bounds = style.bounds_of(*(piece.points for piece in near or pieces.values()))
     figure, axes, _ = style.model_sheet(bounds, f"{run.name}: {what}", right=1.15)
-    heavy = {kind: _heavy(piece, values[kind]) for kind, piece in pieces.items()}
-    every = np.concatenate([values[kind][heavy[kind]] for kind in pieces])
-    look = _look(every)
+    heavy = {kind: _heavy(kind, piece, values[kind]) for kind, piece in pieces.items()}
+    look = _look(np.concatenate([values[kind][heavy[kind]] for kind in pieces]))
+    low, high = look["norm"].vmin, look["norm"].vmax
     for kind, piece in pieces.items():
         if kind == "particles":
             width = 2 * piece.field("radius_m")[heavy[kind]]
@@ -92,15 +108,18 @@ def _coloured(run, what, pieces, values, unit, shown=None):
     bar = figure.colorbar(drawn, cax=figure.add_axes((box.x1 + 0.25 / figure.get_figwidth(), box.y0,
                                                       0.14 / figure.get_figwidth(), box.height)))
     bar.set_label(f"[{unit}]")
-    _mark_largest(axes, pieces, {kind: np.where(heavy[kind], values[kind], 0) for kind in pieces})
+    if low == high:
+        bar.set_ticks([low])
+    _mark_largest(axes, pieces, values, heavy, unit, marked)
     return figure
 
 
-def _heavy(piece, values):
+def _heavy(kind, piece, values):
     """Which values count: not those of light zones and particles, nor of particles that were taken away."""
-    there = piece.is_there() if piece.cells.shape[1] == 1 else np.full(len(values), True)
+    there = piece.is_there() if kind == "particles" else np.full(len(values), True)
     weight = piece.field("weight")
-    return there & (weight >= LIGHT_WEIGHT) if weight is not None and len(weight) == len(values) else there
+    least = HALF_WEIGHT if kind == "particles" else LIGHT_WEIGHT
+    return there & (weight >= least) if weight is not None and len(weight) == len(values) else there
 
 
 def _look(values):
@@ -119,12 +138,17 @@ def _range(values):
     return (inner_low if inner_low - low > spread > 0 else low), (inner_high if high - inner_high > spread > 0 else high)
 
 
-def _mark_largest(axes, pieces, values):
-    """Marks the largest magnitude by a ring and writes it below the picture."""
-    kind = max(values, key=lambda k: np.abs(values[k]).max())
-    top, piece = int(np.argmax(np.abs(values[kind]))), pieces[kind]
-    per_cell = len(values[kind]) == len(piece.cells) and kind == "grid"
-    x, y = piece.points[piece.cells[top]].mean(axis=0) if per_cell else piece.points[top]
+def _mark_largest(axes, pieces, values, heavy, unit, marked):
+    """Marks the largest value that is shown by a ring and writes it below the picture."""
+    tops = []
+    for kind, piece in pieces.items():
+        of_zones = kind == "grid" and len(values[kind]) == len(piece.cells)
+        places = piece.points[piece.cells].mean(axis=1) if of_zones else piece.points
+        found = np.flatnonzero(heavy[kind] & style.shown(axes, places))
+        if len(found):
+            top = found[np.argmax(marked(values[kind][found]))]
+            tops.append((marked(values[kind][top]), values[kind][top], *places[top]))
+    _, value, x, y = max(tops)
     axes.plot(x, y, "o", ms=9, mfc="none", mec=style.RED, mew=1.3, zorder=5, clip_on=False)
     axes.figure.text(0.65 / axes.figure.get_figwidth(), 0.14 / axes.figure.get_figheight(), size=8.5,
-                     s=f"○ {values[kind][top]:.4g} at x = {x:.4g} m, y = {y:.4g} m", color=style.RED)
+                     s=f"○ {value:.4g} {unit} at x = {x:.4g} m, y = {y:.4g} m", color=style.RED)

@@ -1,17 +1,15 @@
 """Pictures of the model at an instant: deformed shape, force chains (Fig. 8), bonds and cracks (Fig. 9)."""
-import math
-
 import numpy as np
 from matplotlib.collections import EllipseCollection, LineCollection, PolyCollection
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Polygon
 
 from adit_plots import style
+from adit_plots.deformation import common_motion, near, round_below, scale_of
 
 ZONE_FACE, ZONE_EDGE, DISC_FACE, DISC_EDGE = "#C6DBEF", style.BLUE, "#FDD9A0", "#A86400"
 OVERLAP_FACE = "#BDBDBD"
-CLOSE_UP = 0.45  # of the width
-NOISE = 1e-9  # displacement relative to the model's size, below which it is left as it is
+CLOSE_UP = 0.6  # of the width
 LEVELS = 40  # of the widths of force chains
 LINES_OF_A_PATH = 5000  # longer paths overflow the memory of the renderer
 INTACT, TENSILE_CRACK, SHEAR_CRACK = 0, 1, 2
@@ -19,28 +17,34 @@ INTACT, TENSILE_CRACK, SHEAR_CRACK = 0, 1, 2
 
 def deformed(run, time, pieces, scale=None):
     """The deformed model: zones as quadrilaterals, particles as discs of their size. `scale` of the displacements: else
-    that of this instant."""
-    grid, particles = pieces.get("grid"), pieces.get("particles")
-    models = [piece for piece in (grid, particles) if piece is not None]
+    that of this instant. A motion that all points share is taken off, and told in the title."""
+    models = {kind: pieces[kind] for kind in ("grid", "particles") if kind in pieces}
     if not models:
         return None
-    scale = scale or scale_of(pieces)
+    common, scale = common_motion(pieces), scale or scale_of(pieces)
+    moved = {kind: piece.moved(scale, common) for kind, piece in models.items()}
+    kept = {kind: near(models[kind], points, scale) for kind, points in moved.items()}
+    without = f", without the common ({1e3 * common[0]:.4g}, {1e3 * common[1]:.4g}) mm" if common.any() else ""
     figure, axes, add_legend = style.model_sheet(
-        style.bounds_of(*(p.points for p in models), *(p.moved(scale) for p in models)),
-        f"{run.name}: deformed model at t = {style.instant(time)}, displacements × {scale:g}")
-    handles = _shade_overlap(axes, run, grid, scale)
+        style.bounds_of(*(p.points for p in models.values()), *(moved[kind][kept[kind]] for kind in models)),
+        f"{run.name}: deformed model at t = {style.instant(time)}, displacements × {scale:g}{without}")
+    grid = pieces.get("grid")
+    handles = _shade_overlap(axes, run, grid, moved.get("grid"))
     if grid is not None:
-        _draw_zones(axes, grid, grid.moved(scale), fc=ZONE_FACE, ec="none", zorder=1)
+        _draw_zones(axes, grid, moved["grid"], fc=ZONE_FACE, ec="none", zorder=1)
         width = min(0.7, 0.06 * style.length_in_points(axes, np.ptp(grid.points[grid.cells], axis=1).max(axis=1)))
-        _draw_zones(axes, grid, grid.moved(scale), fc="none", ec=ZONE_EDGE, lw=width, zorder=3)  # over the particles
+        _draw_zones(axes, grid, moved["grid"], fc="none", ec=ZONE_EDGE, lw=width, zorder=3)  # over the particles
         handles.append(Patch(fc=ZONE_FACE, ec=ZONE_EDGE, label="zones"))
-    if particles is not None:
-        there = particles.is_there()
-        size = 2 * particles.field("radius_m", np.zeros(len(there)))[there]
+    if "particles" in models:
+        there = models["particles"].is_there()
+        size = 2 * models["particles"].field("radius_m", np.zeros(len(there)))[there]
         axes.add_collection(EllipseCollection(
-            size, size, np.zeros_like(size), units="xy", offsets=particles.moved(scale)[there],
+            size, size, np.zeros_like(size), units="xy", offsets=moved["particles"][there],
             offset_transform=axes.transData, fc=DISC_FACE, ec=DISC_EDGE, lw=0.35, zorder=2))
         handles.append(Line2D([], [], ls="", marker="o", ms=6, mfc=DISC_FACE, mec=DISC_EDGE, label="particles"))
+        far = int(np.sum(there & ~kept["particles"]))
+        if far:
+            handles.append(Line2D([], [], ls="", label=f"{_count(far, 'loose particle')} may lie outside"))
     add_legend(handles)
     return figure
 
@@ -53,12 +57,12 @@ def force_chains(run, time, pieces, bounds=None, scale=None):
         return None
     figure, axes, add_legend = _undeformed_sheet(run, time, pieces, bounds, "normal forces in the bonds")
     lines, force = bonds.points[bonds.cells], bonds.field("normal_force_N")
-    handles = _draw_continuum_faintly(axes, run, pieces)
+    handles = _draw_surroundings(axes, run, pieces)
     top = int(np.nanargmax(np.abs(force)))
     largest = abs(force[top])
     scale = scale or largest
     if largest > 0:
-        sample = _round_below(scale)
+        sample = round_below(scale)
         widest = min(4.0, max(0.8, 0.5 * _length_in_points(axes, lines)))  # dense bonds stay apart
         level = np.round(LEVELS * np.abs(force) / scale).astype(int)
         for k in range(1, LEVELS + 1):  # the largest on top; single lines of their own widths take long to draw
@@ -86,7 +90,7 @@ def bonds(run, time, pieces, bounds=None):
     cracks = counts[TENSILE_CRACK] + counts[SHEAR_CRACK]
     figure, axes, add_legend = _undeformed_sheet(
         run, time, pieces, bounds, "no cracks" if cracks == 0 else _count(cracks, "crack"))
-    handles = _draw_continuum_faintly(axes, run, pieces)
+    handles = _draw_surroundings(axes, run, pieces)
     _draw_lines(axes, lines[state == INTACT], style.GREY, 0.5)
     handles.append(Line2D([], [], color=style.GREY, lw=0.8, label=_count(counts[INTACT], "intact bond")))
     for mode, name, color in ((TENSILE_CRACK, "tensile", style.RED), (SHEAR_CRACK, "shear", style.BLUE)):
@@ -120,17 +124,22 @@ def _draw_zones(axes, grid, points, **look):
     axes.add_collection(PolyCollection(points[grid.cells], **look))
 
 
-def _draw_continuum_faintly(axes, run, pieces):
+def _draw_surroundings(axes, run, pieces):
     grid = pieces.get("grid")
     handles = _shade_overlap(axes, run, grid)
     if grid is not None:
         _draw_zones(axes, grid, grid.points, fc="none", ec="#BBCFE0", lw=0.6)
         handles.append(Patch(fc="white", ec="#BBCFE0", label="zones"))
+    springs = pieces.get("springs")
+    if springs is not None and len(springs.cells):
+        axes.add_collection(LineCollection(springs.points[springs.cells], color=style.GREEN, lw=1.6, zorder=3))
+        handles.append(Line2D([], [], color=style.GREEN, lw=1.6, label="springs"))
     return handles
 
 
-def _shade_overlap(axes, run, grid, scale=0):
-    """Shades the overlap: a strip from where particles begin to where the continuum ends, or the zones of a ring."""
+def _shade_overlap(axes, run, grid, points=None):
+    """Shades the overlap: a strip from where particles begin to where the continuum ends, or the zones of a ring. `points`:
+    those of the grid after its displacement."""
     ends = run.overlap()
     shade = {"fc": OVERLAP_FACE, "ec": "none", "alpha": 0.45}
     if ends is None:
@@ -138,7 +147,8 @@ def _shade_overlap(axes, run, grid, scale=0):
         shared = weight < 1 - 1e-9  # beyond the overlap rounding leaves a weight just below 1
         if not np.any(shared):
             return []
-        axes.add_collection(PolyCollection(grid.moved(scale)[grid.cells[shared]], zorder=1.5, **shade))
+        points = grid.points if points is None else points
+        axes.add_collection(PolyCollection(points[grid.cells[shared]], zorder=1.5, **shade))
         return [Patch(label="overlap", **shade)]
     direction = ends[1] - ends[0]
     along = np.array([-direction[1], direction[0]]) / np.hypot(*direction)
@@ -159,20 +169,6 @@ def _across(lines):
     middle, half = lines.mean(axis=1), (lines[:, 1] - lines[:, 0]) / 2
     turned = np.stack([-half[:, 1], half[:, 0]], axis=1)
     return np.stack([middle - turned, middle + turned], axis=1)
-
-
-def scale_of(pieces):
-    """The round factor that makes the largest displacement about a fourteenth of the model, at least 1."""
-    models = [pieces[kind] for kind in ("grid", "particles") if kind in pieces]
-    size = max(np.ptp(np.concatenate([p.points for p in models]), axis=0))
-    largest = max((np.nanmax(np.abs(p.moved(1) - p.points)[np.unique(p.cells)], initial=0) for p in models), default=0)
-    return max(1.0, _round_below(0.07 * size / largest)) if largest > NOISE * size else 1.0
-
-
-def _round_below(value):
-    """The largest of 1, 2, 5, 10, … (and 0.5, 0.2, …) that is not above the value."""
-    power = 10.0 ** math.floor(math.log10(value))
-    return max(factor * power for factor in (1, 2, 5) if factor == 1 or factor * power <= value)
 
 
 def _kilonewton(force):

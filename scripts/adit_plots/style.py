@@ -4,12 +4,14 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.textpath import TextPath
 
 # Okabe and Ito's palette, whose colours can be told apart with any colour vision.
 BLUE, RED, GREEN, ORANGE, SKY, PINK, YELLOW, BLACK = (
     "#0072B2", "#D55E00", "#009E73", "#E69F00", "#56B4E9", "#CC79A7", "#F0E442", "#000000")
 GREY = "#8C8C8C"
 WIDTH = 9.0  # inches of a picture of the model; a page to be read on a phone sets less
+LINE = 0.17  # inches from one line of a title to the next
 LABELS_BELOW = 0.5  # inches that the ticks and the label of the x axis take
 
 plt.rcParams.update({
@@ -46,6 +48,18 @@ def literal(text):
     return text.replace("$", r"\$")
 
 
+def fitted(text, inches):
+    """A title in as many lines as this width needs: (text, number of lines)."""
+    lines, size = [""], plt.rcParams["axes.titlesize"]
+    for word in text.split(" "):
+        longer = f"{lines[-1]} {word}".strip()
+        if lines[-1] and TextPath((0, 0), longer, size=size).get_extents().width / 72 > inches:
+            lines.append(word)
+        else:
+            lines[-1] = longer
+    return "\n".join(lines), len(lines)
+
+
 def model_sheet(bounds, title, width=None, right=0.2):
     """A figure as high as the model needs: (figure, axes of equal aspect, legend function)."""
     left, below, above = 0.65, 0.95, 0.4  # inches for labels, legend and title; `right` for a scale of colours
@@ -56,11 +70,13 @@ def model_sheet(bounds, title, width=None, right=0.2):
     if axes_height > 7.0:  # a tall model: the height decides
         axes_width, axes_height = max(4.5, axes_width * 7.0 / axes_height), 7.0
     axes_height = max(axes_height, 0.9)
+    title, lines = fitted(title, axes_width + right - 0.05)
+    above += LINE * (lines - 1)
     figure_width, figure_height = axes_width + left + right, axes_height + below + above
     figure = plt.figure(figsize=(figure_width, figure_height))
     axes = figure.add_axes((left / figure_width, below / figure_height,
                             axes_width / figure_width, axes_height / figure_height))
-    axes.set(xlim=(x_min, x_max), ylim=(y_min, y_max), aspect="equal", xlabel="x [m]", ylabel="y [m]")
+    axes.set(xlim=(x_min, x_max), ylim=(y_min, y_max), aspect="equal", anchor="W", xlabel="x [m]", ylabel="y [m]")
     axes.locator_params(axis="y", nbins=max(3, int(2.5 * axes_height)), min_n_ticks=2)
     axes.set_title(title, loc="left")
 
@@ -118,6 +134,11 @@ def sheet_with_legend_beside(bounds, title):
 
     place(3.0, 0)
     return figure, axes, add_legend
+
+
+def keep_apart(figure):
+    """Room around the panels of a figure that is laid out by itself, so that labels touch neither the edge nor other panels."""
+    figure.get_layout_engine().set(w_pad=0.1, h_pad=0.06, wspace=0.06)
 
 
 def shown(axes, points):

@@ -7,6 +7,7 @@ from adit_plots import style
 LINES = ("-", "--", "-.", (0, (3, 1, 1, 1, 1, 1)))  # line styles of the models, in turn
 KINDS = {"kinetic": style.BLUE, "strain": style.ORANGE, "released": style.PINK, "dissipated": style.RED, "external_work": style.GREEN,
          "multiplier_work": style.SKY}
+STORED = ("kinetic", "strain")
 
 # The quantities in histories.csv: endings of the columns' names, name of the quantity, and its units with their sizes.
 QUANTITIES = (
@@ -16,7 +17,7 @@ QUANTITIES = (
     (("sxx_Pa", "syy_Pa", "szz_Pa", "sxy_Pa"), "stress", (("Pa", 1), ("kPa", 1e3), ("MPa", 1e6))),
     (("exx", "eyy", "gxy"), "strain", (("10⁻⁶", 1e-6), ("10⁻³", 1e-3))),
     (("thrust_N",), "thrust", (("N/m", 1), ("kN/m", 1e3), ("MN/m", 1e6))),
-    (("moment_Nm",), "moment", (("N", 1), ("kN", 1e3), ("MN", 1e6))),
+    (("moment_Nm",), "moment", (("N m/m", 1), ("kN m/m", 1e3), ("MN m/m", 1e6))),
     (("shear_N",), "shear force", (("N/m", 1), ("kN/m", 1e3), ("MN/m", 1e6))),
     (("opening_m", "offset_m"), "joint", (("µm", 1e-6), ("mm", 1e-3), ("m", 1))),
     (("rotation_rad",), "joint rotation", (("10⁻⁶ rad", 1e-6), ("10⁻³ rad", 1e-3))),
@@ -25,6 +26,7 @@ QUANTITIES = (
     (("moment_lateral_N_m", "moment_vertical_N_m"), "moment", (("N m", 1), ("kN m", 1e3), ("MN m", 1e6))),
     (("shear_lateral_N", "shear_vertical_N"), "shear force", (("N", 1), ("kN", 1e3), ("MN", 1e6))))
 MOST_LINES = 12  # in one panel
+ROW = 0.16  # inches of a line of a legend
 
 
 def histories(run, quantities=None):
@@ -34,7 +36,9 @@ def histories(run, quantities=None):
         panels.append((quantity, *unit_for(units, [values for _, values in lines]), _largest(lines)))
     if not panels:
         return None
-    figure, axes = plt.subplots(len(panels), 1, sharex=True, squeeze=False, figsize=(8.0, 0.9 + 1.8 * len(panels)))
+    heights = [max(1.6, ROW * len(lines)) for *_, lines in panels]  # each as high as its legend
+    figure, axes = plt.subplots(len(panels), 1, sharex=True, squeeze=False, figsize=(8.0, 0.9 + sum(heights) + 0.2 * len(heights)),
+                                height_ratios=heights)
     time, label = style.time_axis(run.histories["time_s"])
     for panel, (quantity, unit, size, lines) in zip(axes[:, 0], panels):
         for i, (name, values) in enumerate(lines):
@@ -105,28 +109,42 @@ _COLORS = (style.BLUE, style.RED, style.GREEN, style.ORANGE, style.PINK, style.S
 
 
 def energy(run):
-    """Energies of all models, and below them the drift of their balance."""
+    """Three panels: what is put in and lost, what is stored, and the drift of the balance."""
     h = run.histories
-    models = [name.removesuffix("_kinetic_J") for name in h if name.endswith("_kinetic_J")]
-    names = [(model, kind) for model in models for kind in KINDS if np.any(h.get(f"{model}_{kind}_J", 0))]
     if "energy_drift" not in h or not len(h["time_s"]):
         return None
+    models = [name.removesuffix("_kinetic_J") for name in h if name.endswith("_kinetic_J")]
+    names = [(model, kind) for model in models for kind in KINDS if np.any(h.get(f"{model}_{kind}_J", 0))]
     time, label = style.time_axis(h["time_s"])
-    figure, (upper, lower) = plt.subplots(2, 1, sharex=True, figsize=(8.0, 5.0), height_ratios=(3, 1),
-                                          gridspec_kw={"right": 0.68, "left": 0.1, "top": 0.93, "hspace": 0.16})
-    largest = max((np.nanmax(np.abs(h[f"{s}_{k}_J"])) for s, k in names), default=0)
-    unit, divisor = ("MJ", 1e6) if largest >= 1e6 else ("kJ", 1e3) if largest >= 1e3 else ("J", 1)
-    for model, kind in names:
-        upper.plot(time, h[f"{model}_{kind}_J"] / divisor, ls=LINES[models.index(model) % len(LINES)], color=KINDS[kind],
-                   label=f"{model}, {kind.replace('_', ' ').replace('multiplier', 'multipliers’')}")
-    total = sum(h[f"{s}_{k}_J"] for s, k in names if k in ("kinetic", "strain"))
-    upper.plot(time, total / divisor, ":", color=style.BLACK, label="kinetic + strain, all")
-    upper.set(ylabel=f"energy [{unit}]")
-    upper.set_title(f"{run.name}: energy", loc="left")
-    upper.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), handlelength=2.6)
-    lower.plot(time, h["energy_drift"], color=style.BLACK, lw=1)
-    lower.axhline(0, color=style.GREY, lw=0.5)
-    lower.set(xlabel=label, ylabel="drift [of the peak]", xlim=(time[0], time[-1] or 1))
-    lower.ticklabel_format(axis="y", scilimits=(-2, 3))
+    rows = [[name for name in names if (name[1] in STORED) == stored] for stored in (False, True)]
+    heights = [max(1.7, ROW * (len(row) + 1)) for row in rows] + [1.0]
+    figure, panels = plt.subplots(3, 1, sharex=True, figsize=(8.0, 0.9 + sum(heights)), height_ratios=heights)
+    for axes, row, what in zip(panels, rows, ("put in and lost", "stored")):
+        total = sum(h[f"{model}_{kind}_J"] for model, kind in row) if what == "stored" and row else None
+        _draw_energies(axes, time, h, row, models, total, what)
+    panels[0].set_title(f"{run.name}: energy", loc="left")
+    panels[2].plot(time, h["energy_drift"], color=style.BLACK, lw=1)
+    panels[2].axhline(0, color=style.GREY, lw=0.5)
+    panels[2].set(xlabel=label, ylabel="drift\n[of the peak]", xlim=(time[0], time[-1] or 1))
+    panels[2].ticklabel_format(axis="y", scilimits=(-2, 3))
     figure.align_ylabels()
+    height = figure.get_figheight()
+    figure.subplots_adjust(left=0.12, right=0.7, top=1 - 0.32 / height, bottom=0.5 / height, hspace=0.14)
+    _widen(figure, [panel.get_legend() for panel in panels[:2] if panel.get_legend()])
     return figure
+
+
+def _draw_energies(axes, time, histories, row, models, total, what):
+    """Curves of one panel, wide ones below, so that those that coincide are all seen; `total` is drawn on top."""
+    series = [histories[f"{model}_{kind}_J"] for model, kind in row]
+    unit, size = unit_for((("J", 1), ("kJ", 1e3), ("MJ", 1e6)), [*series, [0]])
+    for (model, kind), values in zip(row, series):
+        wide = {"lw": 3.5, "alpha": 0.4, "zorder": 1} if kind == "external_work" else {}
+        axes.plot(time, values / size, ls=LINES[models.index(model) % len(LINES)], color=KINDS[kind], **wide,
+                  label=f"{model}, {kind.replace('_', ' ').replace('multiplier', 'multipliers’')}")
+    if total is not None:
+        axes.plot(time, total / size, ":", color=style.BLACK, label="kinetic + strain, all")
+    axes.axhline(0, color=style.GREY, lw=0.4, zorder=0)
+    axes.set_ylabel(f"{what} [{unit}]")
+    if row:
+        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.04), handlelength=2.6, labelspacing=0.25)

@@ -38,6 +38,7 @@ def time_distance(run):
         return None
     places, times = np.unique(values["chainage_m"]), np.unique(values["time_s"])
     figure, panels = plt.subplots(1, 2, sharey=True, figsize=(10, 5.2), layout="constrained")
+    style.keep_apart(figure)
     for axes, (column, divisor, label) in zip(panels, (
             ("lateral_velocity_m_per_s", 1, "lateral velocity [m/s]"), ("axial_force_N", 1e6, "axial force [MN]"))):
         field = values[column].reshape(len(times), len(places)) / divisor
@@ -61,6 +62,7 @@ def _along_the_axis(runs, title):
     units = [_unit(tables, quantity) for quantity in rows]
     count = 1 + len(rows) + with_joints
     figure, panels = plt.subplots(count, 1, sharex=True, figsize=(9, 1.9 * count + 0.6), layout="constrained")
+    style.keep_apart(figure)
     panels[0].set_title(title, loc="left")
     _draw_soil(panels[0], runs[0])
     for i, (run, values) in enumerate(zip(runs, tables)):

@@ -5,7 +5,7 @@ import numpy as np
 
 from adit_plots import style
 
-FORCES = (("thrust_N", "thrust N", "kN/m"), ("moment_Nm", "moment M", "kN"), ("shear_N", "shear force Q", "kN/m"))
+FORCES = (("thrust_N", "thrust N", "kN/m"), ("moment_Nm", "moment M", "kN m/m"), ("shear_N", "shear force Q", "kN/m"))
 
 
 def of_sections(results):

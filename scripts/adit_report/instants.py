@@ -2,6 +2,7 @@
 import numpy as np
 
 from adit_plots import colour_pictures, lining_pictures, model_pictures, style
+from adit_plots.deformation import scale_of
 from adit_report import pictures
 from adit_report.markup import Markup, section, tag
 
@@ -25,7 +26,7 @@ def chapter(results, most=MOST):
     numbers = spread(range(len(results.instants)), most, [results])
     found = [(results.instants[n][0], results.pieces_at(n)) for n in numbers]
     found = [(time, pieces) for time, pieces in found if pieces]
-    scale = min((model_pictures.scale_of(pieces) for _, pieces in found), default=1)
+    scale = min((scale_of(pieces) for _, pieces in found), default=1)
     shown = [(time, _views(results, time, pieces, scale)) for time, pieces in found]
     if not any(views for _, views in shown):
         return None
@@ -65,7 +66,7 @@ def _first(results, found):
     peak = results.number("peak_bond_force_time_s")
     if peak is not None:
         return int(np.argmin([abs(time - peak) for time, _ in found]))
-    return int(np.argmin([model_pictures.scale_of(pieces) for _, pieces in found]))
+    return int(np.argmin([scale_of(pieces) for _, pieces in found]))
 
 
 def _instant(time, views, is_open):

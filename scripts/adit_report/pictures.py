@@ -60,7 +60,8 @@ def _take_title(drawn):
         first = next((axes for axes in drawn.axes if axes.get_title(loc="left")), drawn.axes[0])
         text = first.get_title(loc="left")
         first.set_title("", loc="left")
-    text = legends.plain(text.partition(": ")[2] or text)
+    text = legends.plain(text.replace("\n", " "))
+    text = text.partition(": ")[2] or text
     return text[:1].upper() + text[1:]
 
 
