@@ -3,9 +3,9 @@
 # scripts find the programs in PREFIX/bin, and the coupler finds its servers beside itself.
 install(TARGETS coupler fdm_server dem_server simplified DESTINATION bin)
 
-install(PROGRAMS scripts/command scripts/run scripts/plot scripts/report scripts/compare scripts/calibrate scripts/trade DESTINATION share/adit/scripts)
+install(PROGRAMS scripts/command scripts/run scripts/plot scripts/report scripts/compare scripts/paraview scripts/calibrate scripts/trade DESTINATION share/adit/scripts)
 install(FILES scripts/adit_programs.py DESTINATION share/adit/scripts)
-install(DIRECTORY scripts/adit scripts/adit_compare scripts/adit_plots scripts/adit_report scripts/adit_run scripts/adit_studies scripts/adit_trade DESTINATION share/adit/scripts
+install(DIRECTORY scripts/adit scripts/adit_compare scripts/adit_paraview scripts/adit_plots scripts/adit_report scripts/adit_run scripts/adit_studies scripts/adit_trade DESTINATION share/adit/scripts
   USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY cases DESTINATION share/adit USE_SOURCE_PERMISSIONS)
 install(DIRECTORY protocol/messages DESTINATION share/adit/protocol FILES_MATCHING PATTERN "*.proto")
