@@ -9,9 +9,9 @@
 #include "protocol/errors.hpp"
 #include "protocol/scene/hash.hpp"
 #include "simplified/output/results.hpp"
-#include "simplified/output/zoom.hpp"
 #include "simplified/run_summary.hpp"
 #include "simplified/scene/joint.hpp"
+#include "simplified/zoom/write.hpp"
 
 namespace adit::simplified {
 namespace {
@@ -116,9 +116,11 @@ Setup set_up(const scene::Scene& scene) {
   return setup;
 }
 
-Response solve(const Setup& setup) {
-  const GroundField ground =
-      shake(*setup.scene, setup.motion.motion, setup.begin, setup.end, setup.clock.steps);
+GroundField shake(const Setup& setup) {
+  return shake(*setup.scene, setup.motion.motion, setup.begin, setup.end, setup.clock.steps);
+}
+
+Response solve(const Setup& setup, const GroundField& ground) {
   switch (setup.scene->model()) {
     case Scene::CHAIN:
       return solve_chain(*setup.scene, setup.line, ground, setup.clock);
@@ -134,12 +136,13 @@ void run(const scene::Scene& scene, const std::string& case_name, const protocol
          const std::filesystem::path& directory) {
   const auto started = std::chrono::steady_clock::now();
   const Setup setup = set_up(scene);
-  const Response response = solve(setup);
+  const GroundField ground = shake(setup);
+  const Response response = solve(setup, ground);
   const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   write_tables(directory, *setup.scene, response);
   write_motion(directory, motion::beginning(setup.motion.motion, scene.time().duration()));
   if (setup.scene->has_zoom() && !response.fields.time.empty())
-    write_zoom(directory / "zoom", response, setup.scene->zoom(), scene.time().duration());
+    write_zoom(directory / "zoom", setup, ground, response, scene.time().duration());
   summarize(scene, case_name, origin, setup, response, wall_s, directory);
 }
 

@@ -24,8 +24,11 @@ struct Setup {
 // Checks the whole scene and prepares its ground motion; throws UserError.
 Setup set_up(const scene::Scene& scene);
 
-// Computes the response to the ground motion; throws UserError and Unstable.
-Response solve(const Setup& setup);
+// The ground along the tunnel; throws UserError.
+GroundField shake(const Setup& setup);
+
+// Computes the response to the ground's motion; throws UserError and Unstable.
+Response solve(const Setup& setup, const GroundField& ground);
 
 // Sets the model up, solves it, writes the results into `directory`, which must exist, and prints the main
 // figures.

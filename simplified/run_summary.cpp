@@ -11,7 +11,7 @@
 #include "protocol/release.hpp"
 #include "protocol/results/summary.hpp"
 #include "protocol/scene/hash.hpp"
-#include "simplified/output/zoom.hpp"
+#include "simplified/zoom/places.hpp"
 
 namespace adit::simplified {
 namespace {

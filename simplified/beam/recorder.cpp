@@ -83,7 +83,7 @@ void Recorder::record(long step) {
   const double time = stepper_.time();
   update_envelopes(time);
   update_joints(time);
-  if (!at_stations_.empty() && step % options_.history_every == 0)
+  if (!at_stations_.empty() && (step % options_.history_every == 0 || step == options_.steps))
     results_.histories.push_back(snapshot(time, at_stations_));
   if (options_.field_every > 0 && step % options_.field_every == 0)
     results_.fields.push_back(snapshot(time, all_));

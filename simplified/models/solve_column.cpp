@@ -32,6 +32,14 @@ Envelope fundamental_frequencies(const scene::Ground& ground, const std::vector<
   return envelope;
 }
 
+// The steps of the rows: every `stride`, and the last.
+std::vector<std::uint64_t> rows_of(const Clock& clock) {
+  std::vector<std::uint64_t> rows;
+  for (std::uint64_t n = 0; n < clock.steps; n += clock.stride) rows.push_back(n);
+  rows.push_back(clock.steps);
+  return rows;
+}
+
 }  // namespace
 
 Response solve_column(const scene::Simplified& scene, const GroundField& ground, const Clock& clock) {
@@ -39,7 +47,8 @@ Response solve_column(const scene::Simplified& scene, const GroundField& ground,
   response.chainage = ground.chainage;
   response.envelopes = {fundamental_frequencies(scene.ground(), ground.chainage)};
   response.histories.columns = {"time_s"};
-  for (std::uint64_t n = 0; n <= clock.steps; n += clock.stride)
+  const std::vector<std::uint64_t> rows = rows_of(clock);
+  for (const std::uint64_t n : rows)
     response.histories.rows.emplace_back(1, static_cast<double>(n) * clock.dt);
   for (int d = 0; d < kDirections; ++d) {
     const Shaking& shaking = ground.shaking[d];
@@ -54,8 +63,8 @@ Response solve_column(const scene::Simplified& scene, const GroundField& ground,
       response.histories.columns.insert(response.histories.columns.end(),
                                         {station.name() + "_" + name + "_displacement_m",
                                          station.name() + "_" + name + "_acceleration_m_per_s2"});
-      for (std::size_t row = 0; row < response.histories.rows.size(); ++row) {
-        const std::size_t at = row * clock.stride * shaking.places + place;
+      for (std::size_t row = 0; row < rows.size(); ++row) {
+        const std::size_t at = rows[row] * shaking.places + place;
         response.histories.rows[row].insert(response.histories.rows[row].end(),
                                             {shaking.displacement[at], shaking.acceleration[at]});
       }

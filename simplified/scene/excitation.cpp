@@ -54,11 +54,11 @@ Shaking through_ground(const scene::Simplified& scene, const std::vector<column:
     places.push_back(ground.place(j, axis_depth(scene.tunnel(), columns[j].chainage)));
   Shaking shaking;
   resize(shaking, columns.size(), steps);
-  std::vector<double> rock(columns.size());
-  // Row 0 stays zero: the columns begin at rest.
+  for (std::size_t n = 0; n <= steps; ++n)
+    for (const Motion& motion : motions) shaking.rock.push_back(factor * value(motion.acceleration, n));
+  // Row 0 of the ground's motion stays zero: the columns begin at rest.
   for (std::size_t n = 1; n <= steps; ++n) {
-    for (std::size_t j = 0; j < columns.size(); ++j) rock[j] = factor * value(motions[j].acceleration, n);
-    ground.step(rock);
+    ground.step({shaking.rock.data() + n * columns.size(), columns.size()});
     for (std::size_t j = 0; j < columns.size(); ++j) {
       const std::size_t at = n * columns.size() + j;
       shaking.displacement[at] = ground.displacement(places[j]);

@@ -15,6 +15,7 @@ namespace adit::simplified {
 struct Shaking {
   std::size_t places = 0;
   std::vector<double> displacement, velocity, acceleration;  // [m], [m/s], [m/s^2]
+  std::vector<double> rock;  // outcrop below the soil columns; empty without these [m/s^2]
 };
 
 // The ground motion at the tunnel.

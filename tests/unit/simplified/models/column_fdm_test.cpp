@@ -55,7 +55,7 @@ scene::Scene strip_scene(const motion::Motion& motion) {
 TEST(Column, AgreesWithTheContinuumOnASoftLayer) {
   const scene::Scene scene = column_scene();
   const simplified::Setup setup = set_up(scene);
-  const Response column = solve(setup);
+  const Response column = solve(setup, shake(setup));
 
   coupler::Model model = test::local_model(strip_scene(setup.motion.motion));
   coupler::Stepper stepper(model);

@@ -34,7 +34,7 @@ scene::Scene half_space(const char* direction, double thickness) {
 void expect_delayed_outcrop(const char* direction, double velocity) {
   const scene::Scene scene = half_space(direction, velocity * kDelay);
   const simplified::Setup setup = set_up(scene);
-  const Response response = solve(setup);
+  const Response response = solve(setup, shake(setup));
   const auto delay = static_cast<std::size_t>(std::lround(kDelay / kStep));
   double largest = 0, difference = 0;
   for (std::size_t n = delay; n < response.histories.rows.size(); ++n) {

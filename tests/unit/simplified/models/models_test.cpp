@@ -11,8 +11,9 @@
 #include "protocol/scene/fields/check_rules.hpp"
 #include "simplified/models/differences.hpp"
 #include "simplified/models/solve.hpp"
-#include "simplified/output/zoom.hpp"
 #include "simplified/run.hpp"
+#include "simplified/zoom/places.hpp"
+#include "simplified/zoom/window.hpp"
 #include "tests/unit/simplified/scenes.hpp"
 
 namespace adit::simplified {
@@ -26,7 +27,8 @@ scene::Scene with_model(scene::Scene scene, scene::Simplified::Model model) {
 }
 
 Response response_of(const scene::Scene& scene) {
-  return solve(set_up(scene));
+  const Setup setup = set_up(scene);
+  return solve(setup, shake(setup));
 }
 
 void expect_equal_peaks(const Response& beam, const Response& chain, const std::string& name,
@@ -113,6 +115,25 @@ TEST(Excitation, PassageOpensJointsThatUniformMotionLeavesClosed) {
   const double passing = widest(response_of(scene));
   scene.mutable_simplified()->mutable_excitation()->clear_incidence();
   EXPECT_LT(widest(response_of(scene)), 0.01 * passing);
+}
+
+// Requirement: the last row of the histories is the end of the run, also where the rows' interval does not
+// divide it.
+TEST(Histories, EndWithTheRun) {
+  scene::Scene scene = tunnel();
+  scene.mutable_output()->set_history_interval(0.03);
+  scene::SoilProfile& profile = *scene.mutable_simplified()->mutable_ground()->add_profiles();
+  profile.set_chainage(0);
+  profile.add_layers()->set_thickness(20);
+  profile.mutable_layers(0)->set_shear_velocity(200);
+  profile.mutable_layers(0)->set_density(1900);
+  scene.mutable_simplified()->mutable_excitation()->set_through_ground(true);
+  for (const auto model : {scene::Simplified::BEAM, scene::Simplified::CHAIN, scene::Simplified::COLUMN}) {
+    const Response response = response_of(with_model(scene, model));
+    ASSERT_EQ(response.histories.rows.size(), 68U) << model;
+    EXPECT_DOUBLE_EQ(response.histories.rows.back()[0], 2) << model;
+    EXPECT_NEAR(response.histories.rows[66][0], 1.98, 1e-12) << model;
+  }
 }
 
 // Requirement: the fourth-order differences err by (w dt)^4/30 of a sine's rate.

@@ -1,26 +1,12 @@
-// From the whole tunnel to a detailed model: the places with the largest response, and the boundary motions
-// for a model of their surroundings.
+// The tunnel around a place, moved at both edges as the whole tunnel moves there.
 #pragma once
 
-#include <filesystem>
-#include <string>
 #include <vector>
 
 #include "protocol/messages/scene.pb.h"
 #include "simplified/output/response.hpp"
 
 namespace adit::simplified {
-
-struct Place {
-  std::string name;  // "opening", "moment", "shear", "strain"
-  std::string unit;  // unit of the value
-  double chainage;   // [m]
-  double value;      // the largest magnitude
-};
-
-// The places of the largest joint opening, lateral moment, lateral shear and strain, as far as the response
-// has these.
-std::vector<Place> largest_responses(const Response& response);
 
 // A window around a place and the tunnel's velocity at its two edges.
 struct Window {
@@ -37,9 +23,5 @@ Window window(const Fields& fields, double chainage, double width);
 // The edges' motion as a scene of the coupled model, in plan: x the chainage, y to the left, the tunnel's
 // axis at y = 0. The user adds material and models (`extends: <this file>`).
 scene::Scene fragment(const Window& window, double duration);
-
-// Writes `<name>.csv` and `<name>.yaml` of each place into `directory`, which is created.
-void write_zoom(const std::filesystem::path& directory, const Response& response, const scene::Zoom& zoom,
-                double duration);
 
 }  // namespace adit::simplified

@@ -1,14 +1,10 @@
-#include "simplified/output/zoom.hpp"
+#include "simplified/zoom/window.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <fstream>
 
 #include "protocol/errors.hpp"
-#include "protocol/results/csv.hpp"
-#include "protocol/scene/writer.hpp"
 #include "simplified/scene/nearest.hpp"
 
 namespace adit::simplified {
@@ -33,44 +29,7 @@ void add_motion(scene::Continuum& continuum, const scene::Area& where, const sce
   table.mutable_value()->Add(value.begin(), value.end());
 }
 
-void write_motions(const std::filesystem::path& path, const Window& window) {
-  const std::array<std::string, 5> columns = {"time_s", "begin_vx_m_per_s", "begin_vy_m_per_s",
-                                              "end_vx_m_per_s", "end_vy_m_per_s"};
-  results::CsvFile file(path, columns);
-  for (std::size_t n = 0; n < window.time.size(); ++n)
-    file.row(std::array{window.time[n], window.begin_axial[n], window.begin_lateral[n], window.end_axial[n],
-                        window.end_lateral[n]});
-}
-
-void write_fragment(const std::filesystem::path& path, const Place& place, const Window& window,
-                    double duration) {
-  std::ofstream file(path);
-  file << fmt::format(
-              "# The tunnel from {} to {} m, around the largest {} of the run, {:.4g} {} at {:g} m: the "
-              "motion of "
-              "both edges, which do not turn.\n"
-              "# Not yet a scene: write one with `extends: <this file>`, a material, and models over these "
-              "chainages.\n",
-              window.begin, window.end, place.name, place.value, place.unit, place.chainage)
-       << protocol::to_yaml(fragment(window, duration));
-}
-
 }  // namespace
-
-std::vector<Place> largest_responses(const Response& response) {
-  std::vector<Place> places;
-  const auto joint = std::ranges::max_element(response.joints, {}, &JointResponse::opening);
-  if (joint != response.joints.end()) places.push_back({"opening", "m", joint->chainage, joint->opening});
-  const std::array<std::array<const char*, 3>, 3> wanted = {
-      {{"moment", "moment_lateral", "N m"}, {"shear", "shear_lateral", "N"}, {"strain", "strain", ""}}};
-  for (const auto& [name, envelope, unit] : wanted) {
-    if (const Envelope* found = find(response, envelope)) {
-      const Peak top = peak(response.chainage, *found);
-      places.push_back({name, unit, top.chainage, top.value});
-    }
-  }
-  return places;
-}
 
 Window window(const Fields& fields, double chainage, double width) {
   const double first = fields.chainage.front(), last = fields.chainage.back();
@@ -106,16 +65,6 @@ scene::Scene fragment(const Window& window, double duration) {
   add_motion(continuum, end, axial, window.time, window.end_axial);
   add_motion(continuum, end, lateral, window.time, window.end_lateral);
   return scene;
-}
-
-void write_zoom(const std::filesystem::path& directory, const Response& response, const scene::Zoom& zoom,
-                double duration) {
-  std::filesystem::create_directories(directory);
-  for (const Place& place : largest_responses(response)) {
-    const Window around = window(response.fields, place.chainage, zoom.width());
-    write_motions(directory / (place.name + ".csv"), around);
-    write_fragment(directory / (place.name + ".yaml"), place, around, duration);
-  }
 }
 
 }  // namespace adit::simplified
