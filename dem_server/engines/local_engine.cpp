@@ -28,6 +28,8 @@ LocalEngine::LocalEngine(const Model& model)
     held_x_ = held_x_ || motion.component == Component::kX;
     held_y_ = held_y_ || motion.component == Component::kY;
   }
+  for (const Foundation& foundation : model.foundations)
+    (foundation.direction == foundation::Direction::kX ? held_x_ : held_y_) = true;
 }
 
 void LocalEngine::begin(const protocol::Step& step) {

@@ -71,7 +71,7 @@ class LocalEngine : public Engine, public Observable {
   std::size_t present_ = 0;         // particles that are there
   bool counts_from_stage_ = false;  // displacements do, not from the beginning of time
   std::vector<EdgeDashpot> edges_;
-  bool held_x_, held_y_;  // by walls or prescribed motions
+  bool held_x_, held_y_;  // by walls, foundations or prescribed motions
   CouplingPoints coupling_;
   double kick_ = 0;  // of the last step [s]
   Lining lining_;

@@ -18,6 +18,7 @@
 #include "dem_server/laws/smooth_joint.hpp"
 #include "dem_server/model/group_pairs.hpp"
 #include "dem_server/packing/discs.hpp"
+#include "protocol/foundation/springs.hpp"
 #include "protocol/geometry/bounding_box.hpp"
 
 namespace adit::dem {
@@ -105,6 +106,15 @@ struct ParticleStage {
   std::vector<Bond> bonds{};         // all of them
 };
 
+// Springs between the cells of some discs and ground that moves by itself, in one direction.
+struct Foundation {
+  foundation::Direction direction;
+  foundation::SpringLaw law;  // per area of the cells
+  std::shared_ptr<const foundation::GroundCourse> ground;
+  std::vector<std::uint32_t> discs;  // ascending
+  std::string path;                  // in the scene
+};
+
 struct Model {
   Discs discs;
   std::vector<double> mass;          // without weight [kg]
@@ -132,6 +142,7 @@ struct Model {
   std::vector<EdgeDashpot> edges;
   std::vector<Load> loads;  // forces, then accelerations
   std::vector<PrescribedMotion> motions;
+  std::vector<Foundation> foundations;
   double local_damping = 0, viscous_damping = 0;  // share, [1/s]
   std::vector<std::string> notes;                 // for the user: what was packed, what was taken away
 
@@ -142,6 +153,8 @@ struct Model {
   std::uint32_t contact_number(std::uint32_t group_1, std::uint32_t group_2) const {
     return group_pair_number(groups(), group_1, group_2);
   }
+  // Area of the cell that a disc stands for, without its weight [m^2].
+  double cell_area(std::size_t disc) const { return mass[disc] / density[group[disc]]; }
   // Moment of inertia of a disc without its weight, m R^2 / 2 [kg m^2].
   double inertia(std::size_t disc) const { return mass[disc] * discs.radius[disc] * discs.radius[disc] / 2; }
 };

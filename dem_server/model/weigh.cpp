@@ -107,6 +107,7 @@ Model weigh(const Model& whole, const SampledWeights& weights) {
   if (model.discs.size() == 0) return model;  // for the caller to refuse, before a load that lost its discs
   keep_conditions(place, model.loads);
   keep_conditions(place, model.motions);
+  keep_conditions(place, model.foundations);
   return model;
 }
 

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
 
 #include "fdm_server/model/grid/selection.hpp"
-#include "protocol/errors.hpp"
 #include "protocol/participant/time_function.hpp"
 
 namespace adit::fdm {
@@ -88,10 +86,6 @@ Load body_load(const scene::BodyLoad& scene, const Grid& grid, std::span<const d
   return over_time(std::move(load), scene.time());
 }
 
-bool same_velocity(const scene::GridMotion& a, double va, const scene::GridMotion& b, double vb) {
-  return va == vb && (va == 0 || a.time().SerializeAsString() == b.time().SerializeAsString());
-}
-
 }  // namespace
 
 std::vector<Load> resolve_loads(const scene::Continuum& scene, const Grid& grid,
@@ -106,48 +100,6 @@ std::vector<Load> resolve_loads(const scene::Continuum& scene, const Grid& grid,
     loads.push_back(
         body_load(scene.body_loads(i), grid, masses, columns, fmt::format("continuum.body_loads[{}]", i)));
   return loads;
-}
-
-std::vector<PrescribedMotion> resolve_motions(const scene::Continuum& scene, const Grid& grid) {
-  std::vector<PrescribedMotion> motions;
-  // the motion that prescribes each point's x and y, or -1
-  std::array<std::vector<int>, 2> owner{std::vector<int>(grid.x.size(), -1),
-                                        std::vector<int>(grid.x.size(), -1)};
-  const auto velocity = [&](int i, Axis axis) {
-    const auto& v = scene.motions(i).velocity();
-    return axis == Axis::kX ? v.x() : v.y();
-  };
-  const auto prescribe = [&](int i, Axis axis, std::span<const std::uint32_t> chosen) {
-    const auto& here = scene.motions(i);
-    const auto path = fmt::format("continuum.motions[{}]", i);
-    PrescribedMotion motion{{}, axis, velocity(i, axis), factor(here.time())};
-    for (const auto point : chosen) {
-      int& before = owner[axis == Axis::kX ? 0 : 1][point];
-      if (before >= 0 &&
-          !same_velocity(scene.motions(before), velocity(before, axis), here, velocity(i, axis)))
-        throw protocol::UserError(
-            path + ".velocity",
-            fmt::format(
-                "prescribes another {} velocity than motions[{}] at the grid point ({}, {}) m; let one "
-                "of the two areas leave it out",
-                axis == Axis::kX ? "x" : "y", before, grid.x[point], grid.y[point]));
-      if (before >= 0) continue;
-      before = i;
-      motion.points.push_back(point);
-    }
-    motions.push_back(std::move(motion));
-  };
-  for (int i = 0; i < scene.motions_size(); ++i) {
-    const auto path = fmt::format("continuum.motions[{}]", i);
-    const auto& motion = scene.motions(i);
-    if (!motion.velocity().has_x() && !motion.velocity().has_y())
-      throw protocol::UserError(path + ".velocity",
-                                "names no component; give x, y or both (0 fixes a component)");
-    const auto chosen = select_points(grid, motion.where(), path + ".where");
-    if (motion.velocity().has_x()) prescribe(i, Axis::kX, chosen);
-    if (motion.velocity().has_y()) prescribe(i, Axis::kY, chosen);
-  }
-  return motions;
 }
 
 }  // namespace adit::fdm

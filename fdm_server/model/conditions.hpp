@@ -1,4 +1,4 @@
-// The scene's loads and motions on what is left of the grid.
+// The scene's loads on what is left of the grid.
 // Errors: UserError with the scene's path.
 #pragma once
 
@@ -20,8 +20,5 @@ namespace adit::fdm {
 // columns are loaded as their sides are: by body loads, and by the tractions of edges that meet their ends.
 std::vector<Load> resolve_loads(const scene::Continuum& scene, const Grid& grid,
                                 std::span<const double> masses, std::span<const FreeFieldColumn> columns);
-
-// A component of a point that two motions prescribe differently is an error.
-std::vector<PrescribedMotion> resolve_motions(const scene::Continuum& scene, const Grid& grid);
 
 }  // namespace adit::fdm

@@ -1,11 +1,15 @@
 #include "fdm_server/participant/critical_element.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "fdm_server/zones/critical_step.hpp"
 
 namespace adit::fdm {
 
 CriticalElement critical_element(ZoneKind kind, const Grid& grid, const Ground& ground,
-                                 const Structures& structures, const DampingLaw& damping) {
+                                 const Structures& structures, const DampingLaw& damping,
+                                 double foundation_stiffness) {
   const CriticalZone zone = critical_zone(kind, grid, ground);
   CriticalElement critical{zone.step, zone.step, "zone", zone.centre};
   if (const auto structure = structures.critical_element(); structure.step < zone.step) {
@@ -14,6 +18,12 @@ CriticalElement critical_element(ZoneKind kind, const Grid& grid, const Ground& 
                 structure.step,
                 structure.kind,
                 {(grid.x[a] + grid.x[b]) / 2, (grid.y[a] + grid.y[b]) / 2}};
+  }
+  if (foundation_stiffness > 0) {
+    const double density = std::ranges::min(ground.materials, {}, &Material::density).density;
+    critical.static_step =
+        1 / std::hypot(1 / critical.static_step, std::sqrt(foundation_stiffness / density) / 2);
+    critical.name += " on its foundation";
   }
   critical.step = critical_step(damping, critical.static_step);
   if (damping.beta > 0) critical.name += " with Rayleigh damping";

@@ -12,7 +12,8 @@
 namespace adit::fdm {
 
 // What governs the critical time step: its name, such as "zone", "beam" or "zone with Rayleigh damping", and
-// its middle [m].
+// its middle [m]. Springs of a foundation of this stiffness per area k [N/m^3] raise the omega^2 of an
+// element by k A over its mass, at most k / rho of the lightest ground.
 struct CriticalElement {
   double step;         // [s]
   double static_step;  // the same in statics, where no damping acts
@@ -21,6 +22,7 @@ struct CriticalElement {
 };
 
 CriticalElement critical_element(ZoneKind kind, const Grid& grid, const Ground& ground,
-                                 const Structures& structures, const DampingLaw& damping);
+                                 const Structures& structures, const DampingLaw& damping,
+                                 double foundation_stiffness);
 
 }  // namespace adit::fdm

@@ -14,11 +14,13 @@
 #include "fdm_server/materials/wave_speeds.hpp"
 #include "fdm_server/model/boundaries/base_motion.hpp"
 #include "fdm_server/model/boundaries/boundaries.hpp"
+#include "fdm_server/model/boundaries/foundations.hpp"
 #include "fdm_server/model/damping.hpp"
 #include "fdm_server/model/grid/excavation.hpp"
 #include "fdm_server/model/grid/read_grid.hpp"
 #include "fdm_server/model/ground.hpp"
 #include "fdm_server/model/initial_stress.hpp"
+#include "fdm_server/model/motions.hpp"
 #include "fdm_server/model/resolution.hpp"
 #include "fdm_server/model/supports/supports.hpp"
 #include "fdm_server/participant/critical_element.hpp"
@@ -26,6 +28,7 @@
 #include "fdm_server/solver/deformed_grid.hpp"
 #include "fdm_server/zones/zone_set.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/foundation/read.hpp"
 #include "protocol/ground/stages.hpp"
 #include "protocol/messages/spans.hpp"
 
@@ -57,7 +60,8 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   const Supports supports = resolve_supports(scene_, grid_);
   damping_ = resolve_damping(scene_.continuum());
   const CriticalElement critical =
-      critical_element(setup_.kind, grid_, setup_.ground, supports.structures, damping_);
+      critical_element(setup_.kind, grid_, setup_.ground, supports.structures, damping_,
+                       foundation::largest_stiffness(scene_.continuum().foundations()));
   critical_dt_ = critical.step;
   critical_static_dt_ = critical.static_step;
   if (!(critical_dt_ > 0) || !std::isfinite(critical_dt_))
@@ -146,6 +150,7 @@ void FdmParticipant::make_continuum() {
   continuum_->set_dashpots(std::move(boundaries.dashpots),
                            scene_.has_statics() || scene_.has_initial_stress());
   continuum_->set_damping(damping_);
+  continuum_->set_foundations(resolve_foundations(conditions, grid_, weights_));
 }
 
 std::vector<Load> FdmParticipant::loads(std::span<const double> masses) const {

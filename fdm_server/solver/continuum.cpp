@@ -94,6 +94,11 @@ void Continuum::set_damping(const DampingLaw& law) {
   plan(std::vector<bool>(points_.size(), false));
 }
 
+void Continuum::set_foundations(std::vector<foundation::Springs> foundations) {
+  interior_.foundations = std::move(foundations);
+  plan(std::vector<bool>(points_.size(), false));
+}
+
 void Continuum::set_interface(std::span<const std::uint32_t> points) {
   std::vector<bool> chosen(points_.size(), false);
   for (const auto point : points) chosen[point] = true;
@@ -105,6 +110,8 @@ void Continuum::set_interface(std::span<const std::uint32_t> points) {
       interior_.dashpots, [&](const Dashpot& dashpot) { return !chosen[dashpot.point]; });
   interface_.dashpots.assign(inside.begin(), inside.end());
   interior_.dashpots.erase(inside.begin(), inside.end());
+  for (auto& springs : interior_.foundations)
+    if (auto taken = springs.take(chosen); !taken.empty()) interface_.foundations.push_back(std::move(taken));
   std::vector<Load> loads;
   for (auto& loading : interior_.loads) loads.push_back(std::move(loading.load));
   interior_.loads.clear();
@@ -130,6 +137,7 @@ void Continuum::plan(const std::vector<bool>& chosen) {
       pulled[dashpot.point] = true;
       if (dashpot.field) pulled[dashpot.field->column_point] = true;
     }
+    for (const auto& springs : part->foundations) springs.mark(pulled);
   }
   structures_.mark_points(pulled);
   interior_.structures = structures_.standing();
@@ -227,6 +235,7 @@ void Continuum::pull(Part& part, const protocol::Step& step) {
   structures_.add_forces(part.structures, step.dt, {points.vx, points.vy, points.fx, points.fy});
   if (damping_.acts()) damping_.add_viscous(part.points, step, points);
   apply_loads(part, step);
+  hold_by_ground(part, step);
   add_boundary_forces(part.dashpots, supports_, damping_.law().beta, step, zones_, points, boundary_work_);
   if (damping_.acts()) damped_ += damping_.add_others(part.points, step, points, points_[kMass]);
   find_reactions(part, step);
@@ -245,6 +254,15 @@ void Continuum::apply_loads(Part& part, const protocol::Step& step) {
     }
     if (!step.from_rest()) external_work_ += step.dt * power * (last_factor + factor) / 2;
     last_factor = factor;
+  }
+}
+
+void Continuum::hold_by_ground(Part& part, const protocol::Step& step) {
+  for (foundation::Springs& springs : part.foundations) {
+    const bool x = springs.direction() == foundation::Direction::kX;
+    springs.add_forces(step,
+                       {points_[x ? kVx : kVy].data(), points_[x ? kInverseMassX : kInverseMassY].data(),
+                        points_[x ? kFx : kFy].data()});
   }
 }
 
@@ -286,9 +304,16 @@ Energies Continuum::energies(const protocol::Step& step) const {
   for (std::size_t i = 0; i < points_.size(); ++i)
     twice += points_[kMass][i] *
              (product(points_[kLastVx][i], points_[kVx][i]) + product(points_[kLastVy][i], points_[kVy][i]));
-  return {twice / 2, zones_.strain_energy() + structures_.strain_energy(),
-          external_work_ + steady_work() + boundary_work_.external,
-          zones_.dissipated() + structures_.dissipated() + boundary_work_.dissipated + damped_};
+  Energies sum{twice / 2, zones_.strain_energy() + structures_.strain_energy(),
+               external_work_ + steady_work() + boundary_work_.external,
+               zones_.dissipated() + structures_.dissipated() + boundary_work_.dissipated + damped_};
+  for (const Part* part : {&interface_, &interior_})
+    for (const foundation::Springs& springs : part->foundations) {
+      sum.strain += springs.stored();
+      sum.external_work += springs.work();
+      sum.dissipated += springs.dissipated();
+    }
+  return sum;
 }
 
 void Continuum::predict(const Part& part, const protocol::Step& step) {
@@ -314,6 +339,8 @@ void Continuum::start_over() {
   tie_y_.clear();
   external_work_ = damped_ = 0;
   boundary_work_ = {};
+  for (Part* part : {&interface_, &interior_})
+    for (foundation::Springs& springs : part->foundations) springs.start_over();
 }
 
 void Continuum::reset_displacements() {
@@ -341,6 +368,10 @@ Vector Continuum::drag(protocol::IndexRange points) const {
     for (const Prescribed& one : part->motions)
       if (std::ranges::any_of(one.motion.points, inside))
         (one.motion.axis == Axis::kX ? sum.x : sum.y) = std::numeric_limits<double>::infinity();
+    for (const foundation::Springs& springs : part->foundations)
+      if (springs.holds(points.begin, points.end))
+        (springs.direction() == foundation::Direction::kX ? sum.x : sum.y) =
+            std::numeric_limits<double>::infinity();
   }
   return sum;
 }

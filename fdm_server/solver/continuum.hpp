@@ -9,7 +9,7 @@
 // from rest like step 0, at the stresses reached.
 //
 // Energies at step n: kinetic 1/2 sum m v(n-1/2) v(n+1/2), strain energy of the stresses; work of loads,
-// prescribed motions and boundaries, and what dashpots and damping dissipate, summed as
+// prescribed motions, boundaries and ground, and what dashpots, slip and damping dissipate, summed as
 // dt v(n+1/2) (F(n) + F(n+1))/2; dissipation of the materials (zones/nonlinear/nonlinear_zones.hpp). Then
 // kinetic + strain + dissipated - work keeps its value of step 0 to rounding: M (v(n+3/2) - v(n-1/2)) = dt
 // (f(n) + f(n+1)), times v(n+1/2)/2, is the change of the kinetic energy, and f = F - K u. That value is -1/2
@@ -28,6 +28,7 @@
 #include "fdm_server/solver/sweep.hpp"
 #include "fdm_server/structures/structures.hpp"
 #include "fdm_server/zones/zone_set.hpp"
+#include "protocol/foundation/springs.hpp"
 #include "protocol/participant/step.hpp"
 #include "protocol/threads/team.hpp"
 
@@ -50,6 +51,8 @@ class Continuum {
   // the stresses.
   void set_dashpots(std::vector<Dashpot> dashpots, bool support);
   void set_damping(const DampingLaw& law);
+  // Likewise.
+  void set_foundations(std::vector<foundation::Springs> foundations);
 
   // Makes these points the interface, before the first step.
   void set_interface(std::span<const std::uint32_t> points);
@@ -105,10 +108,10 @@ class Continuum {
   const ZoneSet& zones() const { return zones_; }
   const Structures& structures() const { return structures_; }
 
-  // Whether each point bears on dashpots.
+  // Whether each point bears on dashpots of boundaries.
   std::vector<bool> on_dashpots() const;
   // The force of the dashpots of these points, but for those against columns, against a unit velocity [N
-  // s/m]; infinite where any of the points is prescribed.
+  // s/m]; infinite where any of the points is prescribed or held by springs.
   Vector drag(protocol::IndexRange points) const;
 
   // A point whose velocity is not finite, if any.
@@ -152,6 +155,7 @@ class Continuum {
     std::vector<Loading> loads;
     std::vector<Prescribed> motions;
     std::vector<Dashpot> dashpots;
+    std::vector<foundation::Springs> foundations;
   };
 
   // Says which points the parts may sweep: those that others pull on, too, have to wait for these.
@@ -165,6 +169,7 @@ class Continuum {
   void hold(Axis axis, std::uint32_t point, double impulse);
   void pull(Part& part, const protocol::Step& step);
   void apply_loads(Part& part, const protocol::Step& step);
+  void hold_by_ground(Part& part, const protocol::Step& step);
   void find_reactions(Part& part, const protocol::Step& step);
   void predict(const Part& part, const protocol::Step& step);
   double steady_work() const;

@@ -1,6 +1,7 @@
 #include "dem_server/engines/general/critical_step.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -215,13 +216,24 @@ double with_dashpots(const Touching& touching, double unstable) {
   return stable;
 }
 
-}  // namespace
-
-double critical_static_step(const Model& model) {
-  return step_of(of_springs(Touching(model))) / std::sqrt(1 + model.local_damping);
+// The largest k / rho of foundations at a disc.
+double foundation_frequency(const Model& model) {
+  std::array<std::vector<double>, 2> sums{std::vector(model.discs.size(), 0.0),
+                                          std::vector(model.discs.size(), 0.0)};
+  for (const Foundation& one : model.foundations)
+    for (const std::uint32_t i : one.discs)
+      sums[one.direction == foundation::Direction::kX ? 0 : 1][i] +=
+          one.law.stiffness * model.cell_area(i) / model.mass[i];
+  return std::max(std::ranges::max(sums[0]), std::ranges::max(sums[1]));
 }
 
-CriticalElement critical_element(const Model& model) {
+// Foundations add their frequency to that of the pairs at every disc.
+double on_foundations(const Model& model, double step) {
+  if (model.foundations.empty()) return step;
+  return 1 / std::hypot(1 / step, std::sqrt(foundation_frequency(model)) / 2);
+}
+
+CriticalElement critical_element_of_pairs(const Model& model) {
   const Touching touching(model);
   Stiffest stiffest = of_springs(touching);
   double step = step_of(stiffest);
@@ -234,6 +246,18 @@ CriticalElement critical_element(const Model& model) {
   };
   return {step / std::sqrt(1 + model.local_damping), stiffest.kind, middle(model.discs.x),
           middle(model.discs.y)};
+}
+
+}  // namespace
+
+double critical_static_step(const Model& model) {
+  return on_foundations(model, step_of(of_springs(Touching(model))) / std::sqrt(1 + model.local_damping));
+}
+
+CriticalElement critical_element(const Model& model) {
+  CriticalElement critical = critical_element_of_pairs(model);
+  critical.step = on_foundations(model, critical.step);
+  return critical;
 }
 
 }  // namespace adit::dem

@@ -26,6 +26,9 @@
 // known, m* is bounded by the disc and the heaviest of the model. Equal discs between walls get 0.76, 0.59
 // and 0.32 of the step of their springs for beta = 0.1, 0.2 and 0.5.
 //
+// A foundation of the stiffness k per area adds k / rho, rho being a cell's density, to every omega^2: the
+// quotient of Rayleigh of both together is at most the sum of the largest of each.
+//
 // Local damping a (Cundall 1987) makes up to 1 + a of each force: the step is divided by sqrt(1 + a).
 #pragma once
 

@@ -140,25 +140,28 @@ Energies GeneralEngine::energies(const protocol::Step& step) {
   const double loads = loads_.work().forces, body_loads = loads_.work().accelerations,
                motions = motions_.work(), walls = solver_.walls().work();
   return {.kinetic = kinetic_energy_of(step),
-          .strain = solver_.strain_energy(),
-          .external_work = loads + body_loads + motions + walls + ledger.support,
+          .strain = solver_.strain_energy() + solver_.foundation_energy(),
+          .external_work = loads + body_loads + motions + walls + ledger.support + ledger.ground,
           .released = ledger.released,
           .dissipated = ledger.friction + ledger.dashpots + ledger.damping.local + ledger.damping.viscous +
-                        ledger.damping.edges,
+                        ledger.damping.edges + ledger.foundations,
           .shares = {{"contacts", stored.contacts},
                      {"contact_bonds", stored.contact_bonds},
                      {"parallel_bonds", stored.parallel_bonds},
                      {"joints", solver_.joints().strain_energy()},
                      {"springs", solver_.springs().strain_energy()},
+                     {"foundations", solver_.foundation_energy()},
                      {"loads", loads},
                      {"body_loads", body_loads},
                      {"motions", motions},
                      {"walls", walls},
+                     {"ground", ledger.ground},
                      {"friction", ledger.friction},
                      {"contact_dashpots", ledger.dashpots},
                      {"local_damping", ledger.damping.local},
                      {"viscous_damping", ledger.damping.viscous},
                      {"quiet_edges", ledger.damping.edges},
+                     {"foundation_losses", ledger.foundations},
                      {"time_step", solver_.time_step_share()}}};
 }
 

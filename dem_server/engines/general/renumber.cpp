@@ -99,6 +99,7 @@ void renumber(Model& model) {
   };
   take_all(model.loads);
   take_all(model.motions);
+  take_all(model.foundations);
 }
 
 }  // namespace adit::dem

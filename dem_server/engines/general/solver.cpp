@@ -19,11 +19,24 @@ protocol::IndexRange range_of(std::uint32_t block, std::size_t discs) {
   return {block * kBlock, static_cast<std::uint32_t>(std::min<std::size_t>((block + 1) * kBlock, discs))};
 }
 
+// Each disc is held with the area of its cell.
+std::vector<foundation::Springs> foundations_of(const Model& model) {
+  std::vector<foundation::Springs> springs;
+  for (const Foundation& given : model.foundations) {
+    std::vector<foundation::HeldPoint> held;
+    for (const std::uint32_t i : given.discs)
+      held.push_back({i, model.weight[i] * model.cell_area(i), model.discs.x[i]});
+    springs.emplace_back(given.direction, given.law, given.ground, held);
+  }
+  return springs;
+}
+
 }  // namespace
 
 Solver::Solver(const Model& model, std::size_t threads)
     : particles_(at_rest(model)),
       springs_(model.springs),
+      foundations_(foundations_of(model)),
       local_damping_(model.local_damping),
       viscous_damping_(model.viscous_damping),
       edges_(model.edges),
@@ -66,6 +79,7 @@ void Solver::step(const protocol::Step& step, Loads& loads, PrescribedMotions& m
   move(step);
   pull(step);
   loads.apply(step, particles_);
+  hold_by_ground(step);
   support_held();
   support_edges(step.relax, dt);
   team_->run(results_.size(), [&](std::size_t block, std::size_t) {
@@ -133,6 +147,14 @@ double Solver::work_of_pairs(double dt, std::uint32_t begin, std::uint32_t end) 
   return dt / 2 * total;
 }
 
+void Solver::hold_by_ground(const protocol::Step& step) {
+  Particles& p = particles_;
+  for (foundation::Springs& springs : foundations_)
+    springs.add_forces(step, springs.direction() == foundation::Direction::kX
+                                 ? foundation::PointMotion{p.vx.data(), p.inverse_mass.data(), p.fx.data()}
+                                 : foundation::PointMotion{p.vy.data(), p.inverse_mass.data(), p.fy.data()});
+}
+
 void Solver::support_held() {
   for (const Held& held : held_) {
     particles_.fx[held.disc] += held.x;
@@ -197,6 +219,7 @@ void Solver::start_over(const protocol::Drift& drift) {
   ledger_ = {};
   walls_.start_over();
   springs_.start_over();
+  for (foundation::Springs& springs : foundations_) springs.start_over();
   joints_.start_over();
   strain_at_start_ = strain_energy();
 }
@@ -211,6 +234,12 @@ Stored Solver::stored() const {
 
 double Solver::strain_energy() const {
   return stored().sum() + joints_.strain_energy() + springs_.strain_energy();
+}
+
+double Solver::foundation_energy() const {
+  double sum = 0;
+  for (const foundation::Springs& springs : foundations_) sum += springs.stored();
+  return sum;
 }
 
 double Solver::internal_force() const {
@@ -232,6 +261,10 @@ DiscLedger Solver::ledger() const {
   ledger.friction += walls_.friction() + joints_.friction();
   ledger.dashpots += walls_.dashpots();
   ledger.released += springs_.released();
+  for (const foundation::Springs& springs : foundations_) {
+    ledger.ground += springs.work();
+    ledger.foundations += springs.dissipated();
+  }
   return ledger;
 }
 

@@ -38,6 +38,8 @@ struct DiscLedger {
   double pairs = 0, friction = 0, dashpots = 0, released = 0;
   Damping::Loss damping;
   double support = 0;  // work of what held quiet edges in statics
+  double ground = 0;   // work of the ground of foundations, and what their slip and dashpots took
+  double foundations = 0;
 };
 
 class Solver {
@@ -79,8 +81,9 @@ class Solver {
   double internal_force() const;
 
   DiscLedger ledger() const;
-  Stored stored() const;         // of pairs; walls' contacts among the contacts
-  double strain_energy() const;  // of all
+  Stored stored() const;             // of pairs; walls' contacts among the contacts
+  double strain_energy() const;      // of all but foundations
+  double foundation_energy() const;  // stored in their springs
   // The share of the time step (see above), since the start [J].
   double time_step_share() const;
 
@@ -95,6 +98,7 @@ class Solver {
   void move(const protocol::Step& step);
   void pull(const protocol::Step& step);
   double work_of_pairs(double dt, std::uint32_t begin, std::uint32_t end);
+  void hold_by_ground(const protocol::Step& step);
   void support_edges(bool relax, double dt);
   void support_held();
   struct PairLoad;
@@ -110,6 +114,7 @@ class Solver {
   Neighbours neighbours_;
   Joints joints_;
   SpringForces springs_;
+  std::vector<foundation::Springs> foundations_;
   WallContacts walls_;
   Damping damping_;
   double local_damping_, viscous_damping_;

@@ -5,6 +5,8 @@
 #include <array>
 
 #include "protocol/errors.hpp"
+#include "protocol/foundation/read.hpp"
+#include "protocol/ground/stages.hpp"
 #include "protocol/participant/time_function.hpp"
 
 namespace adit::dem {
@@ -79,6 +81,24 @@ std::vector<PrescribedMotion> read_motions(const scene::Particles& particles, co
     if (motion.has_spin()) add(Component::kSpin, motion.spin());
   }
   return motions;
+}
+
+std::vector<Foundation> read_foundations(const scene::Particles& particles, const Placement& placement) {
+  if (particles.foundations_size() > 0 && protocol::stages_of(particles).size() > 1)
+    throw protocol::UserError(
+        "particles.foundations",
+        "are given beside later stages, but foundations hold what is there from the beginning; "
+        "leave one of them out");
+  std::vector<Foundation> foundations;
+  for (int k = 0; k < particles.foundations_size(); ++k) {
+    const scene::Foundation& given = particles.foundations(k);
+    const std::string path = "particles.foundations[" + std::to_string(k) + "]";
+    const auto ground = foundation::read_ground(given, path);
+    const auto discs = select(given.where(), placement, path + ".where");
+    for (const auto& [direction, law] : foundation::read_laws(given, path))
+      foundations.push_back({direction, law, ground, discs, path});
+  }
+  return foundations;
 }
 
 }  // namespace adit::dem

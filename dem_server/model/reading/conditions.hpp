@@ -19,4 +19,7 @@ std::vector<Load> read_loads(const scene::Particles& particles, const Placement&
 // prescribes too.
 std::vector<PrescribedMotion> read_motions(const scene::Particles& particles, const Placement& placement);
 
+// Refused beside particles of later stages: a foundation holds what is there from the beginning.
+std::vector<Foundation> read_foundations(const scene::Particles& particles, const Placement& placement);
+
 }  // namespace adit::dem

@@ -171,6 +171,7 @@ Model read_model(const scene::Scene& scene) {
   model.edges = read_edges(particles, groups, placement, model.group);
   model.loads = read_loads(particles, placement);
   model.motions = read_motions(particles, placement);
+  model.foundations = read_foundations(particles, placement);
   if (scene.has_initial_stress()) start_under_stress(scene, model);
   return model;
 }

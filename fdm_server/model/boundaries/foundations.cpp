@@ -1,0 +1,51 @@
+#include "fdm_server/model/boundaries/foundations.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "fdm_server/model/grid/selection.hpp"
+#include "protocol/errors.hpp"
+#include "protocol/foundation/read.hpp"
+
+namespace adit::fdm {
+namespace {
+
+void refuse_later_excavations(const scene::Continuum& scene) {
+  const auto later = [](const scene::Excavation& one) { return one.stage() > 0; };
+  if (std::ranges::any_of(scene.excavations(), later))
+    throw protocol::UserError(
+        "continuum.foundations",
+        "are given beside excavations of later stages, but foundations hold what is there "
+        "from the beginning; leave one of them out");
+}
+
+std::vector<foundation::HeldPoint> held_points(const Grid& grid, const scene::Area& where,
+                                               std::span<const double> weights, const std::string& path) {
+  std::vector<double> held(grid.zones.size(), 0.0);
+  for (const auto zone : select_zones(grid, where, path)) held[zone] = weights[zone];
+  const auto areas = lumped_masses(grid, held, 1.0);
+  std::vector<foundation::HeldPoint> points;
+  for (std::uint32_t i = 0; i < areas.size(); ++i) points.push_back({i, areas[i], grid.x[i]});
+  return points;
+}
+
+}  // namespace
+
+std::vector<foundation::Springs> resolve_foundations(const scene::Continuum& scene, const Grid& grid,
+                                                     std::span<const double> weights) {
+  if (scene.foundations_size() > 0) refuse_later_excavations(scene);
+  std::vector<foundation::Springs> springs;
+  for (int i = 0; i < scene.foundations_size(); ++i) {
+    const scene::Foundation& given = scene.foundations(i);
+    const std::string path = fmt::format("continuum.foundations[{}]", i);
+    const auto ground = foundation::read_ground(given, path);
+    const auto points = held_points(grid, given.where(), weights, path + ".where");
+    for (const auto& [direction, law] : foundation::read_laws(given, path))
+      springs.emplace_back(direction, law, ground, points);
+  }
+  return springs;
+}
+
+}  // namespace adit::fdm
