@@ -140,6 +140,24 @@ TEST(Foundation, ShakesAnOverlapAsItsModels) {
   expect_oscillator(scene);
 }
 
+// Requirement: the critical step knows the springs: at just that step, models held ten times as stiffly as
+// they hold themselves stay with the ground.
+TEST(Foundation, EntersTheCriticalStep) {
+  for (const std::string& body : {kZones, kParticles}) {
+    scene::Scene scene = scene_of(kBody + body);
+    scene.mutable_time()->set_dt_factor(1);
+    scene::Foundation& foundation = scene.has_continuum() ? *scene.mutable_continuum()->add_foundations()
+                                                          : *scene.mutable_particles()->add_foundations();
+    shake(foundation);
+    for (auto* spring : {foundation.mutable_x(), foundation.mutable_y()}) {
+      spring->set_stiffness(kDensity * 2e8);
+      spring->clear_dashpot();
+    }
+    const double ground = kVelocity * (1 - std::cos(kOmega * kEnd)) / kOmega;
+    EXPECT_NEAR(end_of(scene)[0], ground, 1e-3 * ground) << body;
+  }
+}
+
 // Requirement: a body that moves and turns as its edge does stays rigid: a bar between two edges that turn
 // about one centre strains nowhere.
 TEST(BodyMotion, OfTwoEdgesTurnsABarAsARigidBody) {
