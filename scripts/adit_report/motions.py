@@ -1,5 +1,7 @@
 """Motions in and out: accelerations over time and response spectra in one picture, and their measures."""
-from adit_plots import spectra_pictures, style, time_pictures
+import numpy as np
+
+from adit_plots import oscillators, spectra_pictures, style, time_pictures
 from adit_report import pictures
 from adit_report.markup import section, table, tag
 from adit_report.quantities import figure
@@ -9,12 +11,16 @@ MEASURES = (("PGA", "pga_m_per_s2"), ("PGV", "pgv_m_per_s"), ("PGD", "pgd_m"), (
             ("CAV", "cav_m_per_s"), ("significant duration", "significant_duration_s"),
             ("largest amplification", "largest_amplification"), ("at", "largest_amplification_Hz"))
 
+NOISE = 1e-6  # of the largest displacement, below which a station does not move in this direction
 MOST = 6  # amplifications; pictures/ holds all
 
 
 def chapter(results):
     if results.is_simplified:
-        return section("motions", "Motions in and out", pictures.figure(_of_tunnel(results)))
+        told = (f"Spectra of the stations follow from their displacements, from {oscillators.ROWS} rows of histories.csv to a "
+                "period on.")
+        drawn = pictures.figure(_of_tunnel(results), tag("p", told, class_="note"))
+        return section("motions", "Motions in and out", drawn)
     names = list(results.spectra)
     if not names:
         told = "The scene asks for no spectra (output.spectra), so that motions stand among the histories only."
@@ -34,22 +40,30 @@ def _amplifications(results):
 
 
 def _of_tunnel(results):
-    """The motion of the scene, and below it how the stations of the tunnel move."""
+    """The motion of the scene, below it how the stations of the tunnel move, and the response spectra of both."""
     motion, moved = results.table("motion.csv"), time_pictures.quantities_of(results).get("displacement")
     if not motion or not moved:
         return None
-    drawn, (before, after) = style.plt.subplots(2, 1, sharex=True, figsize=(8.0, 4.6))
-    before.plot(motion["time_s"], motion["acceleration_m_per_s2"], color=style.BLACK, lw=0.9,
-                label="in: the motion of the scene")
+    drawn, (before, after, spectra) = style.plt.subplots(3, 1, figsize=(8.0, 7.2))
+    time, acceleration = motion["time_s"], motion["acceleration_m_per_s2"]
+    before.plot(time, acceleration, color=style.BLACK, lw=0.9, label="in: the motion of the scene")
+    spectra.plot(oscillators.PERIODS, oscillators.pseudo_acceleration(acceleration, time[1], oscillators.PERIODS),
+                 color=style.BLACK, label="in: the motion of the scene, 5 %")
+    time = results.histories["time_s"]
+    largest = max(np.abs(values).max() for _, values in moved[1])
     for i, (column, values) in enumerate(moved[1]):
         round_of, colour = divmod(i, len(spectra_pictures.COLORS))
-        after.plot(results.histories["time_s"], 1e3 * values, lw=1, color=spectra_pictures.COLORS[colour],
-                   ls=time_pictures.LINES[round_of % len(time_pictures.LINES)],
-                   label=style.literal(f"out: {time_pictures.said(column)}"))
+        look = {"lw": 1, "color": spectra_pictures.COLORS[colour], "ls": time_pictures.LINES[round_of % len(time_pictures.LINES)]}
+        said = style.literal(f"out: {time_pictures.said(column)}")
+        after.plot(time, 1e3 * values, label=said, **look)
+        if len(time) > 2 and np.abs(values).max() > NOISE * largest:
+            spectra.plot(*oscillators.of_displacement(values, time[1]), label=f"{said}, 5 %", **look)
     before.set_title("run: motions in and out", loc="left")
-    before.set_ylabel("acceleration [m/s²]")
-    after.set(xlabel="t [s]", ylabel="displacement [mm]")
-    for axes in (before, after):
+    before.set(xlabel="t [s]", ylabel="acceleration [m/s²]", xlim=(time[0], time[-1] or 1))
+    after.set(xlabel="t [s]", ylabel="displacement [mm]", xlim=(time[0], time[-1] or 1))
+    spectra.set(xlabel="period [s]", ylabel="pseudo acceleration [m/s²]", xscale="log")
+    spectra_pictures.plain_decades(spectra)
+    for axes in (before, after, spectra):
         axes.legend()
     return drawn
 

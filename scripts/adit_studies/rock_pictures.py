@@ -19,6 +19,7 @@ def curves(rock):
     left.legend(loc="upper center")
     _with_cracks(middle, test, "axial stress [MPa]", "uniaxial compression")
     _with_cracks(right, rock.brazilian, "2P/πD [MPa]", "Brazilian disc")
+    figure.suptitle("Stress in both tests", x=0.01, ha="left")
     figure.tight_layout()
     return figure
 

@@ -32,6 +32,7 @@ def over_wavelength(shares):
         panel.axvline(math.pi, color=style.GREY, lw=0.8)
         panel.text(math.pi * 1.05, 1.4 * SMALLEST, "the grid's cut-off, π", color=style.GREY, fontsize=8)
         panel.set_title(title, loc="left")
+    figure.suptitle("Reflected and lost in the bar over the wavelength", x=0.01, ha="left")
     axes[0].set_ylabel("% of the incident energy")
     axes[1].legend(fontsize=7.5, loc="lower left")
     return figure
@@ -48,6 +49,7 @@ def over_angle(shares):
     for panel, title in zip(axes, ("reflected", "lost")):
         panel.set(yscale="log", xlabel="angle of incidence [°]", xticks=range(0, 75, 15), ylim=(0.01, 30))
         panel.set_title(f"{title}, P beam of λ = 5h", loc="left")
+    figure.suptitle("Reflected and lost in the strip over the angle of incidence", x=0.01, ha="left")
     axes[0].set_ylabel("% of the incident energy")
     axes[0].legend()
     return figure
@@ -70,6 +72,7 @@ def pulses(shares, snapshots):
             panel.set_title(f"{case.solve}, λ = {length}h: {reflected} % back, {lost} % lost", loc="left", fontsize=8)
             for r in (radius(case), radius(case) + case.overlap):
                 panel.add_patch(Circle((0, 0), r, fc="none", ec=style.BLACK, lw=0.6))
+    figure.suptitle("Speed of the motion when the pulse has left the patch", x=0.01, ha="left")
     figure.colorbar(image, ax=axes, label="speed over the largest of the row, common logarithm", shrink=0.6)
     return figure
 

@@ -15,21 +15,24 @@ def write(path, shares):
             writer.writerow(said[column] for column in COLUMNS)
 
 
-def print_shares(shares):
-    """Reflected / lost in per cent: a line for each set-up and solve, a column for each wavelength."""
+def reflected_and_lost(shares):
+    """(head, rows) in per cent: a row for each set-up and solve, a column for each wavelength."""
     lengths = sorted({case.lambda_over_h for case in shares}, reverse=True)
-    lines = {}
+    found = {}
     for case, (reflected, _, lost) in shares.items():
         key = (case.model, case.wave, case.h_over_a, case.overlap_over_h, case.dt_factor, case.substeps,
                case.angle_deg, case.side, case.solve)
-        lines.setdefault(key, {})[case.lambda_over_h] = f"{percent(reflected)}/{percent(lost)}"
+        found.setdefault(key, {})[case.lambda_over_h] = f"{percent(reflected)}/{percent(lost)}"
+    head = ("model", "wave", "h/a", "Lo/h", "dt", "m", "angle", "side", "solve", *(f"{length:g}" for length in lengths))
+    return head, [(*map(str, key), *(cells.get(length, "") for length in lengths)) for key, cells in found.items()]
+
+
+def print_shares(shares):
+    head, rows = reflected_and_lost(shares)
     print("reflected / lost, per cent of the incident energy, over λ/h")
-    head = ("model", "wave", "h/a", "Lo/h", "dt", "m", "angle", "side", "solve")
-    widths = [max(len(str(key[i])) for key in [head, *lines]) for i in range(len(head))]
-    print("  ".join(name.ljust(width) for name, width in zip(head, widths)), *(f"{length:>12g}" for length in lengths))
-    for key, cells in lines.items():
-        print("  ".join(str(value).ljust(width) for value, width in zip(key, widths)),
-              *(cells.get(length, "").rjust(12) for length in lengths))
+    widths = [max(len(row[i]) for row in (head, *rows)) for i in range(len(head))]
+    for row in (head, *rows):
+        print("  ".join(cell.ljust(width) for cell, width in zip(row, widths)))
 
 
 def percent(share):

@@ -8,7 +8,7 @@ import subprocess
 import sys
 import unittest
 
-from programs import CASE, SOURCE, ProgramTest, coupler
+from programs import BUILD, CASE, SOURCE, ProgramTest, coupler
 
 sys.path.insert(0, str(SOURCE / "scripts"))
 from adit_report import page  # noqa: E402
@@ -191,6 +191,15 @@ class Pages(ProgramTest):
         for name in ("full_dem", "coupled"):
             self.assertNotIn(f'href="{name}/report.html"', text, "these runs have no reports")
             self.assertIn(f"{name}: Normal forces in the bonds at t = 12 ms", text)
+
+    def test_a_whole_tunnel_has_spectra_of_its_motion_and_of_its_stations(self):
+        run = self.folder / "tunnel"
+        subprocess.run([BUILD / "simplified" / "simplified", "run", SOURCE / "cases" / "hzm" / "uniform_0.1g.yaml", "--set",
+                        "time.duration=8 s", "--out", run], check=True, capture_output=True, timeout=60)
+        rows = re.findall(r'<th scope="row">([^<]*), 5 %</th><td>pseudo acceleration \[m/s²\]</td>(.*?)</tr>', self.page_of(run))
+        told = {name: [value(cell) for cell in re.findall(r"<td>(−?[\d.,]+)</td>", cells)] for name, cells in rows}
+        self.assertIn("out: middle, uy", told)
+        self.assertGreater(max(told["in: the motion of the scene"]), self.summary(run)["peak_input_acceleration_m_per_s2"])
 
     def test_a_summary_says_how_to_compute_it_again(self):
         record = self.folder / "motion.csv"

@@ -4,6 +4,7 @@ import csv
 import subprocess
 import sys
 
+from browser import FAULTS, page
 from programs import SOURCE, ProgramTest
 
 STUDY = SOURCE / "cases" / "wave_bar" / "study"
@@ -28,6 +29,12 @@ class WaveStudy(ProgramTest):
             self.assertLess(shares[1], 1e-4)
             self.assertGreater(shares[2], 0.95)
         self.assertTrue((self.folder / "study" / "pictures" / "over_wavelength.png").stat().st_size > 0)
+        text = (self.folder / "study" / "report.html").read_text()
+        for said in ("Sends waves through the overlap", "Reflected and lost in the bar over the wavelength", "coupler ",
+                     f"<td>{100 * float(rows[0]['reflected']):.2f}/{100 * float(rows[0]['lost']):.1f}</td>"):
+            self.assertIn(said, text)
+        with page(self.folder / "study" / "report.html", 390) as driver:
+            self.assertEqual(driver.execute_script(FAULTS), [])
 
     def test_a_pattern_without_rows_is_refused(self):
         done = self.study("nothing")
