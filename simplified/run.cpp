@@ -133,7 +133,7 @@ Response solve(const Setup& setup, const GroundField& ground) {
 }
 
 void run(const scene::Scene& scene, const std::string& case_name, const protocol::Origin& origin,
-         const std::filesystem::path& directory) {
+         const std::filesystem::path& directory, const std::string& zoom) {
   const auto started = std::chrono::steady_clock::now();
   const Setup setup = set_up(scene);
   const GroundField ground = shake(setup);
@@ -142,7 +142,7 @@ void run(const scene::Scene& scene, const std::string& case_name, const protocol
   write_tables(directory, *setup.scene, response);
   write_motion(directory, motion::beginning(setup.motion.motion, scene.time().duration()));
   if (setup.scene->has_zoom() && !response.fields.time.empty())
-    write_zoom(directory / "zoom", setup, ground, response, scene.time().duration());
+    write_zoom(directory / "zoom", setup, ground, response, scene.time().duration(), zoom);
   summarize(scene, case_name, origin, setup, response, wall_s, directory);
 }
 

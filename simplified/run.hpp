@@ -5,21 +5,12 @@
 #include <string>
 
 #include "protocol/messages/scene.pb.h"
-#include "protocol/motion/excitation/ground_motion.hpp"
 #include "protocol/scene/origin.hpp"
-#include "simplified/models/solve.hpp"
+#include "simplified/models/setup.hpp"
+#include "simplified/output/response.hpp"
 #include "simplified/scene/excitation.hpp"
 
 namespace adit::simplified {
-
-// A checked scene, with everything that does not change during the run.
-struct Setup {
-  const scene::Simplified* scene = nullptr;
-  Line line;                  // empty for the model column
-  double begin = 0, end = 0;  // chainages between which the tunnel, or the soil profiles, reach [m]
-  Clock clock{};
-  motion::UsedMotion motion;
-};
 
 // Checks the whole scene and prepares its ground motion; throws UserError.
 Setup set_up(const scene::Scene& scene);
@@ -31,9 +22,9 @@ GroundField shake(const Setup& setup);
 Response solve(const Setup& setup, const GroundField& ground);
 
 // Sets the model up, solves it, writes the results into `directory`, which must exist, and prints the main
-// figures.
+// figures. `zoom`: a place for a coupled scene (zoom/write.hpp), or empty.
 void run(const scene::Scene& scene, const std::string& case_name, const protocol::Origin& origin,
-         const std::filesystem::path& directory);
+         const std::filesystem::path& directory, const std::string& zoom);
 
 // Only sets the model up, and prints the notes on its motion.
 void check(const scene::Scene& scene);

@@ -76,7 +76,6 @@ Recorder::Recorder(const Stepper& stepper, const RunOptions& options, Results& r
   all_.resize(elements);
   std::iota(all_.begin(), all_.end(), 0);
   forces_.resize(elements);
-  openings_.resize(results.joints.size());
 }
 
 void Recorder::record(long step) {
@@ -115,11 +114,10 @@ void Recorder::update_envelopes(double time) {
 }
 
 void Recorder::update_joints(double time) {
-  for (std::size_t j = 0; j < openings_.size(); ++j) {
+  for (std::size_t j = 0; j < results_.joints.size(); ++j) {
     const JointState now = stepper_.joints().state(j, stepper_.displacement());
     const Joint& joint = stepper_.structure().tunnel.joints[j];
     JointResult& result = results_.joints[j];
-    openings_[j] = now.opening;
     enlarge(result.largest_opening, result.opening_time, now.opening, time);
     enlarge(result.largest_compression, result.compression_time, now.compression, time);
     enlarge(result.largest_offset, result.offset_time, now.offset, time);
@@ -137,13 +135,15 @@ Record Recorder::snapshot(double time, std::span<const std::size_t> elements) co
     for (const Direction d : {kAxial, kLateral, kVertical})
       record.displacement[d].push_back(
           stepper_.structure().middle_displacement(e, d, stepper_.displacement()));
+    record.rotation.push_back(stepper_.structure().middle_rotation(e, stepper_.displacement()));
     record.axial_force.push_back(forces_[e].axial);
     record.moment_lateral.push_back(forces_[e].moment_lateral);
     record.moment_vertical.push_back(forces_[e].moment_vertical);
     record.shear_lateral.push_back(forces_[e].shear_lateral);
     record.shear_vertical.push_back(forces_[e].shear_vertical);
   }
-  record.opening = openings_;
+  for (std::size_t j = 0; j < stepper_.joints().size(); ++j)
+    record.joints.push_back(stepper_.joints().action(j, stepper_.displacement()));
   return record;
 }
 

@@ -24,7 +24,6 @@ class Recorder {
   const RunOptions& options_;
   Results& results_;
   std::vector<SectionForces> forces_;           // present forces, by element
-  std::vector<double> openings_;                // present openings, by joint
   std::vector<std::size_t> all_, at_stations_;  // elements
   double largest_error_ = 0, largest_energy_ = 0;
 };

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "simplified/beam/elements/joint_springs.hpp"
 #include "simplified/beam/energy.hpp"
 #include "simplified/beam/model/ground_motion.hpp"
 #include "simplified/beam/model/scheme.hpp"
@@ -32,12 +33,13 @@ struct Envelope {
 struct Record {
   double time = 0;
   std::vector<double> displacement[3];  // [m] of the tube
+  std::vector<double> rotation;         // [rad] of its sections in the horizontal plane, ψ_y
   std::vector<double> axial_force;      // [N]
   std::vector<double> moment_lateral;   // [N m]
   std::vector<double> moment_vertical;  // [N m]
   std::vector<double> shear_lateral;    // [N]
   std::vector<double> shear_vertical;   // [N]
-  std::vector<double> opening;          // [m] of every joint, at the point of its perimeter that opens most
+  std::vector<JointAction> joints;      // of every joint
 };
 
 struct JointResult {

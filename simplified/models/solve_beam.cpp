@@ -84,7 +84,7 @@ Table histories(const scene::Simplified& scene, const std::vector<beam::Record>&
 Fields fields(const beam::Results& results) {
   Fields fields;
   fields.chainage = results.chainage;
-  std::vector<double> axial, lateral;
+  std::vector<double> axial, lateral, rotation;
   const auto append = [](std::vector<double>& to, const std::vector<double>& from) {
     to.insert(to.end(), from.begin(), from.end());
   };
@@ -93,10 +93,27 @@ Fields fields(const beam::Results& results) {
     append(fields.axial_force, record.axial_force);
     append(axial, record.displacement[beam::kAxial]);
     append(lateral, record.displacement[beam::kLateral]);
+    append(rotation, record.rotation);
   }
   fields.axial_velocity = rates(axial, fields.time, fields.chainage.size());
   fields.lateral_velocity = rates(lateral, fields.time, fields.chainage.size());
+  fields.spin = rates(rotation, fields.time, fields.chainage.size());
   return fields;
+}
+
+std::vector<JointCourse> courses(const beam::Results& results) {
+  std::vector<JointCourse> courses(results.joints.size());
+  for (const beam::Record& record : results.fields)
+    for (std::size_t j = 0; j < courses.size(); ++j) {
+      const beam::JointAction& action = record.joints[j];
+      courses[j].opening.push_back(action.opening);
+      courses[j].offset.push_back(action.offset);
+      courses[j].rotation.push_back(action.rotation);
+      courses[j].axial_force.push_back(action.axial_force);
+      courses[j].shear.push_back(action.shear);
+      courses[j].moment.push_back(action.moment);
+    }
+  return courses;
 }
 
 std::vector<JointResponse> joints(const Line& line, const std::vector<beam::JointResult>& results) {
@@ -144,6 +161,7 @@ Response solve_beam(const scene::Simplified& scene, const Line& line, const Grou
   response.joints = joints(line, results.joints);
   response.histories = histories(scene, results.histories);
   response.fields = fields(results);
+  response.courses = courses(results);
   response.figures = {{"elements", static_cast<double>(results.chainage.size())},
                       {"newton_iterations", static_cast<double>(results.newton_iterations)},
                       {"energy_error", results.energy_error}};

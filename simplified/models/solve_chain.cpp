@@ -117,6 +117,7 @@ class Recorder {
     for (const std::size_t i : places_) {
       fields.axial_velocity.push_back(bodies.vx[i]);
       fields.lateral_velocity.push_back(bodies.vy[i]);
+      fields.spin.push_back(bodies.spin[i]);
       fields.axial_force.push_back(
           (joints.axial.force[i] - at_rest_[i] + joints.axial.force[i + 1] - at_rest_[i + 1]) / 2);
     }

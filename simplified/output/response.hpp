@@ -32,6 +32,14 @@ struct Table {
 struct Fields {
   std::vector<double> chainage, time;
   std::vector<double> axial_velocity, lateral_velocity, axial_force;  // [m/s], [m/s], [N]
+  std::vector<double> spin;  // of the sections in the horizontal plane, counter-clockwise from above [rad/s]
+};
+
+// What a joint does over the times of the fields: the second face against the first, on the axis, from the
+// installed state.
+struct JointCourse {
+  std::vector<double> opening, offset, rotation;   // [m], [m], [rad]
+  std::vector<double> axial_force, shear, moment;  // [N], [N], [N m]
 };
 
 struct Response {
@@ -39,7 +47,8 @@ struct Response {
   std::vector<Envelope> envelopes;
   std::vector<JointResponse> joints;
   Table histories;
-  Fields fields;  // empty for the model column
+  Fields fields;                     // empty for the model column
+  std::vector<JointCourse> courses;  // of the joints; empty for the models chain and column
   std::vector<std::pair<std::string, double>>
       figures;        // further figures for the summary: name with unit, value
   double wall_s = 0;  // time of the model alone, without excitation and files [s]

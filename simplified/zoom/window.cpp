@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "protocol/errors.hpp"
+#include "protocol/results/csv.hpp"
 #include "simplified/scene/nearest.hpp"
 
 namespace adit::simplified {
@@ -18,15 +20,21 @@ std::vector<double> along_time(const Fields& fields, const std::vector<double>& 
   return values;
 }
 
-// All grid points beyond the edge move as the tunnel does at the edge.
-void add_motion(scene::Continuum& continuum, const scene::Area& where, const scene::Velocity& direction,
-                const std::vector<double>& time, const std::vector<double>& value) {
-  scene::GridMotion& motion = *continuum.add_motions();
-  *motion.mutable_where() = where;
-  *motion.mutable_velocity() = direction;
-  auto& table = *motion.mutable_time()->mutable_table();
-  table.mutable_time()->Add(time.begin(), time.end());
-  table.mutable_value()->Add(value.begin(), value.end());
+Edge edge(const Fields& fields, double chainage) {
+  const std::size_t place = nearest(fields.chainage, chainage);
+  return {fields.chainage[place], along_time(fields, fields.axial_velocity, place),
+          along_time(fields, fields.lateral_velocity, place), along_time(fields, fields.spin, place)};
+}
+
+std::string table_of(const std::string& name, const char* end) {
+  return name + "_" + end + ".csv";
+}
+
+void write(const std::filesystem::path& path, const std::vector<double>& time, const Edge& edge) {
+  const std::array<std::string, 4> columns = {"time_s", "vx_m_per_s", "vy_m_per_s", "spin_rad_per_s"};
+  results::CsvFile file(path, columns);
+  for (std::size_t n = 0; n < time.size(); ++n)
+    file.row(std::array{time[n], edge.axial[n], edge.lateral[n], edge.spin[n]});
 }
 
 }  // namespace
@@ -38,33 +46,28 @@ Window window(const Fields& fields, double chainage, double width) {
         "simplified.zoom.width",
         fmt::format("is {:g} m, more than the {:g} m of the tunnel", width, last - first));
   const double wanted = std::clamp(chainage - width / 2, first, last - width);
-  const std::size_t begin = nearest(fields.chainage, wanted), end = nearest(fields.chainage, wanted + width);
-  return {fields.chainage[begin],
-          fields.chainage[end],
-          fields.time,
-          along_time(fields, fields.axial_velocity, begin),
-          along_time(fields, fields.lateral_velocity, begin),
-          along_time(fields, fields.axial_velocity, end),
-          along_time(fields, fields.lateral_velocity, end)};
+  return {fields.time, edge(fields, wanted), edge(fields, wanted + width)};
 }
 
-scene::Scene fragment(const Window& window, double duration) {
+scene::Scene fragment(const Window& window, const std::string& name, double duration) {
   scene::Scene scene;
   scene.mutable_time()->set_duration(duration);
-  scene::Continuum& continuum = *scene.mutable_continuum();
-  // A motion has one course in time for all components, so each direction of each edge is a motion of its
-  // own.
-  scene::Velocity axial, lateral;
-  axial.set_x(1);
-  lateral.set_y(1);
-  scene::Area begin, end;
-  begin.set_x_max(window.begin);
-  end.set_x_min(window.end);
-  add_motion(continuum, begin, axial, window.time, window.begin_axial);
-  add_motion(continuum, begin, lateral, window.time, window.begin_lateral);
-  add_motion(continuum, end, axial, window.time, window.end_axial);
-  add_motion(continuum, end, lateral, window.time, window.end_lateral);
+  // All grid points beyond an edge move as the section does there.
+  const auto add = [&](const char* end, const Edge& edge) -> scene::Area& {
+    scene::GridMotion& motion = *scene.mutable_continuum()->add_motions();
+    motion.mutable_body()->mutable_centre()->set_x(edge.chainage);
+    motion.mutable_body()->mutable_centre()->set_y(0);
+    motion.mutable_body()->set_path(table_of(name, end));
+    return *motion.mutable_where();
+  };
+  add("begin", window.begin).set_x_max(window.begin.chainage);
+  add("end", window.end).set_x_min(window.end.chainage);
   return scene;
+}
+
+void write_edges(const std::filesystem::path& directory, const std::string& name, const Window& window) {
+  write(directory / table_of(name, "begin"), window.time, window.begin);
+  write(directory / table_of(name, "end"), window.time, window.end);
 }
 
 }  // namespace adit::simplified

@@ -1,6 +1,8 @@
 // The tunnel around a place, moved at both edges as the whole tunnel moves there.
 #pragma once
 
+#include <filesystem>
+#include <string>
 #include <vector>
 
 #include "protocol/messages/scene.pb.h"
@@ -8,11 +10,15 @@
 
 namespace adit::simplified {
 
-// A window around a place and the tunnel's velocity at its two edges.
+// The motion of the section at an edge, over the times of the fields.
+struct Edge {
+  double chainage;                           // [m]
+  std::vector<double> axial, lateral, spin;  // [m/s], [m/s], [rad/s] counter-clockwise from above
+};
+
 struct Window {
-  double begin, end;  // [m]
   std::vector<double> time;
-  std::vector<double> begin_axial, begin_lateral, end_axial, end_lateral;  // [m/s]
+  Edge begin, end;
 };
 
 // The window of this width around the chainage, moved into the tunnel if it would reach beyond a portal. Its
@@ -21,7 +27,11 @@ struct Window {
 Window window(const Fields& fields, double chainage, double width);
 
 // The edges' motion as a scene of the coupled model, in plan: x the chainage, y to the left, the tunnel's
-// axis at y = 0. The user adds material and models (`extends: <this file>`).
-scene::Scene fragment(const Window& window, double duration);
+// axis at y = 0. Both edges move and turn as rigid sections, by the tables that write_edges() writes for this
+// name. The user adds material and models (`extends: <this file>`).
+scene::Scene fragment(const Window& window, const std::string& name, double duration);
+
+// Writes `<name>_begin.csv` and `<name>_end.csv`.
+void write_edges(const std::filesystem::path& directory, const std::string& name, const Window& window);
 
 }  // namespace adit::simplified

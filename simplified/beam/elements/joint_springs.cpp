@@ -44,28 +44,34 @@ std::array<double, kDofs> along_axis(double y, double z) {
 
 }  // namespace
 
+std::vector<Joint::Spring> axial_springs(const Joint& joint) {
+  const double installed = common_compression(joint);
+  std::vector<Joint::Spring> springs;
+  for (const auto& g : joint.gaskets)
+    springs.push_back(
+        {g.y, g.z, scaled(gasket(g.compression, force_at(g.compression, installed)), g.length)});
+  springs.insert(springs.end(), joint.springs.begin(), joint.springs.end());
+  return springs;
+}
+
 JointSprings::JointSprings(const Tunnel& tunnel, const Mesh& mesh)
     : links_(mesh.joints), link_count_(mesh.links.size()) {
   for (const int link : links_) {
     const Joint& joint = tunnel.joints[mesh.links[link].joint];
-    const double installed = common_compression(joint);
     std::vector<Place> perimeter;
     const auto add = [&](const std::array<double, kDofs>& arm, const Curve& curve) {
       if (!curve.points.empty()) springs_.push_back({link, arm, index_of(curve), curve.piece(0)});
     };
-    for (const auto& g : joint.gaskets) {
-      add(along_axis(g.y, g.z), scaled(gasket(g.compression, force_at(g.compression, installed)), g.length));
-      perimeter.push_back({g.y, g.z});
-    }
-    for (const auto& spring : joint.springs) {
-      add(along_axis(spring.y, spring.z), spring.curve);
+    const std::vector<Joint::Spring> axial = axial_springs(joint);
+    for (std::size_t k = 0; k < axial.size(); ++k) {
+      add(along_axis(axial[k].y, axial[k].z), axial[k].curve);
       // Gaskets lie on the perimeter; without them the springs' places are the outermost known points.
-      if (joint.gaskets.empty()) perimeter.push_back({spring.y, spring.z});
+      if (joint.gaskets.empty() || k < joint.gaskets.size()) perimeter.push_back({axial[k].y, axial[k].z});
     }
     if (perimeter.empty()) perimeter.push_back({0, 0});
     add({0, 1, 0, 0, 0}, joint.lateral);
     add({0, 0, 1, 0, 0}, joint.vertical);
-    installed_.push_back(installed);
+    installed_.push_back(common_compression(joint));
     perimeter_.push_back(std::move(perimeter));
   }
 }
@@ -166,6 +172,20 @@ JointState JointSprings::state(std::size_t joint, std::span<const double> u) con
     state.compression = std::max(state.compression, -opening);
   }
   return state;
+}
+
+JointAction JointSprings::action(std::size_t joint, std::span<const double> u) const {
+  const double *first = u.data() + kDofs * links_[joint], *second = first + kDofs;
+  JointAction action{second[0] - first[0], second[1] - first[1], second[3] - first[3]};
+  for (const Spring& spring : std::ranges::equal_range(springs_, links_[joint], {}, &Spring::link)) {
+    double elongation = 0;
+    for (int i = 0; i < kDofs; ++i) elongation += spring.arm[i] * (second[i] - first[i]);
+    const double force = curves_[spring.curve].force(elongation);
+    action.axial_force += spring.arm[0] * force;
+    action.shear += spring.arm[1] * force;
+    action.moment += spring.arm[3] * force;
+  }
+  return action;
 }
 
 }  // namespace adit::simplified::beam

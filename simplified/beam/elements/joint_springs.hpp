@@ -20,6 +20,16 @@ struct JointState {
   double offset = 0;       // [m] across the axis
 };
 
+// What a joint does in the horizontal plane: the second face against the first, on the axis, and what the
+// springs bear, from the installed state. The moment is that of Δψ, −Σ y f.
+struct JointAction {
+  double opening = 0, offset = 0, rotation = 0;   // [m], [m], [rad]
+  double axial_force = 0, shear = 0, moment = 0;  // [N], [N], [N m]
+};
+
+// The gaskets of a joint, then its other springs along the axis, counted from the installed state [N].
+std::vector<Joint::Spring> axial_springs(const Joint& joint);
+
 class JointSprings {
  public:
   JointSprings(const Tunnel& tunnel, const Mesh& mesh);
@@ -34,6 +44,7 @@ class JointSprings {
   std::size_t size() const { return links_.size(); }
   double installed_compression(std::size_t joint) const { return installed_[joint]; }
   JointState state(std::size_t joint, std::span<const double> u) const;
+  JointAction action(std::size_t joint, std::span<const double> u) const;
 
  private:
   struct Spring {

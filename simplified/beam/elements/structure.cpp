@@ -78,4 +78,12 @@ double Structure::middle_displacement(std::size_t element, Direction d, std::spa
   return 0.5 * (a[d] + b[d]) + bulge;
 }
 
+double Structure::middle_rotation(std::size_t element, std::span<const double> u) const {
+  const double* a = u.data() + kDofs * mesh.elements[element];
+  const Shape middle = shape(elements[element].plane(kLateral), elements[element].length(), 0.5);
+  double rotation = 0;
+  for (std::size_t i = 0; i < kLateralDofs.size(); ++i) rotation += middle.rotation[i] * a[kLateralDofs[i]];
+  return rotation;
+}
+
 }  // namespace adit::simplified::beam

@@ -36,6 +36,7 @@ struct Structure {
   SectionForces forces(std::size_t element, std::span<const double> u) const;
   double middle(std::size_t element) const;  // [m] chainage
   double middle_displacement(std::size_t element, Direction direction, std::span<const double> u) const;
+  double middle_rotation(std::size_t element, std::span<const double> u) const;  // ψ_y [rad]
 };
 
 }  // namespace adit::simplified::beam

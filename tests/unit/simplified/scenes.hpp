@@ -7,6 +7,7 @@
 #include <string>
 
 #include "protocol/messages/scene.pb.h"
+#include "simplified/run.hpp"
 
 namespace adit::simplified::testing {
 
@@ -59,6 +60,16 @@ inline scene::Scene immersed_tunnel() {
   springs.set_lateral(4e8);
   springs.set_vertical(4e8);
   return scene;
+}
+
+inline scene::Scene with_model(scene::Scene scene, scene::Simplified::Model model) {
+  scene.mutable_simplified()->set_model(model);
+  return scene;
+}
+
+inline Response response_of(const scene::Scene& scene) {
+  const auto setup = set_up(scene);
+  return solve(setup, shake(setup));
 }
 
 }  // namespace adit::simplified::testing

@@ -28,13 +28,13 @@ struct Point {
   }
 };
 
-// The ground goes to and fro by `amplitude` once a second.
+// The ground goes to and fro by twice the amplitude once a second, from rest.
 std::shared_ptr<const GroundCourse> swinging(double amplitude) {
   const double omega = 2 * std::numbers::pi;
   std::vector<double> time, v, zero;
   for (int n = 0; n <= 4000; ++n) {
     time.push_back(n / 1000.);
-    v.push_back(amplitude * omega * std::cos(omega * time.back()));
+    v.push_back(amplitude * omega * std::sin(omega * time.back()));
     zero.push_back(0);
   }
   return std::make_shared<const GroundCourse>(time, std::vector<double>{0}, v, zero, "swing");
@@ -71,7 +71,7 @@ TEST(FoundationSprings, BalanceTheirEnergy) {
     if (law.dashpot == 0)
       EXPECT_NEAR(point.springs.dissipated(), 0, 1e-12 * largest);
     else
-      EXPECT_GT(point.springs.dissipated(), 0.1 * largest);
+      EXPECT_GT(point.springs.dissipated(), 1e-3 * largest);
   }
 }
 
@@ -79,7 +79,7 @@ TEST(FoundationSprings, BalanceTheirEnergy) {
 TEST(FoundationSprings, StayStableWithStiffDashpots) {
   Point point{{Direction::kX, {1, 1e9, HUGE_VAL, 0}, swinging(0.01), {{0, 1, 0}}}, 1};
   for (std::uint64_t n = 0; n < 1250; ++n) point.step(n, 1e-3);
-  EXPECT_NEAR(point.displacement, 0.01, 1e-4);  // a quarter of the second cycle
+  EXPECT_NEAR(point.displacement, 0.01, 1e-4);  // the middle of the second cycle's way out
 }
 
 // Requirement: springs that an interface takes are gone from the rest.

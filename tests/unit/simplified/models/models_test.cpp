@@ -1,35 +1,20 @@
-// Beam and chain of one scene describe the same tunnel; the results of a run become boundary motions of a
-// window.
-#include <gmock/gmock.h>
+// Beam and chain of one scene describe the same tunnel.
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "protocol/errors.hpp"
-#include "protocol/participant/time_function.hpp"
-#include "protocol/scene/fields/check_rules.hpp"
 #include "simplified/models/differences.hpp"
 #include "simplified/models/solve.hpp"
-#include "simplified/run.hpp"
-#include "simplified/zoom/places.hpp"
-#include "simplified/zoom/window.hpp"
 #include "tests/unit/simplified/scenes.hpp"
 
 namespace adit::simplified {
 namespace {
 
+using testing::response_of;
 using testing::tunnel;
-
-scene::Scene with_model(scene::Scene scene, scene::Simplified::Model model) {
-  scene.mutable_simplified()->set_model(model);
-  return scene;
-}
-
-Response response_of(const scene::Scene& scene) {
-  const Setup setup = set_up(scene);
-  return solve(setup, shake(setup));
-}
+using testing::with_model;
 
 void expect_equal_peaks(const Response& beam, const Response& chain, const std::string& name,
                         double tolerance) {
@@ -127,6 +112,8 @@ TEST(Histories, EndWithTheRun) {
   profile.add_layers()->set_thickness(20);
   profile.mutable_layers(0)->set_shear_velocity(200);
   profile.mutable_layers(0)->set_density(1900);
+  *scene.mutable_simplified()->mutable_ground()->add_profiles() = profile;
+  scene.mutable_simplified()->mutable_ground()->mutable_profiles(1)->set_chainage(200);
   scene.mutable_simplified()->mutable_excitation()->set_through_ground(true);
   for (const auto model : {scene::Simplified::BEAM, scene::Simplified::CHAIN, scene::Simplified::COLUMN}) {
     const Response response = response_of(with_model(scene, model));
@@ -152,56 +139,6 @@ TEST(Rates, AreOfFourthOrder) {
       error[k] = std::max(error[k], std::abs(rate[n] - omega * std::cos(omega * time[n])));
     EXPECT_NEAR(error[k], omega * std::pow(omega * dt, 4) / 30, 0.1 * error[k]);
   }
-}
-
-// Requirement: the windows stand around the largest responses, and their edges move as the tunnel does there.
-TEST(Zoom, EdgesMoveAsTheTunnelDoes) {
-  const Response response = response_of(tunnel());
-  const std::vector<Place> places = largest_responses(response);
-  std::vector<std::string> names;
-  for (const Place& place : places) names.push_back(place.name);
-  EXPECT_THAT(names, ::testing::ElementsAre("opening", "moment", "shear", "strain"));
-  const Window around = window(response.fields, places[1].chainage, 40);
-  EXPECT_NEAR(around.end - around.begin, 40, 1);  // the edges stand at elements of 1 m
-  EXPECT_LE(around.begin, places[1].chainage);
-  EXPECT_GE(around.end, places[1].chainage);
-
-  const scene::Scene scene = fragment(around, 2);
-  ASSERT_EQ(scene.continuum().motions_size(), 4);
-  const std::vector<double>* edges[] = {&around.begin_axial, &around.begin_lateral, &around.end_axial,
-                                        &around.end_lateral};
-  for (int i = 0; i < 4; ++i) {
-    const scene::GridMotion& motion = scene.continuum().motions(i);
-    EXPECT_NO_THROW(protocol::check_rules(motion, "motion"));
-    EXPECT_EQ(motion.velocity().has_x(), i % 2 == 0);
-    for (std::size_t n = 0; n < around.time.size(); n += 7)
-      EXPECT_DOUBLE_EQ(protocol::evaluate(motion.time(), around.time[n]), (*edges[i])[n]);
-  }
-}
-
-// Requirement: the recorded velocity at an edge integrates to the tunnel's displacement in the histories.
-TEST(Zoom, VelocitiesIntegrateToTheDisplacement) {
-  for (const auto model : {scene::Simplified::BEAM, scene::Simplified::CHAIN}) {
-    const Response response = response_of(with_model(tunnel(), model));
-    const Window around = window(response.fields, 120, 40);  // begins at the station
-    double displacement = 0, largest = 0, difference = 0;
-    std::size_t row = 0;
-    for (std::size_t n = 1; n < around.time.size(); ++n) {
-      displacement +=
-          (around.time[n] - around.time[n - 1]) * (around.begin_lateral[n] + around.begin_lateral[n - 1]) / 2;
-      while (response.histories.rows[row][0] < around.time[n] - 1e-9) ++row;
-      if (std::abs(response.histories.rows[row][0] - around.time[n]) > 1e-9) continue;
-      largest = std::max(largest, std::abs(response.histories.rows[row][2]));
-      difference = std::max(difference, std::abs(displacement - response.histories.rows[row][2]));
-    }
-    EXPECT_GT(largest, 0);
-    EXPECT_LT(difference, 0.03 * largest);  // half an element beside the station, the trapezoids of 20 ms
-  }
-}
-
-TEST(Zoom, RefusesAWindowWiderThanTheTunnel) {
-  const Response response = response_of(tunnel());
-  EXPECT_THROW(window(response.fields, 100, 201), protocol::UserError);
 }
 
 }  // namespace
