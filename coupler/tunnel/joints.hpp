@@ -1,4 +1,5 @@
-// The joints between the segments of a circular lining, and the bolts, gaskets and keys across them.
+// The joints between the segments of a circular lining, the bolts, gaskets and keys across them, and the
+// neighbouring rings that bridge them.
 #pragma once
 
 #include <string>

@@ -9,7 +9,8 @@ from programs import SOURCE, ProgramTest
 
 sys.path.insert(0, str(SOURCE / "scripts"))
 from adit import Run
-from adit_studies import lined_tunnel, lined_tunnel_pictures, site_pictures, site_response
+from adit_studies import site_pictures, site_response
+from adit_studies.tunnels import lined_tunnel, lined_tunnel_pictures
 
 SITE, TUNNEL = SOURCE / "cases" / "site_response", SOURCE / "cases" / "lined_tunnel"
 WAVELET = "continuum.base.acceleration={ricker: {frequency: 4 Hz, time: 0.5 s}, peak: %s}"

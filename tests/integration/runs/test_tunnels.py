@@ -1,8 +1,15 @@
 """Scenes with tunnels: the run's `scene.yaml` shows what they became, and the cases of tunnels can be computed."""
 
+import sys
 import unittest
 
+import numpy
+
 from programs import SOURCE, ProgramTest, coupler
+
+sys.path.insert(0, str(SOURCE / "scripts"))
+from adit import Run
+from adit_studies.tunnels import ring_ovaling
 
 SCENE = """\
 material: {young_modulus: 1 GPa, poisson_ratio: 0.2, density: 2 t/m^3}
@@ -41,10 +48,28 @@ class Tunnels(ProgramTest):
                       result.stderr)
 
     def test_the_cases_can_be_computed(self):
-        for scene in ("shield_ring/ring.yaml", "fault_section/fault.yaml", "cavern/crown_invert.yaml"):
+        for scene in ("shield_ring/ring.yaml", "fault_section/fault.yaml", "cavern/crown_invert.yaml", "qingcaosha/section.yaml"):
             result = coupler("check", SOURCE / "cases" / scene)
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertIn("can be computed", result.stdout)
+
+    def test_a_ring_between_neighbours_bears_the_ground_and_its_shear(self):
+        coarse = {"time.duration": "0.5 s", "output.field_times": "[]", "statics.unbalanced_ratio": "1e-3",
+                  "tunnels[0].particles.radius": "9.2 cm", "tunnels[0].particles.ground": "2.4 m",
+                  "tunnels[0].particles.overlap": "1.6 m", "continuum.block.zones_x": "25", "continuum.block.zones_y": "32",
+                  "continuum.base.acceleration": "{ricker: {frequency: 3 Hz, time: 0.3 s}, peak: 0.2 g}"}
+        run = Run(self.run_scene(SOURCE / "cases" / "qingcaosha" / "section.yaml",
+                                 *(word for key, value in coarse.items() for word in ("--set", f"{key}={value}"))))
+        angle, thrust = ring_ovaling.around(run, "thrust_N")
+        # at rest: the mean stress of the ground at the axis, of which the ring bears what its excavation did not release
+        vertical = 9.81 * (9.6 * 1800 + 5.1 * 1750)
+        borne = 0.7 * (1 + 0.6) / 2 * vertical * 3.4
+        self.assertAlmostEqual(-thrust[0].mean() / borne, 1, delta=0.1)
+        # under the wave: Wang's thrust without slip by the strain of the free field
+        history = run.histories
+        strain = (history["free_above_ux_m"] - history["free_below_ux_m"]) / 6.8
+        by_strain = numpy.polyfit(strain, [ring_ovaling.amplitude(angle, row) for row in thrust - thrust[0]], 1)[0]
+        self.assertAlmostEqual(by_strain / -197.5e6, 1, delta=0.15)
 
 
 if __name__ == "__main__":

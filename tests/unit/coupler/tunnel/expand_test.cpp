@@ -100,6 +100,30 @@ TEST(ExpandTunnels, SegmentsWithBoltsGasketsAndKeys) {
   }
 }
 
+// Requirement: the neighbours are springs along the lining, one a row, that act alike in both directions.
+// They resist the rotation of a joint by the stated stiffness, and stay out of its offset.
+TEST(ExpandTunnels, NeighboursResistTheRotationOfAJoint) {
+  const auto particles =
+      particles_of(test::circular("joints: 0.5 neighbours { rotational_stiffness: 4e7 }", "stage: 1"));
+  ASSERT_EQ(particles.springs_size(), 15);  // three in each of 5 rows of 8.7 cm
+  const double c = std::cos(0.5), s = std::sin(0.5);
+  double turning = 0, force = 0;
+  for (const auto& spring : particles.springs()) {
+    EXPECT_FALSE(spring.tension_only());
+    EXPECT_EQ(spring.stage(), 2u);
+    expect_point(spring.direction(), -s, c);
+    const double x = (spring.from().x() + spring.to().x()) / 2 - 1,
+                 y = (spring.from().y() + spring.to().y()) / 2 + 12;
+    EXPECT_NEAR(-s * x + c * y, 0, 1e-12);  // crosses the joint in its middle
+    const double arm = c * x + s * y - 3.25;
+    EXPECT_LE(std::abs(arm), 0.25 - 1.155 * 0.05);
+    turning += spring.stiffness() * arm * arm;
+    force += spring.stiffness() * arm;
+  }
+  EXPECT_NEAR(turning, 4e7, 1);
+  EXPECT_NEAR(force, 0, 1);
+}
+
 TEST(ExpandTunnels, JointsAtTheirOwnAngles) {
   const auto particles = particles_of(test::circular("joints: 0.2 joints: 2.5 joints: 4.5"));
   ASSERT_EQ(particles.joints_size(), 3);
@@ -237,6 +261,8 @@ TEST(ExpandTunnels, WhatCannotBeBuiltIsRefused) {
                  "the lining has no joints; give `segments` or `joints`");
   expect_refused(test::circular("gasket { opening: 0 opening: 1 force: 0 force: 1 }"),
                  "tunnels[0].lining.gasket", "has no joints");
+  expect_refused(test::circular("neighbours { rotational_stiffness: 1 }"), "tunnels[0].lining.neighbours",
+                 "has no joints");
   expect_refused(test::circular("keys { stiffness: 1 }"), "tunnels[0].lining.keys", "has no joints");
   expect_refused(test::circular("segments: 3 joints: 0.1"), "tunnels[0].lining.joints",
                  "is given beside `segments`");

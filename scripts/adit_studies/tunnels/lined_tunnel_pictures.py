@@ -2,7 +2,7 @@
 import numpy as np
 
 from adit_plots import style
-from adit_studies import lined_tunnel
+from adit_studies.tunnels import lined_tunnel
 
 
 def around(run):
