@@ -181,6 +181,14 @@ INSTANTIATE_TEST_SUITE_P(
                for (int i = 0; i < 2; ++i) s.mutable_particles()->add_body_loads()->mutable_acceleration();
                s.mutable_particles()->mutable_body_loads(1)->mutable_where()->set_x_min(11);
              }},
+        Case{"FoundationMisses", "particles.foundations[0].where", "selects no particles",
+             [](auto& s) {
+               auto& foundation = *s.mutable_particles()->add_foundations();
+               foundation.mutable_y()->set_stiffness(1);
+               foundation.mutable_where()->set_x_min(11);
+             }},
+        Case{"FoundationWithoutSprings", "particles.foundations[0]", "springs in no direction",
+             [](auto& s) { s.mutable_particles()->add_foundations(); }},
         Case{"MotionMisses", "particles.motions[0].where", "selects no particles",
              [](auto& s) { s.mutable_particles()->mutable_motions(0)->mutable_where()->set_x_min(11); }},
         Case{"MotionOfNothing", "particles.motions[1]", "prescribes nothing", [](auto& s) { add_motion(s); }},

@@ -83,6 +83,21 @@ INSTANTIATE_TEST_SUITE_P(
              "motions { where { x_max: 0 } velocity { x: 0 y: 0 } } motions { where { y_max: 0 } velocity { "
              "y: 1 } }",
              "continuum.motions[1].velocity", "prescribes another y velocity than motions[0]"},
+        Case{"body_beside_velocity",
+             "motions { where { x_max: 0 } velocity { x: 1 } body { centre { x: 0 y: 0 } path: 'a' } }",
+             "continuum.motions[0].body", "leave one out"},
+        Case{"body_contradicts",
+             "motions { where { x_max: 0 } velocity { y: 0 } } motions { where { x_max: 0 } body { centre { "
+             "x: 0 "
+             "y: 0 } path: 'a' content: 'time_s,vx_m_per_s,vy_m_per_s,spin_rad_per_s\\n0,0,0,0' } }",
+             "continuum.motions[1].velocity", "prescribes another y velocity than motions[0]"},
+        Case{"foundation_without_springs", "foundations { }", "continuum.foundations[0]",
+             "springs in no direction"},
+        Case{"foundation_nowhere", "foundations { " + kNowhere + "x { stiffness: 1 } }",
+             "continuum.foundations[0].where", "selects no zones"},
+        Case{"foundation_beside_stages",
+             "foundations { x { stiffness: 1 } } excavations { where { x_max: 0.3 } stage: 1 }",
+             "continuum.foundations", "excavations of later stages"},
         Case{"load_table",
              "point_loads { where { x_max: 0 } force { x: 1 } time { table { time: 0 time: 1 value: 0 } } }",
              "continuum.point_loads[0].time.table.value", "has 1 elements, expected 2, as many as `time`"},
