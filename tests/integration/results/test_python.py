@@ -89,6 +89,14 @@ class Reading(ProgramTest):
         self.assertEqual({len(values) for values in stopped.energies.values()}, {rows})
         self.assertEqual(len(stopped.times), 3)
 
+    def test_a_run_that_was_killed_has_its_pictures(self):
+        run = self.coupled()
+        (run.folder / "summary.json").unlink()
+        done = subprocess.run([SOURCE / "scripts" / "plot", run.folder], capture_output=True, text=True, timeout=200)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        drawn = {path.stem for path in (run.folder / "pictures").glob("*.png")}
+        self.assertLessEqual({"histories", "energy", "deformed_12ms", "bonds_4ms", "displacement_8ms"}, drawn)
+
     def test_a_single_model_and_a_whole_tunnel_are_read_alike(self):
         particles = Run(self.run_scene(CASE / "full_dem.yaml", *SHORT, out="particles"))
         self.assertNotIn("grid", particles.fields())
