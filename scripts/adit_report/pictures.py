@@ -88,17 +88,18 @@ def _fit(drawn):
 
 
 def _stack(drawn, panels):
-    """Puts panels below each other and lets matplotlib find the margins that labels need."""
-    grid = panels[0].get_subplotspec().get_gridspec()
+    """Puts panels below each other and lets matplotlib find the margins that labels need. Axes that share a panel stay together."""
+    places = list(dict.fromkeys(axes.get_subplotspec() for axes in panels))
     height = drawn.get_figheight()
-    if grid.nrows == 1 and len(panels) > 1:
+    if places[0].get_gridspec().nrows == 1 and len(places) > 1:
         alike = all(axes.get_aspect() == 1 for axes in panels)
-        rows = GridSpec(len(panels), 1, figure=drawn)
-        for axes, row in zip(panels, rows):
-            axes.set_subplotspec(row)
-            axes.tick_params(labelleft=True)
-            axes.set_ylabel(axes.get_ylabel() or panels[0].get_ylabel())
-        height = len(panels) * (WIDTH - 1.5 if alike else PANEL)
+        rows = GridSpec(len(places), 1, figure=drawn)
+        for axes in panels:
+            axes.set_subplotspec(rows[places.index(axes.get_subplotspec())])
+            if axes.yaxis.get_label_position() == "left":
+                axes.tick_params(labelleft=True)
+                axes.set_ylabel(axes.get_ylabel() or panels[0].get_ylabel())
+        height = len(places) * (WIDTH - 1.5 if alike else PANEL)
     drawn.set_size_inches(WIDTH, height)
     drawn.set_layout_engine("constrained")
 

@@ -42,7 +42,8 @@ def cracked(test, title):
     particles = pieces["particles"]
     size = 2 * particles.field("radius_m")
     end = test.run.histories["time_s"][min(int(1.15 * test.peak), len(test.stress) - 1)]
-    figure, axes, add_legend = style.model_sheet(style.bounds_of(particles.points), title, width=5.0)
+    figure, axes, add_legend = style.model_sheet(
+        style.bounds_of(particles.points - size[:, None] / 2, particles.points + size[:, None] / 2), title, width=5.0)
     axes.add_collection(EllipseCollection(size, size, np.zeros_like(size), units="xy", offsets=particles.points,
                                           offset_transform=axes.transData, fc=DISC_FACE, ec=DISC_EDGE, lw=0.2))
     cracks = test.run.cracks
