@@ -10,7 +10,8 @@ import numpy as np
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "scripts"))
 
 from adit import Piece, Table  # noqa: E402
-from adit_plots import colour_pictures, deformation, model_pictures, time_pictures  # noqa: E402
+from adit_plots import colour_pictures, deformation, model_pictures, style, time_pictures  # noqa: E402
+from adit_report import pictures  # noqa: E402
 
 
 def piece(points, cells, point_fields=None, cell_fields=None):
@@ -146,3 +147,17 @@ class Times(unittest.TestCase):
         self.assertGreater(stored.get_ylim()[1], 100)
 
 
+class Pages(unittest.TestCase):
+    def test_panels_stand_below_each_other_with_both_of_their_axes(self):
+        figure, (left, right) = style.plt.subplots(1, 2, figsize=(10, 3))
+        other = right.twinx()
+        other.set_ylabel("cracks")
+        pictures._fit(figure)
+        figure.canvas.draw()
+        self.assertEqual(other.get_position().bounds, right.get_position().bounds)
+        self.assertGreater(left.get_position().y0, right.get_position().y1)
+        self.assertGreater(left.get_position().height, 0.3)
+
+
+if __name__ == "__main__":
+    unittest.main()
