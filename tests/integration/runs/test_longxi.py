@@ -1,0 +1,56 @@
+"""The Longxi tunnel, in a short and coarse version: an offset of the fault cuts the lining there and spares it far away."""
+
+import sys
+import unittest
+
+from programs import SOURCE, ProgramTest, coupler
+
+sys.path.insert(0, str(SOURCE / "scripts"))
+from adit_plots.run_folder import Run
+from adit_studies.longxi import along
+
+CASE = SOURCE / "cases" / "longxi"
+# Two rows of discs a wall instead of three, long zones, and 0.5 m within 0.3 s: (2 / pi) 0.3 s 2.618 m/s.
+QUICK = f"""\
+extends: {CASE / "along_offset.yaml"}
+time: {{duration: 0.4 s, dt_factor: 0.8}}
+statics: {{unbalanced_ratio: 2e-3}}
+particles: {{packing: {{radius: 33.45 cm}}}}
+continuum:
+  block: {{zones_x: 80}}
+  motions:
+    - {{where: {{x_max: -80 m}}, velocity: {{x: 1.309 m/s, y: 2.267 m/s}}, time: {{sine: {{frequency: 1.66667 Hz, end: 0.3 s}}}}}}
+    - {{where: {{x_max: -25.3 m, y_max: -40.557 m}}, velocity: {{x: 1.309 m/s, y: 2.267 m/s}}, time: {{sine: {{frequency: 1.66667 Hz, end: 0.3 s}}}}}}
+    - {{where: {{x_min: -21.5 m, y_max: -40.557 m}}, velocity: {{x: 0 m/s, y: 0 m/s}}}}
+    - {{where: {{x_min: 80 m}}, velocity: {{x: 0 m/s, y: 0 m/s}}}}
+output: {{field_times: [0 s], history_interval: 5 ms}}
+"""
+
+
+class Longxi(ProgramTest):
+    def test_the_lining_is_cut_at_the_fault_and_intact_four_diameters_away(self):
+        run = Run(self.run_scene(self.scene(QUICK)))
+        h = run.histories
+        for axis, offset in (("x", 0.25), ("y", 0.433)):  # 0.5 m at 60 degrees
+            self.assertAlmostEqual(h[f"hanging_wall_u{axis}_m"][-1] - h[f"footwall_u{axis}_m"][-1], offset, delta=0.05)
+        lining = along.Lining(run)
+        distance, share = lining.damage()
+        self.assertGreater(share[abs(distance) < along.STRETCH].min(), 0.5)
+        self.assertLess(lining.farthest_crack(), 4 * along.DIAMETER)
+        by_diameter = [along.mean_within((abs(distance), share), k * along.DIAMETER, (k + 1) * along.DIAMETER) for k in range(4)]
+        self.assertEqual(by_diameter, sorted(by_diameter, reverse=True))
+        self.assertEqual(lining.bonds()[1].sum(), sum(group in ("crown", "invert") for group in self.groups_of_cracks(run)))
+        self.assertIn(along.Lining(run).name, "\n".join(along.table([lining])))
+        along.picture([lining]).savefig(self.folder / "picture.png")
+
+    def groups_of_cracks(self, run):
+        return [line.split(",")[9] for line in (run.folder / "cracks.csv").read_text().splitlines()[1:]]
+
+    def test_all_scenes_can_be_computed(self):
+        for scene in sorted(CASE.glob("*.yaml")) + sorted(CASE.glob("variants/*.yaml")) + [CASE / "elastic" / "particles.yaml"]:
+            result = coupler("check", scene)
+            self.assertEqual(result.returncode, 0, result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
