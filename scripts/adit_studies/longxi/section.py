@@ -15,7 +15,7 @@ def of_zones(run, time):
     hoop = xx * np.sin(angle) ** 2 + yy * np.cos(angle) ** 2 - 2 * xy * np.sin(angle) * np.cos(angle)
     order = np.lexsort((radius, angle.round(6)))  # the rows of one angle after another
     hoop, angle, radius = (values[order].reshape(-1, rows) for values in (hoop, angle, radius))
-    thickness, from_axis = outer - inner, radius - (inner + outer) / 2
+    thickness, from_axis = outer - inner, radius - radius.mean(axis=1, keepdims=True)
     slope = (hoop * from_axis).sum(axis=1) / (from_axis**2).sum(axis=1)  # the stress is linear over the thickness
     return angle[:, 0], hoop.mean(axis=1) * thickness, slope * thickness**3 / 12
 

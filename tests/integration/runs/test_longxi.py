@@ -10,17 +10,17 @@ from adit_plots.run_folder import Run
 from adit_studies.longxi import along
 
 CASE = SOURCE / "cases" / "longxi"
-# Two rows of discs a wall instead of three, long zones, and 0.5 m within 0.3 s: (2 / pi) 0.3 s 2.618 m/s.
+# Two rows of discs a wall instead of three, long zones, and 0.5 m within 0.5 s: (2 / pi) 0.5 s 1.571 m/s.
 QUICK = f"""\
 extends: {CASE / "along_offset.yaml"}
-time: {{duration: 0.4 s, dt_factor: 0.8}}
+time: {{duration: 0.55 s, dt_factor: 0.9}}
 statics: {{unbalanced_ratio: 2e-3}}
 particles: {{packing: {{radius: 33.45 cm}}}}
 continuum:
   block: {{zones_x: 80}}
   motions:
-    - {{where: {{x_max: -80 m}}, velocity: {{x: 1.309 m/s, y: 2.267 m/s}}, time: {{sine: {{frequency: 1.66667 Hz, end: 0.3 s}}}}}}
-    - {{where: {{x_max: -25.3 m, y_max: -40.557 m}}, velocity: {{x: 1.309 m/s, y: 2.267 m/s}}, time: {{sine: {{frequency: 1.66667 Hz, end: 0.3 s}}}}}}
+    - {{where: {{x_max: -80 m}}, velocity: {{x: 0.7854 m/s, y: 1.3603 m/s}}, time: {{sine: {{frequency: 1 Hz, end: 0.5 s}}}}}}
+    - {{where: {{x_max: -25.3 m, y_max: -40.557 m}}, velocity: {{x: 0.7854 m/s, y: 1.3603 m/s}}, time: {{sine: {{frequency: 1 Hz, end: 0.5 s}}}}}}
     - {{where: {{x_min: -21.5 m, y_max: -40.557 m}}, velocity: {{x: 0 m/s, y: 0 m/s}}}}
     - {{where: {{x_min: 80 m}}, velocity: {{x: 0 m/s, y: 0 m/s}}}}
 output: {{field_times: [0 s], history_interval: 5 ms}}
