@@ -85,7 +85,7 @@ def picture(linings):
         axes.step(distance, 100 * share, where="mid", color=color, label=lining.name)
     for diameters in (-4, -2, 2, 4):
         axes.axvline(diameters * DIAMETER, color=style.GREY, lw=0.6, ls=":")
-    axes.set(xlabel="distance from the fault along the tunnel [m]; dotted: 2 and 4 diameters", ylabel="broken bonds of the lining [%]",
-             xlim=(-50, 50), ylim=(0, None))
+    axes.set(xlabel="distance from the fault along the tunnel [m]; dotted: 2 and 4 diameters",
+             ylabel="broken bonds of the lining [%]", xlim=(-50, 50), ylim=(0, None))
     axes.legend(loc="upper right")
     return figure

@@ -1,4 +1,4 @@
-"""Thrust and moment around the lining of cases/longxi/elastic, of particles and of zones, at the last common instant."""
+"""Thrust and moment around the lining of cases/longxi/elastic, of particles and of zones, at one instant."""
 import numpy as np
 
 
@@ -33,7 +33,7 @@ def second_harmonic(angle, values):
 
 
 def compare(particles, zones):
-    """Rows (what, of particles, of zones) at the instant of the largest thrust among those that were written."""
+    """Rows (what, of particles, of zones) at the first instant of which both wrote fields."""
     time = particles.files()[0][0]
     forces = of_particles(particles, time), of_zones(zones, time)
     for name, column, unit in (("thrust", 1, "kN"), ("moment", 2, "kN m")):
@@ -42,4 +42,5 @@ def compare(particles, zones):
 
 
 def _at(run, time):
-    return next(pieces for instant, pieces in run.snapshots() if abs(instant - time) < 1e-6)
+    """The pieces of the fields nearest to a time."""
+    return min(run.snapshots(), key=lambda snapshot: abs(snapshot[0] - time))[1]
