@@ -8,7 +8,7 @@ import numpy as np
 from programs import SOURCE, ProgramTest, coupler
 
 sys.path.insert(0, str(SOURCE / "scripts"))
-from adit_plots.run_folder import Run
+from adit import Run
 from adit_studies.longxi import along, section
 
 CASE = SOURCE / "cases" / "longxi"
