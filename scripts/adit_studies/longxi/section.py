@@ -34,7 +34,7 @@ def second_harmonic(angle, values):
 
 def compare(particles, zones):
     """Rows (what, of particles, of zones) at the first instant of which both wrote fields."""
-    time = particles.files()[0][0]
+    time = particles.times[0]
     forces = of_particles(particles, time), of_zones(zones, time)
     for name, column, unit in (("thrust", 1, "kN"), ("moment", 2, "kN m")):
         yield (f"{name}, amplitude of cos 2θ [{unit}]", *(second_harmonic(f[0], f[column]) / 1e3 for f in forces))
