@@ -45,12 +45,19 @@ def warnings(results):
     found = list(results.summary.get("warnings", []))
     drift = results.summary.get("max_energy_drift")
     if drift is not None and drift > GAP:
-        found.append(f"the energy balance has a gap of {100 * drift:.2g} % of the peak energy; more than 1 % calls for a "
-                     "smaller time.dt_factor")
+        found.append(f"the energy balance has a gap of {100 * drift:.2g} % of the peak energy; {_remedy_of_gap(results.summary)}")
     found += dict.fromkeys(results.faults)
     notes = results.summary.get("notes", [])
     return section("warnings", "Warnings", bullets(map(_sentence, found)) if found else tag("p", "None."),
                    [tag("h3", "Notes"), bullets(map(_sentence, notes))] if notes else None)
+
+
+def _remedy_of_gap(summary):
+    taken, solve = -(summary.get("multiplier_work_J") or 0), summary.get("solve")
+    if taken > 0 and solve in ("split", "lumped"):
+        return (f"the multipliers took {quantity(taken, 'J')}, because the solve `{solve}` damps what zones cannot carry; a smaller "
+                "time.dt_factor helps against the rest only")
+    return "more than 1 % calls for a smaller time.dt_factor"
 
 
 def _sentence(text):
