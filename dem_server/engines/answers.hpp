@@ -13,7 +13,8 @@ struct Counts {
 
 // What bounds the time step: "bond", "joint", "spring", "contact", at (x, y) [m].
 struct CriticalElement {
-  double step;  // [s]
+  double step;         // [s]
+  double static_step;  // the smallest in statics, where no dashpots act
   const char* kind;
   double x, y;
 };

@@ -27,7 +27,6 @@ class Engine {
   virtual Counts counts() const = 0;
   virtual CriticalElement critical_element() const = 0;  // its step is proven, without weights
   double critical_step() const { return critical_element().step; }
-  virtual double critical_static_step() const = 0;  // the same in statics, where no dashpots act
 
   // The scene's histories and sections. UserError for one that cannot be told.
   virtual void watch(const scene::Particles& scene) = 0;

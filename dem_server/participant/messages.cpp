@@ -26,6 +26,7 @@ SampledWeights split_weights(const wire::Weights& sent, std::size_t centres, std
 
 void report(const CriticalElement& element, wire::Model& to) {
   to.set_critical_dt(element.step);
+  to.set_critical_static_dt(element.static_step);
   to.set_critical_element(element.kind);
   to.set_critical_x(element.x);
   to.set_critical_y(element.y);

@@ -25,7 +25,6 @@ void DemParticipant::set_up(const wire::Setup& setup, wire::Model& answer) {
   engine_ = make_engine(choice_, model_, threads_);
   spdlog::info("the engine of the particles is {}", choice_.told());
   report(engine_->critical_element(), answer);
-  answer.set_critical_static_dt(engine_->critical_static_step());
   report(wave_speeds(model_), answer);
   answer.set_highest_frequency(highest_frequency(model_));
   answer.set_x_min(model_.extent.x_min);

@@ -1,9 +1,9 @@
 #include "fdm_server/participant/critical_element.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "fdm_server/zones/critical_step.hpp"
+#include "protocol/foundation/critical_step.hpp"
 
 namespace adit::fdm {
 
@@ -21,8 +21,7 @@ CriticalElement critical_element(ZoneKind kind, const Grid& grid, const Ground& 
   }
   if (foundation_stiffness > 0) {
     const double density = std::ranges::min(ground.materials, {}, &Material::density).density;
-    critical.static_step =
-        1 / std::hypot(1 / critical.static_step, std::sqrt(foundation_stiffness / density) / 2);
+    critical.static_step = foundation::critical_step(critical.static_step, foundation_stiffness / density);
     critical.name += " on its foundation";
   }
   critical.step = critical_step(damping, critical.static_step);

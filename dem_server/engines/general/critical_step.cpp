@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dem_server/model/bond_springs.hpp"
+#include "protocol/foundation/critical_step.hpp"
 
 namespace adit::dem {
 namespace {
@@ -230,34 +231,27 @@ double foundation_frequency(const Model& model) {
 // Foundations add their frequency to that of the pairs at every disc.
 double on_foundations(const Model& model, double step) {
   if (model.foundations.empty()) return step;
-  return 1 / std::hypot(1 / step, std::sqrt(foundation_frequency(model)) / 2);
-}
-
-CriticalElement critical_element_of_pairs(const Model& model) {
-  const Touching touching(model);
-  Stiffest stiffest = of_springs(touching);
-  double step = step_of(stiffest);
-  if (stiffest.squared > 0 && any_dashpots(model)) {
-    step = with_dashpots(touching, step);
-    stiffest = touching.stiffest(step);
-  }
-  const auto middle = [&stiffest](const std::vector<double>& at) {
-    return (at[stiffest.first] + at[stiffest.second]) / 2;
-  };
-  return {step / std::sqrt(1 + model.local_damping), stiffest.kind, middle(model.discs.x),
-          middle(model.discs.y)};
+  return foundation::critical_step(step, foundation_frequency(model));
 }
 
 }  // namespace
 
-double critical_static_step(const Model& model) {
-  return on_foundations(model, step_of(of_springs(Touching(model))) / std::sqrt(1 + model.local_damping));
-}
-
 CriticalElement critical_element(const Model& model) {
-  CriticalElement critical = critical_element_of_pairs(model);
-  critical.step = on_foundations(model, critical.step);
-  return critical;
+  const Touching touching(model);
+  Stiffest stiffest = of_springs(touching);
+  const double of_statics = step_of(stiffest);
+  double step = of_statics;
+  if (stiffest.squared > 0 && any_dashpots(model)) {
+    step = with_dashpots(touching, step);
+    stiffest = touching.stiffest(step);
+  }
+  const auto allowed = [&model, damped = std::sqrt(1 + model.local_damping)](double undamped) {
+    return on_foundations(model, undamped / damped);
+  };
+  const auto middle = [&stiffest](const std::vector<double>& at) {
+    return (at[stiffest.first] + at[stiffest.second]) / 2;
+  };
+  return {allowed(step), allowed(of_statics), stiffest.kind, middle(model.discs.x), middle(model.discs.y)};
 }
 
 }  // namespace adit::dem

@@ -43,7 +43,5 @@ CriticalElement critical_element(const Model& model);
 inline double critical_step(const Model& model) {
   return critical_element(model).step;
 }
-// That of springs alone: in statics no dashpots act.
-double critical_static_step(const Model& model);
 
 }  // namespace adit::dem

@@ -42,14 +42,9 @@ GeneralEngine::GeneralEngine(std::size_t threads, Model model)
 CriticalElement GeneralEngine::critical_element() const {
   std::vector<CriticalElement> elements;
   for (const Model& model : all_stages(model_)) elements.push_back(dem::critical_element(model));
-  return std::ranges::min(elements, {}, &CriticalElement::step);
-}
-
-double GeneralEngine::critical_static_step() const {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const Model& model : all_stages(model_))
-    smallest = std::min(smallest, dem::critical_static_step(model));
-  return smallest;
+  CriticalElement critical = std::ranges::min(elements, {}, &CriticalElement::step);
+  critical.static_step = std::ranges::min(elements, {}, &CriticalElement::static_step).static_step;
+  return critical;
 }
 
 void GeneralEngine::tie(std::span<const double> places, wire::Operator& op) {

@@ -32,7 +32,6 @@ class GeneralEngine final : public LocalEngine {
 
   Counts counts() const override { return {solver_.particles().size(), model_.bonds.size()}; }
   CriticalElement critical_element() const override;
-  double critical_static_step() const override;
   void tie(std::span<const double> places, wire::Operator& op) override;
   void correct(std::span<const double> impulses) override { push(impulses, motions_); }
   void step_interface(const protocol::Step& step) override;

@@ -38,7 +38,8 @@ CriticalElement critical_element(const Assembly& assembly, const BondStiffness& 
       largest = std::max(largest, squared);
     }
   const auto [x, y] = meeting_place(p, b.first[critical], b.second[critical]);
-  return {2 / std::sqrt(largest), "bond", x, y};
+  const double step = 2 / std::sqrt(largest);
+  return {step, step, "bond", x, y};
 }
 
 }  // namespace adit::dem

@@ -29,7 +29,6 @@ class LatticeEngine final : public LocalEngine {
 
   Counts counts() const override { return {assembly_.particles.size(), assembly_.bonds.size()}; }
   CriticalElement critical_element() const override;
-  double critical_static_step() const override { return critical_step(); }
   void tie(std::span<const double> places, wire::Operator& op) override;
   void correct(std::span<const double> impulses) override { push(impulses, interface_.motions); }
   void step_interface(const protocol::Step& step) override;
