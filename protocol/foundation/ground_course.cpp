@@ -3,8 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "protocol/foundation/bracket.hpp"
-
 namespace adit::foundation {
 
 GroundCourse::GroundCourse(std::vector<double> time, std::vector<double> x, std::vector<double> vx,
@@ -12,11 +10,6 @@ GroundCourse::GroundCourse(std::vector<double> time, std::vector<double> x, std:
     : time_(std::move(time)), x_(std::move(x)), vx_(std::move(vx)), vy_(std::move(vy)) {
   require_ascending(time_, "time", "s", file);
   require_ascending(x_, "place", "m", file);
-}
-
-GroundCourse::Place GroundCourse::place(double x) const {
-  const Bracket found = bracket(x_, x);
-  return {found.before, found.after, found.share};
 }
 
 void GroundCourse::velocities(Direction direction, double time, std::vector<double>& values) const {

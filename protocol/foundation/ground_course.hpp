@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "protocol/foundation/bracket.hpp"
+
 namespace adit::foundation {
 
 enum class Direction { kX, kY };
@@ -16,12 +18,8 @@ class GroundCourse {
   GroundCourse(std::vector<double> time, std::vector<double> x, std::vector<double> vx,
                std::vector<double> vy, const std::string& file);
 
-  // The weights of the two places between which x [m] lies, for velocities() of any time.
-  struct Place {
-    std::size_t before = 0, after = 0;
-    double share = 0;
-  };
-  Place place(double x) const;
+  // The two places between which x [m] lies, for velocities() of any time.
+  Bracket place(double x) const { return bracket(x_, x); }
 
   // One value a place [m/s], linear between the times, constant before the first and after the last.
   void velocities(Direction direction, double time, std::vector<double>& values) const;

@@ -7,7 +7,7 @@
 namespace adit::foundation {
 namespace {
 
-double at(const GroundCourse::Place& place, const std::vector<double>& values) {
+double at(const Bracket& place, const std::vector<double>& values) {
   return std::lerp(values[place.before], values[place.after], place.share);
 }
 

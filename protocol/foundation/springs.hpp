@@ -63,7 +63,7 @@ class Springs {
   struct Point {
     std::uint32_t point;
     double area;
-    GroundCourse::Place place;
+    Bracket place;
     double elongation = 0, slider = 0, force = 0;  // [m], [N/m^2], [N]
   };
   double stored(const Point& point) const;
