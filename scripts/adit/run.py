@@ -40,7 +40,15 @@ class Run:
     @cached_property
     def scene(self):
         """The scene as it was computed, as mappings and lists in SI units."""
-        return self._read("scene.yaml", lambda path: yaml.load(path.read_text(), _SceneLoader))
+        return self._read("scene.yaml", lambda path: yaml.load(path.read_text(), SceneLoader))
+
+    @cached_property
+    def models(self):
+        """[(name, part of the scene)] of the continuum, the particles and the regions."""
+        own = [(name, self.scene[name]) for name in ("continuum", "particles") if name in self.scene]
+        regions = [(region["name"], region.get("continuum") or region.get("particles") or {})
+                   for region in self.scene.get("regions", [])]
+        return own + regions
 
     @cached_property
     def is_simplified(self):
@@ -144,8 +152,8 @@ class Run:
         return number
 
 
-class _SceneLoader(yaml.SafeLoader):
+class SceneLoader(yaml.SafeLoader):
     """Reads 3e+10 as a number, as YAML 1.2 does and PyYAML does not."""
 
 
-_SceneLoader.add_implicit_resolver("tag:yaml.org,2002:float", re.compile(r"[-+]?\d+(\.\d*)?e[-+]?\d+$"), list("-+0123456789"))
+SceneLoader.add_implicit_resolver("tag:yaml.org,2002:float", re.compile(r"[-+]?\d+(\.\d*)?e[-+]?\d+$"), list("-+0123456789"))

@@ -2,7 +2,7 @@
 
 from adit_plots import style
 
-COLOURS = (style.BLUE, style.RED, style.GREEN)
+COLOURS = (style.BLUE, style.RED, style.GREEN, style.ORANGE)
 
 
 def by_curve(rows):

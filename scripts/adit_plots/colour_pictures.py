@@ -1,10 +1,11 @@
 """Fields in colours over the undeformed model: peaks over time; displacement, principal stress and yield state at an instant."""
 import numpy as np
 from matplotlib.collections import EllipseCollection, PolyCollection
-from matplotlib.colors import Normalize, TwoSlopeNorm
 from matplotlib.patches import Patch
 
 from adit_plots import style
+from adit_plots.colour_scale import Scale, number
+from adit_plots.deformation import common_motion, told
 
 LIGHT_WEIGHT = 0.01  # zones that have less tell little: they follow the particles
 HALF_WEIGHT = 0.5  # particles that have less: the zones below them tell more
@@ -33,12 +34,13 @@ def peaks(run, time, pieces):
 
 
 def displacement(run, time, pieces):
-    """How far zones and particles have moved."""
+    """How far zones and particles have moved. A motion that all points share is taken off, and told in the title."""
     shown = _with_field(pieces, "displacement_m")
     if not shown:
         return None
-    values = {kind: 1e3 * np.hypot(*piece["displacement_m"][:, :2].T) for kind, piece in shown.items()}
-    return _coloured(run, f"displacement at t = {style.instant(time)}", shown, values, "mm", np.abs)
+    common = common_motion(shown)
+    values = {kind: 1e3 * np.hypot(*(piece["displacement_m"][:, :2] - common).T) for kind, piece in shown.items()}
+    return _coloured(run, f"displacement at t = {style.instant(time)}{told(common)}", shown, values, "mm", np.abs)
 
 
 def principal_stress(run, time, pieces):
@@ -87,68 +89,78 @@ def _coloured(run, what, pieces, values, unit, marked, near=None):
     """`marked`: the largest of this function of the values is marked; `near`: the pieces whose extent is drawn, else all."""
     bounds = style.bounds_of(*(piece.points for piece in near or pieces.values()))
     figure, axes, _ = style.model_sheet(bounds, f"{run.name}: {what}", right=1.15)
-    heavy = {kind: _heavy(kind, piece, values[kind]) for kind, piece in pieces.items()}
-    look = _look(np.concatenate([values[kind][heavy[kind]] for kind in pieces]))
-    low, high = look["norm"].vmin, look["norm"].vmax
+    heavy = {kind: _heavy(piece, values[kind]) for kind, piece in pieces.items()}
+    seen = {kind: heavy[kind] & style.shown(axes, _places(piece, values[kind])) for kind, piece in pieces.items()}
+    scale = Scale(np.concatenate([values[kind][seen[kind]] for kind in pieces]))
     for kind, piece in pieces.items():
-        if kind == "particles":
-            width = 2 * piece.field("radius_m")[heavy[kind]]
-            drawn = EllipseCollection(width, width, np.zeros_like(width), units="xy", offsets=piece.points[heavy[kind]],
-                                      offset_transform=axes.transData, array=values[kind][heavy[kind]], ec="none", zorder=3,
-                                      **look)
-            axes.add_collection(drawn)
-        elif len(values[kind]) == len(piece.cells):
-            cells = piece.points[piece.cells[heavy[kind]]]
-            drawn = PolyCollection(cells, array=values[kind][heavy[kind]], ec="face", lw=0.2, **look)
-            axes.add_collection(drawn)
-        else:
-            triangles = np.concatenate([piece.cells[:, [0, 1, 2]], piece.cells[:, [0, 2, 3]]])
-            drawn = axes.tripcolor(*piece.points.T, triangles, values[kind], shading="gouraud", **look)
+        drawn = _draw(axes, piece, values[kind], heavy[kind], scale)
     box = axes.get_position()
-    bar = figure.colorbar(drawn, cax=figure.add_axes((box.x1 + 0.25 / figure.get_figwidth(), box.y0,
-                                                      0.14 / figure.get_figwidth(), box.height)))
+    bar = figure.colorbar(drawn, extend=scale.extend(), cax=figure.add_axes((
+        box.x1 + 0.25 / figure.get_figwidth(), box.y0, 0.14 / figure.get_figwidth(), box.height)))
     bar.set_label(f"[{unit}]")
-    if low == high:
-        bar.set_ticks([low])
-    _mark_largest(axes, pieces, values, heavy, unit, marked)
+    if scale.low == scale.high:
+        bar.set_ticks([scale.low])
+    _mark_largest(axes, pieces, values, seen, unit, marked)
+    _write_below(axes, 0, scale.beyond(unit))
     return figure
 
 
-def _heavy(kind, piece, values):
+def _draw(axes, piece, values, heavy, scale):
+    """Particles as discs, zones in the colours of their values, or of those at their corners with lines of equal values."""
+    look = scale.look()
+    if piece.is_cloud:
+        width = 2 * piece.field("radius_m")[heavy]
+        drawn = EllipseCollection(width, width, np.zeros_like(width), units="xy", offsets=piece.points[heavy],
+                                  offset_transform=axes.transData, array=values[heavy], ec="none", zorder=3, **look)
+        return axes.add_collection(drawn)
+    if len(values) == len(piece.cells):
+        return axes.add_collection(PolyCollection(piece.points[piece.cells[heavy]], array=values[heavy], ec="face", lw=0.2, **look))
+    cells = piece.cells[_heavy_cells(piece)]
+    triangles = *piece.points.T, np.concatenate([cells[:, [0, 1, 2]], cells[:, [0, 2, 3]]])
+    levels = [level for level in scale.levels() if values[heavy].min() < level < values[heavy].max()]
+    if levels:
+        axes.tricontour(*triangles, values, levels, colors="white", linewidths=0.4, linestyles="solid")
+    return axes.tripcolor(*triangles, values, shading="gouraud", **look)
+
+
+def _places(piece, values):
+    """Where the values are: at the points, or in the middles of the cells."""
+    return piece.points if len(values) == len(piece.points) else piece.points[piece.cells].mean(axis=1)
+
+
+def _heavy(piece, values):
     """Which values count: not those of light zones and particles, nor of particles that were taken away."""
-    there = piece.is_there() if kind == "particles" else np.full(len(values), True)
-    weight = piece.field("weight")
-    least = HALF_WEIGHT if kind == "particles" else LIGHT_WEIGHT
-    return there & (weight >= least) if weight is not None and len(weight) == len(values) else there
+    if piece.is_cloud:
+        weight = piece.field("weight")
+        return piece.is_there() & (True if weight is None else weight >= HALF_WEIGHT)
+    heavy = _heavy_cells(piece)
+    if len(values) == len(heavy):
+        return heavy
+    of_points = np.full(len(values), False)
+    of_points[piece.cells[heavy]] = True
+    return of_points
 
 
-def _look(values):
-    """One hue for one sign, two around 0 for both."""
-    low, high = _range(values)
-    if low < 0 < high:
-        return {"cmap": "RdBu_r", "norm": TwoSlopeNorm(0, low, high)}
-    return {"cmap": "viridis_r" if high <= 0 else "viridis", "norm": Normalize(low, high)}
+def _heavy_cells(grid):
+    weight = grid.field("weight")
+    return np.full(len(grid.cells), True) if weight is None else weight >= LIGHT_WEIGHT
 
 
-def _range(values):
-    """Least and greatest value; without the outermost 0.5 % where these are farther off than all others are from each other,
-    such as a loose grain among many."""
-    low, inner_low, inner_high, high = np.percentile(values, (0, 0.5, 99.5, 100))
-    spread = inner_high - inner_low
-    return (inner_low if inner_low - low > spread > 0 else low), (inner_high if high - inner_high > spread > 0 else high)
-
-
-def _mark_largest(axes, pieces, values, heavy, unit, marked):
+def _mark_largest(axes, pieces, values, seen, unit, marked):
     """Marks the largest value that is shown by a ring and writes it below the picture."""
     tops = []
     for kind, piece in pieces.items():
-        of_zones = kind == "grid" and len(values[kind]) == len(piece.cells)
-        places = piece.points[piece.cells].mean(axis=1) if of_zones else piece.points
-        found = np.flatnonzero(heavy[kind] & style.shown(axes, places))
+        found = np.flatnonzero(seen[kind])
         if len(found):
             top = found[np.argmax(marked(values[kind][found]))]
-            tops.append((marked(values[kind][top]), values[kind][top], *places[top]))
+            tops.append((marked(values[kind][top]), values[kind][top], *_places(piece, values[kind])[top]))
     _, value, x, y = max(tops)
     axes.plot(x, y, "o", ms=9, mfc="none", mec=style.RED, mew=1.3, zorder=5, clip_on=False)
-    axes.figure.text(0.65 / axes.figure.get_figwidth(), 0.14 / axes.figure.get_figheight(), size=8.5,
-                     s=f"○ {value:.4g} {unit} at x = {x:.4g} m, y = {y:.4g} m", color=style.RED)
+    _write_below(axes, 1, f"○ {number(value)} {unit} at x = {x:.4g} m, y = {y:.4g} m", color=style.RED)
+
+
+def _write_below(axes, line, text, **look):
+    """Writes a line of text below the picture, counted from the lower edge; nothing for an empty text."""
+    if text:
+        width, height = axes.figure.get_size_inches()
+        axes.figure.text(0.65 / width, (0.1 + style.LINE * line) / height, text, size=8.5, **look)

@@ -15,6 +15,11 @@ def common_motion(pieces):
     return common if np.hypot(*moved.T).min() > AT_REST * np.hypot(*common) else np.zeros(2)
 
 
+def told(common):
+    """What a title says of the common motion that was taken off."""
+    return f", without the common ({1e3 * common[0]:.4g}, {1e3 * common[1]:.4g}) mm" if common.any() else ""
+
+
 def scale_of(pieces):
     """The round factor that makes the largest displacement about a fourteenth of the model, at least 1. What all points share
     does not count, nor do loose grains."""

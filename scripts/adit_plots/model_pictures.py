@@ -4,12 +4,12 @@ from matplotlib.collections import EllipseCollection, LineCollection, PolyCollec
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Polygon
 
-from adit_plots import style
-from adit_plots.deformation import common_motion, near, round_below, scale_of
+from adit_plots import joints, style
+from adit_plots.deformation import common_motion, near, round_below, scale_of, told
 
 ZONE_FACE, ZONE_EDGE, DISC_FACE, DISC_EDGE = "#C6DBEF", style.BLUE, "#FDD9A0", "#A86400"
 OVERLAP_FACE = "#BDBDBD"
-CLOSE_UP = 0.6  # of the width
+CLOSE_UP = 0.36  # of the area
 LEVELS = 40  # of the widths of force chains
 LINES_OF_A_PATH = 5000  # longer paths overflow the memory of the renderer
 INTACT, TENSILE_CRACK, SHEAR_CRACK = 0, 1, 2
@@ -24,10 +24,9 @@ def deformed(run, time, pieces, scale=None):
     common, scale = common_motion(pieces), scale or scale_of(pieces)
     moved = {kind: piece.moved(scale, common) for kind, piece in models.items()}
     kept = {kind: near(models[kind], points, scale) for kind, points in moved.items()}
-    without = f", without the common ({1e3 * common[0]:.4g}, {1e3 * common[1]:.4g}) mm" if common.any() else ""
     figure, axes, add_legend = style.model_sheet(
         style.bounds_of(*(p.points for p in models.values()), *(moved[kind][kept[kind]] for kind in models)),
-        f"{run.name}: deformed model at t = {style.instant(time)}, displacements × {scale:g}{without}")
+        f"{run.name}: deformed model at t = {style.instant(time)}, displacements × {scale:g}{told(common)}")
     grid = pieces.get("grid")
     handles = _shade_overlap(axes, run, grid, moved.get("grid"))
     if grid is not None:
@@ -113,7 +112,12 @@ def close_up(pieces):
     """Bounds of the whole model, or of the bonds alone where they fill a small part of it."""
     bonds = pieces["bonds"]
     bounds, near = style.bounds_of(*(p.points for p in pieces.values())), style.bounds_of(bonds.points[np.unique(bonds.cells)])
-    return near if near[1] - near[0] < CLOSE_UP * (bounds[1] - bounds[0]) else bounds
+    return near if _area(near) < CLOSE_UP * _area(bounds) else bounds
+
+
+def _area(bounds):
+    x_min, x_max, y_min, y_max = bounds
+    return (x_max - x_min) * (y_max - y_min)
 
 
 def _undeformed_sheet(run, time, pieces, bounds, what):
@@ -134,7 +138,7 @@ def _draw_surroundings(axes, run, pieces):
     if springs is not None and len(springs.cells):
         axes.add_collection(LineCollection(springs.points[springs.cells], color=style.GREEN, lw=1.6, zorder=3))
         handles.append(Line2D([], [], color=style.GREEN, lw=1.6, label="springs"))
-    return handles
+    return handles + joints.draw(axes, [model for _, model in run.models])
 
 
 def _shade_overlap(axes, run, grid, points=None):

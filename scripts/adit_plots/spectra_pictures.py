@@ -5,6 +5,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 
 from adit_plots import style
 
+GRAVITY = 9.80665  # [m/s^2]; response spectra of accelerations are drawn in g
 COLORS = (style.BLACK, style.RED, style.BLUE, style.GREEN, style.ORANGE, style.PINK, style.SKY)
 
 
@@ -58,20 +59,20 @@ def _response(run, name, table, reference, name_of_reference):
     dampings = [column.removeprefix("sd_").removesuffix("pct_m") for column in table if column.startswith("sd_")]
     figure, axes = plt.subplots(1, 3, figsize=(10.5, 3.9), gridspec_kw={
         "left": 0.07, "right": 0.985, "top": 0.9, "bottom": 0.14, "wspace": 0.3})
-    for panel, (kind, unit, quantity) in zip(axes, (("psa_{}pct_m_per_s2", "m/s²", "pseudo acceleration"),
-                                                    ("sv_{}pct_m_per_s", "m/s", "relative velocity"),
-                                                    ("sd_{}pct_m", "m", "relative displacement"))):
+    for panel, (kind, unit, size, quantity) in zip(axes, (("psa_{}pct_m_per_s2", "g", GRAVITY, "pseudo acceleration"),
+                                                          ("sv_{}pct_m_per_s", "m/s", 1, "relative velocity"),
+                                                          ("sd_{}pct_m", "m", 1, "relative displacement"))):
         for i, damping in enumerate(dampings):
-            panel.loglog(table["period_s"], table[kind.format(damping)], color=COLORS[i % len(COLORS)],
+            panel.loglog(table["period_s"], table[kind.format(damping)] / size, color=COLORS[i % len(COLORS)],
                          label=f"damping {damping} %")
             if reference:
-                panel.loglog(reference["period_s"], reference[kind.format(damping)], color=COLORS[i % len(COLORS)], lw=0.9,
-                             ls="--", label=f"{style.literal(name_of_reference)}, {damping} %")
+                panel.loglog(reference["period_s"], reference[kind.format(damping)] / size, color=COLORS[i % len(COLORS)],
+                             lw=0.9, ls="--", label=f"{style.literal(name_of_reference)}, {damping} %")
         panel.set(xlabel="period [s]", ylabel=f"{quantity} [{unit}]", xlim=(table["period_s"][0], table["period_s"][-1]))
         plain_decades(panel)
     pga = run.number(f"{name}_pga_m_per_s2")
     if pga:
-        axes[0].axhline(pga, color=style.GREY, lw=0.8, ls="--", label="PGA")
+        axes[0].axhline(pga / GRAVITY, color=style.GREY, lw=0.8, ls="--", label="PGA")
     axes[0].legend(loc="lower left")
     axes[0].set_title(f"{run.name}: response spectra of {style.literal(name)}", loc="left")
     return figure

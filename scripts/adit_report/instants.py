@@ -6,8 +6,8 @@ from adit_plots.deformation import scale_of
 from adit_report import pictures
 from adit_report.markup import Markup, section, tag
 
-VIEWS = (model_pictures.force_chains, model_pictures.bonds, lining_pictures.lining_forces, colour_pictures.principal_stress,
-         colour_pictures.yield_state)  # beside the deformed model
+VIEWS = (colour_pictures.displacement, model_pictures.force_chains, model_pictures.bonds, lining_pictures.lining_forces,
+         colour_pictures.principal_stress, colour_pictures.yield_state)  # beside the deformed model
 MOST = 8  # instants
 FEW = 3  # instants of a model so large that they hold more than MOST_CELLS zones, particles and bonds: drawing takes time
 MOST_CELLS = 800_000

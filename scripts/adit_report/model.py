@@ -2,8 +2,8 @@
 import numpy as np
 
 from adit import Unusable
-from adit_plots import setup_pictures
-from adit_plots.checked import LAWS, Checked
+from adit_plots.setup import sheets
+from adit_plots.setup.checked import LAWS, Checked
 from adit_report import pictures
 from adit_report.markup import details, section, table, tag
 from adit_report.quantities import figure, quantity
@@ -24,6 +24,8 @@ PROPERTIES = (("thickness", "thickness", "m"), ("young_modulus", "E", "Pa"), ("s
               ("pretension", "pretension", "N"), ("strength", "strength", "N"), ("area", "area", "m²"),
               ("axial_stiffness", "axial stiffness", "N/m"), ("rotation_stiffness", "rotation stiffness", "N m/rad"),
               ("seal_limit", "limit of the seal", "m"), ("stage", "stage", ""))
+MEMBERS = ("gasket", "cables", "lateral_keys", "vertical_keys")  # of a joint of a whole tunnel
+OF_MEMBERS = (("installed_force", "installed force", "N"), ("stiffness", "stiffness", "N/m"), ("clearance", "clearance", "m"))
 MANY = 8  # rows that a table may have without being closed at first
 
 
@@ -38,7 +40,7 @@ def _pictures(results):
     if results.is_simplified:
         return None  # the ground stands above the envelopes
     try:
-        drawn = list(setup_pictures.model(Checked(results.folder)))
+        drawn = list(sheets.model(Checked(results.folder)))
     except Unusable:
         return tag("p", "No fields were written, so the model is not drawn here; scripts/plot --model SCENE draws it.")
     except (KeyError, ValueError, IndexError) as error:
@@ -102,13 +104,22 @@ def _parts(results):
             rows += [(part.get("name") or f"{one} {i + 1}", f"{one} of the {name}", _properties(part))
                      for i, part in enumerate(model.get(kind, []))]
     tunnel = results.scene.get("simplified", {}).get("tunnel", {})
-    rows += [(group.get("name", "joints"), "joints of the tunnel", _properties(group)) for group in tunnel.get("joints", [])]
+    rows += [(group.get("name", "joints"), f"joints of the tunnel, {_chainages(group)}", _properties(group))
+             for group in tunnel.get("joints", [])]
     listed = table("Joints, springs, linings and bolts, from scene.yaml", ("name", "kind", "properties"), rows)
     return details(f"{len(rows)} joints, springs, linings and bolts", listed) if len(rows) > MANY else listed
+
+
+def _chainages(group):
+    """Where the joints of a group are."""
+    places = [f"{quantity(group[end], 'm')}" for end in ("from", "to") if end in group]
+    alone = [quantity(place, "m") for place in group.get("at", [])]
+    return ", ".join(filter(None, (" to ".join(places), *alone)))
 
 
 def _properties(part):
     law = next((law for law in ("open", "smooth", "bonds") if law in part), None)
     inner = part[law] if law and isinstance(part[law], dict) else {}
     inside = _values(inner, SMOOTH if law == "smooth" else BONDS)
-    return "; ".join(filter(None, (f"{law} joint" if law else "", inside, _values(part, PROPERTIES))))
+    members = [f"{name.replace('_', ' ')}: {_values(part[name], OF_MEMBERS)}" for name in MEMBERS if name in part]
+    return "; ".join(filter(None, (f"{law} joint" if law else "", inside, *members, _values(part, PROPERTIES))))

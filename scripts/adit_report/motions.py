@@ -2,6 +2,7 @@
 import numpy as np
 
 from adit_plots import oscillators, spectra_pictures, style, time_pictures
+from adit_plots.spectra_pictures import GRAVITY
 from adit_report import pictures
 from adit_report.markup import section, table, tag
 from adit_report.quantities import figure
@@ -47,8 +48,8 @@ def _of_tunnel(results):
     drawn, (before, after, spectra) = style.plt.subplots(3, 1, figsize=(8.0, 7.2))
     time, acceleration = motion["time_s"], motion["acceleration_m_per_s2"]
     before.plot(time, acceleration, color=style.BLACK, lw=0.9, label="in: the motion of the scene")
-    spectra.plot(oscillators.PERIODS, oscillators.pseudo_acceleration(acceleration, time[1], oscillators.PERIODS),
-                 color=style.BLACK, label="in: the motion of the scene, 5 %")
+    response = oscillators.pseudo_acceleration(acceleration, time[1], oscillators.PERIODS)
+    spectra.plot(oscillators.PERIODS, response / GRAVITY, color=style.BLACK, label="in: the motion of the scene, 5 %")
     time = results.histories["time_s"]
     largest = max(np.abs(values).max() for _, values in moved[1])
     for i, (column, values) in enumerate(moved[1]):
@@ -57,11 +58,12 @@ def _of_tunnel(results):
         said = style.literal(f"out: {time_pictures.said(column)}")
         after.plot(time, 1e3 * values, label=said, **look)
         if len(time) > 2 and np.abs(values).max() > NOISE * largest:
-            spectra.plot(*oscillators.of_displacement(values, time[1]), label=f"{said}, 5 %", **look)
+            periods, response = oscillators.of_displacement(values, time[1])
+            spectra.plot(periods, response / GRAVITY, label=f"{said}, 5 %", **look)
     before.set_title("run: motions in and out", loc="left")
     before.set(xlabel="t [s]", ylabel="acceleration [m/s²]", xlim=(time[0], time[-1] or 1))
     after.set(xlabel="t [s]", ylabel="displacement [mm]", xlim=(time[0], time[-1] or 1))
-    spectra.set(xlabel="period [s]", ylabel="pseudo acceleration [m/s²]", xscale="log")
+    spectra.set(xlabel="period [s]", ylabel="pseudo acceleration [g]", xscale="log")
     spectra_pictures.plain_decades(spectra)
     for axes in (before, after, spectra):
         axes.legend()
@@ -82,7 +84,7 @@ def picture(found):
         _draw(results, name, said, colour, over_time, spectra)
     over_time.set(xlabel="t [s]", ylabel="acceleration [m/s²]")
     over_time.set_title("run: motions in and out", loc="left")
-    spectra.set(xlabel="period [s]", ylabel="pseudo acceleration [m/s²]", xscale="log")
+    spectra.set(xlabel="period [s]", ylabel="pseudo acceleration [g]", xscale="log")
     spectra_pictures.plain_decades(spectra)
     over_time.grid(lw=0.3, color="#DDDDDD")
     for axes in (over_time, spectra):
@@ -92,17 +94,17 @@ def picture(found):
 
 def _draw(results, name, said, colour, over_time, spectra):
     """The motion in solid lines; dashed, the one from which it came."""
-    for kind, label, look in (("input", "in, before ", {"ls": "--", "lw": 0.9, "alpha": 0.8}), ("motion", "", {"lw": 1})):
+    for kind, label, look in (("input", "input of ", {"ls": "--", "lw": 0.9, "alpha": 0.8}), ("motion", "", {"lw": 1})):
         motion = results.spectra[name].get(kind)
         if motion:
             over_time.plot(motion["time_s"], motion["acceleration_m_per_s2"], color=colour,
                            label=style.literal(label + said), **look)
-    for kind, label, look in (("reference", "in, before ", {"ls": "--", "lw": 0.9}), ("response", "", {"lw": 1.2})):
+    for kind, label, look in (("reference", "input of ", {"ls": "--", "lw": 0.9}), ("response", "", {"lw": 1.2})):
         response = results.spectra[name].get(kind)
         if response:
             column = _column(response)
             share = column.removeprefix("psa_").partition("pct")[0]
-            spectra.plot(response["period_s"], response[column], color=colour,
+            spectra.plot(response["period_s"], response[column] / GRAVITY, color=colour,
                          label=style.literal(f"{label}{said}, {share} %"), **look)
 
 

@@ -1,15 +1,23 @@
 """How the run ended, its warnings, its main figures, and what was computed."""
+from adit_plots.spectra_pictures import GRAVITY
 from adit_report.markup import bullets, paragraphs, section, table, tag
-from adit_report.quantities import figure, quantity
+from adit_report.quantities import digits, figure, quantity
 
 ROWS = (  # of the main figures: what, key of summary.json, divisor, format
     ("peak bond force [kN]", "peak_bond_force_N", 1e3, "{:,.0f}"),
     ("  at [ms]", "peak_bond_force_time_s", 1e-3, "{:.2f}"),
     ("  at x [m]", "peak_bond_force_x_m", 1, "{:.2f}"),
+    ("  at y [m]", "peak_bond_force_y_m", 1, "{:.2f}"),
     ("first crack at [ms]", "first_crack_time_s", 1e-3, "{:.2f}"),
     ("  at x [m]", "first_crack_x_m", 1, "{:.2f}"),
     ("  at y [m]", "first_crack_y_m", 1, "{:.2f}"),
     ("cracks", "crack_count", 1, "{:.0f}"),
+    ("least thrust, per metre [kN]", "sections_smallest_thrust_N", 1e3, "{:,.0f}"),
+    ("greatest thrust, per metre [kN]", "sections_largest_thrust_N", 1e3, "{:,.0f}"),
+    ("least moment, per metre [kN m]", "sections_smallest_moment_Nm", 1e3, "{:,.0f}"),
+    ("greatest moment, per metre [kN m]", "sections_largest_moment_Nm", 1e3, "{:,.0f}"),
+    ("longest diameter, change [mm]", "ovals_largest_diameter_change_m", 1e-3, "{:.2f}"),
+    ("shortest diameter, change [mm]", "ovals_smallest_diameter_change_m", 1e-3, "{:.2f}"),
     ("energy drift", "max_energy_drift", 1, "{:.1e}"),
     ("axial force [MN]", "max_axial_force_N", 1e6, "{:,.1f}"),
     ("lateral moment [MN m]", "max_moment_lateral_N_m", 1e6, "{:,.1f}"),
@@ -33,7 +41,10 @@ def state(results):
     if s.get("completed"):
         return tag("p", f"The run is complete: {duration} were computed.", class_="state")
     until = "" if results.reached is None else f" at {quantity(results.reached, 's')} of {duration}"
-    if "error" in s:
+    if s.get("error", "").startswith("ended by "):
+        how, told = f"The run was stopped{until}.", f" This page shows what was computed until then. {_sentence(s['error'])}"
+        told += f" {_sentence('to go on: ' + s['resume'])}" if "resume" in s else ""
+    elif "error" in s:
         how, told = f"The run failed{until}.", f" This page shows what was computed until then. {_sentence(s['error'])}"
     else:
         how, told = f"The run was not finished: it was stopped{until} or is still going on.", " This page shows what there is."
@@ -146,12 +157,13 @@ def motion(given):
     kind = next((kind for kind in about if kind in given), None)
     if kind is None:
         return None
-    peak = f", with a peak of {quantity(given['peak'], 'm/s²')}" if "peak" in given else ""
+    peak = f", with a peak of {quantity(given['peak'], 'm/s²')} ({digits(given['peak'] / GRAVITY)} g)" if "peak" in given else ""
     return f"The motion is {about[kind](given[kind])}{peak}."
 
 
 def _listed(mapping):
-    return ", ".join(f"{key.replace('_', ' ')} {value}" for key, value in mapping.items()
+    units = {"corner_period": " s"}
+    return ", ".join(f"{key.replace('_', ' ')} {value}{units.get(key, '')}" for key, value in mapping.items()
                      if not isinstance(value, (dict, list)))
 
 

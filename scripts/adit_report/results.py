@@ -36,14 +36,6 @@ class Results(Run):
         found = {name: {what: table for what, table in tables.items() if table} for name, tables in super().spectra.items()}
         return {name: tables for name, tables in found.items() if OF_EVERY_MOTION <= tables.keys()}
 
-    @cached_property
-    def models(self):
-        """[(name, part of the scene)] of the continuum, the particles and the regions."""
-        own = [(name, self.scene[name]) for name in ("continuum", "particles") if name in self.scene]
-        regions = [(region["name"], region.get("continuum") or region.get("particles") or {})
-                   for region in self.scene.get("regions", [])]
-        return own + regions
-
     def pieces_at(self, number):
         """{kind: Piece} at the instant of this number; empty if a file of it is missing or damaged."""
         _, files = self.instants[number]

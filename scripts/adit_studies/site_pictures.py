@@ -2,6 +2,7 @@
 import matplotlib.pyplot as plt
 
 from adit_plots import style
+from adit_plots.spectra_pictures import GRAVITY
 from adit_studies.site_response import LOOPS
 
 COLORS = {"outcrop": style.GREY, "linear": style.BLUE, "hysteretic": style.RED}
@@ -30,9 +31,9 @@ def motions(sites):
 def spectra(sites):
     figure, axes = plt.subplots(figsize=(6.4, 4.2), layout="constrained")
     for site in sites:
-        axes.semilogx(site.period, site.spectrum, color=COLORS[site.name],
+        axes.semilogx(site.period, site.spectrum / GRAVITY, color=COLORS[site.name],
                       label=site.name if site.name == "outcrop" else f"surface, {site.name}")
-    axes.set(xlabel="period [s]", ylabel="pseudo-acceleration [m/s²]", ylim=(0, None),
+    axes.set(xlabel="period [s]", ylabel="pseudo acceleration [g]", ylim=(0, None),
              xlim=(sites[0].period[0], sites[0].period[-1]))
     axes.set_xticks([0.05, 0.1, 0.2, 0.5, 1, 2, 5], ["0.05", "0.1", "0.2", "0.5", "1", "2", "5"])
     axes.minorticks_off()

@@ -9,8 +9,8 @@ import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "scripts"))
 
-from adit_plots import mesh_groups  # noqa: E402
-from adit_plots.areas import UnknownGroup, boundary, edges_in, inside, zones_in  # noqa: E402
+from adit_plots.setup import mesh_groups  # noqa: E402
+from adit_plots.setup.areas import UnknownGroup, boundary, edges_in, inside, zones_in  # noqa: E402
 
 MESH = pathlib.Path(__file__).resolve().parents[3] / "cases" / "excavation" / "tunnel.msh"
 

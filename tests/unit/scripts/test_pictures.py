@@ -10,8 +10,10 @@ import numpy as np
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "scripts"))
 
 from adit import Piece, Table  # noqa: E402
-from adit_plots import colour_pictures, deformation, model_pictures, style, time_pictures  # noqa: E402
-from adit_report import pictures  # noqa: E402
+from adit_plots import colour_pictures, deformation, model_pictures, spectra_pictures, style, time_pictures  # noqa: E402
+from adit_plots.colour_scale import Scale  # noqa: E402
+from adit_plots.setup import conditions, sheets  # noqa: E402
+from adit_report import model, overview, pictures  # noqa: E402
 
 
 def piece(points, cells, point_fields=None, cell_fields=None):
@@ -37,8 +39,12 @@ def cloud(points, displacement):
         "displacement_m": np.column_stack([displacement, np.zeros(count)]), "radius_m": np.full(count, 0.05), "weight": np.ones(count)})
 
 
-def run_named(name):
-    return types.SimpleNamespace(name=name, overlap=lambda: None)
+def run_named(name, *models):
+    return types.SimpleNamespace(name=name, overlap=lambda: None, models=[("particles", model) for model in models])
+
+
+def texts_of(legend):
+    return [text.get_text() for text in legend.get_texts()]
 
 
 def box_of(figure, artist):
@@ -107,15 +113,102 @@ class Colours(unittest.TestCase):
         figure = colour_pictures.displacement(run_named("rest"), 1.0, {"grid": column(lambda points: 0 * points[:, :1])})
         self.assertEqual(list(figure.axes[1].get_yticks()), [0])
 
-    def test_a_loose_grain_leaves_the_scale_to_the_others(self):
-        values = np.append(np.linspace(0, 0.01, 999), 5.2)
-        self.assertLess(colour_pictures._range(values)[1], 0.0101)
+    def test_a_few_peaks_do_not_rule_the_scale_and_are_told(self):
+        stress = np.zeros((400, 3))
+        stress[:, 0] = np.linspace(0.1e6, 0.2e6, 400)
+        stress[7, 0] = 5.2e6
+        places = np.array([(x, y) for x in range(20) for y in range(20)], float)
+        cracked = cloud(places, np.zeros((400, 2)))
+        cracked.point_fields["stress_Pa"] = stress
+        figure = colour_pictures.principal_stress(run_named("ring"), 1.0, {"particles": cracked})
+        bar = figure.axes[1]._colorbar
+        self.assertLess(bar.vmax, 0.21)
+        self.assertEqual(bar.extend, "max")
+        self.assertIn("○ 5.2 MPa at x = 0 m, y = 7 m", self.marked(figure))
+        told = [text.get_text() for text in figure.texts]
+        self.assertIn("Beyond the scale of colours: 2 above, up to 5.2 MPa", told)  # 0.5 % of 400
+
+    def test_a_roof_that_fell_by_metres_is_told_in_plain_numbers(self):
+        scale = Scale(np.append(np.linspace(1, 2, 999), 10670.4))
+        self.assertIn("up to 10,670 mm", scale.beyond("mm"))
+
+    def test_all_values_lie_in_the_scale_where_none_is_far_from_the_others(self):
+        values = np.sin(np.linspace(0, 3, 1000))
+        scale = Scale(values)
+        self.assertEqual((scale.low, scale.high, scale.beyond("mm")), (values.min(), values.max(), ""))
+
+    def test_ground_can_be_told_apart_beside_a_cracking_lining(self):
+        """Ground shaken by 1 to 3 m/s^2 and particles that crack by thousands: a linear scale shows one colour."""
+        scale = Scale(np.concatenate([np.linspace(1, 3, 500), np.geomspace(5, 2000, 100)]))
+        shown = scale.look()["norm"]([1.0, 3.0])
+        self.assertGreater(shown[1] - shown[0], 0.1)
+
+    def test_the_smaller_sign_is_pale_where_it_is_much_smaller(self):
+        """Compression of 0.2 MPa beside tension of 19 MPa is nearly nothing, and is drawn nearly white."""
+        norm = Scale(np.linspace(-0.2, 19, 200)).look()["norm"]
+        self.assertAlmostEqual(norm(0), 0.5)
+        self.assertGreater(norm(-0.2), 0.45)
+        self.assertEqual(norm(19), 1)
+
+    def test_displacement_is_that_beside_the_common_motion(self):
+        grid = column(lambda points: 4 + 1e-3 * (points[:, 1:] / 50) ** 2)
+        figure = colour_pictures.displacement(run_named("shaken"), 1.0, {"grid": grid})
+        self.assertIn("without the common (4000, 0) mm", figure.axes[0].get_title(loc="left").replace("\n", " "))
+        self.assertRegex(self.marked(figure), r"^○ 0\.7\d* mm")
 
     def test_rounding_of_the_weight_is_no_overlap(self):
         grid = column(lambda points: 0 * points[:, :1])
         grid.cell_fields["weight"] = np.full(25, 1 - 2.2e-16)
         figure = model_pictures.deformed(run_named("hzm"), 1.0, {"grid": grid})
         self.assertNotIn("overlap", [text.get_text() for text in figure.legends[0].get_texts()])
+
+
+class Joints(unittest.TestCase):
+    def test_joints_of_a_lining_are_drawn_over_its_bonds(self):
+        state = {"state": np.zeros(2), "normal_force_N": np.array([1e3, -2e3])}
+        segments = piece([(0, 0), (1, 0), (2, 0)], [(0, 1), (1, 2)], {}, state)
+        joint = {"from": {"x": 1.5, "y": -0.2}, "to": {"x": 1.5, "y": 0.2}, "open": True}
+        for draw in (model_pictures.bonds, model_pictures.force_chains):
+            figure = draw(run_named("ring", {"joints": [joint]}), 1.0, {"bonds": segments})
+            self.assertIn("open joint", texts_of(figure.legends[0]))
+            lines = [path.vertices.tolist() for drawn in figure.axes[0].collections for path in drawn.get_paths()]
+            self.assertIn([[1.5, -0.2], [1.5, 0.2]], lines)
+
+    def test_a_close_up_shows_a_long_thin_region_of_particles(self):
+        grid = piece([(-80, -40), (80, -40), (80, 40), (-80, 40)], [(0, 1, 2, 3)])
+        lining = piece([(-54, -9), (54, 9)], [(0, 1)])
+        self.assertEqual(model_pictures.close_up({"grid": grid, "bonds": lining}), style.bounds_of(lining.points))
+
+
+class Models(unittest.TestCase):
+    def test_particles_that_were_taken_away_are_not_drawn(self):
+        discs = cloud([(0, 0), (1, 0), (2, 0)], np.zeros((3, 2)))
+        discs.cells = discs.cells[1:]
+        _, axes = style.plt.subplots()
+        sheets._draw_particles(axes, types.SimpleNamespace(first_colour=0, group=lambda k: "rock"), discs)
+        self.assertEqual(axes.collections[0].get_offsets().tolist(), [[1, 0], [2, 0]])
+
+
+    def test_edges_that_move_as_a_body_are_drawn_as_moved(self):
+        grid = piece([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2, 3)])
+        motion = {"where": {"x_max": 0}, "body": {"centre": {"x": 0, "y": 0.5}, "path": "edge.csv"}}
+        member = types.SimpleNamespace(piece="grid", is_grid=True, model={"motions": [motion]}, mesh_groups={})
+        _, axes = style.plt.subplots()
+        handles, notes = conditions.draw(axes, [member], {"grid": grid}, 1.0)
+        self.assertEqual([handle.get_label() for handle in handles], ["boundary: moved"])
+        self.assertEqual(notes, [])
+
+
+class Spectra(unittest.TestCase):
+    def test_accelerations_are_drawn_in_g(self):
+        table = Table({"period_s": np.array([0.1, 1.0]), "psa_5pct_m_per_s2": np.array([9.80665, 4.903325]),
+                       "sv_5pct_m_per_s": np.ones(2), "sd_5pct_m": np.ones(2)}, "table")
+        run = types.SimpleNamespace(name="site", number=lambda key: 4.903325 if key == "top_pga_m_per_s2" else None)
+        axes = spectra_pictures._response(run, "top", table, None, "input").axes[0]
+        spectrum, pga = axes.get_lines()
+        self.assertEqual(axes.get_ylabel(), "pseudo acceleration [g]")
+        np.testing.assert_allclose(spectrum.get_ydata(), (1, 0.5))
+        np.testing.assert_allclose(pga.get_ydata(), 0.5)
 
 
 class Times(unittest.TestCase):
@@ -148,6 +241,24 @@ class Times(unittest.TestCase):
 
 
 class Pages(unittest.TestCase):
+    def test_a_motion_is_told_with_its_units_and_in_g(self):
+        told = overview.motion({"synthetic": {"spectrum": "gb_18306", "corner_period": 0.65, "seed": 11}, "peak": 1.96133})
+        self.assertEqual(told, "The motion is synthetic (spectrum gb_18306, corner period 0.65 s, seed 11), with a peak of "
+                               "1.961 m/s² (0.2 g).")
+
+    def test_joints_of_a_whole_tunnel_are_told_with_what_they_consist_of(self):
+        joint = {"from": 222.0, "to": 5442.0, "at": [111.0], "gasket": {"installed_force": 171e6, "force": [0.0, 1e6]},
+                 "lateral_keys": {"stiffness": 3e9, "clearance": 5e-3}, "seal_limit": 0.06}
+        self.assertEqual(model._chainages(joint), "222 m to 5,442 m, 111 m")
+        self.assertEqual(model._properties(joint), "gasket: installed force = 171 MN; lateral keys: stiffness = 3 GN/m, "
+                                                   "clearance = 5 mm; limit of the seal = 60 mm")
+
+    def test_forces_and_diameters_of_a_ring_are_main_figures(self):
+        known = dict(overview.main_figures())
+        self.assertEqual(known["greatest moment, per metre"], "sections_largest_moment_Nm")
+        self.assertEqual(known["shortest diameter, change"], "ovals_smallest_diameter_change_m")
+        self.assertEqual(known["peak bond force: y"], "peak_bond_force_y_m")
+
     def test_panels_stand_below_each_other_with_both_of_their_axes(self):
         figure, (left, right) = style.plt.subplots(1, 2, figsize=(10, 3))
         other = right.twinx()

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from adit import Piece, Run, Unusable
 from adit.files import read
-from adit_plots import mesh_groups
+from adit_plots.setup import mesh_groups
 
 
 class Checked(Run):

@@ -4,8 +4,9 @@ from matplotlib.collections import EllipseCollection, LineCollection, PolyCollec
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from adit_plots import setup_conditions, style
-from adit_plots.labels import add_labels
+from adit_plots import style
+from adit_plots.setup import conditions
+from adit_plots.setup.labels import add_labels
 
 # Pale for zones, stronger for particles; the pairs keep apart with any colour vision and in grey.
 ZONES = ("#DCE8F4", "#F6E3C0", "#C9DFC9", "#E9D3E3", "#D2D2D2", "#FFF6B8", "#B9D3EA")
@@ -40,8 +41,8 @@ def _sheet(checked, pieces, bounds, title, elsewhere):
             handles += draw(axes, member, pieces[member.piece])
     handles += _shade_overlap(axes, pieces)
     handles += _draw_supports(axes, pieces)
-    conditions, notes = setup_conditions.draw(axes, checked.members(), pieces, span)
-    handles += conditions + _draw_probes(axes, checked.members(), bounds, elsewhere) + notes
+    drawn, notes = conditions.draw(axes, checked.members(), pieces, span)
+    handles += drawn + _draw_probes(axes, checked.members(), bounds, elsewhere) + notes
     add_legend(handles)
     return figure
 
@@ -61,11 +62,12 @@ def _draw_zones(axes, member, grid):
 
 
 def _draw_particles(axes, member, discs):
+    there = discs.is_there()
     number = np.asarray(discs.field("group", np.zeros(len(discs.points))), int)
     size = 2 * discs.field("radius_m", np.zeros(len(discs.points)))
     handles = []
-    for k in np.unique(number):
-        chosen, face = number == k, PARTICLES[(k + member.first_colour) % len(PARTICLES)]
+    for k in np.unique(number[there]):
+        chosen, face = there & (number == k), PARTICLES[(k + member.first_colour) % len(PARTICLES)]
         axes.add_collection(EllipseCollection(
             size[chosen], size[chosen], np.zeros(chosen.sum()), units="xy", offsets=discs.points[chosen],
             offset_transform=axes.transData, fc=face, ec="none", zorder=2))

@@ -6,8 +6,8 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from adit_plots import style
-from adit_plots.areas import UnknownGroup, boundary, edges_in, inside, zones_in
+from adit_plots import joints, style
+from adit_plots.setup.areas import UnknownGroup, boundary, edges_in, inside, zones_in
 
 BOUNDARIES = {"held": style.BLACK, "moved": style.PINK, "quiet": style.GREEN, "free field": style.BLUE, "base": style.RED}
 HATCHES = ("////", "\\\\\\\\", "xx", "..", "--")  # of stages
@@ -41,7 +41,7 @@ def draw(axes, members, pieces, span):
                       for load in member.model.get("loads", [])]
         notes += _body_loads(member.model)
     handles += _draw_boundaries(axes, lines, marks)
-    handles += _draw_joints(axes, [member.model for member in members])
+    handles += joints.draw(axes, [member.model for member in members])
     loads = [(places[style.shown(axes, places)], force) for places, force in loads]
     for places, force in loads:
         _draw_arrows(axes, places, force, REACH * span)
@@ -73,7 +73,8 @@ def _draw_stages(axes, member, grid, attempt):
 
 
 def _kind_of(motion):
-    return "moved" if any(motion["velocity"].values()) else "held"
+    """A motion without a velocity is that of a body, which moves by a table."""
+    return "moved" if "velocity" not in motion or any(motion["velocity"].values()) else "held"
 
 
 def _collect_boundaries(member, grid, attempt, lines, marks):
@@ -100,7 +101,7 @@ def _collect_particle_boundaries(member, discs, attempt, lines, marks):
     for kind, area in conditions:
         marks.setdefault(kind, []).append(attempt(kind, _points_in, area, discs))
     for wall in member.model.get("walls", []):
-        lines.setdefault("held", []).append(np.array([_segment(wall)]))
+        lines.setdefault("held", []).append(np.array([joints.segment(wall)]))
 
 
 def _draw_boundaries(axes, lines, marks):
@@ -116,35 +117,6 @@ def _draw_boundaries(axes, lines, marks):
             handles.append(Line2D([], [], color=color, lw=3.2 if len(edges) else 0, ms=5,
                                   marker="^" if len(points) else "", label=f"boundary: {kind}"))
     return handles
-
-
-def _draw_joints(axes, models):
-    looks = {"open": (style.RED, "-"), "smooth": (style.BLACK, (0, (4, 1.5))), "bonds": (style.BLACK, (0, (1, 1)))}
-    found = {}
-    for model in models:
-        for joint in model.get("joints", []):
-            kind = next((kind for kind in looks if kind in joint), "open")
-            found.setdefault(kind, []).append(_segment(joint))
-        if "ring" in model:
-            found.setdefault("bonds" if "joints" in model["ring"] else "open", []).extend(_ring_joints(model["ring"]))
-    handles = []
-    for kind, parts in found.items():
-        color, dashes = looks[kind]
-        axes.add_collection(LineCollection(parts, color=color, lw=1.8, ls=dashes, zorder=4.5))
-        what = {"open": "open joint", "smooth": "smooth joint", "bonds": "joint with bonds"}[kind]
-        handles.append(Line2D([], [], color=color, lw=1.8, ls=dashes, label=what))
-    return handles
-
-
-def _segment(line):
-    return [(line[end]["x"], line[end]["y"]) for end in ("from", "to")]
-
-
-def _ring_joints(ring):
-    for k in range(ring["segments"]):
-        angle = ring.get("first_joint", 0) + 2 * math.pi * k / ring["segments"]
-        yield [(ring["centre"]["x"] + r * math.cos(angle), ring["centre"]["y"] + r * math.sin(angle))
-               for r in (ring["inner_radius"], ring["outer_radius"])]
 
 
 def _grid_loads(member, grid, attempt):
