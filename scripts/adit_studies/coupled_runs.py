@@ -39,8 +39,9 @@ def run_case(case, names, usage):
     options, others = parser.parse_known_args()
     folders = [options.out / name for name in names]
     for name, folder in zip(names, folders):
-        print(f"run: cases/{case.name}/{name}.yaml", flush=True)
-        compute = [adit_programs.program("coupler"), "run", case / f"{name}.yaml", "--out", folder, *others]
+        scene = case / f"{name}.yaml"
+        print(f"run: {os.path.relpath(scene)}", flush=True)
+        compute = [adit_programs.program("coupler"), "run", scene, "--out", folder, *others]
         for command in (compute, [PLOT, folder]):
             done = subprocess.run(command)
             if done.returncode != 0:

@@ -19,9 +19,15 @@ def write_csv(path, rows):
         writer.writerows(rows)
 
 
-def markdown(rows):
-    yield "| " + " | ".join(heading for heading, *_ in COLUMNS) + " |"
-    yield "|" + "---|" * len(COLUMNS)
+def lines(headings, rows):
+    """A table in Markdown, of rows of texts."""
+    yield "| " + " | ".join(headings) + " |"
+    yield "|" + "---|" * len(headings)
     for row in rows:
-        cells = (row[key] if factor is None else f"{factor * row[key]:{text}}" for _, key, factor, text in COLUMNS)
-        yield "| " + " | ".join(cells) + " |"
+        yield "| " + " | ".join(row) + " |"
+
+
+def markdown(rows):
+    return lines([heading for heading, *_ in COLUMNS],
+                 ([row[key] if factor is None else f"{factor * row[key]:{text}}" for _, key, factor, text in COLUMNS]
+                  for row in rows))

@@ -28,8 +28,8 @@ def of_particles(run, time):
 
 
 def second_harmonic(angle, values):
-    """Amplitude of what follows cos 2 theta and sin 2 theta, for values at equal angles."""
-    return 2 * np.abs(np.mean(values * np.exp(-2j * angle)))
+    """Amplitude of what follows cos 2 theta and sin 2 theta, for values at equal angles; a row of values for each time."""
+    return 2 * np.abs(np.mean(values * np.exp(-2j * angle), axis=-1))
 
 
 def compare(particles, zones):
