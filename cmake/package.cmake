@@ -10,7 +10,7 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)  # adit_VERSION_ARCHITECTURE.deb
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3, python3-numpy, python3-matplotlib, python3-pil, python3-yaml")
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "openssl, python3, python3-numpy, python3-matplotlib, python3-pil, python3-yaml")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION [[
 Adit computes in two dimensions how tunnels shake and break in earthquakes. A
 continuum solver carries the ground and the tunnel, a bonded-particle solver

@@ -7,6 +7,7 @@
 int main(int argc, char** argv) {
   std::size_t threads = 0;
   return adit::protocol::server_main(
-      argc, argv, "fdm_server", [&] { return std::make_unique<adit::fdm::FdmParticipant>(threads); },
-      &threads);
+      argc, argv, "fdm_server",
+      {"name", "description", "plane", "material", "time", "initial_stress", "statics", "continuum"},
+      [&] { return std::make_unique<adit::fdm::FdmParticipant>(threads); }, &threads);
 }

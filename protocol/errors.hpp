@@ -7,8 +7,16 @@
 
 namespace adit::protocol {
 
-// Exit codes of every program.
-enum ExitCode : int { kSuccess = 0, kInternalError = 1, kUserError = 2, kPeerLost = 3, kUnstable = 4 };
+// Exit codes of every program. A run that a signal ended has 128 and the signal's number, as shells know it.
+enum ExitCode : int {
+  kSuccess = 0,
+  kInternalError = 1,
+  kUserError = 2,
+  kPeerLost = 3,
+  kUnstable = 4,
+  kDiskFull = 5,
+  kSignalled = 128
+};
 
 // The user's input cannot be computed. `path` names the scene field (`particles.loads[0].where`), empty
 // where none is to blame; the message says what is wrong, what was expected and what to do.
@@ -44,6 +52,22 @@ class RequestError : public std::logic_error {
 class Unstable : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+// No more can be written. The message names the file.
+class DiskFull : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// A signal asked the run to end (stop_signals.hpp).
+class Stopped : public std::runtime_error {
+ public:
+  Stopped(int signal, const std::string& message) : std::runtime_error(message), signal_(signal) {}
+  int signal() const { return signal_; }
+
+ private:
+  int signal_;
 };
 
 }  // namespace adit::protocol

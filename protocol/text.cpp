@@ -2,10 +2,48 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/locale/utf.hpp>
 #include <cctype>
 #include <charconv>
+#include <iterator>
 
 namespace adit::protocol {
+namespace {
+
+using Utf8 = boost::locale::utf::utf_traits<char>;
+
+// C0, DEL and C1; line and paragraph separator; overrides and isolates of the direction of writing.
+bool is_control(char32_t c) {
+  return c < U' ' || (c >= 0x7f && c < 0xa0) || (c >= 0x2028 && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
+}
+
+// The first characters of a text. A byte that begins no character stands for itself, so that one wrong byte
+// costs no more than itself.
+std::u32string characters(std::string_view text, std::size_t at_most) {
+  constexpr char32_t kReplacement = 0xfffd;
+  std::u32string found;
+  for (auto at = text.begin(); at != text.end() && found.size() < at_most;) {
+    const auto begin = at;
+    const auto c = Utf8::decode(at, text.end());
+    const bool valid = c != boost::locale::utf::illegal && c != boost::locale::utf::incomplete;
+    if (!valid) at = begin + 1;
+    found += valid ? static_cast<char32_t>(c) : kReplacement;
+  }
+  return found;
+}
+
+std::string encode(std::u32string_view text) {
+  std::string bytes;
+  for (const char32_t c : text) Utf8::encode(c, std::back_inserter(bytes));
+  return bytes;
+}
+
+std::string encode_one_line(std::u32string text) {
+  std::ranges::replace_if(text, is_control, U' ');
+  return encode(text);
+}
+
+}  // namespace
 
 std::string_view trim(std::string_view text) {
   const auto first = text.find_first_not_of(" \t");
@@ -13,17 +51,32 @@ std::string_view trim(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
+std::string valid_utf8(std::string_view text) {
+  return encode(characters(text, text.size()));
+}
+
+std::string one_line(std::string_view text) {
+  return encode_one_line(characters(text, text.size()));
+}
+
 std::string shorten(std::string_view text) {
   constexpr std::size_t kLongest = 60;
-  std::string line(text.substr(0, kLongest));
-  if (text.size() > kLongest) line.replace(kLongest - 3, 3, "...");
-  std::replace_if(
-      line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
-  return line;
+  std::u32string line = characters(text, kLongest + 1);
+  if (line.size() > kLongest) line.replace(kLongest - 3, line.npos, U"...");
+  return encode_one_line(std::move(line));
 }
 
 std::string quote(std::string_view text) {
   return "`" + shorten(text) + "`";
+}
+
+std::string_view without_byte_order_mark(std::string_view content) {
+  constexpr std::string_view kMark = "\xef\xbb\xbf";
+  return content.starts_with(kMark) ? content.substr(kMark.size()) : content;
+}
+
+bool is_utf16(std::string_view content) {
+  return content.starts_with("\xff\xfe") || content.starts_with("\xfe\xff");
 }
 
 std::string shortest(double value) {

@@ -6,12 +6,14 @@
 #include <fstream>
 #include <string>
 
+#include "protocol/log/log.hpp"
 #include "protocol/results/run_directory.hpp"
 #include "protocol/revision.hpp"
 #include "protocol/scene/command_line.hpp"
 #include "protocol/scene/origin.hpp"
 #include "protocol/scene/program.hpp"
 #include "protocol/scene/writer.hpp"
+#include "protocol/standard_streams.hpp"
 #include "simplified/run.hpp"
 #include "simplified/zoom/write.hpp"
 
@@ -26,9 +28,10 @@ void run_scene(const protocol::SceneCommandLine& line, const protocol::SceneFile
   const std::string name = adit::results::case_name(line.scene);
   const fs::path directory =
       line.out.empty() ? fs::path("runs") / name / file.scene.name() : fs::path(line.out);
+  protocol::log_run(name + "/" + file.scene.name());
   simplified::check_zoom(simplified::set_up(file.scene),
                          zoom);  // before the results of an older run are removed
-  adit::results::prepare_run_directory(directory, line.scene);
+  const auto held = adit::results::prepare_run_directory(directory, line.scene);
   adit::results::clear_results(directory);
   std::ofstream(directory / "scene.yaml") << protocol::to_yaml(file.scene);
   simplified::run(file.scene, name, protocol::origin_of(line, file, protocol::revision()), directory, zoom);
@@ -36,12 +39,13 @@ void run_scene(const protocol::SceneCommandLine& line, const protocol::SceneFile
 
 void check_scene(const protocol::SceneCommandLine& line, const protocol::SceneFile& file) {
   simplified::check(file.scene);
-  fmt::print("{} can be computed\n", line.scene);
+  protocol::print(fmt::format("{} can be computed\n", line.scene));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  protocol::guard_standard_streams();
   protocol::SceneCommandLine line(
       "simplified",
       "Computes a whole tunnel under an earthquake by a simplified model and writes the results.");

@@ -7,7 +7,10 @@
 #include <cmath>
 
 #include "protocol/errors.hpp"
+#include "protocol/results/disk/reserve.hpp"
 #include "protocol/scene/hash.hpp"
+#include "protocol/standard_streams.hpp"
+#include "protocol/stop_signals.hpp"
 #include "simplified/output/results.hpp"
 #include "simplified/run_summary.hpp"
 #include "simplified/scene/joint.hpp"
@@ -135,19 +138,31 @@ Response solve(const Setup& setup, const GroundField& ground) {
 void run(const scene::Scene& scene, const std::string& case_name, const protocol::Origin& origin,
          const std::filesystem::path& directory, const std::string& zoom) {
   const auto started = std::chrono::steady_clock::now();
+  const auto elapsed = [started] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  };
   const Setup setup = set_up(scene);
-  const GroundField ground = shake(setup);
-  const Response response = solve(setup, ground);
-  const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-  write_tables(directory, *setup.scene, response);
-  write_motion(directory, motion::beginning(setup.motion.motion, scene.time().duration()));
-  if (setup.scene->has_zoom() && !response.fields.time.empty())
-    write_zoom(directory / "zoom", setup, ground, response, scene.time().duration(), zoom);
-  summarize(scene, case_name, origin, setup, response, wall_s, directory);
+  results::Reserve reserve(directory);
+  const protocol::StopSignals signals;
+  try {
+    const GroundField ground = shake(setup);
+    const Response response = solve(setup, ground);
+    const double wall_s = elapsed();
+    write_tables(directory, *setup.scene, response);
+    write_motion(directory, motion::beginning(setup.motion.motion, scene.time().duration()));
+    if (setup.scene->has_zoom() && !response.fields.time.empty())
+      write_zoom(directory / "zoom", setup, ground, response, scene.time().duration(), zoom);
+    reserve.release();
+    summarize(scene, case_name, origin, setup, response, wall_s, directory);
+  } catch (const std::exception& error) {
+    reserve.release();
+    summarize_end(scene, case_name, origin, setup, error.what(), elapsed(), directory);
+    throw;
+  }
 }
 
 void check(const scene::Scene& scene) {
-  for (const std::string& note : set_up(scene).motion.notes) fmt::print("note: {}\n", note);
+  for (const std::string& note : set_up(scene).motion.notes) protocol::print(fmt::format("note: {}\n", note));
 }
 
 }  // namespace adit::simplified

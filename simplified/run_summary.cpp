@@ -3,25 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <cstdio>
 
 #include "protocol/motion/measures.hpp"
 #include "protocol/release.hpp"
 #include "protocol/results/summary.hpp"
 #include "protocol/scene/hash.hpp"
+#include "protocol/standard_streams.hpp"
+#include "protocol/text.hpp"
 #include "simplified/zoom/places.hpp"
 
 namespace adit::simplified {
 namespace {
 
 using results::Summary;
-
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 void add_responses(Summary& summary, const Response& response) {
   for (const Envelope& envelope : response.envelopes) {
@@ -57,27 +52,26 @@ void add_joints(Summary& summary, const scene::Tunnel& tunnel, const Response& r
 
 void print(const scene::Scene& scene, const Setup& setup, const Response& response, double wall_s,
            const std::filesystem::path& directory) {
-  fmt::print("results            {}\n", directory.string());
-  for (const std::string& note : setup.motion.notes) fmt::print("note               {}\n", note);
+  using protocol::print;
+  print(fmt::format("results            {}\n", directory.string()));
+  for (const std::string& note : setup.motion.notes) print(fmt::format("note               {}\n", note));
   for (const Place& place : largest_responses(response))
-    fmt::print("largest {:<10} {:.4g} {} at {:.1f} m\n", place.name, place.value, place.unit, place.chainage);
-  fmt::print("wall time          {:.2f} s for {:g} s of motion ({:.0f} times as fast)\n", wall_s,
-             scene.time().duration(), scene.time().duration() / wall_s);
-  std::fflush(stdout);
+    print(fmt::format("largest {:<10} {:.4g} {} at {:.1f} m\n", place.name, place.value, place.unit,
+                      place.chainage));
+  print(fmt::format("wall time          {:.2f} s for {:g} s of motion ({:.0f} times as fast)\n", wall_s,
+                    scene.time().duration(), scene.time().duration() / wall_s));
 }
 
-}  // namespace
-
-void summarize(const scene::Scene& scene, const std::string& case_name, const protocol::Origin& origin,
-               const Setup& setup, const Response& response, double wall_s,
-               const std::filesystem::path& directory) {
+// What was to be computed.
+Summary begin_summary(const scene::Scene& scene, const std::string& case_name, const protocol::Origin& origin,
+                      const Setup& setup) {
   Summary summary;
   summary.set("case", case_name);
   summary.set("scene", scene.name());
   summary.set("scene_hash", protocol::scene_hash(scene));
   summary.set("versions", "simplified " + std::string(protocol::release()));
   summary.set_origin(origin);
-  summary.set("model", lower(scene::Simplified::Model_Name(setup.scene->model())));
+  summary.set("model", protocol::lower_case(scene::Simplified::Model_Name(setup.scene->model())));
   summary.set("duration_s", scene.time().duration());
   summary.set("dt_s", setup.clock.dt);
   summary.set("steps", setup.clock.steps);
@@ -86,6 +80,15 @@ void summarize(const scene::Scene& scene, const std::string& case_name, const pr
   summary.set("apparent_velocity_m_per_s", setup.scene->excitation().incidence().apparent_velocity());
   summary.set("peak_input_acceleration_m_per_s2",
               motion::peaks(motion::beginning(setup.motion.motion, scene.time().duration())).acceleration);
+  return summary;
+}
+
+}  // namespace
+
+void summarize(const scene::Scene& scene, const std::string& case_name, const protocol::Origin& origin,
+               const Setup& setup, const Response& response, double wall_s,
+               const std::filesystem::path& directory) {
+  Summary summary = begin_summary(scene, case_name, origin, setup);
   for (const auto& [name, value] : response.figures) summary.set(name, value);
   add_responses(summary, response);
   add_joints(summary, setup.scene->tunnel(), response);
@@ -96,6 +99,17 @@ void summarize(const scene::Scene& scene, const std::string& case_name, const pr
   summary.set("real_time_factor", scene.time().duration() / wall_s);
   summary.write(directory / "summary.json");
   print(scene, setup, response, wall_s, directory);
+}
+
+void summarize_end(const scene::Scene& scene, const std::string& case_name, const protocol::Origin& origin,
+                   const Setup& setup, const std::string& error, double wall_s,
+                   const std::filesystem::path& directory) {
+  Summary summary = begin_summary(scene, case_name, origin, setup);
+  summary.set("notes", setup.motion.notes);
+  summary.set("completed", false);
+  summary.set("error", error);
+  summary.set("wall_s", wall_s);
+  summary.write(directory / "summary.json");
 }
 
 }  // namespace adit::simplified

@@ -13,4 +13,9 @@ void summarize(const scene::Scene& scene, const std::string& case_name, const pr
                const Setup& setup, const Response& response, double wall_s,
                const std::filesystem::path& directory);
 
+// Of a run that ended before its model was solved, by this error.
+void summarize_end(const scene::Scene& scene, const std::string& case_name, const protocol::Origin& origin,
+                   const Setup& setup, const std::string& error, double wall_s,
+                   const std::filesystem::path& directory);
+
 }  // namespace adit::simplified

@@ -36,7 +36,8 @@ Interpolation::Interpolation(const wire::Operator& op, std::size_t coupling_poin
     refuse("its rows do not fit its entries");
   if (inverse_masses_.size() % 2 != 0) refuse("it has no pair of inverse masses for each point");
   for (const double inverse : inverse_masses_)
-    if (!(inverse >= 0) || !std::isfinite(inverse)) refuse("an inverse mass is negative or not finite");
+    if (!(inverse >= 0) || (inverse > 0 && !std::isnormal(1 / inverse)))
+      refuse("an inverse mass is negative or not finite, or beyond that of any mass");
   for (const std::uint32_t column : columns())
     if (column >= own_points()) refuse("it names a point that it does not have");
   for (std::size_t k = 0; k < coupling_points; ++k) {

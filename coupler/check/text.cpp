@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "protocol/standard_streams.hpp"
+
 namespace adit::coupler {
 namespace {
 
@@ -31,7 +33,7 @@ std::string clock_time(double seconds) {
 }
 
 void print_line(const std::string& label, const std::string& text) {
-  fmt::print("{:{}}{}\n", label, kLabel, text);
+  protocol::print(fmt::format("{:{}}{}\n", label, kLabel, text));
 }
 
 void print_table(const std::vector<std::vector<std::string>>& rows) {
@@ -43,7 +45,7 @@ void print_table(const std::vector<std::vector<std::string>>& rows) {
     std::string line = fmt::format("{:{}}", row[0], widths[0]);
     for (std::size_t i = 1; i < row.size(); ++i)
       line += fmt::format("{}{:>{}}", i > 1 ? "  " : "", row[i], widths[i]);
-    fmt::print("{}\n", line);
+    protocol::print(line + "\n");
   }
 }
 

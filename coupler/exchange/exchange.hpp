@@ -23,7 +23,8 @@ void receive_prediction(Participant& participant);
 // corrected = predicted + N M⁻¹ Nᵀ impulses: what the participant will apply, at the coupling points.
 void correct_velocities(Participant& participant);
 
-// The state at the step that each participant has reached, after its pending correction.
+// The state at the step that each participant has reached, after its pending correction. Pieces of a region
+// carry its name. What cannot be drawn is protocol::PeerLost.
 std::vector<wire::Snapshot> take_snapshots(std::vector<Participant>& participants);
 
 }  // namespace adit::coupler

@@ -12,6 +12,7 @@
 
 #include "coupler/participants/set_up.hpp"
 #include "protocol/motion/motion.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::coupler {
 
@@ -23,6 +24,9 @@ class MotionOutputs {
 
   // Takes a row of histories.csv, which must follow the last one after the interval.
   void take(std::span<const double> row);
+  void exchange(state::Archive& archive) {
+    for (Record& record : records_) archive("record", record.motion.acceleration);
+  }
 
   // The results of write(): measures for the summary, lines and warnings for the user.
   struct Found {

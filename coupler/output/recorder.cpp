@@ -6,6 +6,8 @@
 
 namespace adit::coupler {
 
+namespace fs = std::filesystem;
+
 std::vector<std::string> history_columns(const Model& model) {
   std::vector<std::string> columns = {"time_s"};
   for (const Participant& participant : model.participants)
@@ -37,24 +39,48 @@ std::ptrdiff_t regions_of_particles(const Model& model) {
 
 }  // namespace
 
-void write_fields(const Model& model, std::uint64_t n, std::vector<wire::Snapshot> snapshots,
+void write_fields(const Model& model, std::uint64_t n, const std::vector<wire::Snapshot>& snapshots,
                   results::Collection& fields) {
-  for (std::size_t s = 0; s < snapshots.size(); ++s) {
-    const Member& member = model.participants[s].member;
-    if (is_region(member))
-      for (wire::Piece& piece : *snapshots[s].mutable_pieces())
-        piece.set_name(member.name + "_" + piece.name());
-    results::write_snapshot(n, static_cast<double>(n) * model.dt, snapshots[s], fields);
-  }
+  for (const wire::Snapshot& snapshot : snapshots)
+    results::write_snapshot(n, static_cast<double>(n) * model.dt, snapshot, fields);
 }
 
-Recorder::Recorder(const std::filesystem::path& directory, Model& model)
+Recorder::Recorder(const std::filesystem::path& directory, Model& model, results::GrowingFile::Begin begin)
     : model_(model),
       directory_(directory),
-      histories_(directory / "histories.csv", history_columns(model)),
+      histories_(directory / "histories.csv", history_columns(model), begin),
       fields_(directory / "fields"),
       several_(regions_of_particles(model) > 1) {
-  if (has_particles(model)) cracks_.emplace(directory / "cracks.csv", results::crack_columns(several_));
+  if (has_particles(model))
+    cracks_.emplace(directory / "cracks.csv", results::crack_columns(several_), begin);
+}
+
+void Recorder::exchange(state::Archive& archive) {
+  histories_.exchange(archive);
+  std::uint64_t share_columns = shares_ ? shares_->columns() : 0;
+  archive("share_columns", share_columns);
+  const fs::path shares = directory_ / "energies.csv";
+  if (archive.reads() && share_columns > 0)
+    shares_.emplace(shares, share_columns);
+  else if (archive.reads())
+    fs::remove(shares);
+  if (shares_) shares_->exchange(archive);
+  if (cracks_) cracks_->exchange(archive);
+  fields_.exchange(archive);
+  findings_.exchange(archive);
+}
+
+void Findings::exchange(state::Archive& archive) {
+  archive("peak_bond_force", peak_bond_force);
+  for (Event* event : {&peak, &first_crack, &first_crack_in_overlap}) archive("event", *event);
+  archive("cracks", cracks);
+  archive("cracks_in_overlap", cracks_in_overlap);
+  std::vector<std::uint64_t> by_stage;
+  for (const auto& [stage, count] : cracks_in_statics) by_stage.insert(by_stage.end(), {stage, count});
+  archive("cracks_in_statics", by_stage);
+  cracks_in_statics.clear();
+  for (std::size_t k = 0; k + 1 < by_stage.size(); k += 2)
+    cracks_in_statics[static_cast<std::uint32_t>(by_stage[k])] = by_stage[k + 1];
 }
 
 void Recorder::record_events() {
@@ -127,8 +153,8 @@ void Recorder::record_shares() {
   shares_->row(share_row_);
 }
 
-void Recorder::record_fields(std::uint64_t n, std::vector<wire::Snapshot> snapshots) {
-  write_fields(model_, n, std::move(snapshots), fields_);
+void Recorder::record_fields(std::uint64_t n, const std::vector<wire::Snapshot>& snapshots) {
+  write_fields(model_, n, snapshots, fields_);
 }
 
 }  // namespace adit::coupler

@@ -32,26 +32,33 @@ struct Findings {
   std::uint64_t cracks_in_overlap = 0;
   Event first_crack_in_overlap;
   std::map<std::uint32_t, std::uint64_t> cracks_in_statics;  // by stage of excavation, before time began
+
+  void exchange(state::Archive& archive);
 };
 
 // Columns of histories.csv, and of energies.csv: the latter once the participants have told their energies.
 std::vector<std::string> history_columns(const Model& model);
 std::vector<std::string> share_columns(const Model& model);
 
-// Writes the snapshots of step n, one a participant; those of regions carry the region's name.
-void write_fields(const Model& model, std::uint64_t n, std::vector<wire::Snapshot> snapshots,
+// Writes the snapshots of step n, one a participant.
+void write_fields(const Model& model, std::uint64_t n, const std::vector<wire::Snapshot>& snapshots,
                   results::Collection& fields);
 
 class Recorder {
  public:
-  // Opens the files in `directory`, which must exist.
-  Recorder(const std::filesystem::path& directory, Model& model);
+  // Opens the files in `directory`, which must exist: anew, or to go on with them.
+  Recorder(const std::filesystem::path& directory, Model& model,
+           results::GrowingFile::Begin begin = results::GrowingFile::Begin::kAnew);
 
   // To be called in every step: records what the participants have reported since the last call.
   void record_events();
   std::span<const double> record_histories(std::uint64_t n,
                                            const Ledger& ledger);  // the row, valid until the next call
-  void record_fields(std::uint64_t n, std::vector<wire::Snapshot> snapshots);  // one for each participant
+  void record_fields(std::uint64_t n,
+                     const std::vector<wire::Snapshot>& snapshots);  // one for each participant
+
+  // How far the files are. One that reads takes away what came later.
+  void exchange(state::Archive& archive);
 
   const Findings& findings() const { return findings_; }
 

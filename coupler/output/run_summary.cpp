@@ -4,9 +4,9 @@
 #include <sys/resource.h>
 
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
+#include "protocol/standard_streams.hpp"
 #include "protocol/text.hpp"
 
 namespace adit::coupler {
@@ -123,7 +123,8 @@ void RunSummary::add_motions(const MotionOutputs::Found& found) {
 void RunSummary::add_participant(const Participant& participant, const wire::Bye& bye) {
   summary_.set(participant.member.name + "_cpu_s", bye.cpu_seconds());
   const std::string region = is_region(participant.member) ? participant.member.name + "_" : "";
-  for (const wire::Figure& figure : bye.figures()) summary_.set(region + figure.name(), figure.value());
+  for (const wire::Figure& figure : bye.figures())
+    figures_.emplace_back(region + figure.name(), figure.value());
   (participant.member.role == Role::kContinuum ? zone_updates_ : particle_updates_) += bye.updates();
 }
 
@@ -134,7 +135,24 @@ void RunSummary::add_outcome(const Stepper& stepper, const Findings& findings, s
   add_findings(findings);
   add_ledger(stepper.ledger());
   add_cost(stepper, steps, wall_s, stepping_s);
+  add_figures();
   warn(findings);
+}
+
+// Participants choose their names, so that one may be taken already.
+void RunSummary::add_figures() {
+  for (const auto& [name, value] : figures_)
+    if (summary_.has(name))
+      warnings_.push_back(
+          fmt::format("a participant's figure `{}` is left out: the summary has this name already", name));
+    else
+      summary_.set(name, value);
+}
+
+void RunSummary::add_states(const std::vector<std::uint64_t>& resumed, double written_s, double read_s) {
+  if (written_s > 0) summary_.set("checkpoint_s", written_s);
+  if (read_s > 0) summary_.set("restore_s", read_s);
+  if (!resumed.empty()) summary_.set("resumed_at_steps", resumed);
 }
 
 void RunSummary::add_findings(const Findings& findings) {
@@ -222,9 +240,7 @@ void RunSummary::warn(const Findings& findings) {
 }
 
 void RunSummary::print(const std::filesystem::path& directory) const {
-  fmt::print("results            {}\n", directory.string());
-  for (const std::string& line : lines_) fmt::print("{}\n", line);
-  std::fflush(stdout);
+  protocol::print(fmt::format("results            {}\n{}\n", directory.string(), fmt::join(lines_, "\n")));
 }
 
 }  // namespace adit::coupler

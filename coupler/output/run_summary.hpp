@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "coupler/output/motion_outputs.hpp"
@@ -21,6 +22,7 @@ struct RunLabels {
   std::string scene_as_written;    // with its tunnels; empty where it is computed as it was written
   std::vector<std::string> notes;  // on the scene
   protocol::Origin origin;
+  std::string resume_command = {};  // that goes on with the run
 };
 
 class RunSummary {
@@ -41,6 +43,13 @@ class RunSummary {
   void add_outcome(const Stepper& stepper, const Findings& findings, std::uint64_t steps, double wall_s,
                    double stepping_s, const std::string& error);
 
+  // Adds the command that goes on with a run that ended early.
+  void add_resume(const std::string& command) { summary_.set("resume", command); }
+
+  // Adds the steps from which the run has gone on before, and what states took the last time [s]: to write,
+  // to read.
+  void add_states(const std::vector<std::uint64_t>& resumed, double written_s, double read_s);
+
   void write(const std::filesystem::path& path) const { summary_.write(path); }
 
   // Prints the main figures to standard output.
@@ -51,6 +60,7 @@ class RunSummary {
   void add_engines();
   void add_names();
   void add_notes(std::vector<std::string> notes);
+  void add_figures();
   void add_findings(const Findings& findings);
   void add_event(const std::string& name, const Event& event, bool happened);
   void add_cost(const Stepper& stepper, std::uint64_t steps, double wall_s, double stepping_s);
@@ -60,7 +70,8 @@ class RunSummary {
   const Model& model_;
   results::Summary summary_;
   std::uint64_t particle_updates_ = 0, zone_updates_ = 0;
-  std::vector<std::string> lines_, warnings_;  // the lines that print() writes
+  std::vector<std::pair<std::string, double>> figures_;  // of the participants
+  std::vector<std::string> lines_, warnings_;            // the lines that print() writes
 };
 
 }  // namespace adit::coupler

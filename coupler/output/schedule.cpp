@@ -17,7 +17,7 @@ constexpr double kLooksAPeriod = 20;
 
 }  // namespace
 
-Schedule::Schedule(const Model& model) : last_(model.steps) {
+Schedule::Schedule(const Model& model, std::uint64_t stride) : last_(model.steps) {
   const auto& output = model.scene.output();
   const double duration = model.scene.time().duration();
   const auto steps_in = [&](double interval) {
@@ -29,6 +29,7 @@ Schedule::Schedule(const Model& model) : last_(model.steps) {
     for (const auto& spectra : output.spectra())
       history_stride_ =
           std::min(history_stride_, steps_in(sampling_interval(spectra) / model.dt * (1 + 1e-9)));
+  if (stride > 0) history_stride_ = stride;
   interval_ = static_cast<double>(history_stride_) * model.dt;
   if (output.has_peaks())
     peak_stride_ = output.peaks().has_highest_frequency()

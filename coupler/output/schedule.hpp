@@ -11,8 +11,9 @@ namespace adit::coupler {
 
 class Schedule {
  public:
-  // Throws protocol::UserError for times after the end of the run.
-  explicit Schedule(const Model& model);
+  // Throws protocol::UserError for times after the end of the run. `stride`: the steps between two rows of a
+  // run that goes on, 0 of one that begins.
+  explicit Schedule(const Model& model, std::uint64_t stride = 0);
 
   bool wants_row(std::uint64_t n) const {
     return n % history_stride_ == 0 || n == last_ || fields_.contains(n);
@@ -20,6 +21,7 @@ class Schedule {
   // Whether the row of step n is one of the equally spaced ones, `interval` [s] apart.
   bool is_sample(std::uint64_t n) const { return n % history_stride_ == 0; }
   double interval() const { return interval_; }
+  std::uint64_t stride() const { return history_stride_; }
   std::uint64_t row_count() const;
   bool wants_fields(std::uint64_t n) const { return fields_.contains(n); }
   std::size_t field_count() const { return fields_.size(); }

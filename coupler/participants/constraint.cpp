@@ -3,12 +3,14 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <utility>
 
 #include "coupler/bridging/decay.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/wire/content/finite.hpp"
 
 namespace adit::coupler {
 namespace {
@@ -82,6 +84,9 @@ std::vector<double> fine_masses(const std::vector<Participant>& participants,
                                  "sent an operator that interpolates at a point that it offered itself");
       const std::uint32_t own = n.columns(row)[0];
       const auto [other, first] = used.try_emplace({interface.fine, own}, &interface);
+      if (!first && other->second == &interface)
+        throw protocol::PeerLost(participants[interface.fine].connection->name(),
+                                 "sent an operator in which two coupling points are one point of its own");
       if (!first) refuse(interface, k, *other->second);
       for (const int component : {0, 1})
         masses[2 * k + component] = 1.0 / (square * n.inverse_masses()[2 * own + component]);
@@ -163,6 +168,19 @@ void Constraint::read(const std::vector<Participant>& participants, Part part,
         for (std::size_t i = 0; i < 2 * segment.count; ++i)
           at_points[2 * segment.global + i] =
               participant.step_ratio * (participant.*velocities)[2 * segment.begin + i];
+}
+
+void Constraint::solve(std::span<const double> coarse, std::span<const double> fine,
+                       std::span<double> multipliers) {
+  solve_->solve(coarse, fine, multipliers);
+  if (protocol::all_finite(multipliers)) return;
+  const auto largest = [](std::span<const double> velocities) {
+    return std::abs(std::ranges::max(velocities, {}, [](double v) { return std::abs(v); }));
+  };
+  throw protocol::Unstable(fmt::format(
+      "the impulses that tie the models are beyond numbers: their velocities reach {:g} and {:g} m/s at the "
+      "coupling points; choose a smaller time.dt_factor",
+      largest(coarse), largest(fine)));
 }
 
 void Constraint::assign(std::span<const double> multipliers, double factor, Part part,

@@ -30,10 +30,9 @@ class Constraint {
   void read(const std::vector<Participant>& participants, Part part,
             std::vector<double> Participant::*velocities, std::span<double> at_points) const;
 
-  // The multipliers λ [N s] for these velocities of both parts.
-  void solve(std::span<const double> coarse, std::span<const double> fine, std::span<double> multipliers) {
-    solve_->solve(coarse, fine, multipliers);
-  }
+  // The multipliers λ [N s] for these velocities of both parts. Throws protocol::Unstable where they are
+  // beyond numbers.
+  void solve(std::span<const double> coarse, std::span<const double> fine, std::span<double> multipliers);
 
   // Renews the corrections of the participants, at the coupling points where they are this part: −factor·λ on
   // the coarse sides, +factor·λ on the fine ones.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "protocol/messages/spans.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::coupler {
 
@@ -29,6 +30,11 @@ class Correction {
   void send(google::protobuf::RepeatedField<double>& field) {
     if (pending_) std::ranges::copy(impulses_, protocol::resize(field, impulses_.size()).begin());
     pending_ = false;
+  }
+
+  void exchange(state::Archive& archive) {
+    archive("impulses", std::span(impulses_));
+    archive("pending", pending_);
   }
 
  private:

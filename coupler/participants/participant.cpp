@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "coupler/answers/answers.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::coupler {
@@ -20,17 +21,35 @@ std::string path_in_scene(const std::string& path, const Participant& participan
 
 }  // namespace
 
+void Participant::exchange(state::Archive& archive) {
+  correction.exchange(archive);
+  archive("predicted", std::span(predicted));
+  archive("corrected", std::span(corrected));
+  wire::Predicted events;
+  for (const wire::Crack& crack : cracks) *events.add_cracks() = crack;
+  *events.add_strongest() = strongest;
+  std::string reported = events.SerializeAsString();
+  archive("reported", reported);
+  if (archive.reads() && events.ParseFromString(reported) && events.strongest_size() == 1) {
+    cracks.assign(events.cracks().begin(), events.cracks().end());
+    strongest = events.strongest(0);
+  }
+  archive("compute_s", compute_s);
+  archive("hidden_s", hidden_s);
+}
+
 void collect(Participant& participant, wire::Frame::ContentCase expected) {
   try {
     participant.connection->collect(participant.reply);
   } catch (const protocol::UserError& error) {
     throw protocol::UserError(path_in_scene(error.path(), participant), error.what());
   }
-  if (participant.reply.content_case() == expected) return;
+  if (participant.reply.content_case() == expected)
+    return require_sound(participant.reply, participant.connection->name());
   const auto* descriptor = wire::Frame::descriptor();
   const auto name = [&](int number) {
     const auto* field = descriptor->FindFieldByNumber(number);
-    return field ? field->name() : std::string("nothing");
+    return field != nullptr ? field->name() : std::string("nothing");
   };
   throw protocol::PeerLost(
       participant.connection->name(),

@@ -13,6 +13,7 @@
 #include "coupler/participants/members.hpp"
 #include "protocol/messages/wire.pb.h"
 #include "protocol/participant/step.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::coupler {
 
@@ -27,12 +28,14 @@ struct Participant {
   Member member;
   std::unique_ptr<Connection> connection;
   wire::Model model;
-  wire::Interface counts;                      // of what exists under the weights; its points are
-  std::vector<double> candidates;              // those that may become coupling points, x0 y0 x1 y1 … [m]
-  std::size_t histories = 0;                   // that the scene asks of it
-  std::string interface_path = "interface";    // in the scene, of its last interface
-  std::vector<Segment> segments;               // its coupling points
-  std::optional<Interpolation> interpolation;  // where it has any
+  wire::Interface counts;                  // of what exists under the weights; its points are
+  std::vector<double> candidates;          // those that may become coupling points, x0 y0 x1 y1 … [m]
+  std::vector<scene::Quantity> histories;  // that the scene asks of it
+  std::optional<std::vector<std::string>> shares;  // names of the parts of its energies, once it told them
+  std::string interface_path = "interface";        // in the scene, of its last interface
+  std::vector<Segment> segments;                   // its coupling points
+  std::vector<double> places;                      // of these, x0 y0 x1 y1 … [m]
+  std::optional<Interpolation> interpolation;      // where it has any
 
   // Its own step over the model's. Velocities times it are those of the model's clock, and impulses at the
   // coupling points over it: with masses m / ratio² in one clock, the motion is the same. Statics use it
@@ -51,10 +54,14 @@ struct Participant {
   double compute_s = 0;  // what the participant computed so far while it was waited for, by its clock
   double hidden_s = 0;   // and while it was not
 
+  // What the coupler knows of it from step to step.
+  void exchange(state::Archive& archive);
+
   const wire::Predicted& prediction() const { return reply.predicted(); }
 };
 
-// Collects the answer to what was posted and checks its kind; anything else is protocol::PeerLost. What the
+// Collects the answer to what was posted; another kind, or one that is not sound (answers.hpp), is
+// protocol::PeerLost. What the
 // participant says against its part of the scene is a protocol::UserError at that place of the whole scene.
 void collect(Participant& participant, wire::Frame::ContentCase expected);
 

@@ -5,12 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 #include "coupler/bridging/overlap_checks.hpp"
 #include "coupler/bridging/overlap_notes.hpp"
 #include "coupler/participants/time_step.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/ground/stages.hpp"
+#include "protocol/log/log.hpp"
+#include "protocol/log/waiting.hpp"
+#include "protocol/text.hpp"
 
 namespace adit::coupler {
 namespace {
@@ -30,27 +34,27 @@ void require_distinct_histories(const scene::Scene& scene, const std::vector<Par
   }
 }
 
-void ask_all(Model& model, wire::Frame::ContentCase expected) {
+// `work`: what they do for it, which may take hours.
+void ask_all(Model& model, wire::Frame::ContentCase expected, std::string_view work) {
   for (Participant& participant : model.participants) participant.connection->post(participant.request);
-  for (Participant& participant : model.participants) collect(participant, expected);
+  for (Participant& participant : model.participants) {
+    const protocol::Waiting waiting(fmt::format("{} {}", participant.connection->name(), work));
+    collect(participant, expected);
+  }
 }
 
 void build_models(Model& model, const std::string& run_id) {
+  protocol::log_run(run_id);
   for (Participant& participant : model.participants) {
-    participant.histories = histories_of(model.scene, participant.member).size();
+    for (const scene::History& history : histories_of(model.scene, participant.member))
+      participant.histories.push_back(history.quantity());
     auto& setup = *participant.request.mutable_setup();
-    setup.set_run_id(run_id);
+    setup.set_run_id(protocol::one_line(run_id));  // a folder's name may be any bytes
     *setup.mutable_scene() = part_of(model.scene, participant.member);
   }
-  ask_all(model, wire::Frame::kModel);
+  ask_all(model, wire::Frame::kModel, "builds its model");
   for (Participant& participant : model.participants) {
     participant.model.Swap(participant.reply.mutable_model());
-    if (!(participant.model.critical_dt() > 0) || !std::isfinite(participant.model.critical_dt()))
-      throw protocol::PeerLost(participant.connection->name(), "sent no positive, finite critical time step");
-    for (const double speed : {participant.model.p_wave_speed(), participant.model.s_wave_speed()})
-      if (!(speed >= 0) || !std::isfinite(speed))
-        throw protocol::PeerLost(participant.connection->name(),
-                                 "sent a wave speed that is negative or not finite");
     for (const std::string& note : participant.model.notes())
       model.notes.push_back(participant.member.name + ": " + note);
   }
@@ -67,6 +71,16 @@ Filled filled_by(const Participant& participant) {
   return {bounds(participant.model), std::span(samples.data(), static_cast<std::size_t>(samples.size()))};
 }
 
+// Without them the energy of the overlap would be there twice.
+void require_sample_points(const Model& model) {
+  for (std::size_t s = 0; s < model.participants.size(); ++s)
+    if (const Participant& participant = model.participants[s];
+        is_coupled(s, model.interfaces) && participant.model.sample_points().empty())
+      throw protocol::PeerLost(participant.connection->name(),
+                               fmt::format("sent no sample points, at which `{}` needs weights of `{}`",
+                                           participant.interface_path, participant.member.name));
+}
+
 void check_overlaps(Model& model) {
   for (const Interface& interface : model.interfaces) {
     Participant &outer = model.participants[interface.outer], &inner = model.participants[interface.inner];
@@ -80,6 +94,7 @@ void check_overlaps(Model& model) {
 }
 
 void share_energy(Model& model) {
+  require_sample_points(model);
   check_overlaps(model);
   require_one_owner(model.participants, model.interfaces);
   for (std::size_t s = 0; s < model.participants.size(); ++s) {
@@ -101,7 +116,7 @@ void share_energy(Model& model) {
     weights.set_y_min(box.y_min);
     weights.set_y_max(box.y_max);
   }
-  ask_all(model, wire::Frame::kInterface);
+  ask_all(model, wire::Frame::kInterface, "weighs its model");
   for (Participant& participant : model.participants) {
     participant.counts.Swap(participant.reply.mutable_interface());
     participant.candidates.assign(participant.counts.points().begin(), participant.counts.points().end());
@@ -125,8 +140,10 @@ void couple(Model& model) {
                  model.coupling_points.begin() + 2 * static_cast<std::ptrdiff_t>(interface.end));
     }
   }
-  ask_all(model, wire::Frame::kOperator);
+  ask_all(model, wire::Frame::kOperator, "looks for its coupling points");
   for (Participant& participant : model.participants) {
+    const auto& points = participant.request.couple().points();
+    participant.places.assign(points.begin(), points.end());
     const std::size_t count = participant.segments.back().begin + participant.segments.back().count;
     participant.interpolation.emplace(participant.reply.operator_(), count, participant.connection->name());
     participant.correction = Correction(count);
@@ -145,7 +162,8 @@ bool has_particles(const Model& model) {
       [](const Participant& participant) { return participant.member.role == Role::kParticles; });
 }
 
-Model set_up(const scene::Scene& scene, std::vector<Participant> participants, const std::string& run_id) {
+Model set_up(const scene::Scene& scene, std::vector<Participant> participants, const std::string& run_id,
+             double dt) {
   Model model;
   model.scene = scene;
   model.participants = std::move(participants);
@@ -159,6 +177,7 @@ Model set_up(const scene::Scene& scene, std::vector<Participant> participants, c
   protocol::require_counted_stage(scene);
   build_models(model, run_id);
   choose_time_step(model);
+  if (dt > 0) keep_time_step(model, dt);
   share_energy(model);
   if (!model.interfaces.empty()) couple(model);
   return model;

@@ -32,6 +32,8 @@ bool has_particles(const Model& model);
 // Takes every participant, one for each of members(scene) in their order, through setup, weights and couple.
 // Throws protocol::UserError with the scene's path for what cannot be computed: no overlap, an overlap
 // outside a model or without particles, overlaps that meet, a time step above the critical one.
-Model set_up(const scene::Scene& scene, std::vector<Participant> participants, const std::string& run_id);
+// `dt`: the step of a run that goes on [s], 0 of one that begins.
+Model set_up(const scene::Scene& scene, std::vector<Participant> participants, const std::string& run_id,
+             double dt = 0);
 
 }  // namespace adit::coupler

@@ -130,6 +130,12 @@ void choose_time_step(Model& model) {
   model.dt = steps.dt;
 }
 
+void keep_time_step(Model& model, double dt) {
+  const Steps steps = steps_of(dt, model.scene.time().duration());
+  model.dt = steps.dt;
+  model.steps = steps.count;
+}
+
 double choose_static_steps(Model& model, double share, bool own_steps) {
   const auto critical = [](const Participant& participant) {
     const wire::Model& its = participant.model;

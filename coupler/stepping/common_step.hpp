@@ -16,6 +16,7 @@ class CommonStep : public TimeScheme {
   CommonStep(Model& model, RoundTrip& round_trip, Ledger& ledger);
 
   void step(std::uint64_t n, Wanted wanted) override;
+  void exchange(state::Archive& archive) override { archive("unbooked", unbooked_); }
 
  private:
   void book(bool with_energies);

@@ -7,6 +7,14 @@
 namespace adit::coupler {
 namespace {
 
+constexpr double kStill = 1e-6;  // a speed that means nothing [m/s]
+
+double mass_of(const std::vector<Participant>& participants) {
+  double mass = 0;
+  for (const Participant& participant : participants) mass += participant.counts.mass();
+  return mass;
+}
+
 double dot(std::span<const double> a, std::span<const double> b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
@@ -16,19 +24,22 @@ double dot(std::span<const double> a, std::span<const double> b) {
 }  // namespace
 
 double rounding_energy(const std::vector<Participant>& participants, double dt) {
-  double mass = 0, coordinate = 0;
+  double coordinate = 0;
   for (const Participant& participant : participants) {
-    mass += participant.counts.mass();
     const wire::Model& model = participant.model;
     for (const double bound : {model.x_min(), model.x_max(), model.y_min(), model.y_max()})
       coordinate = std::max(coordinate, std::abs(bound));
   }
   const double speed = std::numeric_limits<double>::epsilon() * coordinate / dt;
-  return mass * speed * speed / 2;
+  return mass_of(participants) * speed * speed / 2;
 }
 
 Ledger::Ledger(const std::vector<Participant>& participants, double rounding)
-    : rounding_(rounding), energies_(participants.size()), accounts_(participants.size()) {
+    : rounding_(rounding),
+      still_(mass_of(participants) * kStill * kStill / 2),
+      energies_(participants.size()),
+      accounts_(participants.size()),
+      balances_at_start_(participants.size()) {
   for (std::size_t s = 0; s < participants.size(); ++s) {
     accounts_[s].impulses.resize(participants[s].predicted.size());
     accounts_[s].velocities.resize(participants[s].predicted.size());
@@ -56,8 +67,14 @@ void Ledger::take_energies(std::size_t s, const Participant& participant) {
 }
 
 void Ledger::compare() {
+  double turnover = 0;
+  for (std::size_t s = 0; s < energies_.size(); ++s) {
+    if (!compared_) balances_at_start_[s] = energies_[s].balance();
+    turnover += energies_[s].turnover();
+  }
   if (!compared_) unexplained_at_start_ = unexplained();
   compared_ = true;
+  peak_turnover_ = std::max(peak_turnover_, turnover);
   peak_stored_ = std::max(peak_stored_, stored());
   peak_unexplained_ = std::max(peak_unexplained_, std::abs(unexplained()));
 }
@@ -102,6 +119,21 @@ double Ledger::excess() const {
   return scale > 0 ? unexplained() / scale : 0;
 }
 
+Ledger::Loss Ledger::loss() const {
+  double lost = 0, largest = 0;
+  Loss loss{0, 0};
+  for (std::size_t s = 0; s < balances_at_start_.size(); ++s) {
+    const double its = balances_at_start_[s] - energies_[s].balance();
+    lost += its;
+    if (!(its > largest)) continue;
+    largest = its;
+    loss.participant = s;
+  }
+  const double scale = std::max({peak_turnover_, rounding_, still_});
+  if (scale > 0) loss.share = lost / scale;
+  return loss;
+}
+
 double Ledger::max_drift() const {
   return peak_stored_ > 0 ? peak_unexplained_ / peak_stored_ : 0;
 }
@@ -109,6 +141,21 @@ double Ledger::max_drift() const {
 double Ledger::kept() const {
   const double work = stored() - unexplained();
   return work > 0 ? stored() / work : 1;
+}
+
+void Ledger::exchange(state::Archive& archive) {
+  archive("energies", std::span(energies_));
+  for (Account& account : accounts_) {
+    archive("account_started", account.started);
+    archive("account_work", account.multiplier_work);
+    archive("account_impulses", std::span(account.impulses));
+    archive("account_velocities", std::span(account.velocities));
+  }
+  archive("compared", compared_);
+  archive("balances_at_start", std::span(balances_at_start_));
+  for (double* value : {&unexplained_at_start_, &peak_turnover_, &peak_stored_, &peak_unexplained_,
+                        &largest_gap_, &largest_velocity_})
+    archive("ledger", *value);
 }
 
 double Ledger::max_constraint_residual() const {

@@ -10,15 +10,27 @@
 // Every participant is booked in its own steps, which may differ in length.
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <vector>
 
 #include "coupler/participants/participant.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::coupler {
 
 struct ParticipantEnergies {  // [J]
   double kinetic = 0, strain = 0, released = 0, external_work = 0, multiplier_work = 0, dissipated = 0;
+
+  // Stored and dissipated minus all work done on the participant: constant where nothing is lost.
+  double balance() const {
+    return kinetic + strain + released + dissipated - external_work - multiplier_work;
+  }
+  // The sum of all, whatever its sign.
+  double turnover() const {
+    return std::abs(kinetic) + std::abs(strain) + std::abs(released) + std::abs(external_work) +
+           std::abs(multiplier_work) + std::abs(dissipated);
+  }
 };
 
 // The kinetic energy of a model whose points all move by the last bit of their places in each step [J]:
@@ -56,6 +68,18 @@ class Ledger {
   double excess() const;
   double kept() const;  // stored over external work; 1 where there was none
 
+  // What the participants have lost that nobody booked, since the start: neither dissipated nor taken by
+  // loads or by multipliers, as a lossy solve may. Relative to the largest sum of all energies and works so
+  // far, which a long run that dissipates much does not outgrow; or to the kinetic energy at a micrometre a
+  // second, below which rounding of the energy at rest is all that is seen. `participant` lost most.
+  struct Loss {
+    double share;
+    std::size_t participant;
+  };
+  Loss loss() const;
+
+  void exchange(state::Archive& archive);
+
   // Largest gap of the corrected velocities over the largest velocity at the coupling points.
   double max_constraint_residual() const;
 
@@ -66,11 +90,13 @@ class Ledger {
     std::vector<double> impulses, velocities;  // of that step, at the participant's coupling points
   };
 
-  double rounding_;
+  double rounding_, still_;  // energies that cannot be told from 0 [J], by places and by energies at rest
   std::vector<ParticipantEnergies> energies_;
   std::vector<Account> accounts_;
   bool compared_ = false;
   double unexplained_at_start_ = 0;
+  std::vector<double> balances_at_start_;  // of each participant
+  double peak_turnover_ = 0;
   double peak_stored_ = 0, peak_unexplained_ = 0;
   double largest_gap_ = 0, largest_velocity_ = 0;
 };

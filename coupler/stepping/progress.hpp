@@ -30,13 +30,15 @@ class ProgressLine {
 // Step, simulated time, steps per second, time left.
 class Progress {
  public:
-  Progress(std::uint64_t steps, double dt) : steps_(steps), dt_(dt) {}
+  // `first`: the step that is made first.
+  Progress(std::uint64_t steps, double dt, std::uint64_t first = 0) : steps_(steps), dt_(dt), first_(first) {}
   void update(std::uint64_t step);
 
  private:
   ProgressLine line_;
   std::uint64_t steps_;
   double dt_;
+  std::uint64_t first_;
 };
 
 }  // namespace adit::coupler

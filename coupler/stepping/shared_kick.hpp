@@ -50,6 +50,10 @@ class SharedKick : public TimeScheme {
   // Energies are those of that time; the impulse of the grid's window, half of which is still to come, is
   // extrapolated in them.
   void step(std::uint64_t n, Wanted wanted) override;
+  void exchange(state::Archive& archive) override {
+    for (auto* values : {&w_, &q_, &y_, &v_, &p_, &target_, &lambda_, &lambda_1_, &total_})
+      archive("kick", std::span(*values));
+  }
 
  private:
   void start(Wanted wanted);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "coupler/participants/constraint.hpp"
 #include "coupler/participants/time_step.hpp"
@@ -64,112 +65,179 @@ class StaticMasses {
   double dt_;
 };
 
+}  // namespace
+
 // One model on its way to rest.
-class Relaxer {
+class Statics::Relaxer {
  public:
   Relaxer(Model& model, Stepper& stepper)
       : model_(model),
         stepper_(stepper),
         statics_(model.scene.statics()),
-        local_damping_(damping_of(model) == scene::Statics::LOCAL ? kLocalDamping : 0),
-        step_share_(kStepShare / std::sqrt(1 + local_damping_)) {}
+        how_{.dt = 0, .local_damping = damping_of(model) == scene::Statics::LOCAL ? kLocalDamping : 0},
+        step_share_(kStepShare / std::sqrt(1 + how_.local_damping)),
+        stall_(statics_.unbalanced_ratio(), statics_.max_steps()) {
+    const auto stages = protocol::stages_of(model.scene);
+    stages_.assign(stages.begin(), stages.end());
+  }
 
-  void relax(std::uint32_t stage);
+  void run(const BetweenSteps& between_steps);
+  bool done() const { return stage_ == stages_.size(); }
   const Rest& rest() const { return rest_; }
+  void exchange(state::Archive& archive);
 
  private:
-  void take(const Unrest& unrest, double internal_at_first);
+  void begin_stage();
+  bool step();
+  void take(const Unrest& unrest);
   bool passed_a_peak(const Unrest& unrest);
-  void pace(bool own_steps, Stepper::Relaxing& how);
+  void pace(bool own_steps);
   std::string place() const;
-  [[noreturn]] void give_up(const std::string& stage, std::uint64_t steps, bool stalled) const;
+  std::string name_of_stage() const { return how_.stage > 0 ? fmt::format(", stage {}", how_.stage) : ""; }
+  [[noreturn]] void give_up(std::uint64_t steps, bool stalled) const;
 
   Model& model_;
   Stepper& stepper_;
   const scene::Statics& statics_;
-  double local_damping_;
+  Stepper::Relaxing how_;
   double step_share_;
   std::optional<StaticMasses> masses_;
+  std::vector<std::uint32_t> stages_;
+  std::size_t stage_ = 0;  // that is relaxing, or is the next to
+  bool begun_ = false;
   bool own_steps_ = false;
   ProgressLine line_;
   Rest rest_;
-  std::uint64_t step_ = 0;
-  double kinetic_energy_ = 0;  // a step before, since the last stop
+  std::uint64_t step_ = 0, step_of_stage_ = 0;  // the next
+  double internal_at_first_ = 0;                // of the stage [N]
+  double kinetic_energy_ = 0;                   // a step before, since the last stop
+  Stall stall_;
 };
 
-void Relaxer::relax(std::uint32_t stage) {
-  const std::string name = stage > 0 ? fmt::format(", stage {}", stage) : "";
-  Stepper::Relaxing how{.dt = 0, .local_damping = local_damping_, .stage = stage};
-  pace(false, how);
-  how.stop = stage > 0;
-  Stall stall(statics_.unbalanced_ratio(), statics_.max_steps());
-  double internal_at_first = 0;
-  kinetic_energy_ = 0;
-  for (std::uint64_t n = 0; n <= statics_.max_steps(); ++n) {
-    stepper_.relax(step_, how);
-    const Unrest unrest(model_.participants);
-    rest_.steps = step_++;
-    if (n == 0) internal_at_first = unrest.internal_force;
-    take(unrest, internal_at_first);
-    if (line_.due())
-      line_.print(fmt::format("statics{}: step {}, unbalanced ratio {:.2e}, {:.1e} wanted; {}", name, n,
-                              rest_.mean_ratio, statics_.unbalanced_ratio(), place()));
-    if (n > 0 && rest_.mean_ratio <= statics_.unbalanced_ratio()) return;
-    if (n > 0 && stall.noticed(rest_.mean_ratio)) give_up(name, n, true);
-    how.stop = local_damping_ == 0 && passed_a_peak(unrest);
-    if (!own_steps_ && statics_.scale_masses() && n > 0 && rest_.mean_ratio <= kOnePaceAbove) pace(true, how);
+void Statics::Relaxer::run(const BetweenSteps& between_steps) {
+  while (!done()) {
+    if (!begun_) begin_stage();
+    const bool at_rest = step();
+    if (at_rest) {
+      ++stage_;
+      begun_ = false;
+    }
+    between_steps(at_rest);
   }
-  give_up(name, statics_.max_steps(), false);
+  masses_.reset();
+  for (Participant& participant : model_.participants) participant.drift = rest_.drift;
+}
+
+void Statics::Relaxer::begin_stage() {
+  begun_ = true;
+  how_.stage = stages_[stage_];
+  pace(false);
+  how_.stop = how_.stage > 0;
+  stall_ = Stall(statics_.unbalanced_ratio(), statics_.max_steps());
+  step_of_stage_ = 0;
+}
+
+// Whether the model is at rest by it.
+bool Statics::Relaxer::step() {
+  const std::uint64_t n = step_of_stage_++;
+  if (n > statics_.max_steps()) give_up(statics_.max_steps(), false);
+  stepper_.relax(step_, how_);
+  const Unrest unrest(model_.participants);
+  rest_.steps = step_++;
+  if (n == 0) internal_at_first_ = unrest.internal_force;
+  take(unrest);
+  if (line_.due())
+    line_.print(fmt::format("statics{}: step {}, unbalanced ratio {:.2e}, {:.1e} wanted; {}", name_of_stage(),
+                            n, rest_.mean_ratio, statics_.unbalanced_ratio(), place()));
+  if (n > 0 && rest_.mean_ratio <= statics_.unbalanced_ratio()) return true;
+  if (std::isnan(rest_.mean_ratio) || (n > 0 && stall_.noticed(rest_.mean_ratio))) give_up(n, true);
+  how_.stop = how_.local_damping == 0 && passed_a_peak(unrest);
+  if (!own_steps_ && statics_.scale_masses() && n > 0 && rest_.mean_ratio <= kOnePaceAbove) pace(true);
+  return false;
 }
 
 // Every participant at its own step from now on, or all at one. Velocities of another clock mean nothing.
-void Relaxer::pace(bool own_steps, Stepper::Relaxing& how) {
+void Statics::Relaxer::pace(bool own_steps) {
   own_steps_ = own_steps;
   kinetic_energy_ = 0;
   masses_.emplace(model_, step_share_, own_steps);
-  how.dt = masses_->dt();
-  how.stop = true;
+  how_.dt = masses_->dt();
+  how_.stop = true;
 }
 
-void Relaxer::take(const Unrest& unrest, double internal_at_first) {
-  rest_.mean_ratio = unrest.mean_ratio(internal_at_first);
-  rest_.largest_ratio = unrest.largest_ratio(internal_at_first);
+void Statics::Relaxer::take(const Unrest& unrest) {
+  rest_.mean_ratio = unrest.mean_ratio(internal_at_first_);
+  rest_.largest_ratio = unrest.largest_ratio(internal_at_first_);
   rest_.x = unrest.x;
   rest_.y = unrest.y;
   rest_.of = unrest.largest_of;
   rest_.drift = unrest.drift();
 }
 
-bool Relaxer::passed_a_peak(const Unrest& unrest) {
+bool Statics::Relaxer::passed_a_peak(const Unrest& unrest) {
   const bool passed = unrest.kinetic_energy < kinetic_energy_;
   kinetic_energy_ = passed ? 0 : unrest.kinetic_energy;
   if (passed) ++rest_.stops;
   return passed;
 }
 
-std::string Relaxer::place() const {
+std::string Statics::Relaxer::place() const {
   return fmt::format("largest {:.2e} at ({:.4g}, {:.4g}) m of `{}`", rest_.largest_ratio, rest_.x, rest_.y,
                      rest_.of);
 }
 
-void Relaxer::give_up(const std::string& stage, std::uint64_t steps, bool stalled) const {
+void Statics::Relaxer::give_up(std::uint64_t steps, bool stalled) const {
   throw protocol::Unstable(
       fmt::format("statics{}: after {} steps the unbalanced force ratio is {:g}, {:g} were asked for{}; {}; "
                   "look there for loose "
                   "particles (particles.remove_floaters), a body that nothing holds, or ground that fails "
                   "under its weight; or "
                   "allow more statics.max_steps, or a larger statics.unbalanced_ratio",
-                  stage, steps, rest_.mean_ratio, statics_.unbalanced_ratio(),
+                  name_of_stage(), steps, rest_.mean_ratio, statics_.unbalanced_ratio(),
                   stalled ? ", and it falls no more" : "", place()));
 }
 
-}  // namespace
+void Statics::Relaxer::exchange(state::Archive& archive) {
+  archive("stage", stage_);
+  archive("stage_begun", begun_);
+  archive("own_steps", own_steps_);
+  archive("relaxing", how_);
+  archive("rest_steps", rest_.steps);
+  archive("rest_stops", rest_.stops);
+  for (double* value : {&rest_.mean_ratio, &rest_.largest_ratio, &rest_.x, &rest_.y}) archive("rest", *value);
+  archive("rest_of", rest_.of);
+  archive("rest_drift", rest_.drift);
+  for (std::uint64_t* step : {&step_, &step_of_stage_}) archive("statics_step", *step);
+  archive("internal_at_first", internal_at_first_);
+  archive("kinetic_energy", kinetic_energy_);
+  stall_.exchange(archive);
+  if (archive.reads() && begun_) masses_.emplace(model_, step_share_, own_steps_);
+}
+
+Statics::Statics(Model& model, Stepper& stepper) : relaxer_(std::make_unique<Relaxer>(model, stepper)) {}
+
+Statics::~Statics() = default;
+
+void Statics::run(const BetweenSteps& between_steps) {
+  relaxer_->run(between_steps);
+}
+
+bool Statics::done() const {
+  return relaxer_->done();
+}
+
+const Rest& Statics::rest() const {
+  return relaxer_->rest();
+}
+
+void Statics::exchange(state::Archive& archive) {
+  relaxer_->exchange(archive);
+}
 
 Rest relax(Model& model, Stepper& stepper) {
-  Relaxer relaxer(model, stepper);
-  for (const std::uint32_t stage : protocol::stages_of(model.scene)) relaxer.relax(stage);
-  for (Participant& participant : model.participants) participant.drift = relaxer.rest().drift;
-  return relaxer.rest();
+  Statics statics(model, stepper);
+  statics.run([](bool) {});
+  return statics.rest();
 }
 
 }  // namespace adit::coupler

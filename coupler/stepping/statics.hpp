@@ -21,10 +21,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <string>
 
 #include "coupler/stepping/stepper.hpp"
 #include "protocol/participant/step.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::coupler {
 
@@ -39,7 +42,27 @@ struct Rest {
 
 // Relaxes to the scene's `statics.unbalanced_ratio`: mean unbalanced force of all points over mean internal
 // force of all zones and bonds; then again after each stage of the scene's excavations. Shows progress.
-// Throws protocol::Unstable where `max_steps` do not suffice, or could not at the rate of now.
+class Statics {
+ public:
+  Statics(Model& model, Stepper& stepper);
+  ~Statics();
+
+  // To rest, from the beginning or from the state that was read. `between_steps` is called after every step,
+  // with whether a stage has come to rest by it. Throws protocol::Unstable where `max_steps` do not suffice,
+  // or could not at the rate of now.
+  using BetweenSteps = std::function<void(bool at_rest)>;
+  void run(const BetweenSteps& between_steps);
+  // All stages have come to rest.
+  bool done() const;
+  const Rest& rest() const;
+  void exchange(state::Archive& archive);
+
+ private:
+  class Relaxer;
+  std::unique_ptr<Relaxer> relaxer_;
+};
+
+// All of it at once.
 Rest relax(Model& model, Stepper& stepper);
 
 }  // namespace adit::coupler

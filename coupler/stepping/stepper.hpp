@@ -37,6 +37,12 @@ class Stepper {
   // The state at the step reached, of every participant in turn.
   std::vector<wire::Snapshot> snapshots() { return take_snapshots(model_.participants); }
 
+  void exchange(state::Archive& archive) {
+    ledger_.exchange(archive);
+    archive("cost", cost_);
+    scheme_->exchange(archive);
+  }
+
   // Complete up to the last step that wanted energies.
   const Ledger& ledger() const { return ledger_; }
   const StepCost& cost() const { return cost_; }

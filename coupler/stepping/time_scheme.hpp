@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "coupler/exchange/wanted.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::coupler {
 
@@ -13,6 +14,8 @@ class TimeScheme {
   virtual ~TimeScheme() = default;
   // To step n = 0, 1, 2 …
   virtual void step(std::uint64_t n, Wanted wanted) = 0;
+  // What passes from one step to the next, besides what the participants and the ledger know.
+  virtual void exchange(state::Archive& archive) = 0;
 };
 
 }  // namespace adit::coupler

@@ -44,7 +44,7 @@ Unrest::Unrest(std::vector<Participant>& participants) {
 }
 
 double Unrest::mean_internal_force(double internal_at_first) const {
-  return std::max(internal_force, internal_at_first) / static_cast<double>(elements);
+  return elements > 0 ? std::max(internal_force, internal_at_first) / static_cast<double>(elements) : 0;
 }
 
 double Unrest::mean_ratio(double internal_at_first) const {

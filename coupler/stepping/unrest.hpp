@@ -7,6 +7,7 @@
 
 #include "coupler/participants/participant.hpp"
 #include "protocol/participant/step.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::coupler {
 
@@ -44,6 +45,10 @@ class Stall {
   Stall(double wanted, std::uint64_t max_steps) : wanted_(wanted), max_steps_(max_steps) {}
   // To be called with the ratio of every step.
   bool noticed(double ratio);
+  void exchange(state::Archive& archive) {
+    archive("stall_smallest", smallest_);
+    archive("stall_steps", steps_);
+  }
 
  private:
   static constexpr std::uint64_t kBin = 1000, kFirstLook = 20'000;  // steps

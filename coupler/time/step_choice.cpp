@@ -10,6 +10,7 @@ namespace {
 constexpr double kSameStep = 1e-6;       // times this close count as one [steps]
 constexpr double kRounding = 1 - 1e-12;  // so that 0.3 s in steps of 0.1 s are three steps
 constexpr double kMoreSteps = 1.1;
+constexpr double kMostTried = 1e5;  // a participant may name any critical step
 
 // Whether the duration ends on a step, and how many of the times.
 std::pair<bool, std::ptrdiff_t> fit(double dt, double duration, std::span<const double> times) {
@@ -34,8 +35,9 @@ Steps steps_of(double dt, double duration) {
 
 Steps dividing_steps(double duration, double limit, double interval, std::span<const double> times) {
   const double fewest = std::ceil(interval / limit * kRounding);
+  const double most = std::min(kMoreSteps * fewest, fewest + kMostTried);
   double best = fewest;
-  for (double k = fewest + 1; k <= kMoreSteps * fewest; ++k)
+  for (double k = fewest + 1; k <= most; ++k)
     if (fit(interval / k, duration, times) > fit(interval / best, duration, times)) best = k;
   return steps_of(interval / best, duration);
 }

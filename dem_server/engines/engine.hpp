@@ -17,6 +17,7 @@
 #include "protocol/messages/scene.pb.h"
 #include "protocol/messages/wire.pb.h"
 #include "protocol/participant/step.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::dem {
 
@@ -66,6 +67,10 @@ class Engine {
   // The first step that does not relax is next: displacements, energies and work count from here. What held
   // quiet edges holds them against this drift of the model beside.
   virtual void start_over(const protocol::Drift& drift) = 0;
+
+  // What changes from step to step (protocol/state/archive.hpp), of an engine that has reached the same
+  // stage.
+  virtual void exchange(state::Archive& archive) = 0;
 
   virtual void snapshot(wire::Snapshot& snapshot) const = 0;  // observe/snapshot.hpp, with the peaks
   virtual std::uint64_t fragments() const = 0;                // bodies that whole bonds hold together

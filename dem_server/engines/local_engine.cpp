@@ -142,6 +142,18 @@ void LocalEngine::count_displacements() {
   settle(particles());
 }
 
+void LocalEngine::exchange(state::Archive& archive) {
+  particles().exchange(archive);
+  archive("counts_from_stage", counts_from_stage_);
+  archive("kick", kick_);
+  if (histories_) histories_->exchange(archive);
+  envelope_.exchange(lining_.sections.cuts().size(), archive);
+  oval_envelope_.exchange(lining_.ovals.size(), archive);
+  joint_peaks_.exchange(joints().size(), archive);
+  archive("peaks", peaks_, [this] { return protocol::PeakMotion(particles().size()); });
+  archive("relaxation", relaxation_, [this] { return Relaxation(particles()); });
+}
+
 void LocalEngine::snapshot(wire::Snapshot& snapshot) const {
   write_snapshot(*this, snapshot);
   add_sections(*this, lining_.sections, envelope_, snapshot);

@@ -37,9 +37,11 @@ class LocalEngine : public Engine, public Observable {
   void stop() override;
   void start_over(const protocol::Drift& drift) override;
   void count_displacements() final;
+  void exchange(state::Archive& archive) override;
   void snapshot(wire::Snapshot& snapshot) const final;
   std::uint64_t fragments() const final;
   std::vector<Figure> figures() const override;
+  std::span<const std::uint32_t> tied() const { return coupling_.particles(); }
 
  protected:
   explicit LocalEngine(const Model& model);
@@ -53,7 +55,6 @@ class LocalEngine : public Engine, public Observable {
   }
   // Before every step.
   void begin(const protocol::Step& step);
-  std::span<const std::uint32_t> tied() const { return coupling_.particles(); }
   // In the form that the scheme keeps (energy.hpp), of the step made last.
   double kinetic_energy_of(const protocol::Step& step) const {
     return dem::kinetic_energy(particles(), before_, step.from_rest());

@@ -7,6 +7,7 @@
 #include "dem_server/model/model.hpp"
 #include "dem_server/particles/energy.hpp"
 #include "dem_server/particles/particles.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::dem {
 
@@ -24,6 +25,8 @@ class Relaxation {
                  std::span<const EdgeDashpot> edges);
   // All velocities became 0.
   void stopped(const Particles& particles) { remember(particles, before_); }
+
+  void exchange(state::Archive& archive) { before_.exchange(archive); }
 
  private:
   Velocities before_;  // a step before

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dem_server/lining/sections.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::dem {
 
@@ -31,6 +32,12 @@ class Envelope {
   // One of each section; empty before anything was taken.
   std::span<const Extreme> largest(Force force) const { return largest_[static_cast<std::size_t>(force)]; }
   std::span<const Extreme> smallest(Force force) const { return smallest_[static_cast<std::size_t>(force)]; }
+
+  void exchange(std::size_t sections, state::Archive& archive) {
+    archive.all_or_none(
+        "section_extremes",
+        {&largest_[0], &largest_[1], &largest_[2], &smallest_[0], &smallest_[1], &smallest_[2]}, sections);
+  }
 
  private:
   std::array<std::vector<Extreme>, kForceNames.size()> largest_, smallest_;

@@ -18,6 +18,7 @@
 
 #include "dem_server/particles/particles.hpp"
 #include "protocol/geometry/shape.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::dem {
 
@@ -63,6 +64,10 @@ class OvalEnvelope {
   // One of each ring; empty before anything was taken.
   std::span<const Extreme> largest() const { return largest_; }
   std::span<const Extreme> smallest() const { return smallest_; }
+
+  void exchange(std::size_t ovals, state::Archive& archive) {
+    archive.all_or_none("oval_extremes", {&largest_, &smallest_}, ovals);
+  }
 
  private:
   std::vector<Extreme> largest_, smallest_;

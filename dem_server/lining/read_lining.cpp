@@ -46,20 +46,47 @@ std::vector<Cut> read_cuts(const scene::Particles& scene) {
   return cuts;
 }
 
+std::vector<Pair> facing(const Discs& discs) {
+  return pairs_within(discs, discs.radius.empty() ? 0 : kFacing * std::ranges::max(discs.radius));
+}
+
+// The joint that parts what lies at both sides of a cut; empty if there is none.
+std::string joint_along(const Cut& cut, const scene::Particles& scene, const Discs& discs) {
+  const JointLine line(cut.from, cut.to);
+  for (const Pair& pair : facing(discs)) {
+    if (!line.parts(discs, pair)) continue;
+    for (int k = 0; k < scene.joints_size(); ++k) {
+      const auto& joint = scene.joints(k);
+      if (!JointLine(place(joint.from()), place(joint.to())).parts(discs, pair)) continue;
+      return path_of("joints", k) +
+             (joint.has_name() ? fmt::format(" ({})", protocol::quote(joint.name())) : "");
+    }
+    if (scene.has_ring() && RingJoints(scene.ring()).parts(discs, pair)) return "a joint of particles.ring";
+  }
+  return {};
+}
+
+[[noreturn]] void refuse_cut(const std::string& path, const std::string& joint) {
+  if (joint.empty())
+    throw UserError(path,
+                    "crosses no bond between particles; lay it through the lining, from its inner to its "
+                    "outer side");
+  throw UserError(path,
+                  fmt::format("crosses no bond, because it lies on {}; lay it beside the joint", joint));
+}
+
 Sections read_sections(const scene::Particles& scene, const Particles& particles,
                        std::span<const Pair> bonds) {
   Sections sections(read_cuts(scene), particles, bonds);
   for (std::size_t k = 0; k < sections.cuts().size(); ++k)
     if (sections.beside(k).empty())
-      throw UserError(path_of("sections", static_cast<int>(k)),
-                      "crosses no bond between particles; lay it through the lining, from its inner to its "
-                      "outer side");
+      refuse_cut(path_of("sections", static_cast<int>(k)),
+                 joint_along(sections.cuts()[k], scene, {particles.x, particles.y, particles.radius}));
   return sections;
 }
 
 std::vector<JointFaces> read_joints(const scene::Particles& scene, const Particles& p) {
-  const double largest = p.radius.empty() ? 0 : std::ranges::max(p.radius);
-  const std::vector<Pair> near = pairs_within({p.x, p.y, p.radius}, kFacing * largest);
+  const std::vector<Pair> near = facing({p.x, p.y, p.radius});
   std::vector<JointFaces> joints;
   const auto add = [&](const std::string& name, const geometry::Point& from, const geometry::Point& to,
                        const std::string& path) {
@@ -74,7 +101,7 @@ std::vector<JointFaces> read_joints(const scene::Particles& scene, const Particl
     const RingJoints lines(ring);
     for (std::uint32_t k = 0; k < ring.segments(); ++k) {
       const auto [ex, ey] = lines.direction(k);
-      const auto at = [&](double radius) {
+      const auto at = [&, ex = ex, ey = ey](double radius) {
         return geometry::Point{ring.centre().x() + radius * ex, ring.centre().y() + radius * ey};
       };
       add("joint_" + std::to_string(k), at(ring.inner_radius()), at(ring.outer_radius()), "particles.ring");

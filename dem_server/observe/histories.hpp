@@ -11,6 +11,7 @@
 #include "dem_server/observe/observable.hpp"
 #include "protocol/messages/scene.pb.h"
 #include "protocol/participant/history.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::dem {
 
@@ -32,6 +33,10 @@ class Histories {
   // particles are left in the circle.
   void read(const Observable& observed, const Lining& lining, const protocol::Step& step,
             google::protobuf::RepeatedField<double>& values) const;
+
+  void exchange(state::Archive& archive) {
+    for (History& history : histories_) archive("history_velocity", history.velocity);
+  }
 
  private:
   struct History {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dem_server/observe/observable.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::dem {
 
@@ -24,6 +25,10 @@ class JointPeaks {
 
   std::span<const double> slip() const { return slip_; }  // [m]; empty before anything was taken
   std::span<const double> opening() const { return opening_; }
+
+  void exchange(std::size_t joints, state::Archive& archive) {
+    archive.all_or_none("joint_peaks", {&slip_, &opening_}, joints);
+  }
 
  private:
   std::vector<double> slip_, opening_;

@@ -15,36 +15,34 @@ void add_line(std::uint32_t first, std::uint32_t second, wire::Piece& piece) {
   piece.add_connectivity(second);
 }
 
+// Values go into the fields at once: lists of them beside these would take as much memory again.
 void add_bonds(const Observable& observed, wire::Snapshot& snapshot) {
   wire::Piece& piece = add_piece("bonds", wire::Piece::LINES, observed.particles(), snapshot);
-  std::vector<double> normal, shear, moment, weight;
-  std::vector<BondState> state;
+  Fields& fields = *piece.mutable_cell_fields();
+  auto& normal = add_field(fields, "normal_force_N", 1);
+  auto& shear = add_field(fields, "shear_force_N", 1);
+  auto& moment = add_field(fields, "moment_Nm", 1);
+  auto& state = add_field(fields, "state", 1);
+  auto& weight = add_field(fields, "weight", 1);
   observed.for_each_bond([&](const ObservedPair& bond) {
     add_line(bond.first, bond.second, piece);
-    normal.push_back(bond.normal);
-    shear.push_back(bond.shear);
-    moment.push_back(bond.moment);
-    state.push_back(bond.state);
-    weight.push_back(bond.weight);
+    normal.Add(bond.normal);
+    shear.Add(bond.shear);
+    moment.Add(bond.moment);
+    state.Add(static_cast<double>(bond.state));
+    weight.Add(bond.weight);
   });
-  Fields& fields = *piece.mutable_cell_fields();
-  add_scalars(fields, "normal_force_N", normal);
-  add_scalars(fields, "shear_force_N", shear);
-  add_scalars(fields, "moment_Nm", moment);
-  add_scalars(fields, "state", state);
-  add_scalars(fields, "weight", weight);
 }
 
 void add_contacts(const Observable& observed, wire::Snapshot& snapshot) {
   wire::Piece& piece = add_piece("contacts", wire::Piece::LINES, observed.particles(), snapshot);
-  std::vector<double> normal, shear;
+  auto& normal = add_field(*piece.mutable_cell_fields(), "normal_force_N", 1);
+  auto& shear = add_field(*piece.mutable_cell_fields(), "shear_force_N", 1);
   observed.for_each_contact([&](const ObservedPair& contact) {
     add_line(contact.first, contact.second, piece);
-    normal.push_back(contact.normal);
-    shear.push_back(contact.shear);
+    normal.Add(contact.normal);
+    shear.Add(contact.shear);
   });
-  add_scalars(*piece.mutable_cell_fields(), "normal_force_N", normal);
-  add_scalars(*piece.mutable_cell_fields(), "shear_force_N", shear);
 }
 
 void add_springs(const Observable& observed, wire::Snapshot& snapshot) {
@@ -77,6 +75,7 @@ void add_particles(const Observable& observed, wire::Snapshot& snapshot) {
   add_scalars(fields, "id", p.id);
   add_scalars(fields, "group", observed.group());
   auto& stress = add_field(fields, "stress_Pa", 3);
+  stress.Reserve(static_cast<int>(3 * p.size()));
   for (const auto& [xx, yy, xy] : particle_stress(observed))
     for (const double component : {xx, yy, xy}) stress.Add(component);
   add_scalars(fields, "coordination", coordination_of(p.size(), touching_particles(observed)));

@@ -4,6 +4,7 @@
 #include "dem_server/engines/lattice/lattice_engine.hpp"
 #include "dem_server/model/lattice.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/release.hpp"
 
 namespace adit::dem {
 
@@ -18,9 +19,18 @@ EngineChoice choose_engine(scene::Particles::Engine wanted, const Model& model) 
   return {false, *beyond};
 }
 
-std::unique_ptr<Engine> make_engine(const EngineChoice& choice, const Model& model, std::size_t threads) {
-  if (choice.lattice) return std::make_unique<LatticeEngine>(model, threads);
-  return std::make_unique<GeneralEngine>(model, threads);
+std::string LocalEngines::choose(const scene::Scene& scene, const Model& model) {
+  choice_ = choose_engine(scene.particles().engine(), model);
+  return choice_.told();
+}
+
+std::unique_ptr<Engine> LocalEngines::make(const Model& model) {
+  if (choice_.lattice) return std::make_unique<LatticeEngine>(model, threads_);
+  return std::make_unique<GeneralEngine>(model, threads_);
+}
+
+std::string LocalEngines::state_format() const {
+  return "dem_server " + std::string(protocol::release());
 }
 
 }  // namespace adit::dem

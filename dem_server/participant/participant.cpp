@@ -1,7 +1,9 @@
 #include "dem_server/participant/participant.hpp"
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <cmath>
 #include <numeric>
 
 #include "dem_server/model/bond_springs.hpp"
@@ -21,17 +23,23 @@ namespace adit::dem {
 void DemParticipant::set_up(const wire::Setup& setup, wire::Model& answer) {
   scene_ = setup.scene();
   model_ = read_model(scene_);
-  choice_ = choose_engine(scene_.particles().engine(), model_);
-  engine_ = make_engine(choice_, model_, threads_);
-  spdlog::info("the engine of the particles is {}", choice_.told());
-  report(engine_->critical_element(), answer);
+  const std::string engine = engines_->choose(scene_, model_);
+  engine_ = engines_->make(model_);
+  spdlog::info("the engine of the particles is {}", engine);
+  critical_ = engine_->critical_element();
+  if (!(critical_.step > 0) || !std::isfinite(critical_.step))
+    throw protocol::UserError("particles",
+                              fmt::format("have a critical time step of {} s; check the units of "
+                                          "stiffness, radius and density",
+                                          critical_.step));
+  report(critical_, answer);
   report(wave_speeds(model_), answer);
   answer.set_highest_frequency(highest_frequency(model_));
   answer.set_x_min(model_.extent.x_min);
   answer.set_x_max(model_.extent.x_max);
   answer.set_y_min(model_.extent.y_min);
   answer.set_y_max(model_.extent.y_max);
-  answer.set_engine(choice_.told());
+  answer.set_engine(engine);
   for (const std::string& note : model_.notes) answer.add_notes(note);
   for (const std::string& group : model_.group_names) answer.add_groups(group);
   assign(*answer.mutable_sample_points(), sample_points(model_));
@@ -52,7 +60,7 @@ void DemParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
           "leaves no bonded particles, their weight being 0 everywhere; let the packing "
           "reach into the overlap and beyond it on the particles' own side");
     if (scene_.has_initial_stress()) balance_under_weights(sampled.centres);
-    engine_ = make_engine(choice_, model_, threads_);
+    engine_ = engines_->make(model_);
     assign(*interface.mutable_points(),
            engine_->offer({weights.x_min(), weights.x_max(), weights.y_min(), weights.y_max()}));
   }
@@ -100,7 +108,12 @@ void DemParticipant::excavate(std::uint32_t stage) {
   stage_ = stage;
 }
 
-void DemParticipant::prepare(const protocol::Step&, const wire::Advance& wanted) {
+void DemParticipant::prepare(const protocol::Step& step, const wire::Advance& wanted) {
+  const double critical = step.relax ? critical_.static_step : critical_.step;
+  if (step.dt > critical && !scene_.time().beyond_critical())
+    throw protocol::UserError("time.dt", fmt::format("is {} s, above the particles' critical step of {} s; "
+                                                     "give at most that",
+                                                     step.dt, critical));
   engine_->prepare(wanted.want_energies());
 }
 
@@ -130,6 +143,17 @@ void DemParticipant::read_histories(const protocol::Step& step,
 void DemParticipant::read_events(wire::Predicted& predicted) {
   predicted.mutable_cracks()->Swap(unreported_.mutable_cracks());
   predicted.mutable_strongest()->Swap(unreported_.mutable_strongest());
+}
+
+void DemParticipant::exchange_solver(state::Archive& archive) {
+  std::uint32_t stage = stage_;
+  archive("stage", stage);
+  if (archive.reads()) excavate(stage);  // builds what the engine has in this stage
+  engine_->exchange(archive);
+  archive("moves", moves_);
+  std::string unreported = unreported_.SerializeAsString();
+  archive("unreported", unreported);
+  if (archive.reads()) unreported_.ParseFromString(unreported);
 }
 
 void DemParticipant::finish(wire::Bye& bye) {

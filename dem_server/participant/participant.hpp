@@ -5,22 +5,28 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
+#include <utility>
 
 #include "dem_server/engines/engine.hpp"
 #include "dem_server/model/model.hpp"
 #include "dem_server/participant/choose_engine.hpp"
 #include "protocol/participant/stepped_participant.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::dem {
 
 class DemParticipant final : public protocol::SteppedParticipant {
  public:
   // Threads that share the computing, 0: as many as pay. Results do not depend on their number.
-  explicit DemParticipant(std::size_t threads = 1) : threads_(threads) {}
+  explicit DemParticipant(std::size_t threads = 1)
+      : DemParticipant(std::make_unique<LocalEngines>(threads)) {}
+  explicit DemParticipant(std::unique_ptr<EngineMaker> engines) : engines_(std::move(engines)) {}
 
   void set_up(const wire::Setup& setup, wire::Model& model) override;
   void weigh(const wire::Weights& weights, wire::Interface& interface) override;
   void couple(const wire::Couple& couple, wire::Operator& op) override;
+  std::string state_format() const override { return engines_->state_format(); }
   void finish(wire::Bye& bye) override;
 
  private:
@@ -44,12 +50,13 @@ class DemParticipant final : public protocol::SteppedParticipant {
   void read_histories(const protocol::Step& step, google::protobuf::RepeatedField<double>& values) override;
   void read_events(wire::Predicted& predicted) override;
   void draw(wire::Snapshot& snapshot) override { engine_->snapshot(snapshot); }
+  void exchange_solver(state::Archive& archive) override;
 
-  std::size_t threads_;
+  std::unique_ptr<EngineMaker> engines_;
   scene::Scene scene_;
   Model model_;
-  EngineChoice choice_{};
   std::unique_ptr<Engine> engine_;
+  CriticalElement critical_{};  // of the unweighted model
   std::size_t coupling_points_ = 0;
   std::uint32_t stage_ = 0;     // of excavation, reached
   wire::Predicted unreported_;  // cracks and largest forces of whole steps

@@ -6,6 +6,7 @@
 
 #include "dem_server/packing/discs.hpp"
 #include "dem_server/particles/particles.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::dem {
 
@@ -18,6 +19,11 @@ class DisplacementBound {
   // The bound becomes the way of the particle that is the farthest.
   void measure(const Particles& particles);
   double most() const { return most_; }  // [m]
+  void exchange(state::Archive& archive) {
+    archive("listed_ux", std::span(ux_));
+    archive("listed_uy", std::span(uy_));
+    archive("moved", most_);
+  }
 
  private:
   std::vector<double> ux_, uy_;  // displacements at the start

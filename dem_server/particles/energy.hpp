@@ -8,12 +8,17 @@
 #include <vector>
 
 #include "dem_server/particles/particles.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::dem {
 
 // Velocities half a step ago.
 struct Velocities {
   std::vector<double> x, y, spin;
+
+  void exchange(state::Archive& archive) {
+    for (auto* values : {&x, &y, &spin}) archive("velocities_before", std::span(*values));
+  }
 };
 
 // Overwrites `velocities` with the particles' present ones (no allocation after the first time).

@@ -7,6 +7,7 @@
 #include "dem_server/model/model.hpp"
 #include "dem_server/particles/particles.hpp"
 #include "protocol/participant/step.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::dem {
 
@@ -31,6 +32,10 @@ class Loads {
   };
   const Work& work() const { return work_; }
   void start_over() { work_ = {}; }
+  void exchange(state::Archive& archive) {
+    for (Shared& load : loads_) archive("load_factor", load.factor);
+    archive("load_work", work_);
+  }
 
  private:
   struct Shared {

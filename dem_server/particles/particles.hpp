@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "protocol/state/archive.hpp"
+
 namespace adit::dem {
 
 struct Model;
@@ -27,6 +29,13 @@ struct Particles {
   std::size_t size() const { return id.size(); }
   // What was taken away has no mass: nothing moves it, and nobody sees it.
   bool is_there(std::size_t i) const { return mass[i] > 0; }
+
+  // Masses are those of the stage, and each step finds its resultants anew.
+  void exchange(state::Archive& archive) {
+    for (auto* values : {&ux, &uy, &settled_x, &settled_y, &vx, &vy, &spin})
+      archive("motion", std::span(*values));
+    archive.all_or_none("ties", {&tie_x, &tie_y}, size());
+  }
 };
 
 // The discs of a model at rest.

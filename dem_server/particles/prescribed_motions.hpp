@@ -8,6 +8,7 @@
 #include "dem_server/model/model.hpp"
 #include "dem_server/particles/particles.hpp"
 #include "protocol/participant/step.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::dem {
 
@@ -34,6 +35,11 @@ class PrescribedMotions {
 
   double work() const { return work_; }  // [J]
   void start_over() { work_ = 0; }
+  void exchange(state::Archive& archive) {
+    for (Motion& motion : motions_)
+      for (double* value : {&motion.before, &motion.after, &motion.reaction}) archive("prescribed", *value);
+    for (double* value : {&work_, &last_dt_, &last_kick_}) archive("prescribed_motions", *value);
+  }
 
   bool prescribes(Component component, std::uint32_t particle) const {
     return prescribed_[static_cast<std::size_t>(component)][particle];

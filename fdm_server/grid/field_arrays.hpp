@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "protocol/state/archive.hpp"
+
 namespace adit::fdm {
 
 template <std::size_t kFields>
@@ -17,6 +19,10 @@ class FieldArrays {
   std::span<double> operator[](std::size_t field) { return {data_.data() + field * stride_, size_}; }
   std::span<const double> operator[](std::size_t field) const {
     return {data_.data() + field * stride_, size_};
+  }
+
+  void exchange(state::Archive& archive) {
+    for (std::size_t field = 0; field < kFields; ++field) archive("field", (*this)[field]);
   }
 
  private:

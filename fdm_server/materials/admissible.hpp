@@ -14,6 +14,6 @@ struct Admissible {
   unsigned yields;              // bits of now
 };
 Admissible admissible(const Material& material, const Elasticity& elasticity, double plastic_shear_strain,
-                      const SolidStress& predicted, double turned);
+                      const SolidStress& predicted, const PlaneDirection& planes);
 
 }  // namespace adit::fdm

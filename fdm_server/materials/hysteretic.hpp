@@ -9,37 +9,20 @@
 // strain path in the plane and across it. Each element dissipates, hence so does the sum. The volume changes
 // elastically.
 //
-// The vertices lie on the curve, the strain growing by a factor r from one to the next. For a hyperbola the
-// chords then miss at most (r - 1)^2/16 of the stress, and of the damping of small loops (r - 1)^3/(r^3 - 1):
-// 0.2 % and 0.7 % for r = 1.155.
+// Elements are kept as what they flowed: q_i, so that element i has the stress G_i (e - q_i), e the deviator
+// of strain since the start. Only elements that yield change. Their distance from yielding, x_i - |e - q_i|,
+// shrinks by no more than the length of the strain path: a block of eight elements sleeps until the path
+// could bring one of them to its limit, and a step without any awake adds G de to the stress.
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
+#include "fdm_server/hysteresis/modulus_reduction.hpp"
 #include "fdm_server/materials/solid.hpp"
 
 namespace adit::fdm {
-
-// Secant shear modulus over the initial one, by engineering shear strain.
-using ModulusReduction = std::function<double(double shear_strain)>;
-
-// 1 / (1 + (strain / reference)^exponent).
-ModulusReduction hyperbola(double reference_strain, double exponent);
-// Through the points, a monotone cubic (Fritsch & Carlson 1980) over the logarithm of the strain; constant
-// beyond them. `strains` increase, at least two.
-ModulusReduction reduction_table(std::span<const double> strains, std::span<const double> ratios);
-
-struct BackbonePoint {
-  double strain, stress;  // engineering shear strain; shear stress over the initial modulus
-};
-
-// `elements` vertices between the strains, equally spaced by logarithm; the first lies on the initial
-// tangent. Where the stress of the curve would stiffen or fall, the backbone is its concave hull.
-std::vector<BackbonePoint> backbone(const ModulusReduction& reduction, double first_strain,
-                                    double last_strain, std::size_t elements);
 
 class Hysteretic {
  public:
@@ -51,27 +34,53 @@ class Hysteretic {
   // elastic energy of the secant, with A the area under the backbone, 2/pi (2 A/(tau strain) - 1).
   double damping_ratio(double shear_strain) const;
   std::span<const BackbonePoint> backbone() const { return backbone_; }
+  // Of each element: stiffness over the initial modulus, yield strain.
+  struct Chain {
+    std::span<const double> stiffness, limit;
+  };
+  Chain chain() const {
+    return {std::span(stiffness_).first(backbone_.size()), std::span(limit_).first(backbone_.size())};
+  }
 
-  // State of one point: the deviator (xx - yy)/2, xy, zz of each element in turn, then the same of the
-  // initial stress, which the elements do not see, then the strains xx - yy, xy, xx + yy since.
-  std::size_t values() const { return 3 * (elements_.size() + 2); }
-  void set_stress(std::span<double> state, const SolidStress& stress) const;
-  // Adds the strain; returns the energy per volume that the elements dissipated, >= 0.
+  // State of one point: a head, which every step takes, and the elements, in blocks that sleep mostly.
+  static constexpr std::size_t kHead = 8;
+  std::size_t values() const { return kHead + elements(); }
+  std::size_t elements() const { return 25 * blocks() + 3; }  // values of the elements
+  struct State {
+    std::span<double> head, elements;
+  };
+  State split(std::span<double> state) const { return {state.first(kHead), state.subspan(kHead)}; }
+  void set_stress(const State& state, const SolidStress& stress) const;
+  void set_stress(std::span<double> state, const SolidStress& stress) const {
+    set_stress(split(state), stress);
+  }
+  struct Increment {
+    double volume, difference, shear;  // of strain: xx + yy, xx - yy, xy
+  };
+  // The sum of the elements' deviators and of the initial one, which has no mean; the energy per volume that
+  // the elements dissipated, >= 0.
+  struct Chained {
+    double difference, shear, across, dissipated;  // (xx - yy)/2, xy, zz
+  };
+  Chained add(const Elasticity& elasticity, const Increment& strain, const State& state) const;
+  // The same for a whole stress; returns the energy.
   double add(const Elasticity& elasticity, const Strain& strain, std::span<double> state,
              SolidStress& stress) const;
-  // Turns the state with the ground.
-  void turn(std::span<double> state, double cosine, double sine) const;
   // Energy per volume; that of the initial stress over the strains since included.
-  double energy(const Elasticity& elasticity, std::span<const double> state, const SolidStress& stress) const;
-  // Whether any element is at its limit.
-  bool yields(const Elasticity& elasticity, std::span<const double> state) const;
+  double energy(const Elasticity& elasticity, std::span<const double> head, std::span<const double> elements,
+                const SolidStress& stress) const;
+  double energy(const Elasticity& elasticity, std::span<const double> state,
+                const SolidStress& stress) const {
+    return energy(elasticity, state.first(kHead), state.subspan(kHead), stress);
+  }
 
  private:
-  struct Element {
-    double stiffness, strength;  // over the initial modulus
-  };
+  std::size_t blocks() const { return stiffness_.size() / 8; }
+
   std::vector<BackbonePoint> backbone_;
-  std::vector<Element> elements_;
+  // Of each element: stiffness over the initial modulus, yield strain. Elements of no stiffness that never
+  // yield fill the last block.
+  std::vector<double> stiffness_, limit_;
 };
 
 }  // namespace adit::fdm

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "fdm_server/hysteresis/polyline.hpp"
 #include "fdm_server/materials/hysteretic.hpp"
 #include "fdm_server/materials/mohr_coulomb.hpp"
 #include "fdm_server/materials/plane_law.hpp"
@@ -17,10 +18,11 @@ struct Material {
   double density;         // [kg/m^3]
   double young, poisson;  // E [Pa], nu
   std::optional<MohrCoulomb> mohr_coulomb = {};
-  std::optional<Hysteretic> hysteretic = {};
+  std::optional<Hysteretic> hysteretic = {};  // a memory of elements
+  std::optional<Polyline> reversals = {};     // of reversals, with this backbone
   std::optional<WeakPlane> weak_plane = {};
 
-  bool linear() const { return !mohr_coulomb && !hysteretic && !weak_plane; }
+  bool linear() const { return !mohr_coulomb && !hysteretic && !reversals && !weak_plane; }
   Elasticity elasticity() const { return {young / (3 * (1 - 2 * poisson)), young / (2 * (1 + poisson))}; }
 };
 

@@ -6,12 +6,14 @@
 #include <limits>
 #include <utility>
 
+#include "fdm_server/materials/cone_return.hpp"
+
 namespace adit::fdm {
 namespace {
 
-using Principal = std::array<double, 3>;
+using Vector = std::array<double, 3>;
 
-double dot(const Principal& a, const Principal& b) {
+double dot(const Vector& a, const Vector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
@@ -30,12 +32,12 @@ constexpr auto kSets = [] {
 }();
 
 struct Planes {
-  std::array<Principal, kPlanes> normal, flow;  // flow: C m, the stress that a unit of flow takes away
-  std::array<double, kPlanes> limit;            // normal . s <= limit
+  std::array<Vector, kPlanes> normal, flow;  // flow: C m, the stress that a unit of flow takes away
+  std::array<double, kPlanes> limit;         // normal . s <= limit
 };
 
 // Solves the symmetric or unsymmetric system of up to three equations; false where it is singular.
-bool solve(std::size_t n, std::array<Principal, 3>& a, Principal& b) {
+bool solve(std::size_t n, std::array<Vector, 3>& a, Vector& b) {
   for (std::size_t k = 0; k < n; ++k) {
     std::size_t pivot = k;
     for (std::size_t i = k + 1; i < n; ++i)
@@ -64,28 +66,12 @@ YieldCone cone_of(const Strength& s) {
           std::min(s.tension, apex(s.cohesion, s.friction_angle))};
 }
 
-// Mostly F_13 alone, which keeps the other shear planes while the stresses keep their order.
-bool to_shear_plane(const Elasticity& elasticity, const YieldCone& cone, Principal& stress) {
-  const double up = 1 + cone.sin_friction, down = 1 - cone.sin_friction;
-  const double flow_up = 1 + cone.sin_dilation, flow_down = 1 - cone.sin_dilation;
-  const double volume = elasticity.lame() * (flow_up - flow_down), twice_shear = 2 * elasticity.shear;
-  const Principal away{volume + twice_shear * flow_up, volume, volume - twice_shear * flow_down};
-  const double flows =
-      (up * stress[0] - down * stress[2] - cone.twice_c_cos) / (up * away[0] - down * away[2]);
-  const Principal on_plane{stress[0] - flows * away[0], stress[1] - flows * away[1],
-                           stress[2] - flows * away[2]};
-  const bool admissible =
-      flows >= 0 && on_plane[0] >= on_plane[1] && on_plane[1] >= on_plane[2] && on_plane[0] <= cone.tension;
-  if (admissible) stress = on_plane;
-  return admissible;
-}
-
 Planes planes_of(const Elasticity& elasticity, const YieldCone& cone) {
   const double up = 1 + cone.sin_friction, down = 1 - cone.sin_friction;
   const double flow_up = 1 + cone.sin_dilation, flow_down = 1 - cone.sin_dilation;
   const double lame = elasticity.lame(), twice_shear = 2 * elasticity.shear;
   Planes planes{};
-  const auto plane = [&](Plane k, double limit, const Principal& normal, const Principal& flow) {
+  const auto plane = [&](Plane k, double limit, const Vector& normal, const Vector& flow) {
     const double mean = lame * (flow[0] + flow[1] + flow[2]);
     planes.normal[k] = normal;
     planes.limit[k] = limit;
@@ -102,8 +88,8 @@ Planes planes_of(const Elasticity& elasticity, const YieldCone& cone) {
 
 // Takes the predicted stress to the planes of a set; false where it does not flow so, or leaves another
 // plane.
-bool to_set(unsigned set, const Planes& planes, double twice_shear, double rounding,
-            const Principal& predicted, Principal& stress) {
+bool to_set(unsigned set, const Planes& planes, double twice_shear, double rounding, const Vector& predicted,
+            Vector& stress) {
   std::array<std::size_t, 3> active{};
   std::size_t n = 0;
   bool possible = true;  // a plane that no stress ever reaches cannot be active
@@ -113,8 +99,8 @@ bool to_set(unsigned set, const Planes& planes, double twice_shear, double round
       possible = possible && std::isfinite(planes.limit[k]);
     }
   if (!possible) return false;
-  std::array<Principal, 3> matrix{};
-  Principal flow{};
+  std::array<Vector, 3> matrix{};
+  Vector flow{};
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) matrix[i][j] = dot(planes.normal[active[i]], planes.flow[active[j]]);
     flow[i] = dot(planes.normal[active[i]], predicted) - planes.limit[active[i]];
@@ -133,15 +119,15 @@ bool to_set(unsigned set, const Planes& planes, double twice_shear, double round
 }
 
 // Tries the sets of planes one after another and says what yields. Out of line: most stresses stop before.
-[[gnu::noinline]] unsigned search_planes(const Elasticity& elasticity, const YieldCone& cone,
-                                         Principal& stress) {
+[[gnu::noinline]] std::int64_t search_planes(const Elasticity& elasticity, const YieldCone& cone,
+                                             Principal& stress) {
   const Planes planes = planes_of(elasticity, cone);
-  const Principal predicted = stress;
+  const Vector predicted{stress.s1, stress.s2, stress.s3};
   const double scale =
       std::abs(predicted[0]) + std::abs(predicted[1]) + std::abs(predicted[2]) + cone.twice_c_cos;
   for (const unsigned set : kSets)
-    if (Principal found; to_set(set, planes, 2 * elasticity.shear, 1e-12 * scale, predicted, found)) {
-      stress = found;
+    if (Vector found; to_set(set, planes, 2 * elasticity.shear, 1e-12 * scale, predicted, found)) {
+      stress = {found[0], found[1], found[2]};
       return (set & kShearPlanes ? kShearNow : 0u) | (set & ~kShearPlanes ? kTensionNow : 0u);
     }
   return kElastic;  // only where the stress is not finite, which the run notices
@@ -170,35 +156,21 @@ Strength MohrCoulomb::strength(double strain) const {
           between(a.dilation_angle, b.dilation_angle), between(a.tension, b.tension)};
 }
 
+YieldCone MohrCoulomb::cone(double strain) const {
+  // Before any plastic strain, as in most zones, the first cone is ready and no sine is computed.
+  return strain > 0 && softens() ? cone_of(strength(strain)) : first_;
+}
+
 MohrCoulomb::Return MohrCoulomb::admissible(const Elasticity& elasticity, double plastic_shear_strain,
                                             const SolidStress& predicted) const {
-  // Before any plastic strain, as in most zones, the first cone is ready and no sine is computed.
-  const YieldCone cone =
-      plastic_shear_strain > 0 && rows_.size() > 1 ? cone_of(strength(plastic_shear_strain)) : first_;
-  const double p = (predicted.xx + predicted.yy) / 2, t = (predicted.xx - predicted.yy) / 2;
-  const double radius = std::sqrt(t * t + predicted.xy * predicted.xy);
-  const double largest = std::max(p + radius, predicted.zz), smallest = std::min(p - radius, predicted.zz);
-  const bool within = largest - smallest + (largest + smallest) * cone.sin_friction <= cone.twice_c_cos &&
-                      largest <= cone.tension;
-  if (within) return {predicted, kElastic};
-
-  // the principal stresses: in the plane p + radius and p - radius, across it zz; sorted, largest first
-  Principal sorted{p + radius, p - radius, predicted.zz};
-  std::size_t in_plane[2] = {0, 1}, across = 2;
-  if (predicted.zz > p - radius) {
-    std::swap(sorted[1], sorted[2]);
-    std::swap(in_plane[1], across);
-    if (predicted.zz > p + radius) {
-      std::swap(sorted[0], sorted[1]);
-      std::swap(in_plane[0], across);
-    }
-  }
-  const unsigned yields =
-      to_shear_plane(elasticity, cone, sorted) ? kShearNow : search_planes(elasticity, cone, sorted);
-  const double a = sorted[in_plane[0]], b = sorted[in_plane[1]];
-  // The principal directions stay, so t and xy shrink in the same ratio as the circle's radius.
-  const double new_p = (a + b) / 2, ratio = radius > 0 ? (a - b) / 2 / radius : 0;
-  return {{new_p + ratio * t, new_p - ratio * t, sorted[across], ratio * predicted.xy}, yields};
+  const YieldCone cone = this->cone(plastic_shear_strain);
+  const PointStress from = point_stress(predicted);
+  const double radius = std::sqrt(from.difference * from.difference + from.shear * from.shear);
+  const Principal principal = sorted(from.mean, radius, from.across);
+  auto [to, yields] = to_shear_plane(cone_flow(elasticity, cone), principal);
+  if (yields == kElastic) return {predicted, kElastic};
+  if (yields == kOpen) yields = search_planes(elasticity, cone, to);
+  return {solid_stress(turned_back(from, radius, to)), static_cast<unsigned>(yields)};
 }
 
 }  // namespace adit::fdm

@@ -52,6 +52,8 @@ class MohrCoulomb {
                     const SolidStress& predicted) const;
 
   Strength strength(double plastic_shear_strain) const;
+  YieldCone cone(double plastic_shear_strain) const;
+  bool softens() const { return rows_.size() > 1; }
 
  private:
   std::vector<SofteningRow> rows_;

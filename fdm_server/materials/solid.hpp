@@ -66,6 +66,18 @@ inline SolidStress turned(const SolidStress& s, double cosine, double sine) {
   return {p + turned_t, p - turned_t, s.zz, s2 * t + c2 * s.xy};
 }
 
+// The same by the mean of xx and yy, half their difference xx - yy, xy and zz: what turns with the plane
+// stands apart.
+struct PointStress {
+  double mean, difference, shear, across;
+};
+inline PointStress point_stress(const SolidStress& s) {
+  return {(s.xx + s.yy) / 2, (s.xx - s.yy) / 2, s.xy, s.zz};
+}
+inline SolidStress solid_stress(const PointStress& s) {
+  return {s.mean + s.difference, s.mean - s.difference, s.across, s.shear};
+}
+
 // What yields, as bits: now in the last step, past ever before.
 enum Yield : unsigned {
   kElastic = 0,

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <ranges>
 #include <unordered_map>
 
 #include "fdm_server/grid/edges.hpp"
@@ -56,10 +55,11 @@ class Reader {
     const auto edges = number_edges(grid());
     grid().boundary = boundary(edges);
     add_lines(edges);
-    for (auto& zones : grid().groups | std::views::transform(&Group::zones)) {
+    for (Group& group : grid().groups) {
       // Surfaces come in any order, and one may be in two groups of the same name.
+      auto& zones = group.zones;
       std::ranges::sort(zones);
-      zones.erase(std::ranges::unique(zones).begin(), zones.end());
+      zones.erase(std::unique(zones.begin(), zones.end()), zones.end());
     }
     std::erase_if(grid().groups,
                   [](const Group& group) { return group.zones.empty() && group.edges.empty(); });
@@ -96,13 +96,20 @@ class Reader {
         const Entity entity{dimension, text_.whole("an entity")};
         for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) text_.number("a bound of an entity");
         for (std::size_t left = text_.count("a number of physical groups"); left > 0; --left)
-          // The sign of a physical group tells the orientation of the entity, which does not matter here.
-          groups_of_[entity].push_back(group_of({dimension, std::abs(text_.whole("a physical group"))}));
+          groups_of_[entity].push_back(group_of({dimension, read_group_number()}));
         if (dimension == 0) continue;
         for (std::size_t left = text_.count("a number of bounding entities"); left > 0; --left)
           text_.whole("a bounding entity");
       }
     text_.expect("$EndEntities");
+  }
+
+  // Its sign tells the orientation of the entity, which does not matter here.
+  std::int64_t read_group_number() {
+    const std::int64_t number = text_.whole("a physical group");
+    if (number != static_cast<std::int32_t>(number))
+      text_.refuse(fmt::format("has a physical group {}; Gmsh numbers them by 32 bits", number));
+    return std::abs(number);
   }
 
   std::size_t group_of(const Entity& physical) {
@@ -118,7 +125,8 @@ class Reader {
     std::size_t blocks = text_.count("a number of blocks");
     if (const auto count = text_.count("a number of nodes"); count > most_points_)
       text_.refuse(
-          fmt::format("has {} nodes; at most {} can be computed, use larger elements", count, most_points_));
+          fmt::format("has {} nodes; at most {} can be computed on this machine, use larger elements", count,
+                      most_points_));
     text_.whole("the smallest node");
     text_.whole("the largest node");
     for (; blocks > 0; --blocks) {

@@ -6,19 +6,16 @@
 #include <cmath>
 
 #include "protocol/errors.hpp"
+#include "protocol/text.hpp"
 
 namespace adit::fdm {
+
+using protocol::quote;
+
 namespace {
 
 bool blank(char c) {
   return c == ' ' || c == '\n' || c == '\t' || c == '\r';
-}
-
-// What a message may repeat of a file that can hold anything.
-std::string shown(std::string_view word) {
-  std::string text = "`";
-  for (const char c : word.substr(0, 30)) text += c >= ' ' && c <= '~' ? c : '?';
-  return text + (word.size() > 30 ? "…`" : "`");
 }
 
 }  // namespace
@@ -48,7 +45,7 @@ double MeshText::number(const char* what) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   // from_chars() accepts `inf` and `nan`, which are no places.
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    refuse(fmt::format("has {} where {} was expected", shown(text), what));
+    refuse(fmt::format("has {} where {} was expected", quote(text), what));
   return value;
 }
 
@@ -57,7 +54,7 @@ std::int64_t MeshText::whole(const char* what) {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size())
-    refuse(fmt::format("has {} where {} was expected", shown(text), what));
+    refuse(fmt::format("has {} where {} was expected", quote(text), what));
   return value;
 }
 
@@ -81,7 +78,7 @@ std::string MeshText::quoted(const char* what) {
 
 void MeshText::expect(std::string_view expected) {
   const auto found = word(expected.data());
-  if (found != expected) refuse(fmt::format("has {} where {} was expected", shown(found), expected));
+  if (found != expected) refuse(fmt::format("has {} where {} was expected", quote(found), expected));
 }
 
 void MeshText::skip_past(std::string_view expected) {

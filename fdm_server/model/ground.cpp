@@ -63,23 +63,55 @@ ModulusReduction read_table(const scene::ReductionTable& table, const std::strin
               "begins with {}; give a small strain where it is 1, the modulus being young_modulus / (2 (1 + "
               "poisson_ratio))",
               ratios[0]));
-  return reduction_table({strains.data(), static_cast<std::size_t>(strains.size())},
-                         {ratios.data(), static_cast<std::size_t>(ratios.size())});
+  return smooth_table({strains.data(), static_cast<std::size_t>(strains.size())},
+                      {ratios.data(), static_cast<std::size_t>(ratios.size())});
 }
 
-Hysteretic read_hysteretic(const scene::Hysteretic& scene, const std::string& path) {
+// A curve, and the backbone that follows it.
+struct Curve {
+  ModulusReduction reduction;
+  std::vector<BackbonePoint> backbone;
+};
+Curve read_curve(const scene::Hysteretic& scene, const std::string& path) {
   const auto elements = scene.elements();
   if (scene.has_table()) {
     const auto& strains = scene.table().shear_strain();
-    const auto curve = read_table(scene.table(), path + ".table");
-    return Hysteretic(backbone(curve, strains[0], strains[strains.size() - 1], elements));
+    const auto reduction = read_table(scene.table(), path + ".table");
+    return {reduction, backbone(reduction, strains[0], strains[strains.size() - 1], elements)};
   }
   require(scene.has_hyperbola(), path, "names no curve; give table or hyperbola");
   const double reference = scene.hyperbola().reference_strain(), exponent = scene.hyperbola().exponent();
   // below, the modulus is reduced by less than the hundredth part at which loops are noticed; above, the
   // stress stays
   const double first = reference * std::pow(2e-3, 1 / exponent);
-  return Hysteretic(backbone(hyperbola(reference, exponent), first, 10 * reference, elements));
+  const auto reduction = hyperbola(reference, exponent);
+  return {reduction, backbone(reduction, first, 10 * reference, elements)};
+}
+
+// The share of Masing's damping that loops keep.
+std::function<double(double)> read_share(const scene::LoopDamping& scene, const Curve& curve,
+                                         const Polyline& backbone, const std::string& path) {
+  require(scene.has_table() || scene.has_darendeli(), path, "names no curve; give table or darendeli");
+  if (scene.has_darendeli()) return darendeli_share(curve.reduction, scene.darendeli().cycles());
+  const auto &strains = scene.table().shear_strain(), &ratios = scene.table().ratio();
+  const auto count = static_cast<std::size_t>(strains.size());
+  return [&backbone, damping = smooth_table({strains.data(), count}, {ratios.data(), count})](double strain) {
+    return std::min(1.0, damping(strain) / backbone.masing_damping(strain));
+  };
+}
+
+void read_hysteretic(const scene::Hysteretic& scene, const std::string& path, Material& material) {
+  Curve curve = read_curve(scene, path);
+  if (scene.memory() == scene::Hysteretic::ELEMENTS) {
+    require(!scene.has_damping(), path + ".damping",
+            "needs `memory: reversals`; elements dissipate by Masing's rules");
+    material.hysteretic = Hysteretic(std::move(curve.backbone));
+    return;
+  }
+  Polyline backbone(curve.backbone);
+  if (scene.has_damping())
+    backbone.narrow(read_share(scene.damping(), curve, backbone, path + ".damping"), path + ".damping");
+  material.reversals = std::move(backbone);
 }
 
 Material read_material(const scene::Material& scene, const scene::Scene& whole, const std::string& path) {
@@ -92,7 +124,7 @@ Material read_material(const scene::Material& scene, const scene::Scene& whole, 
           "stands beside hysteretic, but weak planes are computed in elastic or mohr_coulomb ground only");
   if (scene.has_mohr_coulomb())
     material.mohr_coulomb = read_mohr_coulomb(scene.mohr_coulomb(), path + ".mohr_coulomb");
-  if (scene.has_hysteretic()) material.hysteretic = read_hysteretic(scene.hysteretic(), path + ".hysteretic");
+  if (scene.has_hysteretic()) read_hysteretic(scene.hysteretic(), path + ".hysteretic", material);
   if (scene.has_weak_plane()) {
     const auto& plane = scene.weak_plane();
     material.weak_plane =
@@ -121,10 +153,6 @@ Ground read_ground(const scene::Scene& scene) {
                                              fmt::format("continuum.materials[{}].material", i)));
   require(!ground.large_strain || !ground.plane_stress, "continuum.large_strain",
           "is computed in plane strain only; write `plane: plane_strain`, or leave large_strain out");
-  require(!ground.large_strain || (!scene.has_interface() && scene.interfaces_size() == 0),
-          "continuum.large_strain",
-          "moves the grid away from the places where an interface joins it to another model; leave one of "
-          "the two out");
   return ground;
 }
 

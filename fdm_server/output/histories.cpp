@@ -82,7 +82,7 @@ Histories::Histories(const scene::Continuum& scene, const Supports& supports, co
       throw protocol::UserError(path + ".quantity",
                                 fmt::format("is {}, which only particles have; ask particles.histories",
                                             protocol::name_of(history.quantity())));
-    Probe& probe = probes_.emplace_back(history.quantity());
+    Probe& probe = probes_.emplace_back(Probe{history.quantity()});
     if (is_of_lining(history.quantity())) {
       probe.lining = resolve_lining_probe(history, supports, grid, path);
       continue;
@@ -133,13 +133,15 @@ double Histories::value(const Probe& probe, const Grid& grid, const Supports& su
     case scene::STRESS_XX:
     case scene::STRESS_YY:
     case scene::STRESS_XY:
-      return sum(zones, [&](std::uint32_t z) { return stress(continuum.zones().stress(z), quantity); });
+      return sum(zones, [&, quantity = quantity](std::uint32_t z) {
+        return stress(continuum.zones().stress(z), quantity);
+      });
     case scene::STRESS_ZZ:
       return sum(zones, [&](std::uint32_t z) { return continuum.zones().field(z, ZoneField::kStressZz); });
     case scene::STRAIN_XX:
     case scene::STRAIN_YY:
     case scene::SHEAR_STRAIN_XY:
-      return sum(zones, [&](std::uint32_t z) {
+      return sum(zones, [&, quantity = quantity](std::uint32_t z) {
         const MeanGradient gradient = mean_gradient(corners(grid, z));
         return strain(mean_strain(gradient, grid.zones[z], continuum.ux(), continuum.uy()), quantity);
       });

@@ -12,6 +12,7 @@
 #include "fdm_server/solver/continuum.hpp"
 #include "protocol/messages/scene.pb.h"
 #include "protocol/participant/history.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::fdm {
 
@@ -31,6 +32,10 @@ class Histories {
   // Values at the step just made, in the scene's order and as scene.proto defines them.
   void read(const Grid& grid, const Supports& supports, const Continuum& continuum,
             const protocol::Step& step, google::protobuf::RepeatedField<double>& values) const;
+
+  void exchange(state::Archive& archive) {
+    for (Probe& probe : probes_) archive("history_velocity", probe.velocity);
+  }
 
  private:
   struct Probe {

@@ -8,6 +8,7 @@
 #include "fdm_server/solver/continuum.hpp"
 #include "fdm_server/zones/shape/mean_gradient.hpp"
 #include "protocol/participant/peak_motion.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::fdm {
 
@@ -26,6 +27,12 @@ class Peaks {
   std::span<const double> shear_strain() const { return shear_strain_; }  // largest gamma since time began
   std::span<const double> largest_principal() const { return largest_principal_; }    // [Pa]
   std::span<const double> smallest_principal() const { return smallest_principal_; }  // [Pa]
+
+  void exchange(state::Archive& archive) {
+    motion_.exchange(archive);
+    for (auto* values : {&shear_strain_, &largest_principal_, &smallest_principal_})
+      archive("zone_peaks", std::span(*values));
+  }
 
  private:
   std::size_t points_;

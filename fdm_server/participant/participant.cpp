@@ -179,6 +179,10 @@ void FdmParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
   if (couple.points_size() % 2 != 0 ||
       !std::ranges::all_of(couple.points(), [](double value) { return std::isfinite(value); }))
     throw protocol::RequestError("got coupling points that are no finite pairs x y");
+  if (setup_.ground.large_strain)
+    throw protocol::UserError("continuum.large_strain",
+                              "moves the grid away from the places where an interface joins it to another "
+                              "model; leave one of the two out");
   operator_ = protocol::InterfaceOperator(interpolate(grid_, view(couple.points()), slivers_));
   require_interface_stays();
   continuum_->set_interface(operator_.points());
@@ -362,6 +366,18 @@ void FdmParticipant::draw(wire::Snapshot& snapshot) {
   add_ground(grid_, setup_.ground, continuum_->zones(), weights_, *snapshot.mutable_pieces(0));
   if (peaks_) add_peaks(*peaks_, weights_, *snapshot.mutable_pieces(0));
   add_supports(grid_, *continuum_, supports_, peak_forces_, snapshot);
+}
+
+void FdmParticipant::exchange_solver(state::Archive& archive) {
+  std::uint32_t stage = stage_;
+  archive("stage", stage);
+  if (archive.reads()) excavate(stage);  // builds what stands in this stage
+  continuum_->exchange(archive);
+  peak_forces_.exchange(supports_.linings, archive);
+  histories_->exchange(archive);
+  archive("peaks", peaks_, [this] { return Peaks(grid_); });
+  archive("relaxation", relaxation_, [this] { return Relaxation(grid_, weights_); });
+  archive("steps_done", steps_done_);
 }
 
 void FdmParticipant::finish(wire::Bye& bye) {

@@ -24,6 +24,8 @@
 #include "protocol/participant/interface/interface_operator.hpp"
 #include "protocol/participant/step.hpp"
 #include "protocol/participant/stepped_participant.hpp"
+#include "protocol/release.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::fdm {
 
@@ -34,6 +36,7 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   void set_up(const wire::Setup& setup, wire::Model& model) override;
   void weigh(const wire::Weights& weights, wire::Interface& interface) override;
   void couple(const wire::Couple& couple, wire::Operator& op) override;
+  std::string state_format() const override { return "fdm_server " + std::string(protocol::release()); }
   void finish(wire::Bye& bye) override;
 
  private:
@@ -56,6 +59,7 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   void read_energies(const protocol::Step& step, wire::Energies& energies) override;
   void read_histories(const protocol::Step& step, google::protobuf::RepeatedField<double>& values) override;
   void draw(wire::Snapshot& snapshot) override;
+  void exchange_solver(state::Archive& archive) override;
 
   // Makes the continuum of what the weights leave of the grid, with the columns of its free field.
   void make_continuum();

@@ -106,10 +106,11 @@ void Continuum::set_interface(std::span<const std::uint32_t> points) {
     if (dashpot.field && chosen[dashpot.point]) chosen[dashpot.field->column_point] = true;
   plan(chosen);
   damping_.tie(points);
-  const auto inside = std::ranges::stable_partition(
-      interior_.dashpots, [&](const Dashpot& dashpot) { return !chosen[dashpot.point]; });
-  interface_.dashpots.assign(inside.begin(), inside.end());
-  interior_.dashpots.erase(inside.begin(), inside.end());
+  auto& dashpots = interior_.dashpots;
+  const auto inside = std::stable_partition(dashpots.begin(), dashpots.end(),
+                                            [&](const Dashpot& dashpot) { return !chosen[dashpot.point]; });
+  interface_.dashpots.assign(inside, dashpots.end());
+  dashpots.erase(inside, dashpots.end());
   for (auto& springs : interior_.foundations)
     if (auto taken = springs.take(chosen); !taken.empty()) interface_.foundations.push_back(std::move(taken));
   std::vector<Load> loads;
@@ -346,6 +347,25 @@ void Continuum::start_over() {
 void Continuum::reset_displacements() {
   zones_.start_over();
   for (const Field displacement : {kUx, kUy}) std::ranges::fill(points_[displacement], 0.0);
+}
+
+void Continuum::exchange(state::Archive& archive) {
+  zones_.exchange(archive);
+  structures_.exchange(archive);
+  points_.exchange(archive);
+  damping_.exchange(archive);
+  for (Part* part : {&interface_, &interior_}) {
+    for (Loading& loading : part->loads) archive("load_factor", loading.factor);
+    for (Prescribed& one : part->motions)
+      for (double* value : {&one.mass, &one.before, &one.after, &one.reaction}) archive("prescribed", *value);
+    archive.members("dashpots", std::span(part->dashpots), &Dashpot::settling, &Dashpot::support,
+                    &Dashpot::stress, &Dashpot::given, &Dashpot::drag);
+    for (foundation::Springs& springs : part->foundations) springs.exchange(archive);
+  }
+  archive("boundary_work", boundary_work_);
+  archive("steady", steady_);
+  for (double* value : {&external_work_, &damped_, &last_dt_, &last_kick_}) archive("continuum", *value);
+  archive.all_or_none("ties", {&tie_x_, &tie_y_}, points_.size());
 }
 
 std::vector<bool> Continuum::on_dashpots() const {

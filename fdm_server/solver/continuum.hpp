@@ -30,6 +30,7 @@
 #include "fdm_server/zones/zone_set.hpp"
 #include "protocol/foundation/springs.hpp"
 #include "protocol/participant/step.hpp"
+#include "protocol/state/archive.hpp"
 #include "protocol/threads/team.hpp"
 
 namespace adit::fdm {
@@ -94,6 +95,8 @@ class Continuum {
   // What supports the dashpots of these points from step 0 on holds against this drift beside (dashpots.hpp).
   void settle(protocol::IndexRange points, const protocol::Drift& drift);
   void reset_displacements();
+  // Of a continuum that was excavated alike.
+  void exchange(state::Archive& archive);
 
   // One value a point.
   std::span<const double> ux() const { return points_[kUx]; }  // at the last step [m]

@@ -57,6 +57,8 @@ class Damping {
   double add_others(std::span<const protocol::IndexRange> ranges, const protocol::Step& step,
                     const PointArrays& points, std::span<const double> masses);
 
+  void exchange(state::Archive& archive) { state_.exchange(archive); }
+
  private:
   // Forces of the zones at the last step, of beta at this one, of all damping at the last one [N].
   enum Field { kZonesX, kZonesY, kViscousX, kViscousY, kDampingX, kDampingY, kFields };

@@ -7,6 +7,7 @@
 
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/solver/continuum.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::fdm {
 
@@ -32,6 +33,9 @@ class Relaxation {
   Vector net(const Continuum& continuum, protocol::IndexRange points) const;
   // All velocities became 0.
   void stopped();
+  void exchange(state::Archive& archive) {
+    for (auto* values : {&vx_, &vy_, &fx_, &fy_}) archive("relaxation", std::span(*values));
+  }
 
  private:
   std::vector<double> vx_, vy_;  // a step before

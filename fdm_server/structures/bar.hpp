@@ -34,6 +34,8 @@ class Bar {
   double thrust() const { return spring_.force(); }
   double strain_energy() const { return spring_.strain_energy(); }
 
+  void exchange(state::Archive& archive) { spring_.exchange(archive); }
+
  private:
   std::array<std::uint32_t, 2> points_;
   Chord chord_;

@@ -32,6 +32,7 @@
 
 #include "fdm_server/structures/section.hpp"
 #include "fdm_server/zones/kernel/zone_runs.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::fdm {
 // What the kernels read and add to, one value a rotation.
@@ -69,6 +70,10 @@ class Beam {
 
   BeamForces forces() const;
   double strain_energy() const;
+
+  void exchange(state::Archive& archive) {
+    for (double* force : {&n_, &b_, &s_}) archive("beam", *force);
+  }
 
  private:
   std::array<std::uint32_t, 2> points_, rotations_;

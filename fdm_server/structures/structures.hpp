@@ -23,6 +23,7 @@
 #include "fdm_server/structures/beam.hpp"
 #include "fdm_server/structures/yielding_spring.hpp"
 #include "protocol/participant/step.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::fdm {
 
@@ -67,6 +68,14 @@ class Structures {
   void move_and_predict(const Part& part, const protocol::Step& step);
   void stop();        // rates become 0
   void start_over();  // and rotations, and what was dissipated
+
+  void exchange(state::Archive& archive) {
+    for (Beam& beam : beams_) beam.exchange(archive);
+    for (Bar& bar : bars_) bar.exchange(archive);
+    for (Joint& joint : joints_) joint.spring.exchange(archive);
+    for (auto* values : {&angle_, &rate_, &rate_before_, &couple_}) archive("rotations", std::span(*values));
+    archive("structures_dissipated", dissipated_);
+  }
 
   // Twice the kinetic energy of the rotations at the last step, in the form of the leap-frog scheme [J].
   double twice_kinetic_energy(const protocol::Step& step) const;

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+#include "protocol/state/archive.hpp"
+
 namespace adit::fdm {
 
 class YieldingSpring {
@@ -24,6 +26,8 @@ class YieldingSpring {
   double force() const { return force_; }
   double stiffness() const { return stiffness_; }
   double strain_energy() const { return force_ * force_ / stiffness_ / 2; }
+
+  void exchange(state::Archive& archive) { archive("yielding_spring", force_); }
 
  private:
   double stiffness_, yield_, force_ = 0;

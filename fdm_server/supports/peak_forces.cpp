@@ -5,12 +5,15 @@
 
 namespace adit::fdm {
 
+std::size_t PeakForces::nodes_of(std::span<const Lining> linings) {
+  std::size_t nodes = 0;
+  for (const Lining& lining : linings) nodes += lining.path.points.size();
+  return nodes;
+}
+
 void PeakForces::take(std::span<const Lining> linings, const Structures& structures) {
-  if (values_[0].empty()) {
-    std::size_t nodes = 0;
-    for (const Lining& lining : linings) nodes += lining.path.points.size();
-    for (auto& column : values_) column.resize(nodes, 0.0);
-  }
+  if (values_[0].empty())
+    for (auto& column : values_) column.resize(nodes_of(linings), 0.0);
   std::size_t row = 0;
   for (const Lining& lining : linings)
     for (std::size_t node = 0; node < lining.path.points.size(); ++node, ++row) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fdm_server/supports/lining.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::fdm {
 
@@ -16,7 +17,13 @@ class PeakForces {
   // One value a node, lining after lining: thrust [N], moment [N m], shear [N]; empty before the first step.
   const std::array<std::vector<double>, 3>& values() const { return values_; }
 
+  void exchange(std::span<const Lining> linings, state::Archive& archive) {
+    archive.all_or_none("lining_peaks", {&values_[0], &values_[1], &values_[2]}, nodes_of(linings));
+  }
+
  private:
+  static std::size_t nodes_of(std::span<const Lining> linings);
+
   std::array<std::vector<double>, 3> values_;
 };
 

@@ -30,6 +30,9 @@ class ZoneSet {
   void set_stress_zz(std::size_t zone, double zz);
   void remove(const std::vector<bool>& gone);
   void start_over();
+  void exchange(state::Archive& archive) {
+    for (Part& part : parts_) part.kernel->exchange(archive);
+  }
   double strain_energy() const;
   double dissipated() const;
   Stress stress(std::size_t zone) const;

@@ -19,6 +19,7 @@
 
 #include "protocol/foundation/ground_course.hpp"
 #include "protocol/participant/step.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::foundation {
 
@@ -58,6 +59,12 @@ class Springs {
   double work() const { return work_; }              // of the ground since the start [J]
   double dissipated() const { return dissipated_; }  // likewise
   void start_over() { work_ = dissipated_ = 0; }
+  void exchange(state::Archive& archive) {
+    archive.members("foundation_points", std::span(points_), &Point::elongation, &Point::slider,
+                    &Point::force);
+    archive("foundation_work", work_);
+    archive("foundation_dissipated", dissipated_);
+  }
 
  private:
   struct Point {

@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "protocol/errors.hpp"
-#include "protocol/memory.hpp"
+#include "protocol/machine/memory.hpp"
 #include "protocol/scene/fields/check_rules.hpp"
+#include "protocol/wire/bounds.hpp"
+#include "protocol/wire/content/finite.hpp"
 
 namespace adit::protocol {
 namespace {
@@ -29,11 +32,20 @@ Message& cleared(Message* message) {
   return *message;
 }
 
+// Participants look at their own velocities; energies are sums over all that they hold.
+void require_finite_energies(const wire::Frame& reply) {
+  if (!reply.predicted().has_energies()) return;
+  if (const auto wrong = first_not_finite(reply))
+    throw Unstable(
+        fmt::format("step {}: {}; choose a smaller time.dt_factor", reply.predicted().step(), *wrong));
+}
+
 }  // namespace
 
 void Conversation::answer(const wire::Frame& request, wire::Frame& reply) {
   complete();
   if (failure_) std::rethrow_exception(failure_);
+  if (const auto wrong = first_not_finite(request)) throw RequestError("a number must be finite: " + *wrong);
   const bool ready = stage_ == Stage::kWeighed || stage_ == Stage::kRunning;
   switch (request.content_case()) {
     case wire::Frame::kSetup:
@@ -41,6 +53,9 @@ void Conversation::answer(const wire::Frame& request, wire::Frame& reply) {
       cpu_start_ = std::clock();
       check_rules(request.setup().scene());
       participant_.set_up(request.setup(), cleared(reply.mutable_model()));
+      reply.mutable_model()->set_state_format(participant_.state_format());
+      samples_ = static_cast<std::uint64_t>(reply.model().sample_points_size()) / 2;
+      numbers_ = samples_;
       stage_ = Stage::kSetUp;
       break;
     case wire::Frame::kWeights:
@@ -52,16 +67,27 @@ void Conversation::answer(const wire::Frame& request, wire::Frame& reply) {
     case wire::Frame::kCouple:
       require(stage_ == Stage::kWeighed, request);
       participant_.couple(request.couple(), cleared(reply.mutable_operator_()));
+      numbers_ = static_cast<std::uint64_t>(request.couple().points_size());
       stage_ = Stage::kRunning;
       break;
     case wire::Frame::kAdvance:
       require(ready && in_order(request.advance()), request);
       advance(request.advance(), cleared(reply.mutable_predicted()));
+      require_finite_energies(reply);
       stage_ = Stage::kRunning;
       break;
     case wire::Frame::kSnapshotRequest:
       require(ready, request);
       participant_.snapshot(request.snapshot_request(), cleared(reply.mutable_snapshot()));
+      break;
+    case wire::Frame::kSave:
+      require(ready && !participant_.state_format().empty(), request);
+      save(request.save(), cleared(reply.mutable_state()));
+      break;
+    case wire::Frame::kRestore:
+      require(ready && next_step_ == 0 && !participant_.state_format().empty(), request);
+      reply.mutable_restored();
+      restore(request.restore());
       break;
     case wire::Frame::kFinish:
       require(stage_ == Stage::kSetUp || ready, request);
@@ -72,6 +98,11 @@ void Conversation::answer(const wire::Frame& request, wire::Frame& reply) {
     default:
       require(false, request);
   }
+}
+
+std::uint64_t Conversation::longest_request() const {
+  if (stage_ == Stage::kConnected) return kMaxSetupBytes;
+  return std::max(kMaxRunBytes, numbers_ * sizeof(double) + kMaxHelloBytes);
 }
 
 bool Conversation::in_order(const wire::Advance& request) const {
@@ -88,6 +119,29 @@ void Conversation::advance(const wire::Advance& request, wire::Predicted& predic
   next_step_ = request.step() + 1;
   relaxing_ = request.relax();
   step_open_ = true;
+}
+
+void Conversation::save(const wire::Save& request, wire::State& state) {
+  if (request.offset() == 0) {
+    state::Archive archive;
+    exchange(archive);
+    parts_.hold(archive.take());
+  }
+  parts_.give(request.offset(), state);
+}
+
+void Conversation::restore(const wire::Restore& request) {
+  if (!parts_.receive(request, most_state_bytes(samples_))) return;
+  state::Archive archive(parts_.take());
+  exchange(archive);
+  archive.require_end();
+  stage_ = Stage::kRunning;
+}
+
+void Conversation::exchange(state::Archive& archive) {
+  archive("next_step", next_step_);
+  archive("relaxing", relaxing_);
+  participant_.exchange(archive);
 }
 
 void Conversation::complete() {

@@ -14,8 +14,10 @@
 #include <exception>
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "protocol/messages/wire.pb.h"
+#include "protocol/participant/state_transfer.hpp"
 
 namespace adit::protocol {
 
@@ -29,6 +31,11 @@ class Participant {
   // The rest of the step answered last, before any other request. It reports in the next answer.
   virtual void complete() {}
   virtual void snapshot(const wire::SnapshotRequest& request, wire::Snapshot& snapshot) = 0;
+  // Names the states that exchange() writes and reads, as in "dem_server 1.2.0"; empty: there are none.
+  virtual std::string state_format() const { return {}; }
+  // What changes from step to step: of a participant that was set up alike, coupled, and made no step where
+  // it reads.
+  virtual void exchange(state::Archive& /*archive*/) {}
   virtual void finish(wire::Bye& bye) = 0;
 };
 
@@ -38,6 +45,7 @@ using ParticipantFactory = std::function<std::unique_ptr<Participant>()>;
 //
 //   setup, weights, [couple], then any number of advance (steps 0, 1, 2 ...) and snapshot; where the first
 //   steps relax, they are numbered from 0, and those that follow from 0 again
+//   restore, in parts, before the first step; save, in parts, after any
 //   finish at any time after setup
 class Conversation {
  public:
@@ -54,21 +62,36 @@ class Conversation {
 
   bool finished() const { return stage_ == Stage::kFinished; }
 
+  bool began() const { return stage_ != Stage::kConnected; }
+
+  // Models are still being built, this one or others, which may take hours.
+  bool builds() const { return stage_ < Stage::kRunning; }
+
+  // The longest message [bytes] that the next request may be: what its kind, and the sizes told so far,
+  // allow.
+  std::uint64_t longest_request() const;
+
  private:
   enum class Stage { kConnected, kSetUp, kWeighed, kRunning, kFinished };
 
   void require(bool in_order, const wire::Frame& request) const;
   bool in_order(const wire::Advance& request) const;
+  void save(const wire::Save& request, wire::State& state);
+  void restore(const wire::Restore& request);
+  void exchange(state::Archive& archive);
   void advance(const wire::Advance& request, wire::Predicted& predicted);
 
   Participant& participant_;
   Stage stage_ = Stage::kConnected;
+  std::uint64_t samples_ = 0;  // points of the model
+  std::uint64_t numbers_ = 0;  // that a request may bring: weights, then impulses
   std::uint64_t next_step_ = 0;
   bool relaxing_ = false;       // the last step did
   bool step_open_ = false;      // answered, but not completed
   std::clock_t cpu_start_ = 0;  // at set-up
   double hidden_seconds_ = 0;   // in complete() since the last step was answered
   std::exception_ptr failure_;  // of complete()
+  StateParts parts_;            // of the state that is being saved or restored
 };
 
 }  // namespace adit::protocol

@@ -10,6 +10,7 @@
 
 #include "protocol/messages/wire.pb.h"
 #include "protocol/participant/step.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::protocol {
 
@@ -46,6 +47,11 @@ class PeakMotion {
       raise(velocity_[i], before_x_[i], before_y_[i]);
       raise(acceleration_[i], rate * (velocity.x[i] - before_x_[i]), rate * (velocity.y[i] - before_y_[i]));
     }
+  }
+
+  void exchange(state::Archive& archive) {
+    for (auto* values : {&before_x_, &before_y_, &displacement_, &velocity_, &acceleration_})
+      archive("peak_motion", std::span(*values));
   }
 
   std::span<const double> displacement() const { return displacement_; }  // [m]

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "protocol/errors.hpp"
 #include "protocol/messages/spans.hpp"
 
@@ -49,6 +47,14 @@ void SteppedParticipant::snapshot(const wire::SnapshotRequest& request, wire::Sn
   draw(snapshot);
 }
 
+void SteppedParticipant::exchange(state::Archive& archive) {
+  archive("last_step", last_.number);
+  for (double* value : {&last_.dt, &last_.local_damping}) archive("last_step", *value);
+  for (bool* flag : {&last_.relax, &last_.stop, &started_, &corrected_, &peaks_due_, &interior_left_})
+    archive("flag", *flag);
+  exchange_solver(archive);
+}
+
 void SteppedParticipant::relax(const wire::Advance& request, wire::Relaxation& answer) {
   measure_unrest(started_ ? last_ : Step{0, request.dt()}, answer);
   if (request.stop()) stop();
@@ -80,9 +86,8 @@ void SteppedParticipant::correct_last_step(const google::protobuf::RepeatedField
 // Statics and time may have different steps, and either begins with step 0.
 void SteppedParticipant::check(const wire::Advance& request) const {
   const double dt = request.dt();
-  if (!(dt > 0) || !std::isfinite(dt))
-    throw RequestError(
-        fmt::format("step {}: dt is {} s; send a positive, finite number", request.step(), dt));
+  if (!(dt > 0))
+    throw RequestError(fmt::format("step {}: dt is {} s; send a positive number", request.step(), dt));
   if (request.step() > 0 && dt != last_.dt && !request.stop())
     throw RequestError(fmt::format("step {}: dt is {} s, but it was {} s in the step before; keep it",
                                    request.step(), dt, last_.dt));

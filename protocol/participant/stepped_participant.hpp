@@ -31,6 +31,7 @@ class SteppedParticipant : public Participant {
   void advance(const wire::Advance& request, wire::Predicted& predicted) final;
   void complete() final;
   void snapshot(const wire::SnapshotRequest& request, wire::Snapshot& snapshot) final;
+  void exchange(state::Archive& archive) final;
 
  private:
   // 0 where the participant is alone.
@@ -69,6 +70,9 @@ class SteppedParticipant : public Participant {
   virtual void read_energies(const Step& step, wire::Energies& energies) = 0;
   virtual void read_histories(const Step& step, google::protobuf::RepeatedField<double>& values) = 0;
   virtual void read_events(wire::Predicted& /*predicted*/) {}
+
+  // The solver's share of the state (participant.hpp).
+  virtual void exchange_solver(state::Archive& /*archive*/) {}
 
   // The state reached, corrected, with the peaks so far.
   virtual void draw(wire::Snapshot& snapshot) = 0;

@@ -1,10 +1,8 @@
 #include "protocol/results/csv.hpp"
 
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
 namespace adit::results {
@@ -19,12 +17,9 @@ void append_number(std::string& line, T value) {
 
 }  // namespace
 
-CsvFile::CsvFile(std::filesystem::path path, std::span<const std::string> columns)
-    : path_(std::move(path)), file_(path_, std::ios::binary | std::ios::trunc), columns_(columns.size()) {
-  if (!file_) {
-    throw std::runtime_error("cannot write " + path_.string() + ": " +
-                             std::generic_category().message(errno));
-  }
+CsvFile::CsvFile(std::filesystem::path path, std::span<const std::string> columns, GrowingFile::Begin begin)
+    : file_(std::move(path), begin), columns_(columns.size()) {
+  if (begin == GrowingFile::Begin::kGoOn) return;  // it has its header
   for (const std::string& column : columns) cell(std::string_view(column));
   end_row();
 }
@@ -66,16 +61,11 @@ CsvFile& CsvFile::cell(std::string_view text) {
 void CsvFile::end_row() {
   // A row with a missing cell would shift all later columns without anyone noticing.
   if (cells_ != columns_) {
-    throw std::logic_error(path_.string() + ": a row of " + std::to_string(cells_) + " cells under " +
+    throw std::logic_error(file_.path().string() + ": a row of " + std::to_string(cells_) + " cells under " +
                            std::to_string(columns_) + " columns");
   }
   line_ += '\n';
-  file_.write(line_.data(), static_cast<std::streamsize>(line_.size()));
-  file_.flush();
-  if (!file_) {
-    throw std::runtime_error("cannot write " + path_.string() + ": " +
-                             std::generic_category().message(errno));
-  }
+  file_.append(line_);
   line_.clear();
   cells_ = 0;
 }

@@ -3,23 +3,28 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "protocol/messages/wire.pb.h"
+#include "protocol/results/disk/growing_file.hpp"
 
 namespace adit::results {
 
-// Every finished row is handed to the system in one write, so that a killed run keeps all rows so far.
-// Numbers are the shortest decimals that read back to the same bits; text is quoted if CSV needs it.
-// Throws std::runtime_error if the file cannot be written, and std::logic_error if a row is not as long as
-// the header.
+// Every finished row is handed to the system as a whole, so that a killed run keeps all rows so far and never
+// half a row. Numbers are the shortest decimals that read back to the same bits; text is quoted if CSV needs
+// it. Throws as disk/write_error.hpp says if the file cannot be written, and std::logic_error if a row is not
+// as long as the header.
 class CsvFile {
  public:
-  CsvFile(std::filesystem::path path, std::span<const std::string> columns);
+  CsvFile(std::filesystem::path path, std::span<const std::string> columns,
+          GrowingFile::Begin begin = GrowingFile::Begin::kAnew);
+  // Goes on with a file of so many columns.
+  CsvFile(std::filesystem::path path, std::size_t columns)
+      : file_(std::move(path), GrowingFile::Begin::kGoOn), columns_(columns) {}
 
   // A whole row of numbers.
   void row(std::span<const double> values);
@@ -30,11 +35,13 @@ class CsvFile {
   CsvFile& cell(std::string_view text);
   void end_row();
 
+  std::size_t columns() const { return columns_; }
+  void exchange(state::Archive& archive) { file_.exchange(archive); }
+
  private:
   void next_cell();
 
-  std::filesystem::path path_;
-  std::ofstream file_;
+  GrowingFile file_;
   std::size_t columns_;
   std::size_t cells_ = 0;  // number of cells in the unfinished row
   std::string line_;       // the unfinished row

@@ -15,6 +15,8 @@ class Summary {
   // bytes that are not UTF-8 are replaced. Throws std::logic_error if the name is set already.
   void set(const std::string& name, nlohmann::ordered_json value);
 
+  bool has(const std::string& name) const { return values_.contains(name); }
+
   // Adds where the results come from: the revision only where it is known.
   void set_origin(const protocol::Origin& origin);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstdio>
+#include <functional>
 #include <map>
 #include <set>
 #include <span>
@@ -12,6 +13,7 @@
 #include <utility>
 
 #include "protocol/results/atomic_file.hpp"
+#include "protocol/results/disk/growing_file.hpp"
 #include "protocol/text.hpp"
 
 namespace adit::results {
@@ -34,7 +36,7 @@ constexpr Format kQuads{4, "UnstructuredGrid", "Cells", "NumberOfCells", ".vtu"}
 constexpr std::uint8_t kVtkQuad = 9;
 
 [[noreturn]] void refuse(const wire::Piece& piece, const std::string& reason) {
-  throw std::runtime_error("piece \"" + piece.name() + "\": " + reason);
+  throw std::runtime_error("piece " + protocol::quote(piece.name()) + ": " + reason);
 }
 
 const Format& format_of(const wire::Piece& piece) {
@@ -50,19 +52,14 @@ const Format& format_of(const wire::Piece& piece) {
   }
 }
 
-// Names become file names and XML attributes, so they may not leave the folder or the attribute.
-bool is_name(std::string_view text) {
-  const auto allowed = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-  };
-  return !text.empty() && text.size() <= 64 && std::all_of(text.begin(), text.end(), allowed);
-}
+constexpr std::size_t kLongestName = 200;  // the name of a file has room for 255
 
 void check_fields(const wire::Piece& piece, const google::protobuf::RepeatedPtrField<wire::Field>& fields,
                   std::size_t count, const std::string& owners) {
   std::set<std::string_view> names;
   for (const wire::Field& field : fields) {
-    if (!is_name(field.name())) refuse(piece, "a field's name is not 1 to 64 letters, digits, _ or -");
+    if (!is_name(field.name(), kLongestName))
+      refuse(piece, "a field's name is not of letters, digits, _ and -, or too long");
     if (!names.insert(field.name()).second) refuse(piece, "two fields are named " + field.name());
     const std::size_t values = field.values_size();
     if (field.components() == 0 || values != field.components() * count) {
@@ -74,8 +71,8 @@ void check_fields(const wire::Piece& piece, const google::protobuf::RepeatedPtrF
 }
 
 void check(const wire::Piece& piece, const Format& format) {
-  if (!is_name(piece.name())) {
-    throw std::runtime_error("a piece's name is not 1 to 64 letters, digits, _ or -");
+  if (!is_name(piece.name(), kLongestName)) {
+    throw std::runtime_error("a piece's name is not of letters, digits, _ and -, or too long");
   }
   if (piece.points_size() % 2 != 0) refuse(piece, "its points are not pairs of x and y");
   const std::size_t points = piece.points_size() / 2;
@@ -94,16 +91,40 @@ void check(const wire::Piece& piece, const Format& format) {
   check_fields(piece, piece.cell_fields(), corners / format.points_per_cell, "cells");
 }
 
-void append_base64(std::string& out, std::span<const std::byte> bytes) {
+// A document on its way: it is handed on in pieces, because that of a large model would fill the memory.
+class Document {
+ public:
+  using Sink = std::function<void(std::string_view)>;
+  explicit Document(const Sink& sink) : sink_(sink) {}
+
+  Document& operator<<(std::string_view text) {
+    waiting_ += text;
+    if (waiting_.size() >= kGathered) end();
+    return *this;
+  }
+  void end() {
+    sink_(waiting_);
+    waiting_.clear();
+  }
+
+ private:
+  static constexpr std::size_t kGathered = std::size_t{1} << 20;
+  const Sink& sink_;
+  std::string waiting_;
+};
+
+void append_base64(Document& out, std::span<const std::byte> bytes) {
   constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  out.reserve(out.size() + (bytes.size() + 2) / 3 * 4);
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     const std::size_t used = std::min<std::size_t>(3, bytes.size() - i);
     std::uint32_t group = 0;
     for (std::size_t k = 0; k < used; ++k)
       group |= std::to_integer<std::uint32_t>(bytes[i + k]) << (16 - 8 * k);
-    for (std::size_t k = 0; k < 4; ++k) out += k <= used ? digits[(group >> (18 - 6 * k)) & 63] : '=';
+    for (std::size_t k = 0; k < 4; ++k) text += k <= used ? digits[(group >> (18 - 6 * k)) & 63] : '=';
   }
+  out << text;
 }
 
 template <class T>
@@ -115,56 +136,63 @@ constexpr std::string_view kVtkType<std::int64_t> = "Int64";
 template <>
 constexpr std::string_view kVtkType<std::uint8_t> = "UInt8";
 
-// One <DataArray>: the length in bytes and the values, in one base64 stream.
-template <class T>
-void append_array(std::string& out, std::string_view name, std::size_t components,
-                  const std::vector<T>& values) {
-  const std::span<const std::byte> data = std::as_bytes(std::span(values));
-  const std::array<std::uint64_t, 1> length{data.size()};
-  const auto header = std::as_bytes(std::span(length));
-  std::vector<std::byte> stream(header.begin(), header.end());
-  stream.insert(stream.end(), data.begin(), data.end());
-
-  out.append("<DataArray type=\"").append(kVtkType<T>).append("\" Name=\"").append(name);
-  out.append("\" NumberOfComponents=\"").append(std::to_string(components)).append("\" format=\"binary\">");
-  append_base64(out, stream);
-  out += "</DataArray>\n";
+// One <DataArray>: the length in bytes and the values, value(0) to value(count - 1), in one base64 stream.
+template <class T, class Value>
+void append_array(Document& out, std::string_view name, std::size_t components, std::size_t count,
+                  const Value& value) {
+  out << "<DataArray type=\"" << kVtkType<T> << "\" Name=\"" << name << "\" NumberOfComponents=\""
+      << std::to_string(components) << "\" format=\"binary\">";
+  constexpr std::size_t kBlock = 3 * 4096;  // bytes: groups of three
+  std::vector<std::byte> waiting;
+  waiting.reserve(kBlock + sizeof(std::uint64_t));
+  const auto add = [&waiting](const auto& number) {
+    const auto bytes = std::as_bytes(std::span(&number, 1));
+    waiting.insert(waiting.end(), bytes.begin(), bytes.end());
+  };
+  add(static_cast<std::uint64_t>(count * sizeof(T)));
+  for (std::size_t i = 0; i < count; ++i) {
+    add(static_cast<T>(value(i)));
+    if (waiting.size() < kBlock) continue;
+    append_base64(out, std::span(waiting).first(kBlock));
+    waiting.erase(waiting.begin(), waiting.begin() + kBlock);
+  }
+  append_base64(out, waiting);
+  out << "</DataArray>\n";
 }
 
-std::vector<double> in_space(const google::protobuf::RepeatedField<double>& pairs) {
-  std::vector<double> triples;
-  triples.reserve(static_cast<std::size_t>(pairs.size()) / 2 * 3);
-  for (int i = 0; i + 1 < pairs.size(); i += 2) triples.insert(triples.end(), {pairs[i], pairs[i + 1], 0.0});
-  return triples;
+// Pairs of numbers as points in space.
+void append_in_space(Document& out, std::string_view name,
+                     const google::protobuf::RepeatedField<double>& pairs) {
+  append_array<double>(out, name, 3, static_cast<std::size_t>(pairs.size()) / 2 * 3, [&](std::size_t i) {
+    return i % 3 == 2 ? 0.0 : pairs[static_cast<int>(i / 3 * 2 + i % 3)];
+  });
 }
 
-void append_fields(std::string& out, std::string_view element,
+void append_fields(Document& out, std::string_view element,
                    const google::protobuf::RepeatedPtrField<wire::Field>& fields) {
-  out.append("<").append(element).append(">\n");
+  out << "<" << element << ">\n";
   for (const wire::Field& field : fields) {
-    if (field.components() == 2) {
-      append_array(out, field.name(), 3, in_space(field.values()));
-    } else {
-      append_array(out, field.name(), field.components(),
-                   std::vector<double>(field.values().begin(), field.values().end()));
-    }
+    const auto& values = field.values();
+    if (field.components() == 2)
+      append_in_space(out, field.name(), values);
+    else
+      append_array<double>(out, field.name(), field.components(), static_cast<std::size_t>(values.size()),
+                           [&](std::size_t i) { return values[static_cast<int>(i)]; });
   }
-  out.append("</").append(element).append(">\n");
+  out << "</" << element << ">\n";
 }
 
-void append_cells(std::string& out, const wire::Piece& piece, const Format& format) {
-  const std::vector<std::int64_t> corners(piece.connectivity().begin(), piece.connectivity().end());
-  std::vector<std::int64_t> ends(corners.size() / format.points_per_cell);
-  for (std::size_t cell = 0; cell < ends.size(); ++cell) {
-    ends[cell] = static_cast<std::int64_t>((cell + 1) * format.points_per_cell);
-  }
-  out.append("<").append(format.cells).append(">\n");
-  append_array(out, "connectivity", 1, corners);
-  append_array(out, "offsets", 1, ends);
-  if (piece.shape() == wire::Piece::QUADS) {
-    append_array(out, "types", 1, std::vector<std::uint8_t>(ends.size(), kVtkQuad));
-  }
-  out.append("</").append(format.cells).append(">\n");
+void append_cells(Document& out, const wire::Piece& piece, const Format& format) {
+  const auto corners = static_cast<std::size_t>(piece.connectivity_size());
+  const std::size_t cells = corners / format.points_per_cell;
+  out << "<" << format.cells << ">\n";
+  append_array<std::int64_t>(out, "connectivity", 1, corners,
+                             [&](std::size_t i) { return piece.connectivity(static_cast<int>(i)); });
+  append_array<std::int64_t>(out, "offsets", 1, cells,
+                             [&](std::size_t cell) { return (cell + 1) * format.points_per_cell; });
+  if (piece.shape() == wire::Piece::QUADS)
+    append_array<std::uint8_t>(out, "types", 1, cells, [](std::size_t) { return kVtkQuad; });
+  out << "</" << format.cells << ">\n";
 }
 
 std::string document_start(std::string_view type) {
@@ -177,30 +205,53 @@ std::string document_end(std::string_view type) {
   return "</" + std::string(type) + ">\n</VTKFile>\n";
 }
 
-}  // namespace
-
-std::string vtk_document(const wire::Piece& piece) {
+void write_document(const wire::Piece& piece, const Document::Sink& sink) {
   // What follows relies on the sizes, so they are checked first.
   const Format& format = format_of(piece);
   check(piece, format);
-  const std::size_t cells = piece.connectivity_size() / format.points_per_cell;
-
-  std::string out = document_start(format.dataset);
-  out.append("<Piece NumberOfPoints=\"").append(std::to_string(piece.points_size() / 2)).append("\" ");
-  out.append(format.cell_count).append("=\"").append(std::to_string(cells)).append("\">\n");
+  const std::size_t cells = static_cast<std::size_t>(piece.connectivity_size()) / format.points_per_cell;
+  Document out(sink);
+  out << document_start(format.dataset) << "<Piece NumberOfPoints=\""
+      << std::to_string(piece.points_size() / 2) << "\" " << format.cell_count << "=\""
+      << std::to_string(cells) << "\">\n";
   append_fields(out, "PointData", piece.point_fields());
   append_fields(out, "CellData", piece.cell_fields());
-  out += "<Points>\n";
-  append_array(out, "points", 3, in_space(piece.points()));
-  out += "</Points>\n";
+  out << "<Points>\n";
+  append_in_space(out, "points", piece.points());
+  out << "</Points>\n";
   append_cells(out, piece, format);
-  out += "</Piece>\n";
-  out += document_end(format.dataset);
-  return out;
+  out << "</Piece>\n" << document_end(format.dataset);
+  out.end();
+}
+
+}  // namespace
+
+bool is_name(std::string_view text, std::size_t longest) {
+  const auto allowed = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
+  return !text.empty() && text.size() <= longest && std::ranges::all_of(text, allowed);
+}
+
+std::optional<std::string> wrong_with(const wire::Piece& piece) {
+  try {
+    check(piece, format_of(piece));
+    return std::nullopt;
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
+std::string vtk_document(const wire::Piece& piece) {
+  std::string document;
+  write_document(piece, [&document](std::string_view text) { document += text; });
+  return document;
 }
 
 void write_piece(const std::filesystem::path& path, const wire::Piece& piece) {
-  replace_file(path, vtk_document(piece));
+  replace_file(path, [&piece](GrowingFile& file) {
+    write_document(piece, [&file](std::string_view text) { file.append(text); });
+  });
 }
 
 Collection::Collection(std::filesystem::path folder) : folder_(std::move(folder)) {
@@ -228,6 +279,27 @@ void Collection::write() const {
   }
   out += document_end("Collection");
   replace_file(folder_ / "fields.pvd", out);
+}
+
+void Collection::exchange(state::Archive& archive) {
+  std::uint64_t count = entries_.size();
+  archive("fields_count", count);
+  if (archive.reads()) entries_.clear();
+  for (std::uint64_t k = 0; k < count; ++k) {
+    if (archive.reads()) entries_.emplace_back();
+    archive("fields_time", entries_[k].time);
+    archive("fields_piece", entries_[k].piece);
+    archive("fields_file", entries_[k].file);
+  }
+  if (!archive.reads()) return;
+  std::set<std::string> listed{"fields.pvd"};
+  for (const Entry& entry : entries_) listed.insert(entry.file);
+  for (const auto& found : std::filesystem::directory_iterator(folder_))
+    if (!listed.contains(found.path().filename())) std::filesystem::remove_all(found.path());
+  if (entries_.empty())
+    std::filesystem::remove(folder_ / "fields.pvd");
+  else
+    write();
 }
 
 void write_snapshot(std::uint64_t step, double time, const wire::Snapshot& snapshot, Collection& collection) {

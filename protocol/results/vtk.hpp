@@ -4,18 +4,29 @@
 // three components only.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "protocol/messages/wire.pb.h"
+#include "protocol/state/archive.hpp"
 
 namespace adit::results {
 
-// The piece as a file: QUADS as an unstructured grid, VERTICES and LINES as poly data. Pieces come from other
-// programs, so they are checked: wrong sizes, points that do not exist and invalid names throw
-// std::runtime_error, which names the piece. Any value may be NaN.
+// Whether a text may name a file, a column or an XML attribute, and leave neither the folder nor the
+// attribute: letters, digits, `_` and `-`, one at least and at most `longest`.
+bool is_name(std::string_view text, std::size_t longest);
+
+// What is wrong with a piece, which comes from another program: sizes that do not fit, points that do not
+// exist, names that no file and no attribute may have. Any value may be NaN.
+std::optional<std::string> wrong_with(const wire::Piece& piece);
+
+// The piece as a file: QUADS as an unstructured grid, VERTICES and LINES as poly data. Throws
+// std::runtime_error for what is wrong with it.
 std::string vtk_document(const wire::Piece& piece);
 void write_piece(const std::filesystem::path& path, const wire::Piece& piece);
 
@@ -29,6 +40,9 @@ class Collection {
   void add(double time, const std::string& piece, const std::string& file);
   // Rewrites `fields.pvd` as a whole (atomic_file.hpp).
   void write() const;
+  // What is listed enters the state of a run. One that reads lists what was listed then, and removes all
+  // other files.
+  void exchange(state::Archive& archive);
   const std::filesystem::path& folder() const { return folder_; }
 
  private:

@@ -8,6 +8,7 @@
 #include "protocol/scene/fields/path.hpp"
 #include "protocol/scene/fields/rules.hpp"
 #include "protocol/text.hpp"
+#include "protocol/wire/bounds.hpp"
 
 namespace adit::protocol {
 namespace {
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 
-std::string content(const fs::path& path, const std::string& field) {
+std::string content(const fs::path& path, const std::string& field, std::uintmax_t& room) {
   const auto refuse = [&](const std::string& reason) {
     throw UserError(field, quote(path.string()) + ": " + reason);
   };
@@ -28,9 +29,11 @@ std::string content(const fs::path& path, const std::string& field) {
         "to the current folder)");
   if (!fs::is_regular_file(path, error)) refuse("this is not a file");
   // The size is known before a byte is read, so a wrong path cannot fill the memory.
-  if (fs::file_size(path, error) > kLargestAttachedBytes)
-    refuse("the file is larger than " + std::to_string(kLargestAttachedBytes >> 20) +
+  const std::uintmax_t size = fs::file_size(path, error);
+  if (size > room)
+    refuse("with this file those of the scene are larger than " + std::to_string(kMaxAttachedBytes >> 20) +
            " MiB; use a coarser mesh or a shorter record");
+  room -= size;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) refuse("the file cannot be opened; check its permissions");
   return {std::istreambuf_iterator<char>(stream), {}};
@@ -41,14 +44,14 @@ const FieldDescriptor* name_of(const Message& message, const FieldDescriptor* co
 }
 
 void attach_one(const SceneFile& scene, Message& message, const FieldDescriptor* into,
-                const std::string& path) {
+                const std::string& path, std::uintmax_t& room) {
   const auto& reflection = *message.GetReflection();
   const FieldDescriptor* name = name_of(message, into);
   if (!reflection.HasField(message, name)) return;
   const std::string field = member_path(path, name->name());
   const fs::path file = fs::path(scene.folder(field)) / reflection.GetString(message, name);
-  reflection.SetString(&message, into, content(file, field));
-  reflection.SetString(&message, name, fs::absolute(file).lexically_normal().string());
+  reflection.SetString(&message, into, content(file, field, room));
+  reflection.SetString(&message, name, valid_utf8(fs::absolute(file).lexically_normal().string()));
 }
 
 // Calls visit(message, field, path) for every field within the message that holds the content of a file.
@@ -75,9 +78,10 @@ void for_each_content(Message& message, const std::string& path, const Visit& vi
 }  // namespace
 
 void attach_files(SceneFile& file) {
+  std::uintmax_t room = kMaxAttachedBytes;
   for_each_content(file.scene, "",
                    [&](Message& message, const FieldDescriptor* into, const std::string& path) {
-                     attach_one(file, message, into, path);
+                     attach_one(file, message, into, path, room);
                    });
 }
 

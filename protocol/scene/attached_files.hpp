@@ -9,12 +9,10 @@
 
 namespace adit::protocol {
 
-constexpr std::uintmax_t kLargestAttachedBytes = 500 << 20;
-
 // Fills every field that holds the content of a file (rule.proto: content_of). The field beside it names the
 // file, relative to the scene file in which it is written. The name becomes absolute, so that a copy of the
 // scene in another folder means the same file. Throws UserError at the name's place if the file cannot be
-// read.
+// read, or if the files are longer than kMaxAttachedBytes together.
 void attach_files(SceneFile& file);
 
 // Calls visit(path, content) for every attached file.

@@ -1,11 +1,11 @@
 #include "protocol/scene/command_line.hpp"
 
 #include "protocol/errors.hpp"
+#include "protocol/log/log.hpp"
+#include "protocol/log/option.hpp"
 #include "protocol/release.hpp"
 
 namespace adit::protocol {
-namespace {
-
 // Single quotes keep every character; a quote itself stands outside of them.
 std::string quoted_for_shell(const std::string& word) {
   constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";
@@ -15,10 +15,8 @@ std::string quoted_for_shell(const std::string& word) {
   return quoted + "'";
 }
 
-}  // namespace
-
 SceneCommandLine::SceneCommandLine(const std::string& program, const std::string& description)
-    : app(description) {
+    : app(description), program(program) {
   app.set_version_flag("--version", program + " " + std::string(release()));
   app.require_subcommand(1);
   run = app.add_subcommand("run", "computes a scene");
@@ -34,8 +32,10 @@ SceneCommandLine::SceneCommandLine(const std::string& program, const std::string
 
 std::optional<int> SceneCommandLine::parse(int argc, const char* const* argv) {
   for (int i = 0; i < argc; ++i) command += (i > 0 ? " " : "") + quoted_for_shell(argv[i]);
+  for (CLI::App* each : app.get_subcommands({})) add_log_format(*each, log_format);
   try {
     app.parse(argc, argv);
+    if (log_format == "json") log_as_json(program);
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kSuccess : kUserError;

@@ -8,6 +8,9 @@
 
 namespace adit::protocol {
 
+// The word as a shell must read it.
+std::string quoted_for_shell(const std::string& word);
+
 struct SceneCommandLine {
   SceneCommandLine(const std::string& program, const std::string& description);
   // The exit code if the program ends here: after --help or --version, or because of a wrong command line.
@@ -17,6 +20,8 @@ struct SceneCommandLine {
   CLI::App* run;    // run->parsed() tells whether it was asked for; programs may add options to it
   CLI::App* check;  // likewise
 
+  std::string program;
+  std::string log_format = "text";
   std::string command;  // all of it, quoted for a shell
   std::string scene;
   std::vector<std::string> sets;  // path=value

@@ -9,8 +9,12 @@
 
 namespace adit::protocol {
 
-// Reads the scene over its bases, applies the `--set` texts, and does `work` on it. Every way in which this
-// ends early becomes one sentence on standard error. Returns the exit code of the program.
+// Does `work`, whose value is the exit code. Every way in which it ends early becomes one sentence on
+// standard error and an exit code.
+int with_errors_told(const std::function<int()>& work);
+
+// Reads the scene over its bases, applies the `--set` texts, and does `work` on it. Errors are told as above.
+// Returns the exit code of the program.
 int with_scene(const std::string& path, const std::vector<std::string>& sets,
                const std::function<void(const SceneFile&)>& work);
 

@@ -109,30 +109,17 @@ std::string SceneFile::folder(std::string_view field) const {
   return place.line > 0 ? fs::path(*place.source).parent_path().string() : "";
 }
 
-// The results' folder has the scene's name, which therefore must not point to another folder.
-void require_folder_name(const SceneFile& file) {
-  const std::string& name = file.scene.name();
-  const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return std::isalnum(c) || c == '_' || c == '-' || c == '.' || c > 127;
-  });
-  if (!plain || name.empty() || name.front() == '.')
-    throw UserError("",
-                    file.locate("name") + ": name: is " + quote(name) +
-                        ", expected the name of a folder: letters, digits, `_`, `-`, and `.` but not first");
-}
-
 SceneFile read_scene(const std::string& path, std::span<const Override> sets) {
   SceneFile file;
   file.tree = merge_layers(load_layers(path, file.warnings));
   for (const Override& set : sets) apply(set, file.tree, scene::Scene::descriptor());
   read_message(file.tree, "", file.scene);
+  if (file.scene.name().empty()) file.scene.set_name(fs::path(path).stem().string());
   try {
     check_rules(file.scene);
   } catch (const UserError& error) {
     throw UserError("", describe(file, error));
   }
-  if (!file.scene.has_name()) file.scene.set_name(fs::path(path).stem().string());
-  require_folder_name(file);
   return file;
 }
 

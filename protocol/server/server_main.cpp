@@ -1,44 +1,75 @@
-#include <spdlog/sinks/stdout_color_sinks.h>
-#include <spdlog/spdlog.h>
 #include <sys/prctl.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <csignal>
+#include <cstdlib>
 
 #include "protocol/errors.hpp"
+#include "protocol/log/log.hpp"
+#include "protocol/log/option.hpp"
+#include "protocol/machine/refusal.hpp"
 #include "protocol/release.hpp"
 #include "protocol/server/server.hpp"
+#include "protocol/server/server_log.hpp"
+#include "protocol/standard_streams.hpp"
+#include "protocol/threads/most_threads.hpp"
+#include "protocol/trust/secret.hpp"
 #include "protocol/wire/greeting.hpp"
 
 namespace adit::protocol {
 namespace {
 
-constexpr std::size_t kMostThreads = 1024;
-
+// The signals of a terminal or a scheduler, which go to all processes of a run, are the coupler's: it still
+// needs the servers for what it writes at the end, and then ends them by kOwnerSignal.
 void exit_with(pid_t parent) {
-  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (::getppid() != parent) std::raise(SIGTERM);  // the parent ended before prctl took effect
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
+  ::prctl(PR_SET_PDEATHSIG, kOwnerSignal);
+  if (::getppid() != parent) std::raise(kOwnerSignal);  // the parent ended before prctl took effect
+}
+
+// Of a file that the user names, or handed over by the coupler that started this process.
+std::string own_secret(const std::string& file) {
+  if (!file.empty()) return read_secret(file);
+  const char* given = std::getenv(kSecretVariable);
+  return given ? given : "";
 }
 
 }  // namespace
 
-int server_main(int argc, char** argv, std::string_view program, const ParticipantFactory& make_participant,
-                std::size_t* threads) {
+int server_main(int argc, char** argv, std::string_view program, std::vector<std::string> computes,
+                const ParticipantFactory& make_participant, std::size_t* threads, const Patience& patience,
+                bool begins_anew) {
   // The parent is noted before anything else: if it ends meanwhile, exit_with() finds another one in its
   // place.
   const pid_t parent = ::getppid();
-  ServerOptions options{.program = std::string(program)};
+  guard_standard_streams();
+  ServerOptions options;
+  options.program = program;
+  options.computes = std::move(computes);
+  options.patience = patience;
+  options.command.assign(argv, argv + argc);
+  options.begins_anew = begins_anew;
   std::string listen = to_string(options.listen);
-  std::string log_level = "info";
+  std::string secret_file, tls_folder;
+  std::string log_level = "info", log_format = "text";
   bool exit_with_parent = false;
 
   CLI::App app("Takes part in the runs of the Adit coupler, one after another, until SIGINT or SIGTERM.",
                options.program);
-  app.add_option("--listen", listen, "HOST:PORT to listen on; port 0 takes any free one")
+  app.add_option("--listen", listen,
+                 "HOST:PORT to listen on, port 0 takes any free one; or unix:PATH, for this machine")
       ->capture_default_str();
-  app.add_flag("--insecure", options.insecure, "allow a HOST beyond loopback, open to anyone who reaches it");
-  app.add_flag("--exit-with-parent", exit_with_parent, "end when the process that started this one ends");
+  app.add_option("--tls", tls_folder,
+                 "folder of this machine's certificate, as scripts/certificates makes it: clients must have "
+                 "one of the same authority, or know the secret");
+  app.add_flag(
+      "--insecure", options.insecure,
+      "allow a HOST beyond loopback without TLS: anyone on the way can read and change what is sent");
+  app.add_option("--secret-file", secret_file,
+                 "file whose first line clients must know; only its owner may read it");
+  app.add_flag("--exit-with-parent", exit_with_parent,
+               "end by SIGUSR1 or with the process that started this one, not by SIGINT or SIGTERM");
   if (threads)
     app.add_option("--threads", *threads, "threads that share the computing; 0: as many as speed it up")
         ->check(CLI::Range(std::size_t{0}, kMostThreads))
@@ -46,6 +77,8 @@ int server_main(int argc, char** argv, std::string_view program, const Participa
   app.add_option("--log-level", log_level, "least severity of the log on stderr")
       ->check(CLI::IsMember({"debug", "info", "warn", "error", "off"}))
       ->capture_default_str();
+  add_log_format(app, log_format);
+  app.add_option("--adopt", options.adopt)->group("");  // not for the user: begin_anew.hpp
   app.set_version_flag("--version", options.program + " " + std::string(release()));
   try {
     app.parse(argc, argv);
@@ -53,17 +86,28 @@ int server_main(int argc, char** argv, std::string_view program, const Participa
     return app.exit(error) == 0 ? kSuccess : kUserError;
   }
 
-  spdlog::set_default_logger(spdlog::stderr_color_mt(options.program));
-  spdlog::set_level(spdlog::level::from_str(log_level));
-  if (exit_with_parent) exit_with(parent);
+  if (options.adopt >= 0) options.command.resize(options.command.size() - 2);
+  begin_server_log(options.program, log_level, log_format == "json");
+  if (exit_with_parent) {
+    exit_with(parent);
+    options.stop_signals = {kOwnerSignal};
+  }
   try {
     options.listen = parse_address(listen);
+    options.secret = own_secret(secret_file);
+    if (!tls_folder.empty() && !options.listen.path.empty())
+      throw UserError("", listen + " does not leave this machine, and --tls is for others: leave it out");
+    if (!tls_folder.empty()) options.tls.emplace(tls_folder, End::kServer, !options.secret.empty());
     return serve(options, make_participant);
   } catch (const UserError& error) {
-    std::cerr << options.program << ": " << error.what() << '\n';
+    tell(Severity::kError, options.program + ": ", error.what());
     return kUserError;
   } catch (const std::exception& error) {
-    std::cerr << options.program << ": internal error: " << error.what() << '\n';
+    if (const auto refusal = refusal_of(error)) {
+      tell(Severity::kError, options.program + ": ", refusal->message);
+      return refusal->code;
+    }
+    tell(Severity::kError, options.program + ": internal error: ", error.what());
     return kInternalError;
   }
 }

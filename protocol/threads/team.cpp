@@ -1,6 +1,10 @@
 #include "protocol/threads/team.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
+
+#include "protocol/errors.hpp"
 
 namespace adit::protocol {
 namespace {
@@ -31,17 +35,30 @@ void await_change(const std::atomic<std::uint64_t>& value, std::uint64_t old) {
   value.wait(old, std::memory_order_acquire);
 }
 
+void end(std::atomic<std::uint64_t>& calls, std::vector<std::thread>& threads) {
+  calls.fetch_or(kEnd, std::memory_order_release);
+  calls.notify_all();
+  for (auto& thread : threads) thread.join();
+}
+
 }  // namespace
 
 Team::Team(std::size_t threads) {
-  for (std::size_t thread = 1; thread < threads; ++thread)
-    others_.emplace_back([this, thread] { serve(thread); });
+  try {
+    for (std::size_t thread = 1; thread < threads; ++thread)
+      others_.emplace_back([this, thread] { serve(thread); });
+  } catch (const std::exception& error) {
+    const std::size_t begun = others_.size() + 1;
+    end(calls_, others_);
+    throw UserError("", fmt::format("cannot start {} threads, only {} ({}); ask for fewer with --threads (of "
+                                    "the coupler: --fdm-threads, --dem-threads), or raise the limit of this "
+                                    "machine",
+                                    threads, begun, error.what()));
+  }
 }
 
 Team::~Team() {
-  calls_.fetch_or(kEnd, std::memory_order_release);
-  calls_.notify_all();
-  for (auto& other : others_) other.join();
+  end(calls_, others_);
 }
 
 void Team::begin() {

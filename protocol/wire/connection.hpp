@@ -1,4 +1,4 @@
-// One end of a conversation: frames over a TCP socket, with a deadline on every wait.
+// One end of a conversation: frames over a TCP or Unix socket, or TLS on it, with a deadline on every wait.
 //
 // A wait first spins, yielding the core between two looks at the socket, and then sleeps. A wake-up from
 // sleep takes longer than a whole round trip, and short steps avoid it by spinning (connection.cpp: kSpin).
@@ -8,10 +8,11 @@
 
 #include <array>
 #include <atomic>
+#include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -19,19 +20,16 @@
 #include <string_view>
 
 #include "protocol/messages/wire.pb.h"
+#include "protocol/trust/tls.hpp"
+#include "protocol/wire/bounds.hpp"
 #include "protocol/wire/frame.hpp"
 #include "protocol/wire/heartbeat.hpp"
+#include "protocol/wire/parts.hpp"
 
 namespace adit::protocol {
 
-struct Patience {
-  std::chrono::milliseconds silence = std::chrono::seconds(8);  // longest time without a byte from the peer
-  std::chrono::milliseconds answer =
-      std::chrono::minutes(10);  // longest wait for one frame, peer alive or not
-  std::chrono::milliseconds connect = std::chrono::seconds(5);  // for connecting, and for each greeting
-  std::chrono::milliseconds heartbeat =
-      std::chrono::seconds(1);  // longest time in which this end sends nothing
-};
+using Socket = boost::asio::generic::stream_protocol::socket;  // of TCP or of this machine
+enum class Direction { kSent, kReceived };
 
 struct Traffic {
   std::uint64_t bytes_sent = 0;
@@ -44,7 +42,7 @@ struct Traffic {
 class Connection {
  public:
   // Takes over a connected socket; `program` names the program expected at the other end.
-  Connection(boost::asio::ip::tcp::socket&& socket, std::string_view program, const Patience& patience);
+  Connection(Socket&& socket, std::string_view program, const Patience& patience);
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
@@ -52,27 +50,52 @@ class Connection {
   const Patience& patience() const { return patience_; }
   Traffic traffic() const;
 
-  // Sends one frame in one write. Waits for a peer that does not read as long as it shows signs of life.
-  // Throws std::length_error if the frame is longer than the peer accepts.
-  void send(const wire::Frame& frame);
+  // From now on `hear` gets the bytes of every frame, length included, as they go over the connection or into
+  // TLS: before it is sent, after it was received whole; of a message in parts, one after another. Heartbeats
+  // are left out. What it throws, send() and receive() throw.
+  using Hear = std::function<void(Direction, std::span<const std::byte>)>;
+  void overhear(Hear hear) { hear_ = std::move(hear); }
 
-  // Receives the next frame that is not a heartbeat, reusing the memory of `frame`. An error frame is thrown
-  // as an exception (error_frame.hpp).
+  // Sends one message: in parts where it is longer than kMaxPartBytes and the peer reads parts, else as one
+  // frame in one write. A peer that shows signs of life may take as long for all of it as said. Throws
+  // std::length_error if a frame is longer than the peer accepts.
+  void send(const wire::Frame& frame) { send(frame, patience_.answer); }
+  void send(const wire::Frame& frame, std::chrono::milliseconds within);
+
+  // Receives the next message that is not a heartbeat, reusing the memory of `frame`. Its texts are clean
+  // (content/clean_text.hpp). An error frame is thrown as an exception (content/error_frame.hpp). A peer that
+  // sends what is no frame, or sends it too late or too slowly, is told so before PeerLost is thrown.
   void receive(wire::Frame& frame) { receive(frame, patience_.answer); }
   void receive(wire::Frame& frame, std::chrono::milliseconds within);
+
+  // The longest message that is received from now on, all of its parts together.
+  void accept_up_to(std::uint64_t bytes) { decoder_.set_limit(bytes); }
 
   // Says that this end asks and the other answers. The duration of a wait is then predicted from the last
   // ones.
   void expect_answers() { forecasts_ = true; }
 
-  // The parts of the greeting (greeting.hpp): both preambles, then the frame length that hello agreed on.
-  // Heartbeats are sent from establish() on.
+  // Goes on by TLS, as `end` of it; a client says the `name` of the machine that it wants. To be called
+  // before anything else is sent. Throws NoTls, or UserError if one end does not accept the other.
+  void secure(const Tls& tls, End end, const std::string& name = "");
+  // What the peer's certificate says of it; empty without TLS.
+  std::string certificate() const { return tls_ ? tls_->certificate() : ""; }
+
+  // What only the two ends of this TLS connection know; empty without TLS.
+  std::string channel() const { return tls_ ? tls_->channel() : std::string(); }
+
+  // The parts of the greeting (greeting.hpp): both preambles, then what hello agreed on. Heartbeats are sent
+  // from establish() on.
   void send_preamble();
   std::uint32_t receive_preamble();
-  void establish(std::uint64_t peer_accepts_bytes);
+  void establish(const wire::Hello& of_peer);
+
+  // While the owner computes and does not look at the connection, `leave` is called once the peer has closed
+  // it, within the interval of heartbeats and from the heartbeat's thread.
+  void when_gone(std::function<void()> leave);
 
   // Ends the conversation and leaves the peer time to read what was sent last: sends no more, and drops what
-  // arrives until the peer closes too or kFarewell has passed. Never throws.
+  // arrives until the peer closes too or the time for a farewell has passed. Never throws.
   void close();
 
   // Ends all traffic, from any thread; a waiting call then finds the connection closed.
@@ -80,26 +103,35 @@ class Connection {
 
  private:
   using Clock = std::chrono::steady_clock;
-  using Socket = boost::asio::ip::tcp::socket;
   class Watch;
 
   template <class Take>
   void await(Take take_complete, std::chrono::milliseconds within);
-  bool take(wire::Frame& frame);
   Clock::duration expected_wait() const;
+  bool take(wire::Frame& frame);
+  void send_frame(const wire::Frame& frame, bool goes_on, Watch& watch);
   bool read_some();
-  void write(std::span<const std::byte> bytes);
+  std::size_t write_some(std::span<const std::byte> bytes, boost::system::error_code& error);
+  void write(std::span<const std::byte> bytes, Watch& watch);
+  void tell(const std::string& fault);
+  bool peer_closed();
   void sleep(Clock::time_point until, bool readable, bool writable);
   [[noreturn]] void throw_closed(const boost::system::error_code& error);
+  void tell_listener(Direction direction, std::span<const std::byte> frame);
   void beat();
 
   std::string peer_;
   Patience patience_;
   boost::asio::io_context io_{1};
   Socket socket_{io_};
+  std::optional<TlsStream> tls_;
   FrameDecoder decoder_;
+  Assembly assembly_;
+  std::uint64_t parts_taken_ = 0;
+  Hear hear_;
   std::uint64_t bytes_received_ = 0;
   Clock::duration waited_{};
+  bool awaits_preamble_ = false;  // what has arrived is a part of it, and no frame
   bool forecasts_ = false;
   std::array<Clock::duration, 4> last_waits_{};
   std::size_t waits_ = 0;
@@ -108,9 +140,13 @@ class Connection {
   std::mutex sending_;  // the frames of the owner and the heartbeats go out one after another
   FrameEncoder encoder_;
   std::uint64_t send_limit_ = kMaxHelloBytes;
+  bool sends_parts_ = false;
+  std::string peer_release_;                      // as in "dem_server 0.4.0"
   std::span<const std::byte> rest_of_heartbeat_;  // bytes that the socket did not take yet
   std::atomic<std::uint64_t> bytes_sent_ = 0;
   std::uint64_t bytes_sent_at_last_beat_ = 0;
+  std::function<void()> leave_;
+  bool was_closed_ = false;  // by the peer, at the last beat
   std::optional<Heartbeat>
       heartbeat_;  // the last member, so that its thread ends before the others are destroyed
 };

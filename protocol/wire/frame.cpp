@@ -6,11 +6,17 @@
 #include <algorithm>
 #include <boost/endian/conversion.hpp>
 #include <cstring>
+#include <string>
+#include <string_view>
+
+#include "protocol/wire/content/parsed_size.hpp"
 
 namespace adit::protocol {
 namespace {
 
 constexpr std::size_t kLengthBytes = 4;
+constexpr std::uint32_t kGoesOn = 1u << 31;  // beside the length
+static_assert(kMaxFrameBytes < kGoesOn);
 constexpr char kMagic[] = {'A', 'D', 'I', 'T'};
 
 std::uint32_t load(const std::byte* bytes) {
@@ -19,6 +25,14 @@ std::uint32_t load(const std::byte* bytes) {
 
 void store(std::byte* bytes, std::uint32_t value) {
   boost::endian::store_little_u32(reinterpret_cast<unsigned char*>(bytes), value);
+}
+
+// What a program sends that is not of ours, where its first bytes tell it: those of HTTP, or of an alert of
+// TLS.
+std::string language_of(std::span<const std::byte> bytes) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (text.starts_with("HTTP/") || text.starts_with("<")) return " but HTTP";
+  return text.starts_with("\x15\x03") ? " but TLS" : "";
 }
 
 constexpr int tag_of(int field) {
@@ -33,22 +47,16 @@ bool is_heartbeat(std::span<const std::byte> payload) {
   return !payload.empty() && std::to_integer<int>(payload[0]) == kTag;
 }
 
-// A payload holds one content and nothing else: tag, length, bytes. The content is parsed into the message
-// that held the last one, so that the memory of its arrays is reused; parsing the whole frame would free it.
-void parse(std::span<const std::byte> payload, wire::Frame& frame) {
-  google::protobuf::io::CodedInputStream bytes(reinterpret_cast<const std::uint8_t*>(payload.data()),
-                                               static_cast<int>(payload.size()));
-  const int tag = static_cast<int>(bytes.ReadTag());
-  const auto* field = wire::Frame::descriptor()->FindFieldByNumber(tag >> 3);
-  std::uint32_t length = 0;
-  const bool well_formed = field != nullptr && tag == tag_of(field->number()) &&
-                           bytes.ReadVarint32(&length) &&
-                           length == payload.size() - static_cast<std::size_t>(bytes.CurrentPosition());
-  if (!well_formed ||
-      !wire::Frame::GetReflection()->MutableMessage(&frame, field)->ParseFromCodedStream(&bytes) ||
-      !bytes.ConsumedEntireMessage()) {
-    throw Malformed(fmt::format("sent {} bytes that are not a frame of this protocol", payload.size()));
-  }
+bool greets(int field) {
+  return field == wire::Frame::kHello || field == wire::Frame::kProof || field == wire::Frame::kError;
+}
+
+// The bytes of a content and of the parts of its message before it; what they take once they are parsed.
+void require_moderate(std::uint64_t bytes, std::uint64_t memory, const std::string& content) {
+  if (memory > most_parsed_bytes(bytes))
+    throw Malformed(
+        fmt::format("sent {} bytes of {} that would take {} bytes of memory, where {} are allowed", bytes,
+                    content, memory, most_parsed_bytes(bytes)));
 }
 
 }  // namespace
@@ -71,16 +79,58 @@ std::span<const std::byte> heartbeat_frame() {
   return bytes;
 }
 
-std::span<const std::byte> FrameEncoder::encode(const wire::Frame& frame, std::uint64_t limit) {
+std::span<const std::byte> FrameEncoder::encode(const wire::Frame& frame, std::uint64_t limit, bool goes_on) {
   const std::size_t length = frame.ByteSizeLong();
   if (length > limit) {
     throw std::length_error(
         fmt::format("a frame of {} bytes is longer than the {} that the other end accepts", length, limit));
   }
   if (buffer_.size() < kLengthBytes + length) buffer_.resize(kLengthBytes + length);
-  store(buffer_.data(), static_cast<std::uint32_t>(length));
+  store(buffer_.data(), static_cast<std::uint32_t>(length) | (goes_on ? kGoesOn : 0));
   frame.SerializeWithCachedSizesToArray(reinterpret_cast<std::uint8_t*>(buffer_.data() + kLengthBytes));
   return {buffer_.data(), kLengthBytes + length};
+}
+
+// A payload holds one content and nothing else: tag, length, bytes. The content is parsed into the message
+// that held the last one, so that the memory of its arrays is reused; parsing the whole frame would free it.
+// Two bytes can stand for hundreds of bytes of memory. Short messages are not looked at, which by that factor
+// take some MiB at most.
+void FrameDecoder::parse(std::span<const std::byte> payload, wire::Frame& frame) {
+  google::protobuf::io::CodedInputStream bytes(reinterpret_cast<const std::uint8_t*>(payload.data()),
+                                               static_cast<int>(payload.size()));
+  const int tag = static_cast<int>(bytes.ReadTag());
+  const auto* field = wire::Frame::descriptor()->FindFieldByNumber(tag >> 3);
+  std::uint32_t length = 0;
+  const bool well_formed = field != nullptr && tag == tag_of(field->number()) &&
+                           bytes.ReadVarint32(&length) &&
+                           length == payload.size() - static_cast<std::size_t>(bytes.CurrentPosition());
+  if (well_formed && greeting_ && !greets(field->number()))
+    throw Malformed(fmt::format("sent {} in the place of a greeting", field->name()));
+  const auto refuse = [&] {
+    throw Malformed(fmt::format("sent {} bytes that are not a frame of this protocol", payload.size()));
+  };
+  if (!well_formed) refuse();
+  if (length > kMaxHelloBytes || goes_on_ || before_ > 0) {
+    const auto memory = parsed_size(payload.last(length), field->message_type());
+    if (!memory) refuse();
+    memory_before_ += *memory;
+    require_moderate(before_ + length, memory_before_, field->message_type()->name());
+  }
+  if (!wire::Frame::GetReflection()->MutableMessage(&frame, field)->ParseFromCodedStream(&bytes) ||
+      !bytes.ConsumedEntireMessage())
+    refuse();
+}
+
+void FrameDecoder::set_limit(std::uint64_t bytes) {
+  limit_ = bytes;
+  if (buffered() == 0 && buffer_.size() > kLengthBytes + std::max(longest_now(), kMaxHelloBytes)) {
+    buffer_ = std::vector<std::byte>(kMaxHelloBytes);
+    begin_ = end_ = 0;
+  }
+}
+
+std::uint64_t FrameDecoder::longest_now() const {
+  return std::min(longest_frame_, limit_ - std::min(before_, limit_));
 }
 
 std::span<std::byte> FrameDecoder::space() {
@@ -91,7 +141,9 @@ std::span<std::byte> FrameDecoder::space() {
     end_ -= begin_;
     begin_ = 0;
   }
-  if (end_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
+  if (end_ == buffer_.size())
+    buffer_.resize(
+        std::clamp<std::size_t>(kLengthBytes + longest_now(), buffer_.size() + 1, 2 * buffer_.size()));
   return std::span(buffer_).subspan(end_);
 }
 
@@ -100,7 +152,7 @@ std::optional<std::uint32_t> FrameDecoder::take_preamble() {
   // As many bytes as there are are compared, so that another program is noticed at its first wrong byte
   // instead of by a deadline.
   if (std::memcmp(bytes, kMagic, std::min(buffered(), sizeof kMagic)) != 0) {
-    throw ForeignPreamble("does not speak the Adit protocol");
+    throw ForeignPreamble("does not speak the Adit protocol" + language_of({bytes, buffered()}));
   }
   if (buffered() < sizeof(Preamble)) return std::nullopt;
   begin_ += sizeof(Preamble);
@@ -110,16 +162,22 @@ std::optional<std::uint32_t> FrameDecoder::take_preamble() {
 bool FrameDecoder::take(wire::Frame& frame) {
   while (buffered() >= kLengthBytes) {
     const std::byte* bytes = buffer_.data() + begin_;
-    const std::size_t length = load(bytes);
-    if (length > limit_) {
-      throw Malformed(
-          fmt::format("announced a frame of {} bytes, but at most {} are allowed", length, limit_));
-    }
+    const std::uint32_t announced = load(bytes);
+    const bool goes_on = parts_ && (announced & kGoesOn) != 0;
+    const std::size_t length = goes_on ? announced & ~kGoesOn : announced;
+    if (length > longest_now())
+      throw Malformed(fmt::format("announced a frame of {} bytes{}, but at most {} are allowed", length,
+                                  before_ > 0 ? fmt::format(" after {} of its message", before_) : "",
+                                  length > longest_frame_ ? std::min(longest_frame_, limit_) : limit_));
     if (buffered() < kLengthBytes + length) return false;
     begin_ += kLengthBytes + length;
-    const std::span payload(bytes + kLengthBytes, length);
+    taken_ = std::span(bytes, kLengthBytes + length);
+    const auto payload = taken_.subspan(kLengthBytes);
     if (is_heartbeat(payload)) continue;
+    goes_on_ = goes_on;
     parse(payload, frame);
+    before_ = goes_on_ ? before_ + length : 0;
+    if (!goes_on_) memory_before_ = 0;
     return true;
   }
   return false;

@@ -1,5 +1,8 @@
-"""One coupled step: its time, the parts of it, and the time of a bare round trip on the same machine."""
+"""One coupled step: its time, the parts of it, and the time of a bare round trip on the same machine; by Unix sockets,
+TCP and TLS."""
 
+import contextlib
+import pathlib
 import statistics
 import subprocess
 import tempfile
@@ -13,17 +16,17 @@ OVERHEAD_BYTES = 40  # bytes of a frame besides its interface values
 
 
 def run(root):
-    return small(root) + large(root)
+    return small(root) + ways(root) + large(root)
 
 
 def median_by_key(samples):
     return {key: statistics.median(sample[key] for sample in samples) for key in samples[0]}
 
 
-def coupled(root, scene):
+def coupled(root, scene, *options):
     """Microseconds in a step for each of its parts, and the size of the model."""
     with tempfile.TemporaryDirectory() as out:
-        subprocess.run([root / "build/release/coupler/coupler", "run", root / scene, "--out", out],
+        subprocess.run([root / "build/release/coupler/coupler", "run", root / scene, "--out", out, *options],
                        check=True, capture_output=True)
         s = Run(out).summary
     us = 1e6 / s["steps"]
@@ -65,6 +68,38 @@ def small(root):
         record("coupled step over blocking round trip", step["step"] / bare["blocking"], "1"),
         record("coupled step over spinning round trip", step["step"] / bare["spinning"], "1"),
     ]
+
+
+@contextlib.contextmanager
+def listening(root, program, listen, *options):
+    """The address of a server that listens for as long."""
+    with subprocess.Popen([root / "build/release" / program / program, "--listen", listen, "--log-level", "off", *options],
+                          stdout=subprocess.PIPE, text=True) as process:
+        try:
+            yield process.stdout.readline().split()[-1]
+        finally:
+            process.terminate()
+
+
+def ways(root):
+    """The 52 x 6 cantilever with servers that listen in three ways, in turn: ratios of pairs of runs."""
+    with contextlib.ExitStack() as stack:
+        folder = pathlib.Path(stack.enter_context(tempfile.TemporaryDirectory()))
+        subprocess.run([root / "scripts/certificates", folder, "localhost,127.0.0.1"], check=True, capture_output=True)
+        tls = ("--tls", folder / "localhost")
+
+        def join(listen, *options):
+            names = {"--fdm": "fdm_server", "--dem": "dem_server"}
+            addresses = [(option, stack.enter_context(listening(root, name, listen.format(name), *options)))
+                         for option, name in names.items()]
+            return [word for pair in addresses for word in pair] + [*options]
+
+        ways = {"Unix sockets": join(f"unix:{folder}/{{}}"), "TCP": join("127.0.0.1:0"), "TCP with TLS": join("127.0.0.1:0", *tls)}
+        steps = [{way: coupled(root, SHORT, *options)["step"] for way, options in ways.items()} for _ in range(ROUNDS)]
+    ratios = [{way: step[way] / step["TCP"] for way in ways} for step in steps]
+    return [{"name": f"coupled step by {way}{over}", "size": 0, "threads": 3, "value": value, "unit": unit}
+            for values, over, unit in ((steps, "", "us"), (ratios, ", over TCP", "1"))
+            for way, value in median_by_key(values).items()]
 
 
 def large(root):

@@ -26,9 +26,9 @@ def print_summary(results, out=sys.stdout):
         print(f"{result.change}", file=out)
     rooms = sorted({room_of(result.change.path) for result in results})
     width = max(map(len, [*rooms, "all"]), default=0)
-    print(f"\n{'room':{width}}  tried  noticed  same code  not compiled", file=out)
+    print(f"\n{'room':{width}}  tried  noticed  same code  not compiled  not in tests", file=out)
     for room in [*rooms, "all"]:
         here = [r.verdict for r in results if room in ("all", room_of(r.change.path))]
         judged = here.count(Verdict.NOTICED) + here.count(Verdict.UNNOTICED)
         print(f"{room:{width}}  {judged:5}  {here.count(Verdict.NOTICED):7}  {here.count(Verdict.SAME_CODE):9}"
-              f"  {here.count(Verdict.NOT_COMPILED):12}", file=out)
+              f"  {here.count(Verdict.NOT_COMPILED):12}  {here.count(Verdict.NOT_IN_TESTS):12}", file=out)

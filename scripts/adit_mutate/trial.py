@@ -12,6 +12,7 @@ class Verdict(enum.Enum):
     NOTICED = "noticed"
     UNNOTICED = "unnoticed"
     SAME_CODE = "same code"
+    NOT_IN_TESTS = "in no unit test; only --integration judges it"
     NOT_COMPILED = "not compiled"
 
 
@@ -69,6 +70,8 @@ class Bench:
         return False
 
     def try_change(self, change):
+        if not self._objects.get(change.path):
+            return Result(change, Verdict.NOT_IN_TESTS)
         undo = self._build.apply(change)
         try:
             differs = self._differs(change.path)

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "protocol/errors.hpp"
+#include "protocol/stop_signals.hpp"
 #include "simplified/beam/recorder.hpp"
 #include "simplified/beam/stepper.hpp"
 
@@ -43,6 +44,7 @@ Results run(const Tunnel& tunnel, const GroundMotion& motion, const RunOptions& 
   Recorder recorder(stepper, options, results);
   recorder.record(0);
   for (long step = 1; step <= options.steps; ++step) {
+    protocol::end_if_stopped();
     stepper.step();
     recorder.record(step);
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "protocol/errors.hpp"
+#include "protocol/stop_signals.hpp"
 #include "simplified/chain/simulation.hpp"
 #include "simplified/models/solve.hpp"
 #include "simplified/scene/along_chainage.hpp"
@@ -212,6 +213,7 @@ Response solve_chain(const scene::Simplified& scene, const Line& line, const Gro
   recorder.add_histories(run);
   recorder.add_fields(run);
   for (std::uint64_t n = 1; n <= clock.steps; ++n) {
+    protocol::end_if_stopped();
     run.step(ground.at(n));
     if (n % clock.stride == 0 || n == clock.steps) recorder.add_histories(run);
     if (n % field_stride == 0) recorder.add_fields(run);

@@ -8,6 +8,7 @@
 #include "protocol/errors.hpp"
 #include "protocol/motion/errors_at.hpp"
 #include "protocol/motion/excitation/stations.hpp"
+#include "protocol/stop_signals.hpp"
 #include "simplified/scene/tunnel.hpp"
 
 namespace adit::simplified {
@@ -58,6 +59,7 @@ Shaking through_ground(const scene::Simplified& scene, const std::vector<column:
     for (const Motion& motion : motions) shaking.rock.push_back(factor * value(motion.acceleration, n));
   // Row 0 of the ground's motion stays zero: the columns begin at rest.
   for (std::size_t n = 1; n <= steps; ++n) {
+    protocol::end_if_stopped();
     ground.step({shaking.rock.data() + n * columns.size(), columns.size()});
     for (std::size_t j = 0; j < columns.size(); ++j) {
       const std::size_t at = n * columns.size() + j;

@@ -1,12 +1,14 @@
-// Writes what the hysteretic law makes of a modulus-reduction curve, as CSV: the curve, the amplitude of the
-// shear strain, G/Gmax of the curve and of the law's loops, damping ratio by Masing's rules from the curve
-// and of the loops.
+// Writes what the hysteretic laws make of a modulus-reduction curve, as CSV: the curve, the amplitude of the
+// shear strain, G/Gmax of the curve and of the law's loops, damping ratio by Masing's rules from the curve,
+// or the given one where that is less, and of the loops.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 #include <utility>
 #include <vector>
 
+#include "fdm_server/hysteresis/reversals.hpp"
 #include "fdm_server/materials/hysteretic.hpp"
 
 namespace {
@@ -29,6 +31,29 @@ std::pair<double, double> loop(const Hysteretic& law, double strain) {
   lost = 0;
   go(strain);
   peak = stress.xy;
+  go(-strain);
+  return {peak / strain, lost / (2 * std::numbers::pi * peak * strain)};
+}
+
+// The same of a memory of reversals.
+std::pair<double, double> loop(const Polyline& line, double strain) {
+  constexpr int kSteps = 4000;
+  constexpr ZoneStrain kWeights{0.25, 0.25, 0.25, 0.25, 0.25, 0.25, 0.25, 0.25, 0.75};
+  ZoneMemory memory;
+  double at = 0, lost = 0, stress = 0;
+  const auto go = [&](double goal) {
+    const double s = (goal - at) / kSteps;
+    for (int i = 0; i < kSteps; ++i) {
+      const auto grown = advance(line.view(), kWeights, {0, 0, 0, 0, s, s, s, s, 0}, memory);
+      stress += grown.stress[4];
+      lost += grown.dissipated;
+    }
+    at = goal;
+  };
+  for (const double goal : {strain, -strain}) go(goal);
+  lost = 0;
+  go(strain);
+  const double peak = stress;
   go(-strain);
   return {peak / strain, lost / (2 * std::numbers::pi * peak * strain)};
 }
@@ -59,7 +84,7 @@ int main() {
   const Curve curves[] = {
       {"hyperbola 5e-4", hyperbola(5e-4, 1), 1e-6, 5e-3},
       {"Darendeli 1e-3 ^0.919", hyperbola(1e-3, 0.919), 1e-3 * std::pow(2e-3, 1 / 0.919), 1e-2},
-      {"table", reduction_table(strain, sand), strain.front(), strain.back()}};
+      {"table", smooth_table(strain, sand), strain.front(), strain.back()}};
   std::puts("curve,strain,ratio,law_ratio,damping,law_damping");
   for (const auto& [name, reduction, first, last] : curves) {
     const Hysteretic law(backbone(reduction, first, last, 60));
@@ -68,5 +93,17 @@ int main() {
       std::printf("%s,%.6g,%.6g,%.6g,%.6g,%.6g\n", name, x, reduction(x), ratio, masing(reduction, x),
                   damping);
     }
+  }
+  // Loops that are narrower at large strains.
+  const std::vector<double> damping{0.006, 0.008, 0.012, 0.018, 0.032, 0.062, 0.115, 0.18, 0.235};
+  const auto& sand_curve = curves[2];
+  const auto given = smooth_table(strain, damping);
+  Polyline narrow(backbone(sand_curve.reduction, sand_curve.first, sand_curve.last, 60));
+  const Polyline wide = narrow;
+  narrow.narrow([&](double x) { return std::min(1.0, given(x) / wide.masing_damping(x)); }, "");
+  for (double x = 3e-6; x <= sand_curve.last; x *= 1.05) {
+    const auto [ratio, of_loop] = loop(narrow, x);
+    std::printf("table with damping,%.6g,%.6g,%.6g,%.6g,%.6g\n", x, sand_curve.reduction(x), ratio,
+                std::min(given(x), masing(sand_curve.reduction, x)), of_loop);
   }
 }

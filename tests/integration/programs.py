@@ -1,5 +1,6 @@
 """The programs under test, and how the tests start and stop them."""
 
+import csv
 import json
 import os
 import pathlib
@@ -7,6 +8,7 @@ import re
 import shutil
 import subprocess
 import tempfile
+import time
 import unittest
 
 BUILD = pathlib.Path(os.environ["ADIT_BUILD"])
@@ -37,6 +39,22 @@ class Server:
         self.process.communicate()
 
 
+def children_of(pid):
+    """Process ids of what a process has started; none where it has ended."""
+    try:
+        return [int(child) for child in pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
+    except OSError:
+        return []
+
+
+def wait_until(condition, patience=30):
+    end = time.monotonic() + patience
+    while not condition():
+        if time.monotonic() > end:
+            raise TimeoutError
+        time.sleep(0.02)
+
+
 def coupler(*arguments, timeout=PATIENCE_S):
     return subprocess.run([COUPLER, *map(str, arguments)], capture_output=True, text=True, timeout=timeout)
 
@@ -53,6 +71,13 @@ class ProgramTest(unittest.TestCase):
         path.write_text(text)
         return path
 
+    @classmethod
+    def folder_for_all(cls):
+        """A folder for what all tests of a class read and none changes."""
+        folder = pathlib.Path(tempfile.mkdtemp(prefix="adit_"))
+        cls.addClassCleanup(shutil.rmtree, folder)
+        return folder
+
     def run_scene(self, scene, *arguments, out="run"):
         result = coupler("run", scene, "--out", self.folder / out, *arguments)
         self.assertEqual(result.returncode, 0, result.stderr)
@@ -61,3 +86,10 @@ class ProgramTest(unittest.TestCase):
     @staticmethod
     def summary(run):
         return json.loads((run / "summary.json").read_text())
+
+    def assert_whole_rows(self, run, more_than=0):
+        text = (run / "histories.csv").read_text()
+        self.assertTrue(text.endswith("\n"))
+        names, *rows = csv.reader(text.splitlines())
+        self.assertGreater(len(rows), more_than)
+        self.assertEqual({len(row) for row in rows}, {len(names)})

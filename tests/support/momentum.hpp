@@ -50,13 +50,14 @@ inline void add_momentum_of_particles(const wire::Piece& piece, double density, 
                  velocity, static_cast<std::uint32_t>(i), sum);
 }
 
-// The momentum of all models together, which have the same density [kg/m^3].
+// The momentum of all models together, which have the same density [kg/m^3]. Pieces of a region begin with
+// its name.
 inline Momentum momentum(const std::vector<wire::Snapshot>& snapshots, double density) {
   Momentum sum{};
   for (const wire::Snapshot& snapshot : snapshots)
     for (const wire::Piece& piece : snapshot.pieces()) {
-      if (piece.name() == "grid") add_momentum_of_grid(piece, density, sum);
-      if (piece.name() == "particles") add_momentum_of_particles(piece, density, sum);
+      if (piece.name().ends_with("grid")) add_momentum_of_grid(piece, density, sum);
+      if (piece.name().ends_with("particles")) add_momentum_of_particles(piece, density, sum);
     }
   return sum;
 }

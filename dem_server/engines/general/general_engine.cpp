@@ -160,6 +160,16 @@ Energies GeneralEngine::energies(const protocol::Step& step) {
                      {"time_step", solver_.time_step_share()}}};
 }
 
+void GeneralEngine::exchange(state::Archive& archive) {
+  LocalEngine::exchange(archive);
+  solver_.exchange(archive);
+  loads_.exchange(archive);
+  motions_.exchange(archive);
+  archive("lists_looked_at", lists_);
+  archive("escaped", escaped_);
+  archive("spring_breaks", spring_breaks_);
+}
+
 void GeneralEngine::stop() {
   LocalEngine::stop();
   solver_.stop();

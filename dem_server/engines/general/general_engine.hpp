@@ -19,6 +19,7 @@ class GeneralEngine final : public LocalEngine {
   GeneralEngine(Model model, std::size_t threads);
 
   Solver& solver() { return solver_; }
+  const Solver& solver() const { return solver_; }
 
   const Particles& particles() const override { return solver_.particles(); }
   Particles& particles() override { return solver_.particles(); }
@@ -43,6 +44,7 @@ class GeneralEngine final : public LocalEngine {
   void stop() override;
   void begin_stage(std::uint32_t stage) override;
   void start_over(const protocol::Drift& drift) override;
+  void exchange(state::Archive& archive) override;
 
  private:
   explicit GeneralEngine(std::size_t threads, Model renumbered);

@@ -41,6 +41,13 @@ class Neighbours {
   // Returns whether it changed.
   bool update(const Particles& particles);
 
+  void exchange(state::Archive& archive) {
+    pairs_.exchange(radius_.size(), archive);
+    moved_.exchange(archive);
+    archive("walls_travelled", walls_travelled_);
+    archive("lists", lists_);
+  }
+
   const Pairs& pairs() const { return pairs_; }
   Pairs& pairs() { return pairs_; }
   double skin() const { return skin_; }           // [m]

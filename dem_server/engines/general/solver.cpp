@@ -224,6 +224,33 @@ void Solver::start_over(const protocol::Drift& drift) {
   strain_at_start_ = strain_energy();
 }
 
+void Solver::exchange(state::Archive& archive) {
+  const std::size_t bonds = bonds_.size();
+  bonds_.exchange(particles_.size(), archive);
+  neighbours_.exchange(archive);
+  joints_.exchange(archive);
+  springs_.exchange(archive);
+  for (foundation::Springs& springs : foundations_) springs.exchange(archive);
+  walls_.exchange(archive);
+  damping_.exchange(archive);
+  archive("support_x", std::span(support_x_));
+  archive("support_y", std::span(support_y_));
+  archive("held", held_);
+  for (auto* pulled : {&pulled_x_, &pulled_y_, &pulled_moment_}) archive("pulled", std::span(*pulled));
+  archive("ledger", ledger_);
+  archive("strain_at_start", strain_at_start_);
+  if (!archive.reads()) return;
+  state::require_of_model(bonds_.size() == bonds && (bonds == 0 || bonds_.bonded()), "pairs");
+  state::require_below(bonds_.law, laws_.size(), "pair_law");
+  state::require_below(neighbours_.pairs().law, laws_.size(), "pair_law");
+  state::require_below(springs_.broken(), springs_.springs().size(), "springs_broken");
+  for (const Held& held : held_) state::require_below(std::array{held.disc}, particles_.size(), "held");
+  for (const WallContacts::Touch& touch : walls_.touches()) {
+    state::require_below(std::array{touch.disc}, particles_.size(), "touches");
+    state::require_below(std::array{touch.wall}, walls_.size(), "touches");
+  }
+}
+
 Stored Solver::stored() const {
   Stored sum;
   add_stored(laws_, particles_, bonds_, sum);

@@ -60,11 +60,15 @@ class Solver {
   // the stage before. What bonds, joints and contacts of before still stand keep their forces.
   void begin_stage(std::uint32_t before, const ParticleStage& stage, const Model& model);
 
+  void exchange(state::Archive& archive);
+
   Particles& particles() { return particles_; }
   const Particles& particles() const { return particles_; }
   const Pairs& bonds() const { return bonds_; }
+  Pairs& bonds() { return bonds_; }
   const Pairs& contacts() const { return neighbours_.pairs(); }
   const Neighbours& neighbours() const { return neighbours_; }
+  Neighbours& neighbours() { return neighbours_; }
   const WallContacts& walls() const { return walls_; }
   const SpringForces& springs() const { return springs_; }
   const Joints& joints() const { return joints_; }

@@ -87,6 +87,15 @@ void Bonds::break_bond(std::uint32_t bond, BondState to) {
   mark(bond);
 }
 
+void Bonds::exchange(state::Archive& archive) {
+  std::vector<BondState> states = state;
+  archive("bond_state", std::span(states));
+  if (archive.reads())
+    for (std::uint32_t k = 0; k < size(); ++k)
+      if (states[k] != BondState::kIntact) break_bond(k, states[k]);
+  archive("bond_shear", std::span(shear_force));
+}
+
 SplitRuns split(std::span<const Run> runs, const std::vector<bool>& chosen) {
   SplitRuns parts;
   for (const Run& run : runs)

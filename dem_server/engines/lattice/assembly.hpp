@@ -11,6 +11,7 @@
 #include "dem_server/model/model.hpp"
 #include "dem_server/particles/bonded_neighbours.hpp"
 #include "dem_server/particles/particles.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::dem {
 
@@ -49,6 +50,9 @@ struct Bonds {
   void break_bond(std::uint32_t bond, BondState to);
   // As many bonds as there are first ones, intact and of weight 1.
   void finish();
+
+  // Normal forces follow from the displacements.
+  void exchange(state::Archive& archive);
 
  private:
   static constexpr std::uint32_t kGroup = 64;

@@ -15,6 +15,7 @@
 #include "dem_server/packing/discs.hpp"
 #include "dem_server/particles/bonded_neighbours.hpp"
 #include "dem_server/particles/displacement_bound.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::dem {
 
@@ -34,6 +35,13 @@ class Contacts {
 
   std::span<const Pair> pairs() const { return pairs_; }
   std::uint64_t lists() const { return lists_; }  // made so far
+
+  void exchange(state::Archive& archive) {
+    archive("contact_pairs", pairs_);
+    moved_.exchange(archive);
+    archive("speed", speed_);
+    archive("lists", lists_);
+  }
 
  private:
   void list(const Assembly& assembly);

@@ -173,6 +173,21 @@ void LatticeEngine::start_over(const protocol::Drift& drift) {
   }
 }
 
+void LatticeEngine::exchange(state::Archive& archive) {
+  LocalEngine::exchange(archive);
+  assembly_.bonds.exchange(archive);
+  contacts_.exchange(archive);
+  for (Part* part : {&interface_, &interior_}) {
+    part->loads.exchange(archive);
+    part->motions.exchange(archive);
+  }
+  archive("released", released_);
+  if (!archive.reads()) return;
+  for (const Pair& pair : contacts_.pairs())
+    state::require_below(std::array{pair.first, pair.second}, assembly_.particles.size(), "contact_pairs");
+  plan();
+}
+
 std::vector<double> LatticeEngine::normal_forces() const {
   std::vector<double> normal(assembly_.bonds.size());
   find_normal_forces(law_, assembly_.particles, assembly_.bonds, normal);

@@ -37,6 +37,7 @@ class LatticeEngine final : public LocalEngine {
   Strongest strongest() const override;
   Energies energies(const protocol::Step& step) override;
   void start_over(const protocol::Drift& drift) override;
+  void exchange(state::Archive& archive) override;
 
  private:
   // What is computed together. The bonds of a tied particle are the interface's, and so are the moves of all

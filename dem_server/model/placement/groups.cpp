@@ -14,6 +14,8 @@ namespace {
 
 using protocol::UserError;
 
+constexpr int kMostGroups = 1000;
+
 std::string group_path(int number) {
   return "particles.groups[" + std::to_string(number) + "]";
 }
@@ -74,6 +76,11 @@ LinearContact Group::contact() const {
 }
 
 std::vector<Group> read_groups(const scene::Scene& scene) {
+  if (const int groups = scene.particles().groups_size(); groups > kMostGroups)
+    throw UserError("particles.groups",
+                    fmt::format("has {} groups; at most {} can be computed, because each two have a law of "
+                                "contact",
+                                groups, kMostGroups));
   std::vector<Group> groups{own_group(scene)};
   std::vector<std::string> names{kOwnGroup};
   for (int k = 0; k < scene.particles().groups_size(); ++k) {

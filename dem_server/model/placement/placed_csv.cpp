@@ -28,7 +28,10 @@ std::vector<std::string> split(const std::string& line) {
 
 class Table {
  public:
-  Table(const std::string& content, const std::string& path) : stream_(content), path_(path) {}
+  Table(const std::string& content, const std::string& path)
+      : stream_(std::string(protocol::without_byte_order_mark(content))), path_(path) {
+    if (protocol::is_utf16(content)) throw protocol::UserError(path, "is text in UTF-16; save it as UTF-8");
+  }
 
   // The next line that is not empty, in cells; without its end.
   bool next(std::vector<std::string>& cells) {

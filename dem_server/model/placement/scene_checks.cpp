@@ -5,24 +5,31 @@
 #include <algorithm>
 
 #include "protocol/errors.hpp"
-#include "protocol/wire/frame.hpp"
+#include "protocol/machine/memory.hpp"
+#include "protocol/wire/bounds.hpp"
 
 namespace adit::dem {
 namespace {
 
 using protocol::UserError;
 
-// A snapshot takes about 360 bytes a particle with its bonds and peaks.
-constexpr double kBytesPerParticle = 360;
-constexpr double kMostParticles = protocol::kMaxFrameBytes / kBytesPerParticle;
+// What a lattice takes at least, with its snapshot, here and in a coupler beside it (docs/performance.md).
+constexpr double kBytesPerParticle = 1700;
+// A model tells two numbers for each particle and for each of its three bonds.
+constexpr double kModelBytes = 4 * 2 * sizeof(double);
+
+double most_particles() {
+  return std::min(static_cast<double>(protocol::machine_bytes()) / kBytesPerParticle,
+                  static_cast<double>(protocol::kMaxModelBytes) / kModelBytes);
+}
 
 }  // namespace
 
 void require_room_for(double particles, double radius, const std::string& path) {
-  if (particles > kMostParticles)
-    throw UserError(
-        path, fmt::format("{} m gives {:.3g} particles, at most {:.3g} can be computed; enlarge the radius",
-                          radius, particles, kMostParticles));
+  if (particles > most_particles())
+    throw UserError(path, fmt::format("{} m gives {:.3g} particles, at most {:.3g} can be computed on this "
+                                      "machine; enlarge the radius",
+                                      radius, particles, most_particles()));
 }
 
 const scene::Material& material_of(const scene::Scene& scene) {

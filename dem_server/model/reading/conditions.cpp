@@ -74,7 +74,7 @@ std::vector<PrescribedMotion> read_motions(const scene::Particles& particles, co
       throw UserError(path, "prescribes nothing; give velocity.x, velocity.y or spin, or remove it");
     const auto chosen = select(motion.where(), placement, path + ".where");
     const auto add = [&](Component component, double amplitude) {
-      prescribed.add(motions.emplace_back(component, chosen, amplitude, time, path));
+      prescribed.add(motions.emplace_back(PrescribedMotion{component, chosen, amplitude, time, path}));
     };
     if (velocity.has_x()) add(Component::kX, velocity.x());
     if (velocity.has_y()) add(Component::kY, velocity.y());

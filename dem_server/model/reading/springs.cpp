@@ -103,7 +103,7 @@ void add_bolts(const scene::SegmentRing& ring, const Discs& discs, std::vector<S
   const RingJoints joints(ring);
   for (std::uint32_t k = 0; k < ring.segments(); ++k) {
     const auto [rx, ry] = joints.direction(k);
-    const auto end = [&](double side) {
+    const auto end = [&, rx = rx, ry = ry](double side) {
       const Point place{ring.centre().x() + middle * rx - side * bolts.length() / 2 * ry,
                         ring.centre().y() + middle * ry + side * bolts.length() / 2 * rx};
       return nearest(discs, place, path, [&](std::uint32_t i) {

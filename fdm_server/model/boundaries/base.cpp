@@ -70,7 +70,7 @@ BaseActions resolve_base(const scene::Base& base, const motion::UsedMotion& acce
   std::vector<double> places;
   for (const auto& [number, point] : points) places.push_back(point.x);
   std::ranges::sort(places);
-  places.erase(std::ranges::unique(places).begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
   const auto histories = base_histories(base, places, acceleration);
 
   const auto [along, across] =

@@ -13,23 +13,35 @@
 #include "fdm_server/model/grid/excavation.hpp"
 #include "fdm_server/model/grid/read_blocks.hpp"
 #include "protocol/errors.hpp"
-#include "protocol/wire/frame.hpp"
+#include "protocol/machine/memory.hpp"
+#include "protocol/wire/bounds.hpp"
 
 namespace adit::fdm {
 namespace {
 
 using protocol::UserError;
 
-// A snapshot travels in one frame.
-constexpr std::uint64_t kBytesPerPoint = 180, kMostPoints = protocol::kMaxFrameBytes / kBytesPerPoint;
+// What a point with an elastic zone takes at least, with its snapshot, here and in a coupler beside it
+// (docs/performance.md).
+constexpr std::uint64_t kBytesPerPoint = 600;
+// A model tells two numbers for each point, zone and edge, of which a block has one, one and two for each
+// point.
+constexpr std::uint64_t kModelBytes = 4 * 2 * sizeof(double);
 
-void require_size(std::uint64_t points, const std::string& path) {
-  if (points > kMostPoints)
-    throw UserError(path, fmt::format("makes {} grid points; at most {} can be computed, use larger zones",
-                                      points, kMostPoints));
+std::uint64_t most_points() {
+  return std::min(protocol::machine_bytes() / kBytesPerPoint, protocol::kMaxModelBytes / kModelBytes);
 }
 
-std::uint64_t points_of(std::uint64_t zones_x, std::uint64_t zones_y) {
+void require_size(double points, const std::string& path) {
+  if (points > static_cast<double>(most_points()))
+    throw UserError(
+        path,
+        fmt::format("makes {:.0f} grid points; at most {} can be computed on this machine, use larger zones",
+                    points, most_points()));
+}
+
+// Not a whole number, in which the product of two large ones may wrap around to a small one.
+double points_of(double zones_x, double zones_y) {
   return (zones_x + 1) * (zones_y + 1);
 }
 
@@ -42,31 +54,33 @@ Grid read_block(const scene::Block& block) {
 Grid read_several(const scene::Continuum& scene) {
   std::vector<MappedBlock> blocks;
   std::vector<int> origin;  // of each: its number in the scene
-  std::uint64_t points = 0;
+  double points = 0;
   for (int i = 0; i < scene.blocks_size(); ++i)
     for (auto& block : read_blocks(scene.blocks(i), fmt::format("continuum.blocks[{}]", i))) {
-      points += points_of(block.along.zones, block.across.zones);
+      points += points_of(static_cast<double>(block.along.zones), static_cast<double>(block.across.zones));
       require_size(points, "continuum.blocks");
       blocks.push_back(std::move(block));
       origin.push_back(i);
     }
-  auto [grid, first_zones] = join(blocks);
-  require_sound(grid, "continuum.blocks", [&](std::uint32_t zone) {
+  JoinedBlocks joined = join(blocks);
+  require_sound(joined.grid, "continuum.blocks", [&](std::uint32_t zone) {
+    const auto& first_zones = joined.first_zones;
     const auto b = std::ranges::upper_bound(first_zones, zone) - first_zones.begin() - 1;
     const std::string name = blocks[b].name.empty() ? "" : fmt::format(" (`{}`)", blocks[b].name);
     return fmt::format("zone {} of blocks[{}]{}",
                        zone - first_zones[std::ranges::find(origin, origin[b]) - origin.begin()], origin[b],
                        name);
   });
-  return std::move(grid);
+  return std::move(joined.grid);
 }
 
 Grid read_mesh(const scene::Mesh& mesh) {
   const std::string path = "continuum.mesh.path";
-  auto [grid, elements] =
-      read_gmsh(mesh.content(), std::filesystem::path(mesh.path()).filename().string(), path, kMostPoints);
-  require_sound(grid, path, [&](std::uint32_t zone) { return fmt::format("element {}", elements[zone]); });
-  return std::move(grid);
+  MeshGrid read =
+      read_gmsh(mesh.content(), std::filesystem::path(mesh.path()).filename().string(), path, most_points());
+  require_sound(read.grid, path,
+                [&](std::uint32_t zone) { return fmt::format("element {}", read.elements[zone]); });
+  return std::move(read.grid);
 }
 
 }  // namespace

@@ -37,6 +37,9 @@ class ElasticZones final : public ZoneKernel {
   void set_stress(std::size_t zone, const Stress& stress) override;
   void remove(const std::vector<bool>& gone) override;
   void start_over() override;
+  void exchange(state::Archive& archive) override {
+    archive("initial_stress", initial_, [this] { return FieldArrays<kComponents>(count()); });
+  }
   double strain_energy() const override;
   Stress stress(std::size_t zone) const override;
   double field(std::size_t zone, ZoneField field) const override;

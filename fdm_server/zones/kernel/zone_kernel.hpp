@@ -8,6 +8,7 @@
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/materials/plane_law.hpp"
 #include "fdm_server/zones/kernel/zone_runs.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::fdm {
 
@@ -41,6 +42,8 @@ class ZoneKernel {
   virtual void remove(const std::vector<bool>& gone) = 0;
   // The displacements are about to become 0; stresses stay.
   virtual void start_over() = 0;
+  // What changes from step to step, of zones of which as many were taken away.
+  virtual void exchange(state::Archive& archive) = 0;
   // Weighted elastic energy of all zones [J].
   virtual double strain_energy() const = 0;
   // Weighted work that plastic and hysteretic strain took since the start [J]; never falls.

@@ -52,29 +52,30 @@ struct CornerForces {
   alignas(64) std::array<std::array<double, kBatch>, 4> x, y;
 };
 
-// Adds the forces of zones `done` … `done + count` of the run to their points. Zones side by side share two
-// points, which get the sum of both.
-inline void scatter(const CornerForces& forces, const ZoneRun& run, std::uint32_t done, std::uint32_t count,
-                    const PointView& points) {
-  const auto add = [count](const std::array<double, kBatch>& from, double* to) {
+// Adds the forces of zones `done` … `done + count` of the run, which begin at place `from`, to their points.
+// Zones side by side share two points, which get the sum of both.
+inline void scatter(const CornerForces& forces, std::uint32_t from, const ZoneRun& run, std::uint32_t done,
+                    std::uint32_t count, const PointView& points) {
+  const auto add = [count](const double* force, double* to) {
 #pragma GCC ivdep
-    for (std::uint32_t i = 0; i < count; ++i) to[i] += from[i];
+    for (std::uint32_t i = 0; i < count; ++i) to[i] += force[i];
   };
-  const auto add_pair = [count](const std::array<double, kBatch>& left,
-                                const std::array<double, kBatch>& right, double* to) {
+  const auto add_pair = [count](const double* left, const double* right, double* to) {
     to[0] += left[0];
 #pragma GCC ivdep
     for (std::uint32_t i = 1; i < count; ++i) to[i] += left[i] + right[i - 1];
     to[count] += right[count - 1];
   };
   for (const auto& [f, to] : {std::pair{&forces.x, points.fx + done}, std::pair{&forces.y, points.fy + done}})
-    for (const auto& [left, right] : {std::pair{0, 1}, std::pair{3, 2}})
+    for (const auto& [left, right] : {std::pair{0, 1}, std::pair{3, 2}}) {
+      const double *of_left = (*f)[left].data() + from, *of_right = (*f)[right].data() + from;
       if (run.points[right] == run.points[left] + 1) {
-        add_pair((*f)[left], (*f)[right], to + run.points[left]);
+        add_pair(of_left, of_right, to + run.points[left]);
       } else {
-        add((*f)[left], to + run.points[left]);
-        add((*f)[right], to + run.points[right]);
+        add(of_left, to + run.points[left]);
+        add(of_right, to + run.points[right]);
       }
+    }
 }
 
 // Takes the runs' zones batch by batch: batch(run, done, count, forces) fills the forces of zones `done` …
@@ -86,7 +87,7 @@ void add_batches(std::span<const ZoneRun> runs, const PointView& points, Batch&&
     for (std::uint32_t done = 0; done < run.count; done += kBatch) {
       const auto count = std::min(kBatch, run.count - done);
       batch(run, done, count, forces);
-      scatter(forces, run, done, count, points);
+      scatter(forces, 0, run, done, count, points);
     }
 }
 

@@ -1,5 +1,6 @@
 // Zones of one material with a law beyond linear elasticity, or in large strain: strain increments at the
-// sampling points, the law, corner forces. Of either kind (sampling_shape.hpp).
+// sampling points, the law, corner forces. Of either kind (sampling_shape.hpp). A batch of zones at a time:
+// those of consecutive numbers, of one run or several.
 //
 // The in-plane mean stress is shared: the four points have one change of volume, and corner forces see their
 // mean stress only. Where a law dilates, each point would ask for a change of volume of its own; as in mixed
@@ -21,12 +22,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "fdm_server/materials/material.hpp"
 #include "fdm_server/zones/kernel/zone_kernel.hpp"
-#include "fdm_server/zones/nonlinear/sampling_shape.hpp"
+#include "fdm_server/zones/laws/zone_law.hpp"
 
 namespace adit::fdm {
 
@@ -45,49 +48,36 @@ class NonlinearZones final : public ZoneKernel {
   void set_stress_zz(std::size_t zone, double zz) override;
   void remove(const std::vector<bool>& gone) override;
   void start_over() override;
+  void exchange(state::Archive& archive) override;
   double strain_energy() const override;
   double dissipated() const override;
   Stress stress(std::size_t zone) const override;
   double field(std::size_t zone, ZoneField field) const override;
 
  private:
-  struct Point {
-    SolidStress stress{};
-    double plastic_shear_strain = 0;
-    unsigned yield = kElastic;
-  };
-  struct Turn {  // counter-clockwise
-    double cosine, sine, angle;
-  };
-
-  void strain_zone(std::size_t zone, const SamplingShape& reference, const SamplingShape& during,
-                   const CornerValues& dx, const CornerValues& dy);
-  void turn_zone(std::size_t zone, const Turn& turn);
-  void add_corner_forces(std::size_t zone, const SamplingShape& reference, const SamplingShape& now,
-                         CornerValues& fx, CornerValues& fy) const;
-  // Advances one point; returns the plastic work per volume.
-  double strain_point(Point& point, std::span<double> memory, const Strain& strain, double turned);
-  void average_mean_stress(std::size_t zone, const SamplingShape& shape);
-  std::span<double> memory(std::size_t zone, std::size_t k);
-  std::span<const double> memory(std::size_t zone, std::size_t k) const;
+  struct Batch;
+  void take_up(const ZoneRun& run, std::uint32_t done, std::uint32_t count, double dt,
+               const PointView& points, Batch& batch) const;
+  void compute(Batch& batch);
+  void compute_in_large_strain(Batch& batch);
+  PointStress stress_at(std::size_t zone, std::size_t point) const;
+  // In large strain: area over undeformed area.
+  double stretch(std::size_t zone) const;
 
   ZoneKind kind_;
-  Material material_;
   Elasticity elasticity_;
-  PlaneLaw plane_law_;
-  bool large_strain_;
+  double poisson_;
+  double bending_factor_;
   std::vector<ZoneRun> runs_;
-  std::vector<Corners> corners_;         // of each shape; in large strain of each zone
-  std::vector<SamplingShape> shapes_;    // undeformed
-  std::vector<std::uint32_t> shape_of_;  // of each zone
-  std::vector<ZonePoints> zone_points_;  // of each zone, in large strain
+  std::vector<SamplingShape> shapes_;      // undeformed
+  std::vector<std::uint32_t> shape_of_;    // of each zone
+  std::optional<FieldArrays<8>> corners_;  // in large strain: x, then y of each zone's corners
+  std::vector<ZonePoints> zone_points_;    // likewise
   const double *ux_ = nullptr, *uy_ = nullptr;
   std::vector<double> weights_;
-  std::vector<Point> points_;       // four a zone
-  std::vector<double> memory_;      // of the hysteretic law, values() a point
+  StressFields stresses_;
   std::vector<double> dissipated_;  // of each zone, unweighted
-  std::vector<double> turned_;      // since the start, in large strain [rad]
-  std::vector<double> stretch_;     // area over undeformed area, in large strain
+  std::unique_ptr<ZoneLaw> law_;
 };
 
 }  // namespace adit::fdm

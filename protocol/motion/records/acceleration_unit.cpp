@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -15,8 +13,7 @@ using protocol::quote;
 using protocol::UserError;
 
 double acceleration_unit(std::string_view unit) {
-  std::string name(unit);
-  std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::string name = protocol::lower_case(unit);
   for (const auto& [peer, ours] : {std::pair{"sec", "s"}, std::pair{"**", "^"}})
     for (std::size_t at = name.find(peer); at != std::string::npos; at = name.find(peer))
       name.replace(at, std::string_view(peer).size(), ours);

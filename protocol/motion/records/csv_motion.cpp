@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -96,8 +94,7 @@ double equal_step(const RecordText& text, const std::vector<Row>& rows) {
 // Reads a motion in the format that the ending of the file's name tells.
 template <class Read>
 Motion parse(const std::filesystem::path& file, const Read& text) {
-  std::string end = file.extension().string();
-  std::ranges::transform(end, end.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string end = protocol::lower_case(file.extension().string());
   if (end == ".at2") return parse_at2(text());
   if (end == ".csv") return parse_csv(text());
   throw UserError("",

@@ -41,7 +41,8 @@ std::string doubt_of_unit(const Motion& motion, double factor, std::string_view 
 
 RecordText split_text(const std::string& file, const std::string& content) {
   RecordText text{file, {}};
-  std::istringstream stream(content);
+  if (protocol::is_utf16(content)) text.refuse(0, "is text in UTF-16; save it as UTF-8");
+  std::istringstream stream{std::string(protocol::without_byte_order_mark(content))};
   for (std::string line; std::getline(stream, line);) {
     if (line.ends_with('\r')) line.pop_back();
     text.lines.push_back(line);

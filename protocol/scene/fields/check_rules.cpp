@@ -1,5 +1,8 @@
 #include "protocol/scene/fields/check_rules.hpp"
 
+#include <fmt/format.h>
+#include <google/protobuf/unknown_field_set.h>
+
 #include <cmath>
 #include <optional>
 
@@ -67,6 +70,8 @@ void check_value(const Message& message, const FieldDescriptor* field, int i, co
         path);
   else if (const auto value = number(message, field, i))
     check_number(*value, field, path);
+  else if (is_name_field(field) && !fit_for_a_name(get.GetString(message, field)))
+    refuse(path, quote(get.GetString(message, field)), expectation(field));
 }
 
 // The other number of the rules `above_field` and `at_least_field`, given or by its default.
@@ -124,9 +129,20 @@ void check_field(const Message& message, const FieldDescriptor* field, const std
   if (rule_of(field).increasing()) check_order(message, field, path);
 }
 
+// A sender of a newer release may know keys, and values of keys, that are not known here.
+void refuse_unknown(const Message& message, const std::string& path) {
+  const auto& unknown = message.GetReflection()->GetUnknownFields(message);
+  if (unknown.empty()) return;
+  throw UserError(path,
+                  fmt::format("holds a key or a value that this release does not know (field {} of {}): "
+                              "install the same release at both ends, or leave it out",
+                              unknown.field(0).number(), message.GetDescriptor()->name()));
+}
+
 }  // namespace
 
 void check_rules(const Message& message, const std::string& path) {
+  refuse_unknown(message, path);
   const auto* type = message.GetDescriptor();
   for (int i = 0; i < type->field_count(); ++i)
     if (is_given(message, type->field(i)))

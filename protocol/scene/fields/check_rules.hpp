@@ -12,7 +12,9 @@ namespace adit::protocol {
 // `path`: where `message` stands in the scene, empty for the scene itself. In each message the given fields
 // are checked first, in the order of the definition: numbers are finite and within their limits, lists have
 // their length and order. Then what is required must be there, and fields must stand in the relation that
-// they name. The first breach throws UserError with the path of the field, what it is and what was expected.
+// they name. Before all, a message must hold nothing that this release does not know, such as a newer one
+// would send: the model would be another one without it. The first breach throws UserError with the path of
+// the field, what it is and what was expected.
 void check_rules(const google::protobuf::Message& message, const std::string& path = {});
 
 }  // namespace adit::protocol

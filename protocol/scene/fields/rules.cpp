@@ -1,6 +1,7 @@
 #include "protocol/scene/fields/rules.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include "protocol/scene/fields/quantity.hpp"
 #include "protocol/text.hpp"
@@ -11,6 +12,8 @@ namespace {
 using google::protobuf::Descriptor;
 using google::protobuf::EnumDescriptor;
 using google::protobuf::FieldDescriptor;
+
+constexpr std::size_t kLongestName = 100;  // a file's name has room for 255 bytes
 
 // " above 0 m and below 3 m"
 std::string limits(const scene::Rule& rule) {
@@ -112,7 +115,9 @@ std::string expectation(const FieldDescriptor* field) {
     case FieldDescriptor::CPPTYPE_BOOL:
       return "true or false";
     case FieldDescriptor::CPPTYPE_STRING:
-      return "a text";
+      return is_name_field(field) ? "a name of letters, digits, `_`, `-`, and `.` but not first, at most " +
+                                        std::to_string(kLongestName) + " bytes"
+                                  : "a text";
     default:
       return "a whole number" + limits(rule);
   }
@@ -125,6 +130,18 @@ std::string quantity_of(const FieldDescriptor* field) {
 std::string in_unit(double value, const FieldDescriptor* field) {
   const std::string& unit = rule_of(field).unit();
   return shortest(value) + (unit.empty() ? "" : " " + unit);
+}
+
+bool is_name_field(const FieldDescriptor* field) {
+  return field->name() == "name" && field->cpp_type() == FieldDescriptor::CPPTYPE_STRING;
+}
+
+bool fit_for_a_name(std::string_view text) {
+  const auto fits = [](unsigned char c) {
+    return std::isalnum(c) || c == '_' || c == '-' || c == '.' || c > 127;  // letters of other scripts
+  };
+  return !text.empty() && text.size() <= kLongestName && text.front() != '.' &&
+         std::ranges::all_of(text, fits);
 }
 
 bool within(const scene::Rule& rule, double value) {

@@ -4,6 +4,7 @@
 #include <google/protobuf/descriptor.h>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "protocol/messages/rule.pb.h"
@@ -31,6 +32,11 @@ std::string expectation(const google::protobuf::FieldDescriptor* field);
 // What a number of the field is, and one value of it: "a length", "0.5 m".
 std::string quantity_of(const google::protobuf::FieldDescriptor* field);
 std::string in_unit(double value, const google::protobuf::FieldDescriptor* field);
+
+// A text in a field called `name` becomes part of names of files, columns and figures, and must be fit for
+// all of them: whether it is.
+bool is_name_field(const google::protobuf::FieldDescriptor* field);
+bool fit_for_a_name(std::string_view text);
 
 // Whether a number lies within the limits of the rule.
 bool within(const scene::Rule& rule, double value);

@@ -39,9 +39,10 @@ class TreeBuilder : public YAML::EventHandler {
   }
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
                 const std::string& text) override {
-    if (expects_key()) return take_key(mark, text);
+    // Text in another encoding than UTF-8 arrives as its bytes, which no message could carry.
+    if (expects_key()) return take_key(mark, valid_utf8(text));
     YamlValue value = open(YamlValue::Kind::kScalar, mark, tag);
-    value.scalar = text;
+    value.scalar = valid_utf8(text);
     close(std::move(value));
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,

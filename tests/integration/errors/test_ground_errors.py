@@ -1,6 +1,6 @@
 """Ground that cannot be computed, as a user meets it: one sentence with the place and the remedy, exit code 2, no result."""
 
-from programs import ProgramTest, coupler
+from programs import CASE, ProgramTest, coupler
 
 SCENE = """\
 material: {young_modulus: 100 MPa, poisson_ratio: 0.25, density: 2000 kg/m^3}
@@ -79,6 +79,10 @@ class GroundErrors(ProgramTest):
         self.refused("material.density=0", "above 0 kg/m^3")
         self.refused("material.density=2 kg", "is a mass")
 
+    def test_large_strain_beside_an_interface(self):
+        message = self.refusal(CASE / "coupled.yaml", "continuum.large_strain=true", "plane=plane_strain")
+        self.assertIn("continuum.large_strain: moves the grid away from the places where an interface joins it", message)
+
     def test_impossible_strength(self):
         for law, *said in (
                 ("{cohesion: -5 kPa}", "cohesion: is -5 kPa", "at least 0 Pa"), ("{friction_angle: 30 deg}", "cohesion: is missing"),
@@ -94,6 +98,8 @@ class GroundErrors(ProgramTest):
         self.refused("material.hysteretic={hyperbola: {reference_strain: 0}}", "reference_strain: is 0", "above 0")
         self.refused("material.hysteretic={table: {shear_strain: [1e-5, 1e-4, 1e-3], ratio: [1, 0.5]}}", "ratio: has 2 elements, expected 3, as many as `shear_strain`")
         self.refused("material.hysteretic={table: {shear_strain: [1e-5, 1e-4, 1e-3], ratio: [1, 0.5, 0.7]}}", "G/Gmax falls with the strain")
+        self.refused("material.hysteretic={hyperbola: {reference_strain: 1e-3}, memory: turns}", "memory: is `turns`", "reversals")
+        self.refused("material.hysteretic={hyperbola: {reference_strain: 1e-3}, damping: {darendeli: {}}}", "damping: needs `memory: reversals`")
         self.refused("material.weak_plane={dip_angle: 30 deg, cohesion: -1}", "weak_plane.cohesion: is -1 Pa")
 
     def test_frequencies_that_are_none(self):

@@ -1,100 +1,14 @@
 """Another code can take part: all it needs is wire.proto. Here it is Python, between the coupler and a real server."""
 
-import pathlib
-import socket
 import struct
-import subprocess
-import sys
-import tempfile
-import threading
+import time
 import unittest
 
-from programs import CASE, SOURCE, ProgramTest, Server, coupler
+from foreign import Listener, between
+from link import MAGIC, VERSION, wire_pb2
+from programs import CASE, ProgramTest, Server, coupler
 
-GENERATED = tempfile.TemporaryDirectory(prefix="adit_proto_")
-subprocess.run(["protoc", f"-I{SOURCE}", f"--python_out={GENERATED.name}",
-                *(f"protocol/messages/{path.name}" for path in (SOURCE / "protocol/messages").glob("*.proto"))], check=True, cwd=SOURCE)
-sys.path.insert(0, GENERATED.name)
-from protocol.messages import wire_pb2  # noqa: E402
-
-MAGIC = b"ADIT"
-VERSION = 2
 SHORT = ("--set", "time.duration=2 ms", "--set", "output.field_times=[]")
-
-
-class Link:
-    """One end of a conversation, as wire.proto and the README describe it."""
-
-    def __init__(self, connection):
-        self.socket = connection
-        self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-
-    def read(self, count):
-        data = b""
-        while len(data) < count:
-            piece = self.socket.recv(count - len(data))
-            if not piece:
-                raise EOFError
-            data += piece
-        return data
-
-    def greet(self):
-        self.socket.sendall(MAGIC + struct.pack("<I", VERSION))
-        assert self.read(8) == MAGIC + struct.pack("<I", VERSION)
-
-    def receive(self):
-        return wire_pb2.Frame.FromString(self.read(struct.unpack("<I", self.read(4))[0]))
-
-    def send(self, frame):
-        payload = frame.SerializeToString()
-        self.socket.sendall(struct.pack("<I", len(payload)) + payload)
-
-
-class Listener:
-    """Serves one client in a thread."""
-
-    def __init__(self, serve):
-        self.socket = socket.create_server(("127.0.0.1", 0))
-        self.address = "127.0.0.1:%d" % self.socket.getsockname()[1]
-        self.thread = threading.Thread(target=self.run, args=(serve,), daemon=True)
-        self.thread.start()
-
-    def run(self, serve):
-        client, _ = self.socket.accept()
-        with client:
-            try:
-                serve(client)
-            except (EOFError, OSError):
-                pass
-        self.socket.close()
-
-
-def between(server, tamper):
-    """Passes every frame on through Python's own classes, after `tamper` looked at the answers."""
-
-    def pass_on(source, sink, change):
-        try:
-            while True:
-                frame = source.receive()
-                change(frame)
-                sink.send(frame)
-        except (EOFError, OSError):
-            try:
-                sink.socket.shutdown(socket.SHUT_WR)
-            except OSError:
-                pass
-
-    def serve(client):
-        host, port = server.address.split(":")
-        with socket.create_connection((host, int(port))) as upstream:
-            ends = Link(client), Link(upstream)
-            for end in ends:
-                end.greet()
-            requests = threading.Thread(target=pass_on, args=(*ends, lambda frame: None), daemon=True)
-            requests.start()
-            pass_on(ends[1], ends[0], tamper)
-
-    return serve
 
 
 class ForeignPeer(ProgramTest):
@@ -110,6 +24,16 @@ class ForeignPeer(ProgramTest):
         own = self.run_scene(CASE / "coupled.yaml", *SHORT, out="own")
         for name in ("histories.csv", "cracks.csv"):
             self.assertEqual((self.folder / "foreign" / name).read_bytes(), (own / name).read_bytes())
+
+    def test_the_user_hears_of_a_long_set_up(self):
+        def tamper(frame):
+            if frame.WhichOneof("content") == "model":
+                time.sleep(2.5)
+
+        result = self.run_with(tamper)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertRegex(result.stderr, r"dem_server at \S+ builds its model \(2 s so far\)\n")
+        self.assertNotIn("fdm_server at", result.stderr)
 
     def assert_refused(self, tamper, text):
         result = self.run_with(tamper)
@@ -137,6 +61,28 @@ class ForeignPeer(ProgramTest):
                 frame.bye.cpu_seconds = 1
 
         self.assert_refused(tamper, "model was expected")
+
+    def test_a_peer_that_saves_no_state_takes_part_without_checkpoints(self):
+        def tamper(frame):
+            if frame.WhichOneof("content") == "model":
+                frame.model.ClearField("state_format")
+
+        result = self.run_with(tamper, "--set", "output.checkpoint={}")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertRegex(result.stderr, r"note: checkpoint: none can be written, because dem_server at \S+ \(particles\)")
+        run = self.folder / "foreign"
+        self.assertFalse((run / "checkpoints").exists())
+        self.assertTrue(any("none can be written" in note for note in self.summary(run)["notes"]))
+
+    def test_a_state_that_was_damaged_is_refused(self):
+        def tamper(frame):
+            if frame.WhichOneof("content") == "state":
+                frame.state.checksum ^= 1
+
+        result = self.run_with(tamper, "--set", "output.checkpoint={}")
+        self.assertEqual(result.returncode, 3, result.stderr)
+        self.assertIn("sent a part of its state with a wrong checksum", result.stderr)
+        self.assertEqual(list((self.folder / "foreign" / "checkpoints").iterdir()), [])
 
     def test_a_peer_that_does_not_say_its_wave_speed_takes_part_unless_the_solve_needs_it(self):
         def tamper(frame):

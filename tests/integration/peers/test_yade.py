@@ -1,13 +1,16 @@
-"""Yade and dem_server compute the same motion of a bonded cantilever during a whole period after sudden loading."""
+"""Yade and dem_server compute the same motion of a bonded cantilever during a whole period after sudden loading, and Yade can take
+the place of dem_server in a coupled run."""
 
 import csv
 import json
 import math
+import re
 import shutil
+import subprocess
 import sys
 import unittest
 
-from programs import SOURCE, ProgramTest
+from programs import CASE, SOURCE, ProgramTest, coupler
 
 sys.path.insert(0, str(SOURCE / "scripts"))
 from adit_bench.peers import particles as peers  # noqa: E402
@@ -32,7 +35,7 @@ output: {{history_interval: 0.5 ms}}
 """
 
 
-@unittest.skipUnless(shutil.which("yade"), "the Debian package yade is not installed")
+@unittest.skipUnless(shutil.which("yade"), "needs the Debian packages yade (scripts/setup adapters)")
 class SameBeamInYade(ProgramTest):
     def test_histories_of_the_tip_agree(self):
         run = self.run_scene(self.scene(SCENE))
@@ -59,6 +62,48 @@ class SameBeamInYade(ProgramTest):
             "places": places, "radius": RADIUS, "mass": mass, "inertia": mass * RADIUS**2 / 2, "normal_stiffness": NORMAL,
             "shear_stiffness": SHEAR, "dt": dt, "steps": steps, "fixed": ends[1], "watched": 2 * DISCS - 1,
             "load": {"discs": ends[0], "force": [0, FORCE / len(ends[0])]}})
+
+
+@unittest.skipUnless(shutil.which("yade"), "needs the Debian packages yade (scripts/setup adapters)")
+class YadeAsParticles(ProgramTest):
+    BEAM = CASE / "variants/coupled_52x6.yaml"
+    SHORT = ("--set", "time.duration=6 ms", "--set", "output.field_times=[3 ms]")
+
+    def served(self):
+        """The address of adapters/yade."""
+        process = subprocess.Popen([SOURCE / "adapters/yade/participant.py"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        return re.fullmatch(r"listening on (\S+)\n", process.stdout.readline())[1]
+
+    def test_it_computes_the_coupled_cantilever(self):
+        """Both sum in another order, and Yade keeps places of 10 m, of which a displacement of 10 mm has 13 digits."""
+        own = self.run_scene(self.BEAM, *self.SHORT, out="own")
+        run = self.run_scene(self.BEAM, *self.SHORT, "--dem", self.served(), out="yade")
+        for name in ("tip_uy_m", "particles_strain_J", "particles_kinetic_J", "max_bond_force_N"):
+            ours, theirs = (self.column(folder, name) for folder in (own, run))
+            apart = max(abs(a - b) for a, b in zip(ours, theirs)) / max(map(abs, ours))
+            print(f"{name}: within {apart:.2g} of the largest value")
+            self.assertLess(apart, 1e-3)
+        self.assertLess(self.summary(run)["max_energy_drift"], 1e-5)
+
+    @staticmethod
+    def column(run, name):
+        with open(run / "histories.csv", newline="") as file:
+            return [float(row[name]) for row in csv.DictReader(file)]
+
+    def test_bonds_that_break_are_refused(self):
+        done = coupler("run", self.BEAM, *self.SHORT, "--set", "particles.bonds.tensile_strength=4 MN", "--dem", self.served(),
+                       "--out", self.folder / "run")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("particles.bonds.tensile_strength", done.stderr)
+        self.assertIn("do not break", done.stderr)
+
+    def test_it_passes_the_conformance_checks(self):
+        done = subprocess.run([SOURCE / "scripts/conformance", "--dem", SOURCE / "adapters/yade/participant.py"],
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertNotIn("FAILED", done.stdout)
 
 
 if __name__ == "__main__":

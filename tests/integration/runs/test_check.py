@@ -8,7 +8,7 @@ import unittest
 from programs import CASE, SOURCE, ProgramTest, coupler
 
 sys.path.insert(0, str(SOURCE / "scripts"))
-from adit_plots.checked import Checked  # noqa: E402
+from adit_plots.setup.checked import Checked  # noqa: E402
 
 SHORT = ("--set", "time.duration=5 ms", "--set", "output.field_times=[2 ms]")
 
@@ -191,7 +191,7 @@ class Check(ProgramTest):
         for scene, piece, field, numbers in ((ground, "grid", "material", {0, 1}), (particles, "particles", "group", {0, 1})):
             out = self.folder / piece
             self.check(scene, "--out", out)
-            self.assertEqual({p.name for p in out.iterdir()}, {"fields", "scene.yaml"})
+            self.assertEqual({p.name for p in out.iterdir()}, {".lock", "fields", "scene.yaml"})
             shown = Checked(out).pieces()[piece]
             self.assertEqual(set(shown.field(field)), numbers)
             self.assertEqual(abs(shown.field("displacement_m", 0 * shown.points)).max(), 0)

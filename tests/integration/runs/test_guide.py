@@ -15,7 +15,7 @@ from programs import BUILD, SOURCE, coupler
 
 PATIENCE_S = 250
 GUIDE = (SOURCE / "docs" / "user_guide.md").read_text()
-PAGES = [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", SOURCE / "CHANGELOG.md",
+PAGES = [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", SOURCE / "CHANGELOG.md", SOURCE / "SECURITY.md",
          *sorted((SOURCE / "docs").glob("*.md")), *sorted((SOURCE / "cases").glob("*/README.md"))]
 
 

@@ -88,7 +88,7 @@ class Installed(ProgramTest):
     def test_unknown_commands_end_with_the_list_of_commands(self):
         done = subprocess.run([self.prefix / "bin" / "adit", "draw"], capture_output=True, text=True)
         self.assertEqual(done.returncode, 2)
-        for command in ("run", "plot", "report", "compare", "paraview", "calibrate", "trade"):
+        for command in ("run", "plot", "report", "compare", "paraview", "calibrate", "cluster", "trade"):
             self.assertRegex(done.stderr, rf"\n  {command} ")
 
     def test_links_of_the_readme_lead_to_installed_files(self):
@@ -107,6 +107,8 @@ class Package(ProgramTest):
         for other in ("python3", "python3-numpy", "python3-matplotlib", "python3-pil", "python3-yaml", "libc6", "libprotobuf"):
             self.assertIn(other, needed)
         succeed("dpkg", "-x", package, self.folder / "root")
+        for server in ("fdm", "dem"):
+            self.assertTrue((self.folder / f"root/usr/lib/systemd/system/adit-{server}.service").exists())
         for program in PROGRAMS:
             said = succeed(self.folder / "root" / "usr" / "bin" / program, "--version")
             self.assertEqual(said, f"{program} {project_version()}\n")

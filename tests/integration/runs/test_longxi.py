@@ -5,6 +5,7 @@ import unittest
 
 import numpy as np
 
+import references
 from programs import SOURCE, ProgramTest, coupler
 
 sys.path.insert(0, str(SOURCE / "scripts"))
@@ -12,23 +13,6 @@ from adit import Run
 from adit_studies.longxi import along, section
 
 CASE = SOURCE / "cases" / "longxi"
-# Two rows of discs a wall instead of three, long zones, and 0.5 m within 0.5 s: (2 / pi) 0.5 s 1.571 m/s.
-QUICK = f"""\
-extends: {CASE / "along_offset.yaml"}
-time: {{duration: 0.55 s, dt_factor: 0.9}}
-statics: {{unbalanced_ratio: 2e-3}}
-particles: {{packing: {{radius: 33.45 cm}}}}
-continuum:
-  block: {{zones_x: 80}}
-  motions:
-    - {{where: {{x_max: -80 m}}, velocity: {{x: 0.7854 m/s, y: 1.3603 m/s}}, time: {{sine: {{frequency: 1 Hz, end: 0.5 s}}}}}}
-    - {{where: {{x_max: -25.3 m, y_max: -40.557 m}}, velocity: {{x: 0.7854 m/s, y: 1.3603 m/s}}, time: {{sine: {{frequency: 1 Hz, end: 0.5 s}}}}}}
-    - {{where: {{x_min: -21.5 m, y_max: -40.557 m}}, velocity: {{x: 0 m/s, y: 0 m/s}}}}
-    - {{where: {{x_min: 80 m}}, velocity: {{x: 0 m/s, y: 0 m/s}}}}
-output: {{field_times: [0 s], history_interval: 5 ms}}
-"""
-
-
 
 
 def lever_of_annulus(ground, lining, inner=5.5, outer=6.0):
@@ -56,7 +40,7 @@ def lever_of_annulus(ground, lining, inner=5.5, outer=6.0):
 
 class Longxi(ProgramTest):
     def test_the_lining_is_cut_at_the_fault_and_intact_four_diameters_away(self):
-        run = Run(self.run_scene(self.scene(QUICK)))
+        run = Run(references.run_reduced(self, "longxi"))
         h = run.histories
         for axis, offset in (("x", 0.25), ("y", 0.433)):  # 0.5 m at 60 degrees
             self.assertAlmostEqual(h[f"hanging_wall_u{axis}_m"][-1] - h[f"footwall_u{axis}_m"][-1], offset, delta=0.05)

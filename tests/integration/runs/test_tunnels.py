@@ -5,6 +5,7 @@ import unittest
 
 import numpy
 
+import references
 from programs import SOURCE, ProgramTest, coupler
 
 sys.path.insert(0, str(SOURCE / "scripts"))
@@ -54,12 +55,7 @@ class Tunnels(ProgramTest):
             self.assertIn("can be computed", result.stdout)
 
     def test_a_ring_between_neighbours_bears_the_ground_and_its_shear(self):
-        coarse = {"time.duration": "0.5 s", "output.field_times": "[]", "statics.unbalanced_ratio": "1e-3",
-                  "tunnels[0].particles.radius": "9.2 cm", "tunnels[0].particles.ground": "2.4 m",
-                  "tunnels[0].particles.overlap": "1.6 m", "continuum.block.zones_x": "25", "continuum.block.zones_y": "32",
-                  "continuum.base.acceleration": "{ricker: {frequency: 3 Hz, time: 0.3 s}, peak: 0.2 g}"}
-        run = Run(self.run_scene(SOURCE / "cases" / "qingcaosha" / "section.yaml",
-                                 *(word for key, value in coarse.items() for word in ("--set", f"{key}={value}"))))
+        run = Run(references.run_reduced(self, "qingcaosha"))
         angle, thrust = ring_ovaling.around(run, "thrust_N")
         # at rest: the mean stress of the ground at the axis, of which the ring bears what its excavation did not release
         vertical = 9.81 * (9.6 * 1800 + 5.1 * 1750)

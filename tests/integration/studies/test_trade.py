@@ -17,7 +17,7 @@ def trade(*arguments, **environment):
 
 class Trade(ProgramTest):
     def test_writes_a_table_and_a_picture_and_errors_fall_with_the_zones(self):
-        result = trade("--quick", "--out", self.folder)
+        result = trade("bar", "--quick", "--out", self.folder)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertRegex(result.stdout, r"coupled, within 10 %: .*; zones 0\.25 m \(.* updates\)")
         self.assertTrue((self.folder / "tiny.png").exists())

@@ -24,6 +24,7 @@ struct InProcessRun {
     protocol::check_rules(scene);
     wire::Setup setup;
     *setup.mutable_scene() = scene;
+    if (dt_factor > 1) setup.mutable_scene()->mutable_time()->set_beyond_critical(true);
     participant.set_up(setup, model);
     participant.weigh(weights, interface);
     dt = dt_factor * model.critical_dt();

@@ -120,7 +120,7 @@ class Sample(unittest.TestCase):
         report.print_summary(results, out)
         self.assertIn("sample/area.cpp:6\n  - return 2 * (a + b);\n  + return 3 * (a + b);\n", out.getvalue())
         self.assertNotIn("metres", out.getvalue())
-        self.assertRegex(out.getvalue(), r"all +4 +3 +1 +1\n")
+        self.assertRegex(out.getvalue(), r"all +4 +3 +1 +1 +0\n")
         for path in ("sample/area.cpp", "sample/unit.hpp"):
             self.assertEqual((self.root / path).read_text(), SAMPLE[path])
 

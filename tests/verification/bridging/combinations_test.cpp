@@ -99,7 +99,7 @@ std::vector<double> displacements(const Bar& bar, scene::Solve solve, const test
   for (std::uint64_t n = 0; n <= steps; ++n) {
     stepper.step(n, {.histories = true});
     for (const coupler::Participant& participant : model.participants)
-      if (participant.histories > 0) values.push_back(participant.prediction().histories(0));
+      if (!participant.histories.empty()) values.push_back(participant.prediction().histories(0));
   }
   return values;
 }

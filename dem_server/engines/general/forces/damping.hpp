@@ -14,6 +14,7 @@
 #include "dem_server/model/model.hpp"
 #include "dem_server/particles/particles.hpp"
 #include "protocol/participant/step.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::dem {
 
@@ -32,6 +33,13 @@ class Damping {
   // resultants then hold the damping forces too. Returns what these took since n - 1, by the trapezoid of
   // energy.hpp.
   Loss kick(const protocol::Step& step, std::uint32_t begin, std::uint32_t end, Particles& particles);
+
+  void exchange(state::Archive& archive) {
+    for (Component* component : {&x_, &y_, &spin_}) {
+      archive("damping_local", std::span(component->local_force));
+      archive("damping_drag", std::span(component->drag_force));
+    }
+  }
 
  private:
   // A component of the motion: its drag coefficients, and the damping forces of the last step.

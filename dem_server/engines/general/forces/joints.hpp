@@ -12,6 +12,7 @@
 
 #include "dem_server/laws/smooth_joint.hpp"
 #include "dem_server/particles/particles.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::dem {
 
@@ -38,6 +39,11 @@ class Joints {
   void start_over() { friction_ = 0; }
   void replace(std::vector<Joint> joints) { joints_ = std::move(joints); }
   std::span<const Joint> joints() const { return joints_; }
+  void exchange(state::Archive& archive) {
+    archive.members("joints", std::span(joints_), &Joint::displacement, &Joint::slip, &Joint::springs,
+                    &Joint::normal);
+    archive("joint_friction", friction_);
+  }
 
  private:
   std::vector<Joint> joints_;

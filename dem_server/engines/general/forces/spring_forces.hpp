@@ -15,6 +15,7 @@
 
 #include "dem_server/model/model.hpp"
 #include "dem_server/particles/particles.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::dem {
 
@@ -37,6 +38,13 @@ class SpringForces {
   std::span<const double> forces() const { return forces_; }         // [N]
   std::span<const double> openings() const { return openings_; }     // without clearance [m]
   std::span<const std::uint32_t> broken() const { return broken_; }  // in the order in which they broke
+
+  void exchange(state::Archive& archive) {
+    for (auto* values : {&forces_, &openings_, &installed_at_}) archive("spring", std::span(*values));
+    archive("springs_whole", whole_);
+    archive("springs_broken", broken_);
+    archive("springs_released", released_);
+  }
 
  private:
   void pull_along_line(std::size_t spring, double dt, Particles& particles);

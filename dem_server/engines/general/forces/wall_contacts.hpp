@@ -11,6 +11,7 @@
 #include "dem_server/model/model.hpp"
 #include "dem_server/particles/particles.hpp"
 #include "protocol/participant/step.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::dem {
 
@@ -59,6 +60,12 @@ class WallContacts {
   // A disc against the nearest point of a wall; the elongation is the gap, without slack.
   PairKinematics kinematics(std::uint32_t wall, std::uint32_t disc, const Particles& particles,
                             double dt = 0) const;
+
+  void exchange(state::Archive& archive) {
+    archive("walls", std::span(states_));
+    archive("touches", touches_);
+    for (double* sum : {&work_, &friction_, &dashpots_}) archive("walls_sum", *sum);
+  }
 
  private:
   // Forces on the disc of a touch, which takes them and what they store and dissipate.

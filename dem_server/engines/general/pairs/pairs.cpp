@@ -38,6 +38,41 @@ void Pairs::finish(std::size_t discs, bool bonded, bool dashpots) {
     if (second[k] / kBlock != first[k] / kBlock) arrivals[count[second[k] / kBlock]++] = {slot++, second[k]};
 }
 
+void Pairs::exchange(std::size_t discs, state::Archive& archive) {
+  bool with_bonds = bonded(), with_dashpots = !normal_dashpot.empty();
+  archive("with_bonds", with_bonds);
+  archive("with_dashpots", with_dashpots);
+  archive("pair_first", first);
+  second.resize(first.size());
+  archive("pair_second", std::span(second));
+  if (archive.reads()) {
+    state::require_below(first, discs, "pair_first");
+    state::require_below(second, discs, "pair_second");
+    state::require_of_model(std::ranges::is_sorted(first), "pair_first");
+    finish(discs, with_bonds, with_dashpots);
+  }
+  archive("pair_law", std::span(law));
+  for (auto* values : {&rest_x, &rest_y, &rest_length, &half_difference, &slack, &width, &weight, &slide,
+                       &normal_dashpot, &shear_dashpot, &initial, &shear, &moment})
+    archive("pair", std::span(*values));
+  archive("pair_state", std::span(state));
+  exchange_kinds(archive);
+}
+
+// Between two steps a chunk may still be computed as one of a more general kind than it is.
+void Pairs::exchange_kinds(state::Archive& archive) {
+  std::vector<std::uint8_t> kinds;
+  for (const Chunk& chunk : chunks)
+    kinds.insert(kinds.end(), {static_cast<std::uint8_t>(chunk.kind), chunk.one_law});
+  archive("chunks", std::span(kinds));
+  if (!archive.reads()) return;
+  sort_chunks();
+  for (std::size_t c = 0; c < chunks.size(); ++c) {
+    chunks[c].kind = std::max(chunks[c].kind, Kind{std::min(kinds[2 * c], std::uint8_t{2})});
+    chunks[c].one_law = chunks[c].one_law && kinds[2 * c + 1] != 0;
+  }
+}
+
 void Pairs::sort_chunks() {
   for (Chunk& chunk : chunks) {
     const std::uint32_t one = chunk.begin;

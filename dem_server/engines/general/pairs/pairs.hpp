@@ -17,6 +17,7 @@
 #include "dem_server/laws/bond_state.hpp"
 #include "dem_server/laws/linear_contact.hpp"
 #include "dem_server/particles/particles.hpp"
+#include "protocol/state/archive.hpp"
 
 namespace adit::dem {
 
@@ -78,6 +79,13 @@ struct Pairs {
   void finish(std::size_t discs, bool bonded, bool dashpots);
   // Finds of which kind the chunks are.
   void sort_chunks();
+
+  // All but the chunks and blocks, which finish() makes of the pairs, and what they are waiting for between
+  // two steps.
+  void exchange(std::size_t discs, state::Archive& archive);
+
+ private:
+  void exchange_kinds(state::Archive& archive);
 };
 
 }  // namespace adit::dem

@@ -47,6 +47,7 @@ TEST(Interpolation, RefusesAnythingMalformed) {
       {"pair of inverse masses", [](auto& op) { op.add_inverse_masses(1); }},
       {"negative or not finite", [](auto& op) { op.set_inverse_masses(0, -1); }},
       {"negative or not finite", [=](auto& op) { op.set_inverse_masses(0, infinity); }},
+      {"beyond that of any mass", [](auto& op) { op.set_inverse_masses(0, 1e-320); }},
       {"a point that it does not have", [](auto& op) { op.set_columns(3, 3); }},
       {"does not sum to 1", [](auto& op) { op.set_values(0, 0.5); }},
       {"does not sum to 1", [=](auto& op) { op.set_values(0, -infinity); }},

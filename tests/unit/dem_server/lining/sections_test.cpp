@@ -257,6 +257,16 @@ INSTANTIATE_TEST_SUITE_P(
                          }},
                     Case{"Outside", "sections[3]", "crosses no bond between particles",
                          [](auto& s) { add_section(s, "outside", 40); }},
+                    Case{"OnAJoint", "sections[3]",
+                         "crosses no bond, because it lies on particles.joints[0] (`joint`); lay it beside",
+                         [](auto& s) {
+                           const auto& section = add_section(s, "seam", 7);
+                           auto& joint = *s.add_joints();
+                           *joint.mutable_from() = section.from();
+                           *joint.mutable_to() = section.to();
+                           joint.set_name("joint");
+                           joint.set_open(true);
+                         }},
                     Case{"NoSuchSection", "histories[0].section", "choose one of at_2, at_5, at_10",
                          [](auto& s) { s.mutable_histories(0)->set_section("crown"); }}),
     adit::test::kRefusalName);

@@ -122,6 +122,39 @@ TEST(ParticleStages, ChangeTheEngine) {
   EXPECT_LT(largest_force_of_plug(), 1e-6);
 }
 
+// What is put beside ground that has come towards it touches it without force, and resists what comes after.
+TEST(ParticleStages, PutDiscsBesideWhatHasMovedTowardsThem) {
+  auto scene = staged();
+  for (auto* where : {scene.mutable_particles()->mutable_excavations(0)->mutable_where(),
+                      scene.mutable_particles()->mutable_groups(0)->mutable_where()}) {
+    where->Clear();
+    where->set_y_min(2);
+  }
+  auto& joint = *scene.mutable_particles()->add_joints();
+  test::set(*joint.mutable_from(), -1, 2);
+  test::set(*joint.mutable_to(), 7, 2);
+  joint.set_open(true);
+  GeneralEngine engine(read_model(scene), 1);
+  Particles& p = engine.particles();
+  const auto raise_the_ground = [&](double by) {
+    for (std::size_t i = 0; i < p.size(); ++i)
+      if (p.y[i] < 2) p.uy[i] += by;
+  };
+  const auto largest_force = [&] {
+    double most = 0;
+    engine.for_each_contact(
+        [&](const ObservedPair& contact) { most = std::max(most, std::abs(contact.normal)); });
+    return most;
+  };
+  engine.begin_stage(1);
+  raise_the_ground(1e-3);
+  engine.begin_stage(3);
+  EXPECT_EQ(engine.fragments(), 2u);
+  EXPECT_LT(largest_force(), 1e-6);
+  raise_the_ground(1e-3);
+  EXPECT_GT(largest_force(), 1e3);
+}
+
 // A section goes on to tell the force of the bonds that cross it, whose numbers a stage changes.
 TEST(ParticleStages, LeaveSectionsWhatCrossesThem) {
   auto scene = staged();

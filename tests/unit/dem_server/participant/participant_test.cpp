@@ -64,6 +64,19 @@ TEST(Participant, InstabilityNamesStepPlaceAndValue) {
   }
 }
 
+// As the continuum does, whoever chose the step: the scene must say that it is wanted.
+TEST(Participant, RefusesAStepAboveTheCriticalOne) {
+  InProcessRun run(cantilever_scene());
+  run.dt = 1;
+  try {
+    run.advance();
+    FAIL() << "accepted";
+  } catch (const protocol::UserError& error) {
+    EXPECT_EQ(error.path(), "time.dt");
+    EXPECT_THAT(error.what(), testing::HasSubstr("is 1 s, above the particles' critical step of "));
+  }
+}
+
 // Requests that no coupler should send are refused, not computed.
 TEST(Participant, RefusesInconsistentSteps) {
   InProcessRun changed(cantilever_scene());

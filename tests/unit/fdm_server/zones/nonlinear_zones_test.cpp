@@ -31,18 +31,19 @@ struct Law {
 std::vector<Law> laws() {
   const double strength = 2e6;
   Material cohesive = kElastic, frictional = kElastic, softening = kElastic, hysteretic = kElastic,
-           bedded = kElastic;
+           reversals = kElastic, narrow = kElastic, bedded = kElastic;
   cohesive.mohr_coulomb = MohrCoulomb({strength, 0, 0, 0.7 * strength});
   frictional.mohr_coulomb = MohrCoulomb({strength, 35 * kDegree, 10 * kDegree, 0.2 * strength});
   softening.mohr_coulomb =
       MohrCoulomb({{0, {strength, 0.6, 0.2, 0.5 * strength}}, {1e-3, {0.1 * strength, 0.5, 0, 0}}});
-  hysteretic.hysteretic = Hysteretic(backbone(hyperbola(1e-4, 1), 1e-6, 1e-3, 30));
+  const auto curve = backbone(hyperbola(1e-4, 1), 1e-6, 1e-3, 30);
+  hysteretic.hysteretic = Hysteretic(curve);
+  reversals.reversals = narrow.reversals = Polyline(curve);
+  narrow.reversals->narrow(darendeli_share(hyperbola(1e-4, 1), 10), "");
   bedded.mohr_coulomb = frictional.mohr_coulomb;
   bedded.weak_plane = WeakPlane(0.6, {0.3 * strength, 25 * kDegree, 5 * kDegree, 0.1 * strength});
-  return {{"cohesive", cohesive},
-          {"frictional", frictional},
-          {"softening", softening},
-          {"hysteretic", hysteretic},
+  return {{"cohesive", cohesive},     {"frictional", frictional}, {"softening", softening},
+          {"hysteretic", hysteretic}, {"reversals", reversals},   {"narrow loops", narrow},
           {"bedded", bedded}};
 }
 
@@ -144,6 +145,53 @@ TEST_P(NonlinearZonesOfEachKind, EnergyLedgerClosesForEveryLaw) {
     EXPECT_GT(e.dissipated, 0.1 * e.external_work) << name;
     EXPECT_LE(drift, 1e-12 * peak) << name;
   }
+}
+
+// Zones that take over the state of others go on with the same bits, for every law, in small and large
+// strain.
+TEST_P(NonlinearZonesOfEachKind, GoOnFromAStateToTheBit) {
+  for (const bool large_strain : {false, true})
+    for (const auto& [name, material] : laws()) {
+      const Grid grid = distorted_grid({-1, 1, 0, 1, 9, 8});
+      const std::size_t n = grid.x.size();
+      std::vector<double> vx(n), vy(n), ux(n), uy(n);
+      const auto advance = [&](NonlinearZones& zones) {
+        std::vector<double> fx(n), fy(n);
+        zones.add_forces(1.0, {vx.data(), vy.data(), fx.data(), fy.data()});
+        fx.insert(fx.end(), fy.begin(), fy.end());
+        return fx;
+      };
+      const auto shake = [&](int step) {
+        for (std::size_t i = 0; i < n; ++i) {
+          vx[i] = 3e-5 * std::sin(0.3 * step + grid.y[i]) * (grid.x[i] + 2 * grid.y[i]);
+          vy[i] = 3e-5 * std::cos(0.2 * step + grid.x[i]) * (grid.x[i] - grid.y[i]);
+          ux[i] += vx[i];
+          uy[i] += vy[i];
+        }
+      };
+      const auto make = [&] {
+        NonlinearZones zones(GetParam(), grid, material, ones(grid), large_strain);
+        zones.follow(ux.data(), uy.data());
+        return zones;
+      };
+      NonlinearZones first = make(), second = make();
+      for (int step = 0; step < 40; ++step) {
+        shake(step);
+        advance(first);
+      }
+      EXPECT_GT(first.dissipated(), 0) << name;
+      state::Archive written;
+      first.exchange(written);
+      state::Archive read(written.take());
+      second.exchange(read);
+      read.require_end();
+      for (int step = 40; step < 80; ++step) {
+        shake(step);
+        ASSERT_EQ(advance(first), advance(second)) << name << step;
+      }
+      EXPECT_EQ(first.dissipated(), second.dissipated()) << name;
+      EXPECT_EQ(first.field(7, ZoneField::kYieldState), second.field(7, ZoneField::kYieldState)) << name;
+    }
 }
 
 // Large strain: a stressed grid that is turned as a rigid body through a right angle keeps its stress in its

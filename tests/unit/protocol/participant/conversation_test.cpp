@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <thread>
 
 #include "protocol/errors.hpp"
@@ -19,11 +20,13 @@ class Recorder : public Participant {
   void advance(const wire::Advance& advance, wire::Predicted& predicted) override {
     EXPECT_FALSE(predicted.has_energies()) << "answers arrive cleared";
     predicted.set_step(advance.step());
-    if (advance.want_energies()) predicted.mutable_energies();
+    if (advance.want_energies()) predicted.mutable_energies()->set_strain(strain);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
   void snapshot(const wire::SnapshotRequest&, wire::Snapshot& snapshot) override { snapshot.add_pieces(); }
   void finish(wire::Bye& bye) override { bye.set_updates(9); }
+
+  double strain = 0;
 };
 
 wire::Frame request(wire::Frame::ContentCase kind, std::uint64_t step = 0) {
@@ -64,6 +67,29 @@ TEST_F(ConversationTest, AnswersARunWithoutCoupling) {
   ask(wire::Frame::kSetup);
   ask(wire::Frame::kWeights);
   EXPECT_EQ(ask(wire::Frame::kAdvance, 0), wire::Frame::kPredicted);
+}
+
+// Requirement: numbers that are not finite are blamed on the one that sent them.
+TEST_F(ConversationTest, RefusesNumbersOfTheCouplerThatAreNotFinite) {
+  ask(wire::Frame::kSetup);
+  ask(wire::Frame::kWeights);
+  auto advance = request(wire::Frame::kAdvance, 0);
+  advance.mutable_advance()->add_impulses(NAN);
+  EXPECT_THROW(conversation.answer(advance, reply), RequestError);
+}
+
+TEST_F(ConversationTest, EndsAStepWhoseNumbersAreNotFinite) {
+  participant.strain = INFINITY;
+  ask(wire::Frame::kSetup);
+  ask(wire::Frame::kWeights);
+  auto advance = request(wire::Frame::kAdvance, 0);
+  advance.mutable_advance()->set_want_energies(true);
+  try {
+    conversation.answer(advance, reply);
+    FAIL() << "answered";
+  } catch (const Unstable& error) {
+    EXPECT_THAT(error.what(), HasSubstr("step 0: predicted.energies.strain is inf"));
+  }
 }
 
 // What was wanted in one step does not stand in the answer to the next.

@@ -276,12 +276,15 @@ TEST(SteppedParticipant, RefusesToCorrectAStepTwice) {
 }
 
 TEST(SteppedParticipant, RefusesATimeStepThatIsNoTimeStep) {
-  for (const double dt : {0.0, -kDt, std::nan(""), std::numeric_limits<double>::infinity()}) {
+  const auto expect = [](double dt, const std::string& text) {
     PointRun run;
     wire::Advance first = step(0);
     first.set_dt(dt);
-    expect_refused(run, first, "send a positive, finite number");
-  }
+    expect_refused(run, first, text);
+  };
+  for (const double dt : {0.0, -kDt}) expect(dt, "send a positive number");
+  for (const double dt : {std::nan(""), std::numeric_limits<double>::infinity()})
+    expect(dt, "must be finite");
 }
 
 // dt is one number in statics and another one in time, where the scene has substeps.

@@ -20,6 +20,12 @@ TEST(SceneHash, IsFnv1aInSixteenHexadecimalDigits) {
   EXPECT_EQ(scene_hash(small_scene()).size(), 16u);
 }
 
+// The test vectors of its authors (draft-eastlake-fnv, appendix C).
+TEST(SceneHash, HasTheValuesThatItsAuthorsPublish) {
+  EXPECT_EQ(hash_of_bytes("a"), "af63dc4c8601ec8c");
+  EXPECT_EQ(hash_of_bytes("foobar"), "85944171f73967e8");
+}
+
 TEST(SceneHash, NamesDoNotChangeIt) {
   scene::Scene named = small_scene();
   named.set_name("a");

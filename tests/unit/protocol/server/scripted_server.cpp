@@ -40,5 +40,9 @@ class Scripted : public protocol::Participant {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return protocol::server_main(argc, argv, "scripted_server", [] { return std::make_unique<Scripted>(); });
+  protocol::Patience patience = protocol::kPatienceOfServers;
+  patience.first_request = std::chrono::milliseconds(1500);
+  return protocol::server_main(
+      argc, argv, "scripted_server", {"particles"}, [] { return std::make_unique<Scripted>(); }, nullptr,
+      patience);
 }

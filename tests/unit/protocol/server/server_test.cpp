@@ -5,6 +5,8 @@
 
 #include <boost/process.hpp>
 #include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 #include <thread>
@@ -61,8 +63,9 @@ class Server {
 // A coupler, as far as the server can tell.
 class Client {
  public:
-  explicit Client(const Server& server) : connection_(connect(server.address(), "scripted_server")) {
-    handshake(*connection_, "coupler");
+  explicit Client(const Server& server, const std::string& secret = "")
+      : connection_(connect(server.address(), "scripted_server")) {
+    handshake(*connection_, "coupler", End::kClient, secret);
   }
   const wire::Frame& ask(const wire::Frame& request) {
     connection_->send(request);
@@ -75,6 +78,20 @@ class Client {
     request.mutable_setup()->mutable_scene()->mutable_time()->set_duration(1);
     return ask(request);
   }
+  // Goes away while the server computes.
+  void leave_computing() {
+    std::thread leaving([&] {
+      std::this_thread::sleep_for(100ms);
+      connection_->interrupt();
+    });
+    try {
+      set_up("compute for ever");
+    } catch (...) {
+      leaving.join();
+      throw;
+    }
+  }
+  void wait() { connection_->receive(reply_); }
   const wire::Frame& advance(std::uint64_t step) {
     wire::Frame request;
     request.mutable_advance()->set_step(step);
@@ -91,7 +108,8 @@ class Client {
   wire::Frame reply_;
 };
 
-// The server notices a client's end when it reads, so one who comes at once may still find it busy.
+// The server notices a client's end when it reads, so one who comes at once may still find it busy, or, where
+// it was computing, be cut off in the moment in which it begins anew.
 std::uint64_t serve_soon(const Server& server) {
   const auto deadline = std::chrono::steady_clock::now() + 5s;
   while (true) {
@@ -99,7 +117,7 @@ std::uint64_t serve_soon(const Server& server) {
       Client client(server);
       client.set_up("next");
       return client.finish();
-    } catch (const UserError&) {
+    } catch (const std::exception&) {
       if (std::chrono::steady_clock::now() > deadline) throw;
       std::this_thread::sleep_for(1ms);
     }
@@ -120,7 +138,7 @@ TEST(Server, RefusesASecondClientAtOnceAndNamesTheRun) {
   const Server server;
   Client first(server);
   first.set_up("cantilever-7");
-  EXPECT_THAT(message_of<UserError>([&] { Client second(server); }),
+  EXPECT_THAT(message_of<UserError>([&] { Client(server).set_up("second"); }),
               AllOf(HasSubstr("scripted_server at 127.0.0.1"), HasSubstr("busy with run cantilever-7")));
   EXPECT_EQ(first.finish(), 42u);
 }
@@ -132,6 +150,46 @@ TEST(Server, GoesOnAfterALostClient) {
     Client lost(server);
     lost.set_up("lost");
   }
+  EXPECT_EQ(serve_soon(server), 42u);
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// A packing may take hours: a server does not go on with it for a client who has left, also when that happens
+// again, and it stays the same process at the same address.
+TEST(Server, LeavesAComputationWhoseClientHasGone) {
+  Server server;
+  for (int run = 0; run < 2; ++run) {
+    EXPECT_THROW(Client(server).leave_computing(), PeerLost);
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(serve_soon(server), 42u);
+    EXPECT_LT(seconds_since(start), 2.5);
+  }
+  server.signal(SIGTERM);
+  EXPECT_EQ(server.exit_code_within(5s), 0);
+  EXPECT_EQ(server.rest_of_output(), "") << "stdout holds one line";
+}
+
+// Heartbeats do not hold a server: after its hello a client has a bounded time for its setup, and is told so.
+TEST(Server, DropsAClientThatSendsNoSetup) {
+  const Server server;
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_THAT(message_of<RequestError>([&] { Client(server).wait(); }), HasSubstr("no answer within 1.5 s"));
+  EXPECT_LT(seconds_since(start), 5);
+  EXPECT_EQ(serve_soon(server), 42u);
+}
+
+// In a run, requests are short; a client that announces more is told how many bytes are allowed.
+TEST(Server, RefusesLongFramesInARun) {
+  const Server server;
+  Client client(server);
+  client.set_up("run");
+  wire::Frame weights;
+  weights.mutable_weights()->mutable_weights()->Resize(static_cast<int>(kMaxRunBytes / sizeof(double)), 1);
+  EXPECT_THAT(message_of<RequestError>([&] { client.ask(weights); }),
+              HasSubstr("but at most " + std::to_string(kMaxRunBytes) + " are allowed"));
   EXPECT_EQ(serve_soon(server), 42u);
 }
 
@@ -185,11 +243,16 @@ TEST(Server, ReportsARequestOutOfOrder) {
   EXPECT_THAT(message_of<RequestError>([&] { client.finish(); }), HasSubstr("request out of order: finish"));
 }
 
+tcp::socket stranger_at(const Server& server, boost::asio::io_context& io) {
+  tcp::socket stranger(io);
+  stranger.connect({boost::asio::ip::make_address(server.address().host), server.address().port});
+  return stranger;
+}
+
 TEST(Server, SurvivesAClientThatSpeaksAnotherProtocol) {
   const Server server;
   boost::asio::io_context io;
-  tcp::socket stranger(io);
-  stranger.connect({boost::asio::ip::make_address(server.address().host), server.address().port});
+  tcp::socket stranger = stranger_at(server, io);
   write_raw(stranger, std::as_bytes(std::span("GET / HTTP/1.1\r\n\r\n", 18)));
   EXPECT_EQ(serve_soon(server), 42u);
 }
@@ -215,6 +278,68 @@ TEST(Server, EndsPromptlyWhenTold) {
   computing.signal(SIGTERM);
   EXPECT_EQ(computing.exit_code_within(8s), 0);
   waiting.join();
+}
+
+// Clients that connect and say nothing keep nobody away, however many they are.
+TEST(Server, ServesWhoGreetsItWhileOthersAreSilent) {
+  const Server server;
+  boost::asio::io_context io;
+  std::vector<tcp::socket> silent;
+  for (int i = 0; i < 100; ++i) silent.push_back(stranger_at(server, io));
+  Client client(server);
+  client.set_up("run");
+  EXPECT_EQ(client.finish(), 42u);
+}
+
+// A file of the tests' folder that holds a secret, readable by its owner only.
+std::string secret_file(const std::string& name, const std::string& secret,
+                        std::filesystem::perms permissions) {
+  const std::string path = testing::TempDir() + name;
+  std::ofstream(path) << secret << '\n';
+  std::filesystem::permissions(path, permissions);
+  return path;
+}
+
+constexpr auto kOwner = std::filesystem::perms::owner_read | std::filesystem::perms::owner_write;
+const std::string kSecret = "a word that both ends know";
+
+TEST(Server, WithASecretServesOnlyWhoKnowsIt) {
+  const Server server({"--secret-file", secret_file("known_secret", kSecret, kOwner)});
+  EXPECT_THAT(message_of<UserError>([&] { Client without(server); }), HasSubstr("--secret-file"));
+  EXPECT_THAT(message_of<UserError>([&] { Client wrong(server, "another word of some length"); }),
+              HasSubstr("its secret is another one"));
+  Client right(server, kSecret);
+  right.set_up("run");
+  EXPECT_EQ(right.finish(), 42u);
+}
+
+// Who sends a request in the place of the proof gets no answer to it.
+TEST(Server, WithASecretAnswersNothingBeforeTheProof) {
+  const Server server({"--secret-file", secret_file("asked_secret", kSecret, kOwner)});
+  boost::asio::io_context io;
+  Connection liar(stranger_at(server, io), "scripted_server", {});
+  wire::Frame hello, setup, answer;
+  hello.mutable_hello()->set_protocol_version(kProtocolVersion);
+  hello.mutable_hello()->set_max_frame_bytes(kMaxFrameBytes);
+  hello.mutable_hello()->set_challenge(random_challenge());
+  setup.mutable_setup()->set_run_id("stolen");
+  liar.send_preamble();
+  liar.send(hello);
+  liar.send(setup);
+  liar.receive_preamble();
+  liar.receive(answer);
+  EXPECT_TRUE(answer.has_hello());
+  EXPECT_THAT(message_of<RequestError>([&] { liar.receive(answer); }),
+              HasSubstr("sent setup in the place of a greeting"));
+  Client right(server, kSecret);
+  right.set_up("run");
+  EXPECT_EQ(right.finish(), 42u);
+}
+
+// A program that took the port of a server cannot pretend to be it.
+TEST(Server, WithoutTheSecretIsNotTrusted) {
+  const Server server;
+  EXPECT_THAT(message_of<UserError>([&] { Client client(server, kSecret); }), HasSubstr("has no secret"));
 }
 
 struct Outcome {
@@ -245,9 +370,20 @@ TEST(Server, ListensBeyondLoopbackOnlyWhenAllowed) {
   const auto outcome = run_with({"--listen", "0.0.0.0:0"});
   EXPECT_EQ(outcome.exit_code, kUserError);
   EXPECT_THAT(outcome.errors,
-              AllOf(HasSubstr("do not authenticate"), HasSubstr("ssh"), HasSubstr("--insecure")));
+              AllOf(HasSubstr("could read and change"), HasSubstr("ssh"), HasSubstr("--insecure")));
   const Server server({"--listen", "0.0.0.0:0", "--insecure"});
   EXPECT_EQ(server.address().host, "0.0.0.0");
+}
+
+TEST(Server, ASecretThatOthersCanReadOrGuessIsTheUsersError) {
+  const auto refused = [](const std::string& file, const std::string& reason) {
+    const auto outcome = run_with({"--secret-file", file});
+    EXPECT_EQ(outcome.exit_code, kUserError);
+    EXPECT_THAT(outcome.errors, AllOf(HasSubstr(file), HasSubstr(reason)));
+  };
+  refused(secret_file("open_secret", kSecret, kOwner | std::filesystem::perms::group_read), "chmod 600");
+  refused(secret_file("short_secret", "guess me", kOwner), "openssl rand -hex 32");
+  refused(testing::TempDir() + "no_such_secret", "No such file");
 }
 
 TEST(Server, AWrongCommandLineIsTheUsersError) {

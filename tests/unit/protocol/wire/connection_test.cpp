@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <thread>
@@ -17,7 +18,13 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 
-constexpr Patience kShort{.silence = 200ms, .answer = 2s, .connect = 300ms, .heartbeat = 40ms};
+constexpr Patience kShort{.silence = 200ms,
+                          .answer = 2s,
+                          .connect = 300ms,
+                          .heartbeat = 40ms,
+                          .first_request = 300ms,
+                          .frame = 300ms,
+                          .farewell = 100ms};
 
 double seconds_of(const auto& action) {
   const auto start = std::chrono::steady_clock::now();
@@ -89,7 +96,7 @@ TEST(Connection, AnAnswerThatNeverComesEndsInPeerLostDespiteHeartbeats) {
 TEST(Connection, SendingToAPeerThatDoesNotReadEndsInPeerLost) {
   SocketPair sockets;
   Connection connection(std::move(sockets.near), "dem_server", kShort);
-  connection.establish(kMaxFrameBytes);
+  connection.establish(hello_without_parts());
   const auto large = predicted(1, 2000000);
   const double waited = seconds_of([&] {
     EXPECT_THAT(message_of<PeerLost>([&] { connection.send(large); }), HasSubstr("no sign of life"));
@@ -171,6 +178,19 @@ TEST(Connection, InterruptWakesWhoeverWaits) {
   other.join();
 }
 
+// What the other end was told before it was dropped.
+std::string told(tcp::socket& socket) {
+  std::vector<std::byte> bytes(1000);
+  boost::system::error_code end;
+  const std::size_t count = boost::asio::read(socket, boost::asio::buffer(bytes), end);
+  FrameDecoder decoder;
+  std::ranges::copy(std::span(bytes).first(count), decoder.space().begin());
+  decoder.arrived(count);
+  wire::Frame frame;
+  return decoder.take(frame) ? frame.error().message() : "nothing";
+}
+
+// Both users learn what was wrong: the one who read it, and the one whose program sent it.
 TEST(Connection, BytesThatAreNoFrameArePeerLost) {
   SocketPair sockets;
   Connection connection(std::move(sockets.near), "dem_server", kShort);
@@ -178,6 +198,79 @@ TEST(Connection, BytesThatAreNoFrameArePeerLost) {
   wire::Frame frame;
   EXPECT_THAT(message_of<PeerLost>([&] { connection.receive(frame); }),
               AllOf(HasSubstr("dem_server at"), HasSubstr("not a frame of this protocol")));
+  EXPECT_THAT(told(sockets.far), HasSubstr("sent 3 bytes that are not a frame of this protocol"));
+}
+
+TEST(Connection, AFrameAboveTheLimitOfThePhaseIsPeerLost) {
+  SocketPair sockets;
+  Connection connection(std::move(sockets.near), "dem_server", kShort);
+  connection.accept_up_to(100);
+  write_frame(sockets.far, predicted(1, 20));
+  wire::Frame frame;
+  EXPECT_THAT(message_of<PeerLost>([&] { connection.receive(frame); }), HasSubstr("at most 100 are allowed"));
+  EXPECT_THAT(told(sockets.far), HasSubstr("at most 100 are allowed"));
+}
+
+// A byte now and then is a sign of life, but the whole frame has a deadline.
+TEST(Connection, AFrameThatComesByteByByteEndsInPeerLost) {
+  SocketPair sockets;
+  Connection connection(std::move(sockets.near), "dem_server", kShort);
+  std::atomic<bool> lost = false;
+  std::thread slow([&] {
+    write_raw(sockets.far, std::as_bytes(std::span("\xff\0\0\0", 4)));
+    while (!lost) {
+      boost::system::error_code ignored;
+      boost::asio::write(sockets.far, boost::asio::buffer("a", 1), ignored);
+      std::this_thread::sleep_for(20ms);
+    }
+  });
+  wire::Frame frame;
+  const double waited = seconds_of([&] {
+    EXPECT_THAT(message_of<PeerLost>([&] { connection.receive(frame); }),
+                HasSubstr("sent a frame more slowly than 256 KiB/s after the first 0.3 s"));
+  });
+  lost = true;
+  slow.join();
+  EXPECT_GE(waited, 0.3);
+  EXPECT_LT(waited, 1.5);
+}
+
+// A peer that takes a frame byte by byte, and beats, is waited for as long as for an answer, not for ever.
+TEST(Connection, AFrameThatIsReadSlowlyEndsInPeerLost) {
+  ConnectionPair pair(kShort, kShort);
+  const auto large = predicted(1, 2000000);
+  std::thread sender([&] {
+    EXPECT_THAT(message_of<PeerLost>([&] { pair.near.send(large, 700ms); }),
+                HasSubstr("did not read what was sent to it"));
+  });
+  sender.join();
+}
+
+// Text of a peer that would forge a line of a log or change a terminal arrives without it.
+TEST(Connection, TextArrivesOnOneLineAndWithoutControlCharacters) {
+  ConnectionPair pair;
+  wire::Frame frame;
+  frame.mutable_model()->add_notes("fine\n[error] forged \x1b]0;title\x07");
+  pair.far.send(frame);
+  pair.near.receive(frame);
+  EXPECT_EQ(frame.model().notes(0), "fine [error] forged  ]0;title ");
+  frame.mutable_error()->set_message("one\ntwo");
+  pair.far.send(frame);
+  EXPECT_THAT(message_of<PeerLost>([&] { pair.near.receive(frame); }), HasSubstr("one two"));
+}
+
+// Who computes does not read; it is told within an interval of heartbeats that the peer has closed.
+TEST(Connection, TellsWhoComputesThatThePeerHasGone) {
+  SocketPair sockets;
+  Connection connection(std::move(sockets.near), "client", kShort);
+  std::atomic<bool> gone = false;
+  connection.when_gone([&] { gone = true; });
+  connection.establish(hello_without_parts());
+  std::this_thread::sleep_for(3 * kShort.heartbeat);
+  EXPECT_FALSE(gone);
+  sockets.far.close();
+  std::this_thread::sleep_for(5 * kShort.heartbeat);
+  EXPECT_TRUE(gone);
 }
 
 wire::Frame error_frame(wire::Error::Kind kind) {
@@ -241,6 +334,19 @@ TEST(Handshake, AnotherProtocolVersionIsAUserError) {
   }
 }
 
+// A right preamble does not excuse a hello of another version.
+TEST(Handshake, TheVersionOfHelloCountsToo) {
+  SocketPair sockets;
+  Connection connection(std::move(sockets.near), "dem_server", kShort);
+  wire::Frame hello;
+  hello.mutable_hello()->set_protocol_version(99);
+  hello.mutable_hello()->set_program("dem_server");
+  write_raw(sockets.far, encode_preamble());
+  write_frame(sockets.far, hello);
+  EXPECT_THAT(message_of<UserError>([&] { handshake(connection, "coupler"); }),
+              HasSubstr("speaks protocol version 99"));
+}
+
 TEST(Handshake, AnotherProgramIsAUserError) {
   SocketPair sockets;
   Connection connection(std::move(sockets.near), "dem_server", kShort);
@@ -267,7 +373,16 @@ TEST(Connect, NothingListensIsAUserError) {
     address.port = acceptor.local_endpoint().port();
   }
   EXPECT_THAT(message_of<UserError>([&] { connect(address, "dem_server", kShort); }),
-              AllOf(HasSubstr("nothing listens at " + to_string(address)), HasSubstr("dem_server --listen")));
+              AllOf(HasSubstr("nothing listens at " + to_string(address)),
+                    HasSubstr("dem_server there with --listen")));
+}
+
+TEST(Address, IsAPathOfThisMachine) {
+  EXPECT_EQ(parse_address("unix:/run/adit/fdm").path, "/run/adit/fdm");
+  EXPECT_EQ(to_string(parse_address("unix:/run/adit/fdm")), "unix:/run/adit/fdm");
+  EXPECT_NO_THROW(parse_address("unix:/" + std::string(106, 'x')));
+  for (const std::string& text : {std::string("unix:"), "unix:/" + std::string(107, 'x')})
+    EXPECT_THAT(message_of<UserError>([&] { parse_address(text); }), HasSubstr("write unix:PATH"));
 }
 
 TEST(Address, IsAHostAndAPort) {

@@ -108,6 +108,36 @@ TEST(Frame, MemoryGrowsWithWhatArrived) {
   EXPECT_LE(decoder.space().size(), kMaxHelloBytes);
 }
 
+// The buffer of a long frame is given back when shorter ones are expected.
+TEST(Frame, MemoryOfALongFrameIsGivenBack) {
+  FrameDecoder decoder;
+  decoder.set_limit(kMaxFrameBytes);
+  feed(decoder, bytes_of(predicted(1, 200000)));
+  wire::Frame frame;
+  ASSERT_TRUE(decoder.take(frame));
+  EXPECT_GT(decoder.space().size(), 1000000u);
+  decoder.set_limit(kMaxHelloBytes);
+  EXPECT_EQ(decoder.space().size(), kMaxHelloBytes);
+}
+
+// Messages of two bytes each take some fifty times the length of the frame.
+TEST(Frame, OfManyEmptyMessagesIsRefusedBeforeItTakesMemory) {
+  wire::Frame sent;
+  auto& regions = *sent.mutable_setup()->mutable_scene()->mutable_regions();
+  constexpr int kRegions = 4'000'000;
+  for (int i = 0; i < kRegions; ++i) regions.Add();
+  FrameDecoder decoder;
+  decoder.set_limit(kMaxFrameBytes);
+  feed(decoder, bytes_of(sent));
+  wire::Frame frame;
+  try {
+    decoder.take(frame);
+    FAIL() << "accepted";
+  } catch (const Malformed& error) {
+    EXPECT_THAT(error.what(), HasSubstr("bytes of Setup that would take"));
+  }
+}
+
 TEST(Frame, LongerThanThePeerAcceptsIsNotEncoded) {
   FrameEncoder encoder;
   EXPECT_THROW(encoder.encode(predicted(1, 1000), 100), std::length_error);

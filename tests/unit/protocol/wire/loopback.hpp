@@ -54,6 +54,15 @@ inline wire::Frame predicted(std::uint64_t step, int values) {
   return frame;
 }
 
+// Of a peer of an earlier release.
+inline wire::Hello hello_without_parts() {
+  wire::Hello hello;
+  hello.set_program("dem_server");
+  hello.set_release("0.4.0");
+  hello.set_max_frame_bytes(kMaxFrameBytes);
+  return hello;
+}
+
 // Two connections that have greeted each other.
 struct ConnectionPair {
   SocketPair sockets;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "protocol/motion/excitation/ground_motion.hpp"
+#include "protocol/motion/fourier.hpp"
 #include "protocol/motion/processing/processing.hpp"
 #include "protocol/motion/velocity_history.hpp"
 #include "protocol/scene/fields/check_rules.hpp"
@@ -53,6 +54,37 @@ TEST(GroundMotion, IsPreparedInTheStatedOrder) {
   const Motion expected =
       scaled_to_peak(baseline_corrected(tapered(gabor(1, 3, 4, 0, 0.6, sampling), 0.3, 0.3)), 2);
   EXPECT_EQ(ground_motion(scene, "motion", sampling).motion.acceleration, expected.acceleration);
+}
+
+// Share of the squared acceleration at frequencies from `first` to `last` [Hz].
+double share_between(const Motion& motion, double first, double last) {
+  const std::size_t n = 2 * ((motion.acceleration.size() + 1) / 2);
+  const auto spectrum = transform(motion.acceleration, n);
+  double inside = 0, all = 0;
+  for (std::size_t j = 0; j < spectrum.size(); ++j) {
+    const double frequency = static_cast<double>(j) / (static_cast<double>(n) * motion.dt);
+    const double power = std::norm(spectrum[j]);
+    all += power;
+    if (frequency >= first && frequency <= last) inside += power;
+  }
+  return inside / all;
+}
+
+// A synthetic motion has periods from 0.1 s, or four of its steps, to 4 s where it is long enough for these.
+TEST(GroundMotion, SyntheticHasTheStatedPeriods) {
+  scene::GroundMotion scene;
+  scene.mutable_synthetic()->set_corner_period(2);
+  scene.set_peak(1);
+  scene.set_baseline(false);
+  const auto motion = [&](double dt, double duration) {
+    return ground_motion(scene, "motion", Sampling{.dt = dt, .duration = duration}).motion;
+  };
+  EXPECT_LT(share_between(motion(0.01, 30), 0, 0.7 / 4), 0.002);
+  EXPECT_GT(share_between(motion(0.01, 30), 0.9 / 4, 0.9 / 2), 0.01);
+  // The fit to the spectrum widens the band a little at its upper end.
+  const double high = share_between(motion(0.01, 30), 6, 10);
+  EXPECT_GT(high, 3 * share_between(motion(0.01, 30), 11, 50));
+  EXPECT_GT(high, 2 * share_between(motion(0.05, 30), 6, 10));
 }
 
 // A record keeps its own step and all of its values for a solver that needs no other step.

@@ -62,6 +62,17 @@ TEST(CheckRules, RequiredFieldsAreThere) {
   expect_refused<scene::Polygon>("", "corners", "is missing; write for example `corners: [{x: 0, y: 0},");
 }
 
+// Names become parts of names of files and columns.
+TEST(CheckRules, NamesAreFitForFiles) {
+  for (const std::string& name : {std::string("top-2.b_c"), std::string("Übergang"), std::string(100, 'x')})
+    expect_accepted<scene::ParticleGroup>("name: '" + name + "' where { x_min: 0 }");
+  for (const std::string& name :
+       {std::string("../x"), std::string("a/b"), std::string(".x"), std::string("a b"), std::string("a\\nb"),
+        std::string("a,b"), std::string(101, 'x')})
+    expect_refused<scene::ParticleGroup>("name: '" + name + "'", "name",
+                                         "expected a name of letters, digits, `_`, `-`");
+}
+
 TEST(CheckRules, FieldsStandInTheRelationTheyName) {
   const std::string low = "x_min: 2 y_min: 0 y_max: 1 ";
   expect_accepted<scene::Box>(low + "x_max: 2.5");
@@ -91,6 +102,19 @@ TEST(CheckRules, ListsHaveTheirLengthAndOrder) {
                                "has 1 elements, expected 2, as many as `time`");
   expect_refused<scene::Table>("time: 1 time: 1 value: 7 value: 8", "time[1]",
                                "is 1 s, expected more than the 1 s before it");
+}
+
+// A server that left out a key of a newer release would compute another model.
+TEST(CheckRules, WhatIsNotKnownIsRefused) {
+  auto material = parsed<scene::Material>("young_modulus: 1e9 poisson_ratio: 0.2 density: 2000");
+  material.GetReflection()->MutableUnknownFields(&material)->AddVarint(99, 1);
+  scene::Scene scene;
+  *scene.mutable_continuum()->mutable_material() = material;
+  test::expect_refusal([&] { check_rules(scene); }, "continuum.material", "(field 99 of Material)");
+
+  scene::Continuum continuum;  // an enumerator that is not known
+  ASSERT_TRUE(continuum.ParseFromString("\x10\x63"));
+  test::expect_refusal([&] { check_rules(continuum, "here"); }, "here", "(field 2 of Continuum)");
 }
 
 // The path leads through messages and lists, and one message is checked to its end before its parent's

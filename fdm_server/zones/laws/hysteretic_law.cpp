@@ -1,0 +1,115 @@
+#include "fdm_server/zones/laws/hysteretic_law.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace adit::fdm {
+
+HystereticLaw::HystereticLaw(const Elasticity& elasticity, const Hysteretic& law, std::size_t zones,
+                             bool large_strain)
+    : ZoneLaw(elasticity), yields_(zones, 0) {
+  const auto [stiffness, limit] = law.chain();
+  const std::size_t whole = (stiffness.size() + kElementBlock - 1) / kElementBlock * kElementBlock;
+  stiffness_.assign(stiffness.begin(), stiffness.end());
+  limit_.assign(limit.begin(), limit.end());
+  stiffness_.resize(whole, 0.0);
+  limit_.resize(whole, std::numeric_limits<double>::infinity());
+  const std::size_t groups = (zones + kGroup - 1) / kGroup;
+  strains_.resize(9 * groups);
+  paths_.resize(groups);
+  wakes_.resize(whole / kElementBlock * groups);
+  flows_.resize(kElementValues * whole * groups);
+  if (large_strain) axes_.emplace(zones);
+}
+
+void HystereticLaw::advance(const LawStep& step) {
+  const std::size_t last = step.first + step.count;
+  for (std::size_t from = step.first; from < last;) {
+    const std::size_t to = std::min((from / kGroup + 1) * kGroup, last);
+    advance_group(step, from, to);
+    from = to;
+  }
+}
+
+// Zones `from` … `to`, which are of one group.
+void HystereticLaw::advance_group(const LawStep& step, std::size_t from, std::size_t to) {
+  const auto& [mean, across, difference, shear] = step.stresses;
+  const double bulk = elasticity_.bulk, modulus = elasticity_.shear;
+  const std::size_t number = from / kGroup;
+  GroupStep group;
+  group.begin = from - number * kGroup;
+  group.end = to - number * kGroup;
+  const std::size_t at = from - step.first;  // the first one's place in the batch
+  for (std::size_t l = group.begin, i = at; l < group.end; ++l, ++i) {
+    const std::size_t zone = step.first + i;
+    const double cosine = axes_ ? axes_->cosine(zone) : 1, sine = axes_ ? axes_->sine(zone) : 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double d = step.strains.difference[k][i], s = step.strains.shear[k][i];
+      group.growth[k][l] = cosine * d + sine * s;
+      group.growth[4 + k][l] = cosine * s - sine * d;
+    }
+    group.growth[8][l] = -2 * step.strains.volume[i] / 3;
+  }
+  fdm::advance_group({elements() / kElementBlock, stiffness_.data(), limit_.data()}, this->group(number),
+                     group);
+  for (std::size_t l = group.begin, i = at; l < group.end; ++l, ++i) {
+    const std::size_t zone = step.first + i;
+    const double cosine = axes_ ? axes_->cosine(zone) : 1, sine = axes_ ? axes_->sine(zone) : 0;
+    double area = 0, deviator = 0, twice = 0;
+    std::uint32_t now = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double d = group.growth[k][l], s = group.growth[4 + k][l];
+      difference[k][i] += modulus * (cosine * d - sine * s);
+      shear[k][i] += modulus * (sine * d + cosine * s);
+      area += step.areas[k][i];
+      deviator += step.areas[k][i] * group.across[k][l];
+      twice += step.areas[k][i] * group.twice[k][l];
+      if (group.twice[k][l] > 0) now |= (kShearNow | kShearPast) << (8 * k);
+    }
+    deviator *= modulus / area;
+    mean[i] += bulk * step.strains.volume[i] - deviator / 2;
+    across[i] += bulk * step.strains.volume[i] + deviator;
+    step.dissipated[i] += modulus * twice / 2;
+    yields_[zone] = (yields_[zone] & (kShearPast * 0x01010101u)) | now;
+  }
+}
+
+void HystereticLaw::exchange(state::Archive& archive) {
+  archive("strains", std::span(strains_));
+  archive("paths", std::span(paths_));
+  archive("wakes", std::span(wakes_));
+  archive("flows", std::span(flows_));
+  archive("yields", std::span(yields_));
+  if (axes_) axes_->exchange(archive);
+}
+
+// Of the elements and of the change of volume, and that of the initial stress over the strains since.
+double HystereticLaw::energy(std::size_t zone, const std::array<double, 4>& areas,
+                             const std::array<PointStress, 4>& stress) const {
+  const double modulus = elasticity_.shear, cosine = axes_ ? axes_->cosine(zone) : 1,
+               sine = axes_ ? axes_->sine(zone) : 0;
+  const std::size_t number = zone / kGroup, l = zone % kGroup;
+  const GroupValues* strain = &strains_[9 * number];
+  const double mean = (2 * stress[0].mean + stress[0].across) / 3, z = strain[8][l];
+  double sum = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double t = strain[k][l], s = strain[4 + k][l];
+    double held_t = 0, held_s = 0, held_z = 0, twice = 0;
+    const GroupValues* q = &flows_[kElementValues * elements() * number + k];
+    for (std::size_t i = 0; i < elements(); ++i, q += kElementValues) {
+      const double et = t - q[0][l], es = s - q[4][l], ez = z - q[8][l], g = stiffness_[i];
+      held_t += g * et;
+      held_s += g * es;
+      held_z += g * ez;
+      twice += g * (et * et + es * es + 0.75 * (ez * ez));
+    }
+    const double initial_t = cosine * stress[k].difference + sine * stress[k].shear - modulus * held_t;
+    const double initial_s = cosine * stress[k].shear - sine * stress[k].difference - modulus * held_s;
+    const double initial_z = stress[k].across - mean - modulus * held_z;
+    sum += areas[k] * (modulus * twice / 2 + (initial_t * t + initial_s * s + 0.75 * initial_z * z) +
+                       mean * mean / (2 * elasticity_.bulk));
+  }
+  return sum;
+}
+
+}  // namespace adit::fdm

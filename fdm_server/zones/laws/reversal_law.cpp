@@ -1,0 +1,165 @@
+#include "fdm_server/zones/laws/reversal_law.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace adit::fdm {
+namespace {
+
+ZoneStrain weights_of(const std::array<double, 4>& areas) {
+  const double area = (areas[0] + areas[1]) + (areas[2] + areas[3]);
+  ZoneStrain weights;
+  for (std::size_t k = 0; k < 4; ++k) weights[k] = weights[4 + k] = areas[k] / area;
+  weights[8] = 0.75;
+  return weights;
+}
+
+// Of a zone's pressure, which is elastic.
+double pressure(double mean, double across) {
+  return (2 * mean + across) / 3;
+}
+
+// Fields of the inner pieces.
+enum InnerField : std::size_t { kStrain = 0, kDrift = kZoneStrains, kRadius = 2 * kZoneStrains, kEnd };
+
+}  // namespace
+
+ReversalLaw::ReversalLaw(const Elasticity& elasticity, const Polyline& backbone, std::size_t zones,
+                         bool large_strain)
+    : ZoneLaw(elasticity), backbone_(backbone), inner_(zones), outer_(zones), yields_(zones, 0) {
+  std::ranges::fill(inner_[kEnd], kVirgin.end);
+  if (backbone_.narrowed()) std::ranges::fill(narrow_.emplace(zones)[0], kVirgin.share);
+  if (large_strain) axes_.emplace(zones);
+}
+
+void ReversalLaw::advance(const LawStep& step) {
+  const PolylineView line = backbone_.view();
+  InnerView inner{};
+  for (std::size_t i = 0; i < kZoneStrains; ++i) {
+    inner.strain[i] = &inner_[kStrain + i][step.first];
+    inner.drift[i] = &inner_[kDrift + i][step.first];
+  }
+  inner.radius = &inner_[kRadius][step.first];
+  inner.end = &inner_[kEnd][step.first];
+  if (narrow_) {
+    inner.share = &(*narrow_)[0][step.first];
+    inner.spring = &(*narrow_)[1][step.first];
+  }
+  StrainBatch turned;
+  if (axes_) {
+    turned = step.strains;
+    axes_->turn_in(step.first, step.count, turned.difference, turned.shear);
+  }
+  const StrainBatch& strains = axes_ ? turned : step.strains;
+  Advanced to;
+  const bool any = stay_on_piece(line, step.count, step.areas, strains, inner, to);
+  grow(elasticity_, step.count, strains, to, axes_ ? axes_->view(step.first) : AxesView{}, inner,
+       step.stresses);
+  if (any) leave_pieces(step, strains, to);
+  for (std::uint32_t i = 0; i < step.count; ++i) {
+    step.dissipated[i] += elasticity_.shear * to.dissipated[i];
+    std::uint8_t& yields = yields_[step.first + i];
+    yields = to.dissipated[i] > 0 ? kShearNow | kShearPast : yields & kShearPast;
+  }
+}
+
+void ReversalLaw::leave_pieces(const LawStep& step, const StrainBatch& strains, Advanced& to) {
+  const auto& [mean, across, difference, shear] = step.stresses;
+  for (std::uint32_t i = 0; i < step.count; ++i) {
+    if (!to.leaves[i]) continue;
+    const std::size_t zone = step.first + i;
+    ZoneStrain strain;
+    std::array<double, 4> areas;
+    for (std::size_t k = 0; k < 4; ++k) {
+      strain[k] = strains.difference[k][i];
+      strain[4 + k] = strains.shear[k][i];
+      areas[k] = step.areas[k][i];
+    }
+    strain[8] = -2 * strains.volume[i] / 3;
+    ZoneMemory memory{inner_piece(zone), std::move(outer_[zone])};
+    const auto [growth, dissipated] = fdm::advance(backbone_.view(), weights_of(areas), strain, memory);
+    set_inner_piece(zone, memory.inner);
+    outer_[zone] = std::move(memory.outer);
+    to.dissipated[i] = dissipated * ((areas[0] + areas[1]) + (areas[2] + areas[3]));
+    const double modulus = elasticity_.shear;
+    const double cosine = axes_ ? axes_->cosine(zone) : 1, sine = axes_ ? axes_->sine(zone) : 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      difference[k][i] += modulus * (cosine * growth[k] - sine * growth[4 + k]);
+      shear[k][i] += modulus * (cosine * growth[4 + k] + sine * growth[k]);
+    }
+    mean[i] -= modulus * growth[8] / 2;
+    across[i] += modulus * growth[8];
+  }
+}
+
+InnerPiece ReversalLaw::inner_piece(std::size_t zone) const {
+  InnerPiece piece = kVirgin;
+  for (std::size_t i = 0; i < kZoneStrains; ++i) {
+    piece.strain[i] = inner_[kStrain + i][zone];
+    piece.drift[i] = inner_[kDrift + i][zone];
+  }
+  piece.radius = inner_[kRadius][zone];
+  piece.end = inner_[kEnd][zone];
+  if (narrow_) {
+    piece.share = (*narrow_)[0][zone];
+    piece.spring = (*narrow_)[1][zone];
+  }
+  return piece;
+}
+
+void ReversalLaw::set_inner_piece(std::size_t zone, const InnerPiece& piece) {
+  for (std::size_t i = 0; i < kZoneStrains; ++i) {
+    inner_[kStrain + i][zone] = piece.strain[i];
+    inner_[kDrift + i][zone] = piece.drift[i];
+  }
+  inner_[kRadius][zone] = piece.radius;
+  inner_[kEnd][zone] = piece.end;
+  if (!narrow_) return;
+  (*narrow_)[0][zone] = piece.share;
+  (*narrow_)[1][zone] = piece.spring;
+}
+
+void ReversalLaw::exchange(state::Archive& archive) {
+  inner_.exchange(archive);
+  if (narrow_) narrow_->exchange(archive);
+  std::vector<std::uint32_t> counts;
+  std::vector<OuterPiece> pieces;
+  for (const auto& outer : outer_) {
+    counts.push_back(static_cast<std::uint32_t>(outer.size()));
+    pieces.insert(pieces.end(), outer.begin(), outer.end());
+  }
+  archive("reversals", std::span(counts));
+  archive("pieces", pieces);
+  archive("yields", std::span(yields_));
+  if (axes_) axes_->exchange(archive);
+  if (!archive.reads()) return;
+  std::size_t at = 0;
+  for (std::size_t zone = 0; zone < outer_.size(); ++zone) {
+    state::require_of_model(counts[zone] <= pieces.size() - at, "pieces");
+    const auto from = pieces.begin() + static_cast<std::ptrdiff_t>(at);
+    outer_[zone].assign(from, from + counts[zone]);
+    at += counts[zone];
+  }
+  state::require_of_model(at == pieces.size(), "pieces");
+}
+
+// Beside what the memory stores: the initial stress over the strains since, and the change of volume.
+double ReversalLaw::energy(std::size_t zone, const std::array<double, 4>& areas,
+                           const std::array<PointStress, 4>& stress) const {
+  const ZoneStrain weights = weights_of(areas);
+  const double modulus = elasticity_.shear, mean = pressure(stress[0].mean, stress[0].across);
+  auto [strain, held, energy] = fdm::held(backbone_.view(), weights, {inner_piece(zone), outer_[zone]});
+  energy *= modulus;
+  const auto add = [&](std::size_t i, double initial_and_held) {
+    energy += weights[i] * (initial_and_held - modulus * held[i]) * strain[i];
+  };
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double cosine = axes_ ? axes_->cosine(zone) : 1, sine = axes_ ? axes_->sine(zone) : 0;
+    add(k, cosine * stress[k].difference + sine * stress[k].shear);
+    add(4 + k, cosine * stress[k].shear - sine * stress[k].difference);
+  }
+  add(8, stress[0].across - mean);
+  return ((areas[0] + areas[1]) + (areas[2] + areas[3])) * (energy + mean * mean / (2 * elasticity_.bulk));
+}
+
+}  // namespace adit::fdm

@@ -1,0 +1,59 @@
+// A law of the ground, as zones ask for it: a batch at a time. It holds what its zones' points remember
+// beside their stress.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "fdm_server/materials/material.hpp"
+#include "fdm_server/zones/batch/batch.hpp"
+#include "fdm_server/zones/batch/zone_kernels.hpp"
+#include "protocol/state/archive.hpp"
+
+namespace adit::fdm {
+
+// Zones `first` … `first + count` are strained.
+struct LawStep {
+  std::size_t first;
+  std::uint32_t count;
+  const PointValues& areas;  // undeformed, of each point
+  const StrainBatch& strains;
+  StressView stresses;
+  double* dissipated;  // of each zone, unweighted [J]
+};
+
+class ZoneLaw {
+ public:
+  explicit ZoneLaw(const Elasticity& elasticity) : elasticity_(elasticity) {}
+  virtual ~ZoneLaw() = default;
+
+  // Takes the stresses to the end of the step. Elastic, unless a law says otherwise.
+  virtual void advance(const LawStep& step) {
+    add_elastic(step.count, elasticity_, step.strains, step.stresses);
+  }
+  // In large strain: what has a direction turns with the ground.
+  virtual void turn(std::size_t /*first*/, std::uint32_t /*count*/, const HalfTurns& /*turns*/) {}
+  // Before the first step.
+  virtual void set_stress(std::size_t /*zone*/, std::size_t /*point*/, const PointStress& /*stress*/) {}
+  virtual void exchange(state::Archive& /*archive*/) {}
+  // Of a zone whose points have these undeformed areas and stresses [J].
+  virtual double energy(std::size_t /*zone*/, const std::array<double, 4>& areas,
+                        const std::array<PointStress, 4>& stress) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      sum += areas[k] * elastic_energy(elasticity_, solid_stress(stress[k]));
+    return sum;
+  }
+  virtual double plastic_shear_strain(std::size_t /*zone*/, std::size_t /*point*/) const { return 0; }
+  virtual unsigned yields(std::size_t /*zone*/, std::size_t /*point*/) const { return kElastic; }
+
+ protected:
+  Elasticity elasticity_;
+};
+
+// The law of a material, for so many zones.
+std::unique_ptr<ZoneLaw> make_law(const Material& material, std::size_t zones, bool large_strain);
+
+}  // namespace adit::fdm

@@ -1,0 +1,17 @@
+// A participant that goes on from a state that a client hands to it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "protocol/participant/participant.hpp"
+
+namespace adit::fuzz {
+
+// The first byte of the input chooses one of the scenes, the second is the step that follows; the rest is the
+// state, with the checksum that it has.
+void go_on_from(std::string_view input, protocol::Participant& participant,
+                const std::vector<std::string>& scenes);
+
+}  // namespace adit::fuzz

@@ -1,0 +1,29 @@
+#include "tests/fuzz/session/serve.hpp"
+
+#include "protocol/errors.hpp"
+#include "protocol/wire/content/clean_text.hpp"
+#include "tests/fuzz/session/script.hpp"
+#include "tests/fuzz/support/target.hpp"
+
+namespace adit::fuzz {
+
+void serve(protocol::Participant& participant, const std::vector<wire::Frame>& requests) {
+  protocol::Conversation conversation(participant);
+  wire::Frame reply;
+  for (const wire::Frame& request : requests) {
+    if (!is_small(request.setup().scene()) || conversation.finished()) return;
+    try {
+      conversation.answer(request, reply);
+    } catch (const protocol::UserError& error) {
+      return require_one_line(error.what());
+    } catch (const protocol::RequestError& error) {
+      return require_one_line(error.what());
+    } catch (const protocol::Unstable& error) {
+      return require_one_line(error.what());
+    }
+    protocol::clean_text(reply);
+    conversation.complete();
+  }
+}
+
+}  // namespace adit::fuzz

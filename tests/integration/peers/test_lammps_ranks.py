@@ -1,0 +1,18 @@
+"""LAMMPS on one, two and four ranks, and through the conformance kit; takes minutes."""
+
+import subprocess
+
+from programs import CASE, SOURCE
+
+from peers.test_lammps import BEAM, STRENGTH, LammpsTest, mpirun
+
+
+class LammpsOnMoreRanks(LammpsTest):
+    def test_both_beams_on_one_two_and_four_ranks(self):
+        for beam in (BEAM, CASE / "coupled.yaml"):
+            self.assertGreater(self.assert_same(beam, (1, 2, 4), *STRENGTH), 2)
+
+    def test_conformance(self):
+        command = " ".join(map(str, [*mpirun(2), "--listen", "127.0.0.1:0"]))
+        done = subprocess.run(["/usr/bin/python3", SOURCE / "scripts/conformance", "--dem", command], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout)

@@ -1,0 +1,33 @@
+"""The reduced variants of cases, as the reference.json of each states them, and what they must agree with."""
+
+import json
+import shlex
+import subprocess
+
+from programs import BUILD, SOURCE
+
+CASES = SOURCE / "cases"
+
+
+def contents(case):
+    return json.loads((CASES / case / "reference.json").read_text())
+
+
+def run_reduced(test, case):
+    """Computes the reduced variant of a case, checks that it agrees with the reference, and returns its folder."""
+    expected = next(run for run in contents(case)["runs"] if "reduced" in run)
+    script, scene, *options = shlex.split(expected["command"])
+    test.assertEqual(script, "scripts/run")
+    program = "simplified" if "simplified:" in (SOURCE / scene).read_text() else "coupler"
+    folder = test.folder / case
+    done = subprocess.run([BUILD / program / program, "run", SOURCE / scene, "--out", folder, *options], capture_output=True,
+                          text=True, timeout=280)
+    test.assertEqual(done.returncode, 0, done.stderr)
+    compared = compare(folder, case)
+    test.assertEqual(compared.returncode, 0, compared.stdout + compared.stderr)
+    return folder
+
+
+def compare(run, case):
+    return subprocess.run([SOURCE / "scripts" / "compare", run, "--reference", CASES / case / "reference.json"], capture_output=True,
+                          text=True, timeout=60)

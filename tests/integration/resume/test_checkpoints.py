@@ -1,0 +1,106 @@
+"""A run that was stopped goes on, a finished one becomes longer, another one begins at a state at rest; what cannot go
+on is refused by name."""
+
+import json
+import unittest
+
+from programs import coupler
+from resume.resumed import BEDDED, CASES, CHECKPOINTS, GROUND, RAYLEIGH, ResumeTest, results_of
+
+AT_THE_END = ("--set", "output.checkpoint={}")  # and after statics
+
+
+class Checkpoints(ResumeTest):
+    def test_stop_and_go_on(self):
+        scene = CASES / "cantilever" / "coupled.yaml"
+        slow = ("--set", "time.dt_factor=0.05")
+        whole = self.run_scene(scene, *slow, out="whole")
+        run = self.stopped(scene, "run", *slow)
+        self.assertEqual(self.summary(run)["resume"], f"coupler resume {run}")
+        result = coupler("resume", run)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assert_same(run, whole)
+        self.assertLessEqual(len(list((run / "checkpoints").iterdir())), 3)
+
+    def test_a_finished_run_becomes_longer(self):
+        scene = self.scene(GROUND % ("false", RAYLEIGH))
+        sets = ("--set", "output.history_interval=1 ms", "--set", "output.field_times=[]", "--set", "time.dt=5 us")
+        whole = self.run_scene(scene, *sets, "--set", "time.duration=60 ms", out="whole")
+        run = self.run_scene(scene, *sets, "--set", "time.duration=30 ms", *AT_THE_END)
+        finished = results_of(run)
+        self.assertEqual(coupler("resume", run).returncode, 0)  # nothing is left to do
+        self.assertEqual(results_of(run), finished)
+        result = coupler("resume", run, "--until", "60 ms")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        for table in ("histories.csv", "spectra/surface_ax_response.csv"):
+            self.assertEqual((run / table).read_text(), (whole / table).read_text())
+        self.assertEqual(self.summary(run)["duration_s"], 0.06)
+        result = coupler("resume", run, "--until", "20 ms")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("--until 20 ms lies before the checkpoint at 0.06 s", result.stderr)
+
+    def test_other_earthquakes_begin_at_the_state_after_statics(self):
+        scene = self.scene(GROUND % ("false", RAYLEIGH))
+        short = ("--set", "time.duration=60 ms", "--set", "output.field_times=[]")
+        base = self.run_scene(scene, *short, *AT_THE_END, out="base")
+        stronger = (*short, "--set", "continuum.base.acceleration.peak=1.5 g", "--set", "time.duration=80 ms")
+        whole = self.run_scene(scene, *stronger, out="whole")
+        run = self.run_scene(scene, *stronger, "--from", base)
+        self.assert_same(run, whole)
+        for path, value in (("continuum.bolts[0].area", "6 cm^2"), ("statics.unbalanced_ratio", "1e-5"),
+                            ("time.substeps", "2"), ("continuum.base.kind", "rigid")):
+            result = coupler("run", scene, *short, "--from", base, "--set", f"{path}={value}", "--out",
+                             self.folder / "refused")
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(f"{path}: is another than in the run whose state at rest is taken", result.stderr)
+            self.assertFalse((self.folder / "refused").exists())
+        step = next((base / "checkpoints").glob("*_step_*"))
+        result = coupler("run", scene, *short, "--from", step, "--out", self.folder / "refused")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("is no state after statics", result.stderr)
+
+    def test_refuses_what_it_cannot_go_on_from(self):
+        scene = self.scene(BEDDED % CASES)
+        self.assertIn("has no checkpoint", coupler("resume", self.run_scene(scene, out="none")).stderr)
+        run = self.run_scene(scene, *CHECKPOINTS)
+        whole = results_of(run)
+        newest = sorted((run / "checkpoints").iterdir())[-1]
+
+        # A damaged checkpoint is passed over; given by name it is refused.
+        state = (newest / "particles.state")
+        content = bytearray(state.read_bytes())
+        content[len(content) // 2] ^= 1
+        state.write_bytes(content)
+        result = coupler("resume", newest)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("particles.state is damaged", result.stderr)
+        result = coupler("resume", run)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("warning: ", result.stderr)
+        self.assertEqual(results_of(run), whole)
+
+        any_other = sorted((run / "checkpoints").iterdir())[0]
+
+        def refused(folder, text):
+            result = coupler("resume", folder)
+            self.assertEqual(result.returncode, 2, result.stderr)
+            self.assertIn(text, result.stderr)
+
+        manifest = any_other / "checkpoint.json"
+        told = json.loads(manifest.read_text())
+        manifest.write_text(json.dumps({**told, "release": "0.0.1"}))
+        refused(any_other, "is of release 0.0.1")
+        files = [{**file, "format": "dem_server 0.0.1"} if file["name"] == "particles" else file for file in told["files"]]
+        manifest.write_text(json.dumps({**told, "files": files}))
+        refused(any_other, "the state of `particles`")
+        manifest.write_text("{")
+        refused(any_other, "checkpoint.json cannot be read")
+        manifest.write_text(json.dumps(told))
+        changed = run / "scene.yaml"
+        changed.write_text(changed.read_text().replace("density: 2500", "density: 2400"))
+        refused(any_other, "is not what it was when the run began")
+        refused(self.folder / "nowhere", "scene.yaml")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,36 @@
+"""One command computes a scene or a study, from any folder."""
+
+import contextlib
+import io
+import subprocess
+import sys
+import unittest
+from unittest import mock
+
+from programs import CASE, SOURCE, ProgramTest
+
+sys.path.insert(0, str(SOURCE / "scripts"))
+from adit_studies import coupled_runs  # noqa: E402
+
+
+class RunCommand(ProgramTest):
+    def test_a_relative_out_counts_from_the_folder_of_the_user(self):
+        for arguments in ((CASE / "coupled.yaml",), (CASE / "coupled.yaml", "--vary", "time.dt_factor=0.4")):
+            with self.subTest(arguments):
+                out = f"out/{len(arguments)}"
+                done = subprocess.run([SOURCE / "scripts" / "run", *arguments, "--out", out, "--no-report", "--set",
+                                       "time.duration=2 ms", "--set", "output.field_times=[]"], cwd=self.folder,
+                                      capture_output=True, text=True, timeout=120)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual(len(list((self.folder / out).glob("**/summary.json"))), 1)
+
+    def test_a_study_names_the_scenes_that_it_computes(self):
+        case, said = SOURCE / "cases" / "qingcaosha" / "ovaling", io.StringIO()
+        with contextlib.chdir(SOURCE), contextlib.redirect_stdout(said), mock.patch.object(sys, "argv", ["study"]), \
+                mock.patch.object(coupled_runs.subprocess, "run", return_value=mock.Mock(returncode=2)), self.assertRaises(SystemExit):
+            coupled_runs.run_case(case, ("beams",), "")
+        self.assertEqual(said.getvalue(), "run: cases/qingcaosha/ovaling/beams.yaml\n")
+
+
+if __name__ == "__main__":
+    unittest.main()
