@@ -79,7 +79,7 @@ class Checkpoints(ResumeTest):
         self.assertIn("warning: ", result.stderr)
         self.assertEqual(results_of(run), whole)
 
-        any_other = sorted((run / "checkpoints").iterdir())[0]
+        any_other = next(folder for folder in sorted((run / "checkpoints").iterdir()) if folder != newest)
 
         def refused(folder, text):
             result = coupler("resume", folder)
