@@ -1,6 +1,6 @@
 // The backbone as straight pieces, and where a strain lies on it.
 //
-// Piece j ends at vertex x_j. By elements that yield at the vertices (materials/hysteretic.hpp), of the
+// Piece j ends at vertex x_j. By elements that yield at the vertices (iwan_elements.hpp), of the
 // stiffnesses G_i over the initial modulus, a strain g on it leaves
 //   slope      H = sum of G_i that have not yielded,
 //   intercept  S = sum of G_i x_i that have,     so that the stress is S + H g,

@@ -18,7 +18,7 @@
 // reversal, where f is 0.
 //
 // In simple shear, and on any path along one line through the origin, r is |e| at first and |f|/2 then:
-// Masing's extended rules, and the stress of Iwan's elements to rounding (materials/hysteretic.hpp). Where
+// Masing's extended rules, and the stress of Iwan's elements to rounding (iwan_elements.hpp). Where
 // the direction turns, Iwan's elements each go their own way and dissipate even on a circle |e| = constant,
 // where these only turn: they are stiffer against turning, and dissipate less.
 //

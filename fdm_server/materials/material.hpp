@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "fdm_server/hysteresis/iwan_elements.hpp"
 #include "fdm_server/hysteresis/polyline.hpp"
-#include "fdm_server/materials/hysteretic.hpp"
 #include "fdm_server/materials/mohr_coulomb.hpp"
 #include "fdm_server/materials/plane_law.hpp"
 #include "fdm_server/materials/weak_plane.hpp"
@@ -18,8 +18,8 @@ struct Material {
   double density;         // [kg/m^3]
   double young, poisson;  // E [Pa], nu
   std::optional<MohrCoulomb> mohr_coulomb = {};
-  std::optional<Hysteretic> hysteretic = {};  // a memory of elements
-  std::optional<Polyline> reversals = {};     // of reversals, with this backbone
+  std::optional<IwanElements> hysteretic = {};  // a memory of elements
+  std::optional<Polyline> reversals = {};       // of reversals, with this backbone
   std::optional<WeakPlane> weak_plane = {};
 
   bool linear() const { return !mohr_coulomb && !hysteretic && !reversals && !weak_plane; }

@@ -105,7 +105,7 @@ void read_hysteretic(const scene::Hysteretic& scene, const std::string& path, Ma
   if (scene.memory() == scene::Hysteretic::ELEMENTS) {
     require(!scene.has_damping(), path + ".damping",
             "needs `memory: reversals`; elements dissipate by Masing's rules");
-    material.hysteretic = Hysteretic(std::move(curve.backbone));
+    material.hysteretic = iwan_elements(curve.backbone);
     return;
   }
   Polyline backbone(curve.backbone);

@@ -9,28 +9,26 @@
 #include <vector>
 
 #include "fdm_server/hysteresis/reversals.hpp"
-#include "fdm_server/materials/hysteretic.hpp"
+#include "tests/support/hysteretic_zone.hpp"
 
 namespace {
 
 using namespace adit::fdm;
 
 // Secant modulus over the initial one and damping ratio of the second loop between -strain and +strain.
-std::pair<double, double> loop(const Hysteretic& law, double strain) {
+std::pair<double, double> loop(const IwanElements& elements, double strain) {
   constexpr int kSteps = 4000;  // of half a loop
-  const Elasticity elasticity{3, 1};
-  std::vector<double> state(law.values(), 0.0);
-  SolidStress stress{};
+  test::HystereticZone zone({3, 1}, elements);
   double at = 0, lost = 0, peak = 0;
   const auto go = [&](double goal) {
     const double step = (goal - at) / kSteps;
-    for (int i = 0; i < kSteps; ++i) lost += law.add(elasticity, {0, 0, 0, step}, state, stress);
+    for (int i = 0; i < kSteps; ++i) lost += zone.add({0, 0, 0, step});
     at = goal;
   };
   for (const double goal : {strain, -strain}) go(goal);
   lost = 0;
   go(strain);
-  peak = stress.xy;
+  peak = zone.stress().xy;
   go(-strain);
   return {peak / strain, lost / (2 * std::numbers::pi * peak * strain)};
 }
@@ -87,9 +85,9 @@ int main() {
       {"table", smooth_table(strain, sand), strain.front(), strain.back()}};
   std::puts("curve,strain,ratio,law_ratio,damping,law_damping");
   for (const auto& [name, reduction, first, last] : curves) {
-    const Hysteretic law(backbone(reduction, first, last, 60));
+    const IwanElements elements = iwan_elements(backbone(reduction, first, last, 60));
     for (double x = 3e-6; x <= last; x *= 1.05) {
-      const auto [ratio, damping] = loop(law, x);
+      const auto [ratio, damping] = loop(elements, x);
       std::printf("%s,%.6g,%.6g,%.6g,%.6g,%.6g\n", name, x, reduction(x), ratio, masing(reduction, x),
                   damping);
     }

@@ -57,7 +57,7 @@ int main() {
   };
   Material hysteretic = elastic, reversals = elastic, narrow = elastic, bedded = frictional(1e12);
   const auto curve = backbone(hyperbola(1e-3, 1), 2e-6, 1e-2, 60);
-  hysteretic.hysteretic = Hysteretic(curve);
+  hysteretic.hysteretic = iwan_elements(curve);
   reversals.reversals = narrow.reversals = Polyline(curve);
   narrow.reversals->narrow([](double strain) { return 0.6 * std::pow(1 + strain / 1e-3, -0.1); }, "");
   bedded.weak_plane = WeakPlane(0.5, {1e12, 0.4, 0, std::numeric_limits<double>::infinity()});

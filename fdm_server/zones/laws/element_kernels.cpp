@@ -17,7 +17,7 @@ struct Flowing {
   alignas(64) std::array<GroupValues, kElementValues> before, now, flow;
 };
 
-// As in the law of a point: for von Mises the way back to the yield surface is radial.
+// For von Mises the way back to the yield surface is radial.
 [[gnu::always_inline]] inline void flow_at(std::size_t begin, std::size_t end, double stiffness, double limit,
                                            const GroupValues* before, const GroupValues* now, GroupValues* q,
                                            GroupValues* flow, GroupValues& twice, GroupValues& slack) {

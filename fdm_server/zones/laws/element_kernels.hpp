@@ -1,14 +1,12 @@
-// The kernel of zones with Iwan's elements (materials/hysteretic.hpp): eight zones at a time.
+// The kernel of zones with Iwan's elements (hysteresis/iwan_elements.hpp): eight zones at a time.
 //
 // Eight consecutive zones are a group, whose values stand together: a vector of eight for each. Of an element
-// these are what it flowed, q, at the four points. A block of elements sleeps as in the law of a point, until
+// these are what it flowed, q, at the four points. A block of elements sleeps until
 // the path of the zone's strain could bring one of them to its limit at one of the points.
 #pragma once
 
 #include <array>
 #include <cstddef>
-
-#include "fdm_server/materials/hysteretic.hpp"
 
 namespace adit::fdm {
 

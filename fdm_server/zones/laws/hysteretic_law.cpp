@@ -5,13 +5,10 @@
 
 namespace adit::fdm {
 
-HystereticLaw::HystereticLaw(const Elasticity& elasticity, const Hysteretic& law, std::size_t zones,
+HystereticLaw::HystereticLaw(const Elasticity& elasticity, const IwanElements& chain, std::size_t zones,
                              bool large_strain)
-    : ZoneLaw(elasticity), yields_(zones, 0) {
-  const auto [stiffness, limit] = law.chain();
-  const std::size_t whole = (stiffness.size() + kElementBlock - 1) / kElementBlock * kElementBlock;
-  stiffness_.assign(stiffness.begin(), stiffness.end());
-  limit_.assign(limit.begin(), limit.end());
+    : ZoneLaw(elasticity), stiffness_(chain.stiffness), limit_(chain.limit), yields_(zones, 0) {
+  const std::size_t whole = (chain.limit.size() + kElementBlock - 1) / kElementBlock * kElementBlock;
   stiffness_.resize(whole, 0.0);
   limit_.resize(whole, std::numeric_limits<double>::infinity());
   const std::size_t groups = (zones + kGroup - 1) / kGroup;

@@ -1,4 +1,4 @@
-// The hysteretic law for zones: each point has a chain of elements of its own (materials/hysteretic.hpp),
+// The hysteretic law for zones: each point has a chain of elements of its own (hysteresis/iwan_elements.hpp),
 // eight zones at a time (element_kernels.hpp). Of the stress the zones hold the deviator's sum; its part
 // across the plane differs from point to point, so that the in-plane mean and szz of a zone are means over
 // its area. In large strain the elements live in axes that turn with the ground: strain is turned into them,
@@ -16,7 +16,8 @@ namespace adit::fdm {
 
 class HystereticLaw final : public ZoneLaw {
  public:
-  HystereticLaw(const Elasticity& elasticity, const Hysteretic& law, std::size_t zones, bool large_strain);
+  HystereticLaw(const Elasticity& elasticity, const IwanElements& chain, std::size_t zones,
+                bool large_strain);
 
   void advance(const LawStep& step) override;
   void turn(std::size_t first, std::uint32_t count, const HalfTurns& turns) override {

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "fdm_server/hysteresis/reversals.hpp"
-#include "fdm_server/materials/hysteretic.hpp"
 #include "protocol/errors.hpp"
+#include "tests/support/iwan_point.hpp"
 
 namespace adit::fdm::test {
 namespace {
@@ -78,11 +78,11 @@ std::vector<double> history() {
 // Iwan's elements; reversals between which no element lies are forgotten.
 TEST(Reversals, AreIwansElementsAlongALine) {
   const Elasticity unit{3, 1};
-  const Hysteretic elements(curve());
+  const IwanElements elements = iwan_elements(curve());
   const Polyline line(curve());
   for (const auto& [t, s, z] :
        {std::array{0.0, 1.0, 0.0}, {0.8, 0.6, 0.0}, {-0.48, 0.64, 0.6 / std::sqrt(0.75)}}) {
-    std::vector<double> state(elements.values(), 0.0);
+    IwanPoint point(unit, elements);
     Zone zone{line};
     double lost = 0, last = 0;
     std::size_t most = 0;
@@ -90,7 +90,7 @@ TEST(Reversals, AreIwansElementsAlongALine) {
     for (const double strain : history()) {
       const double step = strain - last;
       last = strain;
-      const auto sum = elements.add(unit, {-1.5 * z * step, t * step, s * step}, elements.split(state));
+      const auto sum = point.add(-1.5 * z * step, t * step, s * step);
       lost += sum.dissipated;
       zone.add({t * step, t * step, t * step, t * step, s * step, s * step, s * step, s * step, z * step});
       for (std::size_t k = 0; k < 4; ++k) {

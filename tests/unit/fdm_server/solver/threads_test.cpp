@@ -38,7 +38,7 @@ Ground yielding_ground(const Grid& grid) {
   const Material elastic{kDensity, kYoung, kPoisson};
   Ground ground{{elastic, elastic, elastic, elastic}, {}};
   ground.materials[1].mohr_coulomb = MohrCoulomb({1e3, 0.5, 0.1, 5e2});
-  ground.materials[2].hysteretic = Hysteretic(backbone(hyperbola(1e-5, 1), 1e-7, 1e-4, 10));
+  ground.materials[2].hysteretic = iwan_elements(backbone(hyperbola(1e-5, 1), 1e-7, 1e-4, 10));
   ground.materials[3].reversals = Polyline(backbone(hyperbola(1e-5, 1), 1e-7, 1e-4, 10));
   for (std::size_t z = 0; z < grid.zones.size(); ++z)
     ground.of_zone.push_back(static_cast<std::uint32_t>(corners(grid, z).x[0] / 1.5) % 4);

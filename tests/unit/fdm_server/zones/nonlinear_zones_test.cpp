@@ -37,7 +37,7 @@ std::vector<Law> laws() {
   softening.mohr_coulomb =
       MohrCoulomb({{0, {strength, 0.6, 0.2, 0.5 * strength}}, {1e-3, {0.1 * strength, 0.5, 0, 0}}});
   const auto curve = backbone(hyperbola(1e-4, 1), 1e-6, 1e-3, 30);
-  hysteretic.hysteretic = Hysteretic(curve);
+  hysteretic.hysteretic = iwan_elements(curve);
   reversals.reversals = narrow.reversals = Polyline(curve);
   narrow.reversals->narrow(darendeli_share(hyperbola(1e-4, 1), 10), "");
   bedded.mohr_coulomb = frictional.mohr_coulomb;
