@@ -8,6 +8,7 @@
 #include <chrono>
 #include <thread>
 
+#include "tests/unit/protocol/wire/frames.hpp"
 #include "tests/unit/protocol/wire/loopback.hpp"
 
 namespace adit::protocol {

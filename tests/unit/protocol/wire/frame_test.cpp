@@ -3,31 +3,15 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <cstring>
 #include <random>
 #include <string>
+
+#include "tests/unit/protocol/wire/frames.hpp"
 
 namespace adit::protocol {
 namespace {
 
 using testing::HasSubstr;
-
-wire::Frame predicted(std::uint64_t step, int values) {
-  wire::Frame frame;
-  frame.mutable_predicted()->set_step(step);
-  for (int i = 0; i < values; ++i) frame.mutable_predicted()->add_velocities(0.1 * i);
-  return frame;
-}
-
-void feed(FrameDecoder& decoder, std::span<const std::byte> bytes) {
-  while (!bytes.empty()) {
-    const auto space = decoder.space();
-    const std::size_t count = std::min(space.size(), bytes.size());
-    std::memcpy(space.data(), bytes.data(), count);
-    decoder.arrived(count);
-    bytes = bytes.subspan(count);
-  }
-}
 
 std::vector<std::byte> bytes_of(const wire::Frame& frame) {
   FrameEncoder encoder;

@@ -46,14 +46,6 @@ inline void write_frame(tcp::socket& socket, const wire::Frame& frame) {
   write_raw(socket, encoder.encode(frame, kMaxFrameBytes));
 }
 
-inline wire::Frame predicted(std::uint64_t step, int values) {
-  wire::Frame frame;
-  auto& answer = *frame.mutable_predicted();
-  answer.set_step(step);
-  for (int i = 0; i < values; ++i) answer.add_velocities(0.1 * i);
-  return frame;
-}
-
 // Of a peer of an earlier release.
 inline wire::Hello hello_without_parts() {
   wire::Hello hello;

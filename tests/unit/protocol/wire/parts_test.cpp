@@ -4,10 +4,10 @@
 
 #include <gmock/gmock.h>
 
-#include <cstring>
 #include <string>
 
 #include "protocol/release.hpp"
+#include "tests/unit/protocol/wire/frames.hpp"
 #include "tests/unit/protocol/wire/loopback.hpp"
 
 namespace adit::protocol {
@@ -62,16 +62,6 @@ std::vector<wire::Frame> messages_with_lists() {
   frames[6].mutable_setup()->mutable_scene()->set_description(std::string(1000, 'x'));
   frames[7].mutable_couple();
   return frames;
-}
-
-void feed(FrameDecoder& decoder, std::span<const std::byte> bytes) {
-  while (!bytes.empty()) {
-    const auto space = decoder.space();
-    const std::size_t count = std::min(space.size(), bytes.size());
-    std::memcpy(space.data(), bytes.data(), count);
-    decoder.arrived(count);
-    bytes = bytes.subspan(count);
-  }
 }
 
 // By the bytes of its frames; heartbeats come between parts.
