@@ -18,25 +18,33 @@ CASE = SOURCE / "cases" / "cantilever"
 PATIENCE_S = 60
 
 
-class Server:
-    """A server started by hand on a port of its choice."""
+class Listening:
+    """A program that listens, started by its command."""
 
-    def __init__(self, program, listen="127.0.0.1:0", *options):
-        self.process = subprocess.Popen(
-            [BUILD / program / program, "--listen", listen, *options],
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    def __init__(self, command):
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         line = self.process.stdout.readline()
         match = re.fullmatch(r"listening on (\S+)\n", line)
         if not match:
-            raise RuntimeError(f"{program}: {line!r} {self.process.stderr.read()}")
+            raise RuntimeError(f"{command}: {line!r} {self.process.stderr.read()}")
         self.address = match.group(1)
+
+    def end(self):
+        self.process.kill()
+        self.process.communicate()
 
     def __enter__(self):
         return self
 
     def __exit__(self, *_):
-        self.process.kill()
-        self.process.communicate()
+        self.end()
+
+
+class Server(Listening):
+    """A server of ours, on a port of its choice."""
+
+    def __init__(self, program, listen="127.0.0.1:0", *options):
+        super().__init__([BUILD / program / program, "--listen", listen, *options])
 
 
 def children_of(pid):
@@ -57,6 +65,19 @@ def wait_until(condition, patience=30):
 
 def coupler(*arguments, timeout=PATIENCE_S):
     return subprocess.run([COUPLER, *map(str, arguments)], capture_output=True, text=True, timeout=timeout)
+
+
+def columns(run):
+    """The values of histories.csv, by the names of their columns."""
+    with open(run / "histories.csv", newline="") as file:
+        names, *rows = csv.reader(file)
+    return dict(zip(names, zip(*[[float(value) for value in row] for row in rows])))
+
+
+def cracks(run):
+    """Step, kind and ends of each broken bond."""
+    with open(run / "cracks.csv", newline="") as file:
+        return [(row["step"], row["mode"], row["parent_a"], row["parent_b"], row["group"]) for row in csv.DictReader(file)]
 
 
 class ProgramTest(unittest.TestCase):
@@ -93,3 +114,15 @@ class ProgramTest(unittest.TestCase):
         names, *rows = csv.reader(text.splitlines())
         self.assertGreater(len(rows), more_than)
         self.assertEqual({len(row) for row in rows}, {len(names)})
+
+    def assert_same_histories(self, own, other, tolerance):
+        """All rows of two runs within a tolerance of each column's largest value."""
+        ours, theirs = columns(own), columns(other)
+        self.assertEqual(ours.keys(), theirs.keys())
+        worst = 0
+        for name in ours.keys() - {"energy_drift"}:  # which is rounding itself
+            largest = max(map(abs, ours[name]))
+            apart = max(abs(a - b) for a, b in zip(ours[name], theirs[name], strict=True))
+            self.assertLessEqual(apart, tolerance * largest, name)
+            worst = max(worst, apart / largest if largest else 0)
+        print(f"within {worst:.2g} of the largest value")

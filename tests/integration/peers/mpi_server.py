@@ -1,29 +1,42 @@
-"""The FEniCSx continuum under mpirun, as tests start and stop it."""
+"""Participants under mpirun, FEniCSx among them, as tests start and stop them."""
 
 import importlib.util
 import os
-import re
 import shutil
-import signal
 import subprocess
 import time
 import unittest
 
-from programs import CASE, COUPLER, SOURCE, ProgramTest, children_of, wait_until
+from programs import CASE, COUPLER, SOURCE, Listening, ProgramTest, children_of, wait_until
 
 SERVE = SOURCE / "adapters/fenicsx/serve.py"
-COMMAND = f"mpirun --oversubscribe --bind-to none -np %d {SERVE}"
-# mpirun refuses root without these.
-os.environ |= {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+def mpirun(ranks):
+    """The beginning of a command on so many ranks."""
+    # mpirun refuses root without a word.
+    as_root = ["--allow-run-as-root"] if os.geteuid() == 0 else []
+    return ["mpirun", "-np", str(ranks), "--oversubscribe", "--bind-to", "none", *as_root]
+
+
+def served(ranks):
+    return [*mpirun(ranks), str(SERVE)]
+
 
 needed = unittest.skipUnless(shutil.which("mpirun") and importlib.util.find_spec("dolfinx"),
                              "needs the Debian packages python3-dolfinx-real and openmpi-bin (scripts/setup adapters)")
 
 
-class MpiServer:
+class Ranks(Listening):
+    """A participant under mpirun, which ends what it started when it is asked to."""
+
+    def end(self):
+        if self.process.poll() is None:
+            self.process.terminate()
+        self.process.communicate()
+
+
+class MpiServer(Ranks):
     def __init__(self, ranks=2):
-        self.process = subprocess.Popen((COMMAND % ranks).split(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        self.address = re.fullmatch(r"listening on (\S+)\n", self.process.stdout.readline())[1]
+        super().__init__(served(ranks))
         self.guards = children_of(self.process.pid)
 
     def rank(self, number):
@@ -37,11 +50,6 @@ class MpiServer:
 
     def guard(self, number):
         return next(guard for guard in self.guards if self.number(guard) == number)
-
-    def end(self):
-        if self.process.poll() is None:
-            self.process.send_signal(signal.SIGTERM)
-        self.process.communicate()
 
 
 @needed

@@ -1,6 +1,5 @@
 """FEniCSx over two ranks of MPI keeps the protocol, computes what fdm_server computes, and names a rank that is lost."""
 
-import csv
 import signal
 import subprocess
 import sys
@@ -49,12 +48,6 @@ continuum {{
 }}"""
 
 
-def columns(run):
-    with open(run / "histories.csv", newline="") as file:
-        names, *rows = csv.reader(file)
-    return dict(zip(names, zip(*[[float(value) for value in row] for row in rows])))
-
-
 @needed
 class TwoRanks(ProgramTest):
     @classmethod
@@ -63,14 +56,9 @@ class TwoRanks(ProgramTest):
         cls.addClassCleanup(cls.server.end)
 
     def assert_same(self, scene, *arguments):
-        ours = columns(self.run_scene(scene, *arguments, out="ours"))
+        own = self.run_scene(scene, *arguments, out="ours")
         run = self.run_scene(scene, "--fdm", self.server.address, *arguments, out="fenicsx")
-        theirs = columns(run)
-        self.assertEqual(ours.keys(), theirs.keys())
-        for name in ours.keys() - {"energy_drift"}:  # which is rounding itself
-            largest = max(map(abs, ours[name]))
-            apart = max(abs(a - b) for a, b in zip(ours[name], theirs[name], strict=True))
-            self.assertLessEqual(apart, TOLERANCE * largest, name)
+        self.assert_same_histories(own, run, TOLERANCE)
         return run
 
     def test_coupled_cantilever(self):

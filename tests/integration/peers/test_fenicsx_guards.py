@@ -4,7 +4,7 @@ import signal
 import subprocess
 import unittest
 
-from peers.mpi_server import COMMAND, LostTest, needed
+from peers.mpi_server import LostTest, needed, served
 from programs import SOURCE
 
 
@@ -28,7 +28,7 @@ class Guards(LostTest):
 @needed
 class Conformance(unittest.TestCase):
     def test_all_checks(self):
-        done = subprocess.run(["/usr/bin/python3", SOURCE / "scripts/conformance", "--fdm", COMMAND % 2], capture_output=True, text=True)
+        done = subprocess.run(["/usr/bin/python3", SOURCE / "scripts/conformance", "--fdm", " ".join(served(2))], capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stdout)
 
 

@@ -1,13 +1,11 @@
 """A participant in Go, written from docs/protocol.md alone, keeps the protocol and computes what fdm_server computes."""
 
-import csv
 import pathlib
-import re
 import shutil
 import subprocess
 import unittest
 
-from programs import CASE, SOURCE, ProgramTest
+from programs import CASE, SOURCE, Listening, ProgramTest, columns
 
 # Of the largest displacement. Both have the same zones; only the order of their sums differs.
 TOLERANCE = 0.01
@@ -42,18 +40,16 @@ class GoParticipant(ProgramTest):
         cls.program = folder / "grid"
 
     def listening(self):
-        process = subprocess.Popen([self.program], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-        self.addCleanup(process.communicate)
-        self.addCleanup(process.kill)
-        return re.fullmatch(r"listening on (\S+)\n", process.stdout.readline())[1]
+        other = Listening([self.program])
+        self.addCleanup(other.end)
+        return other.address
 
     def assert_same_tip(self, scene, *arguments):
         tips, drifts = [], []
         for out, address in (("ours", ()), ("go", ("--fdm", self.listening()))):
             run = self.run_scene(scene, *arguments, *address, out=out)
             drifts.append(self.summary(run)["max_energy_drift"])
-            with open(run / "histories.csv", newline="") as file:
-                tips.append([float(row["tip_uy_m"]) for row in csv.DictReader(file)])
+            tips.append(columns(run)["tip_uy_m"])
         ours, theirs = tips
         self.assertEqual(len(ours), len(theirs))
         apart, largest = max(abs(a - b) for a, b in zip(ours, theirs)), max(map(abs, ours))

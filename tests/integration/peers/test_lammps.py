@@ -1,15 +1,14 @@
 """LAMMPS under MPI in the place of dem_server: the same motions, the same bonds in the same order, no rank lost unnamed."""
 
-import csv
 import os
 import pathlib
-import re
 import signal
 import subprocess
 import time
 import unittest
 
-from programs import BUILD, CASE, ProgramTest, children_of, coupler, wait_until
+from peers.mpi_server import Ranks, mpirun
+from programs import BUILD, CASE, ProgramTest, children_of, coupler, cracks, wait_until
 
 PROGRAM = BUILD / "adapters/lammps/adit_lammps"
 # Of the largest value; both compute the same pairs, and ranks add them up in another order.
@@ -40,43 +39,12 @@ output: {history_interval: 0.5 ms, field_times: [10 ms]}
 """
 
 
-def mpirun(ranks):
-    return ["mpirun", "-np", str(ranks), "--oversubscribe", "--bind-to", "none", *(["--allow-run-as-root"] if os.geteuid() == 0 else []), PROGRAM]
+def served(ranks):
+    return [*mpirun(ranks), str(PROGRAM), "--listen", "127.0.0.1:0"]
 
 
 def grandchildren_of(pid):
     return {child for parent in children_of(pid) for child in [parent, *grandchildren_of(parent)]}
-
-
-class Ranks:
-    """The participant on so many ranks, listening."""
-
-    def __init__(self, ranks):
-        self.process = subprocess.Popen([*mpirun(ranks), "--listen", "127.0.0.1:0"], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                        text=True)
-        self.address = re.fullmatch(r"listening on (\S+)\n", self.process.stdout.readline())[1]
-
-    def processes(self):
-        """Of the ranks, without mpirun: in the order of their ids."""
-        return sorted(grandchildren_of(self.process.pid))
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.process.terminate()
-        self.process.communicate()
-
-
-def columns(run):
-    with open(run / "histories.csv", newline="") as file:
-        names, *rows = csv.reader(file)
-    return dict(zip(names, zip(*[[float(value) for value in row] for row in rows])))
-
-
-def cracks(run):
-    with open(run / "cracks.csv", newline="") as file:
-        return list(csv.DictReader(file))
 
 
 @unittest.skipUnless(PROGRAM.exists(), "adapters/lammps is left out: needs the Debian packages liblammps-dev, libopenmpi-dev, openmpi-bin")
@@ -85,24 +53,11 @@ class LammpsTest(ProgramTest):
         """All rows within the tolerance, and the same cracks in the same order; returns how many of these."""
         ours = self.run_scene(scene, *GENERAL, *arguments, out="ours")
         for count in ranks:
-            with self.subTest(ranks=count), Ranks(count) as lammps:
+            with self.subTest(ranks=count), Ranks(served(count)) as lammps:
                 theirs = self.run_scene(scene, *GENERAL, *arguments, "--dem", lammps.address, out=f"ranks_{count}")
-                self.compare(ours, theirs)
+                self.assertEqual(cracks(ours), cracks(theirs))
+                self.assert_same_histories(ours, theirs, TOLERANCE)
         return len(cracks(ours))
-
-    def compare(self, ours, theirs):
-        broken = [[(row["step"], row["mode"], row["parent_a"], row["parent_b"]) for row in cracks(run)] for run in (ours, theirs)]
-        self.assertEqual(*broken)
-        mine, others = columns(ours), columns(theirs)
-        self.assertEqual(mine.keys(), others.keys())
-        worst = 0
-        for name in mine.keys() - {"energy_drift"}:  # which is rounding itself
-            self.assertEqual(len(mine[name]), len(others[name]))
-            largest = max(map(abs, mine[name]))
-            apart = max(abs(a - b) for a, b in zip(mine[name], others[name]))
-            self.assertLessEqual(apart, TOLERANCE * largest, name)
-            worst = max(worst, apart / largest if largest else 0)
-        print(f"within {worst:.2g} of the largest value, {len(broken[0])} cracks")
 
 
 class LammpsComputesAsDemServer(LammpsTest):
@@ -116,7 +71,7 @@ class LammpsComputesAsDemServer(LammpsTest):
 class LammpsRefusesWhatItDoesNotCompute(LammpsTest):
     def test_walls_and_statics_by_name(self):
         wall = FALLING_GRAINS.replace("output:", "  walls: [{name: floor, from: {x: 0 m, y: 0 m}, to: {x: 3 m, y: 0 m}}]\noutput:")
-        with Ranks(1) as lammps:
+        with Ranks(served(1)) as lammps:
             for text, key in ((wall, "particles.walls"), (FALLING_GRAINS + "statics: {}\n", "statics")):
                 result = coupler("run", self.scene(text), "--dem", lammps.address, "--out", self.folder / "run")
                 self.assertEqual(result.returncode, 2, result.stderr)
@@ -127,12 +82,12 @@ class LammpsLosesARank(LammpsTest):
     """Requirement: who waits for a rank that is gone says so within 10 s, and nothing hangs."""
 
     def lose(self, blow):
-        with Ranks(2) as lammps:
+        with Ranks(served(2)) as lammps:
             run = subprocess.Popen([BUILD / "coupler/coupler", "run", BEAM, *GENERAL, "--set", "time.duration=100 s", "--dem",
                                     lammps.address, "--out", self.folder / "run"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
                                    text=True)
             time.sleep(2)
-            lost = lammps.processes()[1]
+            lost = sorted(grandchildren_of(lammps.process.pid))[1]  # the ranks, in the order of their ids
             os.kill(lost, blow)
             begin = time.monotonic()
             told = run.communicate(timeout=20)[1]

@@ -2,9 +2,8 @@
 
 import subprocess
 
+from peers.test_lammps import BEAM, STRENGTH, LammpsTest, served
 from programs import CASE, SOURCE
-
-from peers.test_lammps import BEAM, STRENGTH, LammpsTest, mpirun
 
 
 class LammpsOnMoreRanks(LammpsTest):
@@ -13,6 +12,6 @@ class LammpsOnMoreRanks(LammpsTest):
             self.assertGreater(self.assert_same(beam, (1, 2, 4), *STRENGTH), 2)
 
     def test_conformance(self):
-        command = " ".join(map(str, [*mpirun(2), "--listen", "127.0.0.1:0"]))
-        done = subprocess.run(["/usr/bin/python3", SOURCE / "scripts/conformance", "--dem", command], capture_output=True, text=True)
+        command = ["/usr/bin/python3", SOURCE / "scripts/conformance", "--dem", " ".join(served(2))]
+        done = subprocess.run(command, capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stdout)

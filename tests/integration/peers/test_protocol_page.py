@@ -11,7 +11,7 @@ from programs import SOURCE, Server
 
 sys.path.insert(0, str(SOURCE / "adapters/python"))
 from google.protobuf import text_format  # noqa: E402
-from peers.test_templates import Template  # noqa: E402
+from peers.test_templates import template  # noqa: E402
 from wire import MAX_FRAME, Link, wire  # noqa: E402
 
 PAGE = (SOURCE / "docs/protocol.md").read_text()
@@ -90,8 +90,8 @@ class ProtocolPage(unittest.TestCase):
             self.replay(server.address, self.run_in_bytes[:-2] + self.too_far)
 
     def test_the_template_moves_alike(self):
-        with Template("continuum") as template:
-            self.replay(template.address, self.run_in_bytes, only={"operator", "predicted", "bye"})
+        with template("continuum") as other:
+            self.replay(other.address, self.run_in_bytes, only={"operator", "predicted", "bye"})
 
     def test_every_message_and_every_kind_of_error_has_its_place(self):
         names = [field.name for field in wire.Frame.DESCRIPTOR.fields] + list(wire.Error.Kind.keys())

@@ -1,14 +1,11 @@
 """The Python templates compute what our servers compute, refuse what they do not compute, and know whom to serve."""
 
-import csv
-import re
 import socket
-import subprocess
 import unittest
 
 import guide
 from link import wire_pb2
-from programs import CASE, SOURCE, ProgramTest, Server, coupler
+from programs import CASE, SOURCE, Listening, ProgramTest, Server, coupler, cracks
 from trusted import TrustTest
 from wire import Gone, Link
 
@@ -46,56 +43,26 @@ particles:
 """
 
 
-class Template:
-    """One of the templates, listening."""
-
-    def __init__(self, name, *options):
-        self.process = subprocess.Popen(["/usr/bin/python3", SOURCE / f"adapters/python/{name}.py", *options],
-                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        self.address = re.fullmatch(r"listening on (\S+)\n", self.process.stdout.readline())[1]
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.process.kill()
-        self.process.communicate()
-
-
-def columns(run):
-    with open(run / "histories.csv", newline="") as file:
-        names, *rows = csv.reader(file)
-    return dict(zip(names, zip(*[[float(value) for value in row] for row in rows])))
+def template(name, *options):
+    return Listening(["/usr/bin/python3", SOURCE / f"adapters/python/{name}.py", *options])
 
 
 class TemplatesComputeAsOurServers(ProgramTest):
     def compare(self, scene, *arguments, fdm=False, dem=False):
-        """The largest difference of a column of histories.csv, over the column's largest value."""
         own = self.run_scene(scene, *arguments, out="own")
         addresses = []
         for wanted, option, name in ((fdm, "--fdm", "continuum"), (dem, "--dem", "particles")):
             if wanted:
-                template = Template(name)
-                self.addCleanup(template.__exit__)
-                addresses += [option, template.address]
+                other = template(name)
+                self.addCleanup(other.end)
+                addresses += [option, other.address]
         run = self.run_scene(scene, *addresses, *arguments, out="template")
-        ours, theirs = columns(own), columns(run)
-        self.assertEqual(ours.keys(), theirs.keys())
-        worst = 0
-        for name in ours.keys() - {"energy_drift"}:  # which is rounding itself
-            self.assertEqual(len(ours[name]), len(theirs[name]))
-            largest = max(map(abs, ours[name]))
-            apart = max(abs(a - b) for a, b in zip(ours[name], theirs[name]))
-            self.assertLessEqual(apart, TOLERANCE * largest, name)
-            worst = max(worst, apart / largest if largest else 0)
-        print(f"within {worst:.2g} of the largest value")
+        self.assert_same_histories(own, run, TOLERANCE)
         return own, run
 
     def assert_same_cracks(self, own, run):
-        cracks, others = ([(row["step"], row["mode"], row["parent_a"], row["parent_b"], row["group"])
-                           for row in csv.DictReader((folder / "cracks.csv").read_text().splitlines())] for folder in (own, run))
-        self.assertGreater(len(cracks), 2)
-        self.assertEqual(cracks, others)
+        self.assertGreater(len(cracks(own)), 2)
+        self.assertEqual(cracks(own), cracks(run))
 
     def test_continuum_in_the_coupled_cantilever(self):
         _, run = self.compare(BEAM, *SHORT, fdm=True)
@@ -124,9 +91,9 @@ class TemplatesRefuseWhatTheyDoNotCompute(ProgramTest):
     """Otherwise a user would get another model's results, and exit code 0."""
 
     def assert_refused(self, name, scene, path):
-        with Template(name) as template:
+        with template(name) as other:
             option = "--fdm" if name == "continuum" else "--dem"
-            result = coupler("run", scene, option, template.address, "--out", self.folder / "run")
+            result = coupler("run", scene, option, other.address, "--out", self.folder / "run")
             self.assertEqual(result.returncode, 2, result.stderr)
             self.assertIn(path, result.stderr)
             self.assertIn(f"is not computed by numpy_{name}; leave it out", result.stderr)
@@ -151,23 +118,23 @@ class TemplatesRefuseWhatTheyDoNotCompute(ProgramTest):
 
 
 class TemplatesKnowWhomToServe(TrustTest):
-    def run_by(self, template, *options):
-        return coupler("run", self.scene(SHAKEN_GROUND), "--out", self.folder / "run", "--fdm", template.address, *options)
+    def run_by(self, other, *options):
+        return coupler("run", self.scene(SHAKEN_GROUND), "--out", self.folder / "run", "--fdm", other.address, *options)
 
     def test_who_knows_the_secret(self):
         secret = self.secret()
-        with Template("continuum", "--secret-file", secret) as template:
-            self.assert_refused(self.run_by(template), "serves only clients that know its secret")
-            self.assert_refused(self.run_by(template, "--secret-file", self.secret("other")), "its secret is another one")
-            result = self.run_by(template, "--secret-file", secret)
+        with template("continuum", "--secret-file", secret) as other:
+            self.assert_refused(self.run_by(other), "serves only clients that know its secret")
+            self.assert_refused(self.run_by(other, "--secret-file", self.secret("other")), "its secret is another one")
+            result = self.run_by(other, "--secret-file", secret)
             self.assertEqual(result.returncode, 0, result.stderr)
 
     def test_who_has_a_certificate_of_the_authority(self):
         folder, other = self.certificates(), self.certificates("theirs")
-        with Template("continuum", "--tls", folder / "localhost") as template:
-            self.assert_refused(self.run_by(template, "--tls", other / "laptop"), "was signed by another authority")
-            self.assertNotEqual(self.run_by(template).returncode, 0)
-            result = self.run_by(template, "--tls", folder / "laptop")
+        with template("continuum", "--tls", folder / "localhost") as server:
+            self.assert_refused(self.run_by(server, "--tls", other / "laptop"), "was signed by another authority")
+            self.assertNotEqual(self.run_by(server).returncode, 0)
+            result = self.run_by(server, "--tls", folder / "laptop")
             self.assertEqual(result.returncode, 0, result.stderr)
 
     def test_their_proofs_are_those_of_our_servers(self):

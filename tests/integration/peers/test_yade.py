@@ -1,16 +1,13 @@
 """Yade and dem_server compute the same motion of a bonded cantilever during a whole period after sudden loading, and Yade can take
 the place of dem_server in a coupled run."""
 
-import csv
-import json
 import math
-import re
 import shutil
 import subprocess
 import sys
 import unittest
 
-from programs import CASE, SOURCE, ProgramTest, coupler
+from programs import CASE, SOURCE, Listening, ProgramTest, columns, coupler
 
 sys.path.insert(0, str(SOURCE / "scripts"))
 from adit_bench.peers import particles as peers  # noqa: E402
@@ -39,14 +36,14 @@ output: {{history_interval: 0.5 ms}}
 class SameBeamInYade(ProgramTest):
     def test_histories_of_the_tip_agree(self):
         run = self.run_scene(self.scene(SCENE))
-        summary = json.loads((run / "summary.json").read_text())
-        with open(run / "histories.csv", newline="") as file:
-            rows = [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
-        self.assertGreater(len(rows), 390)
+        summary = self.summary(run)
+        histories = columns(run)
+        self.assertGreater(len(histories["time_s"]), 390)
         yade = self.in_yade(summary["dt_s"], summary["steps"])
         self.assertEqual(yade["bonds"], summary["bonds"])
         for axis, name in enumerate(("tip_ux_m", "tip_uy_m")):
-            pairs = [(row[name], yade["displacement"][round(row["time_s"] / summary["dt_s"])][axis]) for row in rows]
+            pairs = [(value, yade["displacement"][round(time / summary["dt_s"])][axis])
+                     for time, value in zip(histories["time_s"], histories[name])]
             largest = max(abs(own) for own, _ in pairs)
             apart = max(abs(own - other) for own, other in pairs) / largest
             print(f"{name}: at most {largest:.4g} m, Yade within {apart:.2g} of it")
@@ -71,26 +68,20 @@ class YadeAsParticles(ProgramTest):
 
     def served(self):
         """The address of adapters/yade."""
-        process = subprocess.Popen([SOURCE / "adapters/yade/participant.py"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        self.addCleanup(process.communicate)
-        self.addCleanup(process.kill)
-        return re.fullmatch(r"listening on (\S+)\n", process.stdout.readline())[1]
+        yade = Listening([SOURCE / "adapters/yade/participant.py"])
+        self.addCleanup(yade.end)
+        return yade.address
 
     def test_it_computes_the_coupled_cantilever(self):
         """Both sum in another order, and Yade keeps places of 10 m, of which a displacement of 10 mm has 13 digits."""
         own = self.run_scene(self.BEAM, *self.SHORT, out="own")
         run = self.run_scene(self.BEAM, *self.SHORT, "--dem", self.served(), out="yade")
         for name in ("tip_uy_m", "particles_strain_J", "particles_kinetic_J", "max_bond_force_N"):
-            ours, theirs = (self.column(folder, name) for folder in (own, run))
+            ours, theirs = (columns(folder)[name] for folder in (own, run))
             apart = max(abs(a - b) for a, b in zip(ours, theirs)) / max(map(abs, ours))
             print(f"{name}: within {apart:.2g} of the largest value")
             self.assertLess(apart, 1e-3)
         self.assertLess(self.summary(run)["max_energy_drift"], 1e-5)
-
-    @staticmethod
-    def column(run, name):
-        with open(run / "histories.csv", newline="") as file:
-            return [float(row[name]) for row in csv.DictReader(file)]
 
     def test_bonds_that_break_are_refused(self):
         done = coupler("run", self.BEAM, *self.SHORT, "--set", "particles.bonds.tensile_strength=4 MN", "--dem", self.served(),

@@ -10,7 +10,7 @@ import time
 import unittest
 
 from foreign import Listener
-from peers.test_templates import Template
+from peers.test_templates import template
 from programs import CASE, COUPLER, SOURCE, ProgramTest, Server, coupler
 
 
@@ -44,8 +44,8 @@ class Doctor(ProgramTest):
 
     def test_another_code(self):
         for name in ("continuum", "particles"):
-            with Template(name) as template:
-                self.assert_measured(self.examine(template.address, 0, options=("--points", 5)), 5)
+            with template(name) as other:
+                self.assert_measured(self.examine(other.address, 0, options=("--points", 5)), 5)
 
     def secret(self):
         path = self.folder / "secret"
