@@ -1,4 +1,5 @@
 """Where the programs, the cases and the results are: in the source tree, or where Adit is installed."""
+import contextlib
 import os
 import subprocess
 import sys
@@ -34,3 +35,13 @@ def bring_up_to_date(*names):
     built = subprocess.run([ROOT / "scripts" / "build", "release", *names])
     if built.returncode:
         sys.exit(built.returncode)
+
+
+@contextlib.contextmanager
+def listening(*command):
+    """The address of a server while it listens; it logs nothing."""
+    with subprocess.Popen([*map(str, command), "--log-level", "off"], stdout=subprocess.PIPE, text=True) as process:
+        try:
+            yield process.stdout.readline().split()[-1]
+        finally:
+            process.terminate()

@@ -13,7 +13,8 @@ import subprocess
 import tempfile
 
 from adit import Run
-from adit_network.machines import FAR, NEAR, Link, Machines, listening
+from adit_network.machines import FAR, NEAR, Link, Machines
+from adit_programs import listening
 
 ROUNDS = 3
 BEAM, LARGE = "cases/cantilever/variants/coupled_52x6.yaml", "cases/cantilever/variants/coupled_100k.yaml"
@@ -72,7 +73,7 @@ class Study:
         place, host = (machines.on_near, "127.0.0.1") if loopback else (machines.on_far, FAR)
         trust = ("--tls", self.folder / "tls/far") if tls else () if loopback else ("--insecure",)
         folder = "tests/bench" if program == LATE else program
-        with listening(place(self.programs / folder / program, "--listen", f"{host}:0", *trust)) as address:
+        with listening(*place(self.programs / folder / program, "--listen", f"{host}:0", *trust)) as address:
             yield address, ("--tls", self.folder / "tls/near") if tls else ()
 
     def coupler(self, machines, *arguments):

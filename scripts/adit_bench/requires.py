@@ -5,13 +5,13 @@ difference is that of the steps. Counts do not depend on what else the machine d
 Bytes are the cache lines that a cache of 256 KiB fetches: the models are larger than that, as large ones are than a real cache.
 """
 
-import contextlib
 import pathlib
 import shutil
 import subprocess
 import tempfile
 
 from adit import Run
+from adit_programs import listening
 
 STEPS = 10
 DT_S = 1e-5
@@ -105,7 +105,7 @@ def counted(root, side, settings, steps):
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         (folder / "scene.yaml").write_text(AROUND + SIDES[side])
-        with counting(root, {"continuum": "fdm_server", "particles": "dem_server"}[side], folder) as address:
+        with listening(*counting(root, {"continuum": "fdm_server", "particles": "dem_server"}[side], folder)) as address:
             words = [word for setting in (*settings, f"time.duration={steps * DT_S} s") for word in ("--set", setting)]
             option = {"continuum": "--fdm", "particles": "--dem"}[side]
             done = subprocess.run([root / "build/release/coupler/coupler", "run", folder / "scene.yaml", "--out", folder / "run",
@@ -117,17 +117,11 @@ def counted(root, side, settings, steps):
         return points_of(folder / "run", side), int(counts["Ir"]), LINE_BYTES * (int(counts["DLmr"]) + int(counts["DLmw"]))
 
 
-@contextlib.contextmanager
 def counting(root, program, folder):
-    """The address of a server that counts its steps for as long, into the file `counts`."""
-    command = ["valgrind", "--tool=callgrind", "--cache-sim=yes", "--LL=262144,16,64", f"--callgrind-out-file={folder}/counts",
-               *(f"--toggle-collect={name}" for name in COUNTED), root / "build/release" / program / program,
-               "--listen", f"unix:{folder}/socket", "--threads", "1", "--log-level", "off"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as process:
-        try:
-            yield process.stdout.readline().split()[-1]
-        finally:
-            process.terminate()
+    """The command of a server that counts its steps, into the file `counts`."""
+    return ["valgrind", f"--log-file={folder}/valgrind", "--tool=callgrind", "--cache-sim=yes", "--LL=262144,16,64",
+            f"--callgrind-out-file={folder}/counts", *(f"--toggle-collect={name}" for name in COUNTED),
+            root / "build/release" / program / program, "--listen", f"unix:{folder}/socket", "--threads", "1"]
 
 
 def points_of(run, side):

@@ -8,6 +8,7 @@ import subprocess
 import tempfile
 
 from adit import Run
+from adit_programs import listening
 
 ROUNDS = 7
 SHORT = "cases/cantilever/variants/coupled_52x6.yaml"
@@ -70,17 +71,6 @@ def small(root):
     ]
 
 
-@contextlib.contextmanager
-def listening(root, program, listen, *options):
-    """The address of a server that listens for as long."""
-    with subprocess.Popen([root / "build/release" / program / program, "--listen", listen, "--log-level", "off", *options],
-                          stdout=subprocess.PIPE, text=True) as process:
-        try:
-            yield process.stdout.readline().split()[-1]
-        finally:
-            process.terminate()
-
-
 def ways(root):
     """The 52 x 6 cantilever with servers that listen in three ways, in turn: ratios of pairs of runs."""
     with contextlib.ExitStack() as stack:
@@ -90,7 +80,7 @@ def ways(root):
 
         def join(listen, *options):
             names = {"--fdm": "fdm_server", "--dem": "dem_server"}
-            addresses = [(option, stack.enter_context(listening(root, name, listen.format(name), *options)))
+            addresses = [(option, stack.enter_context(listening(root / "build/release" / name / name, "--listen", listen.format(name), *options)))
                          for option, name in names.items()]
             return [word for pair in addresses for word in pair] + [*options]
 

@@ -13,6 +13,9 @@ SMALL = 1e-6
 # Forces on the edge of a lattice differ from those inside; its stored energy is that of the solid but for the rows there.
 ENERGY_OF_SOLID = {"continuum": 1e-9, "particles": 0.3}
 
+# What a scene calls forces on the edge of a continuum, and on particles.
+LOADS = {"continuum": "edge_loads", "particles": "loads"}
+
 
 def close(found, expected, what, tolerance=TOLERANCE):
     found, expected = np.asarray(found, float), np.asarray(expected, float)
@@ -92,7 +95,7 @@ def chosen_points(participant):
 
 def applied_force(participant):
     """gives half a kick at step 0: the momentum of a force is F dt / 2"""
-    load = {"continuum": "edge_loads", "particles": "loads"}[participant.role]
+    load = LOADS[participant.role]
     with tied(participant, "%s { where { x_max: 0.15 } force { x: 3 y: -5 } }" % load) as run:
         dt = run.model.critical_dt / 2
         first = velocities(run.step(0, dt))
@@ -187,7 +190,7 @@ def momentum(participant):
 
 def energy_ledger(participant):
     """closes its energy ledger: kinetic + strain + released + dissipated - work stays what it was"""
-    load = {"continuum": "edge_loads", "particles": "loads"}[participant.role]
+    load = LOADS[participant.role]
     inside = ("%s { where { x_max: 0.15 } force { y: 1 } time { sine { frequency: 300 phase: 1 } } } "
               "motions { where { x_min: 1.8 } velocity { x: 1e-6 y: 2e-6 } time { sine { frequency: 200 } } }" % load)
     for weight in (1.0, 0.3):

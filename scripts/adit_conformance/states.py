@@ -4,11 +4,11 @@ import zlib
 import numpy as np
 
 from adit_conformance.client import NotComputed, require, tied, wire
-from adit_conformance.physics import noise, start, velocities
+from adit_conformance.physics import LOADS, noise, start, velocities
 
 LOADED = {
     role: "%s { where { x_max: 0.15 } force { y: 1e-3 } time { sine { frequency: 300 phase: 1 } } }" % load
-    for role, load in (("continuum", "edge_loads"), ("particles", "loads"))}
+    for role, load in LOADS.items()}
 STEPS = 20
 
 

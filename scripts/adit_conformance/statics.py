@@ -2,7 +2,7 @@
 import numpy as np
 
 from adit_conformance.client import require, scene_of, tied, wire
-from adit_conformance.physics import SMALL, close, noise, velocities
+from adit_conformance.physics import LOADS, SMALL, close, noise, velocities
 
 STATICS = "statics {} "
 WEIGHT = "body_loads { acceleration { x: 1 y: -2 } } "
@@ -27,7 +27,7 @@ def refusals_in_statics(participant):
 
 def loads_in_statics(participant):
     """keeps loads at their values of t = 0, and prescribed velocities at 0"""
-    load = {"continuum": "edge_loads", "particles": "loads"}[participant.role]
+    load = LOADS[participant.role]
     grows = "time { table { time: 0 time: 1e-6 value: 1 value: 9 } }"
     with relaxing(participant, "%s { where { x_max: 0.15 } force { x: 3 y: -5 } %s }" % (load, grows)) as run:
         dt = run.model.critical_dt / 2
@@ -43,7 +43,7 @@ def loads_in_statics(participant):
 
 def relaxation(participant):
     """says in each step of statics how far it is from rest: forces of the step before, kinetic energy of this one"""
-    load = {"continuum": "edge_loads", "particles": "loads"}[participant.role]
+    load = LOADS[participant.role]
     with relaxing(participant, "%s { where { x_max: 0.15 } force { x: 3 } }" % load) as run:
         dt = run.model.critical_dt / 2
         answer = run.relax(0, dt)

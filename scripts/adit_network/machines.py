@@ -1,5 +1,4 @@
 """Two machines on one: network namespaces `near` and `far` with a link between them (tests/bench/network_link.cpp)."""
-import contextlib
 import subprocess
 from typing import NamedTuple
 
@@ -12,16 +11,6 @@ class Link(NamedTuple):
     jitter: float = 0
     loss: float = 0  # share of the packets
     rate: float = 0
-
-
-@contextlib.contextmanager
-def listening(command):
-    """The address of a server while it listens."""
-    with subprocess.Popen([*map(str, command), "--log-level", "off"], stdout=subprocess.PIPE, text=True) as process:
-        try:
-            yield process.stdout.readline().split()[-1]
-        finally:
-            process.terminate()
 
 
 class NotAllowed(Exception):

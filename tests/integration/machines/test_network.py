@@ -11,7 +11,8 @@ from resume.resumed import ResumeTest
 from trusted import TrustTest
 
 sys.path.insert(0, str(SOURCE / "scripts"))
-from adit_network.machines import FAR, NEAR, Link, Machines, NotAllowed, listening  # noqa: E402
+from adit_network.machines import FAR, NEAR, Link, Machines, NotAllowed  # noqa: E402
+from adit_programs import listening  # noqa: E402
 
 CRACKING = [word for setting in ("time.duration=3 ms", "time.dt_factor=0.8", "output.field_times=[1 ms]",
                                  "particles.bonds.tensile_strength=100 kN") for word in ("--set", setting)]
@@ -34,7 +35,7 @@ class SameBits(NetworkTest):
         own = self.run_scene(scene, *CRACKING, out="own")
         self.assertGreater((own / "cracks.csv").read_text().count("\n"), 2)
         with self.machines(**quality) as machines, contextlib.ExitStack() as servers:
-            addresses = [servers.enter_context(listening(machines.on_far(
+            addresses = [servers.enter_context(listening(*machines.on_far(
                 BUILD / program / program, "--listen", f"{FAR}:0", *server_trust))) for program in ("fdm_server", "dem_server")]
             done = self.near(machines, "run", scene, *CRACKING, "--out", self.folder / "over", "--fdm", addresses[0],
                              "--dem", addresses[1], *coupler_trust)
@@ -59,7 +60,7 @@ class TheLink(NetworkTest):
     """It is as slow, narrow and lossy as it was asked to be."""
 
     def round_trip_ms(self, **quality):
-        with self.machines(**quality) as machines, listening(machines.on_far(
+        with self.machines(**quality) as machines, listening(*machines.on_far(
                 BUILD / "dem_server/dem_server", "--listen", f"{FAR}:0", "--insecure")) as address:
             told = self.near(machines, "doctor", address).stdout
         number, unit = re.search(r"round trip +([\d.,]+) (\S+) median", told).groups()
@@ -73,7 +74,7 @@ class TheLink(NetworkTest):
 
     def test_packets_are_lost(self):
         for loss, code in ((0, 0), (1, 124)):
-            with self.machines(loss=loss) as machines, listening(machines.on_far(
+            with self.machines(loss=loss) as machines, listening(*machines.on_far(
                     BUILD / "dem_server/dem_server", "--listen", f"{FAR}:0", "--insecure")) as address:
                 connect = f"</dev/tcp/{address.replace(':', '/')}"
                 done = subprocess.run(machines.on_near("timeout", "2", "bash", "-c", connect), capture_output=True, text=True)
