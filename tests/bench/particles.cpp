@@ -36,11 +36,11 @@ struct Costs {
 };
 // Displacement, velocity and spin, read and written, inverse mass and inertia; the bond's shear force.
 constexpr Costs kLattice{12.0 * sizeof(double), 2 * sizeof(double), 40 + 6 + 9};
-// Also resultants of bonds and of all; the bond's discs and law, shape at rest, shear force and moment, and
-// beside parallel bonds the contact's force.
+// Also resultants of bonds and of all; the bond's discs and law, shape at rest and shear force, and for
+// parallel bonds the moment and the force of the contact beside.
 constexpr double kBytesOfDisc = kLattice.bytes_of_particle + 12.0 * sizeof(double);
 constexpr double kBytesOfShape = 3 * sizeof(std::uint32_t) + 4 * sizeof(double);
-constexpr Costs kContactBonds{kBytesOfDisc, kBytesOfShape + 4 * sizeof(double), 49 + 8 + 9};
+constexpr Costs kContactBonds{kBytesOfDisc, kBytesOfShape + 2 * sizeof(double), 49 + 8 + 9};
 constexpr Costs kParallelBonds{kBytesOfDisc, kBytesOfShape + 6 * sizeof(double), 73 + 8 + 9};
 
 void stir(dem::Particles& p) {

@@ -13,7 +13,7 @@ namespace adit::dem {
 namespace {
 
 // Plain bonds are all intact, of one law and weight 1, without N0, and have one width and no slack; varied
-// ones differ in width and slack.
+// ones differ in width and slack. Plain contact bonds load no moment, which they do not transmit.
 enum class Kind { kPlainContactBonds, kPlainParallelBonds, kVariedParallelBonds, kBonds, kContacts };
 
 // The loop over a chunk. It becomes vector code only where all that it calls is inlined.
@@ -22,6 +22,7 @@ struct Kernel {
   static constexpr bool kBond = kKind != Kind::kContacts, kContact = kKind != Kind::kPlainContactBonds;
   static constexpr bool kPlain = kKind == Kind::kPlainContactBonds || kKind == Kind::kPlainParallelBonds;
   static constexpr bool kGeneral = kKind == Kind::kBonds || kKind == Kind::kContacts;
+  static constexpr bool kMoment = kBond && kKind != Kind::kPlainContactBonds;
 
   const double dt;
   const ChunkDiscs& discs;
@@ -71,16 +72,17 @@ struct Kernel {
   [[gnu::always_inline]] PairForces bond(std::uint32_t k, const PairKinematics& pair) {
     const double w = width[kPlain ? 0 : k];
     const BondSprings springs =
-        springs_of_width(of_pair(laws.kn, k), of_pair(laws.ks, k), of_pair(laws.km, k), w);
-    PairForces f = bond_forces(springs, pair, dt, shear[k], moment[k]);
+        springs_of_width(of_pair(laws.kn, k), of_pair(laws.ks, k), kMoment ? of_pair(laws.km, k) : 0, w);
+    PairForces f = bond_forces(springs, pair, dt, shear[k], kMoment ? moment[k] : 0);
+    if constexpr (!kMoment) f.moment = 0;
     if constexpr (kGeneral) {
       f.normal = (f.normal + initial[k]) * laws.intact[k];
       f.shear *= laws.intact[k];
       f.moment *= laws.intact[k];
     }
     shear[k] = f.shear;
-    moment[k] = f.moment;
-    breaks |= static_cast<std::int64_t>(breaks_in_tension(f, w, of_pair(laws.moment_factor, k),
+    if constexpr (kMoment) moment[k] = f.moment;
+    breaks |= static_cast<std::int64_t>(breaks_in_tension(f, w, kMoment ? of_pair(laws.moment_factor, k) : 0,
                                                           of_pair(laws.tensile_strength, k))) |
               static_cast<std::int64_t>(
                   breaks_in_shear(f, w, of_pair(laws.cohesion, k), of_pair(laws.tan_friction_angle, k)));
