@@ -7,7 +7,11 @@ namespace adit::fdm {
 
 HystereticLaw::HystereticLaw(const Elasticity& elasticity, const IwanElements& chain, std::size_t zones,
                              bool large_strain)
-    : ZoneLaw(elasticity), stiffness_(chain.stiffness), limit_(chain.limit), yields_(zones, 0) {
+    : ZoneLaw(elasticity),
+      stiffness_(chain.stiffness),
+      limit_(chain.limit),
+      yields_(zones, 0),
+      axes_(zones, large_strain) {
   const std::size_t whole = (chain.limit.size() + kElementBlock - 1) / kElementBlock * kElementBlock;
   stiffness_.resize(whole, 0.0);
   limit_.resize(whole, std::numeric_limits<double>::infinity());
@@ -16,7 +20,6 @@ HystereticLaw::HystereticLaw(const Elasticity& elasticity, const IwanElements& c
   paths_.resize(groups);
   wakes_.resize(whole / kElementBlock * groups);
   flows_.resize(kElementValues * whole * groups);
-  if (large_strain) axes_.emplace(zones);
 }
 
 void HystereticLaw::advance(const LawStep& step) {
@@ -39,7 +42,7 @@ void HystereticLaw::advance_group(const LawStep& step, std::size_t from, std::si
   const std::size_t at = from - step.first;  // the first one's place in the batch
   for (std::size_t l = group.begin, i = at; l < group.end; ++l, ++i) {
     const std::size_t zone = step.first + i;
-    const double cosine = axes_ ? axes_->cosine(zone) : 1, sine = axes_ ? axes_->sine(zone) : 0;
+    const double cosine = axes_.cosine(zone), sine = axes_.sine(zone);
     for (std::size_t k = 0; k < 4; ++k) {
       const double d = step.strains.difference[k][i], s = step.strains.shear[k][i];
       group.growth[k][l] = cosine * d + sine * s;
@@ -51,7 +54,7 @@ void HystereticLaw::advance_group(const LawStep& step, std::size_t from, std::si
                      group);
   for (std::size_t l = group.begin, i = at; l < group.end; ++l, ++i) {
     const std::size_t zone = step.first + i;
-    const double cosine = axes_ ? axes_->cosine(zone) : 1, sine = axes_ ? axes_->sine(zone) : 0;
+    const double cosine = axes_.cosine(zone), sine = axes_.sine(zone);
     double area = 0, deviator = 0, twice = 0;
     std::uint32_t now = 0;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -77,14 +80,13 @@ void HystereticLaw::exchange(state::Archive& archive) {
   archive("wakes", std::span(wakes_));
   archive("flows", std::span(flows_));
   archive("yields", std::span(yields_));
-  if (axes_) axes_->exchange(archive);
+  axes_.exchange(archive);
 }
 
 // Of the elements and of the change of volume, and that of the initial stress over the strains since.
 double HystereticLaw::energy(std::size_t zone, const std::array<double, 4>& areas,
                              const std::array<PointStress, 4>& stress) const {
-  const double modulus = elasticity_.shear, cosine = axes_ ? axes_->cosine(zone) : 1,
-               sine = axes_ ? axes_->sine(zone) : 0;
+  const double modulus = elasticity_.shear, cosine = axes_.cosine(zone), sine = axes_.sine(zone);
   const std::size_t number = zone / kGroup, l = zone % kGroup;
   const GroupValues* strain = &strains_[9 * number];
   const double mean = (2 * stress[0].mean + stress[0].across) / 3, z = strain[8][l];

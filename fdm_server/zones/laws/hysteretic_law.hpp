@@ -5,7 +5,6 @@
 // stress out of them.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "fdm_server/zones/laws/element_kernels.hpp"
@@ -21,7 +20,7 @@ class HystereticLaw final : public ZoneLaw {
 
   void advance(const LawStep& step) override;
   void turn(std::size_t first, std::uint32_t count, const HalfTurns& turns) override {
-    if (axes_) axes_->turn(first, count, turns);
+    axes_.turn(first, count, turns);
   }
   void exchange(state::Archive& archive) override;
   double energy(std::size_t zone, const std::array<double, 4>& areas,
@@ -41,7 +40,7 @@ class HystereticLaw final : public ZoneLaw {
   std::vector<double> stiffness_, limit_;  // of elements in whole blocks, the last of which may have none
   std::vector<GroupValues> strains_, paths_, wakes_, flows_;
   std::vector<std::uint32_t> yields_;  // of each zone: bits of Yield of its points, a byte each
-  std::optional<HystereticAxes> axes_;
+  HystereticAxes axes_;
 };
 
 }  // namespace adit::fdm

@@ -26,10 +26,14 @@ enum InnerField : std::size_t { kStrain = 0, kDrift = kZoneStrains, kRadius = 2 
 
 ReversalLaw::ReversalLaw(const Elasticity& elasticity, const Polyline& backbone, std::size_t zones,
                          bool large_strain)
-    : ZoneLaw(elasticity), backbone_(backbone), inner_(zones), outer_(zones), yields_(zones, 0) {
+    : ZoneLaw(elasticity),
+      backbone_(backbone),
+      inner_(zones),
+      outer_(zones),
+      yields_(zones, 0),
+      axes_(zones, large_strain) {
   std::ranges::fill(inner_[kEnd], kVirgin.end);
   if (backbone_.narrowed()) std::ranges::fill(narrow_.emplace(zones)[0], kVirgin.share);
-  if (large_strain) axes_.emplace(zones);
 }
 
 void ReversalLaw::advance(const LawStep& step) {
@@ -46,15 +50,14 @@ void ReversalLaw::advance(const LawStep& step) {
     inner.spring = &(*narrow_)[1][step.first];
   }
   StrainBatch turned;
-  if (axes_) {
+  if (axes_.turns()) {
     turned = step.strains;
-    axes_->turn_in(step.first, step.count, turned.difference, turned.shear);
+    axes_.turn_in(step.first, step.count, turned.difference, turned.shear);
   }
-  const StrainBatch& strains = axes_ ? turned : step.strains;
+  const StrainBatch& strains = axes_.turns() ? turned : step.strains;
   Advanced to;
   const bool any = stay_on_piece(line, step.count, step.areas, strains, inner, to);
-  grow(elasticity_, step.count, strains, to, axes_ ? axes_->view(step.first) : AxesView{}, inner,
-       step.stresses);
+  grow(elasticity_, step.count, strains, to, axes_.view(step.first), inner, step.stresses);
   if (any) leave_pieces(step, strains, to);
   for (std::uint32_t i = 0; i < step.count; ++i) {
     step.dissipated[i] += elasticity_.shear * to.dissipated[i];
@@ -82,7 +85,7 @@ void ReversalLaw::leave_pieces(const LawStep& step, const StrainBatch& strains, 
     outer_[zone] = std::move(memory.outer);
     to.dissipated[i] = dissipated * ((areas[0] + areas[1]) + (areas[2] + areas[3]));
     const double modulus = elasticity_.shear;
-    const double cosine = axes_ ? axes_->cosine(zone) : 1, sine = axes_ ? axes_->sine(zone) : 0;
+    const double cosine = axes_.cosine(zone), sine = axes_.sine(zone);
     for (std::size_t k = 0; k < 4; ++k) {
       difference[k][i] += modulus * (cosine * growth[k] - sine * growth[4 + k]);
       shear[k][i] += modulus * (cosine * growth[4 + k] + sine * growth[k]);
@@ -131,7 +134,7 @@ void ReversalLaw::exchange(state::Archive& archive) {
   archive("reversals", std::span(counts));
   archive("pieces", pieces);
   archive("yields", std::span(yields_));
-  if (axes_) axes_->exchange(archive);
+  axes_.exchange(archive);
   if (!archive.reads()) return;
   std::size_t at = 0;
   for (std::size_t zone = 0; zone < outer_.size(); ++zone) {
@@ -154,7 +157,7 @@ double ReversalLaw::energy(std::size_t zone, const std::array<double, 4>& areas,
     energy += weights[i] * (initial_and_held - modulus * held[i]) * strain[i];
   };
   for (std::size_t k = 0; k < 4; ++k) {
-    const double cosine = axes_ ? axes_->cosine(zone) : 1, sine = axes_ ? axes_->sine(zone) : 0;
+    const double cosine = axes_.cosine(zone), sine = axes_.sine(zone);
     add(k, cosine * stress[k].difference + sine * stress[k].shear);
     add(4 + k, cosine * stress[k].shear - sine * stress[k].difference);
   }

@@ -19,7 +19,7 @@ class ReversalLaw final : public ZoneLaw {
 
   void advance(const LawStep& step) override;
   void turn(std::size_t first, std::uint32_t count, const HalfTurns& turns) override {
-    if (axes_) axes_->turn(first, count, turns);
+    axes_.turn(first, count, turns);
   }
   void exchange(state::Archive& archive) override;
   double energy(std::size_t zone, const std::array<double, 4>& areas,
@@ -39,7 +39,7 @@ class ReversalLaw final : public ZoneLaw {
   std::optional<FieldArrays<2>> narrow_;
   std::vector<std::vector<OuterPiece>> outer_;
   std::vector<std::uint8_t> yields_;  // bits of Yield
-  std::optional<HystereticAxes> axes_;
+  HystereticAxes axes_;
 };
 
 }  // namespace adit::fdm
