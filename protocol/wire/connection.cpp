@@ -33,8 +33,10 @@ using boost::system::error_code;
 // so
 //   a wait begins by spinning for kSpin.
 // - The end that asks also shortens its long waits. Answers take about as long as the last ones did, so it
-//   sleeps by the clock for kNap of that time and then spins. The end that answers must not do so: its waits
-//   contain the naps of the other end, and each would prolong the other's.
+//   sleeps by the clock for kNap of that time, but wakes kSpin before it, and then spins. An answer that is
+//   there when it wakes came at an unknown time: half of the wait is taken for it, so that naps that are too
+//   long soon become shorter. The end that answers must not nap: its waits contain the naps of the other end,
+//   and each would prolong the other's.
 // - An answer that is later than expected is waited for asleep.
 // - If other work needs the core, a yield lasts milliseconds. A yield longer than kSpin is the sign of that,
 //   and the next kWaitsWithoutSpin waits sleep at once.
@@ -249,7 +251,9 @@ void Connection::await(Take take_complete, std::chrono::milliseconds within) {
   const bool may_spin = waits_without_spin_ == 0;
   if (!may_spin) --waits_without_spin_;
   const Clock::duration expected = may_spin ? expected_wait() : Clock::duration::zero();
-  if (expected > kSpin) std::this_thread::sleep_for(kNap * expected);
+  const auto nap = std::min(std::chrono::duration_cast<Clock::duration>(kNap * expected), expected - kSpin);
+  bool just_woken = nap > kSpin;
+  if (just_woken) std::this_thread::sleep_for(nap);
   const Clock::duration spin = may_spin ? expected + kSpin : Clock::duration::zero();
   while (true) {
     // The deadlines are checked after reading, so that bytes that have arrived in time count.
@@ -257,9 +261,10 @@ void Connection::await(Take take_complete, std::chrono::milliseconds within) {
     const auto now = Clock::now();
     if (arrived && take_complete()) {
       waited_ += watch.lasted(now);
-      last_waits_[waits_++ % last_waits_.size()] = watch.lasted(now);
+      last_waits_[waits_++ % last_waits_.size()] = watch.lasted(now) / (just_woken ? 2 : 1);
       return;
     }
+    if (!arrived) just_woken = false;
     if (arrived) watch.sign_of_life(now, decoder_.buffered(), parts_taken_);
     watch.check(now);
     if (arrived) continue;  // TLS may hold more that has arrived

@@ -9,6 +9,8 @@
 namespace adit::dem {
 namespace {
 
+constexpr std::uint32_t kWord = 64;  // bits
+
 // `next` is the run of the next bond alone.
 void append_to_runs(std::vector<Run>& runs, const Run& next) {
   if (!runs.empty()) {
@@ -59,20 +61,24 @@ void Bonds::finish() {
   normal_force.assign(size(), 0.0);
   shear_force.assign(size(), 0.0);
   state.assign(size(), BondState::kIntact);
-  marked_.assign(size() / kGroup + 1, false);
+  marked_.assign(size() / kWord + 1, 0);
 }
 
 bool Bonds::plain(const Run& run) const {
-  const auto last = (run.begin + run.count - 1) / kGroup;
-  for (auto group = run.begin / kGroup; group <= last; ++group)
-    // Another thread may mark a group that this run shares while it is read. Both answers give the same bits,
-    // as the bonds of this run are plain either way.
-    if (std::atomic_ref(marked_[group]).load(std::memory_order_relaxed)) return false;
+  const std::uint32_t end = run.begin + run.count;
+  for (std::uint32_t bond = run.begin; bond < end;) {
+    const std::uint32_t next = std::min(end, (bond / kWord + 1) * kWord);
+    const std::uint64_t of_run = ~std::uint64_t{0} >> (kWord - (next - bond)) << bond % kWord;
+    // Another thread may mark bonds of its own runs in this word while it is read.
+    if (std::atomic_ref(marked_[bond / kWord]).load(std::memory_order_relaxed) & of_run) return false;
+    bond = next;
+  }
   return true;
 }
 
 void Bonds::mark(std::uint32_t bond) {
-  std::atomic_ref(marked_[bond / kGroup]).store(true, std::memory_order_relaxed);
+  std::atomic_ref(marked_[bond / kWord])
+      .fetch_or(std::uint64_t{1} << bond % kWord, std::memory_order_relaxed);
 }
 
 void Bonds::set_weight(std::uint32_t bond, double value) {

@@ -43,7 +43,7 @@ struct Bonds {
   double rest_length = 0;  // 2 R [m]
   std::size_t size() const { return first.size(); }
 
-  // All bonds of the run are intact and of weight 1.
+  // All bonds of the run, and of no other, are intact and of weight 1.
   bool plain(const Run& run) const;
   void set_weight(std::uint32_t bond, double value);
   // Leaves a contact without shear. Threads may do so to different bonds.
@@ -55,9 +55,8 @@ struct Bonds {
   void exchange(state::Archive& archive);
 
  private:
-  static constexpr std::uint32_t kGroup = 64;
   void mark(std::uint32_t bond);
-  mutable std::vector<char> marked_;  // of each group of bonds that follow one another: not all are plain
+  mutable std::vector<std::uint64_t> marked_;  // a bit for each bond: it is not plain
 };
 
 inline BondEnds ends_of(const Bonds& bonds) {

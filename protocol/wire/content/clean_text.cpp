@@ -60,8 +60,10 @@ void clean(Message& message) {
 
 }  // namespace
 
+// A frame holds one content.
 void clean_text(wire::Frame& frame) {
-  clean(frame);
+  const FieldDescriptor* content = wire::Frame::descriptor()->FindFieldByNumber(frame.content_case());
+  if (content != nullptr) clean(*frame.GetReflection()->MutableMessage(&frame, content));
 }
 
 }  // namespace adit::protocol

@@ -110,19 +110,24 @@ std::string named(const Way& way) {
 
 }  // namespace
 
-// By the bits of the exponent, because compilers make no vectors of comparisons.
+// By the exponent, whose bits are all set in what is not finite: one more then carries into the sign.
+// Compilers make vectors of these operations, but none of comparisons.
 bool all_finite(std::span<const double> values) {
-  constexpr std::uint64_t kExponent = 0x7ff0'0000'0000'0000;
+  constexpr std::uint64_t kExponent = 0x7ff0'0000'0000'0000, kOne = 0x0010'0000'0000'0000;
   std::uint64_t found = 0;
-  for (const double value : values)
-    found |= static_cast<std::uint64_t>((std::bit_cast<std::uint64_t>(value) & kExponent) == kExponent);
-  return found == 0;
+  for (const double value : values) found |= (std::bit_cast<std::uint64_t>(value) & kExponent) + kOne;
+  return found >> 63 == 0;
 }
 
 std::optional<std::string> first_not_finite(const wire::Frame& frame) {
-  static const std::vector<Part> parts = parts_of(wire::Frame::descriptor());
+  static const std::vector<Part> contents = parts_of(wire::Frame::descriptor());
+  const auto content = std::ranges::find(contents, static_cast<int>(frame.content_case()),
+                                         [](const Part& part) { return part.field->number(); });
+  if (content == contents.end()) return std::nullopt;
   Way way;
-  if (!has_wrong(frame, parts, way)) return std::nullopt;
+  if (!has_wrong(frame.GetReflection()->GetMessage(frame, content->field), content->within, way))
+    return std::nullopt;
+  way.steps.push_back({content->field, 0});
   return fmt::format("{} is {}", named(way), way.number);
 }
 

@@ -93,5 +93,23 @@ TEST(Assembly, RunsCoverTheBonds) {
   EXPECT_LT(a.bonds.runs.size(), 1.2 * static_cast<double>(a.bonds.size()) / kLongestRun);
 }
 
+// Runs are slow where one of their own bonds is weighted or broken, and nowhere else, wherever they begin and
+// end.
+TEST(Assembly, RunIsPlainUnlessABondOfItsOwnIsNot) {
+  const std::uint32_t count = 300, weighted = 70, broken = 191;
+  Bonds bonds;
+  bonds.first.resize(count);
+  bonds.second.resize(count);
+  bonds.finish();
+  bonds.set_weight(weighted, 0.5);
+  bonds.break_bond(broken, BondState::kTensileCrack);
+  for (std::uint32_t begin = 0; begin < count; ++begin)
+    for (std::uint32_t end = begin + 1; end <= std::min(count, begin + kLongestRun); ++end) {
+      const auto holds = [&](std::uint32_t bond) { return begin <= bond && bond < end; };
+      ASSERT_EQ(bonds.plain({begin, end - begin, 0, 0, 0, 0}), !holds(weighted) && !holds(broken))
+          << begin << " to " << end;
+    }
+}
+
 }  // namespace
 }  // namespace adit::dem
