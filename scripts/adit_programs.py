@@ -38,9 +38,9 @@ def bring_up_to_date(*names):
 
 
 @contextlib.contextmanager
-def listening(*command):
-    """The address of a server while it listens; it logs nothing."""
-    with subprocess.Popen([*map(str, command), "--log-level", "off"], stdout=subprocess.PIPE, text=True) as process:
+def listening(*command, silenced_by=("--log-level", "off")):
+    """The address of a server while it listens; it logs nothing by the options that silence it."""
+    with subprocess.Popen([*map(str, command), *silenced_by], stdout=subprocess.PIPE, text=True) as process:
         try:
             yield process.stdout.readline().split()[-1]
         finally:

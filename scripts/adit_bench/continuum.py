@@ -2,11 +2,13 @@
 
 A zone-step is everything that a time step does, for one zone and the one point that comes with it. Beside it stand
 the memory traffic that it cannot avoid, and what share that is of the bandwidth that STREAM's triad reaches at the
-same time, over as many bytes and with as many threads.
+same time, over as many bytes and with as many threads. With --peers: another continuum beside ours on the same block.
 """
 
 import json
 import subprocess
+
+from adit_bench.peers import continuum as peers
 
 GRIDS = ((100, 100), (400, 250), (1000, 1000))  # zones along x and y
 THREADS = (1, 2)
@@ -17,6 +19,10 @@ FLOORS = {100000: 80, 1000000: 60}
 def run(root):
     program = root / "build/release/tests/bench/continuum_bench"
     return [record for columns, rows in GRIDS for threads in THREADS for record in measure(program, columns, rows, threads)]
+
+
+def pairs(root):
+    return peers.pairs(root)
 
 
 def measure(program, columns, rows, threads):

@@ -3,7 +3,7 @@
 A bond-step is everything that a time step does, for one bond: its forces, its part in the motion of the particles,
 contact detection. Beside it stand the memory held, the shares of what the machine allows at the same time: of the
 bandwidth that STREAM's triad reaches over as many bytes as a step must read and write, of its sums and products, of
-one square root and one division a bond; and other codes on the same beam, where they are installed.
+one square root and one division a bond. With --peers: other codes beside ours on the same beam.
 """
 
 import json
@@ -21,9 +21,12 @@ FLOORS, FLOOR_FROM = {"lattice": 120e6, "parallel_bonds": 60e6}, 9000
 
 def run(root):
     program = root / "build/release/tests/bench/particles_bench"
-    own = [record for kind in KINDS for discs, rows in BEAMS for threads in THREADS
-           for record in measure(program, kind, discs, rows, threads)]
-    return own + peers.run(*BEAMS[1])
+    return [record for kind in KINDS for discs, rows in BEAMS for threads in THREADS
+            for record in measure(program, kind, discs, rows, threads)]
+
+
+def pairs(root):
+    return peers.pairs(root, *BEAMS[1])
 
 
 def measure(program, kind, discs, rows, threads):

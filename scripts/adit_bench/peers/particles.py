@@ -1,4 +1,4 @@
-"""Other particle codes on the same beam of touching discs, one thread: Yade (bonds with shear and spin), LAMMPS (central
+"""Other particle codes and ours on the same beam of touching discs, one thread: Yade (bonds with shear and spin), LAMMPS (central
 springs; discs that touch with history) and LIGGGHTS (discs that touch with history). Those that are not installed are
 left out, saying so.
 
@@ -14,6 +14,8 @@ import shutil
 import subprocess
 import sys
 import tempfile
+
+from adit_bench.peers.alternate import Pair
 
 STEPS, STEPS_OF_YADE = 2000, 200
 RADIUS, MASS, STIFFNESS = 0.5, 2000.0, 1.8e10
@@ -62,19 +64,27 @@ pair_style gran model hooke tangential history
 pair_coeff * *"""
 
 
-def run(discs, rows):
+def pairs(root, discs, rows):
+    """Each other code beside each engine of ours that computes such bonds."""
     places, bonds = beam(discs, rows)
-    speeds = {name: installed(program, name) and len(bonds) * STEPS / measure(program, script, places, bonds)
-              for program, name, script in scripts()}
-    name = "Yade bonds with shear and spin"
-    speeds[name] = installed("yade", name) and len(bonds) * STEPS_OF_YADE / measure_yade(places, len(bonds))
-    return [{"name": f"bond-steps, {name}", "size": len(places), "threads": 1, "value": speed, "unit": "bond-steps/s"}
-            for name, speed in speeds.items() if speed]
+    others = [(program, name, lambda program=program, script=script: len(bonds) * STEPS / measure(program, script, places, bonds))
+              for program, name, script in scripts()]
+    others.append(("yade", "Yade bonds with shear and spin", lambda: len(bonds) * STEPS_OF_YADE / measure_yade(places, len(bonds))))
+    return [Pair("beam of touching discs", len(places), "bond-steps/s", f"{engine} engine", lambda kind=kind: ours(root, kind, discs, rows), name, speed)
+            for program, name, speed in others if installed(program, name)
+            for engine, kind in (("lattice", "lattice"), ("general", "contact_bonds"))]
+
+
+def ours(root, kind, discs, rows):
+    """Bond-steps per second of one thread."""
+    m = json.loads(subprocess.run([root / "build/release/tests/bench/particles_bench", kind, str(discs), str(rows), "1"],
+                                  check=True, capture_output=True, text=True).stdout)
+    return m["steps_per_s"] * m["bonds"]
 
 
 def installed(program, name):
     if shutil.which(program) is None:
-        print(f"{name}: {program} is not installed, left out", file=sys.stderr)
+        print(f"{name}: {program} is not installed, left out: scripts/setup bench", file=sys.stderr)
         return False
     return True
 
