@@ -80,7 +80,8 @@ struct Load {
   std::vector<std::uint32_t> discs;  // ascending
   double x, y;                       // [N] or [m/s^2]
   TimeFactor time;
-  std::string path;  // in the scene
+  std::string path;     // in the scene
+  bool steady = false;  // the factor never changes
 };
 
 enum class Component : std::uint8_t { kX, kY, kSpin };

@@ -27,26 +27,28 @@ ADIT_VECTOR_CLONES double move(double dt, std::span<const protocol::IndexRange> 
 namespace {
 
 ADIT_VECTOR_CLONES void kick_freely(double dt, std::span<const protocol::IndexRange> some,
-                                    const Resultants& resultants, Particles& p) {
+                                    const Resultants& resultants, Particles& p, const Acceleration& gravity) {
   const auto [fx, fy, moment] = resultants;
   const double *inverse_mass = p.inverse_mass.data(), *inverse_inertia = p.inverse_inertia.data();
   double *vx = p.vx.data(), *vy = p.vy.data(), *spin = p.spin.data();
+  const double gx = dt * gravity.x, gy = dt * gravity.y;
   for (const auto [begin, end] : some)
 #pragma GCC ivdep
     for (std::size_t i = begin; i < end; ++i) {
-      vx[i] += dt * fx[i] * inverse_mass[i];
-      vy[i] += dt * fy[i] * inverse_mass[i];
+      vx[i] += dt * fx[i] * inverse_mass[i] + gx;
+      vy[i] += dt * fy[i] * inverse_mass[i] + gy;
       spin[i] += dt * moment[i] * inverse_inertia[i];
     }
 }
 
 void kick_damped(const protocol::Step& step, std::span<const protocol::IndexRange> some, const Resultants& f,
-                 Particles& p) {
+                 Particles& p, const Acceleration& gravity) {
   const double dt = step.kick(), share = step.local_damping;
   for (const auto [begin, end] : some)
     for (std::size_t i = begin; i < end; ++i) {
-      p.vx[i] += dt * protocol::damped(f.fx[i], p.tie_x[i], p.vx[i], share) * p.inverse_mass[i];
-      p.vy[i] += dt * protocol::damped(f.fy[i], p.tie_y[i], p.vy[i], share) * p.inverse_mass[i];
+      const double x = f.fx[i] + p.mass[i] * gravity.x, y = f.fy[i] + p.mass[i] * gravity.y;
+      p.vx[i] += dt * protocol::damped(x, p.tie_x[i], p.vx[i], share) * p.inverse_mass[i];
+      p.vy[i] += dt * protocol::damped(y, p.tie_y[i], p.vy[i], share) * p.inverse_mass[i];
       p.spin[i] += dt * protocol::damped(f.moment[i], 0, p.spin[i], share) * p.inverse_inertia[i];
     }
 }
@@ -54,11 +56,11 @@ void kick_damped(const protocol::Step& step, std::span<const protocol::IndexRang
 }  // namespace
 
 void kick(const protocol::Step& step, std::span<const protocol::IndexRange> some,
-          const Resultants& resultants, Particles& particles) {
+          const Resultants& resultants, Particles& particles, const Acceleration& gravity) {
   if (step.local_damping > 0)
-    kick_damped(step, some, resultants, particles);
+    kick_damped(step, some, resultants, particles, gravity);
   else
-    kick_freely(step.kick(), some, resultants, particles);
+    kick_freely(step.kick(), some, resultants, particles, gravity);
 }
 
 }  // namespace adit::dem

@@ -13,9 +13,9 @@ namespace adit::dem {
 // u += dt v. Returns the largest v^2 [m^2/s^2].
 double move(double dt, std::span<const protocol::IndexRange> some, Particles& particles);
 
-// v += dt f / m and spin += dt moment / J; half of dt in a step from rest. Statics may damp f and moment
-// (protocol/participant/local_damping.hpp).
+// v += dt (f / m + gravity) and spin += dt moment / J; half of dt in a step from rest. Statics may damp
+// forces and moment (protocol/participant/local_damping.hpp).
 void kick(const protocol::Step& step, std::span<const protocol::IndexRange> some,
-          const Resultants& resultants, Particles& particles);
+          const Resultants& resultants, Particles& particles, const Acceleration& gravity = {});
 
 }  // namespace adit::dem

@@ -11,14 +11,27 @@ Loads::Loads(const Model& model, const Particles& particles) {
       // The masses carry the energy weights, so an overlap that is shared with the continuum is not loaded
       // twice.
       for (std::size_t k = 0; k < share.size(); ++k) share[k] = particles.mass[discs[k]];
-    loads_.push_back({load.kind, std::move(discs), std::move(share), load.x, load.y, load.time});
+    loads_.push_back({load.kind, std::move(discs), std::move(share), load.x, load.y, load.time, load.steady});
   }
+}
+
+Acceleration Loads::take_gravity(const Particles& particles) {
+  Acceleration sum;
+  std::erase_if(loads_, [&](const Shared& load) {
+    const bool of_all =
+        load.kind == Load::Kind::kAcceleration && load.steady && load.particles.size() == particles.size();
+    if (!of_all) return false;
+    sum.x += load.x * load.time(0);
+    sum.y += load.y * load.time(0);
+    return true;
+  });
+  return sum;
 }
 
 Loads Loads::take(const std::vector<bool>& chosen) {
   Loads taken;
   for (Shared& load : loads_) {
-    Shared out{load.kind, {}, {}, load.x, load.y, load.time}, left = out;
+    Shared out{load.kind, {}, {}, load.x, load.y, load.time, load.steady}, left = out;
     for (std::size_t k = 0; k < load.particles.size(); ++k) {
       Shared& to = chosen[load.particles[k]] ? out : left;
       to.particles.push_back(load.particles[k]);

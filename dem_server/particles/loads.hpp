@@ -16,6 +16,8 @@ class Loads {
   Loads() = default;
   Loads(const Model& model, const Particles& particles);
 
+  // Takes steady accelerations of all particles out, before the first step, and returns their sum.
+  Acceleration take_gravity(const Particles& particles);
   // Takes the shares of the chosen particles out, before the first step.
   Loads take(const std::vector<bool>& chosen);
 
@@ -44,6 +46,7 @@ class Loads {
     std::vector<double> share;  // force = share * (x, y) * factor
     double x, y;
     TimeFactor time;
+    bool steady;
     double factor = 0;  // at the last step
   };
   std::vector<Shared> loads_;

@@ -47,6 +47,11 @@ void set_masses(const Model& model, Particles& particles);
 // All velocities and spins become 0.
 void stop(Particles& particles);
 
+// Of all particles alike [m/s^2].
+struct Acceleration {
+  double x = 0, y = 0;
+};
+
 // Where forces and moments are summed, one value a particle [N], [N m].
 struct Resultants {
   double *fx, *fy, *moment;

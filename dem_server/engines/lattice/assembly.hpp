@@ -66,6 +66,7 @@ inline BondEnds ends_of(const Bonds& bonds) {
 struct Assembly {
   Particles particles;
   Bonds bonds;
+  Acceleration gravity{};
 };
 
 // The assembly of a model at rest whose discs and bonds are a lattice (model/lattice.hpp), its bonds in their

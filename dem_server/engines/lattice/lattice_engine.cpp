@@ -37,6 +37,7 @@ LatticeEngine::LatticeEngine(const Model& model, std::size_t threads)
       contacts_(assembly_),
       tied_(model.discs.size(), false) {
   interior_.loads = Loads(model, assembly_.particles);
+  assembly_.gravity = interior_.loads.take_gravity(assembly_.particles);
   interior_.motions = PrescribedMotions(model, assembly_.particles);
   plan();
 }
@@ -147,10 +148,20 @@ Energies LatticeEngine::energies(const protocol::Step& step) {
   energies.kinetic = kinetic_energy_of(step);
   energies.strain = bonds + contacts;
   energies.released = released_;
+  energies.external_work = work_of_gravity() - gravity_in_statics_;
   for (const Part* part : {&interface_, &interior_})
     energies.external_work +=
         part->loads.work().forces + part->loads.work().accelerations + part->motions.work();
   return energies;
+}
+
+double LatticeEngine::work_of_gravity() const {
+  const Particles& p = assembly_.particles;
+  const auto [x, y] = assembly_.gravity;
+  if (x == 0 && y == 0) return 0;
+  double work = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) work += p.mass[i] * (x * p.ux[i] + y * p.uy[i]);
+  return work;
 }
 
 double LatticeEngine::strain_of_bonds() {
@@ -167,6 +178,7 @@ double LatticeEngine::strain_of_bonds() {
 void LatticeEngine::start_over(const protocol::Drift& drift) {
   LocalEngine::start_over(drift);
   released_ = 0;
+  gravity_in_statics_ = work_of_gravity();
   for (Part* part : {&interface_, &interior_}) {
     part->loads.start_over();
     part->motions.start_over();
@@ -182,6 +194,7 @@ void LatticeEngine::exchange(state::Archive& archive) {
     part->motions.exchange(archive);
   }
   archive("released", released_);
+  archive("gravity_in_statics", gravity_in_statics_);
   if (!archive.reads()) return;
   for (const Pair& pair : contacts_.pairs())
     state::require_below(std::array{pair.first, pair.second}, assembly_.particles.size(), "contact_pairs");

@@ -59,6 +59,7 @@ class LatticeEngine final : public LocalEngine {
   // The other velocities of n + 1/2.
   void predict(const protocol::Step& step, Part& part);
   double strain_of_bonds();
+  double work_of_gravity() const;  // since displacements were 0 [J]
   std::vector<double> normal_forces() const;
 
   protocol::Team team_;
@@ -72,6 +73,7 @@ class LatticeEngine final : public LocalEngine {
   std::vector<std::uint32_t> broken_;  // bonds that broke in this step
   std::vector<Crack> cracks_;          // of the last whole step
   double released_ = 0;                // up to the last whole step [J]
+  double gravity_in_statics_ = 0;      // its work before time began [J]
 };
 
 }  // namespace adit::dem

@@ -43,6 +43,15 @@ void pour(const IndexRange& range, std::uint32_t first, std::vector<double>& fro
   }
 }
 
+void add_weight(std::span<const IndexRange> ranges, const Acceleration& gravity, Particles& p) {
+  if (gravity.x == 0 && gravity.y == 0) return;
+  for (const auto [begin, end] : ranges)
+    for (std::uint32_t i = begin; i < end; ++i) {
+      p.fx[i] += p.mass[i] * gravity.x;
+      p.fy[i] += p.mass[i] * gravity.y;
+    }
+}
+
 }  // namespace
 
 Sweep::Sweep(std::span<const Run> runs, std::span<const Role> roles, const std::vector<bool>& moved,
@@ -189,7 +198,7 @@ void Sweep::run_block(const Block& block, Buffer& buffer, const ContactBond& law
     if (!step.from_rest()) outcome.fastest = std::max(outcome.fastest, move(step.dt, beat.moved, particles));
     add_bond_forces(law, step.dt, beat.runs, particles, assembly.bonds, resultants, outcome.contacts,
                     outcome.broken);
-    kick(step, beat.swept, resultants, particles);
+    kick(step, beat.swept, resultants, particles, assembly.gravity);
     // The buffer serves the next block of this thread, so it is left as zero as it was found.
     clear(beat.swept, resultants);
   }
@@ -198,6 +207,7 @@ void Sweep::run_block(const Block& block, Buffer& buffer, const ContactBond& law
     pour(range, first, buffer.fy, particles.fy);
     pour(range, first, buffer.moment, particles.moment);
   }
+  add_weight(block.kept, assembly.gravity, particles);
 }
 
 void Sweep::run_seam(const Block& block, const ContactBond& law, const protocol::Step& step,
@@ -206,7 +216,7 @@ void Sweep::run_seam(const Block& block, const ContactBond& law, const protocol:
   const Resultants resultants = resultants_of(particles);
   add_bond_forces(law, step.dt, block.seam, particles, assembly.bonds, resultants, outcome.contacts,
                   outcome.broken);
-  kick(step, block.seam_swept, resultants, particles);
+  kick(step, block.seam_swept, resultants, particles, assembly.gravity);
 }
 
 void Sweep::predict(protocol::Team& team, const protocol::Step& step, Particles& particles) const {

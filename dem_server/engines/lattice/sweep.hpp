@@ -38,9 +38,9 @@ class Sweep {
         std::size_t threads);
 
   // Moves by dt v, unless the step starts from rest, and sets the resultants of what it moves to those of the
-  // bonds; adds to those of others. Predicts the swept particles. `result` grows to that of all bonds of the
-  // step so far; bonds that broke are appended to `broken`, ascending. Returns the largest speed of what it
-  // moved [m/s].
+  // bonds; adds to those of others, and the weight to those of kept ones. Predicts the swept particles.
+  // `result` grows to that of all bonds of the step so far; bonds that broke are appended to `broken`,
+  // ascending. Returns the largest speed of what it moved [m/s].
   double run(protocol::Team& team, const ContactBond& law, const protocol::Step& step, Assembly& assembly,
              BondResult& result, std::vector<std::uint32_t>& broken);
   // Predicts the kept particles from their resultants.

@@ -99,7 +99,8 @@ TEST_P(Engines, StartUnderInitialStress) {
         return protocol::GroundStress{-3e3 + weight / 2 * y, -5e3 + weight * y, 1e3, {}};
       },
       model);
-  model.loads = {{Load::Kind::kAcceleration, model.id, 0, -10, [](double) { return 1.0; }, "body_loads"}};
+  model.loads = {
+      {Load::Kind::kAcceleration, model.id, 0, -10, [](double) { return 1.0; }, "body_loads", true}};
   const auto engine = make(model);
   engine->step_interface({0, 1e-6});
   engine->step_interior({0, 1e-6});
