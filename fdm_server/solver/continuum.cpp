@@ -91,7 +91,6 @@ void Continuum::set_dashpots(std::vector<Dashpot> dashpots, bool support) {
 
 void Continuum::set_damping(const DampingLaw& law) {
   damping_ = Damping(law, points_.size());
-  plan(std::vector<bool>(points_.size(), false));
 }
 
 void Continuum::set_foundations(std::vector<foundation::Springs> foundations) {
@@ -128,7 +127,7 @@ void Continuum::set_interface(std::span<const std::uint32_t> points) {
 
 // Before loads, motions and dashpots are divided.
 void Continuum::plan(const std::vector<bool>& chosen) {
-  std::vector<bool> pulled(points_.size(), damping_.acts());  // by others than zones
+  std::vector<bool> pulled(points_.size(), false);  // by others than zones
   for (const Part* part : {&interface_, &interior_}) {
     for (const auto& [load, factor] : part->loads)
       for (const auto point : load.points) pulled[point] = true;
@@ -162,6 +161,11 @@ void Continuum::plan(const std::vector<bool>& chosen) {
       of_interface[i] = pulled[i] || !in_zones[i] ? Role::kKept : Role::kSwept;
     else
       of_interior[i] = pulled[i] || reached[i] || !in_zones[i] ? Role::kKept : Role::kSwept;
+  for (auto [part, roles] : {std::pair{&interface_, &of_interface}, {&interior_, &of_interior}}) {
+    std::vector<bool> kept(points_.size());
+    for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = (*roles)[i] == Role::kKept;
+    part->kept = protocol::index_ranges(kept, true);
+  }
   interface_.sweep = {touching, of_interface, reached, team_.threads()};
   reached.flip();
   interior_.sweep = {others, of_interior, reached, team_.threads()};
@@ -198,6 +202,7 @@ PointArrays Continuum::arrays(const protocol::Step& step) {
           points_[kVy].data(),
           points_[kFx].data(),
           points_[kFy].data(),
+          points_[kMass].data(),
           points_[kInverseMassX].data(),
           points_[kInverseMassY].data(),
           steady_ ? points_[kSteadyX].data() : nullptr,
@@ -232,13 +237,13 @@ void Continuum::pull(Part& part, const protocol::Step& step) {
     tie_y_.assign(points_.size(), 0.0);
   }
   const PointArrays points = arrays(step);
-  part.sweep.run(team_, zones_, step.dt, step.kick(), points);
+  damped_ += part.sweep.run(team_, zones_, step, points, damping_);
   structures_.add_forces(part.structures, step.dt, {points.vx, points.vy, points.fx, points.fy});
-  if (damping_.acts()) damping_.add_viscous(part.points, step, points);
+  if (damping_.acts()) damping_.add_viscous(part.kept, step, points);
   apply_loads(part, step);
   hold_by_ground(part, step);
   add_boundary_forces(part.dashpots, supports_, damping_.law().beta, step, zones_, points, boundary_work_);
-  if (damping_.acts()) damped_ += damping_.add_others(part.points, step, points, points_[kMass]);
+  if (damping_.acts()) damped_ += damping_.add_others(part.kept, step, points);
   find_reactions(part, step);
 }
 

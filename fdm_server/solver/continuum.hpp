@@ -154,7 +154,7 @@ class Continuum {
   struct Part {
     Sweep sweep;
     Structures::Part structures;
-    std::vector<protocol::IndexRange> points;
+    std::vector<protocol::IndexRange> points, kept;  // kept: for others than zones to pull on
     std::vector<Loading> loads;
     std::vector<Prescribed> motions;
     std::vector<Dashpot> dashpots;

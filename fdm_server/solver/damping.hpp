@@ -49,13 +49,16 @@ class Damping {
   // The motion of these points is that of another model.
   void tie(std::span<const std::uint32_t> points);
 
-  // Adds beta's force where the points' forces are those of the zones alone.
+  // Adds all forces to points on which zones alone pull, and returns what they took since the last step [J].
+  double damp(std::span<const protocol::IndexRange> ranges, const protocol::Step& step,
+              const PointArrays& points);
+  // The same in two parts. Adds beta's force where the points' forces are those of the zones alone.
   void add_viscous(std::span<const protocol::IndexRange> ranges, const protocol::Step& step,
                    const PointArrays& points);
   // Adds the other forces, where the points have all forces, and returns what was dissipated since the last
   // step [J].
   double add_others(std::span<const protocol::IndexRange> ranges, const protocol::Step& step,
-                    const PointArrays& points, std::span<const double> masses);
+                    const PointArrays& points);
 
   void exchange(state::Archive& archive) { state_.exchange(archive); }
 

@@ -1,8 +1,10 @@
 #include "fdm_server/solver/sweep.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <thread>
 
+#include "fdm_server/solver/damping.hpp"
 #include "protocol/participant/local_damping.hpp"
 
 namespace adit::fdm {
@@ -55,8 +57,9 @@ void move(std::span<const IndexRange> ranges, double dt, const PointArrays& poin
     }
 }
 
-void add_steady(std::span<const IndexRange> ranges, const PointArrays& points, double* fx, double* fy) {
+void add_steady(std::span<const IndexRange> ranges, const PointArrays& points) {
   if (!points.steady_x) return;
+  double *fx = points.fx, *fy = points.fy;
   for (const auto [begin, end] : ranges)
 #pragma GCC ivdep
     for (std::size_t i = begin; i < end; ++i) {
@@ -65,8 +68,8 @@ void add_steady(std::span<const IndexRange> ranges, const PointArrays& points, d
     }
 }
 
-void predict_damped(std::span<const IndexRange> ranges, double kick, const PointArrays& points, double* fx,
-                    double* fy) {
+void predict_damped(std::span<const IndexRange> ranges, double kick, const PointArrays& points) {
+  double *fx = points.fx, *fy = points.fy;
   for (const auto [begin, end] : ranges)
 #pragma GCC ivdep
     for (std::size_t i = begin; i < end; ++i) {
@@ -79,9 +82,9 @@ void predict_damped(std::span<const IndexRange> ranges, double kick, const Point
     }
 }
 
-void predict(std::span<const IndexRange> ranges, double kick, const PointArrays& points, double* fx,
-             double* fy) {
-  if (points.damping > 0) return predict_damped(ranges, kick, points, fx, fy);
+void predict(std::span<const IndexRange> ranges, double kick, const PointArrays& points) {
+  if (points.damping > 0) return predict_damped(ranges, kick, points);
+  double *fx = points.fx, *fy = points.fy;
   for (const auto [begin, end] : ranges)
 #pragma GCC ivdep
     for (std::size_t i = begin; i < end; ++i) {
@@ -209,30 +212,38 @@ void Sweep::share(std::uint32_t chunk, std::uint32_t first, std::uint32_t point)
   waiting_.hold(waiting_.x.size() + 1);
 }
 
-void Sweep::run(protocol::Team& team, ZoneSet& zones, double dt, double kick, const PointArrays& points) {
-  team.run(chunks_.size(), [&](std::size_t c, std::size_t) { move(chunks_[c].moved, dt, points); });
+double Sweep::run(protocol::Team& team, ZoneSet& zones, const protocol::Step& step, const PointArrays& points,
+                  Damping& damping) {
+  damped_.resize(chunks_.size());
+  team.run(chunks_.size(), [&](std::size_t c, std::size_t) { move(chunks_[c].moved, step.dt, points); });
   team.run(chunks_.size(), [&](std::size_t c, std::size_t thread) {
-    compute(chunks_[c], buffers_[thread], zones, dt, kick, points);
+    damped_[c] = compute(chunks_[c], buffers_[thread], zones, step, points, damping);
   });
   team.run(chunks_.size(), [&](std::size_t c, std::size_t) {
     for (const auto& [range, place] : chunks_[c].sums) {
       pour(range.end - range.begin, &waiting_.x[place], points.fx + range.begin);
       pour(range.end - range.begin, &waiting_.y[place], points.fy + range.begin);
     }
-    for (const IndexRanges* own : {&chunks_[c].swept, &chunks_[c].kept})
-      add_steady(*own, points, points.fx, points.fy);
-    fdm::predict(chunks_[c].swept, kick, points, points.fx, points.fy);
+    for (const IndexRanges* own : {&chunks_[c].swept, &chunks_[c].kept}) add_steady(*own, points);
+    damped_[c] += damping.damp(chunks_[c].swept, step, points);
+    fdm::predict(chunks_[c].swept, step.kick(), points);
   });
+  return std::accumulate(damped_.begin(), damped_.end(), 0.0);
 }
 
-void Sweep::compute(const Chunk& chunk, Buffer& buffer, ZoneSet& zones, double dt, double kick,
-                    const PointArrays& points) {
+double Sweep::compute(const Chunk& chunk, Buffer& buffer, ZoneSet& zones, const protocol::Step& step,
+                      const PointArrays& points, Damping& damping) {
   double *fx = buffer.x.data() - chunk.first_point, *fy = buffer.y.data() - chunk.first_point;
+  PointArrays swept = points;  // their forces are in the buffer
+  swept.fx = fx;
+  swept.fy = fy;
+  double damped = 0;
   for (const Block& block : chunk.blocks) {
-    move(block.moved, dt, points);
-    zones.add_forces(block.runs, dt, {points.vx, points.vy, fx, fy});
-    add_steady(block.swept, points, fx, fy);
-    fdm::predict(block.swept, kick, points, fx, fy);
+    move(block.moved, step.dt, points);
+    zones.add_forces(block.runs, step.dt, {points.vx, points.vy, fx, fy});
+    add_steady(block.swept, swept);
+    damped += damping.damp(block.swept, step, swept);
+    fdm::predict(block.swept, step.kick(), swept);
     for (const auto [begin, end] : block.left) {
       pour(end - begin, fx + begin, points.fx + begin);
       pour(end - begin, fy + begin, points.fy + begin);
@@ -242,12 +253,11 @@ void Sweep::compute(const Chunk& chunk, Buffer& buffer, ZoneSet& zones, double d
     pour(range.end - range.begin, fx + range.begin, &waiting_.x[place]);
     pour(range.end - range.begin, fy + range.begin, &waiting_.y[place]);
   }
+  return damped;
 }
 
 void Sweep::predict(protocol::Team& team, double kick, const PointArrays& points) const {
-  team.run(chunks_.size(), [&](std::size_t c, std::size_t) {
-    fdm::predict(chunks_[c].kept, kick, points, points.fx, points.fy);
-  });
+  team.run(chunks_.size(), [&](std::size_t c, std::size_t) { fdm::predict(chunks_[c].kept, kick, points); });
 }
 
 }  // namespace adit::fdm

@@ -15,16 +15,19 @@
 #include <vector>
 
 #include "fdm_server/zones/zone_set.hpp"
+#include "protocol/participant/step.hpp"
 #include "protocol/threads/index_ranges.hpp"
 #include "protocol/threads/team.hpp"
 
 namespace adit::fdm {
 
-// One value a point: displacements, velocities, forces for others to add to, inverse masses; steady forces,
+class Damping;
+
+// One value a point: displacements, velocities, forces for others to add to, masses; steady forces,
 // which every point gets beside those of its zones, null where there are none.
 struct PointArrays {
   double *ux, *uy, *vx, *vy, *fx, *fy;
-  const double *inverse_mass_x, *inverse_mass_y;
+  const double *mass, *inverse_mass_x, *inverse_mass_y;
   const double *steady_x, *steady_y;
   // Local damping of statics (protocol/participant/local_damping.hpp): its share, and the forces of the ties.
   double damping = 0;
@@ -51,8 +54,10 @@ class Sweep {
   Sweep(Sweep&&) = default;
   Sweep& operator=(Sweep&&) = default;
 
-  // Moves by dt v, then adds the zones' forces and predicts the swept points: v += kick f/m, f damped.
-  void run(protocol::Team& team, ZoneSet& zones, double dt, double kick, const PointArrays& points);
+  // Moves by dt v, then adds the zones' forces, damps and predicts the swept points: v += kick f/m. Returns
+  // what the damping of the material took there [J].
+  double run(protocol::Team& team, ZoneSet& zones, const protocol::Step& step, const PointArrays& points,
+             Damping& damping);
   // Predicts the kept points, and empties their fx, fy.
   void predict(protocol::Team& team, double kick, const PointArrays& points) const;
 
@@ -90,13 +95,14 @@ class Sweep {
   void fill(std::uint32_t number, std::span<const ZoneRun> runs, std::span<const Role> roles,
             const std::vector<bool>& moved, Survey& survey);
   void share(std::uint32_t chunk, std::uint32_t first, std::uint32_t point);
-  void compute(const Chunk& chunk, Buffer& buffer, ZoneSet& zones, double dt, double kick,
-               const PointArrays& points);
+  double compute(const Chunk& chunk, Buffer& buffer, ZoneSet& zones, const protocol::Step& step,
+                 const PointArrays& points, Damping& damping);
 
   std::vector<ZoneRun> runs_;
   std::vector<Chunk> chunks_;
   std::vector<Buffer> buffers_;  // of each thread: forces of the chunk in work
   Buffer waiting_;               // forces at points of several chunks
+  std::vector<double> damped_;   // in each chunk [J]
 };
 
 }  // namespace adit::fdm
