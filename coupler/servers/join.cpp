@@ -20,8 +20,8 @@ using protocol::UserError;
 void require_program(const std::string& found, const Member& member, const std::string& peer) {
   const std::string other = member.role == Role::kContinuum ? "dem_server" : "fdm_server";
   if (found == other)
-    throw UserError("", peer + " is a " + other + "; a " + program_of(member.role) + " is needed for the " +
-                            member.name + "; exchange --fdm and --dem");
+    throw UserError("", peer + " cannot compute the " + member.name + ", for which a " +
+                            program_of(member.role) + " is needed; exchange --fdm and --dem");
 }
 
 // With two servers on two cores a step by Unix sockets takes 0.83 to 0.90 of one by TCP. With three, their

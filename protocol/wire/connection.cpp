@@ -17,6 +17,7 @@
 
 #include "protocol/errors.hpp"
 #include "protocol/release.hpp"
+#include "protocol/text.hpp"
 #include "protocol/wire/address.hpp"
 #include "protocol/wire/content/clean_text.hpp"
 #include "protocol/wire/content/error_frame.hpp"
@@ -55,14 +56,15 @@ std::string seconds(std::chrono::milliseconds time) {
   return fmt::format("{:g} s", std::chrono::duration<double>(time).count());
 }
 
-std::string describe(const Socket& socket, std::string_view program) {
+// As in " at 127.0.0.1:4711"; empty where the other end has gone already.
+std::string place_of_peer(const Socket& socket) {
   error_code error;
   const Endpoint end = socket.remote_endpoint(error);
-  if (error) return std::string(program);
+  if (error) return "";
   Address address = address_of(end);
   // A client of a Unix socket has no address of its own.
   if (address.host.empty() && address.path.empty()) address = address_of(socket.local_endpoint());
-  return fmt::format("{} at {}", program, to_string(address));
+  return " at " + to_string(address);
 }
 
 }  // namespace
@@ -114,8 +116,8 @@ class Connection::Watch {
   Clock::time_point frame_ends_ = Clock::time_point::max();
 };
 
-Connection::Connection(Socket&& socket, std::string_view program, const Patience& patience)
-    : peer_(describe(socket, program)), patience_(patience) {
+Connection::Connection(Socket&& socket, const std::string& program, const Patience& patience)
+    : place_(place_of_peer(socket)), peer_(program + place_), patience_(patience) {
   const auto protocol = socket.local_endpoint().protocol();
   // The socket comes from the io_context of a listener or of connect(). Here it gets one of its own, which
   // only this object runs.
@@ -238,6 +240,7 @@ void Connection::establish(const wire::Hello& of_peer) {
   sends_parts_ = of_peer.reads_parts() && of_peer.max_frame_bytes() >= kMaxPartBytes;
   if (sends_parts_) decoder_.accept_parts(kMaxPartBytes);
   send_limit_ = sends_parts_ ? kMaxPartBytes : std::min(of_peer.max_frame_bytes(), kMaxFrameBytes);
+  if (!of_peer.program().empty()) peer_ = shorten(of_peer.program()) + place_;
   peer_release_ = fmt::format("{} {}", of_peer.program(), of_peer.release());
   // The heartbeat looks twice in an interval, so that an end is never silent for longer than the interval.
   heartbeat_.emplace(patience_.heartbeat / 2, [this] { beat(); });

@@ -17,7 +17,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 
 #include "protocol/messages/wire.pb.h"
 #include "protocol/trust/tls.hpp"
@@ -41,8 +40,8 @@ struct Traffic {
 // the peer ("dem_server at 127.0.0.1:4711"), if the peer is gone, silent or sends bytes that cannot be read.
 class Connection {
  public:
-  // Takes over a connected socket; `program` names the program expected at the other end.
-  Connection(Socket&& socket, std::string_view program, const Patience& patience);
+  // Takes over a connected socket; `program` names the program expected at the other end, until establish().
+  Connection(Socket&& socket, const std::string& program, const Patience& patience);
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
@@ -84,8 +83,8 @@ class Connection {
   // What only the two ends of this TLS connection know; empty without TLS.
   std::string channel() const { return tls_ ? tls_->channel() : std::string(); }
 
-  // The parts of the greeting (greeting.hpp): both preambles, then what hello agreed on. Heartbeats are sent
-  // from establish() on.
+  // The parts of the greeting (greeting.hpp): both preambles, then what hello agreed on. From establish() on
+  // heartbeats are sent, and the peer has the name that it gave itself.
   void send_preamble();
   std::uint32_t receive_preamble();
   void establish(const wire::Hello& of_peer);
@@ -120,7 +119,7 @@ class Connection {
   void tell_listener(Direction direction, std::span<const std::byte> frame);
   void beat();
 
-  std::string peer_;
+  std::string place_, peer_;
   Patience patience_;
   boost::asio::io_context io_{1};
   Socket socket_{io_};

@@ -141,7 +141,7 @@ std::unique_ptr<Connection> connect(const Address& address, std::string_view pro
   asio::async_connect(socket, endpoints, [&](const error_code& result, const Endpoint&) { error = result; });
   io.run_until(deadline);
   if (!error) {
-    auto connection = std::make_unique<Connection>(std::move(socket), program, patience);
+    auto connection = std::make_unique<Connection>(std::move(socket), std::string(program), patience);
     connection->expect_answers();
     if (tls && address.path.empty()) secure_server(*connection, *tls, address.host);
     return connection;

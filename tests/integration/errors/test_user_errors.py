@@ -94,7 +94,7 @@ class UserErrors(ProgramTest):
     def test_servers_exchanged(self):
         with Server("dem_server") as dem, Server("fdm_server") as fdm:
             message = self.refusal(CASE / "coupled.yaml", "--fdm", dem.address, "--dem", fdm.address)
-        self.assert_says(message, dem.address, "is a dem_server", "fdm_server is needed")
+        self.assert_says(message, f"dem_server at {dem.address} cannot compute the continuum", "fdm_server is needed")
 
     def test_a_server_that_the_scene_does_not_need(self):
         self.assert_says(self.refusal(CASE / "full_fdm.yaml", "--dem", "127.0.0.1:1"), "--dem", "no `particles`")

@@ -68,7 +68,7 @@ class LostTest(ProgramTest):
         errors = run.communicate(timeout=30)[1]
         self.assertLess(time.monotonic() - begin, 10)
         self.assertEqual(run.returncode, 3, errors)
-        self.assertIn(f"fdm_server at {server.address}: ", errors)
+        self.assertIn(f"fenicsx_continuum at {server.address}: ", errors)
         self.assertRegex(errors, words)
         self.assert_whole_rows(out, more_than=2)
         server.process.communicate(timeout=20)  # mpirun ends, and all that it started

@@ -100,7 +100,7 @@ class LammpsLosesARank(LammpsTest):
         return told
 
     def test_a_killed_one(self):
-        self.assertIn("dem_server at 127.0.0.1", self.lose(signal.SIGKILL))
+        self.assertIn("lammps at 127.0.0.1", self.lose(signal.SIGKILL))
 
     def test_a_stopped_one(self):
         self.assertRegex(self.lose(signal.SIGSTOP), r"rank 1 \(process \d+ on \S+\) has given no sign of life for 4 s")

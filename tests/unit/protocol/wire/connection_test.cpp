@@ -348,6 +348,17 @@ TEST(Handshake, TheVersionOfHelloCountsToo) {
               HasSubstr("speaks protocol version 99"));
 }
 
+// Errors call another code by its own name, not by that of the server whose place it takes.
+TEST(Handshake, APeerIsCalledAsItSays) {
+  SocketPair sockets;
+  Connection connection(std::move(sockets.near), "fdm_server", kShort);
+  Connection far(std::move(sockets.far), "coupler", kShort);
+  std::thread other([&] { handshake(far, "my\ncode"); });
+  handshake(connection, "coupler");
+  other.join();
+  EXPECT_THAT(connection.peer(), MatchesRegex("my code at 127.0.0.1:[0-9]+"));
+}
+
 TEST(Handshake, AnotherProgramIsAUserError) {
   SocketPair sockets;
   Connection connection(std::move(sockets.near), "dem_server", kShort);
