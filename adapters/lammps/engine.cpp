@@ -33,7 +33,9 @@ dem::Model renumbered(dem::Model model) {
 LammpsEngine::LammpsEngine(const dem::Model& model, Orders& orders)
     : orders_(orders), model_(renumbered(model)), picture_(model_, 1) {}
 
+// The first that is asked of an engine whose particles have their weights; the ranks may take long to begin.
 void LammpsEngine::watch(const scene::Particles& scene) {
+  begin();
   picture_.watch(scene);
   watched_ = scene.histories_size() + scene.sections_size() + scene.ovals_size() > 0;
   remembers_ = std::ranges::any_of(scene.histories(), [](const scene::History& history) {
@@ -45,13 +47,10 @@ void LammpsEngine::watch(const scene::Particles& scene) {
 
 void LammpsEngine::tie(std::span<const double> places, wire::Operator& op) {
   picture_.tie(places, op);
-  begin();
   orders_.give(Order::kTie, Values(picture_.tied().begin(), picture_.tied().end()));
 }
 
 void LammpsEngine::begin() {
-  if (began_) return;
-  began_ = true;
   const dem::Solver& solver = picture_.solver();
   const dem::Pairs &bonds = solver.bonds(), &contacts = solver.contacts();
   const dem::Particles& p = solver.particles();
@@ -135,7 +134,6 @@ std::vector<Values> LammpsEngine::ask(Order order) const {
 }
 
 void LammpsEngine::prepare(bool energies) {
-  begin();
   if (energies) ask(Order::kRemember);
   if (!remembers_) return;
   fetch_motion();
@@ -232,7 +230,6 @@ std::uint64_t LammpsEngine::fragments() const {
 }
 
 void LammpsEngine::fetch() const {
-  if (!began_) return;
   fetch_motion();
   fetch_bonds();
   fetch_contacts();

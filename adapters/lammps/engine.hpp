@@ -69,7 +69,6 @@ class LammpsEngine final : public dem::Engine {
   Orders& orders_;
   dem::Model model_;  // as the picture numbers it
   mutable dem::GeneralEngine picture_;
-  bool began_ = false;
   bool watched_ = false, remembers_ = false;  // by histories: at rows; velocities, before every step
   mutable bool corrected_ = false;
   std::vector<dem::Crack> cracks_;  // of the last step

@@ -10,10 +10,13 @@ namespace adit::lammps {
 
 void wait(MPI_Request& request) {
   using Clock = std::chrono::steady_clock;
-  constexpr std::chrono::microseconds kPatience{20}, kNap{20};
+  constexpr Clock::duration kPatience = std::chrono::microseconds(20),
+                            kLongestNap = std::chrono::milliseconds(1);
+  constexpr int kNaps = 64;  // in the time waited so far
   const auto begin = Clock::now();
   for (int done = 0; MPI_Test(&request, &done, MPI_STATUS_IGNORE), !done;)
-    if (Clock::now() - begin > kPatience) std::this_thread::sleep_for(kNap);
+    if (const auto waited = Clock::now() - begin; waited > kPatience)
+      std::this_thread::sleep_for(std::min(waited / kNaps, kLongestNap));
 }
 
 Orders::Orders(MPI_Comm ranks) : communicator_(ranks) {

@@ -41,7 +41,7 @@ enum class Order : int {
 using Values = std::vector<double>;
 
 // A rank that waits sleeps soon: the rest of the run may need its core, and who sleeps is woken before those
-// that spin.
+// that spin. It wakes late by a small part of the time that it waited, and an idle server leaves cores alone.
 void wait(MPI_Request& request);
 
 class Orders {
