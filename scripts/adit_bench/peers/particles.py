@@ -6,6 +6,7 @@ Their discs are spheres kept in a plane; a row of touching spheres has as many c
 is the CPU time of the steps alone, so that other work on the machine does not count.
 """
 
+import ctypes.util
 import json
 import math
 import pathlib
@@ -67,11 +68,11 @@ pair_coeff * *"""
 def pairs(root, discs, rows):
     """Each other code beside each engine of ours that computes such bonds."""
     places, bonds = beam(discs, rows)
-    others = [(program, name, lambda program=program, script=script: len(bonds) * STEPS / measure(program, script, places, bonds))
-              for program, name, script in scripts()]
-    others.append(("yade", "Yade bonds with shear and spin", lambda: len(bonds) * STEPS_OF_YADE / measure_yade(places, len(bonds))))
+    others = [(command, name, lambda command=command, script=script: len(bonds) * STEPS / measure(command, script, places, bonds))
+              for command, name, script in scripts()]
+    others.append((["yade"], "Yade bonds with shear and spin", lambda: len(bonds) * STEPS_OF_YADE / measure_yade(places, len(bonds))))
     return [Pair("beam of touching discs", len(places), "bond-steps/s", f"{engine} engine", lambda kind=kind: ours(root, kind, discs, rows), name, speed)
-            for program, name, speed in others if installed(program, name)
+            for command, name, speed in others if installed(command, name)
             for engine, kind in (("lattice", "lattice"), ("general", "contact_bonds"))]
 
 
@@ -82,21 +83,30 @@ def ours(root, kind, discs, rows):
     return m["steps_per_s"] * m["bonds"]
 
 
-def installed(program, name):
-    if shutil.which(program) is None:
+def granular_step(discs, rows, steps):
+    """Seconds of CPU time that LAMMPS takes for a step of discs that touch with history."""
+    places, bonds = beam(discs, rows)
+    return measure(LAMMPS, GRANULAR, places, bonds, steps) / steps
+
+
+def installed(command, name):
+    program, there = ("liblammps0", ctypes.util.find_library("lammps")) if command == LAMMPS else (command[0], shutil.which(command[0]))
+    if not there:
         print(f"{name}: {program} is not installed, left out: scripts/setup bench", file=sys.stderr)
-        return False
-    return True
+    return there
+
+
+VALUES = {"half": STIFFNESS / 2, "dt": DT, "steps": "STEPS"}
+GRANULAR = DISCS.format(style="sphere", newton="off", communicate="comm_modify vel yes", contacts=LAMMPS_CONTACTS, **VALUES)
+LAMMPS = ["/usr/bin/python3", str(pathlib.Path(__file__).with_name("lammps_input.py"))]
 
 
 def scripts():
-    values = {"half": STIFFNESS / 2, "dt": DT, "steps": "STEPS"}
-    yield "lmp", "LAMMPS central springs", SPRINGS.format(
-        style="bond", newton="on", communicate="comm_modify vel yes", **values)
-    yield "lmp", "LAMMPS granular with history", DISCS.format(
-        style="sphere", newton="off", communicate="comm_modify vel yes", contacts=LAMMPS_CONTACTS, **values)
-    yield "liggghts", "LIGGGHTS granular with history", DISCS.format(
-        style="granular", newton="off", communicate="communicate single vel yes", contacts=LIGGGHTS_CONTACTS, **values)
+    yield LAMMPS, "LAMMPS central springs", SPRINGS.format(
+        style="bond", newton="on", communicate="comm_modify vel yes", **VALUES)
+    yield LAMMPS, "LAMMPS granular with history", GRANULAR
+    yield ["liggghts", "-in"], "LIGGGHTS granular with history", DISCS.format(
+        style="granular", newton="off", communicate="communicate single vel yes", contacts=LIGGGHTS_CONTACTS, **VALUES)
 
 
 def beam(discs, rows):
@@ -111,11 +121,11 @@ def beam(discs, rows):
     return places, pairs
 
 
-def measure(program, script, places, bonds):
+def measure(command, script, places, bonds, steps=STEPS):
     """Seconds of CPU time for the steps."""
     with tempfile.TemporaryDirectory() as folder:
         (pathlib.Path(folder) / "beam.data").write_text(data(places, bonds, "atom_style bond" in script))
-        return cpu_seconds(program, script, folder, STEPS) - cpu_seconds(program, script, folder, 0)
+        return cpu_seconds(command, script, folder, steps) - cpu_seconds(command, script, folder, 0)
 
 
 def measure_yade(places, bonds):
@@ -139,12 +149,12 @@ def in_yade(beam):
         return json.loads(target.read_text())
 
 
-def cpu_seconds(program, script, folder, steps):
+def cpu_seconds(command, script, folder, steps):
     (pathlib.Path(folder) / "in.beam").write_text(script.replace("STEPS", str(steps)))
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    result = subprocess.run([program, "-in", "in.beam"], cwd=folder, capture_output=True, text=True)
+    result = subprocess.run([*command, "in.beam"], cwd=folder, capture_output=True, text=True)
     if result.returncode:
-        raise RuntimeError(f"{program} failed:\n{result.stdout[-2000:]}{result.stderr[-2000:]}")
+        raise RuntimeError(f"{command} failed:\n{result.stdout[-2000:]}{result.stderr[-2000:]}")
     return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
 
 

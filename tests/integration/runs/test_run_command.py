@@ -2,12 +2,13 @@
 
 import contextlib
 import io
+import pathlib
 import subprocess
 import sys
 import unittest
 from unittest import mock
 
-from programs import CASE, SOURCE, ProgramTest
+from programs import CASE, SOURCE, ProgramTest, wait_until
 
 sys.path.insert(0, str(SOURCE / "scripts"))
 from adit_studies import coupled_runs  # noqa: E402
@@ -23,6 +24,22 @@ class RunCommand(ProgramTest):
                                       capture_output=True, text=True, timeout=120)
                 self.assertEqual(done.returncode, 0, done.stderr)
                 self.assertEqual(len(list((self.folder / out).glob("**/summary.json"))), 1)
+
+    def run_with(self, server):
+        return subprocess.run([SOURCE / "scripts" / "run", CASE / "full_fdm.yaml", "--fdm", server, "--out", self.folder / "run", "--no-report",
+                               "--set", "time.duration=2 ms", "--set", "output.field_times=[]"], capture_output=True, text=True, timeout=120)
+
+    def test_a_server_is_started_by_its_command_and_ends_with_the_run(self):
+        started = self.folder / "process"
+        done = self.run_with(f"bash -c 'echo $$ >{started}; exec {SOURCE}/adapters/python/continuum.py'")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("numpy_continuum", self.summary(self.folder / "run")["versions"])
+        wait_until(lambda: not pathlib.Path(f"/proc/{started.read_text().strip()}").exists())
+
+    def test_a_command_that_does_not_listen(self):
+        done = self.run_with("echo hello")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("`echo hello` said `hello` where `listening on HOST:PORT` was expected", done.stderr)
 
     def test_a_study_names_the_scenes_that_it_computes(self):
         case, said = SOURCE / "cases" / "qingcaosha" / "ovaling", io.StringIO()
