@@ -27,12 +27,15 @@ void Part::pull(double dt) {
   strongest_ = {};
   dem::PairResult result;
   const auto blocks = static_cast<std::uint32_t>(dem::blocks_of(own_));
-  for (std::uint32_t block = 0; block < blocks; ++block)
+  for (std::uint32_t block = 0; block < blocks; ++block) {
+    discs_.take(block, p);
     for (auto* sets : {&bonds_, &contacts_})
       for (Share& from : *sets) {
-        dem::add_pair_forces(block, laws.all, dt, p, from.set.pairs, result);
+        dem::add_pair_forces(block, laws.all, dt, p, from.set.pairs, discs_, result);
         add(result, from);
       }
+    discs_.add(block, p);
+  }
   for (std::uint32_t block = 0; block < blocks; ++block)
     for (auto* sets : {&bonds_, &contacts_})
       for (const Share& from : *sets) dem::gather_pair_forces(block, from.set.pairs, p);

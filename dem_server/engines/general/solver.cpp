@@ -43,6 +43,7 @@ Solver::Solver(const Model& model, std::size_t threads)
       support_x_(edges_.size()),
       support_y_(edges_.size()),
       team_(std::make_unique<protocol::Team>(threads)),
+      in_work_(threads),
       results_(blocks_of(particles_.size())) {
   Bonded bonded = bonds_of(model);
   take_laws(std::move(bonded.laws));
@@ -77,18 +78,58 @@ void Solver::take_laws(std::vector<PairLaw> laws) {
 void Solver::step(const protocol::Step& step, Loads& loads, PrescribedMotions& motions) {
   const double dt = step.from_rest() ? 0 : step.dt;
   move(step);
-  pull(step);
+  if (!planned_ || sweeps_ == damping_.acts_everywhere(step)) plan(step, loads, motions);
+  sweep(step);
+  joints_.add_forces(dt, particles_);
+  springs_.add_forces(dt, particles_);
+  walls_.add_forces(step, particles_);
+  gather(dt);
   loads.apply(step, particles_);
   hold_by_ground(step);
   support_held();
   support_edges(step.relax, dt);
   team_->run(results_.size(), [&](std::size_t block, std::size_t) {
-    const auto [begin, end] = range_of(static_cast<std::uint32_t>(block), particles_.size());
-    results_[block].loss = damping_.kick(step, begin, end, particles_);
+    results_[block].loss = damping_.kick(step, discs_.kept[block], particles_);
   });
   motions.impose(step, particles_);
   walls_.drive(step);
   take_results();
+}
+
+void Solver::plan(const protocol::Step& step, const Loads& loads, const PrescribedMotions& motions) {
+  note_pulls();
+  sweeps_ = !damping_.acts_everywhere(step);
+  std::vector<bool> kept(particles_.size(), !sweeps_);
+  for (const Pairs* pairs : {&bonds_, &neighbours_.pairs()})
+    for (const std::uint32_t i : pairs->reached) kept[i] = true;
+  for (const Joints::Joint& joint : joints_.joints()) kept[joint.first] = kept[joint.second] = true;
+  for (const Spring& spring : springs_.springs()) kept[spring.first] = kept[spring.second] = true;
+  for (const WallContacts::Touch& touch : walls_.touches()) kept[touch.disc] = true;
+  for (const EdgeDashpot& edge : edges_) kept[edge.disc] = true;
+  for (const Held& held : held_) kept[held.disc] = true;
+  for (const foundation::Springs& springs : foundations_) springs.mark(kept);
+  loads.mark(kept);
+  motions.mark(kept);
+  discs_ = SweptDiscs(kept);
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    if (!kept[i]) {
+      particles_.fx[i] = pulled_x_[i];
+      particles_.fy[i] = pulled_y_[i];
+      particles_.moment[i] = pulled_moment_[i];
+    }
+  planned_ = true;
+}
+
+// What pairs did at the last step becomes known of the swept discs, too.
+void Solver::note_pulls() {
+  for (std::uint32_t i = 0; i < discs_.swept.size(); ++i)
+    if (discs_.swept[i] == 1) note_pull(i);
+}
+
+void Solver::note_pull(std::uint32_t i) {
+  pulled_x_[i] = particles_.fx[i];
+  pulled_y_[i] = particles_.fy[i];
+  pulled_moment_[i] = particles_.moment[i];
 }
 
 void Solver::move(const protocol::Step& step) {
@@ -100,51 +141,46 @@ void Solver::move(const protocol::Step& step) {
   double fastest = 0;
   for (const BlockResult& result : results_) fastest = std::max(fastest, result.fastest);
   neighbours_.moved(step.dt * std::sqrt(fastest), walls_.move(step));
-  if (neighbours_.update(particles_)) walls_.list(particles_);
+  if (!neighbours_.update(particles_)) return;
+  walls_.list(particles_);
+  planned_ = false;
 }
 
-void Solver::pull(const protocol::Step& step) {
+// Work is the trapezoid of the power of what pairs did at the last step and do now.
+void Solver::sweep(const protocol::Step& step) {
   const double dt = step.from_rest() ? 0 : step.dt;
   const std::span<const PairLaw> laws = step.relax ? static_laws_ : laws_;
-  team_->run(results_.size(), [&](std::size_t b, std::size_t) {
+  team_->run(results_.size(), [&](std::size_t b, std::size_t thread) {
     const auto block = static_cast<std::uint32_t>(b);
-    const auto [begin, end] = range_of(block, particles_.size());
-    for (auto* sum : {&particles_.fx, &particles_.fy, &particles_.moment})
-      std::fill(sum->begin() + begin, sum->begin() + end, 0.0);
-    add_pair_forces(block, laws, dt, particles_, bonds_, results_[b].bonds);
-    add_pair_forces(block, laws, dt, particles_, neighbours_.pairs(), results_[b].contacts);
-  });
-  joints_.add_forces(dt, particles_);
-  springs_.add_forces(dt, particles_);
-  walls_.add_forces(step, particles_);
-  team_->run(results_.size(), [&](std::size_t b, std::size_t) {
-    const auto block = static_cast<std::uint32_t>(b);
-    const auto [begin, end] = range_of(block, particles_.size());
-    gather_pair_forces(block, bonds_, particles_);
-    gather_pair_forces(block, neighbours_.pairs(), particles_);
-    results_[b].work = work_of_pairs(dt, begin, end);
+    BlockDiscs& discs = in_work_[thread];
+    discs.take(block, particles_);
+    add_pair_forces(block, laws, dt, particles_, bonds_, discs, results_[b].bonds);
+    add_pair_forces(block, laws, dt, particles_, neighbours_.pairs(), discs, results_[b].contacts);
+    results_[b].work = dt / 2 * discs.give(block, step.kick(), discs_.swept, particles_);
   });
 }
 
-// The trapezoid of what is in the resultants now, all by pairs, and was at the last step.
-double Solver::work_of_pairs(double dt, std::uint32_t begin, std::uint32_t end) {
-  constexpr std::uint32_t kLanes = 8;
-  std::array<double, kLanes> sum{};
+// What joints, springs and walls do counts among the work of pairs.
+void Solver::gather(double dt) {
+  team_->run(results_.size(), [&](std::size_t b, std::size_t) {
+    const auto block = static_cast<std::uint32_t>(b);
+    gather_pair_forces(block, bonds_, particles_);
+    gather_pair_forces(block, neighbours_.pairs(), particles_);
+    results_[b].work += dt / 2 * power_of_kept(b);
+  });
+}
+
+// Of what pulled on the kept discs of a block at the last step and pulls now, which is noted [W].
+double Solver::power_of_kept(std::size_t block) {
   const Particles& p = particles_;
-  const auto add = [&](std::uint32_t i, double& to) {
-    to += p.vx[i] * (pulled_x_[i] + p.fx[i]) + p.vy[i] * (pulled_y_[i] + p.fy[i]) +
-          p.spin[i] * (pulled_moment_[i] + p.moment[i]);
-    pulled_x_[i] = p.fx[i];
-    pulled_y_[i] = p.fy[i];
-    pulled_moment_[i] = p.moment[i];
-  };
-  std::uint32_t i = begin;
-  for (; i + kLanes <= end; i += kLanes)
-    for (std::uint32_t lane = 0; lane < kLanes; ++lane) add(i + lane, sum[lane]);
-  for (; i < end; ++i) add(i, sum[0]);
-  double total = 0;
-  for (const double lane : sum) total += lane;
-  return dt / 2 * total;
+  double sum = 0;
+  for (const auto [begin, end] : discs_.kept[block])
+    for (std::uint32_t i = begin; i < end; ++i) {
+      sum += p.vx[i] * (pulled_x_[i] + p.fx[i]) + p.vy[i] * (pulled_y_[i] + p.fy[i]) +
+             p.spin[i] * (pulled_moment_[i] + p.moment[i]);
+      note_pull(i);
+    }
+  return sum;
 }
 
 void Solver::hold_by_ground(const protocol::Step& step) {
@@ -225,6 +261,7 @@ void Solver::start_over(const protocol::Drift& drift) {
 }
 
 void Solver::exchange(state::Archive& archive) {
+  if (!archive.reads()) note_pulls();
   const std::size_t bonds = bonds_.size();
   bonds_.exchange(particles_.size(), archive);
   neighbours_.exchange(archive);
@@ -240,6 +277,8 @@ void Solver::exchange(state::Archive& archive) {
   archive("ledger", ledger_);
   archive("strain_at_start", strain_at_start_);
   if (!archive.reads()) return;
+  discs_ = {};
+  planned_ = false;
   state::require_of_model(bonds_.size() == bonds && (bonds == 0 || bonds_.bonded()), "pairs");
   state::require_below(bonds_.law, laws_.size(), "pair_law");
   state::require_below(neighbours_.pairs().law, laws_.size(), "pair_law");

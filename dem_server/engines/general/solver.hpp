@@ -1,7 +1,8 @@
 // Discs of any size under all their laws, step by step: leap-frog, displacements at n, velocities at n + 1/2.
 //
 // A step moves the discs, sums the forces of bonds, contacts, joints, springs and walls, adds loads, and
-// kicks. Blocks of discs are shared by threads (pairs.hpp); results do not depend on their number.
+// kicks: discs on which only pairs pull at once, block by block, the others at the end (swept_discs.hpp).
+// Blocks of discs are shared by threads (pairs.hpp); results do not depend on their number.
 //
 // Energies are accounted in the form that the scheme keeps, T(n) = 1/2 sum m v(n-1/2) v(n+1/2): every force
 // does the trapezoidal work dt v(n-1/2) (f(n-1) + f(n)) / 2 on its disc, and the sum of all is the change of
@@ -23,6 +24,7 @@
 #include "dem_server/engines/general/neighbours.hpp"
 #include "dem_server/engines/general/pairs/pair_forces.hpp"
 #include "dem_server/engines/general/pairs/pair_state.hpp"
+#include "dem_server/engines/general/swept_discs.hpp"
 #include "dem_server/model/model.hpp"
 #include "dem_server/particles/energy.hpp"
 #include "dem_server/particles/loads.hpp"
@@ -99,9 +101,13 @@ class Solver {
   };
   void take_laws(std::vector<PairLaw> laws);
   void renew_damping();
+  void plan(const protocol::Step& step, const Loads& loads, const PrescribedMotions& motions);
+  void note_pulls();
+  void note_pull(std::uint32_t disc);
   void move(const protocol::Step& step);
-  void pull(const protocol::Step& step);
-  double work_of_pairs(double dt, std::uint32_t begin, std::uint32_t end);
+  void sweep(const protocol::Step& step);
+  void gather(double dt);
+  double power_of_kept(std::size_t block);
   void hold_by_ground(const protocol::Step& step);
   void support_edges(bool relax, double dt);
   void support_held();
@@ -130,8 +136,12 @@ class Solver {
     double x, y, moment;  // weighted [N], [N m]
   };
   std::vector<Held> held_;  // of what vanished with this stage, until the next
-  std::vector<double> pulled_x_, pulled_y_, pulled_moment_;  // by pairs at the last step
+  SweptDiscs discs_;
+  bool planned_ = false, sweeps_ = false;  // the discs are divided; some are swept
+  // By pairs at the last step, of kept discs; those of swept discs are their resultants.
+  std::vector<double> pulled_x_, pulled_y_, pulled_moment_;
   std::unique_ptr<protocol::Team> team_;
+  std::vector<BlockDiscs> in_work_;  // of each thread
   std::vector<BlockResult> results_;
   std::vector<std::uint32_t> broken_;
   Strongest strongest_;

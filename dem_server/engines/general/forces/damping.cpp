@@ -2,29 +2,14 @@
 
 #include <cmath>
 
+#include "dem_server/particles/integrate.hpp"
 #include "protocol/participant/local_damping.hpp"
-#include "protocol/threads/vector_clones.hpp"
 
 namespace adit::dem {
-namespace {
-
-ADIT_VECTOR_CLONES void kick_freely(double dt, std::uint32_t begin, std::uint32_t end, Particles& p) {
-  const double *fx = p.fx.data(), *fy = p.fy.data(), *moment = p.moment.data();
-  const double *inverse_mass = p.inverse_mass.data(), *inverse_inertia = p.inverse_inertia.data();
-  double *vx = p.vx.data(), *vy = p.vy.data(), *spin = p.spin.data();
-#pragma GCC ivdep
-  for (std::uint32_t i = begin; i < end; ++i) {
-    vx[i] += dt * fx[i] * inverse_mass[i];
-    vy[i] += dt * fy[i] * inverse_mass[i];
-    spin[i] += dt * moment[i] * inverse_inertia[i];
-  }
-}
-
-}  // namespace
 
 Damping::Damping(double local_share, double viscous_rate, std::span<const EdgeDashpot> edges,
                  const Particles& p, std::span<const std::uint32_t> tied)
-    : local_share_(local_share), drags_(viscous_rate > 0 || !edges.empty()) {
+    : local_share_(local_share), viscous_(viscous_rate > 0), drags_(viscous_ || !edges.empty()) {
   for (Component* c : {&x_, &y_, &spin_}) {
     c->edge.assign(drags_ ? p.size() : 0, 0.0);
     c->viscous = c->edge;
@@ -78,21 +63,22 @@ Damping::Loss Damping::kick(const protocol::Step& step, std::uint32_t begin, std
   return loss;
 }
 
-Damping::Loss Damping::kick(const protocol::Step& step, std::uint32_t begin, std::uint32_t end,
+Damping::Loss Damping::kick(const protocol::Step& step, std::span<const protocol::IndexRange> some,
                             Particles& p) {
-  if (local_share_ == 0 && !drags_ && step.local_damping == 0) {
-    kick_freely(step.kick(), begin, end, p);
-    return {};
-  }
   Loss sum;
-  for (const Loss& loss :
-       {kick(step, begin, end, p.inverse_mass.data(), p.tie_x.data(), p.fx.data(), p.vx.data(), x_),
-        kick(step, begin, end, p.inverse_mass.data(), p.tie_y.data(), p.fy.data(), p.vy.data(), y_),
-        kick(step, begin, end, p.inverse_inertia.data(), nullptr, p.moment.data(), p.spin.data(), spin_)}) {
-    sum.local += loss.local;
-    sum.viscous += loss.viscous;
-    sum.edges += loss.edges;
+  if (!drags_ && !acts_everywhere(step)) {
+    dem::kick(step, some, resultants_of(p), p);
+    return sum;
   }
+  for (const auto [begin, end] : some)
+    for (const Loss& loss :
+         {kick(step, begin, end, p.inverse_mass.data(), p.tie_x.data(), p.fx.data(), p.vx.data(), x_),
+          kick(step, begin, end, p.inverse_mass.data(), p.tie_y.data(), p.fy.data(), p.vy.data(), y_),
+          kick(step, begin, end, p.inverse_inertia.data(), nullptr, p.moment.data(), p.spin.data(), spin_)}) {
+      sum.local += loss.local;
+      sum.viscous += loss.viscous;
+      sum.edges += loss.edges;
+    }
   return sum;
 }
 

@@ -15,6 +15,7 @@
 #include "dem_server/particles/particles.hpp"
 #include "protocol/participant/step.hpp"
 #include "protocol/state/archive.hpp"
+#include "protocol/threads/index_ranges.hpp"
 
 namespace adit::dem {
 
@@ -29,10 +30,13 @@ class Damping {
   Damping(double local_share, double viscous_rate, std::span<const EdgeDashpot> edges,
           const Particles& particles, std::span<const std::uint32_t> tied = {});
 
-  // Velocities of n + 1/2 of the discs begin … end - 1 from resultants and velocities of n - 1/2; the
-  // resultants then hold the damping forces too. Returns what these took since n - 1, by the trapezoid of
-  // energy.hpp.
-  Loss kick(const protocol::Step& step, std::uint32_t begin, std::uint32_t end, Particles& particles);
+  // Whether it acts on other discs than those of quiet edges, too.
+  bool acts_everywhere(const protocol::Step& step) const {
+    return local_share_ > 0 || viscous_ || step.local_damping > 0;
+  }
+  // Velocities of n + 1/2 of some discs from resultants and velocities of n - 1/2; the resultants then hold
+  // the damping forces too. Returns what these took since n - 1, by the trapezoid of energy.hpp.
+  Loss kick(const protocol::Step& step, std::span<const protocol::IndexRange> some, Particles& particles);
 
   void exchange(state::Archive& archive) {
     for (Component* component : {&x_, &y_, &spin_}) {
@@ -52,7 +56,7 @@ class Damping {
             const double* tie, double* force, double* velocity, Component& component) const;
 
   double local_share_ = 0;
-  bool drags_ = false;
+  bool viscous_ = false, drags_ = false;
   Component x_, y_, spin_;
 };
 

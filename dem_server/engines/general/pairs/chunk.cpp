@@ -1,47 +1,96 @@
 #include "dem_server/engines/general/pairs/chunk.hpp"
 
+#include <algorithm>
+
+#include "dem_server/engines/general/pairs/lanes.hpp"
 #include "protocol/threads/vector_clones.hpp"
 
 namespace adit::dem {
 namespace {
 
-template <bool kDashpots>
-ADIT_VECTOR_CLONES void look_up(const Pairs::Chunk& chunk, const Particles& p, const Pairs& pairs,
-                                ChunkDiscs& discs) {
-  const std::uint32_t *first = &pairs.first[chunk.begin], *second = &pairs.second[chunk.begin];
-  const double *ux = p.ux.data(), *uy = p.uy.data(), *vx = p.vx.data(), *vy = p.vy.data(),
-               *spin = p.spin.data();
-  const double *inverse_mass = p.inverse_mass.data(), *inverse_inertia = p.inverse_inertia.data();
-  const double* weight = &pairs.weight[chunk.begin];
-  const std::uint32_t count = chunk.end - chunk.begin;
-  for (std::uint32_t k = 0; k < count; ++k) {
-    const std::uint32_t i = first[k], j = second[k];
-    discs.ux[k] = ux[j] - ux[i];
-    discs.uy[k] = uy[j] - uy[i];
-    discs.vx[k] = vx[j] - vx[i];
-    discs.vy[k] = vy[j] - vy[i];
-    discs.spin_1[k] = spin[i];
-    discs.spin_2[k] = spin[j];
-    if constexpr (kDashpots) {
-      discs.inverse_mass[k] = weight[k] * (inverse_mass[i] + inverse_mass[j]);
-      discs.inverse_inertia_1[k] = weight[k] * inverse_inertia[i];
-      discs.inverse_inertia_2[k] = weight[k] * inverse_inertia[j];
-    }
-  }
+using Places = std::array<std::uint32_t, kLanes>;
+
+// The places of eight pairs; the last ones of a block may be fewer, and any disc stands for the others.
+[[gnu::always_inline]] inline Places places_at(const std::vector<std::uint32_t>& places, std::uint32_t begin,
+                                               std::uint32_t end) {
+  Places at{};
+  if (begin + kLanes <= end)
+    std::copy_n(&places[begin], kLanes, at.begin());
+  else
+    std::copy_n(&places[begin], end - begin, at.begin());
+  return at;
+}
+
+[[gnu::always_inline]] inline void put(const Four& low, const Four& high, double* to) {
+  four(to) = low;
+  four(to + 4) = high;
 }
 
 }  // namespace
 
-void look_up_discs(const Pairs::Chunk& chunk, bool dashpots, const Particles& particles, const Pairs& pairs,
-                   ChunkDiscs& discs) {
-  dashpots ? look_up<true>(chunk, particles, pairs, discs) : look_up<false>(chunk, particles, pairs, discs);
+// The last two values of a motion are w and -w; of a second disc w is taken, of a first one -w.
+ADIT_VECTOR_CLONES void look_up_discs(const Pairs::Chunk& chunk, const Pairs& pairs,
+                                      const BlockDiscs& of_block, ChunkDiscs& discs) {
+  using Bits [[gnu::vector_size(64)]] = std::int64_t;
+  constexpr Bits kOfFirst{-1, -1, -1, -1, -1, -1, 0, -1}, kOfSecond{-1, -1, -1, -1, -1, -1, -1, 0};
+  const double* motions = of_block.motions();
+  for (std::uint32_t at = chunk.begin, k = 0; at < chunk.end; at += kLanes, k += kLanes) {
+    const Places first = places_at(pairs.first_place, at, chunk.end),
+                 second = places_at(pairs.second_place, at, chunk.end);
+    Four moved[kLanes], placed[kLanes];
+    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+      const double *a = motions + first[lane], *b = motions + second[lane];
+      const Eight between = (Eight)((Bits)eight(b) & kOfSecond) - (Eight)((Bits)eight(a) & kOfFirst);
+      moved[lane] = low_half(between);
+      placed[lane] = high_half(between);
+    }
+    for (Four* rows : {moved, moved + 4, placed, placed + 4}) turn(rows);
+    put(moved[0], moved[4], &discs.ux[k]);
+    put(moved[1], moved[5], &discs.uy[k]);
+    put(moved[2], moved[6], &discs.vx[k]);
+    put(moved[3], moved[7], &discs.vy[k]);
+    put(placed[0], placed[4], &discs.rest_x[k]);
+    put(placed[1], placed[5], &discs.rest_y[k]);
+    put(placed[2], placed[6], &discs.spin_2[k]);
+    put(placed[3], placed[7], &discs.spin_1[k]);
+  }
+}
+
+void look_up_masses(const Pairs::Chunk& chunk, const Pairs& pairs, const Particles& p, ChunkDiscs& discs) {
+  for (std::uint32_t pair = chunk.begin, k = 0; pair < chunk.end; ++pair, ++k) {
+    const std::uint32_t i = pairs.first[pair], j = pairs.second[pair];
+    const double weight = pairs.weight[pair];
+    discs.inverse_mass[k] = weight * (p.inverse_mass[i] + p.inverse_mass[j]);
+    discs.inverse_inertia_1[k] = weight * p.inverse_inertia[i];
+    discs.inverse_inertia_2[k] = weight * p.inverse_inertia[j];
+  }
+}
+
+ADIT_VECTOR_CLONES void add_to_discs(const Pairs::Chunk& chunk, const Pairs& pairs, const ChunkForces& forces,
+                                     BlockDiscs& of_block) {
+  double* sums = of_block.sums();
+  const std::uint32_t *first = &pairs.first_place[chunk.begin], *second = &pairs.second_place[chunk.begin];
+  const std::uint32_t count = chunk.end - chunk.begin;
+  for (std::uint32_t k = 0; k < count; k += 4) {
+    Four rows[4] = {four(&forces.x[k]), four(&forces.y[k]), four(&forces.moment_1[k]),
+                    four(&forces.moment_2[k])};
+    turn(rows);
+    const auto add = [&](std::uint32_t lane) {
+      four(sums + first[k + lane]) += rows[lane];
+      four(sums + second[k + lane] + 4) += rows[lane];
+    };
+    if (k + 4 <= count)
+      for (std::uint32_t lane = 0; lane < 4; ++lane) add(lane);
+    else
+      for (std::uint32_t lane = 0; lane < count - k; ++lane) add(lane);
+  }
 }
 
 void look_up_laws(const Pairs::Chunk& chunk, bool dashpots, std::span<const PairLaw> laws, const Pairs& pairs,
                   ChunkLaws& out) {
   const std::uint32_t count = chunk.end - chunk.begin;
   for (std::uint32_t k = 0; k < (chunk.one_law ? 1 : count); ++k) {
-    const PairLaw& law = laws[pairs.law[chunk.begin + k]];
+    const PairLaw& law = laws[k == 0 ? chunk.law : pairs.law[chunk.begin + k]];
     out.kn[k] = law.kn;
     out.ks[k] = law.ks;
     out.km[k] = law.km;

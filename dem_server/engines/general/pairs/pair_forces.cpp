@@ -1,11 +1,12 @@
 #include "dem_server/engines/general/pairs/pair_forces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <numeric>
 
 #include "dem_server/engines/general/pairs/bond_breaking.hpp"
-#include "dem_server/engines/general/pairs/chunk.hpp"
 #include "dem_server/engines/general/pairs/pair_kernel.hpp"
 
 namespace adit::dem {
@@ -15,35 +16,15 @@ std::int64_t bits_of_size(double force) {
   return std::bit_cast<std::int64_t>(std::abs(force));
 }
 
-// Adds to discs before `end`; what acts on others goes to `away`, from `slot` on.
-void apply(const Pairs::Chunk& chunk, std::uint32_t end, const ChunkForces& forces, Particles& p,
-           Pairs& pairs, std::uint32_t& slot) {
-  double *fx = p.fx.data(), *fy = p.fy.data(), *moment = p.moment.data();
-  const std::uint32_t *first = &pairs.first[chunk.begin], *second = &pairs.second[chunk.begin];
-  const std::uint32_t count = chunk.end - chunk.begin;
-  for (std::uint32_t k = 0; k < count;) {
-    const std::uint32_t i = first[k];
-    double x = fx[i], y = fy[i], m = moment[i];
-    for (; k < count && first[k] == i; ++k) {
-      x += forces.x[k];
-      y += forces.y[k];
-      m += forces.moment_1[k];
-      const std::uint32_t j = second[k];
-      if (j < end) {
-        fx[j] -= forces.x[k];
-        fy[j] -= forces.y[k];
-        moment[j] += forces.moment_2[k];
-      } else {
-        pairs.away_x[slot] = forces.x[k];
-        pairs.away_y[slot] = forces.y[k];
-        pairs.away_moment[slot] = forces.moment_2[k];
-        ++slot;
-      }
-    }
-    fx[i] = x;
-    fy[i] = y;
-    moment[i] = m;
-  }
+// Eight sums side by side, else each addition waits for the one before.
+double sum_of(const ChunkColumn& values, std::uint32_t count) {
+  constexpr std::uint32_t kSums = 8;
+  std::array<double, kSums> sums{};
+  std::uint32_t k = 0;
+  for (; k + kSums <= count; k += kSums)
+    for (std::uint32_t lane = 0; lane < kSums; ++lane) sums[lane] += values[k + lane];
+  for (; k < count; ++k) sums[0] += values[k];
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 // Breaks the chunk's bonds that exceed a strength. Returns the bits of the largest |N| that is left.
@@ -61,31 +42,30 @@ std::int64_t break_bonds(Pairs::Chunk& chunk, std::span<const PairLaw> laws, dou
 
 }  // namespace
 
-void add_pair_forces(std::uint32_t block, std::span<const PairLaw> laws, double dt, Particles& particles,
-                     Pairs& pairs, PairResult& result) {
+void add_pair_forces(std::uint32_t block, std::span<const PairLaw> laws, double dt,
+                     const Particles& particles, Pairs& pairs, BlockDiscs& of_block, PairResult& result) {
+  result.max_normal_force = result.friction = result.dashpots = result.released = 0;
+  result.broken.clear();
+  if (pairs.chunk_starts[block] == pairs.chunk_starts[block + 1]) return;
   ChunkDiscs discs;
   ChunkLaws of_chunk;
   ChunkForces forces;
   const bool dashpots = !pairs.normal_dashpot.empty();
-  const std::uint32_t end = (block + 1) * kBlock;
-  std::uint32_t slot = pairs.away_starts[block];
   std::int64_t max_bits = 0;
-  result.friction = result.dashpots = result.released = 0;
-  result.broken.clear();
+  of_block.take_reached(block, pairs, particles);
   for (std::uint32_t c = pairs.chunk_starts[block]; c < pairs.chunk_starts[block + 1]; ++c) {
     Pairs::Chunk& chunk = pairs.chunks[c];
     const std::uint32_t count = chunk.end - chunk.begin;
-    look_up_discs(chunk, dashpots, particles, pairs, discs);
+    look_up_discs(chunk, pairs, of_block, discs);
+    if (dashpots) look_up_masses(chunk, pairs, particles, discs);
     look_up_laws(chunk, dashpots, laws, pairs, of_chunk);
-    const bool contact_beside_bond = laws[pairs.law[chunk.begin]].contact_beside_bond;
+    const bool contact_beside_bond = laws[chunk.law].contact_beside_bond;
     ChunkOutcome outcome =
         find_forces(chunk, dt, discs, of_chunk, contact_beside_bond, dashpots, pairs, forces);
     if (outcome.breaks) outcome.max_bits = break_bonds(chunk, laws, dt, discs, pairs, forces, result);
-    if (outcome.slides)
-      for (std::uint32_t k = 0; k < count; ++k) result.friction += forces.friction[k];
-    if (dashpots)
-      for (std::uint32_t k = 0; k < count; ++k) result.dashpots += forces.dashpot[k];
-    apply(chunk, end, forces, particles, pairs, slot);
+    if (outcome.slides) result.friction += sum_of(forces.friction, count);
+    if (dashpots) result.dashpots += sum_of(forces.dashpot, count);
+    add_to_discs(chunk, pairs, forces, of_block);
     if (outcome.max_bits > max_bits) {
       max_bits = outcome.max_bits;
       std::uint32_t k = 0;
@@ -93,6 +73,7 @@ void add_pair_forces(std::uint32_t block, std::span<const PairLaw> laws, double 
       result.strongest = chunk.begin + k;
     }
   }
+  of_block.give_reached(block, pairs);
   result.max_normal_force = std::bit_cast<double>(max_bits);
 }
 

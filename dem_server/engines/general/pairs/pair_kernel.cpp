@@ -28,7 +28,7 @@ struct Kernel {
   const ChunkDiscs& discs;
   const ChunkLaws& laws;
   ChunkForces& out;
-  const double *rest_x, *rest_y, *rest_length, *half_difference, *slack, *weight, *initial, *width;
+  const double *rest_length, *half_difference, *slack, *weight, *initial, *width;
   double *shear, *moment, *slide, *normal_dashpot, *shear_dashpot;
   std::int64_t breaks = 0, slides = 0;
 
@@ -38,8 +38,6 @@ struct Kernel {
         discs(discs),
         laws(laws),
         out(out),
-        rest_x(&pairs.rest_x[begin]),
-        rest_y(&pairs.rest_y[begin]),
         rest_length(&pairs.rest_length[begin]),
         half_difference(&pairs.half_difference[begin]),
         slack(&pairs.slack[begin]),
@@ -55,10 +53,10 @@ struct Kernel {
   static double of_pair(const ChunkColumn& column, std::uint32_t k) { return column[kOneLaw ? 0 : k]; }
 
   [[gnu::always_inline]] PairKinematics kinematics(std::uint32_t k) const {
-    const PairShape s =
-        kBond ? bond_shape<Division::kShared>(rest_x[k], rest_y[k], rest_length[k], discs.ux[k], discs.uy[k])
-              : contact_shape<Division::kShared>(rest_x[k], rest_y[k], rest_length[k], discs.ux[k],
-                                                 discs.uy[k]);
+    const PairShape s = kBond ? bond_shape<Division::kShared>(discs.rest_x[k], discs.rest_y[k],
+                                                              rest_length[k], discs.ux[k], discs.uy[k])
+                              : contact_shape<Division::kShared>(discs.rest_x[k], discs.rest_y[k],
+                                                                 rest_length[k], discs.ux[k], discs.uy[k]);
     const Arms arms = arms_of(s.length, half_difference[k]);
     const double stretch_rate = along(s.nx, s.ny, discs.vx[k], discs.vy[k]), half = 0.5 * dt * stretch_rate;
     const double slip_rate =
@@ -70,7 +68,7 @@ struct Kernel {
   }
 
   [[gnu::always_inline]] PairForces bond(std::uint32_t k, const PairKinematics& pair) {
-    const double w = width[kPlain ? 0 : k];
+    const double w = kMoment ? width[kPlain ? 0 : k] : 1.0;  // plain contact bonds have this width
     const BondSprings springs =
         springs_of_width(of_pair(laws.kn, k), of_pair(laws.ks, k), kMoment ? of_pair(laws.km, k) : 0, w);
     PairForces f = bond_forces(springs, pair, dt, shear[k], kMoment ? moment[k] : 0);
@@ -84,8 +82,8 @@ struct Kernel {
     if constexpr (kMoment) moment[k] = f.moment;
     breaks |= static_cast<std::int64_t>(breaks_in_tension(f, w, kMoment ? of_pair(laws.moment_factor, k) : 0,
                                                           of_pair(laws.tensile_strength, k))) |
-              static_cast<std::int64_t>(
-                  breaks_in_shear(f, w, of_pair(laws.cohesion, k), of_pair(laws.tan_friction_angle, k)));
+              static_cast<std::int64_t>(breaks_in_shear(f, w, of_pair(laws.cohesion, k),
+                                                        kMoment ? of_pair(laws.tan_friction_angle, k) : 0.0));
     return f;
   }
 

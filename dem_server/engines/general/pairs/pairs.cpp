@@ -13,29 +13,51 @@ void Pairs::finish(std::size_t discs, bool bonded, bool dashpots) {
   state.assign(bonded ? size() : 0, BondState::kIntact);
   for (auto* zeroed : {&normal_dashpot, &shear_dashpot}) zeroed->assign(dashpots ? size() : 0, 0.0);
 
-  const std::size_t blocks = blocks_of(discs);
+  divide(discs);
+}
+
+void Pairs::divide(std::size_t discs) {
+  const auto blocks = static_cast<std::uint32_t>(blocks_of(discs));
   chunks.clear();
+  reached.clear();
   chunk_starts.assign(1, 0);
-  away_starts.assign(1, 0);
-  std::vector<std::uint32_t> count(blocks + 1, 0);
-  std::uint32_t away = 0;
+  reach_starts.assign(1, 0);
+  for (auto* places : {&first_place, &second_place}) places->resize(size());
   for (std::uint32_t block = 0, k = 0; block < blocks; ++block) {
     const std::uint32_t begin = k;
-    for (; k < size() && first[k] / kBlock == block; ++k)
-      if (second[k] / kBlock != block) {
-        ++away;
-        ++count[second[k] / kBlock + 1];
-      }
-    for (std::uint32_t at = begin; at < k; at += kChunk) chunks.push_back({at, std::min(at + kChunk, k)});
+    while (k < size() && first[k] / kBlock == block) ++k;
+    find_places(block, begin, k);
+    for (std::uint32_t at = begin; at < k; at += kChunk)
+      chunks.push_back({.begin = at, .end = std::min(at + kChunk, k)});
     chunk_starts.push_back(static_cast<std::uint32_t>(chunks.size()));
-    away_starts.push_back(away);
+    reach_starts.push_back(static_cast<std::uint32_t>(reached.size()));
   }
-  for (auto* forces : {&away_x, &away_y, &away_moment}) forces->assign(away, 0.0);
-  for (std::size_t b = 0; b < blocks; ++b) count[b + 1] += count[b];
-  arrival_starts = count;
-  arrivals.resize(away);
-  for (std::uint32_t k = 0, slot = 0; k < size(); ++k)
-    if (second[k] / kBlock != first[k] / kBlock) arrivals[count[second[k] / kBlock]++] = {slot++, second[k]};
+  for (auto* forces : {&away_x, &away_y, &away_moment}) forces->assign(reached.size(), 0.0);
+
+  arrival_starts.assign(blocks + 1, 0);
+  for (const std::uint32_t disc : reached) ++arrival_starts[disc / kBlock + 1];
+  for (std::uint32_t b = 0; b < blocks; ++b) arrival_starts[b + 1] += arrival_starts[b];
+  arrivals.resize(reached.size());
+  auto next = arrival_starts;
+  for (std::uint32_t slot = 0; slot < reached.size(); ++slot)
+    arrivals[next[reached[slot] / kBlock]++] = {slot, reached[slot]};
+}
+
+void Pairs::find_places(std::uint32_t block, std::uint32_t begin, std::uint32_t end) {
+  const auto start = static_cast<std::ptrdiff_t>(reached.size());
+  for (std::uint32_t k = begin; k < end; ++k)
+    if (second[k] / kBlock != block) reached.push_back(second[k]);
+  std::sort(reached.begin() + start, reached.end());
+  reached.erase(std::unique(reached.begin() + start, reached.end()), reached.end());
+  for (std::uint32_t k = begin; k < end; ++k) {
+    std::uint32_t at = second[k] - block * kBlock;
+    if (second[k] / kBlock != block)
+      at = kBlock +
+           static_cast<std::uint32_t>(std::lower_bound(reached.begin() + start, reached.end(), second[k]) -
+                                      reached.begin() - start);
+    first_place[k] = kDiscValues * (first[k] - block * kBlock);
+    second_place[k] = kDiscValues * at;
+  }
 }
 
 void Pairs::exchange(std::size_t discs, state::Archive& archive) {
@@ -76,6 +98,7 @@ void Pairs::exchange_kinds(state::Archive& archive) {
 void Pairs::sort_chunks() {
   for (Chunk& chunk : chunks) {
     const std::uint32_t one = chunk.begin;
+    chunk.law = law[one];
     chunk.one_law = true;
     bool varied = bonded(), plain = varied;
     for (std::uint32_t k = one; k < chunk.end; ++k) {

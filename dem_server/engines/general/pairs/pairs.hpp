@@ -6,8 +6,8 @@
 // bond, and in place of a contact bond once that is broken; its gap is L - L0 + slack.
 //
 // Discs belong to blocks of consecutive numbers, pairs to the block of their first disc, so that threads
-// share the blocks: what a pair does to a disc of another block waits in `away` until that block gathers it,
-// in a fixed order.
+// share the blocks. A block computes with copies of the discs that it reaches (block_discs.hpp); what its
+// pairs do to a disc of another block waits in `away` until that block gathers it, in a fixed order.
 #pragma once
 
 #include <cstdint>
@@ -23,6 +23,8 @@ namespace adit::dem {
 
 inline constexpr std::uint32_t kBlock = 1024;  // discs
 inline constexpr std::uint32_t kChunk = 128;   // pairs that are computed at a time
+
+inline constexpr std::uint32_t kDiscValues = 8;  // that the list of a block holds of a disc
 
 inline std::size_t blocks_of(std::size_t discs) {
   return (discs + kBlock - 1) / kBlock;
@@ -61,18 +63,22 @@ struct Pairs {
   enum class Kind : std::uint8_t { kPlain, kVaried, kGeneral };
   struct Chunk {
     std::uint32_t begin, end;
+    std::uint32_t law = 0;  // of the first
     Kind kind = Kind::kGeneral;
     bool one_law = false;
   };
   std::vector<Chunk> chunks;
   std::vector<std::uint32_t> chunk_starts;  // of each block, and the end
 
-  // Forces on second discs of other blocks: slots by block of the first; arrivals, by block of the second.
+  // Where the list of the block has the discs (block_discs.hpp), in numbers of values.
+  std::vector<std::uint32_t> first_place, second_place;
+  // Second discs in other blocks than the first: by block of the first, ascending, and the forces on them;
+  // arrivals: which of these are in a block.
   struct Arrival {
     std::uint32_t slot, disc;
   };
+  std::vector<std::uint32_t> reached, reach_starts, arrival_starts;
   std::vector<double> away_x, away_y, away_moment;
-  std::vector<std::uint32_t> away_starts, arrival_starts;
   std::vector<Arrival> arrivals;
 
   // Makes room for the pairs' states and sorts them into blocks, once first and second are known.
@@ -85,6 +91,8 @@ struct Pairs {
   void exchange(std::size_t discs, state::Archive& archive);
 
  private:
+  void divide(std::size_t discs);
+  void find_places(std::uint32_t block, std::uint32_t begin, std::uint32_t end);
   void exchange_kinds(state::Archive& archive);
 };
 

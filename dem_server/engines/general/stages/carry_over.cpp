@@ -1,4 +1,4 @@
-#include "dem_server/engines/general/pairs/carry_over.hpp"
+#include "dem_server/engines/general/stages/carry_over.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 // What a stage of excavation changes in the solver.
 #include "dem_server/engines/general/build_arrays.hpp"
-#include "dem_server/engines/general/pairs/carry_over.hpp"
 #include "dem_server/engines/general/solver.hpp"
+#include "dem_server/engines/general/stages/carry_over.hpp"
 
 namespace adit::dem {
 
@@ -56,6 +56,7 @@ void Solver::begin_stage(std::uint32_t before, const ParticleStage& stage, const
   walls_.list(particles_);
   springs_.begin_stage(before, stage.number, particles_);
   renew_damping();
+  planned_ = false;
 }
 
 }  // namespace adit::dem
