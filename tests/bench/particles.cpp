@@ -1,12 +1,14 @@
 // How fast bonded particles step: bond-steps per second of a beam of touching discs with bonds, spins and
 // contact detection, beside what the machine allows, measured in turn with it. Prints one JSON object.
 //
-//   particles KIND DISCS ROWS THREADS
+//   particles KIND DISCS ROWS THREADS [FILE]
 //
 // KIND: lattice, the engine of equal discs with contact bonds; contact_bonds and parallel_bonds, the general
-// one.
+// one; packing, the general one with discs of many sizes that press each other between walls, with friction
+// and without bonds, so that they stay in contact: FILE then gets a line for each disc, x y radius mass.
 #include <malloc.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -20,6 +22,8 @@
 #include "dem_server/engines/lattice/lattice_engine.hpp"
 #include "dem_server/model/lattice.hpp"
 #include "dem_server/packing/hexagonal.hpp"
+#include "dem_server/packing/pressed_discs.hpp"
+#include "protocol/motion/random.hpp"
 #include "protocol/threads/vector_clones.hpp"
 #include "tests/bench/measure.hpp"
 
@@ -36,12 +40,14 @@ struct Costs {
 };
 // Displacement, velocity and spin, read and written, inverse mass and inertia; the bond's shear force.
 constexpr Costs kLattice{12.0 * sizeof(double), 2 * sizeof(double), 40 + 6 + 9};
-// Also resultants of bonds and of all; the bond's discs and law, shape at rest and shear force, and for
-// parallel bonds the moment and the force of the contact beside.
-constexpr double kBytesOfDisc = kLattice.bytes_of_particle + 12.0 * sizeof(double);
-constexpr double kBytesOfShape = 3 * sizeof(std::uint32_t) + 4 * sizeof(double);
+// Also places at rest, resultants, read and written, and whether the disc is swept; the bond's discs, length
+// at rest, difference of the radii and shear force, and for parallel bonds the moment and the force of the
+// contact beside. A contact has a weight and a slack, too.
+constexpr double kBytesOfDisc = kLattice.bytes_of_particle + 8.0 * sizeof(double) + sizeof(std::uint8_t);
+constexpr double kBytesOfShape = 2 * sizeof(std::uint32_t) + 2 * sizeof(double);
 constexpr Costs kContactBonds{kBytesOfDisc, kBytesOfShape + 2 * sizeof(double), 49 + 8 + 9};
 constexpr Costs kParallelBonds{kBytesOfDisc, kBytesOfShape + 6 * sizeof(double), 73 + 8 + 9};
+constexpr Costs kContacts{kBytesOfDisc, kBytesOfShape + 4 * sizeof(double), 49 + 8 + 9};
 
 void stir(dem::Particles& p) {
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -79,6 +85,58 @@ dem::Model beam_of(const std::string& kind, std::uint32_t discs, std::uint32_t r
   return model;
 }
 
+constexpr double kPressed = 1e-3;  // stress of the packing, over the normal stiffness
+
+// Discs that press each other and the walls of their box, at rest without friction.
+dem::Discs pressed(const geometry::BoundingBox& box, std::uint32_t discs, std::uint32_t rows) {
+  dem::Discs packed;
+  motion::Random random(1);
+  for (std::uint32_t row = 0; row < rows; ++row)
+    for (std::uint32_t k = 0; k < discs; ++k) {
+      packed.x.push_back(k + 0.45 + 0.1 * random.uniform());
+      packed.y.push_back((row + 0.5) * box.y_max / rows);
+      packed.radius.push_back(kRadius * (0.6 + 0.35 * random.uniform()));
+    }
+  dem::PressedDiscs growing(std::move(packed), box);
+  growing.relax(1e-3, 300);
+  while (growing.wall_stress()[0] < kPressed) {
+    growing.scale_radii(1.003);
+    growing.relax(1e-3, 300);
+  }
+  growing.relax(1e-3, 3000);
+  return growing.discs();
+}
+
+dem::Model packing_of(std::uint32_t discs, std::uint32_t rows) {
+  const geometry::BoundingBox box{0, 1.0 * discs, 0, std::numbers::sqrt3 / 2 * rows};
+  const dem::LinearContact contact{kNormal, kShear, 0.5};
+  dem::Model model;
+  model.discs = pressed(box, discs, rows);
+  model.extent = box;
+  for (const double radius : model.discs.radius) {
+    model.mass.push_back(kCellMass * radius * radius / (kRadius * kRadius));
+    model.id.push_back(static_cast<std::uint32_t>(model.id.size()));
+  }
+  model.weight.assign(model.mass.size(), 1);
+  model.group.assign(model.mass.size(), 0);
+  model.contacts = {contact};
+  model.overlaps_free = false;
+  const auto stands = [](double) { return 0.0; };
+  for (const auto& [x_1, y_1, x_2, y_2] :
+       {std::array{0.0, 0.0, box.x_max, 0.0}, std::array{box.x_max, 0.0, box.x_max, box.y_max},
+        std::array{box.x_max, box.y_max, 0.0, box.y_max}, std::array{0.0, box.y_max, 0.0, 0.0}})
+    model.walls.push_back({"wall", x_1, y_1, x_2, y_2, contact, 0, 0, stands});
+  return model;
+}
+
+void write(const dem::Model& model, const char* path) {
+  std::FILE* file = std::fopen(path, "w");
+  for (std::size_t i = 0; i < model.mass.size(); ++i)
+    std::fprintf(file, "%.17g %.17g %.17g %.17g\n", model.discs.x[i], model.discs.y[i], model.discs.radius[i],
+                 model.mass[i]);
+  std::fclose(file);
+}
+
 struct Beam {
   std::unique_ptr<dem::LocalEngine> engine;
   double dt;
@@ -90,7 +148,12 @@ struct Beam {
     else
       engine = std::make_unique<dem::GeneralEngine>(model, threads);
     dt = 0.5 * engine->critical_step();
-    stir(engine->particles());
+    if (!model.bonds.empty()) stir(engine->particles());  // a packing stays as it is pressed
+  }
+  std::size_t contacts() const {
+    std::size_t count = 0;
+    engine->for_each_contact([&](const dem::ObservedPair&) { ++count; });
+    return count;
   }
   void step() {
     const protocol::Step step{next++, dt};
@@ -129,11 +192,12 @@ double seconds_a_pass(void (*pass)(const double*, double*), int passes) {
 }
 
 void measure(const dem::Model& model, bool lattice, const Costs& costs, std::size_t threads) {
-  const auto particles = static_cast<double>(model.discs.size()),
-             bonds = static_cast<double>(model.bonds.size());
+  const auto particles = static_cast<double>(model.discs.size());
   const double empty = heap_bytes();
   Beam beam(model, lattice, threads);
   const double held = heap_bytes() - empty;
+  const std::size_t touching = beam.contacts();
+  const auto bonds = static_cast<double>(model.bonds.empty() ? touching : model.bonds.size());
   const double traffic = particles * costs.bytes_of_particle + bonds * costs.bytes_of_bond;
   bench::Triad triad(traffic, threads);
   const auto [step, triad_pass, division, product] = bench::least(
@@ -151,22 +215,28 @@ void measure(const dem::Model& model, bool lattice, const Costs& costs, std::siz
   std::printf(
       "{\"particles\": %.0f, \"bonds\": %.0f, \"threads\": %zu, \"steps_per_s\": %.6g, \"bytes_held\": %.6g, "
       "\"traffic_per_step\": %.6g, \"triad_bytes_per_s\": %.6g, \"divisions_per_s\": %.6g, "
-      "\"operations_per_bond\": %.0f, \"operations_per_s\": %.6g}\n",
+      "\"operations_per_bond\": %.0f, \"operations_per_s\": %.6g, \"contacts\": [%zu, %zu]}\n",
       particles, bonds, threads, 1 / step, held, traffic, triad.bytes() / triad_pass, of_all / division,
-      costs.operations, of_all * kFlops / product);
+      costs.operations, of_all * kFlops / product, touching, beam.contacts());
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::string kind = argc == 5 ? argv[1] : "";
-  const std::map<std::string, Costs> costs{
-      {"lattice", kLattice}, {"contact_bonds", kContactBonds}, {"parallel_bonds", kParallelBonds}};
+  const std::string kind = argc >= 5 ? argv[1] : "";
+  const std::map<std::string, Costs> costs{{"lattice", kLattice},
+                                           {"contact_bonds", kContactBonds},
+                                           {"parallel_bonds", kParallelBonds},
+                                           {"packing", kContacts}};
   if (!costs.contains(kind)) {
-    std::fprintf(stderr, "usage: particles lattice|contact_bonds|parallel_bonds DISCS ROWS THREADS\n");
+    std::fprintf(stderr,
+                 "usage: particles lattice|contact_bonds|parallel_bonds|packing DISCS ROWS THREADS [FILE]\n");
     return 2;
   }
   const auto number = [argv](int k) { return static_cast<std::uint32_t>(std::atoi(argv[k])); };
-  measure(beam_of(kind, number(2), number(3)), kind == "lattice", costs.at(kind), number(4));
+  const dem::Model model =
+      kind == "packing" ? packing_of(number(2), number(3)) : beam_of(kind, number(2), number(3));
+  if (argc > 5) write(model, argv[5]);
+  measure(model, kind == "lattice", costs.at(kind), number(4));
   return 0;
 }

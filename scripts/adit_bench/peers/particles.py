@@ -152,10 +152,16 @@ def in_yade(beam):
 def cpu_seconds(command, script, folder, steps):
     (pathlib.Path(folder) / "in.beam").write_text(script.replace("STEPS", str(steps)))
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    compute(command, folder)
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+
+
+def compute(command, folder):
+    """What the code prints of the input in.beam."""
     result = subprocess.run([*command, "in.beam"], cwd=folder, capture_output=True, text=True)
     if result.returncode:
         raise RuntimeError(f"{command} failed:\n{result.stdout[-2000:]}{result.stderr[-2000:]}")
-    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+    return result.stdout
 
 
 def data(places, bonds, bonded):
