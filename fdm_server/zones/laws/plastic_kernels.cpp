@@ -42,8 +42,9 @@ template <bool kSoftens, bool kPlane>
                                                  const StressView& stresses, const ConeView& cones,
                                                  const DirectionView& directions, BatchFlags& outside) {
   const double *mean = stresses.mean, *across = stresses.across;
-  const auto& [difference, shear] = std::pair(stresses.difference, stresses.shear);
-  const auto& [friction, dilation, cohesion, tension] = cones.fields;
+  const auto difference = stresses.difference, shear = stresses.shear;
+  // In the order of YieldCone; the dilation tells nothing here.
+  const auto &friction = cones.fields[0], &cohesion = cones.fields[2], &tension = cones.fields[3];
   const double *cosine = directions.cosine, *sine = directions.sine;
   const YieldCone same = law.cone;
   const PlaneStrength plane = law.plane;

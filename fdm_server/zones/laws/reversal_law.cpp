@@ -151,10 +151,10 @@ double ReversalLaw::energy(std::size_t zone, const std::array<double, 4>& areas,
                            const std::array<PointStress, 4>& stress) const {
   const ZoneStrain weights = weights_of(areas);
   const double modulus = elasticity_.shear, mean = pressure(stress[0].mean, stress[0].across);
-  auto [strain, held, energy] = fdm::held(backbone_.view(), weights, {inner_piece(zone), outer_[zone]});
-  energy *= modulus;
+  const Held held = fdm::held(backbone_.view(), weights, {inner_piece(zone), outer_[zone]});
+  double energy = modulus * held.energy;
   const auto add = [&](std::size_t i, double initial_and_held) {
-    energy += weights[i] * (initial_and_held - modulus * held[i]) * strain[i];
+    energy += weights[i] * (initial_and_held - modulus * held.stress[i]) * held.strain[i];
   };
   for (std::size_t k = 0; k < 4; ++k) {
     const double cosine = axes_.cosine(zone), sine = axes_.sine(zone);
