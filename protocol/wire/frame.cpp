@@ -29,10 +29,22 @@ void store(std::byte* bytes, std::uint32_t value) {
 
 // What a program sends that is not of ours, where its first bytes tell it: those of HTTP, or of an alert of
 // TLS.
-std::string language_of(std::span<const std::byte> bytes) {
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  if (text.starts_with("HTTP/") || text.starts_with("<")) return " but HTTP";
-  return text.starts_with("\x15\x03") ? " but TLS" : "";
+struct Language {
+  std::string_view begins, name;
+};
+constexpr Language kLanguages[] = {{"HTTP/", " but HTTP"}, {"<", " but HTTP"}, {"\x15\x03", " but TLS"}};
+
+std::string_view language_of(std::string_view bytes) {
+  const auto* known = std::ranges::find_if(
+      kLanguages, [&](const Language& language) { return bytes.starts_with(language.begins); });
+  return known != std::end(kLanguages) ? known->name : "";
+}
+
+// Whether more bytes may tell it.
+bool may_tell_language(std::string_view bytes) {
+  return std::ranges::any_of(kLanguages, [&](const Language& language) {
+    return bytes.size() < language.begins.size() && language.begins.starts_with(bytes);
+  });
 }
 
 constexpr int tag_of(int field) {
@@ -149,10 +161,12 @@ std::span<std::byte> FrameDecoder::space() {
 
 std::optional<std::uint32_t> FrameDecoder::take_preamble() {
   const std::byte* bytes = buffer_.data() + begin_;
-  // As many bytes as there are are compared, so that another program is noticed at its first wrong byte
-  // instead of by a deadline.
-  if (std::memcmp(bytes, kMagic, std::min(buffered(), sizeof kMagic)) != 0) {
-    throw ForeignPreamble("does not speak the Adit protocol" + language_of({bytes, buffered()}));
+  const std::string_view text(reinterpret_cast<const char*>(bytes), buffered());
+  // As many bytes as there are are compared, so that another program is noticed at its first wrong byte, or
+  // at those that tell its language, instead of by a deadline.
+  if (!text.starts_with(std::string_view(kMagic, sizeof kMagic).substr(0, text.size()))) {
+    if (may_tell_language(text)) return std::nullopt;
+    throw ForeignPreamble(fmt::format("does not speak the Adit protocol{}", language_of(text)));
   }
   if (buffered() < sizeof(Preamble)) return std::nullopt;
   begin_ += sizeof(Preamble);

@@ -198,5 +198,15 @@ TEST(Preamble, OfAnotherProgramIsRefusedAtOnce) {
   EXPECT_THROW(decoder.take_preamble(), ForeignPreamble);
 }
 
+// A language that is known is named however its first bytes arrive.
+TEST(Preamble, InHttpIsNamedInAnyPieces) {
+  FrameDecoder decoder;
+  feed(decoder, std::as_bytes(std::span("HTT", 3)));
+  EXPECT_FALSE(decoder.take_preamble().has_value());
+  feed(decoder, std::as_bytes(std::span("P/", 2)));
+  EXPECT_THAT([&] { decoder.take_preamble(); },
+              testing::ThrowsMessage<ForeignPreamble>(testing::HasSubstr("HTTP")));
+}
+
 }  // namespace
 }  // namespace adit::protocol
