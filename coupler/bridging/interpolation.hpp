@@ -19,7 +19,8 @@ class Interpolation : public protocol::SparseRows {
  public:
   // A side of several participants has the points of all of them, numbered through.
   Interpolation(std::vector<std::uint32_t> row_starts, std::vector<std::uint32_t> columns,
-                std::vector<double> values, std::vector<double> inverse_masses);
+                std::vector<double> values, std::vector<double> inverse_masses,
+                std::vector<double> scaled_inverse_masses = {});
 
   // Checks all that came over the wire and throws PeerLost, which names `peer`, if it cannot be used.
   Interpolation(const wire::Operator& op, std::size_t coupling_points, const std::string& peer);
@@ -27,6 +28,8 @@ class Interpolation : public protocol::SparseRows {
   std::size_t coupling_points() const { return rows(); }
   std::size_t own_points() const { return inverse_masses_.size() / 2; }
   std::span<const double> inverse_masses() const { return inverse_masses_; }
+  // Whether the masses are those of statics, where there are any, from now on.
+  void scale_masses(bool scaled);
 
   // Whether each coupling point is an own point and has its velocity (eq. 5 of the paper: N = identity).
   bool is_selection() const;
@@ -34,7 +37,8 @@ class Interpolation : public protocol::SparseRows {
   void divide_by_mass(std::span<double> own) const;  // own *= 1/M
 
  private:
-  std::vector<double> inverse_masses_;
+  std::vector<double> inverse_masses_, other_inverse_masses_;
+  bool scaled_ = false;
 };
 
 }  // namespace adit::coupler

@@ -21,6 +21,7 @@ void post_advance(Participant& participant, const wire::Advance& request) {
   // The message of the last step is overwritten, so that its arrays keep their memory.
   advance.CopyFrom(request);
   advance.set_dt(request.dt() * participant.step_ratio);
+  advance.set_scale_masses(participant.scaled_masses);
   if (participant.drift) {
     advance.set_drift_x(participant.drift->x);
     advance.set_drift_y(participant.drift->y);

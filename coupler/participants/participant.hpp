@@ -41,6 +41,7 @@ struct Participant {
   // coupling points over it: with masses m / ratio² in one clock, the motion is the same. Statics use it
   // (time_step.hpp).
   double step_ratio = 1;
+  bool scaled_masses = false;            // it has those of statics (wire.proto, Advance)
   std::optional<protocol::Drift> drift;  // to be sent with the next step
 
   // Reused in every step; one pair for each of its coupling points.

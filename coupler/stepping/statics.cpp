@@ -22,6 +22,9 @@ namespace {
 
 // Cundall's share, used by FLAC and PFC.
 constexpr double kLocalDamping = 0.8;
+// The share of the velocities that adaptive damping takes after n steps is this over this + n (Nesterov
+// 1983).
+constexpr double kSlowing = 3;
 // Of the critical step, over √(1 + damping) (protocol/participant/local_damping.hpp).
 constexpr double kStepShare = 0.95;
 // Mean unbalanced ratio above which all parts take one step: parts that come down at different paces tear at
@@ -29,15 +32,31 @@ constexpr double kStepShare = 0.95;
 // of it.
 constexpr double kOnePaceAbove = 0.02;
 
-// What the scene states, else what is faster: continua and lattices, whose particles are bonded, come down
-// mode by mode, which kinetic damping ends within a fraction of a period; where contacts open, close and
-// slide, the kinetic energy has peaks all the time, and stopping at each leads nowhere.
-scene::Statics::Damping damping_of(const Model& model) {
-  if (model.scene.statics().has_damping()) return model.scene.statics().damping();
-  const bool may_touch = std::ranges::any_of(model.participants, [](const Participant& participant) {
+bool may_touch(const Model& model) {
+  return std::ranges::any_of(model.participants, [](const Participant& participant) {
     return participant.member.role == Role::kParticles && !participant.model.engine().starts_with("lattice");
   });
-  return may_touch ? scene::Statics::LOCAL : scene::Statics::KINETIC;
+}
+
+// Of a participant that cannot be slowed, if there is one.
+const Participant* that_never_slows(const Model& model) {
+  const auto found =
+      std::ranges::find_if(model.participants, [](const auto& one) { return !one.model.slows(); });
+  return found == model.participants.end() ? nullptr : &*found;
+}
+
+// What the scene states, else what is faster (statics.hpp).
+scene::Statics::Damping damping_of(const Model& model, bool near_rest) {
+  const scene::Statics& statics = model.scene.statics();
+  const Participant* never = that_never_slows(model);
+  if (statics.has_damping() && statics.damping() == scene::Statics::ADAPTIVE && never)
+    throw protocol::UserError(
+        "statics.damping", fmt::format("is adaptive, which the program of `{}` does not know; state local or "
+                                       "kinetic",
+                                       never->member.name));
+  if (statics.has_damping()) return statics.damping();
+  if (!may_touch(model)) return scene::Statics::KINETIC;
+  return near_rest && !never ? scene::Statics::ADAPTIVE : scene::Statics::LOCAL;
 }
 
 // Statics with masses of their own, which end with this object: the constraint of time is kept meanwhile.
@@ -47,6 +66,8 @@ class StaticMasses {
       : model_(model),
         of_time_(std::move(model.constraint)),
         dt_(choose_static_steps(model, step_share, own_steps)) {
+    for (Participant& participant : model.participants)
+      scale_masses(participant, own_steps && participant.model.scales_masses());
     if (of_time_)
       model.constraint =
           std::make_unique<Constraint>(model.participants, model.interfaces, model.coupling_points, dt_);
@@ -54,12 +75,20 @@ class StaticMasses {
   StaticMasses(const StaticMasses&) = delete;
   StaticMasses& operator=(const StaticMasses&) = delete;
   ~StaticMasses() {
-    for (Participant& participant : model_.participants) participant.step_ratio = 1;
+    for (Participant& participant : model_.participants) {
+      participant.step_ratio = 1;
+      scale_masses(participant, false);
+    }
     model_.constraint = std::move(of_time_);
   }
   double dt() const { return dt_; }
 
  private:
+  static void scale_masses(Participant& participant, bool scaled) {
+    participant.scaled_masses = scaled;
+    if (participant.interpolation) participant.interpolation->scale_masses(scaled);
+  }
+
   Model& model_;
   std::unique_ptr<Constraint> of_time_;
   double dt_;
@@ -74,8 +103,8 @@ class Statics::Relaxer {
       : model_(model),
         stepper_(stepper),
         statics_(model.scene.statics()),
-        how_{.dt = 0, .local_damping = damping_of(model) == scene::Statics::LOCAL ? kLocalDamping : 0},
-        step_share_(kStepShare / std::sqrt(1 + how_.local_damping)),
+        far_(damping_of(model, false)),
+        near_(damping_of(model, true)),
         stall_(statics_.unbalanced_ratio(), statics_.max_steps()) {
     const auto stages = protocol::stages_of(model.scene);
     stages_.assign(stages.begin(), stages.end());
@@ -90,8 +119,10 @@ class Statics::Relaxer {
   void begin_stage();
   bool step();
   void take(const Unrest& unrest);
-  bool passed_a_peak(const Unrest& unrest);
-  void pace(bool own_steps);
+  void brake(const Unrest& unrest);
+  void pace(bool near_rest);
+  void weigh();
+  scene::Statics::Damping damping() const { return near_rest_ ? near_ : far_; }
   std::string place() const;
   std::string name_of_stage() const { return how_.stage > 0 ? fmt::format(", stage {}", how_.stage) : ""; }
   [[noreturn]] void give_up(std::uint64_t steps, bool stalled) const;
@@ -99,19 +130,20 @@ class Statics::Relaxer {
   Model& model_;
   Stepper& stepper_;
   const scene::Statics& statics_;
-  Stepper::Relaxing how_;
-  double step_share_;
+  const scene::Statics::Damping far_, near_;  // at the beginning of a stage, and near rest
+  Stepper::Relaxing how_{};
   std::optional<StaticMasses> masses_;
   std::vector<std::uint32_t> stages_;
   std::size_t stage_ = 0;  // that is relaxing, or is the next to
   bool begun_ = false;
-  bool own_steps_ = false;
+  bool near_rest_ = false;
   ProgressLine line_;
   Rest rest_;
   std::uint64_t step_ = 0, step_of_stage_ = 0;  // the next
   double internal_at_first_ = 0;                // of the stage [N]
   double kinetic_energy_ = 0;                   // a step before, since the last stop
   Stall stall_;
+  std::uint64_t free_steps_ = 0;  // since the last stop
 };
 
 void Statics::Relaxer::run(const BetweenSteps& between_steps) {
@@ -151,18 +183,26 @@ bool Statics::Relaxer::step() {
                             n, rest_.mean_ratio, statics_.unbalanced_ratio(), place()));
   if (n > 0 && rest_.mean_ratio <= statics_.unbalanced_ratio()) return true;
   if (std::isnan(rest_.mean_ratio) || (n > 0 && stall_.noticed(rest_.mean_ratio))) give_up(n, true);
-  how_.stop = how_.local_damping == 0 && passed_a_peak(unrest);
-  if (!own_steps_ && statics_.scale_masses() && n > 0 && rest_.mean_ratio <= kOnePaceAbove) pace(true);
+  brake(unrest);
+  if (!near_rest_ && n > 0 && rest_.mean_ratio <= kOnePaceAbove) pace(true);
   return false;
 }
 
-// Every participant at its own step from now on, or all at one. Velocities of another clock mean nothing.
-void Statics::Relaxer::pace(bool own_steps) {
-  own_steps_ = own_steps;
-  kinetic_energy_ = 0;
-  masses_.emplace(model_, step_share_, own_steps);
-  how_.dt = masses_->dt();
+// From now on. Velocities of another clock mean nothing.
+void Statics::Relaxer::pace(bool near_rest) {
+  near_rest_ = near_rest;
+  how_.local_damping = damping() == scene::Statics::LOCAL ? kLocalDamping : 0;
+  how_.slowing = 0;
   how_.stop = true;
+  kinetic_energy_ = 0;
+  free_steps_ = 0;
+  weigh();
+}
+
+void Statics::Relaxer::weigh() {
+  masses_.emplace(model_, kStepShare / std::sqrt(1 + how_.local_damping),
+                  near_rest_ && statics_.scale_masses());
+  how_.dt = masses_->dt();
 }
 
 void Statics::Relaxer::take(const Unrest& unrest) {
@@ -174,11 +214,18 @@ void Statics::Relaxer::take(const Unrest& unrest) {
   rest_.drift = unrest.drift();
 }
 
-bool Statics::Relaxer::passed_a_peak(const Unrest& unrest) {
-  const bool passed = unrest.kinetic_energy < kinetic_energy_;
-  kinetic_energy_ = passed ? 0 : unrest.kinetic_energy;
-  if (passed) ++rest_.stops;
-  return passed;
+// Before the next step: stops where the forces of this one took kinetic energy away, of what the slowing had
+// left.
+void Statics::Relaxer::brake(const Unrest& unrest) {
+  how_.stop = false;
+  if (how_.local_damping > 0) return;
+  const double left = 1 - how_.slowing;
+  how_.stop = unrest.kinetic_energy < left * left * kinetic_energy_;
+  if (how_.stop) ++rest_.stops;
+  free_steps_ = how_.stop ? 0 : free_steps_ + 1;
+  kinetic_energy_ = how_.stop ? 0 : unrest.kinetic_energy;
+  how_.slowing =
+      damping() == scene::Statics::ADAPTIVE ? kSlowing / (kSlowing + static_cast<double>(free_steps_)) : 0;
 }
 
 std::string Statics::Relaxer::place() const {
@@ -200,7 +247,7 @@ void Statics::Relaxer::give_up(std::uint64_t steps, bool stalled) const {
 void Statics::Relaxer::exchange(state::Archive& archive) {
   archive("stage", stage_);
   archive("stage_begun", begun_);
-  archive("own_steps", own_steps_);
+  archive("near_rest", near_rest_);
   archive("relaxing", how_);
   archive("rest_steps", rest_.steps);
   archive("rest_stops", rest_.stops);
@@ -211,7 +258,8 @@ void Statics::Relaxer::exchange(state::Archive& archive) {
   archive("internal_at_first", internal_at_first_);
   archive("kinetic_energy", kinetic_energy_);
   stall_.exchange(archive);
-  if (archive.reads() && begun_) masses_.emplace(model_, step_share_, own_steps_);
+  archive("free_steps", free_steps_);
+  if (archive.reads() && begun_) weigh();
 }
 
 Statics::Statics(Model& model, Stepper& stepper) : relaxer_(std::make_unique<Relaxer>(model, stepper)) {}

@@ -27,6 +27,7 @@ void Stepper::relax(std::uint64_t n, const Relaxing& how) {
   request_.set_stop(how.stop);
   request_.set_stage(how.stage);
   request_.set_local_damping(how.local_damping);
+  request_.set_slowing(how.stop ? 0 : how.slowing);
   round_trip_.run(request_);
 }
 

@@ -31,6 +31,7 @@ class Stepper {
     double local_damping;
     std::uint32_t stage = 0;
     bool stop = false;
+    double slowing = 0;  // share of all velocities that is lost
   };
   void relax(std::uint64_t n, const Relaxing& how);
 

@@ -87,6 +87,11 @@ void CouplingPoints::fill(wire::Operator& op) const {
   op.mutable_inverse_masses()->Assign(inverse_masses_.begin(), inverse_masses_.end());
 }
 
+void CouplingPoints::take_masses(const Particles& p) {
+  for (std::size_t k = 0; k < inverse_masses_.size(); ++k)
+    if (inverse_masses_[k] > 0) inverse_masses_[k] = p.inverse_mass[operator_.points()[k / 2]];
+}
+
 void CouplingPoints::push(std::span<const double> impulses, double kick, Particles& p,
                           PrescribedMotions& motions) {
   const auto own = operator_.gather(impulses);

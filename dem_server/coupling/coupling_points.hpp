@@ -29,6 +29,9 @@ class CouplingPoints {
   // N, and the inverse weighted masses for x and for y of each tied particle, 0 where the motion is
   // prescribed.
   void fill(wire::Operator& op) const;
+  std::span<const double> inverse_masses() const { return inverse_masses_; }
+  // The particles have other masses from now on.
+  void take_masses(const Particles& particles);
 
   // v += N^T impulse / m; the impulses [N s] stand x0 y0 x1 y1 … A prescribed component does not yield: the
   // reaction of its motion takes the impulse up. The kick that they correct lasted `kick` seconds.

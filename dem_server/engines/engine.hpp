@@ -60,8 +60,17 @@ class Engine {
   virtual Unrest unrest(const protocol::Step& step) = 0;
   // All velocities become 0.
   virtual void stop() = 0;
+  // All velocities are multiplied by this factor, of an engine that can.
+  virtual bool slows() const { return false; }
+  virtual void slow(double /*factor*/) {}
   // After a stop: what changes with the stages of excavation up to this one does.
   virtual void begin_stage(std::uint32_t /*stage*/) {}
+  // After a stop, of an engine that can: from now on this step [s] is the critical one of all elements, by
+  // masses that loads know nothing of; 0: masses are true.
+  virtual bool scales_masses() const { return false; }
+  virtual void scale_masses(double /*step*/) {}
+  // Those of now, where the interface ties them (wire.proto, Operator).
+  virtual std::span<const double> tied_inverse_masses() const { return {}; }
   // Displacements count from here, also when time begins.
   virtual void count_displacements() = 0;
   // The first step that does not relax is next: displacements, energies and work count from here. What held

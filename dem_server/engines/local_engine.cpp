@@ -125,7 +125,14 @@ Unrest LocalEngine::unrest(const protocol::Step& step) {
 
 void LocalEngine::stop() {
   dem::stop(particles());
-  if (relaxation_) relaxation_->stopped(particles());
+  if (relaxation_) relaxation_->slowed(particles());
+}
+
+void LocalEngine::slow(double factor) {
+  Particles& p = particles();
+  for (auto* velocities : {&p.vx, &p.vy, &p.spin})
+    for (double& velocity : *velocities) velocity *= factor;
+  if (relaxation_) relaxation_->slowed(p);
 }
 
 void LocalEngine::start_over(const protocol::Drift& /*drift*/) {

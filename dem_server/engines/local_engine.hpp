@@ -34,7 +34,10 @@ class LocalEngine : public Engine, public Observable {
   void read_histories(const protocol::Step& step, google::protobuf::RepeatedField<double>& values) final;
   void take_peaks(const protocol::Step& step) final;
   Unrest unrest(const protocol::Step& step) final;
+  std::span<const double> tied_inverse_masses() const final { return coupling_.inverse_masses(); }
   void stop() override;
+  bool slows() const final { return true; }
+  void slow(double factor) final;
   void start_over(const protocol::Drift& drift) override;
   void count_displacements() final;
   void exchange(state::Archive& archive) override;
@@ -53,6 +56,8 @@ class LocalEngine : public Engine, public Observable {
   void push(std::span<const double> impulses, PrescribedMotions& motions) {
     coupling_.push(impulses, kick_, particles(), motions);
   }
+  // The particles have other masses from now on.
+  void renew_tied_masses() { coupling_.take_masses(particles()); }
   // Before every step.
   void begin(const protocol::Step& step);
   // In the form that the scheme keeps (energy.hpp), of the step made last.

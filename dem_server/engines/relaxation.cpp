@@ -9,7 +9,9 @@ namespace adit::dem {
 double kinetic_energy(const Particles& p) {
   double twice = 0;
   for (std::size_t i = 0; i < p.size(); ++i)
-    twice += p.mass[i] * (p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i]) + p.inertia[i] * p.spin[i] * p.spin[i];
+    if (p.is_there(i))
+      twice += (p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i]) / p.inverse_mass[i] +
+               p.spin[i] * p.spin[i] / p.inverse_inertia[i];
   return twice / 2;
 }
 
@@ -18,9 +20,10 @@ Unrest Relaxation::measure(const Particles& p, double kick, double local_damping
   Unrest unrest;
   unrest.particles = p.size();
   const auto force = [&](std::size_t i, double after, double before) {
-    return p.mass[i] * protocol::undamped_change(after - before, before, local_damping) / kick;
+    return protocol::undamped_change(after - before, before, local_damping) / (p.inverse_mass[i] * kick);
   };
   for (std::size_t i = 0; i < p.size(); ++i) {
+    if (!p.is_there(i)) continue;
     const double x = force(i, p.vx[i], before_.x[i]), y = force(i, p.vy[i], before_.y[i]);
     const double size = std::hypot(x, y);
     unrest.unbalanced_force += size;

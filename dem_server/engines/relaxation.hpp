@@ -11,7 +11,7 @@
 
 namespace adit::dem {
 
-// Kinetic energy of the present velocities and spins, weighted [J].
+// Kinetic energy of the present velocities and spins, with the masses that statics move, weighted [J].
 double kinetic_energy(const Particles& particles);
 
 class Relaxation {
@@ -23,8 +23,8 @@ class Relaxation {
   // all were 0, damped by this share. Internal forces and elements are left to the caller.
   Unrest measure(const Particles& particles, double kick, double local_damping,
                  std::span<const EdgeDashpot> edges);
-  // All velocities became 0.
-  void stopped(const Particles& particles) { remember(particles, before_); }
+  // All velocities were slowed, or stopped.
+  void slowed(const Particles& particles) { remember(particles, before_); }
 
   void exchange(state::Archive& archive) { before_.exchange(archive); }
 

@@ -33,6 +33,8 @@ void DemParticipant::set_up(const wire::Setup& setup, wire::Model& answer) {
                                           "stiffness, radius and density",
                                           critical_.step));
   report(critical_, answer);
+  answer.set_scales_masses(engine_->scales_masses());
+  answer.set_slows(engine_->slows());
   report(wave_speeds(model_), answer);
   answer.set_highest_frequency(highest_frequency(model_));
   answer.set_x_min(model_.extent.x_min);
@@ -83,6 +85,16 @@ void DemParticipant::balance_under_weights(std::span<const double> centres) {
 void DemParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
   engine_->tie(protocol::view(couple.points()), op);
   coupling_points_ = static_cast<std::size_t>(couple.points_size()) / 2;
+  if (!scene_.has_statics() || !engine_->scales_masses()) return;
+  scale_masses(true);
+  assign(*op.mutable_scaled_inverse_masses(), engine_->tied_inverse_masses());
+  scale_masses(false);
+}
+
+void DemParticipant::scale_masses(bool scaled) {
+  if (scaled == scaled_) return;
+  scaled_ = scaled;
+  engine_->scale_masses(scaled ? critical_.static_step : 0);
 }
 
 void DemParticipant::measure_unrest(const protocol::Step& last, wire::Relaxation& answer) {
@@ -104,7 +116,8 @@ void DemParticipant::excavate(std::uint32_t stage) {
   if (stage <= stage_) return;
   const protocol::CountedFrom counted = protocol::counted_from(scene_.statics());
   if (counted.stage_given && counted.begins(stage_, stage)) engine_->count_displacements();
-  engine_->begin_stage(stage);
+  engine_->begin_stage(stage);  // with true masses
+  scaled_ = false;
   stage_ = stage;
 }
 

@@ -38,7 +38,9 @@ class DemParticipant final : public protocol::SteppedParticipant {
   void measure_unrest(const protocol::Step& last, wire::Relaxation& answer) override;
   double kinetic_energy() const override { return engine_->kinetic_energy(); }
   void stop() override { engine_->stop(); }
+  void slow(double factor) override { engine_->slow(factor); }
   void excavate(std::uint32_t stage) override;
+  void scale_masses(bool scaled) override;
   void start_over(const protocol::Drift& drift) override { engine_->start_over(drift); }
   void remember_for_peaks() override { engine_->remember_for_peaks(); }
   void take_peaks(const protocol::Step& step) override { engine_->take_peaks(step); }
@@ -59,6 +61,7 @@ class DemParticipant final : public protocol::SteppedParticipant {
   CriticalElement critical_{};  // of the unweighted model
   std::size_t coupling_points_ = 0;
   std::uint32_t stage_ = 0;     // of excavation, reached
+  bool scaled_ = false;         // masses, in statics
   wire::Predicted unreported_;  // cracks and largest forces of whole steps
   std::uint64_t moves_ = 0;
 };

@@ -29,4 +29,13 @@ CriticalElement critical_element(ZoneKind kind, const Grid& grid, const Ground& 
   return critical;
 }
 
+std::vector<double> static_zone_steps(ZoneKind kind, const Grid& grid, const Ground& ground,
+                                      double foundation_stiffness) {
+  std::vector<double> steps = zone_steps(kind, grid, ground);
+  for (std::size_t z = 0; z < steps.size(); ++z)
+    steps[z] = foundation::critical_step(steps[z],
+                                         foundation_stiffness / ground.materials[ground.of_zone[z]].density);
+  return steps;
+}
+
 }  // namespace adit::fdm

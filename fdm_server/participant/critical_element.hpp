@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/materials/material.hpp"
@@ -24,5 +25,9 @@ struct CriticalElement {
 CriticalElement critical_element(ZoneKind kind, const Grid& grid, const Ground& ground,
                                  const Structures& structures, const DampingLaw& damping,
                                  double foundation_stiffness);
+
+// The critical step of every zone in statics [s], on such a foundation.
+std::vector<double> static_zone_steps(ZoneKind kind, const Grid& grid, const Ground& ground,
+                                      double foundation_stiffness);
 
 }  // namespace adit::fdm

@@ -50,6 +50,14 @@ std::vector<double> read_weights(const wire::Weights& weights, const Grid& grid)
   return zone_weights(grid, view(weights.weights()), weights.floor());
 }
 
+void fill_inverse_masses(const Continuum& continuum, std::span<const std::uint32_t> points,
+                         google::protobuf::RepeatedField<double>& values) {
+  for (const auto point : points) {
+    values.Add(continuum.inverse_mass_x()[point]);
+    values.Add(continuum.inverse_mass_y()[point]);
+  }
+}
+
 }  // namespace
 
 void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
@@ -71,6 +79,8 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
                                           critical_dt_));
   model.set_critical_dt(critical_dt_);
   model.set_critical_static_dt(critical_static_dt_);
+  model.set_scales_masses(can_scale_masses());
+  model.set_slows(true);
   model.set_critical_element(critical.name);
   model.set_critical_x(critical.place[0]);
   model.set_critical_y(critical.place[1]);
@@ -165,6 +175,31 @@ std::vector<double> FdmParticipant::masses() const {
   return masses;
 }
 
+// In large strain the zones' shapes change, and with them their steps.
+bool FdmParticipant::can_scale_masses() const {
+  return !setup_.ground.large_strain;
+}
+
+std::vector<double> FdmParticipant::scaled_masses() const {
+  std::vector<double> densities = zone_densities(setup_.ground);
+  for (std::size_t z = 0; z < densities.size(); ++z)
+    densities[z] *= std::pow(critical_static_dt_ / zone_steps_[z], 2);
+  auto masses = lumped_masses(grid_, weights_, densities);
+  Structures structures = supports_.structures;
+  structures.scale_masses(critical_static_dt_);
+  structures.add_masses(masses, stage_);
+  return masses;
+}
+
+void FdmParticipant::scale_masses(bool scaled) {
+  if (scaled == scaled_) return;
+  scaled_ = scaled;
+  if (scaled && zone_steps_.empty())
+    zone_steps_ = static_zone_steps(setup_.kind, grid_, setup_.ground,
+                                    foundation::largest_stiffness(scene_.continuum().foundations()));
+  continuum_->set_masses(scaled ? scaled_masses() : masses(), scaled ? critical_static_dt_ : 0);
+}
+
 void FdmParticipant::offer_grid_points(const wire::Weights& box, wire::Interface& interface) const {
   for (std::size_t i = 0; i < grid_.own_points(); ++i) {
     if (grid_.x[i] < box.x_min() || grid_.x[i] > box.x_max() || grid_.y[i] < box.y_min() ||
@@ -188,10 +223,11 @@ void FdmParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
   continuum_->set_interface(operator_.points());
   operator_.fill(op);
   histories_->tie(operator_.points());
-  for (const auto point : operator_.points()) {
-    op.add_inverse_masses(continuum_->inverse_mass_x()[point]);
-    op.add_inverse_masses(continuum_->inverse_mass_y()[point]);
-  }
+  fill_inverse_masses(*continuum_, operator_.points(), *op.mutable_inverse_masses());
+  if (!scene_.has_statics() || !can_scale_masses()) return;
+  scale_masses(true);
+  fill_inverse_masses(*continuum_, operator_.points(), *op.mutable_scaled_inverse_masses());
+  scale_masses(false);
 }
 
 void FdmParticipant::correct(std::span<const double> impulses) {
@@ -222,9 +258,9 @@ double FdmParticipant::kinetic_energy() const {
   return fdm::kinetic_energy(*continuum_);
 }
 
-void FdmParticipant::stop() {
-  continuum_->stop();
-  relaxation_->stopped();
+void FdmParticipant::slow(double factor) {
+  continuum_->slow(factor);
+  relaxation_->slowed(factor);
 }
 
 void FdmParticipant::start_over(const protocol::Drift& drift) {
@@ -251,6 +287,7 @@ void FdmParticipant::excavate(std::uint32_t stage) {
   stage_ = stage;
   const auto masses = this->masses();
   continuum_->excavate(zones, masses, loads(masses), stage);
+  scaled_ = false;
   relaxation_.emplace(grid_, weights_);
 }
 

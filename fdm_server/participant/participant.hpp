@@ -45,10 +45,12 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   void correct(std::span<const double> impulses) override;
   void measure_unrest(const protocol::Step& last, wire::Relaxation& answer) override;
   double kinetic_energy() const override;
-  void stop() override;
+  void stop() override { slow(0); }
+  void slow(double factor) override;
   // Takes away the zones of the stages after the present one up to this one, and installs their linings and
   // bolts.
   void excavate(std::uint32_t stage) override;
+  void scale_masses(bool scaled) override;
   void start_over(const protocol::Drift& drift) override;
   void remember_for_peaks() override;
   void take_peaks(const protocol::Step& step) override;
@@ -66,6 +68,10 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   // Loads on the zones that are left; those of the base are the last.
   std::vector<Load> loads(std::span<const double> masses) const;
   std::vector<double> masses() const;  // of the points, with those of the structures
+  // Those that make the step of statics the critical one of every zone, beam, bar and joint: no frequency of
+  // the whole is above the largest of one of them (zones/critical_step.hpp).
+  std::vector<double> scaled_masses() const;
+  bool can_scale_masses() const;
   // The grid points inside the box that the weights came with.
   void offer_grid_points(const wire::Weights& box, wire::Interface& interface) const;
   void require_interface_stays() const;
@@ -89,7 +95,9 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   motion::UsedMotion base_acceleration_;
   std::vector<Load> base_loads_;
   ExcavatedZones excavated_;
-  std::uint32_t stage_ = 0;  // reached
+  std::uint32_t stage_ = 0;         // reached
+  std::vector<double> zone_steps_;  // critical, in statics [s], once they are needed
+  bool scaled_ = false;             // masses, in statics
   std::unique_ptr<Continuum> continuum_;
   protocol::InterfaceOperator operator_;
   PeakForces peak_forces_;

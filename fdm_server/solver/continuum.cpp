@@ -333,9 +333,10 @@ void Continuum::predict(const Part& part, const protocol::Step& step) {
   last_kick_ = step.kick();
 }
 
-void Continuum::stop() {
-  for (const Field velocity : {kVx, kVy}) std::ranges::fill(points_[velocity], 0.0);
-  structures_.stop();
+void Continuum::slow(double factor) {
+  for (const Field velocity : {kVx, kVy})
+    for (double& value : points_[velocity]) value *= factor;
+  structures_.slow(factor);
 }
 
 void Continuum::start_over() {

@@ -70,6 +70,10 @@ class Continuum {
   void excavate(std::span<const Excavated> zones, std::span<const double> masses, std::vector<Load> loads,
                 std::uint32_t stage = 0);
 
+  // At rest: from now on these are the points' masses, and those of the structures make this step the
+  // critical one of each of them (structures.hpp; 0: they are true). Loads stay.
+  void set_masses(std::span<const double> masses, double structures_step);
+
   // Adds an impulse [N s] to a point's velocity; a prescribed component does not yield.
   void push(std::uint32_t point, double x, double y);
 
@@ -89,7 +93,9 @@ class Continuum {
   Energies energies(const protocol::Step& step) const;
 
   // All velocities become 0: before a step from rest.
-  void stop();
+  void stop() { slow(0); }
+  // All velocities are multiplied by this factor.
+  void slow(double factor);
   // Time begins: at rest, work from 0, stresses as they are. Step 0 is next.
   void start_over();
   // What supports the dashpots of these points from step 0 on holds against this drift beside (dashpots.hpp).
@@ -167,6 +173,7 @@ class Continuum {
   void add_steady(const Load& load);
   Prescribed prescribed(PrescribedMotion motion) const;
   void place(std::vector<Load> loads);
+  void take_masses(std::span<const double> masses);
   Load held_forces(std::span<const Excavated> zones);
   std::vector<bool> of_interface() const;  // of every point
   void hold(Axis axis, std::uint32_t point, double impulse);

@@ -26,18 +26,28 @@ Load Continuum::held_forces(std::span<const Excavated> zones) {
   return held;
 }
 
-void Continuum::excavate(std::span<const Excavated> zones, std::span<const double> masses,
-                         std::vector<Load> loads, std::uint32_t stage) {
-  const Load held = held_forces(zones);
-  std::vector<bool> gone(zones_.count(), false);
-  for (const Excavated& one : zones) gone[one.zone] = true;
-  zones_.remove(gone);
+// A component without inverse mass stays prescribed.
+void Continuum::take_masses(std::span<const double> masses) {
   for (std::size_t i = 0; i < masses.size(); ++i) {
     points_[kMass][i] = masses[i];
     for (const Field inverse : {kInverseMassX, kInverseMassY})
       if (points_[inverse][i] != 0) points_[inverse][i] = masses[i] > 0 ? 1 / masses[i] : 0;
     if (masses[i] == 0) points_[kVx][i] = points_[kVy][i] = 0;
   }
+}
+
+void Continuum::set_masses(std::span<const double> masses, double structures_step) {
+  take_masses(masses);
+  structures_.scale_masses(structures_step);
+}
+
+void Continuum::excavate(std::span<const Excavated> zones, std::span<const double> masses,
+                         std::vector<Load> loads, std::uint32_t stage) {
+  const Load held = held_forces(zones);
+  std::vector<bool> gone(zones_.count(), false);
+  for (const Excavated& one : zones) gone[one.zone] = true;
+  zones_.remove(gone);
+  set_masses(masses, 0);
   for (Part* part : {&interface_, &interior_}) {
     part->loads.clear();
     for (auto& one : part->motions) one.mass = prescribed(one.motion).mass;

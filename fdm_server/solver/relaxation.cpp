@@ -53,9 +53,9 @@ Vector Relaxation::net(const Continuum& continuum, protocol::IndexRange points) 
   return sum;
 }
 
-void Relaxation::stopped() {
-  std::ranges::fill(vx_, 0.0);
-  std::ranges::fill(vy_, 0.0);
+void Relaxation::slowed(double factor) {
+  for (auto* velocities : {&vx_, &vy_})
+    for (double& velocity : *velocities) velocity *= factor;
 }
 
 }  // namespace adit::fdm

@@ -31,8 +31,8 @@ class Relaxation {
   Unrest measure(const Continuum& continuum, double kick, double local_damping = 0);
   // The sum of the unbalanced forces measured last, of those of these points that bear on no dashpots [N].
   Vector net(const Continuum& continuum, protocol::IndexRange points) const;
-  // All velocities became 0.
-  void stopped();
+  // All velocities were multiplied by this factor.
+  void slowed(double factor);
   void exchange(state::Archive& archive) {
     for (auto* values : {&vx_, &vy_, &fx_, &fy_}) archive("relaxation", std::span(*values));
   }

@@ -34,7 +34,7 @@ std::uint32_t Structures::add_rotation(std::uint32_t point, bool held) {
 }
 
 std::uint32_t Structures::add_beam(const Beam& beam) {
-  for (const auto rotation : beam.rotations()) inertia_[rotation] += beam.end_inertia();
+  add_inertia(beam);
   beams_.push_back(beam);
   stage_of_beam_.push_back(adding_);
   return static_cast<std::uint32_t>(beams_.size() - 1);
@@ -48,16 +48,39 @@ std::uint32_t Structures::add_bar(const Bar& bar) {
 
 void Structures::add_joint(std::uint32_t first, std::uint32_t second, double stiffness, double yield,
                            double dt) {
-  for (const auto rotation : {first, second}) inertia_[rotation] += stiffness * dt * dt / 2;
-  joints_.push_back({first, second, {stiffness, yield}});
+  joints_.push_back({first, second, {stiffness, yield}, dt});
+  add_inertia(joints_.back());
   stage_of_joint_.push_back(adding_);
+}
+
+double Structures::scale(double critical_step) const {
+  return scaled_step_ > 0 ? (scaled_step_ / critical_step) * (scaled_step_ / critical_step) : 1;
+}
+
+void Structures::add_inertia(const Beam& beam) {
+  for (const auto rotation : beam.rotations())
+    inertia_[rotation] += scale(beam.critical_step()) * beam.end_inertia();
+}
+
+void Structures::add_inertia(const Joint& joint) {
+  for (const auto rotation : {joint.first, joint.second})
+    inertia_[rotation] += scale(joint.step) * (joint.spring.stiffness() * joint.step * joint.step / 2);
+}
+
+void Structures::scale_masses(double step) {
+  scaled_step_ = step;
+  std::ranges::fill(inertia_, 0.0);
+  for (const Beam& beam : beams_) add_inertia(beam);
+  for (const Joint& joint : joints_) add_inertia(joint);
 }
 
 void Structures::add_masses(std::span<double> of_points, std::uint32_t stage) const {
   for (const auto i : installed(stage_of_beam_, stage))
-    for (const auto point : beams_[i].points()) of_points[point] += beams_[i].end_mass();
+    for (const auto point : beams_[i].points())
+      of_points[point] += scale(beams_[i].critical_step()) * beams_[i].end_mass();
   for (const auto i : installed(stage_of_bar_, stage))
-    for (const auto point : bars_[i].points()) of_points[point] += bars_[i].end_mass();
+    for (const auto point : bars_[i].points())
+      of_points[point] += scale(bars_[i].critical_step()) * bars_[i].end_mass();
 }
 
 void Structures::mark_points(std::vector<bool>& touched) const {
@@ -112,7 +135,7 @@ void Structures::add_forces(const Part& part, double dt, const PointView& points
   for (const auto i : part.beams) beams_[i].add_forces(dt, points, rotations);
   for (const auto i : part.bars) dissipated_ += bars_[i].add_forces(dt, points);
   for (const auto i : part.joints) {
-    auto& [first, second, spring] = joints_[i];
+    auto& [first, second, spring, step] = joints_[i];
     dissipated_ += spring.strain(dt * (rate_[second] - rate_[first]));
     couple_[first] += spring.force();
     couple_[second] -= spring.force();
@@ -130,12 +153,12 @@ void Structures::move_and_predict(const Part& part, const protocol::Step& step) 
   }
 }
 
-void Structures::stop() {
-  std::ranges::fill(rate_, 0.0);
+void Structures::slow(double factor) {
+  for (double& rate : rate_) rate *= factor;
 }
 
 void Structures::start_over() {
-  stop();
+  slow(0);
   std::ranges::fill(angle_, 0.0);
   dissipated_ = 0;
 }

@@ -9,6 +9,8 @@
 // M = sum M_e as K = sum K_e, and u.Ku/u.Mu is a mean of the elements' quotients with weights u.M_e u >= 0
 // (zones/critical_step.hpp): no frequency of ground and lining together exceeds the largest of one element.
 //
+// Statics may scale all masses and inertias of an element so that any step is its critical one, as for zones.
+//
 // No energy weights: where an overlap thins the ground, the lining stays whole.
 #pragma once
 
@@ -38,6 +40,9 @@ class Structures {
   std::uint32_t add_bar(const Bar& bar);
   // `dt`: a critical step of the lining's beams. Stiffness > 0 [N m/rad], yield moment [N m].
   void add_joint(std::uint32_t first, std::uint32_t second, double stiffness, double yield, double dt);
+  // From now on masses and inertias are those that make this step [s] the critical one of every element; 0:
+  // the true ones.
+  void scale_masses(double step);
 
   // Masses of the structures that stand in this stage.
   void add_masses(std::span<double> of_points, std::uint32_t stage = 0) const;
@@ -66,8 +71,8 @@ class Structures {
 
   void add_forces(const Part& part, double dt, const PointView& points);
   void move_and_predict(const Part& part, const protocol::Step& step);
-  void stop();        // rates become 0
-  void start_over();  // and rotations, and what was dissipated
+  void slow(double factor);  // multiplies the rates
+  void start_over();         // rates and rotations become 0, and what was dissipated
 
   void exchange(state::Archive& archive) {
     for (Beam& beam : beams_) beam.exchange(archive);
@@ -91,7 +96,12 @@ class Structures {
   struct Joint {
     std::uint32_t first, second;  // rotations
     YieldingSpring spring;
+    double step;  // critical [s]
   };
+  // Of a mass, for an element of this critical step.
+  double scale(double critical_step) const;
+  void add_inertia(const Beam& beam);
+  void add_inertia(const Joint& joint);
 
   std::vector<Beam> beams_;
   std::vector<Bar> bars_;
@@ -102,6 +112,7 @@ class Structures {
   std::vector<std::uint8_t> held_;
   std::vector<double> angle_, rate_, rate_before_, couple_, inertia_;
   std::uint32_t adding_ = 0, stage_ = 0;
+  double scaled_step_ = 0;  // [s]; 0: masses are true
   double dissipated_ = 0;
 };
 

@@ -66,22 +66,22 @@ std::vector<Stiffness> stiffnesses(std::span<const Corners> shapes, const MakeZo
   return found;
 }
 
-CriticalZone critical_zone_of(const Grid& grid, double density, const MakeZones& make) {
+// Of each zone.
+std::vector<double> steps_of(const Grid& grid, double density, const MakeZones& make) {
   constexpr std::size_t kAtOnce = 1024;  // few enough for the cache
-  const auto& shapes = lay_out(grid).shapes;
-  double largest = 0;  // omega^2
-  std::size_t critical = 0;
-  for (std::size_t begin = 0; begin < shapes.size(); begin += kAtOnce) {
-    const auto some = std::span(shapes).subspan(begin, std::min(kAtOnce, shapes.size() - begin));
+  const ZoneLayout layout = lay_out(grid);
+  std::vector<double> of_shape, of_zone;
+  for (std::size_t begin = 0; begin < layout.shapes.size(); begin += kAtOnce) {
+    const auto some =
+        std::span(layout.shapes).subspan(begin, std::min(kAtOnce, layout.shapes.size() - begin));
     const auto found = stiffnesses(some, make);
-    for (std::size_t z = 0; z < some.size(); ++z) {
-      const Eigen::SelfAdjointEigenSolver<Stiffness> solver(found[z], Eigen::EigenvaluesOnly);
-      const double squared = solver.eigenvalues().maxCoeff() / (density * area(some[z]) / 4);
-      if (squared > largest) critical = begin + z;
-      largest = std::max(largest, squared);
+    for (std::size_t s = 0; s < some.size(); ++s) {
+      const Eigen::SelfAdjointEigenSolver<Stiffness> solver(found[s], Eigen::EigenvaluesOnly);
+      of_shape.push_back(2 / std::sqrt(solver.eigenvalues().maxCoeff() / (density * area(some[s]) / 4)));
     }
   }
-  return {2 / std::sqrt(largest), centroid(shapes[critical])};
+  for (const ZoneRun& run : layout.runs) of_zone.insert(of_zone.end(), run.count, of_shape[run.shape]);
+  return of_zone;
 }
 
 }  // namespace
@@ -91,21 +91,27 @@ Eigen::Matrix<double, 8, 8> zone_stiffness(ZoneKind kind, const Corners& corners
 }
 
 double critical_step(ZoneKind kind, const Grid& grid, const PlaneLaw& law, double density) {
-  return critical_zone_of(grid, density, elastic_zones(kind, law)).step;
+  return std::ranges::min(steps_of(grid, density, elastic_zones(kind, law)));
 }
 
-CriticalZone critical_zone(ZoneKind kind, const Grid& grid, const Ground& ground) {
-  CriticalZone smallest;
+std::vector<double> zone_steps(ZoneKind kind, const Grid& grid, const Ground& ground) {
+  std::vector<double> steps(grid.zones.size());
   for (std::size_t m = 0; m < ground.materials.size(); ++m) {
-    const Grid own = zones_of_material(grid, ground, m);
-    if (own.zones.empty()) continue;
     const Material& material = ground.materials[m];
     const MakeZones make = ground.is_elastic(material) ? elastic_zones(kind, ground.plane_law(material))
                                                        : nonlinear_zones(kind, material);
-    const CriticalZone found = critical_zone_of(own, material.density, make);
-    if (found.step < smallest.step) smallest = found;
+    const std::vector<double> own = steps_of(zones_of_material(grid, ground, m), material.density, make);
+    for (std::size_t z = 0, k = 0; z < steps.size(); ++z)
+      if (ground.of_zone[z] == m) steps[z] = own[k++];
   }
-  return smallest;
+  return steps;
+}
+
+CriticalZone critical_zone(ZoneKind kind, const Grid& grid, const Ground& ground) {
+  const std::vector<double> steps = zone_steps(kind, grid, ground);
+  if (steps.empty()) return {};
+  const auto smallest = std::ranges::min_element(steps);
+  return {*smallest, centroid(corners(grid, static_cast<std::size_t>(smallest - steps.begin())))};
 }
 
 }  // namespace adit::fdm

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <limits>
+#include <vector>
 
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/materials/material.hpp"
@@ -22,13 +23,16 @@ Eigen::Matrix<double, 8, 8> zone_stiffness(ZoneKind kind, const Corners& corners
 // neither do prescribed motions, which restrict u.
 double critical_step(ZoneKind kind, const Grid& grid, const PlaneLaw& law, double density);
 
+// That of every zone by itself [s], of all the ground's materials: their elastic stiffness bounds every
+// law's.
+std::vector<double> zone_steps(ZoneKind kind, const Grid& grid, const Ground& ground);
+
 // The zone with the smallest critical step [s], by its centre [m].
 struct CriticalZone {
   double step = std::numeric_limits<double>::infinity();
   std::array<double, 2> centre{};
 };
 
-// That of all the ground's materials: their elastic stiffness bounds every law's.
 CriticalZone critical_zone(ZoneKind kind, const Grid& grid, const Ground& ground);
 inline double critical_step(ZoneKind kind, const Grid& grid, const Ground& ground) {
   return critical_zone(kind, grid, ground).step;

@@ -11,7 +11,10 @@ void SteppedParticipant::advance(const wire::Advance& request, wire::Predicted& 
   check(request);
   correct_last_step(request.impulses());
   take_peaks_due();
-  if (last_.relax && !request.relax()) start_over({request.drift_x(), request.drift_y()});
+  if (last_.relax && !request.relax()) {
+    start_over({request.drift_x(), request.drift_y()});
+    scale_masses(scaled_ = false);
+  }
   if (request.relax()) relax(request, *predicted.mutable_relaxation());
 
   const Step step{request.step(), request.dt(), request.relax(), request.stop(), request.local_damping()};
@@ -50,15 +53,21 @@ void SteppedParticipant::snapshot(const wire::SnapshotRequest& request, wire::Sn
 void SteppedParticipant::exchange(state::Archive& archive) {
   archive("last_step", last_.number);
   for (double* value : {&last_.dt, &last_.local_damping}) archive("last_step", *value);
-  for (bool* flag : {&last_.relax, &last_.stop, &started_, &corrected_, &peaks_due_, &interior_left_})
+  for (bool* flag :
+       {&last_.relax, &last_.stop, &scaled_, &started_, &corrected_, &peaks_due_, &interior_left_})
     archive("flag", *flag);
   exchange_solver(archive);
+  if (archive.reads()) scale_masses(scaled_);
 }
 
 void SteppedParticipant::relax(const wire::Advance& request, wire::Relaxation& answer) {
   measure_unrest(started_ ? last_ : Step{0, request.dt()}, answer);
-  if (request.stop()) stop();
+  if (request.stop())
+    stop();
+  else if (request.slowing() > 0)
+    slow(1 - request.slowing());
   excavate(request.stage());
+  scale_masses(scaled_ = request.scale_masses());
 }
 
 void SteppedParticipant::take_peaks_due() {
@@ -91,13 +100,20 @@ void SteppedParticipant::check(const wire::Advance& request) const {
   if (request.step() > 0 && dt != last_.dt && !request.stop())
     throw RequestError(fmt::format("step {}: dt is {} s, but it was {} s in the step before; keep it",
                                    request.step(), dt, last_.dt));
-  if (!request.relax() && (request.stop() || request.stage() > 0))
-    throw RequestError(fmt::format("step {}: `stop` or `stage` came without `relax`; only statics know them",
-                                   request.step()));
+  if (!request.relax() && (request.stop() || request.stage() > 0 || request.scale_masses()))
+    throw RequestError(
+        fmt::format("step {}: `stop`, `stage` or `scale_masses` came without `relax`; only statics know them",
+                    request.step()));
+  if (request.relax() && started_ && request.scale_masses() != scaled_ && !request.stop())
+    throw RequestError(
+        fmt::format("step {}: `scale_masses` changed without `stop`; change it at rest", request.step()));
   if (request.local_damping() < 0 || !(request.local_damping() < 1) ||
       (!request.relax() && request.local_damping() > 0))
     throw RequestError(fmt::format("step {}: `local_damping` is {}; send a share below 1, with `relax` only",
                                    request.step(), request.local_damping()));
+  if (request.slowing() < 0 || request.slowing() > 1 || (!request.relax() && request.slowing() > 0))
+    throw RequestError(fmt::format("step {}: `slowing` is {}; send a share of at most 1, with `relax` only",
+                                   request.step(), request.slowing()));
   if ((request.drift_x() != 0 || request.drift_y() != 0) && !(last_.relax && !request.relax()))
     throw RequestError(fmt::format("step {}: a drift came elsewhere than with the first step after statics",
                                    request.step()));

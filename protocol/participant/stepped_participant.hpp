@@ -6,7 +6,7 @@
 //   2. correct: the velocities of step n - 1 become final
 //   3. take_peaks of step n - 1, where they were wanted
 //   4. start_over where step n is the first after statics;
-//      measure_unrest, stop and excavate where step n relaxes
+//      measure_unrest, stop or slow, excavate and scale_masses where step n relaxes
 //   5. prepare, and remember_for_peaks where they are wanted
 //   6. step_interface, then step_interior: the latter only after the answer was sent (complete) where the
 //      participant is coupled and nothing that is wanted needs the whole step
@@ -46,8 +46,13 @@ class SteppedParticipant : public Participant {
   virtual double kinetic_energy() const = 0;
   // All velocities become 0: the next step starts from rest.
   virtual void stop() = 0;
+  // All velocities are multiplied by this factor, told before a step that relaxes and is not stopped.
+  virtual void slow(double /*factor*/) {}
   // The stage of excavation of the next step, told before every step that relaxes.
   virtual void excavate(std::uint32_t /*stage*/) {}
+  // Whether masses are those of statics (wire.proto, Advance) or the true ones, told before every step that
+  // relaxes, and when time begins. It changes at rest.
+  virtual void scale_masses(bool /*scaled*/) {}
   // The next step is the first of time: from rest and the stresses reached, all sums from 0. The forces that
   // go on holding dashpots' points grow by those of the dashpots against this velocity of the model.
   virtual void start_over(const Drift& drift) = 0;
@@ -83,6 +88,7 @@ class SteppedParticipant : public Participant {
   void relax(const wire::Advance& request, wire::Relaxation& answer);
 
   Step last_{0, 0.0};
+  bool scaled_ = false;         // masses, in statics
   bool started_ = false;        // the last step exists
   bool corrected_ = false;      // it was
   bool peaks_due_ = false;      // it enters the peaks once it is corrected

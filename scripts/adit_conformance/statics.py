@@ -16,7 +16,7 @@ def relaxing(participant, inside=""):
 
 def refusals_in_statics(participant):
     """refuses statics after time, what belongs to statics in time, another dt without `stop`, with kind REQUEST"""
-    for before, wrong in ((False, {"relax": True}), (False, {"stop": True}), (False, {"stage": 1}), (False, {"local_damping": SHARE}), (True, {"dt": 2.0}),
+    for before, wrong in ((False, {"relax": True}), (False, {"stop": True}), (False, {"stage": 1}), (False, {"local_damping": SHARE}), (False, {"scale_masses": True}), (False, {"slowing": SHARE}), (True, {"dt": 2.0}),
                           (True, {"local_damping": 1.0}), (True, {"step": 2})):
         with relaxing(participant) as run:
             dt = run.model.critical_dt / 4
@@ -79,6 +79,31 @@ def stop(participant):
             close(answer, np.tile(kicks * dt * FALL, (len(run.points), 1)), f"velocities of step {n} under weight")
 
 
+def slowing(participant):
+    """slows the corrected motion by a share before a step, if it says that it can"""
+    with relaxing(participant, WEIGHT) as run:
+        if not run.model.slows:
+            return
+        dt = run.model.critical_dt / 2
+        run.relax(0, dt)
+        answer = velocities(run.relax(1, dt, slowing=SHARE))
+        close(answer, np.tile(((1 - SHARE) / 2 + 1) * dt * FALL, (len(run.points), 1)), "velocities under weight, slowed")
+
+
+def scaled_masses(participant):
+    """moves other masses in statics, if it says that it can: those that it told, under the same weight"""
+    with relaxing(participant, WEIGHT) as run:
+        if not run.model.scales_masses:
+            return
+        scaled = 1 / np.reshape(run.operator.scaled_inverse_masses, (-1, 2))[list(run.operator.columns)]
+        dt = run.model.critical_static_dt or run.model.critical_dt
+        answer = run.relax(0, dt / 2, scale_masses=True)
+        close(scaled * velocities(answer), dt / 4 * FALL * run.masses, "the momentum of scaled masses after half a kick")
+        said = run.relax(1, dt / 2, scale_masses=True).relaxation
+        close(said.unbalanced_force, np.hypot(*FALL) * run.masses[:, 0].sum(), "the unbalanced force of the weight")
+        run.expect_error(wire.Error.REQUEST, advance=wire.Advance(step=2, dt=dt / 2, relax=True))
+
+
 def rest_of_statics(participant):
     """begins time at rest with the stresses reached: displacements, energies and work count from there"""
     held = "motions { where { x_max: 0.15 } velocity { x: 0 y: 0 } } "
@@ -118,4 +143,5 @@ def impulses_of_statics(participant):
         require(not answer.any(), "what corrects the last step of statics moves the first step of time")
 
 
-CHECKS = (refusals_in_statics, loads_in_statics, relaxation, local_damping, stop, rest_of_statics, impulses_of_statics)
+CHECKS = (refusals_in_statics, loads_in_statics, relaxation, local_damping, stop, slowing, scaled_masses,
+          rest_of_statics, impulses_of_statics)

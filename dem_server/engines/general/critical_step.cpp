@@ -23,7 +23,15 @@ struct Element {
   double turning_2() const { return ks * arm_2 * arm_2 + km; }
 };
 
-// Sums of k and r over a disc's elements, over its mass and inertia once all are known.
+// Sums of k and r over what each disc is joined to and may touch.
+struct Sums {
+  std::vector<Element> elements;
+  std::vector<double> stretch, turn;
+  std::vector<double> free;  // places for contacts
+  std::vector<double> slip;  // largest ks / k of these
+};
+
+// The same, over the discs' masses and inertias.
 struct Share {
   std::vector<double> stretch, turn;
 };
@@ -116,13 +124,17 @@ class Touching {
         smallest_(*std::ranges::min_element(model.discs.radius)),
         heaviest_(*std::ranges::max_element(model.mass)) {}
 
-  // The largest omega^2 of an element in steps of dt.
-  Stiffest stiffest(double dt) const;
+  // In steps of dt.
+  Sums sums(double dt) const;
+  // The largest omega^2 of an element.
+  Stiffest stiffest(const Sums& sums, const Masses& masses) const;
 
  private:
   Hardest contact_of_disc(std::uint32_t i, double dt) const;
   Hardest wall_of_disc(std::uint32_t i, double dt) const;
   std::vector<Element> elements(double dt) const;
+
+  double walls() const { return std::min<double>(2, static_cast<double>(model_.walls.size())); }
 
   const Model& model_;
   double smallest_, heaviest_;
@@ -149,51 +161,63 @@ std::vector<Element> Touching::elements(double dt) const {
   return elements;
 }
 
-Stiffest Touching::stiffest(double dt) const {
+Sums Touching::sums(double dt) const {
   const std::size_t size = model_.discs.size();
-  const std::vector<Element> elements = this->elements(dt);
   std::vector<std::uint32_t> joined(size, 0);
-  Share share{std::vector<double>(size, 0.0), std::vector<double>(size, 0.0)};
+  const std::vector<double> none(size, 0.0);
+  Sums sums{elements(dt), none, none, none, none};
   std::vector<Hardest> contacts(size);
   for (std::uint32_t i = 0; i < size; ++i) contacts[i] = contact_of_disc(i, dt);
-  for (std::size_t k = 0; k < elements.size(); ++k) {
-    const Element& e = elements[k];
+  for (std::size_t k = 0; k < sums.elements.size(); ++k) {
+    const Element& e = sums.elements[k];
     const bool bond = k < model_.bonds.size(), breaks = bond && lets_go(model_, model_.bonds[k]);
     const auto add = [&](std::uint32_t i, double turning) {
       const Hardest contact = breaks ? contacts[i] : Hardest{};
       const double radius = model_.discs.radius[i];
-      share.stretch[i] += std::max(e.k(), contact.k());
-      share.turn[i] += contact.ks > e.ks ? std::max(turning, contact.ks * radius * radius) : turning;
+      sums.stretch[i] += std::max(e.k(), contact.k());
+      sums.turn[i] += contact.ks > e.ks ? std::max(turning, contact.ks * radius * radius) : turning;
       joined[i] += bond;
     };
     add(e.first, e.turning_1());
     add(e.second, e.turning_2());
   }
-  const double walls = std::min<double>(2, static_cast<double>(model_.walls.size()));
-  Stiffest stiffest, one_contact;  // `one_contact`: a disc's part of that of a contact
   for (std::uint32_t i = 0; i < size; ++i) {
     const Hardest &contact = contacts[i], wall = wall_of_disc(i, dt);
-    const double radius = model_.discs.radius[i];
+    const double radius = model_.discs.radius[i], walls = this->walls();
     const std::uint32_t most = most_neighbours(radius, smallest_);
-    const double free = most > joined[i] ? most - joined[i] : 0;
-    share.stretch[i] += free * contact.k() + walls * wall.k();
-    share.turn[i] += (free * contact.ks + walls * wall.ks) * radius * radius;
-    share.stretch[i] /= model_.mass[i];
-    share.turn[i] /= model_.inertia(i);
-    if (free + walls == 0) continue;
+    sums.free[i] = most > joined[i] ? most - joined[i] : 0;
+    sums.slip[i] = contact.slip;
+    sums.stretch[i] += sums.free[i] * contact.k() + walls * wall.k();
+    sums.turn[i] += (sums.free[i] * contact.ks + walls * wall.ks) * radius * radius;
+  }
+  return sums;
+}
+
+Stiffest Touching::stiffest(const Sums& sums, const Masses& masses) const {
+  const std::size_t size = model_.discs.size();
+  Share share{std::vector<double>(size), std::vector<double>(size)};
+  Stiffest stiffest, one_contact;  // `one_contact`: a disc's part of that of a contact
+  for (std::uint32_t i = 0; i < size; ++i) {
+    share.stretch[i] = sums.stretch[i] / masses.mass[i];
+    share.turn[i] = sums.turn[i] / masses.inertia[i];
+    if (sums.free[i] + walls() == 0) continue;
     stiffest.see(share.stretch[i] + share.turn[i], "contact", i, i);  // on a wall
-    if (free == 0) continue;
+    if (sums.free[i] == 0) continue;
     one_contact.see(share.stretch[i], "contact", i, i);
-    if (contact.ks > 0) one_contact.see(share.stretch[i] * contact.slip + share.turn[i], "contact", i, i);
+    if (sums.slip[i] > 0) one_contact.see(share.stretch[i] * sums.slip[i] + share.turn[i], "contact", i, i);
   }
   stiffest.see(2 * one_contact.squared, "contact", one_contact.first, one_contact.second);
-  for (const Element& e : elements) stiffest.see(highest(e, share), e.kind, e.first, e.second);
+  for (const Element& e : sums.elements) stiffest.see(highest(e, share), e.kind, e.first, e.second);
   return stiffest;
 }
 
 // Infinitely long steps see the springs alone: their contacts' effective stiffness is k.
-Stiffest of_springs(const Touching& touching) {
-  return touching.stiffest(std::numeric_limits<double>::infinity());
+constexpr double kOfSprings = std::numeric_limits<double>::infinity();
+
+Masses true_masses(const Model& model) {
+  Masses masses{model.mass, std::vector<double>(model.mass.size())};
+  for (std::size_t i = 0; i < model.mass.size(); ++i) masses.inertia[i] = model.inertia(i);
+  return masses;
 }
 
 double step_of(const Stiffest& stiffest) {
@@ -207,12 +231,13 @@ bool any_dashpots(const Model& model) {
 }
 
 // The largest step that the dashpots leave stable, of one that springs alone allow.
-double with_dashpots(const Touching& touching, double unstable) {
+double with_dashpots(const Touching& touching, const Masses& masses, double unstable) {
   constexpr int kBisections = 30;
   double stable = 0;
   for (int k = 0; k < kBisections; ++k) {
     const double middle = (stable + unstable) / 2;
-    (touching.stiffest(middle).squared * middle * middle <= 4 ? stable : unstable) = middle;
+    const Stiffest stiffest = touching.stiffest(touching.sums(middle), masses);
+    (stiffest.squared * middle * middle <= 4 ? stable : unstable) = middle;
   }
   return stable;
 }
@@ -234,16 +259,23 @@ double on_foundations(const Model& model, double step) {
   return foundation::critical_step(step, foundation_frequency(model));
 }
 
+// The springs of foundations are elements of one disc.
+void add_foundations(const Model& model, Sums& sums) {
+  for (const Foundation& one : model.foundations)
+    for (const std::uint32_t i : one.discs) sums.stretch[i] += one.law.stiffness * model.cell_area(i);
+}
+
 }  // namespace
 
 CriticalElement critical_element(const Model& model) {
   const Touching touching(model);
-  Stiffest stiffest = of_springs(touching);
+  const Masses masses = true_masses(model);
+  Stiffest stiffest = touching.stiffest(touching.sums(kOfSprings), masses);
   const double of_statics = step_of(stiffest);
   double step = of_statics;
   if (stiffest.squared > 0 && any_dashpots(model)) {
-    step = with_dashpots(touching, step);
-    stiffest = touching.stiffest(step);
+    step = with_dashpots(touching, masses, step);
+    stiffest = touching.stiffest(touching.sums(step), masses);
   }
   const auto allowed = [&model, damped = std::sqrt(1 + model.local_damping)](double undamped) {
     return on_foundations(model, undamped / damped);
@@ -252,6 +284,23 @@ CriticalElement critical_element(const Model& model) {
     return (at[stiffest.first] + at[stiffest.second]) / 2;
   };
   return {allowed(step), allowed(of_statics), stiffest.kind, middle(model.discs.x), middle(model.discs.y)};
+}
+
+Masses scaled_masses(const Model& model, double step) {
+  constexpr double kRotary = 2;  // c
+  const Touching touching(model);
+  Sums sums = touching.sums(kOfSprings);
+  add_foundations(model, sums);
+  Masses masses = true_masses(model);  // which discs keep that nothing pulls, or turns
+  const auto set = [&](double mu) {
+    for (std::size_t i = 0; i < masses.mass.size(); ++i) {
+      if (sums.stretch[i] > 0) masses.mass[i] = mu * sums.stretch[i];
+      if (sums.turn[i] > 0) masses.inertia[i] = mu * kRotary * sums.turn[i];
+    }
+  };
+  set(1);
+  set(touching.stiffest(sums, masses).squared * step * step / 4);
+  return masses;
 }
 
 }  // namespace adit::dem

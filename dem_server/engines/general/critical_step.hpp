@@ -29,11 +29,17 @@
 // A foundation of the stiffness k per area adds k / rho, rho being a cell's density, to every omega^2: the
 // quotient of Rayleigh of both together is at most the sum of the largest of each.
 //
+// Statics give each disc masses of its own: in proportion to the sums of k and of r over what it is joined to
+// and may touch, M = mu sum of k, J = mu c sum of r. Then all A are 1 / (mu k), and all elements stretch with
+// omega^2 = 2 kn / (mu k). A wide c keeps rotation from governing. mu follows from the step that is to be the
+// critical one.
+//
 // Local damping a (Cundall 1987) makes up to 1 + a of each force: the step is divided by sqrt(1 + a).
 #pragma once
 
 #include "dem_server/engines/answers.hpp"
 #include "dem_server/model/model.hpp"
+#include "dem_server/particles/particles.hpp"
 
 namespace adit::dem {
 
@@ -43,5 +49,8 @@ CriticalElement critical_element(const Model& model);
 inline double critical_step(const Model& model) {
   return critical_element(model).step;
 }
+
+// The masses of statics in which this step [s] is critical for the stiffest elements, where no dashpots act.
+Masses scaled_masses(const Model& model, double step);
 
 }  // namespace adit::dem

@@ -175,6 +175,14 @@ void GeneralEngine::stop() {
   solver_.stop();
 }
 
+void GeneralEngine::scale_masses(double step) {
+  if (step > 0)
+    set_moved_masses(dem::scaled_masses(model_, step), solver_.particles());
+  else
+    set_masses(model_, solver_.particles());
+  renew_tied_masses();
+}
+
 void GeneralEngine::begin_stage(std::uint32_t stage) {
   for (const ParticleStage& next : model_.stages) {
     if (next.number <= stage_ || next.number > stage) continue;

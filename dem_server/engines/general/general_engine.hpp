@@ -41,6 +41,8 @@ class GeneralEngine final : public LocalEngine {
   Strongest strongest() const override { return solver_.strongest(); }
   Energies energies(const protocol::Step& step) override;
   std::vector<Figure> figures() const override;
+  bool scales_masses() const override { return true; }
+  void scale_masses(double step) override;
   void stop() override;
   void begin_stage(std::uint32_t stage) override;
   void start_over(const protocol::Drift& drift) override;

@@ -24,7 +24,7 @@ inline std::uint64_t relax(Continuum& continuum, const Grid& grid, double dt, do
   for (std::uint64_t n = 0; n < max_steps; ++n) {
     if (stop) {
       continuum.stop();
-      relaxation.stopped();
+      relaxation.slowed(0);
     }
     const protocol::Step step{n, dt, true, stop};
     continuum.step(step);

@@ -37,6 +37,19 @@ TEST(Interpolation, AppliesNAndItsTranspose) {
   EXPECT_FALSE(n.is_selection());
 }
 
+// Requirement: statics that scale masses find those that the participant told for them, and time its own.
+TEST(Interpolation, HasOtherMassesInStatics) {
+  wire::Operator op = valid_operator();
+  for (const double inverse : op.inverse_masses()) op.add_scaled_inverse_masses(4 * inverse);
+  Interpolation n(op, 2, "");
+  n.scale_masses(true);
+  EXPECT_THAT(n.inverse_masses(), testing::ElementsAreArray(op.scaled_inverse_masses()));
+  n.scale_masses(true);
+  EXPECT_THAT(n.inverse_masses(), testing::ElementsAreArray(op.scaled_inverse_masses()));
+  n.scale_masses(false);
+  EXPECT_THAT(n.inverse_masses(), testing::ElementsAreArray(op.inverse_masses()));
+}
+
 // Requirement: each malformed operator is refused, and the peer that sent it is named.
 TEST(Interpolation, RefusesAnythingMalformed) {
   const double infinity = std::numeric_limits<double>::infinity();
@@ -48,6 +61,8 @@ TEST(Interpolation, RefusesAnythingMalformed) {
       {"negative or not finite", [](auto& op) { op.set_inverse_masses(0, -1); }},
       {"negative or not finite", [=](auto& op) { op.set_inverse_masses(0, infinity); }},
       {"beyond that of any mass", [](auto& op) { op.set_inverse_masses(0, 1e-320); }},
+      {"negative or not finite", [](auto& op) { op.add_scaled_inverse_masses(-1); }},
+      {"as many masses for statics", [](auto& op) { op.add_scaled_inverse_masses(1); }},
       {"a point that it does not have", [](auto& op) { op.set_columns(3, 3); }},
       {"does not sum to 1", [](auto& op) { op.set_values(0, 0.5); }},
       {"does not sum to 1", [=](auto& op) { op.set_values(0, -infinity); }},

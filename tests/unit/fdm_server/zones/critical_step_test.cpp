@@ -14,14 +14,17 @@ namespace {
 const PlaneLaw kLaw = plane_stress(kYoung, kPoisson);
 
 // 2/omega_max of the assembled grid.
-double exact_limit(ZoneKind kind, const Grid& grid) {
-  const auto masses = lumped_masses(grid, ones(grid), kDensity);
+double exact_limit(ZoneKind kind, const Grid& grid, const std::vector<double>& masses) {
   Eigen::VectorXd root(2 * static_cast<Eigen::Index>(masses.size()));
   for (Eigen::Index i = 0; i < root.size(); ++i) root[i] = 1 / std::sqrt(masses[i / 2]);
   const Eigen::MatrixXd scaled =
       root.asDiagonal() * assembled_stiffness(kind, grid, kLaw) * root.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled, Eigen::EigenvaluesOnly);
   return 2 / std::sqrt(solver.eigenvalues().maxCoeff());
+}
+
+double exact_limit(ZoneKind kind, const Grid& grid) {
+  return exact_limit(kind, grid, lumped_masses(grid, ones(grid), kDensity));
 }
 
 // Largest velocity after 1000 steps from a pattern that contains every mode.
@@ -48,6 +51,22 @@ TEST(CriticalStep, IsALowerBoundOfTheExactLimit) {
       EXPECT_LE(bound, exact * (1 + 1e-12));
       EXPECT_GE(bound, 0.75 * exact);
     }
+}
+
+// Densities by which every zone has the same critical step make it a bound of the whole grid.
+TEST(CriticalStep, OfZonesThatShareOneIsABoundOfTheGrid) {
+  constexpr double kStep = 1e-4;
+  const Grid grid = distorted_grid({0, 5, 0, 1, 10, 4});
+  Ground ground{{{kDensity, kYoung, kPoisson}}, std::vector<std::uint32_t>(grid.zones.size(), 0)};
+  ground.plane_stress = true;
+  for (const auto kind : kKinds) {
+    std::vector<double> densities;
+    for (const double step : zone_steps(kind, grid, ground))
+      densities.push_back(kDensity * std::pow(kStep / step, 2));
+    const double exact = exact_limit(kind, grid, lumped_masses(grid, ones(grid), densities));
+    EXPECT_LE(kStep, exact * (1 + 1e-12));
+    EXPECT_GE(kStep, 0.75 * exact);
+  }
 }
 
 // The exact limit divides stable from unstable motion.

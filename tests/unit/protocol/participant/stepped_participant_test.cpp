@@ -46,7 +46,12 @@ class PointMass : public SteppedParticipant {
     note("stop");
     velocity_ = 0;
   }
+  void slow(double factor) override {
+    note(fmt::format("slow {}", factor));
+    velocity_ *= factor;
+  }
   void excavate(std::uint32_t stage) override { note(fmt::format("excavate {}", stage)); }
+  void scale_masses(bool scaled) override { note(scaled ? "scale_masses" : "true_masses"); }
   void start_over(const Drift& /*drift*/) override {
     note("start_over");
     velocity_ = 0;
@@ -213,9 +218,11 @@ TEST(SteppedParticipant, RelaxesInTheOrderOfTheWire) {
   wire::Advance stopping = relaxing(1, {6, 0});
   stopping.set_stop(true);
   stopping.set_stage(2);
+  stopping.set_scale_masses(true);
   const wire::Relaxation& relaxation = run.advance(stopping).relaxation();
-  EXPECT_THAT(run.participant.calls, ElementsAre("correct", "measure_unrest 0", "stop", "excavate 2",
-                                                 "prepare 1", "step_interface 1", "step_interior 1"));
+  EXPECT_THAT(run.participant.calls,
+              ElementsAre("correct", "measure_unrest 0", "stop", "excavate 2", "scale_masses", "prepare 1",
+                          "step_interface 1", "step_interior 1"));
   EXPECT_EQ(relaxation.unbalanced_force(), kMass * (velocity + 6 / kMass) / (kDt / 2));
   EXPECT_EQ(relaxation.kinetic_energy(), kMass * velocity * velocity / 2) << "from rest, half a kick";
 }
@@ -230,13 +237,28 @@ TEST(SteppedParticipant, TimeStartsFromRestWhateverCorrectsTheLastStepOfStatics)
   }
   with.advance(step(0, {6, 0}));
   without.advance(step(0));
-  EXPECT_THAT(with.participant.calls, ElementsAre("correct", "start_over", "prepare 0", "step_interface 0"));
-  EXPECT_THAT(without.participant.calls, ElementsAre("start_over", "prepare 0", "step_interface 0"));
+  EXPECT_THAT(with.participant.calls,
+              ElementsAre("correct", "start_over", "true_masses", "prepare 0", "step_interface 0"));
+  EXPECT_THAT(without.participant.calls,
+              ElementsAre("start_over", "true_masses", "prepare 0", "step_interface 0"));
   EXPECT_EQ(with.reply.predicted().velocities(0), kDt / 2 * kForce / kMass);
   EXPECT_EQ(without.reply.predicted().velocities(0), kDt / 2 * kForce / kMass);
   with.rest();
   with.advance(step(1, {6, 0}));
   EXPECT_THAT(with.participant.calls, ElementsAre("correct", "prepare 1", "step_interface 1")) << "once";
+}
+
+// Statics: what slows the motion takes its share after the correction, and before the step.
+TEST(SteppedParticipant, SlowsTheCorrectedMotion) {
+  PointRun run;
+  run.advance(relaxing(0));
+  wire::Advance slowing = relaxing(1, {6, 0});
+  slowing.set_slowing(0.25);
+  const double before = kDt / 2 * kForce / kMass + 6 / kMass;
+  EXPECT_EQ(run.advance(slowing).velocities(0), 0.75 * before + kDt * kForce / kMass);
+  EXPECT_THAT(run.participant.calls,
+              ElementsAre("correct", "measure_unrest 0", "slow 0.75", "excavate 0", "true_masses",
+                          "prepare 1", "step_interface 1", "step_interior 1"));
 }
 
 void expect_refused(PointRun& run, const wire::Advance& advance, const std::string& text) {
@@ -304,14 +326,41 @@ TEST(SteppedParticipant, RefusesATimeStepThatChanges) {
   run.advance(longer(step(1)));
 }
 
-TEST(SteppedParticipant, RefusesStopAndStageOutsideStatics) {
-  wire::Advance stopping = step(0), excavating = step(0);
+TEST(SteppedParticipant, RefusesStopStageAndScaledMassesOutsideStatics) {
+  wire::Advance stopping = step(0), excavating = step(0), scaling = step(0);
   stopping.set_stop(true);
   excavating.set_stage(1);
-  for (const wire::Advance& advance : {stopping, excavating}) {
+  scaling.set_scale_masses(true);
+  for (const wire::Advance& advance : {stopping, excavating, scaling}) {
     PointRun run;
     expect_refused(run, advance, "came without `relax`");
   }
+}
+
+TEST(SteppedParticipant, RefusesASlowingThatIsNoShare) {
+  for (const double share : {-0.1, 1.1}) {
+    PointRun run;
+    wire::Advance advance = relaxing(0);
+    advance.set_slowing(share);
+    expect_refused(run, advance, "send a share of at most 1");
+  }
+  PointRun run;
+  wire::Advance advance = step(0);
+  advance.set_slowing(0.5);
+  expect_refused(run, advance, "with `relax` only");
+}
+
+// A momentum of other masses means nothing.
+TEST(SteppedParticipant, RefusesOtherMassesInMotion) {
+  PointRun run;
+  wire::Advance scaling = relaxing(1);
+  scaling.set_scale_masses(true);
+  run.advance(relaxing(0));
+  run.rest();
+  run.participant.calls.clear();
+  expect_refused(run, scaling, "`scale_masses` changed without `stop`");
+  scaling.set_stop(true);
+  run.advance(scaling);
 }
 
 }  // namespace
