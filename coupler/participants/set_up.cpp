@@ -38,7 +38,8 @@ void require_distinct_histories(const scene::Scene& scene, const std::vector<Par
 void ask_all(Model& model, wire::Frame::ContentCase expected, std::string_view work) {
   for (Participant& participant : model.participants) participant.connection->post(participant.request);
   for (Participant& participant : model.participants) {
-    const protocol::Waiting waiting(fmt::format("{} {}", participant.connection->name(), work));
+    const protocol::Waiting waiting(fmt::format("{} {}", participant.connection->name(), work),
+                                    [&] { return participant.connection->progress(); });
     collect(participant, expected);
   }
 }

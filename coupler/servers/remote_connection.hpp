@@ -22,6 +22,7 @@ class RemoteConnection : public Connection {
   const std::string& name() const override { return connection_->peer(); }
   void post(const wire::Frame& request) override;
   void collect(wire::Frame& reply) override;
+  std::string progress() const override { return connection_->progress_of_peer(); }
 
  private:
   std::unique_ptr<protocol::Connection> connection_;

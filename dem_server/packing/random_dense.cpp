@@ -10,6 +10,9 @@
 #include "protocol/motion/random.hpp"
 
 namespace adit::dem {
+
+using protocol::Progress;
+
 namespace {
 
 constexpr double kStartScale = 0.5;
@@ -51,7 +54,7 @@ Discs draw(const RandomPacking& wanted) {
   return discs;
 }
 
-void grow(PressedDiscs& pressed, const PackingProgress& progress) {
+void grow(PressedDiscs& pressed, const Progress& progress) {
   const double factor = std::pow(1 / kStartScale, 1.0 / kGrowthSteps);
   for (int step = 1; step <= kGrowthSteps; ++step) {
     // Between growth steps the discs need not come to rest; a few steps part those that overlap most.
@@ -68,7 +71,7 @@ double mean_stress(const PressedDiscs& pressed) {
 
 // Changes all radii until the walls feel the stress: secants of stress over the logarithm of the radii.
 // Returns the factor of the radii, no value where the stress is not reached.
-std::optional<double> install_stress(double stress, PressedDiscs& pressed, const PackingProgress& progress) {
+std::optional<double> install_stress(double stress, PressedDiscs& pressed, const Progress& progress) {
   double stiffness = kStiffest, growth = 0, total = 0, before = 0;
   for (int trial = 0; trial < kStressTrials; ++trial) {
     if (!pressed.relax(kAtRest, kStepsToRest)) return std::nullopt;
@@ -114,7 +117,7 @@ double count_random(const RandomPacking& wanted) {
   return (1 - wanted.porosity) * area(wanted.box) / (std::numbers::pi * (a * a + a * b + b * b) / 3);
 }
 
-std::optional<GrownPacking> pack_randomly(const RandomPacking& wanted, const PackingProgress& progress) {
+std::optional<GrownPacking> pack_randomly(const RandomPacking& wanted, const Progress& progress) {
   PressedDiscs pressed(draw(wanted), wanted.box);
   pressed.scale_radii(kStartScale);
   grow(pressed, progress);

@@ -8,12 +8,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
-#include <string>
 
 #include "dem_server/packing/discs.hpp"
 #include "protocol/geometry/bounding_box.hpp"
+#include "protocol/log/progress.hpp"
 
 namespace adit::dem {
 
@@ -43,11 +42,9 @@ struct GrownPacking {
   PackingState state;
 };
 
-using PackingProgress = std::function<void(const std::string& what)>;
-
 // No value where the stress was not reached within 1 %: the porosity asked for is too far from where discs
 // jam.
-std::optional<GrownPacking> pack_randomly(const RandomPacking& wanted, const PackingProgress& progress);
+std::optional<GrownPacking> pack_randomly(const RandomPacking& wanted, const protocol::Progress& progress);
 
 // Number of discs that would be drawn, in the mean.
 double count_random(const RandomPacking& wanted);

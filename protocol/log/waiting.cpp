@@ -19,7 +19,8 @@ using std::chrono::seconds;
 constexpr seconds kFirst{2};
 constexpr seconds kLongest{60};
 
-void tell_until(const std::stop_token& end, const std::string& what) {
+void tell_until(const std::stop_token& end, const std::string& what,
+                const std::function<std::string()>& how_far) {
   std::mutex mutex;
   std::condition_variable_any asked_to_end;
   std::unique_lock lock(mutex);
@@ -29,13 +30,17 @@ void tell_until(const std::stop_token& end, const std::string& what) {
     asked_to_end.wait_for(lock, end, next, [] { return false; });
     if (end.stop_requested()) return;
     waited += next;
-    tell(Severity::kInfo, "", fmt::format("{} ({} s so far)", what, waited.count()));
+    const std::string far = how_far();
+    tell(Severity::kInfo, "",
+         fmt::format("{} ({} s so far){}{}", what, waited.count(), far.empty() ? "" : ": ", far));
   }
 }
 
 }  // namespace
 
-Waiting::Waiting(std::string what)
-    : thread_([what = std::move(what)](const std::stop_token& end) { tell_until(end, what); }) {}
+Waiting::Waiting(std::string what, std::function<std::string()> how_far)
+    : thread_([what = std::move(what), how_far = std::move(how_far)](const std::stop_token& end) {
+        tell_until(end, what, how_far);
+      }) {}
 
 }  // namespace adit::protocol

@@ -15,7 +15,9 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
+#include "protocol/log/progress.hpp"
 #include "protocol/messages/wire.pb.h"
 #include "protocol/participant/state_transfer.hpp"
 
@@ -24,6 +26,8 @@ namespace adit::protocol {
 class Participant {
  public:
   virtual ~Participant() = default;
+  // Who hears how far a long set-up is.
+  void report_to(Progress progress) { progress_ = std::move(progress); }
   virtual void set_up(const wire::Setup& setup, wire::Model& model) = 0;
   virtual void weigh(const wire::Weights& weights, wire::Interface& interface) = 0;
   virtual void couple(const wire::Couple& couple, wire::Operator& op) = 0;
@@ -37,6 +41,12 @@ class Participant {
   // it reads.
   virtual void exchange(state::Archive& /*archive*/) {}
   virtual void finish(wire::Bye& bye) = 0;
+
+ protected:
+  const Progress& progress() const { return progress_; }
+
+ private:
+  Progress progress_ = [](const std::string&) {};
 };
 
 using ParticipantFactory = std::function<std::unique_ptr<Participant>()>;

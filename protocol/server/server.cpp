@@ -47,8 +47,21 @@ void receive(Connection& connection, const Conversation& conversation, wire::Fra
                                                    : connection.patience().first_request);
 }
 
+// To the client at once, and about every two seconds to the log.
+Progress reporter(Connection& connection) {
+  constexpr std::chrono::seconds kEvery{2};
+  return [&connection, last = std::chrono::steady_clock::now()](const std::string& how_far) mutable {
+    connection.tell_progress(how_far);
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last < kEvery) return;
+    last = now;
+    spdlog::info("{}", how_far);
+  };
+}
+
 void run(Connection& connection, Listener& listener, Participant& participant) {
   Conversation conversation(participant);
+  participant.report_to(reporter(connection));
   std::string id = "(none)";
   wire::Frame request, reply;
   while (!conversation.finished() && !reply.has_error()) {

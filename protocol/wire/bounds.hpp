@@ -40,6 +40,7 @@ inline constexpr std::chrono::seconds kStopPatience{3};
 inline constexpr std::uint64_t kMaxFrameBytes = 1024u << 20;  // of all, as announced in hello
 inline constexpr std::uint64_t kMaxHelloBytes = 64u << 10;    // before hello has arrived
 inline constexpr std::uint64_t kMaxPartBytes = 16u << 20;     // between ends that read messages in parts
+inline constexpr std::uint64_t kMaxProgressBytes = 200;       // what a heartbeat says
 // Such ends send longer messages in parts, with so many bytes of a list in each.
 inline constexpr std::uint64_t kPartBytes = 8u << 20;
 

@@ -151,11 +151,22 @@ void Connection::send_frame(const wire::Frame& frame, bool goes_on, Watch& watch
   write(rest_of_heartbeat_, watch);
   rest_of_heartbeat_ = {};
   write(bytes, watch);
+  progress_.clear();
+}
+
+// False if bytes are missing.
+bool Connection::take_frame(wire::Frame& frame) {
+  const bool complete = decoder_.take(frame);
+  if (decoder_.progress() != progress_of_peer_) {
+    const std::lock_guard lock(hearing_);
+    progress_of_peer_ = decoder_.progress();
+  }
+  return complete;
 }
 
 // False until the last part has arrived.
 bool Connection::take(wire::Frame& frame) {
-  while (decoder_.take(frame)) {
+  while (take_frame(frame)) {
     tell_listener(Direction::kReceived, decoder_.taken());
     ++parts_taken_;
     if (assembly_.add(frame, decoder_.goes_on())) return true;
@@ -220,6 +231,16 @@ std::uint32_t Connection::receive_preamble() {
 void Connection::when_gone(std::function<void()> leave) {
   const std::lock_guard lock(sending_);
   leave_ = std::move(leave);
+}
+
+void Connection::tell_progress(const std::string& how_far) {
+  const std::lock_guard lock(sending_);
+  progress_ = how_far;
+}
+
+std::string Connection::progress_of_peer() const {
+  const std::lock_guard lock(hearing_);
+  return progress_of_peer_;
 }
 
 // The fault of the peer, so that it can tell its user, as far as it reads it at once; then closes.
@@ -375,7 +396,7 @@ void Connection::beat() {
   if (closed && was_closed_ && leave_) leave_();
   was_closed_ = closed;
   if (bytes_sent_ == bytes_sent_at_last_beat_) {
-    if (rest_of_heartbeat_.empty()) rest_of_heartbeat_ = heartbeat_frame();
+    if (rest_of_heartbeat_.empty()) rest_of_heartbeat_ = last_heartbeat_ = heartbeat_frame(progress_);
     try {
       error_code ignored;  // the owner meets it, too
       const std::size_t count = write_some(rest_of_heartbeat_, ignored);

@@ -36,7 +36,7 @@ struct Traffic {
   double seconds_waited = 0;  // time spent waiting for frames
 };
 
-// Used by one thread; only interrupt() may be called from others. Every function throws PeerLost, which names
+// Used by one thread; only interrupt() and what says so may be called from others. Every function throws PeerLost, which names
 // the peer ("dem_server at 127.0.0.1:4711"), if the peer is gone, silent or sends bytes that cannot be read.
 class Connection {
  public:
@@ -93,6 +93,11 @@ class Connection {
   // it, within the interval of heartbeats and from the heartbeat's thread.
   void when_gone(std::function<void()> leave);
 
+  // How far this end is in a long work, told with the next heartbeats until something else is sent; and what the
+  // peer told last. Any thread may call them.
+  void tell_progress(const std::string& how_far);
+  std::string progress_of_peer() const;
+
   // Ends the conversation and leaves the peer time to read what was sent last: sends no more, and drops what
   // arrives until the peer closes too or the time for a farewell has passed. Never throws.
   void close();
@@ -107,6 +112,7 @@ class Connection {
   template <class Take>
   void await(Take take_complete, std::chrono::milliseconds within);
   Clock::duration expected_wait() const;
+  bool take_frame(wire::Frame& frame);
   bool take(wire::Frame& frame);
   void send_frame(const wire::Frame& frame, bool goes_on, Watch& watch);
   bool read_some();
@@ -141,11 +147,15 @@ class Connection {
   std::uint64_t send_limit_ = kMaxHelloBytes;
   bool sends_parts_ = false;
   std::string peer_release_;                      // as in "dem_server 0.4.0"
+  std::vector<std::byte> last_heartbeat_;
   std::span<const std::byte> rest_of_heartbeat_;  // bytes that the socket did not take yet
+  std::string progress_;                          // of this end
   std::atomic<std::uint64_t> bytes_sent_ = 0;
   std::uint64_t bytes_sent_at_last_beat_ = 0;
   std::function<void()> leave_;
   bool was_closed_ = false;  // by the peer, at the last beat
+  mutable std::mutex hearing_;
+  std::string progress_of_peer_;
   std::optional<Heartbeat>
       heartbeat_;  // the last member, so that its thread ends before the others are destroyed
 };

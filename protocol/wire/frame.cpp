@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "protocol/text.hpp"
 #include "protocol/wire/content/parsed_size.hpp"
 
 namespace adit::protocol {
@@ -80,15 +81,13 @@ Preamble encode_preamble(std::uint32_t version) {
   return preamble;
 }
 
-std::span<const std::byte> heartbeat_frame() {
-  static const auto bytes = [] {
-    wire::Frame frame;
-    frame.mutable_heartbeat();
-    FrameEncoder encoder;
-    const auto encoded = encoder.encode(frame, kMaxHelloBytes);
-    return std::vector<std::byte>(encoded.begin(), encoded.end());
-  }();
-  return bytes;
+std::vector<std::byte> heartbeat_frame(const std::string& progress) {
+  wire::Frame frame;
+  auto& heartbeat = *frame.mutable_heartbeat();
+  if (progress.size() <= kMaxProgressBytes) heartbeat.set_progress(progress);
+  FrameEncoder encoder;
+  const auto encoded = encoder.encode(frame, kMaxHelloBytes);
+  return {encoded.begin(), encoded.end()};
 }
 
 std::span<const std::byte> FrameEncoder::encode(const wire::Frame& frame, std::uint64_t limit, bool goes_on) {
@@ -173,6 +172,15 @@ std::optional<std::uint32_t> FrameDecoder::take_preamble() {
   return load(bytes + sizeof kMagic);
 }
 
+// A heartbeat is only a sign of life where what it says is too long or cannot be read, or comes from a stranger.
+void FrameDecoder::hear_heartbeat(std::span<const std::byte> payload) {
+  wire::Frame frame;
+  const bool read = !greeting_ && payload.size() <= kMaxHelloBytes &&
+                    frame.ParseFromArray(payload.data(), static_cast<int>(payload.size())) &&
+                    frame.heartbeat().progress().size() <= kMaxProgressBytes;
+  progress_ = read ? one_line(frame.heartbeat().progress()) : "";
+}
+
 bool FrameDecoder::take(wire::Frame& frame) {
   while (buffered() >= kLengthBytes) {
     const std::byte* bytes = buffer_.data() + begin_;
@@ -187,8 +195,12 @@ bool FrameDecoder::take(wire::Frame& frame) {
     begin_ += kLengthBytes + length;
     taken_ = std::span(bytes, kLengthBytes + length);
     const auto payload = taken_.subspan(kLengthBytes);
-    if (is_heartbeat(payload)) continue;
+    if (is_heartbeat(payload)) {
+      hear_heartbeat(payload);
+      continue;
+    }
     goes_on_ = goes_on;
+    progress_.clear();
     parse(payload, frame);
     before_ = goes_on_ ? before_ + length : 0;
     if (!goes_on_) memory_before_ = 0;

@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "protocol/messages/wire.pb.h"
@@ -35,8 +36,8 @@ class ForeignPreamble : public Malformed {
   using Malformed::Malformed;
 };
 
-// The bytes of a heartbeat, the frame that says only that its sender is alive.
-std::span<const std::byte> heartbeat_frame();
+// The bytes of a heartbeat, the frame that says that its sender is alive, and perhaps how far it is.
+std::vector<std::byte> heartbeat_frame(const std::string& progress = "");
 
 // Turns frames into bytes, one after another in the same memory.
 class FrameEncoder {
@@ -77,12 +78,16 @@ class FrameDecoder {
   // Whether the message of the frame taken last goes on in the next one.
   bool goes_on() const { return goes_on_; }
 
+  // What the last heartbeat since the last frame said.
+  const std::string& progress() const { return progress_; }
+
   // The bytes of the frame that was taken last, length included; valid until the next call of space().
   std::span<const std::byte> taken() const { return taken_; }
 
  private:
   std::uint64_t longest_now() const;
   void parse(std::span<const std::byte> payload, wire::Frame& frame);
+  void hear_heartbeat(std::span<const std::byte> payload);
 
   std::vector<std::byte> buffer_ = std::vector<std::byte>(kMaxHelloBytes);
   std::size_t begin_ = 0;  // end of the bytes that were taken
@@ -94,6 +99,7 @@ class FrameDecoder {
   bool goes_on_ = false;
   std::uint64_t before_ = 0, memory_before_ = 0;  // of the parts before, and what they take once parsed
   bool greeting_ = false;
+  std::string progress_;
 };
 
 }  // namespace adit::protocol

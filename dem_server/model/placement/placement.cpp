@@ -1,10 +1,8 @@
 #include "dem_server/model/placement/placement.hpp"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -50,20 +48,6 @@ Placement square(const scene::SquarePacking& wanted) {
   return {std::move(discs), [](double density, double r) { return density * (4 * r * r); }, extent, {}};
 }
 
-// Tells the user about every two seconds how far the packing is.
-class Progress {
- public:
-  void operator()(const std::string& what) {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - last_ < std::chrono::seconds(2)) return;
-    last_ = now;
-    spdlog::info("{}", what);
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
 RandomPacking checked(const scene::RandomPacking& wanted, double normal_stiffness) {
   const std::string path = "particles.random_packing";
   const RandomPacking packing{box_of(wanted),
@@ -89,9 +73,10 @@ RandomPacking checked(const scene::RandomPacking& wanted, double normal_stiffnes
   return packing;
 }
 
-Placement random(const scene::RandomPacking& scene, double normal_stiffness, Notes& notes) {
+Placement random(const scene::RandomPacking& scene, double normal_stiffness,
+                 const protocol::Progress& progress, Notes& notes) {
   const RandomPacking wanted = checked(scene, normal_stiffness);
-  auto grown = pack_randomly(wanted, Progress());
+  auto grown = pack_randomly(wanted, progress);
   if (!grown)
     throw UserError(
         "particles.random_packing.porosity",
@@ -143,7 +128,8 @@ Placement placed(const scene::PlacedParticles& wanted) {
   return {std::move(table.discs), own_area, extent, std::move(table.number), false};
 }
 
-Placement fill(const scene::Particles& p, double normal_stiffness, Notes& notes) {
+Placement fill(const scene::Particles& p, double normal_stiffness, const protocol::Progress& progress,
+               Notes& notes) {
   const int given = p.has_packing() + p.has_square_packing() + p.has_random_packing() + p.has_placed();
   if (given != 1)
     throw UserError(
@@ -152,7 +138,7 @@ Placement fill(const scene::Particles& p, double normal_stiffness, Notes& notes)
                     given == 0 ? "no" : std::to_string(given)));
   if (p.has_packing()) return hexagonal(p.packing());
   if (p.has_square_packing()) return square(p.square_packing());
-  if (p.has_random_packing()) return random(p.random_packing(), normal_stiffness, notes);
+  if (p.has_random_packing()) return random(p.random_packing(), normal_stiffness, progress, notes);
   return placed(p.placed());
 }
 
@@ -209,8 +195,9 @@ std::vector<std::uint32_t> select(const scene::Area& area, const Placement& plac
   return protocol::select(area, centres, placement.tolerance(), path, "particles");
 }
 
-Placement place_discs(const scene::Particles& particles, double normal_stiffness, Notes& notes) {
-  Placement placement = fill(particles, normal_stiffness, notes);
+Placement place_discs(const scene::Particles& particles, double normal_stiffness,
+                      const protocol::Progress& progress, Notes& notes) {
+  Placement placement = fill(particles, normal_stiffness, progress, notes);
   if (particles.has_within())
     placement.keep_only(
         flags(placement.discs.size(), select(particles.within(), placement, "particles.within")));

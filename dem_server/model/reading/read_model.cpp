@@ -142,7 +142,7 @@ void start_under_stress(const scene::Scene& scene, Model& model) {
 
 }  // namespace
 
-Model read_model(const scene::Scene& scene) {
+Model read_model(const scene::Scene& scene, const protocol::Progress& progress) {
   if (!scene.has_particles())
     throw UserError("particles", "is missing; a dem_server needs a scene with particles");
   const auto& particles = scene.particles();
@@ -150,7 +150,7 @@ Model read_model(const scene::Scene& scene) {
   Model model;
   set_contacts(groups, model);
   set_damping(particles.damping(), model);
-  Placement placement = place_discs(particles, model.contacts.front().normal_stiffness, model.notes);
+  Placement placement = place_discs(particles, model.contacts.front().normal_stiffness, progress, model.notes);
   model.overlaps_free = placement.overlaps_free;
   set_particles(scene, groups, placement, model);
   if (particles.remove_floaters()) {

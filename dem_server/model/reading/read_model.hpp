@@ -10,11 +10,12 @@
 #pragma once
 
 #include "dem_server/model/model.hpp"
+#include "protocol/log/progress.hpp"
 #include "protocol/messages/scene.pb.h"
 
 namespace adit::dem {
 
-// UserError for whatever cannot be computed.
-Model read_model(const scene::Scene& scene);
+// UserError for whatever cannot be computed. `progress` hears how far a random packing is.
+Model read_model(const scene::Scene& scene, const protocol::Progress& progress = [](const std::string&) {});
 
 }  // namespace adit::dem

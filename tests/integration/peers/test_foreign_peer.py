@@ -4,7 +4,7 @@ import struct
 import time
 import unittest
 
-from foreign import Listener, between
+from foreign import Listener, between, framed, road
 from link import MAGIC, VERSION, wire_pb2
 from programs import CASE, ProgramTest, Server, coupler
 
@@ -13,8 +13,11 @@ SHORT = ("--set", "time.duration=2 ms", "--set", "output.field_times=[]")
 
 class ForeignPeer(ProgramTest):
     def run_with(self, tamper, *more):
+        return self.run_on(lambda dem: between(dem, tamper), *more)
+
+    def run_on(self, way_to, *more):
         with Server("dem_server") as dem:
-            listener = Listener(between(dem, tamper))
+            listener = Listener(way_to(dem))
             return coupler("run", CASE / "coupled.yaml", "--out", self.folder / "foreign", "--dem", listener.address, *SHORT,
                            *more)
 
@@ -26,13 +29,16 @@ class ForeignPeer(ProgramTest):
             self.assertEqual((self.folder / "foreign" / name).read_bytes(), (own / name).read_bytes())
 
     def test_the_user_hears_of_a_long_set_up(self):
-        def tamper(frame):
-            if frame.WhichOneof("content") == "model":
+        def packing(kind, data):
+            if kind == "model":
+                yield framed(wire_pb2.Frame(heartbeat={"progress": "growing 9 discs:\nstep 3 of 20"}).SerializeToString())
                 time.sleep(2.5)
+            yield data
 
-        result = self.run_with(tamper)
+        result = self.run_on(lambda dem: road(dem, answers=packing))
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertRegex(result.stderr, r"dem_server at \S+ builds its model \(2 s so far\)\n")
+        self.assertRegex(result.stderr,
+                         r"dem_server at \S+ builds its model \(2 s so far\): growing 9 discs: step 3 of 20\n")
         self.assertNotIn("fdm_server at", result.stderr)
 
     def assert_refused(self, tamper, text):

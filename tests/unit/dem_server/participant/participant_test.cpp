@@ -1,6 +1,7 @@
 #include "dem_server/participant/participant.hpp"
 
 #include <gmock/gmock.h>
+#include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
 
 #include "dem_server/model/calibration.hpp"
@@ -12,6 +13,9 @@ namespace {
 
 using test::cantilever_scene;
 using test::InProcessRun;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::MatchesRegex;
 
 // The model names its critical step, its box, and asks for weights at every centre and bond midpoint.
 TEST(Participant, DescribesItsModel) {
@@ -24,6 +28,27 @@ TEST(Participant, DescribesItsModel) {
   EXPECT_EQ(run.interface.particles(), 698u);
   EXPECT_EQ(run.interface.bonds(), 1921u);
   EXPECT_EQ(run.interface.points_size(), 0);
+}
+
+// Who waits for a random packing hears how far it is.
+TEST(Participant, TellsHowFarItsPackingIs) {
+  wire::Setup setup;
+  auto& particles = *setup.mutable_scene()->mutable_particles();
+  ASSERT_TRUE(google::protobuf::TextFormat::ParseFromString(
+      "random_packing { x_min: 0 x_max: 1 y_min: 0 y_max: 1 radius_min: 0.04 radius_max: 0.06 porosity: 0.16 "
+      "stress: 1e5 } contacts { normal_stiffness: 1e8 } ",
+      &particles));
+  auto& material = *setup.mutable_scene()->mutable_material();
+  material.set_young_modulus(1e9);
+  material.set_poisson_ratio(0.2);
+  material.set_density(2000);
+  DemParticipant participant;
+  std::vector<std::string> heard;
+  participant.report_to([&](const std::string& how_far) { heard.push_back(how_far); });
+  wire::Model model;
+  participant.set_up(setup, model);
+  EXPECT_THAT(heard, Contains(MatchesRegex("growing [0-9]+ discs: step 3 of 20")));
+  EXPECT_THAT(heard, Contains(HasSubstr("isotropic stress")));
 }
 
 // Step 0 does not move: it predicts half a kick, F dt / 2 m, shared by the five loaded particles.

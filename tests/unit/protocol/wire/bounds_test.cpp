@@ -49,6 +49,7 @@ std::map<std::string, std::string> bounds() {
           {"kMaxRunBytes", text(kMaxRunBytes)},
           {"kMaxPartBytes", text(kMaxPartBytes)},
           {"kMaxModelBytes", text(kMaxModelBytes)},
+          {"kMaxProgressBytes", text(kMaxProgressBytes)},
           {"kInterfaceBytes", text(kInterfaceBytes)},
           {"kSnapshotBytes", text(kSnapshotBytes)},
           {"kStateBytes", text(kStateBytes)},

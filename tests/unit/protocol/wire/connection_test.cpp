@@ -81,6 +81,23 @@ TEST(Connection, HeartbeatsKeepASlowAnswerAlive) {
   slow.join();
 }
 
+// Who waits may look at what the other end told, from another thread, until the answer is there.
+TEST(Connection, HeartbeatsTellHowFarTheOtherEndIs) {
+  ConnectionPair pair(kShort, kShort);
+  pair.far.tell_progress("step 3 of 20");
+  std::string while_waiting;
+  std::thread other([&] {
+    std::this_thread::sleep_for(3 * kShort.heartbeat);
+    while_waiting = pair.near.progress_of_peer();
+    pair.far.send(predicted(3, 10));
+  });
+  wire::Frame frame;
+  pair.near.receive(frame);
+  other.join();
+  EXPECT_EQ(while_waiting, "step 3 of 20");
+  EXPECT_EQ(pair.near.progress_of_peer(), "");
+}
+
 // Heartbeats do not prolong a wait for ever.
 TEST(Connection, AnAnswerThatNeverComesEndsInPeerLostDespiteHeartbeats) {
   ConnectionPair pair(kShort, kShort);

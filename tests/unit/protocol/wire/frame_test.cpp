@@ -35,11 +35,9 @@ TEST(Frame, IsItsLengthInLittleEndianAndItsPayload) {
 // However the stream is cut into pieces, the same frames come out.
 TEST(Frame, SurvivesAnyCutting) {
   std::vector<std::byte> stream;
-  for (int step = 0; step < 5; ++step) {
-    const auto bytes = bytes_of(predicted(step, 20 * step));
-    stream.insert(stream.end(), bytes.begin(), bytes.end());
-    stream.insert(stream.end(), heartbeat_frame().begin(), heartbeat_frame().end());
-  }
+  for (int step = 0; step < 5; ++step)
+    for (const auto& bytes : {bytes_of(predicted(step, 20 * step)), heartbeat_frame("step 3 of 20")})
+      stream.insert(stream.end(), bytes.begin(), bytes.end());
   for (const std::size_t piece : {1, 2, 3, 7, 64, 10000}) {
     FrameDecoder decoder;
     wire::Frame frame;
@@ -54,6 +52,34 @@ TEST(Frame, SurvivesAnyCutting) {
     }
     EXPECT_EQ(step, 5u) << "pieces of " << piece;
   }
+}
+
+TEST(Frame, AHeartbeatTellsProgressWithinItsBound) {
+  FrameDecoder decoder;
+  wire::Frame frame;
+  const auto heard = [&](const std::string& progress) {
+    frame.mutable_heartbeat()->set_progress(progress);
+    feed(decoder, bytes_of(frame));
+    EXPECT_FALSE(decoder.take(frame));
+    return decoder.progress();
+  };
+  EXPECT_EQ(heard("step 3\nof 20"), "step 3 of 20");
+  EXPECT_EQ(heard(std::string(kMaxProgressBytes, 'x')), std::string(kMaxProgressBytes, 'x'));
+  EXPECT_EQ(heard(std::string(kMaxProgressBytes + 1, 'x')), "");
+  EXPECT_EQ(heard("step 4 of 20"), "step 4 of 20");
+  feed(decoder, bytes_of(predicted(0, 1)));
+  EXPECT_TRUE(decoder.take(frame));
+  EXPECT_EQ(decoder.progress(), "") << "that work is done";
+}
+
+// What a stranger says is not even parsed.
+TEST(Frame, AHeartbeatOfAStrangerTellsNothing) {
+  FrameDecoder decoder;
+  decoder.expect_greeting(true);
+  feed(decoder, heartbeat_frame("step 3 of 20"));
+  wire::Frame frame;
+  EXPECT_FALSE(decoder.take(frame));
+  EXPECT_EQ(decoder.progress(), "");
 }
 
 // A megabyte passes through the buffer, which begins at 64 KiB.
