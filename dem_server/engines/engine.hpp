@@ -46,6 +46,7 @@ class Engine {
   virtual void remember_for_peaks() = 0;
   virtual void step_interface(const protocol::Step& step) = 0;
   virtual void step_interior(const protocol::Step& step) = 0;
+  virtual void took(double /*seconds*/) {}  // the whole step, after it
 
   virtual void read_velocities(std::span<double> velocities) const = 0;  // at the coupling points [m/s]
   virtual std::span<const Crack> broken() const = 0;                     // in the last whole step

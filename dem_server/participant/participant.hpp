@@ -27,6 +27,7 @@ class DemParticipant final : public protocol::SteppedParticipant {
   void weigh(const wire::Weights& weights, wire::Interface& interface) override;
   void couple(const wire::Couple& couple, wire::Operator& op) override;
   std::string state_format() const override { return engines_->state_format(); }
+  void took(double seconds) override { engine_->took(seconds); }
   void finish(wire::Bye& bye) override;
 
  private:

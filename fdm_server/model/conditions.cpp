@@ -26,7 +26,7 @@ void add(Load& load, std::uint32_t point, double fx, double fy) {
 // Forces that never change take up the factor, and have none.
 Load over_time(Load load, const scene::TimeFunction& time) {
   load.factor = factor(time);
-  if (time.has_table() || time.has_sine()) return load;
+  if (!protocol::is_steady(time)) return load;
   for (auto* forces : {&load.fx, &load.fy})
     for (double& force : *forces) force *= load.factor(0);
   load.factor = nullptr;

@@ -37,6 +37,7 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   void weigh(const wire::Weights& weights, wire::Interface& interface) override;
   void couple(const wire::Couple& couple, wire::Operator& op) override;
   std::string state_format() const override { return "fdm_server " + std::string(protocol::release()); }
+  void took(double seconds) override { continuum_->took(seconds); }
   void finish(wire::Bye& bye) override;
 
  private:

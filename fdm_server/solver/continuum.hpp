@@ -86,6 +86,7 @@ class Continuum {
   // then everything else.
   void step_interface(const protocol::Step& step);
   void step_interior(const protocol::Step& step);
+  void took(double seconds) { team_.took(seconds); }  // the whole step, after it
 
   // The energies of a step that was made in halves: to be asked for after both, if its velocities were
   // remembered before the first.

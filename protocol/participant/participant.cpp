@@ -113,7 +113,8 @@ bool Conversation::in_order(const wire::Advance& request) const {
 void Conversation::advance(const wire::Advance& request, wire::Predicted& predicted) {
   const auto start = Clock::now();
   participant_.advance(request, predicted);
-  predicted.set_compute_seconds(seconds_since(start));
+  compute_seconds_ = seconds_since(start);
+  predicted.set_compute_seconds(compute_seconds_);
   predicted.set_hidden_seconds(hidden_seconds_);
   hidden_seconds_ = 0;
   next_step_ = request.step() + 1;
@@ -154,6 +155,7 @@ void Conversation::complete() {
     failure_ = std::current_exception();
   }
   hidden_seconds_ = seconds_since(start);
+  participant_.took(compute_seconds_ + hidden_seconds_);
 }
 
 void Conversation::require(bool in_order, const wire::Frame& request) const {

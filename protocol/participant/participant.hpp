@@ -34,6 +34,8 @@ class Participant {
   virtual void advance(const wire::Advance& advance, wire::Predicted& predicted) = 0;
   // The rest of the step answered last, before any other request. It reports in the next answer.
   virtual void complete() {}
+  // The time that the last step took, complete() included [s].
+  virtual void took(double /*seconds*/) {}
   virtual void snapshot(const wire::SnapshotRequest& request, wire::Snapshot& snapshot) = 0;
   // Names the states that exchange() writes and reads, as in "dem_server 1.2.0"; empty: there are none.
   virtual std::string state_format() const { return {}; }
@@ -99,7 +101,8 @@ class Conversation {
   bool relaxing_ = false;       // the last step did
   bool step_open_ = false;      // answered, but not completed
   std::clock_t cpu_start_ = 0;  // at set-up
-  double hidden_seconds_ = 0;   // in complete() since the last step was answered
+  double compute_seconds_ = 0;  // before the last step was answered
+  double hidden_seconds_ = 0;   // in complete() since then
   std::exception_ptr failure_;  // of complete()
   StateParts parts_;            // of the state that is being saved or restored
 };

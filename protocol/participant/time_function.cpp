@@ -35,4 +35,8 @@ double evaluate(const scene::TimeFunction& function, double t) {
   return 1.0;
 }
 
+bool is_steady(const scene::TimeFunction& function) {
+  return function.has_constant() || function.shape_case() == scene::TimeFunction::SHAPE_NOT_SET;
+}
+
 }  // namespace adit::protocol

@@ -10,6 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "protocol/threads/trial.hpp"
+
 namespace adit::protocol {
 
 class Team {
@@ -22,6 +24,9 @@ class Team {
 
   std::size_t threads() const { return others_.size() + 1; }
 
+  // The duration of a whole step [s]: those of the first ones decide whether calls are shared (trial.hpp).
+  void took(double seconds) { trial_.take(seconds); }
+
   // Calls work(task, thread) for the tasks 0 … count - 1. Each thread gets consecutive tasks, nearly as many
   // as the others and always the same ones. Returns when all are done. `work` must not throw.
   template <class Work>
@@ -30,7 +35,7 @@ class Team {
       for (std::size_t i = count * thread / threads(); i < count * (thread + 1) / threads(); ++i)
         work(i, thread);
     };
-    if (count > 1 && !others_.empty())
+    if (count > 1 && !others_.empty() && trial_.shares())
       call(share);
     else
       for (std::size_t i = 0; i < count; ++i) work(i, 0);
@@ -57,6 +62,7 @@ class Team {
   void serve(std::size_t thread);
 
   Call call_;
+  Trial trial_;
   // Each counter has a cache line of its own, so that threads that wait for one do not slow down the other.
   alignas(64) std::atomic<std::uint64_t> calls_{0};     // calls begun; the top bit tells threads to end
   alignas(64) std::atomic<std::uint64_t> finished_{0};  // calls that the other threads have finished

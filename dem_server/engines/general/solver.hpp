@@ -52,6 +52,7 @@ class Solver {
   void tie(std::span<const std::uint32_t> discs);
   // One whole step.
   void step(const protocol::Step& step, Loads& loads, PrescribedMotions& motions);
+  void took(double seconds) { team_->took(seconds); }
   // The particles were stopped: so are the walls.
   void stop() { walls_.stop(); }
   // The particles were stopped, and the first step that does not relax is next: ledgers start from 0; quiet

@@ -37,10 +37,6 @@ class Prescribed {
   std::array<std::vector<bool>, 3> flags_;
 };
 
-bool is_steady(const scene::TimeFunction& function) {
-  return function.has_constant() || function.shape_case() == scene::TimeFunction::SHAPE_NOT_SET;
-}
-
 }  // namespace
 
 TimeFactor factor_of(const scene::TimeFunction& function) {
@@ -54,14 +50,14 @@ std::vector<Load> read_loads(const scene::Particles& particles, const Placement&
     const std::string path = fmt::format("particles.loads[{}]", i);
     const TimeFactor time = factor_of(load.time());
     loads.push_back({Load::Kind::kForce, select(load.where(), placement, path + ".where"), load.force().x(),
-                     load.force().y(), time, path, is_steady(load.time())});
+                     load.force().y(), time, path, protocol::is_steady(load.time())});
   }
   for (int i = 0; i < particles.body_loads_size(); ++i) {
     const auto& load = particles.body_loads(i);
     const std::string path = fmt::format("particles.body_loads[{}]", i);
     const TimeFactor time = factor_of(load.time());
     loads.push_back({Load::Kind::kAcceleration, select(load.where(), placement, path + ".where"),
-                     load.acceleration().x(), load.acceleration().y(), time, path, is_steady(load.time())});
+                     load.acceleration().x(), load.acceleration().y(), time, path, protocol::is_steady(load.time())});
   }
   return loads;
 }

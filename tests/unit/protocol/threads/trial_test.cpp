@@ -1,0 +1,69 @@
+// Requirements on the choice whether threads share the work of a run.
+#include "protocol/threads/trial.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+#include <vector>
+
+#include "protocol/threads/team.hpp"
+
+namespace adit::protocol::test {
+namespace {
+
+constexpr int kManySteps = 1000;
+
+// A run whose steps take so long, shared and alone [s]: whether the last step was shared.
+bool shares_at_last(double shared, double alone) {
+  Trial trial;
+  for (int step = 0; step < kManySteps; ++step) trial.take(trial.shares() ? shared : alone);
+  return trial.shares();
+}
+
+// Two threads never make a run slower than one.
+TEST(Trial, KeepsTheFaster) {
+  EXPECT_TRUE(shares_at_last(1.0, 1.9));
+  EXPECT_FALSE(shares_at_last(1.2, 1.0));
+  EXPECT_FALSE(shares_at_last(1.0, 1.0));  // it would take a core for nothing
+}
+
+// Steps that other work of the machine made longer decide nothing, as long as one of each kind was not
+// disturbed.
+TEST(Trial, IsNotMisledBySomeLongSteps) {
+  for (const bool faster : {false, true}) {
+    Trial trial;
+    for (int step = 0; step < kManySteps; ++step) {
+      const bool disturbed = step % 3 != 0;
+      trial.take((disturbed ? 50.0 : 1.0) * (trial.shares() == faster ? 1.0 : 1.9));
+    }
+    EXPECT_EQ(trial.shares(), faster);
+  }
+}
+
+// The choice is made in few steps, and then kept.
+TEST(Trial, EndsSoon) {
+  Trial trial;
+  for (int step = 0; step < 50; ++step) trial.take(trial.shares() ? 2.0 : 1.0);
+  EXPECT_FALSE(trial.shares());
+  for (int step = 0; step < kManySteps; ++step) {
+    trial.take(100.0);
+    EXPECT_FALSE(trial.shares());
+  }
+}
+
+// A team that does not pay works alone.
+TEST(Trial, RulesItsTeam) {
+  Team team(2);
+  const auto threads_used = [&] {
+    std::vector<std::size_t> thread_of(2);
+    team.run(2, [&](std::size_t task, std::size_t thread) { thread_of[task] = thread; });
+    return std::set(thread_of.begin(), thread_of.end()).size();
+  };
+  EXPECT_EQ(threads_used(), 2);
+  for (int step = 0; step < kManySteps; ++step) team.took(threads_used() == 2 ? 2.0 : 1.0);
+  EXPECT_EQ(threads_used(), 1);
+}
+
+}  // namespace
+}  // namespace adit::protocol::test
