@@ -40,11 +40,12 @@ using boost::system::error_code;
 //   and each would prolong the other's.
 // - An answer that is later than expected is waited for asleep.
 // - If other work needs the core, a yield lasts milliseconds. A yield longer than kSpin is the sign of that,
-//   and the next kWaitsWithoutSpin waits sleep at once.
+//   and the next waits sleep at once: kFewestWithoutSpin of them, twice as many whenever this happens again,
+//   one less for each wait that spins undisturbed.
 constexpr std::chrono::microseconds kSpin{200};
 constexpr double kNap = 0.8;                               // share of the expected wait
 constexpr std::chrono::milliseconds kLongestForecast{50};  // a late wake-up is negligible beside longer waits
-constexpr int kWaitsWithoutSpin = 1000;
+constexpr int kFewestWithoutSpin = 16, kMostWithoutSpin = 1024;
 
 // The peer is alive, but what it sends or takes comes too late.
 class Late : public std::runtime_error {
@@ -127,6 +128,7 @@ Connection::Connection(Socket&& socket, const std::string& program, const Patien
   if (protocol.family() != AF_UNIX) socket_.set_option(asio::ip::tcp::no_delay(true));
   socket_.non_blocking(true);
   decoder_.expect_greeting(true);
+  next_without_spin_ = kFewestWithoutSpin;
 }
 
 Traffic Connection::traffic() const {
@@ -284,6 +286,8 @@ void Connection::await(Take take_complete, std::chrono::milliseconds within) {
     const bool arrived = read_some();
     const auto now = Clock::now();
     if (arrived && take_complete()) {
+      if (may_spin && waits_without_spin_ == 0)
+        next_without_spin_ = std::max(next_without_spin_ - 1, kFewestWithoutSpin);
       waited_ += watch.lasted(now);
       last_waits_[waits_++ % last_waits_.size()] = watch.lasted(now) / (just_woken ? 2 : 1);
       return;
@@ -294,7 +298,10 @@ void Connection::await(Take take_complete, std::chrono::milliseconds within) {
     if (arrived) continue;  // TLS may hold more that has arrived
     if (watch.quiet_for(now) < spin) {
       sched_yield();
-      if (Clock::now() - now > kSpin) waits_without_spin_ = kWaitsWithoutSpin;
+      if (waits_without_spin_ == 0 && Clock::now() - now > kSpin) {
+        waits_without_spin_ = next_without_spin_;
+        next_without_spin_ = std::min(2 * next_without_spin_, kMostWithoutSpin);
+      }
     } else {
       sleep(watch.deadline(), true, false);
     }

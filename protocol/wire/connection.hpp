@@ -140,7 +140,7 @@ class Connection {
   bool forecasts_ = false;
   std::array<Clock::duration, 4> last_waits_{};
   std::size_t waits_ = 0;
-  int waits_without_spin_ = 0;
+  int waits_without_spin_ = 0, next_without_spin_ = 0;  // now; when a yield lasts too long
 
   std::mutex sending_;  // the frames of the owner and the heartbeats go out one after another
   FrameEncoder encoder_;
