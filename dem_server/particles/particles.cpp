@@ -33,6 +33,14 @@ void set_masses(const Model& model, Particles& p) {
   }
 }
 
+void set_moved_masses(const Masses& masses, Particles& p) {
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (!p.is_there(i)) continue;
+    p.inverse_mass[i] = 1 / (p.weight[i] * masses.mass[i]);
+    p.inverse_inertia[i] = 1 / (p.weight[i] * masses.inertia[i]);
+  }
+}
+
 void stop(Particles& p) {
   for (auto* velocity : {&p.vx, &p.vy, &p.spin}) std::ranges::fill(*velocity, 0.0);
 }

@@ -23,7 +23,8 @@ struct Particles {
   std::vector<double> fx, fy, moment;                 // resultants of this step [N], [N m]
   std::vector<double> weight;                         // energy weight, in mass and inertia already
   std::vector<double> mass, inertia;                  // weighted [kg], [kg m^2]
-  std::vector<double> inverse_mass, inverse_inertia;  // [1/kg], [1/(kg m^2)]
+  // Of the masses that are moved, which are others where statics scale them [1/kg], [1/(kg m^2)].
+  std::vector<double> inverse_mass, inverse_inertia;
   std::vector<double> tie_x,
       tie_y;  // forces of the multipliers at the last step where statics damp [N]; else empty
   std::size_t size() const { return id.size(); }
@@ -43,6 +44,14 @@ Particles at_rest(const Model& model);
 
 // Gives the particles the masses of a model, none to those that were taken away.
 void set_masses(const Model& model, Particles& particles);
+
+// Masses and moments of inertia of discs without their weights [kg], [kg m^2].
+struct Masses {
+  std::vector<double> mass, inertia;
+};
+
+// Gives the particles that are there other masses to be moved than their own.
+void set_moved_masses(const Masses& masses, Particles& particles);
 
 // All velocities and spins become 0.
 void stop(Particles& particles);

@@ -47,13 +47,13 @@ void receive(Connection& connection, const Conversation& conversation, wire::Fra
                                                    : connection.patience().first_request);
 }
 
-// To the client at once, and about every two seconds to the log.
+constexpr std::chrono::seconds kProgressInterval{2};  // of the log
+
 Progress reporter(Connection& connection) {
-  constexpr std::chrono::seconds kEvery{2};
   return [&connection, last = std::chrono::steady_clock::now()](const std::string& how_far) mutable {
     connection.tell_progress(how_far);
     const auto now = std::chrono::steady_clock::now();
-    if (now - last < kEvery) return;
+    if (now - last < kProgressInterval) return;
     last = now;
     spdlog::info("{}", how_far);
   };
