@@ -164,8 +164,9 @@ std::vector<Element> Touching::elements(double dt) const {
 Sums Touching::sums(double dt) const {
   const std::size_t size = model_.discs.size();
   std::vector<std::uint32_t> joined(size, 0);
-  const std::vector<double> none(size, 0.0);
-  Sums sums{elements(dt), none, none, none, none};
+  Sums sums;
+  sums.elements = elements(dt);
+  for (auto* column : {&sums.stretch, &sums.turn, &sums.free, &sums.slip}) column->assign(size, 0.0);
   std::vector<Hardest> contacts(size);
   for (std::uint32_t i = 0; i < size; ++i) contacts[i] = contact_of_disc(i, dt);
   for (std::size_t k = 0; k < sums.elements.size(); ++k) {
@@ -195,7 +196,8 @@ Sums Touching::sums(double dt) const {
 
 Stiffest Touching::stiffest(const Sums& sums, const Masses& masses) const {
   const std::size_t size = model_.discs.size();
-  Share share{std::vector<double>(size), std::vector<double>(size)};
+  Share share;
+  for (auto* column : {&share.stretch, &share.turn}) column->resize(size);
   Stiffest stiffest, one_contact;  // `one_contact`: a disc's part of that of a contact
   for (std::uint32_t i = 0; i < size; ++i) {
     share.stretch[i] = sums.stretch[i] / masses.mass[i];
@@ -215,7 +217,9 @@ Stiffest Touching::stiffest(const Sums& sums, const Masses& masses) const {
 constexpr double kOfSprings = std::numeric_limits<double>::infinity();
 
 Masses true_masses(const Model& model) {
-  Masses masses{model.mass, std::vector<double>(model.mass.size())};
+  Masses masses;
+  masses.mass = model.mass;
+  masses.inertia.resize(model.mass.size());
   for (std::size_t i = 0; i < model.mass.size(); ++i) masses.inertia[i] = model.inertia(i);
   return masses;
 }
