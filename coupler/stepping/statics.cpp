@@ -45,8 +45,8 @@ const Participant* that_never_slows(const Model& model) {
   return found == model.participants.end() ? nullptr : &*found;
 }
 
-// What the scene states, else what is faster (statics.hpp).
-scene::Statics::Damping damping_of(const Model& model, bool near_rest) {
+// What the scene states, else by what it holds (statics.hpp).
+scene::Statics::Damping damping_of(const Model& model) {
   const scene::Statics& statics = model.scene.statics();
   const Participant* never = that_never_slows(model);
   if (statics.has_damping() && statics.damping() == scene::Statics::ADAPTIVE && never)
@@ -55,19 +55,19 @@ scene::Statics::Damping damping_of(const Model& model, bool near_rest) {
                                        "kinetic",
                                        never->member.name));
   if (statics.has_damping()) return statics.damping();
-  if (!may_touch(model)) return scene::Statics::KINETIC;
-  return near_rest && !never ? scene::Statics::ADAPTIVE : scene::Statics::LOCAL;
+  return may_touch(model) ? scene::Statics::LOCAL : scene::Statics::KINETIC;
 }
 
 // Statics with masses of their own, which end with this object: the constraint of time is kept meanwhile.
 class StaticMasses {
  public:
-  StaticMasses(Model& model, double step_share, bool own_steps)
+  // `of_elements`: where participants know such masses, each zone and bond shares the step of its model.
+  StaticMasses(Model& model, double step_share, bool own_steps, bool of_elements)
       : model_(model),
         of_time_(std::move(model.constraint)),
         dt_(choose_static_steps(model, step_share, own_steps)) {
     for (Participant& participant : model.participants)
-      scale_masses(participant, own_steps && participant.model.scales_masses());
+      scale_masses(participant, of_elements && participant.model.scales_masses());
     if (of_time_)
       model.constraint =
           std::make_unique<Constraint>(model.participants, model.interfaces, model.coupling_points, dt_);
@@ -103,8 +103,8 @@ class Statics::Relaxer {
       : model_(model),
         stepper_(stepper),
         statics_(model.scene.statics()),
-        far_(damping_of(model, false)),
-        near_(damping_of(model, true)),
+        damping_(damping_of(model)),
+        how_{.dt = 0, .local_damping = damping_ == scene::Statics::LOCAL ? kLocalDamping : 0},
         stall_(statics_.unbalanced_ratio(), statics_.max_steps()) {
     const auto stages = protocol::stages_of(model.scene);
     stages_.assign(stages.begin(), stages.end());
@@ -122,7 +122,6 @@ class Statics::Relaxer {
   void brake(const Unrest& unrest);
   void pace(bool near_rest);
   void weigh();
-  scene::Statics::Damping damping() const { return near_rest_ ? near_ : far_; }
   std::string place() const;
   std::string name_of_stage() const { return how_.stage > 0 ? fmt::format(", stage {}", how_.stage) : ""; }
   [[noreturn]] void give_up(std::uint64_t steps, bool stalled) const;
@@ -130,8 +129,8 @@ class Statics::Relaxer {
   Model& model_;
   Stepper& stepper_;
   const scene::Statics& statics_;
-  const scene::Statics::Damping far_, near_;  // at the beginning of a stage, and near rest
-  Stepper::Relaxing how_{};
+  const scene::Statics::Damping damping_;
+  Stepper::Relaxing how_;
   std::optional<StaticMasses> masses_;
   std::vector<std::uint32_t> stages_;
   std::size_t stage_ = 0;  // that is relaxing, or is the next to
@@ -191,7 +190,6 @@ bool Statics::Relaxer::step() {
 // From now on. Velocities of another clock mean nothing.
 void Statics::Relaxer::pace(bool near_rest) {
   near_rest_ = near_rest;
-  how_.local_damping = damping() == scene::Statics::LOCAL ? kLocalDamping : 0;
   how_.slowing = 0;
   how_.stop = true;
   kinetic_energy_ = 0;
@@ -199,9 +197,11 @@ void Statics::Relaxer::pace(bool near_rest) {
   weigh();
 }
 
+// Local damping keeps the true masses of elements: ties that it damps were unstable with others.
 void Statics::Relaxer::weigh() {
-  masses_.emplace(model_, kStepShare / std::sqrt(1 + how_.local_damping),
-                  near_rest_ && statics_.scale_masses());
+  const bool own_steps = near_rest_ && statics_.scale_masses();
+  masses_.emplace(model_, kStepShare / std::sqrt(1 + how_.local_damping), own_steps,
+                  own_steps && damping_ != scene::Statics::LOCAL);
   how_.dt = masses_->dt();
 }
 
@@ -225,7 +225,7 @@ void Statics::Relaxer::brake(const Unrest& unrest) {
   free_steps_ = how_.stop ? 0 : free_steps_ + 1;
   kinetic_energy_ = how_.stop ? 0 : unrest.kinetic_energy;
   how_.slowing =
-      damping() == scene::Statics::ADAPTIVE ? kSlowing / (kSlowing + static_cast<double>(free_steps_)) : 0;
+      damping_ == scene::Statics::ADAPTIVE ? kSlowing / (kSlowing + static_cast<double>(free_steps_)) : 0;
 }
 
 std::string Statics::Relaxer::place() const {

@@ -17,6 +17,8 @@ struct CriticalElement {
   double static_step;  // the smallest in statics, where no dashpots act
   const char* kind;
   double x, y;
+  // Of the masses by which the static step is critical for all elements alike, in all stages [kg m/N].
+  double mass_per_stiffness = 0;
 };
 
 // The bond with the largest |normal force| of a step, or where there are none the contact; unweighted.

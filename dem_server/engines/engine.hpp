@@ -64,12 +64,12 @@ class Engine {
   // All velocities are multiplied by this factor, of an engine that can.
   virtual bool slows() const { return false; }
   virtual void slow(double /*factor*/) {}
-  // After a stop: what changes with the stages of excavation up to this one does.
+  // After a stop: what changes with the stages of excavation up to this one does, and masses are true.
   virtual void begin_stage(std::uint32_t /*stage*/) {}
-  // After a stop, of an engine that can: from now on this step [s] is the critical one of all elements, by
-  // masses that loads know nothing of; 0: masses are true.
+  // After a stop, of an engine that can: from now on masses follow from the stiffness of what pulls on a
+  // particle (CriticalElement), and loads know nothing of them; 0: masses are true.
   virtual bool scales_masses() const { return false; }
-  virtual void scale_masses(double /*step*/) {}
+  virtual void scale_masses(double /*mass_per_stiffness*/) {}
   // Those of now, where the interface ties them (wire.proto, Operator).
   virtual std::span<const double> tied_inverse_masses() const { return {}; }
   // Displacements count from here, also when time begins.

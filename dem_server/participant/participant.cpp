@@ -94,7 +94,7 @@ void DemParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
 void DemParticipant::scale_masses(bool scaled) {
   if (scaled == scaled_) return;
   scaled_ = scaled;
-  engine_->scale_masses(scaled ? critical_.static_step : 0);
+  engine_->scale_masses(scaled ? critical_.mass_per_stiffness : 0);
 }
 
 void DemParticipant::measure_unrest(const protocol::Step& last, wire::Relaxation& answer) {

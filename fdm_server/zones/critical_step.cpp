@@ -77,7 +77,8 @@ std::vector<double> steps_of(const Grid& grid, double density, const MakeZones& 
     const auto found = stiffnesses(some, make);
     for (std::size_t s = 0; s < some.size(); ++s) {
       const Eigen::SelfAdjointEigenSolver<Stiffness> solver(found[s], Eigen::EigenvaluesOnly);
-      of_shape.push_back(2 / std::sqrt(solver.eigenvalues().maxCoeff() / (density * area(some[s]) / 4)));
+      const double squared = solver.eigenvalues().maxCoeff() / (density * area(some[s]) / 4);
+      of_shape.push_back(squared > 0 ? 2 / std::sqrt(squared) : std::numeric_limits<double>::infinity());
     }
   }
   for (const ZoneRun& run : layout.runs) of_zone.insert(of_zone.end(), run.count, of_shape[run.shape]);

@@ -269,6 +269,29 @@ void add_foundations(const Model& model, Sums& sums) {
     for (const std::uint32_t i : one.discs) sums.stretch[i] += one.law.stiffness * model.cell_area(i);
 }
 
+Sums sums_of_statics(const Model& model, const Touching& touching) {
+  Sums sums = touching.sums(kOfSprings);
+  add_foundations(model, sums);
+  return sums;
+}
+
+// Discs that nothing pulls, or turns, keep their own.
+Masses masses_of(const Sums& sums, double mass_per_stiffness, const Model& model) {
+  constexpr double kRotary = 2;  // c
+  Masses masses = true_masses(model);
+  for (std::size_t i = 0; i < masses.mass.size(); ++i) {
+    if (sums.stretch[i] > 0) masses.mass[i] = mass_per_stiffness * sums.stretch[i];
+    if (sums.turn[i] > 0) masses.inertia[i] = mass_per_stiffness * kRotary * sums.turn[i];
+  }
+  return masses;
+}
+
+// By which this step [s] is critical.
+double mass_per_stiffness(const Model& model, const Touching& touching, double step) {
+  const Sums sums = sums_of_statics(model, touching);
+  return touching.stiffest(sums, masses_of(sums, 1, model)).squared * step * step / 4;
+}
+
 }  // namespace
 
 CriticalElement critical_element(const Model& model) {
@@ -287,24 +310,13 @@ CriticalElement critical_element(const Model& model) {
   const auto middle = [&stiffest](const std::vector<double>& at) {
     return (at[stiffest.first] + at[stiffest.second]) / 2;
   };
-  return {allowed(step), allowed(of_statics), stiffest.kind, middle(model.discs.x), middle(model.discs.y)};
+  const double static_step = allowed(of_statics);
+  return {allowed(step),         static_step,           stiffest.kind,
+          middle(model.discs.x), middle(model.discs.y), mass_per_stiffness(model, touching, static_step)};
 }
 
-Masses scaled_masses(const Model& model, double step) {
-  constexpr double kRotary = 2;  // c
-  const Touching touching(model);
-  Sums sums = touching.sums(kOfSprings);
-  add_foundations(model, sums);
-  Masses masses = true_masses(model);  // which discs keep that nothing pulls, or turns
-  const auto set = [&](double mu) {
-    for (std::size_t i = 0; i < masses.mass.size(); ++i) {
-      if (sums.stretch[i] > 0) masses.mass[i] = mu * sums.stretch[i];
-      if (sums.turn[i] > 0) masses.inertia[i] = mu * kRotary * sums.turn[i];
-    }
-  };
-  set(1);
-  set(touching.stiffest(sums, masses).squared * step * step / 4);
-  return masses;
+Masses scaled_masses(const Model& model, double mass_per_stiffness) {
+  return masses_of(sums_of_statics(model, Touching(model)), mass_per_stiffness, model);
 }
 
 }  // namespace adit::dem

@@ -32,7 +32,8 @@
 // Statics give each disc masses of its own: in proportion to the sums of k and of r over what it is joined to
 // and may touch, M = mu sum of k, J = mu c sum of r. Then all A are 1 / (mu k), and all elements stretch with
 // omega^2 = 2 kn / (mu k). A wide c keeps rotation from governing. mu follows from the step that is to be the
-// critical one.
+// critical one. It is one for all stages: the coupler knows the masses of discs that it ties, and whose
+// neighbours no stage changes.
 //
 // Local damping a (Cundall 1987) makes up to 1 + a of each force: the step is divided by sqrt(1 + a).
 #pragma once
@@ -50,7 +51,7 @@ inline double critical_step(const Model& model) {
   return critical_element(model).step;
 }
 
-// The masses of statics in which this step [s] is critical for the stiffest elements, where no dashpots act.
-Masses scaled_masses(const Model& model, double step);
+// The masses of statics, where no dashpots act, from mu = CriticalElement::mass_per_stiffness.
+Masses scaled_masses(const Model& model, double mass_per_stiffness);
 
 }  // namespace adit::dem

@@ -44,6 +44,11 @@ CriticalElement GeneralEngine::critical_element() const {
   for (const Model& model : all_stages(model_)) elements.push_back(dem::critical_element(model));
   CriticalElement critical = std::ranges::min(elements, {}, &CriticalElement::step);
   critical.static_step = std::ranges::min(elements, {}, &CriticalElement::static_step).static_step;
+  critical.mass_per_stiffness = 0;
+  for (const CriticalElement& one : elements)
+    critical.mass_per_stiffness =
+        std::max(critical.mass_per_stiffness,
+                 one.mass_per_stiffness * std::pow(critical.static_step / one.static_step, 2));
   return critical;
 }
 
@@ -175,9 +180,9 @@ void GeneralEngine::stop() {
   solver_.stop();
 }
 
-void GeneralEngine::scale_masses(double step) {
-  if (step > 0)
-    set_moved_masses(dem::scaled_masses(model_, step), solver_.particles());
+void GeneralEngine::scale_masses(double mass_per_stiffness) {
+  if (mass_per_stiffness > 0)
+    set_moved_masses(scaled_masses(model_, mass_per_stiffness), solver_.particles());
   else
     set_masses(model_, solver_.particles());
   renew_tied_masses();
@@ -191,6 +196,7 @@ void GeneralEngine::begin_stage(std::uint32_t stage) {
     stage_ = next.number;
   }
   take_stage(model_);
+  renew_tied_masses();
   loads_ = Loads(model_, particles());
   motions_ = PrescribedMotions(model_, particles());
 }

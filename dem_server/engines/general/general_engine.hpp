@@ -43,7 +43,7 @@ class GeneralEngine final : public LocalEngine {
   Energies energies(const protocol::Step& step) override;
   std::vector<Figure> figures() const override;
   bool scales_masses() const override { return true; }
-  void scale_masses(double step) override;
+  void scale_masses(double mass_per_stiffness) override;
   void stop() override;
   void begin_stage(std::uint32_t stage) override;
   void start_over(const protocol::Drift& drift) override;

@@ -91,6 +91,8 @@ FAULTS = {
     "relaxation": lambda: (kept, where("predicted", double_unrest)),
     "local_damping": lambda: (without("local_damping"), kept),
     "stop": lambda: (without("stop"), kept),
+    "slowing": lambda: (without("slowing"), kept),
+    "scaled_masses": lambda: (without("scale_masses"), kept),
     "rest_of_statics": go_on_from_the_sag,
     "impulses_of_statics": correct_time_instead,
     "restored": forget_a_bit,

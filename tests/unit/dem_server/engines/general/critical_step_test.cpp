@@ -96,15 +96,16 @@ TEST(CriticalStepOfLooseDiscs, IsBelowTheExactStepOfAnyPile) {
     }
 }
 
-// With the masses of statics any step can be the bound; it is nearer to the exact one where discs differ.
+// It is nearer to the exact one where discs differ.
 TEST(CriticalStepOfLooseDiscs, IsTheOneThatTheMassesOfStaticsAreMadeFor) {
   for (const auto& discs : {hexagon(4), wreath()})
     for (const double shear : {0.0, 0.5 * kNormal, kNormal, 2 * kNormal}) {
       const Model model = test::loose_discs(discs, {kNormal, shear, 1, 0, 0});
-      constexpr double kStep = 1e-3;
-      const double exact = exact_step(discs, shear, scaled_masses(model, kStep));
-      EXPECT_LE(kStep, exact) << discs.size() << " discs, shear stiffness " << shear;
-      EXPECT_GT(kStep, 0.5 * exact) << discs.size() << " discs, shear stiffness " << shear;
+      const CriticalElement critical = critical_element(model);
+      const double bound = critical.static_step,
+                   exact = exact_step(discs, shear, scaled_masses(model, critical.mass_per_stiffness));
+      EXPECT_LE(bound, exact) << discs.size() << " discs, shear stiffness " << shear;
+      EXPECT_GT(bound, 0.5 * exact) << discs.size() << " discs, shear stiffness " << shear;
     }
 }
 
