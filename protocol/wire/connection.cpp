@@ -432,11 +432,14 @@ void Connection::close() {
     socket_.read_some(asio::buffer(dropped), error);
     if (error == asio::error::would_block) sleep(deadline, true, false);
   }
+  const std::lock_guard lock(ending_);
   socket_.close(error);
 }
 
 void Connection::interrupt() {
-  // The system call may be made from any thread, the functions of the socket object may not.
+  // The system call may be made from any thread, the functions of the socket object may not. The owner may be
+  // closing it, and the next connection may get its number.
+  const std::lock_guard lock(ending_);
   ::shutdown(socket_.native_handle(), SHUT_RDWR);
 }
 

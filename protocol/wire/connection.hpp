@@ -129,6 +129,7 @@ class Connection {
   Patience patience_;
   boost::asio::io_context io_{1};
   Socket socket_{io_};
+  std::mutex ending_;  // the socket is closed and interrupted one after another
   std::optional<TlsStream> tls_;
   FrameDecoder decoder_;
   Assembly assembly_;

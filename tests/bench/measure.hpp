@@ -30,7 +30,8 @@ template <class... Works>
 std::array<double, sizeof...(Works)> least(Works&&... works) {
   constexpr double kWindow = 5e-4, kBudget = 3;  // s
   std::array<double, sizeof...(Works)> result{works(3)...};
-  for (double spent = 0; spent < kBudget;) {
+  double spent = 0;
+  while (spent < kBudget) {
     std::size_t next = 0;
     const auto measure = [&](auto&& work) {
       double& best = result[next++];

@@ -76,7 +76,7 @@ dem::Model beam_of(const std::string& kind, std::uint32_t discs, std::uint32_t r
   model.group.assign(size, 0);
   for (std::uint32_t i = 0; i < size; ++i) model.id.push_back(i);
   model.contacts = {{kNormal, kShear, kind == "lattice" ? 0 : 0.5}};
-  model.contact_bonds = {{kNormal, kShear}};
+  model.contact_bonds = {{{kNormal, kShear}}};
   model.parallel_bonds = {{kNormal, kShear, kRadius, dem::kUnbreakable, dem::kUnbreakable, 0}};
   const auto law = parallel ? dem::Bond::Law::kParallelBond : dem::Bond::Law::kContactBond;
   for (const dem::Pair& pair : dem::pairs_within(model.discs, 1e-6 * kRadius))

@@ -15,7 +15,11 @@ BUILD = pathlib.Path(os.environ["ADIT_BUILD"])
 SOURCE = pathlib.Path(os.environ["ADIT_SOURCE"])
 COUPLER = BUILD / "coupler" / "coupler"
 CASE = SOURCE / "cases" / "cantilever"
-PATIENCE_S = 60
+PATIENCE = int(os.environ.get("ADIT_PATIENCE", 1))  # how many times as long as those of a plain build programs may take
+PATIENCE_S = 60 * PATIENCE
+
+# A sanitizer reserves terabytes, and needs files and threads of its own where it looks for leaks.
+counts_resources = unittest.skipIf(os.environ.get("ADIT_SANITIZE"), "a sanitizer takes memory, files and threads of its own")
 
 
 class Listening:
@@ -107,6 +111,10 @@ class ProgramTest(unittest.TestCase):
     @staticmethod
     def summary(run):
         return json.loads((run / "summary.json").read_text())
+
+    def assert_one_line(self, stderr):
+        """One line is said, beside those that tell of a long set-up where a machine is slow."""
+        self.assertEqual(len([line for line in stderr.splitlines() if not line.endswith(" so far)")]), 1, stderr)
 
     def assert_whole_rows(self, run, more_than=0):
         text = (run / "histories.csv").read_text()

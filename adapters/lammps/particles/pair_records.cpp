@@ -116,8 +116,7 @@ void sort(std::vector<PairRecord>& records) {
   const auto same = [](const PairRecord& a, const PairRecord& b) {
     return a.first == b.first && a.second == b.second;
   };
-  const auto twice = std::ranges::unique(records, same);
-  records.erase(twice.begin(), twice.end());
+  records.erase(std::unique(records.begin(), records.end(), same), records.end());
 }
 
 }  // namespace adit::lammps

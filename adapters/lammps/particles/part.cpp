@@ -82,9 +82,10 @@ std::vector<PairRecord> Part::taken_along(std::size_t place, const Index& index,
   const std::int64_t origin = origin_[place];
   if (origin < 0) return arrivals_[static_cast<std::size_t>(-1 - origin)].*arrived;
   std::vector<PairRecord> taken;
-  for (const Entry& entry :
-       std::ranges::equal_range(index, static_cast<std::uint32_t>(origin), {}, &Entry::place))
-    taken.push_back(records[entry.record]);
+  const auto from = static_cast<std::uint32_t>(origin);
+  for (auto entry = std::ranges::lower_bound(index, from, {}, &Entry::place);
+       entry != index.end() && entry->place == from; ++entry)
+    taken.push_back(records[entry->record]);
   return taken;
 }
 

@@ -177,13 +177,14 @@ JointState JointSprings::state(std::size_t joint, std::span<const double> u) con
 JointAction JointSprings::action(std::size_t joint, std::span<const double> u) const {
   const double *first = u.data() + kDofs * links_[joint], *second = first + kDofs;
   JointAction action{second[0] - first[0], second[1] - first[1], second[3] - first[3]};
-  for (const Spring& spring : std::ranges::equal_range(springs_, links_[joint], {}, &Spring::link)) {
+  for (auto spring = std::ranges::lower_bound(springs_, links_[joint], {}, &Spring::link);
+       spring != springs_.end() && spring->link == links_[joint]; ++spring) {
     double elongation = 0;
-    for (int i = 0; i < kDofs; ++i) elongation += spring.arm[i] * (second[i] - first[i]);
-    const double force = curves_[spring.curve].force(elongation);
-    action.axial_force += spring.arm[0] * force;
-    action.shear += spring.arm[1] * force;
-    action.moment += spring.arm[3] * force;
+    for (int i = 0; i < kDofs; ++i) elongation += spring->arm[i] * (second[i] - first[i]);
+    const double force = curves_[spring->curve].force(elongation);
+    action.axial_force += spring->arm[0] * force;
+    action.shear += spring->arm[1] * force;
+    action.moment += spring->arm[3] * force;
   }
   return action;
 }

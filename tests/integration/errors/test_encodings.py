@@ -46,7 +46,7 @@ class Encodings(ProgramTest):
         for scene, table, text in ((PARTICLES, "discs.csv", DISCS), (SHAKEN, "record.csv", RECORD)):
             message = self.ends(2, scene, table, text.encode("utf-16"))
             self.assertIn("is text in UTF-16; save it as UTF-8", message)
-            self.assertEqual(message.count("\n"), 1)
+            self.assert_one_line(message)
 
     def test_a_byte_order_mark_is_no_part_of_the_text(self):
         self.ends(0, PARTICLES, "discs.csv", MARK + DISCS.encode())

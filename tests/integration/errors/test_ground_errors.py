@@ -32,7 +32,7 @@ class GroundErrors(ProgramTest):
         options = [word for setting in settings for word in ("--set", setting)]
         result = coupler("run", scene, "--out", self.folder / "run", *options)
         self.assertEqual(result.returncode, 2, result.stderr)
-        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        self.assert_one_line(result.stderr)
         self.assertFalse((self.folder / "run" / "summary.json").exists())
         return result.stderr
 

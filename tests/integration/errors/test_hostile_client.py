@@ -8,7 +8,7 @@ import time
 import unittest
 
 from link import Link, wire_pb2
-from programs import Server
+from programs import Server, counts_resources
 
 MIB = 1 << 20
 SCENE = {"material": {"young_modulus": 3e10, "poisson_ratio": 0.2, "density": 2500}, "time": {"duration": 1e-3}}
@@ -136,6 +136,7 @@ class HostileClients(unittest.TestCase):
         self.assertLess(time.monotonic() - start, 15)
         self.assert_serves()
 
+    @counts_resources
     def test_many_empty_messages_take_no_memory(self):
         client = self.client()
         region = wire_pb2.Setup(scene={"regions": [{}]}).scene.SerializeToString()
@@ -148,6 +149,7 @@ class HostileClients(unittest.TestCase):
         self.assertLess(most, 200 * MIB)
         self.assertLess(held, 100 * MIB)
 
+    @counts_resources
     def test_memory_is_given_back_after_a_client_has_gone(self):
         client = self.client()
         histories = [{"name": f"history {i}"} for i in range(400000)]

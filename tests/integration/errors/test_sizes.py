@@ -3,7 +3,7 @@
 import resource
 import unittest
 
-from programs import CASE, ProgramTest, Server, coupler
+from programs import CASE, ProgramTest, Server, counts_resources, coupler
 
 BAR = """
 material: {young_modulus: 30 GPa, poisson_ratio: 0.2, density: 2500 kg/m^3}
@@ -19,7 +19,7 @@ class Sizes(ProgramTest):
     def refused(self, scene, *texts):
         result = coupler("check", self.scene(scene))
         self.assertEqual(result.returncode, 2, result.stderr)
-        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        self.assert_one_line(result.stderr)
         for text in texts:
             self.assertIn(text, result.stderr)
 
@@ -38,6 +38,7 @@ class Sizes(ProgramTest):
         self.refused(PARTICLES + "  bonds: {normal_stiffness: 1.7e308, shear_stiffness: 1.7e308}\n",
                      "particles: have a critical time step of 0 s")
 
+    @counts_resources
     def test_more_threads_than_the_machine_allows(self):
         for program, scene in (("fdm_server", "full_fdm.yaml"), ("dem_server", "full_dem.yaml")):
             with Server(program, "127.0.0.1:0", "--threads", "512") as server:

@@ -5,7 +5,7 @@ import unittest
 
 from faults.faulty import SCENE, SHORT, FaultTest, at
 from foreign import Cut
-from programs import coupler
+from programs import PATIENCE, coupler
 
 # Of each: which server, which way, the share of the frame that arrives, whether the connection is reset.
 CUTS = (("fdm", "requests", 0, False), ("dem", "requests", 0.5, True), ("fdm", "answers", 0.5, False), ("dem", "answers", 0, True))
@@ -31,7 +31,7 @@ class Cuts(FaultTest):
                 address, done, seconds = self.run_by(which, command=command, **{way: cut(kind, share, reset)})
                 self.assert_lost(which, address, done)
                 self.assertRegex(done.stderr, "closed the connection|the connection broke")
-                self.assertLess(seconds, 10)
+                self.assertLess(seconds, 10 * PATIENCE)
                 self.assertEqual((self.folder / "run/summary.json").exists(), has_results)
                 if has_results:
                     self.assert_unfinished(f"{which}_server at {address}")

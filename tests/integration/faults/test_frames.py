@@ -7,6 +7,7 @@ import unittest
 
 from faults.faulty import FaultTest, at, frame
 from link import wire_pb2
+from programs import PATIENCE
 
 REQUESTS = ("hello", "setup", "weights", "couple", "advance", "snapshot_request", "save", "finish")
 ANSWERS = ("hello", "model", "interface", "operator", "predicted", "snapshot", "state", "bye")
@@ -29,7 +30,7 @@ class Frames(FaultTest):
                     self.assertEqual(done.returncode, code, done.stderr)
                     self.assert_said(done.stderr, f"{which}_server at {address}{said}")
                     self.assertRegex(done.stderr.splitlines()[-1], words)
-                    self.assertLess(seconds, 10)
+                    self.assertLess(seconds, 10 * PATIENCE)
                     self.assert_serves(which)
 
     def test_oversized_frames(self):

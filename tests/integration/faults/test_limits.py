@@ -8,7 +8,7 @@ import tempfile
 import unittest
 
 from faults.faulty import SCENE, SHORT, FaultTest
-from programs import BUILD, CASE, COUPLER, Server, coupler, wait_until
+from programs import BUILD, CASE, COUPLER, PATIENCE_S, Server, counts_resources, coupler, wait_until
 
 MIB = 1 << 20
 LARGE = ("--set", "particles.packing.radius=4 mm", "--set", "time.duration=1 us", "--set", "output.field_times=[]")
@@ -18,16 +18,18 @@ NOBODY = ("setpriv", "--reuid=65534", "--regid=65534", "--clear-groups")
 class Limits(FaultTest):
     def limited(self, *limits, before=(), out=None, options=SHORT):
         command = [*before, "prlimit", *limits, COUPLER, "run", SCENE, "--out", out or self.folder / "run", *options]
-        return subprocess.run([*map(str, command)], capture_output=True, text=True, timeout=60)
+        return subprocess.run([*map(str, command)], capture_output=True, text=True, timeout=PATIENCE_S)
 
     def assert_ends(self, done, code, *words):
         self.assertEqual(done.returncode, code, done.stderr)
         self.assert_said(done.stderr, *words)
 
+    @counts_resources
     def test_no_descriptors_for_the_coupler(self):
         for count in (6, 8, 12, 16):
             self.assert_ends(self.limited(f"--nofile={count}"), 2, "Too many open files")
 
+    @counts_resources
     def test_no_descriptors_for_a_server(self):
         with Server("dem_server") as server:
             join = ("run", CASE / "full_dem.yaml", "--out", self.folder / "run", "--dem", server.address, *SHORT)
@@ -39,6 +41,7 @@ class Limits(FaultTest):
             resource.prlimit(server.process.pid, resource.RLIMIT_NOFILE, (1024, 1024))
             wait_until(lambda: coupler(*join).returncode == 0, 10)
 
+    @counts_resources
     def test_no_threads(self):
         """Root may start as many as it likes."""
         folder = tempfile.mkdtemp(prefix="adit_nobody_")
@@ -54,6 +57,7 @@ class Limits(FaultTest):
             else:
                 self.assert_ends(done, 2, "Resource temporarily unavailable", "ulimit -u")
 
+    @counts_resources
     def test_no_memory_for_a_server(self):
         with Server("dem_server") as server:
             resource.prlimit(server.process.pid, resource.RLIMIT_AS, (200 * MIB, resource.RLIM_INFINITY))
@@ -61,11 +65,12 @@ class Limits(FaultTest):
             self.assert_ends(coupler(*join, *LARGE), 2, f"dem_server at {server.address}: there is not enough memory", "ulimit -v")
             self.assertEqual(coupler(*join, *SHORT).returncode, 0)
 
+    @counts_resources
     def test_no_memory_for_the_coupler(self):
         with Server("dem_server") as server:
             command = ["prlimit", f"--as={100 * MIB}", COUPLER, "run", CASE / "full_dem.yaml", "--out", self.folder / "run", "--dem",
                        server.address, *LARGE, "--set", "output.field_times=[1 us]"]
-            done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+            done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE_S)
             self.assert_ends(done, 2, "there is not enough memory", "ulimit -v")
 
     def test_no_room_in_a_file(self):

@@ -6,6 +6,7 @@ import unittest
 
 from faults.faulty import FaultTest, at
 from faults.gate import Gate
+from programs import PATIENCE
 from resume.resumed import results_of
 
 BRIEF = ("--set", "time.duration=0.3 ms", "--set", "output.field_times=[0.1 ms]")  # 36 steps
@@ -49,7 +50,7 @@ class Roads(FaultTest):
         gate = Gate(self, "advance")
         address, done, seconds = self.run_by("fdm", requests=gate.carry, answers=gate.carry)
         self.assert_lost("fdm", address, done, "no sign of life for 8 s")
-        self.assertLess(seconds, 10)
+        self.assertLess(seconds, 10 * PATIENCE)
         self.assert_unfinished(f"fdm_server at {address}")
         self.assert_serves("fdm")
 

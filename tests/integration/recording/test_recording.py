@@ -161,7 +161,7 @@ class Recording(ProgramTest):
             out = ("--out", self.folder / "bad") if arguments[0] == "run" else ()
             result = coupler(*arguments, *out)
             self.assert_ends(result, 2, word)
-            self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+            self.assert_one_line(result.stderr)
         self.assertEqual(text.read_text(), "years of work")
 
 

@@ -32,7 +32,7 @@ class GroundMotion(ProgramTest):
     def refusal(self, *arguments):
         result = coupler("run", *arguments, "--out", self.folder / "run")
         self.assertEqual(result.returncode, 2, result.stderr)
-        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        self.assert_one_line(result.stderr)
         self.assertFalse((self.folder / "run" / "summary.json").exists())
         return result.stderr
 

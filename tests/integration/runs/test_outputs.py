@@ -52,7 +52,7 @@ class Outputs(ProgramTest):
     def refusal(self, scene):
         result = coupler("check", scene)
         self.assertEqual(result.returncode, 2, result.stderr)
-        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        self.assert_one_line(result.stderr)
         return result.stderr
 
     def refused_output(self, output):

@@ -19,7 +19,7 @@ class Packings(ProgramTest):
     def refusal(self, particles):
         result = coupler("run", self.scene_of(particles), "--out", self.folder / "run")
         self.assertEqual(result.returncode, 2, result.stderr)
-        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        self.assert_one_line(result.stderr)
         return result.stderr
 
     def test_a_random_packing_is_stated(self):

@@ -14,12 +14,12 @@ using Case = adit::test::RefusedText;
 class BoundaryError : public testing::TestWithParam<Case> {};
 
 TEST_P(BoundaryError, NamesTheFieldAndTheRemedy) {
-  const auto& [name, continuum, path, message] = GetParam();
+  const Case& refused = GetParam();
   adit::test::expect_refusal(
       [&] {
-        GroundRun("block { x_min: 0 x_max: 4 y_min: -3 y_max: 0 zones_x: 4 zones_y: 3 } " + continuum, 1);
+        GroundRun("block { x_min: 0 x_max: 4 y_min: -3 y_max: 0 zones_x: 4 zones_y: 3 } " + refused.text, 1);
       },
-      path, message);
+      refused.path, refused.message);
 }
 
 std::string base(const std::string& rest) {

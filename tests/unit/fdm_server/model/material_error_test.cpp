@@ -29,11 +29,12 @@ struct Case {
 class MaterialError : public testing::TestWithParam<Case> {};
 
 TEST_P(MaterialError, NamesTheFieldAndTheRemedy) {
-  const auto& [name, law, path, message, continuum, plane] = GetParam();
+  const Case& refused = GetParam();
   FdmParticipant participant;
   wire::Model model;
-  adit::test::expect_refusal([&] { set_up(participant, ground_of(law, continuum, plane), model); }, path,
-                             message);
+  adit::test::expect_refusal(
+      [&] { set_up(participant, ground_of(refused.law, refused.continuum, refused.plane), model); },
+      refused.path, refused.message);
 }
 
 const std::string kSoil = "young_modulus: 1e8 poisson_ratio: 0.3 density: 1800 ";

@@ -21,16 +21,16 @@ struct Case {
 class SceneError : public testing::TestWithParam<Case> {};
 
 TEST_P(SceneError, NamesTheFieldAndTheRemedy) {
-  const auto& [name, conditions, path, message, block, material] = GetParam();
+  const Case& refused = GetParam();
   FdmParticipant participant;
   wire::Model model;
   wire::Interface interface;
   adit::test::expect_refusal(
       [&] {
-        set_up(participant, setup_of(conditions, block, material), model);
+        set_up(participant, setup_of(refused.conditions, refused.block, refused.material), model);
         participant.weigh({}, interface);
       },
-      path, message);
+      refused.path, refused.message);
 }
 
 std::string block(const std::string& x_min, const std::string& x_max, const std::string& y_max,

@@ -101,7 +101,7 @@ TEST(SupportsPath, AnArcMayPassTheAngleZero) {
 TEST(SupportsPath, AWallHasTheGroundOnItsRight) {
   auto points = path_of("wall { circle { centre { x: 0 y: 0 } radius: 1.1 } }", ring_grid());
   ASSERT_EQ(points.size(), 8u);
-  std::ranges::rotate(points, std::ranges::find(points, 0u));
+  std::rotate(points.begin(), std::ranges::find(points, 0u), points.end());
   EXPECT_THAT(points, ElementsAre(0, 1, 2, 3, 4, 5, 6, 7));
 }
 
@@ -214,9 +214,10 @@ using Case = adit::test::RefusedText;
 class SupportsError : public testing::TestWithParam<Case> {};
 
 TEST_P(SupportsError, NamesTheFieldAndTheRemedy) {
-  const auto& [name, text, path, message] = GetParam();
-  adit::test::expect_refusal([&] { with(text, name.starts_with("ring") ? ring_grid() : block_grid()); }, path,
-                             message);
+  const Case& refused = GetParam();
+  adit::test::expect_refusal(
+      [&] { with(refused.text, refused.name.starts_with("ring") ? ring_grid() : block_grid()); },
+      refused.path, refused.message);
 }
 
 std::string lining(const std::string& along, const std::string& more = kConcreteWall) {

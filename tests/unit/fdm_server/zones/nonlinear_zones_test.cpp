@@ -169,7 +169,7 @@ TEST_P(NonlinearZonesOfEachKind, GoOnFromAStateToTheBit) {
           uy[i] += vy[i];
         }
       };
-      const auto make = [&] {
+      const auto make = [&, &material = material] {
         NonlinearZones zones(GetParam(), grid, material, ones(grid), large_strain);
         zones.follow(ux.data(), uy.data());
         return zones;

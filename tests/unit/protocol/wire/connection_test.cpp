@@ -299,6 +299,17 @@ wire::Frame error_frame(wire::Error::Kind kind) {
   return frame;
 }
 
+// Any thread may end the traffic, also while the owner closes the connection: neither sees the socket half
+// closed, nor ends a later one of its number (what the thread sanitizer looks for).
+TEST(Connection, IsInterruptedWhileItsOwnerClosesIt) {
+  for (int i = 0; i < 20; ++i) {
+    ConnectionPair pair;
+    std::thread other([&] { pair.near.interrupt(); });
+    pair.near.close();
+    other.join();
+  }
+}
+
 // Each kind of error frame is thrown as the exception that it stands for.
 TEST(Connection, ErrorFramesAreThrown) {
   ConnectionPair pair;

@@ -21,7 +21,6 @@ struct ViscousReflection {
 
 inline ViscousReflection viscous_reflection(const Medium& medium, Incident incident, double angle,
                                             double omega) {
-  const Complex i(0, 1);
   const double cp = medium.p_speed(), cs = medium.s_speed();
   const double own = incident == Incident::kP ? cp : cs, along = std::sin(angle) / own;  // slowness along y
   const auto across = [&](double c) { return std::sqrt(Complex(1 / (c * c) - along * along, 0)); };
