@@ -74,7 +74,7 @@ def messages(root):
 
 
 def exchanged_zones(ranks):
-    """What peers/fenicsx_steps.py prints."""
+    """What peers/fenicsx_messages.py prints."""
     script = pathlib.Path(__file__).with_name("peers") / "fenicsx_messages.py"
     command = [*mpirun(ranks), "/usr/bin/python3", script, *map(str, (*COUNTED, COUNTED_STEPS))]
     return json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()[-1])
