@@ -38,9 +38,9 @@ class Continuum(Ground):
         self.dashpots, self.drag, self.dissipated = dashpots[self.quiet], 0.0, 0.0
 
     def part(self, points, *arrays):
-        """This rank's numbers of those points that are its own, and what the arrays have for them."""
+        """This rank's numbers of those points that are its own, in their order, and what the arrays have for them."""
         numbers = self.number[points]
-        here = numbers >= 0
+        here = np.argsort(numbers)[np.count_nonzero(numbers < 0):]
         return numbers[here], *(array[here] for array in arrays)
 
     def read_probes(self):

@@ -25,6 +25,19 @@ class Lost(Exception):
     """A rank was lost."""
 
 
+def content(payload):
+    """What a frame brings, by the name of its field, whose number the first byte tells."""
+    field = wire.Frame.DESCRIPTOR.fields_by_number.get(payload[0] >> 3) if payload else None
+    return field.name if field else ""
+
+
+def next_message(link):
+    """The bytes of the next frame that is not a heartbeat."""
+    while content(payload := link.next_payload()) == "heartbeat":
+        pass
+    return payload
+
+
 def end():
     os._exit(1)
 
@@ -54,9 +67,9 @@ class Child:
             how = f"ended with exit code {os.WEXITSTATUS(status)}"
         return f"rank {self.rank} of {self.size}, process {pid} on {socket.gethostname()}, {how}"
 
-    def tell(self, frame):
+    def tell(self, message):
         with suppress(OSError):  # who waits for the process finds its end
-            self.pipe.send_bytes(frame.SerializeToString())
+            self.pipe.send_bytes(message)
 
 
 def beating(link):
@@ -79,7 +92,7 @@ def follow(child):
 def hand_on(link, child):
     with suppress(OSError, Gone):
         while True:
-            child.tell(link.next_answer())
+            child.tell(next_message(link))
     end()  # rank 0 has told why, or is lost itself
 
 
@@ -116,19 +129,23 @@ class Crew:
         time.sleep(LAST_WORDS_S)
         end()
 
-    def ask(self, frame):
-        """The answer of rank 0 to a request to all ranks."""
-        self.tell(frame)
+    def begin(self):
+        """A new run."""
+        self.tell(wire.Frame(hello=wire.Hello()).SerializeToString())
+
+    def ask(self, request):
+        """The answer of rank 0 to a request to all ranks; both are the bytes of frames."""
+        self.tell(request)
         with suppress(EOFError, OSError):
             while not self.lost:
                 if self.child.pipe.poll(GLANCE_S):
-                    return wire.Frame.FromString(self.child.pipe.recv_bytes())
+                    return self.child.pipe.recv_bytes()
         while not self.lost:
             time.sleep(GLANCE_S)
         raise Lost(self.lost)
 
-    def tell(self, frame):
+    def tell(self, message):
         for link in self.links:
             with suppress(OSError):  # who listens to it finds its end
-                link.send(frame)
-        self.child.tell(frame)
+                link.send_payload(message)
+        self.child.tell(message)

@@ -13,7 +13,7 @@ sys.path.insert(1, str(Path(__file__).resolve().parents[1] / "python"))
 from mpi4py import MPI  # noqa: E402
 
 from divided import Continuum  # noqa: E402
-from wire import Gone, converse, wire  # noqa: E402
+from wire import Gone, converse, decoded, wire  # noqa: E402
 
 
 class Requests:
@@ -23,7 +23,11 @@ class Requests:
         self.pipe, self.first = pipe, first
 
     def receive(self):
-        frame = wire.Frame.FromString(self.pipe.recv_bytes())
+        try:
+            frame = decoded(self.pipe.recv_bytes())
+        except Gone as error:
+            self.refuse(wire.Error.REQUEST, str(error))
+            raise
         if frame.WhichOneof("content") == "hello":
             raise Gone("begins a new run")
         return frame

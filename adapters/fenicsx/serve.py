@@ -15,32 +15,26 @@ from pathlib import Path
 
 sys.path.insert(1, str(Path(__file__).resolve().parents[1] / "python"))
 from ground import COMPUTED  # noqa: E402
-from guard import LAST_WORDS_S, Child, Crew, end, follow  # noqa: E402
+from guard import LAST_WORDS_S, Child, Crew, Lost, content, end, follow, next_message  # noqa: E402
 from reading import keys  # noqa: E402
-from wire import Conversation, RequestError, SceneError, Unstable, scene, serve, wire  # noqa: E402
-
-RAISED = {wire.Error.REQUEST: RequestError, wire.Error.UNSTABLE: Unstable}
+from wire import Gone, decoded, listen, scene, wire  # noqa: E402
 
 
-class Relay:
-    """A participant whose every request is answered by the ranks."""
-
-    def __init__(self, crew):
-        self.crew = crew
-        crew.tell(wire.Frame(hello=wire.Hello()))  # a new run begins
-
-    def __getattr__(self, asked):
-        return lambda request, answer: self.ask(asked, request, answer)
-
-    def ask(self, asked, request, answer):
-        reply = self.crew.ask(wire.Frame(**{asked: request}))
-        error = reply.error
-        if reply.WhichOneof("content") != "error":
-            answer.CopyFrom(getattr(reply, Conversation.ANSWERS[asked]))
-        elif error.kind == wire.Error.SCENE:
-            raise SceneError(error.path, error.message)
-        else:
-            raise RAISED.get(error.kind, RuntimeError)(error.message)
+def relay(link, crew):
+    """One run, to its end. Requests go to the ranks and answers come back as bytes: while Python decodes a long message, no
+    heartbeat can be sent."""
+    crew.begin()
+    while True:
+        request = next_message(link)
+        if content(request) == "error":
+            raise Gone(decoded(request).error.message)
+        try:
+            answer = crew.ask(request)
+            link.send_payload(answer)
+        except (Lost, ValueError) as error:
+            return link.refuse(wire.Error.INTERNAL, str(error))
+        if content(answer) in ("bye", "error"):
+            return
 
 
 def main():
@@ -50,7 +44,7 @@ def main():
     if child.rank > 0:
         follow(child)
     crew = Crew(child)
-    serve("fenicsx_continuum", lambda: Relay(crew), list(keys(scene.Scene.DESCRIPTOR, COMPUTED)))
+    listen("fenicsx_continuum", lambda link: relay(link, crew), list(keys(scene.Scene.DESCRIPTOR, COMPUTED)))
 
 
 if __name__ == "__main__":

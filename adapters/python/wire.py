@@ -60,6 +60,13 @@ class Gone(Exception):
     """The other end is gone, silent, or does not follow the protocol."""
 
 
+def decoded(payload):
+    try:
+        return wire.Frame.FromString(payload)
+    except DecodeError as error:
+        raise Gone(f"sent {len(payload)} bytes that are no frame") from error
+
+
 class Link:
     """One end of a connection. Sending is safe from several threads."""
 
@@ -87,14 +94,15 @@ class Link:
             data += piece
         return bytes(data)
 
-    def next_frame(self):
+    def next_payload(self):
+        """The bytes of the next frame."""
         length, = struct.unpack("<I", self.read(4))
         if length > self.accepts:
             raise Gone(f"announced a frame of {length} bytes, but at most {self.accepts} are allowed")
-        try:
-            return wire.Frame.FromString(self.read(length))
-        except DecodeError as error:
-            raise Gone(f"sent {length} bytes that are no frame") from error
+        return self.read(length)
+
+    def next_frame(self):
+        return decoded(self.next_payload())
 
     def next_answer(self):
         """The next frame that is not a heartbeat."""
@@ -110,7 +118,9 @@ class Link:
         return frame
 
     def send(self, frame):
-        payload = frame.SerializeToString()
+        self.send_payload(frame.SerializeToString())
+
+    def send_payload(self, payload):
         if len(payload) > self.peer_accepts:
             raise ValueError(f"a frame of {len(payload)} bytes is longer than the {self.peer_accepts} that the client accepts")
         with self.using:
@@ -215,7 +225,7 @@ def converse(link, participant):
             return link.refuse(wire.Error.INTERNAL, f"{type(error).__name__}: {error}")
 
 
-def run_for(connected, options, program, make_participant, computes, occupied):
+def run_for(connected, options, program, take_part, computes, occupied):
     ended = threading.Event()
     if options.tls:
         connected = options.tls.wrap_socket(connected, server_side=True, do_handshake_on_connect=False)
@@ -231,7 +241,7 @@ def run_for(connected, options, program, make_participant, computes, occupied):
             try:
                 link.greet(program, computes, options.secret_file)
                 threading.Thread(target=link.beat, args=(ended,), daemon=True).start()
-                converse(link, make_participant())
+                take_part(link)
             finally:
                 ended.set()
                 occupied.release()
@@ -242,6 +252,11 @@ def run_for(connected, options, program, make_participant, computes, occupied):
 
 def serve(program, make_participant, computes):
     """Listens, and serves one run after another, each with a participant of its own. `computes`: see Hello in wire.proto."""
+    listen(program, lambda link: converse(link, make_participant()), computes)
+
+
+def listen(program, take_part, computes):
+    """The same, where `take_part` converses on the link of each run."""
     parser = argparse.ArgumentParser(description=f"{program}, a participant in the runs of the Adit coupler.")
     parser.add_argument("--listen", default="127.0.0.1:0", help="HOST:PORT; port 0 takes any free one")
     # Python's ssl cannot bind a proof to its connection, which the coupler demands where it has both.
@@ -255,5 +270,5 @@ def serve(program, make_participant, computes):
     occupied = threading.Lock()
     while True:
         connected, _ = listener.accept()
-        given = (connected, options, program, make_participant, computes, occupied)
+        given = (connected, options, program, take_part, computes, occupied)
         threading.Thread(target=run_for, args=given, daemon=True).start()

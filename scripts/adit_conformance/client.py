@@ -4,6 +4,7 @@ import shlex
 import socket
 import subprocess
 import sys
+import tempfile
 import time
 from pathlib import Path
 
@@ -34,20 +35,28 @@ class Participant:
     """A participant under test, started by a command or listening already; its role is `continuum` or `particles`."""
 
     def __init__(self, role, given):
-        self.role, self.process = role, None
-        if not re.fullmatch(r"\S+:\d+", given):
-            self.process = subprocess.Popen(shlex.split(given), stdout=subprocess.PIPE, text=True)
-            line = self.process.stdout.readline()
-            if not line.startswith("listening on "):
-                raise SystemExit(f"conformance: `{given}` printed {line!r} where `listening on HOST:PORT` was expected")
-            given = line.split()[-1]
-        host, _, port = given.rpartition(":")
+        self.role, self.process, self.output = role, None, None
+        host, _, port = (given if re.fullmatch(r"\S+:\d+", given) else self.start(given)).rpartition(":")
         self.address = host, int(port)
+
+    def start(self, command):
+        """The address at which it listens. What it prints is kept in a file, which never makes it wait."""
+        self.output = tempfile.NamedTemporaryFile("ab", prefix="conformance_")
+        self.process = subprocess.Popen(shlex.split(command), stdout=self.output, stderr=self.output)
+        while not (listening := re.search(r"^listening on (\S+:\d+)\n", self.said(), re.MULTILINE)):
+            if self.process.poll() is not None:
+                raise SystemExit(f"conformance: `{command}` ended before it printed `listening on HOST:PORT`\n{self.said()}")
+            time.sleep(0.05)
+        return listening[1]
+
+    def said(self):
+        """All that the command has printed."""
+        return Path(self.output.name).read_text(errors="replace") if self.output else ""
 
     def stop(self):
         if self.process:
             self.process.terminate()
-            self.process.communicate()
+            self.process.wait()
 
     def connect(self):
         """A connection without any greeting."""

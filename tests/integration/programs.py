@@ -103,8 +103,8 @@ class ProgramTest(unittest.TestCase):
         cls.addClassCleanup(shutil.rmtree, folder)
         return folder
 
-    def run_scene(self, scene, *arguments, out="run"):
-        result = coupler("run", scene, "--out", self.folder / out, *arguments)
+    def run_scene(self, scene, *arguments, out="run", timeout=PATIENCE_S):
+        result = coupler("run", scene, "--out", self.folder / out, *arguments, timeout=timeout)
         self.assertEqual(result.returncode, 0, result.stderr)
         return self.folder / out
 

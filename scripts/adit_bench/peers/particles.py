@@ -83,12 +83,6 @@ def ours(root, kind, discs, rows):
     return m["steps_per_s"] * m["bonds"]
 
 
-def granular_step(discs, rows, steps):
-    """Seconds of CPU time that LAMMPS takes for a step of discs that touch with history."""
-    places, bonds = beam(discs, rows)
-    return measure(LAMMPS, GRANULAR, places, bonds, steps) / steps
-
-
 def installed(command, name):
     program, there = ("liblammps0", ctypes.util.find_library("lammps")) if command == LAMMPS else (command[0], shutil.which(command[0]))
     if not there:
@@ -121,11 +115,11 @@ def beam(discs, rows):
     return places, pairs
 
 
-def measure(command, script, places, bonds, steps=STEPS):
+def measure(command, script, places, bonds):
     """Seconds of CPU time for the steps."""
     with tempfile.TemporaryDirectory() as folder:
         (pathlib.Path(folder) / "beam.data").write_text(data(places, bonds, "atom_style bond" in script))
-        return cpu_seconds(command, script, folder, steps) - cpu_seconds(command, script, folder, 0)
+        return cpu_seconds(command, script, folder, STEPS) - cpu_seconds(command, script, folder, 0)
 
 
 def measure_yade(places, bonds):
@@ -158,7 +152,7 @@ def cpu_seconds(command, script, folder, steps):
 
 def compute(command, folder):
     """What the code prints of the input in.beam."""
-    result = subprocess.run([*command, "in.beam"], cwd=folder, capture_output=True, text=True)
+    result = subprocess.run([*command, "in.beam"], cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, text=True)
     if result.returncode:
         raise RuntimeError(f"{command} failed:\n{result.stdout[-2000:]}{result.stderr[-2000:]}")
     return result.stdout

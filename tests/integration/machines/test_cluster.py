@@ -22,6 +22,12 @@ extends: {CASE}/variants/coupled_52x6.yaml
 time: {{duration: 5 ms}}
 output: {{field_times: [4 ms]}}
 """
+ALONE = """
+plane: plane_strain
+material: {young_modulus: 25 GPa, poisson_ratio: 0.2, density: 2500 kg/m^3}
+time: {duration: 5 ms}
+continuum: {block: {x_min: 0 m, x_max: 8 m, y_min: 0 m, y_max: 4 m, zones_x: 8, zones_y: 4}}
+"""
 LONG = SCENE.replace("5 ms", "100 ms")  # for a signal to come in time
 
 
@@ -95,6 +101,15 @@ class TheJob(ClusterTest):
         self.end(self.start(), 0)
         self.assertFalse(self.asked.exists())
         self.assertTrue(self.summary(self.results)["completed"])
+
+    def test_a_continuum_alone_has_one_node_beside_the_coupler(self):
+        """The line of `coupler check` that follows its table begins with a number, too, but is no model."""
+        self.input.write_text(ALONE)
+        self.assertEqual(self.written("--nodes", "2").count("\nserve "), 1)
+        self.end(self.start(), 0)
+        self.assertTrue(self.summary(self.results)["completed"])
+        refused = self.write("--nodes", "3")
+        self.assertIn("the scene has 1 model,", refused.stderr)
 
     def test_before_its_time_is_up_it_submits_itself_again_and_goes_on(self):
         process = self.stepping()

@@ -4,11 +4,15 @@ import os
 import pathlib
 import signal
 import subprocess
+import sys
 import time
 import unittest
 
 from peers.mpi_server import Ranks, mpirun
-from programs import BUILD, CASE, ProgramTest, children_of, coupler, cracks, wait_until
+from programs import BUILD, CASE, SOURCE, ProgramTest, children_of, coupler, cracks, wait_until
+
+sys.path.insert(0, str(SOURCE / "scripts"))
+from adit_bench.peers import held  # noqa: E402
 
 PROGRAM = BUILD / "adapters/lammps/adit_lammps"
 # Of the largest value; both compute the same pairs, and ranks add them up in another order.
@@ -38,6 +42,8 @@ particles:
 output: {history_interval: 0.5 ms, field_times: [10 ms]}
 """
 
+RANKS_PATIENCE_S = 900  # ranks that share their cores lose a turn in every step
+
 
 def served(ranks):
     return [*mpirun(ranks), str(PROGRAM), "--listen", "127.0.0.1:0"]
@@ -54,7 +60,8 @@ class LammpsTest(ProgramTest):
         ours = self.run_scene(scene, *GENERAL, *arguments, out="ours")
         for count in ranks:
             with self.subTest(ranks=count), Ranks(served(count)) as lammps:
-                theirs = self.run_scene(scene, *GENERAL, *arguments, "--dem", lammps.address, out=f"ranks_{count}")
+                theirs = self.run_scene(scene, *GENERAL, *arguments, "--dem", lammps.address, out=f"ranks_{count}",
+                                        timeout=RANKS_PATIENCE_S)
                 self.assertEqual(cracks(ours), cracks(theirs))
                 self.assert_same_histories(ours, theirs, TOLERANCE)
         return len(cracks(ours))
@@ -104,3 +111,23 @@ class LammpsLosesARank(LammpsTest):
 
     def test_a_stopped_one(self):
         self.assertRegex(self.lose(signal.SIGSTOP), r"rank 1 \(process \d+ on \S+\) has given no sign of life for 4 s")
+
+
+@unittest.skipUnless(PROGRAM.exists(), "adapters/lammps is left out")
+class CodesTakeTurns(unittest.TestCase):
+    """scripts/bench ranks: servers and LAMMPS's own discs hold their models, and compute steps of them in turn."""
+
+    def test_on_one_rank_and_two(self):
+        described = ("plane: PLANE_STRESS time { duration: 1 } material { young_modulus: 2e7 poisson_ratio: 0.2 density: 2000 } "
+                     "particles { engine: GENERAL packing { x_min: 0 x_max: 6 y_min: 0 y_max: 4 radius: 0.5 } bonds {} }")
+        with held.Server("particles", served(1), described) as one, held.Server("particles", served(2), described) as two, \
+                held.Granular(6, 4) as discs:
+            for code in (one, two, discs, one):
+                self.assertGreater(code.seconds(3), 0)
+        self.assertEqual((one.at, two.at), (8, 4))
+        for ended in (one.participant.process, two.participant.process, discs.process):
+            self.assertEqual(ended.returncode, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
