@@ -8,7 +8,7 @@ import subprocess
 import time
 import unittest
 
-from faults.faulty import FaultTest
+from faults.faulty import SHORT, FaultTest
 from programs import CASE, COUPLER, Server, children_of, coupler, wait_until
 
 PACKS_FOR_MINUTES = "particles={random_packing: {x_min: 0 m, x_max: 500 m, y_min: 0 m, y_max: 500 m, radius_min: 0.5 m, radius_max: 1 m, stress: 1 MPa}}"
@@ -71,6 +71,22 @@ class Lost(FaultTest):
         self.assertEqual(run.returncode, 3, errors)
         self.assert_said(errors, "dem_server at ")
         self.assertFalse((self.folder / "run/summary.json").exists())
+
+    def test_a_signal_in_its_set_up(self):
+        """There is nothing new yet that could be kept; what an earlier run left stays."""
+        folder = self.run_scene(CASE / "full_dem.yaml", *SHORT, out="run")
+        earlier = (folder / "summary.json").read_bytes()
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            run = subprocess.Popen([COUPLER, "run", CASE / "full_dem.yaml", "--out", folder, "--set", PACKS_FOR_MINUTES],
+                                   stderr=subprocess.DEVNULL, preexec_fn=lambda: signal.signal(number, signal.SIG_DFL))
+            self.addCleanup(run.kill)
+            wait_until(lambda: children_of(run.pid))
+            time.sleep(0.5)
+            servers = children_of(run.pid)
+            run.send_signal(number)
+            self.assertEqual(run.wait(5), -number)
+            wait_until(lambda: not any(alive(pid) for pid in servers), 5)
+            self.assertEqual((folder / "summary.json").read_bytes(), earlier)
 
     def test_a_pause_of_the_coupler_and_of_a_server(self):
         """As by Ctrl-Z and fg: the run goes on."""
