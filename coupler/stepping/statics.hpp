@@ -8,8 +8,8 @@
 // - kinetic damping (Cundall 1976; Barnes 1999): whenever the kinetic energy of the whole model has passed a
 //   peak, all velocities are set to 0, before they move anything. A step's delay would leave the fastest
 //   motions, which pass their peak every third step, undamped;
-// - adaptive damping (Nesterov 1983; O'Donoghue & Candès 2015), where the scene states it: the n-th step after
-//   a stop takes 3 / (3 + n) of all velocities, and all stop when the forces take kinetic energy away.
+// - adaptive damping (Nesterov 1983; O'Donoghue & Candès 2015), where the scene states it: the n-th step
+//   after a stop takes 3 / (3 + n) of all velocities, and all stop when the forces take kinetic energy away.
 // Neither alters the constraint or the weighted overlap, so that what is at rest stays at rest when time
 // begins.
 //
@@ -20,9 +20,9 @@
 //
 // Near rest, but for local damping, masses make one step critical for each zone, beam and bond (wire.proto,
 // Advance.scale_masses): excavation 2651 -> 581, lined tunnel 77443 -> 11833. A reduced ring of segments with
-// weak joints comes to 1e-5 in 110679 steps with local damping and in 3407 with adaptive damping, whose forces
-// then differ by 0.3 %. States reached at the same ratio are farther from rest than without such masses:
-// 8 instead of 4.5 % at 1e-3 in that ring.
+// weak joints comes to 1e-5 in 110679 steps with local damping and in 3407 with adaptive damping, whose
+// forces then differ by 0.3 %. States reached at the same ratio are farther from rest than without such
+// masses: 8 instead of 4.5 % at 1e-3 in that ring.
 //
 // Quiet edges are held in statics, and go on being held by the forces of then, but for what is inertia in
 // them (Unrest::drift, fdm_server/solver/dashpots.hpp).

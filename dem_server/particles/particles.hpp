@@ -14,15 +14,15 @@ namespace adit::dem {
 struct Model;
 
 struct Particles {
-  std::vector<std::uint32_t> id;                      // place in the packing
-  std::vector<double> x, y;                           // centre at rest [m]
-  std::vector<double> radius;                         // [m]
-  std::vector<double> ux, uy;                         // displacement [m]
-  std::vector<double> settled_x, settled_y;           // of it by statics, before time began [m]
-  std::vector<double> vx, vy, spin;                   // velocity [m/s], [rad/s]
-  std::vector<double> fx, fy, moment;                 // resultants of this step [N], [N m]
-  std::vector<double> weight;                         // energy weight, in mass and inertia already
-  std::vector<double> mass, inertia;                  // weighted [kg], [kg m^2]
+  std::vector<std::uint32_t> id;             // place in the packing
+  std::vector<double> x, y;                  // centre at rest [m]
+  std::vector<double> radius;                // [m]
+  std::vector<double> ux, uy;                // displacement [m]
+  std::vector<double> settled_x, settled_y;  // of it by statics, before time began [m]
+  std::vector<double> vx, vy, spin;          // velocity [m/s], [rad/s]
+  std::vector<double> fx, fy, moment;        // resultants of this step [N], [N m]
+  std::vector<double> weight;                // energy weight, in mass and inertia already
+  std::vector<double> mass, inertia;         // weighted [kg], [kg m^2]
   // Of the masses that are moved, which are others where statics scale them [1/kg], [1/(kg m^2)].
   std::vector<double> inverse_mass, inverse_inertia;
   std::vector<double> tie_x,

@@ -36,8 +36,9 @@ struct Traffic {
   double seconds_waited = 0;  // time spent waiting for frames
 };
 
-// Used by one thread; only interrupt() and what says so may be called from others. Every function throws PeerLost, which names
-// the peer ("dem_server at 127.0.0.1:4711"), if the peer is gone, silent or sends bytes that cannot be read.
+// Used by one thread; only interrupt() and what says so may be called from others. Every function throws
+// PeerLost, which names the peer ("dem_server at 127.0.0.1:4711"), if the peer is gone, silent or sends bytes
+// that cannot be read.
 class Connection {
  public:
   // Takes over a connected socket; `program` names the program expected at the other end, until establish().
@@ -93,8 +94,8 @@ class Connection {
   // it, within the interval of heartbeats and from the heartbeat's thread.
   void when_gone(std::function<void()> leave);
 
-  // How far this end is in a long work, told with the next heartbeats until something else is sent; and what the
-  // peer told last. Any thread may call them.
+  // How far this end is in a long work, told with the next heartbeats until something else is sent; and what
+  // the peer told last. Any thread may call them.
   void tell_progress(const std::string& how_far);
   std::string progress_of_peer() const;
 
@@ -147,7 +148,7 @@ class Connection {
   FrameEncoder encoder_;
   std::uint64_t send_limit_ = kMaxHelloBytes;
   bool sends_parts_ = false;
-  std::string peer_release_;                      // as in "dem_server 0.4.0"
+  std::string peer_release_;  // as in "dem_server 0.4.0"
   std::vector<std::byte> last_heartbeat_;
   std::span<const std::byte> rest_of_heartbeat_;  // bytes that the socket did not take yet
   std::string progress_;                          // of this end

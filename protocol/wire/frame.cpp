@@ -172,7 +172,8 @@ std::optional<std::uint32_t> FrameDecoder::take_preamble() {
   return load(bytes + sizeof kMagic);
 }
 
-// A heartbeat is only a sign of life where what it says is too long or cannot be read, or comes from a stranger.
+// A heartbeat is only a sign of life where what it says is too long or cannot be read, or comes from a
+// stranger.
 void FrameDecoder::hear_heartbeat(std::span<const std::byte> payload) {
   wire::Frame frame;
   const bool read = !greeting_ && payload.size() <= kMaxHelloBytes &&

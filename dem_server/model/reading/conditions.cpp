@@ -57,7 +57,8 @@ std::vector<Load> read_loads(const scene::Particles& particles, const Placement&
     const std::string path = fmt::format("particles.body_loads[{}]", i);
     const TimeFactor time = factor_of(load.time());
     loads.push_back({Load::Kind::kAcceleration, select(load.where(), placement, path + ".where"),
-                     load.acceleration().x(), load.acceleration().y(), time, path, protocol::is_steady(load.time())});
+                     load.acceleration().x(), load.acceleration().y(), time, path,
+                     protocol::is_steady(load.time())});
   }
   return loads;
 }

@@ -150,7 +150,8 @@ Model read_model(const scene::Scene& scene, const protocol::Progress& progress) 
   Model model;
   set_contacts(groups, model);
   set_damping(particles.damping(), model);
-  Placement placement = place_discs(particles, model.contacts.front().normal_stiffness, progress, model.notes);
+  Placement placement =
+      place_discs(particles, model.contacts.front().normal_stiffness, progress, model.notes);
   model.overlaps_free = placement.overlaps_free;
   set_particles(scene, groups, placement, model);
   if (particles.remove_floaters()) {

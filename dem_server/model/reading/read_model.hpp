@@ -16,6 +16,7 @@
 namespace adit::dem {
 
 // UserError for whatever cannot be computed. `progress` hears how far a random packing is.
-Model read_model(const scene::Scene& scene, const protocol::Progress& progress = [](const std::string&) {});
+Model read_model(
+    const scene::Scene& scene, const protocol::Progress& progress = [](const std::string&) {});
 
 }  // namespace adit::dem
