@@ -38,24 +38,21 @@ bool may_touch(const Model& model) {
   });
 }
 
-// Of a participant that cannot be slowed, if there is one.
-const Participant* that_never_slows(const Model& model) {
-  const auto found =
-      std::ranges::find_if(model.participants, [](const auto& one) { return !one.model.slows(); });
-  return found == model.participants.end() ? nullptr : &*found;
+void require_slowing(const Model& model) {
+  for (const Participant& participant : model.participants)
+    if (!participant.model.slows())
+      throw protocol::UserError(
+          "statics.damping",
+          fmt::format("is adaptive, which the program of `{}` does not know; state local or kinetic",
+                      participant.member.name));
 }
 
 // What the scene states, else by what it holds (statics.hpp).
 scene::Statics::Damping damping_of(const Model& model) {
   const scene::Statics& statics = model.scene.statics();
-  const Participant* never = that_never_slows(model);
-  if (statics.has_damping() && statics.damping() == scene::Statics::ADAPTIVE && never)
-    throw protocol::UserError(
-        "statics.damping", fmt::format("is adaptive, which the program of `{}` does not know; state local or "
-                                       "kinetic",
-                                       never->member.name));
-  if (statics.has_damping()) return statics.damping();
-  return may_touch(model) ? scene::Statics::LOCAL : scene::Statics::KINETIC;
+  if (!statics.has_damping()) return may_touch(model) ? scene::Statics::LOCAL : scene::Statics::KINETIC;
+  if (statics.damping() == scene::Statics::ADAPTIVE) require_slowing(model);
+  return statics.damping();
 }
 
 // Statics with masses of their own, which end with this object: the constraint of time is kept meanwhile.

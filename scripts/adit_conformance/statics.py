@@ -16,8 +16,8 @@ def relaxing(participant, inside=""):
 
 def refusals_in_statics(participant):
     """refuses statics after time, what belongs to statics in time, another dt without `stop`, with kind REQUEST"""
-    for before, wrong in ((False, {"relax": True}), (False, {"stop": True}), (False, {"stage": 1}), (False, {"local_damping": SHARE}), (False, {"scale_masses": True}), (False, {"slowing": SHARE}), (True, {"dt": 2.0}),
-                          (True, {"local_damping": 1.0}), (True, {"step": 2})):
+    for before, wrong in ((False, {"relax": True}), (False, {"stop": True}), (False, {"stage": 1}), (False, {"local_damping": SHARE}),
+                          (False, {"scale_masses": True}), (False, {"slowing": SHARE}), (True, {"dt": 2.0}), (True, {"local_damping": 1.0}), (True, {"step": 2})):
         with relaxing(participant) as run:
             dt = run.model.critical_dt / 4
             run.step(0, dt, relax=before)

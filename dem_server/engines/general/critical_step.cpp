@@ -269,12 +269,6 @@ void add_foundations(const Model& model, Sums& sums) {
     for (const std::uint32_t i : one.discs) sums.stretch[i] += one.law.stiffness * model.cell_area(i);
 }
 
-Sums sums_of_statics(const Model& model, const Touching& touching) {
-  Sums sums = touching.sums(kOfSprings);
-  add_foundations(model, sums);
-  return sums;
-}
-
 // Discs that nothing pulls, or turns, keep their own.
 Masses masses_of(const Sums& sums, double mass_per_stiffness, const Model& model) {
   constexpr double kRotary = 2;  // c
@@ -287,8 +281,7 @@ Masses masses_of(const Sums& sums, double mass_per_stiffness, const Model& model
 }
 
 // By which this step [s] is critical.
-double mass_per_stiffness(const Model& model, const Touching& touching, double step) {
-  const Sums sums = sums_of_statics(model, touching);
+double mass_per_stiffness(const Model& model, const Touching& touching, const Sums& sums, double step) {
   return touching.stiffest(sums, masses_of(sums, 1, model)).squared * step * step / 4;
 }
 
@@ -297,7 +290,8 @@ double mass_per_stiffness(const Model& model, const Touching& touching, double s
 CriticalElement critical_element(const Model& model) {
   const Touching touching(model);
   const Masses masses = true_masses(model);
-  Stiffest stiffest = touching.stiffest(touching.sums(kOfSprings), masses);
+  Sums springs = touching.sums(kOfSprings);
+  Stiffest stiffest = touching.stiffest(springs, masses);
   const double of_statics = step_of(stiffest);
   double step = of_statics;
   if (stiffest.squared > 0 && any_dashpots(model)) {
@@ -311,12 +305,16 @@ CriticalElement critical_element(const Model& model) {
     return (at[stiffest.first] + at[stiffest.second]) / 2;
   };
   const double static_step = allowed(of_statics);
-  return {allowed(step),         static_step,           stiffest.kind,
-          middle(model.discs.x), middle(model.discs.y), mass_per_stiffness(model, touching, static_step)};
+  add_foundations(model, springs);
+  return {allowed(step),         static_step,
+          stiffest.kind,         middle(model.discs.x),
+          middle(model.discs.y), mass_per_stiffness(model, touching, springs, static_step)};
 }
 
 Masses scaled_masses(const Model& model, double mass_per_stiffness) {
-  return masses_of(sums_of_statics(model, Touching(model)), mass_per_stiffness, model);
+  Sums springs = Touching(model).sums(kOfSprings);
+  add_foundations(model, springs);
+  return masses_of(springs, mass_per_stiffness, model);
 }
 
 }  // namespace adit::dem
