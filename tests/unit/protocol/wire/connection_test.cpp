@@ -122,13 +122,16 @@ TEST(Connection, SendingToAPeerThatDoesNotReadEndsInPeerLost) {
   EXPECT_LT(waited, 1.8);
 }
 
-// A peer that is busy, but alive, may take its time to read.
+// A peer that is busy, but alive, may take its time to read. A second, because a sanitizer takes its own to write and
+// read so large a frame.
 TEST(Connection, SendingWaitsForAPeerThatIsAlive) {
-  ConnectionPair pair(kShort, kShort);
+  Patience patience = kShort;
+  patience.silence = 1s;
+  ConnectionPair pair(patience, patience);
   const auto large = predicted(1, 2000000);
   wire::Frame received;
   std::thread busy([&] {
-    std::this_thread::sleep_for(3 * kShort.silence);
+    std::this_thread::sleep_for(2 * patience.silence);
     pair.far.receive(received);
   });
   EXPECT_NO_THROW(pair.near.send(large));
