@@ -21,7 +21,10 @@ struct Extremes {
   void widen_to(std::span<const double> values, std::size_t begin, std::size_t end) {
     double *least = min.data(), *most = max.data();
     int beyond = 0;
-    for (std::size_t i = begin; i < end; ++i) beyond |= (values[i] < least[i]) | (values[i] > most[i]);
+    for (std::size_t i = begin; i < end; ++i) {
+      const int below = values[i] < least[i], above = values[i] > most[i];
+      beyond |= below | above;
+    }
     if (beyond == 0) return;
     for (std::size_t i = begin; i < end; ++i) {
       least[i] = values[i] < least[i] ? values[i] : least[i];

@@ -18,6 +18,7 @@ class ReversalLaw final : public ZoneLaw {
   ReversalLaw(const Elasticity& elasticity, const Polyline& backbone, std::size_t zones, bool large_strain);
 
   void advance(const LawStep& step) override;
+  void prefetch(std::size_t first, std::uint32_t count) const override { inner_.prefetch(first, count); }
   void turn(std::size_t first, std::uint32_t count, const HalfTurns& turns) override {
     axes_.turn(first, count, turns);
   }

@@ -33,6 +33,8 @@ class ZoneLaw {
   virtual void advance(const LawStep& step) {
     add_elastic(step.count, elasticity_, step.strains, step.stresses);
   }
+  // Zones that are wanted next come into the cache.
+  virtual void prefetch(std::size_t /*first*/, std::uint32_t /*count*/) const {}
   // In large strain: what has a direction turns with the ground.
   virtual void turn(std::size_t /*first*/, std::uint32_t /*count*/, const HalfTurns& /*turns*/) {}
   // Before the first step.

@@ -50,6 +50,7 @@ struct NonlinearZones::Batch {
 void NonlinearZones::add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) {
   Batch batch;
   const auto finish = [&] {
+    prefetch(batch.first + batch.count);
     corners_ ? compute_in_large_strain(batch) : compute(batch);
     std::uint32_t from = 0;
     for (std::uint32_t p = 0; p < batch.pieces; ++p) {
@@ -69,6 +70,13 @@ void NonlinearZones::add_forces(std::span<const ZoneRun> runs, double dt, const 
     }
   }
   if (batch.count > 0) finish();
+}
+
+// Asks for what the zones of the next batch remember.
+void NonlinearZones::prefetch(std::size_t first) const {
+  stresses_.prefetch(first, kBatch);
+  if (corners_) corners_->prefetch(first, kBatch);
+  law_->prefetch(first, kBatch);
 }
 
 void NonlinearZones::take_up(const ZoneRun& run, std::uint32_t done, std::uint32_t count, double dt,

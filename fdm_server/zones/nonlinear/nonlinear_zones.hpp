@@ -56,6 +56,7 @@ class NonlinearZones final : public ZoneKernel {
 
  private:
   struct Batch;
+  void prefetch(std::size_t first) const;
   void take_up(const ZoneRun& run, std::uint32_t done, std::uint32_t count, double dt,
                const PointView& points, Batch& batch) const;
   void compute(Batch& batch);
