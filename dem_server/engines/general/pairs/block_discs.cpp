@@ -21,8 +21,8 @@ ADIT_VECTOR_CLONES void take_range(const Particles& p, std::size_t begin, std::s
     turn(moved);
     turn(placed);
     for (std::size_t lane = 0; lane < 4; ++lane) {
-      four(&to[k + lane].ux) = moved[lane];
-      four(&to[k + lane].x) = placed[lane];
+      store(moved[lane], &to[k + lane].ux);
+      store(placed[lane], &to[k + lane].x);
     }
   }
   for (; k < count; ++k) to[k] = motion_of(p, begin + k);
@@ -71,16 +71,16 @@ ADIT_VECTOR_CLONES double give_range(const DiscSums* sums, std::size_t begin, st
       continue;
     }
     const FourSums sum = of(sums + k);
-    Four &fx = four(&p.fx[i]), &fy = four(&p.fy[i]), &moment = four(&p.moment[i]);
-    Four &vx = four(&p.vx[i]), &vy = four(&p.vy[i]), &spin = four(&p.spin[i]);
-    power += vx * (fx + sum.x) + vy * (fy + sum.y) + spin * (moment + sum.moment);
-    fx = sum.x;
-    fy = sum.y;
-    moment = sum.moment;
+    const Four vx = four(&p.vx[i]), vy = four(&p.vy[i]), spin = four(&p.spin[i]);
+    power += vx * (four(&p.fx[i]) + sum.x) + vy * (four(&p.fy[i]) + sum.y) +
+             spin * (four(&p.moment[i]) + sum.moment);
+    store(sum.x, &p.fx[i]);
+    store(sum.y, &p.fy[i]);
+    store(sum.moment, &p.moment[i]);
     const Four by_mass = four(&p.inverse_mass[i]), by_inertia = four(&p.inverse_inertia[i]);
-    vx += kick * sum.x * by_mass;
-    vy += kick * sum.y * by_mass;
-    spin += kick * sum.moment * by_inertia;
+    store(vx + kick * sum.x * by_mass, &p.vx[i]);
+    store(vy + kick * sum.y * by_mass, &p.vy[i]);
+    store(spin + kick * sum.moment * by_inertia, &p.spin[i]);
   }
   return power[0] + power[1] + power[2] + power[3] + of_others;
 }

@@ -22,8 +22,8 @@ using Places = std::array<std::uint32_t, kLanes>;
 }
 
 [[gnu::always_inline]] inline void put(const Four& low, const Four& high, double* to) {
-  four(to) = low;
-  four(to + 4) = high;
+  store(low, to);
+  store(high, to + 4);
 }
 
 }  // namespace
@@ -39,8 +39,10 @@ ADIT_VECTOR_CLONES void look_up_discs(const Pairs::Chunk& chunk, const Pairs& pa
                  second = places_at(pairs.second_place, at, chunk.end);
     Four moved[kLanes], placed[kLanes];
     for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-      const double *a = motions + first[lane], *b = motions + second[lane];
-      const Eight between = (Eight)((Bits)eight(b) & kOfSecond) - (Eight)((Bits)eight(a) & kOfFirst);
+      Eight a, b;
+      load(motions + first[lane], a);
+      load(motions + second[lane], b);
+      const Eight between = (Eight)((Bits)b & kOfSecond) - (Eight)((Bits)a & kOfFirst);
       moved[lane] = low_half(between);
       placed[lane] = high_half(between);
     }
@@ -76,8 +78,9 @@ ADIT_VECTOR_CLONES void add_to_discs(const Pairs::Chunk& chunk, const Pairs& pai
                     four(&forces.moment_2[k])};
     turn(rows);
     const auto add = [&](std::uint32_t lane) {
-      four(sums + first[k + lane]) += rows[lane];
-      four(sums + second[k + lane] + 4) += rows[lane];
+      double *of_first = sums + first[k + lane], *of_second = sums + second[k + lane] + 4;
+      store(four(of_first) + rows[lane], of_first);
+      store(four(of_second) + rows[lane], of_second);
     };
     if (k + 4 <= count)
       for (std::uint32_t lane = 0; lane < 4; ++lane) add(lane);

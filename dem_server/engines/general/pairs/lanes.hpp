@@ -3,25 +3,30 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 
 namespace adit::dem {
 
 inline constexpr std::uint32_t kLanes = 8;  // pairs that are turned at a time
 
-using Four [[gnu::vector_size(32), gnu::may_alias, gnu::aligned(8)]] = double;
+using Four [[gnu::vector_size(32)]] = double;
+using Eight [[gnu::vector_size(64)]] = double;
 
-[[gnu::always_inline]] inline Four& four(double* values) {
-  return *reinterpret_cast<Four*>(values);
+// From and to any place of a list: by copies, because not all compilers let a reference to a vector lie
+// anywhere.
+template <class Values>
+[[gnu::always_inline]] inline void load(const double* from, Values& to) {
+  std::memcpy(&to, from, sizeof to);
 }
-[[gnu::always_inline]] inline const Four& four(const double* values) {
-  return *reinterpret_cast<const Four*>(values);
+[[gnu::always_inline]] inline Four four(const double* from) {
+  Four values;
+  load(from, values);
+  return values;
+}
+[[gnu::always_inline]] inline void store(const Four& values, double* to) {
+  std::memcpy(to, &values, sizeof values);
 }
 
-using Eight [[gnu::vector_size(64), gnu::may_alias, gnu::aligned(8)]] = double;
-
-[[gnu::always_inline]] inline const Eight& eight(const double* values) {
-  return *reinterpret_cast<const Eight*>(values);
-}
 [[gnu::always_inline]] inline Four low_half(const Eight& values) {
   return __builtin_shufflevector(values, values, 0, 1, 2, 3);
 }
