@@ -37,6 +37,8 @@ class Interpolation : public protocol::SparseRows {
   void divide_by_mass(std::span<double> own) const;  // own *= 1/M
 
  private:
+  explicit Interpolation(const wire::Operator& op);
+
   std::vector<double> inverse_masses_, other_inverse_masses_;
   bool scaled_ = false;
 };

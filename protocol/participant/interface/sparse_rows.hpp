@@ -1,5 +1,8 @@
 // A sparse matrix N, stored by rows, that acts alike on the x and the y of interleaved pairs: it takes the
 // velocities of a participant's own points to the coupling points (wire.proto, Operator).
+//
+// Coupling points that follow one another often lie in the same zone: rows of the same four columns, whose
+// own points are read and written once for all of them.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +15,7 @@ namespace adit::protocol {
 class SparseRows {
  public:
   SparseRows() = default;
-  // Row k has the entries row_starts[k] to row_starts[k + 1] of the other two.
+  // Row k has the entries row_starts[k] to row_starts[k + 1] of the other two, which must be there.
   SparseRows(std::vector<std::uint32_t> row_starts, std::vector<std::uint32_t> columns,
              std::vector<double> values);
 
@@ -33,9 +36,16 @@ class SparseRows {
   std::span<const double> values() const { return values_; }
 
  private:
+  // Consecutive rows: of the same four columns, or any.
+  struct Run {
+    std::size_t begin, end;
+    bool same_four;
+  };
+
   std::vector<std::uint32_t> row_starts_{0};
   std::vector<std::uint32_t> columns_;
   std::vector<double> values_;
+  std::vector<Run> runs_;
 };
 
 }  // namespace adit::protocol
