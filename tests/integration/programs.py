@@ -59,7 +59,7 @@ def children_of(pid):
         return []
 
 
-def wait_until(condition, patience=30):
+def wait_until(condition, patience=30 * PATIENCE):
     end = time.monotonic() + patience
     while not condition():
         if time.monotonic() > end:

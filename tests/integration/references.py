@@ -4,7 +4,7 @@ import json
 import shlex
 import subprocess
 
-from programs import BUILD, SOURCE
+from programs import BUILD, PATIENCE, SOURCE
 
 CASES = SOURCE / "cases"
 
@@ -21,7 +21,7 @@ def run_reduced(test, case):
     program = "simplified" if "simplified:" in (SOURCE / scene).read_text() else "coupler"
     folder = test.folder / case
     done = subprocess.run([BUILD / program / program, "run", SOURCE / scene, "--out", folder, *options], capture_output=True,
-                          text=True, timeout=280)
+                          text=True, timeout=280 * PATIENCE)
     test.assertEqual(done.returncode, 0, done.stderr)
     compared = compare(folder, case)
     test.assertEqual(compared.returncode, 0, compared.stdout + compared.stderr)
@@ -30,4 +30,4 @@ def run_reduced(test, case):
 
 def compare(run, case):
     return subprocess.run([SOURCE / "scripts" / "compare", run, "--reference", CASES / case / "reference.json"], capture_output=True,
-                          text=True, timeout=60)
+                          text=True, timeout=60 * PATIENCE)

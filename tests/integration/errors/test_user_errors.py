@@ -4,7 +4,7 @@ import socket
 import subprocess
 import unittest
 
-from programs import BUILD, CASE, SOURCE, ProgramTest, Server, coupler
+from programs import BUILD, CASE, PATIENCE, SOURCE, ProgramTest, Server, coupler
 
 SCENE = (CASE / "coupled.yaml").read_text().replace("extends: full_dem.yaml", f"extends: {CASE / 'full_dem.yaml'}")
 
@@ -126,19 +126,19 @@ class UserErrors(ProgramTest):
     def test_port_in_use(self):
         with Server("dem_server") as first:
             second = subprocess.run([BUILD / "dem_server" / "dem_server", "--listen", first.address],
-                                    capture_output=True, text=True, timeout=20)
+                                    capture_output=True, text=True, timeout=20 * PATIENCE)
         self.assertEqual(second.returncode, 2, second.stderr)
         self.assertIn(first.address.split(":")[1], second.stderr)
 
     def test_address_beyond_loopback_needs_consent(self):
         result = subprocess.run([BUILD / "dem_server" / "dem_server", "--listen", "0.0.0.0:0"],
-                                capture_output=True, text=True, timeout=20)
+                                capture_output=True, text=True, timeout=20 * PATIENCE)
         self.assertEqual(result.returncode, 2, result.stderr)
         self.assertIn("--insecure", result.stderr)
 
     def test_more_threads_than_any_machine_has(self):
         result = subprocess.run([BUILD / "fdm_server" / "fdm_server", "--threads", "1000000"],
-                                capture_output=True, text=True, timeout=20)
+                                capture_output=True, text=True, timeout=20 * PATIENCE)
         self.assertEqual(result.returncode, 2, result.stderr)
         self.assertIn("--threads: Value 1000000 not in range", result.stderr)
 

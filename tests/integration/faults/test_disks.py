@@ -6,7 +6,7 @@ import subprocess
 import unittest
 
 from faults.faulty import SCENE, SHORT, FaultTest
-from programs import COUPLER, coupler, wait_until
+from programs import COUPLER, PATIENCE, coupler, wait_until
 
 NOBODY = ("setpriv", "--reuid=65534", "--regid=65534", "--clear-groups")
 
@@ -16,7 +16,7 @@ class Disks(FaultTest):
         """Runs a shell's command where `mount` has been done; nobody else sees that."""
         if subprocess.run(["unshare", "-rm", "sh", "-c", mount], capture_output=True).returncode:
             self.skipTest("no file system can be mounted here")
-        return subprocess.run(["unshare", "-rm", "sh", "-c", f"{mount}; {command}"], capture_output=True, text=True, timeout=100)
+        return subprocess.run(["unshare", "-rm", "sh", "-c", f"{mount}; {command}"], capture_output=True, text=True, timeout=100 * PATIENCE)
 
     def words(self, options):
         return " ".join(f"'{word}'" for word in options)
@@ -49,13 +49,13 @@ class Disks(FaultTest):
 
     def test_a_folder_of_somebody_else(self):
         command = self.of_nobody(COUPLER, "run", SCENE, "--out", self.folder / "run", *SHORT)
-        done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+        done = subprocess.run(command, capture_output=True, text=True, timeout=60 * PATIENCE)
         self.assert_refused(done, f"{self.folder}/run cannot be created: Permission denied", "--out")
 
     def test_a_scene_of_somebody_else(self):
         scene = self.scene("name: mine\n")
         scene.chmod(0o600)
-        done = subprocess.run(self.of_nobody(COUPLER, "check", scene), capture_output=True, text=True, timeout=60)
+        done = subprocess.run(self.of_nobody(COUPLER, "check", scene), capture_output=True, text=True, timeout=60 * PATIENCE)
         self.assert_refused(done, f"{scene}: the file cannot be opened; check its permissions")
 
     def test_results_in_the_place_of_a_file(self):
@@ -66,7 +66,7 @@ class Disks(FaultTest):
     def test_a_folder_that_is_removed_in_a_run(self):
         run = self.started("--set", "output.checkpoint.interval=0.2 s")
         shutil.rmtree(self.folder / "run", ignore_errors=True)
-        errors = run.communicate(timeout=20)[1]
+        errors = run.communicate(timeout=20 * PATIENCE)[1]
         self.assertEqual(run.returncode, 2, errors)
         self.assert_said(errors, "No such file or directory", str(self.folder / "run"))
 
@@ -81,7 +81,7 @@ class Disks(FaultTest):
         wait_until(lambda: any((mine / "run/checkpoints").glob("0*/checkpoint.json")))
         for folder in (mine / "run/checkpoints", mine / "run"):
             folder.chmod(0o555)
-        errors = run.communicate(timeout=20)[1]
+        errors = run.communicate(timeout=20 * PATIENCE)[1]
         self.assertEqual(run.returncode, 2, errors)
         self.assert_said(errors, "Permission denied", str(mine / "run"))
         self.assert_whole_rows(mine / "run")

@@ -9,7 +9,7 @@ import time
 import unittest
 
 from faults.faulty import SHORT, FaultTest
-from programs import CASE, COUPLER, Server, children_of, coupler, wait_until
+from programs import CASE, COUPLER, PATIENCE, Server, children_of, coupler, wait_until
 
 PACKS_FOR_MINUTES = "particles={random_packing: {x_min: 0 m, x_max: 500 m, y_min: 0 m, y_max: 500 m, radius_min: 0.5 m, radius_max: 1 m, stress: 1 MPa}}"
 
@@ -29,7 +29,7 @@ class Lost(FaultTest):
         begin = time.monotonic()
         for number in signals:
             self.servers[which].process.send_signal(number)
-        errors = run.communicate(timeout=30)[1]
+        errors = run.communicate(timeout=30 * PATIENCE)[1]
         self.assertLess(time.monotonic() - begin, 10)
         self.assertEqual(run.returncode, 3, errors)
         self.assert_said(errors, f"{which}_server at {self.servers[which].address}: ")
@@ -55,7 +55,7 @@ class Lost(FaultTest):
         run = self.started(*self.joined)
         for server in self.servers.values():
             server.process.kill()
-        errors = run.communicate(timeout=30)[1]
+        errors = run.communicate(timeout=30 * PATIENCE)[1]
         self.assertEqual(run.returncode, 3, errors)
         self.assert_said(errors, "_server at ")
         self.assert_unfinished("_server at ", more_than=5)

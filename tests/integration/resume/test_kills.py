@@ -8,7 +8,7 @@ import signal
 import time
 import unittest
 
-from programs import children_of
+from programs import PATIENCE, children_of
 from resume.resumed import SCENES, ResumeTest
 
 KILLS = 3  # of each scene
@@ -18,7 +18,7 @@ CHECKPOINTS = ("--set", "output.checkpoint.interval=0.2 s")
 class Kills(ResumeTest):
     def complete(self, *command):
         process = self.start(*command)
-        errors = process.communicate(timeout=600)[1]
+        errors = process.communicate(timeout=600 * PATIENCE)[1]
         self.assertEqual(process.returncode, 0, errors)
 
     def kill(self, process, victim):
@@ -26,7 +26,7 @@ class Kills(ResumeTest):
         if process.poll() is None:
             processes = [process.pid, *children_of(process.pid)]
             os.kill(processes[victim % len(processes)], signal.SIGKILL)
-        process.communicate(timeout=60)
+        process.communicate(timeout=60 * PATIENCE)
         return process.returncode != 0
 
     def killed(self, chance, scene, options, out, victim, lasts):

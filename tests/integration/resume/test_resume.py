@@ -7,7 +7,7 @@ import signal
 import time
 import unittest
 
-from programs import children_of
+from programs import PATIENCE, children_of
 from resume.resumed import CHECKPOINTS, ResumeTest
 
 
@@ -21,7 +21,7 @@ class Resume(ResumeTest):
         if process.poll() is None:
             victims = [process.pid, *children_of(process.pid)]
             os.kill(victims[victim % len(victims)], send)
-        said = process.communicate(timeout=60)
+        said = process.communicate(timeout=60 * PATIENCE)
         return process.returncode, said
 
     def assert_goes_on(self, name, kills=3):
@@ -37,7 +37,7 @@ class Resume(ResumeTest):
                 break
             killed += 1
             process = self.start("resume", run)
-        output, errors = process.communicate(timeout=120)
+        output, errors = process.communicate(timeout=120 * PATIENCE)
         self.assertEqual(process.returncode, 0, errors)
         self.assertGreater(killed, 0, "the run ended before it was killed")
         self.assertEqual(len(self.summary(run)["resumed_at_steps"]), killed)

@@ -8,7 +8,7 @@ import sys
 import time
 import unittest
 
-from programs import BUILD, CASE, COUPLER, SOURCE, ProgramTest, children_of
+from programs import BUILD, CASE, COUPLER, PATIENCE, SOURCE, ProgramTest, children_of
 
 LONG = ("--set", "time.duration=50 s", "--set", "output.history_interval=0.1 ms", "--set", "output.field_times=[1 ms]")
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
@@ -42,7 +42,7 @@ class Stop(ProgramTest):
                 # A terminal or a scheduler sends it to the servers, too.
                 for pid in [*children_of(process.pid), process.pid]:
                     os.kill(pid, number)
-                out, errors = process.communicate(timeout=20)
+                out, errors = process.communicate(timeout=20 * PATIENCE)
                 run = self.folder / "run"
                 self.assertEqual(process.returncode, 128 + number, errors)
                 summary = self.summary(run)
@@ -92,7 +92,7 @@ class Stop(ProgramTest):
             time.sleep(0.005)
         time.sleep(0.3)
         process.send_signal(signal.SIGTERM)
-        errors = process.communicate(timeout=20)[1]
+        errors = process.communicate(timeout=20 * PATIENCE)[1]
         self.assertEqual(process.returncode, 128 + signal.SIGTERM, errors)
         summary = self.summary(run)
         self.assertFalse(summary["completed"])
@@ -109,7 +109,7 @@ class Stop(ProgramTest):
         done = subprocess.run(
             ["unshare", "-rm", "sh", "-c",
              f"{mount}; {COUPLER} run {CASE / 'coupled.yaml'} --out {disk}/run {settings}; code=$?; cp -r {disk}/run {kept}; exit $code"],
-            capture_output=True, text=True, timeout=120)
+            capture_output=True, text=True, timeout=120 * PATIENCE)
         self.assertEqual(done.returncode, 5, done.stderr)
         self.assertRegex(done.stderr.strip().splitlines()[-1], "^error: cannot write .*: No space left on device; make room")
         summary = self.summary(kept)
@@ -122,13 +122,13 @@ class Stop(ProgramTest):
         process = self.started("full_fdm.yaml")
         time.sleep(0.5)
         process.send_signal(signal.SIGTERM)
-        process.communicate(timeout=20)
+        process.communicate(timeout=20 * PATIENCE)
         run = self.folder / "run"
         other = shutil.copytree(run, self.folder / "other")
         for script in ("plot", "report", "compare"):
             runs = [run, other] if script == "compare" else [run]
             done = subprocess.run([sys.executable, SOURCE / "scripts" / script, *runs], capture_output=True, text=True,
-                                  timeout=200, cwd=self.folder)
+                                  timeout=200 * PATIENCE, cwd=self.folder)
             self.assertEqual(done.returncode, 0, f"{script}: {done.stderr}")
         page = (run / "report.html").read_text()
         self.assertIn("The run was stopped", page)

@@ -127,6 +127,7 @@ TEST(Connection, SendingToAPeerThatDoesNotReadEndsInPeerLost) {
 TEST(Connection, SendingWaitsForAPeerThatIsAlive) {
   Patience patience = kShort;
   patience.silence = 1s;
+  patience.answer = 10s;
   ConnectionPair pair(patience, patience);
   const auto large = predicted(1, 2000000);
   wire::Frame received;
