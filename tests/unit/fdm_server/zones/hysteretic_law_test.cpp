@@ -224,7 +224,7 @@ TEST(HystereticLaw, ZonesTogetherAreSinglePoints) {
   std::normal_distribution<double> normal(0, 1);
   const double limit = 1e-12 * kElasticity.shear * curve.back().stress;
   for (int step = 0; step < 1500; ++step) {
-    const std::uint32_t cut = random() % (kZones + 1);  // zones of two batches
+    const std::uint32_t cut = 1 + random() % (kZones - 1);  // zones of two batches
     for (const auto& [first, count] : {std::pair{0u, cut}, {cut, kZones - cut}}) {
       for (std::uint32_t i = 0; i < count; ++i) {
         const double phase = 0.05 * step * (1 + 0.03 * (first + i));
