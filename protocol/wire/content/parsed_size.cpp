@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <string>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace adit::protocol {
 namespace {
@@ -22,6 +24,22 @@ constexpr int kDeepest = 100;  // as protobuf's parser
 constexpr std::uint64_t kGrowth = 2;
 constexpr std::uint64_t kPointer = 8, kUnknownField = 64;
 
+// Parts of a message whose first piece takes just what it needs: lists of doubles, and messages, which are
+// merged where they come again. They grow from the second piece on.
+class Pieces {
+ public:
+  // What a piece of this size takes beyond its size.
+  std::uint64_t growth(const FieldDescriptor* field, std::uint64_t size) {
+    for (auto& [known, grows_not_yet] : pieces_)
+      if (known == field) return std::exchange(grows_not_yet, 0) + size;
+    pieces_.emplace_back(field, size);
+    return 0;
+  }
+
+ private:
+  std::vector<std::pair<const FieldDescriptor*, std::uint64_t>> pieces_;
+};
+
 class Estimate {
  public:
   explicit Estimate(CodedInputStream& bytes) : bytes_(bytes) {}
@@ -30,15 +48,16 @@ class Estimate {
 
   // Adds what is within a message of this type; false if the bytes are no such message.
   bool add_fields(const Descriptor* type, int depth) {
+    Pieces pieces;
     while (const std::uint32_t tag = bytes_.ReadTag()) {
       const auto* field = type->FindFieldByNumber(WireFormatLite::GetTagFieldNumber(tag));
-      if (!add_field(tag, field, depth)) return false;
+      if (!add_field(tag, field, depth, pieces)) return false;
     }
     return bytes_.ConsumedEntireMessage();
   }
 
  private:
-  bool add_field(std::uint32_t tag, const FieldDescriptor* field, int depth) {
+  bool add_field(std::uint32_t tag, const FieldDescriptor* field, int depth, Pieces& pieces) {
     const auto wire_type = WireFormatLite::GetTagWireType(tag);
     if (wire_type == WireFormatLite::WIRETYPE_START_GROUP) return false;  // no message has any
     if (field != nullptr && !may_come_as(wire_type, field)) field = nullptr;
@@ -46,21 +65,28 @@ class Estimate {
       if (field == nullptr)
         total_ += kUnknownField;
       else if (field->is_repeated() || field->enum_type() != nullptr)
-        total_ += number_size(field);
+        total_ += number_size(field) + (is_list_of_doubles(field) ? pieces.growth(field, 0) : 0);
       return WireFormatLite::SkipField(&bytes_, tag);
     }
     int length = 0;
     if (!bytes_.ReadVarintSizeAsInt(&length)) return false;
     if (field == nullptr || field->message_type() == nullptr) {
-      total_ += size_within(field, static_cast<std::uint64_t>(length));
+      const std::uint64_t size = size_within(field, static_cast<std::uint64_t>(length));
+      total_ += size + (is_list_of_doubles(field) ? pieces.growth(field, size) : 0);
       return bytes_.Skip(length);
     }
+    const std::uint64_t before = total_;
     total_ += empty_size(field->message_type()) + kGrowth * kPointer;
     if (depth == kDeepest) return false;
     const auto limit = bytes_.PushLimit(length);
     const bool complete = add_fields(field->message_type(), depth + 1);
     bytes_.PopLimit(limit);
+    if (!field->is_repeated()) total_ += pieces.growth(field, total_ - before);
     return complete;
+  }
+
+  static bool is_list_of_doubles(const FieldDescriptor* field) {
+    return field != nullptr && field->is_repeated() && field->type() == FieldDescriptor::TYPE_DOUBLE;
   }
 
   // The parser keeps a field that comes otherwise among those that it does not know.
@@ -75,7 +101,7 @@ class Estimate {
     if (field == nullptr) return kUnknownField + length;
     if (field->type() == FieldDescriptor::TYPE_STRING || field->type() == FieldDescriptor::TYPE_BYTES)
       return sizeof(std::string) + kGrowth * kPointer + length;
-    if (field->type() == FieldDescriptor::TYPE_DOUBLE) return length;  // their number is known: nothing grows
+    if (field->type() == FieldDescriptor::TYPE_DOUBLE) return length + kPointer;  // their number is known
     return number_size(field) * count_numbers(length);
   }
 

@@ -73,6 +73,41 @@ TEST(ParsedSize, CountsWhatIsNotKnown) {
   expect_counted<scene::Scene>("\x20\x7f");     // plane: an enumerator that there is not
 }
 
+std::string varint(std::size_t value) {
+  std::string bytes;
+  for (; value > 127; value >>= 7) bytes += static_cast<char>(value | 128);
+  return bytes + static_cast<char>(value);
+}
+
+// A field that holds these bytes.
+std::string holding(int number, const std::string& bytes) {
+  return varint(static_cast<std::size_t>(number) << 3 | 2) + varint(bytes.size()) + bytes;
+}
+
+template <class Message>
+void expect_enough(const std::string& bytes) {
+  Message parsed;
+  const std::uint64_t empty = parsed.SpaceUsedLong();
+  ASSERT_TRUE(parsed.ParseFromString(bytes));
+  EXPECT_GE(size_of(bytes, Message::descriptor()).value_or(0), parsed.SpaceUsedLong() - empty);
+}
+
+// A list whose number is known takes what it needs, and doubles when one more comes; so do those of a message
+// that comes again.
+TEST(ParsedSize, CountsWhatComesInPieces) {
+  const std::string doubles(8000, '\1'), one(8, '\1');
+  constexpr int kVelocities = wire::Predicted::kVelocitiesFieldNumber;
+  const std::string list = holding(kVelocities, doubles), short_list = holding(kVelocities, one),
+                    value = varint(kVelocities << 3 | 1) + one;
+  for (const auto& bytes : {list, list + short_list, list + value, value + list, list + list + value + list})
+    expect_enough<wire::Predicted>(bytes);
+
+  const auto output = [](const std::string& times) {
+    return holding(scene::Scene::kOutputFieldNumber, holding(scene::Output::kFieldTimesFieldNumber, times));
+  };
+  expect_enough<scene::Scene>(output(doubles) + output(one));
+}
+
 TEST(ParsedSize, IsNothingForBytesThatAreNoMessage) {
   const auto* type = wire::Setup::descriptor();
   EXPECT_FALSE(
