@@ -59,7 +59,7 @@ class Estimate {
  private:
   bool add_field(std::uint32_t tag, const FieldDescriptor* field, int depth, Pieces& pieces) {
     const auto wire_type = WireFormatLite::GetTagWireType(tag);
-    if (wire_type == WireFormatLite::WIRETYPE_START_GROUP) return false;  // no message has any
+    if (wire_type == WireFormatLite::WIRETYPE_START_GROUP) return add_group(tag);
     if (field != nullptr && !may_come_as(wire_type, field)) field = nullptr;
     if (wire_type != WireFormatLite::WIRETYPE_LENGTH_DELIMITED) {
       if (field == nullptr)
@@ -83,6 +83,15 @@ class Estimate {
     bytes_.PopLimit(limit);
     if (!field->is_repeated()) total_ += pieces.growth(field, total_ - before);
     return complete;
+  }
+
+  // None of our messages has groups: the parser keeps them as fields that it does not know, the least in two
+  // bytes.
+  bool add_group(std::uint32_t tag) {
+    const int begin = bytes_.CurrentPosition();
+    if (!WireFormatLite::SkipField(&bytes_, tag)) return false;
+    total_ += kUnknownField * static_cast<std::uint64_t>(bytes_.CurrentPosition() - begin);
+    return true;
   }
 
   static bool is_list_of_doubles(const FieldDescriptor* field) {

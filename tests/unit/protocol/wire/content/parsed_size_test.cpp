@@ -67,10 +67,12 @@ void expect_counted(std::string_view field) {
 
 // The parser keeps what it does not know.
 TEST(ParsedSize, CountsWhatIsNotKnown) {
-  expect_counted<wire::Model>("\xf8\x07\x01");  // field 127: 1
-  expect_counted<wire::Model>("\x08\x01");      // critical_dt as a whole number
-  expect_counted<wire::Model>("\x0a\x01z");     // the same as a text
-  expect_counted<scene::Scene>("\x20\x7f");     // plane: an enumerator that there is not
+  expect_counted<wire::Model>("\xf8\x07\x01");                      // field 127: 1
+  expect_counted<wire::Model>("\x08\x01");                          // critical_dt as a whole number
+  expect_counted<wire::Model>("\x0a\x01z");                         // the same as a text
+  expect_counted<scene::Scene>("\x20\x7f");                         // plane: an enumerator that there is not
+  expect_counted<wire::Model>("\x73\x74");                          // an empty group
+  expect_counted<wire::Model>("\x73\x73\x08\x01\x74\x08\x01\x74");  // groups with numbers
 }
 
 std::string varint(std::size_t value) {
@@ -115,7 +117,7 @@ TEST(ParsedSize, IsNothingForBytesThatAreNoMessage) {
               "abc",
               type))
       << "cut short";
-  EXPECT_FALSE(size_of("\xfb\x07\xfc\x07", type)) << "a group";
+  EXPECT_FALSE(size_of("\xfb\x07", type)) << "a group without an end";
   EXPECT_FALSE(size_of(std::string(1, '\x00'), type)) << "field 0";
   EXPECT_FALSE(size_of("\xff", type)) << "half a tag";
 }
