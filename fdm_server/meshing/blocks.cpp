@@ -1,6 +1,7 @@
 #include "fdm_server/meshing/blocks.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <unordered_map>
 
@@ -47,8 +48,10 @@ class PointsByPlace {
  private:
   std::uint64_t cell(double x, double y) const {
     const double size = 4 * reach_;
+    // The bits of a double: no place is too large for them, also where all points of a block coincide and the
+    // size is 0. Adding 0.0 makes one cell of 0 and -0.
     const auto number = [size](double place) {
-      return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(place / size)));
+      return std::bit_cast<std::uint64_t>(std::floor(place / size) + 0.0);
     };
     // Cells that fall together by chance cost time only, because find() asks for the distance.
     return number(x) * 0x9e3779b97f4a7c15u ^ number(y);
