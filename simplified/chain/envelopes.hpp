@@ -22,7 +22,8 @@ struct Extremes {
     double *least = min.data(), *most = max.data();
     int beyond = 0;
     for (std::size_t i = begin; i < end; ++i) {
-      const int below = values[i] < least[i], above = values[i] > most[i];
+      const int below = values[i] < least[i];
+      const int above = values[i] > most[i];
       beyond |= below | above;
     }
     if (beyond == 0) return;
