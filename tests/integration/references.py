@@ -4,7 +4,7 @@ import json
 import shlex
 import subprocess
 
-from programs import BUILD, PATIENCE, SOURCE
+from programs import BUILD, PATIENCE, PATIENCE_S, SOURCE
 
 CASES = SOURCE / "cases"
 
@@ -30,4 +30,4 @@ def run_reduced(test, case):
 
 def compare(run, case):
     return subprocess.run([SOURCE / "scripts" / "compare", run, "--reference", CASES / case / "reference.json"], capture_output=True,
-                          text=True, timeout=60 * PATIENCE)
+                          text=True, timeout=PATIENCE_S)

@@ -6,7 +6,7 @@ import time
 
 from foreign import Listener, framed, road
 from link import wire_pb2
-from programs import CASE, COUPLER, PATIENCE, ProgramTest, Server, coupler, wait_until
+from programs import CASE, COUPLER, PATIENCE_S, ProgramTest, Server, coupler, wait_until
 
 SCENE = CASE / "coupled.yaml"
 SHORT = ("--set", "time.duration=2 ms", "--set", "output.field_times=[1 ms]", "--set", "output.checkpoint={}")
@@ -67,7 +67,7 @@ class FaultTest(ProgramTest):
             server.write_text(f"#!/bin/sh\n{script}\n")
             server.chmod(0o755)
         begin = time.monotonic()
-        done = subprocess.run([program, command, CASE / "full_fdm.yaml"], cwd=self.folder, capture_output=True, text=True, timeout=60 * PATIENCE)
+        done = subprocess.run([program, command, CASE / "full_fdm.yaml"], cwd=self.folder, capture_output=True, text=True, timeout=PATIENCE_S)
         return done, time.monotonic() - begin
 
     def assert_said(self, errors, *words):

@@ -10,7 +10,7 @@ import time
 import unittest
 
 from faults.faulty import SHORT, FaultTest
-from programs import CASE, COUPLER, PATIENCE, coupler
+from programs import CASE, COUPLER, PATIENCE_S, coupler
 
 SILENT_NAME_SERVER = """
 import socket, subprocess, sys
@@ -57,7 +57,7 @@ class Addresses(FaultTest):
             self.skipTest("no name server can be given to a process here")
         begin = time.monotonic()
         done = subprocess.run([*command, COUPLER, "run", CASE / "full_dem.yaml", "--out", self.folder / "run", "--dem", "tunnel.example:4711"],
-                              capture_output=True, text=True, timeout=60 * PATIENCE)
+                              capture_output=True, text=True, timeout=PATIENCE_S)
         self.assertLess(time.monotonic() - begin, 10)
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assert_said(done.stderr, "the host in tunnel.example:4711 is not known, because no name server answers within 5 s")

@@ -6,7 +6,7 @@ import subprocess
 import unittest
 
 from faults.faulty import SCENE, SHORT, FaultTest
-from programs import COUPLER, PATIENCE, coupler, wait_until
+from programs import COUPLER, PATIENCE, PATIENCE_S, coupler, wait_until
 
 NOBODY = ("setpriv", "--reuid=65534", "--regid=65534", "--clear-groups")
 
@@ -49,13 +49,13 @@ class Disks(FaultTest):
 
     def test_a_folder_of_somebody_else(self):
         command = self.of_nobody(COUPLER, "run", SCENE, "--out", self.folder / "run", *SHORT)
-        done = subprocess.run(command, capture_output=True, text=True, timeout=60 * PATIENCE)
+        done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE_S)
         self.assert_refused(done, f"{self.folder}/run cannot be created: Permission denied", "--out")
 
     def test_a_scene_of_somebody_else(self):
         scene = self.scene("name: mine\n")
         scene.chmod(0o600)
-        done = subprocess.run(self.of_nobody(COUPLER, "check", scene), capture_output=True, text=True, timeout=60 * PATIENCE)
+        done = subprocess.run(self.of_nobody(COUPLER, "check", scene), capture_output=True, text=True, timeout=PATIENCE_S)
         self.assert_refused(done, f"{scene}: the file cannot be opened; check its permissions")
 
     def test_results_in_the_place_of_a_file(self):

@@ -7,7 +7,7 @@ import subprocess
 import unittest
 
 from faults.faulty import FaultTest
-from programs import BUILD, CASE, COUPLER, PATIENCE, SOURCE, children_of, coupler
+from programs import BUILD, CASE, COUPLER, PATIENCE_S, SOURCE, children_of, coupler
 
 SIMPLIFIED = BUILD / "simplified" / "simplified"
 COUPLED, GRID, BEAM = CASE / "coupled.yaml", CASE / "full_fdm.yaml", SOURCE / "cases" / "hzm" / "uniform_0.1g.yaml"
@@ -25,7 +25,7 @@ class Folders(FaultTest):
         for command, scene in (("run", GRID), ("check", GRID)):
             self.assertIn(words, self.refused(command, scene, "--out", self.folder / "run"))
         beam = subprocess.run([SIMPLIFIED, "run", BEAM, "--out", self.folder / "run"],
-                              capture_output=True, text=True, timeout=60 * PATIENCE)
+                              capture_output=True, text=True, timeout=PATIENCE_S)
         self.assertEqual(beam.returncode, 2, beam.stderr)
         self.assertIn(words, beam.stderr)
         run.kill()
@@ -67,7 +67,7 @@ class Folders(FaultTest):
                 with self.subTest(f"{program.name} {redirect}"):
                     line = f'{program} run {scene} --out {self.folder / "run"}'
                     code = self.folder / "code"
-                    subprocess.run(["bash", "-c", f"{{ {line}; echo $? >{code}; }} {redirect}"], timeout=60 * PATIENCE, check=False,
+                    subprocess.run(["bash", "-c", f"{{ {line}; echo $? >{code}; }} {redirect}"], timeout=PATIENCE_S, check=False,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
                     self.assertEqual(code.read_text(), "0\n")
                     self.assertTrue((self.folder / "run" / "summary.json").exists())

@@ -5,7 +5,7 @@ import struct
 import unittest
 
 from link import Link, wire_pb2
-from programs import PATIENCE, Server
+from programs import PATIENCE_S, Server
 
 GOES_ON, MIB = 1 << 31, 1 << 20
 SCENE = {"material": {"young_modulus": 3e10, "poisson_ratio": 0.2, "density": 2500}, "time": {"duration": 1e-3},
@@ -36,7 +36,7 @@ def put_together(whole, part):
 class Client(Link):
     def __init__(self, server, reads_parts):
         host, port = server.address.split(":")
-        super().__init__(socket.create_connection((host, int(port)), timeout=60 * PATIENCE))
+        super().__init__(socket.create_connection((host, int(port)), timeout=PATIENCE_S))
         self.lengths = []  # of the frames that came
         self.greet()
         self.send(wire_pb2.Frame(hello={"protocol_version": 2, "program": "coupler", "max_frame_bytes": 1 << 30,

@@ -6,7 +6,7 @@ import signal
 import subprocess
 import time
 
-from programs import COUPLER, PATIENCE, SOURCE, ProgramTest
+from programs import COUPLER, PATIENCE_S, SOURCE, ProgramTest
 
 CASES = SOURCE / "cases"
 CHECKPOINTS = ("--set", "output.checkpoint.interval=30 ms")
@@ -171,7 +171,7 @@ class ResumeTest(ProgramTest):
             else:
                 self.assertTrue(found[path] == content, f"{path} differs")
 
-    def wait_for(self, condition, process, patience=60 * PATIENCE):
+    def wait_for(self, condition, process, patience=PATIENCE_S):
         end = time.monotonic() + patience
         while not condition():
             if process.poll() is not None:
@@ -192,6 +192,6 @@ class ResumeTest(ProgramTest):
         process = self.start("run", scene, "--out", run, *arguments, *CHECKPOINTS)
         self.wait_for(lambda: any(run.glob("checkpoints/0*")), process)
         process.send_signal(signal.SIGTERM)
-        process.communicate(timeout=60 * PATIENCE)
+        process.communicate(timeout=PATIENCE_S)
         self.assertEqual(process.returncode, 128 + signal.SIGTERM)
         return run

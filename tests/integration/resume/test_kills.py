@@ -8,7 +8,7 @@ import signal
 import time
 import unittest
 
-from programs import PATIENCE, children_of
+from programs import PATIENCE, PATIENCE_S, children_of
 from resume.resumed import SCENES, ResumeTest
 
 KILLS = 3  # of each scene
@@ -26,7 +26,7 @@ class Kills(ResumeTest):
         if process.poll() is None:
             processes = [process.pid, *children_of(process.pid)]
             os.kill(processes[victim % len(processes)], signal.SIGKILL)
-        process.communicate(timeout=60 * PATIENCE)
+        process.communicate(timeout=PATIENCE_S)
         return process.returncode != 0
 
     def killed(self, chance, scene, options, out, victim, lasts):

@@ -7,7 +7,7 @@ import signal
 import time
 import unittest
 
-from programs import PATIENCE, children_of
+from programs import PATIENCE, PATIENCE_S, children_of
 from resume.resumed import CHECKPOINTS, ResumeTest
 
 
@@ -21,7 +21,7 @@ class Resume(ResumeTest):
         if process.poll() is None:
             victims = [process.pid, *children_of(process.pid)]
             os.kill(victims[victim % len(victims)], send)
-        said = process.communicate(timeout=60 * PATIENCE)
+        said = process.communicate(timeout=PATIENCE_S)
         return process.returncode, said
 
     def assert_goes_on(self, name, kills=3):

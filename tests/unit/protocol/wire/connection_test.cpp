@@ -122,8 +122,8 @@ TEST(Connection, SendingToAPeerThatDoesNotReadEndsInPeerLost) {
   EXPECT_LT(waited, 1.8);
 }
 
-// A peer that is busy, but alive, may take its time to read. A second, because a sanitizer takes its own to write and
-// read so large a frame.
+// A peer that is busy, but alive, may take its time to read. A second, because a sanitizer takes its own to
+// write and read so large a frame.
 TEST(Connection, SendingWaitsForAPeerThatIsAlive) {
   Patience patience = kShort;
   patience.silence = 1s;

@@ -56,13 +56,18 @@ TEST(ParsedSize, IsThatOfProtobuf) {
 }
 
 template <class Message>
-void expect_counted(std::string_view field) {
-  std::string bytes;
-  for (int i = 0; i < 10000; ++i) bytes += field;
+void expect_enough(const std::string& bytes) {
   Message parsed;
   const std::uint64_t empty = parsed.SpaceUsedLong();
   ASSERT_TRUE(parsed.ParseFromString(bytes));
   EXPECT_GE(size_of(bytes, Message::descriptor()).value_or(0), parsed.SpaceUsedLong() - empty);
+}
+
+template <class Message>
+void expect_counted(std::string_view field) {
+  std::string bytes;
+  for (int i = 0; i < 10000; ++i) bytes += field;
+  expect_enough<Message>(bytes);
 }
 
 // The parser keeps what it does not know.
@@ -84,14 +89,6 @@ std::string varint(std::size_t value) {
 // A field that holds these bytes.
 std::string holding(int number, const std::string& bytes) {
   return varint(static_cast<std::size_t>(number) << 3 | 2) + varint(bytes.size()) + bytes;
-}
-
-template <class Message>
-void expect_enough(const std::string& bytes) {
-  Message parsed;
-  const std::uint64_t empty = parsed.SpaceUsedLong();
-  ASSERT_TRUE(parsed.ParseFromString(bytes));
-  EXPECT_GE(size_of(bytes, Message::descriptor()).value_or(0), parsed.SpaceUsedLong() - empty);
 }
 
 // A list whose number is known takes what it needs, and doubles when one more comes; so do those of a message
