@@ -10,23 +10,25 @@ namespace adit::fdm {
 CriticalElement critical_element(ZoneKind kind, const Grid& grid, const Ground& ground,
                                  const Structures& structures, const DampingLaw& damping,
                                  double foundation_stiffness) {
-  const CriticalZone zone = critical_zone(kind, grid, ground);
-  CriticalElement critical{zone.step, zone.step, "zone", zone.centre};
-  if (const auto structure = structures.critical_element(); structure.step < zone.step) {
-    const auto [a, b] = structure.points;
-    critical = {structure.step,
-                structure.step,
-                structure.kind,
-                {(grid.x[a] + grid.x[b]) / 2, (grid.y[a] + grid.y[b]) / 2}};
-  }
-  if (foundation_stiffness > 0) {
+  const auto on_foundation = [&](double step) {
+    if (foundation_stiffness == 0) return step;
     const double density = std::ranges::min(ground.materials, {}, &Material::density).density;
-    critical.static_step = foundation::critical_step(critical.static_step, foundation_stiffness / density);
-    critical.name += " on its foundation";
+    return foundation::critical_step(step, foundation_stiffness / density);
+  };
+  const CriticalZone zone = critical_zone(kind, grid, ground);
+  const auto structure = structures.critical_element();
+  const double zone_step = on_foundation(zone.step), structure_step = on_foundation(structure.step);
+  const double damped_zone_step = critical_step(damping, zone_step);
+  const std::string where = foundation_stiffness > 0 ? " on its foundation" : "";
+  if (structure_step < damped_zone_step) {
+    const auto [a, b] = structure.points;
+    return {structure_step,
+            std::min(structure_step, zone_step),
+            structure.kind + where,
+            {(grid.x[a] + grid.x[b]) / 2, (grid.y[a] + grid.y[b]) / 2}};
   }
-  critical.step = critical_step(damping, critical.static_step);
-  if (damping.beta > 0) critical.name += " with Rayleigh damping";
-  return critical;
+  return {damped_zone_step, std::min(structure_step, zone_step),
+          "zone" + where + (damping.beta > 0 ? " with Rayleigh damping" : ""), zone.centre};
 }
 
 std::vector<double> static_zone_steps(ZoneKind kind, const Grid& grid, const Ground& ground,

@@ -238,11 +238,11 @@ void Continuum::pull(Part& part, const protocol::Step& step) {
   }
   const PointArrays points = arrays(step);
   damped_ += part.sweep.run(team_, zones_, step, points, damping_);
+  if (damping_.acts()) damping_.add_viscous(part.kept, step, points);  // before any force but the zones'
   structures_.add_forces(part.structures, step.dt, {points.vx, points.vy, points.fx, points.fy});
-  if (damping_.acts()) damping_.add_viscous(part.kept, step, points);
   apply_loads(part, step);
   hold_by_ground(part, step);
-  add_boundary_forces(part.dashpots, supports_, damping_.law().beta, step, zones_, points, boundary_work_);
+  add_boundary_forces(part.dashpots, supports_, damping_.law(), step, zones_, points, boundary_work_);
   if (damping_.acts()) damped_ += damping_.add_others(part.kept, step, points);
   find_reactions(part, step);
 }
@@ -365,7 +365,7 @@ void Continuum::exchange(state::Archive& archive) {
     for (Prescribed& one : part->motions)
       for (double* value : {&one.mass, &one.before, &one.after, &one.reaction}) archive("prescribed", *value);
     archive.members("dashpots", std::span(part->dashpots), &Dashpot::settling, &Dashpot::support,
-                    &Dashpot::stress, &Dashpot::given, &Dashpot::drag);
+                    &Dashpot::stress, &Dashpot::viscous, &Dashpot::given, &Dashpot::drag);
     for (foundation::Springs& springs : part->foundations) springs.exchange(archive);
   }
   archive("boundary_work", boundary_work_);

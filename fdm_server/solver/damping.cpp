@@ -1,5 +1,6 @@
 #include "fdm_server/solver/damping.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -14,8 +15,16 @@ DampingLaw rayleigh(double ratio, double low_frequency, double high_frequency) {
 }
 
 double critical_step(const DampingLaw& law, double undamped) {
-  const double x = law.beta / undamped;  // beta w/2 with w = 2/undamped
-  return undamped * (std::sqrt(1 + x * x) - x);
+  if (law.beta == 0) return undamped;
+  const double y = law.beta / undamped, of_dashpot = undamped * (std::sqrt(1 + y * y) - y);
+  return std::max(of_dashpot, undamped / std::sqrt(1 + law.beta / law.relaxation()));
+}
+
+Relaxed::Relaxed(const DampingLaw& law, const protocol::Step& step) {
+  if (law.beta == 0 || step.relax || step.from_rest()) return;
+  const double twice = std::max(2 * law.relaxation(), step.dt);
+  keep = (twice - step.dt) / (twice + step.dt);
+  take = 2 * law.beta / (twice + step.dt);
 }
 
 double Damping::damp(std::span<const protocol::IndexRange> ranges, const protocol::Step& step,
@@ -28,12 +37,12 @@ double Damping::damp(std::span<const protocol::IndexRange> ranges, const protoco
 void Damping::add_viscous(std::span<const protocol::IndexRange> ranges, const protocol::Step& step,
                           const PointArrays& points) {
   if (law_.beta == 0 || step.relax) return;
-  const double factor = step.from_rest() ? 0 : law_.beta / step.dt;
+  const Relaxed relaxed(law_, step);
   const auto axis = [&](double* force, double* zones, double* viscous) {
     for (const auto [begin, end] : ranges)
 #pragma GCC ivdep
       for (std::size_t i = begin; i < end; ++i) {
-        viscous[i] = factor * (force[i] - zones[i]);
+        viscous[i] = relaxed(viscous[i], force[i] - zones[i]);
         zones[i] = force[i];
         force[i] += viscous[i];
       }

@@ -61,13 +61,14 @@ Vector stress_force(const FreeFieldLink& link, const ZoneSet& zones) {
   return force;
 }
 
-Vector free_field_force(Dashpot& dashpot, double beta, const protocol::Step& step, const ZoneSet& zones,
-                        const PointArrays& points) {
+Vector free_field_force(Dashpot& dashpot, const Relaxed& relaxed, const protocol::Step& step,
+                        const ZoneSet& zones, const PointArrays& points) {
   const FreeFieldLink& link = *dashpot.field;
   const Vector before = std::exchange(dashpot.stress, stress_force(link, zones));
+  Vector& viscous = dashpot.viscous;
+  viscous = {relaxed(viscous.x, dashpot.stress.x - before.x),
+             relaxed(viscous.y, dashpot.stress.y - before.y)};
   if (step.from_rest()) return dashpot.stress;
-  const double rate = step.relax ? 0 : beta / step.dt;
-  const Vector viscous{rate * (dashpot.stress.x - before.x), rate * (dashpot.stress.y - before.y)};
   return dashpot.stress + viscous + link.damping * mean_velocity(points, link.column_point, step.kick());
 }
 
@@ -86,11 +87,13 @@ Symmetric& Symmetric::operator+=(const Symmetric& other) {
   return *this;
 }
 
-void add_boundary_forces(std::span<Dashpot> dashpots, bool supports, double beta, const protocol::Step& step,
-                         const ZoneSet& zones, const PointArrays& points, BoundaryWork& work) {
+void add_boundary_forces(std::span<Dashpot> dashpots, bool supports, const DampingLaw& damping,
+                         const protocol::Step& step, const ZoneSet& zones, const PointArrays& points,
+                         BoundaryWork& work) {
+  const Relaxed relaxed(damping, step);
   for (Dashpot& dashpot : dashpots) {
     const Vector given_before = dashpot.given, drag_before = dashpot.drag;
-    const Vector field = dashpot.field ? free_field_force(dashpot, beta, step, zones, points) : Vector{};
+    const Vector field = dashpot.field ? free_field_force(dashpot, relaxed, step, zones, points) : Vector{};
     const std::uint32_t i = dashpot.point;
     if (step.number == 0 && supports && !step.relax)
       dashpot.support = {dashpot.settling.x - points.fx[i] - field.x,

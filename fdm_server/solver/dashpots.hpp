@@ -9,7 +9,7 @@
 // f being all other forces and W the inverse masses (0: a prescribed component).
 //
 // A side with a free field bears in addition the stress of the column beside it, s n L (with its viscous
-// part, beta ds/dt of damping.hpp), and the same dashpots act against the column's velocity: + C w. In a
+// part, damping.hpp), and the same dashpots act against the column's velocity: + C w. In a
 // plane vertical wave both points then move alike, as if the ground went on.
 //
 // Support: when statics end, the points on dashpots are held by the forces that balance those of zones and
@@ -26,6 +26,7 @@
 #include <span>
 #include <vector>
 
+#include "fdm_server/solver/damping.hpp"
 #include "fdm_server/solver/sweep.hpp"
 #include "fdm_server/zones/zone_set.hpp"
 #include "protocol/participant/step.hpp"
@@ -62,6 +63,7 @@ struct Dashpot {
   Vector settling{};  // share of what the model lacked of equilibrium when statics ended
   Vector support{};   // what holds the point at rest, with it
   Vector stress{};    // of the free field
+  Vector viscous{};   // of its damping
   Vector given{};     // support and free field
   Vector drag{};      // of the dashpots
 };
@@ -76,9 +78,10 @@ struct BoundaryWork {
 };
 
 // Adds the forces of the dashpots at step n to those of the points, which hold all others. Where `supports`,
-// step 0 finds the forces that keep the points in equilibrium as they are. `beta`: of the damping [s].
+// step 0 finds the forces that keep the points in equilibrium as they are. `damping`: of the columns.
 // Free-field columns come before the points that are linked to them.
-void add_boundary_forces(std::span<Dashpot> dashpots, bool supports, double beta, const protocol::Step& step,
-                         const ZoneSet& zones, const PointArrays& points, BoundaryWork& work);
+void add_boundary_forces(std::span<Dashpot> dashpots, bool supports, const DampingLaw& damping,
+                         const protocol::Step& step, const ZoneSet& zones, const PointArrays& points,
+                         BoundaryWork& work);
 
 }  // namespace adit::fdm

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "fdm_server/participant/critical_element.hpp"
 #include "fdm_server/zones/critical_step.hpp"
 #include "tests/unit/fdm_server/grid/grids.hpp"
 #include "tests/unit/fdm_server/structures/frames.hpp"
@@ -63,6 +64,39 @@ TEST(LiningLedger, ClosesToRounding) {
   }
   EXPECT_LE(drift, 1e-10 * peak);
   EXPECT_GE(e.dissipated, 1e-3 * peak);
+}
+
+// Rayleigh damping whose stiffness part is that of the ground: the step that zones with damping and beams
+// without allow is stable, though damped beams would need half of it, and the ledger closes.
+TEST(LiningLedger, DampingOfTheGroundLeavesTheLiningsStep) {
+  LinedGround ground;
+  Continuum continuum = ground.continuum();
+  const DampingLaw law{.alpha = 1, .beta = 3e-4};
+  const Ground one{{Material{2000, 2e9, 0.3}}, std::vector<std::uint32_t>(ground.grid.zones.size(), 0)};
+  const CriticalElement critical =
+      critical_element(ZoneKind::kAssumedStrain, ground.grid, one, ground.structures, law, 0);
+  const double beams = ground.structures.critical_step();
+  EXPECT_EQ(
+      critical.step,
+      std::min(beams, critical_step(law, critical_step(ZoneKind::kAssumedStrain, ground.grid, kLaw, 2000))));
+  EXPECT_LT(critical_step(law, beams), 0.6 * critical.step);
+  continuum.set_damping(law);
+  const double dt = 0.999 * critical.step;
+  continuum.step({0, dt});
+  for (std::size_t i = 9; i < ground.grid.x.size(); ++i) {
+    continuum.vx()[i] = std::sin(7.0 * static_cast<double>(i * i));
+    continuum.vy()[i] = std::cos(5.0 * static_cast<double>(i * i));
+  }
+  Energies first{}, e{};
+  continuum.step({1, dt}, &first);
+  double peak = 0, drift = 0;
+  for (std::uint64_t n = 2; n <= 20000; ++n) {
+    continuum.step({n, dt}, &e);
+    peak = std::max({peak, e.kinetic, e.strain});
+    drift = std::max(drift, std::abs(balance(e) - balance(first)));
+  }
+  EXPECT_LE(peak, 10 * first.kinetic);
+  EXPECT_LE(drift, 1e-10 * peak);
 }
 
 // Nothing that yields carries more than it may.
