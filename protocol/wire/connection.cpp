@@ -215,12 +215,12 @@ void Connection::secure(const Tls& tls, End end, const std::string& name) {
 void Connection::send_preamble() {
   const std::lock_guard lock(sending_);
   Watch watch(*this, patience_.connect);
+  awaits_preamble_ = true;
   write(encode_preamble(), watch);
 }
 
 std::uint32_t Connection::receive_preamble() {
   std::optional<std::uint32_t> version;
-  awaits_preamble_ = true;
   try {
     await([&] { return (version = decoder_.take_preamble()).has_value(); }, patience_.connect);
   } catch (const Late& fault) {
@@ -380,11 +380,14 @@ void Connection::sleep(Clock::time_point until, bool readable, bool writable) {
 void Connection::throw_closed(const error_code& error) {
   wire::Frame last;
   try {
+    if (awaits_preamble_) awaits_preamble_ = !decoder_.take_preamble();
     while (!awaits_preamble_ && decoder_.take(last)) {
       tell_listener(Direction::kReceived, decoder_.taken());
       clean_text(last);
       if (last.has_error()) throw_error(peer_, last.error());
     }
+  } catch (const ForeignPreamble&) {
+    throw;
   } catch (const Malformed& fault) {
     throw PeerLost(peer_, fault.what());
   }

@@ -24,8 +24,12 @@ using boost::system::error_code;
                       peer_program, connection.peer(), version, program, release(), kProtocolVersion));
 }
 
-std::uint32_t receive_preamble(Connection& connection) {
+// Returns the version of the other end. This end sends before it reads, as the other one does, so neither
+// waits for the other. The version comes before hello, which another version may write differently.
+std::uint32_t greet(Connection& connection, const wire::Frame& hello) {
   try {
+    connection.send_preamble();
+    connection.send(hello);
     return connection.receive_preamble();
   } catch (const ForeignPreamble& error) {
     throw UserError("", fmt::format("{} {}: another program is at that address; check host and port",
@@ -172,12 +176,7 @@ wire::Hello handshake(Connection& connection, std::string_view program, End end,
   hello.set_reads_parts(true);
   hello.set_challenge(challenge);
   hello.mutable_computes()->Add(computes.begin(), computes.end());
-  // This end sends before it reads, as the other one does, so neither waits for the other. The version comes
-  // before hello, which another version may write differently.
-  connection.send_preamble();
-  connection.send(frame);
-
-  const std::uint32_t version = receive_preamble(connection);
+  const std::uint32_t version = greet(connection, frame);
   if (version != kProtocolVersion) {
     throw_other_version(connection, program, version, program_of_other_version(connection));
   }

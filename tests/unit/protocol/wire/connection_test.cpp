@@ -400,6 +400,29 @@ TEST(Handshake, AnotherProgramIsAUserError) {
                     HasSubstr("check host and port")));
 }
 
+// A peer may reset the connection before this end has sent its hello: what came of its preamble is no frame,
+// and what came behind it says why.
+TEST(Handshake, APeerThatIsGoneBeforeHelloIsUnderstood) {
+  const auto reset_after = [](std::span<const std::byte> bytes) {
+    SocketPair sockets;
+    Connection connection(std::move(sockets.near), "dem_server", kShort);
+    write_raw(sockets.far, bytes);
+    sockets.far.set_option(boost::asio::socket_base::linger(true, 0));
+    sockets.far.close();
+    handshake(connection, "coupler");
+  };
+  const Preamble preamble = encode_preamble();
+  EXPECT_THAT(message_of<PeerLost>([&] { reset_after(std::span(preamble).first(4)); }),
+              HasSubstr("the connection broke"));
+  EXPECT_THAT(message_of<UserError>([&] { reset_after(std::as_bytes(std::span("HTTP/1.1 400 ", 13))); }),
+              HasSubstr("does not speak the Adit protocol"));
+  FrameEncoder encoder;
+  const auto error = encoder.encode(error_frame(wire::Error::REFUSED), kMaxFrameBytes);
+  std::vector<std::byte> refusal(preamble.begin(), preamble.end());
+  refusal.insert(refusal.end(), error.begin(), error.end());
+  EXPECT_THAT(message_of<UserError>([&] { reset_after(refusal); }), HasSubstr("refused: the reason"));
+}
+
 // Before hello nobody can make us hold more than 64 KiB.
 TEST(Handshake, AHelloAboveTheLimitIsRefused) {
   SocketPair sockets;
