@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "protocol/participant/local_damping.hpp"
+#include "protocol/threads/vector_clones.hpp"
 
 namespace adit::fdm {
 
@@ -56,34 +57,55 @@ void Damping::tie(std::span<const std::uint32_t> points) {
   for (const std::uint32_t i : points) local_[i] = 0;
 }
 
+namespace {
+
+// One component of the points; powers in lanes, which the compiler makes a vector.
+struct Component {
+  const double *velocity, *inverse_mass, *mass, *local, *viscous;
+  double *force, *damping;
+};
+constexpr std::size_t kLanes = 4;
+using Powers = std::array<double, kLanes>;
+
+// `drag`: alpha over its implicit factor; 0 where nothing acts yet.
+template <bool kLocal>
+ADIT_VECTOR_CLONES void add_to(const protocol::IndexRange& range, double drag, double half, double acts,
+                               const Component& axis, Powers& powers) {
+  const auto [velocity, inverse_mass, mass, local, viscous, force, damping] = axis;
+  Powers power = powers;
+  const auto add = [&](std::size_t i, double& lane) {
+    const double v = velocity[i], f = force[i];
+    double taken = drag * mass[i] * (v + half * inverse_mass[i] * f);
+    if constexpr (kLocal)
+      taken += inverse_mass[i] > 0 ? acts * local[i] * std::abs(f) * protocol::sign(v) : 0;
+    const double all = viscous[i] - taken;
+    force[i] = f - taken;
+    lane += v * (damping[i] + all);
+    damping[i] = all;
+  };
+  std::size_t i = range.begin;
+  for (; i + kLanes <= range.end; i += kLanes)
+#pragma GCC ivdep
+    for (std::size_t lane = 0; lane < kLanes; ++lane) add(i + lane, power[lane]);
+  for (; i < range.end; ++i) add(i, power[0]);
+  powers = power;
+}
+
+}  // namespace
+
 double Damping::add_others(std::span<const protocol::IndexRange> ranges, const protocol::Step& step,
                            const PointArrays& points) {
   if (!law_.any() || step.relax) return 0;
-  constexpr std::size_t kLanes = 4;
-  const double half = step.kick() / 2, implicit = 1 + law_.alpha * half, acts = step.from_rest() ? 0 : 1;
-  std::array<double, kLanes> power{};  // in lanes, which the compiler makes a vector
-  const auto axis = [&](const double* velocity, double* force, const double* inverse_mass,
-                        const double* viscous, double* damping) {
-    const auto add = [&](std::size_t i, double& lane) {
-      const double v = velocity[i], f = force[i];
-      const double drag = law_.alpha * points.mass[i] * (v + half * inverse_mass[i] * f) / implicit;
-      const double brake = inverse_mass[i] > 0 ? local_[i] * std::abs(f) * protocol::sign(v) : 0;
-      const double added = -acts * (drag + brake), all = added + viscous[i];
-      force[i] = f + added;
-      lane += v * (damping[i] + all);
-      damping[i] = all;
-    };
-    for (const auto [begin, end] : ranges) {
-      std::size_t i = begin;
-      for (; i + kLanes <= end; i += kLanes)
-#pragma GCC ivdep
-        for (std::size_t lane = 0; lane < kLanes; ++lane) add(i + lane, power[lane]);
-      for (; i < end; ++i) add(i, power[0]);
-    }
-  };
-  axis(points.vx, points.fx, points.inverse_mass_x, state_[kViscousX].data(), state_[kDampingX].data());
-  axis(points.vy, points.fy, points.inverse_mass_y, state_[kViscousY].data(), state_[kDampingY].data());
-  return acts * -step.dt / 2 * ((power[0] + power[1]) + (power[2] + power[3]));
+  const double half = step.kick() / 2, acts = step.from_rest() ? 0 : 1;
+  const double drag = acts * law_.alpha / (1 + law_.alpha * half);
+  const auto add = law_.local > 0 ? add_to<true> : add_to<false>;
+  Powers powers{};
+  for (const Component& axis : {Component{points.vx, points.inverse_mass_x, points.mass, local_.data(),
+                                          state_[kViscousX].data(), points.fx, state_[kDampingX].data()},
+                                Component{points.vy, points.inverse_mass_y, points.mass, local_.data(),
+                                          state_[kViscousY].data(), points.fy, state_[kDampingY].data()}})
+    for (const auto& range : ranges) add(range, drag, half, acts, axis, powers);
+  return acts * -step.dt / 2 * ((powers[0] + powers[1]) + (powers[2] + powers[3]));
 }
 
 }  // namespace adit::fdm
