@@ -18,17 +18,18 @@ CriticalElement critical_element(ZoneKind kind, const Grid& grid, const Ground& 
   const CriticalZone zone = critical_zone(kind, grid, ground);
   const auto structure = structures.critical_element();
   const double zone_step = on_foundation(zone.step), structure_step = on_foundation(structure.step);
-  const double damped_zone_step = critical_step(damping, zone_step);
+  const double damped_zone_step = critical_step(damping, zone_step),
+               static_step = std::min(structure_step, zone_step);
   const std::string where = foundation_stiffness > 0 ? " on its foundation" : "";
   if (structure_step < damped_zone_step) {
     const auto [a, b] = structure.points;
     return {structure_step,
-            std::min(structure_step, zone_step),
+            static_step,
             structure.kind + where,
             {(grid.x[a] + grid.x[b]) / 2, (grid.y[a] + grid.y[b]) / 2}};
   }
-  return {damped_zone_step, std::min(structure_step, zone_step),
-          "zone" + where + (damping.beta > 0 ? " with Rayleigh damping" : ""), zone.centre};
+  return {damped_zone_step, static_step, "zone" + where + (damping.beta > 0 ? " with Rayleigh damping" : ""),
+          zone.centre};
 }
 
 std::vector<double> static_zone_steps(ZoneKind kind, const Grid& grid, const Ground& ground,

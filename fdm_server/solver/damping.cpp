@@ -21,7 +21,7 @@ double critical_step(const DampingLaw& law, double undamped) {
   return std::max(of_dashpot, undamped / std::sqrt(1 + law.beta / law.relaxation()));
 }
 
-Relaxed::Relaxed(const DampingLaw& law, const protocol::Step& step) {
+Maxwell::Maxwell(const DampingLaw& law, const protocol::Step& step) {
   if (law.beta == 0 || step.relax || step.from_rest()) return;
   const double twice = std::max(2 * law.relaxation(), step.dt);
   keep = (twice - step.dt) / (twice + step.dt);
@@ -38,12 +38,12 @@ double Damping::damp(std::span<const protocol::IndexRange> ranges, const protoco
 void Damping::add_viscous(std::span<const protocol::IndexRange> ranges, const protocol::Step& step,
                           const PointArrays& points) {
   if (law_.beta == 0 || step.relax) return;
-  const Relaxed relaxed(law_, step);
+  const Maxwell maxwell(law_, step);
   const auto axis = [&](double* force, double* zones, double* viscous) {
     for (const auto [begin, end] : ranges)
 #pragma GCC ivdep
       for (std::size_t i = begin; i < end; ++i) {
-        viscous[i] = relaxed(viscous[i], force[i] - zones[i]);
+        viscous[i] = maxwell(viscous[i], force[i] - zones[i]);
         zones[i] = force[i];
         force[i] += viscous[i];
       }

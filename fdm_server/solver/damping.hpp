@@ -56,9 +56,9 @@ DampingLaw rayleigh(double ratio, double low_frequency, double high_frequency);
 double critical_step(const DampingLaw& law, double undamped);
 
 // The force g of the stiffness part, from step to step: g = keep g + take (f(n) - f(n-1)).
-struct Relaxed {
+struct Maxwell {
   double keep = 0, take = 0;
-  Relaxed(const DampingLaw& law, const protocol::Step& step);
+  Maxwell(const DampingLaw& law, const protocol::Step& step);
   double operator()(double g, double growth) const { return keep * g + take * growth; }
 };
 

@@ -61,13 +61,13 @@ Vector stress_force(const FreeFieldLink& link, const ZoneSet& zones) {
   return force;
 }
 
-Vector free_field_force(Dashpot& dashpot, const Relaxed& relaxed, const protocol::Step& step,
+Vector free_field_force(Dashpot& dashpot, const Maxwell& maxwell, const protocol::Step& step,
                         const ZoneSet& zones, const PointArrays& points) {
   const FreeFieldLink& link = *dashpot.field;
   const Vector before = std::exchange(dashpot.stress, stress_force(link, zones));
   Vector& viscous = dashpot.viscous;
-  viscous = {relaxed(viscous.x, dashpot.stress.x - before.x),
-             relaxed(viscous.y, dashpot.stress.y - before.y)};
+  viscous = {maxwell(viscous.x, dashpot.stress.x - before.x),
+             maxwell(viscous.y, dashpot.stress.y - before.y)};
   if (step.from_rest()) return dashpot.stress;
   return dashpot.stress + viscous + link.damping * mean_velocity(points, link.column_point, step.kick());
 }
@@ -90,10 +90,10 @@ Symmetric& Symmetric::operator+=(const Symmetric& other) {
 void add_boundary_forces(std::span<Dashpot> dashpots, bool supports, const DampingLaw& damping,
                          const protocol::Step& step, const ZoneSet& zones, const PointArrays& points,
                          BoundaryWork& work) {
-  const Relaxed relaxed(damping, step);
+  const Maxwell maxwell(damping, step);
   for (Dashpot& dashpot : dashpots) {
     const Vector given_before = dashpot.given, drag_before = dashpot.drag;
-    const Vector field = dashpot.field ? free_field_force(dashpot, relaxed, step, zones, points) : Vector{};
+    const Vector field = dashpot.field ? free_field_force(dashpot, maxwell, step, zones, points) : Vector{};
     const std::uint32_t i = dashpot.point;
     if (step.number == 0 && supports && !step.relax)
       dashpot.support = {dashpot.settling.x - points.fx[i] - field.x,

@@ -379,15 +379,13 @@ void Connection::sleep(Clock::time_point until, bool readable, bool writable) {
 // Before it closed the connection, the peer may have sent an error that says why; that error is then thrown.
 void Connection::throw_closed(const error_code& error) {
   wire::Frame last;
+  if (awaits_preamble_) awaits_preamble_ = !decoder_.take_preamble();
   try {
-    if (awaits_preamble_) awaits_preamble_ = !decoder_.take_preamble();
     while (!awaits_preamble_ && decoder_.take(last)) {
       tell_listener(Direction::kReceived, decoder_.taken());
       clean_text(last);
       if (last.has_error()) throw_error(peer_, last.error());
     }
-  } catch (const ForeignPreamble&) {
-    throw;
   } catch (const Malformed& fault) {
     throw PeerLost(peer_, fault.what());
   }
