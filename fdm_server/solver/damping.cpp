@@ -71,17 +71,17 @@ using Powers = std::array<double, kLanes>;
 template <bool kLocal>
 ADIT_VECTOR_CLONES void add_to(const protocol::IndexRange& range, double drag, double half, double acts,
                                const Component& axis, Powers& powers) {
-  const auto [velocity, inverse_mass, mass, local, viscous, force, damping] = axis;
+  const Component of = axis;
   Powers power = powers;
   const auto add = [&](std::size_t i, double& lane) {
-    const double v = velocity[i], f = force[i];
-    double taken = drag * mass[i] * (v + half * inverse_mass[i] * f);
+    const double v = of.velocity[i], f = of.force[i];
+    double taken = drag * of.mass[i] * (v + half * of.inverse_mass[i] * f);
     if constexpr (kLocal)
-      taken += inverse_mass[i] > 0 ? acts * local[i] * std::abs(f) * protocol::sign(v) : 0;
-    const double all = viscous[i] - taken;
-    force[i] = f - taken;
-    lane += v * (damping[i] + all);
-    damping[i] = all;
+      taken += of.inverse_mass[i] > 0 ? acts * of.local[i] * std::abs(f) * protocol::sign(v) : 0;
+    const double all = of.viscous[i] - taken;
+    of.force[i] = f - taken;
+    lane += v * (of.damping[i] + all);
+    of.damping[i] = all;
   };
   std::size_t i = range.begin;
   for (; i + kLanes <= range.end; i += kLanes)
