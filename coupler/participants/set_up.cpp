@@ -52,6 +52,7 @@ void build_models(Model& model, const std::string& run_id) {
     auto& setup = *participant.request.mutable_setup();
     setup.set_run_id(protocol::one_line(run_id));  // a folder's name may be any bytes
     *setup.mutable_scene() = part_of(model.scene, participant.member);
+    setup.set_alone(model.interfaces.empty());
   }
   ask_all(model, wire::Frame::kModel, "builds its model");
   for (Participant& participant : model.participants) {

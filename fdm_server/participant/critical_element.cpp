@@ -8,18 +8,18 @@
 namespace adit::fdm {
 
 CriticalElement critical_element(ZoneKind kind, const Grid& grid, const Ground& ground,
-                                 const Structures& structures, const DampingLaw& damping,
-                                 double foundation_stiffness) {
+                                 const Structures& structures, const std::vector<bool>& known_early,
+                                 const DampingLaw& damping, double foundation_stiffness) {
   const auto on_foundation = [&](double step) {
     if (foundation_stiffness == 0) return step;
     const double density = std::ranges::min(ground.materials, {}, &Material::density).density;
     return foundation::critical_step(step, foundation_stiffness / density);
   };
   const CriticalZone zone = critical_zone(kind, grid, ground);
-  const auto structure = structures.critical_element();
+  const auto structure = structures.critical_element(known_early);
   const double zone_step = on_foundation(zone.step), structure_step = on_foundation(structure.step);
   const double damped_zone_step = critical_step(damping, zone_step),
-               static_step = std::min(structure_step, zone_step);
+               static_step = std::min(on_foundation(structures.critical_step()), zone_step);
   const std::string where = foundation_stiffness > 0 ? " on its foundation" : "";
   if (structure_step < damped_zone_step) {
     const auto [a, b] = structure.points;

@@ -17,14 +17,15 @@ namespace adit::fdm {
 // element by k A over its mass, at most k / rho of the lightest ground.
 struct CriticalElement {
   double step;         // [s]
-  double static_step;  // the same in statics, where no damping acts
+  double static_step;  // the same in statics, where no damping acts and structures do not average
   std::string name;
   std::array<double, 2> place;
 };
 
+// In time only structures that touch one of the points `known_early` count (solver/continuum.hpp).
 CriticalElement critical_element(ZoneKind kind, const Grid& grid, const Ground& ground,
-                                 const Structures& structures, const DampingLaw& damping,
-                                 double foundation_stiffness);
+                                 const Structures& structures, const std::vector<bool>& known_early,
+                                 const DampingLaw& damping, double foundation_stiffness);
 
 // The critical step of every zone in statics [s], on such a foundation.
 std::vector<double> static_zone_steps(ZoneKind kind, const Grid& grid, const Ground& ground,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -67,9 +68,10 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   setup_.ground.of_zone = materials_of_zones(scene_.continuum(), grid_);
   const Supports supports = resolve_supports(scene_, grid_);
   damping_ = resolve_damping(scene_.continuum());
-  const CriticalElement critical =
-      critical_element(setup_.kind, grid_, setup_.ground, supports.structures, damping_,
-                       foundation::largest_stiffness(scene_.continuum().foundations()));
+  base_acceleration_ = base_acceleration(scene_.continuum().base(), scene_.time().duration());
+  const CriticalElement critical = critical_element(
+      setup_.kind, grid_, setup_.ground, supports.structures, known_early(supports.structures, setup.alone()),
+      damping_, foundation::largest_stiffness(scene_.continuum().foundations()));
   critical_dt_ = critical.step;
   critical_static_dt_ = critical.static_step;
   if (!(critical_dt_ > 0) || !std::isfinite(critical_dt_))
@@ -87,7 +89,6 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   const WaveSpeeds speeds = wave_speeds(setup_.ground);
   model.set_p_wave_speed(speeds.p);
   model.set_s_wave_speed(speeds.s);
-  base_acceleration_ = base_acceleration(scene_.continuum().base(), scene_.time().duration());
   for (const std::string& note : base_acceleration_.notes) model.add_notes("base.acceleration: " + note);
   const Resolution resolution = fdm::resolution(grid_, setup_.ground);
   model.set_highest_frequency(resolution.frequency);
@@ -105,6 +106,14 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
     model.add_materials(fmt::format("continuum.materials[{}].material", i));
   const auto samples = sample_points(grid_);
   model.mutable_sample_points()->Assign(samples.begin(), samples.end());
+}
+
+// Coupling points are not known yet, and foundations may hold any point.
+std::vector<bool> FdmParticipant::known_early(const Structures& structures, bool alone) const {
+  const bool all = !alone || scene_.continuum().foundations_size() > 0;
+  if (all || structures.critical_step() == std::numeric_limits<double>::infinity())
+    return std::vector<bool>(grid_.x.size(), all);
+  return find_bearing_points(scene_.continuum(), base_acceleration_, grid_);
 }
 
 void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interface) {

@@ -64,6 +64,9 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   void draw(wire::Snapshot& snapshot) override;
   void exchange_solver(state::Archive& archive) override;
 
+  // The points whose forces are needed before all are known, so that structures there move explicitly
+  // (solver/continuum.hpp).
+  std::vector<bool> known_early(const Structures& structures, bool alone) const;
   // Makes the continuum of what the weights leave of the grid, with the columns of its free field.
   void make_continuum();
   // Loads on the zones that are left; those of the base are the last.

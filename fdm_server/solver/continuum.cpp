@@ -33,7 +33,11 @@ PrescribedMotion take(PrescribedMotion& motion, const std::vector<bool>& chosen)
 
 Continuum::Continuum(ZoneSet zones, std::span<const double> masses, std::vector<Load> loads,
                      std::vector<PrescribedMotion> motions, std::size_t threads, Structures structures)
-    : zones_(std::move(zones)), structures_(std::move(structures)), points_(masses.size()), team_(threads) {
+    : zones_(std::move(zones)),
+      structures_(std::move(structures)),
+      points_(masses.size()),
+      team_(threads),
+      structures_step_(structures_.critical_step()) {
   for (std::size_t i = 0; i < masses.size(); ++i) {
     points_[kMass][i] = masses[i];
     points_[kInverseMassX][i] = points_[kInverseMassY][i] = 1 / masses[i];
@@ -140,6 +144,7 @@ void Continuum::plan(const std::vector<bool>& chosen) {
     for (const auto& springs : part->foundations) springs.mark(pulled);
   }
   structures_.mark_points(pulled);
+  average_.reset();
   interior_.structures = structures_.standing();
   interface_.structures = structures_.take(interior_.structures, chosen);
 
@@ -244,6 +249,8 @@ void Continuum::pull(Part& part, const protocol::Step& step) {
   hold_by_ground(part, step);
   add_boundary_forces(part.dashpots, supports_, damping_.law(), step, zones_, points, boundary_work_);
   if (damping_.acts()) damped_ += damping_.add_others(part.kept, step, points);
+  find_motions(part, step);
+  if (&part == &interior_ && averages(step)) average_structures(step);
   find_reactions(part, step);
 }
 
@@ -272,15 +279,20 @@ void Continuum::hold_by_ground(Part& part, const protocol::Step& step) {
   }
 }
 
+void Continuum::find_motions(Part& part, const protocol::Step& step) {
+  for (auto& [motion, mass, before, after, reaction] : part.motions) {
+    const double next = step.relax ? 0 : motion.velocity * motion.factor(step.half_time());
+    before = step.from_rest() ? -next : after;
+    after = next;
+  }
+}
+
 // The reaction of a motion is what it adds to the other forces: R = m (v(n+1/2) - v(n-1/2))/dt - f.
 void Continuum::find_reactions(Part& part, const protocol::Step& step) {
   for (auto& prescribed : part.motions) {
     const auto& motion = prescribed.motion;
     const auto force = points_[motion.axis == Axis::kX ? kFx : kFy];
-    const double next = step.relax ? 0 : motion.velocity * motion.factor(step.half_time());
-    prescribed.before = step.from_rest() ? -next : prescribed.after;
-    prescribed.after = next;
-    double reaction = prescribed.mass * (next - prescribed.before) / step.dt;
+    double reaction = prescribed.mass * (prescribed.after - prescribed.before) / step.dt;
     for (const auto point : motion.points) reaction -= force[point];
     if (!step.from_rest())
       external_work_ += step.dt * prescribed.before * (prescribed.reaction + reaction) / 2;
@@ -306,7 +318,7 @@ Energies Continuum::energies(const protocol::Step& step) const {
   const auto product = [&](double before, double after) {
     return (step.from_rest() ? -after : before) * after;
   };
-  double twice = structures_.twice_kinetic_energy(step);
+  double twice = structures_.twice_kinetic_energy(step) + twice_kinetic_energy_of_average(step);
   for (std::size_t i = 0; i < points_.size(); ++i)
     twice += points_[kMass][i] *
              (product(points_[kLastVx][i], points_[kVx][i]) + product(points_[kLastVy][i], points_[kVy][i]));

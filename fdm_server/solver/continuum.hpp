@@ -8,6 +8,10 @@
 // Statics take the same steps, damped (protocol/participant/local_damping.hpp) or stopped; every stop starts
 // from rest like step 0, at the stresses reached.
 //
+// Structures that the step is too long for move by mean acceleration (structures/mean_acceleration.hpp), but
+// for beams and bars that touch a point of the interface, of dashpots or of foundations, whose forces are
+// known before the others' and cannot wait.
+//
 // Energies at step n: kinetic 1/2 sum m v(n-1/2) v(n+1/2), strain energy of the stresses; work of loads,
 // prescribed motions, boundaries and ground, and what dashpots, slip and damping dissipate, summed as
 // dt v(n+1/2) (F(n) + F(n+1))/2; dissipation of the materials (zones/nonlinear/nonlinear_zones.hpp). Then
@@ -26,6 +30,7 @@
 #include "fdm_server/solver/dashpots.hpp"
 #include "fdm_server/solver/loads.hpp"
 #include "fdm_server/solver/sweep.hpp"
+#include "fdm_server/structures/mean_acceleration.hpp"
 #include "fdm_server/structures/structures.hpp"
 #include "fdm_server/zones/zone_set.hpp"
 #include "protocol/foundation/springs.hpp"
@@ -117,6 +122,8 @@ class Continuum {
   std::span<const double> inverse_mass_y() const { return points_[kInverseMassY]; }
   const ZoneSet& zones() const { return zones_; }
   const Structures& structures() const { return structures_; }
+  // Whether the structures move by mean acceleration in time steps so long [s].
+  bool longer_than_structures(double dt) const { return dt > structures_step_; }
 
   // Whether each point bears on dashpots of boundaries.
   std::vector<bool> on_dashpots() const;
@@ -181,7 +188,12 @@ class Continuum {
   void pull(Part& part, const protocol::Step& step);
   void apply_loads(Part& part, const protocol::Step& step);
   void hold_by_ground(Part& part, const protocol::Step& step);
+  void find_motions(Part& part, const protocol::Step& step);
   void find_reactions(Part& part, const protocol::Step& step);
+  bool averages(const protocol::Step& step) const { return !step.relax && longer_than_structures(step.dt); }
+  void average_structures(const protocol::Step& step);
+  void plan_average(double dt);
+  double twice_kinetic_energy_of_average(const protocol::Step& step) const;
   void predict(const Part& part, const protocol::Step& step);
   double steady_work() const;
 
@@ -190,6 +202,14 @@ class Continuum {
   FieldArrays<kFields> points_;
   protocol::Team team_;
   Part interface_, interior_;
+  double structures_step_;  // critical [s]
+  // Of those of the interior, once a step is too long for them; the motions of the interior that drive its
+  // prescribed freedoms.
+  std::optional<MeanAcceleration> average_;
+  struct Driven {
+    std::size_t freedom, motion;
+  };
+  std::vector<Driven> driven_;
   Damping damping_{{}, 0};
   bool supports_ = false;
   BoundaryWork boundary_work_;

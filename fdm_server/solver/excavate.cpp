@@ -39,6 +39,7 @@ void Continuum::take_masses(std::span<const double> masses) {
 void Continuum::set_masses(std::span<const double> masses, double structures_step) {
   take_masses(masses);
   structures_.scale_masses(structures_step);
+  average_.reset();
 }
 
 void Continuum::excavate(std::span<const Excavated> zones, std::span<const double> masses,

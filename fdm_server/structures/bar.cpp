@@ -8,6 +8,13 @@ double Bar::critical_step() const {
   return 2 / std::sqrt(2 * spring_.stiffness() / mass_);
 }
 
+StrainForm Bar::strain() const {
+  const auto [p, q] = points_;
+  using enum Freedom::Kind;
+  return {spring_.stiffness(),
+          {{{kX, p}, -chord_.x}, {{kY, p}, -chord_.y}, {{kX, q}, chord_.x}, {{kY, q}, chord_.y}}};
+}
+
 double Bar::add_forces(double dt, const PointView& points) {
   const auto [p, q] = points_;
   const double elongation =

@@ -27,6 +27,7 @@ class Bar {
   const std::array<std::uint32_t, 2>& points() const { return points_; }
   double end_mass() const { return mass_; }
   double critical_step() const;
+  StrainForm strain() const;
 
   // As a beam's; returns what it dissipates [J].
   double add_forces(double dt, const PointView& points);

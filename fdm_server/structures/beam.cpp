@@ -30,6 +30,23 @@ double Beam::critical_step() const {
   return 2 / std::sqrt(std::max({extension, bending, shear}));
 }
 
+std::array<StrainForm, 3> Beam::strains() const {
+  const auto [p, q] = points_;
+  const auto [i, j] = rotations_;
+  const auto [x, y, length] = chord_;
+  const double lever = 2 / length;
+  using enum Freedom::Kind;
+  return {StrainForm{axial_, {{{kX, p}, -x}, {{kY, p}, -y}, {{kX, q}, x}, {{kY, q}, y}}},
+          StrainForm{bending_, {{{kRotation, i}, -1}, {{kRotation, j}, 1}}},
+          StrainForm{shear_,
+                     {{{kRotation, i}, 1},
+                      {{kRotation, j}, 1},
+                      {{kX, p}, -lever * y},
+                      {{kY, p}, lever * x},
+                      {{kX, q}, lever * y},
+                      {{kY, q}, -lever * x}}}};
+}
+
 void Beam::add_forces(double dt, const PointView& points, const RotationView& rotations) {
   const auto [p, q] = points_;
   const auto [i, j] = rotations_;

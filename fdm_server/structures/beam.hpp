@@ -31,6 +31,7 @@
 #include <cstdint>
 
 #include "fdm_server/structures/section.hpp"
+#include "fdm_server/structures/strain_form.hpp"
 #include "fdm_server/zones/kernel/zone_runs.hpp"
 #include "protocol/state/archive.hpp"
 
@@ -64,6 +65,7 @@ class Beam {
   double end_mass() const { return mass_; }        // at either end [kg]
   double end_inertia() const { return inertia_; }  // J [kg m^2]
   double critical_step() const;                    // 2/omega of the free beam [s]
+  std::array<StrainForm, 3> strains() const;       // e, b, a
 
   // Adds the strain of dt times the velocities to the forces, and these to those of the points and rotations.
   void add_forces(double dt, const PointView& points, const RotationView& rotations);

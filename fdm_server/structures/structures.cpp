@@ -23,6 +23,11 @@ std::vector<std::uint32_t> take_if(std::vector<std::uint32_t>& list, Test&& pass
   return taken;
 }
 
+template <class Element>
+bool touches(const Element& element, const std::vector<bool>& chosen) {
+  return std::ranges::any_of(element.points(), [&](auto point) { return chosen[point]; });
+}
+
 }  // namespace
 
 std::uint32_t Structures::add_rotation(std::uint32_t point, bool held) {
@@ -103,11 +108,20 @@ std::optional<std::uint32_t> Structures::later_point(const std::vector<bool>& ch
 }
 
 Structures::Critical Structures::critical_element() const {
+  return smallest([](const auto&) { return true; });
+}
+
+Structures::Critical Structures::critical_element(const std::vector<bool>& chosen) const {
+  return smallest([&](const auto& element) { return touches(element, chosen); });
+}
+
+template <class Test>
+Structures::Critical Structures::smallest(Test&& counts) const {
   // All stages count, because the step of a run stays the same when more is installed.
   Critical smallest;
-  const auto search = [&smallest](const auto& elements, const char* kind) {
+  const auto search = [&](const auto& elements, const char* kind) {
     for (const auto& element : elements)
-      if (const double step = element.critical_step(); step < smallest.step)
+      if (const double step = element.critical_step(); step < smallest.step && counts(element))
         smallest = {step, kind, {element.points()[0], element.points()[1]}};
   };
   search(beams_, "beam");
@@ -121,13 +135,23 @@ Structures::Part Structures::standing() const {
 }
 
 Structures::Part Structures::take(Part& part, const std::vector<bool>& chosen) const {
-  const auto touches = [&chosen](const auto& element) {
-    return std::ranges::any_of(element.points(), [&](auto point) { return chosen[point]; });
-  };
-  return {take_if(part.beams, [&](auto i) { return touches(beams_[i]); }),
-          take_if(part.bars, [&](auto i) { return touches(bars_[i]); }),
+  return {take_if(part.beams, [&](auto i) { return touches(beams_[i], chosen); }),
+          take_if(part.bars, [&](auto i) { return touches(bars_[i], chosen); }),
           take_if(part.joints, [&](auto i) { return chosen[point_[joints_[i].first]]; }),
           take_if(part.rotations, [&](auto i) { return chosen[point_[i]]; })};
+}
+
+std::vector<StrainForm> Structures::strains(const Part& part) const {
+  std::vector<StrainForm> strains;
+  for (const auto i : part.beams)
+    for (StrainForm& strain : beams_[i].strains()) strains.push_back(std::move(strain));
+  for (const auto i : part.bars) strains.push_back(bars_[i].strain());
+  for (const auto i : part.joints) {
+    const auto& [first, second, spring, step] = joints_[i];
+    strains.push_back(
+        {spring.stiffness(), {{{Freedom::kRotation, first}, -1}, {{Freedom::kRotation, second}, 1}}});
+  }
+  return strains;
 }
 
 void Structures::add_forces(const Part& part, double dt, const PointView& points) {

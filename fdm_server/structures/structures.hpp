@@ -5,8 +5,9 @@
 // It brings rotary inertia of its own, J = k dt^2/2 on either side, so that its frequency 2k/J is that of the
 // lining's beams, 4/dt^2: stiff joints do not shorten the step.
 //
-// Critical step: all beams, bars, joints and zones bring their own masses to the points and rotations, hence
-// M = sum M_e as K = sum K_e, and u.Ku/u.Mu is a mean of the elements' quotients with weights u.M_e u >= 0
+// Critical step: where it is shorter than the run's, mean_acceleration.hpp makes up for it; else all beams,
+// bars, joints and zones bring their own masses to the points and rotations, hence M = sum M_e as K = sum
+// K_e, and u.Ku/u.Mu is a mean of the elements' quotients with weights u.M_e u >= 0
 // (zones/critical_step.hpp): no frequency of ground and lining together exceeds the largest of one element.
 //
 // Statics may scale all masses and inertias of an element so that any step is its critical one, as for zones.
@@ -49,13 +50,15 @@ class Structures {
   void mark_points(std::vector<bool>& touched) const;
   // A chosen point to which something is attached after stage 0, if any.
   std::optional<std::uint32_t> later_point(const std::vector<bool>& chosen) const;
-  // The beam or bar with the smallest critical step [s], by its points; infinite where there is none.
+  // The beam or bar with the smallest critical step [s], by its points; infinite where there is none. Of
+  // those that touch a chosen point, if any are chosen.
   struct Critical {
     double step = std::numeric_limits<double>::infinity();
     const char* kind = "";
     std::array<std::uint32_t, 2> points{};
   };
   Critical critical_element() const;
+  Critical critical_element(const std::vector<bool>& chosen) const;
   double critical_step() const { return critical_element().step; }
 
   // From now on, what the stages up to this one install takes part.
@@ -68,6 +71,9 @@ class Structures {
   Part standing() const;  // all that is installed
   // Moves out of a part what touches a chosen point; of the rotations those at chosen points.
   Part take(Part& part, const std::vector<bool>& chosen) const;
+
+  // Of beams, bars and joints, as if nothing yielded.
+  std::vector<StrainForm> strains(const Part& part) const;
 
   void add_forces(const Part& part, double dt, const PointView& points);
   void move_and_predict(const Part& part, const protocol::Step& step);
@@ -91,6 +97,14 @@ class Structures {
   std::span<const Beam> beams() const { return beams_; }
   std::span<const Bar> bars() const { return bars_; }
   std::span<const double> rotations() const { return angle_; }  // since the start [rad]
+  // One value a rotation, for mean_acceleration.hpp: rates before and after the last step, couples of this
+  // one, 1/inertia or 0 where held.
+  std::span<const double> rates_before() const { return rate_before_; }
+  std::span<const double> rates() const { return rate_; }
+  std::span<double> couples() { return couple_; }
+  double inverse_inertia(std::uint32_t rotation) const {
+    return held_[rotation] ? 0 : 1 / inertia_[rotation];
+  }
 
  private:
   struct Joint {
@@ -98,6 +112,8 @@ class Structures {
     YieldingSpring spring;
     double step;  // critical [s]
   };
+  template <class Test>
+  Critical smallest(Test&& counts) const;
   // Of a mass, for an element of this critical step.
   double scale(double critical_step) const;
   void add_inertia(const Beam& beam);

@@ -121,6 +121,7 @@ void divide_setup(const wire::Setup& setup, std::uint64_t list_bytes, const Send
   for (std::size_t begin = 0; begin < scene.size(); begin += list_bytes) {
     wire::Frame part;
     part.mutable_setup()->set_run_id(setup.run_id());
+    part.mutable_setup()->set_alone(setup.alone());
     part.mutable_setup()->add_scene_parts(scene.substr(begin, list_bytes));
     send(part, true);
   }

@@ -79,4 +79,17 @@ Boundaries resolve_boundaries(const scene::Continuum& scene, const motion::UsedM
   return {dashpots.in_order(grid), std::move(actions.loads), std::move(actions.motions)};
 }
 
+std::vector<bool> find_bearing_points(const scene::Continuum& scene, const motion::UsedMotion& acceleration,
+                                      const Grid& grid) {
+  const auto edges = outline(grid);
+  Grid with_columns = grid;
+  const auto columns = add_columns(scene, edges, with_columns);
+  const auto unit = [](std::uint32_t) { return Impedance{1, 1}; };
+  std::vector<bool> bears(grid.x.size(), false);
+  for (const Dashpot& dashpot :
+       resolve_boundaries(scene, acceleration, with_columns, edges, columns, unit, {}).dashpots)
+    if (dashpot.point < bears.size()) bears[dashpot.point] = true;
+  return bears;
+}
+
 }  // namespace adit::fdm

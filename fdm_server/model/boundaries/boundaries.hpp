@@ -31,4 +31,8 @@ Boundaries resolve_boundaries(const scene::Continuum& scene, const motion::UsedM
                               std::span<const FreeFieldColumn> columns, const ImpedanceOf& impedance,
                               std::span<const PrescribedMotion> motions);
 
+// Whether each point will bear on dashpots, of a grid that has no columns yet.
+std::vector<bool> find_bearing_points(const scene::Continuum& scene, const motion::UsedMotion& acceleration,
+                                      const Grid& grid);
+
 }  // namespace adit::fdm
