@@ -1,8 +1,10 @@
 #include "coupler/check/pace.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
 
+#include "coupler/participants/time_step.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::coupler {
@@ -36,7 +38,7 @@ double seconds_a_step(double seconds, std::uint64_t last, const std::function<vo
 Pace measure_pace(const Model& model, const Schedule& schedule, Stepper& stepper) {
   Pace pace;
   const bool relaxes = model.scene.has_statics();
-  const double dt = model.dt / model.substeps;
+  const double dt = std::min(model.dt / model.substeps, critical_static_step(model));
   try {
     if (relaxes)
       pace.relaxing = seconds_a_step(kSeconds / 2, model.scene.statics().max_steps(), [&](std::uint64_t n) {

@@ -136,18 +136,28 @@ void keep_time_step(Model& model, double dt) {
   model.steps = steps.count;
 }
 
-double choose_static_steps(Model& model, double share, bool own_steps) {
-  const auto critical = [](const Participant& participant) {
-    const wire::Model& its = participant.model;
-    return its.critical_static_dt() > 0 ? its.critical_static_dt() : its.critical_dt();
-  };
+namespace {
+
+double critical_static_step(const Participant& participant) {
+  const wire::Model& its = participant.model;
+  return its.critical_static_dt() > 0 ? its.critical_static_dt() : its.critical_dt();
+}
+
+}  // namespace
+
+double critical_static_step(const Model& model) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const Participant& participant : model.participants)
-    smallest = std::min(smallest, share * critical(participant));
+    smallest = std::min(smallest, critical_static_step(participant));
+  return smallest;
+}
+
+double choose_static_steps(Model& model, double share, bool own_steps) {
+  const double smallest = critical_static_step(model);
   if (own_steps)
     for (Participant& participant : model.participants)
-      participant.step_ratio = share * critical(participant) / smallest;
-  return smallest;
+      participant.step_ratio = critical_static_step(participant) / smallest;
+  return share * smallest;
 }
 
 }  // namespace adit::coupler

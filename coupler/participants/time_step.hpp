@@ -13,6 +13,9 @@ void choose_time_step(Model& model);
 // The step of a run that goes on [s], for the duration that it has now.
 void keep_time_step(Model& model, double dt);
 
+// The largest stable step of statics in which all participants may move [s].
+double critical_static_step(const Model& model);
+
 // Statics: gives every participant a step of its own, this share of its critical one in statics, by its step
 // ratio, and returns the model's [s], the smallest. The time of statics means nothing, so that each part may
 // come to rest at its own pace: the same as one clock with masses that give all parts one critical step.

@@ -1,5 +1,7 @@
 #include "fdm_server/model/damping.hpp"
 
+#include <fmt/format.h>
+
 #include "protocol/errors.hpp"
 
 namespace adit::fdm {
@@ -7,15 +9,40 @@ namespace adit::fdm {
 using protocol::UserError;
 
 DampingLaw resolve_damping(const scene::Continuum& scene) {
+  if (!scene.has_damping()) return {};
   const scene::Damping& damping = scene.damping();
-  if (damping.has_local()) return {.local = damping.local().alpha()};
-  if (!damping.has_rayleigh()) {
-    if (scene.has_damping())
-      throw UserError("continuum.damping", "names no kind; give `rayleigh` or `local`, or leave it out");
-    return {};
+  switch (damping.kind_case()) {
+    case scene::Damping::kRayleigh:
+      return rayleigh(damping.rayleigh().ratio(), damping.rayleigh().low_frequency(),
+                      damping.rayleigh().high_frequency());
+    case scene::Damping::kMaxwell: {
+      const scene::MaxwellDamping& given = damping.maxwell();
+      if (given.high_frequency() > kWidestBand * given.low_frequency())
+        throw UserError(
+            "continuum.damping.maxwell.high_frequency",
+            fmt::format("is {:g} times low_frequency, but three elements keep the ratio over a band "
+                        "of at most {:g}; raise low_frequency, or lower this one",
+                        given.high_frequency() / given.low_frequency(), kWidestBand));
+      return maxwell(given.ratio(), given.low_frequency(), given.high_frequency());
+    }
+    case scene::Damping::kLocal:
+      return {.local = damping.local().alpha()};
+    case scene::Damping::KIND_NOT_SET:
+      break;
   }
-  const scene::RayleighDamping& given = damping.rayleigh();
-  return rayleigh(given.ratio(), given.low_frequency(), given.high_frequency());
+  throw UserError("continuum.damping",
+                  "names no kind; give `rayleigh`, `maxwell` or `local`, or leave it out");
+}
+
+std::optional<std::string> note_on_stiffening(const scene::Continuum& scene, const DampingLaw& law) {
+  if (!scene.damping().has_maxwell()) return std::nullopt;
+  const scene::MaxwellDamping& given = scene.damping().maxwell();
+  return fmt::format(
+      "damping.maxwell: the ground is {:.3g} % stiffer in waves of {:g} Hz than under slow loads, "
+      "and {:.3g} % in those of {:g} Hz; state a modulus that is lower by as much where it was "
+      "measured by waves",
+      100 * (stiffening(law, given.low_frequency()) - 1), given.low_frequency(),
+      100 * (stiffening(law, given.high_frequency()) - 1), given.high_frequency());
 }
 
 }  // namespace adit::fdm

@@ -1,11 +1,17 @@
 // The scene's damping of the ground. Errors: UserError with the scene's path.
 #pragma once
 
-#include "fdm_server/solver/damping.hpp"
+#include <optional>
+#include <string>
+
+#include "fdm_server/solver/damping_law.hpp"
 #include "protocol/messages/scene.pb.h"
 
 namespace adit::fdm {
 
 DampingLaw resolve_damping(const scene::Continuum& scene);
+
+// What Maxwell damping does to the stiffness in waves, if the scene has it.
+std::optional<std::string> note_on_stiffening(const scene::Continuum& scene, const DampingLaw& law);
 
 }  // namespace adit::fdm

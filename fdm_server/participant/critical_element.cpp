@@ -6,6 +6,14 @@
 #include "protocol/foundation/critical_step.hpp"
 
 namespace adit::fdm {
+namespace {
+
+std::string name_of(const DampingLaw& damping) {
+  constexpr const char* kNames[] = {"", " with Rayleigh damping", " with Maxwell damping"};
+  return kNames[std::min<std::size_t>(damping.count(), 2)];
+}
+
+}  // namespace
 
 CriticalElement critical_element(ZoneKind kind, const Grid& grid, const Ground& ground,
                                  const Structures& structures, const std::vector<bool>& known_early,
@@ -28,8 +36,7 @@ CriticalElement critical_element(ZoneKind kind, const Grid& grid, const Ground& 
             structure.kind + where,
             {(grid.x[a] + grid.x[b]) / 2, (grid.y[a] + grid.y[b]) / 2}};
   }
-  return {damped_zone_step, static_step, "zone" + where + (damping.beta > 0 ? " with Rayleigh damping" : ""),
-          zone.centre};
+  return {damped_zone_step, static_step, "zone" + where + name_of(damping), zone.centre};
 }
 
 std::vector<double> static_zone_steps(ZoneKind kind, const Grid& grid, const Ground& ground,

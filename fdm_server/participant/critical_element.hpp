@@ -6,7 +6,7 @@
 
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/materials/material.hpp"
-#include "fdm_server/solver/damping.hpp"
+#include "fdm_server/solver/damping_law.hpp"
 #include "fdm_server/structures/structures.hpp"
 #include "fdm_server/zones/kernel/zone_kernel.hpp"
 

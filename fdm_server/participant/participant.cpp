@@ -90,6 +90,7 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   model.set_p_wave_speed(speeds.p);
   model.set_s_wave_speed(speeds.s);
   for (const std::string& note : base_acceleration_.notes) model.add_notes("base.acceleration: " + note);
+  if (const auto note = note_on_stiffening(scene_.continuum(), damping_)) model.add_notes(*note);
   const Resolution resolution = fdm::resolution(grid_, setup_.ground);
   model.set_highest_frequency(resolution.frequency);
   if (const auto note = note_on_resolution(resolution, scene_.continuum(), base_acceleration_.motion))
@@ -108,9 +109,10 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   model.mutable_sample_points()->Assign(samples.begin(), samples.end());
 }
 
-// Coupling points are not known yet, and foundations may hold any point.
+// Coupling points are not known yet, and foundations may hold any point. Local damping pushes on what turns
+// back in every step, as stiff structures would.
 std::vector<bool> FdmParticipant::known_early(const Structures& structures, bool alone) const {
-  const bool all = !alone || scene_.continuum().foundations_size() > 0;
+  const bool all = !alone || scene_.continuum().foundations_size() > 0 || damping_.local > 0;
   if (all || structures.critical_step() == std::numeric_limits<double>::infinity())
     return std::vector<bool>(grid_.x.size(), all);
   return find_bearing_points(scene_.continuum(), base_acceleration_, grid_);

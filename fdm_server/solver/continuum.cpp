@@ -377,7 +377,8 @@ void Continuum::exchange(state::Archive& archive) {
     for (Prescribed& one : part->motions)
       for (double* value : {&one.mass, &one.before, &one.after, &one.reaction}) archive("prescribed", *value);
     archive.members("dashpots", std::span(part->dashpots), &Dashpot::settling, &Dashpot::support,
-                    &Dashpot::stress, &Dashpot::viscous, &Dashpot::given, &Dashpot::drag);
+                    &Dashpot::stress, &Dashpot::viscous_x, &Dashpot::viscous_y, &Dashpot::given,
+                    &Dashpot::drag);
     for (foundation::Springs& springs : part->foundations) springs.exchange(archive);
   }
   archive("boundary_work", boundary_work_);

@@ -3,30 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "protocol/participant/local_damping.hpp"
 #include "protocol/threads/vector_clones.hpp"
 
 namespace adit::fdm {
-
-DampingLaw rayleigh(double ratio, double low_frequency, double high_frequency) {
-  const double low = 2 * std::numbers::pi * low_frequency, high = 2 * std::numbers::pi * high_frequency;
-  return {.alpha = 2 * ratio * low * high / (low + high), .beta = 2 * ratio / (low + high)};
-}
-
-double critical_step(const DampingLaw& law, double undamped) {
-  if (law.beta == 0) return undamped;
-  const double y = law.beta / undamped, of_dashpot = undamped * (std::sqrt(1 + y * y) - y);
-  return std::max(of_dashpot, undamped / std::sqrt(1 + law.beta / law.relaxation()));
-}
-
-Maxwell::Maxwell(const DampingLaw& law, const protocol::Step& step) {
-  if (law.beta == 0 || step.relax || step.from_rest()) return;
-  const double twice = std::max(2 * law.relaxation(), step.dt);
-  keep = (twice - step.dt) / (twice + step.dt);
-  take = 2 * law.beta / (twice + step.dt);
-}
 
 double Damping::damp(std::span<const protocol::IndexRange> ranges, const protocol::Step& step,
                      const PointArrays& points) {
@@ -35,21 +16,49 @@ double Damping::damp(std::span<const protocol::IndexRange> ranges, const protoco
   return add_others(ranges, step, points);
 }
 
+namespace {
+
+// One component of the points: forces of the zones at the last step, of the elements, of each of these.
+struct Viscous {
+  double *force, *zones, *viscous;
+  std::array<double*, kMostElements> elements;
+};
+
+template <std::size_t kCount>
+ADIT_VECTOR_CLONES void pull(const protocol::IndexRange& range, const MaxwellStep& step,
+                             const Viscous& component) {
+  const Viscous of = component;
+  const MaxwellStep maxwell = step;
+#pragma GCC ivdep
+  for (std::size_t i = range.begin; i < range.end; ++i) {
+    const double growth = of.force[i] - of.zones[i];
+    double sum = 0;
+    for (std::size_t e = 0; e < kCount; ++e)
+      sum += of.elements[e][i] = maxwell.keep[e] * of.elements[e][i] + maxwell.take[e] * growth;
+    of.zones[i] = of.force[i];
+    if constexpr (kCount > 1) of.viscous[i] = sum;
+    of.force[i] += sum;
+  }
+}
+
+}  // namespace
+
 void Damping::add_viscous(std::span<const protocol::IndexRange> ranges, const protocol::Step& step,
                           const PointArrays& points) {
-  if (law_.beta == 0 || step.relax) return;
-  const Maxwell maxwell(law_, step);
-  const auto axis = [&](double* force, double* zones, double* viscous) {
-    for (const auto [begin, end] : ranges)
-#pragma GCC ivdep
-      for (std::size_t i = begin; i < end; ++i) {
-        viscous[i] = maxwell(viscous[i], force[i] - zones[i]);
-        zones[i] = force[i];
-        force[i] += viscous[i];
-      }
-  };
-  axis(points.fx, state_[kZonesX].data(), state_[kViscousX].data());
-  axis(points.fy, state_[kZonesY].data(), state_[kViscousY].data());
+  if (law_.count() == 0 || step.relax) return;
+  const MaxwellStep maxwell(law_, step);
+  const bool several = law_.count() > 1;
+  const auto find = several ? pull<kMostElements> : pull<1>;
+  for (std::size_t axis : {0, 1}) {
+    Viscous component{axis == 0 ? points.fx : points.fy,
+                      state_[kZonesX + axis].data(),
+                      state_[kViscousX + axis].data(),
+                      {}};
+    component.elements[0] = component.viscous;  // of one alone
+    for (std::size_t e = 0; several && e < kMostElements; ++e)
+      component.elements[e] = elements_[2 * e + axis].data();
+    for (const auto& range : ranges) find(range, maxwell, component);
+  }
 }
 
 void Damping::tie(std::span<const std::uint32_t> points) {

@@ -61,13 +61,12 @@ Vector stress_force(const FreeFieldLink& link, const ZoneSet& zones) {
   return force;
 }
 
-Vector free_field_force(Dashpot& dashpot, const Maxwell& maxwell, const protocol::Step& step,
+Vector free_field_force(Dashpot& dashpot, const MaxwellStep& maxwell, const protocol::Step& step,
                         const ZoneSet& zones, const PointArrays& points) {
   const FreeFieldLink& link = *dashpot.field;
   const Vector before = std::exchange(dashpot.stress, stress_force(link, zones));
-  Vector& viscous = dashpot.viscous;
-  viscous = {maxwell(viscous.x, dashpot.stress.x - before.x),
-             maxwell(viscous.y, dashpot.stress.y - before.y)};
+  const Vector viscous{maxwell(dashpot.viscous_x, dashpot.stress.x - before.x),
+                       maxwell(dashpot.viscous_y, dashpot.stress.y - before.y)};
   if (step.from_rest()) return dashpot.stress;
   return dashpot.stress + viscous + link.damping * mean_velocity(points, link.column_point, step.kick());
 }
@@ -90,7 +89,7 @@ Symmetric& Symmetric::operator+=(const Symmetric& other) {
 void add_boundary_forces(std::span<Dashpot> dashpots, bool supports, const DampingLaw& damping,
                          const protocol::Step& step, const ZoneSet& zones, const PointArrays& points,
                          BoundaryWork& work) {
-  const Maxwell maxwell(damping, step);
+  const MaxwellStep maxwell(damping, step);
   for (Dashpot& dashpot : dashpots) {
     const Vector given_before = dashpot.given, drag_before = dashpot.drag;
     const Vector field = dashpot.field ? free_field_force(dashpot, maxwell, step, zones, points) : Vector{};

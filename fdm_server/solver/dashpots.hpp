@@ -9,7 +9,7 @@
 // f being all other forces and W the inverse masses (0: a prescribed component).
 //
 // A side with a free field bears in addition the stress of the column beside it, s n L (with its viscous
-// part, damping.hpp), and the same dashpots act against the column's velocity: + C w. In a
+// part, damping_law.hpp), and the same dashpots act against the column's velocity: + C w. In a
 // plane vertical wave both points then move alike, as if the ground went on.
 //
 // Support: when statics end, the points on dashpots are held by the forces that balance those of zones and
@@ -26,7 +26,7 @@
 #include <span>
 #include <vector>
 
-#include "fdm_server/solver/damping.hpp"
+#include "fdm_server/solver/damping_law.hpp"
 #include "fdm_server/solver/sweep.hpp"
 #include "fdm_server/zones/zone_set.hpp"
 #include "protocol/participant/step.hpp"
@@ -60,12 +60,12 @@ struct Dashpot {
   std::optional<FreeFieldLink> field{};
 
   // Forces of the last step [N].
-  Vector settling{};  // share of what the model lacked of equilibrium when statics ended
-  Vector support{};   // what holds the point at rest, with it
-  Vector stress{};    // of the free field
-  Vector viscous{};   // of its damping
-  Vector given{};     // support and free field
-  Vector drag{};      // of the dashpots
+  Vector settling{};                  // share of what the model lacked of equilibrium when statics ended
+  Vector support{};                   // what holds the point at rest, with it
+  Vector stress{};                    // of the free field
+  Elements viscous_x{}, viscous_y{};  // of its damping
+  Vector given{};                     // support and free field
+  Vector drag{};                      // of the dashpots
 };
 
 // The dashpots of a point but for those against its column.

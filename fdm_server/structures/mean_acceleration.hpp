@@ -12,7 +12,7 @@
 // and K >= K_tangent, so that the structures take nothing of the ground's share (zones/critical_step.hpp).
 // Kinetic energy: 1/2 v(n-1/2) (M + dt^2/4 K) v(n+1/2) keeps the ledger of continuum.hpp to rounding.
 // Accuracy: a mode of frequency w turns with (2/dt) atan(w dt/2), slower by the share (w dt)^2/12: at the
-// ground's highest frequency, ten zones to the wave, by some 0.5 %, as much as its zones.
+// ground's highest frequency, ten zones to the wave, by less than 1 %, as its zones are.
 #pragma once
 
 #include <Eigen/SparseCholesky>

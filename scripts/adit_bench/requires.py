@@ -70,6 +70,7 @@ ASKED = {
         "weight": ("continuum.body_loads=[{acceleration: {y: -9.81}}]",),
         "local damping": ("continuum.damping={local: {alpha: 0.1}}",),
         "Rayleigh damping": ("continuum.damping={rayleigh: {ratio: 0.02, low_frequency: 10 Hz, high_frequency: 100 Hz}}",),
+        "Maxwell damping": ("continuum.damping={maxwell: {ratio: 0.02, low_frequency: 10 Hz, high_frequency: 100 Hz}}",),
         "quiet boundary": ("continuum.quiet=[{where: {x_min: 20}}]",),
         **observed("continuum"),
         "coupling": (OTHER["continuum"], "interface.overlap=" + OVERLAP["continuum"])}}

@@ -63,7 +63,7 @@ continuum:
     - {name: crown, quantity: moment, lining: lining, at: {x: 3 m, y: 0 m}}
 output: {peaks: {}, spectra: [{history: surface}], field_times: [0.1 s]}
 """
-RAYLEIGH = "damping: {rayleigh: {ratio: 0.005, low_frequency: 1 Hz, high_frequency: 30 Hz}}"
+MAXWELL = "damping: {maxwell: {ratio: 0.005, low_frequency: 1 Hz, high_frequency: 30 Hz}}"
 
 # Ground beside a beam of particles and zones that slips along it, and two steps in one.
 BEDDED = """
@@ -132,7 +132,7 @@ output: {peaks: {highest_frequency: 50 Hz}, field_times: [0 s]}
 # Their scenes or the files of them, with options.
 SCENES = {
     "lattice that cracks": (CASES / "cantilever" / "coupled.yaml", ("--set", "output.peaks={}", "--set", "time.dt_factor=0.1")),
-    "ground that yields": (GROUND % ("false", RAYLEIGH), ()),
+    "ground that yields": (GROUND % ("false", MAXWELL), ()),
     "ground in large strain": (GROUND % ("true", "damping: {local: {alpha: 0.1}}"), ()),
     "beam on a foundation": (BEDDED % CASES, ()),
     "grains": (GRAINS, ()),

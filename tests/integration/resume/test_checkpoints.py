@@ -5,7 +5,7 @@ import json
 import unittest
 
 from programs import coupler
-from resume.resumed import BEDDED, CASES, CHECKPOINTS, GROUND, RAYLEIGH, ResumeTest, results_of
+from resume.resumed import BEDDED, CASES, CHECKPOINTS, GROUND, MAXWELL, ResumeTest, results_of
 
 AT_THE_END = ("--set", "output.checkpoint={}")  # and after statics
 
@@ -23,7 +23,7 @@ class Checkpoints(ResumeTest):
         self.assertLessEqual(len(list((run / "checkpoints").iterdir())), 3)
 
     def test_a_finished_run_becomes_longer(self):
-        scene = self.scene(GROUND % ("false", RAYLEIGH))
+        scene = self.scene(GROUND % ("false", MAXWELL))
         sets = ("--set", "output.history_interval=1 ms", "--set", "output.field_times=[]", "--set", "time.dt=5 us")
         whole = self.run_scene(scene, *sets, "--set", "time.duration=60 ms", out="whole")
         run = self.run_scene(scene, *sets, "--set", "time.duration=30 ms", *AT_THE_END)
@@ -40,7 +40,7 @@ class Checkpoints(ResumeTest):
         self.assertIn("--until 20 ms lies before the checkpoint at 0.06 s", result.stderr)
 
     def test_other_earthquakes_begin_at_the_state_after_statics(self):
-        scene = self.scene(GROUND % ("false", RAYLEIGH))
+        scene = self.scene(GROUND % ("false", MAXWELL))
         short = ("--set", "time.duration=60 ms", "--set", "output.field_times=[]")
         base = self.run_scene(scene, *short, *AT_THE_END, out="base")
         stronger = (*short, "--set", "continuum.base.acceleration.peak=1.5 g", "--set", "time.duration=80 ms")

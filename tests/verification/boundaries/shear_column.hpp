@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "fdm_server/solver/damping.hpp"
+#include "fdm_server/solver/damping_law.hpp"
 
 namespace adit::fdm::test {
 
@@ -15,9 +15,19 @@ struct SoilLayer {
   double thickness, shear_velocity, density;
 };
 
+// Complex, over that under slow loads: Rayleigh's 1 + i w beta as engineers state it, without the spring
+// behind its dashpot; Maxwell's elements as they are.
+inline std::complex<double> modulus(const DampingLaw& law, double w) {
+  using namespace std::complex_literals;
+  std::complex<double> sum = 1;
+  for (const auto& element : law.elements)
+    sum += 1i * w * element.viscosity() / (law.count() == 1 ? 1.0 : 1.0 + 1i * w * element.relaxation);
+  return sum;
+}
+
 // Velocity of the surface over that of the base (rigid), or over that of the outcrop of a half-space below
 // (compliant), at the frequency [Hz]. In each layer u = cos ks, s the depth below the surface, with damping
-//   rho* = rho (1 - i alpha/w),   G* = G (1 + i w beta),   k = w sqrt(rho*/G*),
+//   rho* = rho (1 - i alpha/w),   G* = G modulus(law, w),   k = w sqrt(rho*/G*),
 // u and the stress continue through the interfaces; in the half-space, undamped, u = E exp(iks) + F
 // exp(-iks), where E rises and the outcrop moves by 2 E = u + tau/(i w rho c).
 inline std::complex<double> transfer(const std::vector<SoilLayer>& from_surface, const DampingLaw& law,
@@ -27,7 +37,7 @@ inline std::complex<double> transfer(const std::vector<SoilLayer>& from_surface,
   const double w = 2 * std::numbers::pi * frequency;
   Complex u = 1, tau = 0;
   for (const auto& [thickness, velocity, density] : from_surface) {
-    const Complex modulus = density * velocity * velocity * (1.0 + i * w * law.beta);
+    const Complex modulus = density * velocity * velocity * adit::fdm::test::modulus(law, w);
     const Complex k = w * std::sqrt(density * (1.0 - i * law.alpha / w) / modulus);
     const Complex c = std::cos(k * thickness), s = std::sin(k * thickness),
                   below = u * c + tau * s / (k * modulus);

@@ -49,6 +49,10 @@ const std::vector<Case> kCases = {
      kSides + kPulse + "base { kind: COMPLIANT " + kRicker +
          "} damping { rayleigh { ratio: 0.05 low_frequency: 3 high_frequency: 20 } } ",
      ""},
+    {"maxwell",
+     kSides + kPulse + "base { kind: COMPLIANT " + kRicker +
+         "} damping { maxwell { ratio: 0.05 low_frequency: 3 high_frequency: 20 } } ",
+     ""},
     {"local", kPulse + "base { " + kRicker + "} damping { local { alpha: 0.2 } } ", ""},
 };
 
@@ -137,7 +141,8 @@ TEST(FreeField, VerticalWaveStaysPlane) {
     for (const std::string direction : {"X", "Y"})
       for (const std::string kind : {"RIGID", "COMPLIANT"})
         for (const std::string damping :
-             {"", "damping { rayleigh { ratio: 0.05 low_frequency: 3 high_frequency: 20 } } "}) {
+             {"", "damping { rayleigh { ratio: 0.05 low_frequency: 3 high_frequency: 20 } } ",
+              "damping { maxwell { ratio: 0.05 low_frequency: 3 high_frequency: 20 } } "}) {
           GroundRun run(kBlock + zone + kSides + damping + "base { kind: " + kind +
                             " direction: " + direction + " " + kRicker + "} ",
                         0.3, 0.8);

@@ -45,7 +45,7 @@ TEST(StiffLining, LeavesTheStepToTheGround) {
 }
 
 // Where forces at its points are needed before all are known, its own step counts: another model may be
-// joined, or it ends on dashpots or stands on a foundation.
+// joined, or it ends on dashpots or stands on a foundation; with local damping, too.
 TEST(StiffLining, CountsWhereItCannotWait) {
   const double own = model_of(wall(1, 5), false).critical_dt();
   EXPECT_EQ(model_of(wall(1, 5), false).critical_element(), "beam");
@@ -53,6 +53,7 @@ TEST(StiffLining, CountsWhereItCannotWait) {
   EXPECT_EQ(model_of(wall(0, 5) + kQuietSide, true).critical_element(), "beam");
   EXPECT_NEAR(model_of(wall(0, 5) + kQuietSide, true).critical_dt(), own, 1e-9 * own);
   EXPECT_EQ(model_of(wall(0, 5) + kFoundation, true).critical_element(), "beam on its foundation");
+  EXPECT_EQ(model_of(wall(1, 5) + "damping { local { alpha: 0.1 } } ", true).critical_element(), "beam");
 }
 
 // Energy is kept at the whole critical step, also where a lining ends on dashpots, and where a soft one does
