@@ -152,8 +152,10 @@ class Check(ProgramTest):
         model, element, x, y = self.critical(self.check(self.scene(GROUND, "ground.yaml")))
         self.assertEqual((model, element), ("continuum", "zone"))
         self.assertTrue(5 < x < 7 and 2 < y < 3, (x, y))
-        stiff = self.scene(GROUND.replace("      young_modulus: 1 GPa", "      young_modulus: 30 TPa"), "stiff.yaml")
-        model, element, x, y = self.critical(self.check(stiff))
+        stiff = GROUND.replace("      young_modulus: 1 GPa", "      young_modulus: 30 TPa")
+        self.assertEqual(self.critical(self.check(self.scene(stiff, "stiff.yaml")))[1], "zone")  # linings do not
+        local = self.scene(stiff + "  damping: {local: {alpha: 0.1}}\n", "local.yaml")  # but here
+        model, element, x, y = self.critical(self.check(local))
         self.assertEqual((model, element, y), ("continuum", "beam", 6))
         rayleigh = "  damping: {rayleigh: {ratio: 0.05, low_frequency: 1 Hz, high_frequency: 10 Hz}}\n"
         damped = self.scene(GROUND + rayleigh, "damped.yaml")
