@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "fdm_server/solver/damping_law.hpp"
+#include "fdm_server/materials/damping_law.hpp"
 #include "protocol/messages/scene.pb.h"
 
 namespace adit::fdm {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "fdm_server/grid/grid.hpp"
+#include "fdm_server/materials/damping_law.hpp"
 #include "fdm_server/materials/material.hpp"
-#include "fdm_server/solver/damping_law.hpp"
 #include "fdm_server/structures/structures.hpp"
 #include "fdm_server/zones/kernel/zone_kernel.hpp"
 

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "fdm_server/grid/field_arrays.hpp"
-#include "fdm_server/solver/damping_law.hpp"
+#include "fdm_server/materials/damping_law.hpp"
 #include "fdm_server/solver/sweep.hpp"
 #include "protocol/participant/step.hpp"
 #include "protocol/threads/index_ranges.hpp"

@@ -26,7 +26,7 @@
 #include <span>
 #include <vector>
 
-#include "fdm_server/solver/damping_law.hpp"
+#include "fdm_server/materials/damping_law.hpp"
 #include "fdm_server/solver/sweep.hpp"
 #include "fdm_server/zones/zone_set.hpp"
 #include "protocol/participant/step.hpp"

@@ -28,7 +28,7 @@ MeanAcceleration::MeanAcceleration(std::span<const StrainForm> strains, double d
   }
   acceleration_.assign(freedoms_.size(), 0.0);
   force_ = acceleration_;
-  factor(inverse_mass);
+  if (free_ > 0) factor(inverse_mass);
 }
 
 void MeanAcceleration::factor(const std::function<double(const Freedom&)>& inverse_mass) {
@@ -49,11 +49,19 @@ void MeanAcceleration::factor(const std::function<double(const Freedom&)>& inver
   ordered_.resize(size);
 }
 
-// The solver's own solve() takes memory at every call.
 void MeanAcceleration::add_forces(const Actions& forces) {
   std::ranges::fill(force_, 0.0);
   std::fill_n(acceleration_.begin(), free_, 0.0);
   if (free_ < freedoms_.size()) subtract_inertia();  // of what is prescribed
+  if (free_ > 0) solve(forces);
+  std::ranges::fill(force_, 0.0);
+  subtract_inertia();
+  for (std::size_t i = 0; i < freedoms_.size(); ++i)
+    forces[freedoms_[i].kind][freedoms_[i].number] += force_[i];
+}
+
+// The solver's own solve() takes memory at every call.
+void MeanAcceleration::solve(const Actions& forces) {
   const auto& place = factor_.permutationP().indices();
   for (std::size_t i = 0; i < free_; ++i)
     ordered_[place[static_cast<Eigen::Index>(i)]] =
@@ -61,11 +69,6 @@ void MeanAcceleration::add_forces(const Actions& forces) {
   factor_.matrixL().solveInPlace(ordered_);
   factor_.matrixU().solveInPlace(ordered_);
   for (std::size_t i = 0; i < free_; ++i) acceleration_[i] = ordered_[place[static_cast<Eigen::Index>(i)]];
-
-  std::ranges::fill(force_, 0.0);
-  subtract_inertia();
-  for (std::size_t i = 0; i < freedoms_.size(); ++i)
-    forces[freedoms_[i].kind][freedoms_[i].number] += force_[i];
 }
 
 void MeanAcceleration::subtract_inertia() {

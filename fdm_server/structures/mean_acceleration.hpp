@@ -55,6 +55,7 @@ class MeanAcceleration {
   }
   void factor(const std::function<double(const Freedom&)>& inverse_mass);
   double rate(const Form& form, const Motions& motions) const;
+  void solve(const Actions& forces);  // for a of the free ones
   // force -= dt^2/4 K a.
   void subtract_inertia();
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "fdm_server/solver/damping_law.hpp"
+#include "fdm_server/materials/damping_law.hpp"
 
 namespace adit::fdm::test {
 

@@ -1,4 +1,4 @@
-#include "fdm_server/solver/damping_law.hpp"
+#include "fdm_server/materials/damping_law.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
