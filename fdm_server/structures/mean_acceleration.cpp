@@ -10,10 +10,10 @@ MeanAcceleration::MeanAcceleration(std::span<const StrainForm> strains, double d
   for (const StrainForm& strain : strains)
     for (const StrainForm::Share& share : strain.shares) freedoms_.push_back(share.of);
   std::ranges::sort(freedoms_);
-  freedoms_.erase(std::ranges::unique(freedoms_).begin(), freedoms_.end());
-  const auto prescribed = std::ranges::stable_partition(
-      freedoms_, [&](const Freedom& freedom) { return inverse_mass(freedom) > 0; });
-  free_ = freedoms_.size() - prescribed.size();
+  freedoms_.erase(std::unique(freedoms_.begin(), freedoms_.end()), freedoms_.end());
+  const auto prescribed = std::stable_partition(
+      freedoms_.begin(), freedoms_.end(), [&](const Freedom& freedom) { return inverse_mass(freedom) > 0; });
+  free_ = static_cast<std::size_t>(prescribed - freedoms_.begin());
 
   const auto number = [this](const Freedom& freedom) {
     const auto middle = freedoms_.begin() + static_cast<std::ptrdiff_t>(free_);
