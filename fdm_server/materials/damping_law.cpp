@@ -81,10 +81,4 @@ MaxwellStep::MaxwellStep(const DampingLaw& law, const protocol::Step& step) {
   }
 }
 
-double MaxwellStep::operator()(Elements& g, double growth) const {
-  double sum = 0;
-  for (std::size_t e = 0; e < kMostElements; ++e) sum += g[e] = keep[e] * g[e] + take[e] * growth;
-  return sum;
-}
-
 }  // namespace adit::fdm

@@ -76,8 +76,10 @@ double critical_step(const DampingLaw& law, double undamped);
 struct MaxwellStep {
   Elements keep{}, take{};
   MaxwellStep(const DampingLaw& law, const protocol::Step& step);
-  // Takes their forces g to the next step, in which the zones' force grew, and returns their sum.
-  double operator()(Elements& g, double growth) const;
+  // The force of an element whose force was g, after a step in which the zones' force grew.
+  double operator()(std::size_t element, double g, double growth) const {
+    return keep[element] * g + take[element] * growth;
+  }
 };
 
 }  // namespace adit::fdm

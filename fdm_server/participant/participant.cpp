@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -113,7 +112,7 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
 // back in every step, as stiff structures would.
 std::vector<bool> FdmParticipant::known_early(const Structures& structures, bool alone) const {
   const bool all = !alone || scene_.continuum().foundations_size() > 0 || damping_.local > 0;
-  if (all || structures.critical_step() == std::numeric_limits<double>::infinity())
+  if (all || (structures.beams().empty() && structures.bars().empty()))
     return std::vector<bool>(grid_.x.size(), all);
   return find_bearing_points(scene_.continuum(), base_acceleration_, grid_);
 }

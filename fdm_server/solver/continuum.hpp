@@ -10,7 +10,7 @@
 //
 // Structures that the step is too long for move by mean acceleration (structures/mean_acceleration.hpp), but
 // for beams and bars that touch a point of the interface, of dashpots or of foundations, whose forces are
-// known before the others' and cannot wait.
+// needed before all are known.
 //
 // Energies at step n: kinetic 1/2 sum m v(n-1/2) v(n+1/2), strain energy of the stresses; work of loads,
 // prescribed motions, boundaries and ground, and what dashpots, slip and damping dissipate, summed as

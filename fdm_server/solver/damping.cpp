@@ -33,8 +33,7 @@ ADIT_VECTOR_CLONES void pull(const protocol::IndexRange& range, const MaxwellSte
   for (std::size_t i = range.begin; i < range.end; ++i) {
     const double growth = of.force[i] - of.zones[i];
     double sum = 0;
-    for (std::size_t e = 0; e < kCount; ++e)
-      sum += of.elements[e][i] = maxwell.keep[e] * of.elements[e][i] + maxwell.take[e] * growth;
+    for (std::size_t e = 0; e < kCount; ++e) sum += of.elements[e][i] = maxwell(e, of.elements[e][i], growth);
     of.zones[i] = of.force[i];
     if constexpr (kCount > 1) of.viscous[i] = sum;
     of.force[i] += sum;

@@ -61,12 +61,19 @@ Vector stress_force(const FreeFieldLink& link, const ZoneSet& zones) {
   return force;
 }
 
+// Takes the elements to this step, and returns the sum of their forces.
+double advance(Elements& elements, const MaxwellStep& maxwell, double growth) {
+  double sum = 0;
+  for (std::size_t e = 0; e < kMostElements; ++e) sum += elements[e] = maxwell(e, elements[e], growth);
+  return sum;
+}
+
 Vector free_field_force(Dashpot& dashpot, const MaxwellStep& maxwell, const protocol::Step& step,
                         const ZoneSet& zones, const PointArrays& points) {
   const FreeFieldLink& link = *dashpot.field;
   const Vector before = std::exchange(dashpot.stress, stress_force(link, zones));
-  const Vector viscous{maxwell(dashpot.viscous_x, dashpot.stress.x - before.x),
-                       maxwell(dashpot.viscous_y, dashpot.stress.y - before.y)};
+  const Vector viscous{advance(dashpot.viscous_x, maxwell, dashpot.stress.x - before.x),
+                       advance(dashpot.viscous_y, maxwell, dashpot.stress.y - before.y)};
   if (step.from_rest()) return dashpot.stress;
   return dashpot.stress + viscous + link.damping * mean_velocity(points, link.column_point, step.kick());
 }

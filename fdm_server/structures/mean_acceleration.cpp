@@ -1,29 +1,30 @@
 #include "fdm_server/structures/mean_acceleration.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace adit::fdm {
 
 MeanAcceleration::MeanAcceleration(std::span<const StrainForm> strains, double dt,
                                    const std::function<double(const Freedom&)>& inverse_mass)
     : dt_(dt) {
+  std::map<Freedom, std::uint32_t> numbers;
   for (const StrainForm& strain : strains)
-    for (const StrainForm::Share& share : strain.shares) freedoms_.push_back(share.of);
-  std::ranges::sort(freedoms_);
-  freedoms_.erase(std::unique(freedoms_.begin(), freedoms_.end()), freedoms_.end());
-  const auto prescribed = std::stable_partition(
-      freedoms_.begin(), freedoms_.end(), [&](const Freedom& freedom) { return inverse_mass(freedom) > 0; });
-  free_ = static_cast<std::size_t>(prescribed - freedoms_.begin());
-
-  const auto number = [this](const Freedom& freedom) {
-    const auto middle = freedoms_.begin() + static_cast<std::ptrdiff_t>(free_);
-    auto found = std::lower_bound(freedoms_.begin(), middle, freedom);
-    if (found == middle || *found != freedom) found = std::lower_bound(middle, freedoms_.end(), freedom);
-    return static_cast<std::uint32_t>(found - freedoms_.begin());
+    for (const StrainForm::Share& share : strain.shares) numbers[share.of] = 0;
+  const auto list = [&](bool free) {
+    for (auto& [freedom, number] : numbers) {
+      if ((inverse_mass(freedom) > 0) != free) continue;
+      number = static_cast<std::uint32_t>(freedoms_.size());
+      freedoms_.push_back(freedom);
+    }
   };
+  list(true);
+  free_ = freedoms_.size();
+  list(false);
+
   for (const StrainForm& strain : strains) {
     const auto begin = static_cast<std::uint32_t>(shares_.size());
-    for (const auto& [freedom, factor] : strain.shares) shares_.push_back({number(freedom), factor});
+    for (const auto& [freedom, factor] : strain.shares) shares_.push_back({numbers[freedom], factor});
     forms_.push_back({dt * dt / 4 * strain.stiffness, begin, static_cast<std::uint32_t>(shares_.size())});
   }
   acceleration_.assign(freedoms_.size(), 0.0);

@@ -51,7 +51,7 @@ class Structures {
   // A chosen point to which something is attached after stage 0, if any.
   std::optional<std::uint32_t> later_point(const std::vector<bool>& chosen) const;
   // The beam or bar with the smallest critical step [s], by its points; infinite where there is none. Of
-  // those that touch a chosen point, if any are chosen.
+  // all, or only of those that touch a chosen point.
   struct Critical {
     double step = std::numeric_limits<double>::infinity();
     const char* kind = "";

@@ -153,8 +153,8 @@ class Check(ProgramTest):
         self.assertEqual((model, element), ("continuum", "zone"))
         self.assertTrue(5 < x < 7 and 2 < y < 3, (x, y))
         stiff = GROUND.replace("      young_modulus: 1 GPa", "      young_modulus: 30 TPa")
-        self.assertEqual(self.critical(self.check(self.scene(stiff, "stiff.yaml")))[1], "zone")  # linings do not
-        local = self.scene(stiff + "  damping: {local: {alpha: 0.1}}\n", "local.yaml")  # but here
+        self.assertEqual(self.critical(self.check(self.scene(stiff, "stiff.yaml")))[1], "zone")
+        local = self.scene(stiff + "  damping: {local: {alpha: 0.1}}\n", "local.yaml")  # with which a lining needs its own step
         model, element, x, y = self.critical(self.check(local))
         self.assertEqual((model, element, y), ("continuum", "beam", 6))
         rayleigh = "  damping: {rayleigh: {ratio: 0.05, low_frequency: 1 Hz, high_frequency: 10 Hz}}\n"

@@ -17,7 +17,7 @@ struct SoilLayer {
 
 // Complex, over that under slow loads: Rayleigh's 1 + i w beta as engineers state it, without the spring
 // behind its dashpot; Maxwell's elements as they are.
-inline std::complex<double> modulus(const DampingLaw& law, double w) {
+inline std::complex<double> relative_modulus(const DampingLaw& law, double w) {
   using namespace std::complex_literals;
   std::complex<double> sum = 1;
   for (const auto& element : law.elements)
@@ -27,7 +27,7 @@ inline std::complex<double> modulus(const DampingLaw& law, double w) {
 
 // Velocity of the surface over that of the base (rigid), or over that of the outcrop of a half-space below
 // (compliant), at the frequency [Hz]. In each layer u = cos ks, s the depth below the surface, with damping
-//   rho* = rho (1 - i alpha/w),   G* = G modulus(law, w),   k = w sqrt(rho*/G*),
+//   rho* = rho (1 - i alpha/w),   G* = G relative_modulus(law, w),   k = w sqrt(rho*/G*),
 // u and the stress continue through the interfaces; in the half-space, undamped, u = E exp(iks) + F
 // exp(-iks), where E rises and the outcrop moves by 2 E = u + tau/(i w rho c).
 inline std::complex<double> transfer(const std::vector<SoilLayer>& from_surface, const DampingLaw& law,
@@ -37,7 +37,7 @@ inline std::complex<double> transfer(const std::vector<SoilLayer>& from_surface,
   const double w = 2 * std::numbers::pi * frequency;
   Complex u = 1, tau = 0;
   for (const auto& [thickness, velocity, density] : from_surface) {
-    const Complex modulus = density * velocity * velocity * adit::fdm::test::modulus(law, w);
+    const Complex modulus = density * velocity * velocity * relative_modulus(law, w);
     const Complex k = w * std::sqrt(density * (1.0 - i * law.alpha / w) / modulus);
     const Complex c = std::cos(k * thickness), s = std::sin(k * thickness),
                   below = u * c + tau * s / (k * modulus);

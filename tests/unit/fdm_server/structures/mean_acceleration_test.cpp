@@ -9,10 +9,6 @@
 namespace adit::fdm::test {
 namespace {
 
-Frame ring() {
-  return {circle(3, 24), true, wall(0.3), {{5, 1e7, 1e9}}};
-}
-
 Eigen::Index number(const Freedom& freedom, std::size_t points) {
   const auto at = static_cast<Eigen::Index>(freedom.number), first = static_cast<Eigen::Index>(2 * points);
   return freedom.kind == Freedom::kRotation ? first + at : 2 * at + freedom.kind;
@@ -46,7 +42,7 @@ TEST(MeanAcceleration, KnowsTheStiffnessOfTheKernels) {
 // A free ring with a joint: every mode turns by 2 atan(w dt/2) in a step, as that of mean acceleration,
 // though the step is 30 times the critical one of central differences.
 TEST(MeanAcceleration, ModesTurnAtTheirFrequency) {
-  const Frame frame = ring();
+  const Frame frame(circle(3, 24), true, wall(0.3), {{5, 1e7, 1e9}});
   Continuum continuum = frame.continuum({});
   const Structures& structures = continuum.structures();
   const std::size_t points = 24, rotations = structures.rotations().size();
