@@ -265,7 +265,7 @@ void LammpsEngine::fetch_contacts() const {
   dem::Pairs& contacts = picture_.solver().neighbours().pairs();
   const auto same = [](double number) { return static_cast<std::uint32_t>(number); };
   contacts =
-      set_of(listed, same, picture_.particles().size(), {false, !contacts.normal_dashpot.empty()}).pairs;
+      set_of(listed, same, picture_.particles().size(), {false, !contacts.normal_dashpot.empty(), {}}).pairs;
 }
 
 double LammpsEngine::kinetic_energy() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "dem_server/engines/answers.hpp"
 #include "dem_server/model/model.hpp"
@@ -29,7 +30,8 @@ class Relaxation {
   void exchange(state::Archive& archive) { before_.exchange(archive); }
 
  private:
-  Velocities before_;  // a step before
+  Velocities before_;                      // a step before
+  std::vector<double> force_x_, force_y_;  // scratch
 };
 
 }  // namespace adit::dem

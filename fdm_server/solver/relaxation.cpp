@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocol/kernels/vector_sizes.hpp"
 #include "protocol/participant/local_damping.hpp"
+#include "protocol/threads/vector_clones.hpp"
 
 namespace adit::fdm {
 
@@ -14,6 +16,19 @@ double kinetic_energy(const Continuum& continuum) {
   return twice / 2 + continuum.structures().rotational_energy();
 }
 
+namespace {
+
+// The forces that changed one component of the velocities in a kick [N].
+ADIT_VECTOR_CLONES void find_forces(std::span<const double> after, std::span<const double> before,
+                                    std::span<const double> mass, double kick, double local_damping,
+                                    std::span<double> force) {
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < force.size(); ++i)
+    force[i] = mass[i] * protocol::undamped_change(after[i] - before[i], before[i], local_damping) / kick;
+}
+
+}  // namespace
+
 Relaxation::Relaxation(const Grid& grid, std::span<const double> zone_weights)
     : vx_(grid.x.size(), 0.0), vy_(vx_), fx_(vx_), fy_(vx_) {
   for (std::size_t z = 0; z < grid.zones.size(); ++z)
@@ -21,18 +36,11 @@ Relaxation::Relaxation(const Grid& grid, std::span<const double> zone_weights)
 }
 
 Unrest Relaxation::measure(const Continuum& continuum, double kick, double local_damping) {
-  const auto vx = continuum.vx(), vy = continuum.vy(), mass = continuum.masses();
-  Unrest unrest{};
-  for (std::size_t i = 0; i < vx.size(); ++i) {
-    fx_[i] = mass[i] * protocol::undamped_change(vx[i] - vx_[i], vx_[i], local_damping) / kick;
-    fy_[i] = mass[i] * protocol::undamped_change(vy[i] - vy_[i], vy_[i], local_damping) / kick;
-    const double force = std::hypot(fx_[i], fy_[i]);
-    unrest.unbalanced_force += force;
-    if (force > unrest.largest) {
-      unrest.largest = force;
-      unrest.at = i;
-    }
-  }
+  const auto vx = continuum.vx(), vy = continuum.vy();
+  find_forces(vx, vx_, continuum.masses(), kick, local_damping, fx_);
+  find_forces(vy, vy_, continuum.masses(), kick, local_damping, fy_);
+  const protocol::VectorSizes sizes = protocol::sizes_of(fx_, fy_);
+  Unrest unrest{.unbalanced_force = sizes.sum, .internal_force = 0, .largest = sizes.largest, .at = sizes.at};
   std::ranges::copy(vx, vx_.begin());
   std::ranges::copy(vy, vy_.begin());
   for (std::size_t z = 0; z < factor_.size(); ++z) {

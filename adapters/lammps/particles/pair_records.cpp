@@ -103,7 +103,7 @@ PairSet set_of(const std::vector<PairRecord>& records, const PlaceOf& place_of, 
     p.moment[k] = r.moment;
     p.state[k] = static_cast<dem::BondState>(r.state);
   }
-  p.sort_chunks();
+  p.sort_chunks(kind.laws);
   return set;
 }
 

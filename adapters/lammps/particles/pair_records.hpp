@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "dem_server/engines/general/pairs/pairs.hpp"
@@ -43,6 +44,7 @@ PairRecord record_of(const PairSet& set, std::uint32_t pair, const Numbers& numb
 
 struct PairKind {
   bool bonded, dashpots;
+  std::span<const dem::PairLaw> laws;  // of bonds
 };
 // `places`: of a rank, ghosts too. All particles of the records have one.
 PairSet set_of(const std::vector<PairRecord>& records, const PlaceOf& place_of, std::size_t places,

@@ -180,7 +180,7 @@ std::array<Part::Share, 2> Part::divide(const std::vector<PairRecord>& records, 
   std::vector<PairRecord> inner, across;
   for (const PairRecord& r : records)
     (is_own(r.first, place_of) && is_own(r.second, place_of) ? inner : across).push_back(r);
-  const PairKind kind{bonded, laws.dashpots};
+  const PairKind kind{bonded, laws.dashpots, laws.all};
   return {Share{set_of(inner, place_of, particles.size(), kind), 1},
           Share{set_of(across, place_of, particles.size(), kind), 0.5}};
 }

@@ -31,7 +31,7 @@ void Part::pull(double dt) {
     discs_.take(block, p);
     for (auto* sets : {&bonds_, &contacts_})
       for (Share& from : *sets) {
-        dem::add_pair_forces(block, laws.all, dt, p, from.set.pairs, discs_, result);
+        dem::add_pair_forces(block, laws.all, dt, false, p, from.set.pairs, discs_, result);
         add(result, from);
       }
     discs_.add(block, p);

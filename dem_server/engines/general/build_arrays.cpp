@@ -121,7 +121,7 @@ Bonded bonds_of(const Model& model) {
     set_forces_at_rest(law, bond, k, bonds);
     bonds.weight[k] = bond.weight;
   }
-  bonds.sort_chunks();
+  bonds.sort_chunks(out.laws);
   return out;
 }
 

@@ -95,7 +95,7 @@ std::vector<bool> Neighbours::list(const Particles& p) {
     fresh.weight[k] = (p.weight[i] + p.weight[j]) / 2;
     fresh.law[k] = first_law_ + group_pair_number(groups_, group_[i], group_[j]);
   }
-  fresh.sort_chunks();
+  fresh.sort_chunks({});
   auto kept = keep_springs(pairs_, fresh);
   pairs_ = std::move(fresh);
   walls_travelled_ = 0;

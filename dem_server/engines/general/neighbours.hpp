@@ -41,8 +41,8 @@ class Neighbours {
   // Returns whether it changed.
   bool update(const Particles& particles);
 
-  void exchange(state::Archive& archive) {
-    pairs_.exchange(radius_.size(), archive);
+  void exchange(std::span<const PairLaw> laws, state::Archive& archive) {
+    pairs_.exchange(radius_.size(), laws, archive);
     moved_.exchange(archive);
     archive("walls_travelled", walls_travelled_);
     archive("lists", lists_);

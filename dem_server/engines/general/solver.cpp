@@ -7,6 +7,8 @@
 
 #include "dem_server/engines/general/build_arrays.hpp"
 #include "dem_server/particles/integrate.hpp"
+#include "protocol/kernels/eight_sums.hpp"
+#include "protocol/threads/vector_clones.hpp"
 
 namespace adit::dem {
 namespace {
@@ -17,6 +19,22 @@ std::int64_t bits_of_size(double force) {
 
 protocol::IndexRange range_of(std::uint32_t block, std::size_t discs) {
   return {block * kBlock, static_cast<std::uint32_t>(std::min<std::size_t>((block + 1) * kBlock, discs))};
+}
+
+// One component of the motion: velocities, what pairs pull now, and what they pulled at the last step.
+struct ComponentPull {
+  const double *velocity, *now;
+  double* before;
+};
+
+// Of both pulls [W]; that of now becomes the one before.
+ADIT_VECTOR_CLONES double power(const ComponentPull& pull, std::uint32_t begin, std::uint32_t end) {
+  const auto [velocity, now, before] = pull;
+  return protocol::eight_sums(begin, end, [velocity, now, before](std::size_t i) {
+    const double both = before[i] + now[i];
+    before[i] = now[i];
+    return velocity[i] * both;
+  });
 }
 
 // Each disc is held with the area of its cell.
@@ -93,7 +111,7 @@ void Solver::step(const protocol::Step& step, Loads& loads, PrescribedMotions& m
   });
   motions.impose(step, particles_);
   walls_.drive(step);
-  take_results();
+  take_results(step.relax);
 }
 
 void Solver::plan(const protocol::Step& step, const Loads& loads, const PrescribedMotions& motions) {
@@ -154,8 +172,9 @@ void Solver::sweep(const protocol::Step& step) {
     const auto block = static_cast<std::uint32_t>(b);
     BlockDiscs& discs = in_work_[thread];
     discs.take(block, particles_);
-    add_pair_forces(block, laws, dt, particles_, bonds_, discs, results_[b].bonds);
-    add_pair_forces(block, laws, dt, particles_, neighbours_.pairs(), discs, results_[b].contacts);
+    add_pair_forces(block, laws, dt, step.relax, particles_, bonds_, discs, results_[b].bonds);
+    add_pair_forces(block, laws, dt, step.relax, particles_, neighbours_.pairs(), discs,
+                    results_[b].contacts);
     results_[b].work = dt / 2 * discs.give(block, step.kick(), discs_.swept, particles_);
   });
 }
@@ -172,14 +191,13 @@ void Solver::gather(double dt) {
 
 // Of what pulled on the kept discs of a block at the last step and pulls now, which is noted [W].
 double Solver::power_of_kept(std::size_t block) {
-  const Particles& p = particles_;
+  const ComponentPull components[] = {
+      {particles_.vx.data(), particles_.fx.data(), pulled_x_.data()},
+      {particles_.vy.data(), particles_.fy.data(), pulled_y_.data()},
+      {particles_.spin.data(), particles_.moment.data(), pulled_moment_.data()}};
   double sum = 0;
   for (const auto [begin, end] : discs_.kept[block])
-    for (std::uint32_t i = begin; i < end; ++i) {
-      sum += p.vx[i] * (pulled_x_[i] + p.fx[i]) + p.vy[i] * (pulled_y_[i] + p.fy[i]) +
-             p.spin[i] * (pulled_moment_[i] + p.moment[i]);
-      note_pull(i);
-    }
+    for (const ComponentPull& component : components) sum += power(component, begin, end);
   return sum;
 }
 
@@ -213,20 +231,23 @@ void Solver::support_edges(bool relax, double dt) {
   }
 }
 
-void Solver::take_results() {
+void Solver::take_results(bool relax) {
   broken_.clear();
+  double internal = 0;
   for (const BlockResult& result : results_) {
     ledger_.pairs += result.work;
     for (const PairResult* pulled : {&result.bonds, &result.contacts}) {
       ledger_.friction += pulled->friction;
       ledger_.dashpots += pulled->dashpots;
       ledger_.released += pulled->released;
+      internal += pulled->internal_force;
     }
     ledger_.damping.local += result.loss.local;
     ledger_.damping.viscous += result.loss.viscous;
     ledger_.damping.edges += result.loss.edges;
     broken_.insert(broken_.end(), result.bonds.broken.begin(), result.bonds.broken.end());
   }
+  if (relax) internal_of_pairs_ = internal;
   strongest_ = find_strongest();
 }
 
@@ -263,8 +284,8 @@ void Solver::start_over(const protocol::Drift& drift) {
 void Solver::exchange(state::Archive& archive) {
   if (!archive.reads()) note_pulls();
   const std::size_t bonds = bonds_.size();
-  bonds_.exchange(particles_.size(), archive);
-  neighbours_.exchange(archive);
+  bonds_.exchange(particles_.size(), laws_, archive);
+  neighbours_.exchange(laws_, archive);
   joints_.exchange(archive);
   springs_.exchange(archive);
   for (foundation::Springs& springs : foundations_) springs.exchange(archive);
@@ -274,14 +295,15 @@ void Solver::exchange(state::Archive& archive) {
   archive("support_y", std::span(support_y_));
   archive("held", held_);
   for (auto* pulled : {&pulled_x_, &pulled_y_, &pulled_moment_}) archive("pulled", std::span(*pulled));
+  double internal = internal_of_pairs_.value_or(-1);
+  archive("internal_of_pairs", internal);
   archive("ledger", ledger_);
   archive("strain_at_start", strain_at_start_);
   if (!archive.reads()) return;
+  internal_of_pairs_ = internal >= 0 ? std::optional(internal) : std::nullopt;
   discs_ = {};
   planned_ = false;
   state::require_of_model(bonds_.size() == bonds && (bonds == 0 || bonds_.bonded()), "pairs");
-  state::require_below(bonds_.law, laws_.size(), "pair_law");
-  state::require_below(neighbours_.pairs().law, laws_.size(), "pair_law");
   state::require_below(springs_.broken(), springs_.springs().size(), "springs_broken");
   for (const Held& held : held_) state::require_below(std::array{held.disc}, particles_.size(), "held");
   for (const WallContacts::Touch& touch : walls_.touches()) {
@@ -308,13 +330,18 @@ double Solver::foundation_energy() const {
   return sum;
 }
 
-double Solver::internal_force() const {
+double Solver::internal_force_of_pairs() const {
   double sum = 0;
   for (const Pairs* pairs : {&bonds_, &neighbours_.pairs()})
     for (std::uint32_t k = 0; k < pairs->size(); ++k) {
       const PairState s = state_of(k, laws_, particles_, *pairs);
       sum += pairs->weight[k] * std::hypot(s.bond_normal + s.contact_normal, s.shear);
     }
+  return sum;
+}
+
+double Solver::internal_force() const {
+  double sum = internal_of_pairs_ ? *internal_of_pairs_ : internal_force_of_pairs();
   for (const Joints::Joint& joint : joints_.joints())
     sum += joint.weight * std::hypot(joint.normal, joint.springs.shear);
   for (const double force : springs_.forces()) sum += std::abs(force);

@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -115,7 +116,8 @@ class Solver {
   struct PairLoad;
   void hold_what_vanishes(const ParticleStage& stage);
   void hold(const PairLoad& load, const ParticleStage& stage);
-  void take_results();
+  void take_results(bool relax);
+  double internal_force_of_pairs() const;
   Strongest find_strongest() const;
 
   Particles particles_;
@@ -147,6 +149,8 @@ class Solver {
   std::vector<std::uint32_t> broken_;
   Strongest strongest_;
   DiscLedger ledger_;
+  // At the last step of statics [N]; none before the first.
+  std::optional<double> internal_of_pairs_;
   double strain_at_start_ = 0;
 };
 

@@ -41,19 +41,20 @@ class Damping {
   void exchange(state::Archive& archive) {
     for (Component* component : {&x_, &y_, &spin_}) {
       archive("damping_local", std::span(component->local_force));
-      archive("damping_drag", std::span(component->drag_force));
+      archive("damping_middle", std::span(component->middle));
     }
   }
 
  private:
-  // A component of the motion: its drag coefficients, and the damping forces of the last step.
+  // A component of the motion: its local damping and its force at the last step; its drag coefficients and
+  // the mean velocity that drag acted against.
   struct Component {
-    std::vector<double> local;          // share of each disc; empty: none
-    std::vector<double> edge, viscous;  // [N s/m], [N m s]
-    std::vector<double> local_force, drag_force;
+    std::vector<double> local, local_force;     // share of each disc [N], [N m]; empty: none
+    std::vector<double> edge, viscous, middle;  // [N s/m], [N m s]; empty: none
   };
-  Loss kick(const protocol::Step& step, std::uint32_t begin, std::uint32_t end, const double* inverse_inertia,
-            const double* tie, double* force, double* velocity, Component& component) const;
+  struct Motion;
+  Loss kick(const protocol::Step& step, std::uint32_t begin, std::uint32_t end, const Motion& motion,
+            Component& component) const;
 
   double local_share_ = 0;
   bool viscous_ = false, drags_ = false;

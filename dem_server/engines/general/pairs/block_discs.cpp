@@ -58,19 +58,26 @@ double give_one(const DiscSums& sums, std::size_t i, double kick, bool swept, Pa
   return power;
 }
 
-// Four discs side by side where all are swept: the same ones for any number of threads.
+// Four discs side by side where all or none are swept: the same ones for any number of threads.
 ADIT_VECTOR_CLONES double give_range(const DiscSums* sums, std::size_t begin, std::size_t count, double kick,
                                      const std::uint8_t* swept, Particles& p) {
   Four power{};
   double of_others = 0;
   for (std::size_t k = 0; k < count; k += 4) {
     const std::size_t i = begin + k;
-    if (k + 4 > count || !(swept[i] & swept[i + 1] & swept[i + 2] & swept[i + 3])) {
+    const int swept_ones = k + 4 > count ? 1 : swept[i] + swept[i + 1] + swept[i + 2] + swept[i + 3];
+    if (swept_ones % 4 != 0) {
       for (std::size_t one = k; one < std::min(k + 4, count); ++one)
         of_others += give_one(sums[one], begin + one, kick, swept[begin + one] != 0, p);
       continue;
     }
     const FourSums sum = of(sums + k);
+    if (swept_ones == 0) {
+      store(sum.x, &p.fx[i]);
+      store(sum.y, &p.fy[i]);
+      store(sum.moment, &p.moment[i]);
+      continue;
+    }
     const Four vx = four(&p.vx[i]), vy = four(&p.vy[i]), spin = four(&p.spin[i]);
     power += vx * (four(&p.fx[i]) + sum.x) + vy * (four(&p.fy[i]) + sum.y) +
              spin * (four(&p.moment[i]) + sum.moment);

@@ -89,30 +89,36 @@ ADIT_VECTOR_CLONES void add_to_discs(const Pairs::Chunk& chunk, const Pairs& pai
   }
 }
 
-void look_up_laws(const Pairs::Chunk& chunk, bool dashpots, std::span<const PairLaw> laws, const Pairs& pairs,
+void look_up_laws(const Pairs::Chunk& chunk, std::span<const PairLaw> laws, const Pairs& pairs,
                   ChunkLaws& out) {
-  const std::uint32_t count = chunk.end - chunk.begin;
-  for (std::uint32_t k = 0; k < (chunk.one_law ? 1 : count); ++k) {
-    const PairLaw& law = laws[k == 0 ? chunk.law : pairs.law[chunk.begin + k]];
+  const std::uint32_t count = chunk.end - chunk.begin, different = chunk.one_law ? 1 : count;
+  const auto law_of = [&](std::uint32_t k) -> const PairLaw& { return laws[pairs.law[chunk.begin + k]]; };
+  for (std::uint32_t k = 0; pairs.bonded() && k < different; ++k) {
+    const PairLaw& law = law_of(k);
     out.kn[k] = law.kn;
     out.ks[k] = law.ks;
-    out.km[k] = law.km;
     out.tensile_strength[k] = law.tensile_strength;
-    out.moment_factor[k] = law.moment_factor;
     out.cohesion[k] = law.cohesion;
-    out.tan_friction_angle[k] = law.tan_friction_angle;
-    out.contact_kn[k] = law.contact.normal_stiffness;
-    out.contact_ks[k] = law.contact.shear_stiffness;
-    out.contact_compliance[k] = law.contact.shear_stiffness > 0 ? 1 / law.contact.shear_stiffness : 0;
-    out.friction[k] = law.contact.friction;
-    out.normal_beta[k] = law.contact.normal_damping;
-    out.shear_beta[k] = law.contact.shear_damping;
   }
-  if (!pairs.bonded() || (chunk.kind != Pairs::Kind::kGeneral && !dashpots)) return;
+  if (!chunk.contacts_act()) return;
+  for (std::uint32_t k = 0; k < different; ++k) {
+    const PairLaw& law = law_of(k);
+    out.km[k] = law.km;
+    out.moment_factor[k] = law.moment_factor;
+    out.tan_friction_angle[k] = law.tan_friction_angle;
+    const LinearContact& contact = law.contact;
+    out.contact_kn[k] = contact.normal_stiffness;
+    out.contact_ks[k] = contact.shear_stiffness;
+    out.contact_compliance[k] = contact.shear_stiffness > 0 ? 1 / contact.shear_stiffness : 0;
+    out.friction[k] = contact.friction;
+    out.normal_beta[k] = contact.normal_damping;
+    out.shear_beta[k] = contact.shear_damping;
+  }
+  if (!pairs.bonded() || chunk.kind != Pairs::Kind::kGeneral) return;
   for (std::uint32_t k = 0; k < count; ++k) {
     const bool intact = pairs.state[chunk.begin + k] == BondState::kIntact;
     out.intact[k] = intact ? 1 : 0;
-    out.contact_acts[k] = !intact || laws[pairs.law[chunk.begin + k]].contact_beside_bond ? 1 : 0;
+    out.contact_acts[k] = !intact || law_of(k).contact_beside_bond ? 1 : 0;
   }
 }
 

@@ -13,14 +13,15 @@ namespace adit::dem {
 
 using ChunkColumn = std::array<double, kChunk>;
 
-// The laws of the pairs, one value each, or the first for all where there is one law. `intact` and
-// `contact_acts`, of each pair, are 1 where the bond and where the contact acts, else 0.
+// The laws of the pairs, one value each, or the first for all where there is one law: what contact
+// bonds need, and the rest where contacts act. `intact` and `contact_acts`, where some bond is broken, are 1
+// where the bond and where the contact acts, else 0.
 struct ChunkLaws {
   alignas(64) ChunkColumn kn, ks, km, tensile_strength, moment_factor, cohesion, tan_friction_angle;
   ChunkColumn contact_kn, contact_ks, contact_compliance, friction, normal_beta, shear_beta;
   ChunkColumn intact, contact_acts;
 };
-void look_up_laws(const Pairs::Chunk& chunk, bool dashpots, std::span<const PairLaw> laws, const Pairs& pairs,
+void look_up_laws(const Pairs::Chunk& chunk, std::span<const PairLaw> laws, const Pairs& pairs,
                   ChunkLaws& out);
 
 // Differences of displacement, velocity and place at rest (second disc less first), spins, and where dashpots
@@ -49,6 +50,7 @@ struct PairResult {
   std::uint32_t strongest = 0;        // the first pair that carries it
   double friction = 0, dashpots = 0;  // dissipated in this step, weighted [J]
   double released = 0;                // stored in the bonds that broke, weighted [J]
+  double internal_force = 0;          // sum of |force|, weighted, while it relaxes [N]
   std::vector<std::uint32_t> broken;  // pairs, ascending
 };
 

@@ -1,13 +1,13 @@
 #include "dem_server/engines/general/pairs/pair_forces.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
-#include <numeric>
 
 #include "dem_server/engines/general/pairs/bond_breaking.hpp"
 #include "dem_server/engines/general/pairs/pair_kernel.hpp"
+#include "protocol/kernels/eight_sums.hpp"
+#include "protocol/threads/vector_clones.hpp"
 
 namespace adit::dem {
 namespace {
@@ -16,15 +16,12 @@ std::int64_t bits_of_size(double force) {
   return std::bit_cast<std::int64_t>(std::abs(force));
 }
 
-// Eight sums side by side, else each addition waits for the one before.
-double sum_of(const ChunkColumn& values, std::uint32_t count) {
-  constexpr std::uint32_t kSums = 8;
-  std::array<double, kSums> sums{};
-  std::uint32_t k = 0;
-  for (; k + kSums <= count; k += kSums)
-    for (std::uint32_t lane = 0; lane < kSums; ++lane) sums[lane] += values[k + lane];
-  for (; k < count; ++k) sums[0] += values[k];
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
+ADIT_VECTOR_CLONES double sum_of(const ChunkColumn& values, std::uint32_t count) {
+  return protocol::eight_sums(0, count, [&](std::size_t k) { return values[k]; });
+}
+
+ADIT_VECTOR_CLONES double sum_of_sizes(const ChunkColumn& x, const ChunkColumn& y, std::uint32_t count) {
+  return protocol::eight_sums(0, count, [&](std::size_t k) { return std::sqrt(x[k] * x[k] + y[k] * y[k]); });
 }
 
 // Breaks the chunk's bonds that exceed a strength. Returns the bits of the largest |N| that is left.
@@ -42,29 +39,28 @@ std::int64_t break_bonds(Pairs::Chunk& chunk, std::span<const PairLaw> laws, dou
 
 }  // namespace
 
-void add_pair_forces(std::uint32_t block, std::span<const PairLaw> laws, double dt,
+void add_pair_forces(std::uint32_t block, std::span<const PairLaw> laws, double dt, bool relax,
                      const Particles& particles, Pairs& pairs, BlockDiscs& of_block, PairResult& result) {
-  result.max_normal_force = result.friction = result.dashpots = result.released = 0;
+  result.max_normal_force = result.friction = result.dashpots = result.released = result.internal_force = 0;
   result.broken.clear();
   if (pairs.chunk_starts[block] == pairs.chunk_starts[block + 1]) return;
   ChunkDiscs discs;
   ChunkLaws of_chunk;
   ChunkForces forces;
-  const bool dashpots = !pairs.normal_dashpot.empty();
   std::int64_t max_bits = 0;
   of_block.take_reached(block, pairs, particles);
   for (std::uint32_t c = pairs.chunk_starts[block]; c < pairs.chunk_starts[block + 1]; ++c) {
     Pairs::Chunk& chunk = pairs.chunks[c];
     const std::uint32_t count = chunk.end - chunk.begin;
+    const bool dashpots = !pairs.normal_dashpot.empty() && chunk.contacts_act();
     look_up_discs(chunk, pairs, of_block, discs);
     if (dashpots) look_up_masses(chunk, pairs, particles, discs);
-    look_up_laws(chunk, dashpots, laws, pairs, of_chunk);
-    const bool contact_beside_bond = laws[chunk.law].contact_beside_bond;
-    ChunkOutcome outcome =
-        find_forces(chunk, dt, discs, of_chunk, contact_beside_bond, dashpots, pairs, forces);
+    look_up_laws(chunk, laws, pairs, of_chunk);
+    ChunkOutcome outcome = find_forces(chunk, dt, discs, of_chunk, dashpots, pairs, forces);
     if (outcome.breaks) outcome.max_bits = break_bonds(chunk, laws, dt, discs, pairs, forces, result);
     if (outcome.slides) result.friction += sum_of(forces.friction, count);
     if (dashpots) result.dashpots += sum_of(forces.dashpot, count);
+    if (relax) result.internal_force += sum_of_sizes(forces.x, forces.y, count);
     add_to_discs(chunk, pairs, forces, of_block);
     if (outcome.max_bits > max_bits) {
       max_bits = outcome.max_bits;

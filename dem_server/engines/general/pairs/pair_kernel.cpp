@@ -12,17 +12,26 @@
 namespace adit::dem {
 namespace {
 
-// Plain bonds are all intact, of one law and weight 1, without N0, and have one width and no slack; varied
-// ones differ in width and slack. Plain contact bonds load no moment, which they do not transmit.
-enum class Kind { kPlainContactBonds, kPlainParallelBonds, kVariedParallelBonds, kBonds, kContacts };
+// Plain, varied and intact bonds: Pairs::Kind. Intact contact bonds load no moment, which they do not
+// transmit, and no contact, which does not act.
+enum class Kind {
+  kPlainContactBonds,
+  kContactBonds,
+  kPlainParallelBonds,
+  kVariedParallelBonds,
+  kParallelBonds,
+  kBonds,
+  kContacts
+};
 
 // The loop over a chunk. It becomes vector code only where all that it calls is inlined.
 template <Kind kKind, bool kOneLaw, bool kDashpots>
 struct Kernel {
-  static constexpr bool kBond = kKind != Kind::kContacts, kContact = kKind != Kind::kPlainContactBonds;
   static constexpr bool kPlain = kKind == Kind::kPlainContactBonds || kKind == Kind::kPlainParallelBonds;
-  static constexpr bool kGeneral = kKind == Kind::kBonds || kKind == Kind::kContacts;
-  static constexpr bool kMoment = kBond && kKind != Kind::kPlainContactBonds;
+  static constexpr bool kWeighted = !kPlain && kKind != Kind::kVariedParallelBonds;
+  static constexpr bool kBond = kKind != Kind::kContacts, kSomeBroken = kKind == Kind::kBonds;
+  static constexpr bool kContact = kKind != Kind::kPlainContactBonds && kKind != Kind::kContactBonds;
+  static constexpr bool kMoment = kBond && kContact;
 
   const double dt;
   const ChunkDiscs& discs;
@@ -68,13 +77,14 @@ struct Kernel {
   }
 
   [[gnu::always_inline]] PairForces bond(std::uint32_t k, const PairKinematics& pair) {
-    const double w = kMoment ? width[kPlain ? 0 : k] : 1.0;  // plain contact bonds have this width
+    const double w = kMoment ? width[kPlain ? 0 : k] : 1.0;  // contact bonds have this width
     const BondSprings springs =
         springs_of_width(of_pair(laws.kn, k), of_pair(laws.ks, k), kMoment ? of_pair(laws.km, k) : 0, w);
     PairForces f = bond_forces(springs, pair, dt, shear[k], kMoment ? moment[k] : 0);
     if constexpr (!kMoment) f.moment = 0;
-    if constexpr (kGeneral) {
-      f.normal = (f.normal + initial[k]) * laws.intact[k];
+    if constexpr (kWeighted) f.normal += initial[k];
+    if constexpr (kSomeBroken) {
+      f.normal *= laws.intact[k];
       f.shear *= laws.intact[k];
       f.moment *= laws.intact[k];
     }
@@ -89,7 +99,7 @@ struct Kernel {
 
   [[gnu::always_inline]] ContactForces contact(std::uint32_t k, const PairKinematics& pair) {
     const double gap = kPlain ? pair.elongation : pair.elongation + slack[k];
-    const double acts = kKind == Kind::kBonds ? laws.contact_acts[k] : 1.0;
+    const double acts = kSomeBroken ? laws.contact_acts[k] : 1.0;
     const LinearContact law{acts * of_pair(laws.contact_kn, k), of_pair(laws.contact_ks, k),
                             of_pair(laws.friction, k), of_pair(laws.normal_beta, k),
                             of_pair(laws.shear_beta, k)};
@@ -99,7 +109,7 @@ struct Kernel {
     const double friction =
         stiffness_times_friction_work(springs, before) * of_pair(laws.contact_compliance, k);
     slides |= static_cast<std::int64_t>(friction != 0);
-    const double w = kGeneral ? weight[k] : 1.0;
+    const double w = kWeighted ? weight[k] : 1.0;
     out.friction[k] = w * friction;
     ContactForces f{springs.normal, springs.shear};
     if constexpr (kDashpots) {
@@ -120,7 +130,7 @@ struct Kernel {
                                              pair.stretch_rate, pair.slip_rate, dt);
     const ContactForces before{normal_dashpot[k], shear_dashpot[k]},
         now{both.normal - springs.normal, both.shear - springs.shear};
-    const double w = kGeneral ? weight[k] : 1.0;
+    const double w = kWeighted ? weight[k] : 1.0;
     out.dashpot[k] = w * dashpot_work(dt, before, now, pair.stretch_rate, pair.slip_rate);
     normal_dashpot[k] = now.normal;
     shear_dashpot[k] = now.shear;
@@ -137,7 +147,7 @@ struct Kernel {
       f.normal += surfaces.normal;
       f.shear += surfaces.shear;
     }
-    const double w = kGeneral ? weight[k] : 1.0;
+    const double w = kWeighted ? weight[k] : 1.0;
     const PlaneVector force = vector_of(pair.nx, pair.ny, f.normal, f.shear);
     out.normal[k] = f.normal;
     out.x[k] = w * force.x;
@@ -159,27 +169,35 @@ ADIT_VECTOR_CLONES ChunkOutcome find_chunk(const Pairs::Chunk& chunk, double dt,
   return {max_bits, kernel.breaks != 0, kernel.slides != 0};
 }
 
-template <Kind kKind>
-ChunkOutcome find_general(const Pairs::Chunk& chunk, double dt, const ChunkDiscs& discs,
-                          const ChunkLaws& laws, bool dashpots, Pairs& pairs, ChunkForces& out) {
-  const auto find = chunk.one_law
-                        ? (dashpots ? find_chunk<kKind, true, true> : find_chunk<kKind, true, false>)
-                        : (dashpots ? find_chunk<kKind, false, true> : find_chunk<kKind, false, false>);
+template <Kind kKind, bool kDashpots>
+ChunkOutcome find_of(const Pairs::Chunk& chunk, double dt, const ChunkDiscs& discs, const ChunkLaws& laws,
+                     Pairs& pairs, ChunkForces& out) {
+  const auto find = chunk.one_law ? find_chunk<kKind, true, kDashpots> : find_chunk<kKind, false, kDashpots>;
   return find(chunk, dt, discs, laws, pairs, out);
+}
+
+using Find = ChunkOutcome (*)(const Pairs::Chunk&, double, const ChunkDiscs&, const ChunkLaws&, Pairs&,
+                              ChunkForces&);
+
+Find find_by(const Pairs::Chunk& chunk, bool bonded, bool dashpots) {
+  using Of = Pairs::Kind;
+  if (!bonded) return dashpots ? find_of<Kind::kContacts, true> : find_of<Kind::kContacts, false>;
+  if (chunk.kind == Of::kGeneral)
+    return dashpots ? find_of<Kind::kBonds, true> : find_of<Kind::kBonds, false>;
+  if (!chunk.contacts_beside_bonds)
+    return chunk.kind == Of::kPlain ? find_chunk<Kind::kPlainContactBonds, true, false>
+                                    : find_of<Kind::kContactBonds, false>;
+  if (dashpots) return find_of<Kind::kParallelBonds, true>;
+  if (chunk.kind == Of::kPlain) return find_chunk<Kind::kPlainParallelBonds, true, false>;
+  if (chunk.kind == Of::kVaried) return find_chunk<Kind::kVariedParallelBonds, true, false>;
+  return find_of<Kind::kParallelBonds, false>;
 }
 
 }  // namespace
 
 ChunkOutcome find_forces(const Pairs::Chunk& chunk, double dt, const ChunkDiscs& discs, const ChunkLaws& laws,
-                         bool contact_beside_bond, bool dashpots, Pairs& pairs, ChunkForces& out) {
-  if (!pairs.bonded()) return find_general<Kind::kContacts>(chunk, dt, discs, laws, dashpots, pairs, out);
-  if (!dashpots && chunk.kind == Pairs::Kind::kPlain && !contact_beside_bond)
-    return find_chunk<Kind::kPlainContactBonds, true, false>(chunk, dt, discs, laws, pairs, out);
-  if (!dashpots && chunk.kind == Pairs::Kind::kPlain)
-    return find_chunk<Kind::kPlainParallelBonds, true, false>(chunk, dt, discs, laws, pairs, out);
-  if (!dashpots && chunk.kind == Pairs::Kind::kVaried && contact_beside_bond)
-    return find_chunk<Kind::kVariedParallelBonds, true, false>(chunk, dt, discs, laws, pairs, out);
-  return find_general<Kind::kBonds>(chunk, dt, discs, laws, dashpots, pairs, out);
+                         bool dashpots, Pairs& pairs, ChunkForces& out) {
+  return find_by(chunk, pairs.bonded(), dashpots)(chunk, dt, discs, laws, pairs, out);
 }
 
 }  // namespace adit::dem

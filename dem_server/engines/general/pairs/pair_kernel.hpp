@@ -13,8 +13,8 @@ struct ChunkOutcome {
 };
 
 // Forces of a chunk's pairs; the pairs' spring and dashpot forces become those after the step.
-// `contact_beside_bond`: of the chunk's first law.
+// `dashpots`: act in its contacts.
 ChunkOutcome find_forces(const Pairs::Chunk& chunk, double dt, const ChunkDiscs& discs, const ChunkLaws& laws,
-                         bool contact_beside_bond, bool dashpots, Pairs& pairs, ChunkForces& out);
+                         bool dashpots, Pairs& pairs, ChunkForces& out);
 
 }  // namespace adit::dem

@@ -60,7 +60,7 @@ void Pairs::find_places(std::uint32_t block, std::uint32_t begin, std::uint32_t 
   }
 }
 
-void Pairs::exchange(std::size_t discs, state::Archive& archive) {
+void Pairs::exchange(std::size_t discs, std::span<const PairLaw> laws, state::Archive& archive) {
   bool with_bonds = bonded(), with_dashpots = !normal_dashpot.empty();
   archive("with_bonds", with_bonds);
   archive("with_dashpots", with_dashpots);
@@ -78,36 +78,43 @@ void Pairs::exchange(std::size_t discs, state::Archive& archive) {
                        &normal_dashpot, &shear_dashpot, &initial, &shear, &moment})
     archive("pair", std::span(*values));
   archive("pair_state", std::span(state));
-  exchange_kinds(archive);
+  exchange_kinds(laws, archive);
 }
 
 // Between two steps a chunk may still be computed as one of a more general kind than it is.
-void Pairs::exchange_kinds(state::Archive& archive) {
+void Pairs::exchange_kinds(std::span<const PairLaw> laws, state::Archive& archive) {
   std::vector<std::uint8_t> kinds;
   for (const Chunk& chunk : chunks)
     kinds.insert(kinds.end(), {static_cast<std::uint8_t>(chunk.kind), chunk.one_law});
   archive("chunks", std::span(kinds));
   if (!archive.reads()) return;
-  sort_chunks();
+  state::require_below(law, laws.size(), "pair_law");
+  sort_chunks(laws);
   for (std::size_t c = 0; c < chunks.size(); ++c) {
-    chunks[c].kind = std::max(chunks[c].kind, Kind{std::min(kinds[2 * c], std::uint8_t{2})});
+    chunks[c].kind = std::max(chunks[c].kind, std::min(Kind{kinds[2 * c]}, Kind::kGeneral));
     chunks[c].one_law = chunks[c].one_law && kinds[2 * c + 1] != 0;
   }
 }
 
-void Pairs::sort_chunks() {
+void Pairs::sort_chunks(std::span<const PairLaw> laws) {
   for (Chunk& chunk : chunks) {
     const std::uint32_t one = chunk.begin;
-    chunk.law = law[one];
     chunk.one_law = true;
-    bool varied = bonded(), plain = varied;
+    chunk.contacts_beside_bonds = bonded() && laws[law[one]].contact_beside_bond;
+    bool intact = bonded(), varied = intact, plain = intact;
     for (std::uint32_t k = one; k < chunk.end; ++k) {
       chunk.one_law &= law[k] == law[one];
-      if (!varied) continue;
-      varied = chunk.one_law && state[k] == BondState::kIntact && initial[k] == 0 && weight[k] == 1;
-      plain = plain && varied && slack[k] == 0 && width[k] == width[one];
+      if (!intact) continue;
+      intact =
+          state[k] == BondState::kIntact && laws[law[k]].contact_beside_bond == chunk.contacts_beside_bonds;
+      varied = varied && intact && initial[k] == 0 && weight[k] == 1;
+      plain = plain && slack[k] == 0 && width[k] == width[one];
     }
-    chunk.kind = varied && plain ? Kind::kPlain : varied ? Kind::kVaried : Kind::kGeneral;
+    varied = varied && chunk.one_law;
+    chunk.kind = varied && plain ? Kind::kPlain
+                 : varied        ? Kind::kVaried
+                 : intact        ? Kind::kIntact
+                                 : Kind::kGeneral;
   }
 }
 

@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "dem_server/laws/bond_state.hpp"
@@ -58,14 +59,16 @@ struct Pairs {
   std::size_t size() const { return first.size(); }
   bool bonded() const { return !state.empty(); }
 
-  // Consecutive pairs of one block. Varied: all intact, of one law, without initial force and weight. Plain:
-  // of one width besides, without slack.
-  enum class Kind : std::uint8_t { kPlain, kVaried, kGeneral };
+  // Consecutive pairs of one block. Intact: all bonds are, and contacts act beside all of them or beside
+  // none. Varied: of one law besides, without initial force and weight. Plain: of one width besides, without
+  // slack.
+  enum class Kind : std::uint8_t { kPlain, kVaried, kIntact, kGeneral };
   struct Chunk {
     std::uint32_t begin, end;
-    std::uint32_t law = 0;  // of the first
     Kind kind = Kind::kGeneral;
     bool one_law = false;
+    bool contacts_beside_bonds = false;  // beside the first
+    bool contacts_act() const { return contacts_beside_bonds || kind == Kind::kGeneral; }
   };
   std::vector<Chunk> chunks;
   std::vector<std::uint32_t> chunk_starts;  // of each block, and the end
@@ -83,17 +86,17 @@ struct Pairs {
 
   // Makes room for the pairs' states and sorts them into blocks, once first and second are known.
   void finish(std::size_t discs, bool bonded, bool dashpots);
-  // Finds of which kind the chunks are.
-  void sort_chunks();
+  // Finds of which kind the chunks are; without bonds no laws are needed.
+  void sort_chunks(std::span<const PairLaw> laws);
 
   // All but the chunks and blocks, which finish() makes of the pairs, and what they are waiting for between
   // two steps.
-  void exchange(std::size_t discs, state::Archive& archive);
+  void exchange(std::size_t discs, std::span<const PairLaw> laws, state::Archive& archive);
 
  private:
   void divide(std::size_t discs);
   void find_places(std::uint32_t block, std::uint32_t begin, std::uint32_t end);
-  void exchange_kinds(state::Archive& archive);
+  void exchange_kinds(std::span<const PairLaw> laws, state::Archive& archive);
 };
 
 }  // namespace adit::dem

@@ -44,7 +44,7 @@ void carry_over(const StagePairs& before, const std::vector<bool>& fresh, std::s
     else
       start_free(laws[bonds.law[k]], particles, k, bonds);
   }
-  bonds.sort_chunks();
+  bonds.sort_chunks(laws);
 }
 
 void carry_over(std::span<const Joints::Joint> before, const std::vector<bool>& fresh,

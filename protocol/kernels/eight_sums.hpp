@@ -1,0 +1,29 @@
+// A sum of many values as eight sums side by side: else each addition would wait for the one before, and the
+// loops would not become vector code. Which values go into which sum does not depend on the processor.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+
+namespace adit::protocol {
+
+// Of value(begin) … value(end - 1), which may also write what no other one reads.
+template <class Value>
+[[gnu::always_inline]] inline double eight_sums(std::size_t begin, std::size_t end, Value&& value) {
+  constexpr std::size_t kSums = 8, kAtATime = 128;
+  alignas(64) std::array<double, kSums> sums{};
+  alignas(64) std::array<double, kAtATime> values;
+  for (std::size_t at = begin; at < end; at += kAtATime) {
+    const std::size_t count = std::min(kAtATime, end - at), whole = (count + kSums - 1) / kSums * kSums;
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) values[k] = value(at + k);
+    std::fill(values.begin() + count, values.begin() + whole, 0.0);
+    for (std::size_t k = 0; k < whole; k += kSums)
+      for (std::size_t lane = 0; lane < kSums; ++lane) sums[lane] += values[k + lane];
+  }
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+}  // namespace adit::protocol
