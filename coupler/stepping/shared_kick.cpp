@@ -20,34 +20,34 @@ void SharedKick::step(std::uint64_t n, Wanted wanted) {
     else
       kick(k, at_kick);
   }
+  book();
   const double kicks = static_cast<double>(m);
   if (wanted.energies) take_energies((kicks + 1) / (2 * kicks));
 }
 
 void SharedKick::start(Wanted wanted) {
-  ask(Role::kContinuum, 0, model_.dt, wanted);
+  ask(Role::kContinuum, 0, model_.dt, wanted, &SharedKick::book);
   model_.constraint->read(model_.participants, Part::kCoarse, &Participant::predicted, p_);
   for (std::size_t i = 0; i < w_.size(); ++i) {
     w_[i] = total_[i] = 0;
     q_[i] = 2 * p_[i];
   }
   kick(0, wanted);
+  book();
   if (wanted.energies) take_energies(1.0 / static_cast<double>(model_.substeps));
 }
 
 void SharedKick::kick(std::uint64_t k, Wanted wanted) {
-  ask(Role::kParticles, k, model_.dt / model_.substeps, wanted);
+  ask(Role::kParticles, k, model_.dt / model_.substeps, wanted, &SharedKick::book);
   const Stopwatch solving(cost_.solve);
   Constraint& constraint = *model_.constraint;
   constraint.read(model_.participants, Part::kFine, &Participant::predicted, v_);
   constraint.solve(w_, v_, lambda_);
-  constraint.correct_coarse(lambda_, w_);
-  for (std::size_t i = 0; i < total_.size(); ++i) total_[i] += lambda_[i];
-  finish_kick(lambda_);
+  end_kick(lambda_);
 }
 
 void SharedKick::shared_kick(std::uint64_t k, std::uint64_t n, Wanted wanted) {
-  ask(Role::kParticles, k, model_.dt / model_.substeps, {});
+  ask(Role::kParticles, k, model_.dt / model_.substeps, {}, &SharedKick::book);
   Constraint& constraint = *model_.constraint;
   {
     const Stopwatch solving(cost_.solve);
@@ -59,16 +59,9 @@ void SharedKick::shared_kick(std::uint64_t k, std::uint64_t n, Wanted wanted) {
       total_[i] += lambda_1_[i];
       y_[i] = w_[i] + q_[i] / 2;
     }
-    constraint.correct_coarse(lambda_1_, y_);
     constraint.assign(total_, 1, Part::kCoarse, model_.participants);
-    for (std::size_t s = 0; s < model_.participants.size(); ++s) {
-      Participant& participant = model_.participants[s];
-      if (participant.member.role != Role::kContinuum) continue;
-      correct_velocities(participant);
-      ledger_.close_step(s, participant);
-    }
   }
-  ask(Role::kContinuum, n, model_.dt, wanted);
+  ask(Role::kContinuum, n, model_.dt, wanted, &SharedKick::book_grid);
   const Stopwatch solving(cost_.solve);
   constraint.read(model_.participants, Part::kCoarse, &Participant::predicted, p_);
   for (std::size_t i = 0; i < w_.size(); ++i) {
@@ -78,26 +71,37 @@ void SharedKick::shared_kick(std::uint64_t k, std::uint64_t n, Wanted wanted) {
   }
   constraint.solve(target_, v_, lambda_);
   for (std::size_t i = 0; i < w_.size(); ++i) {
+    total_[i] = 0;
     lambda_[i] /= 2;
-    total_[i] = lambda_[i];
+    lambda_1_[i] += lambda_[i];
   }
-  constraint.correct_coarse(lambda_, w_);
-  for (std::size_t i = 0; i < w_.size(); ++i) lambda_[i] += lambda_1_[i];
-  finish_kick(lambda_);
+  end_kick(lambda_1_);
 }
 
 // Sends the participants of one role to their step and waits for their predictions.
-void SharedKick::ask(Role role, std::uint64_t step, double dt, Wanted wanted) {
-  const Stopwatch waiting(cost_.wait);
+void SharedKick::ask(Role role, std::uint64_t step, double dt, Wanted wanted,
+                     void (SharedKick::*meanwhile)()) {
   fill_request(request_, step, dt, wanted);
   for (Participant& participant : model_.participants)
     if (participant.member.role == role) post_advance(participant, request_);
+  (this->*meanwhile)();
+  const Stopwatch waiting(cost_.wait);
   for (Participant& participant : model_.participants)
     if (participant.member.role == role) receive_prediction(participant);
 }
 
-void SharedKick::finish_kick(const std::vector<double>& multipliers) {
+void SharedKick::end_kick(const std::vector<double>& multipliers) {
   model_.constraint->assign(multipliers, 1, Part::kFine, model_.participants);
+  unbooked_ = true;
+}
+
+// Gives the grid's points the multipliers of the last kick, and the ledger what the particles' correction
+// did.
+void SharedKick::book() {
+  if (!unbooked_) return;
+  unbooked_ = false;
+  model_.constraint->correct_coarse(lambda_, w_);
+  for (std::size_t i = 0; i < total_.size(); ++i) total_[i] += lambda_[i];
   for (std::size_t s = 0; s < model_.participants.size(); ++s) {
     Participant& participant = model_.participants[s];
     if (participant.member.role != Role::kParticles) continue;
@@ -107,6 +111,17 @@ void SharedKick::finish_kick(const std::vector<double>& multipliers) {
   }
   model_.constraint->read(model_.participants, Part::kFine, &Participant::corrected, v_);
   ledger_.book_gap(w_, v_);
+}
+
+// The same of the grid's window that ends with a shared kick.
+void SharedKick::book_grid() {
+  model_.constraint->correct_coarse(lambda_1_, y_);
+  for (std::size_t s = 0; s < model_.participants.size(); ++s) {
+    Participant& participant = model_.participants[s];
+    if (participant.member.role != Role::kContinuum) continue;
+    correct_velocities(participant);
+    ledger_.close_step(s, participant);
+  }
 }
 
 // The grid's energies, by the impulse of its window, of which this share is known.

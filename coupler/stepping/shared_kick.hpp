@@ -60,8 +60,10 @@ class SharedKick : public TimeScheme {
   void kick(std::uint64_t k, Wanted wanted);
   void shared_kick(std::uint64_t k, std::uint64_t n, Wanted wanted);
 
-  void ask(Role role, std::uint64_t step, double dt, Wanted wanted);
-  void finish_kick(const std::vector<double>& multipliers);  // of the particles
+  void ask(Role role, std::uint64_t step, double dt, Wanted wanted, void (SharedKick::*meanwhile)());
+  void end_kick(const std::vector<double>& multipliers);  // of the particles
+  void book();
+  void book_grid();
   void take_energies(double window_share);
 
   Model& model_;
@@ -70,6 +72,7 @@ class SharedKick : public TimeScheme {
   wire::Advance request_;
   // One pair for each coupling point, named as above.
   std::vector<double> w_, q_, y_, v_, p_, target_, lambda_, lambda_1_, total_;
+  bool unbooked_ = false;  // neither the grid nor the ledger has the last kick's multipliers
 };
 
 }  // namespace adit::coupler
