@@ -8,6 +8,7 @@
 #include "dem_server/laws/contact_bond.hpp"
 #include "dem_server/laws/pair_kinematics.hpp"
 #include "dem_server/laws/spring.hpp"
+#include "protocol/kernels/eight_sums.hpp"
 #include "protocol/threads/vector_clones.hpp"
 
 namespace adit::dem {
@@ -206,26 +207,30 @@ void find_normal_forces(const ContactBond& law, const Particles& particles, cons
 double strain_energy(const ContactBond& law, std::span<const Run> runs, const Particles& particles,
                      const Bonds& bonds) {
   const double shear_compliance = law.stiffness.shear > 0 ? 1 / law.stiffness.shear : 0.0;
-  // Eight sums side by side, else each addition waits for the one before.
-  constexpr std::uint32_t kSums = 8;
-  static_assert(kLongestRun % kSums == 0);
-  std::array<double, kLongestRun> stored;
-  std::array<double, kSums> sums{};
+  std::array<double, kLongestRun> normal;
+  double twice = 0;
   for (const Run& run : runs) {
-    find_normal_forces(law, run, particles, bonds, stored.data());
+    find_normal_forces(law, run, particles, bonds, normal.data());
     const double normal_compliance = 1 / scaled(law, run.factors).stiffness.normal;
     const double *shear = &bonds.shear_force[run.begin], *weight = &bonds.weight[run.begin];
-    for (std::uint32_t k = 0; k < run.count; ++k)
-      stored[k] =
-          weight[k] * (stored[k] * stored[k] * normal_compliance + shear[k] * shear[k] * shear_compliance);
-    const std::uint32_t end = (run.count + kSums - 1) / kSums * kSums;
-    std::fill(stored.begin() + run.count, stored.begin() + end, 0.0);
-    for (std::uint32_t k = 0; k < end; k += kSums)
-      for (std::uint32_t lane = 0; lane < kSums; ++lane) sums[lane] += stored[k + lane];
+    twice += protocol::eight_sums(0, run.count, [&](std::size_t k) {
+      return weight[k] * (normal[k] * normal[k] * normal_compliance + shear[k] * shear[k] * shear_compliance);
+    });
   }
-  double twice = 0;
-  for (const double sum : sums) twice += sum;
   return twice / 2;
+}
+
+double internal_force(const ContactBond& law, const Particles& particles, const Bonds& bonds) {
+  std::array<double, kLongestRun> normal;
+  double sum = 0;
+  for (const Run& run : bonds.runs) {
+    find_normal_forces(law, run, particles, bonds, normal.data());
+    const double *shear = &bonds.shear_force[run.begin], *weight = &bonds.weight[run.begin];
+    sum += protocol::eight_sums(0, run.count, [&](std::size_t k) {
+      return weight[k] * std::sqrt(normal[k] * normal[k] + shear[k] * shear[k]);
+    });
+  }
+  return sum;
 }
 
 BondResult compute_bond_forces(const ContactBond& law, double dt, Particles& particles, Bonds& bonds,

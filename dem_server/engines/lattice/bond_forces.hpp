@@ -46,7 +46,10 @@ void find_normal_forces(const ContactBond& law, const Particles& particles, cons
 double strain_energy(const ContactBond& law, std::span<const Run> runs, const Particles& particles,
                      const Bonds& bonds);
 
-// All of these for all particles and all bonds.
+// Sum over all bonds of |force|, weighted [N].
+double internal_force(const ContactBond& law, const Particles& particles, const Bonds& bonds);
+
+// The step's forces of all particles and all bonds.
 BondResult compute_bond_forces(const ContactBond& law, double dt, Particles& particles, Bonds& bonds,
                                std::vector<std::uint32_t>& broken);
 

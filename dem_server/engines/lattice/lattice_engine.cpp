@@ -208,11 +208,7 @@ std::vector<double> LatticeEngine::normal_forces() const {
 }
 
 double LatticeEngine::internal_force() const {
-  const Bonds& b = assembly_.bonds;
-  const auto normal = normal_forces();
-  double sum = 0;
-  for (std::size_t k = 0; k < b.size(); ++k) sum += b.weight[k] * std::hypot(normal[k], b.shear_force[k]);
-  return sum;
+  return dem::internal_force(law_, assembly_.particles, assembly_.bonds);
 }
 
 void LatticeEngine::for_each_bond(const SeePair& see) const {
