@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "protocol/kernels/eight_sums.hpp"
+#include "protocol/threads/vector_clones.hpp"
+
 namespace adit::coupler {
 namespace {
 
@@ -15,10 +18,8 @@ double mass_of(const std::vector<Participant>& participants) {
   return mass;
 }
 
-double dot(std::span<const double> a, std::span<const double> b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
+ADIT_VECTOR_CLONES double dot(std::span<const double> a, std::span<const double> b) {
+  return protocol::eight_sums(0, a.size(), [&](std::size_t i) { return a[i] * b[i]; });
 }
 
 }  // namespace

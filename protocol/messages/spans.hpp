@@ -11,10 +11,13 @@ inline std::span<const double> view(const google::protobuf::RepeatedField<double
   return {field.data(), static_cast<std::size_t>(field.size())};
 }
 
-// Gives the field this many numbers, to be written by the caller; its memory stays from step to step.
+// Gives the field this many numbers, all to be written by the caller; its memory stays from step to step.
 inline std::span<double> resize(google::protobuf::RepeatedField<double>& field, std::size_t size) {
-  field.Resize(static_cast<int>(size), 0.0);
-  return {field.mutable_data(), size};
+  const int count = static_cast<int>(size);
+  field.Clear();
+  if (count == 0) return {};
+  field.Reserve(count);
+  return {field.AddNAlreadyReserved(count), size};
 }
 
 }  // namespace adit::protocol
