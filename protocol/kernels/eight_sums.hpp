@@ -13,6 +13,11 @@ namespace adit::protocol {
 template <class Value>
 [[gnu::always_inline]] inline double eight_sums(std::size_t begin, std::size_t end, Value&& value) {
   constexpr std::size_t kSums = 8, kAtATime = 128;
+  if (end - begin < kSums) {
+    double sum = 0;
+    for (std::size_t i = begin; i < end; ++i) sum += value(i);
+    return sum;
+  }
   alignas(64) std::array<double, kSums> sums{};
   alignas(64) std::array<double, kAtATime> values;
   for (std::size_t at = begin; at < end; at += kAtATime) {

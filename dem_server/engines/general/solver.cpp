@@ -21,19 +21,18 @@ protocol::IndexRange range_of(std::uint32_t block, std::size_t discs) {
   return {block * kBlock, static_cast<std::uint32_t>(std::min<std::size_t>((block + 1) * kBlock, discs))};
 }
 
-// One component of the motion: velocities, what pairs pull now, and what they pulled at the last step.
-struct ComponentPull {
-  const double *velocity, *now;
-  double* before;
-};
-
-// Of both pulls [W]; that of now becomes the one before.
-ADIT_VECTOR_CLONES double power(const ComponentPull& pull, std::uint32_t begin, std::uint32_t end) {
-  const auto [velocity, now, before] = pull;
-  return protocol::eight_sums(begin, end, [velocity, now, before](std::size_t i) {
-    const double both = before[i] + now[i];
-    before[i] = now[i];
-    return velocity[i] * both;
+// Of what pulled on some discs at the last step (`before`) and pulls now, which becomes the one before [W].
+ADIT_VECTOR_CLONES double power(const Particles& p, std::uint32_t begin, std::uint32_t end,
+                                const Resultants& before) {
+  const double *vx = p.vx.data(), *vy = p.vy.data(), *spin = p.spin.data();
+  const double *fx = p.fx.data(), *fy = p.fy.data(), *moment = p.moment.data();
+  const auto [before_x, before_y, before_moment] = before;
+  return protocol::eight_sums(begin, end, [=](std::size_t i) {
+    const double x = before_x[i] + fx[i], y = before_y[i] + fy[i], m = before_moment[i] + moment[i];
+    before_x[i] = fx[i];
+    before_y[i] = fy[i];
+    before_moment[i] = moment[i];
+    return vx[i] * x + vy[i] * y + spin[i] * m;
   });
 }
 
@@ -191,13 +190,9 @@ void Solver::gather(double dt) {
 
 // Of what pulled on the kept discs of a block at the last step and pulls now, which is noted [W].
 double Solver::power_of_kept(std::size_t block) {
-  const ComponentPull components[] = {
-      {particles_.vx.data(), particles_.fx.data(), pulled_x_.data()},
-      {particles_.vy.data(), particles_.fy.data(), pulled_y_.data()},
-      {particles_.spin.data(), particles_.moment.data(), pulled_moment_.data()}};
+  const Resultants before{pulled_x_.data(), pulled_y_.data(), pulled_moment_.data()};
   double sum = 0;
-  for (const auto [begin, end] : discs_.kept[block])
-    for (const ComponentPull& component : components) sum += power(component, begin, end);
+  for (const auto [begin, end] : discs_.kept[block]) sum += power(particles_, begin, end, before);
   return sum;
 }
 

@@ -92,7 +92,9 @@ ADIT_VECTOR_CLONES void add_to_discs(const Pairs::Chunk& chunk, const Pairs& pai
 void look_up_laws(const Pairs::Chunk& chunk, std::span<const PairLaw> laws, const Pairs& pairs,
                   ChunkLaws& out) {
   const std::uint32_t count = chunk.end - chunk.begin, different = chunk.one_law ? 1 : count;
-  const auto law_of = [&](std::uint32_t k) -> const PairLaw& { return laws[pairs.law[chunk.begin + k]]; };
+  const auto law_of = [&](std::uint32_t k) -> const PairLaw& {
+    return laws[k == 0 ? chunk.law : pairs.law[chunk.begin + k]];
+  };
   for (std::uint32_t k = 0; pairs.bonded() && k < different; ++k) {
     const PairLaw& law = law_of(k);
     out.kn[k] = law.kn;

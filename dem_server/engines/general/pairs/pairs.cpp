@@ -99,11 +99,12 @@ void Pairs::exchange_kinds(std::span<const PairLaw> laws, state::Archive& archiv
 void Pairs::sort_chunks(std::span<const PairLaw> laws) {
   for (Chunk& chunk : chunks) {
     const std::uint32_t one = chunk.begin;
+    chunk.law = law[one];
     chunk.one_law = true;
-    chunk.contacts_beside_bonds = bonded() && laws[law[one]].contact_beside_bond;
+    chunk.contacts_beside_bonds = bonded() && laws[chunk.law].contact_beside_bond;
     bool intact = bonded(), varied = intact, plain = intact;
     for (std::uint32_t k = one; k < chunk.end; ++k) {
-      chunk.one_law &= law[k] == law[one];
+      chunk.one_law &= law[k] == chunk.law;
       if (!intact) continue;
       intact =
           state[k] == BondState::kIntact && laws[law[k]].contact_beside_bond == chunk.contacts_beside_bonds;

@@ -65,6 +65,7 @@ struct Pairs {
   enum class Kind : std::uint8_t { kPlain, kVaried, kIntact, kGeneral };
   struct Chunk {
     std::uint32_t begin, end;
+    std::uint32_t law = 0;  // of the first, which lies in memory that a chunk of one law need not touch
     Kind kind = Kind::kGeneral;
     bool one_law = false;
     bool contacts_beside_bonds = false;  // beside the first
