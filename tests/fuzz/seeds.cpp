@@ -9,6 +9,7 @@
 #include "dem_server/participant/participant.hpp"
 #include "fdm_server/participant/participant.hpp"
 #include "protocol/wire/frame.hpp"
+#include "tests/fuzz/session/restore.hpp"
 #include "tests/fuzz/session/scenes.hpp"
 #include "tests/fuzz/session/script.hpp"
 #include "tests/support/local_participants.hpp"
@@ -150,7 +151,7 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = argv[1];
   for (const char* scene : {"block", "ground", "lattice", "grains", "ring", "coupled", "at_rest"})
     fuzz::run_noted(scene, folder);
-  fuzz::write_states<fdm::FdmParticipant>({"block", "ground"}, folder / "fdm_state");
-  fuzz::write_states<dem::DemParticipant>({"lattice", "grains", "ring"}, folder / "dem_state");
+  fuzz::write_states<fdm::FdmParticipant>(fuzz::kScenesOfGround, folder / "fdm_state");
+  fuzz::write_states<dem::DemParticipant>(fuzz::kScenesOfParticles, folder / "dem_state");
   fuzz::write_stream(folder / "frames");
 }

@@ -20,9 +20,9 @@ wire::Frame restore(std::string_view state) {
 
 }  // namespace
 
-void go_on_from(std::string_view input, protocol::Participant& participant,
+bool go_on_from(std::string_view input, protocol::Participant& participant,
                 const std::vector<std::string>& scenes) {
-  if (input.size() < 2) return;
+  if (input.size() < 2) return false;
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(input[i]); };
   std::vector<wire::Frame> requests = beginning(scenes[byte(0) % scenes.size()]);
   requests.push_back(restore(input.substr(2)));
@@ -30,7 +30,7 @@ void go_on_from(std::string_view input, protocol::Participant& participant,
   requests.emplace_back().mutable_snapshot_request();
   requests.emplace_back().mutable_save();
   requests.emplace_back().mutable_finish();
-  serve(participant, requests);
+  return serve(participant, requests);
 }
 
 }  // namespace adit::fuzz

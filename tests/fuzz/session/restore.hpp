@@ -9,9 +9,12 @@
 
 namespace adit::fuzz {
 
+inline const std::vector<std::string> kScenesOfGround = {"block", "ground"},
+                                      kScenesOfParticles = {"lattice", "grains", "ring"};
+
 // The first byte of the input chooses one of the scenes, the second is the step that follows; the rest is the
-// state, with the checksum that it has.
-void go_on_from(std::string_view input, protocol::Participant& participant,
+// state, with the checksum that it has. Returns whether the participant took it and went on.
+bool go_on_from(std::string_view input, protocol::Participant& participant,
                 const std::vector<std::string>& scenes);
 
 }  // namespace adit::fuzz

@@ -59,11 +59,17 @@ double discs(const scene::Particles& particles) {
 }
 
 bool is_small(const scene::GroundMotion& motion) {
-  const double end =
-      std::max({motion.ricker().time() + 1 / motion.ricker().frequency(), motion.sine().end(),
-                motion.gabor().time() + motion.gabor().width() / motion.gabor().frequency(), motion.from()});
-  const double highest =
-      std::max({motion.ricker().frequency(), motion.sine().frequency(), motion.gabor().frequency()});
+  double end = motion.from(), highest = 0;
+  const auto take = [&](double its_end, double frequency) {
+    end = std::max(end, its_end);
+    highest = std::max(highest, frequency);
+  };
+  if (motion.has_ricker())
+    take(motion.ricker().time() + 1 / motion.ricker().frequency(), motion.ricker().frequency());
+  if (motion.has_sine()) take(motion.sine().end(), motion.sine().frequency());
+  if (motion.has_gabor())
+    take(motion.gabor().time() + motion.gabor().width() / motion.gabor().frequency(),
+         motion.gabor().frequency());
   return end <= kLongestMotion && highest <= kMostPieces;
 }
 

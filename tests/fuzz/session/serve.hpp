@@ -9,6 +9,7 @@
 namespace adit::fuzz {
 
 // Hands the requests to the participant until it refuses one, which must be for a reason that it can tell.
-void serve(protocol::Participant& participant, const std::vector<wire::Frame>& requests);
+// Returns whether it refused none.
+bool serve(protocol::Participant& participant, const std::vector<wire::Frame>& requests);
 
 }  // namespace adit::fuzz

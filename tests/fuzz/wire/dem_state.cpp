@@ -10,7 +10,7 @@ const Target kDemState(
     "dem_state",
     [](std::string_view input) {
       dem::DemParticipant participant;
-      go_on_from(input, participant, {"lattice", "grains", "ring"});
+      go_on_from(input, participant, kScenesOfParticles);
     },
     kModelMemory);
 

@@ -10,7 +10,7 @@ const Target kFdmState(
     "fdm_state",
     [](std::string_view input) {
       fdm::FdmParticipant participant;
-      go_on_from(input, participant, {"block", "ground"});
+      go_on_from(input, participant, kScenesOfGround);
     },
     kModelMemory);
 
