@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <utility>
 
 namespace adit::fdm {
@@ -387,11 +388,11 @@ void Continuum::exchange(state::Archive& archive) {
   archive.all_or_none("ties", {&tie_x_, &tie_y_}, points_.size());
 }
 
-std::vector<bool> Continuum::on_dashpots() const {
-  std::vector<bool> found(points_.size(), false);
+std::vector<std::uint32_t> Continuum::points_on_dashpots() const {
+  std::set<std::uint32_t> found;
   for (const Part* part : {&interface_, &interior_})
-    for (const Dashpot& dashpot : part->dashpots) found[dashpot.point] = true;
-  return found;
+    for (const Dashpot& dashpot : part->dashpots) found.insert(dashpot.point);
+  return {found.begin(), found.end()};
 }
 
 Vector Continuum::drag(protocol::IndexRange points) const {

@@ -125,8 +125,8 @@ class Continuum {
   // Whether the structures move by mean acceleration in time steps so long [s].
   bool longer_than_structures(double dt) const { return dt > structures_step_; }
 
-  // Whether each point bears on dashpots of boundaries.
-  std::vector<bool> on_dashpots() const;
+  // The points that bear on dashpots of boundaries, ascending.
+  std::vector<std::uint32_t> points_on_dashpots() const;
   // The force of the dashpots of these points, but for those against columns, against a unit velocity [N
   // s/m]; infinite where any of the points is prescribed or held by springs.
   Vector drag(protocol::IndexRange points) const;

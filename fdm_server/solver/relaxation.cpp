@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocol/kernels/eight_sums.hpp"
 #include "protocol/kernels/vector_sizes.hpp"
 #include "protocol/participant/local_damping.hpp"
 #include "protocol/threads/vector_clones.hpp"
@@ -27,6 +28,10 @@ ADIT_VECTOR_CLONES void find_forces(std::span<const double> after, std::span<con
     force[i] = mass[i] * protocol::undamped_change(after[i] - before[i], before[i], local_damping) / kick;
 }
 
+ADIT_VECTOR_CLONES double sum_of(std::span<const double> values, protocol::IndexRange some) {
+  return protocol::eight_sums(some.begin, some.end, [&](std::size_t i) { return values[i]; });
+}
+
 }  // namespace
 
 Relaxation::Relaxation(const Grid& grid, std::span<const double> zone_weights)
@@ -40,23 +45,21 @@ Unrest Relaxation::measure(const Continuum& continuum, double kick, double local
   find_forces(vx, vx_, continuum.masses(), kick, local_damping, fx_);
   find_forces(vy, vy_, continuum.masses(), kick, local_damping, fy_);
   const protocol::VectorSizes sizes = protocol::sizes_of(fx_, fy_);
-  Unrest unrest{.unbalanced_force = sizes.sum, .internal_force = 0, .largest = sizes.largest, .at = sizes.at};
+  Unrest unrest{.unbalanced_force = sizes.sum,
+                .internal_force = continuum.zones().internal_force(factor_),
+                .largest = sizes.largest,
+                .at = sizes.at};
   std::ranges::copy(vx, vx_.begin());
   std::ranges::copy(vy, vy_.begin());
-  for (std::size_t z = 0; z < factor_.size(); ++z) {
-    const auto [xx, yy, xy] = continuum.zones().stress(z);
-    unrest.internal_force += factor_[z] * std::sqrt(xx * xx + yy * yy + 2 * xy * xy);
-  }
   return unrest;
 }
 
 Vector Relaxation::net(const Continuum& continuum, protocol::IndexRange points) const {
-  const std::vector<bool> on_dashpots = continuum.on_dashpots();
-  Vector sum;
-  for (std::uint32_t i = points.begin; i < points.end; ++i) {
-    if (on_dashpots[i]) continue;
-    sum.x += fx_[i];
-    sum.y += fy_[i];
+  Vector sum{sum_of(fx_, points), sum_of(fy_, points)};
+  for (const std::uint32_t i : continuum.points_on_dashpots()) {
+    if (i < points.begin || i >= points.end) continue;
+    sum.x -= fx_[i];
+    sum.y -= fy_[i];
   }
   return sum;
 }

@@ -127,6 +127,12 @@ Stress ZoneSet::stress(std::size_t zone) const {
   return parts_[places_[zone].part].kernel->stress(places_[zone].zone);
 }
 
+double ZoneSet::internal_force(std::span<const double> sizes) const {
+  double sum = 0;
+  for (const Part& part : parts_) sum += part.kernel->internal_force(part.numbers, sizes);
+  return sum;
+}
+
 double ZoneSet::field(std::size_t zone, ZoneField field) const {
   return parts_[places_[zone].part].kernel->field(places_[zone].zone, field);
 }

@@ -36,6 +36,7 @@ class ZoneSet {
   double strain_energy() const;
   double dissipated() const;
   Stress stress(std::size_t zone) const;
+  double internal_force(std::span<const double> sizes) const;
   double field(std::size_t zone, ZoneField field) const;
 
  private:

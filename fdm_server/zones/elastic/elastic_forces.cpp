@@ -1,5 +1,7 @@
 #include "fdm_server/zones/elastic/elastic_forces.hpp"
 
+#include <cmath>
+
 #include "protocol/threads/vector_clones.hpp"
 
 namespace adit::fdm {
@@ -126,7 +128,45 @@ template <Form kForm>
     weighted ? compute<kForm, false, true>(batch, forces) : compute<kForm, false, false>(batch, forces);
 }
 
+// With sxx = p + t and syy = p - t.
+template <Form kForm, bool kInitial>
+[[gnu::always_inline]] inline void find_sizes(const ElasticBatch& batch, double* sizes) {
+  constexpr bool kRectangle = kForm == Form::kRectangles, kEach = kForm == Form::kEach;
+  const auto [ux0, ux1, ux2, ux3] = batch.ux;
+  const auto [uy0, uy1, uy2, uy3] = batch.uy;
+  const auto each = batch.each;
+  const auto initial = batch.initial;
+  const Coefficients same = kEach ? Coefficients{} : *batch.same;
+#pragma GCC ivdep
+  for (std::uint32_t i = 0; i < batch.count; ++i) {
+    const Zone z = zone([&](Coefficient c) { return kEach ? each[c][i] : same[c]; });
+    const Displacements u{ux0[i], ux1[i], ux2[i], ux3[i], uy0[i], uy1[i], uy2[i], uy3[i]};
+    auto [p, t, s, hx, hy] = stresses<kRectangle>(z, strains<kRectangle>(z, u));
+    if constexpr (kInitial) {
+      p += initial[kMean][i];
+      t += initial[kDeviator][i];
+      s += initial[kSxy][i];
+    }
+    sizes[i] = std::sqrt(2 * (p * p + t * t + s * s));
+  }
+}
+
+template <Form kForm>
+[[gnu::always_inline]] inline void find_sizes(const ElasticBatch& batch, double* sizes) {
+  batch.initial[kMean] != nullptr ? find_sizes<kForm, true>(batch, sizes)
+                                  : find_sizes<kForm, false>(batch, sizes);
+}
+
 }  // namespace
+
+ADIT_VECTOR_CLONES void stress_sizes(const ElasticBatch& batch, std::span<double> sizes) {
+  if (!batch.same)
+    find_sizes<Form::kEach>(batch, sizes.data());
+  else if (batch.rectangles)
+    find_sizes<Form::kRectangles>(batch, sizes.data());
+  else
+    find_sizes<Form::kSame>(batch, sizes.data());
+}
 
 ADIT_VECTOR_CLONES void elastic_forces(const ElasticBatch& batch, CornerForces& forces) {
   if (!batch.same)

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "fdm_server/zones/kernel/zone_runs.hpp"
 
@@ -44,5 +45,8 @@ struct ElasticBatch {
 };
 
 void elastic_forces(const ElasticBatch& batch, CornerForces& forces);
+
+// |stress| of each zone, its Frobenius norm, unweighted [Pa].
+void stress_sizes(const ElasticBatch& batch, std::span<double> sizes);
 
 }  // namespace adit::fdm

@@ -6,6 +6,7 @@
 
 #include "fdm_server/zones/shape/assumed_strain.hpp"
 #include "fdm_server/zones/shape/mixed_discretization.hpp"
+#include "protocol/kernels/eight_sums.hpp"
 
 namespace adit::fdm {
 namespace {
@@ -176,6 +177,20 @@ Stress ElasticZones::stress(std::size_t zone) const {
   const auto run = std::ranges::upper_bound(runs_, static_cast<std::uint32_t>(zone), {}, &ZoneRun::first) - 1;
   const auto [p, t, s, hx, hy] = state(*run, static_cast<std::uint32_t>(zone) - run->first);
   return {p + t, p - t, s};
+}
+
+double ElasticZones::internal_force(std::span<const std::uint32_t> numbers,
+                                    std::span<const double> sizes) const {
+  std::array<double, kBatch> stresses;
+  double sum = 0;
+  for (const ZoneRun& run : runs_)
+    for (std::uint32_t done = 0; done < run.count; done += kBatch) {
+      const std::uint32_t count = std::min(kBatch, run.count - done), first = run.first + done;
+      stress_sizes(batch(run, done, count), stresses);
+      sum += protocol::eight_sums(0, count,
+                                  [&](std::size_t k) { return sizes[numbers[first + k]] * stresses[k]; });
+    }
+  return sum;
 }
 
 double ElasticZones::field(std::size_t zone, ZoneField field) const {

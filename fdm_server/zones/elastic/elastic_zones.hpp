@@ -42,6 +42,7 @@ class ElasticZones final : public ZoneKernel {
   }
   double strain_energy() const override;
   Stress stress(std::size_t zone) const override;
+  double internal_force(std::span<const std::uint32_t> numbers, std::span<const double> sizes) const override;
   double field(std::size_t zone, ZoneField field) const override;
 
  private:

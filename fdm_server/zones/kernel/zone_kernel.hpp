@@ -1,7 +1,9 @@
 // Zones of one law with their stresses: what a kernel of any kind offers.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -50,6 +52,16 @@ class ZoneKernel {
   virtual double dissipated() const { return 0; }
   // Mean stress of a zone, unweighted.
   virtual Stress stress(std::size_t zone) const = 0;
+  // Sum over the zones of |stress| · size, |stress| its Frobenius norm. Zone k of these is `numbers[k]` of
+  // all zones, whose `sizes` are given.
+  virtual double internal_force(std::span<const std::uint32_t> numbers, std::span<const double> sizes) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < count(); ++k) {
+      const auto [xx, yy, xy] = stress(k);
+      sum += sizes[numbers[k]] * std::sqrt(xx * xx + yy * yy + 2 * xy * xy);
+    }
+    return sum;
+  }
   virtual double field(std::size_t zone, ZoneField field) const = 0;
 };
 
