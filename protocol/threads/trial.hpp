@@ -1,10 +1,12 @@
 // Whether a team shares its work, found by the clock: the first steps are shared and made alone in turns, and
-// the kind that had the shortest step stays. So threads that cost more than they give, because a step is
-// short or because other processes need the cores, are left to sleep. Results do not depend on it.
+// the kind whose median is the shorter one stays. So threads that cost more than they give, because a step is
+// short or because other processes of the run need the cores, are left to sleep. The shortest steps would not
+// tell: those are the ones in which the others happened to be silent. Results do not depend on the choice.
 #pragma once
 
 #include <algorithm>
-#include <limits>
+#include <array>
+#include <cstddef>
 
 namespace adit::protocol {
 
@@ -14,22 +16,26 @@ class Trial {
 
   // The duration of the step made last [s].
   void take(double seconds) {
-    if (turns_ == kTurns) return;
-    double& shortest = shares_ ? shared_ : alone_;
-    shortest = std::min(shortest, seconds);
-    if (++steps_ < kTurn) return;
-    steps_ = 0;
-    ++turns_;
-    shares_ = turns_ == kTurns ? shared_ < kWorth * alone_ : !shares_;
+    if (steps_ == 2 * kEach) return;
+    (shares_ ? shared_ : alone_)[steps_ / (2 * kTurn) * kTurn + steps_ % kTurn] = seconds;
+    if (++steps_ % kTurn != 0) return;
+    shares_ = steps_ == 2 * kEach ? median(shared_) < kWorth * median(alone_) : !shares_;
   }
 
  private:
-  static constexpr int kTurn = 8, kTurns = 6;  // steps, turns
-  static constexpr double kWorth = 0.95;       // a core is worth more than 5 % of the time
+  static constexpr std::size_t kTurn = 8, kEach = 24;  // steps in turn, and of each kind
+  static constexpr double kWorth = 0.95;               // a core is worth more than 5 % of the time
+  using Durations = std::array<double, kEach>;
+
+  static double median(Durations& durations) {
+    const auto middle = durations.begin() + kEach / 2;
+    std::nth_element(durations.begin(), middle, durations.end());
+    return *middle;
+  }
 
   bool shares_ = true;
-  int steps_ = 0, turns_ = 0;
-  double shared_ = std::numeric_limits<double>::infinity(), alone_ = shared_;  // shortest steps [s]
+  std::size_t steps_ = 0;
+  Durations shared_{}, alone_{};  // [s]
 };
 
 }  // namespace adit::protocol

@@ -74,31 +74,51 @@ template <bool kRectangle>
   }
 }
 
+// A batch's zones one by one; the loops over it become vector code.
+template <Form kForm, bool kInitial>
+struct Zones {
+  static constexpr bool kRectangle = kForm == Form::kRectangles, kEach = kForm == Form::kEach;
+  const std::array<const double*, 4> ux, uy;
+  const std::array<const double*, kCoefficients> each;
+  const std::array<const double*, kComponents> initial;
+  const Coefficients same;
+
+  explicit Zones(const ElasticBatch& batch)
+      : ux(batch.ux),
+        uy(batch.uy),
+        each(batch.each),
+        initial(batch.initial),
+        same(kEach ? Coefficients{} : *batch.same) {}
+
+  [[gnu::always_inline]] Zone zone_at(std::uint32_t i) const {
+    return zone([&](Coefficient c) { return kEach ? each[c][i] : same[c]; });
+  }
+  [[gnu::always_inline]] Stresses stresses_at(std::uint32_t i, const Zone& z) const {
+    const Displacements u{ux[0][i], ux[1][i], ux[2][i], ux[3][i], uy[0][i], uy[1][i], uy[2][i], uy[3][i]};
+    Stresses q = stresses<kRectangle>(z, strains<kRectangle>(z, u));
+    if constexpr (kInitial) {
+      q.p += initial[kMean][i];
+      q.t += initial[kDeviator][i];
+      q.s += initial[kSxy][i];
+      q.hx += initial[kPatternX][i];
+      q.hy += initial[kPatternY][i];
+    }
+    return q;
+  }
+};
+
 template <Form kForm, bool kInitial, bool kWeighted>
 [[gnu::always_inline]] inline void compute(const ElasticBatch& batch, CornerForces& forces) {
-  constexpr bool kRectangle = kForm == Form::kRectangles, kEach = kForm == Form::kEach;
-  const auto [ux0, ux1, ux2, ux3] = batch.ux;
-  const auto [uy0, uy1, uy2, uy3] = batch.uy;
-  const auto each = batch.each;
-  const auto initial = batch.initial;
+  const Zones<kForm, kInitial> zones(batch);
   const double* weight = batch.weight;
-  const Coefficients same = kEach ? Coefficients{} : *batch.same;
   double *fx0 = forces.x[0].data(), *fx1 = forces.x[1].data(), *fx2 = forces.x[2].data();
   double *fx3 = forces.x[3].data(), *fy0 = forces.y[0].data(), *fy1 = forces.y[1].data();
   double *fy2 = forces.y[2].data(), *fy3 = forces.y[3].data();
 
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < batch.count; ++i) {
-    const Zone z = zone([&](Coefficient c) { return kEach ? each[c][i] : same[c]; });
-    const Displacements u{ux0[i], ux1[i], ux2[i], ux3[i], uy0[i], uy1[i], uy2[i], uy3[i]};
-    auto [p, t, s, hx, hy] = stresses<kRectangle>(z, strains<kRectangle>(z, u));
-    if constexpr (kInitial) {
-      p += initial[kMean][i];
-      t += initial[kDeviator][i];
-      s += initial[kSxy][i];
-      hx += initial[kPatternX][i];
-      hy += initial[kPatternY][i];
-    }
+    const Zone z = zones.zone_at(i);
+    auto [p, t, s, hx, hy] = zones.stresses_at(i, z);
     if constexpr (kWeighted) {
       p *= weight[i];
       t *= weight[i];
@@ -106,7 +126,7 @@ template <Form kForm, bool kInitial, bool kWeighted>
       hx *= weight[i];
       hy *= weight[i];
     }
-    const auto [x0, x1, y0, y1] = corner_forces<kRectangle>(z, {p, t, s, hx, hy});
+    const auto [x0, x1, y0, y1] = corner_forces<zones.kRectangle>(z, {p, t, s, hx, hy});
     const double half_x = 0.5 * hx, half_y = 0.5 * hy;  // of opposite corners, b cancels, gamma sums to 1/2 h
     fx0[i] = x0;
     fx1[i] = x1;
@@ -131,22 +151,10 @@ template <Form kForm>
 // With sxx = p + t and syy = p - t.
 template <Form kForm, bool kInitial>
 [[gnu::always_inline]] inline void find_sizes(const ElasticBatch& batch, double* sizes) {
-  constexpr bool kRectangle = kForm == Form::kRectangles, kEach = kForm == Form::kEach;
-  const auto [ux0, ux1, ux2, ux3] = batch.ux;
-  const auto [uy0, uy1, uy2, uy3] = batch.uy;
-  const auto each = batch.each;
-  const auto initial = batch.initial;
-  const Coefficients same = kEach ? Coefficients{} : *batch.same;
+  const Zones<kForm, kInitial> zones(batch);
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < batch.count; ++i) {
-    const Zone z = zone([&](Coefficient c) { return kEach ? each[c][i] : same[c]; });
-    const Displacements u{ux0[i], ux1[i], ux2[i], ux3[i], uy0[i], uy1[i], uy2[i], uy3[i]};
-    auto [p, t, s, hx, hy] = stresses<kRectangle>(z, strains<kRectangle>(z, u));
-    if constexpr (kInitial) {
-      p += initial[kMean][i];
-      t += initial[kDeviator][i];
-      s += initial[kSxy][i];
-    }
+    const auto [p, t, s, hx, hy] = zones.stresses_at(i, zones.zone_at(i));
     sizes[i] = std::sqrt(2 * (p * p + t * t + s * s));
   }
 }
