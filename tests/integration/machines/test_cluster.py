@@ -8,7 +8,7 @@ import signal
 import subprocess
 import unittest
 
-from programs import BUILD, CASE, SOURCE, wait_until
+from programs import BUILD, CASE, PATIENCE_S, SOURCE, wait_until
 from resume.resumed import ResumeTest
 
 STAND_INS = {
@@ -69,7 +69,7 @@ class ClusterTest(ResumeTest):
         return process
 
     def end(self, process, code):
-        said = process.communicate(timeout=60)
+        said = process.communicate(timeout=PATIENCE_S)
         self.assertEqual(process.returncode, code, said)
         self.assertFalse((self.job / "tls").exists())  # nor keys that outlive the job
         return "".join(said)

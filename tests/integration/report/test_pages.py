@@ -8,7 +8,7 @@ import subprocess
 import sys
 import unittest
 
-from programs import BUILD, CASE, SOURCE, ProgramTest, coupler
+from programs import BUILD, CASE, PATIENCE_S, SOURCE, ProgramTest, coupler
 
 sys.path.insert(0, str(SOURCE / "scripts"))
 from adit_report import page  # noqa: E402
@@ -209,7 +209,7 @@ class Pages(ProgramTest):
     def test_a_whole_tunnel_has_spectra_of_its_motion_and_of_its_stations(self):
         run = self.folder / "tunnel"
         subprocess.run([BUILD / "simplified" / "simplified", "run", SOURCE / "cases" / "hzm" / "uniform_0.1g.yaml", "--set",
-                        "time.duration=8 s", "--out", run], check=True, capture_output=True, timeout=60)
+                        "time.duration=8 s", "--out", run], check=True, capture_output=True, timeout=PATIENCE_S)
         rows = re.findall(r'<th scope="row">([^<]*), 5 %</th><td>pseudo acceleration \[g\]</td>(.*?)</tr>', self.page_of(run))
         told = {name: [value(cell) for cell in re.findall(r"<td>(−?[\d.,]+)</td>", cells)] for name, cells in rows}
         self.assertIn("out: middle, uy", told)
@@ -226,7 +226,7 @@ class Pages(ProgramTest):
         for path, told in summary["inputs"].items():
             self.assertEqual(told, fnv_1a(pathlib.Path(path).read_bytes()))
         (run / "summary.json").unlink()
-        subprocess.run(["bash", "-c", summary["command"]], cwd=summary["folder"], check=True, capture_output=True, timeout=60)
+        subprocess.run(["bash", "-c", summary["command"]], cwd=summary["folder"], check=True, capture_output=True, timeout=PATIENCE_S)
         self.assertEqual(self.summary(run)["scene_hash"], summary["scene_hash"])
 
 

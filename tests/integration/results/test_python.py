@@ -10,7 +10,7 @@ import unittest
 
 import numpy
 
-from programs import BUILD, CASE, SOURCE, ProgramTest
+from programs import BUILD, CASE, PATIENCE_S, SOURCE, ProgramTest
 
 sys.path.insert(0, str(SOURCE / "scripts"))
 from adit import Run, Unusable  # noqa: E402
@@ -103,7 +103,7 @@ class Reading(ProgramTest):
         self.assertFalse(particles.is_simplified)
         tunnel = self.folder / "tunnel"
         subprocess.run([BUILD / "simplified" / "simplified", "run", SOURCE / "cases" / "hzm" / "uniform_0.1g.yaml",
-                        "--set", "time.duration=1 s", "--out", tunnel], check=True, capture_output=True, timeout=60)
+                        "--set", "time.duration=1 s", "--out", tunnel], check=True, capture_output=True, timeout=PATIENCE_S)
         tunnel = Run(tunnel)
         self.assertTrue(tunnel.is_simplified)
         envelopes = tunnel.table("envelopes.csv")

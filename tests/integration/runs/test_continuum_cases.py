@@ -5,7 +5,7 @@ import sys
 
 import numpy
 
-from programs import SOURCE, ProgramTest
+from programs import PATIENCE_S, SOURCE, ProgramTest
 
 sys.path.insert(0, str(SOURCE / "scripts"))
 from adit import Run
@@ -59,7 +59,7 @@ class SiteResponse(ProgramTest):
 
     def test_the_study_ends_as_its_runs_do(self):
         done = subprocess.run([SITE / "study", "--out", self.folder / "study", "--set",
-                               "continuum.base.acceleration.file.path=absent.AT2"], capture_output=True, text=True, timeout=60)
+                               "continuum.base.acceleration.file.path=absent.AT2"], capture_output=True, text=True, timeout=PATIENCE_S)
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertIn("there is no such file", done.stderr)
 

@@ -46,11 +46,11 @@ class Damping {
   }
 
  private:
-  // A component of the motion: its local damping and its force at the last step; its drag coefficients and
-  // the mean velocity that drag acted against.
+  // A component of the motion: the share of local damping and its force at the last step; the coefficients of
+  // drag and the mean velocity that it acted against then.
   struct Component {
-    std::vector<double> local, local_force;     // share of each disc [N], [N m]; empty: none
-    std::vector<double> edge, viscous, middle;  // [N s/m], [N m s]; empty: none
+    std::vector<double> local, local_force;     // of each disc, [1], [N] or [N m]; empty: none
+    std::vector<double> edge, viscous, middle;  // [N s/m] or [N m s], and [m/s] or [rad/s]; empty: none
   };
   struct Motion;
   Loss kick(const protocol::Step& step, std::uint32_t begin, std::uint32_t end, const Motion& motion,
