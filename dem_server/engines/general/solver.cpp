@@ -26,7 +26,7 @@ ADIT_VECTOR_CLONES double power(const Particles& p, std::uint32_t begin, std::ui
                                 const Resultants& before) {
   const double *vx = p.vx.data(), *vy = p.vy.data(), *spin = p.spin.data();
   const double *fx = p.fx.data(), *fy = p.fy.data(), *moment = p.moment.data();
-  const auto [before_x, before_y, before_moment] = before;
+  double *before_x = before.fx, *before_y = before.fy, *before_moment = before.moment;
   return protocol::eight_sums(begin, end, [=](std::size_t i) {
     const double x = before_x[i] + fx[i], y = before_y[i] + fy[i], m = before_moment[i] + moment[i];
     before_x[i] = fx[i];
