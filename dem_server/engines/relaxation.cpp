@@ -31,10 +31,6 @@ ADIT_VECTOR_CLONES void find_forces(std::span<const double> after, std::span<con
   }
 }
 
-ADIT_VECTOR_CLONES double sum_of(std::span<const double> values) {
-  return protocol::eight_sums(0, values.size(), [&](std::size_t i) { return values[i]; });
-}
-
 }  // namespace
 
 Unrest Relaxation::measure(const Particles& p, double kick, double local_damping,
@@ -46,8 +42,8 @@ Unrest Relaxation::measure(const Particles& p, double kick, double local_damping
   Unrest unrest;
   unrest.particles = p.size();
   unrest.unbalanced_force = sizes.sum;
-  unrest.net_x = sum_of(force_x_);
-  unrest.net_y = sum_of(force_y_);
+  unrest.net_x = protocol::sum_of(force_x_);
+  unrest.net_y = protocol::sum_of(force_y_);
   unrest.largest = sizes.largest;
   unrest.x = p.x[sizes.at];
   unrest.y = p.y[sizes.at];

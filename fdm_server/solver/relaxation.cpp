@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "protocol/kernels/eight_sums.hpp"
 #include "protocol/kernels/vector_sizes.hpp"
 #include "protocol/participant/local_damping.hpp"
 #include "protocol/threads/vector_clones.hpp"
@@ -26,10 +25,6 @@ ADIT_VECTOR_CLONES void find_forces(std::span<const double> after, std::span<con
 #pragma GCC ivdep
   for (std::size_t i = 0; i < force.size(); ++i)
     force[i] = mass[i] * protocol::undamped_change(after[i] - before[i], before[i], local_damping) / kick;
-}
-
-ADIT_VECTOR_CLONES double sum_of(std::span<const double> values, protocol::IndexRange some) {
-  return protocol::eight_sums(some.begin, some.end, [&](std::size_t i) { return values[i]; });
 }
 
 }  // namespace
@@ -55,7 +50,10 @@ Unrest Relaxation::measure(const Continuum& continuum, double kick, double local
 }
 
 Vector Relaxation::net(const Continuum& continuum, protocol::IndexRange points) const {
-  Vector sum{sum_of(fx_, points), sum_of(fy_, points)};
+  const auto sum_over = [points](const std::vector<double>& forces) {
+    return protocol::sum_of(std::span(forces).subspan(points.begin, points.end - points.begin));
+  };
+  Vector sum{sum_over(fx_), sum_over(fy_)};
   for (const std::uint32_t i : continuum.points_on_dashpots()) {
     if (i < points.begin || i >= points.end) continue;
     sum.x -= fx_[i];

@@ -17,10 +17,6 @@ namespace {
   return std::bit_cast<std::int64_t>(x * x + y * y) & 0x7fff'ffff'ffff'ffff;
 }
 
-ADIT_VECTOR_CLONES double sum_of_sizes(std::span<const double> x, std::span<const double> y) {
-  return eight_sums(0, x.size(), [&](std::size_t i) { return std::sqrt(x[i] * x[i] + y[i] * y[i]); });
-}
-
 ADIT_VECTOR_CLONES std::int64_t largest_bits(std::span<const double> x, std::span<const double> y) {
   std::int64_t largest = 0;
   for (std::size_t i = 0; i < x.size(); ++i) largest = std::max(largest, bits_of_square(x[i], y[i]));
@@ -28,6 +24,14 @@ ADIT_VECTOR_CLONES std::int64_t largest_bits(std::span<const double> x, std::spa
 }
 
 }  // namespace
+
+ADIT_VECTOR_CLONES double sum_of(std::span<const double> values) {
+  return eight_sums(0, values.size(), [&](std::size_t i) { return values[i]; });
+}
+
+ADIT_VECTOR_CLONES double sum_of_sizes(std::span<const double> x, std::span<const double> y) {
+  return eight_sums(0, x.size(), [&](std::size_t i) { return std::sqrt(x[i] * x[i] + y[i] * y[i]); });
+}
 
 VectorSizes sizes_of(std::span<const double> x, std::span<const double> y) {
   if (x.empty()) return {};

@@ -1,10 +1,15 @@
-// The sizes of many vectors of the plane.
+// Sums of many numbers, and of the sizes of many vectors of the plane.
 #pragma once
 
 #include <cstddef>
 #include <span>
 
 namespace adit::protocol {
+
+double sum_of(std::span<const double> values);
+
+// Of |(x[i], y[i])|.
+double sum_of_sizes(std::span<const double> x, std::span<const double> y);
 
 struct VectorSizes {
   double sum = 0, largest = 0;

@@ -6,22 +6,13 @@
 
 #include "dem_server/engines/general/pairs/bond_breaking.hpp"
 #include "dem_server/engines/general/pairs/pair_kernel.hpp"
-#include "protocol/kernels/eight_sums.hpp"
-#include "protocol/threads/vector_clones.hpp"
+#include "protocol/kernels/vector_sizes.hpp"
 
 namespace adit::dem {
 namespace {
 
 std::int64_t bits_of_size(double force) {
   return std::bit_cast<std::int64_t>(std::abs(force));
-}
-
-ADIT_VECTOR_CLONES double sum_of(const ChunkColumn& values, std::uint32_t count) {
-  return protocol::eight_sums(0, count, [&](std::size_t k) { return values[k]; });
-}
-
-ADIT_VECTOR_CLONES double sum_of_sizes(const ChunkColumn& x, const ChunkColumn& y, std::uint32_t count) {
-  return protocol::eight_sums(0, count, [&](std::size_t k) { return std::sqrt(x[k] * x[k] + y[k] * y[k]); });
 }
 
 // Breaks the chunk's bonds that exceed a strength. Returns the bits of the largest |N| that is left.
@@ -58,9 +49,10 @@ void add_pair_forces(std::uint32_t block, std::span<const PairLaw> laws, double 
     look_up_laws(chunk, laws, pairs, of_chunk);
     ChunkOutcome outcome = find_forces(chunk, dt, discs, of_chunk, dashpots, pairs, forces);
     if (outcome.breaks) outcome.max_bits = break_bonds(chunk, laws, dt, discs, pairs, forces, result);
-    if (outcome.slides) result.friction += sum_of(forces.friction, count);
-    if (dashpots) result.dashpots += sum_of(forces.dashpot, count);
-    if (relax) result.internal_force += sum_of_sizes(forces.x, forces.y, count);
+    const auto filled = [count](const ChunkColumn& column) { return std::span(column).first(count); };
+    if (outcome.slides) result.friction += protocol::sum_of(filled(forces.friction));
+    if (dashpots) result.dashpots += protocol::sum_of(filled(forces.dashpot));
+    if (relax) result.internal_force += protocol::sum_of_sizes(filled(forces.x), filled(forces.y));
     add_to_discs(chunk, pairs, forces, of_block);
     if (outcome.max_bits > max_bits) {
       max_bits = outcome.max_bits;
