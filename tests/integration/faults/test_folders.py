@@ -1,6 +1,7 @@
 """What lies around a run: its folder, its terminal, the servers that it starts. Nothing of a user's is lost, and nothing that
 cannot be shown ends a run."""
 
+import contextlib
 import os
 import pathlib
 import subprocess
@@ -90,7 +91,8 @@ def sockets_and_pipes(process, beyond=-1):
     names = set()
     for path in pathlib.Path(f"/proc/{process}/fd").iterdir():
         if int(path.name) > beyond:
-            names.add(os.readlink(path))
+            with contextlib.suppress(FileNotFoundError):  # a file that was closed since the folder was listed
+                names.add(os.readlink(path))
     return {name for name in names if name.startswith(("socket:", "pipe:"))}
 
 
