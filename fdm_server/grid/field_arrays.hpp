@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "protocol/kernels/prefetch.hpp"
 #include "protocol/state/archive.hpp"
 
 namespace adit::fdm {
@@ -22,14 +23,11 @@ class FieldArrays {
     return {data_.data() + field * stride_, size_};
   }
 
-  // Asks for `count` values of each field, so that they are in the cache when they are wanted: a processor
-  // does not follow so many arrays by itself.
+  // Of `count` values of each field.
   void prefetch(std::size_t first, std::size_t count) const {
-    constexpr std::size_t kLine = 64 / sizeof(double);
-    const std::size_t end = std::min(first + count, size_);
+    const std::size_t begin = std::min(first, size_), end = std::min(first + count, size_);
     for (std::size_t field = 0; field < kFields; ++field)
-      for (std::size_t i = first; i < end; i += kLine)
-        __builtin_prefetch(data_.data() + field * stride_ + i, 1);
+      protocol::prefetch((*this)[field].subspan(begin, end - begin));
   }
 
   void exchange(state::Archive& archive) {

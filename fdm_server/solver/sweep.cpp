@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "fdm_server/solver/damping.hpp"
+#include "protocol/kernels/prefetch.hpp"
 #include "protocol/participant/local_damping.hpp"
 
 namespace adit::fdm {
@@ -14,6 +15,23 @@ using protocol::IndexRange;
 
 // Sizes in zones. A chunk is worth a thread's call and has many rows, so that few points belong to two.
 constexpr std::size_t kLeastChunk = 4096, kRows = 16, kBlock = 512;
+// Grids of more points than caches hold are asked for two blocks ahead. Their blocks are so short that all
+// that one asks for can be under way at once.
+constexpr std::size_t kCached = 1 << 18, kAhead = 2;
+constexpr std::uint32_t kStreamed = 64;
+
+std::vector<ZoneRun> cut(std::span<const ZoneRun> runs, std::uint32_t longest) {
+  std::vector<ZoneRun> parts;
+  for (ZoneRun rest : runs)
+    while (rest.count > 0) {
+      ZoneRun& part = parts.emplace_back(rest);
+      part.count = std::min(rest.count, longest);
+      rest.first += part.count;
+      rest.count -= part.count;
+      for (auto& point : rest.points) point += static_cast<std::int32_t>(part.count);
+    }
+  return parts;
+}
 
 // Calls visit(point) for each corner of each zone.
 template <class Visit>
@@ -121,9 +139,10 @@ struct Sweep::Survey {
 
 Sweep::Sweep(std::span<const ZoneRun> runs, std::span<const Role> roles, const std::vector<bool>& moved,
              std::size_t threads)
-    : runs_(runs.begin(), runs.end()), buffers_(threads) {
+    : streamed_(roles.size() > kCached), buffers_(threads) {
   std::size_t longest = 0;
-  for (const ZoneRun& run : runs_) longest = std::max<std::size_t>(longest, run.count);
+  for (const ZoneRun& run : runs) longest = std::max<std::size_t>(longest, run.count);
+  runs_ = streamed_ ? cut(runs, kStreamed) : std::vector(runs.begin(), runs.end());
   const auto parts = pieces(runs_, std::max(kLeastChunk, kRows * longest));
   chunks_.resize(std::max<std::size_t>(1, parts.size()));
 
@@ -152,7 +171,7 @@ void Sweep::fill(std::uint32_t number, std::span<const ZoneRun> runs, std::span<
   struct Points {
     std::vector<std::uint32_t> moved, swept, left;
   };
-  const auto parts = pieces(runs, kBlock);
+  const auto parts = pieces(runs, streamed_ ? kStreamed : kBlock);
   const std::uint32_t before = survey.blocks;
   std::vector<Points> of_block(parts.size());
   std::vector<std::uint32_t> all;
@@ -238,7 +257,13 @@ double Sweep::compute(const Chunk& chunk, Buffer& buffer, ZoneSet& zones, const 
   swept.fx = fx;
   swept.fy = fy;
   double damped = 0;
-  for (const Block& block : chunk.blocks) {
+  for (std::size_t b = 0; b < chunk.blocks.size(); ++b) {
+    const Block& block = chunk.blocks[b];
+    if (streamed_ && b + kAhead < chunk.blocks.size()) {
+      const Block& later = chunk.blocks[b + kAhead];
+      protocol::prefetch(later.moved, {points.ux, points.uy, points.vx, points.vy});
+      protocol::prefetch(later.swept, {points.inverse_mass_x, points.inverse_mass_y});
+    }
     move(block.moved, step.dt, points);
     zones.add_forces(block.runs, step.dt, {points.vx, points.vy, fx, fy});
     add_steady(block.swept, swept);

@@ -98,6 +98,7 @@ class Sweep {
   double compute(const Chunk& chunk, Buffer& buffer, ZoneSet& zones, const protocol::Step& step,
                  const PointArrays& points, Damping& damping);
 
+  bool streamed_ = false;  // more points than caches hold
   std::vector<ZoneRun> runs_;
   std::vector<Chunk> chunks_;
   std::vector<Buffer> buffers_;  // of each thread: forces of the chunk in work

@@ -6,36 +6,35 @@
 #include <tuple>
 #include <utility>
 
+#include "dem_server/engines/general/pairs/pairs.hpp"
 #include "dem_server/packing/extent.hpp"
 
 namespace adit::dem {
 namespace {
 
-constexpr double kDiscsInCell = 4;
+constexpr double kAcross = 32;  // discs of a strip from side to side
+static_assert(kAcross * kAcross == kBlock);
 
-// The bits of a number, with a 0 between each two.
-std::uint64_t spread(std::uint32_t value) {
-  std::uint64_t bits = value;
-  bits = (bits | bits << 16) & 0x0000ffff0000ffff;
-  bits = (bits | bits << 8) & 0x00ff00ff00ff00ff;
-  bits = (bits | bits << 4) & 0x0f0f0f0f0f0f0f0f;
-  bits = (bits | bits << 2) & 0x3333333333333333;
-  return (bits | bits << 1) & 0x5555555555555555;
-}
-
-std::vector<std::uint32_t> morton_order(const Discs& discs) {
+std::vector<std::uint32_t> order_by_strips(const Discs& discs) {
+  const std::size_t size = discs.size();
   const geometry::BoundingBox box = extent_of(discs);
-  const double area = (box.x_max - box.x_min) * (box.y_max - box.y_min);
-  const double side = std::sqrt(kDiscsInCell * area / static_cast<double>(discs.size()));
-  const auto cell = [side](double from, double value) {
-    return static_cast<std::uint32_t>((value - from) / side);
+  const double row = 2 * std::reduce(discs.radius.begin(), discs.radius.end()) / static_cast<double>(size);
+  const double strip = kAcross * row;
+  const auto strip_of = [&](std::uint32_t i) { return std::floor((discs.x[i] - box.x_min) / strip); };
+  const auto row_of = [&](std::uint32_t i) { return std::floor((discs.y[i] - box.y_min) / row); };
+  const auto at_left_side = [&](std::uint32_t i) {
+    return discs.x[i] - box.x_min < strip_of(i) * strip + row;
   };
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
-  for (std::uint32_t i = 0; i < discs.size(); ++i)
-    keys.emplace_back(spread(cell(box.x_min, discs.x[i])) | spread(cell(box.y_min, discs.y[i])) << 1, i);
-  std::ranges::sort(keys);
-  std::vector<std::uint32_t> order;
-  for (const auto& [key, disc] : keys) order.push_back(disc);
+  std::vector<std::uint32_t> order(size);
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::sort(order, {},
+                    [&](std::uint32_t i) { return std::tuple(strip_of(i), row_of(i), discs.x[i], i); });
+  for (std::size_t begin = 0; begin < size; begin += kBlock) {
+    const auto block = order.begin() + static_cast<std::ptrdiff_t>(begin);
+    std::stable_partition(block,
+                          block + static_cast<std::ptrdiff_t>(std::min<std::size_t>(kBlock, size - begin)),
+                          at_left_side);
+  }
   return order;
 }
 
@@ -68,7 +67,7 @@ void renumber(const std::vector<std::uint32_t>& place, std::vector<Bond>& bonds)
 }  // namespace
 
 void renumber(Model& model) {
-  const auto order = morton_order(model.discs);
+  const auto order = order_by_strips(model.discs);
   for (auto* column : {&model.discs.x, &model.discs.y, &model.discs.radius, &model.mass, &model.weight})
     take_in_order(order, *column);
   for (auto* column : {&model.id, &model.group}) take_in_order(order, *column);

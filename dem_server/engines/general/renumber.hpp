@@ -6,8 +6,10 @@
 
 namespace adit::dem {
 
-// Along a Morton curve through square cells, in a cell in the order that they had. Springs keep their order,
-// bonds ascend again.
+// Strip by strip, each from below to above, so that a block of consecutive discs is about as wide as it is
+// high. In a block those on its left side come first: with the lowest ones, which follow, they are those that
+// earlier blocks reach, so that what a step does to them in passes of their own reads a piece of memory and
+// no more. Springs keep their order, bonds ascend again.
 void renumber(Model& model);
 
 }  // namespace adit::dem

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem_server/engines/cached.hpp"
 #include "dem_server/particles/integrate.hpp"
+#include "protocol/kernels/prefetch.hpp"
 
 namespace adit::dem {
 namespace {
@@ -13,7 +15,8 @@ using protocol::IndexRange;
 // Particles of a block at least: worth a thread's call, and so many times the reach of a bond that little
 // lies in seams.
 constexpr std::uint32_t kLeastBlock = 4096, kReaches = 12;
-constexpr std::uint32_t kBeat = 256;  // bonds
+constexpr std::uint32_t kBeat = 128;  // bonds
+constexpr std::size_t kAhead = 2;     // beats, by which memory is asked for before it is needed
 
 std::uint32_t low_of(const Run& run) {
   return std::min(run.first, run.second);
@@ -34,6 +37,17 @@ std::vector<IndexRange> chosen(std::uint32_t begin, std::uint32_t end, Test&& te
           if (passed) found.push_back({begin + range.begin, begin + range.end});
         });
   return found;
+}
+
+// What a beat reads.
+[[gnu::always_inline]] inline void prefetch(std::span<const IndexRange> moved,
+                                            std::span<const IndexRange> swept, std::span<const Run> runs,
+                                            const Assembly& assembly) {
+  const Particles& p = assembly.particles;
+  protocol::prefetch(moved, {p.ux.data(), p.uy.data(), p.vx.data(), p.vy.data(), p.spin.data()});
+  protocol::prefetch(swept, {p.inverse_mass.data(), p.inverse_inertia.data()});
+  for (const Run& run : runs)
+    protocol::prefetch(std::span(assembly.bonds.shear_force).subspan(run.begin, run.count));
 }
 
 void pour(const IndexRange& range, std::uint32_t first, std::vector<double>& from, std::vector<double>& to) {
@@ -194,7 +208,13 @@ void Sweep::run_block(const Block& block, Buffer& buffer, const ContactBond& law
   const Resultants resultants{buffer.fx.data() - first, buffer.fy.data() - first,
                               buffer.moment.data() - first};
   clear(block.cleared, resultants_of(particles));
-  for (const Beat& beat : block.beats) {
+  const bool ahead = particles.size() > kCached;
+  for (std::size_t b = 0; b < block.beats.size(); ++b) {
+    const Beat& beat = block.beats[b];
+    if (ahead && b + kAhead < block.beats.size()) {
+      const Beat& later = block.beats[b + kAhead];
+      prefetch(later.moved, later.swept, later.runs, assembly);
+    }
     if (!step.from_rest()) outcome.fastest = std::max(outcome.fastest, move(step.dt, beat.moved, particles));
     add_bond_forces(law, step.dt, beat.runs, particles, assembly.bonds, resultants, outcome.contacts,
                     outcome.broken);

@@ -4,8 +4,10 @@
 #include <bit>
 #include <cmath>
 
+#include "dem_server/engines/cached.hpp"
 #include "dem_server/engines/general/pairs/bond_breaking.hpp"
 #include "dem_server/engines/general/pairs/pair_kernel.hpp"
+#include "protocol/kernels/prefetch.hpp"
 #include "protocol/kernels/vector_sizes.hpp"
 
 namespace adit::dem {
@@ -28,6 +30,22 @@ std::int64_t break_bonds(Pairs::Chunk& chunk, std::span<const PairLaw> laws, dou
   return max_bits;
 }
 
+// What the kernel reads of a chunk.
+[[gnu::always_inline]] inline void prefetch(const Pairs::Chunk& chunk, const Pairs& pairs) {
+  using Kind = Pairs::Kind;
+  const protocol::IndexRange range{chunk.begin, chunk.end};
+  const auto ask = [&] [[gnu::always_inline]] (std::initializer_list<const double*> lists) {
+    protocol::prefetch({&range, 1}, lists);
+  };
+  const bool bonded = pairs.bonded(), contacts = !bonded || chunk.contacts_act();
+  ask({pairs.rest_length.data(), pairs.half_difference.data()});
+  if (bonded) ask({pairs.shear.data()});
+  if (contacts) ask({pairs.slide.data()});
+  if (bonded && contacts) ask({pairs.moment.data()});
+  if (chunk.kind == Kind::kIntact || chunk.kind == Kind::kGeneral)
+    ask({pairs.weight.data(), pairs.slack.data()});
+}
+
 }  // namespace
 
 void add_pair_forces(std::uint32_t block, std::span<const PairLaw> laws, double dt, bool relax,
@@ -39,10 +57,12 @@ void add_pair_forces(std::uint32_t block, std::span<const PairLaw> laws, double 
   ChunkLaws of_chunk;
   ChunkForces forces;
   std::int64_t max_bits = 0;
+  const bool ahead = particles.size() > kCached;
   of_block.take_reached(block, pairs, particles);
   for (std::uint32_t c = pairs.chunk_starts[block]; c < pairs.chunk_starts[block + 1]; ++c) {
     Pairs::Chunk& chunk = pairs.chunks[c];
     const std::uint32_t count = chunk.end - chunk.begin;
+    if (ahead && c + 1 < pairs.chunk_starts[block + 1]) prefetch(pairs.chunks[c + 1], pairs);
     const bool dashpots = !pairs.normal_dashpot.empty() && chunk.contacts_act();
     look_up_discs(chunk, pairs, of_block, discs);
     if (dashpots) look_up_masses(chunk, pairs, particles, discs);
