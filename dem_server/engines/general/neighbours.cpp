@@ -53,6 +53,7 @@ Neighbours::Neighbours(const Particles& particles, std::vector<double> radius, s
     for (std::size_t k = 0; k < pairs_.size(); ++k)
       pairs_.slack[k] = std::max(0.0, pairs_.rest_length[k] - std::hypot(pairs_.rest_x[k], pairs_.rest_y[k]));
   press(touching, laws);
+  pairs_.sort_chunks({});
 }
 
 // Both lists ascend.
@@ -72,6 +73,7 @@ bool Neighbours::update(const Particles& particles) {
   if (moved_.most() > skin_ / 2) moved_.measure(particles);
   if (moved_.most() + std::max(moved_.most(), walls_travelled_) <= skin_) return false;
   list(particles);
+  pairs_.sort_chunks({});
   return true;
 }
 
@@ -95,7 +97,6 @@ std::vector<bool> Neighbours::list(const Particles& p) {
     fresh.weight[k] = (p.weight[i] + p.weight[j]) / 2;
     fresh.law[k] = first_law_ + group_pair_number(groups_, group_[i], group_[j]);
   }
-  fresh.sort_chunks({});
   auto kept = keep_springs(pairs_, fresh);
   pairs_ = std::move(fresh);
   walls_travelled_ = 0;
@@ -117,6 +118,7 @@ void Neighbours::begin_stage(const Particles& p, std::vector<Pair> joined, std::
     pairs_.slack[k] = std::max(0.0, pairs_.rest_length[k] - distance);
     pairs_.slide[k] = 0;
   }
+  pairs_.sort_chunks({});
 }
 
 }  // namespace adit::dem

@@ -34,16 +34,14 @@ std::int64_t break_bonds(Pairs::Chunk& chunk, std::span<const PairLaw> laws, dou
 [[gnu::always_inline]] inline void prefetch(const Pairs::Chunk& chunk, const Pairs& pairs) {
   using Kind = Pairs::Kind;
   const protocol::IndexRange range{chunk.begin, chunk.end};
-  const auto ask = [&] [[gnu::always_inline]] (std::initializer_list<const double*> lists) {
-    protocol::prefetch({&range, 1}, lists);
-  };
-  const bool bonded = pairs.bonded(), contacts = !bonded || chunk.contacts_act();
-  ask({pairs.rest_length.data(), pairs.half_difference.data()});
-  if (bonded) ask({pairs.shear.data()});
-  if (contacts) ask({pairs.slide.data()});
-  if (bonded && contacts) ask({pairs.moment.data()});
+  const std::span<const protocol::IndexRange> all(&range, 1);
+  const bool bonded = pairs.bonded(), contacts = chunk.contacts_act();
+  protocol::prefetch(all, {pairs.rest_length.data(), pairs.half_difference.data()});
+  if (bonded) protocol::prefetch(all, {pairs.shear.data()});
+  if (contacts) protocol::prefetch(all, {pairs.slide.data()});
+  if (bonded && contacts) protocol::prefetch(all, {pairs.moment.data()});
   if (chunk.kind == Kind::kIntact || chunk.kind == Kind::kGeneral)
-    ask({pairs.weight.data(), pairs.slack.data()});
+    protocol::prefetch(all, {pairs.weight.data(), pairs.slack.data()});
 }
 
 }  // namespace

@@ -21,15 +21,19 @@ enum class Kind {
   kVariedParallelBonds,
   kParallelBonds,
   kBonds,
+  kPlainContacts,
+  kVariedContacts,
   kContacts
 };
 
 // The loop over a chunk. It becomes vector code only where all that it calls is inlined.
 template <Kind kKind, bool kOneLaw, bool kDashpots>
 struct Kernel {
-  static constexpr bool kPlain = kKind == Kind::kPlainContactBonds || kKind == Kind::kPlainParallelBonds;
-  static constexpr bool kWeighted = !kPlain && kKind != Kind::kVariedParallelBonds;
-  static constexpr bool kBond = kKind != Kind::kContacts, kSomeBroken = kKind == Kind::kBonds;
+  static constexpr bool kPlain = kKind == Kind::kPlainContactBonds || kKind == Kind::kPlainParallelBonds ||
+                                 kKind == Kind::kPlainContacts;
+  static constexpr bool kWeighted =
+      !kPlain && kKind != Kind::kVariedParallelBonds && kKind != Kind::kVariedContacts;
+  static constexpr bool kBond = kKind < Kind::kPlainContacts, kSomeBroken = kKind == Kind::kBonds;
   static constexpr bool kContact = kKind != Kind::kPlainContactBonds && kKind != Kind::kContactBonds;
   static constexpr bool kMoment = kBond && kContact;
 
@@ -179,9 +183,17 @@ ChunkOutcome find_of(const Pairs::Chunk& chunk, double dt, const ChunkDiscs& dis
 using Find = ChunkOutcome (*)(const Pairs::Chunk&, double, const ChunkDiscs&, const ChunkLaws&, Pairs&,
                               ChunkForces&);
 
+template <bool kDashpots>
+Find find_contacts_by(const Pairs::Chunk& chunk) {
+  using Of = Pairs::Kind;
+  if (chunk.kind == Of::kPlain) return find_chunk<Kind::kPlainContacts, true, kDashpots>;
+  if (chunk.kind == Of::kVaried) return find_chunk<Kind::kVariedContacts, true, kDashpots>;
+  return find_of<Kind::kContacts, kDashpots>;
+}
+
 Find find_by(const Pairs::Chunk& chunk, bool bonded, bool dashpots) {
   using Of = Pairs::Kind;
-  if (!bonded) return dashpots ? find_of<Kind::kContacts, true> : find_of<Kind::kContacts, false>;
+  if (!bonded) return dashpots ? find_contacts_by<true>(chunk) : find_contacts_by<false>(chunk);
   if (chunk.kind == Of::kGeneral)
     return dashpots ? find_of<Kind::kBonds, true> : find_of<Kind::kBonds, false>;
   if (!chunk.contacts_beside_bonds)

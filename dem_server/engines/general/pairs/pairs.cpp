@@ -101,17 +101,19 @@ void Pairs::sort_chunks(std::span<const PairLaw> laws) {
     const std::uint32_t one = chunk.begin;
     chunk.law = law[one];
     chunk.one_law = true;
-    chunk.contacts_beside_bonds = bonded() && laws[chunk.law].contact_beside_bond;
-    bool intact = bonded(), varied = intact, plain = intact;
+    chunk.contacts_beside_bonds = !bonded() || laws[chunk.law].contact_beside_bond;
+    bool intact = true, varied = true, plain = true;
     for (std::uint32_t k = one; k < chunk.end; ++k) {
       chunk.one_law &= law[k] == chunk.law;
-      if (!intact) continue;
-      intact =
-          state[k] == BondState::kIntact && laws[law[k]].contact_beside_bond == chunk.contacts_beside_bonds;
-      varied = varied && intact && initial[k] == 0 && weight[k] == 1;
-      plain = plain && slack[k] == 0 && width[k] == width[one];
+      varied = varied && weight[k] == 1;
+      plain = plain && slack[k] == 0;
+      if (!bonded()) continue;
+      intact = intact && state[k] == BondState::kIntact &&
+               laws[law[k]].contact_beside_bond == chunk.contacts_beside_bonds;
+      varied = varied && initial[k] == 0;
+      plain = plain && width[k] == width[one];
     }
-    varied = varied && chunk.one_law;
+    varied = varied && intact && chunk.one_law;
     chunk.kind = varied && plain ? Kind::kPlain
                  : varied        ? Kind::kVaried
                  : intact        ? Kind::kIntact

@@ -61,14 +61,15 @@ struct Pairs {
 
   // Consecutive pairs of one block. Intact: all bonds are, and contacts act beside all of them or beside
   // none. Varied: of one law besides, without initial force and weight. Plain: of one width besides, without
-  // slack.
+  // slack. Contacts without bonds are of
+  // these kinds as if they were bonds.
   enum class Kind : std::uint8_t { kPlain, kVaried, kIntact, kGeneral };
   struct Chunk {
     std::uint32_t begin, end;
     std::uint32_t law = 0;  // of the first, which lies in memory that a chunk of one law need not touch
     Kind kind = Kind::kGeneral;
     bool one_law = false;
-    bool contacts_beside_bonds = false;  // beside the first
+    bool contacts_beside_bonds = false;  // beside the first; or no pair is bonded
     bool contacts_act() const { return contacts_beside_bonds || kind == Kind::kGeneral; }
   };
   std::vector<Chunk> chunks;

@@ -114,6 +114,59 @@ INSTANTIATE_TEST_SUITE_P(
             .name = "ContactAndParallelBonds", .dashpots = true, .mixed = true, .expected = Kind::kGeneral}),
     [](const auto& variant) { return variant.param.name; });
 
+struct Touching {
+  std::string name;
+  bool dashpots = false, slack = false, weighted = false;
+  Kind expected;
+};
+std::ostream& operator<<(std::ostream& out, const Touching& variant) {
+  return out << variant.name;
+}
+
+// Discs that overlap a little and slide on each other.
+Model packing(const Touching& variant) {
+  Model model = lattice({.name = "", .dashpots = variant.dashpots, .expected = Kind::kPlain});
+  model.bonds.clear();
+  for (double& radius : model.discs.radius) radius *= 1.001;
+  model.overlaps_free = variant.slack;
+  for (std::size_t i = 0; variant.weighted && i < model.weight.size(); ++i)
+    model.weight[i] = 0.3 + 0.1 * static_cast<double>(i % 7);
+  return model;
+}
+
+class ContactKinds : public testing::TestWithParam<Touching> {};
+
+TEST_P(ContactKinds, ComputeWhatTheGeneralOneDoes) {
+  const Model model = packing(GetParam());
+  test::Run plainest = shaken(model), general = shaken(model);
+  Pairs& contacts = general.solver.neighbours().pairs();
+  EXPECT_EQ(plainest.solver.contacts().chunks[1].kind, GetParam().expected);
+  for (Pairs::Chunk& chunk : contacts.chunks) {
+    chunk.kind = Kind::kGeneral;
+    chunk.one_law = false;
+  }
+  plainest.steps(50);
+  general.steps(50);
+  EXPECT_EQ(general.solver.neighbours().lists(), 1);  // else the kinds would have been found anew
+  const Particles &a = plainest.solver.particles(), &b = general.solver.particles();
+  EXPECT_EQ(a.ux, b.ux);
+  EXPECT_EQ(a.uy, b.uy);
+  EXPECT_EQ(a.spin, b.spin);
+  const DiscLedger of_a = plainest.solver.ledger(), of_b = general.solver.ledger();
+  EXPECT_GT(of_a.friction, 0);
+  EXPECT_EQ(of_a.friction, of_b.friction);
+  EXPECT_EQ(of_a.dashpots, of_b.dashpots);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, ContactKinds,
+    testing::Values(Touching{.name = "Pressed", .expected = Kind::kPlain},
+                    Touching{.name = "PressedWithDashpots", .dashpots = true, .expected = Kind::kPlain},
+                    Touching{.name = "FreeOfForceAtTheStart", .slack = true, .expected = Kind::kVaried},
+                    Touching{
+                        .name = "Weighted", .dashpots = true, .weighted = true, .expected = Kind::kIntact}),
+    [](const auto& variant) { return variant.param.name; });
+
 // While it relaxes, the kernel sums the internal forces that the pairs' states have.
 TEST(InternalForce, IsThatOfTheStateReached) {
   Variant variant{.name = "", .stressed = true, .weighted = true, .expected = Kind::kIntact};
