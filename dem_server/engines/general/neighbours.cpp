@@ -10,7 +10,7 @@
 namespace adit::dem {
 namespace {
 
-constexpr double kSkin = 0.4;  // of the mean radius
+constexpr double kSkin = 0.25;  // of the mean radius
 
 bool before(const Pair& a, const Pair& b) {
   return std::tie(a.first, a.second) < std::tie(b.first, b.second);
