@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "protocol/errors.hpp"
+#include "protocol/text.hpp"
 
 namespace adit::state {
 namespace {
@@ -58,7 +59,8 @@ std::size_t Archive::begin(const char* name, std::size_t value_bytes, std::size_
   bytes(found.data(), found.size());
   bytes(&width, sizeof width);
   bytes(&number, sizeof number);
-  if (found != expected) refuse("it holds `" + found + "` where `" + expected + "` was expected");
+  if (found != expected)
+    refuse("it holds " + protocol::quote(found) + " where `" + expected + "` was expected");
   if (width != value_bytes) refuse("`" + expected + "` has values of another kind");
   if (reads_ && number > left_ / value_bytes) refuse("it ends within `" + expected + "`");
   return number;
