@@ -42,12 +42,12 @@ struct Costs {
 constexpr Costs kLattice{12.0 * sizeof(double), 2 * sizeof(double), 40 + 6 + 9};
 // Also places at rest, resultants, read and written, and whether the disc is swept; the bond's discs, length
 // at rest, difference of the radii and shear force, and for parallel bonds the moment and the force of the
-// contact beside. A contact has a weight and a slack, too.
+// contact beside.
 constexpr double kBytesOfDisc = kLattice.bytes_of_particle + 8.0 * sizeof(double) + sizeof(std::uint8_t);
 constexpr double kBytesOfShape = 2 * sizeof(std::uint32_t) + 2 * sizeof(double);
 constexpr Costs kContactBonds{kBytesOfDisc, kBytesOfShape + 2 * sizeof(double), 49 + 8 + 9};
 constexpr Costs kParallelBonds{kBytesOfDisc, kBytesOfShape + 6 * sizeof(double), 73 + 8 + 9};
-constexpr Costs kContacts{kBytesOfDisc, kBytesOfShape + 4 * sizeof(double), 49 + 8 + 9};
+constexpr Costs kContacts{kBytesOfDisc, kBytesOfShape + 2 * sizeof(double), 49 + 8 + 9};
 
 void stir(dem::Particles& p) {
   for (std::size_t i = 0; i < p.size(); ++i) {
