@@ -16,7 +16,7 @@ using protocol::IndexRange;
 // lies in seams.
 constexpr std::uint32_t kLeastBlock = 4096, kReaches = 12;
 constexpr std::uint32_t kBeat = 128;  // bonds
-constexpr std::size_t kAhead = 2;     // beats, by which memory is asked for before it is needed
+constexpr std::size_t kAhead = 2;     // beats: memory is asked for so long before it is needed
 
 std::uint32_t low_of(const Run& run) {
   return std::min(run.first, run.second);

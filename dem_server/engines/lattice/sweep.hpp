@@ -1,7 +1,7 @@
 // The order in which a step takes particles and bonds: one way through memory, shared by threads.
 //
 // A bond needs its particles moved; a particle is complete once the last of its bonds has pulled on it. So
-// bonds are taken in beats of some hundreds: move the particles that a beat is the first to need, add its
+// bonds are taken in beats of a hundred or two: move the particles that a beat is the first to need, add its
 // forces, predict the velocities of the particles that it is the last to pull on. Resultants live in a buffer
 // in the cache, never in memory.
 //

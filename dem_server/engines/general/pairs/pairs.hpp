@@ -61,8 +61,7 @@ struct Pairs {
 
   // Consecutive pairs of one block. Intact: all bonds are, and contacts act beside all of them or beside
   // none. Varied: of one law besides, without initial force and weight. Plain: of one width besides, without
-  // slack. Contacts without bonds are of
-  // these kinds as if they were bonds.
+  // slack. Chunks of contacts without bonds are plain, varied or intact by the same rules.
   enum class Kind : std::uint8_t { kPlain, kVaried, kIntact, kGeneral };
   struct Chunk {
     std::uint32_t begin, end;
