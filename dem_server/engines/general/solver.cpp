@@ -308,9 +308,15 @@ void Solver::exchange(state::Archive& archive) {
 }
 
 Stored Solver::stored() const {
+  std::vector<Stored> of_blocks(results_.size());
+  team_->run(of_blocks.size(), [&](std::size_t b, std::size_t thread) {
+    const auto block = static_cast<std::uint32_t>(b);
+    in_work_[thread].take(block, particles_);
+    for (const Pairs* pairs : {&bonds_, &neighbours_.pairs()})
+      add_stored(block, laws_, particles_, *pairs, in_work_[thread], of_blocks[b]);
+  });
   Stored sum;
-  add_stored(laws_, particles_, bonds_, sum);
-  add_stored(laws_, particles_, neighbours_.pairs(), sum);
+  for (const Stored& of_block : of_blocks) sum.add(of_block);
   sum.contacts += walls_.strain_energy();
   return sum;
 }

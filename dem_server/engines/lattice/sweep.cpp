@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem_server/engines/cached.hpp"
 #include "dem_server/particles/integrate.hpp"
 #include "protocol/kernels/prefetch.hpp"
 
@@ -16,7 +15,8 @@ using protocol::IndexRange;
 // lies in seams.
 constexpr std::uint32_t kLeastBlock = 4096, kReaches = 12;
 constexpr std::uint32_t kBeat = 128;  // bonds
-constexpr std::size_t kAhead = 2;     // beats: memory is asked for so long before it is needed
+// Memory is asked for so many beats before it is needed, in models of more particles than caches hold.
+constexpr std::size_t kAhead = 2, kCached = 1 << 17;
 
 std::uint32_t low_of(const Run& run) {
   return std::min(run.first, run.second);

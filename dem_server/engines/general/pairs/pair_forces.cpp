@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 
-#include "dem_server/engines/cached.hpp"
 #include "dem_server/engines/general/pairs/bond_breaking.hpp"
 #include "dem_server/engines/general/pairs/pair_kernel.hpp"
 #include "protocol/kernels/prefetch.hpp"
@@ -12,6 +11,8 @@
 
 namespace adit::dem {
 namespace {
+
+constexpr std::size_t kCached = 1 << 14;  // discs: memory is asked for beforehand in larger models
 
 std::int64_t bits_of_size(double force) {
   return std::bit_cast<std::int64_t>(std::abs(force));

@@ -1,9 +1,6 @@
 #include "dem_server/engines/general/pairs/pair_state.hpp"
 
-#include <algorithm>
-
 #include "dem_server/laws/linear_contact.hpp"
-#include "dem_server/laws/spring.hpp"
 
 namespace adit::dem {
 
@@ -34,20 +31,6 @@ PairState state_of(std::uint32_t pair, std::span<const PairLaw> laws, const Part
           (intact ? pairs.shear[pair] : 0) + pairs.slide[pair],
           intact ? pairs.moment[pair] : 0,
           gap < 0};
-}
-
-void add_stored(std::span<const PairLaw> laws, const Particles& p, const Pairs& pairs, Stored& stored) {
-  for (std::uint32_t k = 0; k < pairs.size(); ++k) {
-    const PairLaw& law = laws[pairs.law[k]];
-    const PairState s = state_of(k, laws, p, pairs);
-    const BondSprings springs = springs_of(law, pairs, k);
-    (law.contact_beside_bond ? stored.parallel_bonds : stored.contact_bonds) +=
-        pairs.weight[k] *
-        (spring_energy(s.bond_normal, springs.kn) + spring_energy(s.shear - pairs.slide[k], springs.ks) +
-         spring_energy(s.moment, springs.km));
-    stored.contacts += pairs.weight[k] * (spring_energy(s.contact_normal, law.contact.normal_stiffness) +
-                                          spring_energy(pairs.slide[k], law.contact.shear_stiffness));
-  }
 }
 
 }  // namespace adit::dem

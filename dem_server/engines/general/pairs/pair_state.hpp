@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "dem_server/engines/general/pairs/block_discs.hpp"
 #include "dem_server/engines/general/pairs/pairs.hpp"
 #include "dem_server/laws/pair_kinematics.hpp"
 #include "dem_server/laws/parallel_bond.hpp"
@@ -30,8 +31,14 @@ PairState state_of(std::uint32_t pair, std::span<const PairLaw> laws, const Part
 struct Stored {
   double contacts = 0, contact_bonds = 0, parallel_bonds = 0;
   double sum() const { return contacts + contact_bonds + parallel_bonds; }
+  void add(const Stored& other) {
+    contacts += other.contacts;
+    contact_bonds += other.contact_bonds;
+    parallel_bonds += other.parallel_bonds;
+  }
 };
-void add_stored(std::span<const PairLaw> laws, const Particles& particles, const Pairs& pairs,
-                Stored& stored);
+// Adds what the pairs of a block store, whose own discs `of_block` has taken.
+void add_stored(std::uint32_t block, std::span<const PairLaw> laws, const Particles& particles,
+                const Pairs& pairs, BlockDiscs& of_block, Stored& stored);
 
 }  // namespace adit::dem
