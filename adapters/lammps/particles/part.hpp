@@ -106,7 +106,7 @@ class Part {
   std::uint32_t own_ = 0;
   std::array<Share, 2> bonds_{}, contacts_{};  // of own particles; of an own one and a ghost
   std::vector<PairRecord> apart_;              // broken bonds whose other particle no ghost shows
-  dem::BlockDiscs discs_;                      // room for a block in work
+  mutable dem::BlockDiscs discs_;              // room for a block in work
   std::vector<Broken> broken_;
   dem::Strongest strongest_;
   bool torn_ = false;

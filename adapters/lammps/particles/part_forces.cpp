@@ -61,14 +61,18 @@ void Part::add(const dem::PairResult& result, const Share& from) {
 
 dem::Stored Part::stored() const {
   dem::Stored sum;
-  for (const auto* sets : {&bonds_, &contacts_})
-    for (const Share& from : *sets) {
-      dem::Stored stored;
-      dem::add_stored(laws.all, particles, from.set.pairs, stored);
-      sum.contacts += from.share * stored.contacts;
-      sum.contact_bonds += from.share * stored.contact_bonds;
-      sum.parallel_bonds += from.share * stored.parallel_bonds;
-    }
+  const auto blocks = static_cast<std::uint32_t>(dem::blocks_of(own_));
+  for (std::uint32_t block = 0; block < blocks; ++block) {
+    discs_.take(block, particles);
+    for (const auto* sets : {&bonds_, &contacts_})
+      for (const Share& from : *sets) {
+        dem::Stored stored;
+        dem::add_stored(block, laws.all, particles, from.set.pairs, discs_, stored);
+        sum.contacts += from.share * stored.contacts;
+        sum.contact_bonds += from.share * stored.contact_bonds;
+        sum.parallel_bonds += from.share * stored.parallel_bonds;
+      }
+  }
   return sum;
 }
 
