@@ -68,9 +68,7 @@ dem::Stored Part::stored() const {
       for (const Share& from : *sets) {
         dem::Stored stored;
         dem::add_stored(block, laws.all, particles, from.set.pairs, discs_, stored);
-        sum.contacts += from.share * stored.contacts;
-        sum.contact_bonds += from.share * stored.contact_bonds;
-        sum.parallel_bonds += from.share * stored.parallel_bonds;
+        sum.add(stored, from.share);
       }
   }
   return sum;

@@ -54,7 +54,7 @@ class Neighbours {
   std::uint64_t lists() const { return lists_; }  // made so far
 
  private:
-  // Returns which pairs the earlier list held too.
+  // Returns which pairs the earlier list held too. The chunks wait to be sorted until the slack is known.
   std::vector<bool> list(const Particles& particles);
   void press(std::span<const TouchingPair> touching, std::span<const PairLaw> laws);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -15,26 +16,34 @@ namespace {
 constexpr double kAcross = 32;  // discs of a strip from side to side
 static_assert(kAcross * kAcross == kBlock);
 
+// A disc's strip and row in it, its x from the model's left side.
+struct Place {
+  double strip, row, x;
+  std::uint32_t disc;
+  auto operator<=>(const Place&) const = default;
+};
+
 std::vector<std::uint32_t> order_by_strips(const Discs& discs) {
   const std::size_t size = discs.size();
   const geometry::BoundingBox box = extent_of(discs);
   const double row = 2 * std::reduce(discs.radius.begin(), discs.radius.end()) / static_cast<double>(size);
   const double strip = kAcross * row;
-  const auto strip_of = [&](std::uint32_t i) { return std::floor((discs.x[i] - box.x_min) / strip); };
-  const auto row_of = [&](std::uint32_t i) { return std::floor((discs.y[i] - box.y_min) / row); };
-  const auto at_left_side = [&](std::uint32_t i) {
-    return discs.x[i] - box.x_min < strip_of(i) * strip + row;
-  };
-  std::vector<std::uint32_t> order(size);
-  std::iota(order.begin(), order.end(), 0u);
-  std::ranges::sort(order, {},
-                    [&](std::uint32_t i) { return std::tuple(strip_of(i), row_of(i), discs.x[i], i); });
-  for (std::size_t begin = 0; begin < size; begin += kBlock) {
-    const auto block = order.begin() + static_cast<std::ptrdiff_t>(begin);
-    std::stable_partition(block,
-                          block + static_cast<std::ptrdiff_t>(std::min<std::size_t>(kBlock, size - begin)),
-                          at_left_side);
+  std::vector<Place> places;
+  places.reserve(size);
+  for (std::uint32_t i = 0; i < size; ++i) {
+    const double x = discs.x[i] - box.x_min, y = discs.y[i] - box.y_min;
+    places.push_back({std::floor(x / strip), std::floor(y / row), x, i});
   }
+  std::ranges::sort(places);
+  const auto at_left_side = [=](const Place& place) { return place.x < place.strip * strip + row; };
+  for (std::size_t begin = 0; begin < size; begin += kBlock) {
+    const auto block = places.begin() + static_cast<std::ptrdiff_t>(begin);
+    const std::size_t count = std::min<std::size_t>(kBlock, size - begin);
+    std::stable_partition(block, block + static_cast<std::ptrdiff_t>(count), at_left_side);
+  }
+  std::vector<std::uint32_t> order;
+  order.reserve(size);
+  for (const Place& place : places) order.push_back(place.disc);
   return order;
 }
 

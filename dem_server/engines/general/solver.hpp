@@ -144,7 +144,7 @@ class Solver {
   // By pairs at the last step, of kept discs; those of swept discs are their resultants.
   std::vector<double> pulled_x_, pulled_y_, pulled_moment_;
   std::unique_ptr<protocol::Team> team_;
-  mutable std::vector<BlockDiscs> in_work_;  // of each thread, empty between calls
+  mutable std::vector<BlockDiscs> in_work_;  // of each thread, of no use between calls
   std::vector<BlockResult> results_;
   std::vector<std::uint32_t> broken_;
   Strongest strongest_;

@@ -1,7 +1,5 @@
 #include "dem_server/engines/general/pairs/pair_state.hpp"
 
-#include <algorithm>
-
 #include "dem_server/engines/general/pairs/chunk.hpp"
 #include "dem_server/laws/linear_contact.hpp"
 #include "dem_server/laws/spring.hpp"

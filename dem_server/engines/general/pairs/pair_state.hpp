@@ -31,10 +31,10 @@ PairState state_of(std::uint32_t pair, std::span<const PairLaw> laws, const Part
 struct Stored {
   double contacts = 0, contact_bonds = 0, parallel_bonds = 0;
   double sum() const { return contacts + contact_bonds + parallel_bonds; }
-  void add(const Stored& other) {
-    contacts += other.contacts;
-    contact_bonds += other.contact_bonds;
-    parallel_bonds += other.parallel_bonds;
+  void add(const Stored& other, double share = 1) {
+    contacts += share * other.contacts;
+    contact_bonds += share * other.contact_bonds;
+    parallel_bonds += share * other.parallel_bonds;
   }
 };
 // Adds what the pairs of a block store, whose own discs `of_block` has taken.
