@@ -25,7 +25,7 @@ std::vector<ZoneRun> cut(std::span<const ZoneRun> runs, std::uint32_t longest) {
   for (ZoneRun rest : runs)
     while (rest.count > 0) {
       ZoneRun& part = parts.emplace_back(rest);
-      part.count = std::min(rest.count, longest);
+      part.count = std::min(rest.count, longest - rest.first % longest);
       rest.first += part.count;
       rest.count -= part.count;
       for (auto& point : rest.points) point += static_cast<std::int32_t>(part.count);

@@ -14,7 +14,7 @@ namespace adit::dem::test {
 
 // What fits into the box: touching discs of one mass, all bonded by `law`, contacts without friction.
 inline Model lattice_in(const geometry::BoundingBox& box, double radius, double mass = 1,
-                        const ContactBond& law = {1, 1}) {
+                        const ContactBond& law = {{1, 1}}) {
   Model model;
   HexagonalLattice lattice = pack_hexagonally(box, radius);
   model.discs = std::move(lattice.discs);

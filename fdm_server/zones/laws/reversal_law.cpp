@@ -32,7 +32,7 @@ ReversalLaw::ReversalLaw(const Elasticity& elasticity, const Polyline& backbone,
       outer_(zones),
       yields_(zones, 0),
       axes_(zones, large_strain) {
-  std::ranges::fill(inner_[kEnd], kVirgin.end);
+  inner_.fill(kEnd, kVirgin.end);
   if (backbone_.narrowed()) std::ranges::fill(narrow_.emplace(zones)[0], kVirgin.share);
 }
 
@@ -40,11 +40,11 @@ void ReversalLaw::advance(const LawStep& step) {
   const PolylineView line = backbone_.view();
   InnerView inner{};
   for (std::size_t i = 0; i < kZoneStrains; ++i) {
-    inner.strain[i] = &inner_[kStrain + i][step.first];
-    inner.drift[i] = &inner_[kDrift + i][step.first];
+    inner.strain[i] = &inner_.at(kStrain + i, step.first);
+    inner.drift[i] = &inner_.at(kDrift + i, step.first);
   }
-  inner.radius = &inner_[kRadius][step.first];
-  inner.end = &inner_[kEnd][step.first];
+  inner.radius = &inner_.at(kRadius, step.first);
+  inner.end = &inner_.at(kEnd, step.first);
   if (narrow_) {
     inner.share = &(*narrow_)[0][step.first];
     inner.spring = &(*narrow_)[1][step.first];
@@ -98,11 +98,11 @@ void ReversalLaw::leave_pieces(const LawStep& step, const StrainBatch& strains, 
 InnerPiece ReversalLaw::inner_piece(std::size_t zone) const {
   InnerPiece piece = kVirgin;
   for (std::size_t i = 0; i < kZoneStrains; ++i) {
-    piece.strain[i] = inner_[kStrain + i][zone];
-    piece.drift[i] = inner_[kDrift + i][zone];
+    piece.strain[i] = inner_.at(kStrain + i, zone);
+    piece.drift[i] = inner_.at(kDrift + i, zone);
   }
-  piece.radius = inner_[kRadius][zone];
-  piece.end = inner_[kEnd][zone];
+  piece.radius = inner_.at(kRadius, zone);
+  piece.end = inner_.at(kEnd, zone);
   if (narrow_) {
     piece.share = (*narrow_)[0][zone];
     piece.spring = (*narrow_)[1][zone];
@@ -112,11 +112,11 @@ InnerPiece ReversalLaw::inner_piece(std::size_t zone) const {
 
 void ReversalLaw::set_inner_piece(std::size_t zone, const InnerPiece& piece) {
   for (std::size_t i = 0; i < kZoneStrains; ++i) {
-    inner_[kStrain + i][zone] = piece.strain[i];
-    inner_[kDrift + i][zone] = piece.drift[i];
+    inner_.at(kStrain + i, zone) = piece.strain[i];
+    inner_.at(kDrift + i, zone) = piece.drift[i];
   }
-  inner_[kRadius][zone] = piece.radius;
-  inner_[kEnd][zone] = piece.end;
+  inner_.at(kRadius, zone) = piece.radius;
+  inner_.at(kEnd, zone) = piece.end;
   if (!narrow_) return;
   (*narrow_)[0][zone] = piece.share;
   (*narrow_)[1][zone] = piece.spring;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fdm_server/hysteresis/reversals.hpp"
+#include "fdm_server/zones/batch/zone_fields.hpp"
 #include "fdm_server/zones/laws/hysteretic_axes.hpp"
 #include "fdm_server/zones/laws/reversal_kernels.hpp"
 #include "fdm_server/zones/laws/zone_law.hpp"
@@ -18,7 +19,7 @@ class ReversalLaw final : public ZoneLaw {
   ReversalLaw(const Elasticity& elasticity, const Polyline& backbone, std::size_t zones, bool large_strain);
 
   void advance(const LawStep& step) override;
-  void prefetch(std::size_t first, std::uint32_t count) const override { inner_.prefetch(first, count); }
+  void prefetch(std::size_t first) const override { inner_.read_ahead(first); }
   void turn(std::size_t first, std::uint32_t count, const HalfTurns& turns) override {
     axes_.turn(first, count, turns);
   }
@@ -36,7 +37,7 @@ class ReversalLaw final : public ZoneLaw {
   Polyline backbone_;
   // Of each zone: strain, drift, radius and end of its inner piece; share and spring where loops are
   // narrower.
-  FieldArrays<2 * kZoneStrains + 2> inner_;
+  ZoneFields<2 * kZoneStrains + 2> inner_;
   std::optional<FieldArrays<2>> narrow_;
   std::vector<std::vector<OuterPiece>> outer_;
   std::vector<std::uint8_t> yields_;  // bits of Yield

@@ -14,7 +14,7 @@
 
 namespace adit::fdm {
 
-// Zones `first` … `first + count` are strained.
+// Zones `first` … `first + count`, none of them beyond a multiple of kBatch, are strained.
 struct LawStep {
   std::size_t first;
   std::uint32_t count;
@@ -33,8 +33,8 @@ class ZoneLaw {
   virtual void advance(const LawStep& step) {
     add_elastic(step.count, elasticity_, step.strains, step.stresses);
   }
-  // Zones that are wanted next come into the cache.
-  virtual void prefetch(std::size_t /*first*/, std::uint32_t /*count*/) const {}
+  // The batch that begins with a zone is wanted next, and comes into the cache.
+  virtual void prefetch(std::size_t /*first*/) const {}
   // In large strain: what has a direction turns with the ground.
   virtual void turn(std::size_t /*first*/, std::uint32_t /*count*/, const HalfTurns& /*turns*/) {}
   // Before the first step.

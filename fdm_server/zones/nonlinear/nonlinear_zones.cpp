@@ -63,10 +63,11 @@ void NonlinearZones::add_forces(std::span<const ZoneRun> runs, double dt, const 
   for (const auto& run : runs) {
     if (batch.count > 0 && run.first != batch.first + batch.count) finish();
     for (std::uint32_t done = 0; done < run.count;) {
-      const std::uint32_t count = std::min(kBatch - batch.count, run.count - done);
+      const std::uint32_t left = kBatch - (run.first + done) % kBatch,
+                          count = std::min(left, run.count - done);
       take_up(run, done, count, dt, points, batch);
       done += count;
-      if (batch.count == kBatch) finish();
+      if (count == left) finish();
     }
   }
   if (batch.count > 0) finish();
@@ -76,7 +77,7 @@ void NonlinearZones::add_forces(std::span<const ZoneRun> runs, double dt, const 
 void NonlinearZones::prefetch(std::size_t first) const {
   stresses_.prefetch(first, kBatch);
   if (corners_) corners_->prefetch(first, kBatch);
-  law_->prefetch(first, kBatch);
+  law_->prefetch(first);
 }
 
 void NonlinearZones::take_up(const ZoneRun& run, std::uint32_t done, std::uint32_t count, double dt,

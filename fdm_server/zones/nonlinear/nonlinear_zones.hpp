@@ -1,6 +1,6 @@
 // Zones of one material with a law beyond linear elasticity, or in large strain: strain increments at the
 // sampling points, the law, corner forces. Of either kind (sampling_shape.hpp). A batch of zones at a time:
-// those of consecutive numbers, of one run or several.
+// consecutive numbers, up to a multiple of kBatch, of one run or several.
 //
 // The in-plane mean stress is shared: the four points have one change of volume, and corner forces see their
 // mean stress only. Where a law dilates, each point would ask for a change of volume of its own; as in mixed
