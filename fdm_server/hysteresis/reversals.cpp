@@ -142,13 +142,13 @@ HystereticStep advance(const PolylineView& line, const ZoneStrain& weights, cons
   return result;
 }
 
-Held held(const PolylineView& line, const ZoneStrain& weights, const ZoneMemory& memory) {
-  const InnerPiece& in = memory.inner;
+Held held(const PolylineView& line, const ZoneStrain& weights, const InnerPiece& in,
+          std::span<const OuterPiece> outer) {
   Yielded at = yielded(line, in.radius);
   const double beyond_masing = in.end == kNoEnd ? stored_beyond(at, share_at(line, in.radius), in.radius) : 0;
   Held result{in.strain, sum({}, at.intercept, normal_of(in.strain, in.drift, in.radius)), at.moment / 2};
   Piece piece{in.strain, in.strain, in.drift, in.end};
-  for (std::size_t next = memory.outer.size();; piece = beyond(piece, memory.outer[--next])) {
+  for (std::size_t next = outer.size();; piece = beyond(piece, outer[--next])) {
     const ZoneStrain &f = piece.after, &u = piece.drift;
     const auto [slope, intercept, moment] = yielded(line, piece.end) - at;
     result.stress = sum(sum(result.stress, -slope, f), -intercept, u);

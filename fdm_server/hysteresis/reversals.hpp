@@ -40,6 +40,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "fdm_server/hysteresis/polyline.hpp"
@@ -92,6 +93,7 @@ struct Held {
   ZoneStrain strain, stress;
   double energy;  // per volume
 };
-Held held(const PolylineView& line, const ZoneStrain& weights, const ZoneMemory& memory);
+Held held(const PolylineView& line, const ZoneStrain& weights, const InnerPiece& inner,
+          std::span<const OuterPiece> outer);
 
 }  // namespace adit::fdm

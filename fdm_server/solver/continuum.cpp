@@ -1,10 +1,14 @@
 #include "fdm_server/solver/continuum.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <utility>
+
+#include "protocol/kernels/eight_sums.hpp"
 
 namespace adit::fdm {
 namespace {
@@ -315,15 +319,24 @@ double Continuum::steady_work() const {
   return work;
 }
 
-Energies Continuum::energies(const protocol::Step& step) const {
-  const auto product = [&](double before, double after) {
-    return (step.from_rest() ? -after : before) * after;
-  };
-  double twice = structures_.twice_kinetic_energy(step) + twice_kinetic_energy_of_average(step);
-  for (std::size_t i = 0; i < points_.size(); ++i)
-    twice += points_[kMass][i] *
-             (product(points_[kLastVx][i], points_[kVx][i]) + product(points_[kLastVy][i], points_[kVy][i]));
-  Energies sum{twice / 2, zones_.strain_energy() + structures_.strain_energy(),
+double Continuum::twice_kinetic_energy_of_points(const protocol::Step& step) {
+  const double sign = step.from_rest() ? -1 : 1;
+  const std::span<const double> mass = points_[kMass], vx = points_[kVx], vy = points_[kVy],
+                                last_vx = step.from_rest() ? vx : points_[kLastVx],
+                                last_vy = step.from_rest() ? vy : points_[kLastVy];
+  std::array<double, 64> parts{};  // as many whoever computes them
+  team_.run(parts.size(), [&](std::size_t part, std::size_t) {
+    parts[part] = protocol::eight_sums(
+        mass.size() * part / parts.size(), mass.size() * (part + 1) / parts.size(),
+        [&](std::size_t i) { return sign * (mass[i] * (last_vx[i] * vx[i] + last_vy[i] * vy[i])); });
+  });
+  return std::accumulate(parts.begin(), parts.end(), 0.0);
+}
+
+Energies Continuum::energies(const protocol::Step& step) {
+  const double twice = structures_.twice_kinetic_energy(step) + twice_kinetic_energy_of_average(step) +
+                       twice_kinetic_energy_of_points(step);
+  Energies sum{twice / 2, zones_.strain_energy(team_) + structures_.strain_energy(),
                external_work_ + steady_work() + boundary_work_.external,
                zones_.dissipated() + structures_.dissipated() + boundary_work_.dissipated + damped_};
   for (const Part* part : {&interface_, &interior_})

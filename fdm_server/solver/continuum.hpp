@@ -96,7 +96,7 @@ class Continuum {
   // The energies of a step that was made in halves: to be asked for after both, if its velocities were
   // remembered before the first.
   void remember_velocities();
-  Energies energies(const protocol::Step& step) const;
+  Energies energies(const protocol::Step& step);
 
   // All velocities become 0: before a step from rest.
   void stop() { slow(0); }
@@ -193,6 +193,7 @@ class Continuum {
   bool averages(const protocol::Step& step) const { return !step.relax && longer_than_structures(step.dt); }
   void average_structures(const protocol::Step& step);
   void plan_average(double dt);
+  double twice_kinetic_energy_of_points(const protocol::Step& step);
   double twice_kinetic_energy_of_average(const protocol::Step& step) const;
   void predict(const Part& part, const protocol::Step& step);
   double steady_work() const;

@@ -1,6 +1,7 @@
 #include "fdm_server/zones/zone_set.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -111,10 +112,24 @@ void ZoneSet::start_over() {
   for (auto& part : parts_) part.kernel->start_over();
 }
 
-double ZoneSet::strain_energy() const {
-  double sum = 0;
-  for (const auto& part : parts_) sum += part.kernel->strain_energy();
-  return sum;
+double ZoneSet::strain_energy(protocol::Team& team) const {
+  constexpr std::uint32_t kPiece = 2048;
+  struct Piece {
+    const ZoneKernel* kernel;
+    protocol::IndexRange zones;
+    double energy;
+  };
+  std::vector<Piece> pieces;
+  for (const Part& part : parts_) {
+    const auto count = static_cast<std::uint32_t>(part.kernel->count());
+    for (std::uint32_t begin = 0; begin < count; begin += kPiece)
+      pieces.push_back({part.kernel.get(), {begin, std::min(begin + kPiece, count)}, 0});
+  }
+  team.run(pieces.size(), [&](std::size_t i, std::size_t) {
+    pieces[i].energy = pieces[i].kernel->strain_energy(pieces[i].zones);
+  });
+  return std::transform_reduce(pieces.begin(), pieces.end(), 0.0, std::plus<>(),
+                               [](const Piece& piece) { return piece.energy; });
 }
 
 double ZoneSet::dissipated() const {

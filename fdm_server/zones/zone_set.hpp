@@ -11,6 +11,7 @@
 
 #include "fdm_server/materials/material.hpp"
 #include "fdm_server/zones/kernel/zone_kernel.hpp"
+#include "protocol/threads/team.hpp"
 
 namespace adit::fdm {
 
@@ -33,7 +34,8 @@ class ZoneSet {
   void exchange(state::Archive& archive) {
     for (Part& part : parts_) part.kernel->exchange(archive);
   }
-  double strain_energy() const;
+  // Summed by the team, in the same order whoever computes what.
+  double strain_energy(protocol::Team& team) const;
   double dissipated() const;
   Stress stress(std::size_t zone) const;
   double internal_force(std::span<const double> sizes) const;

@@ -39,7 +39,9 @@ class HystereticZone {
   }
   // Per volume; that of the initial stress over the strains since included.
   double energy() const {
-    return law_.energy(0, {kArea, kArea, kArea, kArea}, {point(), point(), point(), point()});
+    BatchValues energies;
+    law_.find_energies(0, 1, areas_, view(stresses_, 0), energies);
+    return energies[0];
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "fdm_server/grid/field_arrays.hpp"
 #include "fdm_server/zones/batch/sampling_shape.hpp"
@@ -58,12 +59,16 @@ enum StressField : std::size_t {
 using StressFields = FieldArrays<kStressFields>;
 
 // From one zone on.
-struct StressView {
-  double *mean, *across;
-  std::array<double*, 4> difference, shear;
+template <class Value>
+struct StressViewOf {
+  Value *mean, *across;
+  std::array<Value*, 4> difference, shear;
 };
-inline StressView view(StressFields& fields, std::size_t first) {
-  StressView result{&fields[kMeanStress][first], &fields[kAcross][first], {}, {}};
+using StressView = StressViewOf<double>;
+using ConstStressView = StressViewOf<const double>;
+template <class Fields, class View = std::conditional_t<std::is_const_v<Fields>, ConstStressView, StressView>>
+View view(Fields& fields, std::size_t first) {
+  View result{&fields[kMeanStress][first], &fields[kAcross][first], {}, {}};
   for (std::size_t k = 0; k < 4; ++k) {
     result.difference[k] = &fields[kDifference + k][first];
     result.shear[k] = &fields[kShearStress + k][first];

@@ -107,6 +107,22 @@ ADIT_VECTOR_CLONES void find_strains(ZoneKind kind, std::uint32_t count, const S
     strains_of<ZoneKind::kAssumedStrain>(count, shapes, moved, strains);
 }
 
+ADIT_VECTOR_CLONES void find_energies(std::uint32_t count, const Elasticity& elasticity,
+                                      const PointValues& areas, const ConstStressView& stresses,
+                                      BatchValues& energies) {
+  const Elasticity elastic = elasticity;
+  const double *mean = stresses.mean, *across = stresses.across;
+  double* sum = energies.data();
+  for (std::uint32_t i = 0; i < count; ++i) sum[i] = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double *area = areas[k].data(), *difference = stresses.difference[k], *shear = stresses.shear[k];
+#pragma GCC ivdep
+    for (std::uint32_t i = 0; i < count; ++i)
+      sum[i] +=
+          area[i] * elastic_energy(elastic, solid_stress({mean[i], difference[i], shear[i], across[i]}));
+  }
+}
+
 ADIT_VECTOR_CLONES void add_elastic(std::uint32_t count, const Elasticity& elasticity,
                                     const StrainBatch& strains, const StressView& stresses) {
   const double lame = elasticity.lame(), shear = elasticity.shear;

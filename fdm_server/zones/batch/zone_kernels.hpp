@@ -17,6 +17,10 @@ void find_strains(ZoneKind kind, std::uint32_t count, const ShapeBatch& shapes, 
 void add_elastic(std::uint32_t count, const Elasticity& elasticity, const StrainBatch& strains,
                  const StressView& stresses);
 
+// Elastic energy of each zone over the areas of its points, unweighted [J].
+void find_energies(std::uint32_t count, const Elasticity& elasticity, const PointValues& areas,
+                   const ConstStressView& stresses, BatchValues& energies);
+
 // Corner forces of weighted stresses that belong to the areas of `reference`, at zones that have the shape
 // `now`.
 void find_forces(ZoneKind kind, std::uint32_t count, const ShapeBatch& reference, const ShapeBatch& now,

@@ -148,6 +148,27 @@ template <Form kForm>
     weighted ? compute<kForm, false, true>(batch, forces) : compute<kForm, false, false>(batch, forces);
 }
 
+// Of the uniform strain, and of the pattern whose stiffness is kappa.
+template <Form kForm, bool kInitial>
+[[gnu::always_inline]] inline void find_energies(const ElasticBatch& batch, double* energies) {
+  const Zones<kForm, kInitial> zones(batch);
+#pragma GCC ivdep
+  for (std::uint32_t i = 0; i < batch.count; ++i) {
+    const Zone z = zones.zone_at(i);
+    const auto [p, t, s, hx, hy] = zones.stresses_at(i, z);
+    const double uniform = z.area * (p * p / z.bulk + (t * t + s * s) / z.shear);
+    const double pattern =
+        (z.kyy * hx * hx - 2 * z.kxy * hx * hy + z.kxx * hy * hy) / (z.kxx * z.kyy - z.kxy * z.kxy);
+    energies[i] = 0.5 * (uniform + pattern);
+  }
+}
+
+template <Form kForm>
+[[gnu::always_inline]] inline void find_energies(const ElasticBatch& batch, double* energies) {
+  batch.initial[kMean] != nullptr ? find_energies<kForm, true>(batch, energies)
+                                  : find_energies<kForm, false>(batch, energies);
+}
+
 // With sxx = p + t and syy = p - t.
 template <Form kForm, bool kInitial>
 [[gnu::always_inline]] inline void find_sizes(const ElasticBatch& batch, double* sizes) {
@@ -174,6 +195,15 @@ ADIT_VECTOR_CLONES void stress_sizes(const ElasticBatch& batch, std::span<double
     find_sizes<Form::kRectangles>(batch, sizes.data());
   else
     find_sizes<Form::kSame>(batch, sizes.data());
+}
+
+ADIT_VECTOR_CLONES void elastic_energies(const ElasticBatch& batch, std::span<double> energies) {
+  if (!batch.same)
+    find_energies<Form::kEach>(batch, energies.data());
+  else if (batch.rectangles)
+    find_energies<Form::kRectangles>(batch, energies.data());
+  else
+    find_energies<Form::kSame>(batch, energies.data());
 }
 
 ADIT_VECTOR_CLONES void elastic_forces(const ElasticBatch& batch, CornerForces& forces) {

@@ -46,6 +46,9 @@ struct ElasticBatch {
 
 void elastic_forces(const ElasticBatch& batch, CornerForces& forces);
 
+// Energy of each zone, unweighted [J].
+void elastic_energies(const ElasticBatch& batch, std::span<double> energies);
+
 // |stress| of each zone, its Frobenius norm, unweighted [Pa].
 void stress_sizes(const ElasticBatch& batch, std::span<double> sizes);
 

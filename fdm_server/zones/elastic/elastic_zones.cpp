@@ -156,19 +156,20 @@ void ElasticZones::start_over() {
     }
 }
 
-double ElasticZones::strain_energy() const {
-  double energy = 0;
-  for (const auto& run : runs_) {
-    for (std::uint32_t k = 0; k < run.count; ++k) {
-      const auto shape = coefficients(run, k);
-      const double kxx = shape[kKxx], kyy = shape[kKyy], kxy = shape[kKxy];
-      const auto [p, t, s, hx, hy] = state(run, k);
-      const double uniform = shape[kArea] * (p * p / shape[kBulk] + (t * t + s * s) / shape[kShear]);
-      const double pattern = (kyy * hx * hx - 2 * kxy * hx * hy + kxx * hy * hy) / (kxx * kyy - kxy * kxy);
-      energy += 0.5 * weights_[run.first + k] * (uniform + pattern);
+double ElasticZones::strain_energy(const protocol::IndexRange& zones) const {
+  std::array<double, kBatch> energies;
+  double sum = 0;
+  auto run = std::ranges::upper_bound(runs_, zones.begin, {},
+                                      [](const ZoneRun& some) { return some.first + some.count; });
+  for (; run != runs_.end() && run->first < zones.end; ++run) {
+    const std::uint32_t end = std::min(zones.end, run->first + run->count);
+    for (std::uint32_t zone = std::max(zones.begin, run->first); zone < end; zone += kBatch) {
+      const std::uint32_t count = std::min(kBatch, end - zone);
+      elastic_energies(batch(*run, zone - run->first, count), energies);
+      sum += protocol::eight_sums(0, count, [&](std::size_t k) { return weights_[zone + k] * energies[k]; });
     }
   }
-  return energy;
+  return sum;
 }
 
 Stress ElasticZones::stress(std::size_t zone) const {

@@ -40,7 +40,8 @@ class ElasticZones final : public ZoneKernel {
   void exchange(state::Archive& archive) override {
     archive("initial_stress", initial_, [this] { return FieldArrays<kComponents>(count()); });
   }
-  double strain_energy() const override;
+  using ZoneKernel::strain_energy;
+  double strain_energy(const protocol::IndexRange& zones) const override;
   Stress stress(std::size_t zone) const override;
   double internal_force(std::span<const std::uint32_t> numbers, std::span<const double> sizes) const override;
   double field(std::size_t zone, ZoneField field) const override;

@@ -11,6 +11,7 @@
 #include "fdm_server/materials/plane_law.hpp"
 #include "fdm_server/zones/kernel/zone_runs.hpp"
 #include "protocol/state/archive.hpp"
+#include "protocol/threads/index_ranges.hpp"
 
 namespace adit::fdm {
 
@@ -46,8 +47,9 @@ class ZoneKernel {
   virtual void start_over() = 0;
   // What changes from step to step, of zones of which as many were taken away.
   virtual void exchange(state::Archive& archive) = 0;
-  // Weighted elastic energy of all zones [J].
-  virtual double strain_energy() const = 0;
+  // Weighted elastic energy of some of the zones, or of all [J]. Several threads may ask at once.
+  virtual double strain_energy(const protocol::IndexRange& zones) const = 0;
+  double strain_energy() const { return strain_energy({0, static_cast<std::uint32_t>(count())}); }
   // Weighted work that plastic and hysteretic strain took since the start [J]; never falls.
   virtual double dissipated() const { return 0; }
   // Mean stress of a zone, unweighted.

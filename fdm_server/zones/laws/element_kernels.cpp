@@ -105,4 +105,28 @@ ADIT_VECTOR_CLONES void advance_group(const ElementTable& elements, const GroupS
     advance_lanes<false>(elements, state, step);
 }
 
+ADIT_VECTOR_CLONES void find_held(const ElementTable& elements, const GroupValues* strain,
+                                  const GroupValues* flows, GroupHeld& held) {
+  for (auto& values : held.stress) values.fill(0);
+  for (auto& values : held.twice) values.fill(0);
+  for (std::size_t i = 0; i < kElementBlock * elements.blocks; ++i) {
+    const double g = elements.stiffness[i];
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double *qt = flows[kElementValues * i + k].data(), *qs = flows[kElementValues * i + 4 + k].data(),
+                   *qz = flows[kElementValues * i + 8 + k].data();
+      const double *et = strain[k].data(), *es = strain[4 + k].data(), *ez = strain[8].data();
+      double *of_t = held.stress[k].data(), *of_s = held.stress[4 + k].data(),
+             *of_z = held.stress[8 + k].data(), *twice = held.twice[k].data();
+#pragma GCC ivdep
+      for (std::size_t l = 0; l < kGroup; ++l) {
+        const double t = et[l] - qt[l], s = es[l] - qs[l], z = ez[l] - qz[l];
+        of_t[l] += g * t;
+        of_s[l] += g * s;
+        of_z[l] += g * z;
+        twice[l] += g * (t * t + s * s + 0.75 * (z * z));
+      }
+    }
+  }
+}
+
 }  // namespace adit::fdm

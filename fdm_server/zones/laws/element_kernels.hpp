@@ -40,4 +40,13 @@ struct GroupStep {
 };
 void advance_group(const ElementTable& elements, const GroupState& state, GroupStep& step);
 
+// What the elements of a group hold, over the shear modulus: stresses t, s and z of each point, and twice the
+// energy per volume.
+struct GroupHeld {
+  alignas(64) std::array<GroupValues, kElementValues> stress;
+  std::array<GroupValues, 4> twice;
+};
+void find_held(const ElementTable& elements, const GroupValues* strain, const GroupValues* flows,
+               GroupHeld& held);
+
 }  // namespace adit::fdm

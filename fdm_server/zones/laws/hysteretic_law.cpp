@@ -84,31 +84,30 @@ void HystereticLaw::exchange(state::Archive& archive) {
 }
 
 // Of the elements and of the change of volume, and that of the initial stress over the strains since.
-double HystereticLaw::energy(std::size_t zone, const std::array<double, 4>& areas,
-                             const std::array<PointStress, 4>& stress) const {
-  const double modulus = elasticity_.shear, cosine = axes_.cosine(zone), sine = axes_.sine(zone);
-  const std::size_t number = zone / kGroup, l = zone % kGroup;
-  const GroupValues* strain = &strains_[9 * number];
-  const double mean = (2 * stress[0].mean + stress[0].across) / 3, z = strain[8][l];
-  double sum = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const double t = strain[k][l], s = strain[4 + k][l];
-    double held_t = 0, held_s = 0, held_z = 0, twice = 0;
-    const GroupValues* q = &flows_[kElementValues * elements() * number + k];
-    for (std::size_t i = 0; i < elements(); ++i, q += kElementValues) {
-      const double et = t - q[0][l], es = s - q[4][l], ez = z - q[8][l], g = stiffness_[i];
-      held_t += g * et;
-      held_s += g * es;
-      held_z += g * ez;
-      twice += g * (et * et + es * es + 0.75 * (ez * ez));
+void HystereticLaw::find_energies(std::size_t first, std::uint32_t count, const PointValues& areas,
+                                  const ConstStressView& stresses, BatchValues& energies) const {
+  const double modulus = elasticity_.shear;
+  GroupHeld held;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::size_t zone = first + i, number = zone / kGroup, l = zone % kGroup;
+    const GroupValues* strain = &strains_[9 * number];
+    if (i == 0 || l == 0)
+      find_held({elements() / kElementBlock, stiffness_.data(), limit_.data()}, strain,
+                &flows_[kElementValues * elements() * number], held);
+    const double cosine = axes_.cosine(zone), sine = axes_.sine(zone), z = strain[8][l];
+    const double across = stresses.across[i], mean = (2 * stresses.mean[i] + across) / 3;
+    double sum = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double difference = stresses.difference[k][i], shear = stresses.shear[k][i];
+      const double initial_t = cosine * difference + sine * shear - modulus * held.stress[k][l];
+      const double initial_s = cosine * shear - sine * difference - modulus * held.stress[4 + k][l];
+      const double initial_z = across - mean - modulus * held.stress[8 + k][l];
+      sum += areas[k][i] * (modulus * held.twice[k][l] / 2 +
+                            (initial_t * strain[k][l] + initial_s * strain[4 + k][l] + 0.75 * initial_z * z) +
+                            mean * mean / (2 * elasticity_.bulk));
     }
-    const double initial_t = cosine * stress[k].difference + sine * stress[k].shear - modulus * held_t;
-    const double initial_s = cosine * stress[k].shear - sine * stress[k].difference - modulus * held_s;
-    const double initial_z = stress[k].across - mean - modulus * held_z;
-    sum += areas[k] * (modulus * twice / 2 + (initial_t * t + initial_s * s + 0.75 * initial_z * z) +
-                       mean * mean / (2 * elasticity_.bulk));
+    energies[i] = sum;
   }
-  return sum;
 }
 
 }  // namespace adit::fdm

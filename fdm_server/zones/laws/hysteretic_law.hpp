@@ -23,8 +23,8 @@ class HystereticLaw final : public ZoneLaw {
     axes_.turn(first, count, turns);
   }
   void exchange(state::Archive& archive) override;
-  double energy(std::size_t zone, const std::array<double, 4>& areas,
-                const std::array<PointStress, 4>& stress) const override;
+  void find_energies(std::size_t first, std::uint32_t count, const PointValues& areas,
+                     const ConstStressView& stresses, BatchValues& energies) const override;
   unsigned yields(std::size_t zone, std::size_t point) const override {
     return yields_[zone] >> (8 * point) & 0xFFu;
   }

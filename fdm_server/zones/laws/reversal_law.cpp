@@ -147,22 +147,29 @@ void ReversalLaw::exchange(state::Archive& archive) {
 }
 
 // Beside what the memory stores: the initial stress over the strains since, and the change of volume.
-double ReversalLaw::energy(std::size_t zone, const std::array<double, 4>& areas,
-                           const std::array<PointStress, 4>& stress) const {
-  const ZoneStrain weights = weights_of(areas);
-  const double modulus = elasticity_.shear, mean = pressure(stress[0].mean, stress[0].across);
-  const Held held = fdm::held(backbone_.view(), weights, {inner_piece(zone), outer_[zone]});
-  double energy = modulus * held.energy;
-  const auto add = [&](std::size_t i, double initial_and_held) {
-    energy += weights[i] * (initial_and_held - modulus * held.stress[i]) * held.strain[i];
-  };
-  for (std::size_t k = 0; k < 4; ++k) {
+void ReversalLaw::find_energies(std::size_t first, std::uint32_t count, const PointValues& areas,
+                                const ConstStressView& stresses, BatchValues& energies) const {
+  const double modulus = elasticity_.shear;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::size_t zone = first + i;
+    const std::array<double, 4> area{areas[0][i], areas[1][i], areas[2][i], areas[3][i]};
+    const ZoneStrain weights = weights_of(area);
+    const double across = stresses.across[i], mean = pressure(stresses.mean[i], across);
     const double cosine = axes_.cosine(zone), sine = axes_.sine(zone);
-    add(k, cosine * stress[k].difference + sine * stress[k].shear);
-    add(4 + k, cosine * stress[k].shear - sine * stress[k].difference);
+    const Held held = fdm::held(backbone_.view(), weights, inner_piece(zone), outer_[zone]);
+    double energy = modulus * held.energy;
+    const auto add = [&](std::size_t c, double initial_and_held) {
+      energy += weights[c] * (initial_and_held - modulus * held.stress[c]) * held.strain[c];
+    };
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double difference = stresses.difference[k][i], shear = stresses.shear[k][i];
+      add(k, cosine * difference + sine * shear);
+      add(4 + k, cosine * shear - sine * difference);
+    }
+    add(8, across - mean);
+    energies[i] =
+        ((area[0] + area[1]) + (area[2] + area[3])) * (energy + mean * mean / (2 * elasticity_.bulk));
   }
-  add(8, stress[0].across - mean);
-  return ((areas[0] + areas[1]) + (areas[2] + areas[3])) * (energy + mean * mean / (2 * elasticity_.bulk));
 }
 
 }  // namespace adit::fdm

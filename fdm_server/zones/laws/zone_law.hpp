@@ -40,13 +40,11 @@ class ZoneLaw {
   // Before the first step.
   virtual void set_stress(std::size_t /*zone*/, std::size_t /*point*/, const PointStress& /*stress*/) {}
   virtual void exchange(state::Archive& /*archive*/) {}
-  // Of a zone whose points have these undeformed areas and stresses [J].
-  virtual double energy(std::size_t /*zone*/, const std::array<double, 4>& areas,
-                        const std::array<PointStress, 4>& stress) const {
-    double sum = 0;
-    for (std::size_t k = 0; k < 4; ++k)
-      sum += areas[k] * elastic_energy(elasticity_, solid_stress(stress[k]));
-    return sum;
+  // Energy of zones `first` … `first + count` whose points have these undeformed areas and stresses,
+  // unweighted [J]. Elastic, unless a law says otherwise.
+  virtual void find_energies(std::size_t /*first*/, std::uint32_t count, const PointValues& areas,
+                             const ConstStressView& stresses, BatchValues& energies) const {
+    fdm::find_energies(count, elasticity_, areas, stresses, energies);
   }
   virtual double plastic_shear_strain(std::size_t /*zone*/, std::size_t /*point*/) const { return 0; }
   virtual unsigned yields(std::size_t /*zone*/, std::size_t /*point*/) const { return kElastic; }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "protocol/kernels/eight_sums.hpp"
+
 namespace adit::fdm {
 
 NonlinearZones::NonlinearZones(ZoneKind kind, const Grid& grid, const Material& material,
@@ -192,15 +194,19 @@ double NonlinearZones::stretch(std::size_t zone) const {
   return area(at) / shapes_[shape_of_[zone]].area;
 }
 
-double NonlinearZones::strain_energy() const {
-  double energy = 0;
-  for (std::size_t z = 0; z < count(); ++z) {
-    const auto& p = shapes_[shape_of_[z]].points;
-    energy +=
-        weights_[z] * law_->energy(z, {p[0].area, p[1].area, p[2].area, p[3].area},
-                                   {stress_at(z, 0), stress_at(z, 1), stress_at(z, 2), stress_at(z, 3)});
+double NonlinearZones::strain_energy(const protocol::IndexRange& zones) const {
+  PointValues areas;
+  BatchValues energies;
+  double sum = 0;
+  for (std::uint32_t first = zones.begin; first < zones.end;) {
+    const std::uint32_t count = std::min(kBatch - first % kBatch, zones.end - first);
+    for (std::uint32_t i = 0; i < count; ++i)
+      for (std::size_t k = 0; k < 4; ++k) areas[k][i] = shapes_[shape_of_[first + i]].points[k].area;
+    law_->find_energies(first, count, areas, view(stresses_, first), energies);
+    sum += protocol::eight_sums(0, count, [&](std::size_t i) { return weights_[first + i] * energies[i]; });
+    first += count;
   }
-  return energy;
+  return sum;
 }
 
 double NonlinearZones::dissipated() const {

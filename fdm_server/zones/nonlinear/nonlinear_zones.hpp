@@ -49,7 +49,8 @@ class NonlinearZones final : public ZoneKernel {
   void remove(const std::vector<bool>& gone) override;
   void start_over() override;
   void exchange(state::Archive& archive) override;
-  double strain_energy() const override;
+  using ZoneKernel::strain_energy;
+  double strain_energy(const protocol::IndexRange& zones) const override;
   double dissipated() const override;
   Stress stress(std::size_t zone) const override;
   double field(std::size_t zone, ZoneField field) const override;

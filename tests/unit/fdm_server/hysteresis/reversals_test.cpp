@@ -230,7 +230,8 @@ TEST(Reversals, WorkIsStoredOrDissipated) {
         for (double& d : step) d *= speed;
         zone.add(step);
       }
-      const auto [strain, stress, energy] = held(line->view(), kWeights, zone.memory);
+      const auto [strain, stress, energy] =
+          held(line->view(), kWeights, zone.memory.inner, zone.memory.outer);
       EXPECT_NEAR(energy + zone.dissipated, zone.work, 1e-12 * zone.size);
       EXPECT_GT(zone.dissipated, 0);
       if (speed < 1e-5) {

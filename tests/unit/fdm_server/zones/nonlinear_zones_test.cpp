@@ -81,6 +81,44 @@ TEST_P(NonlinearZonesOfEachKind, ElasticOnesAreThoseOfTheFastKernel) {
     EXPECT_NEAR(general.stress(z).xy, fast.stress(z).xy, 1e-13 * kYoung);
 }
 
+// Threads share the sum of the energy: ranges that begin and end anywhere in rows and batches make up the
+// whole, for every law and elastic zones of equal and of many shapes, without what was taken away.
+TEST_P(NonlinearZonesOfEachKind, EnergiesOfRangesMakeUpTheWhole) {
+  for (const bool distorted : {false, true}) {
+    const Block block{0, 150, 0, 3, 150, 3};
+    const Grid grid = distorted ? distorted_grid(block) : make_grid(block);
+    const std::size_t n = grid.x.size(), count = grid.zones.size();
+    std::vector<double> vx(n), vy(n), fx(n), fy(n), weights(count);
+    for (std::size_t i = 0; i < n; ++i) {
+      vx[i] = 1e-3 * std::sin(3.7 * static_cast<double>(i));
+      vy[i] = 1e-3 * std::cos(5.1 * static_cast<double>(i));
+    }
+    for (std::size_t z = 0; z < count; ++z) weights[z] = 0.25 + 0.5 * static_cast<double>(z % 2);
+    std::vector<bool> gone(count, false);
+    for (std::size_t z = 100; z < 180; ++z) gone[z] = true;
+    const auto check = [&](ZoneKernel& zones, const std::string& name) {
+      zones.follow(vx.data(), vy.data());
+      zones.add_forces(1.0, {vx.data(), vy.data(), fx.data(), fy.data()});
+      zones.remove(gone);
+      const double whole = zones.strain_energy();
+      EXPECT_GT(whole, 0) << name;
+      double sum = 0, one_by_one = 0;
+      for (const auto& [begin, end] : {protocol::IndexRange{0, 37}, {37, 38}, {38, 130}, {130, 450}})
+        sum += zones.strain_energy({begin, end});
+      for (std::uint32_t z = 0; z < count; ++z) one_by_one += zones.strain_energy({z, z + 1});
+      EXPECT_NEAR(sum, whole, 1e-14 * whole) << name;
+      EXPECT_NEAR(one_by_one, whole, 1e-13 * whole) << name;
+      EXPECT_EQ(zones.strain_energy({100, 180}), 0) << name;
+    };
+    ElasticZones elastic(GetParam(), grid, plane_strain(kYoung, kPoisson), weights);
+    check(elastic, "elastic");
+    for (const auto& [name, material] : laws()) {
+      NonlinearZones zones(GetParam(), grid, material, weights, false);
+      check(zones, name);
+    }
+  }
+}
+
 // Patch test with a law: uniform strain beyond yield gives the same stress in all zones, and no force inside.
 TEST_P(NonlinearZonesOfEachKind, PassThePatchTestBeyondYield) {
   const Grid grid = distorted_grid({-1, 1, 0, 1, 5, 4});
