@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "fdm_server/output/mean_strain.hpp"
+#include "fdm_server/zones/batch/batch.hpp"
+#include "fdm_server/zones/shape/mean_gradient.hpp"
+#include "protocol/threads/vector_clones.hpp"
 
 namespace adit::fdm {
 
@@ -15,6 +17,38 @@ protocol::PlaneVectors velocities(const Continuum& continuum, std::size_t points
   return {continuum.vx().first(points), continuum.vy().first(points)};
 }
 
+// Mohr's circle of strain has the radius gamma/2.
+ADIT_VECTOR_CLONES void raise_shear_strain(std::size_t begin, std::size_t end,
+                                           const std::array<const std::int32_t*, 4>& corners,
+                                           const std::array<const double*, 4>& gradients, const double* ux,
+                                           const double* uy, double* peaks) {
+  const auto [c0, c1, c2, c3] = corners;
+  const auto [x0, x1, y0, y1] = gradients;
+#pragma GCC ivdep
+  for (std::size_t z = begin; z < end; ++z) {
+    const double x02 = ux[c0[z]] - ux[c2[z]], x13 = ux[c1[z]] - ux[c3[z]];
+    const double y02 = uy[c0[z]] - uy[c2[z]], y13 = uy[c1[z]] - uy[c3[z]];
+    const double difference = (x0[z] * x02 + x1[z] * x13) - (y0[z] * y02 + y1[z] * y13);
+    const double shear = (y0[z] * x02 + y1[z] * x13) + (x0[z] * y02 + x1[z] * y13);
+    const double strain = std::sqrt(difference * difference + shear * shear);
+    peaks[z] = peaks[z] < strain ? strain : peaks[z];
+  }
+}
+
+// Of the zones of the grid without its columns, which have the first numbers.
+ADIT_VECTOR_CLONES void raise_principal(std::span<const std::uint32_t> numbers, const PlaneStresses& stresses,
+                                        std::span<double> largest, std::span<double> smallest) {
+  BatchValues radius;
+  for (std::size_t i = 0; i < kBatch; ++i)
+    radius[i] =
+        std::sqrt(stresses.difference[i] * stresses.difference[i] + stresses.shear[i] * stresses.shear[i]);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (numbers[i] >= largest.size()) continue;
+    largest[numbers[i]] = std::max(largest[numbers[i]], stresses.mean[i] + radius[i]);
+    smallest[numbers[i]] = std::min(smallest[numbers[i]], stresses.mean[i] - radius[i]);
+  }
+}
+
 }  // namespace
 
 Peaks::Peaks(const Grid& grid)
@@ -23,28 +57,35 @@ Peaks::Peaks(const Grid& grid)
       shear_strain_(grid.own_zones()),
       largest_principal_(grid.own_zones(), -std::numeric_limits<double>::infinity()),
       smallest_principal_(grid.own_zones(), std::numeric_limits<double>::infinity()) {
-  gradients_.reserve(grid.own_zones());
-  for (std::size_t z = 0; z < grid.own_zones(); ++z) gradients_.push_back(mean_gradient(corners(grid, z)));
+  for (std::size_t z = 0; z < grid.own_zones(); ++z) {
+    const auto [x0, x1, y0, y1] = mean_gradient(corners(grid, z));
+    const std::array gradient{x0, x1, y0, y1};
+    for (std::size_t k = 0; k < 4; ++k) {
+      corners_[k].push_back(static_cast<std::int32_t>(grid.zones[z][k]));
+      gradients_[k].push_back(gradient[k]);
+    }
+  }
 }
 
 void Peaks::remember(const Continuum& continuum) {
   motion_.remember(velocities(continuum, points_));
 }
 
-void Peaks::take(const Grid& grid, const Continuum& continuum, const protocol::Step& step) {
-  const auto ux = continuum.ux(), uy = continuum.uy();
+void Peaks::take(Continuum& continuum, const protocol::Step& step) {
+  const double *ux = continuum.ux().data(), *uy = continuum.uy().data();
   motion_.take([&](std::size_t i) { return std::array{ux[i], uy[i]}; }, velocities(continuum, points_), step);
-  const auto radius = [](double difference, double twice_shear) {  // of Mohr's circle, twice
-    return std::sqrt(difference * difference + twice_shear * twice_shear);
-  };
-  for (std::size_t z = 0; z < gradients_.size(); ++z) {
-    const MeanStrain e = mean_strain(gradients_[z], grid.zones[z], ux, uy);
-    shear_strain_[z] = std::max(shear_strain_[z], radius(e.xx - e.yy, e.xy));
-    const Stress s = continuum.zones().stress(z);
-    const double mean = (s.xx + s.yy) / 2, deviator = radius(s.xx - s.yy, 2 * s.xy) / 2;
-    largest_principal_[z] = std::max(largest_principal_[z], mean + deviator);
-    smallest_principal_[z] = std::min(smallest_principal_[z], mean - deviator);
-  }
+  const std::size_t zones = shear_strain_.size(), pieces = 16;
+  continuum.team().run(pieces, [&](std::size_t piece, std::size_t) {
+    raise_shear_strain(
+        zones * piece / pieces, zones * (piece + 1) / pieces,
+        {corners_[0].data(), corners_[1].data(), corners_[2].data(), corners_[3].data()},
+        {gradients_[0].data(), gradients_[1].data(), gradients_[2].data(), gradients_[3].data()}, ux, uy,
+        shear_strain_.data());
+  });
+  continuum.zones().see_stresses(
+      continuum.team(), [&](std::span<const std::uint32_t> numbers, const PlaneStresses& stresses) {
+        raise_principal(numbers, stresses, largest_principal_, smallest_principal_);
+      });
 }
 
 }  // namespace adit::fdm

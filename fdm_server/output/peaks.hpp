@@ -1,12 +1,14 @@
 // What the continuum went through: peaks over the steps that are looked at.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/solver/continuum.hpp"
-#include "fdm_server/zones/shape/mean_gradient.hpp"
 #include "protocol/participant/peak_motion.hpp"
 #include "protocol/state/archive.hpp"
 
@@ -20,7 +22,7 @@ class Peaks {
   // Before a step to look at, after the correction of the step before.
   void remember(const Continuum& continuum);
   // After the step and its own correction.
-  void take(const Grid& grid, const Continuum& continuum, const protocol::Step& step);
+  void take(Continuum& continuum, const protocol::Step& step);
 
   const protocol::PeakMotion& motion() const { return motion_; }
   // One value a zone, of the means over it in the plane. Tension is positive.
@@ -37,7 +39,9 @@ class Peaks {
  private:
   std::size_t points_;
   protocol::PeakMotion motion_;
-  std::vector<MeanGradient> gradients_;
+  // Of each zone: numbers of its corners, mean gradient of the first two (mean_gradient.hpp).
+  std::array<std::vector<std::int32_t>, 4> corners_;
+  std::array<std::vector<double>, 4> gradients_;
   std::vector<double> shear_strain_, largest_principal_, smallest_principal_;
 };
 

@@ -307,7 +307,7 @@ void FdmParticipant::remember_for_peaks() {
 }
 
 void FdmParticipant::take_peaks(const Step& step) {
-  peaks_->take(grid_, *continuum_, step);
+  peaks_->take(*continuum_, step);
 }
 
 void FdmParticipant::prepare(const Step& step, const wire::Advance& wanted) {

@@ -97,6 +97,8 @@ class Continuum {
   // remembered before the first.
   void remember_velocities();
   Energies energies(const protocol::Step& step);
+  // For what is asked of all zones beside the steps.
+  protocol::Team& team() { return team_; }
 
   // All velocities become 0: before a step from rest.
   void stop() { slow(0); }

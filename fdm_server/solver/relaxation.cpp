@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocol/kernels/eight_sums.hpp"
 #include "protocol/kernels/vector_sizes.hpp"
 #include "protocol/participant/local_damping.hpp"
 #include "protocol/threads/vector_clones.hpp"
@@ -11,8 +12,8 @@ namespace adit::fdm {
 
 double kinetic_energy(const Continuum& continuum) {
   const auto vx = continuum.vx(), vy = continuum.vy(), mass = continuum.masses();
-  double twice = 0;
-  for (std::size_t i = 0; i < vx.size(); ++i) twice += mass[i] * (vx[i] * vx[i] + vy[i] * vy[i]);
+  const double twice = protocol::eight_sums(
+      0, vx.size(), [&](std::size_t i) { return mass[i] * (vx[i] * vx[i] + vy[i] * vy[i]); });
   return twice / 2 + continuum.structures().rotational_energy();
 }
 
@@ -35,13 +36,13 @@ Relaxation::Relaxation(const Grid& grid, std::span<const double> zone_weights)
     factor_.push_back(zone_weights[z] * std::sqrt(area(corners(grid, z))));
 }
 
-Unrest Relaxation::measure(const Continuum& continuum, double kick, double local_damping) {
-  const auto vx = continuum.vx(), vy = continuum.vy();
+Unrest Relaxation::measure(Continuum& continuum, double kick, double local_damping) {
+  const std::span<const double> vx = continuum.vx(), vy = continuum.vy();
   find_forces(vx, vx_, continuum.masses(), kick, local_damping, fx_);
   find_forces(vy, vy_, continuum.masses(), kick, local_damping, fy_);
   const protocol::VectorSizes sizes = protocol::sizes_of(fx_, fy_);
   Unrest unrest{.unbalanced_force = sizes.sum,
-                .internal_force = continuum.zones().internal_force(factor_),
+                .internal_force = continuum.zones().internal_force(continuum.team(), factor_),
                 .largest = sizes.largest,
                 .at = sizes.at};
   std::ranges::copy(vx, vx_.begin());

@@ -28,7 +28,7 @@ class Relaxation {
 
   // Measures the step whose velocities were just corrected. A kick changed them for `kick` seconds since the
   // last call, or since all were 0, damped by this share of the unbalanced forces.
-  Unrest measure(const Continuum& continuum, double kick, double local_damping = 0);
+  Unrest measure(Continuum& continuum, double kick, double local_damping = 0);
   // The sum of the unbalanced forces measured last, of those of these points that bear on no dashpots [N].
   Vector net(const Continuum& continuum, protocol::IndexRange points) const;
   // All velocities were multiplied by this factor.

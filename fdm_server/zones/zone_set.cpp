@@ -1,12 +1,13 @@
 #include "fdm_server/zones/zone_set.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <numeric>
 #include <utility>
 
+#include "fdm_server/zones/batch/zone_kernels.hpp"
 #include "fdm_server/zones/elastic/elastic_zones.hpp"
 #include "fdm_server/zones/nonlinear/nonlinear_zones.hpp"
+#include "protocol/kernels/eight_sums.hpp"
 
 namespace adit::fdm {
 namespace {
@@ -112,24 +113,39 @@ void ZoneSet::start_over() {
   for (auto& part : parts_) part.kernel->start_over();
 }
 
-double ZoneSet::strain_energy(protocol::Team& team) const {
+std::vector<ZoneSet::Piece> ZoneSet::pieces() const {
   constexpr std::uint32_t kPiece = 2048;
-  struct Piece {
-    const ZoneKernel* kernel;
-    protocol::IndexRange zones;
-    double energy;
-  };
   std::vector<Piece> pieces;
   for (const Part& part : parts_) {
-    const auto count = static_cast<std::uint32_t>(part.kernel->count());
+    const auto count = static_cast<std::uint32_t>(part.numbers.size());
     for (std::uint32_t begin = 0; begin < count; begin += kPiece)
-      pieces.push_back({part.kernel.get(), {begin, std::min(begin + kPiece, count)}, 0});
+      pieces.push_back({&part, {begin, std::min(begin + kPiece, count)}});
   }
-  team.run(pieces.size(), [&](std::size_t i, std::size_t) {
-    pieces[i].energy = pieces[i].kernel->strain_energy(pieces[i].zones);
+  return pieces;
+}
+
+double ZoneSet::sum(protocol::Team& team, const auto& of) const {
+  const std::vector<Piece> pieces = this->pieces();
+  std::vector<double> sums(pieces.size());
+  team.run(pieces.size(), [&](std::size_t i, std::size_t) { sums[i] = of(pieces[i]); });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+double ZoneSet::strain_energy(protocol::Team& team) const {
+  return sum(team, [](const Piece& piece) { return piece.part->kernel->strain_energy(piece.zones); });
+}
+
+double ZoneSet::internal_force(protocol::Team& team, std::span<const double> sizes) const {
+  return sum(team, [&](const Piece& piece) {
+    double sum = 0;
+    see_stresses(piece, [&](std::span<const std::uint32_t> numbers, const PlaneStresses& stresses) {
+      BatchValues norms;
+      stress_sizes(static_cast<std::uint32_t>(numbers.size()), stresses, norms);
+      sum += protocol::eight_sums(0, numbers.size(),
+                                  [&](std::size_t k) { return sizes[numbers[k]] * norms[k]; });
+    });
+    return sum;
   });
-  return std::transform_reduce(pieces.begin(), pieces.end(), 0.0, std::plus<>(),
-                               [](const Piece& piece) { return piece.energy; });
 }
 
 double ZoneSet::dissipated() const {
@@ -140,12 +156,6 @@ double ZoneSet::dissipated() const {
 
 Stress ZoneSet::stress(std::size_t zone) const {
   return parts_[places_[zone].part].kernel->stress(places_[zone].zone);
-}
-
-double ZoneSet::internal_force(std::span<const double> sizes) const {
-  double sum = 0;
-  for (const Part& part : parts_) sum += part.kernel->internal_force(part.numbers, sizes);
-  return sum;
 }
 
 double ZoneSet::field(std::size_t zone, ZoneField field) const {

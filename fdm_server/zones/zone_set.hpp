@@ -3,6 +3,7 @@
 // Runs carry the number of their part, so that the choice costs one virtual call for many zones.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -34,12 +35,19 @@ class ZoneSet {
   void exchange(state::Archive& archive) {
     for (Part& part : parts_) part.kernel->exchange(archive);
   }
-  // Summed by the team, in the same order whoever computes what.
+  // This and the internal force, the sum over the zones of |stress| · size, |stress| its Frobenius norm, are
+  // summed by the team, in the same order whoever computes what.
   double strain_energy(protocol::Team& team) const;
   double dissipated() const;
   Stress stress(std::size_t zone) const;
-  double internal_force(std::span<const double> sizes) const;
+  double internal_force(protocol::Team& team, std::span<const double> sizes) const;
   double field(std::size_t zone, ZoneField field) const;
+  // The team calls see(numbers, stresses) for the stresses of these zones, batch by batch for all zones.
+  template <class See>
+  void see_stresses(protocol::Team& team, const See& see) const {
+    const std::vector<Piece> pieces = this->pieces();
+    team.run(pieces.size(), [&](std::size_t i, std::size_t) { see_stresses(pieces[i], see); });
+  }
 
  private:
   struct Place {
@@ -51,6 +59,22 @@ class ZoneSet {
   };
   void add_part(std::unique_ptr<ZoneKernel> kernel, std::vector<std::uint32_t> numbers);
   void collect_runs();
+  // All zones in pieces, each worth a thread's call.
+  struct Piece {
+    const Part* part;
+    protocol::IndexRange zones;
+  };
+  std::vector<Piece> pieces() const;
+  // The sum of of(piece) over them.
+  double sum(protocol::Team& team, const auto& of) const;
+  static void see_stresses(const Piece& piece, const auto& see) {
+    PlaneStresses stresses;
+    for (std::uint32_t begin = piece.zones.begin; begin < piece.zones.end; begin += kBatch) {
+      const protocol::IndexRange batch{begin, std::min(begin + kBatch, piece.zones.end)};
+      piece.part->kernel->find_stresses(batch, stresses);
+      see(std::span(piece.part->numbers).subspan(batch.begin, batch.end - batch.begin), stresses);
+    }
+  }
 
   std::vector<Part> parts_;
   std::vector<Place> places_;  // of each zone

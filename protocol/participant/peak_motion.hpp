@@ -38,15 +38,13 @@ class PeakMotion {
   template <class Displacement>
   void take(Displacement&& displacement, const PlaneVectors& velocity, const Step& step) {
     const double rate = 1 / step.kick();
-    const auto raise = [](double& peak, double x, double y) {
-      peak = std::max(peak, std::sqrt(x * x + y * y));
-    };
-    for (std::size_t i = 0; i < before_x_.size(); ++i) {
-      const auto [x, y] = displacement(i);
-      raise(displacement_[i], x, y);
-      raise(velocity_[i], before_x_[i], before_y_[i]);
-      raise(acceleration_[i], rate * (velocity.x[i] - before_x_[i]), rate * (velocity.y[i] - before_y_[i]));
-    }
+    const double *vx = velocity.x.data(), *vy = velocity.y.data(), *last_vx = before_x_.data(),
+                 *last_vy = before_y_.data();
+    raise(displacement_, displacement);
+    raise(velocity_, [&](std::size_t i) { return std::array{last_vx[i], last_vy[i]}; });
+    raise(acceleration_, [&](std::size_t i) {
+      return std::array{rate * (vx[i] - last_vx[i]), rate * (vy[i] - last_vy[i])};
+    });
   }
 
   void exchange(state::Archive& archive) {
@@ -54,13 +52,27 @@ class PeakMotion {
       archive("peak_motion", std::span(*values));
   }
 
-  std::span<const double> displacement() const { return displacement_; }  // [m]
-  std::span<const double> velocity() const { return velocity_; }          // [m/s]
-  std::span<const double> acceleration() const { return acceleration_; }  // [m/s^2]
+  std::vector<double> displacement() const { return roots(displacement_); }  // [m]
+  std::vector<double> velocity() const { return roots(velocity_); }          // [m/s]
+  std::vector<double> acceleration() const { return roots(acceleration_); }  // [m/s^2]
 
  private:
+  template <class VectorOf>
+  static void raise(std::vector<double>& squares, VectorOf&& vector_of) {
+    double* peaks = squares.data();
+    for (std::size_t i = 0, count = squares.size(); i < count; ++i) {
+      const auto [x, y] = vector_of(i);
+      const double square = x * x + y * y;
+      peaks[i] = peaks[i] < square ? square : peaks[i];
+    }
+  }
+  static std::vector<double> roots(std::vector<double> squares) {
+    for (double& value : squares) value = std::sqrt(value);
+    return squares;
+  }
+
   std::vector<double> before_x_, before_y_;
-  std::vector<double> displacement_, velocity_, acceleration_;
+  std::vector<double> displacement_, velocity_, acceleration_;  // squared
 };
 
 // Fields of a snapshot: peak_displacement_m, peak_velocity_m_per_s, peak_acceleration_m_per_s2.

@@ -1,5 +1,6 @@
 #include "fdm_server/zones/batch/zone_kernels.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "protocol/threads/vector_clones.hpp"
@@ -121,6 +122,31 @@ ADIT_VECTOR_CLONES void find_energies(std::uint32_t count, const Elasticity& ela
       sum[i] +=
           area[i] * elastic_energy(elastic, solid_stress({mean[i], difference[i], shear[i], across[i]}));
   }
+}
+
+ADIT_VECTOR_CLONES void mean_stresses(std::uint32_t count, const PointValues& areas,
+                                      const ConstStressView& stresses, PlaneStresses& means) {
+  const double *a0 = areas[0].data(), *a1 = areas[1].data(), *a2 = areas[2].data(), *a3 = areas[3].data();
+  const auto [t0, t1, t2, t3] = stresses.difference;
+  const auto [s0, s1, s2, s3] = stresses.shear;
+  const double* mean = stresses.mean;
+  double *p = means.mean.data(), *t = means.difference.data(), *s = means.shear.data();
+#pragma GCC ivdep
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double by_area = 1 / ((a0[i] + a1[i]) + (a2[i] + a3[i]));
+    p[i] = mean[i];
+    t[i] = by_area * ((a0[i] * t0[i] + a1[i] * t1[i]) + (a2[i] * t2[i] + a3[i] * t3[i]));
+    s[i] = by_area * ((a0[i] * s0[i] + a1[i] * s1[i]) + (a2[i] * s2[i] + a3[i] * s3[i]));
+  }
+}
+
+// With sxx = p + t and syy = p - t.
+ADIT_VECTOR_CLONES void stress_sizes(std::uint32_t count, const PlaneStresses& stresses, BatchValues& sizes) {
+  const double *p = stresses.mean.data(), *t = stresses.difference.data(), *s = stresses.shear.data();
+  double* size = sizes.data();
+#pragma GCC ivdep
+  for (std::uint32_t i = 0; i < count; ++i)
+    size[i] = std::sqrt(2 * (p[i] * p[i] + t[i] * t[i] + s[i] * s[i]));
 }
 
 ADIT_VECTOR_CLONES void add_elastic(std::uint32_t count, const Elasticity& elasticity,

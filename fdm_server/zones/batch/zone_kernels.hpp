@@ -6,6 +6,7 @@
 
 #include "fdm_server/materials/solid.hpp"
 #include "fdm_server/zones/batch/batch.hpp"
+#include "fdm_server/zones/kernel/zone_kernel.hpp"
 
 namespace adit::fdm {
 
@@ -20,6 +21,12 @@ void add_elastic(std::uint32_t count, const Elasticity& elasticity, const Strain
 // Elastic energy of each zone over the areas of its points, unweighted [J].
 void find_energies(std::uint32_t count, const Elasticity& elasticity, const PointValues& areas,
                    const ConstStressView& stresses, BatchValues& energies);
+
+// Stresses of zones from those of their points.
+void mean_stresses(std::uint32_t count, const PointValues& areas, const ConstStressView& stresses,
+                   PlaneStresses& means);
+// |stress| of each zone, its Frobenius norm [Pa].
+void stress_sizes(std::uint32_t count, const PlaneStresses& stresses, BatchValues& sizes);
 
 // Corner forces of weighted stresses that belong to the areas of `reference`, at zones that have the shape
 // `now`.

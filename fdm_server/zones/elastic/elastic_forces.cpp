@@ -1,7 +1,5 @@
 #include "fdm_server/zones/elastic/elastic_forces.hpp"
 
-#include <cmath>
-
 #include "protocol/threads/vector_clones.hpp"
 
 namespace adit::fdm {
@@ -169,32 +167,38 @@ template <Form kForm>
                                   : find_energies<kForm, false>(batch, energies);
 }
 
-// With sxx = p + t and syy = p - t.
+// p, t and s are what is asked for.
 template <Form kForm, bool kInitial>
-[[gnu::always_inline]] inline void find_sizes(const ElasticBatch& batch, double* sizes) {
+[[gnu::always_inline]] inline void find_stresses(const ElasticBatch& batch, std::uint32_t at,
+                                                 PlaneStresses& to) {
   const Zones<kForm, kInitial> zones(batch);
+  double *mean = &to.mean[at], *difference = &to.difference[at], *shear = &to.shear[at];
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < batch.count; ++i) {
     const auto [p, t, s, hx, hy] = zones.stresses_at(i, zones.zone_at(i));
-    sizes[i] = std::sqrt(2 * (p * p + t * t + s * s));
+    mean[i] = p;
+    difference[i] = t;
+    shear[i] = s;
   }
 }
 
 template <Form kForm>
-[[gnu::always_inline]] inline void find_sizes(const ElasticBatch& batch, double* sizes) {
-  batch.initial[kMean] != nullptr ? find_sizes<kForm, true>(batch, sizes)
-                                  : find_sizes<kForm, false>(batch, sizes);
+[[gnu::always_inline]] inline void find_stresses(const ElasticBatch& batch, std::uint32_t at,
+                                                 PlaneStresses& to) {
+  batch.initial[kMean] != nullptr ? find_stresses<kForm, true>(batch, at, to)
+                                  : find_stresses<kForm, false>(batch, at, to);
 }
 
 }  // namespace
 
-ADIT_VECTOR_CLONES void stress_sizes(const ElasticBatch& batch, std::span<double> sizes) {
+ADIT_VECTOR_CLONES void elastic_stresses(const ElasticBatch& batch, std::uint32_t at,
+                                         PlaneStresses& stresses) {
   if (!batch.same)
-    find_sizes<Form::kEach>(batch, sizes.data());
+    find_stresses<Form::kEach>(batch, at, stresses);
   else if (batch.rectangles)
-    find_sizes<Form::kRectangles>(batch, sizes.data());
+    find_stresses<Form::kRectangles>(batch, at, stresses);
   else
-    find_sizes<Form::kSame>(batch, sizes.data());
+    find_stresses<Form::kSame>(batch, at, stresses);
 }
 
 ADIT_VECTOR_CLONES void elastic_energies(const ElasticBatch& batch, std::span<double> energies) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "fdm_server/zones/kernel/zone_kernel.hpp"
 #include "fdm_server/zones/kernel/zone_runs.hpp"
 
 namespace adit::fdm {
@@ -49,7 +50,7 @@ void elastic_forces(const ElasticBatch& batch, CornerForces& forces);
 // Energy of each zone, unweighted [J].
 void elastic_energies(const ElasticBatch& batch, std::span<double> energies);
 
-// |stress| of each zone, its Frobenius norm, unweighted [Pa].
-void stress_sizes(const ElasticBatch& batch, std::span<double> sizes);
+// The stress of each zone, at the places from `at` on.
+void elastic_stresses(const ElasticBatch& batch, std::uint32_t at, PlaneStresses& stresses);
 
 }  // namespace adit::fdm

@@ -156,20 +156,32 @@ void ElasticZones::start_over() {
     }
 }
 
-double ElasticZones::strain_energy(const protocol::IndexRange& zones) const {
-  std::array<double, kBatch> energies;
-  double sum = 0;
+void ElasticZones::for_each_batch(const protocol::IndexRange& zones, const auto& visit) const {
   auto run = std::ranges::upper_bound(runs_, zones.begin, {},
                                       [](const ZoneRun& some) { return some.first + some.count; });
   for (; run != runs_.end() && run->first < zones.end; ++run) {
     const std::uint32_t end = std::min(zones.end, run->first + run->count);
-    for (std::uint32_t zone = std::max(zones.begin, run->first); zone < end; zone += kBatch) {
-      const std::uint32_t count = std::min(kBatch, end - zone);
-      elastic_energies(batch(*run, zone - run->first, count), energies);
-      sum += protocol::eight_sums(0, count, [&](std::size_t k) { return weights_[zone + k] * energies[k]; });
-    }
+    for (std::uint32_t zone = std::max(zones.begin, run->first); zone < end; zone += kBatch)
+      visit(batch(*run, zone - run->first, std::min(kBatch, end - zone)), zone);
   }
+}
+
+double ElasticZones::strain_energy(const protocol::IndexRange& zones) const {
+  std::array<double, kBatch> energies;
+  double sum = 0;
+  for_each_batch(zones, [&](const ElasticBatch& batch, std::uint32_t first) {
+    elastic_energies(batch, energies);
+    sum += protocol::eight_sums(0, batch.count,
+                                [&](std::size_t k) { return weights_[first + k] * energies[k]; });
+  });
   return sum;
+}
+
+void ElasticZones::find_stresses(const protocol::IndexRange& zones, PlaneStresses& stresses) const {
+  stresses = {};  // of what was taken away
+  for_each_batch(zones, [&](const ElasticBatch& batch, std::uint32_t first) {
+    elastic_stresses(batch, first - zones.begin, stresses);
+  });
 }
 
 Stress ElasticZones::stress(std::size_t zone) const {
@@ -178,20 +190,6 @@ Stress ElasticZones::stress(std::size_t zone) const {
   const auto run = std::ranges::upper_bound(runs_, static_cast<std::uint32_t>(zone), {}, &ZoneRun::first) - 1;
   const auto [p, t, s, hx, hy] = state(*run, static_cast<std::uint32_t>(zone) - run->first);
   return {p + t, p - t, s};
-}
-
-double ElasticZones::internal_force(std::span<const std::uint32_t> numbers,
-                                    std::span<const double> sizes) const {
-  std::array<double, kBatch> stresses;
-  double sum = 0;
-  for (const ZoneRun& run : runs_)
-    for (std::uint32_t done = 0; done < run.count; done += kBatch) {
-      const std::uint32_t count = std::min(kBatch, run.count - done), first = run.first + done;
-      stress_sizes(batch(run, done, count), stresses);
-      sum += protocol::eight_sums(0, count,
-                                  [&](std::size_t k) { return sizes[numbers[first + k]] * stresses[k]; });
-    }
-  return sum;
 }
 
 double ElasticZones::field(std::size_t zone, ZoneField field) const {

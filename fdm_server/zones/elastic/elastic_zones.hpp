@@ -43,7 +43,7 @@ class ElasticZones final : public ZoneKernel {
   using ZoneKernel::strain_energy;
   double strain_energy(const protocol::IndexRange& zones) const override;
   Stress stress(std::size_t zone) const override;
-  double internal_force(std::span<const std::uint32_t> numbers, std::span<const double> sizes) const override;
+  void find_stresses(const protocol::IndexRange& zones, PlaneStresses& stresses) const override;
   double field(std::size_t zone, ZoneField field) const override;
 
  private:
@@ -52,6 +52,8 @@ class ElasticZones final : public ZoneKernel {
   void join_short_runs();
   Coefficients coefficients(const ZoneRun& run, std::uint32_t k) const;
   ElasticBatch batch(const ZoneRun& run, std::uint32_t done, std::uint32_t count) const;
+  // Calls visit(batch, first) for the zones from `first` on, in batches.
+  void for_each_batch(const protocol::IndexRange& zones, const auto& visit) const;
   // The state of zone k of a run.
   State state(const ZoneRun& run, std::uint32_t k) const;
   FieldArrays<kComponents>& initial();

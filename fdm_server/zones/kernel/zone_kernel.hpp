@@ -1,7 +1,7 @@
 // Zones of one law with their stresses: what a kernel of any kind offers.
 #pragma once
 
-#include <cmath>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -22,6 +22,11 @@ enum class ZoneField {
   kStressZz,            // across the plane [Pa]
   kPlasticShearStrain,  // engineering, summed over the run
   kYieldState,          // bits of Yield (materials/solid.hpp): what yields now or did before
+};
+
+// Mean stresses of the zones of a batch, unweighted: (sxx + syy)/2, (sxx - syy)/2 and sxy [Pa].
+struct PlaneStresses {
+  alignas(64) std::array<double, kBatch> mean, difference, shear;
 };
 
 class ZoneKernel {
@@ -54,16 +59,8 @@ class ZoneKernel {
   virtual double dissipated() const { return 0; }
   // Mean stress of a zone, unweighted.
   virtual Stress stress(std::size_t zone) const = 0;
-  // Sum over the zones of |stress| · size, |stress| its Frobenius norm. Zone k of these is `numbers[k]` of
-  // all zones, whose `sizes` are given.
-  virtual double internal_force(std::span<const std::uint32_t> numbers, std::span<const double> sizes) const {
-    double sum = 0;
-    for (std::size_t k = 0; k < count(); ++k) {
-      const auto [xx, yy, xy] = stress(k);
-      sum += sizes[numbers[k]] * std::sqrt(xx * xx + yy * yy + 2 * xy * xy);
-    }
-    return sum;
-  }
+  // Those of some zones, at most kBatch. Several threads may ask at once.
+  virtual void find_stresses(const protocol::IndexRange& zones, PlaneStresses& stresses) const = 0;
   virtual double field(std::size_t zone, ZoneField field) const = 0;
 };
 

@@ -194,19 +194,37 @@ double NonlinearZones::stretch(std::size_t zone) const {
   return area(at) / shapes_[shape_of_[zone]].area;
 }
 
+PointValues NonlinearZones::areas(std::size_t first, std::uint32_t count) const {
+  const std::span shapes = std::span(shape_of_).subspan(first, count);
+  const bool alike = std::ranges::all_of(shapes, [&](std::uint32_t shape) { return shape == shapes[0]; });
+  PointValues areas{};
+  for (std::size_t k = 0; k < 4; ++k)
+    if (alike)  // as most are
+      areas[k].fill(shapes_[shapes[0]].points[k].area);
+    else
+      for (std::uint32_t i = 0; i < count; ++i) areas[k][i] = shapes_[shapes[i]].points[k].area;
+  return areas;
+}
+
 double NonlinearZones::strain_energy(const protocol::IndexRange& zones) const {
-  PointValues areas;
   BatchValues energies;
   double sum = 0;
   for (std::uint32_t first = zones.begin; first < zones.end;) {
     const std::uint32_t count = std::min(kBatch - first % kBatch, zones.end - first);
-    for (std::uint32_t i = 0; i < count; ++i)
-      for (std::size_t k = 0; k < 4; ++k) areas[k][i] = shapes_[shape_of_[first + i]].points[k].area;
-    law_->find_energies(first, count, areas, view(stresses_, first), energies);
+    law_->find_energies(first, count, areas(first, count), view(stresses_, first), energies);
     sum += protocol::eight_sums(0, count, [&](std::size_t i) { return weights_[first + i] * energies[i]; });
     first += count;
   }
   return sum;
+}
+
+void NonlinearZones::find_stresses(const protocol::IndexRange& zones, PlaneStresses& stresses) const {
+  const std::uint32_t first = zones.begin, count = zones.end - first;
+  mean_stresses(count, areas(first, count), view(stresses_, first), stresses);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double factor = weights_[first + i] == 0 ? 0 : 1 / stretch(first + i);
+    for (auto* values : {&stresses.mean, &stresses.difference, &stresses.shear}) (*values)[i] *= factor;
+  }
 }
 
 double NonlinearZones::dissipated() const {

@@ -52,6 +52,7 @@ class NonlinearZones final : public ZoneKernel {
   using ZoneKernel::strain_energy;
   double strain_energy(const protocol::IndexRange& zones) const override;
   double dissipated() const override;
+  void find_stresses(const protocol::IndexRange& zones, PlaneStresses& stresses) const override;
   Stress stress(std::size_t zone) const override;
   double field(std::size_t zone, ZoneField field) const override;
 
@@ -62,6 +63,8 @@ class NonlinearZones final : public ZoneKernel {
                const PointView& points, Batch& batch) const;
   void compute(Batch& batch);
   void compute_in_large_strain(Batch& batch);
+  // Undeformed, of the points of zones.
+  PointValues areas(std::size_t first, std::uint32_t count) const;
   PointStress stress_at(std::size_t zone, std::size_t point) const;
   // In large strain: area over undeformed area.
   double stretch(std::size_t zone) const;

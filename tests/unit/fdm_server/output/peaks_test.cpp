@@ -85,7 +85,7 @@ TEST(Peaks, AreTheAmplitudesOfAStandingWave) {
     ++step.number;
     peaks.remember(*continuum);
     continuum->step(step);
-    peaks.take(grid, *continuum, step);
+    peaks.take(*continuum, step);
   }
   const double quarter = std::numbers::pi / 2 / wave.w;
   const auto largest = [](std::span<const double> values) { return *std::ranges::max_element(values); };

@@ -81,9 +81,10 @@ TEST_P(NonlinearZonesOfEachKind, ElasticOnesAreThoseOfTheFastKernel) {
     EXPECT_NEAR(general.stress(z).xy, fast.stress(z).xy, 1e-13 * kYoung);
 }
 
-// Threads share the sum of the energy: ranges that begin and end anywhere in rows and batches make up the
-// whole, for every law and elastic zones of equal and of many shapes, without what was taken away.
-TEST_P(NonlinearZonesOfEachKind, EnergiesOfRangesMakeUpTheWhole) {
+// Threads share the sum of the energy, and the stresses: ranges that begin and end anywhere in rows and
+// batches make up the whole, and have the stresses of each zone, for every law and elastic zones of equal and
+// of many shapes, without what was taken away.
+TEST_P(NonlinearZonesOfEachKind, RangesMakeUpTheWhole) {
   for (const bool distorted : {false, true}) {
     const Block block{0, 150, 0, 3, 150, 3};
     const Grid grid = distorted ? distorted_grid(block) : make_grid(block);
@@ -109,6 +110,16 @@ TEST_P(NonlinearZonesOfEachKind, EnergiesOfRangesMakeUpTheWhole) {
       EXPECT_NEAR(sum, whole, 1e-14 * whole) << name;
       EXPECT_NEAR(one_by_one, whole, 1e-13 * whole) << name;
       EXPECT_EQ(zones.strain_energy({100, 180}), 0) << name;
+      PlaneStresses stresses;
+      for (const auto& [begin, end] : {protocol::IndexRange{5, 6}, {38, 102}, {170, 181}, {411, 450}}) {
+        zones.find_stresses({begin, end}, stresses);
+        for (std::uint32_t z = begin; z < end; ++z) {
+          const Stress each = zones.stress(z);
+          EXPECT_NEAR(stresses.mean[z - begin], (each.xx + each.yy) / 2, 1e-13 * kYoung) << name;
+          EXPECT_NEAR(stresses.difference[z - begin], (each.xx - each.yy) / 2, 1e-13 * kYoung) << name;
+          EXPECT_NEAR(stresses.shear[z - begin], each.xy, 1e-13 * kYoung) << name;
+        }
+      }
     };
     ElasticZones elastic(GetParam(), grid, plane_strain(kYoung, kPoisson), weights);
     check(elastic, "elastic");
