@@ -47,12 +47,13 @@ double share_at(const PolylineView& line, double strain) {
 
 // A piece as a step sees it: the strain from its beginning, before and after.
 struct Piece {
-  ZoneStrain before, after, drift;
+  ZoneStrain before, after;
+  const ZoneStrain* drift;
   double end;
 };
 Piece beyond(const Piece& piece, const OuterPiece& outer) {
-  const ZoneStrain between = sum(outer.drift, -1, piece.drift);
-  return {sum(piece.before, piece.end, between), sum(piece.after, piece.end, between), outer.drift,
+  const ZoneStrain between = sum(outer.drift, -1, *piece.drift);
+  return {sum(piece.before, piece.end, between), sum(piece.after, piece.end, between), &outer.drift,
           outer.end};
 }
 
@@ -95,15 +96,15 @@ HystereticStep advance(const PolylineView& line, const ZoneStrain& weights, cons
       !turns && in.end == kNoEnd ? stored_beyond(touching, share_at(line, in.radius), in.radius) : 0;
   if (turns) turn_back(line, normal, memory);
 
-  const Piece first{in.strain, sum(in.strain, 1, step), in.drift, in.end};
+  const Piece first{in.strain, sum(in.strain, 1, step), &in.drift, in.end};
   Piece last = first;
   std::size_t left = memory.outer.size();
-  double radius = radius_of(weights, last.after, last.drift);
+  double radius = radius_of(weights, last.after, *last.drift);
   while (radius > last.end && left > 0) {
     last = beyond(last, memory.outer[--left]);
-    radius = radius_of(weights, last.after, last.drift);
+    radius = radius_of(weights, last.after, *last.drift);
   }
-  const ZoneStrain to = normal_of(last.after, last.drift, radius);
+  const ZoneStrain to = normal_of(last.after, *last.drift, radius);
   const Yielded goal = yielded(line, radius);
 
   // Elements that touch before and after; then those of each piece that is left behind, from its centres.
@@ -114,7 +115,7 @@ HystereticStep advance(const PolylineView& line, const ZoneStrain& weights, cons
   Piece piece = first;
   for (std::size_t next = memory.outer.size();; piece = beyond(piece, memory.outer[--next])) {
     const auto [slope, intercept, moment] = (next == left ? goal : yielded(line, piece.end)) - at;
-    const ZoneStrain &f1 = piece.before, &f2 = piece.after, &u = piece.drift;
+    const ZoneStrain &f1 = piece.before, &f2 = piece.after, &u = *piece.drift;
     result.stress = sum(sum(result.stress, intercept, sum(to, 1, u)), slope, f1);
     result.dissipated +=
         intercept * (inner(weights, sum(to, -1, u), f2) - inner(weights, sum(to, 1, u), f1)) -
@@ -123,11 +124,12 @@ HystereticStep advance(const PolylineView& line, const ZoneStrain& weights, cons
     at = yielded(line, piece.end);
   }
   result.dissipated *= in.share / 2;
+  const ZoneStrain drift = *last.drift;  // of a piece that may be left behind
   memory.outer.resize(left);
 
   if (last.end != kNoEnd) {
     result.stress = sum(sum({}, in.share, result.stress), in.spring, step);
-    in = {last.after, last.drift, radius, last.end, in.share, in.spring};
+    in = {last.after, drift, radius, last.end, in.share, in.spring};
     return result;
   }
   // First loading from here on: the stress is the backbone's, the strain `last.after` counts from the start.
@@ -138,7 +140,7 @@ HystereticStep advance(const PolylineView& line, const ZoneStrain& weights, cons
        (1 - in.share) * (goal.moment + goal.slope * radius * radius)) /
           2 +
       stored - stored_beyond(goal, share_at(line, radius), radius);
-  in = {last.after, last.drift, radius, kNoEnd, 1, 0};
+  in = {last.after, drift, radius, kNoEnd, 1, 0};
   return result;
 }
 
@@ -147,16 +149,20 @@ Held held(const PolylineView& line, const ZoneStrain& weights, const InnerPiece&
   Yielded at = yielded(line, in.radius);
   const double beyond_masing = in.end == kNoEnd ? stored_beyond(at, share_at(line, in.radius), in.radius) : 0;
   Held result{in.strain, sum({}, at.intercept, normal_of(in.strain, in.drift, in.radius)), at.moment / 2};
-  Piece piece{in.strain, in.strain, in.drift, in.end};
-  for (std::size_t next = outer.size();; piece = beyond(piece, outer[--next])) {
-    const ZoneStrain &f = piece.after, &u = piece.drift;
-    const auto [slope, intercept, moment] = yielded(line, piece.end) - at;
-    result.stress = sum(sum(result.stress, -slope, f), -intercept, u);
-    result.energy +=
-        (moment * inner(weights, u, u) - slope * inner(weights, f, f)) / 2 - intercept * inner(weights, f, u);
-    result.strain = f;
+  ZoneStrain& f = result.strain;
+  const ZoneStrain* u = &in.drift;
+  double end = in.end;
+  for (std::size_t next = outer.size();;) {
+    const auto [slope, intercept, moment] = yielded(line, end) - at;
+    result.stress = sum(sum(result.stress, -slope, f), -intercept, *u);
+    result.energy += (moment * inner(weights, *u, *u) - slope * inner(weights, f, f)) / 2 -
+                     intercept * inner(weights, f, *u);
     if (next == 0) break;
-    at = yielded(line, piece.end);
+    at = yielded(line, end);
+    const OuterPiece& beyond = outer[--next];
+    f = sum(f, end, sum(beyond.drift, -1, *u));
+    u = &beyond.drift;
+    end = beyond.end;
   }
   result.stress = sum(sum({}, in.share, result.stress), in.spring, result.strain);
   result.energy =
