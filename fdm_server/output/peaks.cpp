@@ -39,7 +39,7 @@ ADIT_VECTOR_CLONES void raise_shear_strain(std::size_t begin, std::size_t end,
 ADIT_VECTOR_CLONES void raise_principal(std::span<const std::uint32_t> numbers, const PlaneStresses& stresses,
                                         std::span<double> largest, std::span<double> smallest) {
   BatchValues radius;
-  for (std::size_t i = 0; i < kBatch; ++i)
+  for (std::size_t i = 0; i < numbers.size(); ++i)
     radius[i] =
         std::sqrt(stresses.difference[i] * stresses.difference[i] + stresses.shear[i] * stresses.shear[i]);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
