@@ -144,30 +144,44 @@ HystereticStep advance(const PolylineView& line, const ZoneStrain& weights, cons
   return result;
 }
 
-Held held(const PolylineView& line, const ZoneStrain& weights, const InnerPiece& in,
-          std::span<const OuterPiece> outer) {
-  Yielded at = yielded(line, in.radius);
-  const double beyond_masing = in.end == kNoEnd ? stored_beyond(at, share_at(line, in.radius), in.radius) : 0;
-  Held result{in.strain, sum({}, at.intercept, normal_of(in.strain, in.drift, in.radius)), at.moment / 2};
-  ZoneStrain& f = result.strain;
+OuterSum sum_of(const PolylineView& line, const ZoneStrain& weights, const InnerPiece& in,
+                std::span<const OuterPiece> outer) {
+  OuterSum result{};
+  ZoneStrain& o = result.offset;
   const ZoneStrain* u = &in.drift;
   double end = in.end;
-  for (std::size_t next = outer.size();;) {
-    const auto [slope, intercept, moment] = yielded(line, end) - at;
-    result.stress = sum(sum(result.stress, -slope, f), -intercept, *u);
-    result.energy += (moment * inner(weights, *u, *u) - slope * inner(weights, f, f)) / 2 -
-                     intercept * inner(weights, f, *u);
-    if (next == 0) break;
-    at = yielded(line, end);
-    const OuterPiece& beyond = outer[--next];
-    f = sum(f, end, sum(beyond.drift, -1, *u));
-    u = &beyond.drift;
-    end = beyond.end;
+  for (std::size_t next = outer.size(); next > 0;) {
+    const OuterPiece& piece = outer[--next];
+    const auto [slope, intercept, moment] = yielded(line, piece.end) - yielded(line, end);
+    o = sum(o, end, sum(piece.drift, -1, *u));
+    u = &piece.drift;
+    end = piece.end;
+    result.stress = sum(sum(result.stress, slope, o), intercept, *u);
+    result.slope += slope;
+    result.energy += (moment * inner(weights, *u, *u) - slope * inner(weights, o, o)) / 2 -
+                     intercept * inner(weights, o, *u);
   }
-  result.stress = sum(sum({}, in.share, result.stress), in.spring, result.strain);
-  result.energy =
-      in.share * result.energy + in.spring * inner(weights, result.strain, result.strain) / 2 + beyond_masing;
   return result;
+}
+
+Held held(const PolylineView& line, const ZoneStrain& weights, const InnerPiece& in, const OuterSum& outer) {
+  const ZoneStrain &f = in.strain, &u = in.drift;
+  const Yielded at = yielded(line, in.radius);
+  const auto [slope, intercept, moment] = yielded(line, in.end) - at;
+  const double beyond_masing = in.end == kNoEnd ? stored_beyond(at, share_at(line, in.radius), in.radius) : 0;
+  const double size = inner(weights, f, f);
+  const ZoneStrain strain = sum(f, 1, outer.offset);
+  ZoneStrain stress = sum({}, at.intercept, normal_of(f, u, in.radius));
+  stress = sum(sum(sum(stress, -(slope + outer.slope), f), -intercept, u), -1, outer.stress);
+  const double energy = (at.moment + moment * inner(weights, u, u) - (slope + outer.slope) * size) / 2 -
+                        intercept * inner(weights, f, u) - inner(weights, f, outer.stress) + outer.energy;
+  return {strain, sum(sum({}, in.share, stress), in.spring, strain),
+          in.share * energy + in.spring * inner(weights, strain, strain) / 2 + beyond_masing};
+}
+
+Held held(const PolylineView& line, const ZoneStrain& weights, const InnerPiece& in,
+          std::span<const OuterPiece> outer) {
+  return held(line, weights, in, sum_of(line, weights, in, outer));
 }
 
 }  // namespace adit::fdm

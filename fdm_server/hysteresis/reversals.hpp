@@ -96,4 +96,20 @@ struct Held {
 Held held(const PolylineView& line, const ZoneStrain& weights, const InnerPiece& inner,
           std::span<const OuterPiece> outer);
 
+// What the outer pieces hold of it, while the zone stays on its inner piece. The strain f on that is f + o on
+// an outer piece, whose elements are those from where the one before ends to its own end: with their slope H,
+// intercept S and moment Q
+//   stress  -H (f + o) - S u,  energy  Q u.u/2 - H (f + o).(f + o)/2 - S (f + o).u,
+// so that all together are quadratic in f.
+struct OuterSum {
+  ZoneStrain offset;  // o of the last: f + o is the strain of the zone
+  ZoneStrain stress;  // sum of H o + S u
+  double slope;       // sum of H
+  double energy;      // sum of (Q u.u - H o.o)/2 - S o.u
+};
+OuterSum sum_of(const PolylineView& line, const ZoneStrain& weights, const InnerPiece& inner,
+                std::span<const OuterPiece> outer);
+Held held(const PolylineView& line, const ZoneStrain& weights, const InnerPiece& inner,
+          const OuterSum& outer);
+
 }  // namespace adit::fdm

@@ -30,6 +30,7 @@ ReversalLaw::ReversalLaw(const Elasticity& elasticity, const Polyline& backbone,
       backbone_(backbone),
       inner_(zones),
       outer_(zones),
+      summed_(zones),
       yields_(zones, 0),
       axes_(zones, large_strain) {
   inner_.fill(kEnd, kVirgin.end);
@@ -83,6 +84,7 @@ void ReversalLaw::leave_pieces(const LawStep& step, const StrainBatch& strains, 
     const auto [growth, dissipated] = fdm::advance(backbone_.view(), weights_of(areas), strain, memory);
     set_inner_piece(zone, memory.inner);
     outer_[zone] = std::move(memory.outer);
+    summed_[zone].known = false;
     to.dissipated[i] = dissipated * ((areas[0] + areas[1]) + (areas[2] + areas[3]));
     const double modulus = elasticity_.shear;
     const double cosine = axes_.cosine(zone), sine = axes_.sine(zone);
@@ -141,9 +143,23 @@ void ReversalLaw::exchange(state::Archive& archive) {
     state::require_of_model(counts[zone] <= pieces.size() - at, "pieces");
     const auto from = pieces.begin() + static_cast<std::ptrdiff_t>(at);
     outer_[zone].assign(from, from + counts[zone]);
+    summed_[zone].known = false;
     at += counts[zone];
   }
   state::require_of_model(at == pieces.size(), "pieces");
+}
+
+const OuterSum& ReversalLaw::sum_of_outer(std::size_t zone, const ZoneStrain& weights,
+                                          const InnerPiece& inner) const {
+  static constexpr OuterSum kNone{};
+  if (outer_[zone].empty()) return kNone;
+  auto& [sum, known] = summed_[zone];
+  if (!known) {
+    if (!sum) sum = std::make_unique<OuterSum>();
+    *sum = sum_of(backbone_.view(), weights, inner, outer_[zone]);
+    known = true;
+  }
+  return *sum;
 }
 
 // Beside what the memory stores: the initial stress over the strains since, and the change of volume.
@@ -156,7 +172,8 @@ void ReversalLaw::find_energies(std::size_t first, std::uint32_t count, const Po
     const ZoneStrain weights = weights_of(area);
     const double across = stresses.across[i], mean = pressure(stresses.mean[i], across);
     const double cosine = axes_.cosine(zone), sine = axes_.sine(zone);
-    const Held held = fdm::held(backbone_.view(), weights, inner_piece(zone), outer_[zone]);
+    const InnerPiece inner = inner_piece(zone);
+    const Held held = fdm::held(backbone_.view(), weights, inner, sum_of_outer(zone, weights, inner));
     double energy = modulus * held.energy;
     const auto add = [&](std::size_t c, double initial_and_held) {
       energy += weights[c] * (initial_and_held - modulus * held.stress[c]) * held.strain[c];

@@ -3,6 +3,7 @@
 // piece one by one.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -40,6 +41,13 @@ class ReversalLaw final : public ZoneLaw {
   ZoneFields<2 * kZoneStrains + 2> inner_;
   std::optional<FieldArrays<2>> narrow_;
   std::vector<std::vector<OuterPiece>> outer_;
+  // What the outer pieces of a zone hold, where its energy was asked for since it left a piece.
+  struct Summed {
+    std::unique_ptr<OuterSum> sum;
+    bool known = false;
+  };
+  const OuterSum& sum_of_outer(std::size_t zone, const ZoneStrain& weights, const InnerPiece& inner) const;
+  mutable std::vector<Summed> summed_;
   std::vector<std::uint8_t> yields_;  // bits of Yield
   HystereticAxes axes_;
 };
