@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <random>
 #include <vector>
@@ -14,8 +13,6 @@
 
 namespace adit::fdm::test {
 namespace {
-
-constexpr double kInf = std::numeric_limits<double>::infinity();
 
 class Random {
  public:
