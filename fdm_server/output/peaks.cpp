@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fdm_server/output/mean_strain.hpp"
 #include "fdm_server/zones/batch/batch.hpp"
 #include "fdm_server/zones/shape/mean_gradient.hpp"
 #include "protocol/threads/vector_clones.hpp"
@@ -20,17 +21,15 @@ protocol::PlaneVectors velocities(const Continuum& continuum, std::size_t points
 // Mohr's circle of strain has the radius gamma/2.
 ADIT_VECTOR_CLONES void raise_shear_strain(std::size_t begin, std::size_t end,
                                            const std::array<const std::int32_t*, 4>& corners,
-                                           const std::array<const double*, 4>& gradients, const double* ux,
-                                           const double* uy, double* peaks) {
+                                           const std::array<const double*, 4>& gradients,
+                                           std::span<const double> ux, std::span<const double> uy,
+                                           double* peaks) {
   const auto [c0, c1, c2, c3] = corners;
   const auto [x0, x1, y0, y1] = gradients;
 #pragma GCC ivdep
   for (std::size_t z = begin; z < end; ++z) {
-    const double x02 = ux[c0[z]] - ux[c2[z]], x13 = ux[c1[z]] - ux[c3[z]];
-    const double y02 = uy[c0[z]] - uy[c2[z]], y13 = uy[c1[z]] - uy[c3[z]];
-    const double difference = (x0[z] * x02 + x1[z] * x13) - (y0[z] * y02 + y1[z] * y13);
-    const double shear = (y0[z] * x02 + y1[z] * x13) + (x0[z] * y02 + x1[z] * y13);
-    const double strain = std::sqrt(difference * difference + shear * shear);
+    const MeanStrain e = mean_strain({x0[z], x1[z], y0[z], y1[z]}, {c0[z], c1[z], c2[z], c3[z]}, ux, uy);
+    const double difference = e.xx - e.yy, strain = std::sqrt(difference * difference + e.xy * e.xy);
     peaks[z] = peaks[z] < strain ? strain : peaks[z];
   }
 }
@@ -72,7 +71,7 @@ void Peaks::remember(const Continuum& continuum) {
 }
 
 void Peaks::take(Continuum& continuum, const protocol::Step& step) {
-  const double *ux = continuum.ux().data(), *uy = continuum.uy().data();
+  const auto ux = continuum.ux(), uy = continuum.uy();
   motion_.take([&](std::size_t i) { return std::array{ux[i], uy[i]}; }, velocities(continuum, points_), step);
   const std::size_t zones = shear_strain_.size(), pieces = 16;
   continuum.team().run(pieces, [&](std::size_t piece, std::size_t) {

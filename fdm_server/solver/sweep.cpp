@@ -20,6 +20,7 @@ constexpr std::size_t kLeastChunk = 4096, kRows = 16, kBlock = 512;
 constexpr std::size_t kCached = 1 << 18, kAhead = 2;
 constexpr std::uint32_t kStreamed = 64;
 
+// Where numbers are multiples of `longest`: batches of zones end there, too.
 std::vector<ZoneRun> cut(std::span<const ZoneRun> runs, std::uint32_t longest) {
   std::vector<ZoneRun> parts;
   for (ZoneRun rest : runs)

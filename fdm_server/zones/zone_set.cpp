@@ -62,6 +62,10 @@ void ZoneSet::add_part(std::unique_ptr<ZoneKernel> kernel, std::vector<std::uint
   const auto part = static_cast<std::uint32_t>(parts_.size());
   for (std::size_t z = 0; z < numbers.size(); ++z)
     places_[numbers[z]] = {part, static_cast<std::uint32_t>(z)};
+  constexpr std::uint32_t kPiece = 2048;
+  const auto count = static_cast<std::uint32_t>(numbers.size());
+  for (std::uint32_t begin = 0; begin < count; begin += kPiece)
+    pieces_.push_back({part, {begin, std::min(begin + kPiece, count)}});
   parts_.push_back({std::move(kernel), std::move(numbers)});
 }
 
@@ -113,26 +117,14 @@ void ZoneSet::start_over() {
   for (auto& part : parts_) part.kernel->start_over();
 }
 
-std::vector<ZoneSet::Piece> ZoneSet::pieces() const {
-  constexpr std::uint32_t kPiece = 2048;
-  std::vector<Piece> pieces;
-  for (const Part& part : parts_) {
-    const auto count = static_cast<std::uint32_t>(part.numbers.size());
-    for (std::uint32_t begin = 0; begin < count; begin += kPiece)
-      pieces.push_back({&part, {begin, std::min(begin + kPiece, count)}});
-  }
-  return pieces;
-}
-
 double ZoneSet::sum(protocol::Team& team, const auto& of) const {
-  const std::vector<Piece> pieces = this->pieces();
-  std::vector<double> sums(pieces.size());
-  team.run(pieces.size(), [&](std::size_t i, std::size_t) { sums[i] = of(pieces[i]); });
+  std::vector<double> sums(pieces_.size());
+  team.run(pieces_.size(), [&](std::size_t i, std::size_t) { sums[i] = of(pieces_[i]); });
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 double ZoneSet::strain_energy(protocol::Team& team) const {
-  return sum(team, [](const Piece& piece) { return piece.part->kernel->strain_energy(piece.zones); });
+  return sum(team, [&](const Piece& piece) { return parts_[piece.part].kernel->strain_energy(piece.zones); });
 }
 
 double ZoneSet::internal_force(protocol::Team& team, std::span<const double> sizes) const {

@@ -45,8 +45,7 @@ class ZoneSet {
   // The team calls see(numbers, stresses) for the stresses of these zones, batch by batch for all zones.
   template <class See>
   void see_stresses(protocol::Team& team, const See& see) const {
-    const std::vector<Piece> pieces = this->pieces();
-    team.run(pieces.size(), [&](std::size_t i, std::size_t) { see_stresses(pieces[i], see); });
+    team.run(pieces_.size(), [&](std::size_t i, std::size_t) { see_stresses(pieces_[i], see); });
   }
 
  private:
@@ -59,24 +58,24 @@ class ZoneSet {
   };
   void add_part(std::unique_ptr<ZoneKernel> kernel, std::vector<std::uint32_t> numbers);
   void collect_runs();
-  // All zones in pieces, each worth a thread's call.
   struct Piece {
-    const Part* part;
-    protocol::IndexRange zones;
+    std::uint32_t part;
+    protocol::IndexRange zones;  // numbers in the part
   };
-  std::vector<Piece> pieces() const;
-  // The sum of of(piece) over them.
+  // The sum of of(piece) over all pieces.
   double sum(protocol::Team& team, const auto& of) const;
-  static void see_stresses(const Piece& piece, const auto& see) {
+  void see_stresses(const Piece& piece, const auto& see) const {
+    const Part& part = parts_[piece.part];
     PlaneStresses stresses;
     for (std::uint32_t begin = piece.zones.begin; begin < piece.zones.end; begin += kBatch) {
       const protocol::IndexRange batch{begin, std::min(begin + kBatch, piece.zones.end)};
-      piece.part->kernel->find_stresses(batch, stresses);
-      see(std::span(piece.part->numbers).subspan(batch.begin, batch.end - batch.begin), stresses);
+      part.kernel->find_stresses(batch, stresses);
+      see(std::span(part.numbers).subspan(batch.begin, batch.end - batch.begin), stresses);
     }
   }
 
   std::vector<Part> parts_;
+  std::vector<Piece> pieces_;  // all zones, each piece worth a thread's call
   std::vector<Place> places_;  // of each zone
   std::vector<ZoneRun> runs_;
 };
