@@ -31,18 +31,19 @@ using boost::system::error_code;
 
 // How an end waits for a frame:
 // - A thread that sleeps on the socket wakes later than a whole round trip between two spinning ends takes,
-// so
-//   a wait begins by spinning for kSpin.
+//   and pushes aside a thread that computes when it does. So a wait begins by spinning for kSpin, which is
+//   longer than a step of 10^5 particles on two threads. It yields its core to whoever computes.
 // - The end that asks also shortens its long waits. Answers take about as long as the last ones did, so it
-//   sleeps by the clock for kNap of that time, but wakes kSpin before it, and then spins. An answer that is
+//   sleeps by the clock for kNap of that time, but wakes kEarly before it, and then spins. An answer that is
 //   there when it wakes came at an unknown time: half of the wait is taken for it, so that naps that are too
 //   long soon become shorter. The end that answers must not nap: its waits contain the naps of the other end,
 //   and each would prolong the other's.
 // - An answer that is later than expected is waited for asleep.
-// - If other work needs the core, a yield lasts milliseconds. A yield longer than kSpin is the sign of that,
-//   and the next waits sleep at once: kFewestWithoutSpin of them, twice as many whenever this happens again,
-//   one less for each wait that spins undisturbed.
-constexpr std::chrono::microseconds kSpin{200};
+// - If work of others needs the core, a yield lasts milliseconds. A yield longer than kLongYield is the sign
+//   of that; threads of the servers, which share the cores, give it back sooner. The next waits sleep at
+//   once: kFewestWithoutSpin of them, twice as many whenever this happens again, one less for each wait that
+//   spins undisturbed.
+constexpr std::chrono::microseconds kSpin{500}, kEarly{200}, kLongYield{2000};
 constexpr double kNap = 0.8;                               // share of the expected wait
 constexpr std::chrono::milliseconds kLongestForecast{50};  // a late wake-up is negligible beside longer waits
 constexpr int kFewestWithoutSpin = 16, kMostWithoutSpin = 1024;
@@ -277,8 +278,8 @@ void Connection::await(Take take_complete, std::chrono::milliseconds within) {
   const bool may_spin = waits_without_spin_ == 0;
   if (!may_spin) --waits_without_spin_;
   const Clock::duration expected = may_spin ? expected_wait() : Clock::duration::zero();
-  const auto nap = std::min(std::chrono::duration_cast<Clock::duration>(kNap * expected), expected - kSpin);
-  bool just_woken = nap > kSpin;
+  const auto nap = std::min(std::chrono::duration_cast<Clock::duration>(kNap * expected), expected - kEarly);
+  bool just_woken = nap > kEarly;
   if (just_woken) std::this_thread::sleep_for(nap);
   const Clock::duration spin = may_spin ? expected + kSpin : Clock::duration::zero();
   while (true) {
@@ -298,7 +299,7 @@ void Connection::await(Take take_complete, std::chrono::milliseconds within) {
     if (arrived) continue;  // TLS may hold more that has arrived
     if (watch.quiet_for(now) < spin) {
       sched_yield();
-      if (waits_without_spin_ == 0 && Clock::now() - now > kSpin) {
+      if (waits_without_spin_ == 0 && Clock::now() - now > kLongYield) {
         waits_without_spin_ = next_without_spin_;
         next_without_spin_ = std::min(2 * next_without_spin_, kMostWithoutSpin);
       }
