@@ -20,7 +20,7 @@ std::vector<Level> levels_of(const Discs& discs, double reach) {
   std::vector<std::vector<std::uint32_t>> by_size;
   const double largest = std::ranges::max(discs.radius);
   for (std::uint32_t i = 0; i < discs.size(); ++i) {
-    const auto level = static_cast<std::size_t>(std::log2(largest / discs.radius[i]));
+    const auto level = static_cast<std::size_t>(std::ilogb(largest / discs.radius[i]));
     if (level >= by_size.size()) by_size.resize(level + 1);
     by_size[level].push_back(i);
   }
@@ -61,18 +61,27 @@ std::vector<Pair> pairs_within(const Discs& discs, double reach) {
   if (discs.size() == 0) return {};
   const auto levels = levels_of(discs, reach);
   std::vector<Pair> pairs;
+  const auto add_if_near = [&](std::uint32_t i, std::uint32_t j) {
+    const double limit = discs.radius[i] + discs.radius[j] + reach;
+    const double dx = discs.x[j] - discs.x[i], dy = discs.y[j] - discs.y[i];
+    if (dx * dx + dy * dy <= limit * limit) pairs.push_back({std::min(i, j), std::max(i, j)});
+  };
   for (std::size_t own = 0; own < levels.size(); ++own)
-    for (const std::uint32_t i : levels[own].discs)
-      for (std::size_t above = 0; above <= own; ++above)
-        levels[above].torus.visit_near(
-            discs.x[i], discs.y[i], discs.radius[i] + levels[above].largest + reach,
-            [&](std::uint32_t place) {
-              const std::uint32_t j = levels[above].discs[place];
-              const double limit = discs.radius[i] + discs.radius[j] + reach;
-              const double dx = discs.x[j] - discs.x[i], dy = discs.y[j] - discs.y[i];
-              if (!(dx * dx + dy * dy <= limit * limit)) return;
-              if (above < own || i < j) pairs.push_back({std::min(i, j), std::max(i, j)});
-            });
+    for (const std::uint32_t i : levels[own].discs) {
+      const double x = discs.x[i], y = discs.y[i], radius = discs.radius[i];
+      for (std::size_t k = 0; k < own; ++k) {
+        const Level& above = levels[k];
+        above.torus.visit_near(x, y, radius + above.largest + reach,
+                               [&](std::uint32_t place) { add_if_near(i, above.discs[place]); });
+      }
+      const Level& level = levels[own];
+      level.torus.visit_onwards(
+          x, y, radius + level.largest + reach,
+          [&](std::uint32_t place) {
+            if (i < level.discs[place]) add_if_near(i, level.discs[place]);
+          },
+          [&](std::uint32_t place) { add_if_near(i, level.discs[place]); });
+    }
   return in_order(discs.size(), pairs);
 }
 

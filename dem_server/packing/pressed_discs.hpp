@@ -16,7 +16,8 @@ namespace adit::dem {
 
 class PressedDiscs {
  public:
-  PressedDiscs(Discs discs, const geometry::BoundingBox& box);
+  // Discs that are near each other should have near numbers: a step then finds them in the cache.
+  PressedDiscs(const Discs& discs, const geometry::BoundingBox& box);
 
   void scale_radii(double factor);
 
@@ -29,24 +30,30 @@ class PressedDiscs {
   // Mean normal stress of the walls at right angles to x and to y, over kn, compression positive.
   std::array<double, 2> wall_stress() const;
 
-  const Discs& discs() const { return discs_; }
+  std::size_t size() const { return radius_.size(); }
+  Discs discs() const;
   std::vector<Pair> contacts() const;                // pairs that push each other
   std::vector<std::uint32_t> wall_contacts() const;  // of each disc
 
- private:
-  struct Forces {
-    double unbalanced = 0, contact = 0;  // mean of the discs, mean of the contacts
+  // A place, a velocity or a force: both components lie together, because a pair wants both.
+  struct Vector {
+    double x, y;
   };
+
+ private:
   void list_neighbours();
   bool neighbours_are_stale() const;
-  Forces add_forces();
+  double find_forces();
 
-  Discs discs_;
+  std::vector<double> radius_;
+  std::vector<Vector> place_, velocity_, force_;
   geometry::BoundingBox box_;
   double skin_;
   std::vector<Pair> neighbours_;
-  std::vector<double> listed_x_, listed_y_;  // where the discs were when neighbours were listed
-  std::vector<double> fx_, fy_, vx_, vy_;
+  std::vector<double> touch_;  // distances at which they touch
+  std::vector<std::uint32_t> at_walls_;
+  std::vector<Vector> listed_;  // where the discs were when neighbours were listed
+  double farthest_ = 0;         // square of the longest way from there
 };
 
 }  // namespace adit::dem

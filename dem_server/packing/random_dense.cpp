@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <tuple>
 
 #include "dem_server/packing/pressed_discs.hpp"
 #include "protocol/motion/random.hpp"
@@ -39,6 +41,19 @@ double area(const Discs& discs) {
   return sum;
 }
 
+// Strip by strip, each from below to above: what is near in the box lies near in memory.
+void put_in_strips(Discs& discs) {
+  const double width = 32 * std::ranges::max(discs.radius);
+  std::vector<std::uint32_t> order(discs.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::sort(
+      order, {}, [&](std::uint32_t i) { return std::tuple(std::floor(discs.x[i] / width), discs.y[i], i); });
+  for (auto* column : {&discs.x, &discs.y, &discs.radius}) {
+    const std::vector<double> drawn = *column;
+    std::ranges::transform(order, column->begin(), [&](std::uint32_t i) { return drawn[i]; });
+  }
+}
+
 Discs draw(const RandomPacking& wanted) {
   motion::Random random(wanted.seed);
   const auto between = [&random](double low, double high) { return low + (high - low) * random.uniform(); };
@@ -51,6 +66,7 @@ Discs draw(const RandomPacking& wanted) {
     discs.x.push_back(between(wanted.box.x_min + r, wanted.box.x_max - r));
     discs.y.push_back(between(wanted.box.y_min + r, wanted.box.y_max - r));
   }
+  put_in_strips(discs);
   return discs;
 }
 
@@ -60,7 +76,7 @@ void grow(PressedDiscs& pressed, const Progress& progress) {
     // Between growth steps the discs need not come to rest; a few steps part those that overlap most.
     pressed.relax(kAtRest, kStepsWhileGrowing);
     pressed.scale_radii(factor);
-    progress(fmt::format("growing {} discs: step {} of {}", pressed.discs().size(), step, kGrowthSteps));
+    progress(fmt::format("growing {} discs: step {} of {}", pressed.size(), step, kGrowthSteps));
   }
 }
 
@@ -94,8 +110,7 @@ std::optional<double> install_stress(double stress, PressedDiscs& pressed, const
 }
 
 std::vector<bool> holders(const PressedDiscs& pressed) {
-  return without_floaters(pressed.discs().size(), pressed.contacts(), pressed.wall_contacts(),
-                          kFewestContacts);
+  return without_floaters(pressed.size(), pressed.contacts(), pressed.wall_contacts(), kFewestContacts);
 }
 
 // Mean number of contacts, walls included, among the discs that are kept.
@@ -135,7 +150,7 @@ std::optional<GrownPacking> pack_randomly(const RandomPacking& wanted, const Pro
     Discs held = pressed.discs();
     keep_only(keep, held);
     if (held.size() == 0) return std::nullopt;
-    pressed = PressedDiscs(std::move(held), wanted.box);
+    pressed = PressedDiscs(held, wanted.box);
     const auto again = install_stress(wanted.stress, pressed, progress);
     if (!again) return std::nullopt;
     *factor *= *again;
