@@ -107,4 +107,10 @@ inline double mid_step_slip_rate(double across, double half, double half_over_le
                    Arms{arms.first - share_1 * half, arms.second - (1 - share_1) * half}, spin_1, spin_2);
 }
 
+// Of two discs, whose arms change by half as much each, by the sum of their spins and the rate of turning.
+inline double mid_step_slip_rate(double across, double half, double half_over_length, double length,
+                                 double half_difference, double spin_sum, double turn_rate) {
+  return across * (1 + half_over_length) - (0.5 * (length - half) * spin_sum - half_difference * turn_rate);
+}
+
 }  // namespace adit::dem

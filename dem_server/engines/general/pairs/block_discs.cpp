@@ -9,7 +9,7 @@ namespace adit::dem {
 namespace {
 
 DiscMotion motion_of(const Particles& p, std::size_t i) {
-  return {p.ux[i], p.uy[i], p.vx[i], p.vy[i], p.x[i], p.y[i], p.spin[i], -p.spin[i]};
+  return {p.ux[i], p.uy[i], p.vx[i], p.vy[i], p.x[i], p.y[i], p.spin[i], p.spin[i]};
 }
 
 ADIT_VECTOR_CLONES void take_range(const Particles& p, std::size_t begin, std::size_t count, DiscMotion* to) {
@@ -17,7 +17,7 @@ ADIT_VECTOR_CLONES void take_range(const Particles& p, std::size_t begin, std::s
   for (; k + 4 <= count; k += 4) {
     const std::size_t i = begin + k;
     Four moved[4] = {four(&p.ux[i]), four(&p.uy[i]), four(&p.vx[i]), four(&p.vy[i])};
-    Four placed[4] = {four(&p.x[i]), four(&p.y[i]), four(&p.spin[i]), -four(&p.spin[i])};
+    Four placed[4] = {four(&p.x[i]), four(&p.y[i]), four(&p.spin[i]), four(&p.spin[i])};
     turn(moved);
     turn(placed);
     for (std::size_t lane = 0; lane < 4; ++lane) {

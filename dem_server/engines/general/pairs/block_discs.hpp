@@ -10,10 +10,9 @@
 
 namespace adit::dem {
 
-// Displacement, velocity, place at rest, spin w and -w: a pair takes w from its second disc and -w from its
-// first.
+// Displacement, velocity, place at rest and twice the spin, of which a pair takes the difference and the sum.
 struct alignas(64) DiscMotion {
-  double ux, uy, vx, vy, x, y, spin, minus_spin;
+  double ux, uy, vx, vy, x, y, spin, spin_again;
 };
 
 // Sums of what pairs do: of those whose first disc it is, and of those whose second it is, which act against

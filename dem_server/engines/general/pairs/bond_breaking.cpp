@@ -42,8 +42,9 @@ bool break_bond(const PairLaw& law, std::uint32_t pair, std::uint32_t k, double 
       arms.first,
       arms.second,
       along(s.nx, s.ny, discs.vx[k], discs.vy[k]),
-      slip_rate(across(s.nx, s.ny, discs.vx[k], discs.vy[k]), arms, discs.spin_1[k], discs.spin_2[k]),
-      discs.spin_2[k] - discs.spin_1[k]};
+      slip_rate(across(s.nx, s.ny, discs.vx[k], discs.vy[k]), arms,
+                (discs.spin_sum[k] - discs.turn_rate[k]) / 2, (discs.spin_sum[k] + discs.turn_rate[k]) / 2),
+      discs.turn_rate[k]};
   const double contact = contact_normal_force(law.contact.normal_stiffness, s.elongation + pairs.slack[pair]);
   const double w = pairs.weight[pair];
   released += w * released_by(law, springs, bond, contact, now, dt);

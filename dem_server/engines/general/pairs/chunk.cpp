@@ -1,6 +1,7 @@
 #include "dem_server/engines/general/pairs/chunk.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "dem_server/engines/general/pairs/lanes.hpp"
 #include "protocol/threads/vector_clones.hpp"
@@ -21,40 +22,32 @@ using Places = std::array<std::uint32_t, kLanes>;
   return at;
 }
 
-[[gnu::always_inline]] inline void put(const Four& low, const Four& high, double* to) {
-  store(low, to);
-  store(high, to + 4);
-}
-
 }  // namespace
 
-// The last two values of a motion are w and -w; of a second disc w is taken, of a first one -w.
 ADIT_VECTOR_CLONES void look_up_discs(const Pairs::Chunk& chunk, const Pairs& pairs,
                                       const BlockDiscs& of_block, ChunkDiscs& discs) {
   using Bits [[gnu::vector_size(64)]] = std::int64_t;
-  constexpr Bits kOfFirst{-1, -1, -1, -1, -1, -1, 0, -1}, kOfSecond{-1, -1, -1, -1, -1, -1, -1, 0};
+  constexpr Bits kSignOfLast{0, 0, 0, 0, 0, 0, 0, std::numeric_limits<std::int64_t>::min()};
   const double* motions = of_block.motions();
   for (std::uint32_t at = chunk.begin, k = 0; at < chunk.end; at += kLanes, k += kLanes) {
     const Places first = places_at(pairs.first_place, at, chunk.end),
                  second = places_at(pairs.second_place, at, chunk.end);
-    Four moved[kLanes], placed[kLanes];
+    Eight columns[kLanes];
     for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
       Eight a, b;
       load(motions + first[lane], a);
       load(motions + second[lane], b);
-      const Eight between = (Eight)((Bits)b & kOfSecond) - (Eight)((Bits)a & kOfFirst);
-      moved[lane] = low_half(between);
-      placed[lane] = high_half(between);
+      columns[lane] = b - (Eight)((Bits)a ^ kSignOfLast);
     }
-    for (Four* rows : {moved, moved + 4, placed, placed + 4}) turn(rows);
-    put(moved[0], moved[4], &discs.ux[k]);
-    put(moved[1], moved[5], &discs.uy[k]);
-    put(moved[2], moved[6], &discs.vx[k]);
-    put(moved[3], moved[7], &discs.vy[k]);
-    put(placed[0], placed[4], &discs.rest_x[k]);
-    put(placed[1], placed[5], &discs.rest_y[k]);
-    put(placed[2], placed[6], &discs.spin_2[k]);
-    put(placed[3], placed[7], &discs.spin_1[k]);
+    turn(columns);
+    store(columns[0], &discs.ux[k]);
+    store(columns[1], &discs.uy[k]);
+    store(columns[2], &discs.vx[k]);
+    store(columns[3], &discs.vy[k]);
+    store(columns[4], &discs.rest_x[k]);
+    store(columns[5], &discs.rest_y[k]);
+    store(columns[6], &discs.turn_rate[k]);
+    store(columns[7], &discs.spin_sum[k]);
   }
 }
 

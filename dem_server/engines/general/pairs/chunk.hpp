@@ -27,7 +27,7 @@ void look_up_laws(const Pairs::Chunk& chunk, std::span<const PairLaw> laws, cons
 // Differences of displacement, velocity and place at rest (second disc less first), spins, and where dashpots
 // act inverse masses and moments of inertia, weighted.
 struct ChunkDiscs {
-  alignas(64) ChunkColumn ux, uy, vx, vy, rest_x, rest_y, spin_1, spin_2;
+  alignas(64) ChunkColumn ux, uy, vx, vy, rest_x, rest_y, turn_rate, spin_sum;
   ChunkColumn inverse_mass, inverse_inertia_1, inverse_inertia_2;
 };
 void look_up_discs(const Pairs::Chunk& chunk, const Pairs& pairs, const BlockDiscs& of_block,

@@ -73,11 +73,10 @@ struct Kernel {
     const Arms arms = arms_of(s.length, half_difference[k]);
     const double stretch_rate = along(s.nx, s.ny, discs.vx[k], discs.vy[k]), half = 0.5 * dt * stretch_rate;
     const double slip_rate =
-        mid_step_slip_rate(across(s.nx, s.ny, discs.vx[k], discs.vy[k]), half, half * s.inverse_length, arms,
-                           0.5, discs.spin_1[k], discs.spin_2[k]);
-    return {s.nx,         s.ny,       s.length,
-            s.elongation, arms.first, arms.second,
-            stretch_rate, slip_rate,  discs.spin_2[k] - discs.spin_1[k]};
+        mid_step_slip_rate(across(s.nx, s.ny, discs.vx[k], discs.vy[k]), half, half * s.inverse_length,
+                           s.length, half_difference[k], discs.spin_sum[k], discs.turn_rate[k]);
+    return {s.nx,        s.ny,         s.length,  s.elongation,      arms.first,
+            arms.second, stretch_rate, slip_rate, discs.turn_rate[k]};
   }
 
   [[gnu::always_inline]] PairForces bond(std::uint32_t k, const PairKinematics& pair) {
