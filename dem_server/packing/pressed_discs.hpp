@@ -10,14 +10,17 @@
 #include <vector>
 
 #include "dem_server/packing/discs.hpp"
+#include "dem_server/packing/pushes.hpp"
 #include "protocol/geometry/bounding_box.hpp"
+#include "protocol/threads/team.hpp"
 
 namespace adit::dem {
 
 class PressedDiscs {
  public:
-  // Discs that are near each other should have near numbers: a step then finds them in the cache.
-  PressedDiscs(const Discs& discs, const geometry::BoundingBox& box);
+  // Discs that are near each other should have near numbers: a step then finds them in the cache, and threads
+  // share it. Where the discs come to rest does not depend on the number of threads. `team` outlives them.
+  PressedDiscs(const Discs& discs, const geometry::BoundingBox& box, protocol::Team& team);
 
   void scale_radii(double factor);
 
@@ -35,11 +38,6 @@ class PressedDiscs {
   std::vector<Pair> contacts() const;                // pairs that push each other
   std::vector<std::uint32_t> wall_contacts() const;  // of each disc
 
-  // A place, a velocity or a force: both components lie together, because a pair wants both.
-  struct Vector {
-    double x, y;
-  };
-
  private:
   void list_neighbours();
   bool neighbours_are_stale() const;
@@ -49,9 +47,13 @@ class PressedDiscs {
   std::vector<Vector> place_, velocity_, force_;
   geometry::BoundingBox box_;
   double skin_;
+  protocol::Team* team_;
+  // Pairs within a block of discs, block by block, then those of two blocks; the distances at which they
+  // touch; discs near walls; where those of each block begin, and the end.
   std::vector<Pair> neighbours_;
-  std::vector<double> touch_;  // distances at which they touch
+  std::vector<double> touch_;
   std::vector<std::uint32_t> at_walls_;
+  std::vector<std::uint32_t> pair_starts_, wall_starts_;
   std::vector<Vector> listed_;  // where the discs were when neighbours were listed
   double farthest_ = 0;         // square of the longest way from there
 };

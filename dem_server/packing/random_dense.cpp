@@ -9,7 +9,9 @@
 #include <tuple>
 
 #include "dem_server/packing/pressed_discs.hpp"
+#include "dem_server/particles/useful_threads.hpp"
 #include "protocol/motion/random.hpp"
+#include "protocol/threads/team.hpp"
 
 namespace adit::dem {
 
@@ -132,8 +134,11 @@ double count_random(const RandomPacking& wanted) {
   return (1 - wanted.porosity) * area(wanted.box) / (std::numbers::pi * (a * a + a * b + b * b) / 3);
 }
 
-std::optional<GrownPacking> pack_randomly(const RandomPacking& wanted, const Progress& progress) {
-  PressedDiscs pressed(draw(wanted), wanted.box);
+std::optional<GrownPacking> pack_randomly(const RandomPacking& wanted, const Growing& growing) {
+  const Progress& progress = growing.progress;
+  const Discs drawn = draw(wanted);
+  protocol::Team team(growing.threads > 0 ? growing.threads : useful_threads(drawn.size()));
+  PressedDiscs pressed(drawn, wanted.box, team);
   pressed.scale_radii(kStartScale);
   grow(pressed, progress);
   auto factor = install_stress(wanted.stress, pressed, progress);
@@ -150,7 +155,7 @@ std::optional<GrownPacking> pack_randomly(const RandomPacking& wanted, const Pro
     Discs held = pressed.discs();
     keep_only(keep, held);
     if (held.size() == 0) return std::nullopt;
-    pressed = PressedDiscs(held, wanted.box);
+    pressed = PressedDiscs(held, wanted.box, team);
     const auto again = install_stress(wanted.stress, pressed, progress);
     if (!again) return std::nullopt;
     *factor *= *again;

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "dem_server/packing/discs.hpp"
 #include "protocol/geometry/bounding_box.hpp"
@@ -42,9 +43,14 @@ struct GrownPacking {
   PackingState state;
 };
 
+struct Growing {
+  protocol::Progress progress = [](const std::string&) {};  // hears how far it is
+  std::size_t threads = 1;                                  // that share it, 0: as many as pay
+};
+
 // No value where the stress was not reached within 1 %: the porosity asked for is too far from where discs
-// jam.
-std::optional<GrownPacking> pack_randomly(const RandomPacking& wanted, const protocol::Progress& progress);
+// jam. The packing does not depend on the number of threads.
+std::optional<GrownPacking> pack_randomly(const RandomPacking& wanted, const Growing& growing = {});
 
 // Number of discs that would be drawn, in the mean.
 double count_random(const RandomPacking& wanted);

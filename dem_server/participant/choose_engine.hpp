@@ -28,6 +28,8 @@ class EngineMaker {
   virtual std::unique_ptr<Engine> make(const Model& model) = 0;
   // Names the states that its engines exchange, see protocol/participant/participant.hpp.
   virtual std::string state_format() const = 0;
+  // Threads that may share what is done before there is an engine, 0: as many as pay.
+  virtual std::size_t threads() const { return 1; }
 };
 
 // Where the scene leaves it to us, the lattice's engine, which is faster, if it can compute the model.
@@ -41,6 +43,7 @@ class LocalEngines final : public EngineMaker {
   std::string choose(const scene::Scene& scene, const Model& model) override;
   std::unique_ptr<Engine> make(const Model& model) override;
   std::string state_format() const override;
+  std::size_t threads() const override { return threads_; }
 
  private:
   std::size_t threads_;

@@ -22,7 +22,7 @@ namespace adit::dem {
 
 void DemParticipant::set_up(const wire::Setup& setup, wire::Model& answer) {
   scene_ = setup.scene();
-  model_ = read_model(scene_, progress());
+  model_ = read_model(scene_, progress(), engines_->threads());
   const std::string engine = engines_->choose(scene_, model_);
   engine_ = engines_->make(model_);
   spdlog::info("the engine of the particles is {}", engine);

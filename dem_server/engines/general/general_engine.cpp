@@ -10,7 +10,7 @@
 
 #include "dem_server/engines/general/critical_step.hpp"
 #include "dem_server/engines/general/renumber.hpp"
-#include "dem_server/engines/useful_threads.hpp"
+#include "dem_server/particles/useful_threads.hpp"
 #include "dem_server/model/at_stage.hpp"
 #include "dem_server/packing/meeting_place.hpp"
 #include "protocol/errors.hpp"

@@ -12,7 +12,6 @@
 #include "dem_server/model/placement/scene_checks.hpp"
 #include "dem_server/packing/extent.hpp"
 #include "dem_server/packing/hexagonal.hpp"
-#include "dem_server/packing/random_dense.hpp"
 #include "dem_server/packing/square.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/geometry/selection.hpp"
@@ -73,10 +72,10 @@ RandomPacking checked(const scene::RandomPacking& wanted, double normal_stiffnes
   return packing;
 }
 
-Placement random(const scene::RandomPacking& scene, double normal_stiffness,
-                 const protocol::Progress& progress, Notes& notes) {
+Placement random(const scene::RandomPacking& scene, double normal_stiffness, const Growing& growing,
+                 Notes& notes) {
   const RandomPacking wanted = checked(scene, normal_stiffness);
-  auto grown = pack_randomly(wanted, progress);
+  auto grown = pack_randomly(wanted, growing);
   if (!grown)
     throw UserError(
         "particles.random_packing.porosity",
@@ -128,8 +127,7 @@ Placement placed(const scene::PlacedParticles& wanted) {
   return {std::move(table.discs), own_area, extent, std::move(table.number), false};
 }
 
-Placement fill(const scene::Particles& p, double normal_stiffness, const protocol::Progress& progress,
-               Notes& notes) {
+Placement fill(const scene::Particles& p, double normal_stiffness, const Growing& growing, Notes& notes) {
   const int given = p.has_packing() + p.has_square_packing() + p.has_random_packing() + p.has_placed();
   if (given != 1)
     throw UserError(
@@ -138,7 +136,7 @@ Placement fill(const scene::Particles& p, double normal_stiffness, const protoco
                     given == 0 ? "no" : std::to_string(given)));
   if (p.has_packing()) return hexagonal(p.packing());
   if (p.has_square_packing()) return square(p.square_packing());
-  if (p.has_random_packing()) return random(p.random_packing(), normal_stiffness, progress, notes);
+  if (p.has_random_packing()) return random(p.random_packing(), normal_stiffness, growing, notes);
   return placed(p.placed());
 }
 
@@ -195,9 +193,9 @@ std::vector<std::uint32_t> select(const scene::Area& area, const Placement& plac
   return protocol::select(area, centres, placement.tolerance(), path, "particles");
 }
 
-Placement place_discs(const scene::Particles& particles, double normal_stiffness,
-                      const protocol::Progress& progress, Notes& notes) {
-  Placement placement = fill(particles, normal_stiffness, progress, notes);
+Placement place_discs(const scene::Particles& particles, double normal_stiffness, const Growing& growing,
+                      Notes& notes) {
+  Placement placement = fill(particles, normal_stiffness, growing, notes);
   if (particles.has_within())
     placement.keep_only(
         flags(placement.discs.size(), select(particles.within(), placement, "particles.within")));

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "dem_server/packing/discs.hpp"
+#include "dem_server/packing/random_dense.hpp"
 #include "protocol/geometry/bounding_box.hpp"
-#include "protocol/log/progress.hpp"
 #include "protocol/messages/scene.pb.h"
 
 namespace adit::dem {
@@ -27,10 +27,9 @@ struct Placement {
 };
 
 // Packs or places the discs and takes away what lies outside `within` and the ring. `normal_stiffness` of the
-// contacts [N/m] is that under which a random packing is grown. Says in `notes` what it reached, and to
-// `progress` how far it is.
-Placement place_discs(const scene::Particles& particles, double normal_stiffness,
-                      const protocol::Progress& progress, std::vector<std::string>& notes);
+// contacts [N/m] is that under which a random packing is grown. Says in `notes` what it reached.
+Placement place_discs(const scene::Particles& particles, double normal_stiffness, const Growing& growing,
+                      std::vector<std::string>& notes);
 
 // Throws the UserError of a box that holds too few discs for a bond.
 [[noreturn]] void refuse_small_box(const scene::HexagonalPacking& packing, std::size_t particles);

@@ -142,7 +142,7 @@ void start_under_stress(const scene::Scene& scene, Model& model) {
 
 }  // namespace
 
-Model read_model(const scene::Scene& scene, const protocol::Progress& progress) {
+Model read_model(const scene::Scene& scene, const protocol::Progress& progress, std::size_t threads) {
   if (!scene.has_particles())
     throw UserError("particles", "is missing; a dem_server needs a scene with particles");
   const auto& particles = scene.particles();
@@ -151,7 +151,7 @@ Model read_model(const scene::Scene& scene, const protocol::Progress& progress) 
   set_contacts(groups, model);
   set_damping(particles.damping(), model);
   Placement placement =
-      place_discs(particles, model.contacts.front().normal_stiffness, progress, model.notes);
+      place_discs(particles, model.contacts.front().normal_stiffness, {progress, threads}, model.notes);
   model.overlaps_free = placement.overlaps_free;
   set_particles(scene, groups, placement, model);
   if (particles.remove_floaters()) {

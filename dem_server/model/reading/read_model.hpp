@@ -15,8 +15,10 @@
 
 namespace adit::dem {
 
-// UserError for whatever cannot be computed. `progress` hears how far a random packing is.
+// UserError for whatever cannot be computed. `progress` hears how far a random packing is, whose growth the
+// threads share (0: as many as pay); the model does not depend on their number.
 Model read_model(
-    const scene::Scene& scene, const protocol::Progress& progress = [](const std::string&) {});
+    const scene::Scene& scene, const protocol::Progress& progress = [](const std::string&) {},
+    std::size_t threads = 1);
 
 }  // namespace adit::dem

@@ -104,7 +104,7 @@ TEST(Circles, NothingJumpsAtTheEdge) {
 // scatter.
 TEST(Circles, StressOfARandomPacking) {
   const geometry::BoundingBox box{0, 1, 0, 1};
-  const auto grown = pack_randomly({box, 0.01, 0.015, 0.16, 1e-3, 4, true}, [](const std::string&) {});
+  const auto grown = pack_randomly({box, 0.01, 0.015, 0.16, 1e-3, 4, true});
   ASSERT_TRUE(grown);
   const Discs& d = grown->discs;
   std::vector<Branch> branches;

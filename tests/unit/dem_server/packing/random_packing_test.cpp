@@ -13,8 +13,6 @@ namespace {
 
 const RandomPacking kWanted{{-1, 2, 5, 6}, 0.03, 0.05, 0.16, 1e-3, 7};
 
-void ignore(const std::string&) {}
-
 // The walls feel the stress asked for, within the 1 % that is promised, alike in both directions; whatever
 // the discs that were drawn, and from the loosest packing on that is jammed.
 TEST(RandomPacking, ReachesTheIsotropicStress) {
@@ -22,7 +20,7 @@ TEST(RandomPacking, ReachesTheIsotropicStress) {
   for (const double stress : {1e-4, 1e-3, 1e-2})
     for (wanted.seed = 1; wanted.seed <= 4; ++wanted.seed) {
       wanted.stress = stress;
-      const auto grown = pack_randomly(wanted, ignore);
+      const auto grown = pack_randomly(wanted);
       ASSERT_TRUE(grown);
       const double mean = (grown->state.stress_x + grown->state.stress_y) / 2;
       EXPECT_NEAR(mean, stress, 0.01 * stress) << "seed " << wanted.seed;
@@ -35,7 +33,7 @@ TEST(RandomPacking, ReachesTheIsotropicStress) {
 TEST(RandomPacking, JamsWhereFrictionlessDiscsDo) {
   RandomPacking wanted = kWanted;
   wanted.stress = 1e-4;
-  const auto grown = pack_randomly(wanted, ignore);
+  const auto grown = pack_randomly(wanted);
   ASSERT_TRUE(grown);
   EXPECT_GT(grown->state.porosity, 0.15);
   EXPECT_LT(grown->state.porosity, 0.19);
@@ -46,7 +44,7 @@ TEST(RandomPacking, JamsWhereFrictionlessDiscsDo) {
 TEST(RandomPacking, GrowsDiscsThatWereDrawnTooFew) {
   RandomPacking wanted = kWanted;
   wanted.porosity = 0.3;
-  const auto grown = pack_randomly(wanted, ignore);
+  const auto grown = pack_randomly(wanted);
   ASSERT_TRUE(grown);
   EXPECT_GT(grown->state.radius_factor, 1.05);
   EXPECT_LT(grown->state.porosity, 0.19);
@@ -55,7 +53,7 @@ TEST(RandomPacking, GrowsDiscsThatWereDrawnTooFew) {
 // Every disc lies in the box but for its overlap with a wall, keeps its size in the range times the radius
 // factor, and has at least three contacts.
 TEST(RandomPacking, KeepsDiscsInTheBoxAndInTheirRangeOfSizes) {
-  const auto grown = pack_randomly(kWanted, ignore);
+  const auto grown = pack_randomly(kWanted);
   ASSERT_TRUE(grown);
   const auto& [x, y, radius] = grown->discs;
   const double factor = grown->state.radius_factor;
@@ -67,7 +65,8 @@ TEST(RandomPacking, KeepsDiscsInTheBoxAndInTheirRangeOfSizes) {
     EXPECT_GE(y[i], kWanted.box.y_min + 0.95 * radius[i]);
     EXPECT_LE(y[i], kWanted.box.y_max - 0.95 * radius[i]);
   }
-  PressedDiscs pressed(grown->discs, kWanted.box);
+  protocol::Team team;
+  PressedDiscs pressed(grown->discs, kWanted.box, team);
   const auto keep = without_floaters(grown->discs.size(), pressed.contacts(), pressed.wall_contacts(), 3);
   EXPECT_EQ(std::ranges::count(keep, false), 0);
 }
@@ -76,24 +75,43 @@ TEST(RandomPacking, KeepsDiscsInTheBoxAndInTheirRangeOfSizes) {
 TEST(RandomPacking, FollowsItsSeed) {
   RandomPacking other = kWanted;
   other.seed = 8;
-  const auto a = pack_randomly(kWanted, ignore), b = pack_randomly(kWanted, ignore),
-             c = pack_randomly(other, ignore);
+  const auto a = pack_randomly(kWanted), b = pack_randomly(kWanted), c = pack_randomly(other);
   ASSERT_TRUE(a && b && c);
   EXPECT_EQ(a->discs.x, b->discs.x);
   EXPECT_EQ(a->discs.radius, b->discs.radius);
   EXPECT_NE(a->discs.x, c->discs.x);
 }
 
+// Several blocks of discs, shared by one to three threads: the same packing to the bit.
+TEST(RandomPacking, DoesNotDependOnTheNumberOfThreads) {
+  RandomPacking wanted = kWanted;
+  wanted.box = {0, 6, 0, 5};
+  wanted.radius_min = 0.05;
+  wanted.radius_max = 0.06;
+  wanted.stress = 1e-2;
+  const auto alone = pack_randomly(wanted);
+  ASSERT_TRUE(alone);
+  EXPECT_GT(alone->discs.size(), 2 * 1024u);
+  for (const std::size_t threads : {2, 3}) {
+    const auto shared = pack_randomly(wanted, {.threads = threads});
+    ASSERT_TRUE(shared);
+    EXPECT_EQ(shared->discs.x, alone->discs.x) << threads;
+    EXPECT_EQ(shared->discs.y, alone->discs.y) << threads;
+    EXPECT_EQ(shared->discs.radius, alone->discs.radius) << threads;
+  }
+}
+
 // Sizes of 1 to 50 do not keep the packing from reaching its stress.
 TEST(RandomPacking, TakesSizesOfOneToFifty) {
-  const auto grown = pack_randomly({{0, 3, 0, 3}, 0.004, 0.2, 0.16, 1e-2, 3}, ignore);
+  const auto grown = pack_randomly({{0, 3, 0, 3}, 0.004, 0.2, 0.16, 1e-2, 3});
   ASSERT_TRUE(grown);
   EXPECT_NEAR((grown->state.stress_x + grown->state.stress_y) / 2, 1e-2, 1e-4);
 }
 
 // Two discs that a box presses: each wall pushes with its overlap, the discs push each other alike.
 TEST(PressedDiscs, BalanceTheWallsOfANarrowBox) {
-  PressedDiscs pressed({{0.5, 1.4}, {0.5, 0.5}, {0.5, 0.5}}, {0, 1.9, 0, 1});
+  protocol::Team team;
+  PressedDiscs pressed({{0.5, 1.4}, {0.5, 0.5}, {0.5, 0.5}}, {0, 1.9, 0, 1}, team);
   ASSERT_TRUE(pressed.relax(1e-10, 100000));
   const double overlap = 0.1 / 3;  // 2 - 1.9 shared by three springs
   EXPECT_NEAR(pressed.discs().x[0], 0.5 - overlap, 1e-9);
