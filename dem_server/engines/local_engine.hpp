@@ -22,6 +22,7 @@ class LocalEngine : public Engine, public Observable {
  public:
   using Observable::particles;
   virtual Particles& particles() = 0;
+  virtual std::size_t threads() const = 0;  // that share a step
   std::span<const std::uint32_t> group() const final { return group_; }
   std::vector<double> cell_areas() const final;
 

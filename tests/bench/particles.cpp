@@ -97,7 +97,8 @@ dem::Discs pressed(const geometry::BoundingBox& box, std::uint32_t discs, std::u
       packed.y.push_back((row + 0.5) * box.y_max / rows);
       packed.radius.push_back(kRadius * (0.6 + 0.35 * random.uniform()));
     }
-  dem::PressedDiscs growing(std::move(packed), box);
+  protocol::Team team;
+  dem::PressedDiscs growing(packed, box, team);
   growing.relax(1e-3, 300);
   while (growing.wall_stress()[0] < kPressed) {
     growing.scale_radii(1.003);

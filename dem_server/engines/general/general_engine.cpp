@@ -10,9 +10,9 @@
 
 #include "dem_server/engines/general/critical_step.hpp"
 #include "dem_server/engines/general/renumber.hpp"
-#include "dem_server/particles/useful_threads.hpp"
 #include "dem_server/model/at_stage.hpp"
 #include "dem_server/packing/meeting_place.hpp"
+#include "dem_server/particles/useful_threads.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::dem {
@@ -28,13 +28,12 @@ Model renumbered(Model model) {
 }  // namespace
 
 GeneralEngine::GeneralEngine(Model model, std::size_t threads)
-    : GeneralEngine(threads > 0 ? threads : useful_threads(model.discs.size()),
-                    renumbered(std::move(model))) {}
+    : GeneralEngine(threads, renumbered(std::move(model))) {}
 
 GeneralEngine::GeneralEngine(std::size_t threads, Model model)
     : LocalEngine(model),
       model_(std::move(model)),
-      solver_(model_, threads),
+      solver_(model_, threads > 0 ? threads : useful_threads(model_.discs.size())),
       loads_(model_, solver_.particles()),
       motions_(model_, solver_.particles()),
       lists_(solver_.neighbours().lists()) {}

@@ -37,6 +37,7 @@ class GeneralEngine final : public LocalEngine {
   void correct(std::span<const double> impulses) override { push(impulses, motions_); }
   void step_interface(const protocol::Step& step) override;
   void step_interior(const protocol::Step&) override {}
+  std::size_t threads() const override { return solver_.threads(); }
   void took(double seconds) override { solver_.took(seconds); }
   std::span<const Crack> broken() const override { return cracks_; }
   Strongest strongest() const override { return solver_.strongest(); }

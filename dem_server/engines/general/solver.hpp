@@ -53,6 +53,7 @@ class Solver {
   void tie(std::span<const std::uint32_t> discs);
   // One whole step.
   void step(const protocol::Step& step, Loads& loads, PrescribedMotions& motions);
+  std::size_t threads() const { return team_->threads(); }
   void took(double seconds) { team_->took(seconds); }
   // The particles were stopped: so are the walls.
   void stop() { walls_.stop(); }

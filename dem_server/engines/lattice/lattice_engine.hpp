@@ -33,6 +33,7 @@ class LatticeEngine final : public LocalEngine {
   void correct(std::span<const double> impulses) override { push(impulses, interface_.motions); }
   void step_interface(const protocol::Step& step) override;
   void step_interior(const protocol::Step& step) override;
+  std::size_t threads() const override { return team_.threads(); }
   void took(double seconds) override { team_.took(seconds); }
   std::span<const Crack> broken() const override { return cracks_; }
   Strongest strongest() const override;

@@ -13,6 +13,7 @@
 #include "dem_server/model/solid/thin_strip.hpp"
 #include "dem_server/observe/branches.hpp"
 #include "dem_server/participant/choose_engine.hpp"
+#include "dem_server/particles/useful_threads.hpp"
 #include "protocol/errors.hpp"
 #include "tests/support/lattice_model.hpp"
 
@@ -28,9 +29,9 @@ Model block() {
 
 class Engines : public testing::TestWithParam<bool> {
  protected:
-  static std::unique_ptr<LocalEngine> make(const Model& model) {
-    if (GetParam()) return std::make_unique<LatticeEngine>(model, 1);
-    return std::make_unique<GeneralEngine>(model, 1);
+  static std::unique_ptr<LocalEngine> make(const Model& model, std::size_t threads = 1) {
+    if (GetParam()) return std::make_unique<LatticeEngine>(model, threads);
+    return std::make_unique<GeneralEngine>(model, threads);
   }
   // Particles move with these gradients of velocity for one step, which strains the block by them times dt.
   static void strain(LocalEngine& engine, double xx, double yy, double xy) {
@@ -45,6 +46,15 @@ class Engines : public testing::TestWithParam<bool> {
 };
 INSTANTIATE_TEST_SUITE_P(Both, Engines, testing::Bool(),
                          [](const auto& info) { return info.param ? "Lattice" : "General"; });
+
+// As many threads share a step as pay, where none are asked for; else those that are.
+TEST_P(Engines, AreSharedByAsManyThreadsAsPay) {
+  const Model large = test::lattice_in({0, 110, 0, 100}, kRadius, 2.0, kBond);
+  ASSERT_GT(large.discs.size(), 10000u);
+  EXPECT_EQ(make(large, 0)->threads(), useful_threads(large.discs.size()));
+  EXPECT_EQ(make(block(), 0)->threads(), 1u);
+  EXPECT_EQ(make(block(), 3)->threads(), 3u);
+}
 
 // Under a small uniform strain e a bond of direction n, t bears kn 2R n.e.n and ks 2R t.e.n.
 TEST_P(Engines, TellTheForcesOfBonds) {
