@@ -46,6 +46,7 @@ using boost::system::error_code;
 constexpr std::chrono::microseconds kSpin{500}, kEarly{200}, kLongYield{2000};
 constexpr double kNap = 0.8;                               // share of the expected wait
 constexpr std::chrono::milliseconds kLongestForecast{50};  // a late wake-up is negligible beside longer waits
+constexpr std::chrono::milliseconds kLongestSleep{60'000};
 constexpr int kFewestWithoutSpin = 16, kMostWithoutSpin = 1024;
 
 // The peer is alive, but what it sends or takes comes too late.
@@ -122,7 +123,7 @@ Connection::Connection(Socket&& socket, const std::string& program, const Patien
     : place_(place_of_peer(socket)), peer_(program + place_), patience_(patience) {
   const auto protocol = socket.local_endpoint().protocol();
   // The socket comes from the io_context of a listener or of connect(). Here it gets one of its own, which
-  // only this object runs.
+  // nobody runs: this object waits by itself.
   socket_.assign(protocol, socket.release());
   ::fcntl(socket_.native_handle(), F_SETFD, FD_CLOEXEC);  // for the servers that the coupler starts later
   // A frame is small and its answer is waited for; Nagle's algorithm would hold it back for more bytes.
@@ -364,17 +365,13 @@ void Connection::write(std::span<const std::byte> bytes, Watch& watch) {
   }
 }
 
-// Sleeps until the socket is readable or writable, as asked, or until the given time.
+// Sleeps until the socket is readable or writable, as asked, or until the given time. By poll(): async_wait()
+// of Boost.Asio 1.74 ends at once, again and again, on a socket that had to wait for room to write before.
 void Connection::sleep(Clock::time_point until, bool readable, bool writable) {
-  const auto wake = [](const error_code&) {};
-  if (readable) socket_.async_wait(Socket::wait_read, wake);
-  if (writable) socket_.async_wait(Socket::wait_write, wake);
-  io_.restart();
-  // A handler that still waits is cancelled and run, because the next call of sleep() adds its own.
-  if (io_.run_one_until(until) == 1 && readable != writable) return;
-  error_code ignored;
-  socket_.cancel(ignored);
-  io_.poll();
+  const auto events = static_cast<short>((readable ? POLLIN : 0) | (writable ? POLLOUT : 0));
+  pollfd waited{socket_.native_handle(), events, 0};
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
+  ::poll(&waited, 1, static_cast<int>(std::clamp<std::int64_t>(left.count(), 0, kLongestSleep.count())));
 }
 
 // Before it closed the connection, the peer may have sent an error that says why; that error is then thrown.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <ctime>
 #include <thread>
 
 #include "tests/unit/protocol/wire/frames.hpp"
@@ -53,6 +54,44 @@ TEST(Connection, CarriesFramesOfAnySizeBothWays) {
   EXPECT_EQ(pair.near.traffic().bytes_received, pair.far.traffic().bytes_sent);
   EXPECT_GT(pair.near.traffic().bytes_sent, 8u * 1101011u);
   EXPECT_GT(pair.near.traffic().seconds_waited, 0);
+}
+
+double cpu_seconds() {
+  timespec time;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+// Whoever waits for long leaves the processor to others: no less after thousands of waits, on a socket that
+// once had no room for a frame.
+TEST(Connection, WaitsAsleep) {
+  constexpr int kMeasured = 100, kBetween = 5000;
+  ConnectionPair pair;
+  std::thread slow([&] {
+    wire::Frame frame;
+    std::this_thread::sleep_for(50ms);
+    pair.far.receive(frame);
+    const auto answer = [&pair](int times, std::chrono::microseconds after) {
+      for (int i = 0; i < times; ++i) {
+        std::this_thread::sleep_for(after);
+        pair.far.send(predicted(1, 10));
+      }
+    };
+    answer(kMeasured, 3ms);
+    answer(kBetween, 550us);  // longer than an end spins
+    answer(kMeasured, 3ms);
+  });
+  wire::Frame back;
+  const auto cost_of_waits = [&](int times) {
+    const double before = cpu_seconds();
+    for (int i = 0; i < times; ++i) pair.near.receive(back);
+    return cpu_seconds() - before;
+  };
+  pair.near.send(predicted(1, 1000000));  // 8 MB
+  const double at_first = cost_of_waits(kMeasured);
+  cost_of_waits(kBetween);
+  EXPECT_LT(cost_of_waits(kMeasured), 1.3 * at_first);
+  slow.join();
 }
 
 // A silent peer is named, with the time for which it was silent, when that time has passed.
