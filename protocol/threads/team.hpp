@@ -5,8 +5,10 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -25,7 +27,11 @@ class Team {
   std::size_t threads() const { return others_.size() + 1; }
 
   // The duration of a whole step [s]: those of the first ones decide whether calls are shared (trial.hpp).
-  void took(double seconds) { trial_.take(seconds); }
+  void took(double seconds) {
+    const auto now = Clock::now();
+    trial_.take(seconds, last_ ? std::chrono::duration<double>(now - *last_).count() : seconds);
+    last_ = now;
+  }
 
   // Calls work(task, thread) for the tasks 0 … count - 1. Each thread gets consecutive tasks, nearly as many
   // as the others and always the same ones. Returns when all are done. `work` must not throw.
@@ -62,7 +68,9 @@ class Team {
   void serve(std::size_t thread);
 
   Call call_;
+  using Clock = std::chrono::steady_clock;
   Trial trial_;
+  std::optional<Clock::time_point> last_;  // when a step was told last
   // Each counter has a cache line of its own, so that threads that wait for one do not slow down the other.
   alignas(64) std::atomic<std::uint64_t> calls_{0};     // calls begun; the top bit tells threads to end
   alignas(64) std::atomic<std::uint64_t> finished_{0};  // calls that the other threads have finished
