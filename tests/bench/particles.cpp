@@ -22,7 +22,7 @@
 #include "dem_server/engines/lattice/lattice_engine.hpp"
 #include "dem_server/model/lattice.hpp"
 #include "dem_server/packing/hexagonal.hpp"
-#include "dem_server/packing/pressed_discs.hpp"
+#include "dem_server/packing/random/pressed_discs.hpp"
 #include "protocol/motion/random.hpp"
 #include "protocol/threads/vector_clones.hpp"
 #include "tests/bench/measure.hpp"

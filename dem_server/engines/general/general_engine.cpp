@@ -12,7 +12,7 @@
 #include "dem_server/engines/general/renumber.hpp"
 #include "dem_server/model/at_stage.hpp"
 #include "dem_server/packing/meeting_place.hpp"
-#include "dem_server/particles/useful_threads.hpp"
+#include "dem_server/packing/useful_threads.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::dem {

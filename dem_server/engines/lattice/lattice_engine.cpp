@@ -11,7 +11,7 @@
 #include "dem_server/engines/lattice/critical_step.hpp"
 #include "dem_server/laws/linear_contact.hpp"
 #include "dem_server/packing/meeting_place.hpp"
-#include "dem_server/particles/useful_threads.hpp"
+#include "dem_server/packing/useful_threads.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::dem {

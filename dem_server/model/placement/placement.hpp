@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dem_server/packing/discs.hpp"
-#include "dem_server/packing/random_dense.hpp"
+#include "dem_server/packing/random/random_dense.hpp"
 #include "protocol/geometry/bounding_box.hpp"
 #include "protocol/messages/scene.pb.h"
 

@@ -12,8 +12,8 @@
 #include "dem_server/model/initial_state/initial_state.hpp"
 #include "dem_server/model/solid/thin_strip.hpp"
 #include "dem_server/observe/branches.hpp"
+#include "dem_server/packing/useful_threads.hpp"
 #include "dem_server/participant/choose_engine.hpp"
-#include "dem_server/particles/useful_threads.hpp"
 #include "protocol/errors.hpp"
 #include "tests/support/lattice_model.hpp"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "dem_server/model/calibration.hpp"
-#include "dem_server/packing/random_dense.hpp"
+#include "dem_server/packing/random/random_dense.hpp"
 #include "tests/support/lattice_model.hpp"
 
 namespace adit::dem {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "dem_server/packing/pressed_discs.hpp"
-#include "dem_server/packing/random_dense.hpp"
+#include "dem_server/packing/random/pressed_discs.hpp"
+#include "dem_server/packing/random/random_dense.hpp"
 #include "dem_server/packing/square.hpp"
 
 namespace adit::dem {

@@ -1,4 +1,4 @@
-#include "dem_server/packing/random_dense.hpp"
+#include "dem_server/packing/random/random_dense.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <numeric>
 #include <tuple>
 
-#include "dem_server/packing/pressed_discs.hpp"
-#include "dem_server/particles/useful_threads.hpp"
+#include "dem_server/packing/random/pressed_discs.hpp"
+#include "dem_server/packing/useful_threads.hpp"
 #include "protocol/motion/random.hpp"
 #include "protocol/threads/team.hpp"
 

@@ -1,4 +1,4 @@
-#include "dem_server/packing/pressed_discs.hpp"
+#include "dem_server/packing/random/pressed_discs.hpp"
 
 #include <algorithm>
 #include <cmath>

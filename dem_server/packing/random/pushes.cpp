@@ -1,4 +1,4 @@
-#include "dem_server/packing/pushes.hpp"
+#include "dem_server/packing/random/pushes.hpp"
 
 #include <algorithm>
 #include <array>

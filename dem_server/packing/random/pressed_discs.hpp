@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "dem_server/packing/discs.hpp"
-#include "dem_server/packing/pushes.hpp"
+#include "dem_server/packing/random/pushes.hpp"
 #include "protocol/geometry/bounding_box.hpp"
 #include "protocol/threads/team.hpp"
 
