@@ -96,6 +96,11 @@ inline double slip_rate(double across, const Arms& arms, double spin_1, double s
 inline double slip_rate(double across, double arm, double spin_1, double spin_2) {
   return across - (spin_1 + spin_2) * arm;
 }
+// Of two discs, by the sum of their spins and the rate of turning.
+inline double slip_rate(double across, double length, double half_difference, double spin_sum,
+                        double turn_rate) {
+  return across - (0.5 * length * spin_sum - half_difference * turn_rate);
+}
 
 // Slip by the shape in the middle of the step, where velocities stand: forces that grow by it are of second
 // order, however far contacts roll and slide. The pair was shorter by `half` = dt stretch_rate / 2, of which
@@ -107,10 +112,10 @@ inline double mid_step_slip_rate(double across, double half, double half_over_le
                    Arms{arms.first - share_1 * half, arms.second - (1 - share_1) * half}, spin_1, spin_2);
 }
 
-// Of two discs, whose arms change by half as much each, by the sum of their spins and the rate of turning.
+// Of two discs, whose arms change by half as much each.
 inline double mid_step_slip_rate(double across, double half, double half_over_length, double length,
                                  double half_difference, double spin_sum, double turn_rate) {
-  return across * (1 + half_over_length) - (0.5 * (length - half) * spin_sum - half_difference * turn_rate);
+  return slip_rate(across * (1 + half_over_length), length - half, half_difference, spin_sum, turn_rate);
 }
 
 }  // namespace adit::dem

@@ -34,17 +34,16 @@ bool break_bond(const PairLaw& law, std::uint32_t pair, std::uint32_t k, double 
   if (!tensile && !breaks_in_shear(bond, width, law.cohesion, law.tan_friction_angle)) return false;
 
   const Arms arms = arms_of(s.length, pairs.half_difference[pair]);
-  const PairKinematics now{
-      s.nx,
-      s.ny,
-      s.length,
-      s.elongation,
-      arms.first,
-      arms.second,
-      along(s.nx, s.ny, discs.vx[k], discs.vy[k]),
-      slip_rate(across(s.nx, s.ny, discs.vx[k], discs.vy[k]), arms,
-                (discs.spin_sum[k] - discs.turn_rate[k]) / 2, (discs.spin_sum[k] + discs.turn_rate[k]) / 2),
-      discs.turn_rate[k]};
+  const PairKinematics now{s.nx,
+                           s.ny,
+                           s.length,
+                           s.elongation,
+                           arms.first,
+                           arms.second,
+                           along(s.nx, s.ny, discs.vx[k], discs.vy[k]),
+                           slip_rate(across(s.nx, s.ny, discs.vx[k], discs.vy[k]), s.length,
+                                     pairs.half_difference[pair], discs.spin_sum[k], discs.turn_rate[k]),
+                           discs.turn_rate[k]};
   const double contact = contact_normal_force(law.contact.normal_stiffness, s.elongation + pairs.slack[pair]);
   const double w = pairs.weight[pair];
   released += w * released_by(law, springs, bond, contact, now, dt);

@@ -24,8 +24,8 @@ struct ChunkLaws {
 void look_up_laws(const Pairs::Chunk& chunk, std::span<const PairLaw> laws, const Pairs& pairs,
                   ChunkLaws& out);
 
-// Differences of displacement, velocity and place at rest (second disc less first), spins, and where dashpots
-// act inverse masses and moments of inertia, weighted.
+// Differences of displacement, velocity, place at rest and spin (second disc less first), sums of the spins,
+// and where dashpots act inverse masses and moments of inertia, weighted.
 struct ChunkDiscs {
   alignas(64) ChunkColumn ux, uy, vx, vy, rest_x, rest_y, turn_rate, spin_sum;
   ChunkColumn inverse_mass, inverse_inertia_1, inverse_inertia_2;

@@ -43,16 +43,16 @@ template <class Values>
   rows[3] = __builtin_shufflevector(odd_01, odd_23, 2, 3, 6, 7);
 }
 
-// Eight rows of eight become eight columns of eight.
+// Eight rows of eight become eight columns of eight. pairs: of two rows each, their values 0, 2, 4, 6, then
+// 1, 3, 5, 7; fours: of four rows each, their values 0 and 4, 1 and 5, 2 and 6, 3 and 7.
 [[gnu::always_inline]] inline void turn(Eight* rows) {
   Eight pairs[8], fours[8];
-  for (int k = 0; k < 8;
-       k += 2) {  // pairs[k]: values 0, 2, 4, 6 of rows k and k + 1, pairs[k + 1]: 1, 3, 5, 7
+  for (int k = 0; k < 8; k += 2) {
     pairs[k] = __builtin_shufflevector(rows[k], rows[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
     pairs[k + 1] = __builtin_shufflevector(rows[k], rows[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
   }
   for (int k = 0; k < 8; k += 4)
-    for (int odd = 0; odd < 2; ++odd) {  // of four rows: values 0 + odd and 4 + odd, 2 + odd and 6 + odd
+    for (int odd = 0; odd < 2; ++odd) {
       const Eight &a = pairs[k + odd], &b = pairs[k + 2 + odd];
       fours[k + odd] = __builtin_shufflevector(a, b, 0, 1, 4, 5, 8, 9, 12, 13);
       fours[k + 2 + odd] = __builtin_shufflevector(a, b, 2, 3, 6, 7, 10, 11, 14, 15);
