@@ -116,8 +116,8 @@ void DemParticipant::excavate(std::uint32_t stage) {
   if (stage <= stage_) return;
   const protocol::CountedFrom counted = protocol::counted_from(scene_.statics());
   if (counted.stage_given && counted.begins(stage_, stage)) engine_->count_displacements();
-  engine_->begin_stage(stage);  // with true masses
-  scaled_ = false;
+  scale_masses(false);  // a stage of another model alone changes no masses by itself
+  engine_->begin_stage(stage);
   stage_ = stage;
 }
 
