@@ -131,6 +131,7 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   const auto& conditions = scene_.continuum();
   make_continuum();
   excavated_ = excavated_zones(scene_, grid_);
+  require_free_field_stays();
   histories_.emplace(conditions, supports_, grid_, zone_kinds());
   if (!weights.weights().empty()) offer_grid_points(weights, interface);
   interface.set_zones(grid_.zones.size());
@@ -249,6 +250,7 @@ void FdmParticipant::correct(std::span<const double> impulses) {
 void FdmParticipant::measure_unrest(const Step& last, wire::Relaxation& answer) {
   if (!relaxation_) relaxation_.emplace(grid_, weights_);
   const Unrest unrest = relaxation_->measure(*continuum_, last.kick(), last.local_damping);
+  if (!std::isfinite(unrest.unbalanced_force)) check_grid(last);
   answer.set_unbalanced_force(unrest.unbalanced_force);
   answer.set_internal_force(unrest.internal_force);
   answer.set_points(grid_.x.size());
@@ -358,6 +360,22 @@ void FdmParticipant::require_interface_stays() const {
             "or bolts are attached at ({:g}, {:g}) m after stage 0, where the interface ties the grid; "
             "keep a zone between them and the overlap",
             grid_.x[*point], grid_.y[*point]));
+}
+
+// A free field is ground that goes on as the side does: an opening there would go on, too.
+void FdmParticipant::require_free_field_stays() const {
+  for (const FreeFieldColumn& column : columns_)
+    for (const BoundaryEdge& edge : column.edges)
+      if (excavated_.stage[edge.zone] > 0) {
+        const auto [x, y] = centroid(corners(grid_, edge.zone));
+        throw protocol::UserError(
+            "continuum.excavations",
+            fmt::format(
+                "take away the zone at ({:g}, {:g}) m in stage {}, beside the column of "
+                "continuum.free_field; keep a zone between excavations and this side, or leave the free "
+                "field out there",
+                x, y, excavated_.stage[edge.zone]));
+      }
 }
 
 std::vector<std::uint32_t> FdmParticipant::zone_kinds() const {

@@ -79,6 +79,7 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   // The grid points inside the box that the weights came with.
   void offer_grid_points(const wire::Weights& box, wire::Interface& interface) const;
   void require_interface_stays() const;
+  void require_free_field_stays() const;
   // The material of each zone; none where time finds no ground (columns, what was taken away).
   std::vector<std::uint32_t> zone_kinds() const;
   // Throw Unstable. Every step looks at the interface and at the energies that are wanted, every hundredth at

@@ -14,10 +14,10 @@ Load Continuum::held_forces(std::span<const Excavated> zones) {
   std::set<double> shares;
   for (const Excavated& one : zones) shares.insert(one.held);
   for (const double share : shares) {
-    std::vector<bool> others(zones_.count(), true);
-    for (const Excavated& one : zones) others[one.zone] = one.held != share;
+    std::vector<bool> sharing(zones_.count(), false);
+    for (const Excavated& one : zones) sharing[one.zone] = one.held == share;
     std::vector<double> fx(points_.size(), 0.0), fy = fx;
-    zones_.add_forces(without(zones_.runs(), others), 1, {rest.data(), rest.data(), fx.data(), fy.data()});
+    zones_.add_forces_of(sharing, 1, {rest.data(), rest.data(), fx.data(), fy.data()});
     for (std::size_t i = 0; i < points_.size(); ++i) {
       held.fx[i] += share * fx[i];
       held.fy[i] += share * fy[i];

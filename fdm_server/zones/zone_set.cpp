@@ -96,6 +96,20 @@ void ZoneSet::add_forces(std::span<const ZoneRun> runs, double dt, const PointVi
   }
 }
 
+std::vector<bool> ZoneSet::Part::own(const std::vector<bool>& zones) const {
+  std::vector<bool> flags(numbers.size());
+  for (std::size_t z = 0; z < flags.size(); ++z) flags[z] = zones[numbers[z]];
+  return flags;
+}
+
+void ZoneSet::add_forces_of(const std::vector<bool>& zones, double dt, const PointView& points) {
+  for (auto& part : parts_) {
+    std::vector<bool> others = part.own(zones);
+    others.flip();
+    part.kernel->add_forces(without(part.kernel->runs(), others), dt, points);
+  }
+}
+
 void ZoneSet::set_stress(std::size_t zone, const Stress& stress) {
   parts_[places_[zone].part].kernel->set_stress(places_[zone].zone, stress);
 }
@@ -105,11 +119,7 @@ void ZoneSet::set_stress_zz(std::size_t zone, double zz) {
 }
 
 void ZoneSet::remove(const std::vector<bool>& gone) {
-  for (auto& part : parts_) {
-    std::vector<bool> own(part.numbers.size());
-    for (std::size_t z = 0; z < own.size(); ++z) own[z] = gone[part.numbers[z]];
-    part.kernel->remove(own);
-  }
+  for (auto& part : parts_) part.kernel->remove(part.own(gone));
   collect_runs();
 }
 

@@ -28,6 +28,8 @@ class ZoneSet {
   std::span<const ZoneRun> runs() const { return runs_; }
   void follow(const double* ux, const double* uy);
   void add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points);
+  // The forces of those zones alone whose flag is set.
+  void add_forces_of(const std::vector<bool>& zones, double dt, const PointView& points);
   void set_stress(std::size_t zone, const Stress& stress);
   void set_stress_zz(std::size_t zone, double zz);
   void remove(const std::vector<bool>& gone);
@@ -55,6 +57,9 @@ class ZoneSet {
   struct Part {
     std::unique_ptr<ZoneKernel> kernel;
     std::vector<std::uint32_t> numbers;  // of its zones in the grid
+
+    // Flags of the grid's zones as flags of the part's, whose kernel and runs count zones from 0.
+    std::vector<bool> own(const std::vector<bool>& zones) const;
   };
   void add_part(std::unique_ptr<ZoneKernel> kernel, std::vector<std::uint32_t> numbers);
   void collect_runs();

@@ -17,7 +17,8 @@ constexpr double kPressure = 1e6, kRadius = 2, kShear = 1e8, kPoisson = 0.25;
 constexpr double kThickness = 0.2, kYoung = 30e9, kLiningPoisson = 0.2;
 
 // A tunnel of stage 1 in ground under the same pressure all around, whose outline 30 radii away is held.
-double mean_thrust(std::uint32_t lining_stage, double released = 1) {
+// `materials`: others of the same stiffness, as text.
+double mean_thrust(std::uint32_t lining_stage, double released = 1, const std::string& materials = "") {
   const std::string text = fmt::format(
       "material {{ young_modulus: {} poisson_ratio: {} density: 2000 }} time {{ duration: 1e-3 dt_factor: "
       "0.9 }} "
@@ -29,15 +30,15 @@ double mean_thrust(std::uint32_t lining_stage, double released = 1) {
       "along {{ zones: 48 }} across {{ zones: 3 }} }} "
       "blocks {{ ring {{ centre {{ x: 0 y: 0 }} inner_radius: {} outer_side: 120 }} along {{ zones: 48 }} "
       "across {{ zones: 28 ratio: 1.12 }} }} "
-      "excavations {{ where {{ group: 'core' }} stage: 1 released: {} }} "
+      "{} excavations {{ where {{ group: 'core' }} stage: 1 released: {} }} "
       "linings {{ name: 'l' along {{ circle {{ centre {{ x: 0 y: 0 }} radius: {} }} }} thickness: {} "
       "young_modulus: {} poisson_ratio: {} stage: {} }} "
       "motions {{ where {{ x_min: 60 }} velocity {{ x: 0 y: 0 }} }} "
       "motions {{ where {{ x_max: -60 }} velocity {{ x: 0 y: 0 }} }} "
       "motions {{ where {{ y_min: 60 }} velocity {{ x: 0 y: 0 }} }} "
       "motions {{ where {{ y_max: -60 }} velocity {{ x: 0 y: 0 }} }} }}",
-      2 * kShear * (1 + kPoisson), kPoisson, -kPressure, -kPressure, kRadius, kRadius, released, kRadius,
-      kThickness, kYoung, kLiningPoisson, lining_stage);
+      2 * kShear * (1 + kPoisson), kPoisson, -kPressure, -kPressure, kRadius, kRadius, materials, released,
+      kRadius, kThickness, kYoung, kLiningPoisson, lining_stage);
   scene::Scene scene;
   EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(text, &scene)) << text;
   coupler::Model model = test::local_model(scene);
@@ -67,6 +68,20 @@ TEST(StagedLining, CarriesNothingOfWhatWasBefore) {
 // Installed when a share of the pressure is released, it shares the rest only.
 TEST(StagedLining, SharesWhatIsReleasedLater) {
   EXPECT_NEAR(mean_thrust(2, 0.6) / mean_thrust(1), 0.4, 2e-3);
+}
+
+// Requirement: the forces held are those of the zones that go, however many materials the ground has and
+// wherever these stand among them.
+TEST(StagedLining, SharesWhatIsReleasedLaterInGroundOfSeveralMaterials) {
+  const auto material = [](const char* where) {
+    return fmt::format(
+        "materials {{ where {{ {} }} material {{ young_modulus: {} poisson_ratio: {} density: 2000 }} }} ",
+        where, 2 * kShear * (1 + kPoisson), kPoisson);
+  };
+  const double of_one = mean_thrust(2, 0.6);
+  for (const std::string& materials : {material("group: 'core'"), material("y_min: 0"),
+                                       material("y_max: 0") + material("x_min: 0 y_min: 0")})
+    EXPECT_NEAR(mean_thrust(2, 0.6, materials) / of_one, 1, 1e-4) << materials;
 }
 
 }  // namespace
