@@ -79,7 +79,7 @@ void DemParticipant::balance_under_weights(std::span<const double> centres) {
   std::vector<double> weights;
   for (const std::uint32_t place : model_.id) weights.push_back(centres[place]);
   const protocol::StatedStress stated(scene_.initial_stress());
-  balance_in_overlap([&stated](double y) { return stated.at(y); }, weights, model_);
+  balance_in_overlap([&stated](double x, double y) { return stated.at(x, y); }, weights, model_);
 }
 
 void DemParticipant::couple(const wire::Couple& couple, wire::Operator& op) {

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <limits>
 #include <string>
 
@@ -18,17 +20,43 @@ bool has_components(const scene::Stress& s) {
          s.has_yy_per_metre() || s.has_zz_per_metre();
 }
 
+void check_line(const scene::Stress& stress) {
+  if (stress.surface_line().empty()) return;
+  if (stress.has_surface())
+    throw UserError("initial_stress.surface_line",
+                    "is given beside `surface`; keep the one that is the ground's");
+  for (int k = 1; k < stress.surface_line_size(); ++k)
+    if (!(stress.surface_line(k - 1).x() < stress.surface_line(k).x()))
+      throw UserError(
+          fmt::format("initial_stress.surface_line[{}].x", k),
+          fmt::format("is {:g} m, not right of the point before at {:g} m; give the points from left to "
+                      "right",
+                      stress.surface_line(k).x(), stress.surface_line(k - 1).x()));
+}
+
+// The y of the highest place of the ground.
+double top_of(const scene::Stress& stress) {
+  if (stress.surface_line().empty()) return stress.surface();
+  return std::ranges::max_element(stress.surface_line(), {}, [](const scene::Point& p) { return p.y(); })
+      ->y();
+}
+
 void check(const scene::Stress& stress) {
   if (stress.layers().empty()) {
-    if (stress.has_surface() || stress.has_surcharge())
-      throw UserError(stress.has_surface() ? "initial_stress.surface" : "initial_stress.surcharge",
+    const char* of_layers = stress.has_surface()             ? "surface"
+                            : stress.has_surcharge()         ? "surcharge"
+                            : stress.surface_line_size() > 0 ? "surface_line"
+                                                             : nullptr;
+    if (of_layers != nullptr)
+      throw UserError(fmt::format("initial_stress.{}", of_layers),
                       "is given without layers; add them to initial_stress.layers, or leave it out");
     return;
   }
+  check_line(stress);
   if (has_components(stress))
     throw UserError("initial_stress.layers",
                     "are given beside components of the stress; give either the layers or the components");
-  double above = stress.surface();
+  double above = top_of(stress);
   for (int k = 0; k < stress.layers_size(); ++k) {
     const double bottom = stress.layers(k).bottom();
     if (!(bottom < above))
@@ -43,14 +71,13 @@ void check(const scene::Stress& stress) {
 }  // namespace
 
 StatedStress::StatedStress(const scene::Stress& stress)
-    : surface_(stress.layers().empty() ? kInfinity : stress.surface()) {
+    : surface_(stress.layers().empty() ? kInfinity : top_of(stress)), surcharge_(stress.surcharge()) {
   check(stress);
+  for (const scene::Point& point : stress.surface_line()) line_.emplace_back(point.x(), point.y());
   if (stress.layers().empty()) {
-    Piece piece{-kInfinity,
-                {stress.xx(), stress.xx_per_metre()},
-                {stress.yy(), stress.yy_per_metre()},
-                {stress.xy(), 0},
-                {}};
+    Piece piece{
+        -kInfinity,       0, 0, {stress.xx(), stress.xx_per_metre()}, {stress.yy(), stress.yy_per_metre()},
+        {stress.xy(), 0}, {}};
     if (stress.has_zz() || stress.has_zz_per_metre()) piece.zz = Linear{stress.zz(), stress.zz_per_metre()};
     pieces_.push_back(piece);
     return;
@@ -60,13 +87,36 @@ StatedStress::StatedStress(const scene::Stress& stress)
     const double weight = layer.density() * kStandardGravity;
     const Linear yy{vertical - weight * top, weight};
     const Linear horizontal{layer.k0() * yy.at_zero, layer.k0() * weight};
-    pieces_.push_back({layer.bottom(), horizontal, yy, {}, horizontal});
+    pieces_.push_back({layer.bottom(), weight, layer.k0(), horizontal, yy, {}, horizontal});
     vertical = yy.at(layer.bottom());
     top = layer.bottom();
   }
 }
 
-GroundStress StatedStress::at(double y) const {
+GroundStress StatedStress::below_line(double x, double y) const {
+  const auto right = std::ranges::upper_bound(line_, x, {}, &std::pair<double, double>::first);
+  double above = right == line_.begin() ? right->second : std::prev(right)->second;
+  if (right != line_.begin() && right != line_.end()) {
+    const auto [x0, y0] = *std::prev(right);
+    above = std::lerp(y0, right->second, (x - x0) / (right->first - x0));
+  }
+  const double height = std::min(y, above);
+  double vertical = -surcharge_, horizontal = 0;
+  for (const Piece& layer : pieces_) {
+    const bool last = &layer == &pieces_.back() || height >= layer.bottom;
+    const double lower = last ? height : layer.bottom;
+    if (lower < above) {
+      vertical -= layer.weight * (above - lower);
+      above = lower;
+    }
+    horizontal = layer.k0 * vertical;
+    if (last) break;
+  }
+  return {horizontal, vertical, 0, horizontal};
+}
+
+GroundStress StatedStress::at(double x, double y) const {
+  if (!line_.empty()) return below_line(x, y);
   const double height = std::min(y, surface_);
   const auto found = std::ranges::find_if(pieces_, [&](const Piece& p) { return height >= p.bottom; });
   const Piece& piece = found != pieces_.end() ? *found : pieces_.back();

@@ -3,9 +3,14 @@
 // Every component is piecewise linear in y. Layers: from the surface downwards the vertical pressure grows by
 // the weight of each layer, from the surcharge on; both horizontal pressures are k0 times the vertical one.
 // The last layer goes on below its lower side. Above the surface the ground bears the surcharge alone.
+//
+// Below a line instead of a level surface, each place bears the layers between it and the line above it.
+// Layers end at the line, which may lie below some of them. Beside the line's slopes this is not in
+// equilibrium: the horizontal pressure changes along x, and nothing bears it but shear, which statics find.
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "protocol/messages/scene.pb.h"
@@ -23,10 +28,10 @@ struct GroundStress {
 
 class StatedStress {
  public:
-  // UserError at initial_stress for layers beside components, or out of order.
+  // UserError at initial_stress for layers beside components, or out of order, and for a line that is none.
   explicit StatedStress(const scene::Stress& stress);
 
-  GroundStress at(double y) const;
+  GroundStress at(double x, double y) const;
 
  private:
   struct Linear {
@@ -35,11 +40,16 @@ class StatedStress {
   };
   struct Piece {
     double bottom;  // y [m]
+    double weight;  // of a layer, that is its growth of yy [N/m^3]
+    double k0;
     Linear xx, yy, xy;
     std::optional<Linear> zz;
   };
+  GroundStress below_line(double x, double y) const;
+
   std::vector<Piece> pieces_;  // downwards
-  double surface_;
+  double surface_, surcharge_;
+  std::vector<std::pair<double, double>> line_;  // from left to right; none: the surface is level
 };
 
 }  // namespace adit::protocol

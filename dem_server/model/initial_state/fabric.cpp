@@ -30,7 +30,7 @@ Eigen::VectorXd components(const protocol::GroundStress& stress) {
 
 }  // namespace
 
-Fabric::Fabric(const Model& model, std::span<const Pair> touching, const StressAtHeight& stated)
+Fabric::Fabric(const Model& model, std::span<const Pair> touching, const StressAt& stated)
     : model_(model),
       stated_(stated),
       links_(links_of(model, touching)),
@@ -74,7 +74,7 @@ std::vector<PairForces> Fabric::forces() const {
   std::vector<PairForces> forces;
   forces.reserve(links_.size());
   for (const Link& link : links_)
-    forces.push_back(forces_under(strain_for(components(stated_(link.height))), link));
+    forces.push_back(forces_under(strain_for(components(stated_(link.at_x, link.at_y))), link));
   if (!equilibrium_) return forces;
   equilibrium_->balance(links_, external_, forces);
   const auto [xx, yy, xy] = strain_for(mean_stated() - mean_stress(forces));
@@ -104,7 +104,7 @@ Fabric::Vector Fabric::mean_stress(const std::vector<PairForces>& forces) const 
 
 Fabric::Vector Fabric::mean_stated() const {
   Vector sum = Vector::Zero(3);
-  for (const Face& face : faces_.inside) sum += face.area * components(stated_(face.height));
+  for (const Face& face : faces_.inside) sum += face.area * components(stated_(face.x, face.y));
   return sum / area_;
 }
 

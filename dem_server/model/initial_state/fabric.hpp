@@ -16,7 +16,7 @@ namespace adit::dem {
 class Fabric {
  public:
   // UserError at initial_stress where the links enclose no area.
-  Fabric(const Model& model, std::span<const Pair> touching, const StressAtHeight& stated);
+  Fabric(const Model& model, std::span<const Pair> touching, const StressAt& stated);
 
   // Forces of the links that balance, and whose mean stress is that of the stated one. UserError at
   // initial_stress for a stress that the links do not resist.
@@ -36,7 +36,7 @@ class Fabric {
   Vector mean_stated() const;
 
   const Model& model_;
-  const StressAtHeight& stated_;
+  const StressAt& stated_;
   std::vector<Link> links_;
   Faces faces_;
   double area_ = 0;

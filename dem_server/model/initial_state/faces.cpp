@@ -93,16 +93,17 @@ Faces find_faces(const Discs& discs, std::span<const Link> links) {
     for (const std::uint32_t start : halves.around(disc)) {
       if (seen[start]) continue;
       face.clear();
-      double twice_area = 0, heights = 0;
+      double twice_area = 0, xs = 0, ys = 0;
       for (std::uint32_t half = start; !seen[half]; half = halves.next(half)) {
         seen[half] = true;
         face.push_back(half);
         twice_area += turn(discs, disc, halves.from(half), halves.to(half));
-        heights += discs.y[halves.from(half)];
+        xs += discs.x[halves.from(half)];
+        ys += discs.y[halves.from(half)];
       }
       if (twice_area > 0 && face.size() <= kMostSides) {
-        Face& inside =
-            faces.inside.emplace_back(Face{twice_area / 2, heights / static_cast<double>(face.size()), {}});
+        const auto corners = static_cast<double>(face.size());
+        Face& inside = faces.inside.emplace_back(Face{twice_area / 2, xs / corners, ys / corners, {}});
         for (const std::uint32_t half : face) inside.corners.push_back(halves.from(half));
         for (const std::uint32_t half : face) faces.share[half / 2] += 0.5;
       } else {

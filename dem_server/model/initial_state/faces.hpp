@@ -16,7 +16,7 @@
 namespace adit::dem {
 
 struct Face {
-  double area, height;                 // [m^2], mean y of its discs [m]
+  double area, x, y;                   // [m^2], mean place of its discs [m]
   std::vector<std::uint32_t> corners;  // its discs, counter-clockwise
 };
 

@@ -91,7 +91,7 @@ void scale(PairForces& forces, double factor) {
 
 }  // namespace
 
-void set_initial_state(const StressAtHeight& stated, Model& model) {
+void set_initial_state(const StressAt& stated, Model& model) {
   model.overlaps_free = true;
   const auto touching = touching_without_bond(model);
   for (const auto [first, second] : touching) model.touching.push_back({first, second, 0, 0});
@@ -112,7 +112,7 @@ void set_initial_state(const StressAtHeight& stated, Model& model) {
         cut, fabric.links().size()));
 }
 
-void balance_in_overlap(const StressAtHeight& stated, std::span<const double> weights, Model& model) {
+void balance_in_overlap(const StressAt& stated, std::span<const double> weights, Model& model) {
   if (!why_no_lattice(model)) return;
   std::vector<Pair> touching;
   for (const TouchingPair& pair : model.touching) touching.push_back({pair.first, pair.second});

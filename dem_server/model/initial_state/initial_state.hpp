@@ -2,8 +2,8 @@
 //
 // 1. A uniform strain loads every link (network.hpp) as if all discs followed it. Three unit strains, each
 //    brought to balance with the border of the packing held, give the stiffness C of the fabric: their mean
-//    stresses over the faces inside (faces.hpp). The strain C^-1 sigma(y), sigma being the stated stress at
-//    the height of a link, is what the forces start from.
+//    stresses over the faces inside (faces.hpp). The strain C^-1 sigma(x, y), sigma being the stated stress
+//    at the middle of a link, is what the forces start from.
 // 2. The least that lacks for balance is added (equilibrium.hpp), under the loads and springs of t = 0. What
 //    the scene moves is held as far as it is prescribed, and quiet edges are; else the border of the packing
 //    is held, because ground or supports beyond bear the rest there (outside.hpp). A uniform strain, balanced
@@ -24,11 +24,11 @@ namespace adit::dem {
 
 // Sets the forces at rest of the model's bonds, and the pairs that touch with theirs; overlaps of its discs
 // bear nothing else. UserError at initial_stress for what no forces can give.
-void set_initial_state(const StressAtHeight& stated, Model& model);
+void set_initial_state(const StressAt& stated, Model& model);
 
 // Makes the forces at rest balance again where an overlap has weighed the model, which the other one then
 // bears a share of (outside.hpp). `weights` are those at the centres. The lattice of one law has balanced
 // forces already.
-void balance_in_overlap(const StressAtHeight& stated, std::span<const double> weights, Model& model);
+void balance_in_overlap(const StressAt& stated, std::span<const double> weights, Model& model);
 
 }  // namespace adit::dem

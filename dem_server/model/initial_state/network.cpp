@@ -11,7 +11,8 @@ Link link_between(const Discs& d, std::uint32_t i, std::uint32_t j) {
   const double x = d.x[j] - d.x[i], y = d.y[j] - d.y[i], length = std::hypot(x, y);
   const Arms arms = arms_of(length, (d.radius[i] - d.radius[j]) / 2);
   const double ex = x / length, ey = y / length;
-  return {i, j, x, y, (d.y[i] + d.y[j]) / 2, ex, ey, arms.first, arms.second, ex, ey, 1, 1, 0};
+  return {i,  j, x, y, (d.x[i] + d.x[j]) / 2, (d.y[i] + d.y[j]) / 2, ex, ey, arms.first, arms.second, ex,
+          ey, 1, 1, 0};
 }
 
 // Of kn: what is less is what rounding left of none.

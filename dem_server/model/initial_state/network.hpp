@@ -23,7 +23,7 @@ namespace adit::dem {
 struct Link {
   std::uint32_t first, second;
   double x, y;          // from the first to the second centre [m]
-  double height;        // y of its middle [m]
+  double at_x, at_y;    // its middle [m]
   double ex, ey;        // the direction of (x, y)
   double arm_1, arm_2;  // from the centres to where the discs meet [m]
   double nx, ny;        // along which N acts

@@ -10,9 +10,9 @@ double size(const protocol::GroundStress& s) {
   return std::max({std::abs(s.xx), std::abs(s.yy), std::abs(s.xy)});
 }
 
-// At a height from which two diameters downwards the stress grows by as much as it is.
-bool vanishes(const StressAtHeight& stated, double y, double radius) {
-  const auto here = stated(y), below = stated(y - 4 * radius);
+// At a place from which two diameters downwards the stress grows by as much as it is.
+bool vanishes(const StressAt& stated, double x, double y, double radius) {
+  const auto here = stated(x, y), below = stated(x, y - 4 * radius);
   return size(here) <= size({below.xx - here.xx, below.yy - here.yy, below.xy - here.xy, {}});
 }
 
@@ -59,11 +59,11 @@ void add_face(const Discs& d, const Face& face, std::span<const double> weights,
 }  // namespace
 
 std::vector<double> forces_of_overlap(const Discs& discs, const Faces& faces, std::span<const double> weights,
-                                      const StressAtHeight& stated) {
+                                      const StressAt& stated) {
   std::vector<double> forces(3 * discs.size(), 0.0), inner(weights.begin(), weights.end());
   for (std::size_t i = 0; i < inner.size(); ++i)
     if (faces.border[i] && weights[i] < kShared) inner[i] = 0;
-  for (const Face& face : faces.inside) add_face(discs, face, weights, inner, stated(face.height), forces);
+  for (const Face& face : faces.inside) add_face(discs, face, weights, inner, stated(face.x, face.y), forces);
   for (double& force : forces) force = -force;
   return forces;
 }
@@ -92,8 +92,7 @@ std::vector<double> external_forces(const Model& model) {
   return forces;
 }
 
-std::vector<bool> held_motions(const Model& model, const std::vector<bool>& border,
-                               const StressAtHeight& stated) {
+std::vector<bool> held_motions(const Model& model, const std::vector<bool>& border, const StressAt& stated) {
   const std::size_t discs = model.discs.size();
   std::vector<bool> held(3 * discs, false), of_scene(discs, false);
   for (const PrescribedMotion& motion : model.motions)
@@ -109,7 +108,8 @@ std::vector<bool> held_motions(const Model& model, const std::vector<bool>& bord
     if (load.kind == Load::Kind::kForce && load.time(0) != 0)
       for (const std::uint32_t i : load.discs) of_scene[i] = true;
   for (std::size_t i = 0; i < discs; ++i)
-    if (border[i] && !of_scene[i] && !vanishes(stated, model.discs.y[i], model.discs.radius[i]))
+    if (border[i] && !of_scene[i] &&
+        !vanishes(stated, model.discs.x[i], model.discs.y[i], model.discs.radius[i]))
       held[3 * i] = held[3 * i + 1] = held[3 * i + 2] = true;
   return held;
 }

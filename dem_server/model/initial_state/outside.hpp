@@ -11,7 +11,7 @@
 
 namespace adit::dem {
 
-using StressAtHeight = std::function<protocol::GroundStress(double y)>;
+using StressAt = std::function<protocol::GroundStress(double x, double y)>;
 
 // Less than the weight of what no overlap shares, but for rounding.
 inline constexpr double kShared = 1 - 1e-9;
@@ -29,11 +29,10 @@ std::vector<double> external_forces(const Model& model);
 // its own stress (1 - w) s leaves there. At the outermost discs, beyond which w goes on to 0, the second form
 // without w_i leaves out least. `weights` are those at the centres.
 std::vector<double> forces_of_overlap(const Discs& discs, const Faces& faces, std::span<const double> weights,
-                                      const StressAtHeight& stated);
+                                      const StressAt& stated);
 
 // Whether x, y and the rotation of each disc are held: as far as the scene prescribes them; x and y on quiet
 // edges; else all three at the border, where neither a force acts nor the stated stress vanishes.
-std::vector<bool> held_motions(const Model& model, const std::vector<bool>& border,
-                               const StressAtHeight& stated);
+std::vector<bool> held_motions(const Model& model, const std::vector<bool>& border, const StressAt& stated);
 
 }  // namespace adit::dem

@@ -137,7 +137,7 @@ void start_under_stress(const scene::Scene& scene, Model& model) {
         "is set, but initial_stress says under which stress the particles start; give one of both");
   refuse_walls_that_bear(model);
   const protocol::StatedStress stated(scene.initial_stress());
-  set_initial_state([&stated](double y) { return stated.at(y); }, model);
+  set_initial_state([&stated](double x, double y) { return stated.at(x, y); }, model);
 }
 
 }  // namespace

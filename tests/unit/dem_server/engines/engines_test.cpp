@@ -105,7 +105,7 @@ TEST_P(Engines, StartUnderInitialStress) {
   Model model = block();
   const double weight = 2.0 / (2 * std::numbers::sqrt3 * kRadius * kRadius) * 10;  // [N/m^3]
   set_initial_state(
-      [=](double y) {
+      [=](double, double y) {
         return protocol::GroundStress{-3e3 + weight / 2 * y, -5e3 + weight * y, 1e3, {}};
       },
       model);
@@ -135,7 +135,7 @@ TEST_P(Engines, StartUnderInitialStress) {
 // A stress at the start is let go at the free surface: both engines see the same motion.
 TEST(EnginesUnderInitialStress, MoveAlike) {
   Model model = block();
-  set_initial_state([](double) { return protocol::GroundStress{-3e3, 1e3, 5e2, {}}; }, model);
+  set_initial_state([](double, double) { return protocol::GroundStress{-3e3, 1e3, 5e2, {}}; }, model);
   LatticeEngine lattice(model, 1);
   GeneralEngine general(model, 1);
   const double dt = 0.4 * std::min(lattice.critical_step(), general.critical_step());

@@ -23,7 +23,9 @@ TEST(InitialState, OfALatticeIsTheClosedForm) {
   const ContactBond law{7e6, 3e6};
   const double radius = 0.5, length = 2 * radius;
   Model model = test::lattice_in({0, 14, 0, 12}, radius, 2.0, law);
-  const auto stated = [](double y) { return protocol::GroundStress{-3e3 + 40 * y, -5e3 + 90 * y, 1e3, {}}; };
+  const auto stated = [](double, double y) {
+    return protocol::GroundStress{-3e3 + 40 * y, -5e3 + 90 * y, 1e3, {}};
+  };
   set_initial_state(stated, model);
   const double kn = 7e6, ks = 3e6, bulk = std::numbers::sqrt3 / 2 * kn,
                shear = std::numbers::sqrt3 / 4 * (kn + ks);
@@ -32,7 +34,7 @@ TEST(InitialState, OfALatticeIsTheClosedForm) {
     const double nx = (x[bond.second] - x[bond.first]) / length,
                  ny = (y[bond.second] - y[bond.first]) / length;
     const double cos_2 = nx * nx - ny * ny, sin_2 = 2 * nx * ny;
-    const auto s = stated((y[bond.first] + y[bond.second]) / 2);
+    const auto s = stated(0, (y[bond.first] + y[bond.second]) / 2);
     const double mean = (s.xx + s.yy) / 2 / bulk, deviator = (s.xx - s.yy) / 2 / shear, xy = s.xy / shear;
     EXPECT_NEAR(bond.at_rest.normal, kn * length * (mean + deviator * cos_2 + xy * sin_2) / 2, 1e-12 * 5e3);
     EXPECT_NEAR(bond.at_rest.shear, ks * length * (xy * cos_2 - deviator * sin_2) / 2, 1e-12 * 5e3);

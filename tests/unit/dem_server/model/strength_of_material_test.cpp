@@ -34,7 +34,7 @@ struct Largest {
 Largest largest_under(const protocol::GroundStress& stress, const ContactBond& law, double radius) {
   const ContactBond unbreakable{law.stiffness.normal, law.stiffness.shear};
   Model model = test::lattice_in({0, 14 * radius, 0, 14 * radius}, radius, 2.0, unbreakable);
-  set_initial_state([&stress](double) { return stress; }, model);
+  set_initial_state([&stress](double, double) { return stress; }, model);
   Largest largest;
   for (const Bond& bond : model.bonds) {
     largest.normal = std::max(largest.normal, bond.at_rest.normal);

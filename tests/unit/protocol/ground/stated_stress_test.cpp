@@ -19,12 +19,12 @@ scene::Stress parse(const std::string& text) {
 
 TEST(StatedStress, GrowsLinearlyWithHeight) {
   const StatedStress stated(parse("xx: -1e3 yy: -2e3 xy: 5e2 xx_per_metre: 10 yy_per_metre: 20"));
-  const GroundStress s = stated.at(-3);
+  const GroundStress s = stated.at(0, -3);
   EXPECT_DOUBLE_EQ(s.xx, -1030);
   EXPECT_DOUBLE_EQ(s.yy, -2060);
   EXPECT_DOUBLE_EQ(s.xy, 500);
   EXPECT_FALSE(s.zz);
-  EXPECT_DOUBLE_EQ(*StatedStress(parse("zz: -4e3 zz_per_metre: 1")).at(2).zz, -3998);
+  EXPECT_DOUBLE_EQ(*StatedStress(parse("zz: -4e3 zz_per_metre: 1")).at(0, 2).zz, -3998);
 }
 
 // Two layers under a surcharge: the pressure goes on from one to the other, the ratio of the horizontal one
@@ -34,15 +34,40 @@ TEST(StatedStress, IsTheWeightOfLayers) {
       parse("surface: 4 surcharge: 1e4 layers { bottom: 0 density: 2000 k0: 0.5 } "
             "layers { bottom: -10 density: 2500 k0: 0.8 }"));
   const double upper = 2000 * kStandardGravity, lower = 2500 * kStandardGravity;
-  EXPECT_NEAR(stated.at(4).yy, -1e4, 1e-6);
-  EXPECT_NEAR(stated.at(9).yy, -1e4, 1e-6);
-  EXPECT_NEAR(stated.at(1).yy, -1e4 - 3 * upper, 1e-6);
-  EXPECT_NEAR(stated.at(1).xx, 0.5 * (-1e4 - 3 * upper), 1e-6);
-  EXPECT_NEAR(*stated.at(1).zz, 0.5 * (-1e4 - 3 * upper), 1e-6);
-  EXPECT_NEAR(stated.at(-12).yy, -1e4 - 4 * upper - 12 * lower, 1e-6);
-  EXPECT_NEAR(stated.at(-12).xx, 0.8 * stated.at(-12).yy, 1e-6);
-  EXPECT_NEAR(stated.at(1e-9).yy, stated.at(-1e-9).yy, 1e-3);
-  EXPECT_EQ(stated.at(1).xy, 0);
+  EXPECT_NEAR(stated.at(0, 4).yy, -1e4, 1e-6);
+  EXPECT_NEAR(stated.at(0, 9).yy, -1e4, 1e-6);
+  EXPECT_NEAR(stated.at(0, 1).yy, -1e4 - 3 * upper, 1e-6);
+  EXPECT_NEAR(stated.at(0, 1).xx, 0.5 * (-1e4 - 3 * upper), 1e-6);
+  EXPECT_NEAR(*stated.at(0, 1).zz, 0.5 * (-1e4 - 3 * upper), 1e-6);
+  EXPECT_NEAR(stated.at(0, -12).yy, -1e4 - 4 * upper - 12 * lower, 1e-6);
+  EXPECT_NEAR(stated.at(0, -12).xx, 0.8 * stated.at(0, -12).yy, 1e-6);
+  EXPECT_NEAR(stated.at(0, 1e-9).yy, stated.at(0, -1e-9).yy, 1e-3);
+  EXPECT_EQ(stated.at(0, 1).xy, 0);
+}
+
+// Below a slope each place bears what stands above it; layers end at the line; beyond its ends the line is
+// level, and a level line is the surface.
+TEST(StatedStress, IsTheWeightBelowALine) {
+  const std::string layers =
+      "surcharge: 1e4 layers { bottom: 0 density: 2000 k0: 0.5 } layers { bottom: -10 density: 2500 k0: 0.8 "
+      "} ";
+  const StatedStress slope(parse(
+      "surface_line { x: 0 y: 4 } surface_line { x: 10 y: -6 } surface_line { x: 20 y: -6 } " + layers));
+  const double upper = 2000 * kStandardGravity, lower = 2500 * kStandardGravity;
+  EXPECT_NEAR(slope.at(-5, -1).yy, -1e4 - 4 * upper - lower, 1e-6);
+  EXPECT_NEAR(slope.at(2, 1).yy, -1e4 - upper, 1e-6);
+  EXPECT_NEAR(slope.at(2, 1).xx, 0.5 * (-1e4 - upper), 1e-6);
+  EXPECT_NEAR(slope.at(2, -1).yy, -1e4 - 2 * upper - lower, 1e-6);
+  EXPECT_NEAR(slope.at(6, -3).yy, -1e4 - lower, 1e-6) << "the upper layer is gone here";
+  EXPECT_NEAR(slope.at(6, -3).xx, 0.8 * (-1e4 - lower), 1e-6);
+  EXPECT_NEAR(*slope.at(30, -12).zz, 0.8 * (-1e4 - 6 * lower), 1e-6) << "the last layer goes on";
+  EXPECT_NEAR(slope.at(30, 3).yy, -1e4, 1e-6) << "above the ground";
+  const StatedStress level(parse("surface_line { x: 0 y: 4 } surface_line { x: 10 y: 4 } " + layers));
+  const StatedStress surface(parse("surface: 4 " + layers));
+  for (const double y : {9., 3.9, 0.1, -0.1, -9., -15.}) {
+    EXPECT_NEAR(level.at(3, y).yy, surface.at(3, y).yy, 1e-6) << y;
+    EXPECT_NEAR(level.at(3, y).xx, surface.at(3, y).xx, 1e-6) << y;
+  }
 }
 
 TEST(StatedStress, RefusesWhatContradictsItself) {
@@ -56,6 +81,10 @@ TEST(StatedStress, RefusesWhatContradictsItself) {
   refuse("surface: -2 " + layer, "initial_stress.layers[0].bottom", "not below the surface");
   refuse("xx: -1e3 surface: 3", "initial_stress.surface", "without layers");
   refuse("xx: -1e3 surcharge: 3", "initial_stress.surcharge", "without layers");
+  const std::string line = "surface_line { x: 0 y: 4 } ";
+  refuse("xx: -1e3 " + line, "initial_stress.surface_line", "without layers");
+  refuse("surface: 3 " + line + layer, "initial_stress.surface_line", "beside `surface`");
+  refuse(line + line + layer, "initial_stress.surface_line[1].x", "not right of the point before");
 }
 
 }  // namespace
