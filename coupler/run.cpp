@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "coupler/check/warnings.hpp"
 #include "coupler/checkpoint/transfer.hpp"
 #include "coupler/output/motion_outputs.hpp"
 #include "coupler/output/recorder.hpp"
@@ -126,6 +127,7 @@ Run::Run(const scene::Scene& scene, std::vector<Participant> participants, const
           .model = model_, .stepper = stepper_, .recorder = recorder_, .motions = motions_, .watch = watch_},
       summary_(labels, model_),
       reserve_(directory) {
+  for (const std::string& warning : warnings_before(model_)) summary_.warn(warning);
   if (scene.has_statics()) state_.statics = &statics_.emplace(model_, stepper_);
   if (!from) return;
   const Clock::time_point restore_start = Clock::now();
@@ -166,7 +168,9 @@ void Run::end_early(const std::exception& error) {
       protocol::print_error(fmt::format("{} could not be written: {}\n", what, second.what()));
     }
   };
-  if (dynamic_cast<const protocol::Stopped*>(&error) != nullptr)
+  const auto* refused = dynamic_cast<const protocol::UserError*>(&error);
+  const bool no_rest = refused != nullptr && refused->path() == "statics";
+  if (no_rest || dynamic_cast<const protocol::Stopped*>(&error) != nullptr)
     attempt("the last fields", [this] { write_last_fields(); });
   attempt("the summary", [&] { conclude(error.what()); });
   protocol::print(fmt::format("results            {}\n", directory_.string()));  // those until the error

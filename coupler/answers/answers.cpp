@@ -81,6 +81,7 @@ void check(const wire::Relaxation& relaxation, const Answer& answer) {
                         {"relaxation.unbalanced_force", relaxation.unbalanced_force()},
                         {"relaxation.internal_force", relaxation.internal_force()},
                         {"relaxation.largest_unbalanced_force", relaxation.largest_unbalanced_force()},
+                        {"relaxation.largest_displacement", relaxation.largest_displacement()},
                         {"relaxation.drag_x", relaxation.drag_x()},
                         {"relaxation.drag_y", relaxation.drag_y()}});
   answer.require(relaxation.points() > 0 || relaxation.unbalanced_force() == 0,

@@ -22,38 +22,42 @@ bool has_gravity(const scene::Scene& part) {
          std::ranges::any_of(part.particles().body_loads(), constant);
 }
 
-void warn_of_cracks(const Model& model) {
+void warn_of_cracks(const Model& model, std::vector<std::string>& warnings) {
   const double step = model.dt / model.substeps;
   for (const Participant& participant : model.participants) {
     const double share = step / participant.model.critical_dt();
     if (participant.counts.breakable_bonds() == 0 || share <= kSafeShareForCracks * (1 + 1e-9)) continue;
-    print_line("warning",
-               fmt::format("{} has {} bonds that can break, and the time step is {:.2g} of its critical "
-                           "one; a time.dt_factor of at most {:g} is safe when they do",
-                           participant.member.name, grouped(participant.counts.breakable_bonds()), share,
-                           kSafeShareForCracks));
+    warnings.push_back(fmt::format(
+        "{} has {} bonds that can break, and the time step is {:.2g} of its critical "
+        "one; a time.dt_factor of at most {:g} is safe when they do",
+        participant.member.name, grouped(participant.counts.breakable_bonds()), share, kSafeShareForCracks));
   }
 }
 
-void warn_of_absent_statics(const Model& model) {
+void warn_of_absent_statics(const Model& model, std::vector<std::string>& warnings) {
   if (model.scene.has_statics()) return;
   if (model.scene.has_initial_stress())
-    print_line(
-        "warning",
+    warnings.push_back(
         "initial_stress is given without `statics`: what the stress does not balance moves when time begins");
   for (const Participant& participant : model.participants)
     if (has_gravity(part_of(model.scene, participant.member)))
-      print_line("warning",
-                 fmt::format("gravity acts on the {} without `statics`: it is not at rest when time begins",
-                             participant.member.name));
+      warnings.push_back(
+          fmt::format("gravity acts on the {} without `statics`: it is not at rest when time begins",
+                      participant.member.name));
 }
 
 }  // namespace
 
+std::vector<std::string> warnings_before(const Model& model) {
+  std::vector<std::string> warnings;
+  warn_of_cracks(model, warnings);
+  warn_of_absent_statics(model, warnings);
+  return warnings;
+}
+
 void print_notes_and_warnings(const Model& model, const Pace& pace) {
   for (const std::string& note : model.notes) print_line("note", note);
-  warn_of_cracks(model);
-  warn_of_absent_statics(model);
+  for (const std::string& warning : warnings_before(model)) print_line("warning", warning);
   if (!pace.stable())
     print_line("warning", "the first steps, without the statics before them, failed: " + pace.unstable);
 }

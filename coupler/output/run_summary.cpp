@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "protocol/log/log.hpp"
 #include "protocol/standard_streams.hpp"
 #include "protocol/text.hpp"
 
@@ -15,8 +16,10 @@ namespace {
 // A figure that a run does not have is null in its summary, so that every summary has the same names.
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
-// Velocity left by statics above which a user is warned [m/s]: a thousandth of that of a moderate earthquake.
-constexpr double kDriftLimit = 1e-4;
+// Left by statics, above which a user is warned: velocity [m/s], a thousandth of that of a moderate
+// earthquake; acceleration [m/s^2], a twentieth of it; and the largest unbalanced force of a point as a share
+// of the mean internal force, because a mean over all points does not see a small part that is not at rest.
+constexpr double kDriftLimit = 1e-4, kAccelerationLimit = 0.1, kPartLimit = 0.1;
 
 double own_cpu_seconds() {
   rusage usage{};
@@ -96,6 +99,11 @@ void RunSummary::add_notes(std::vector<std::string> notes) {
   summary_.set("notes", notes);
 }
 
+void RunSummary::warn(const std::string& warning) {
+  protocol::tell(protocol::Severity::kWarning, "warning: ", warning);
+  warnings_.push_back(warning);
+}
+
 void RunSummary::add_statics(const Rest& rest) {
   summary_.set("statics_steps", rest.steps);
   summary_.set("statics_stops", rest.stops);
@@ -107,11 +115,25 @@ void RunSummary::add_statics(const Rest& rest) {
       fmt::format("at rest            after {} steps, unbalanced force ratio {:.1e}, the largest {:.1e} at "
                   "({:.4g}, {:.4g}) m of {}",
                   rest.steps, rest.mean_ratio, rest.largest_ratio, rest.x, rest.y, rest.of));
+  const std::string remedy = fmt::format(
+      "; where that matters beside the motion, give a statics.unbalanced_ratio below "
+      "{:.0e}",
+      model_.scene.statics().unbalanced_ratio());
   if (drift > kDriftLimit)
-    warnings_.push_back(fmt::format(
-        "statics left forces without balance that would make the model drift at {:.2g} mm/s; its edges now "
-        "bear them, but it begins about as fast; give a smaller statics.unbalanced_ratio",
-        1e3 * drift));
+    warn(fmt::format(
+        "statics left forces without balance, by which the model starts at about {:.2g} mm/s when time "
+        "begins{}",
+        1e3 * drift, remedy));
+  if (rest.acceleration > kAccelerationLimit)
+    warn(fmt::format(
+        "statics left forces without balance, which accelerate the points by {:.2g} m/s^2 on average when "
+        "time begins{}",
+        rest.acceleration, remedy));
+  if (rest.largest_ratio > kPartLimit)
+    warn(fmt::format(
+        "a part is not at rest: at ({:.4g}, {:.4g}) m of {} the unbalanced force is {:.2g} of the mean "
+        "internal force, though the mean over all points is {:.1e}{}",
+        rest.x, rest.y, rest.of, rest.largest_ratio, rest.mean_ratio, remedy));
 }
 
 void RunSummary::add_motions(const MotionOutputs::Found& found) {
@@ -136,7 +158,7 @@ void RunSummary::add_outcome(const Stepper& stepper, const Findings& findings, s
   add_ledger(stepper.ledger());
   add_cost(stepper, steps, wall_s, stepping_s);
   add_figures();
-  warn(findings);
+  add_warnings(findings);
 }
 
 // Participants choose their names, so that one may be taken already.
@@ -220,7 +242,7 @@ void RunSummary::add_cost(const Stepper& stepper, std::uint64_t steps, double wa
       fmt::format("wall time          {:.2f} s, {} steps of {:.3g} s", wall_s, steps, model_.dt));
 }
 
-void RunSummary::warn(const Findings& findings) {
+void RunSummary::add_warnings(const Findings& findings) {
   if (findings.cracks_in_overlap > 0)
     warnings_.push_back(
         fmt::format("{} cracks inside the overlap, the first {}: the particle region is too small; move "

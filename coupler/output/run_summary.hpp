@@ -29,6 +29,9 @@ class RunSummary {
  public:
   RunSummary(const RunLabels& labels, const Model& model);
 
+  // Adds a warning, and tells it at once, because a run may take days.
+  void warn(const std::string& warning);
+
   // Adds how the model came to rest before time began.
   void add_statics(const Rest& rest);
 
@@ -65,7 +68,7 @@ class RunSummary {
   void add_event(const std::string& name, const Event& event, bool happened);
   void add_cost(const Stepper& stepper, std::uint64_t steps, double wall_s, double stepping_s);
   void add_ledger(const Ledger& ledger);
-  void warn(const Findings& findings);
+  void add_warnings(const Findings& findings);
 
   const Model& model_;
   results::Summary summary_;

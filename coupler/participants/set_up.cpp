@@ -12,6 +12,7 @@
 #include "coupler/participants/time_step.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/ground/stages.hpp"
+#include "protocol/ground/statics_notes.hpp"
 #include "protocol/log/log.hpp"
 #include "protocol/log/waiting.hpp"
 #include "protocol/text.hpp"
@@ -59,6 +60,18 @@ void build_models(Model& model, const std::string& run_id) {
     participant.model.Swap(participant.reply.mutable_model());
     for (const std::string& note : participant.model.notes())
       model.notes.push_back(participant.member.name + ": " + note);
+  }
+}
+
+void note_what_statics_leave_out(Model& model) {
+  if (!model.scene.has_statics()) return;
+  for (const Participant& participant : model.participants) {
+    const scene::Scene part = part_of(model.scene, participant.member);
+    const std::string& path = participant.member.path;
+    const auto notes = participant.member.role == Role::kContinuum
+                           ? protocol::notes_on_statics(part.continuum(), path)
+                           : protocol::notes_on_statics(part.particles(), path);
+    model.notes.insert(model.notes.end(), notes.begin(), notes.end());
   }
 }
 
@@ -178,6 +191,7 @@ Model set_up(const scene::Scene& scene, std::vector<Participant> participants, c
   require_distinct_histories(scene, model.participants);
   protocol::require_counted_stage(scene);
   build_models(model, run_id);
+  note_what_statics_leave_out(model);
   choose_time_step(model);
   if (dt > 0) keep_time_step(model, dt);
   share_energy(model);

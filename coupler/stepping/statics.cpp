@@ -31,6 +31,8 @@ constexpr double kStepShare = 0.95;
 // each other in the overlap, by as much of their settlement as is still to come. Strengths forgive a fiftieth
 // of it.
 constexpr double kOnePaceAbove = 0.02;
+// Steps before a model that nothing holds is told: by then it has moved.
+constexpr std::uint64_t kFirstLookAtFall = 1000;
 
 bool may_touch(const Model& model) {
   return std::ranges::any_of(model.participants, [](const Participant& participant) {
@@ -45,6 +47,15 @@ void require_slowing(const Model& model) {
           "statics.damping",
           fmt::format("is adaptive, which the program of `{}` does not know; state local or kinetic",
                       participant.member.name));
+}
+
+double mass_of(const std::vector<Participant>& participants) {
+  double sum = 0;
+  for (const Participant& participant : participants) {
+    if (participant.counts.mass() <= 0) return 0;
+    sum += participant.counts.mass();
+  }
+  return sum;
 }
 
 // What the scene states, else by what it holds (statics.hpp).
@@ -100,6 +111,7 @@ class Statics::Relaxer {
       : model_(model),
         stepper_(stepper),
         statics_(model.scene.statics()),
+        mass_(mass_of(model.participants)),
         damping_(damping_of(model)),
         how_{.dt = 0, .local_damping = damping_ == scene::Statics::LOCAL ? kLocalDamping : 0},
         stall_(statics_.unbalanced_ratio(), statics_.max_steps()) {
@@ -121,11 +133,15 @@ class Statics::Relaxer {
   void weigh();
   std::string place() const;
   std::string name_of_stage() const { return how_.stage > 0 ? fmt::format(", stage {}", how_.stage) : ""; }
+  std::string farthest() const;
+  void end_what_does_not_rest(std::uint64_t n, const Unrest& unrest);
+  [[noreturn]] void tell_motion(std::uint64_t steps, const std::string& why) const;
   [[noreturn]] void give_up(std::uint64_t steps, bool stalled) const;
 
   Model& model_;
   Stepper& stepper_;
   const scene::Statics& statics_;
+  const double mass_;  // of all that moves, 0 where it is not known [kg]
   const scene::Statics::Damping damping_;
   Stepper::Relaxing how_;
   std::optional<StaticMasses> masses_;
@@ -139,6 +155,7 @@ class Statics::Relaxer {
   double internal_at_first_ = 0;                // of the stage [N]
   double kinetic_energy_ = 0;                   // a step before, since the last stop
   Stall stall_;
+  Moved moved_;                   // as told last, in this stage
   std::uint64_t free_steps_ = 0;  // since the last stop
 };
 
@@ -162,6 +179,7 @@ void Statics::Relaxer::begin_stage() {
   pace(false);
   how_.stop = how_.stage > 0;
   stall_ = Stall(statics_.unbalanced_ratio(), statics_.max_steps());
+  moved_ = {};
   step_of_stage_ = 0;
 }
 
@@ -175,10 +193,11 @@ bool Statics::Relaxer::step() {
   if (n == 0) internal_at_first_ = unrest.internal_force;
   take(unrest);
   if (line_.due())
-    line_.print(fmt::format("statics{}: step {}, unbalanced ratio {:.2e}, {:.1e} wanted; {}", name_of_stage(),
-                            n, rest_.mean_ratio, statics_.unbalanced_ratio(), place()));
+    line_.print(fmt::format("statics{}: step {}, unbalanced ratio {:.2e}, {:.1e} wanted; {}; {}",
+                            name_of_stage(), n, rest_.mean_ratio, statics_.unbalanced_ratio(), place(),
+                            farthest()));
   if (n > 0 && rest_.mean_ratio <= statics_.unbalanced_ratio()) return true;
-  if (std::isnan(rest_.mean_ratio) || (n > 0 && stall_.noticed(rest_.mean_ratio))) give_up(n, true);
+  if (n > 0) end_what_does_not_rest(n, unrest);
   brake(unrest);
   if (!near_rest_ && n > 0 && rest_.mean_ratio <= kOnePaceAbove) pace(true);
   return false;
@@ -209,6 +228,17 @@ void Statics::Relaxer::take(const Unrest& unrest) {
   rest_.y = unrest.y;
   rest_.of = unrest.largest_of;
   rest_.drift = unrest.drift();
+  rest_.acceleration = mass_ > 0 ? unrest.unbalanced_force / mass_ : 0;
+  if (unrest.moved.distance > 0) moved_ = unrest.moved;
+}
+
+void Statics::Relaxer::end_what_does_not_rest(std::uint64_t n, const Unrest& unrest) {
+  if (std::isnan(rest_.mean_ratio)) give_up(n, true);
+  if (n >= kFirstLookAtFall && unrest.falls(internal_at_first_)) tell_motion(n, "nothing holds the model");
+  const Stall::Kind kind = stall_.noticed(rest_.mean_ratio, moved_);
+  if (kind == Stall::kFlows)
+    tell_motion(n, "it does not slow down: nothing holds it, or the ground there yields without end");
+  if (kind == Stall::kStalls && !(std::isinf(rest_.mean_ratio) && unrest.may_land())) give_up(n, true);
 }
 
 // Before the next step: stops where the forces of this one took kinetic energy away, of what the slowing had
@@ -230,15 +260,33 @@ std::string Statics::Relaxer::place() const {
                      rest_.of);
 }
 
+std::string Statics::Relaxer::farthest() const {
+  if (moved_.distance == 0) return "nothing is known to have moved";
+  return fmt::format("the farthest has moved {:.3g} m: {} of `{}`, from ({:.4g}, {:.4g}) m", moved_.distance,
+                     moved_.what.empty() ? "a point" : moved_.what, moved_.of, moved_.x, moved_.y);
+}
+
+void Statics::Relaxer::tell_motion(std::uint64_t steps, const std::string& why) const {
+  throw protocol::UserError(
+      "statics",
+      fmt::format("cannot come to rest{}: after {} steps {}, and {}; hold it (motions, walls, a lining or "
+                  "bolts of this "
+                  "stage), give the ground more strength, let an excavation release less, or leave loose "
+                  "particles out "
+                  "(particles.remove_floaters); the unbalanced force ratio is {:.2e}, {:.1e} wanted",
+                  name_of_stage(), steps, farthest(), why, rest_.mean_ratio, statics_.unbalanced_ratio()));
+}
+
 void Statics::Relaxer::give_up(std::uint64_t steps, bool stalled) const {
-  throw protocol::Unstable(
-      fmt::format("statics{}: after {} steps the unbalanced force ratio is {:g}, {:g} were asked for{}; {}; "
-                  "look there for loose "
-                  "particles (particles.remove_floaters), a body that nothing holds, or ground that fails "
-                  "under its weight; or "
-                  "allow more statics.max_steps, or a larger statics.unbalanced_ratio",
-                  name_of_stage(), steps, rest_.mean_ratio, statics_.unbalanced_ratio(),
-                  stalled ? ", and it falls no more" : "", place()));
+  throw protocol::UserError(
+      "statics",
+      fmt::format(
+          "do not come to rest{}: after {} steps the unbalanced force ratio is {:g}, {:g} were asked for{}; "
+          "{}; {}; look there for loose particles (particles.remove_floaters), a body that nothing holds, or "
+          "ground that fails under its weight; or allow more statics.max_steps, or a larger "
+          "statics.unbalanced_ratio",
+          name_of_stage(), steps, rest_.mean_ratio, statics_.unbalanced_ratio(),
+          stalled ? ", and it falls no more" : "", place(), farthest()));
 }
 
 void Statics::Relaxer::exchange(state::Archive& archive) {
@@ -251,10 +299,13 @@ void Statics::Relaxer::exchange(state::Archive& archive) {
   for (double* value : {&rest_.mean_ratio, &rest_.largest_ratio, &rest_.x, &rest_.y}) archive("rest", *value);
   archive("rest_of", rest_.of);
   archive("rest_drift", rest_.drift);
+  archive("rest_acceleration", rest_.acceleration);
   for (std::uint64_t* step : {&step_, &step_of_stage_}) archive("statics_step", *step);
   archive("internal_at_first", internal_at_first_);
   archive("kinetic_energy", kinetic_energy_);
   stall_.exchange(archive);
+  for (double* value : {&moved_.distance, &moved_.x, &moved_.y, &moved_.extent}) archive("moved", *value);
+  for (std::string* name : {&moved_.of, &moved_.what}) archive("moved_name", *name);
   archive("free_steps", free_steps_);
   if (archive.reads() && begun_) weigh();
 }

@@ -46,6 +46,9 @@ struct Rest {
   std::string of;                            // the participant that has it
   // Velocity at which the model would have gone on, had what held its edges not been corrected.
   protocol::Drift drift;
+  // Mean size of the unbalanced forces over the mean mass of a point: by how much the points are accelerated
+  // when time begins [m/s^2]; 0 where a participant does not tell its mass.
+  double acceleration = 0;
 };
 
 // Relaxes to the scene's `statics.unbalanced_ratio`: mean unbalanced force of all points over mean internal
@@ -56,8 +59,8 @@ class Statics {
   ~Statics();
 
   // To rest, from the beginning or from the state that was read. `between_steps` is called after every step,
-  // with whether a stage has come to rest by it. Throws protocol::Unstable where `max_steps` do not suffice,
-  // or could not at the rate of now.
+  // with whether a stage has come to rest by it. Throws protocol::UserError where something goes on moving,
+  // or `max_steps` do not suffice, or could not at the rate of now.
   using BetweenSteps = std::function<void(bool at_rest)>;
   void run(const BetweenSteps& between_steps);
   // All stages have come to rest.

@@ -21,6 +21,16 @@ double kinetic_energy_of_correction(Participant& participant) {
   return twice / 2;
 }
 
+Moved moved_of(const Participant& participant, const wire::Relaxation& r) {
+  const wire::Model& model = participant.model;
+  return {r.largest_displacement(),
+          r.moved_x(),
+          r.moved_y(),
+          participant.member.name,
+          r.moved(),
+          std::max(model.x_max() - model.x_min(), model.y_max() - model.y_min())};
+}
+
 }  // namespace
 
 Unrest::Unrest(std::vector<Participant>& participants) {
@@ -35,6 +45,7 @@ Unrest::Unrest(std::vector<Participant>& participants) {
     net_y += r.net_y();
     drag_x += r.drag_x();
     drag_y += r.drag_y();
+    if (r.largest_displacement() > moved.distance) moved = moved_of(participant, r);
     if (r.largest_unbalanced_force() < largest) continue;
     largest = r.largest_unbalanced_force();
     x = r.x();
@@ -56,21 +67,44 @@ double Unrest::largest_ratio(double internal_at_first) const {
   return largest == 0 ? 0 : largest / mean_internal_force(internal_at_first);
 }
 
+bool Unrest::falls(double internal_at_first) const {
+  const double net = std::max(std::abs(net_x), std::abs(net_y));
+  return drag_along_net() == 0 && net > unbalanced_force / 2 && mean_ratio(internal_at_first) > 1;
+}
+
+bool Unrest::may_land() const {
+  return drag_along_net() > 0;
+}
+
 protocol::Drift Unrest::drift() const {
   return {drag_x > 0 ? net_x / drag_x : 0, drag_y > 0 ? net_y / drag_y : 0};
 }
 
-bool Stall::noticed(double ratio) {
+Stall::Kind Stall::noticed(double ratio, const Moved& moved) {
   if (steps_ % kBin == 0) smallest_.push_back(ratio);
   smallest_.back() = std::min(smallest_.back(), ratio);
   ++steps_;
-  if (steps_ < kFirstLook || steps_ % kBin != 0) return false;
+  if (steps_ % kBin != 0) return kGoesOn;
+  moved_.push_back(moved.distance);
+  if (steps_ >= kFirstLookAtFlow && flows(moved)) return kFlows;
+  return steps_ >= kFirstLook && stalls() ? kStalls : kGoesOn;
+}
+
+bool Stall::stalls() const {
   const auto end = smallest_.end(), middle = end - static_cast<std::ptrdiff_t>(smallest_.size() / 2),
              begin = middle - static_cast<std::ptrdiff_t>(smallest_.size() / 4);
   const double before = *std::min_element(begin, middle), now = *std::min_element(middle, end);
+  if (std::isinf(now)) return true;            // where nothing bears anything
   const double fall = std::log(before / now);  // in about half of the steps
   const double needed = std::log(now / wanted_) / fall * static_cast<double>(steps_) / 2;
   return fall <= 0 || needed > 2 * (static_cast<double>(max_steps_) - static_cast<double>(steps_));
+}
+
+bool Stall::flows(const Moved& moved) const {
+  const double halfway = moved_[moved_.size() / 2 - 1], now = moved_.back();
+  if (now - halfway < halfway || now < 0.05 * moved.extent || now == 0) return false;
+  const double ratio_halfway = smallest_[smallest_.size() / 2 - 1];
+  return now > moved.extent || !(smallest_.back() < ratio_halfway / 2);
 }
 
 }  // namespace adit::coupler

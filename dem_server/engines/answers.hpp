@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +52,13 @@ struct Unrest {
   double largest = 0, x = 0, y = 0;                 // unbalanced force of a particle [N], and its place [m]
   double net_x = 0, net_y = 0;                      // of all that are not on quiet edges [N]
   double drag_x = 0, drag_y = 0;                    // of quiet edges against a unit velocity [N s/m]
+  // The particle that has moved farthest in this stage [m], where it was at rest [m], and how many particles
+  // are one body with it; none where the engine does not look at this step.
+  struct Farthest {
+    double distance, x, y;
+    std::uint32_t group, body;
+  };
+  std::optional<Farthest> farthest{};
 };
 
 }  // namespace adit::dem

@@ -120,7 +120,20 @@ Unrest LocalEngine::unrest(const protocol::Step& step) {
   constexpr double kHeld = std::numeric_limits<double>::infinity();
   if (held_x_) unrest.drag_x = kHeld;
   if (held_y_) unrest.drag_y = kHeld;
+  if (!travel_) travel_.emplace(p.ux, p.uy);
+  if (step.number % protocol::kTravelInterval == 0) unrest.farthest = farthest();
   return unrest;
+}
+
+Unrest::Farthest LocalEngine::farthest() const {
+  const Particles& p = particles();
+  const auto [distance, at] = travel_->farthest(p.ux, p.uy);
+  const Fragments bodies = fragments_of(p.size(), whole_bonds(*this));
+  return {distance, p.x[at], p.y[at], group_[at], bodies.size[bodies.number[at]]};
+}
+
+void LocalEngine::begin_stage(std::uint32_t /*stage*/) {
+  travel_.reset();
 }
 
 void LocalEngine::stop() {
@@ -141,6 +154,7 @@ void LocalEngine::start_over(const protocol::Drift& /*drift*/) {
   p.tie_x.clear();
   p.tie_y.clear();
   relaxation_.reset();
+  travel_.reset();
   if (!counts_from_stage_) settle(p);
 }
 
@@ -159,6 +173,7 @@ void LocalEngine::exchange(state::Archive& archive) {
   joint_peaks_.exchange(joints().size(), archive);
   archive("peaks", peaks_, [this] { return protocol::PeakMotion(particles().size()); });
   archive("relaxation", relaxation_, [this] { return Relaxation(particles()); });
+  archive("travel", travel_, [this] { return protocol::Travel(particles().ux, particles().uy); });
 }
 
 void LocalEngine::snapshot(wire::Snapshot& snapshot) const {

@@ -15,6 +15,7 @@
 #include "dem_server/observe/observable.hpp"
 #include "dem_server/particles/energy.hpp"
 #include "protocol/participant/peak_motion.hpp"
+#include "protocol/participant/travel.hpp"
 
 namespace adit::dem {
 
@@ -35,6 +36,7 @@ class LocalEngine : public Engine, public Observable {
   void read_histories(const protocol::Step& step, google::protobuf::RepeatedField<double>& values) final;
   void take_peaks(const protocol::Step& step) final;
   Unrest unrest(const protocol::Step& step) final;
+  void begin_stage(std::uint32_t stage) override;
   std::span<const double> tied_inverse_masses() const final { return coupling_.inverse_masses(); }
   void stop() override;
   bool slows() const final { return true; }
@@ -70,6 +72,7 @@ class LocalEngine : public Engine, public Observable {
   virtual std::size_t elements() const = 0;   // of them
 
  private:
+  Unrest::Farthest farthest() const;
   // The forces in all sections, the diameters of ovals and the motions of smooth joints enter their extremes.
   void take_envelope(const protocol::Step& step);
 
@@ -89,6 +92,7 @@ class LocalEngine : public Engine, public Observable {
   Velocities before_;
   std::optional<protocol::PeakMotion> peaks_;  // once wanted
   std::optional<Relaxation> relaxation_;       // in statics
+  std::optional<protocol::Travel> travel_;     // of a stage of them
 };
 
 }  // namespace adit::dem

@@ -19,6 +19,21 @@
 #include "protocol/messages/spans.hpp"
 
 namespace adit::dem {
+namespace {
+
+void tell(const Unrest::Farthest& farthest, std::span<const std::string> groups, wire::Relaxation& answer) {
+  answer.set_largest_displacement(farthest.distance);
+  answer.set_moved_x(farthest.x);
+  answer.set_moved_y(farthest.y);
+  const std::string group = farthest.group == 0 ? "" : groups[farthest.group];  // 0: the model's own
+  answer.set_moved(fmt::format("{}{}{}",
+                               farthest.body == 1
+                                   ? "a particle that no bond holds"
+                                   : fmt::format("a body of {} bonded particles", farthest.body),
+                               group.empty() ? "" : " of group ", group));
+}
+
+}  // namespace
 
 void DemParticipant::set_up(const wire::Setup& setup, wire::Model& answer) {
   scene_ = setup.scene();
@@ -110,6 +125,7 @@ void DemParticipant::measure_unrest(const protocol::Step& last, wire::Relaxation
   answer.set_net_y(unrest.net_y);
   answer.set_drag_x(unrest.drag_x);
   answer.set_drag_y(unrest.drag_y);
+  if (unrest.farthest) tell(*unrest.farthest, model_.group_names, answer);
 }
 
 void DemParticipant::excavate(std::uint32_t stage) {

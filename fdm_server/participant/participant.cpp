@@ -264,6 +264,31 @@ void FdmParticipant::measure_unrest(const Step& last, wire::Relaxation& answer) 
   answer.set_drag_x(drag.x);
   answer.set_drag_y(drag.y);
   answer.set_elements(grid_.zones.size());
+  if (!travel_) travel_.emplace(continuum_->ux(), continuum_->uy());
+  if (last.number % protocol::kTravelInterval == 0) tell_travel(answer);
+}
+
+void FdmParticipant::tell_travel(wire::Relaxation& answer) {
+  const auto [distance, at] = travel_->farthest(continuum_->ux(), continuum_->uy());
+  answer.set_largest_displacement(distance);
+  answer.set_moved_x(grid_.x[at]);
+  answer.set_moved_y(grid_.y[at]);
+  answer.set_moved(name_of(static_cast<std::uint32_t>(at)));
+}
+
+std::string FdmParticipant::name_of(std::uint32_t point) const {
+  if (point >= grid_.own_points()) return "the free field";
+  for (std::size_t i = 0; i < supports_.linings.size(); ++i) {
+    const Lining& lining = supports_.linings[i];
+    const bool stands = scene_.continuum().linings(static_cast<int>(i)).stage() <= stage_;
+    if (stands && std::ranges::find(lining.path.points, point) != lining.path.points.end())
+      return "lining " + lining.name;
+  }
+  for (const Group& group : grid_.groups)
+    for (const std::uint32_t zone : group.zones)
+      if (weights_[zone] > 0 && std::ranges::find(grid_.zones[zone], point) != grid_.zones[zone].end())
+        return "group " + group.name;
+  return "";
 }
 
 double FdmParticipant::kinetic_energy() const {
@@ -283,6 +308,7 @@ void FdmParticipant::start_over(const protocol::Drift& drift) {
     continuum_->settle(points, {drag.x > 0 ? net.x / drag.x : 0, drag.y > 0 ? net.y / drag.y : 0});
   }
   relaxation_.reset();
+  travel_.reset();
   continuum_->start_over();
   const protocol::CountedFrom counted = protocol::counted_from(scene_.statics());
   if (!counted.stage_given || stage_ < counted.stage) continuum_->reset_displacements();
@@ -301,6 +327,7 @@ void FdmParticipant::excavate(std::uint32_t stage) {
   continuum_->excavate(zones, masses, loads(masses), stage);
   scaled_ = false;
   relaxation_.emplace(grid_, weights_);
+  travel_.reset();
 }
 
 void FdmParticipant::remember_for_peaks() {
@@ -442,6 +469,7 @@ void FdmParticipant::exchange_solver(state::Archive& archive) {
   histories_->exchange(archive);
   archive("peaks", peaks_, [this] { return Peaks(grid_); });
   archive("relaxation", relaxation_, [this] { return Relaxation(grid_, weights_); });
+  archive("travel", travel_, [this] { return protocol::Travel(continuum_->ux(), continuum_->uy()); });
   archive("steps_done", steps_done_);
 }
 

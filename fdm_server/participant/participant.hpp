@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "fdm_server/boundaries/free_field.hpp"
@@ -24,6 +25,7 @@
 #include "protocol/participant/interface/interface_operator.hpp"
 #include "protocol/participant/step.hpp"
 #include "protocol/participant/stepped_participant.hpp"
+#include "protocol/participant/travel.hpp"
 #include "protocol/release.hpp"
 #include "protocol/state/archive.hpp"
 
@@ -80,6 +82,10 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   void offer_grid_points(const wire::Weights& box, wire::Interface& interface) const;
   void require_interface_stays() const;
   void require_free_field_stays() const;
+  // The farthest point of this stage of statics.
+  void tell_travel(wire::Relaxation& answer);
+  // What a point belongs to, as in "lining roof", empty where it has no name.
+  std::string name_of(std::uint32_t point) const;
   // The material of each zone; none where time finds no ground (columns, what was taken away).
   std::vector<std::uint32_t> zone_kinds() const;
   // Throw Unstable. Every step looks at the interface and at the energies that are wanted, every hundredth at
@@ -107,9 +113,10 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   protocol::InterfaceOperator operator_;
   PeakForces peak_forces_;
   std::optional<Histories> histories_;
-  std::optional<Peaks> peaks_;            // once wanted
-  std::optional<Relaxation> relaxation_;  // in statics
-  std::uint64_t steps_done_ = 0;          // whole ones, of statics and of time
+  std::optional<Peaks> peaks_;              // once wanted
+  std::optional<Relaxation> relaxation_;    // in statics
+  std::optional<protocol::Travel> travel_;  // of a stage of them
+  std::uint64_t steps_done_ = 0;            // whole ones, of statics and of time
 };
 
 }  // namespace adit::fdm

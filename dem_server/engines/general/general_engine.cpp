@@ -188,6 +188,7 @@ void GeneralEngine::scale_masses(double mass_per_stiffness) {
 }
 
 void GeneralEngine::begin_stage(std::uint32_t stage) {
+  LocalEngine::begin_stage(stage);
   for (const ParticleStage& next : model_.stages) {
     if (next.number <= stage_ || next.number > stage) continue;
     set_stage(next, model_);

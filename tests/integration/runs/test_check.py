@@ -181,6 +181,30 @@ class Check(ProgramTest):
         self.assertEqual(len(fast), 1, fast)
         self.assertIn("a time.dt_factor of at most 0.9", fast[0])
 
+    def test_a_run_warns_of_all_that_check_warns_of(self):
+        """In its log before time begins, and in its summary."""
+        hanging = re.sub("stage: [12]", "stage: 0", GROUND.replace("statics: {}\n", ""))
+        stressed = hanging + "initial_stress: {yy: -10 kPa}\n"
+        for name, scene, options in (("hanging", hanging, ()), ("stressed", stressed, ()),
+                                     ("fast", PARTICLES, ("--set", "time.dt_factor=1"))):
+            with self.subTest(name):
+                scene = self.scene(scene, f"{name}.yaml")
+                warned = self.check(scene, *options).warnings()
+                self.assertTrue(warned)
+                result = coupler("run", scene, "--out", self.folder / name, *options)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertLessEqual(set(warned), set(self.summary(self.folder / name)["warnings"]))
+                for warning in warned:
+                    self.assertIn(f"warning: {warning}\n", result.stderr)
+
+    def test_what_statics_leave_out_is_noted(self):
+        pulled = GROUND.replace("velocity: {x: 0 m/s, y: 0 m/s}", "velocity: {x: 0.1 m/s, y: 0 m/s}")
+        loads = "  edge_loads: [{where: {y_min: 6 m}, force: {y: -1 kN}, time: {table: {time: [0 s, 1 s], value: [0, 1]}}}]\n"
+        notes = self.check(self.scene(pulled + loads, "pulled.yaml")).lines["note"]
+        self.assertTrue(any("continuum.motions[0]: statics hold these points" in note for note in notes), notes)
+        self.assertTrue(any("continuum.edge_loads[0]: statics bear 0 times this load" in note for note in notes), notes)
+        self.assertNotIn("note", self.check(self.scene(GROUND, "ground.yaml")).lines)
+
     def test_the_time_to_expect_names_its_parts(self):
         self.assertRegex(self.check(self.scene(GROUND, "ground.yaml")).line("time to expect"),
                          r"^\S+ \S+: [\d,]+ steps of \S+ ms, \S+ \S+ for set-up and results; "

@@ -71,6 +71,7 @@ TEST(Answers, Relaxation) {
   expect_sound("predicted", relaxation("unbalanced_force: 1 internal_force: 2 drag_x: inf net_x: -1"));
   expect_refused("predicted", relaxation("unbalanced_force: -1"), "unbalanced_force is -1");
   expect_refused("predicted", relaxation("drag_y: nan"), "drag_y is nan");
+  expect_refused("predicted", relaxation("largest_displacement: -1"), "largest_displacement is -1");
   expect_refused("predicted", relaxation("net_x: inf"), "predicted.relaxation.net_x is inf");
   expect_refused("predicted", "relaxation { unbalanced_force: 1 elements: 1 }", "of no points");
   expect_refused("predicted", "relaxation { internal_force: 1 points: 1 }", "of no elements");

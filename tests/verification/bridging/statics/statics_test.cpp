@@ -331,8 +331,8 @@ TEST(Statics, TooFewStepsEndTheRun) {
   try {
     Settled settled(scene);
     FAIL() << "rests";
-  } catch (const protocol::Unstable& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("statics: after 20 steps the unbalanced force ratio is"));
+  } catch (const protocol::UserError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("after 20 steps the unbalanced force ratio is"));
   }
 }
 
