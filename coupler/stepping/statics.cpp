@@ -15,6 +15,7 @@
 #include "coupler/stepping/progress.hpp"
 #include "coupler/stepping/unrest.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/ground/imposed.hpp"
 #include "protocol/ground/stages.hpp"
 
 namespace adit::coupler {
@@ -31,6 +32,8 @@ constexpr double kStepShare = 0.95;
 // each other in the overlap, by as much of their settlement as is still to come. Strengths forgive a fiftieth
 // of it.
 constexpr double kOnePaceAbove = 0.02;
+// Steps that imposed displacements may be late by, because a stop takes a step of them away.
+constexpr std::uint64_t kStopsAtTheEnd = 10;
 // Steps before a model that nothing holds is told: by then it has moved.
 constexpr std::uint64_t kFirstLookAtFall = 1000;
 
@@ -154,6 +157,7 @@ class Statics::Relaxer {
   std::uint64_t step_ = 0, step_of_stage_ = 0;  // the next
   double internal_at_first_ = 0;                // of the stage [N]
   double kinetic_energy_ = 0;                   // a step before, since the last stop
+  std::uint64_t imposing_steps_ = 0;            // of the stage, in which its displacements come
   Stall stall_;
   Moved moved_;                   // as told last, in this stage
   std::uint64_t free_steps_ = 0;  // since the last stop
@@ -179,6 +183,8 @@ void Statics::Relaxer::begin_stage() {
   pace(false);
   how_.stop = how_.stage > 0;
   stall_ = Stall(statics_.unbalanced_ratio(), statics_.max_steps());
+  const bool imposes = protocol::imposes_displacement(model_.scene, how_.stage);
+  imposing_steps_ = imposes ? protocol::kImposingSteps + kStopsAtTheEnd : 0;
   moved_ = {};
   step_of_stage_ = 0;
 }
@@ -196,8 +202,9 @@ bool Statics::Relaxer::step() {
     line_.print(fmt::format("statics{}: step {}, unbalanced ratio {:.2e}, {:.1e} wanted; {}; {}",
                             name_of_stage(), n, rest_.mean_ratio, statics_.unbalanced_ratio(), place(),
                             farthest()));
-  if (n > 0 && rest_.mean_ratio <= statics_.unbalanced_ratio()) return true;
-  if (n > 0) end_what_does_not_rest(n, unrest);
+  const bool judges = n > imposing_steps_;
+  if (judges && rest_.mean_ratio <= statics_.unbalanced_ratio()) return true;
+  if (judges) end_what_does_not_rest(n, unrest);
   brake(unrest);
   if (!near_rest_ && n > 0 && rest_.mean_ratio <= kOnePaceAbove) pace(true);
   return false;
@@ -307,6 +314,7 @@ void Statics::Relaxer::exchange(state::Archive& archive) {
   for (double* value : {&moved_.distance, &moved_.x, &moved_.y, &moved_.extent}) archive("moved", *value);
   for (std::string* name : {&moved_.of, &moved_.what}) archive("moved_name", *name);
   archive("free_steps", free_steps_);
+  archive("imposing_steps", imposing_steps_);
   if (archive.reads() && begun_) weigh();
 }
 

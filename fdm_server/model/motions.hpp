@@ -9,6 +9,9 @@
 
 namespace adit::fdm {
 
+// UserError for displacements, and stages of them, in a scene without statics, which alone impose them.
+void require_statics_for_motions(const scene::Scene& scene);
+
 // Errors: UserError with the scene's path, such as for a component of a point that two motions prescribe
 // differently.
 std::vector<PrescribedMotion> resolve_motions(const scene::Continuum& scene, const Grid& grid);

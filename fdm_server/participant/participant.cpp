@@ -63,6 +63,7 @@ void fill_inverse_masses(const Continuum& continuum, std::span<const std::uint32
 void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   scene_ = setup.scene();
   setup_ = read_setup(scene_);
+  require_statics_for_motions(scene_);
   grid_ = read_grid(scene_.continuum());
   setup_.ground.of_zone = materials_of_zones(scene_.continuum(), grid_);
   const Supports supports = resolve_supports(scene_, grid_);

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "protocol/ground/imposed.hpp"
 #include "protocol/kernels/eight_sums.hpp"
 
 namespace adit::fdm {
@@ -28,7 +29,9 @@ Load take(Load& load, const std::vector<bool>& chosen) {
 
 // Moves the chosen points out of a motion.
 PrescribedMotion take(PrescribedMotion& motion, const std::vector<bool>& chosen) {
-  PrescribedMotion taken{{}, motion.axis, motion.velocity, motion.factor}, left = taken;
+  PrescribedMotion left = motion;
+  left.points.clear();
+  PrescribedMotion taken = left;
   for (const auto point : motion.points) (chosen[point] ? taken : left).points.push_back(point);
   motion = std::move(left);
   return taken;
@@ -228,6 +231,7 @@ void Continuum::step(const protocol::Step& step, Energies* wanted) {
   pull(interior_, step);
   predict(interface_, step);
   predict(interior_, step);
+  if (step.relax) ++step_of_stage_;
   if (wanted) *wanted = energies(step);
 }
 
@@ -239,6 +243,7 @@ void Continuum::step_interface(const protocol::Step& step) {
 void Continuum::step_interior(const protocol::Step& step) {
   pull(interior_, step);
   predict(interior_, step);
+  if (step.relax) ++step_of_stage_;
 }
 
 void Continuum::pull(Part& part, const protocol::Step& step) {
@@ -285,11 +290,21 @@ void Continuum::hold_by_ground(Part& part, const protocol::Step& step) {
 }
 
 void Continuum::find_motions(Part& part, const protocol::Step& step) {
-  for (auto& [motion, mass, before, after, reaction] : part.motions) {
-    const double next = step.relax ? 0 : motion.velocity * motion.factor(step.half_time());
-    before = step.from_rest() ? -next : after;
-    after = next;
+  for (Prescribed& one : part.motions) {
+    const double next = step.relax ? velocity_in_statics(one, step)
+                                   : one.motion.velocity * one.motion.factor(step.half_time());
+    one.before = step.from_rest() ? -next : one.after;
+    one.after = next;
   }
+}
+
+// What the points have moved is measured, because stops and slowing take their velocities, too.
+double Continuum::velocity_in_statics(Prescribed& one, const protocol::Step& step) const {
+  const PrescribedMotion& motion = one.motion;
+  if (motion.displacement == 0 || motion.stage != stage_ || motion.points.empty()) return 0;
+  const auto velocity = points_[motion.axis == Axis::kX ? kVx : kVy];
+  if (!step.from_rest()) one.moved += step.dt * velocity[motion.points.front()];
+  return (motion.displacement * protocol::imposed_share(step_of_stage_ + 1) - one.moved) / step.dt;
 }
 
 // The reaction of a motion is what it adds to the other forces: R = m (v(n+1/2) - v(n-1/2))/dt - f.
@@ -389,7 +404,8 @@ void Continuum::exchange(state::Archive& archive) {
   for (Part* part : {&interface_, &interior_}) {
     for (Loading& loading : part->loads) archive("load_factor", loading.factor);
     for (Prescribed& one : part->motions)
-      for (double* value : {&one.mass, &one.before, &one.after, &one.reaction}) archive("prescribed", *value);
+      for (double* value : {&one.mass, &one.before, &one.after, &one.reaction, &one.moved})
+        archive("prescribed", *value);
     archive.members("dashpots", std::span(part->dashpots), &Dashpot::settling, &Dashpot::support,
                     &Dashpot::stress, &Dashpot::viscous_x, &Dashpot::viscous_y, &Dashpot::given,
                     &Dashpot::drag);
@@ -398,6 +414,7 @@ void Continuum::exchange(state::Archive& archive) {
   archive("boundary_work", boundary_work_);
   archive("steady", steady_);
   for (double* value : {&external_work_, &damped_, &last_dt_, &last_kick_}) archive("continuum", *value);
+  archive("step_of_stage", step_of_stage_);
   archive.all_or_none("ties", {&tie_x_, &tie_y_}, points_.size());
 }
 

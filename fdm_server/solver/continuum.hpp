@@ -6,7 +6,9 @@
 // All masses and internal forces carry the zones' weights.
 //
 // Statics take the same steps, damped (protocol/participant/local_damping.hpp) or stopped; every stop starts
-// from rest like step 0, at the stresses reached.
+// from rest like step 0, at the stresses reached. A displacement U is imposed over the first steps of its
+// stage as U (3 s^2 - 2 s^3), s being the share of these steps that is done: without a jump of velocity at
+// either end, and slowly beside the waves that cross the grid (protocol/ground/imposed.hpp).
 //
 // Structures that the step is too long for move by mean acceleration (structures/mean_acceleration.hpp), but
 // for beams and bars that touch a point of the interface, of dashpots or of foundations, whose forces are
@@ -163,6 +165,7 @@ class Continuum {
     double before = 0;    // velocity half a step ago
     double after = 0;     // and half a step ahead
     double reaction = 0;  // total force that the motion needed at the last step
+    double moved = 0;     // displacement so far in its stage of statics [m]
   };
 
   // What is computed together. The zones and structures that touch a point of the interface are its part's,
@@ -191,6 +194,7 @@ class Continuum {
   void apply_loads(Part& part, const protocol::Step& step);
   void hold_by_ground(Part& part, const protocol::Step& step);
   void find_motions(Part& part, const protocol::Step& step);
+  double velocity_in_statics(Prescribed& one, const protocol::Step& step) const;
   void find_reactions(Part& part, const protocol::Step& step);
   bool averages(const protocol::Step& step) const { return !step.relax && longer_than_structures(step.dt); }
   void average_structures(const protocol::Step& step);
@@ -219,6 +223,8 @@ class Continuum {
   bool steady_ = false;                    // are there steady loads
   double external_work_ = 0, damped_ = 0;  // of all other loads, and of motions
   double last_dt_ = 0, last_kick_ = 0;
+  std::uint32_t stage_ = 0;
+  std::uint64_t step_of_stage_ = 0;    // in statics, the next
   std::vector<double> tie_x_, tie_y_;  // of the multipliers at the last step, where statics damp [N]
 };
 

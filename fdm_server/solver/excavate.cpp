@@ -55,6 +55,8 @@ void Continuum::excavate(std::span<const Excavated> zones, std::span<const doubl
   }
   for (const Field steady : {kSteadyX, kSteadyY}) std::ranges::fill(points_[steady], 0.0);
   structures_.install(stage);
+  stage_ = stage;
+  step_of_stage_ = 0;
   if (std::ranges::any_of(zones, [](const Excavated& one) { return one.held > 0; })) add_steady(held);
   place(std::move(loads));
   plan(of_interface());

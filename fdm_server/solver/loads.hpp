@@ -24,6 +24,10 @@ struct PrescribedMotion {
   Axis axis;
   double velocity;  // [m/s], times the factor
   TimeFactor factor;
+  // By which the first steps of this stage of statics move the points from where they are [m]; before and
+  // afterwards they are held. Motions with one have no velocity.
+  double displacement = 0;
+  std::uint32_t stage = 0;
 };
 
 }  // namespace adit::fdm

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "protocol/errors.hpp"
 
 namespace adit::protocol {
@@ -36,6 +38,7 @@ std::set<std::uint32_t> stages_of(const scene::Continuum& continuum) {
   std::set<std::uint32_t> stages = stages_of_excavations(continuum);
   add(continuum.linings(), stages);
   add(continuum.bolts(), stages);
+  add(continuum.motions(), stages);
   return stages;
 }
 
@@ -48,6 +51,15 @@ std::set<std::uint32_t> stages_of(const scene::Scene& scene) {
   merge(scene);
   for (const scene::Region& region : scene.regions()) merge(region);
   return stages;
+}
+
+bool imposes_displacement(const scene::Scene& scene, std::uint32_t stage) {
+  const auto imposes = [stage](const auto& part) {
+    return std::ranges::any_of(part.continuum().motions(), [stage](const scene::GridMotion& motion) {
+      return motion.has_displacement() && motion.stage() == stage;
+    });
+  };
+  return imposes(scene) || std::ranges::any_of(scene.regions(), imposes);
 }
 
 void require_counted_stage(const scene::Scene& scene) {

@@ -9,11 +9,14 @@
 
 namespace adit::protocol {
 
-// Stage 0, each in which something is excavated, begins or is installed, and each in which what an excavation
-// has held is let go.
+// Stage 0, each in which something is excavated, begins or is installed or moved, and each in which what an
+// excavation has held is let go.
 std::set<std::uint32_t> stages_of(const scene::Particles& particles);
 std::set<std::uint32_t> stages_of(const scene::Continuum& continuum);
 std::set<std::uint32_t> stages_of(const scene::Scene& scene);  // of all models
+
+// Whether statics impose a displacement in this stage, on any model.
+bool imposes_displacement(const scene::Scene& scene, std::uint32_t stage);
 
 // UserError at `path`.stage for a stage after 0 in a scene without statics.
 void require_statics(const scene::Scene& scene, std::uint32_t stage, const std::string& path);

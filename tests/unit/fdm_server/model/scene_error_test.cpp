@@ -18,6 +18,8 @@ struct Case {
   std::string block = kBlock, material = kMaterial;
 };
 
+const std::string kStatics = " statics {} ";
+
 class SceneError : public testing::TestWithParam<Case> {};
 
 TEST_P(SceneError, NamesTheFieldAndTheRemedy) {
@@ -86,6 +88,20 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"body_beside_velocity",
              "motions { where { x_max: 0 } velocity { x: 1 } body { centre { x: 0 y: 0 } path: 'a' } }",
              "continuum.motions[0].body", "leave one out"},
+        Case{"displacement_without_statics", "motions { where { x_max: 0 } displacement { x: 1 } }",
+             "continuum.motions[0].displacement", "give `statics: {}`, or a `velocity`"},
+        Case{"displacement_beside_velocity",
+             "motions { where { x_max: 0 } velocity { x: 0 } displacement { x: 1 } }",
+             "continuum.motions[0].displacement", "is given beside `velocity`", kBlock, kMaterial + kStatics},
+        Case{"displacement_of_nothing", "motions { where { x_max: 0 } displacement {} }",
+             "continuum.motions[0].displacement", "give x, y or both", kBlock, kMaterial + kStatics},
+        Case{"displacements_contradict",
+             "motions { where { x_max: 0 } displacement { x: 1 } } motions { where { x_max: 0 } displacement "
+             "{ x: 2 } }",
+             "continuum.motions[1].displacement", "prescribes another x displacement than motions[0]", kBlock,
+             kMaterial + kStatics},
+        Case{"stage_of_a_velocity", "motions { where { x_max: 0 } velocity { x: 0 } stage: 1 }",
+             "continuum.motions[0].stage", "is that of a `displacement`", kBlock, kMaterial + kStatics},
         Case{"body_contradicts",
              "motions { where { x_max: 0 } velocity { y: 0 } } motions { where { x_max: 0 } body { centre { "
              "x: 0 "
