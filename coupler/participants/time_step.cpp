@@ -87,17 +87,17 @@ Steps steps_for_rows(const scene::Scene& scene, double limit, std::vector<std::s
   const bool asked = scene.output().has_history_interval();
   const std::span<const double> fields(scene.output().field_times().data(),
                                        static_cast<std::size_t>(scene.output().field_times_size()));
-  const Steps equal = equal_steps(duration, limit);
-  if (interval >= duration * (1 - 1e-12)) return equal;  // a row at the begin and one at the end
+  const Steps plain = time.has_dt() ? steps_of(limit, duration) : equal_steps(duration, limit);
+  if (interval >= duration * (1 - 1e-12)) return plain;  // a row at the begin and one at the end
   if (time.has_dt() || interval < limit * (1 - 1e-12)) {
-    if (!asked || on_step(interval, equal.dt)) return equal;
+    if (!asked || on_step(interval, plain.dt)) return plain;
     if (on_step(interval, limit)) return steps_of(limit, duration);
-    notes.push_back(not_divided(interval, equal.dt, time.has_dt()));
-    return equal;
+    notes.push_back(not_divided(interval, plain.dt, time.has_dt()));
+    return plain;
   }
   const Steps dividing = dividing_steps(duration, limit, interval, fields);
-  const bool costly = dividing.dt * kShortened < equal.dt;
-  if (costly && !asked) return equal;
+  const bool costly = dividing.dt * kShortened < plain.dt;
+  if (costly && !asked) return plain;
   if (costly) notes.push_back(shortened(interval, limit, dividing.dt));
   return dividing;
 }
@@ -131,6 +131,13 @@ void choose_time_step(Model& model) {
 }
 
 void keep_time_step(Model& model, double dt) {
+  constexpr double kSame = 1e-12;
+  if (std::abs(model.dt / dt - 1) > kSame)
+    model.notes.push_back(fmt::format(
+        "the run goes on with its time step of {:g} s and its rows of histories.csv; a new run of {:g} s "
+        "would take steps of {:g} s, so that its results differ a little; state `time.dt` or "
+        "`output.history_interval` in runs that may be lengthened",
+        dt, model.scene.time().duration(), model.dt));
   const Steps steps = steps_of(dt, model.scene.time().duration());
   model.dt = steps.dt;
   model.steps = steps.count;

@@ -10,7 +10,8 @@ namespace adit::coupler {
 // one, and for substeps that the model cannot take.
 void choose_time_step(Model& model);
 
-// The step of a run that goes on [s], for the duration that it has now.
+// The step of a run that goes on [s], for the duration that it has now. Adds a note where a new run would
+// take another one, after choose_time_step.
 void keep_time_step(Model& model, double dt);
 
 // The largest stable step of statics in which all participants may move [s].

@@ -112,6 +112,30 @@ TEST(TimeStep, KeepsAGivenStepAndSaysWhereRowsMissTheInterval) {
                         "0.0004 s; choose a multiple of it"));
 }
 
+// A stated step acts exactly, whether or not a number of them makes up the duration.
+TEST(TimeStep, IsTheStatedOneForAnyDuration) {
+  for (const double duration : {0.5, 0.50001, 0.512345}) {
+    const Model model = model_with("time { dt: 50e-6 duration: " + std::to_string(duration) + " }");
+    EXPECT_EQ(model.dt, 50e-6);
+    const double end = static_cast<double>(model.steps) * model.dt;
+    EXPECT_GE(end, duration * (1 - 1e-9));
+    EXPECT_LT(end, duration + model.dt);
+  }
+}
+
+// A run that goes on keeps its step, and tells where a new run of its duration would take another.
+TEST(TimeStep, OfALengthenedRunIsToldWhereANewRunTakesAnother) {
+  Model model = model_with("time { duration: 2 dt_factor: 0.9 }");
+  const double step = model.dt;
+  keep_time_step(model, step);
+  EXPECT_THAT(model.notes, IsEmpty());
+  Model longer = model_with("time { duration: 30 dt_factor: 0.9 }");
+  keep_time_step(longer, step);
+  EXPECT_EQ(longer.dt, step);
+  EXPECT_THAT(longer.notes,
+              testing::ElementsAre(HasSubstr("a new run of 30 s would take steps of 0.000895522 s")));
+}
+
 TEST(TimeStep, SaysWhatAnIntervalCosts) {
   Model model = model_with("time { duration: 1 dt_factor: 0.9 } output { history_interval: 0.001 }");
   EXPECT_DOUBLE_EQ(model.dt, 0.0005);
