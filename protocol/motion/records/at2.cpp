@@ -1,16 +1,14 @@
+// Records of the PEER database.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <sstream>
+#include <optional>
+#include <regex>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "protocol/errors.hpp"
 #include "protocol/motion/records/record_text.hpp"
-#include "protocol/motion/records/records.hpp"
 #include "protocol/text.hpp"
 
 namespace adit::motion {
@@ -21,43 +19,35 @@ using protocol::quote;
 constexpr std::size_t kLongestHeader = 20;       // lines that may precede the values; PEER writes four
 constexpr std::size_t kLongestHeaderLine = 200;  // characters of a line that are read
 
-struct Header {
-  std::size_t line;  // the line with count and step, which the values follow
-  std::size_t unit_line;
-  std::string unit;
-  double points;
-  double dt;
-};
-
-// The words of a line in capitals, separated by blanks, commas, semicolons and equals signs.
-std::vector<std::string> words_of(const std::string& line) {
-  std::vector<std::string> words(1);
-  for (const char c : line.substr(0, kLongestHeaderLine)) {
-    if (std::string_view(" \t,;=").find(c) == std::string_view::npos)
-      words.back() += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    else if (!words.back().empty())
-      words.emplace_back();
-  }
-  if (words.back().empty()) words.pop_back();
-  return words;
-}
-
-// The line that gives count and step, and both as the words of that line.
+// The line that gives count and step, and both as words of that line.
 struct Size {
   std::size_t line;
-  std::string points, dt;
+  std::string points, dt, unit;  // of the step
 };
-Size find_size(const RecordText& text) {
-  for (std::size_t i = 0; i < std::min(kLongestHeader, text.lines.size()); ++i) {
-    const auto words = words_of(text.lines[i]);
-    if (words.size() < 4) continue;
-    if (words[0] == "NPTS" && words[2] == "DT") return {i, words[1], words[3]};
-    if (words[2] == "NPTS" && words[3] == "DT") return {i, words[0], words[1]};
-  }
-  text.refuse(0,
-              fmt::format("none of the first {} lines states count and step; a line such as `NPTS = 7500, DT "
-                          "= .020 SEC` or `4096 0.0100 NPTS, DT` is expected",
-                          kLongestHeader));
+
+std::string header_line(const RecordText& text, std::size_t line) {
+  return text.lines[line].substr(0, kLongestHeaderLine);
+}
+
+std::optional<Size> size_in(const RecordText& text, std::size_t line) {
+  using std::regex;
+  static const regex points(R"(\bNPTS\s*[=:]?\s*([-+.\d]\S*?)(?=[,;\s]|$))", regex::icase),
+      dt(R"(\bDT\s*[=:]?\s*([-+.\d][-+.\dED]*)\s*(\(?[A-Z]*\)?))", regex::icase),
+      numbers_first(R"(^\s*(\S+?)[,\s]+(\S+?)[,\s]+(NPTS\s*,?\s*DT|DT\s*,?\s*NPTS)\s*(\(?[A-Z]*\)?))",
+                    regex::icase);
+  const std::string words = header_line(text, line);
+  std::smatch count, step;
+  if (std::regex_search(words, count, points) && std::regex_search(words, step, dt))
+    return Size{line, count[1], step[1], step[2]};
+  if (!std::regex_search(words, count, numbers_first)) return std::nullopt;
+  const bool count_first = protocol::lower_case(count.str(3)).starts_with("npts");
+  return Size{line, count[count_first ? 1 : 2], count[count_first ? 2 : 1], count[4]};
+}
+
+std::optional<Size> find_size(const RecordText& text) {
+  for (std::size_t i = 0; i < std::min(kLongestHeader, text.lines.size()); ++i)
+    if (auto size = size_in(text, i)) return size;
+  return std::nullopt;
 }
 
 // The word that follows "UNITS OF" in a line above the line `end`.
@@ -65,64 +55,54 @@ struct UnitWord {
   std::size_t line;
   std::string unit;
 };
+
 UnitWord find_unit(const RecordText& text, std::size_t end) {
+  static const std::regex unit(R"(\bUNITS?\s+OF\s*[=:]?\s*([^\s,;]+))", std::regex::icase);
   for (std::size_t i = 0; i < end; ++i) {
-    const auto words = words_of(text.lines[i]);
-    for (std::size_t k = 2; k < words.size(); ++k) {
-      if (words[k - 2] != "UNITS" || words[k - 1] != "OF") continue;
-      std::string unit = words[k];
-      if (unit.ends_with('.')) unit.pop_back();
-      return {i, unit};
-    }
+    const std::string words = header_line(text, i);
+    std::smatch found;
+    if (!std::regex_search(words, found, unit)) continue;
+    std::string word = found[1];
+    if (word.ends_with('.')) word.pop_back();
+    return {i, word};
   }
   text.refuse(end,
               "no line above states the unit; a line such as `ACCELERATION TIME SERIES IN UNITS OF G` is "
               "expected");
 }
 
-Header read_header(const RecordText& text) {
-  const Size size = find_size(text);
-  const UnitWord unit = find_unit(text, size.line);
-  const Header header{size.line, unit.line, unit.unit, text.number(size.line, size.points),
-                      text.number(size.line, size.dt)};
-  if (header.points < 1 || header.points != std::floor(header.points))
-    text.refuse(header.line, "NPTS is " + quote(size.points) + "; a count above 0 is expected");
-  if (header.dt <= 0) text.refuse(header.line, "DT is " + quote(size.dt) + "; a step above 0 s is expected");
-  return header;
-}
-
-double unit_factor(const RecordText& text, const Header& header) {
-  try {
-    return acceleration_unit(header.unit);
-  } catch (const protocol::UserError& error) {
-    text.refuse(header.unit_line, error.what());
-  }
+double step_of(const RecordText& text, const Size& size) {
+  const double step = text.number(size.line, size.dt);
+  if (step <= 0) text.refuse(size.line, "DT is " + quote(size.dt) + "; a step above 0 s is expected");
+  return size.unit.empty() ? step : step * text.at(size.line, [&] { return time_unit(size.unit); });
 }
 
 }  // namespace
 
-Motion read_at2(const std::filesystem::path& file) {
-  return parse_at2(read_text(file));
+bool is_at2(const RecordText& text) {
+  return protocol::lower_case(text.file).ends_with(".at2") || find_size(text).has_value();
 }
 
 Motion parse_at2(const RecordText& text) {
-  const Header header = read_header(text);
-  const double factor = unit_factor(text, header);
-
-  Motion motion{header.dt, {}};
-  for (std::size_t i = header.line + 1; i < text.lines.size(); ++i) {
-    std::istringstream words(text.lines[i]);
-    for (std::string word; words >> word;) motion.acceleration.push_back(text.number(i, word) * factor);
-  }
-  const std::string unit_doubt = doubt_of_unit(motion, factor, header.unit);
-  if (static_cast<double>(motion.acceleration.size()) != header.points)
-    text.refuse(header.line,
+  const auto size = find_size(text);
+  if (!size)
+    text.refuse(
+        0, fmt::format("none of the first {} lines states count and step; a line such as `NPTS = 7500, DT "
+                       "= .020 SEC` or `4096 0.0100 NPTS, DT` is expected",
+                       kLongestHeader));
+  const UnitWord unit = find_unit(text, size->line);
+  const double points = text.number(size->line, size->points);
+  if (points < 1 || points != std::floor(points))
+    text.refuse(size->line, "NPTS is " + quote(size->points) + "; a count above 0 is expected");
+  const double dt = step_of(text, *size);
+  std::vector<double> values;
+  for (std::size_t i = size->line + 1; i < text.lines.size(); ++i) text.append_numbers(i, values);
+  if (static_cast<double>(values.size()) != points)
+    text.refuse(size->line,
                 fmt::format("states {:.0f} points, but {} values follow; correct the count, or get "
-                            "the whole file{}{}",
-                            header.points, motion.acceleration.size(),
-                            unit_doubt.empty() ? "" : "; moreover, ", unit_doubt));
-  if (!unit_doubt.empty()) text.refuse(header.unit_line, unit_doubt);
-  return motion;
+                            "the whole file",
+                            points, values.size()));
+  return in_unit(text, unit.line, unit.unit, dt, std::move(values));
 }
 
 }  // namespace adit::motion

@@ -1,4 +1,4 @@
-// What the readers of both formats need: the lines of a file, the numbers in them, and errors that name the
+// What the readers of all formats need: the lines of a file, the numbers in them, and errors that name the
 // line.
 #pragma once
 
@@ -8,7 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "protocol/errors.hpp"
 #include "protocol/motion/motion.hpp"
+#include "protocol/motion/records/records.hpp"
 
 namespace adit::motion {
 
@@ -19,18 +21,43 @@ struct RecordText {
   // Throws UserError "file:line: message"; lines count from 0 here, and from 1 in the message.
   [[noreturn]] void refuse(std::size_t line, const std::string& message) const;
 
-  // The number that `text`, a part of `line`, consists of; refused unless it is finite.
+  // The number that `text`, a part of `line`, consists of; refused unless it is finite. A Fortran `D` marks
+  // an exponent, too.
   double number(std::size_t line, std::string_view text) const;
+
+  // Appends the numbers of a line, between blanks. A sign begins a new number, because Fortran leaves no
+  // blank between numbers that fill their width.
+  void append_numbers(std::size_t line, std::vector<double>& numbers) const;
+
+  // What `work` returns; what it refuses is refused of the line.
+  template <class Work>
+  auto at(std::size_t line, Work&& work) const {
+    try {
+      return work();
+    } catch (const protocol::UserError& error) {
+      refuse(line, error.what());
+    }
+  }
 };
 
-// A sentence that doubts the unit (`factor` m/s^2) if the motion is stronger than any earthquake; else empty.
-std::string doubt_of_unit(const Motion& motion, double factor, std::string_view unit);
-
+// The text up to the mark with which DOS ends a file (0x1A). Refuses UTF-16.
 RecordText split_text(const std::string& file, const std::string& content);
 RecordText read_text(const std::filesystem::path& file);
 
-// The formats are described in records.hpp.
+// The values, in `unit` as the line says, as a motion. Refuses what is stronger than any earthquake: its unit
+// must be wrong.
+Motion in_unit(const RecordText& text, std::size_t line, std::string_view unit, double dt,
+               std::vector<double> values);
+
+// The formats, which are described in records.hpp: whether a text has the format, and its motion.
+bool is_at2(const RecordText& text);
 Motion parse_at2(const RecordText& text);
-Motion parse_csv(const RecordText& text);
+bool is_cosmos(const RecordText& text);
+Motion parse_cosmos(const RecordText& text, const std::string& channel);
+bool is_esm(const RecordText& text);
+Motion parse_esm(const RecordText& text);
+bool is_knet(const RecordText& text);
+Motion parse_knet(const RecordText& text);
+Motion parse_table(const RecordText& text, const RecordKeys& keys);
 
 }  // namespace adit::motion

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "protocol/errors.hpp"
 #include "protocol/nearest_name.hpp"
@@ -37,6 +39,11 @@ constexpr Symbol kSymbols[] = {
     {"g", {{.length = 1, .time = -2}, 0, 9.80665}, false},
 };
 
+// Other spellings of symbols, as records and tables have them.
+constexpr std::pair<std::string_view, std::string_view> kSpellings[] = {
+    {"sec", "s"},   {"secs", "s"},   {"second", "s"}, {"seconds", "s"},
+    {"msec", "ms"}, {"gals", "gal"}, {"Gal", "gal"},  {"Gals", "gal"}};
+
 struct Prefix {
   std::string_view name;
   int decimals;
@@ -50,7 +57,9 @@ constexpr Prefix kPrefixes[] = {{"", 0},   {"T", 12}, {"G", 9},  {"M", 6},      
   throw UserError("", message);
 }
 
-Unit find_symbol(std::string_view name) {
+std::optional<Unit> known_symbol(std::string_view name) {
+  for (const auto& [spelling, symbol] : kSpellings)
+    if (spelling == name) return known_symbol(symbol);
   for (const Symbol& symbol : kSymbols)
     if (symbol.name == name) return symbol.unit;
   for (const Symbol& symbol : kSymbols) {
@@ -62,6 +71,11 @@ Unit find_symbol(std::string_view name) {
     unit.decimals += prefix->decimals;
     return unit;
   }
+  return std::nullopt;
+}
+
+Unit find_symbol(std::string_view name) {
+  if (const auto unit = known_symbol(name)) return *unit;
   refuse("unit " + quote(name) + " is unknown" + did_you_mean(name, unit_symbols()));
 }
 
@@ -76,15 +90,19 @@ void multiply(Unit& product, const Unit& unit, int power) {
 
 // The steps of parse_unit. Each reads from the beginning of `rest` and removes what it has read.
 std::string_view take_symbol(std::string_view& rest) {
-  const std::string_view symbol = rest.substr(0, rest.find_first_of(" \t*/^"));
+  std::string_view symbol = rest.substr(0, rest.find_first_of(" \t*/^"));
+  const std::string_view before_power = symbol.substr(0, symbol.find_first_of("-0123456789"));
+  if (known_symbol(before_power)) symbol = before_power;
   rest.remove_prefix(symbol.size());
   return symbol;
 }
 
+// The power in `s^2`, `s**2` and `s2`.
 int take_power(std::string_view& rest, std::string_view whole) {
-  if (!rest.starts_with('^')) return 1;
+  const std::size_t mark = rest.starts_with('^') ? 1 : rest.starts_with("**") ? 2 : 0;
+  if (rest.find_first_of("-0123456789") != mark && mark == 0) return 1;
   int power = 0;
-  const auto end = std::from_chars(rest.data() + 1, rest.data() + rest.size(), power).ptr;
+  const auto end = std::from_chars(rest.data() + mark, rest.data() + rest.size(), power).ptr;
   if (power == 0 || std::abs(power) > 9)
     refuse("unit " + quote(whole) + " has a power that is not a whole number from -9 to 9, without 0");
   rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));

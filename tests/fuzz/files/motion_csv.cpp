@@ -6,7 +6,7 @@ namespace adit::fuzz {
 namespace {
 
 const Target kMotionCsv("motion_csv", [](std::string_view input) {
-  read_or_refuse([&] { motion::parse_csv(motion::split_text("x.csv", std::string(input))); });
+  read_or_refuse([&] { motion::parse_table(motion::split_text("x.csv", std::string(input)), {}); });
 });
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <fstream>
 #include <iterator>
 
-#include "protocol/motion/records/record_text.hpp"
 #include "protocol/motion/records/records.hpp"
 #include "simplified/run.hpp"
 #include "simplified/zoom/site.hpp"
@@ -67,7 +66,7 @@ TEST(SiteFiles, HoldARecordOfTheBase) {
   const scene::Scene scene = rock_tunnel();
   const SiteMotion motion{0.01, {0, 1.5, -2.25}, {0, 0.1, 0.2}};
   write_site(folder.path(), "opening", scene.simplified().ground(), motion, 80);
-  const motion::Motion base = motion::read_csv(folder / "opening_base.csv");
+  const motion::Motion base = motion::read_motion(folder / "opening_base.csv");
   EXPECT_DOUBLE_EQ(base.dt, 0.01);
   EXPECT_EQ(base.acceleration, motion.base_acceleration);
   const auto text = [&](const char* name) {

@@ -43,6 +43,16 @@ TEST(Quantity, DecimalUnitsGiveTheSameDoubleAsSi) {
   EXPECT_EQ(parse_quantity("3 bar", "Pa"), 3e5);
 }
 
+// Powers and symbols as tables and headers of records have them.
+TEST(Quantity, OtherSpellingsAreTheSameUnits) {
+  for (const auto* text : {"-9.81 m/s2", "-9.81 m/s**2", "-9.81 m s-2", "-9.81 m/sec2", "-981 Gal",
+                           "-981 gals", "-981 cm/sec/sec"})
+    EXPECT_EQ(parse_quantity(text, "m/s^2"), -9.81) << text;
+  EXPECT_EQ(parse_quantity("10 msec", "s"), 0.01);
+  EXPECT_EQ(parse_quantity("2.5 t/m3", "kg/m^3"), 2500);
+  EXPECT_EQ(parse_quantity("50 1/s", "Hz"), 50);
+}
+
 TEST(Quantity, OtherUnitsAreConverted) {
   EXPECT_DOUBLE_EQ(parse_quantity("0.3 g", "m/s^2"), 0.3 * 9.80665);
   EXPECT_DOUBLE_EQ(parse_quantity("180 deg", "rad"), std::numbers::pi);
