@@ -51,12 +51,12 @@ Clock clock_of(const scene::Scene& scene) {
     throw UserError("time.dt",
                     "is missing; the implicit models have no critical step, write for example `dt: 10 ms`");
   const double duration = scene.time().duration();
-  // The step is shortened so that a whole number of steps makes up the duration. The small factor keeps a
-  // rounding error from adding a step.
+  // The last step ends on the duration, or less than a step after it. The small factor keeps a rounding error
+  // from adding one.
   const double steps = std::max(1.0, std::ceil(duration / scene.time().dt() * (1 - 1e-12)));
   if (steps > kMostSteps)
     throw UserError("time.dt", fmt::format("makes {:g} steps; at most {:g} are computed", steps, kMostSteps));
-  Clock clock{.dt = duration / steps, .steps = static_cast<std::uint64_t>(steps), .stride = 1};
+  Clock clock{.dt = scene.time().dt(), .steps = static_cast<std::uint64_t>(steps), .stride = 1};
   const auto& output = scene.output();
   const double interval =
       output.has_history_interval() ? output.history_interval() : duration / kDefaultHistoryRows;
@@ -149,7 +149,7 @@ void run(const scene::Scene& scene, const std::string& case_name, const protocol
     const Response response = solve(setup, ground);
     const double wall_s = elapsed();
     write_tables(directory, *setup.scene, response);
-    write_motion(directory, motion::beginning(setup.motion.motion, scene.time().duration()));
+    write_motion(directory, motion::lasting(setup.motion.motion, scene.time().duration()));
     if (setup.scene->has_zoom() && !response.fields.time.empty())
       write_zoom(directory / "zoom", setup, ground, response, scene.time().duration(), zoom);
     reserve.release();

@@ -84,7 +84,7 @@ void MotionOutputs::read_input(const Model& model) {
     input_direction_ = base.direction() == scene::Base::X ? scene::ACCELERATION_X : scene::ACCELERATION_Y;
     const motion::UsedMotion used = motion::ground_motion(
         base.acceleration(), participant.member.path + ".base.acceleration", model.scene.time().duration());
-    input_ = used.acting();
+    input_ = motion::lasting(used.acting(), used.duration);
     input_place_ = used.place;
     return;
   }

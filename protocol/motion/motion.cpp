@@ -33,9 +33,8 @@ void require_duration(const Motion& motion, double duration, std::string_view na
   check(motion);
   const double tolerance = 1e-6 * motion.dt;
   if (motion.duration() + tolerance < duration)
-    throw UserError("", fmt::format("{} lasts {:.6g} s, but {:.6g} s are asked for; ask for less, or pad "
-                                    "the motion with zeros",
-                                    name, motion.duration(), duration));
+    throw UserError("", fmt::format("{} lasts {:.6g} s, but {:.6g} s are asked for; ask for less", name,
+                                    motion.duration(), duration));
 }
 
 Course integrate(const Motion& motion) {

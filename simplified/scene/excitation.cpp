@@ -8,6 +8,7 @@
 #include "protocol/errors.hpp"
 #include "protocol/motion/errors_at.hpp"
 #include "protocol/motion/excitation/stations.hpp"
+#include "protocol/motion/processing/processing.hpp"
 #include "protocol/stop_signals.hpp"
 #include "simplified/scene/tunnel.hpp"
 
@@ -23,11 +24,6 @@ void resize(Shaking& shaking, std::size_t places, std::size_t steps) {
     table->assign(places * (steps + 1), 0.0);
 }
 
-double value(const std::vector<double>& values, std::size_t step) {
-  // A motion that is shorter than the run counts as 0 after its end.
-  return step < values.size() ? values[step] : 0.0;
-}
-
 // The motions act on the tunnel's surroundings directly.
 Shaking direct(const std::vector<Motion>& motions, double factor, std::size_t steps) {
   Shaking shaking;
@@ -36,9 +32,9 @@ Shaking direct(const std::vector<Motion>& motions, double factor, std::size_t st
     const motion::Course path = motion::integrate(motions[p]);
     for (std::size_t n = 0; n <= steps; ++n) {
       const std::size_t at = n * motions.size() + p;
-      shaking.displacement[at] = factor * value(path.displacement, n);
-      shaking.velocity[at] = factor * value(path.velocity, n);
-      shaking.acceleration[at] = factor * value(motions[p].acceleration, n);
+      shaking.displacement[at] = factor * path.displacement[n];
+      shaking.velocity[at] = factor * path.velocity[n];
+      shaking.acceleration[at] = factor * motions[p].acceleration[n];
     }
   }
   return shaking;
@@ -56,7 +52,7 @@ Shaking through_ground(const scene::Simplified& scene, const std::vector<column:
   Shaking shaking;
   resize(shaking, columns.size(), steps);
   for (std::size_t n = 0; n <= steps; ++n)
-    for (const Motion& motion : motions) shaking.rock.push_back(factor * value(motion.acceleration, n));
+    for (const Motion& motion : motions) shaking.rock.push_back(factor * motion.acceleration[n]);
   // Row 0 of the ground's motion stays zero: the columns begin at rest.
   for (std::size_t n = 1; n <= steps; ++n) {
     protocol::end_if_stopped();
@@ -103,12 +99,13 @@ GroundField shake(const scene::Simplified& scene, const Motion& motion, double b
   GroundField field;
   field.chainage = places_along(scene, begin, end);
   const scene::Incidence& incidence = excitation.incidence();
-  const auto motions = motion::errors_at("simplified.excitation.incidence", [&] {
+  auto motions = motion::errors_at("simplified.excitation.incidence", [&] {
     return motion::station_motions(motion, field.chainage,
                                    {.apparent_velocity = incidence.apparent_velocity(),
                                     .drift = incidence.coherency().drift(),
                                     .seed = incidence.coherency().seed()});
   });
+  for (Motion& station : motions) station = motion::lasting(station, motion.dt * static_cast<double>(steps));
   for (const Direction direction : {kAxial, kLateral, kVertical}) {
     if (factors[direction] == 0) continue;
     field.shaking[direction] = excitation.through_ground()

@@ -9,6 +9,7 @@
 #include "protocol/errors.hpp"
 #include "protocol/motion/errors_at.hpp"
 #include "protocol/motion/excitation/cut_notes.hpp"
+#include "protocol/motion/measures.hpp"
 #include "protocol/motion/processing/filter.hpp"
 #include "protocol/motion/processing/part.hpp"
 #include "protocol/motion/records/records.hpp"
@@ -26,19 +27,30 @@ constexpr int kPartsOfARecord = 8;
 // A pulse of this many widths is below 1e-6 of its peak.
 constexpr double kRickerWidths = 4.3, kGaborWidths = 3.8;
 
+// A synthetic motion whose end is not stated: five of its longest periods [s].
+constexpr double kSyntheticDuration = 20;
+
+Motion record_of(const scene::MotionFile& file) {
+  return parse_motion(file.path(), file.content(), {file.column(), file.time_step(), file.unit()});
+}
+
 Motion recorded(const scene::GroundMotion& scene, const std::string& path, double duration) {
   return errors_at(path + ".file.path", [&] {
-    Motion record = parse_motion(scene.file().path(), scene.file().content());
-    const std::string name = "the motion " + scene.file().path();
-    if (!std::isfinite(scene.until()))
-      require_duration(record, scene.from() + duration, name);
-    else
-      require_duration(record, scene.until(), name);
+    Motion record = record_of(scene.file());
+    const bool until_given = std::isfinite(scene.until());
+    try {
+      require_duration(record, until_given ? scene.until() : scene.from() + duration,
+                       "the motion " + scene.file().path());
+    } catch (const UserError& error) {
+      if (until_given) throw;
+      throw UserError("", fmt::format("{}, or give `until: {:.6g} s`, after which the ground rests",
+                                      error.what(), record.duration()));
+    }
     return record;
   });
 }
 
-// When the whole motion has ended, which the run may cut [s].
+// When a motion that is made by a formula or by chance has ended [s].
 double natural_end(const scene::GroundMotion& scene) {
   switch (scene.source_case()) {
     case Source::kRicker:
@@ -49,6 +61,7 @@ double natural_end(const scene::GroundMotion& scene) {
       return scene.gabor().time() +
              kGaborWidths * scene.gabor().width() / (2 * std::numbers::pi * scene.gabor().frequency());
     case Source::kSynthetic:
+      return std::isfinite(scene.until()) ? scene.until() : kSyntheticDuration;
     case Source::kFile:
     case Source::SOURCE_NOT_SET:
       break;
@@ -80,25 +93,10 @@ Motion synthetic(const scene::SyntheticMotion& scene, const Sampling& sampling) 
       .motion;
 }
 
-// A run too short for any period is a trial: it gets the beginning of a motion of all periods.
-double synthetic_duration(const scene::GroundMotion& scene, const Sampling& run) {
-  if (std::isfinite(scene.until())) return scene.until();
-  const double used = scene.from() + run.duration;
-  const double shortest = std::max(kShortestPeriod, 4 * run.dt);
-  return used > kLongestPeriods * shortest ? used : kLongestPeriods * std::max(kLongestPeriod, 2 * shortest);
-}
-
-// How long a motion is that is made by a formula: one that outlasts the run is made whole.
-double whole_duration(const scene::GroundMotion& scene, const Sampling& sampling) {
-  if (scene.has_synthetic()) return synthetic_duration(scene, sampling);
-  const double used = scene.from() + sampling.duration;
-  const double end = natural_end(scene);
-  return end > used ? sampling.dt * std::ceil(end / sampling.dt) : used;
-}
-
 // The motion before processing. Pulses have a peak of 1 m/s^2, which the `peak` of the scene scales.
 Motion raw_motion(const scene::GroundMotion& scene, const std::string& path, const Sampling& run) {
-  const Sampling sampling{run.dt, whole_duration(scene, run)};
+  // Its last value is the zero after it, so that a sine that is cut off there ends within a step.
+  const Sampling sampling{run.dt, run.dt * (std::ceil(natural_end(scene) / run.dt) + 1)};
   switch (scene.source_case()) {
     case Source::kFile:
       return recorded(scene, path, run.duration);
@@ -110,52 +108,93 @@ Motion raw_motion(const scene::GroundMotion& scene, const std::string& path, con
       return gabor(1, scene.gabor().frequency(), scene.gabor().width(), scene.gabor().phase(),
                    scene.gabor().time(), sampling);
     case Source::kSynthetic:
-      return synthetic(scene.synthetic(), sampling);
+      return synthetic(scene.synthetic(), {run.dt, natural_end(scene)});
     case Source::SOURCE_NOT_SET:
       break;
   }
   throw UserError(path, "has no motion; give one of file, ricker, sine, gabor, synthetic");
 }
 
-// The longest period of a synthetic motion follows from its duration, which is that of the run unless `until`
-// says otherwise: a shorter run has another motion.
-void note_synthetic(const scene::GroundMotion& scene, const Sampling& run, UsedMotion& used) {
-  if (!scene.has_synthetic() || std::isfinite(scene.until())) return;
-  const double duration = synthetic_duration(scene, run), all = kLongestPeriods * kLongestPeriod;
-  if (duration > scene.from() + run.duration)
-    used.notes.push_back(
-        fmt::format("the run of {:g} s is too short for a synthetic motion, and gets the beginning of one of "
-                    "{:g} s; give `until` to choose of which",
-                    run.duration, duration));
-  else if (duration < all)
-    used.notes.push_back(fmt::format(
-        "the synthetic motion lasts as long as the run, so that its longest period is {:.3g} s "
-        "instead of {:g} s; give an `until` of {:g} s or more, of which a shorter run is then the "
-        "beginning",
-        duration / kLongestPeriods, kLongestPeriod, all));
+// How long the response of the filters to the end of a motion lasts [s]: it falls below 1e-3.
+double after_filters(const scene::GroundMotion& scene) {
+  constexpr double kPeriods = 3;
+  if (scene.has_low_corner()) return kPeriods / scene.low_corner();
+  return scene.has_high_corner() ? kPeriods / scene.high_corner() : 0;
 }
 
 Motion filtered(const scene::GroundMotion& scene, Motion motion) {
   constexpr int kOrder = 4;
+  const bool is_pulse = scene.has_ricker() || scene.has_sine() || scene.has_gabor();
+  if (is_pulse) motion = padded(motion, 0, after_filters(scene));
   if (scene.has_low_corner()) motion = high_pass(motion, scene.low_corner(), kOrder, Phase::kZero);
   if (scene.has_high_corner()) motion = low_pass(motion, scene.high_corner(), kOrder, Phase::kZero);
   return motion;
 }
 
-Motion whole_motion(const scene::GroundMotion& scene, const std::string& path, const Sampling& sampling) {
-  Motion motion = raw_motion(scene, path, sampling);
-  if (scene.taper() > 0) motion = tapered(motion, scene.taper(), scene.taper());
-  motion = filtered(scene, std::move(motion));
-  if (scene.baseline()) motion = baseline_corrected(motion);
-  return scene.has_peak() ? scaled_to_peak(motion, scene.peak()) : motion;
-}
-
 // A record at the steps of a solver. It ends as before, although the kernel spreads a little beyond its ends.
 Motion at_step(const Motion& record, double dt) {
+  if (record.dt == dt) return record;
   const Course course = integrate(record);
   Motion motion = resampled(record, dt, Interpolation::kBandLimited);
   if (motion.acceleration.size() < 4) return motion;
   return ended_with(motion, course.velocity.back(), course.displacement.back());
+}
+
+// The straight lines that drive the solver.
+Motion driving(const Motion& motion, const Sampling& run, Interpolation interpolation) {
+  return interpolation == Interpolation::kBandLimited ? refined(motion, kPartsOfARecord)
+                                                      : at_step(motion, run.dt);
+}
+
+// The peak is that of what drives the solver: between the values of a record lies more than at them.
+Motion whole_motion(const scene::GroundMotion& scene, const std::string& path, const Sampling& run,
+                    Interpolation interpolation) {
+  Motion motion = raw_motion(scene, path, run);
+  if (scene.taper() > 0) motion = tapered(motion, scene.taper(), scene.taper());
+  motion = filtered(scene, std::move(motion));
+  if (scene.baseline()) motion = baseline_corrected(motion);
+  if (!scene.has_peak()) return motion;
+  return scaled_to_peak(motion, scene.peak(), driving(motion, run, interpolation));
+}
+
+void note_synthetic(const scene::GroundMotion& scene, const Sampling& run, UsedMotion& used) {
+  if (!scene.has_synthetic()) return;
+  constexpr double kAllPeriods = kLongestPeriods * kLongestPeriod;
+  if (const double end = natural_end(scene); end < kAllPeriods)
+    used.notes.push_back(
+        fmt::format("the synthetic motion of {:g} s has periods up to {:.3g} s instead of {:g} s; an "
+                    "`until` of {:g} s or more has all of them",
+                    end, end / kLongestPeriods, kLongestPeriod, kAllPeriods));
+  if (!std::isfinite(scene.until()) && scene.from() + run.duration > kSyntheticDuration * (1 + 1e-9))
+    used.notes.push_back(
+        fmt::format("the synthetic motion lasts {:g} s, and the ground rests afterwards; give "
+                    "`until` for a longer one",
+                    kSyntheticDuration));
+}
+
+// The velocity of a sine from rest, 1 - cos, never changes its sign.
+void note_drift(const scene::GroundMotion& scene, const Motion& whole, UsedMotion& used) {
+  constexpr double kDrifts = 2;
+  if (!scene.has_sine()) return;
+  const double w = 2 * std::numbers::pi * scene.sine().frequency();
+  const Peaks most = peaks(whole);
+  const double swing = most.acceleration / (w * w);
+  if (most.displacement > kDrifts * swing)
+    used.notes.push_back(
+        fmt::format("the sine begins at rest, so that the ground moves away by up to {:.3g} m, {:.1f} times "
+                    "the amplitude of "
+                    "{:.3g} m of its swing; give a `taper` of some of its periods, or a `gabor`, to swing "
+                    "about its place",
+                    most.displacement, most.displacement / swing, swing));
+}
+
+void note_peak(const scene::GroundMotion& scene, double acting, UsedMotion& used) {
+  constexpr double kNegligible = 0.01;
+  if (scene.has_peak() && std::abs(acting / scene.peak() - 1) > kNegligible)
+    used.notes.push_back(
+        fmt::format("the largest acceleration that acts is {:.4g} m/s^2 instead of `peak` = {:.4g} "
+                    "m/s^2, because the run takes a part of the motion",
+                    acting, scene.peak()));
 }
 
 double natural_step(const scene::GroundMotion& scene, const std::string& path) {
@@ -167,7 +206,7 @@ double natural_step(const scene::GroundMotion& scene, const std::string& path) {
   return errors_at(scene.has_file() ? path + ".file.path" : path, [&] {
     switch (scene.source_case()) {
       case Source::kFile:
-        return parse_motion(scene.file().path(), scene.file().content()).dt;
+        return record_of(scene.file()).dt;
       case Source::kRicker:
         return of_period(scene.ricker().frequency());
       case Source::kSine:
@@ -182,37 +221,38 @@ double natural_step(const scene::GroundMotion& scene, const std::string& path) {
   });
 }
 
-}  // namespace
-
-Motion UsedMotion::acting(const Motion& other) const {
-  return beginning(interpolation == Interpolation::kBandLimited ? refined(other, kPartsOfARecord) : other,
-                   duration);
-}
-
-UsedMotion ground_motion(const scene::GroundMotion& scene, const std::string& path,
-                         const Sampling& sampling) {
+UsedMotion used_motion(const scene::GroundMotion& scene, const std::string& path, const Sampling& run,
+                       Interpolation interpolation) {
   return errors_at(path, [&] {
-    const Motion whole = whole_motion(scene, path, sampling);
-    UsedMotion used{.motion = part(whole, scene.from(), scene.until()),
-                    .duration = sampling.duration,
+    const Motion whole = whole_motion(scene, path, run, interpolation);
+    UsedMotion used{.motion = at_step(part(whole, scene.from(), scene.until()), run.dt),
+                    .duration = run.duration,
+                    .interpolation = interpolation,
                     .place = place_at_begin(whole, scene.from(), scene.until()),
-                    .notes = notes_on_cut(whole, {scene.from(), scene.until(), sampling.duration})};
-    if (scene.has_file()) {
-      used.interpolation = Interpolation::kBandLimited;
-      if (used.motion.dt != sampling.dt) used.motion = at_step(used.motion, sampling.dt);
-    }
-    const double rest = sampling.duration - used.motion.duration();
-    note_synthetic(scene, sampling, used);
-    if (rest > 0 && std::isfinite(scene.until())) used.motion = padded(used.motion, 0, rest + used.motion.dt);
+                    .notes = notes_on_cut(whole, {scene.from(), scene.until(), run.duration})};
+    note_synthetic(scene, run, used);
+    note_drift(scene, whole, used);
+    note_peak(scene, peaks(beginning(used.acting(), run.duration)).acceleration, used);
     return used;
   });
 }
 
+}  // namespace
+
+Motion UsedMotion::acting(const Motion& other) const {
+  return beginning(interpolation == Interpolation::kBandLimited ? refined(other, kPartsOfARecord) : other,
+                   2 * duration);
+}
+
+UsedMotion ground_motion(const scene::GroundMotion& scene, const std::string& path,
+                         const Sampling& sampling) {
+  return used_motion(scene, path, sampling, Interpolation::kLinear);
+}
+
 UsedMotion ground_motion(const scene::GroundMotion& scene, const std::string& path, double duration) {
   const double step = natural_step(scene, path);
-  const bool recorded = scene.source_case() == Source::kFile;
-  return ground_motion(scene, path,
-                       {.dt = step, .duration = recorded ? duration : step * std::ceil(duration / step)});
+  if (scene.has_file()) return used_motion(scene, path, {step, duration}, Interpolation::kBandLimited);
+  return used_motion(scene, path, {step, step * std::ceil(duration / step)}, Interpolation::kLinear);
 }
 
 }  // namespace adit::motion

@@ -13,8 +13,8 @@ namespace adit::motion {
 
 // What a run uses of a motion.
 struct UsedMotion {
-  // From `from` to `until`, or to the end of the motion: as long as the run, with rest after `until`, or
-  // longer.
+  // From `from` to `until`, or to the end of the motion, whatever the duration of the run. The ground keeps
+  // its last velocity afterwards, which is zero after `until` and after a correction of the baseline.
   Motion motion;
   double duration = 0;  // of the run [s]
   // Pulses and synthetic motions are straight lines between their values, records are samples of what was.
@@ -23,16 +23,18 @@ struct UsedMotion {
   double place = 0;
   std::vector<std::string> notes = {};  // for the user, where the motion is cut inside shaking
 
-  // What acts during the run, with straight lines between the values.
+  // What acts during the run, with straight lines between the values, and for as long afterwards: the last
+  // step of a run may end a step later, and looks half a step ahead.
   Motion acting() const { return acting(motion); }
   // The same of a motion that was made of this one, such as that of another station.
   Motion acting(const Motion& other) const;
 };
 
-// The motion after the processing that the scene asks for. A record or a pulse is made, tapered, filtered,
-// its baseline corrected, and scaled as a whole; then the run's part is taken, so that the duration of the
-// run changes nothing of what comes before its end. A synthetic motion lasts until `until`, or to the end of
-// the run, but at least as long as its periods need.
+// The motion after the processing that the scene asks for. It is made, tapered, filtered, its baseline
+// corrected, and scaled as a whole: a record from its first value to its last, a pulse until it has died away
+// and the filters have answered, a synthetic motion up to `until`, or for 20 s. Then the run's part is taken.
+// So the duration of the run changes nothing of what comes before its end. `peak` is that of the straight
+// lines which drive the solver.
 //
 // Records are sent with the scene (attached_files.hpp). They are processed at their own step and have the
 // sampling's step afterwards. Throws UserError below `path`, for example if a record ends before the run does

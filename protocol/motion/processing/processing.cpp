@@ -50,6 +50,16 @@ Motion beginning(const Motion& motion, double end) {
   return result;
 }
 
+Motion lasting(const Motion& motion, double end) {
+  Motion result = beginning(motion, end);
+  const double values = std::ceil(end / motion.dt * (1 - 1e-12)) + 1;
+  if (values > kMostSteps)
+    throw UserError("", "the motion would have more than 1e8 values; give a longer step");
+  if (values > static_cast<double>(result.acceleration.size()))
+    result.acceleration.resize(static_cast<std::size_t>(values));
+  return result;
+}
+
 Motion padded(const Motion& motion, double before, double after) {
   check(motion);
   require_length(before, "time to pad before the motion");
@@ -91,8 +101,12 @@ Motion scaled(const Motion& motion, double factor) {
 }
 
 Motion scaled_to_peak(const Motion& motion, double peak) {
+  return scaled_to_peak(motion, peak, motion);
+}
+
+Motion scaled_to_peak(const Motion& motion, double peak, const Motion& curve) {
   require_positive(peak, "peak acceleration to scale to");
-  const double found = peaks(motion).acceleration;
+  const double found = peaks(curve).acceleration;
   if (found == 0) throw UserError("", "the motion is zero throughout; it cannot be scaled to a peak");
   return scaled(motion, peak / found);
 }

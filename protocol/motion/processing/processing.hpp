@@ -23,9 +23,14 @@ Motion scaled(const Motion& motion, double factor);
 
 // The motion scaled so that its largest absolute acceleration is `peak` [m/s^2].
 Motion scaled_to_peak(const Motion& motion, double peak);
+// The same for the peak of a curve through its values, such as the refined motion.
+Motion scaled_to_peak(const Motion& motion, double peak, const Motion& curve);
 
 // The motion up to its first value not before `end` [s], or all of it.
 Motion beginning(const Motion& motion, double end);
+
+// The same, with zeros after the end of a shorter motion.
+Motion lasting(const Motion& motion, double end);
 
 // Gives the motion this velocity [m/s] and displacement [m] at its end by adding s (1 - s) (c0 + c1 s),
 // s = t / duration, to the acceleration. The correction vanishes at both ends, so that a motion without

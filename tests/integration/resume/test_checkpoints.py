@@ -39,6 +39,17 @@ class Checkpoints(ResumeTest):
         self.assertEqual(result.returncode, 2)
         self.assertIn("--until 20 ms lies before the checkpoint at 0.06 s", result.stderr)
 
+    def test_a_lengthened_run_goes_on_with_its_earthquake(self):
+        """Whatever moves the base does not follow from the duration."""
+        for motion in ("synthetic: {seed: 1}, peak: 0.8 g", "sine: {frequency: 20 Hz, end: 40 ms}"):
+            text = (GROUND % ("false", MAXWELL)).replace("ricker: {frequency: 10 Hz, time: 0.1 s}, peak: 0.8 g", motion)
+            sets = ("--set", "output.history_interval=1 ms", "--set", "output.field_times=[]", "--set", "time.dt=5 us")
+            scene, name = self.scene(text), motion.split(":", maxsplit=1)[0]
+            whole = self.run_scene(scene, *sets, "--set", "time.duration=60 ms", out=f"{name}_whole")
+            run = self.run_scene(scene, *sets, "--set", "time.duration=30 ms", *AT_THE_END, out=name)
+            self.assertEqual(coupler("resume", run, "--until", "60 ms").returncode, 0)
+            self.assertEqual((run / "histories.csv").read_text(), (whole / "histories.csv").read_text())
+
     def test_other_earthquakes_begin_at_the_state_after_statics(self):
         scene = self.scene(GROUND % ("false", MAXWELL))
         short = ("--set", "time.duration=60 ms", "--set", "output.field_times=[]")
