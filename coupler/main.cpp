@@ -80,9 +80,10 @@ Greeted greeted_for(const adit::scene::Scene& scene, RecordingWriter* recording)
   };
 }
 
-// The folder of the results to which a checkpoint belongs; the results may be given themselves.
+// The folder of the results to which a checkpoint belongs; the results may be given themselves. A checkpoint
+// may be given by a link, as `.` or with a slash at its end.
 fs::path results_of(const fs::path& folder) {
-  return fs::exists(folder / "checkpoint.json") ? fs::absolute(folder).parent_path().parent_path() : folder;
+  return fs::exists(folder / "checkpoint.json") ? fs::canonical(folder).parent_path().parent_path() : folder;
 }
 
 // The scene that was computed in a folder of results, with these overrides.
@@ -93,8 +94,23 @@ protocol::SceneFile scene_of(const fs::path& results, const std::vector<std::str
   return file;
 }
 
-std::string resume_command(const fs::path& directory) {
-  return "coupler resume " + protocol::quoted_for_shell(directory.string());
+// With the servers and the trust of this run, without which another one would go on.
+std::string resume_command(const ServerChoice& servers, const fs::path& directory) {
+  std::string command = "coupler resume " + protocol::quoted_for_shell(directory.string());
+  const auto add = [&command](const char* option, const std::string& value) {
+    if (!value.empty()) command += fmt::format(" {} {}", option, protocol::quoted_for_shell(value));
+  };
+  const auto add_threads = [&add](const char* option, const std::optional<std::size_t>& threads) {
+    if (threads) add(option, std::to_string(*threads));
+  };
+  add("--fdm", servers.fdm);
+  add("--dem", servers.dem);
+  add_threads("--fdm-threads", servers.fdm_threads);
+  add_threads("--dem-threads", servers.dem_threads);
+  for (const std::string& server : servers.servers) add("--server", server);
+  add("--tls", servers.trust.tls);
+  add("--secret-file", servers.trust.secret_file);
+  return command;
 }
 
 void run_scene(const Options& options, const protocol::SceneFile& file, const Expansion& expansion) {
@@ -120,7 +136,7 @@ void run_scene(const Options& options, const protocol::SceneFile& file, const Ex
        .scene_as_written = file.scene.tunnels_size() > 0 ? protocol::to_yaml(file.scene) : "",
        .notes = expansion.notes,
        .origin = protocol::origin_of(options, file, protocol::revision()),
-       .resume_command = resume_command(directory)},
+       .resume_command = resume_command(options.servers, directory)},
       directory, std::move(from));
 }
 
@@ -150,7 +166,7 @@ void resume(const Options& options, const protocol::SceneFile& file) {
                          .scene_as_written = "",
                          .notes = manifest.notes,
                          .origin = manifest.origin,
-                         .resume_command = resume_command(directory)};
+                         .resume_command = resume_command(options.servers, directory)};
   run(scene, std::move(joined.participants), labels, directory, From{std::move(checkpoint), true});
 }
 

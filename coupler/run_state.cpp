@@ -68,6 +68,10 @@ void RunState::restore(const Checkpoint& checkpoint, bool same_run) {
   for (Participant& participant : model.participants)
     coupler::restore(participant, checkpoint.folder, file_of(checkpoint, participant.member.name));
   read(checkpoint, kCoupler, [this](state::Archive& archive) { exchange_coupling(*this, archive); });
+  if (const std::uint64_t step = next_step > 0 ? next_step - 1 : 0; step != checkpoint.manifest.step)
+    throw protocol::UserError(
+        "", fmt::format("{} is of step {}, but its state of the coupler of step {}; take another checkpoint",
+                        checkpoint.folder.string(), checkpoint.manifest.step, step));
   if (!same_run) return;
   read(checkpoint, kOutputs, [this](state::Archive& archive) { exchange_outputs(*this, archive); });
   resumed = checkpoint.manifest.resumed;

@@ -7,7 +7,6 @@
 #include "coupler/checkpoint/state_file.hpp"
 #include "coupler/checkpoint/transfer.hpp"
 #include "protocol/errors.hpp"
-#include "protocol/release.hpp"
 #include "protocol/results/disk/growing_file.hpp"
 #include "protocol/standard_streams.hpp"
 
@@ -42,12 +41,7 @@ int next_number(const fs::path& folder) {
 
 Checkpoint read_one(const fs::path& folder) {
   Checkpoint checkpoint{folder, read_manifest(folder)};
-  const Manifest& manifest = checkpoint.manifest;
-  if (manifest.release != protocol::release())
-    throw protocol::UserError(
-        "", fmt::format("{} is of release {}, this is {}; go on with that release, or begin again",
-                        folder.string(), manifest.release, protocol::release()));
-  for (const StateFile& file : manifest.files) require_whole(folder, file);
+  for (const StateFile& file : checkpoint.manifest.files) require_whole(folder, file);
   return checkpoint;
 }
 

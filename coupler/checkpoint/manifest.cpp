@@ -4,8 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "protocol/errors.hpp"
+#include "protocol/release.hpp"
 #include "protocol/results/atomic_file.hpp"
 #include "protocol/scene/hash.hpp"
+#include "protocol/text.hpp"
 
 namespace adit::coupler {
 namespace {
@@ -21,6 +23,30 @@ Json to_json(const StateFile& file) {
 StateFile file_of(const Json& json) {
   return {json.at("name"), json.at("format"), json.at("bytes"),
           json.at("crc32").get<std::vector<std::uint32_t>>()};
+}
+
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+// The manifest, whose last member is the hash of all others: one flipped bit would be another run.
+Json read_whole(const std::filesystem::path& file) {
+  const auto refuse = [&file](const std::string& why) {
+    throw protocol::UserError("", file.string() + " " + why + "; take another checkpoint");
+  };
+  if (!std::filesystem::is_regular_file(file)) refuse("is not a file");
+  std::ifstream stream(file, std::ios::binary);
+  Json json = Json::parse(stream);
+  // Another release may write another manifest.
+  const std::string release = json.at("release");
+  if (release != protocol::release())
+    throw protocol::UserError(
+        "", file.parent_path().string() + " is of release " + protocol::shorten(release) + ", this is " +
+                std::string(protocol::release()) + "; go on with that release, or begin again");
+  const std::string hash = json.at("hash");
+  json.erase("hash");
+  if (protocol::hash_of_bytes(text_of(json)) != hash) refuse("is damaged: its hash is another one");
+  return json;
 }
 
 }  // namespace
@@ -48,12 +74,12 @@ void write_manifest(const std::filesystem::path& folder, const Manifest& m) {
             {"inputs", m.origin.inputs},
             {"resumed_at_steps", m.resumed}};
   for (const StateFile& file : m.files) json["files"].push_back(to_json(file));
-  results::replace_file(folder / kName, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  json["hash"] = protocol::hash_of_bytes(text_of(json));
+  results::replace_file(folder / kName, text_of(json) + "\n");
 }
 
 Manifest read_manifest(const std::filesystem::path& folder) try {
-  std::ifstream stream(folder / kName, std::ios::binary);
-  const Json json = Json::parse(stream);
+  const Json json = read_whole(folder / kName);
   Manifest m{.release = json.at("release"),
              .scene_hash = json.at("scene_hash"),
              .at_rest = json.at("at_rest"),

@@ -40,7 +40,8 @@ struct Manifest {
 std::string hash_of(scene::Scene scene);
 
 void write_manifest(const std::filesystem::path& folder, const Manifest& manifest);
-// Throws protocol::UserError where there is none that can be read.
+// Throws protocol::UserError where there is none that can be read, where anything in it is not what was
+// written, and where it is of another release.
 Manifest read_manifest(const std::filesystem::path& folder);
 
 }  // namespace adit::coupler

@@ -29,7 +29,9 @@ StateFile StateWriter::close() {
 }
 
 StateReader::StateReader(const std::filesystem::path& folder, const StateFile& file)
-    : path_(path_of(folder, file.name)), told_(file), stream_(path_, std::ios::binary), left_(file.bytes) {
+    : path_(path_of(folder, file.name)), told_(file), left_(file.bytes) {
+  if (!std::filesystem::is_regular_file(path_)) refuse("is not a file");
+  stream_.open(path_, std::ios::binary);
   if (!stream_) refuse("cannot be opened");
 }
 

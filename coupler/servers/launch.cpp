@@ -136,7 +136,7 @@ ServerProcess::ServerProcess(const std::string& program, const std::filesystem::
   const std::filesystem::path folder = child_->folder ? child_->folder->path() : std::filesystem::path();
   options.insert(options.end(),
                  {"--listen", folder.empty() ? "127.0.0.1:0" : "unix:" + (folder / program).string(),
-                  "--exit-with-parent"});
+                  "--exit-with-parent", std::to_string(::getpid())});
   if (protocol::logs_json()) options.insert(options.end(), {"--log-format", "json"});
   const Log log_file = open_log(log);
   // Servers that are started later would hold this one's pipe open.

@@ -1,9 +1,12 @@
+#include <google/protobuf/stubs/logging.h>
 #include <sys/prctl.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
+#include <system_error>
 
 #include "protocol/errors.hpp"
 #include "protocol/log/log.hpp"
@@ -22,10 +25,18 @@ namespace {
 
 // The signals of a terminal or a scheduler, which go to all processes of a run, are the coupler's: it still
 // needs the servers for what it writes at the end, and then ends them by kOwnerSignal.
-void exit_with(pid_t parent) {
+// False where the coupler has ended already: the process is then the child of another one.
+bool exit_with(pid_t parent) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
   ::prctl(PR_SET_PDEATHSIG, kOwnerSignal);
-  if (::getppid() != parent) std::raise(kOwnerSignal);  // the parent ended before prctl took effect
+  return ::getppid() == parent;
+}
+
+// A coupler that was killed before it connected cannot remove the folder that it made for the socket.
+void remove_folder_of(const Address& address) {
+  std::error_code not_empty_or_gone;
+  if (!address.path.empty())
+    std::filesystem::remove(std::filesystem::path(address.path).parent_path(), not_empty_or_gone);
 }
 
 // Of a file that the user names, or handed over by the coupler that started this process.
@@ -40,10 +51,8 @@ std::string own_secret(const std::string& file) {
 int server_main(int argc, char** argv, std::string_view program, std::vector<std::string> computes,
                 const ParticipantFactory& make_participant, std::size_t* threads, const Patience& patience,
                 bool begins_anew) {
-  // The parent is noted before anything else: if it ends meanwhile, exit_with() finds another one in its
-  // place.
-  const pid_t parent = ::getppid();
   guard_standard_streams();
+  google::protobuf::SetLogHandler(nullptr);  // what it meets is told by this program, once and in its form
   ServerOptions options;
   options.program = program;
   options.computes = std::move(computes);
@@ -53,7 +62,7 @@ int server_main(int argc, char** argv, std::string_view program, std::vector<std
   std::string listen = to_string(options.listen);
   std::string secret_file, tls_folder;
   std::string log_level = "info", log_format = "text";
-  bool exit_with_parent = false;
+  pid_t parent = 0;
 
   CLI::App app("Takes part in the runs of the Adit coupler, one after another, until SIGINT or SIGTERM.",
                options.program);
@@ -68,8 +77,10 @@ int server_main(int argc, char** argv, std::string_view program, std::vector<std
       "allow a HOST beyond loopback without TLS: anyone on the way can read and change what is sent");
   app.add_option("--secret-file", secret_file,
                  "file whose first line clients must know; only its owner may read it");
-  app.add_flag("--exit-with-parent", exit_with_parent,
-               "end by SIGUSR1 or with the process that started this one, not by SIGINT or SIGTERM");
+  app.add_option(
+      "--exit-with-parent", parent,
+      "id of the process that starts this one: end by SIGUSR1 or with it, not by SIGINT or SIGTERM; "
+      "the folder of a Unix socket is then removed, too, if nothing else is in it");
   if (threads)
     app.add_option("--threads", *threads, "threads that share the computing; 0: as many as speed it up")
         ->check(CLI::Range(std::size_t{0}, kMostThreads))
@@ -88,17 +99,22 @@ int server_main(int argc, char** argv, std::string_view program, std::vector<std
 
   if (options.adopt >= 0) options.command.resize(options.command.size() - 2);
   begin_server_log(options.program, log_level, log_format == "json");
-  if (exit_with_parent) {
-    exit_with(parent);
-    options.stop_signals = {kOwnerSignal};
-  }
   try {
     options.listen = parse_address(listen);
+    if (parent > 0) {
+      options.stop_signals = {kOwnerSignal};
+      if (!exit_with(parent)) {
+        remove_folder_of(options.listen);
+        return kSuccess;
+      }
+    }
     options.secret = own_secret(secret_file);
     if (!tls_folder.empty() && !options.listen.path.empty())
       throw UserError("", listen + " does not leave this machine, and --tls is for others: leave it out");
     if (!tls_folder.empty()) options.tls.emplace(tls_folder, End::kServer, !options.secret.empty());
-    return serve(options, make_participant);
+    const int code = serve(options, make_participant);
+    if (parent > 0) remove_folder_of(options.listen);
+    return code;
   } catch (const UserError& error) {
     tell(Severity::kError, options.program + ": ", error.what());
     return kUserError;

@@ -2,18 +2,47 @@
 
 #include <fcntl.h>
 #include <unistd.h>
+#include <zlib.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
+#include <fstream>
 #include <utility>
 
 #include "protocol/errors.hpp"
 #include "protocol/results/disk/write_error.hpp"
 
 namespace adit::results {
+namespace {
 
+std::uint32_t checksum_on(std::uint32_t before, std::string_view bytes) {
+  return static_cast<std::uint32_t>(
+      crc32_z(before, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
+}
+
+// Of the first bytes of a file.
+std::uint32_t checksum_of(const std::filesystem::path& path, std::uint64_t size) {
+  std::ifstream stream(path, std::ios::binary);
+  std::array<char, 1 << 16> piece;
+  std::uint32_t checksum = 0;
+  while (size > 0) {
+    stream.read(piece.data(), static_cast<std::streamsize>(std::min<std::uint64_t>(size, piece.size())));
+    const auto count = static_cast<std::size_t>(stream.gcount());
+    if (count == 0) break;
+    checksum = checksum_on(checksum, {piece.data(), count});
+    size -= count;
+  }
+  return checksum;
+}
+
+}  // namespace
+
+// Without O_NONBLOCK a pipe in its place would be waited for.
 GrowingFile::GrowingFile(std::filesystem::path path, Begin begin)
     : path_(std::move(path)),
-      file_(::open(path_.c_str(), O_WRONLY | O_CLOEXEC | (begin == Begin::kAnew ? O_CREAT | O_TRUNC : 0),
+      file_(::open(path_.c_str(),
+                   O_WRONLY | O_CLOEXEC | O_NONBLOCK | (begin == Begin::kAnew ? O_CREAT | O_TRUNC : 0),
                    0666)) {
   if (file_ < 0 && errno == ENOENT && begin == Begin::kGoOn)
     throw protocol::UserError(
@@ -23,7 +52,10 @@ GrowingFile::GrowingFile(std::filesystem::path path, Begin begin)
 }
 
 GrowingFile::GrowingFile(GrowingFile&& other) noexcept
-    : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)), size_(other.size_) {}
+    : path_(std::move(other.path_)),
+      file_(std::exchange(other.file_, -1)),
+      size_(other.size_),
+      checksum_(other.checksum_) {}
 
 GrowingFile::~GrowingFile() {
   if (file_ >= 0) ::close(file_);
@@ -32,10 +64,15 @@ GrowingFile::~GrowingFile() {
 void GrowingFile::exchange(state::Archive& archive) {
   const std::uint64_t found = size_;
   archive("file_size", size_);
+  archive("file_checksum", checksum_);
   if (!archive.reads()) return;
   if (found < size_)
     throw protocol::UserError(
         "", path_.string() + " is shorter than it was at the checkpoint; begin again by coupler run");
+  if (checksum_of(path_, size_) != checksum_)
+    throw protocol::UserError(
+        "", path_.string() +
+                " is not what the run wrote until the checkpoint; restore it, or begin again by coupler run");
   if (::ftruncate(file_, static_cast<off_t>(size_)) != 0) throw_write_error(path_, errno);
 }
 
@@ -57,6 +94,7 @@ void GrowingFile::append(std::string_view piece) {
     throw_write_error(path_, error);
   }
   size_ += piece.size();
+  checksum_ = checksum_on(checksum_, piece);
 }
 
 }  // namespace adit::results

@@ -23,8 +23,8 @@ class GrowingFile {
   // Hands the piece to the system, so that it is kept where the program is killed.
   void append(std::string_view piece);
 
-  // The size enters the state of a run. One that reads takes away what the file has grown by since: throws
-  // protocol::UserError where it is shorter.
+  // The size and the checksum enter the state of a run. One that reads takes away what the file has grown by
+  // since: throws protocol::UserError where it is shorter, or where what was there then is another now.
   void exchange(state::Archive& archive);
 
   // Waits until the disk has all of it, which then outlasts the machine.
@@ -37,6 +37,7 @@ class GrowingFile {
   std::filesystem::path path_;
   int file_;
   std::uint64_t size_ = 0;
+  std::uint32_t checksum_ = 0;  // CRC-32 of what this object knows to be in it
 };
 
 }  // namespace adit::results

@@ -1,6 +1,7 @@
 """A signal, or a full disk, ends a run with all that it has computed until then."""
 
 import os
+import pathlib
 import shutil
 import signal
 import subprocess
@@ -8,7 +9,7 @@ import sys
 import time
 import unittest
 
-from programs import BUILD, CASE, COUPLER, PATIENCE, SOURCE, ProgramTest, children_of
+from programs import BUILD, CASE, COUPLER, PATIENCE, SOURCE, ProgramTest, children_of, wait_until
 
 LONG = ("--set", "time.duration=50 s", "--set", "output.history_interval=0.1 ms", "--set", "output.field_times=[1 ms]")
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
@@ -32,6 +33,24 @@ class Stop(ProgramTest):
             self.assertIsNone(process.poll())
             time.sleep(0.02)
         return process
+
+    def test_a_coupler_that_ends_while_its_servers_start_leaves_none(self):
+        """Neither a process nor the empty folder of a socket."""
+        before = set(pathlib.Path("/tmp").glob("adit-*"))
+
+        def empty_folders():
+            return [folder for folder in set(pathlib.Path("/tmp").glob("adit-*")) - before if not list(folder.glob("*"))]
+
+        for _ in range(5):
+            process = self.start(COUPLER, "run", CASE / "coupled.yaml", "--out", self.folder / "run", *LONG)
+            wait_until(lambda: children_of(process.pid) or process.poll() is not None)
+            servers = children_of(process.pid)
+            process.kill()
+            process.communicate()
+            self.assertTrue(servers)
+            for pid in servers:
+                wait_until(lambda: not pathlib.Path(f"/proc/{pid}").exists())
+            wait_until(lambda: not empty_folders())  # those of other runs vanish, too
 
     def test_signals_end_a_run_at_its_next_step(self):
         for number in SIGNALS:

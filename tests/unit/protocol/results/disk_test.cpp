@@ -3,6 +3,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <fstream>
 
 #include "protocol/results/atomic_file.hpp"
 #include "protocol/results/disk/growing_file.hpp"
@@ -39,6 +40,21 @@ TEST(GrowingFile, EndsWithAWholePiece) {
   EXPECT_THROW(file.append("4,5,6\n"), std::runtime_error);
   EXPECT_EQ(content_of(folder / "a.csv"), "1,2,3\n");
   EXPECT_EQ(file.size(), 6u);
+}
+
+// Rows before the checkpoint that were edited since would stand among those of the run.
+TEST(GrowingFile, DoesNotGoOnWithOtherContent) {
+  const ScratchFolder folder;
+  state::Archive writes;
+  {
+    GrowingFile file(folder / "a.csv");
+    file.append("1\n");
+    file.exchange(writes);
+  }
+  std::ofstream(folder / "a.csv") << "2\n3\n";
+  GrowingFile file(folder / "a.csv", GrowingFile::Begin::kGoOn);
+  state::Archive reads(writes.take());
+  test::expect_refusal([&] { file.exchange(reads); }, "", "is not what the run wrote until the checkpoint");
 }
 
 // A file that goes on is cut to what it was when the state was written.

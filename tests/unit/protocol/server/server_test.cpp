@@ -397,7 +397,7 @@ TEST(Server, AWrongCommandLineIsTheUsersError) {
 TEST(Server, EndsWithItsParentWhenAsked) {
   process::ipstream output;
   process::child shell("/bin/sh", "-c",
-                       std::string(SCRIPTED_SERVER) + " --exit-with-parent --log-level off & wait",
+                       std::string(SCRIPTED_SERVER) + " --exit-with-parent $$ --log-level off & wait",
                        process::std_out > output);
   std::string line;
   std::getline(output, line);
