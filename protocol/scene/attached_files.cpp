@@ -1,12 +1,12 @@
 #include "protocol/scene/attached_files.hpp"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <utility>
 #include <vector>
 
 #include "protocol/scene/fields/path.hpp"
 #include "protocol/scene/fields/rules.hpp"
+#include "protocol/scene/file_content.hpp"
 #include "protocol/text.hpp"
 #include "protocol/wire/bounds.hpp"
 
@@ -34,9 +34,9 @@ std::string content(const fs::path& path, const std::string& field, std::uintmax
     refuse("with this file those of the scene are larger than " + std::to_string(kMaxAttachedBytes >> 20) +
            " MiB; use a coarser mesh or a shorter record");
   room -= size;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) refuse("the file cannot be opened; check its permissions");
-  return {std::istreambuf_iterator<char>(stream), {}};
+  auto bytes = file_content(path);
+  if (!bytes) refuse("the file cannot be read; check its permissions");
+  return std::move(*bytes);
 }
 
 const FieldDescriptor* name_of(const Message& message, const FieldDescriptor* content) {

@@ -1,5 +1,7 @@
 #include "protocol/scene/command_line.hpp"
 
+#include <google/protobuf/stubs/logging.h>
+
 #include "protocol/errors.hpp"
 #include "protocol/log/log.hpp"
 #include "protocol/log/option.hpp"
@@ -17,6 +19,7 @@ std::string quoted_for_shell(const std::string& word) {
 
 SceneCommandLine::SceneCommandLine(const std::string& program, const std::string& description)
     : app(description), program(program) {
+  google::protobuf::SetLogHandler(nullptr);  // what it meets is told by this program, once and in its form
   app.set_version_flag("--version", program + " " + std::string(release()));
   app.require_subcommand(1);
   run = app.add_subcommand("run", "computes a scene");

@@ -2,13 +2,13 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "protocol/scene/fields/check_rules.hpp"
 #include "protocol/scene/fields/path.hpp"
+#include "protocol/scene/file_content.hpp"
 #include "protocol/scene/yaml/message_reader.hpp"
 #include "protocol/text.hpp"
 
@@ -31,8 +31,9 @@ std::string obstacle(const fs::path& path) {
 }
 
 YamlValue load(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return parse_yaml({std::istreambuf_iterator<char>(stream), {}}, path.string());
+  const auto content = file_content(path);
+  if (!content) throw UserError("", path.string() + ": the file cannot be read; name a scene file");
+  return parse_yaml(*content, path.string());
 }
 
 // The file that `extends` names, relative to the file `from` in which it stands.

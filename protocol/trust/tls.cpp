@@ -39,6 +39,18 @@ void require(int done, const std::filesystem::path& file, std::string_view what)
                                     file.string(), what, openssl_error()));
 }
 
+// A pipe in its place would be waited for.
+void require_file(const std::filesystem::path& file, std::string_view what) {
+  if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
+    throw UserError("", fmt::format("{}, for the {}, is not a file: make it by scripts/certificates",
+                                    file.string(), what));
+}
+
+// OpenSSL would ask for a pass phrase at the terminal.
+int no_pass_phrase(char*, int, int, void*) {
+  return -1;
+}
+
 std::string common_name(const X509_NAME* name) {
   std::array<char, 256> text{};
   X509_NAME_get_text_by_NID(name, NID_commonName, text.data(), text.size());
@@ -49,9 +61,11 @@ std::string common_name(const X509_NAME* name) {
 const char* refusal_of(int reason) {
   switch (reason) {
     case SSL_R_TLSV1_ALERT_UNKNOWN_CA:
-    case SSL_R_SSLV3_ALERT_BAD_CERTIFICATE:
     case SSL_R_TLSV1_ALERT_DECRYPT_ERROR:
       return "another authority has signed it; use folders that one call of scripts/certificates made";
+    case SSL_R_SSLV3_ALERT_BAD_CERTIFICATE:  // what OpenSSL answers to one that begins later
+      return "it is not valid yet, or is for another machine; compare the clocks of both machines and the "
+             "names";
     case SSL_R_SSLV3_ALERT_CERTIFICATE_EXPIRED:
       return "it has expired, or begins later; make a new one by scripts/certificates";
     case SSL_R_TLSV13_ALERT_CERTIFICATE_REQUIRED:
@@ -89,12 +103,15 @@ Tls::Tls(const std::filesystem::path& folder, End end, bool accepts_uncertified)
   if (!context) throw std::runtime_error("OpenSSL makes no context: " + openssl_error());
   const auto authority = folder / "authority.pem", certificate = folder / "certificate.pem";
   const auto key = folder / "key.pem";
+  SSL_CTX_set_default_passwd_cb(context, no_pass_phrase);
+  require_file(authority, "authority");
+  require_file(certificate, "certificate");
   require(SSL_CTX_load_verify_locations(context, authority.c_str(), nullptr), authority, "authority");
   if (end == End::kServer || std::filesystem::exists(certificate) || std::filesystem::exists(key)) {
     require(SSL_CTX_use_certificate_chain_file(context, certificate.c_str()), certificate, "certificate");
     require_private(key, "the key");
     require(SSL_CTX_use_PrivateKey_file(context, key.c_str(), SSL_FILETYPE_PEM), key,
-            "key of certificate.pem");
+            "key of certificate.pem without a pass phrase");
   }
   SSL_CTX_set_min_proto_version(context, TLS1_3_VERSION);
   SSL_CTX_set_ciphersuites(context, kCiphers);

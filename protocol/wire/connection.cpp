@@ -238,8 +238,23 @@ void Connection::when_gone(std::function<void()> leave) {
 }
 
 void Connection::tell_progress(const std::string& how_far) {
-  const std::lock_guard lock(sending_);
-  progress_ = how_far;
+  {
+    const std::lock_guard lock(sending_);
+    progress_ = how_far;
+  }
+  require_alive();
+}
+
+// Nobody waits for the peer, but it beats: only one that has stopped is silent. What has arrived stays for
+// the next wait, up to a limit, at which nothing is judged.
+void Connection::require_alive() {
+  const bool full = decoder_.buffered() >= kMaxHelloBytes;
+  if (!full) read_some();
+  const auto now = Clock::now();
+  if (full || std::exchange(bytes_heard_, bytes_received_) != bytes_received_) heard_ = now;
+  if (now - heard_ > patience_.silence)
+    throw PeerLost(peer_, fmt::format("sent nothing for {} s",
+                                      std::chrono::ceil<std::chrono::seconds>(patience_.silence).count()));
 }
 
 std::string Connection::progress_of_peer() const {

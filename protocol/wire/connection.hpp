@@ -95,7 +95,8 @@ class Connection {
   void when_gone(std::function<void()> leave);
 
   // How far this end is in a long work, told with the next heartbeats until something else is sent; and what
-  // the peer told last. Any thread may call them.
+  // the peer told last, for which any thread may ask. Who tells owns the connection: throws PeerLost where
+  // the peer has been silent for too long meanwhile.
   void tell_progress(const std::string& how_far);
   std::string progress_of_peer() const;
 
@@ -121,6 +122,7 @@ class Connection {
   void write(std::span<const std::byte> bytes, Watch& watch);
   void tell(const std::string& fault);
   bool peer_closed();
+  void require_alive();
   void sleep(Clock::time_point until, bool readable, bool writable);
   [[noreturn]] void throw_closed(const boost::system::error_code& error);
   void tell_listener(Direction direction, std::span<const std::byte> frame);
@@ -137,6 +139,8 @@ class Connection {
   std::uint64_t parts_taken_ = 0;
   Hear hear_;
   std::uint64_t bytes_received_ = 0;
+  std::uint64_t bytes_heard_ = 0;  // of them, when this end told its progress last
+  Clock::time_point heard_;        // when it last found more of them
   Clock::duration waited_{};
   bool awaits_preamble_ = false;  // what has arrived is a part of it, and no frame
   bool forecasts_ = false;

@@ -55,7 +55,12 @@ class Relay:
 
 def expire(folder, machine):
     """A copy of a machine's folder whose certificate was valid for one day, long ago."""
-    copy = folder / f"{machine}_expired"
+    return valid_in(folder, machine, 2020)
+
+
+def valid_in(folder, machine, year):
+    """The same for the first day of a year."""
+    copy = folder / f"{machine}_{year}"
     shutil.copytree(folder / machine, copy)
     authority, work = folder / "authority", folder / f"{machine}_work"
     work.mkdir()
@@ -76,6 +81,6 @@ commonName = supplied
     subprocess.run(["openssl", "x509", "-x509toreq", "-in", copy / "certificate.pem", "-signkey", copy / "key.pem",
                     "-copy_extensions", "copy", "-out", request], check=True, capture_output=True)
     subprocess.run(["openssl", "ca", "-batch", "-notext", "-config", work / "ca.cnf", "-cert", authority / "authority.pem",
-                    "-keyfile", authority / "key.pem", "-startdate", "20200101000000Z", "-enddate", "20200102000000Z",
+                    "-keyfile", authority / "key.pem", "-startdate", f"{year}0101000000Z", "-enddate", f"{year}0102000000Z",
                     "-in", request, "-out", copy / "certificate.pem"], check=True, capture_output=True)
     return copy

@@ -23,18 +23,21 @@ void fill_error(const std::exception& cause, wire::Error& error) {
 }
 
 void throw_error(const std::string& peer, const wire::Error& error) {
+  constexpr std::size_t kLongest = 2000;  // that a user reads, however much a peer says
+  std::string message = error.message();
+  if (message.size() > kLongest) message = valid_utf8(message.substr(0, kLongest)) + " ...";
   switch (error.kind()) {
     case wire::Error::SCENE:
       // Without a place in the scene it is something of the peer's machine.
-      throw UserError(error.path(), error.path().empty() ? peer + ": " + error.message() : error.message());
+      throw UserError(error.path(), error.path().empty() ? peer + ": " + message : message);
     case wire::Error::UNSTABLE:
-      throw Unstable(peer + ": " + error.message());
+      throw Unstable(peer + ": " + message);
     case wire::Error::REFUSED:
-      throw UserError("", peer + " refused: " + error.message());
+      throw UserError("", peer + " refused: " + message);
     case wire::Error::REQUEST:
-      throw RequestError(peer + " cannot answer: " + error.message());
+      throw RequestError(peer + " cannot answer: " + message);
     default:
-      throw PeerLost(peer, error.message());
+      throw PeerLost(peer, message);
   }
 }
 

@@ -2,6 +2,7 @@
 the coupler that started them."""
 
 import contextlib
+import os
 import pathlib
 import re
 import select
@@ -12,8 +13,8 @@ import subprocess
 import time
 import unittest
 
-from programs import CASE, COUPLER, Server, coupler
-from trusted import SHORT, Relay, TrustTest, expire
+from programs import CASE, COUPLER, SOURCE, Server, coupler
+from trusted import SHORT, Relay, TrustTest, expire, valid_in
 
 LONG = ("--set", "time.duration=50 s", "--set", "output.field_times=[]")
 
@@ -189,6 +190,42 @@ class Certificates(TrustTest):
             self.assert_refused(self.join(server, "--tls", expired), "does not accept the certificate of this machine", "expired")
         with self.serve(expire(folder, "localhost")) as server:
             self.assert_refused(self.join(server, "--tls", folder / "laptop"), "the certificate of dem_server at", "has expired")
+
+    def test_a_certificate_that_begins_later(self):
+        folder = self.certificates()
+        with self.serve(folder / "localhost") as server:
+            self.assert_refused(self.join(server, "--tls", valid_in(folder, "laptop", 2090)),
+                                "does not accept the certificate of this machine", "not valid yet", "clocks")
+        with self.serve(valid_in(folder, "localhost", 2090)) as server:
+            self.assert_refused(self.join(server, "--tls", folder / "laptop"), "is not valid yet")
+
+    def test_nothing_waits_for_a_pipe_or_a_pass_phrase(self):
+        folder = self.certificates()
+        locked = self.folder / "locked"
+        shutil.copytree(folder / "laptop", locked)
+        subprocess.run(["openssl", "pkey", "-in", folder / "laptop/key.pem", "-aes256", "-passout", "pass:x",
+                        "-out", locked / "key.pem"], check=True)
+        with self.serve(folder / "localhost") as server:
+            self.assert_refused(self.join(server, "--tls", locked), "key.pem is no key", "without a pass phrase")
+            for name in ("authority.pem", "certificate.pem", "key.pem"):
+                piped = self.folder / name
+                shutil.copytree(folder / "laptop", piped)
+                (piped / name).unlink()
+                os.mkfifo(piped / name, 0o600)
+                self.assert_refused(self.join(server, "--tls", piped), name, "is not a file")
+            pipe = self.folder / "pipe"
+            os.mkfifo(pipe, 0o600)
+            self.assert_refused(self.join(server, "--secret-file", pipe), "is not a file")
+
+    def test_wrong_names_of_machines_leave_nothing(self):
+        """One sentence, exit code 2, and no folder, also for the names before the wrong one."""
+        folder = self.folder / "none"
+        for name in ("", "a b", "../a", "/a", "a,,b", "10.0.0.999", "1:2", "-a", "a" * 65, "authority,b", "a;b", "é"):
+            with self.subTest(name):
+                result = subprocess.run([SOURCE / "scripts/certificates", folder, "right", name], capture_output=True, text=True)
+                self.assertEqual(result.returncode, 2, result.stderr)
+                self.assertRegex(result.stderr, r"\Ascripts/certificates: [^\n]*\n\Z")
+                self.assertFalse(folder.exists())
 
     def test_a_certificate_of_another_machine(self):
         """A machine of the same authority cannot pretend to be another one."""

@@ -28,6 +28,9 @@ class UserErrors(ProgramTest):
         for text in texts:
             self.assertIn(text, message)
 
+    def test_a_file_that_the_system_does_not_let_be_read(self):
+        self.assertIn("/proc/self/mem: the file cannot be read", self.refusal("/proc/self/mem"))
+
     def test_misspelled_key(self):
         message, place = self.refused_scene("edge_loads:", "edge_load:")
         self.assert_says(message, place, "continuum.edge_load", "did you mean `edge_loads`")

@@ -5,8 +5,17 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "protocol/standard_streams.hpp"
+
 namespace adit::protocol {
 namespace {
+
+// Requirement: no terminal obeys what a file or a peer says; lines and the line of progress stay.
+TEST(StandardStreams, TellNothingThatATerminalObeys) {
+  testing::internal::CaptureStdout();
+  print("a \x1b[2J\x07 b\n\rc \xe2\x80\xae d\te\n");
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "a  [2J  b\n\rc   d\te\n");
+}
 
 // Requirement: whatever a message holds, a line is one line of valid JSON that holds it.
 TEST(Log, AnyTextIsOneLineOfJson) {

@@ -137,6 +137,22 @@ TEST(Connection, HeartbeatsTellHowFarTheOtherEndIs) {
   EXPECT_EQ(pair.near.progress_of_peer(), "");
 }
 
+// A client that has stopped does not keep a server for the whole of a packing; one that beats does.
+TEST(Connection, APeerThatIsSilentWhileThisEndWorksIsLost) {
+  const auto work = [](Connection& connection) {
+    const auto end = std::chrono::steady_clock::now() + 3 * kShort.silence;
+    while (std::chrono::steady_clock::now() < end) {
+      connection.tell_progress("growing");
+      std::this_thread::sleep_for(10ms);
+    }
+  };
+  SocketPair sockets;
+  Connection stopped(std::move(sockets.near), "coupler", kShort);
+  EXPECT_THAT(message_of<PeerLost>([&] { work(stopped); }), HasSubstr("sent nothing for"));
+  ConnectionPair pair(kShort, kShort);
+  EXPECT_NO_THROW(work(pair.far));
+}
+
 // Heartbeats do not prolong a wait for ever.
 TEST(Connection, AnAnswerThatNeverComesEndsInPeerLostDespiteHeartbeats) {
   ConnectionPair pair(kShort, kShort);

@@ -49,6 +49,19 @@ TEST(ErrorFrame, TellsWhatAMachineRefuses) {
 }
 
 // A bug of the sender ends the conversation, not the receiver's program with a bug of its own.
+// A peer may send a megabyte.
+TEST(ErrorFrame, IsAsLongAsAUserReads) {
+  wire::Error error;
+  error.set_kind(wire::Error::UNSTABLE);
+  error.set_message(std::string(1 << 20, 'x'));
+  try {
+    throw_error("dem_server", error);
+  } catch (const Unstable& told) {
+    EXPECT_LT(std::string(told.what()).size(), 3000u);
+    EXPECT_TRUE(std::string(told.what()).ends_with("xx ..."));
+  }
+}
+
 TEST(ErrorFrame, ABugOfTheSenderLosesThePeer) {
   wire::Error error;
   fill_error(std::logic_error("no such zone"), error);
