@@ -51,6 +51,27 @@ YamlValue parse_value(const Override& set, const Place& place) {
   return value;
 }
 
+// Removes the member or the element at the path.
+void remove(const std::vector<PathStep>& steps, YamlValue& root, const Place& place) {
+  YamlValue* holder = nullptr;
+  YamlValue* target = &root;
+  std::string path;
+  for (const PathStep& step : steps) {
+    holder = target;
+    target = holder->find(step.name);
+    path = member_path(path, step.name);
+    if (target && step.index) {
+      holder = target;
+      target = holder->kind == Kind::kList && *step.index < holder->children.size()
+                   ? &holder->children[*step.index]
+                   : nullptr;
+      path = element_path(path, *step.index);
+    }
+    if (!target) refuse_at(place, path, "is not given, so that nothing can be taken away; leave this out");
+  }
+  holder->children.erase(holder->children.begin() + (target - holder->children.data()));
+}
+
 }  // namespace
 
 void merge(YamlValue& into, YamlValue from, const Descriptor* type) {
@@ -59,6 +80,10 @@ void merge(YamlValue& into, YamlValue from, const Descriptor* type) {
     return;
   }
   into.place = from.place;
+  std::erase_if(from.children, [&](const YamlValue& child) {
+    return child.takes_away() &&
+           std::erase_if(into.children, [&](const YamlValue& member) { return member.key == child.key; }) > 0;
+  });
   // All rivals go before any member is merged. Two members of `from` that exclude each other thus both stay,
   // and the reader refuses them.
   for (const YamlValue& child : from.children) drop_rivals(into, child.key, type);
@@ -90,9 +115,15 @@ void apply(const Override& set, YamlValue& root, const Descriptor* type) {
   if (steps->front().name == "extends")
     refuse_at(place, "extends", "can only be given in the scene file; name the other scene file instead");
 
+  YamlValue value = parse_value(set, place);
+  if (value.takes_away()) return remove(*steps, root, place);
   YamlValue* target = &root;
   std::string path;
   for (const PathStep& step : *steps) {
+    if (target->kind == Kind::kList)
+      refuse_at(place, path,
+                "is a list; name one of its elements, as in " +
+                    quote(member_path(element_path(path, 0), step.name)));
     if (target->kind != Kind::kMapping) {
       target->kind = Kind::kMapping;
       target->children.clear();
@@ -110,10 +141,9 @@ void apply(const Override& set, YamlValue& root, const Descriptor* type) {
     target = &target->children[*step.index];
     path = element_path(path, *step.index);
   }
-  // The assignment below replaces the whole value; its key belongs to the mapping and stays.
-  std::string key = std::move(target->key);
-  *target = parse_value(set, place);
-  target->key = std::move(key);
+  // The whole value is replaced; its key belongs to the mapping and stays.
+  value.key = std::move(target->key);
+  *target = std::move(value);
 }
 
 }  // namespace adit::protocol

@@ -133,6 +133,92 @@ TEST(SceneReader, OfAlternativesTheLaterLayerWins) {
   EXPECT_EQ(time.sine().frequency(), 2);
 }
 
+// `null` takes away what the extended scene gives, whatever its kind; so does `--set`.
+TEST(SceneReader, NullTakesAwayWhatTheExtendedFileGives) {
+  const ScratchFolder folder;
+  folder.write("beam.yaml", kBeam);
+  folder.write("free.yaml",
+               "extends: beam.yaml\nparticles:\n  bonds: {tensile_strength: ~}\n  loads: null\noutput: ~\n");
+  for (const scene::Scene& scene :
+       {read(folder, "free.yaml"),
+        read(folder, "beam.yaml",
+             {"particles.bonds.tensile_strength=~", "particles.loads=null", "output=null"})}) {
+    EXPECT_FALSE(scene.particles().bonds().has_tensile_strength());
+    EXPECT_EQ(scene.particles().bonds().shear_strength(), 8e6);
+    EXPECT_EQ(scene.particles().loads_size(), 0);
+    EXPECT_FALSE(scene.has_output());
+  }
+  const scene::Scene one = read(folder, "beam.yaml", {"particles.loads.0=~"});
+  ASSERT_EQ(one.particles().loads_size(), 1);
+  EXPECT_EQ(one.particles().loads(0).force().x(), 1e3);
+}
+
+// A kind of motion takes the place of another one, also where that is taken away in the same breath.
+TEST(SceneReader, AlternativesReplaceThoseOfTheExtendedFile) {
+  const ScratchFolder folder;
+  folder.write(
+      "base.yaml",
+      "material: {young_modulus: 1 GPa, poisson_ratio: 0.2, density: 1 t/m^3}\ntime: {duration: 1 s}\n"
+      "continuum:\n"
+      "  block: {x_min: 0, x_max: 1, y_min: 0, y_max: 1, zones_x: 1, zones_y: 2}\n"
+      "  base: {kind: rigid, acceleration: {file: {path: record.csv}, peak: 0.1 g}}\n");
+  for (const std::string taken : {"", "file: ~, "}) {
+    folder.write("x.yaml", "extends: base.yaml\ncontinuum: {base: {acceleration: {" + taken +
+                               "ricker: {frequency: 2 Hz, time: 1 s}}}}\n");
+    const auto motion = read(folder, "x.yaml").continuum().base().acceleration();
+    EXPECT_EQ(motion.source_case(), scene::GroundMotion::kRicker) << taken;
+    EXPECT_DOUBLE_EQ(motion.peak(), 0.980665);
+  }
+}
+
+// A value that is written once stands wherever its name is given; a mapping takes members of others by `<<`.
+TEST(SceneReader, AliasesRepeatValuesAndMappingsTakeMembersOfOthers) {
+  const ScratchFolder folder;
+  folder.write("plain.yaml", kBeam);
+  std::string text = kBeam;
+  const auto replace = [&text](const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  replace("time: {duration: 50 ms}", "time: {duration: &end 50 ms}");
+  replace("    - where: {x_max: 0.065 m}\n      force: {y: 5 MN}",
+          "    - &load\n      where: {x_max: 0.065 m}\n      force: {y: 5 MN}");
+  replace("    - where: {x_min: 9 m}\n", "    - <<: *load\n      where: {x_min: 9 m}\n");
+  replace("[20 ms, 0.024]", "[20 ms, *end]");
+  folder.write("named.yaml", text);
+  const scene::Scene scene = read(folder, "named.yaml");
+  EXPECT_THAT(scene.output().field_times(), ::testing::ElementsAre(0.02, 0.05));
+  scene::Scene expected = read(folder, "plain.yaml", {"output.field_times[1]=50 ms", "name=named"});
+  EXPECT_EQ(scene.DebugString(), expected.DebugString());  // where, force and time are its own
+  folder.write("motion.yaml",
+               "extends: plain.yaml\nparticles:\n  loads:\n"
+               "    - &a {where: {x_max: 1 m}, force: {x: 1 N}}\n"
+               "    - &b {where: {x_max: 2 m}, force: {y: 1 N}, time: {constant: 2}}\n"
+               "    - {<<: [*b, *a], where: {x_max: 3 m}}\n");
+  const auto merged = read(folder, "motion.yaml").particles().loads(2);
+  EXPECT_EQ(merged.where().x_max(), 3);
+  EXPECT_FALSE(merged.force().has_x());  // members are taken whole, from the first that has them
+  EXPECT_EQ(merged.force().y(), 1);
+  EXPECT_EQ(merged.time().constant(), 2);
+}
+
+// Mappings have no order: keys in any order, also those of files that extend others, give the same scene.
+TEST(SceneReader, KeysInAnyOrderGiveTheSameScene) {
+  const ScratchFolder folder;
+  folder.write("beam.yaml", kBeam);
+  const std::string forward =
+      "extends: beam.yaml\nparticles:\n  bonds: {tensile_strength: ~, shear_strength: 1 MN}\n"
+      "  loads:\n    - {where: {x_max: 1}, force: {x: 1, y: 2}, time: {constant: 1}}\n"
+      "plane: plane_strain\nname: x\n";
+  const std::string backward =
+      "name: x\nplane: plane_strain\nparticles:\n"
+      "  loads:\n    - {time: {constant: 1}, force: {y: 2, x: 1}, where: {x_max: 1}}\n"
+      "  bonds: {shear_strength: 1 MN, tensile_strength: ~}\nextends: beam.yaml\n";
+  folder.write("forward.yaml", forward);
+  folder.write("backward.yaml", backward);
+  EXPECT_EQ(read(folder, "forward.yaml").SerializeAsString(),
+            read(folder, "backward.yaml").SerializeAsString());
+}
+
 TEST(SceneReader, SetsReplaceFieldsElementsAndWholeMappingsInTheirOrder) {
   const ScratchFolder folder;
   folder.write("beam.yaml", kBeam);
