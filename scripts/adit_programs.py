@@ -1,13 +1,15 @@
-"""Where the programs, the cases and the results are: in the source tree, or where Adit is installed."""
+"""Where the programs and the cases are, in the source tree or where Adit is installed, and the results: in the current folder."""
 import contextlib
 import os
 import subprocess
 import sys
 from pathlib import Path
 
+from adit import Unusable
+
 ROOT = Path(__file__).resolve().parents[1]  # the source tree, or PREFIX/share/adit
 INSTALLED = not (ROOT / "scripts" / "build").exists()
-RUNS = (Path.cwd() if INSTALLED else ROOT) / "runs"
+RUNS = Path.cwd() / "runs"
 
 
 def command(script):
@@ -35,6 +37,21 @@ def bring_up_to_date(*names):
     built = subprocess.run([ROOT / "scripts" / "build", "release", *names])
     if built.returncode:
         sys.exit(built.returncode)
+
+
+@contextlib.contextmanager
+def refusals_told(script, *refusals):
+    """Ends with exit code 2 and one sentence where a run is not usable, a file cannot be written, or one of `refusals` is raised."""
+    try:
+        yield
+    except OSError as error:
+        reason = f"{error.filename}: {error.strerror}" if error.filename else str(error)
+    except (Unusable, *refusals) as error:
+        reason = str(error)
+    else:
+        return
+    print(f"{command(script)}: {reason}", file=sys.stderr)
+    sys.exit(2)
 
 
 @contextlib.contextmanager

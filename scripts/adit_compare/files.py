@@ -10,12 +10,14 @@ from adit_report import motions
 DOTS = 150  # per inch, of pictures joined from those of the runs
 
 
-def write(title, runs, folder):
-    """Writes the pictures and figures.csv into the folder, in place of those of an earlier comparison."""
+def write(title, runs, folder, with_pictures=True):
+    """Writes figures.csv and the pictures into the folder, in place of those of an earlier comparison."""
     folder.mkdir(parents=True, exist_ok=True)
     for old in folder.glob("*.png"):
         old.unlink()
     differences.write(folder / "figures.csv", runs)
+    if not with_pictures:
+        return
     for name, figure in _drawn(title, runs):
         style.save(figure, folder / f"{name}.png")
     runs = bonds.with_bonds(runs)

@@ -1,20 +1,25 @@
 """Computes a scene with several values of its keys, as many runs at a time as there are cores, and compares them.
 
-variants.py PROGRAM SCENE --vary KEY=VALUE,VALUE... [--vary ...] [--out DIR] [--no-report] [options of PROGRAM run]
-Several --vary make every combination. scripts/run calls it.
+variants.py PROGRAM SCENE --vary KEY=VALUE,VALUE... [--vary ...] [--out DIR] [--no-report] [--no-pictures] [options of PROGRAM run]
+Several --vary make every combination; keys of one --vary change together: KEY,KEY=VALUE:VALUE,VALUE:VALUE. scripts/run calls it.
 """
 import argparse
+import csv
+import hashlib
 import os
 import re
-import subprocess
 import sys
 import time
 from itertools import product
 from pathlib import Path
 
 import adit_programs
+from adit_studies import children
 from adit_studies.coupled_runs import COMPARE, PLOT, REPORT, for_all
 
+LONGEST = 60  # characters of the name of a folder; longer ones end in a checksum
+FEW = 4  # variants that are also drawn each for itself: drawing takes longer than many runs
+TABLE = "variants.csv"
 BRACKETS = {"[": 1, "{": 1, "]": -1, "}": -1}
 
 
@@ -22,36 +27,58 @@ class Unclear(Exception):
     """What is to be varied cannot be read; the message is one sentence for the user."""
 
 
-def values_of(text):
-    """(key, [values]) of KEY=VALUE,VALUE…; commas inside brackets belong to a value."""
-    key, found, listed = text.partition("=")
-    values, depth = [""], 0
-    for letter in listed:
+def parted(text, separator):
+    """The parts of a text between separators that stand outside of brackets."""
+    parts, depth = [""], 0
+    for letter in text:
         depth += BRACKETS.get(letter, 0)
-        if letter == "," and depth == 0:
-            values.append("")
+        if letter == separator and depth == 0:
+            parts.append("")
         else:
-            values[-1] += letter
-    values = [value.strip() for value in values]
-    if not found or not key.strip() or not all(values):
-        raise Unclear(f"--vary `{text}` is not KEY=VALUE,VALUE…; write for example --vary 'time.dt_factor=0.2,0.5'")
+            parts[-1] += letter
+    return [part.strip() for part in parts]
+
+
+def values_of(text):
+    """(key, [values]) of KEY=VALUE,VALUE…; of keys that change together (KEY,KEY, [VALUE:VALUE, …])."""
+    key, found, listed = text.partition("=")
+    values = parted(listed, ",")
+    if not found or not all([*parted(key, ","), *values]) or not all(all(tied(key, value).values()) for value in values):
+        raise Unclear(f"--vary `{text}` is not KEY=VALUE,VALUE… or KEY,KEY=VALUE:VALUE,VALUE:VALUE…; write for example "
+                      "--vary 'time.dt_factor=0.2,0.5'")
     return key.strip(), values
 
 
+def tied(key, value):
+    """{key: value} of keys that change together, an empty value for each that has none or one too many."""
+    keys = parted(key, ",")
+    values = parted(value, ":") if len(keys) > 1 else [value]
+    return dict(zip(keys, values if len(values) == len(keys) else [""] * len(keys)))
+
+
 def variants(varied):
-    """{name of the folder: settings KEY=VALUE} of every combination."""
-    keys, lists = zip(*varied)
+    """{name of the folder: {key: value}} of every combination."""
+    keys = [single for key, _ in varied for single in parted(key, ",")]
     parts = 1
     while len({_end(key, parts) for key in keys}) < len(set(keys)):
         parts += 1
-    settings = {}
-    for chosen in product(*lists):
-        name = ",".join(f"{_end(key, parts)}={value}" for key, value in zip(keys, chosen))
-        name = re.sub(r"[^\w.,=+-]+", "_", name)
-        if name in settings:
+    combinations = [{single: value for (key, _), values in zip(varied, chosen) for single, value in tied(key, values).items()}
+                    for chosen in product(*(values for _, values in varied))]
+    readable = [_readable(settings, parts) for settings in combinations]
+    found = {}
+    for name, settings in zip(readable, combinations):
+        if settings in found.values():
             raise Unclear(f"two variants would lie in the folder {name}; state each value once")
-        settings[name] = [f"{key}={value}" for key, value in zip(keys, chosen)]
-    return settings
+        if len(name) > LONGEST or readable.count(name) > 1:
+            name = f"{name[:LONGEST - 9].rstrip('._')}_{hashlib.sha256(repr(settings).encode()).hexdigest()[:8]}"
+        found[name] = settings
+    return found
+
+
+def _readable(settings, parts):
+    """The ends of the keys with their values, of paths the file, without what a folder's name cannot hold."""
+    name = ",".join(f"{_end(key, parts)}={value.rpartition('/')[2] or value}" for key, value in settings.items())
+    return re.sub(r"[^\w.,=+-]+", "_", name)
 
 
 def _end(key, parts):
@@ -59,33 +86,50 @@ def _end(key, parts):
     return ".".join(key.split(".")[-parts:])
 
 
-def compute(options, others, folder, settings):
-    """Runs, draws and reports one variant; returns (exit code, what the program said about an error)."""
-    sets = [word for setting in settings for word in ("--set", setting)]
+def write_table(path, chosen, codes):
+    """Which variant lies in which folder, and the exit code of its run."""
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["variant", *next(iter(chosen.values())), "exit_code"])
+        writer.writerows([name, *settings.values(), codes[name]] for name, settings in chosen.items())
+
+
+def compute(options, others, folder, settings, drawn):
+    """Runs one variant, draws and reports it by the scripts `drawn`; returns (exit code, what the program said about an error)."""
+    sets = [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
     threads = () if Path(options.program).name == "simplified" else ("--fdm-threads", "1", "--dem-threads", "1")
-    done = subprocess.run([options.program, "run", options.scene, "--out", folder, *threads, *sets, *others],
-                          capture_output=True, text=True)
-    if done.returncode == 0:
-        for script in (PLOT, *(() if options.no_report else (REPORT,))):
-            subprocess.run([script, folder], stdout=subprocess.DEVNULL)
-    return done.returncode, done.stderr.strip().split("\n")[-1]
+    code, said = children.run([options.program, "run", options.scene, "--out", folder, *threads, *sets, *others])
+    for script in drawn if code == 0 else ():
+        children.run([script, folder])
+    return code, said.strip().split("\n")[-1]
 
 
 def compute_all(options, others):
     """Computes and compares all variants; returns the exit code."""
     chosen = variants([values_of(text) for text in options.vary])
     out = options.out or adit_programs.RUNS / options.scene.resolve().parent.name / f"{options.scene.stem}_variants"
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise Unclear(f"--out {out} cannot be a folder: {error.strerror}") from None
+    undrawn = [word for word, asked in (("--no-report", options.no_report), ("--no-pictures", options.no_pictures)) if asked]
+    drawn = () if options.no_pictures or len(chosen) > FEW else (PLOT,) if options.no_report else (PLOT, REPORT)
     print(f"run: {len(chosen)} variants of {options.scene}, {min(len(chosen), os.cpu_count())} at a time", flush=True)
     start, codes = time.monotonic(), {}
-    for name, (code, said) in for_all(lambda name: compute(options, others, out / name, chosen[name]), chosen):
+    for name, (code, said) in for_all(lambda name: compute(options, others, out / name, chosen[name], drawn), chosen):
         codes[name] = code
         told = f"failed (exit code {code}): {said}" if code else "done"
         print(f"  {name}: {told} after {time.monotonic() - start:.1f} s, {len(codes)} of {len(chosen)}", flush=True)
+    write_table(out / TABLE, chosen, codes)
     computed = [out / name for name in chosen if codes[name] == 0]
     if computed:
         print(flush=True)
-        subprocess.run([COMPARE, "--out", out, *(("--no-report",) if options.no_report else ()), *computed])
-    print(f"\nResults: {out}/")
+        children.run([COMPARE, "--out", out, *undrawn, *computed], silent=False)
+    print(f"\nvariants           {out / TABLE}")
+    if len(chosen) > FEW and not options.no_pictures:
+        print(f"{len(chosen)} variants are drawn in comparison only; {adit_programs.command('plot')} and "
+              f"{adit_programs.command('report')} draw each")
+    print(f"Results: {out}/")
     return max(codes.values())
 
 
@@ -96,6 +140,8 @@ def main():
     parser.add_argument("--vary", action="append")
     parser.add_argument("--out", type=Path)
     parser.add_argument("--no-report", action="store_true")
+    parser.add_argument("--no-pictures", action="store_true")
+    children.end_with_this_process()
     try:
         sys.exit(compute_all(*parser.parse_known_args()))
     except Unclear as reason:

@@ -52,9 +52,9 @@ class Server(Listening):
 
 
 def children_of(pid):
-    """Process ids of what a process has started; none where it has ended."""
+    """Process ids of what the threads of a process have started; none where it has ended."""
     try:
-        return [int(child) for child in pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
+        return [int(child) for task in pathlib.Path(f"/proc/{pid}/task").iterdir() for child in (task / "children").read_text().split()]
     except OSError:
         return []
 

@@ -1,13 +1,15 @@
 """scripts/compare lays runs side by side, and scripts/run --vary computes variants of a scene and compares them."""
 
 import csv
+import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import unittest
 
 from browser import FAULTS, page
-from programs import BUILD, CASE, SOURCE, ProgramTest
+from programs import BUILD, CASE, PATIENCE, SOURCE, ProgramTest, children_of, wait_until
 
 sys.path.insert(0, str(SOURCE / "scripts"))
 from adit_compare import bonds  # noqa: E402
@@ -131,8 +133,55 @@ class Vary(ProgramTest):
         self.assertEqual(list(variants.variants([("a.peak", ["0.1 g", "0.2 g"])])), ["peak=0.1_g", "peak=0.2_g"])
         self.assertEqual(list(variants.variants([("a.x", ["1"]), ("b.x", ["2"])])), ["a.x=1,b.x=2"])
 
+    def test_keys_of_one_option_change_together(self):
+        tied = variants.values_of("a.block.zones_x,a.block.zones_y=8:4,16:8")
+        self.assertEqual(variants.variants([tied]), {"zones_x=8,zones_y=4": {"a.block.zones_x": "8", "a.block.zones_y": "4"},
+                                                     "zones_x=16,zones_y=8": {"a.block.zones_x": "16", "a.block.zones_y": "8"}})
+        self.assertEqual(len(variants.variants([tied, ("b", ["{x: 1}", "{x: 2}"])])), 4)
+
+    def test_folders_have_short_names_that_do_not_depend_on_the_other_variants(self):
+        record, long = ("m.file.path", ["/a/b/first.AT2", "/a/c/second.AT2"]), ("m.text", ["[" + "1, " * 60 + "2]", "[" + "1, " * 60 + "3]"])
+        self.assertEqual(list(variants.variants([record])), ["path=first.AT2", "path=second.AT2"])
+        both = list(variants.variants([record, long]))
+        self.assertEqual(len(set(both)), 4)
+        self.assertLessEqual(max(map(len, both)), variants.LONGEST)
+        self.assertEqual(list(variants.variants([record, (long[0], long[1][1:])])), both[1::2])
+        same = list(variants.variants([("m.file.path", ["/a/b/x.AT2", "/a/c/x.AT2"])]))
+        self.assertEqual(len(set(same)), 2)
+
+    def test_many_variants_are_drawn_in_comparison_only_and_none_on_request(self):
+        self.assertEqual(self.vary("--vary", "time.dt_factor=0.3,0.4").returncode, 0)
+        self.assertTrue((self.folder / "out" / "dt_factor=0.3" / "pictures" / "histories.png").exists())
+        shutil.rmtree(self.folder / "out")
+        done = self.vary("--vary", "time.dt_factor=0.3,0.35,0.4,0.45,0.5")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("5 variants are drawn in comparison only", done.stdout)
+        self.assertFalse((self.folder / "out" / "dt_factor=0.3" / "pictures").exists())
+        self.assertTrue((self.folder / "out" / "comparison" / "force.png").exists())
+        with open(self.folder / "out" / "variants.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["time.dt_factor"] for row in rows], ["0.3", "0.35", "0.4", "0.45", "0.5"])
+        self.assertEqual({row["exit_code"] for row in rows}, {"0"})
+        shutil.rmtree(self.folder / "out")
+        self.assertEqual(self.vary("--vary", "time.dt_factor=0.3,0.4", "--no-pictures").returncode, 0)
+        self.assertEqual(list((self.folder / "out").rglob("*.png")), [])
+        self.assertTrue((self.folder / "out" / "comparison" / "figures.csv").exists())
+
+    def test_programs_end_when_the_variants_are_stopped(self):
+        started = subprocess.Popen([sys.executable, "-m", "adit_run.variants", BUILD / "coupler" / "coupler", CASE / "coupled.yaml",
+                                    "--out", self.folder / "out", "--set", "time.duration=100 s", "--set", "output.field_times=[]",
+                                    "--vary", "time.dt_factor=0.3,0.4"], stdout=subprocess.DEVNULL, cwd=SOURCE / "scripts")
+        self.addCleanup(started.kill)
+        wait_until(lambda: len(list((self.folder / "out").glob("*/histories.csv"))) > 0)
+        programs = children_of(started.pid)
+        self.assertTrue(programs)
+        started.terminate()
+        self.assertEqual(started.wait(30 * PATIENCE), 143)
+        wait_until(lambda: not any(pathlib.Path(f"/proc/{each}").exists() for each in programs))
+
     def test_what_cannot_be_varied_is_refused_in_one_sentence(self):
         for wrong, said in (("time.dt_factor", "is not KEY=VALUE,VALUE"), ("time.dt_factor=0.5,", "is not KEY=VALUE,VALUE"),
+                            ("a,b=1:2,3", "is not KEY=VALUE,VALUE"), ("a,=1", "is not KEY=VALUE,VALUE"),
                             ("time.dt_factor=0.5,0.5", "two variants would lie in the folder dt_factor=0.5")):
             done = self.vary("--vary", wrong)
             self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)

@@ -8,7 +8,7 @@ import sys
 import unittest
 from unittest import mock
 
-from programs import CASE, SOURCE, ProgramTest, wait_until
+from programs import CASE, PATIENCE, SOURCE, ProgramTest, wait_until
 
 sys.path.insert(0, str(SOURCE / "scripts"))
 from adit_studies import coupled_runs  # noqa: E402
@@ -24,6 +24,30 @@ class RunCommand(ProgramTest):
                                       capture_output=True, text=True, timeout=120)
                 self.assertEqual(done.returncode, 0, done.stderr)
                 self.assertEqual(len(list((self.folder / out).glob("**/summary.json"))), 1)
+
+    def test_every_path_counts_from_the_folder_of_the_user(self):
+        """The scene, the records of --set and --vary, and the results where no --out is given."""
+        (self.folder / "record.csv").write_text("time_s,acceleration_g\n" + "".join(f"{k / 1000},{k % 2}\n" for k in range(5)))
+        (self.folder / "own").mkdir()
+        (self.folder / "own" / "scene.yaml").write_text(
+            "material: {young_modulus: 1 GPa, poisson_ratio: 0.2, density: 2 t/m^3}\ntime: {duration: 2 ms}\n"
+            "continuum:\n  block: {x_min: 0, x_max: 1, y_min: 0, y_max: 1, zones_x: 1, zones_y: 1}\n"
+            "  base: {kind: rigid, acceleration: {sine: {frequency: 1 kHz, end: 1 ms}}}\n")
+        path = "continuum.base.acceleration.file.path"
+        for option, runs in (("--set", ["runs/own/scene"]), ("--vary", ["runs/own/scene_variants/path=record.csv"])):
+            done = subprocess.run([SOURCE / "scripts" / "run", "own/scene.yaml", "--no-pictures", option, f"{path}=record.csv"],
+                                  cwd=self.folder, capture_output=True, text=True, timeout=120 * PATIENCE)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            for run in runs:
+                self.assertIn(str(self.folder / "record.csv"), (self.folder / run / "scene.yaml").read_text())
+
+    def test_every_front_door_tells_its_options(self):
+        for script in ("run", "plot", "report", "compare", "paraview", "calibrate", "certificates", "cluster", "trade", "command"):
+            with self.subTest(script):
+                done = subprocess.run([SOURCE / "scripts" / script, "--help"], cwd=self.folder, capture_output=True, text=True,
+                                      timeout=60 * PATIENCE)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertGreater(len(done.stdout), 100)
 
     def run_with(self, server):
         return subprocess.run([SOURCE / "scripts" / "run", CASE / "full_fdm.yaml", "--fdm", server, "--out", self.folder / "run", "--no-report",
