@@ -30,7 +30,7 @@ class Run:
     @cached_property
     def summary(self):
         """The figures of summary.json by name; empty before the run has ended."""
-        return self._read("summary.json", lambda path: json.loads(path.read_text())) if self.has("summary.json") else {}
+        return self._read("summary.json", lambda path: _mapping(json.loads(path.read_text()))) if self.has("summary.json") else {}
 
     @property
     def completed(self):
@@ -40,7 +40,7 @@ class Run:
     @cached_property
     def scene(self):
         """The scene as it was computed, as mappings and lists in SI units."""
-        return self._read("scene.yaml", lambda path: yaml.load(path.read_text(), SceneLoader))
+        return self._read("scene.yaml", lambda path: _mapping(yaml.load(path.read_text(), SceneLoader)))
 
     @cached_property
     def models(self):
@@ -58,7 +58,7 @@ class Run:
     @cached_property
     def histories(self):
         """The Table of histories over "time_s"."""
-        return self.table("histories.csv")
+        return self._read("histories.csv", _over_time) if self.has("histories.csv") else self.table("histories.csv")
 
     @cached_property
     def energies(self):
@@ -150,6 +150,21 @@ class Run:
             raise Unusable(f"{self.folder} has no fields at {time:g} s; they were written at "
                            f"{', '.join(f'{each:.6g}' for each in times)} s.")
         return number
+
+
+def _mapping(contents):
+    if not isinstance(contents, dict):
+        raise TypeError("it holds no names with values")
+    return contents
+
+
+def _over_time(path):
+    """A table whose columns are numbers, the times among them."""
+    table = read_table(path)
+    wrong = next((name for name in ("time_s", *table) if name not in table or table[name].dtype.kind != "f"), None)
+    if wrong is not None:
+        raise ValueError(f"its column {wrong} holds no numbers")
+    return table
 
 
 class SceneLoader(yaml.SafeLoader):

@@ -32,6 +32,8 @@ def read_table(path):
     """A CSV file as a Table; columns that are not numbers stay texts."""
     with open(path, newline="") as file:
         header, *rows = csv.reader(file)
+        if not "".join(header):
+            raise ValueError("it has no names of columns")
     rows = [row for row in rows if len(row) == len(header)]  # a run that was killed may end in half a row
     return Table({name: _column([row[i] for row in rows]) for i, name in enumerate(header)}, path)
 

@@ -23,7 +23,9 @@ def write(title, runs, folder, with_pictures=True):
     runs = bonds.with_bonds(runs)
     for time, numbers in bonds.common_instants(runs) if len(runs) > 1 else ():
         for view in (bonds.force_chains, bonds.bonds):
-            joined([each for each in view(runs, numbers) if each], folder / f"{view.__name__}_{style.milliseconds(time)}ms.png")
+            figures = [each for each in view(runs, numbers) if each]
+            if figures:
+                joined(figures, folder / f"{view.__name__}_{style.milliseconds(time)}ms.png")
 
 
 def _drawn(title, runs):

@@ -110,8 +110,10 @@ def _draw_lines(axes, lines, color, width):
 
 def close_up(pieces):
     """Bounds of the whole model, or of the bonds alone where they fill a small part of it."""
-    bonds = pieces["bonds"]
-    bounds, near = style.bounds_of(*(p.points for p in pieces.values())), style.bounds_of(bonds.points[np.unique(bonds.cells)])
+    bonds, bounds = pieces["bonds"], style.bounds_of(*(p.points for p in pieces.values()))
+    if not len(bonds.cells):
+        return bounds
+    near = style.bounds_of(bonds.points[np.unique(bonds.cells)])
     return near if _area(near) < CLOSE_UP * _area(bounds) else bounds
 
 

@@ -14,9 +14,10 @@ def motions(run):
     for name, tables in run.spectra.items():
         transfer = tables.get("transfer")
         yield f"{name}_motion", _over_time(run, name, tables["motion"])
-        yield f"{name}_response", _response(run, name, tables["response"], tables.get("reference"),
-                                            _base(transfer) if transfer else "input")
-        yield f"{name}_fourier", _fourier(run, name, tables["fourier"])
+        if np.any(tables["motion"]["acceleration_m_per_s2"]):  # a motion at rest has no place on logarithmic axes
+            yield f"{name}_response", _response(run, name, tables["response"], tables.get("reference"),
+                                                _base(transfer) if transfer else "input")
+            yield f"{name}_fourier", _fourier(run, name, tables["fourier"])
         if transfer:
             yield f"{name}_transfer", _transfer(run, name, transfer)
 

@@ -1,7 +1,10 @@
 """Colours, sizes and the page layout that all pictures share."""
+import logging
+
 import matplotlib
 
 matplotlib.use("Agg")
+logging.getLogger("matplotlib.legend").setLevel(logging.ERROR)  # it warns of every panel that has no curve to name
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.textpath import TextPath
@@ -36,10 +39,10 @@ def time_axis(times):
 
 
 def bounds_of(*point_sets):
-    """x_min, x_max, y_min, y_max of points, with a margin of 4 % of the larger side."""
+    """x_min, x_max, y_min, y_max of points, with a margin of 4 % of the larger side, or of a metre around a single place."""
     points = np.concatenate([p for p in point_sets if len(p)])
     low, high = points.min(axis=0), points.max(axis=0)
-    margin = 0.04 * max(*(high - low), 1e-12)
+    margin = 0.04 * max(high - low) or 1.0  # a disc drawn a million times as large as the sheet would take hours
     return low[0] - margin, high[0] + margin, low[1] - margin, high[1] + margin
 
 

@@ -59,7 +59,7 @@ def histories(run, quantities=None):
 def _widen(figure, legends):
     """Makes the figure as wide as the legends at its right need."""
     figure.canvas.draw()
-    width, needed = figure.get_figwidth(), max(legend.get_window_extent().x1 for legend in legends) / figure.dpi
+    width, needed = figure.get_figwidth(), max((legend.get_window_extent().x1 for legend in legends), default=0) / figure.dpi
     if needed <= width:
         return
     at = figure.subplotpars

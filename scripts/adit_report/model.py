@@ -43,9 +43,6 @@ def _pictures(results):
         drawn = list(sheets.model(Checked(results.folder)))
     except Unusable:
         return tag("p", "No fields were written, so the model is not drawn here; scripts/plot --model SCENE draws it.")
-    except (KeyError, ValueError, IndexError) as error:
-        results.faults.append(f"The model could not be drawn ({type(error).__name__}: {error}).")
-        return None
     return [pictures.figure(figure, of_model=True) for _, figure in drawn]
 
 

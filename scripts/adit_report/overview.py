@@ -102,7 +102,7 @@ def lines(runs):
 
 
 def _column(run):
-    values = ((run.summary.get(key), divisor, text) for _, key, divisor, text in ROWS)
+    values = ((run.number(key), divisor, text) for _, key, divisor, text in ROWS)
     return [run.name] + ["-" if v is None else text.format(v / divisor) for v, divisor, text in values]
 
 

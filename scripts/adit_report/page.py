@@ -18,16 +18,26 @@ def of_run(folder):
     results = Results(folder)
     case = results.summary.get("case") or results.folder.resolve().parent.name
     with pictures.narrow():
-        before = [overview.figures(results), overview.computed(results), model.chapter(results), motions.chapter(results),
-                  response.histories(results), response.envelopes(results)]
-        after = [response.cracks(results), response.energy(results), origin.timing(results), origin.chapter(results)]
+        before = [_unless_odd(results, chapter) for chapter in (
+            overview.figures, overview.computed, model.chapter, motions.chapter, response.histories, response.envelopes)]
+        after = [_unless_odd(results, chapter) for chapter in (response.cracks, response.energy, origin.timing, origin.chapter)]
 
         def whole(most):
-            chosen = instants.chapter(results, most)  # before the warnings, which tell what could not be read
-            return written(f"{case}: {results.name}", overview.state(results),
+            chosen = _unless_odd(results, instants.chapter, most)  # before the warnings, which tell what could not be read
+            return written(f"{case}: {results.name}", _unless_odd(results, overview.state),
                            [overview.warnings(results), *before, chosen, *after])
 
         return write(results.folder / "report.html", whole)
+
+
+def _unless_odd(results, chapter, *options):
+    """The chapter; nothing where a file holds what no run writes, which the page tells and the other chapters survive."""
+    try:
+        return chapter(results, *options)
+    except Exception as error:  # as many kinds as there are ways to damage a file
+        what = f"{chapter.__module__.rpartition('.')[2]}, {chapter.__name__}"
+        results.faults.append(f"A part of this page is left out ({what}: {type(error).__name__}: {error}); run the scene again.")
+        return None
 
 
 def write(path, whole):

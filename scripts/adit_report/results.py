@@ -21,7 +21,8 @@ class Results(Run):
 
     @cached_property
     def histories(self):
-        return self.table("histories.csv") or Table({"time_s": np.array([])}, self.folder / "histories.csv")
+        found = self._unless_damaged("histories", None) if self.has("histories.csv") else None
+        return found or Table({"time_s": np.array([])}, self.folder / "histories.csv")
 
     def table(self, name):
         """A table of the run; None if it is not there or damaged."""
