@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -15,8 +16,13 @@
 namespace adit::fdm {
 namespace {
 
+bool is_stress(scene::Quantity quantity) {
+  return quantity == scene::STRESS_XX || quantity == scene::STRESS_YY || quantity == scene::STRESS_XY;
+}
+
 bool is_of_zones(scene::Quantity quantity) {
-  return quantity >= scene::STRESS_XX && quantity <= scene::SHEAR_STRAIN_XY;
+  return is_stress(quantity) || quantity == scene::STRESS_ZZ || quantity == scene::STRAIN_XX ||
+         quantity == scene::STRAIN_YY || quantity == scene::SHEAR_STRAIN_XY;
 }
 
 bool is_motion(scene::Quantity quantity) {
@@ -68,7 +74,8 @@ double strain(const MeanStrain& strain, scene::Quantity quantity) {
 }  // namespace
 
 Histories::Histories(const scene::Continuum& scene, const Supports& supports, const Grid& grid,
-                     std::span<const std::uint32_t> zone_kinds) {
+                     std::span<const std::uint32_t> zone_kinds, const DampingLaw& damping)
+    : stress_(damping, {}) {
   if (scene.histories().empty()) return;
   const ZoneLocator locator(grid);
   std::vector<bool> hidden;
@@ -94,6 +101,14 @@ Histories::Histories(const scene::Continuum& scene, const Supports& supports, co
     probe.shares = place->shape;
     if (is_of_zones(history.quantity())) probe.zones = fit_around(grid, zone_kinds, place->zone, x, y);
   }
+  stress_ = DampedStress(damping, zones_of_stress());
+}
+
+std::vector<std::uint32_t> Histories::zones_of_stress() const {
+  std::set<std::uint32_t> zones;
+  for (const Probe& probe : probes_)
+    if (is_stress(probe.quantity)) zones.insert(probe.zones.zones.begin(), probe.zones.zones.end());
+  return {zones.begin(), zones.end()};
 }
 
 void Histories::tie(std::span<const std::uint32_t> points) {
@@ -134,7 +149,7 @@ double Histories::value(const Probe& probe, const Grid& grid, const Supports& su
     case scene::STRESS_YY:
     case scene::STRESS_XY:
       return sum(zones, [&, quantity = quantity](std::uint32_t z) {
-        return stress(continuum.zones().stress(z), quantity);
+        return stress(stress_.of(continuum.zones(), z), quantity);
       });
     case scene::STRESS_ZZ:
       return sum(zones, [&](std::uint32_t z) { return continuum.zones().field(z, ZoneField::kStressZz); });

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "fdm_server/grid/grid.hpp"
+#include "fdm_server/materials/damping_law.hpp"
+#include "fdm_server/output/damped_stress.hpp"
 #include "fdm_server/output/lining_probe.hpp"
 #include "fdm_server/output/zone_fit.hpp"
 #include "fdm_server/solver/continuum.hpp"
@@ -18,10 +20,10 @@ namespace adit::fdm {
 
 class Histories {
  public:
-  // `zone_kinds` as in zone_fit.hpp. protocol::UserError for a place outside all zones of ground, or off the
-  // lining whose force is asked for.
+  // `zone_kinds` as in zone_fit.hpp, `damping` that of the ground. protocol::UserError for a place outside
+  // all zones of ground, or off the lining whose force is asked for.
   Histories(const scene::Continuum& scene, const Supports& supports, const Grid& grid,
-            std::span<const std::uint32_t> zone_kinds);
+            std::span<const std::uint32_t> zone_kinds, const DampingLaw& damping);
 
   // The velocities of these points await the correction by another model after every step.
   void tie(std::span<const std::uint32_t> points);
@@ -29,12 +31,18 @@ class Histories {
   // Before every step, after the correction of the step before.
   void remember(const Continuum& continuum);
 
+  // After every step.
+  void follow(const Continuum& continuum, const protocol::Step& step) {
+    stress_.follow(continuum.zones(), step);
+  }
+
   // Values at the step just made, in the scene's order and as scene.proto defines them.
   void read(const Grid& grid, const Supports& supports, const Continuum& continuum,
             const protocol::Step& step, google::protobuf::RepeatedField<double>& values) const;
 
   void exchange(state::Archive& archive) {
     for (Probe& probe : probes_) archive("history_velocity", probe.velocity);
+    stress_.exchange(archive);
   }
 
  private:
@@ -49,8 +57,10 @@ class Histories {
   };
   double value(const Probe& probe, const Grid& grid, const Supports& supports, const Continuum& continuum,
                const protocol::Step& step) const;
+  std::vector<std::uint32_t> zones_of_stress() const;
 
   std::vector<Probe> probes_;
+  DampedStress stress_;  // of all zones of which a probe asks for stress
 };
 
 }  // namespace adit::fdm

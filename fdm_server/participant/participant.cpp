@@ -133,7 +133,7 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   make_continuum();
   excavated_ = excavated_zones(scene_, grid_);
   require_free_field_stays();
-  histories_.emplace(conditions, supports_, grid_, zone_kinds());
+  histories_.emplace(conditions, supports_, grid_, zone_kinds(), damping_);
   if (!weights.weights().empty()) offer_grid_points(weights, interface);
   interface.set_zones(grid_.zones.size());
   interface.set_grid_points(grid_.x.size());
@@ -357,6 +357,7 @@ void FdmParticipant::step_interface(const Step& step) {
 
 void FdmParticipant::step_interior(const Step& step) {
   continuum_->step_interior(step);
+  histories_->follow(*continuum_, step);
   ++steps_done_;
   if (!step.relax) peak_forces_.take(supports_.linings, continuum_->structures());
   if (step.number % kFiniteCheckInterval == 0) check_grid(step);

@@ -191,9 +191,9 @@ TEST(Histories, AreOfGroundThatStays) {
   history.set_quantity(scene::STRESS_XX);
   history.mutable_at()->set_x(1);
   history.mutable_at()->set_y(0.5);
-  EXPECT_NO_THROW(Histories(scene, {}, grid, kinds));
+  EXPECT_NO_THROW(Histories(scene, {}, grid, kinds, DampingLaw{}));
   history.mutable_at()->set_x(0.5);
-  EXPECT_THROW(Histories(scene, {}, grid, kinds), protocol::UserError);
+  EXPECT_THROW(Histories(scene, {}, grid, kinds, DampingLaw{}), protocol::UserError);
 }
 
 // The stress across the plane is that of plane strain, nu (sxx + syy), and 0 in plane stress.

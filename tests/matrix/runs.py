@@ -1,0 +1,97 @@
+"""Runs scenes and reads what they put out."""
+import csv
+import json
+import math
+import os
+import pathlib
+import re
+import subprocess
+
+import schema
+
+BUILD = pathlib.Path(os.environ.get("ADIT_BUILD", schema.SOURCE / "build" / "release"))
+COUPLER = BUILD / "coupler" / "coupler"
+PATIENCE_S = 120 * int(os.environ.get("ADIT_PATIENCE", 1))
+
+
+class Ended(Exception):
+    """A run that did not end as it should: its exit code and its words."""
+
+    def __init__(self, code, words):
+        super().__init__(f"exit {code}: {words}")
+        self.code, self.words = code, words
+
+
+def coupler(*arguments, cwd=None):
+    """Its standard output and error; Ended where it says no."""
+    done = subprocess.run([COUPLER, *map(str, arguments)], capture_output=True, text=True, timeout=PATIENCE_S, cwd=cwd)
+    words = "\n".join(line for line in done.stderr.replace("\r", "\n").splitlines() if line and not re.match(r"step \d+ of|statics", line))
+    if done.returncode:
+        raise Ended(done.returncode, words or done.stdout[-400:])
+    return done.stdout + words
+
+
+def write_scene(scene, folder, change):
+    """The scene as a file in a folder, with the files that it names; `change` moves what these hold."""
+    folder.mkdir(parents=True, exist_ok=True)
+    text = json.dumps(scene, indent=1)
+    for name in set(re.findall(r'"path": "([^"]+)"', text)):
+        (folder / name).write_text({"mesh": mesh, "placed": placed}.get(name.split("_")[0].split(".")[0], record)(name, change))
+    path = folder / "scene.yaml"
+    path.write_text(text)
+    return path
+
+
+def record(name, change):
+    """A pulse of a record, from rest to rest; `negative.csv` goes the other way."""
+    sign = -1.0 if name.startswith("negative") else 1.0
+    rows = ["time_s,acceleration_m/s^2"]
+    for i in range(121):
+        t = i / 1000
+        value = sign * 3.0 * math.sin(2 * math.pi * 60 * t) * math.sin(math.pi * i / 30)**2 if i < 30 else 0.0
+        rows.append("{!r},{!r}".format(change.number("MotionFile", "t", "s", t), change.number("MotionFile", "a", "m/s^2", value)))
+    return "\n".join(rows) + "\n"
+
+
+def mesh(_, change):
+    """The ground as a mesh of Gmsh: 16 x 8 zones."""
+    columns, rows = 17, 9
+    points = [change.place(-4 + 0.5 * i, 0.5 * j) for j in range(rows) for i in range(columns)]
+    lines = ["$MeshFormat", "4.1 0 8", "$EndMeshFormat", "$Nodes", f"1 {len(points)} 1 {len(points)}", f"2 1 0 {len(points)}"]
+    lines += [str(k + 1) for k in range(len(points))] + [f"{x!r} {y!r} 0" for x, y in points]
+    quads = [(j * columns + i, j * columns + i + 1, (j + 1) * columns + i + 1, (j + 1) * columns + i) for j in range(rows - 1) for i in range(columns - 1)]
+    lines += ["$EndNodes", "$Elements", f"1 {len(quads)} 1 {len(quads)}", f"2 1 3 {len(quads)}"]
+    lines += [" ".join(str(n + 1) for n in (k, *quad)) for k, quad in enumerate(quads)]
+    return "\n".join([*lines, "$EndElements"]) + "\n"
+
+
+def placed(name, change):
+    """The discs of a hexagonal packing as a table: placed_<x>_<columns>_<low>_<high>.csv."""
+    x, columns, low, high = map(float, name.removesuffix(".csv").split("_")[1:])
+    radius = 4 / (16 * math.sqrt(3))
+    rows = ["x_m,y_m,radius_m"]
+    for row in range(round((high - low) / (radius * math.sqrt(3)))):
+        for column in range(int(columns) - row % 2):
+            at = change.place(x + radius * (2 * column + 1 + row % 2), low + radius * math.sqrt(3) * (row + 0.5))
+            rows.append("{!r},{!r},{!r}".format(*at, change.number("PlacedParticles", "radius", "m", radius)))
+    return "\n".join(rows) + "\n"
+
+
+class Results:
+    """What a run has written: its summary, and its histories as {column: [values]}."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.summary = json.loads((folder / "summary.json").read_text())
+        with open(folder / "histories.csv", newline="") as file:
+            names, *rows = csv.reader(file)
+        self.columns = {name: [float(row[i]) for row in rows] for i, name in enumerate(names)}
+        cracks = folder / "cracks.csv"
+        self.cracks = cracks.read_text() if cracks.exists() else ""
+
+
+def run(scene, folder, change, *options):
+    """Computes a scene in a folder of its own."""
+    path = write_scene(scene, folder, change)
+    coupler("run", path, "--out", folder / "run", *options)
+    return Results(folder / "run")
