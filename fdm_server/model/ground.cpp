@@ -55,7 +55,8 @@ ModulusReduction read_table(const scene::ReductionTable& table, const std::strin
             fmt::format("rises at its value {}: {}; G/Gmax falls with the strain", i + 1, ratios[i]));
     require(
         strains[i] * ratios[i] >= strains[i - 1] * ratios[i - 1], path + ".ratio",
-        fmt::format("falls so fast at the strain {} that the shear stress falls too; this law cannot soften",
+        fmt::format("falls so fast at the strain {} that the shear stress falls too; this law cannot soften: "
+                    "leave the points from there on out, and the stress stays constant beyond the last",
                     strains[i]));
   }
   require(ratios[0] == 1, path + ".ratio",
@@ -154,6 +155,40 @@ Ground read_ground(const scene::Scene& scene) {
   require(!ground.large_strain || !ground.plane_stress, "continuum.large_strain",
           "is computed in plane strain only; write `plane: plane_strain`, or leave large_strain out");
   return ground;
+}
+
+namespace {
+
+const scene::Material& material_of(const scene::Scene& scene, std::size_t number) {
+  const scene::Continuum& continuum = scene.continuum();
+  if (number > 0) return continuum.materials(static_cast<int>(number) - 1).material();
+  return continuum.has_material() ? continuum.material() : scene.material();
+}
+
+}  // namespace
+
+std::vector<std::string> notes_on_loops(const scene::Scene& scene, const Ground& ground) {
+  constexpr double kAsAsked = 0.95;
+  std::vector<std::string> notes;
+  for (std::size_t m = 0; m < ground.materials.size(); ++m) {
+    const scene::DampingTable& asked = material_of(scene, m).hysteretic().damping().table();
+    double worst = kAsAsked;
+    std::string note;
+    for (int i = 0; i < asked.shear_strain_size(); ++i) {
+      const double given = ground.materials[m].reversals->damping(asked.shear_strain(i));
+      if (given >= worst * asked.ratio(i)) continue;
+      worst = given / asked.ratio(i);
+      note = fmt::format(
+          "hysteretic.damping: {} asks for {:.3g} % at the shear strain {:g}, but Masing's rules give {:.3g} "
+          "% "
+          "there, and loops only become narrower than by these; what is missing may be added by "
+          "continuum.damping",
+          m > 0 ? fmt::format("continuum.materials[{}]", m - 1) : "the material", 100 * asked.ratio(i),
+          asked.shear_strain(i), 100 * given);
+    }
+    if (!note.empty()) notes.push_back(note);
+  }
+  return notes;
 }
 
 std::vector<std::uint32_t> materials_of_zones(const scene::Continuum& scene, const Grid& grid) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "fdm_server/grid/grid.hpp"
@@ -13,6 +14,10 @@ namespace adit::fdm {
 // The continuum's material, then those of its areas in their order; no zones yet. UserError with the field's
 // path where no law can be built of it.
 Ground read_ground(const scene::Scene& scene);
+
+// Where loops dissipate less than the scene's table asks for, one sentence for each material: its worst
+// place.
+std::vector<std::string> notes_on_loops(const scene::Scene& scene, const Ground& ground);
 
 // Number of the material of each zone: that of the last area that holds its centre. UserError for an area
 // that holds none.
