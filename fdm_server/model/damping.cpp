@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <span>
+
 #include "protocol/errors.hpp"
 
 namespace adit::fdm {
@@ -43,6 +47,25 @@ std::optional<std::string> note_on_stiffening(const scene::Continuum& scene, con
       "measured by waves",
       100 * (stiffening(law, given.low_frequency()) - 1), given.low_frequency(),
       100 * (stiffening(law, given.high_frequency()) - 1), given.high_frequency());
+}
+
+std::optional<std::string> note_on_shared_motion(const DampingLaw& law, const motion::Motion& base) {
+  constexpr double kLittle = 0.05;
+  if (law.alpha == 0 || base.acceleration.empty()) return std::nullopt;
+  const auto largest = [](std::span<const double> values) {
+    double most = 0;
+    for (const double value : values) most = std::max(most, std::abs(value));
+    return most;
+  };
+  const double velocity = largest(motion::integrate(base).velocity),
+               acceleration = largest(base.acceleration);
+  if (law.alpha * velocity <= kLittle * acceleration) return std::nullopt;
+  return fmt::format(
+      "damping.rayleigh: its part of the masses also brakes the motion that all the ground shares, by up to "
+      "{:.2g} m/s^2 at the base's {:.2g} m/s, {:.0f} % of the base's largest acceleration; strains of the "
+      "ground "
+      "are as far from those of its material damping: choose damping.maxwell, or a much lower low_frequency",
+      law.alpha * velocity, velocity, 100 * law.alpha * velocity / acceleration);
 }
 
 }  // namespace adit::fdm

@@ -6,6 +6,7 @@
 
 #include "fdm_server/materials/damping_law.hpp"
 #include "protocol/messages/scene.pb.h"
+#include "protocol/motion/motion.hpp"
 
 namespace adit::fdm {
 
@@ -13,5 +14,9 @@ DampingLaw resolve_damping(const scene::Continuum& scene);
 
 // What Maxwell damping does to the stiffness in waves, if the scene has it.
 std::optional<std::string> note_on_stiffening(const scene::Continuum& scene, const DampingLaw& law);
+
+// What alpha M takes from the motion that the base and all ground share: alpha v beside the acceleration of
+// the base, if it is much.
+std::optional<std::string> note_on_shared_motion(const DampingLaw& law, const motion::Motion& base);
 
 }  // namespace adit::fdm

@@ -1,12 +1,14 @@
-// Requirement: damping of loops that is asked for and cannot be given is told, with both numbers.
+// Requirement: damping that is asked for and does not act as it is meant is told, with its numbers.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
+#include "fdm_server/model/damping.hpp"
 #include "fdm_server/model/ground.hpp"
 
 namespace adit::fdm {
@@ -35,6 +37,16 @@ TEST(NotesOnLoops, TellWhereATableAsksForMoreThanMasingsRulesGive) {
 
 TEST(NotesOnLoops, AreNoneWhereLoopsFollowTheTable) {
   EXPECT_THAT(notes("0.00001, 0.01, 0.1"), IsEmpty());
+}
+
+// A base that shakes at w with the acceleration A moves with up to 2 A/w from rest; alpha of that beside A.
+TEST(NoteOnSharedMotion, TellsWhatDampingOfMassesTakesFromTheMotionOfTheBase) {
+  constexpr double kAngular = 2;
+  motion::Motion base{.dt = 0.01, .acceleration = {}};
+  for (int i = 0; i < 1000; ++i) base.acceleration.push_back(3 * std::sin(kAngular * 0.01 * i));
+  EXPECT_THAT(note_on_shared_motion({.alpha = 0.5}, base), testing::Optional(HasSubstr("50 %")));
+  EXPECT_EQ(note_on_shared_motion({.alpha = 0.04}, base), std::nullopt);
+  EXPECT_EQ(note_on_shared_motion({}, base), std::nullopt);
 }
 
 }  // namespace
