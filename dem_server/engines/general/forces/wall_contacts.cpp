@@ -51,11 +51,13 @@ PairKinematics WallContacts::kinematics(std::uint32_t wall, std::uint32_t disc, 
   const double distance = std::hypot(dx, dy), length = std::sqrt(along_x * along_x + along_y * along_y);
   const double nx = distance > 0 ? dx / distance : -along_y / length,
                ny = distance > 0 ? dy / distance : along_x / length;
+  const double turn_per_way =
+      distance > 0 ? 1 / distance : 0;  // on the wall, its own normal is the direction
   const double vx = s.vx - p.vx[disc], vy = s.vy - p.vy[disc];
   const double stretch_rate = along(nx, ny, vx, vy), half = 0.5 * dt * stretch_rate;
   const Arms arms{distance, 0};
   const double slip_rate =
-      mid_step_slip_rate(across(nx, ny, vx, vy), half, half / distance, arms, 1, p.spin[disc], 0);
+      mid_step_slip_rate(across(nx, ny, vx, vy), half, half * turn_per_way, arms, 1, p.spin[disc], 0);
   return {nx,           ny,        distance,     distance - radius_[disc], arms.first, arms.second,
           stretch_rate, slip_rate, -p.spin[disc]};
 }

@@ -28,6 +28,18 @@ Model before_impact(bool with_wall, const LinearContact& law) {
   return model;
 }
 
+// Requirement: a disc whose centre lies on a wall, from which no direction leads to the wall, meets it along
+// the wall's normal: what it does then is a number.
+TEST(Collision, ACentreOnAWallMeetsItsNormal) {
+  Model model = test::loose_discs({{kRadius, 0, kRadius}}, {kStiffness, kStiffness, 0.5});
+  model.walls = {test::wall(kRadius, -1, kRadius, 1, {kStiffness, kStiffness, 0.5})};
+  test::Run run(model, 1e-6);
+  Particles& p = run.solver.particles();
+  p.vx[0] = p.vy[0] = kSpeed;
+  for (int n = 0; n < 3; ++n) run.step();
+  EXPECT_TRUE(std::isfinite(p.vx[0]) && std::isfinite(p.vy[0]) && std::isfinite(p.spin[0]));
+}
+
 struct Collision {
   double duration, overlap;
   double vx, vy, spin;  // of the first disc afterwards
