@@ -36,6 +36,16 @@ struct Critical {  // the smallest critical step of each kind [s], and whose it 
   }
 };
 
+bool joins_one_kind(const Interface& interface, const Model& model) {
+  return model.participants[interface.outer].member.role == model.participants[interface.inner].member.role;
+}
+
+bool goes_with_substeps(const Model& model) {
+  return !model.interfaces.empty() && std::ranges::none_of(model.interfaces, [&](const Interface& interface) {
+    return joins_one_kind(interface, model);
+  });
+}
+
 void require_substeps_possible(const Model& model, unsigned m) {
   if (m % 2 != 0)
     throw UserError("time.substeps",
@@ -45,7 +55,7 @@ void require_substeps_possible(const Model& model, unsigned m) {
   if (model.interfaces.empty())
     throw UserError("time.substeps", "needs a continuum joined to particles; leave it out");
   for (const Interface& interface : model.interfaces)
-    if (model.participants[interface.outer].member.role == model.participants[interface.inner].member.role)
+    if (joins_one_kind(interface, model))
       throw UserError("time.substeps", fmt::format("does not go with {}, which joins two models of one kind; "
                                                    "leave it out",
                                                    interface.path));
@@ -110,7 +120,7 @@ void choose_time_step(Model& model) {
   unsigned m = time.substeps();
   if (m == 0) {
     const double dt = time.has_dt() ? time.dt() : time.dt_factor() * critical.with(1);
-    m = model.interfaces.empty() ? 1 : substeps_that_cost_nothing(critical, dt);
+    m = goes_with_substeps(model) ? substeps_that_cost_nothing(critical, dt) : 1;
   }
   if (m > 1) require_substeps_possible(model, m);
   model.substeps = m;

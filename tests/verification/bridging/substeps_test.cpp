@@ -145,5 +145,28 @@ TEST(Substeps, AreChosenFromTheCriticalSteps) {
   EXPECT_NEAR(model.dt * static_cast<double>(model.steps), 0.04, 1e-15);
 }
 
+// Requirement: where two models of one kind are joined, which substeps do not go with, the choice is 1.
+TEST(Substeps, AreNotChosenWhereTwoModelsOfOneKindAreJoined) {
+  scene::Scene scene = bar(0);
+  scene.mutable_continuum()->clear_edge_loads();
+  *scene.add_interfaces()->mutable_overlap() = scene.interface().overlap();
+  scene.clear_interface();
+  ASSERT_TRUE(google::protobuf::TextFormat::MergeFromString(R"(
+    continuum { block { x_min: -1 zones_x: 10 } }
+    regions {
+      name: "far"
+      continuum { block { x_min: -4 x_max: 0 y_min: 0 y_max: 1 zones_x: 8 zones_y: 2 } }
+    }
+    interfaces {
+      outer: "far" inner: "continuum"
+      overlap { particles_begin { x: -1 y: 0 } continuum_ends { x: 0 y: 0 } }
+    }
+  )",
+                                                            &scene));
+  scene.mutable_interfaces(0)->set_outer("continuum");
+  scene.mutable_interfaces(0)->set_inner("particles");
+  EXPECT_EQ(test::local_model(scene).substeps, 1U);
+}
+
 }  // namespace
 }  // namespace adit
