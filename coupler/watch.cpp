@@ -16,10 +16,6 @@ namespace {
 // it lose as much of the energy that was turned over: the runs of the cases lose 1e-3 at most.
 constexpr double kRunawayShare = 0.2;
 
-// With substeps the ledger extrapolates the impulse in progress, so that its energy oscillates, by a tenth at
-// most.
-constexpr double kRunawayShareOfSubsteps = 0.5;
-
 struct Fastest {
   double x = 0, y = 0, speed = -1;  // [m], [m/s]; a speed of NaN counts as infinite
   std::size_t participant = 0;
@@ -64,11 +60,10 @@ std::string remedy(const Model& model, const Participant& fastest) {
 }  // namespace
 
 void Watch::look(std::uint64_t n) {
-  const double allowed = model_.substeps > 1 ? kRunawayShareOfSubsteps : kRunawayShare;
   const Ledger::Loss loss = stepper_.ledger().loss();
   // Written so that what is not a number ends the run.
-  if (!(stepper_.ledger().excess() <= allowed)) end_growing(n);
-  if (!(loss.share <= allowed)) end_losing(n, loss);
+  if (!(stepper_.ledger().excess() <= kRunawayShare)) end_growing(n);
+  if (!(loss.share <= kRunawayShare)) end_losing(n, loss);
   last_good_ = n;
 }
 

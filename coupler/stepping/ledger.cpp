@@ -10,6 +10,10 @@
 namespace adit::coupler {
 namespace {
 
+// Share of the energies of all participants below which their sum is one of rounding errors. It is 0 where a
+// load on the overlap has begun and nothing has moved yet, though one model's part is the negative of the
+// other's.
+constexpr double kRounded = 1e-6;
 constexpr double kStill = 1e-6;  // a speed that means nothing [m/s]
 
 double mass_of(const std::vector<Participant>& participants) {
@@ -20,6 +24,15 @@ double mass_of(const std::vector<Participant>& participants) {
 
 ADIT_VECTOR_CLONES double dot(std::span<const double> a, std::span<const double> b) {
   return protocol::eight_sums(0, a.size(), [&](std::size_t i) { return a[i] * b[i]; });
+}
+
+ParticipantEnergies energies_of(const wire::Energies& told, double kinetic, double multiplier_work) {
+  return {.kinetic = kinetic,
+          .strain = told.strain(),
+          .released = told.released(),
+          .external_work = told.external_work(),
+          .multiplier_work = multiplier_work,
+          .dissipated = told.dissipated()};
 }
 
 }  // namespace
@@ -59,12 +72,18 @@ void Ledger::take_energies(std::size_t s, const Participant& participant) {
     kinetic -= 0.5 * (dot(participant.correction.impulses(), participant.predicted) +
                       dot(participant.correction.impulses(), participant.corrected));
   }
-  energies_[s] = {.kinetic = kinetic,
-                  .strain = e.strain(),
-                  .released = e.released(),
-                  .external_work = e.external_work(),
-                  .multiplier_work = work,
-                  .dissipated = e.dissipated()};
+  energies_[s] = energies_of(e, kinetic, work);
+}
+
+// With the impulses p_n that it gets from step n to step n + 1, what a participant tells changes by
+// ½ (N v(n−½) + N v(n+½))·p_n. Work counts from the start, so that what is added there, and the impulse that
+// is booked as twice a half there, are none.
+void Ledger::take_energies(std::size_t s, const Participant& participant, double added) {
+  Account& account = accounts_[s];
+  if (!account.started) account.added_at_start = added;
+  const wire::Energies& e = participant.prediction().energies();
+  const double work = account.multiplier_work + 0.5 * dot(account.velocities, account.impulses);
+  energies_[s] = energies_of(e, e.kinetic() + added, work + added - account.added_at_start);
 }
 
 void Ledger::compare() {
@@ -82,11 +101,14 @@ void Ledger::compare() {
 
 void Ledger::close_step(std::size_t s, const Participant& participant) {
   Account& account = accounts_[s];
-  if (account.started)
-    account.multiplier_work += 0.5 * (dot(account.velocities, account.impulses) +
-                                      dot(account.velocities, participant.correction.impulses()));
-  const double steps = account.started ? 1 : 2;  // half a step has half an impulse
   const std::span<const double> impulses = participant.correction.impulses();
+  if (account.started)
+    account.multiplier_work +=
+        0.5 * (dot(account.velocities, account.impulses) + dot(account.velocities, impulses));
+  else
+    account.added_at_start +=
+        0.5 * (dot(impulses, participant.predicted) + dot(impulses, participant.corrected));
+  const double steps = account.started ? 1 : 2;  // half a step has half an impulse
   for (std::size_t i = 0; i < impulses.size(); ++i) account.impulses[i] = steps * impulses[i];
   std::copy(participant.corrected.begin(), participant.corrected.end(), account.velocities.begin());
   account.started = true;
@@ -112,11 +134,12 @@ double Ledger::unexplained() const {
 }
 
 double Ledger::drift() const {
-  return peak_stored_ > 0 ? unexplained() / peak_stored_ : 0;
+  const double scale = std::max(peak_stored_, kRounded * peak_turnover_);
+  return scale > 0 ? unexplained() / scale : 0;
 }
 
 double Ledger::excess() const {
-  const double scale = std::max(peak_stored_, rounding_);
+  const double scale = std::max({peak_stored_, rounding_, kRounded * peak_turnover_});
   return scale > 0 ? unexplained() / scale : 0;
 }
 
@@ -149,6 +172,7 @@ void Ledger::exchange(state::Archive& archive) {
   for (Account& account : accounts_) {
     archive("account_started", account.started);
     archive("account_work", account.multiplier_work);
+    archive("account_added_at_start", account.added_at_start);
     archive("account_impulses", std::span(account.impulses));
     archive("account_velocities", std::span(account.velocities));
   }

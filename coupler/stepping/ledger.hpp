@@ -48,6 +48,8 @@ class Ledger {
   // Takes down the energies that the participant's last answer holds; its impulses are those of the same
   // step.
   void take_energies(std::size_t s, const Participant& participant);
+  // The same of one whose step is still in progress: its impulses so far have `added` to its energies [J].
+  void take_energies(std::size_t s, const Participant& participant, double added);
   // After the energies of all participants: compares them with those of the start and of the peak.
   void compare();
 
@@ -87,6 +89,7 @@ class Ledger {
   struct Account {
     bool started = false;                      // step 0 is closed
     double multiplier_work = 0;                // up to the last step closed
+    double added_at_start = 0;                 // of a step in progress: no work, see take_energies()
     std::vector<double> impulses, velocities;  // of that step, at the participant's coupling points
   };
 

@@ -1,5 +1,8 @@
 #include "coupler/stepping/shared_kick.hpp"
 
+#include <algorithm>
+#include <numeric>
+
 #include "coupler/exchange/exchange.hpp"
 
 namespace adit::coupler {
@@ -21,8 +24,7 @@ void SharedKick::step(std::uint64_t n, Wanted wanted) {
       kick(k, at_kick);
   }
   book();
-  const double kicks = static_cast<double>(m);
-  if (wanted.energies) take_energies((kicks + 1) / (2 * kicks));
+  if (wanted.energies) take_energies(0.5);
 }
 
 void SharedKick::start(Wanted wanted) {
@@ -30,11 +32,12 @@ void SharedKick::start(Wanted wanted) {
   model_.constraint->read(model_.participants, Part::kCoarse, &Participant::predicted, p_);
   for (std::size_t i = 0; i < w_.size(); ++i) {
     w_[i] = total_[i] = 0;
+    y_[i] = -p_[i];
     q_[i] = 2 * p_[i];
   }
   kick(0, wanted);
   book();
-  if (wanted.energies) take_energies(1.0 / static_cast<double>(model_.substeps));
+  if (wanted.energies) take_energies(1);
 }
 
 void SharedKick::kick(std::uint64_t k, Wanted wanted) {
@@ -124,15 +127,22 @@ void SharedKick::book_grid() {
   }
 }
 
-// The grid's energies, by the impulse of its window, of which this share is known.
-void SharedKick::take_energies(double window_share) {
-  model_.constraint->assign(total_, 1 / window_share, Part::kCoarse, model_.participants);
+// The grid's energies, of which it knows only what its own last step made of them.
+void SharedKick::take_energies(double share_of_kick) {
+  std::ranges::fill(target_, 0.0);
+  model_.constraint->solve(q_, target_, lambda_1_);
+  for (std::size_t i = 0; i < w_.size(); ++i)
+    target_[i] = q_[i] * lambda_1_[i] / 8 - total_[i] * (y_[i] + q_[i] / 2 + w_[i]) / 2 +
+                 share_of_kick * lambda_[i] * w_[i];
   for (std::size_t s = 0; s < model_.participants.size(); ++s) {
-    Participant& participant = model_.participants[s];
+    const Participant& participant = model_.participants[s];
     if (participant.member.role != Role::kContinuum) continue;
-    participant.correction.withhold();  // it goes to the grid with the rest of its window
-    correct_velocities(participant);
-    ledger_.take_energies(s, participant);
+    double added = 0;
+    for (const Segment& segment : participant.segments) {
+      const auto first = target_.begin() + 2 * static_cast<std::ptrdiff_t>(segment.global);
+      added = std::accumulate(first, first + 2 * static_cast<std::ptrdiff_t>(segment.count), added);
+    }
+    ledger_.take_energies(s, participant, added);
   }
   ledger_.compare();
 }

@@ -167,7 +167,7 @@ TEST_P(CombinationWithSubsteps, KeepsEnergy) {
   coupler::Model model = test::local_model(scene);
   coupler::Stepper stepper(model);
   for (std::uint64_t n = 0; n <= model.steps; ++n) stepper.step(n, {.energies = true});
-  EXPECT_LE(stepper.ledger().max_drift(), 2e-2);  // the window in progress is extrapolated
+  EXPECT_LE(stepper.ledger().max_drift(), 1e-4);
   EXPECT_LE(stepper.ledger().max_constraint_residual(), 1e-12);
 }
 

@@ -152,8 +152,6 @@ scene::Scene bar(const Extreme& extreme, scene::Solve solve, unsigned substeps) 
 
 struct Extremes : testing::TestWithParam<std::tuple<Extreme, scene::Solve, unsigned>> {};
 
-// With substeps the ledger extrapolates the grid's impulse, so that its figure swings: it must stay below
-// what stops a run as unstable.
 TEST_P(Extremes, EnergyIsKeptOrLostButNeverMade) {
   const auto& [extreme, solve, substeps] = GetParam();
   coupler::Model model = test::local_model(bar(extreme, solve, substeps));
@@ -165,7 +163,7 @@ TEST_P(Extremes, EnergyIsKeptOrLostButNeverMade) {
     rise = std::max(rise, unexplained - before);
     before = unexplained;
     peak = std::max(peak, stepper.ledger().stored());
-    ASSERT_LE(stepper.ledger().drift(), substeps > 1 ? 0.2 : 1e-6) << "step " << n;
+    ASSERT_LE(stepper.ledger().drift(), 1e-6) << "step " << n;
   }
   ASSERT_GT(peak, 0);
   if (solve == scene::CONSISTENT) {
