@@ -97,11 +97,14 @@ Motion parse_at2(const RecordText& text) {
   const double dt = step_of(text, *size);
   std::vector<double> values;
   for (std::size_t i = size->line + 1; i < text.lines.size(); ++i) text.append_numbers(i, values);
-  if (static_cast<double>(values.size()) != points)
+  if (static_cast<double>(values.size()) != points) {
+    const double factor = text.at(unit.line, [&] { return acceleration_unit(unit.unit); });
+    const std::string doubt = doubt_of_unit(values, factor, unit.unit);
     text.refuse(size->line,
                 fmt::format("states {:.0f} points, but {} values follow; correct the count, or get "
-                            "the whole file",
-                            points, values.size()));
+                            "the whole file{}{}",
+                            points, values.size(), doubt.empty() ? "" : "; moreover, ", doubt));
+  }
   return in_unit(text, unit.line, unit.unit, dt, std::move(values));
 }
 

@@ -61,17 +61,20 @@ void RecordText::append_numbers(std::size_t line, std::vector<double>& numbers) 
   }
 }
 
-Motion in_unit(const RecordText& text, std::size_t line, std::string_view unit, double dt,
-               std::vector<double> values) {
+std::string doubt_of_unit(std::span<const double> values, double factor, std::string_view unit) {
   constexpr double kStrongest = 10 * 9.80665;  // [m/s^2]
-  const double factor = text.at(line, [&] { return acceleration_unit(unit); });
-  if (values.empty()) text.refuse(line, "no values follow; give the whole file");
   double largest = 0;
   for (const double value : values) largest = std::max(largest, std::abs(value));
-  if (largest * factor > kStrongest)
-    text.refuse(line,
-                fmt::format("the largest value is {:.4g} {}, beyond any earthquake: correct the unit (gal?)",
-                            largest, unit));
+  if (largest * factor <= kStrongest) return "";
+  return fmt::format("the largest value is {:.4g} {}, beyond any earthquake: correct the unit (gal?)",
+                     largest, unit);
+}
+
+Motion in_unit(const RecordText& text, std::size_t line, std::string_view unit, double dt,
+               std::vector<double> values) {
+  const double factor = text.at(line, [&] { return acceleration_unit(unit); });
+  if (values.empty()) text.refuse(line, "no values follow; give the whole file");
+  if (const std::string doubt = doubt_of_unit(values, factor, unit); !doubt.empty()) text.refuse(line, doubt);
   for (double& value : values) value *= factor;
   return {dt, std::move(values)};
 }

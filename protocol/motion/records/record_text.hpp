@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +44,10 @@ struct RecordText {
 // The text up to the mark with which DOS ends a file (0x1A). Refuses UTF-16.
 RecordText split_text(const std::string& file, const std::string& content);
 RecordText read_text(const std::filesystem::path& file);
+
+// What is said where values, times `factor` in m/s^2, are stronger than any earthquake; empty where they are
+// not.
+std::string doubt_of_unit(std::span<const double> values, double factor, std::string_view unit);
 
 // The values, in `unit` as the line says, as a motion. Refuses what is stronger than any earthquake: its unit
 // must be wrong.

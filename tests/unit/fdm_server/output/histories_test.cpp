@@ -64,7 +64,7 @@ Errors errors(ZoneKind kind, std::uint32_t zones_y) {
         history.mutable_at()->set_x(x);
         history.mutable_at()->set_y(y);
       }
-  Histories histories(scene, {}, grid, one_kind(grid));
+  Histories histories(scene, {}, grid, one_kind(grid), DampingLaw{});
   protocol::Step step{0, dt};
   while (static_cast<double>(step.number) < steps) {
     ++step.number;
