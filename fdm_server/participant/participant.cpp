@@ -22,6 +22,7 @@
 #include "fdm_server/model/initial_stress.hpp"
 #include "fdm_server/model/motions.hpp"
 #include "fdm_server/model/resolution.hpp"
+#include "fdm_server/model/supports/meetings.hpp"
 #include "fdm_server/model/supports/supports.hpp"
 #include "fdm_server/participant/critical_element.hpp"
 #include "fdm_server/participant/snapshot.hpp"
@@ -90,6 +91,7 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   model.set_p_wave_speed(speeds.p);
   model.set_s_wave_speed(speeds.s);
   for (const std::string& note : base_acceleration_.notes) model.add_notes("base.acceleration: " + note);
+  for (const std::string& note : notes_on_meetings(supports, grid_)) model.add_notes(note);
   if (const auto note = note_on_stiffening(scene_.continuum(), damping_)) model.add_notes(*note);
   if (const auto note = note_on_shared_motion(damping_, base_acceleration_.motion)) model.add_notes(*note);
   for (const std::string& note : notes_on_loops(scene_, setup_.ground)) model.add_notes(note);

@@ -1,6 +1,7 @@
 #include "fdm_server/structures/structures.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "protocol/participant/local_damping.hpp"
 
@@ -30,16 +31,24 @@ bool touches(const Element& element, const std::vector<bool>& chosen) {
 
 }  // namespace
 
-std::uint32_t Structures::add_rotation(std::uint32_t point, bool held) {
+std::uint32_t Structures::add_rotation(std::uint32_t point) {
   point_.push_back(point);
-  stage_of_rotation_.push_back(adding_);
-  held_.push_back(held);
+  held_from_.push_back(std::numeric_limits<std::uint32_t>::max());
   for (auto* column : {&angle_, &rate_, &rate_before_, &couple_, &inertia_}) column->push_back(0.0);
   return static_cast<std::uint32_t>(point_.size() - 1);
 }
 
+std::uint32_t Structures::shared_rotation(std::uint32_t point) {
+  const auto found = shared_.find(point);
+  return found != shared_.end() ? found->second : shared_[point] = add_rotation(point);
+}
+
+void Structures::hold(std::uint32_t rotation) {
+  held_from_[rotation] = std::min(held_from_[rotation], adding_);
+}
+
 std::uint32_t Structures::add_beam(const Beam& beam) {
-  add_inertia(beam);
+  if (adding_ <= stage_) add_inertia(beam);
   beams_.push_back(beam);
   stage_of_beam_.push_back(adding_);
   return static_cast<std::uint32_t>(beams_.size() - 1);
@@ -54,7 +63,7 @@ std::uint32_t Structures::add_bar(const Bar& bar) {
 void Structures::add_joint(std::uint32_t first, std::uint32_t second, double stiffness, double yield,
                            double dt) {
   joints_.push_back({first, second, {stiffness, yield}, dt});
-  add_inertia(joints_.back());
+  if (adding_ <= stage_) add_inertia(joints_.back());
   stage_of_joint_.push_back(adding_);
 }
 
@@ -74,9 +83,18 @@ void Structures::add_inertia(const Joint& joint) {
 
 void Structures::scale_masses(double step) {
   scaled_step_ = step;
+  find_inertias();
+}
+
+void Structures::install(std::uint32_t stage) {
+  stage_ = stage;
+  find_inertias();
+}
+
+void Structures::find_inertias() {
   std::ranges::fill(inertia_, 0.0);
-  for (const Beam& beam : beams_) add_inertia(beam);
-  for (const Joint& joint : joints_) add_inertia(joint);
+  for (const auto i : installed(stage_of_beam_, stage_)) add_inertia(beams_[i]);
+  for (const auto i : installed(stage_of_joint_, stage_)) add_inertia(joints_[i]);
 }
 
 void Structures::add_masses(std::span<double> of_points, std::uint32_t stage) const {
@@ -130,8 +148,13 @@ Structures::Critical Structures::smallest(Test&& counts) const {
 }
 
 Structures::Part Structures::standing() const {
-  return {installed(stage_of_beam_, stage_), installed(stage_of_bar_, stage_),
-          installed(stage_of_joint_, stage_), installed(stage_of_rotation_, stage_)};
+  Part part{installed(stage_of_beam_, stage_),
+            installed(stage_of_bar_, stage_),
+            installed(stage_of_joint_, stage_),
+            {}};
+  for (std::uint32_t i = 0; i < inertia_.size(); ++i)
+    if (inertia_[i] > 0) part.rotations.push_back(i);
+  return part;
 }
 
 Structures::Part Structures::take(Part& part, const std::vector<bool>& chosen) const {
@@ -171,7 +194,7 @@ void Structures::move_and_predict(const Part& part, const protocol::Step& step) 
     angle_[i] += step.dt * rate_[i];
     rate_before_[i] = rate_[i];
     if (step.local_damping > 0) couple_[i] = protocol::damped(couple_[i], 0, rate_[i], step.local_damping);
-    if (!held_[i]) rate_[i] += step.kick() * (couple_[i] / inertia_[i]);
+    if (!held(i)) rate_[i] += step.kick() * (couple_[i] / inertia_[i]);
     // Ready for the next step, whose forces are added one by one.
     couple_[i] = 0;
   }

@@ -1,6 +1,8 @@
 // Linings and bolts of a grid: beams and bars between its points, the beams' rotations, joints between them.
 //
 // Translations are the points', rotations move here, by the same central differences (continuum.hpp).
+// Beams that are joined rigidly at a point share one rotation there. Its inertia is that of the beams and
+// joints which stand; what is installed later goes on from the angle that it finds, free of stress.
 // A joint is a spring between the rotations of two beams at one point; without a spring they are hinged.
 // It brings rotary inertia of its own, J = k dt^2/2 on either side, so that its frequency 2k/J is that of the
 // lining's beams, 4/dt^2: stiff joints do not shorten the step.
@@ -18,6 +20,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -32,8 +35,12 @@ namespace adit::fdm {
 
 class Structures {
  public:
-  // Rotation of a beam's end at a point; a held one stays 0, as on a plane of symmetry. Returns its number.
-  std::uint32_t add_rotation(std::uint32_t point, bool held = false);
+  // A rotation of one beam's end alone at a point. Returns its number.
+  std::uint32_t add_rotation(std::uint32_t point);
+  // The one rotation of all that is joined rigidly at a point, added where it is asked for first.
+  std::uint32_t shared_rotation(std::uint32_t point);
+  // It stays as it is, as on a plane of symmetry, from the stage on that is being added.
+  void hold(std::uint32_t rotation);
   // What is added from now on is installed in this stage, free of stress; 0: it was always there.
   void set_stage(std::uint32_t stage) { adding_ = stage; }
   // Return the number of the beam, of the bar.
@@ -62,7 +69,7 @@ class Structures {
   double critical_step() const { return critical_element().step; }
 
   // From now on, what the stages up to this one install takes part.
-  void install(std::uint32_t stage) { stage_ = stage; }
+  void install(std::uint32_t stage);
 
   // What is computed together, by numbers.
   struct Part {
@@ -102,9 +109,7 @@ class Structures {
   std::span<const double> rates_before() const { return rate_before_; }
   std::span<const double> rates() const { return rate_; }
   std::span<double> couples() { return couple_; }
-  double inverse_inertia(std::uint32_t rotation) const {
-    return held_[rotation] ? 0 : 1 / inertia_[rotation];
-  }
+  double inverse_inertia(std::uint32_t rotation) const { return held(rotation) ? 0 : 1 / inertia_[rotation]; }
 
  private:
   struct Joint {
@@ -118,15 +123,17 @@ class Structures {
   double scale(double critical_step) const;
   void add_inertia(const Beam& beam);
   void add_inertia(const Joint& joint);
+  void find_inertias();  // of what stands
+  bool held(std::uint32_t rotation) const { return held_from_[rotation] <= stage_; }
 
   std::vector<Beam> beams_;
   std::vector<Bar> bars_;
   std::vector<Joint> joints_;
   std::vector<std::uint32_t> stage_of_beam_, stage_of_bar_, stage_of_joint_;
+  std::map<std::uint32_t, std::uint32_t> shared_;  // rotations, by their points
   // one a rotation
-  std::vector<std::uint32_t> point_, stage_of_rotation_;
-  std::vector<std::uint8_t> held_;
-  std::vector<double> angle_, rate_, rate_before_, couple_, inertia_;
+  std::vector<std::uint32_t> point_, held_from_;                       // the stage from which it is held
+  std::vector<double> angle_, rate_, rate_before_, couple_, inertia_;  // no inertia: nothing turns it yet
   std::uint32_t adding_ = 0, stage_ = 0;
   double scaled_step_ = 0;  // [s]; 0: masses are true
   double dissipated_ = 0;

@@ -35,17 +35,18 @@ std::size_t nearest_node(const geometry::Point& place, const Path& lining, const
 Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structures) {
   const auto& points = plan.path.points;
   const std::size_t nodes = points.size(), beams = plan.path.closed ? nodes : nodes - 1;
-  std::vector<std::array<std::uint32_t, 2>>
-      rotations;  // of the beam that ends at a node, of that which begins
-  for (std::size_t k = 0; k < nodes; ++k) {
-    const bool held =
-        !plan.path.closed && ((k == 0 && plan.first_held) || (k + 1 == nodes && plan.last_held));
-    const auto rotation = structures.add_rotation(points[k], held);
-    rotations.push_back({rotation, rotation});
+  // Of the beam that ends at a node, of that which begins.
+  std::vector<std::array<std::uint32_t, 2>> rotations;
+  for (const auto point : points) {
+    const auto shared = structures.shared_rotation(point);
+    rotations.push_back({shared, shared});
   }
   for (const auto& joint : plan.joints)
-    // At a joint the beams share the point but not the rotation, so the beam that begins there gets its own.
-    rotations[joint.node][1] = structures.add_rotation(points[joint.node]);
+    // Across a joint beams share the point but not the rotation: the beam that begins there gets its own, at
+    // the last end the one that ends there.
+    rotations[joint.node][beams == joint.node ? 0 : 1] = structures.add_rotation(points[joint.node]);
+  if (plan.first_held && !plan.path.closed) structures.hold(rotations.front()[1]);
+  if (plan.last_held && !plan.path.closed) structures.hold(rotations.back()[0]);
 
   Lining lining{plan.name, plan.path, static_cast<std::uint32_t>(structures.beams().size()),
                 static_cast<std::uint32_t>(beams)};

@@ -1,4 +1,9 @@
 // A lining: a chain of beams along grid points, open or closed, with joints at some of them.
+//
+// Beams that meet in a grid point turn together there, of one lining or of several. A joint within a lining
+// stands between its two beams; what else ends there must be hinged to it. A joint at an end of a lining
+// stands between this end and all that meets there without a joint, or has one of its own: two joints act
+// one after the other.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +33,7 @@ struct LiningPlan {
   Path path;
   Section section;
   std::vector<LiningJoint> joints;
-  bool first_held, last_held;  // whether the ends of an open lining cannot rotate
+  bool first_held, last_held;  // whether the ends of an open lining cannot rotate, with all joined rigidly
 };
 
 struct Lining {
@@ -42,6 +47,7 @@ struct Lining {
 std::size_t nearest_node(const geometry::Point& place, const Path& lining, const Grid& grid,
                          const std::string& path);
 
+// Joins the lining to those that were added before; the order does not matter.
 Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structures);
 
 // At a node of the lining: the mean of what the beams on its two sides carry there.

@@ -11,6 +11,7 @@
 
 #include "fdm_server/grid/edges.hpp"
 #include "fdm_server/model/grid/selection.hpp"
+#include "fdm_server/model/supports/meetings.hpp"
 #include "fdm_server/supports/curve.hpp"
 #include "fdm_server/supports/trace.hpp"
 #include "protocol/errors.hpp"
@@ -104,8 +105,6 @@ std::vector<LiningJoint> read_joints(const scene::Lining& lining, const Path& al
         !joint.has_yield_moment() || joint.rotational_stiffness() > 0, here + ".yield_moment",
         "is given to a hinge, which carries no moment; give its rotational_stiffness too, or leave it out");
     const auto node = nearest_node(place_of(joint, lining.along(), here), along, grid, here);
-    require(along.closed || (node > 0 && node + 1 < along.points.size()), here,
-            "lies at an end of the lining, where no beam follows; leave it out");
     for (std::size_t other = 0; other < joints.size(); ++other)
       require(joints[other].node != node, here,
               fmt::format("lies at the same node as joints[{}]; leave one out, or use shorter zones", other));
@@ -166,20 +165,23 @@ Supports resolve_supports(const scene::Scene& scene, const Grid& grid) {
   if (linings.empty() && bolts.empty()) return supports;
   const Edges edges = number_edges(grid);
   Occupied occupied(grid);
+  std::vector<LiningPlan> plans;
   for (int i = 0; i < linings.size(); ++i) {
     const auto& lining = linings[i];
     const auto path = fmt::format("continuum.linings[{}]", i);
-    require(std::ranges::find(supports.linings, lining.name(), &Lining::name) == supports.linings.end(),
-            path + ".name", "`" + lining.name() + "` is taken by another lining; choose another one");
+    require(std::ranges::find(plans, lining.name(), &LiningPlan::name) == plans.end(), path + ".name",
+            "`" + lining.name() + "` is taken by another lining; choose another one");
     const Section section = read_section(lining, scene.plane() == scene::PLANE_STRAIN, path);
     const Path along = read_path(lining.along(), grid, edges, path + ".along");
     occupied.take(along, path);
     require_statics(lining.stage(), scene, path);
-    supports.structures.set_stage(lining.stage());
-    supports.linings.push_back(
-        add_lining({lining.name(), along, section, read_joints(lining, along, grid, path),
-                    lining.first_end_fixed(), lining.last_end_fixed()},
-                   grid, supports.structures));
+    plans.push_back({lining.name(), along, section, read_joints(lining, along, grid, path),
+                     lining.first_end_fixed(), lining.last_end_fixed()});
+  }
+  require_clear_joints(plans, grid);
+  for (int i = 0; i < linings.size(); ++i) {
+    supports.structures.set_stage(linings[i].stage());
+    supports.linings.push_back(add_lining(plans[static_cast<std::size_t>(i)], grid, supports.structures));
   }
   for (int i = 0; i < bolts.size(); ++i) {
     const auto path = fmt::format("continuum.bolts[{}]", i);

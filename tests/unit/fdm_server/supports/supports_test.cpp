@@ -119,6 +119,44 @@ TEST(Supports, JointsAreHinges) {
   EXPECT_EQ(supports.structures.rotations().size(), 10u);
 }
 
+// A hinged column leaves the joint of the slab above it between the slab's beams.
+TEST(Supports, AHingedLiningMayEndAtAJoint) {
+  const std::string line = " along { line { points { x: 2 y: 1 } points { x: 2 y: 3 } } } " + kConcreteWall;
+  const auto supports = with(
+      "linings { name: 'slab' along { line { points { x: 1 y: 1 } points { x: 4 y: 1 } } } " + kConcreteWall +
+          "joints { at { x: 2 y: 1 } } } linings { name: 'column'" + line + "joints { at { x: 2 y: 1 } } }",
+      block_grid());
+  EXPECT_EQ(supports.structures.rotations().size(), 4u + 1u + 2u + 1u);
+}
+
+// The user is told which linings are joined rigidly, and where; of several places of the same linings in one
+// sentence, and nothing of linings that do not meet or are hinged.
+TEST(Supports, TellsWhichLiningsAreJoined) {
+  const auto along = [](const std::string& name, const std::string& from, const std::string& to,
+                        const std::string& more = "") {
+    return "linings { name: '" + name + "' along { line { points { " + from + " } points { " + to +
+           " } } } " + kConcreteWall + more + "} ";
+  };
+  const std::string roof = along("roof", "x: 0 y: 1", "x: 6 y: 1"),
+                    left = along("left", "x: 0 y: 1", "x: 0 y: 0"),
+                    floor = along("floor", "x: 0 y: 0", "x: 6 y: 0"),
+                    right = along("right", "x: 6 y: 0", "x: 6 y: 1", "joints { at { x: 6 y: 0 } } "),
+                    post = along("post", "x: 3 y: 0", "x: 3 y: 0.5");
+  EXPECT_THAT(Conversation(roof + left + floor + right).model.notes(),
+              ElementsAre("the linings `roof` and `left` are joined rigidly at (0, 1) m",
+                          "the linings `roof` and `right` are joined rigidly at (6, 1) m",
+                          "the linings `left` and `floor` are joined rigidly at (0, 0) m"));
+  EXPECT_THAT(Conversation(roof + post).model.notes(), ElementsAre());
+  const std::string upper =
+                        "linings { name: 'upper' along { line { points { x: 0 y: 0.5 } points { x: 0 y: 1 } "
+                        "points { x: 6 y: 1 } points { x: 6 y: 0.5 } } } " +
+                        kConcreteWall + "} ",
+                    middle = along("middle", "x: 0 y: 0.5", "x: 6 y: 0.5");
+  EXPECT_THAT(Conversation(upper + middle + post).model.notes(),
+              ElementsAre("the linings `upper` and `middle` are joined rigidly at (0, 0.5) and (6, 0.5) m",
+                          "the linings `middle` and `post` are joined rigidly at (3, 0.5) m"));
+}
+
 // A bolt's bars share its thrust; spacing divides area and strength.
 TEST(Supports, BoltsAreSpreadOverTheirSpacing) {
   const auto supports =
@@ -225,6 +263,8 @@ std::string lining(const std::string& along, const std::string& more = kConcrete
 }
 const std::string kLine = "line { points { x: 1 y: 1 } points { x: 4 y: 1 } }";
 const std::string kCircle = "circle { centre { x: 0 y: 0 } radius: 2 }";
+const std::string kColumn =
+    "linings { name: 'column' along { line { points { x: 2 y: 0 } points { x: 2 y: 1 } } } " + kConcreteWall;
 const std::string kBolt = "bolts { from { x: 1 y: 1 } to { x: 1 y: 3 } ";
 
 INSTANTIATE_TEST_SUITE_P(
@@ -278,7 +318,18 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"joint_nowhere", lining(kLine, kConcreteWall + "joints {} "), "continuum.linings[0].joints[0]",
              "give either `at` or `angle`"},
         Case{"joint_at_an_end", lining(kLine, kConcreteWall + "joints { at { x: 4 y: 1 } } "),
-             "continuum.linings[0].joints[0]", "at an end of the lining"},
+             "continuum.linings[0].joints[0]",
+             "at an end of the lining, where no other lining is; leave it out"},
+        Case{"joint_where_another_is_joined",
+             lining(kLine, kConcreteWall + "joints { at { x: 2 y: 1 } } ") + kColumn + "}",
+             "continuum.linings[0].joints[0]",
+             "lies between two beams of the lining at (2, 1) m, where `column` may be joined to either; let "
+             "two "
+             "linings end here instead, one of them with the joint, or hinge `column` by a joint at its end"},
+        Case{"joint_where_another_is_sprung",
+             kColumn + "joints { at { x: 2 y: 1 } rotational_stiffness: 1e6 } } " +
+                 lining(kLine, kConcreteWall + "joints { at { x: 2 y: 1 } } "),
+             "continuum.linings[1].joints[0]", "`column` may be joined to either"},
         Case{"angle_on_a_line", lining(kLine, kConcreteWall + "joints { angle: 1 } "),
              "continuum.linings[0].joints[0].angle", "follows none; give `at` instead"},
         Case{"ring_joint_twice",
