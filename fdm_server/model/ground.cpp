@@ -168,16 +168,16 @@ const scene::Material& material_of(const scene::Scene& scene, std::size_t number
 }  // namespace
 
 std::vector<std::string> notes_on_loops(const scene::Scene& scene, const Ground& ground) {
-  constexpr double kAsAsked = 0.95;
+  constexpr double kLittle = 0.005;  // of critical damping, as at smallest strains
   std::vector<std::string> notes;
   for (std::size_t m = 0; m < ground.materials.size(); ++m) {
     const scene::DampingTable& asked = material_of(scene, m).hysteretic().damping().table();
-    double worst = kAsAsked;
+    double worst = kLittle;
     std::string note;
     for (int i = 0; i < asked.shear_strain_size(); ++i) {
       const double given = ground.materials[m].reversals->damping(asked.shear_strain(i));
-      if (given >= worst * asked.ratio(i)) continue;
-      worst = given / asked.ratio(i);
+      if (asked.ratio(i) - given <= worst) continue;
+      worst = asked.ratio(i) - given;
       note = fmt::format(
           "hysteretic.damping: {} asks for {:.3g} % at the shear strain {:g}, but Masing's rules give {:.3g} "
           "% "

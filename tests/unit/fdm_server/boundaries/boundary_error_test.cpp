@@ -69,7 +69,8 @@ INSTANTIATE_TEST_SUITE_P(
              "base { acceleration { file { path: 'a.csv' content: 'time_s,a_m/s^2\\n0,0\\n0.5,1\\n' } } }",
              "continuum.base.acceleration.file.path", "the motion a.csv lasts 0.5 s, but 1 s are asked for"},
         Case{"record_of_no_kind", "base { acceleration { file { path: 'kobe.txt' content: '1 2' } } }",
-             "continuum.base.acceleration.file.path", "ends neither in .AT2 nor in .csv"},
+             "continuum.base.acceleration.file.path",
+             "or state `time_step` and `unit` of a file of values only"},
         Case{"record_of_a_wrong_header",
              "base { acceleration { file { path: 'kobe.AT2' content: 'x\\ny\\nIN UNITS OF G\\nNPTS= 9, DT= "
              ".02 "
