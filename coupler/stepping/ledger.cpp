@@ -10,9 +10,10 @@
 namespace adit::coupler {
 namespace {
 
-// Share of the energies of all participants below which their sum is one of rounding errors. It is 0 where a
-// load on the overlap has begun and nothing has moved yet, though one model's part is the negative of the
-// other's.
+// Share of the first energies of all participants below which their sum is one of rounding errors. It is 0
+// where a load on the overlap has begun and nothing has moved yet, though one model's part is the negative of
+// the other's. Later energies do not count: those of an unstable run grow without bound while their sum
+// stays, and the rounding of the sum shows it.
 constexpr double kRounded = 1e-6;
 constexpr double kStill = 1e-6;  // a speed that means nothing [m/s]
 
@@ -94,6 +95,7 @@ void Ledger::compare() {
   }
   if (!compared_) unexplained_at_start_ = unexplained();
   compared_ = true;
+  if (first_turnover_ == 0) first_turnover_ = turnover;
   peak_turnover_ = std::max(peak_turnover_, turnover);
   peak_stored_ = std::max(peak_stored_, stored());
   peak_unexplained_ = std::max(peak_unexplained_, std::abs(unexplained()));
@@ -134,12 +136,12 @@ double Ledger::unexplained() const {
 }
 
 double Ledger::drift() const {
-  const double scale = std::max(peak_stored_, kRounded * peak_turnover_);
+  const double scale = std::max(peak_stored_, kRounded * first_turnover_);
   return scale > 0 ? unexplained() / scale : 0;
 }
 
 double Ledger::excess() const {
-  const double scale = std::max({peak_stored_, rounding_, kRounded * peak_turnover_});
+  const double scale = std::max({peak_stored_, rounding_, kRounded * first_turnover_});
   return scale > 0 ? unexplained() / scale : 0;
 }
 
@@ -178,8 +180,8 @@ void Ledger::exchange(state::Archive& archive) {
   }
   archive("compared", compared_);
   archive("balances_at_start", std::span(balances_at_start_));
-  for (double* value : {&unexplained_at_start_, &peak_turnover_, &peak_stored_, &peak_unexplained_,
-                        &largest_gap_, &largest_velocity_})
+  for (double* value : {&unexplained_at_start_, &first_turnover_, &peak_turnover_, &peak_stored_,
+                        &peak_unexplained_, &largest_gap_, &largest_velocity_})
     archive("ledger", *value);
 }
 

@@ -99,6 +99,7 @@ class Ledger {
   bool compared_ = false;
   double unexplained_at_start_ = 0;
   std::vector<double> balances_at_start_;  // of each participant
+  double first_turnover_ = 0;              // the first that is not 0
   double peak_turnover_ = 0;
   double peak_stored_ = 0, peak_unexplained_ = 0;
   double largest_gap_ = 0, largest_velocity_ = 0;
