@@ -115,7 +115,7 @@ class Turned(Same):
             value = {{"x_min": "y_min", "x_max": "y_max", "y_min": "x_max", "y_max": "x_min"}.get(key, key): content for key, content in value.items()}
             for key in {"x_min", "x_max"} & value.keys():
                 value[key] = -value[key]
-        if name in ("Block",):
+        if name == "Block":
             value = _swapped(value, "zones_x", "zones_y")
         if name == "GridBlock" and "rectangle" in value:  # a rectangle's `along` is x
             value = {**value, "along": Mirrored.turned(value["across"]), "across": value["along"]}
@@ -159,9 +159,8 @@ class Moved(Same):
     def message(self, name, value):
         if name == "Point":
             return {axis: value[axis] + self.by[axis] for axis in value}
-        if name == "HexagonalPacking" or {"x_min", "x_max", "y_min", "y_max"} & value.keys():
-            for key in {"x_min", "x_max", "y_min", "y_max"} & value.keys():
-                value[key] += self.by[key[0]]
+        for key in {"x_min", "x_max", "y_min", "y_max"} & value.keys():
+            value[key] += self.by[key[0]]
         if name == "Stress":
             for of in ("xx", "yy", "zz"):
                 if f"{of}_per_metre" in value:

@@ -163,11 +163,11 @@ class Ground:
                 {"name": "core", "ring": {"centre": dict(CENTRE), "inner_side": 1.0, "outer_radius": 1.0}, "along": {"zones": 16}, "across": {"zones": 2}},
                 {"name": "ground", "ring": {"centre": dict(CENTRE), "inner_radius": 1.0, "outer_side": 8.0}, "along": {"zones": 16},
                  "across": {"zones": 6, "ratio": 1.2}}]}
-        def part(x0, x1, lower, upper):  # a skewed line from (0.4, 0) to (-0.4, 4) m divides the ground
+        def part(lower, upper):  # a skewed line from (0.4, 0) to (-0.4, 4) m divides the ground
             return {"quadrilateral": {"corners": [{"x": x, "y": y} for x, y in (lower[0], lower[1], upper[1], upper[0])]},
                     "along": {"zones": 8}, "across": {"zones": 8}}
-        return {"blocks": [part(None, None, ((-4.0, 0.0), (0.4, 0.0)), ((-4.0, 4.0), (-0.4, 4.0))),
-                           part(None, None, ((0.4, 0.0), (4.0, 0.0)), ((-0.4, 4.0), (4.0, 4.0)))]}
+        return {"blocks": [part(((-4.0, 0.0), (0.4, 0.0)), ((-4.0, 4.0), (-0.4, 4.0))),
+                           part(((0.4, 0.0), (4.0, 0.0)), ((-0.4, 4.0), (4.0, 4.0)))]}
 
     def has_right(self):
         return self.row["inside"] not in ("strip", "both_ends", "grid")
@@ -290,7 +290,6 @@ class Ground:
         if row["rest"] in STATICS and row["inside"] != "ring":  # beyond the overlap they stand on rock that does not move
             beyond = {"x_min": 4.2} if x > 0 else {"x_max": -4.2}
             model["motions"] = [{"where": {"y_max": low + 0.3, **beyond}, "velocity": {"x": 0.0, "y": 0.0}}]
-        across = 4.4
         bonds = {
             "contact": {}, "smooth_joint": {}, "spring": {}, "wall": {},
             "breakable": {"bonds": {"tensile_strength": 20e3, "shear_strength": 60e3}},
@@ -300,7 +299,7 @@ class Ground:
         }[row["bonds"]]
         model.update({**bonds, "bonds": {**model.get("bonds", {}), **bonds.get("bonds", {})}})
         if row["bonds"] == "smooth_joint":
-            model["joints"] = [{"name": "plane", "from": {"x": across, "y": low - 0.1}, "to": {"x": across, "y": high + 0.1},
+            model["joints"] = [{"name": "plane", "from": {"x": 4.4, "y": low - 0.1}, "to": {"x": 4.4, "y": high + 0.1},
                                 "smooth": {"normal_stiffness": 5e9, "shear_stiffness": 2e9, "friction": 0.5}}]
         if row["bonds"] == "spring":
             model["springs"] = [{"name": "tie", "from": {"x": 4.3, "y": 2.06}, "to": {"x": 5.33, "y": 2.06}, "stiffness": 2e8, "tension_only": False}]

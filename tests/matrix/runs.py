@@ -22,9 +22,9 @@ class Ended(Exception):
         self.code, self.words = code, words
 
 
-def coupler(*arguments, cwd=None):
+def coupler(*arguments):
     """Its standard output and error; Ended where it says no."""
-    done = subprocess.run([COUPLER, *map(str, arguments)], capture_output=True, text=True, timeout=PATIENCE_S, cwd=cwd)
+    done = subprocess.run([COUPLER, *map(str, arguments)], capture_output=True, text=True, timeout=PATIENCE_S)
     words = "\n".join(line for line in done.stderr.replace("\r", "\n").splitlines() if line and not re.match(r"step \d+ of|statics", line))
     if done.returncode:
         raise Ended(done.returncode, words or done.stdout[-400:])
@@ -86,8 +86,6 @@ class Results:
         with open(folder / "histories.csv", newline="") as file:
             names, *rows = csv.reader(file)
         self.columns = {name: [float(row[i]) for row in rows] for i, name in enumerate(names)}
-        cracks = folder / "cracks.csv"
-        self.cracks = cracks.read_text() if cracks.exists() else ""
 
 
 def run(scene, folder, change, *options):

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,17 @@ inline constexpr double kConcrete = 30e9, kNu = 0.2, kRho = 2500;
 inline Section wall(double thickness, bool shear_flexible = true) {
   return make_section(lining_material(true, kConcrete, kNu, kRho), thickness, std::pow(thickness, 3) / 12,
                       shear_flexible);
+}
+
+// Beams on the points of a grid without zones.
+inline Continuum beams_alone(const Grid& grid, const Structures& structures, std::span<const double> masses,
+                             std::vector<Load> loads, std::vector<PrescribedMotion> motions) {
+  return {ZoneSet(ZoneKind::kAssumedStrain, grid, plane_strain(kConcrete, kNu), {}),
+          masses,
+          std::move(loads),
+          std::move(motions),
+          1,
+          structures};
 }
 
 struct Frame {
@@ -42,12 +54,7 @@ struct Frame {
     return masses;
   }
   Continuum continuum(std::vector<Load> loads, std::vector<PrescribedMotion> motions = {}) const {
-    return {ZoneSet(ZoneKind::kAssumedStrain, grid, plane_strain(kConcrete, kNu), {}),
-            masses(),
-            std::move(loads),
-            std::move(motions),
-            1,
-            structures};
+    return beams_alone(grid, structures, masses(), std::move(loads), std::move(motions));
   }
 };
 

@@ -46,12 +46,7 @@ struct Frames {
     return masses;
   }
   Continuum continuum(std::vector<Load> loads, std::vector<PrescribedMotion> motions = {}) const {
-    return {ZoneSet(ZoneKind::kAssumedStrain, grid, plane_strain(kConcrete, kNu), {}),
-            masses(),
-            std::move(loads),
-            std::move(motions),
-            1,
-            structures};
+    return beams_alone(grid, structures, masses(), std::move(loads), std::move(motions));
   }
 };
 
