@@ -2,11 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <span>
-
 #include "protocol/errors.hpp"
+#include "protocol/motion/measures.hpp"
 
 namespace adit::fdm {
 
@@ -52,20 +49,14 @@ std::optional<std::string> note_on_stiffening(const scene::Continuum& scene, con
 std::optional<std::string> note_on_shared_motion(const DampingLaw& law, const motion::Motion& base) {
   constexpr double kLittle = 0.05;
   if (law.alpha == 0 || base.acceleration.empty()) return std::nullopt;
-  const auto largest = [](std::span<const double> values) {
-    double most = 0;
-    for (const double value : values) most = std::max(most, std::abs(value));
-    return most;
-  };
-  const double velocity = largest(motion::integrate(base).velocity),
-               acceleration = largest(base.acceleration);
-  if (law.alpha * velocity <= kLittle * acceleration) return std::nullopt;
+  const motion::Peaks peaks = motion::peaks(base);
+  if (law.alpha * peaks.velocity <= kLittle * peaks.acceleration) return std::nullopt;
   return fmt::format(
       "damping.rayleigh: its part of the masses also brakes the motion that all the ground shares, by up to "
       "{:.2g} m/s^2 at the base's {:.2g} m/s, {:.0f} % of the base's largest acceleration; strains of the "
-      "ground "
-      "are as far from those of its material damping: choose damping.maxwell, or a much lower low_frequency",
-      law.alpha * velocity, velocity, 100 * law.alpha * velocity / acceleration);
+      "ground are as far from those of its material damping: choose damping.maxwell, or a much lower "
+      "low_frequency",
+      law.alpha * peaks.velocity, peaks.velocity, 100 * law.alpha * peaks.velocity / peaks.acceleration);
 }
 
 }  // namespace adit::fdm
