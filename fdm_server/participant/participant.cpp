@@ -377,15 +377,8 @@ void FdmParticipant::require_interface_stays() const {
   for (const auto point : operator_.points()) coupled[point] = true;
   for (std::size_t z = 0; z < grid_.zones.size(); ++z)
     if (excavated_.stage[z] > 0 &&
-        std::ranges::any_of(grid_.zones[z], [&](auto point) { return coupled[point]; })) {
-      const auto [x, y] = centroid(corners(grid_, z));
-      throw protocol::UserError(
-          "continuum.excavations",
-          fmt::format(
-              "take away the zone at ({:g}, {:g}) m in stage {}, which the interface ties; keep a zone "
-              "between excavations and overlap",
-              x, y, excavated_.stage[z]));
-    }
+        std::ranges::any_of(grid_.zones[z], [&](auto point) { return coupled[point]; }))
+      refuse_excavation(z, "which the interface ties; keep a zone between excavations and overlap");
   if (const auto point = supports_.structures.later_point(coupled))
     throw protocol::UserError(
         "continuum.linings",
@@ -399,16 +392,18 @@ void FdmParticipant::require_interface_stays() const {
 void FdmParticipant::require_free_field_stays() const {
   for (const FreeFieldColumn& column : columns_)
     for (const BoundaryEdge& edge : column.edges)
-      if (excavated_.stage[edge.zone] > 0) {
-        const auto [x, y] = centroid(corners(grid_, edge.zone));
-        throw protocol::UserError(
-            "continuum.excavations",
-            fmt::format(
-                "take away the zone at ({:g}, {:g}) m in stage {}, beside the column of "
-                "continuum.free_field; keep a zone between excavations and this side, or leave the free "
-                "field out there",
-                x, y, excavated_.stage[edge.zone]));
-      }
+      if (excavated_.stage[edge.zone] > 0)
+        refuse_excavation(
+            edge.zone,
+            "beside the column of continuum.free_field; keep a zone between excavations and this "
+            "side, or leave the free field out there");
+}
+
+void FdmParticipant::refuse_excavation(std::size_t zone, std::string_view why) const {
+  const auto [x, y] = centroid(corners(grid_, zone));
+  throw protocol::UserError(
+      "continuum.excavations",
+      fmt::format("take away the zone at ({:g}, {:g}) m in stage {}, {}", x, y, excavated_.stage[zone], why));
 }
 
 std::vector<std::uint32_t> FdmParticipant::zone_kinds() const {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fdm_server/boundaries/free_field.hpp"
@@ -82,6 +83,8 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   void offer_grid_points(const wire::Weights& box, wire::Interface& interface) const;
   void require_interface_stays() const;
   void require_free_field_stays() const;
+  // `why`: what the zone is for, and what to do.
+  [[noreturn]] void refuse_excavation(std::size_t zone, std::string_view why) const;
   // The farthest point of this stage of statics.
   void tell_travel(wire::Relaxation& answer);
   // What a point belongs to, as in "lining roof", empty where it has no name.

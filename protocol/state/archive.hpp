@@ -31,8 +31,8 @@ inline constexpr std::size_t kPartBytes = std::size_t{8} << 20;
 using Parts = std::vector<std::string>;
 std::uint64_t size_of(const Parts& parts);
 
-// CRC-32 (ISO 3309).
-std::uint32_t checksum(std::string_view bytes);
+// CRC-32 (ISO 3309); of bytes that follow others, from the checksum of those before.
+std::uint32_t checksum(std::string_view bytes, std::uint32_t before = 0);
 
 class Archive {
  public:

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <unistd.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <array>
@@ -16,11 +15,6 @@
 namespace adit::results {
 namespace {
 
-std::uint32_t checksum_on(std::uint32_t before, std::string_view bytes) {
-  return static_cast<std::uint32_t>(
-      crc32_z(before, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
-}
-
 // Of the first bytes of a file.
 std::uint32_t checksum_of(const std::filesystem::path& path, std::uint64_t size) {
   std::ifstream stream(path, std::ios::binary);
@@ -30,7 +24,7 @@ std::uint32_t checksum_of(const std::filesystem::path& path, std::uint64_t size)
     stream.read(piece.data(), static_cast<std::streamsize>(std::min<std::uint64_t>(size, piece.size())));
     const auto count = static_cast<std::size_t>(stream.gcount());
     if (count == 0) break;
-    checksum = checksum_on(checksum, {piece.data(), count});
+    checksum = state::checksum({piece.data(), count}, checksum);
     size -= count;
   }
   return checksum;
@@ -94,7 +88,7 @@ void GrowingFile::append(std::string_view piece) {
     throw_write_error(path_, error);
   }
   size_ += piece.size();
-  checksum_ = checksum_on(checksum_, piece);
+  checksum_ = state::checksum(piece, checksum_);
 }
 
 }  // namespace adit::results

@@ -14,6 +14,12 @@ namespace {
 
 using testing::ScratchFolder;
 
+// The continuum goes on.
+const std::string kTwoZones =
+    "material: {young_modulus: 1 GPa, poisson_ratio: 0.2, density: 1 t/m^3}\ntime: {duration: 1 s}\n"
+    "continuum:\n"
+    "  block: {x_min: 0, x_max: 1, y_min: 0, y_max: 1, zones_x: 1, zones_y: 2}\n";
+
 const std::string kBeam = R"(plane: plane_stress
 material: {young_modulus: 25 GPa, poisson_ratio: 0.2, density: 2.5 t/m^3}
 time: {duration: 50 ms}
@@ -117,13 +123,9 @@ TEST(SceneReader, RequiredFieldsAreCheckedAfterMerging) {
 
 TEST(SceneReader, OfAlternativesTheLaterLayerWins) {
   const ScratchFolder folder;
-  folder.write(
-      "base.yaml",
-      "material: {young_modulus: 1 GPa, poisson_ratio: 0.2, density: 1 t/m^3}\ntime: {duration: 1 s}\n"
-      "continuum:\n"
-      "  block: {x_min: 0, x_max: 1, y_min: 0, y_max: 1, zones_x: 1, zones_y: 2}\n"
-      "  point_loads:\n"
-      "    - {where: {}, force: {x: 1}, time: {constant: 3}}\n");
+  folder.write("base.yaml", kTwoZones +
+                                "  point_loads:\n"
+                                "    - {where: {}, force: {x: 1}, time: {constant: 3}}\n");
   EXPECT_EQ(read(folder, "base.yaml").continuum().point_loads(0).time().constant(), 3);
   const auto time = read(folder, "base.yaml", {"continuum.point_loads[0].time.sine.frequency=2 Hz"})
                         .continuum()
@@ -156,12 +158,8 @@ TEST(SceneReader, NullTakesAwayWhatTheExtendedFileGives) {
 // A kind of motion takes the place of another one, also where that is taken away in the same breath.
 TEST(SceneReader, AlternativesReplaceThoseOfTheExtendedFile) {
   const ScratchFolder folder;
-  folder.write(
-      "base.yaml",
-      "material: {young_modulus: 1 GPa, poisson_ratio: 0.2, density: 1 t/m^3}\ntime: {duration: 1 s}\n"
-      "continuum:\n"
-      "  block: {x_min: 0, x_max: 1, y_min: 0, y_max: 1, zones_x: 1, zones_y: 2}\n"
-      "  base: {kind: rigid, acceleration: {file: {path: record.csv}, peak: 0.1 g}}\n");
+  folder.write("base.yaml",
+               kTwoZones + "  base: {kind: rigid, acceleration: {file: {path: record.csv}, peak: 0.1 g}}\n");
   for (const std::string taken : {"", "file: ~, "}) {
     folder.write("x.yaml", "extends: base.yaml\ncontinuum: {base: {acceleration: {" + taken +
                                "ricker: {frequency: 2 Hz, time: 1 s}}}}\n");
