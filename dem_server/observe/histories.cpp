@@ -34,17 +34,14 @@ std::uint32_t nearest(const Particles& p, double x, double y) {
   return best;
 }
 
-std::uint32_t particle_at(const scene::History& history, const std::string& path,
-                          const Particles& particles) {
-  if (!history.has_at()) throw UserError(path + ".at", "is missing; give the place, {x: …, y: …}");
-  const double x = history.at().x(), y = history.at().y();
+std::uint32_t particle_at(const scene::Point& at, const std::string& path, const Particles& particles) {
+  const double x = at.x(), y = at.y();
   const std::uint32_t particle = nearest(particles, x, y);
   if (const double distance = std::hypot(particles.x[particle] - x, particles.y[particle] - y);
       distance > 2 * particles.radius[particle])
-    throw UserError(path + ".at",
-                    fmt::format("is ({:g}, {:g}) m, but the nearest particle is {:g} m away; choose "
-                                "a place within a diameter of a particle",
-                                x, y, distance));
+    throw UserError(path, fmt::format("is ({:g}, {:g}) m, but the nearest particle is {:g} m away; choose "
+                                      "a place within a diameter of a particle",
+                                      x, y, distance));
   return particle;
 }
 
@@ -131,6 +128,10 @@ double velocity(const Particles& p, scene::Quantity quantity, std::uint32_t i) {
   return quantity == scene::VELOCITY_Y || quantity == scene::ACCELERATION_Y ? p.vy[i] : p.vx[i];
 }
 
+double displacement(const Particles& p, scene::Quantity quantity, std::uint32_t i) {
+  return quantity == scene::DISPLACEMENT_Y ? p.uy[i] - p.settled_y[i] : p.ux[i] - p.settled_x[i];
+}
+
 double component(const JointMotion& motion, scene::Quantity quantity) {
   if (quantity == scene::OPENING) return motion.opening;
   return quantity == scene::OFFSET ? motion.offset : motion.rotation;
@@ -211,9 +212,18 @@ Histories::Histories(const scene::Particles& scene, const Observable& observed, 
     const auto& given = scene.histories(i);
     const std::string path = fmt::format("particles.histories[{}]", i);
     History history{.quantity = given.quantity()};
+    if (given.has_relative_to() && taken_over(given.quantity()) != Over::kParticle)
+      throw UserError(
+          path + ".relative_to",
+          fmt::format("stands beside {}, but only a displacement, velocity or acceleration counts "
+                      "against another place; leave it out",
+                      protocol::name_of(given.quantity())));
     switch (taken_over(given.quantity())) {
       case Over::kParticle:
-        history.particle = particle_at(given, path, observed.particles());
+        if (!given.has_at()) throw UserError(path + ".at", "is missing; give the place, {x: …, y: …}");
+        history.particle = particle_at(given.at(), path + ".at", observed.particles());
+        if (given.has_relative_to())
+          history.against = particle_at(given.relative_to(), path + ".relative_to", observed.particles());
         break;
       case Over::kCircle:
         history.circle = circle_of(given, path, observed.particles());
@@ -246,13 +256,20 @@ Histories::Histories(const scene::Particles& scene, const Observable& observed, 
 }
 
 void Histories::tie(std::span<const std::uint32_t> particles) {
+  const auto is_tied = [&](std::uint32_t particle) {
+    return std::ranges::find(particles, particle) != particles.end();
+  };
   for (History& history : histories_)
-    history.tied = std::ranges::find(particles, history.particle) != particles.end();
+    history.tied = is_tied(history.particle) || (history.against && is_tied(*history.against));
+}
+
+double Histories::motion(const History& history, const MotionOf& of, const Particles& particles) {
+  const double here = of(particles, history.quantity, history.particle);
+  return history.against ? here - of(particles, history.quantity, *history.against) : here;
 }
 
 void Histories::remember(const Particles& particles) {
-  for (History& history : histories_)
-    history.velocity.remember(velocity(particles, history.quantity, history.particle));
+  for (History& history : histories_) history.velocity.remember(motion(history, velocity, particles));
 }
 
 void Histories::read(const Observable& observed, const Lining& lining, const protocol::Step& step,
@@ -262,13 +279,10 @@ void Histories::read(const Observable& observed, const Lining& lining, const pro
   std::optional<std::vector<SectionForces>> sections;
   std::optional<Fragments> fragments;
   for (const History& history : histories_) {
-    const std::uint32_t i = history.particle;
     switch (history.quantity) {
       case scene::DISPLACEMENT_X:
-        values.Add(p.ux[i] - p.settled_x[i]);
-        break;
       case scene::DISPLACEMENT_Y:
-        values.Add(p.uy[i] - p.settled_y[i]);
+        values.Add(motion(history, displacement, p));
         break;
       case scene::VELOCITY_X:
       case scene::VELOCITY_Y:
@@ -276,7 +290,7 @@ void Histories::read(const Observable& observed, const Lining& lining, const pro
         break;
       case scene::ACCELERATION_X:
       case scene::ACCELERATION_Y:
-        values.Add(history.velocity.acceleration(velocity(p, history.quantity, i), step, history.tied));
+        values.Add(history.velocity.acceleration(motion(history, velocity, p), step, history.tied));
         break;
       case scene::FORCE_X:
         values.Add(observed.walls()[history.named].x);

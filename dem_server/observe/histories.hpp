@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,9 +18,10 @@ namespace adit::dem {
 
 class Histories {
  public:
-  // Motions are of the nearest centre at rest; of two equally near ones the first. protocol::UserError for a
-  // place farther than a diameter from all of them, for circles without radius or particles, for walls,
-  // sections, joints, springs and ovals that do not exist, and for quantities that are none of these.
+  // Motions are of the nearest centre at rest, against that nearest to `relative_to` where the scene gives
+  // one; of two equally near ones the first. protocol::UserError for a place farther than a diameter from all
+  // of them, for circles without radius or particles, for walls, sections, joints, springs and ovals that do
+  // not exist, and for quantities that are none of these.
   Histories(const scene::Particles& scene, const Observable& observed, const Lining& lining);
 
   // The velocities of these particles await the correction by another model after every step.
@@ -41,12 +43,17 @@ class Histories {
  private:
   struct History {
     scene::Quantity quantity;
-    std::uint32_t particle = 0;  // of a motion
+    std::uint32_t particle = 0;              // of a motion
+    std::optional<std::uint32_t> against{};  // the particle that it counts against
     bool tied = false;
     protocol::HalfStepVelocity velocity{};  // its component
     Circle circle{};
     std::size_t named = 0;  // the wall, section, joint, spring or oval
   };
+  // A component of a particle's motion.
+  using MotionOf = double(const Particles& particles, scene::Quantity quantity, std::uint32_t particle);
+  static double motion(const History& history, const MotionOf& of, const Particles& particles);
+
   std::vector<History> histories_;
 };
 

@@ -24,6 +24,13 @@ void DashpotSet::add_quiet(const EdgeSet& edges, std::size_t e, const ImpedanceO
   }
 }
 
+void DashpotSet::add_springs(const EdgeSet& edges, std::size_t e, const ImpedanceOf& impedance,
+                             double source_distance) {
+  for (const EdgeShare& share : edges.shares(e))
+    at(share.point).spring +=
+        share.length * springs(edges[e], impedance(share.zone).modulus, source_distance);
+}
+
 void DashpotSet::hold(const EdgeSet& edges, std::size_t e, bool x, bool y) {
   for (const EdgeShare& share : edges.shares(e)) {
     Dashpot& held = at(share.point);

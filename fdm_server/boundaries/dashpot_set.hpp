@@ -14,6 +14,8 @@ class DashpotSet {
  public:
   // The edge bears on dashpots in its normal and its tangential direction, or in one of them.
   void add_quiet(const EdgeSet& edges, std::size_t e, const ImpedanceOf& impedance, bool normal, bool shear);
+  // The edge has springs besides, at this distance from what sends the waves [m].
+  void add_springs(const EdgeSet& edges, std::size_t e, const ImpedanceOf& impedance, double source_distance);
   // The edge's points are held in statics.
   void hold(const EdgeSet& edges, std::size_t e, bool x, bool y);
   // The grid's side leans on its column.

@@ -10,12 +10,27 @@ namespace adit::fdm {
 
 // c_p = sqrt((kappa + mu)/rho) in either plane condition, c_s = sqrt(mu/rho)
 Impedance impedance(const PlaneLaw& law, double density, double weight) {
-  return {weight * std::sqrt(density * (law.bulk + law.shear)), weight * std::sqrt(density * law.shear)};
+  return {weight * std::sqrt(density * (law.bulk + law.shear)), weight * std::sqrt(density * law.shear),
+          weight * law.shear};
 }
 
+namespace {
+
+// a n n' + b t t'
+Symmetric across_and_along(const BoundaryEdge& edge, double a, double b) {
+  const double x = edge.normal_x, y = edge.normal_y;
+  return {a * x * x + b * y * y, (a - b) * x * y, a * y * y + b * x * x};
+}
+
+}  // namespace
+
 Symmetric dashpots(const BoundaryEdge& edge, const Impedance& impedance) {
-  const double n = impedance.normal, t = impedance.shear, x = edge.normal_x, y = edge.normal_y;
-  return {n * x * x + t * y * y, (n - t) * x * y, n * y * y + t * x * x};
+  return across_and_along(edge, impedance.normal, impedance.shear);
+}
+
+Symmetric springs(const BoundaryEdge& edge, double shear_modulus, double source_distance) {
+  const double across = shear_modulus / source_distance;
+  return across_and_along(edge, across, across / 2);
 }
 
 EdgeSet::EdgeSet(const Grid& grid, std::span<const BoundaryEdge> outline,

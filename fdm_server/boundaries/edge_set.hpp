@@ -17,15 +17,19 @@
 
 namespace adit::fdm {
 
-// rho c_p and rho c_s of a zone, times its energy weight [Pa s/m].
+// rho c_p and rho c_s of a zone [Pa s/m] and its shear modulus [Pa], times its energy weight.
 struct Impedance {
   double normal, shear;
+  double modulus = 0;
 };
 Impedance impedance(const PlaneLaw& law, double density, double weight);
 using ImpedanceOf = std::function<Impedance(std::uint32_t zone)>;
 
 // rho (c_p n n' + c_s t t') of the edge [Pa s/m].
 Symmetric dashpots(const BoundaryEdge& edge, const Impedance& impedance);
+
+// The springs of an edge at this distance from what sends the waves, G/R (n n' + t t'/2) [Pa/m].
+Symmetric springs(const BoundaryEdge& edge, double shear_modulus, double source_distance);
 
 // A length of an edge that a point stands for [m], with the zone behind it.
 struct EdgeShare {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <span>
-#include <utility>
 
 namespace adit::fdm {
 
@@ -13,22 +12,19 @@ void DampedStress::follow(const ZoneSet& zones, const protocol::Step& step) {
   if (step.relax) return;
   const MaxwellStep maxwell(law_, step);
   for (std::size_t k = 0; k < followed_.size(); ++k) {
-    auto& [before, elements] = followed_[k];
     const Stress now = zones.stress(zones_[k]);
-    for (std::size_t e = 0; e < kMostElements; ++e)
-      for (double Stress::*part : {&Stress::xx, &Stress::yy, &Stress::xy})
-        elements[e].*part = maxwell(e, elements[e].*part, now.*part - before.*part);
-    before = now;
+    followed_[k].xx.follow(maxwell, now.xx);
+    followed_[k].yy.follow(maxwell, now.yy);
+    followed_[k].xy.follow(maxwell, now.xy);
   }
 }
 
 Stress DampedStress::of(const ZoneSet& zones, std::uint32_t zone) const {
-  Stress sum = zones.stress(zone);
-  if (followed_.empty()) return sum;
-  const auto k = std::ranges::lower_bound(zones_, zone) - zones_.begin();
-  for (const Stress& element : followed_[static_cast<std::size_t>(k)].elements)
-    for (double Stress::*part : {&Stress::xx, &Stress::yy, &Stress::xy}) sum.*part += element.*part;
-  return sum;
+  const Stress of_zone = zones.stress(zone);
+  if (followed_.empty()) return of_zone;
+  const auto& [xx, yy, xy] =
+      followed_[static_cast<std::size_t>(std::ranges::lower_bound(zones_, zone) - zones_.begin())];
+  return {of_zone.xx + xx.added(), of_zone.yy + yy.added(), of_zone.xy + xy.added()};
 }
 
 void DampedStress::exchange(state::Archive& archive) {

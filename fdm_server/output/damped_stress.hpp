@@ -1,18 +1,12 @@
-// The stress that acts in zones whose ground is damped by Maxwell's elements (Rayleigh's stiffness part is
-// one).
-//
-// An element adds to the forces of the zones on their points (damping_law.hpp)
-//   g(n) = a g(n-1) + (1 - a) s tau (f(n) - f(n-1))/dt.
-// Forces are linear in the stress of zones, so that the same recursion with the stress sigma in place of f
-// gives the stress that the element adds. Equilibrium holds with both: the shear stress at a depth is the
-// inertia of the ground above. Only zones that are asked for are followed, from step to step.
+// The stress that acts in zones whose ground is damped by Maxwell's elements (damped_value.hpp). Only zones
+// that are asked for are followed, from step to step.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "fdm_server/materials/damping_law.hpp"
+#include "fdm_server/output/damped_value.hpp"
 #include "fdm_server/zones/zone_set.hpp"
 #include "protocol/participant/step.hpp"
 #include "protocol/state/archive.hpp"
@@ -33,8 +27,7 @@ class DampedStress {
 
  private:
   struct Followed {
-    Stress before{};                               // of the zone, a step before
-    std::array<Stress, kMostElements> elements{};  // that they add
+    DampedValue xx{}, yy{}, xy{};
   };
 
   DampingLaw law_;

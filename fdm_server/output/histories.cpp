@@ -26,14 +26,17 @@ bool is_of_zones(scene::Quantity quantity) {
 }
 
 bool is_motion(scene::Quantity quantity) {
-  return !is_of_zones(quantity) && !is_of_lining(quantity);
-}
-
-double at(const ZonePoints& points, const std::array<double, 4>& shares, std::span<const double> field) {
-  double sum = 0;
-  for (std::size_t c = 0; c < 4; ++c)
-    if (shares[c] != 0) sum += shares[c] * field[points[c]];
-  return sum;
+  switch (quantity) {
+    case scene::DISPLACEMENT_X:
+    case scene::DISPLACEMENT_Y:
+    case scene::VELOCITY_X:
+    case scene::VELOCITY_Y:
+    case scene::ACCELERATION_X:
+    case scene::ACCELERATION_Y:
+      return true;
+    default:
+      return false;
+  }
 }
 
 std::span<const double> velocity(const Continuum& continuum, scene::Quantity quantity) {
@@ -71,11 +74,15 @@ double strain(const MeanStrain& strain, scene::Quantity quantity) {
   return quantity == scene::STRAIN_XX ? strain.xx : quantity == scene::STRAIN_YY ? strain.yy : strain.xy;
 }
 
+double resultant(const LiningForces& forces, scene::Quantity quantity) {
+  return quantity == scene::THRUST ? forces.thrust : quantity == scene::MOMENT ? forces.moment : forces.shear;
+}
+
 }  // namespace
 
 Histories::Histories(const scene::Continuum& scene, const Supports& supports, const Grid& grid,
                      std::span<const std::uint32_t> zone_kinds, const DampingLaw& damping)
-    : stress_(damping, {}) {
+    : sections_(scene, grid, zone_kinds, damping), stress_(damping, {}) {
   if (scene.histories().empty()) return;
   const ZoneLocator locator(grid);
   std::vector<bool> hidden;
@@ -83,23 +90,43 @@ Histories::Histories(const scene::Continuum& scene, const Supports& supports, co
   for (int i = 0; i < scene.histories_size(); ++i) {
     const auto& history = scene.histories(i);
     const std::string path = fmt::format("continuum.histories[{}]", i);
-    if (!history.has_at())
-      throw protocol::UserError(path + ".at", "is missing; give the place, {x: …, y: …}");
-    if (history.quantity() >= scene::FORCE_X)
+    const bool motion = is_motion(history.quantity()), zones = is_of_zones(history.quantity()),
+               resultant = is_of_lining(history.quantity());
+    if (!motion && !zones && !resultant)
       throw protocol::UserError(path + ".quantity",
                                 fmt::format("is {}, which only particles have; ask particles.histories",
                                             protocol::name_of(history.quantity())));
+    if (history.has_relative_to() && !motion)
+      throw protocol::UserError(path + ".relative_to",
+                                fmt::format("stands beside {}, but only a displacement, velocity or "
+                                            "acceleration counts against another place; leave it out",
+                                            protocol::name_of(history.quantity())));
     Probe& probe = probes_.emplace_back(Probe{history.quantity()});
-    if (is_of_lining(history.quantity())) {
+    if (resultant && history.has_section()) {
+      probe.section = sections_.number_of(history, path);
+      continue;
+    }
+    if (!history.has_at())
+      throw protocol::UserError(path + ".at", "is missing; give the place, {x: …, y: …}");
+    if (resultant) {
       probe.lining = resolve_lining_probe(history, supports, grid, path);
       continue;
     }
-    const double x = history.at().x(), y = history.at().y();
-    const auto place = locator.locate(x, y, hidden);
-    if (!place) refuse_place(grid, x, y, path + ".at");
-    probe.points = grid.zones[place->zone];
-    probe.shares = place->shape;
-    if (is_of_zones(history.quantity())) probe.zones = fit_around(grid, zone_kinds, place->zone, x, y);
+    const auto find = [&](const scene::Point& at, const std::string& key) {
+      const auto place = locator.locate(at.x(), at.y(), hidden);
+      if (!place) refuse_place(grid, at.x(), at.y(), path + key);
+      return *place;
+    };
+    const auto add = [&](const Place& place, double sign) {
+      for (std::size_t c = 0; c < 4; ++c)
+        if (place.shape[c] != 0)
+          probe.motion.push_back(
+              {static_cast<std::uint32_t>(grid.zones[place.zone][c]), sign * place.shape[c]});
+    };
+    const Place place = find(history.at(), ".at");
+    if (zones) probe.zones = fit_around(grid, zone_kinds, place.zone, history.at().x(), history.at().y());
+    if (motion) add(place, 1);
+    if (history.has_relative_to()) add(find(history.relative_to(), ".relative_to"), -1);
   }
   stress_ = DampedStress(damping, zones_of_stress());
 }
@@ -113,16 +140,20 @@ std::vector<std::uint32_t> Histories::zones_of_stress() const {
 
 void Histories::tie(std::span<const std::uint32_t> points) {
   for (Probe& probe : probes_)
-    for (std::size_t c = 0; c < 4; ++c)
-      if (probe.shares[c] != 0 &&
-          std::ranges::find(points, static_cast<std::uint32_t>(probe.points[c])) != points.end())
-        probe.tied = true;
+    for (const auto& [point, share] : probe.motion)
+      if (std::ranges::find(points, point) != points.end()) probe.tied = true;
+}
+
+double Histories::at(std::span<const PointShare> motion, std::span<const double> field) {
+  double sum = 0;
+  for (const auto& [point, share] : motion) sum += share * field[point];
+  return sum;
 }
 
 void Histories::remember(const Continuum& continuum) {
   for (Probe& probe : probes_)
     if (is_motion(probe.quantity))
-      probe.velocity.remember(at(probe.points, probe.shares, velocity(continuum, probe.quantity)));
+      probe.velocity.remember(at(probe.motion, velocity(continuum, probe.quantity)));
 }
 
 void Histories::read(const Grid& grid, const Supports& supports, const Continuum& continuum,
@@ -132,19 +163,19 @@ void Histories::read(const Grid& grid, const Supports& supports, const Continuum
 
 double Histories::value(const Probe& probe, const Grid& grid, const Supports& supports,
                         const Continuum& continuum, const protocol::Step& step) const {
-  const auto& [quantity, points, shares, zones, tied, velocity, lining] = probe;
+  const auto& [quantity, motion, zones, tied, velocity, lining, section] = probe;
   switch (quantity) {
     case scene::DISPLACEMENT_X:
-      return at(points, shares, continuum.ux());
+      return at(motion, continuum.ux());
     case scene::DISPLACEMENT_Y:
-      return at(points, shares, continuum.uy());
+      return at(motion, continuum.uy());
     case scene::VELOCITY_X:
     case scene::VELOCITY_Y:
       return velocity.before();
     case scene::ACCELERATION_X:
-      return velocity.acceleration(at(points, shares, continuum.vx()), step, tied);
+      return velocity.acceleration(at(motion, continuum.vx()), step, tied);
     case scene::ACCELERATION_Y:
-      return velocity.acceleration(at(points, shares, continuum.vy()), step, tied);
+      return velocity.acceleration(at(motion, continuum.vy()), step, tied);
     case scene::STRESS_XX:
     case scene::STRESS_YY:
     case scene::STRESS_XY:
@@ -163,7 +194,8 @@ double Histories::value(const Probe& probe, const Grid& grid, const Supports& su
     case scene::THRUST:
     case scene::MOMENT:
     case scene::SHEAR_FORCE:
-      return fdm::value(lining, supports, continuum.structures());
+      return lining ? fdm::value(*lining, supports, continuum.structures())
+                    : resultant(sections_.of(continuum.zones(), section), quantity);
     default:  // of the particles: refused before
       break;
   }

@@ -1,14 +1,15 @@
 // Quantities over time at places of the continuum and its linings.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/materials/damping_law.hpp"
 #include "fdm_server/output/damped_stress.hpp"
+#include "fdm_server/output/grid_sections.hpp"
 #include "fdm_server/output/lining_probe.hpp"
 #include "fdm_server/output/zone_fit.hpp"
 #include "fdm_server/solver/continuum.hpp"
@@ -21,7 +22,7 @@ namespace adit::fdm {
 class Histories {
  public:
   // `zone_kinds` as in zone_fit.hpp, `damping` that of the ground. protocol::UserError for a place outside
-  // all zones of ground, or off the lining whose force is asked for.
+  // all zones of ground, or off the lining whose force is asked for, and for a section that cannot be.
   Histories(const scene::Continuum& scene, const Supports& supports, const Grid& grid,
             std::span<const std::uint32_t> zone_kinds, const DampingLaw& damping);
 
@@ -34,6 +35,7 @@ class Histories {
   // After every step.
   void follow(const Continuum& continuum, const protocol::Step& step) {
     stress_.follow(continuum.zones(), step);
+    sections_.follow(continuum.zones(), step);
   }
 
   // Values at the step just made, in the scene's order and as scene.proto defines them.
@@ -43,23 +45,31 @@ class Histories {
   void exchange(state::Archive& archive) {
     for (Probe& probe : probes_) archive("history_velocity", probe.velocity);
     stress_.exchange(archive);
+    sections_.exchange(archive);
   }
 
  private:
+  // A grid point's share of a motion: bilinear at a place, negative at the one that it counts against.
+  struct PointShare {
+    std::uint32_t point;
+    double share;
+  };
   struct Probe {
     scene::Quantity quantity;
-    ZonePoints points{};             // of the zone that holds the place
-    std::array<double, 4> shares{};  // bilinear, at the place
-    ZoneShares zones{};              // of stress and strain
+    std::vector<PointShare> motion{};
+    ZoneShares zones{};  // of stress and strain
     bool tied = false;
     protocol::HalfStepVelocity velocity{};  // its component
-    LiningProbe lining{};                   // of a lining's force
+    std::optional<LiningProbe> lining{};    // of a lining's force
+    std::size_t section{};                  // of a force without
   };
+  static double at(std::span<const PointShare> motion, std::span<const double> field);
   double value(const Probe& probe, const Grid& grid, const Supports& supports, const Continuum& continuum,
                const protocol::Step& step) const;
   std::vector<std::uint32_t> zones_of_stress() const;
 
   std::vector<Probe> probes_;
+  GridSections sections_;
   DampedStress stress_;  // of all zones of which a probe asks for stress
 };
 

@@ -70,9 +70,11 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   const Supports supports = resolve_supports(scene_, grid_);
   damping_ = resolve_damping(scene_.continuum());
   base_acceleration_ = base_acceleration(scene_.continuum().base(), scene_.time().duration());
-  const CriticalElement critical = critical_element(
-      setup_.kind, grid_, setup_.ground, supports.structures, known_early(supports.structures, setup.alone()),
-      damping_, foundation::largest_stiffness(scene_.continuum().foundations()));
+  const CriticalElement critical =
+      critical_element(setup_.kind, grid_, setup_.ground, supports.structures,
+                       known_early(supports.structures, setup.alone()), damping_,
+                       foundation::largest_stiffness(scene_.continuum().foundations()) +
+                           spring_stiffness(scene_.continuum(), grid_, setup_.ground));
   critical_dt_ = critical.step;
   critical_static_dt_ = critical.static_step;
   if (!(critical_dt_ > 0) || !std::isfinite(critical_dt_))

@@ -406,7 +406,7 @@ void Continuum::exchange(state::Archive& archive) {
     for (Prescribed& one : part->motions)
       for (double* value : {&one.mass, &one.before, &one.after, &one.reaction, &one.moved})
         archive("prescribed", *value);
-    archive.members("dashpots", std::span(part->dashpots), &Dashpot::settling, &Dashpot::support,
+    archive.members("dashpots", std::span(part->dashpots), &Dashpot::origin, &Dashpot::settling, &Dashpot::support,
                     &Dashpot::stress, &Dashpot::viscous_x, &Dashpot::viscous_y, &Dashpot::given,
                     &Dashpot::drag);
     for (foundation::Springs& springs : part->foundations) springs.exchange(archive);

@@ -21,12 +21,20 @@ Vector operator+(const Vector& a, const Vector& b) {
   return {a.x + b.x, a.y + b.y};
 }
 
+Vector operator*(double factor, const Vector& v) {
+  return {factor * v.x, factor * v.y};
+}
+
 double dot(const Vector& a, const Vector& b) {
   return a.x * b.x + a.y * b.y;
 }
 
 Vector velocity(const PointArrays& points, std::uint32_t i) {
   return {points.vx[i], points.vy[i]};
+}
+
+Vector displacement(const PointArrays& points, std::uint32_t i) {
+  return {points.ux[i], points.uy[i]};
 }
 
 void add(const PointArrays& points, std::uint32_t i, const Vector& force) {
@@ -101,10 +109,12 @@ void add_boundary_forces(std::span<Dashpot> dashpots, bool supports, const Dampi
     const Vector given_before = dashpot.given, drag_before = dashpot.drag;
     const Vector field = dashpot.field ? free_field_force(dashpot, maxwell, step, zones, points) : Vector{};
     const std::uint32_t i = dashpot.point;
+    if (step.number == 0 && !step.relax) dashpot.origin = displacement(points, i);
     if (step.number == 0 && supports && !step.relax)
       dashpot.support = {dashpot.settling.x - points.fx[i] - field.x,
                          dashpot.settling.y - points.fy[i] - field.y};
-    dashpot.given = dashpot.support + field;
+    const Vector away = step.relax ? Vector{} : displacement(points, i) + -1.0 * dashpot.origin;
+    dashpot.given = dashpot.support + field + -1.0 * (dashpot.spring * away);
     add(points, i, dashpot.given);
     dashpot.drag = step.from_rest() ? Vector{} : drag(dashpot, points, step.kick());
     add(points, i, dashpot.drag);

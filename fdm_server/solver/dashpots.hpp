@@ -12,6 +12,12 @@
 // part, damping_law.hpp), and the same dashpots act against the column's velocity: + C w. In a
 // plane vertical wave both points then move alike, as if the ground went on.
 //
+// A quiet edge may have springs beside its dashpots: the viscous-spring boundary of Liu, Du & Yan (2006,
+// Earthq. Eng. Eng. Vib. 5), G/R across the edge and G/2R along it, at the distance R from what sends the
+// waves. They count the displacement since time 0, and what they take and give back is work of the boundary.
+// An edge of length L of a zone of area A and density rho adds at most 2 L G/(R A rho) to the omega^2 of that
+// zone, whose quarter of mass bears half of the edge's springs.
+//
 // Support: when statics end, the points on dashpots are held by the forces that balance those of zones and
 // loads, and keep these forces in time. What the other points still lack of equilibrium, R together, is
 // inertia that no force of the ground balances: with these supports the model would go on at the velocity V
@@ -56,15 +62,17 @@ struct FreeFieldLink {
 struct Dashpot {
   std::uint32_t point;
   Symmetric damping;                    // all dashpots of the point [N s/m]
+  Symmetric spring{};                   // all its springs [N/m]
   bool hold_x = false, hold_y = false;  // in statics
   std::optional<FreeFieldLink> field{};
 
+  Vector origin{};  // displacement at time 0 [m]
   // Forces of the last step [N].
   Vector settling{};                  // share of what the model lacked of equilibrium when statics ended
   Vector support{};                   // what holds the point at rest, with it
   Vector stress{};                    // of the free field
   Elements viscous_x{}, viscous_y{};  // of its damping
-  Vector given{};                     // support and free field
+  Vector given{};                     // support, free field and springs
   Vector drag{};                      // of the dashpots
 };
 

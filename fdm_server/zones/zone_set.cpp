@@ -160,6 +160,10 @@ Stress ZoneSet::stress(std::size_t zone) const {
   return parts_[places_[zone].part].kernel->stress(places_[zone].zone);
 }
 
+ZoneForces ZoneSet::forces(std::size_t zone) const {
+  return parts_[places_[zone].part].kernel->forces(places_[zone].zone);
+}
+
 double ZoneSet::field(std::size_t zone, ZoneField field) const {
   return parts_[places_[zone].part].kernel->field(places_[zone].zone, field);
 }

@@ -29,6 +29,7 @@ void quieten(const scene::QuietBoundary& quiet, const std::string& path, EdgeSet
   for (const std::size_t e : edges.numbers(chosen, path + ".where")) {
     edges.claim(e, path, path + ".where");
     dashpots.add_quiet(edges, e, impedance, quiet.normal(), quiet.shear());
+    if (quiet.has_source_distance()) dashpots.add_springs(edges, e, impedance, quiet.source_distance());
     const bool along_x = along_axis(edges[e].normal_x), along_y = along_axis(edges[e].normal_y);
     if (quiet.normal()) dashpots.hold(edges, e, !along_y, !along_x);  // oblique: both
   }
@@ -77,6 +78,24 @@ Boundaries resolve_boundaries(const scene::Continuum& scene, const motion::UsedM
   if (scene.has_base()) actions = resolve_base(scene.base(), acceleration, edges, impedance, dashpots);
   require_apart(actions.motions, motions, grid);
   return {dashpots.in_order(grid), std::move(actions.loads), std::move(actions.motions)};
+}
+
+double spring_stiffness(const scene::Continuum& scene, const Grid& grid, const Ground& ground) {
+  const auto edges = outline(grid);
+  const EdgeSet set(grid, edges, {});
+  std::vector<double> stiffness(grid.zones.size(), 0.0);
+  for (int i = 0; i < scene.quiet_size(); ++i) {
+    const scene::QuietBoundary& quiet = scene.quiet(i);
+    if (!quiet.has_source_distance()) continue;
+    const std::string path = fmt::format("continuum.quiet[{}].where", i);
+    for (const std::size_t e : set.numbers(select_edges(grid, quiet.where(), path), path)) {
+      const std::uint32_t zone = edges[e].zone;
+      const Material& material = ground.materials[ground.of_zone[zone]];
+      stiffness[zone] += 2 * edges[e].length / area(corners(grid, zone)) * ground.plane_law(material).shear /
+                         quiet.source_distance();
+    }
+  }
+  return stiffness.empty() ? 0 : std::ranges::max(stiffness);
 }
 
 std::vector<bool> find_bearing_points(const scene::Continuum& scene, const motion::UsedMotion& acceleration,

@@ -6,6 +6,7 @@
 
 #include "fdm_server/boundaries/edge_set.hpp"
 #include "fdm_server/boundaries/free_field.hpp"
+#include "fdm_server/materials/material.hpp"
 #include "fdm_server/solver/dashpots.hpp"
 #include "fdm_server/solver/loads.hpp"
 #include "protocol/messages/scene.pb.h"
@@ -30,6 +31,10 @@ Boundaries resolve_boundaries(const scene::Continuum& scene, const motion::UsedM
                               const Grid& grid, std::span<const BoundaryEdge> outline,
                               std::span<const FreeFieldColumn> columns, const ImpedanceOf& impedance,
                               std::span<const PrescribedMotion> motions);
+
+// The most that the springs of quiet edges add to the stiffness of a zone per area [N/m^3] (dashpots.hpp), of
+// a grid that has no columns yet; 0 without springs.
+double spring_stiffness(const scene::Continuum& scene, const Grid& grid, const Ground& ground);
 
 // Whether each point will bear on dashpots, of a grid that has no columns yet.
 std::vector<bool> find_bearing_points(const scene::Continuum& scene, const motion::UsedMotion& acceleration,

@@ -37,7 +37,7 @@ template <ZoneKind kKind>
 
 template <ZoneKind kKind>
 [[gnu::always_inline]] inline void forces_of(std::uint32_t count, const ShapeBatch& reference,
-                                             const ShapeBatch& now, const StressView& stresses,
+                                             const ShapeBatch& now, const ConstStressView& stresses,
                                              const double* weights, CornerForces& forces) {
   const double* mean = stresses.mean;
   const auto [t0, t1, t2, t3] = stresses.difference;
@@ -169,8 +169,8 @@ ADIT_VECTOR_CLONES void add_elastic(std::uint32_t count, const Elasticity& elast
 }
 
 ADIT_VECTOR_CLONES void find_forces(ZoneKind kind, std::uint32_t count, const ShapeBatch& reference,
-                                    const ShapeBatch& now, const StressView& stresses, const double* weights,
-                                    CornerForces& forces) {
+                                    const ShapeBatch& now, const ConstStressView& stresses,
+                                    const double* weights, CornerForces& forces) {
   if (kind == ZoneKind::kMixedDiscretization)
     forces_of<ZoneKind::kMixedDiscretization>(count, reference, now, stresses, weights, forces);
   else

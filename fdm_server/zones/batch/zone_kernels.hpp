@@ -31,7 +31,7 @@ void stress_sizes(std::uint32_t count, const PlaneStresses& stresses, BatchValue
 // Corner forces of weighted stresses that belong to the areas of `reference`, at zones that have the shape
 // `now`.
 void find_forces(ZoneKind kind, std::uint32_t count, const ShapeBatch& reference, const ShapeBatch& now,
-                 const StressView& stresses, const double* weights, CornerForces& forces);
+                 const ConstStressView& stresses, const double* weights, CornerForces& forces);
 
 // Shapes of zones whose corners are at reference + displacements - `behind` times the step's. A zone that is
 // turned inside out has no shape: values that are not finite, at which the run stops.

@@ -184,12 +184,24 @@ void ElasticZones::find_stresses(const protocol::IndexRange& zones, PlaneStresse
   });
 }
 
+// The run that holds the zone is the last that does not begin behind it.
+const ZoneRun& ElasticZones::run_of(std::size_t zone) const {
+  return *(std::ranges::upper_bound(runs_, static_cast<std::uint32_t>(zone), {}, &ZoneRun::first) - 1);
+}
+
 Stress ElasticZones::stress(std::size_t zone) const {
   if (weights_[zone] == 0) return {};  // taken away
-  // the run that holds the zone is the last that does not begin behind it
-  const auto run = std::ranges::upper_bound(runs_, static_cast<std::uint32_t>(zone), {}, &ZoneRun::first) - 1;
-  const auto [p, t, s, hx, hy] = state(*run, static_cast<std::uint32_t>(zone) - run->first);
+  const ZoneRun& run = run_of(zone);
+  const auto [p, t, s, hx, hy] = state(run, static_cast<std::uint32_t>(zone) - run.first);
   return {p + t, p - t, s};
+}
+
+ZoneForces ElasticZones::forces(std::size_t zone) const {
+  if (weights_[zone] == 0) return {};
+  const ZoneRun& run = run_of(zone);
+  CornerForces forces;
+  elastic_forces(batch(run, static_cast<std::uint32_t>(zone) - run.first, 1), forces);
+  return first_of(forces);
 }
 
 double ElasticZones::field(std::size_t zone, ZoneField field) const {

@@ -43,6 +43,7 @@ class ElasticZones final : public ZoneKernel {
   using ZoneKernel::strain_energy;
   double strain_energy(const protocol::IndexRange& zones) const override;
   Stress stress(std::size_t zone) const override;
+  ZoneForces forces(std::size_t zone) const override;
   void find_stresses(const protocol::IndexRange& zones, PlaneStresses& stresses) const override;
   double field(std::size_t zone, ZoneField field) const override;
 
@@ -54,6 +55,7 @@ class ElasticZones final : public ZoneKernel {
   ElasticBatch batch(const ZoneRun& run, std::uint32_t done, std::uint32_t count) const;
   // Calls visit(batch, first) for the zones from `first` on, in batches.
   void for_each_batch(const protocol::IndexRange& zones, const auto& visit) const;
+  const ZoneRun& run_of(std::size_t zone) const;
   // The state of zone k of a run.
   State state(const ZoneRun& run, std::uint32_t k) const;
   FieldArrays<kComponents>& initial();

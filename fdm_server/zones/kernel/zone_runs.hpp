@@ -52,6 +52,19 @@ struct CornerForces {
   alignas(64) std::array<std::array<double, kBatch>, 4> x, y;
 };
 
+// Those of one zone at its corners [N].
+struct ZoneForces {
+  std::array<double, 4> x, y;
+};
+inline ZoneForces first_of(const CornerForces& forces) {
+  ZoneForces first{};
+  for (std::size_t c = 0; c < 4; ++c) {
+    first.x[c] = forces.x[c][0];
+    first.y[c] = forces.y[c][0];
+  }
+  return first;
+}
+
 // Adds the forces of zones `done` … `done + count` of the run, which begin at place `from`, to their points.
 // Zones side by side share two points, which get the sum of both.
 inline void scatter(const CornerForces& forces, std::uint32_t from, const ZoneRun& run, std::uint32_t done,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "protocol/kernels/eight_sums.hpp"
 
@@ -114,7 +115,8 @@ void NonlinearZones::compute(Batch& b) {
   const StressView stresses = view(stresses_, b.first);
   find_strains(kind_, b.count, b.shapes, b.moved, b.strains);
   law_->advance({b.first, b.count, b.shapes.point_area, b.strains, stresses, &dissipated_[b.first]});
-  find_forces(kind_, b.count, b.shapes, b.shapes, stresses, &weights_[b.first], b.forces);
+  find_forces(kind_, b.count, b.shapes, b.shapes, view(std::as_const(stresses_), b.first), &weights_[b.first],
+              b.forces);
 }
 
 void NonlinearZones::compute_in_large_strain(Batch& b) {
@@ -135,7 +137,8 @@ void NonlinearZones::compute_in_large_strain(Batch& b) {
   turn(b.count, turns, stresses);
   law_->turn(b.first, b.count, turns);
   find_shapes(kind_, b.count, corners, 0, bending_factor_, deformed);
-  find_forces(kind_, b.count, b.shapes, deformed, stresses, &weights_[b.first], b.forces);
+  find_forces(kind_, b.count, b.shapes, deformed, view(std::as_const(stresses_), b.first), &weights_[b.first],
+              b.forces);
 }
 
 void NonlinearZones::set_stress(std::size_t zone, const Stress& stress) {
@@ -184,14 +187,17 @@ PointStress NonlinearZones::stress_at(std::size_t zone, std::size_t k) const {
           stresses_[kAcross][zone]};
 }
 
-double NonlinearZones::stretch(std::size_t zone) const {
-  if (!corners_ || !ux_) return 1;
+Corners NonlinearZones::corners_now(std::size_t zone) const {
   Corners at{};
   for (std::size_t c = 0; c < 4; ++c) {
     at.x[c] = (*corners_)[c][zone] + ux_[zone_points_[zone][c]];
     at.y[c] = (*corners_)[4 + c][zone] + uy_[zone_points_[zone][c]];
   }
-  return area(at) / shapes_[shape_of_[zone]].area;
+  return at;
+}
+
+double NonlinearZones::stretch(std::size_t zone) const {
+  return corners_ && ux_ ? area(corners_now(zone)) / shapes_[shape_of_[zone]].area : 1;
 }
 
 PointValues NonlinearZones::areas(std::size_t first, std::uint32_t count) const {
@@ -245,6 +251,17 @@ Stress NonlinearZones::stress(std::size_t zone) const {
     shear += share * stresses_[kShearStress + k][zone];
   }
   return {mean + difference, mean - difference, shear};
+}
+
+ZoneForces NonlinearZones::forces(std::size_t zone) const {
+  if (weights_[zone] == 0) return {};
+  ShapeBatch undeformed, now;
+  undeformed.set(0, shapes_[shape_of_[zone]]);
+  now.set(0, corners_ && ux_ ? sampling_shape(kind_, corners_now(zone), bending_factor_)
+                             : shapes_[shape_of_[zone]]);
+  CornerForces forces;
+  find_forces(kind_, 1, undeformed, now, view(stresses_, zone), &weights_[zone], forces);
+  return first_of(forces);
 }
 
 double NonlinearZones::field(std::size_t zone, ZoneField field) const {

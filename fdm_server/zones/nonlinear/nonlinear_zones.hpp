@@ -54,6 +54,7 @@ class NonlinearZones final : public ZoneKernel {
   double dissipated() const override;
   void find_stresses(const protocol::IndexRange& zones, PlaneStresses& stresses) const override;
   Stress stress(std::size_t zone) const override;
+  ZoneForces forces(std::size_t zone) const override;
   double field(std::size_t zone, ZoneField field) const override;
 
  private:
@@ -66,6 +67,8 @@ class NonlinearZones final : public ZoneKernel {
   // Undeformed, of the points of zones.
   PointValues areas(std::size_t first, std::uint32_t count) const;
   PointStress stress_at(std::size_t zone, std::size_t point) const;
+  // In large strain, where they are now.
+  Corners corners_now(std::size_t zone) const;
   // In large strain: area over undeformed area.
   double stretch(std::size_t zone) const;
 
