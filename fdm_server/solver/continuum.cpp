@@ -256,8 +256,9 @@ void Continuum::pull(Part& part, const protocol::Step& step) {
   if (damping_.acts()) damping_.add_viscous(part.kept, step, points);  // before any force but the zones'
   structures_.add_forces(part.structures, step.dt, {points.vx, points.vy, points.fx, points.fy});
   apply_loads(part, step);
-  hold_by_ground(part, step);
+  for (foundation::Springs& springs : part.foundations) springs.pull(step, motion(springs));
   add_boundary_forces(part.dashpots, supports_, damping_.law(), step, zones_, points, boundary_work_);
+  for (foundation::Springs& springs : part.foundations) springs.brake(step, motion(springs));
   if (damping_.acts()) damped_ += damping_.add_others(part.kept, step, points);
   find_motions(part, step);
   if (&part == &interior_ && averages(step)) average_structures(step);
@@ -280,13 +281,10 @@ void Continuum::apply_loads(Part& part, const protocol::Step& step) {
   }
 }
 
-void Continuum::hold_by_ground(Part& part, const protocol::Step& step) {
-  for (foundation::Springs& springs : part.foundations) {
-    const bool x = springs.direction() == foundation::Direction::kX;
-    springs.add_forces(step,
-                       {points_[x ? kVx : kVy].data(), points_[x ? kInverseMassX : kInverseMassY].data(),
-                        points_[x ? kFx : kFy].data()});
-  }
+foundation::PointMotion Continuum::motion(const foundation::Springs& springs) {
+  const bool x = springs.direction() == foundation::Direction::kX;
+  return {points_[x ? kVx : kVy].data(), points_[x ? kInverseMassX : kInverseMassY].data(),
+          points_[x ? kFx : kFy].data()};
 }
 
 void Continuum::find_motions(Part& part, const protocol::Step& step) {
@@ -406,9 +404,9 @@ void Continuum::exchange(state::Archive& archive) {
     for (Prescribed& one : part->motions)
       for (double* value : {&one.mass, &one.before, &one.after, &one.reaction, &one.moved})
         archive("prescribed", *value);
-    archive.members("dashpots", std::span(part->dashpots), &Dashpot::origin, &Dashpot::settling, &Dashpot::support,
-                    &Dashpot::stress, &Dashpot::viscous_x, &Dashpot::viscous_y, &Dashpot::given,
-                    &Dashpot::drag);
+    archive.members("dashpots", std::span(part->dashpots), &Dashpot::origin, &Dashpot::settling,
+                    &Dashpot::support, &Dashpot::stress, &Dashpot::viscous_x, &Dashpot::viscous_y,
+                    &Dashpot::given, &Dashpot::drag);
     for (foundation::Springs& springs : part->foundations) springs.exchange(archive);
   }
   archive("boundary_work", boundary_work_);

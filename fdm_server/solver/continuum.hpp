@@ -192,7 +192,7 @@ class Continuum {
   void hold(Axis axis, std::uint32_t point, double impulse);
   void pull(Part& part, const protocol::Step& step);
   void apply_loads(Part& part, const protocol::Step& step);
-  void hold_by_ground(Part& part, const protocol::Step& step);
+  foundation::PointMotion motion(const foundation::Springs& springs);
   void find_motions(Part& part, const protocol::Step& step);
   double velocity_in_statics(Prescribed& one, const protocol::Step& step) const;
   void find_reactions(Part& part, const protocol::Step& step);

@@ -48,8 +48,11 @@ double Springs::stored(const Point& point) const {
          (elastic * point.elongation * point.elongation + point.slider * point.slider / sliding) / 2;
 }
 
-void Springs::add_forces(const protocol::Step& step, const PointMotion& motion) {
-  const bool moves = !step.from_rest();
+double Springs::spring(const Point& point) const {
+  return point.area * (law_.hardening * law_.stiffness * point.elongation + point.slider);
+}
+
+void Springs::pull(const protocol::Step& step, const PointMotion& motion) {
   ground_->velocities(direction_, step.half_time() - step.dt, before_);
   ground_->velocities(direction_, step.time(), now_);
   if (step.relax) {  // the ground stands still, too
@@ -57,18 +60,26 @@ void Springs::add_forces(const protocol::Step& step, const PointMotion& motion) 
     std::ranges::fill(now_, 0.0);
   }
   for (Point& point : points_) {
+    point.stored_before = stored(point);
+    if (!step.from_rest())
+      stretch(point, step.dt * (at(point.place, before_) - motion.velocity[point.point]));
+    motion.force[point.point] += spring(point);
+  }
+}
+
+void Springs::brake(const protocol::Step& step, const PointMotion& motion) {
+  const bool moves = !step.from_rest();
+  for (Point& point : points_) {
     const double v = motion.velocity[point.point], ground = at(point.place, before_);
-    const double force_before = point.force, stored_before = stored(point);
-    if (moves) stretch(point, step.dt * (ground - v));
-    const double spring = point.area * (law_.hardening * law_.stiffness * point.elongation + point.slider);
     const double c = point.area * law_.dashpot, w = step.kick() / 2 * motion.inverse_mass[point.point];
-    const double middle = moves ? v + w * (motion.force[point.point] + spring) : 0;
-    point.force = spring + c * (at(point.place, now_) - middle) / (1 + (moves ? c * w : 0));
-    motion.force[point.point] += point.force;
+    const double middle = moves ? v + w * motion.force[point.point] : 0;
+    const double drag = c * (at(point.place, now_) - middle) / (1 + (moves ? c * w : 0));
+    motion.force[point.point] += drag;
+    const double force_before = std::exchange(point.force, spring(point) + drag);
     if (!moves) continue;
     const double impulse = step.dt * (force_before + point.force) / 2;
     work_ += ground * impulse;
-    dissipated_ += (ground - v) * impulse - (stored(point) - stored_before);
+    dissipated_ += (ground - v) * impulse - (stored(point) - point.stored_before);
   }
 }
 

@@ -7,6 +7,9 @@
 // (fdm_server/solver/dashpots.hpp):
 //   c (v_g - v) = c (v_g - v(n-1/2) - kick/2 W f) / (1 + c kick/2 W),   f all other forces, W the inverse
 //   mass.
+// Springs therefore pull before what needs their force, dashpots after all else. Where others' dashpots act
+// on the same point, each one sees the drag of those before it: together they brake as the product of their
+// factors 1 / (1 + c kick/2 W), which is stable for any of them.
 // The springs do: they add at most k / rho to the omega^2 of a zone or particle of density rho.
 //
 // Energies by the trapezoid that the scheme keeps: the ground does dt v_g (F(n) + F(n+1))/2, the points get
@@ -52,8 +55,10 @@ class Springs {
   Direction direction() const { return direction_; }
   bool holds(std::uint32_t begin, std::uint32_t end) const;  // a point of begin ... end - 1
 
-  // Adds the forces of step n to those of the points, which hold all others.
-  void add_forces(const protocol::Step& step, const PointMotion& motion);
+  // Adds the springs' forces of step n to those of the points.
+  void pull(const protocol::Step& step, const PointMotion& motion);
+  // Then the dashpots' to those of the points, which hold all others.
+  void brake(const protocol::Step& step, const PointMotion& motion);
 
   double stored() const;                             // [J]
   double work() const { return work_; }              // of the ground since the start [J]
@@ -72,8 +77,10 @@ class Springs {
     double area;
     Bracket place;
     double elongation = 0, slider = 0, force = 0;  // [m], [N/m^2], [N]
+    double stored_before = 0;                      // this step [J]
   };
   double stored(const Point& point) const;
+  double spring(const Point& point) const;  // its force [N]
   void stretch(Point& point, double by) const;
 
   Direction direction_;

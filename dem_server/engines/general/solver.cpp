@@ -102,9 +102,10 @@ void Solver::step(const protocol::Step& step, Loads& loads, PrescribedMotions& m
   walls_.add_forces(step, particles_);
   gather(dt);
   loads.apply(step, particles_);
-  hold_by_ground(step);
+  for (foundation::Springs& springs : foundations_) springs.pull(step, motion(springs));
   support_held();
   support_edges(step.relax, dt);
+  for (foundation::Springs& springs : foundations_) springs.brake(step, motion(springs));
   team_->run(results_.size(), [&](std::size_t block, std::size_t) {
     results_[block].loss = damping_.kick(step, discs_.kept[block], particles_);
   });
@@ -196,12 +197,11 @@ double Solver::power_of_kept(std::size_t block) {
   return sum;
 }
 
-void Solver::hold_by_ground(const protocol::Step& step) {
+foundation::PointMotion Solver::motion(const foundation::Springs& springs) {
   Particles& p = particles_;
-  for (foundation::Springs& springs : foundations_)
-    springs.add_forces(step, springs.direction() == foundation::Direction::kX
-                                 ? foundation::PointMotion{p.vx.data(), p.inverse_mass.data(), p.fx.data()}
-                                 : foundation::PointMotion{p.vy.data(), p.inverse_mass.data(), p.fy.data()});
+  if (springs.direction() == foundation::Direction::kX)
+    return {p.vx.data(), p.inverse_mass.data(), p.fx.data()};
+  return {p.vy.data(), p.inverse_mass.data(), p.fy.data()};
 }
 
 void Solver::support_held() {

@@ -111,7 +111,7 @@ class Solver {
   void sweep(const protocol::Step& step);
   void gather(double dt);
   double power_of_kept(std::size_t block);
-  void hold_by_ground(const protocol::Step& step);
+  foundation::PointMotion motion(const foundation::Springs& springs);
   void support_edges(bool relax, double dt);
   void support_held();
   struct PairLoad;

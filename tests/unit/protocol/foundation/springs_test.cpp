@@ -19,7 +19,8 @@ struct Point {
     if (number > 0) displacement += dt * velocity;
     const double inverse = mass > 0 ? 1 / mass : 0;
     force = load;
-    springs.add_forces(step, {&velocity, &inverse, &force});
+    springs.pull(step, {&velocity, &inverse, &force});
+    springs.brake(step, {&velocity, &inverse, &force});
     before = number > 0 ? velocity : -step.kick() * inverse * force;
     velocity += step.kick() * inverse * force;
   }
