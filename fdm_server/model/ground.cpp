@@ -117,12 +117,12 @@ void read_hysteretic(const scene::Hysteretic& scene, const std::string& path, Ma
 
 Material read_material(const scene::Material& scene, const scene::Scene& whole, const std::string& path) {
   Material material{scene.density(), scene.young_modulus(), scene.poisson_ratio()};
-  require(!scene.has_hysteretic() || !scene.has_mohr_coulomb(), path + ".hysteretic",
-          "stands beside mohr_coulomb, but a zone follows one of them; a hysteretic curve carries its own "
-          "strength, "
-          "the stress at its last strain");
-  require(!scene.has_hysteretic() || !scene.has_weak_plane(), path + ".weak_plane",
-          "stands beside hysteretic, but weak planes are computed in elastic or mohr_coulomb ground only");
+  const bool reversals = scene.hysteretic().memory() == scene::Hysteretic::REVERSALS;
+  require(
+      !reversals || !(scene.has_mohr_coulomb() || scene.has_weak_plane()), path + ".hysteretic.memory",
+      fmt::format("is `reversals` beside {}, but only elements can stand behind a strength; write `memory: "
+                  "elements`",
+                  scene.has_mohr_coulomb() ? "mohr_coulomb" : "weak_plane"));
   if (scene.has_mohr_coulomb())
     material.mohr_coulomb = read_mohr_coulomb(scene.mohr_coulomb(), path + ".mohr_coulomb");
   if (scene.has_hysteretic()) read_hysteretic(scene.hysteretic(), path + ".hysteretic", material);

@@ -48,7 +48,7 @@ void HystereticLaw::advance_group(const LawStep& step, std::size_t from, std::si
       group.growth[k][l] = cosine * d + sine * s;
       group.growth[4 + k][l] = cosine * s - sine * d;
     }
-    group.growth[8][l] = -2 * step.strains.volume[i] / 3;
+    group.growth[8][l] = (step.across ? 2 * step.across[i] : 0) - 2 * step.strains.volume[i] / 3;
   }
   fdm::advance_group({elements() / kElementBlock, stiffness_.data(), limit_.data()}, this->group(number),
                      group);

@@ -58,11 +58,15 @@ DirectionView PlasticLaw::directions(std::size_t first) const {
 
 void PlasticLaw::advance(const LawStep& step) {
   add_elastic(step.count, elasticity_, step.strains, step.stresses);
+  return_to_strength(step);
+}
+
+bool PlasticLaw::return_to_strength(const LawStep& step) {
   for (std::uint32_t i = 0; i < step.count; ++i) yields_[step.first + i] &= kPast;
   BatchFlags outside;
   const Outside how =
       find_outside(law_, step.count, step.stresses, cones(step.first), directions(step.first), outside);
-  if (how == kHolds) return;
+  if (how == kHolds) return false;
 
   Returning zones;
   Numbers numbers;
@@ -77,6 +81,7 @@ void PlasticLaw::advance(const LawStep& step) {
     return_one_by_one(step, numbers, zones);
   average_and_dissipate(law_, zones);
   unpack(step, numbers, zones);
+  return true;
 }
 
 void PlasticLaw::pack(const LawStep& step, const Numbers& numbers, Returning& zones) const {

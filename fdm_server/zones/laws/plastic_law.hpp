@@ -17,6 +17,8 @@ class PlasticLaw final : public ZoneLaw {
   PlasticLaw(const Material& material, std::size_t zones, bool large_strain);
 
   void advance(const LawStep& step) override;
+  // The second half of advance(), of stresses that hold those of the step's strain. Says whether any yields.
+  bool return_to_strength(const LawStep& step);
   void turn(std::size_t first, std::uint32_t count, const HalfTurns& turns) override;
   void exchange(state::Archive& archive) override;
   double plastic_shear_strain(std::size_t zone, std::size_t point) const override {

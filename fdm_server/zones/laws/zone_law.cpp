@@ -1,18 +1,23 @@
 #include "fdm_server/zones/laws/zone_law.hpp"
 
 #include "fdm_server/zones/laws/hysteretic_law.hpp"
+#include "fdm_server/zones/laws/limited_law.hpp"
 #include "fdm_server/zones/laws/plastic_law.hpp"
 #include "fdm_server/zones/laws/reversal_law.hpp"
 
 namespace adit::fdm {
 
 std::unique_ptr<ZoneLaw> make_law(const Material& material, std::size_t zones, bool large_strain) {
-  if (material.hysteretic)
-    return std::make_unique<HystereticLaw>(material.elasticity(), *material.hysteretic, zones, large_strain);
+  const bool limited = material.mohr_coulomb || material.weak_plane;
+  if (material.hysteretic) {
+    auto chain =
+        std::make_unique<HystereticLaw>(material.elasticity(), *material.hysteretic, zones, large_strain);
+    if (!limited) return chain;
+    return std::make_unique<LimitedLaw>(std::move(chain), material, zones, large_strain);
+  }
   if (material.reversals)
     return std::make_unique<ReversalLaw>(material.elasticity(), *material.reversals, zones, large_strain);
-  if (material.mohr_coulomb || material.weak_plane)
-    return std::make_unique<PlasticLaw>(material, zones, large_strain);
+  if (limited) return std::make_unique<PlasticLaw>(material, zones, large_strain);
   return std::make_unique<ZoneLaw>(material.elasticity());
 }
 

@@ -76,11 +76,15 @@ INSTANTIATE_TEST_SUITE_P(
             "shear_strain: 1e-5 shear_strain: 1e-3 shear_strain: 1.05e-3 ratio: 0.01 ratio: 0.2 ratio: 0.001 "
             "} } }",
             "material.hysteretic.damping", "give back more energy than it took"},
-        Case{"two_laws", "mohr_coulomb { cohesion: 1 } hysteretic { hyperbola { reference_strain: 1e-3 } }",
-             "material.hysteretic", "a zone follows one of them"},
-        Case{"hysteretic_plane",
-             "weak_plane { dip_angle: 1 cohesion: 1 } hysteretic { hyperbola { reference_strain: 1e-3 } }",
-             "material.weak_plane", "elastic or mohr_coulomb ground only"},
+        Case{"reversals_within_a_strength",
+             "mohr_coulomb { cohesion: 1 } hysteretic { hyperbola { reference_strain: 1e-3 } memory: "
+             "REVERSALS }",
+             "material.hysteretic.memory", "is `reversals` beside mohr_coulomb"},
+        Case{"reversals_beside_a_plane",
+             "weak_plane { dip_angle: 1 cohesion: 1 } hysteretic { hyperbola { reference_strain: 1e-3 } "
+             "memory: "
+             "REVERSALS }",
+             "material.hysteretic.memory", "is `reversals` beside weak_plane"},
         Case{"percent", "hysteretic { hyperbola { reference_strain: 5 } }",
              "material.hysteretic.hyperbola.reference_strain",
              "is 5, expected a pure number above 0 and below 1"},
