@@ -169,6 +169,8 @@ class Moved(Same):
                 value["surface"] = value.get("surface", 0.0) + self.by["y"]
         if name == "GroundLayer":
             value["bottom"] += self.by["y"]
+        if name == "ParticleSpring" and "direction" in value:  # which is no place
+            value["direction"] = {axis: value["direction"][axis] - self.by[axis] for axis in value["direction"]}
         return value
 
 
@@ -189,7 +191,7 @@ class Scaled(Same):
 
     def number(self, name, key, unit, value):
         # A bolt is one of many at a distance, which is scaled, too.
-        in_plane = (unit in self.IN_PLANE and name != "Bolt") or (name == "Lining" and key in ("area", "inertia"))
+        in_plane = (unit in self.IN_PLANE and name != "Bolt") or (name == "Lining" and key in ("area", "inertia")) or name == "FoundationSpring"
         return value * self.times(unit, in_plane)
 
     def factor(self, column):

@@ -44,8 +44,9 @@ def covering_array(factors, strength, seed, possible):
 
 
 def whole_row(factors, start, seed, possible):
-    """A row that begins with these values; none where they allow none."""
-    return _row(factors, 1, dict(start), {}, random.Random(seed), possible)
+    """A row that begins with these values; none where 100 tries found none."""
+    chance = random.Random(seed)
+    return next((row for _ in range(100) if (row := _row(factors, 1, dict(start), {}, chance, possible))), None)
 
 
 def _gain(row, strength, missing):

@@ -7,6 +7,7 @@ import pathlib
 import re
 import subprocess
 
+import grains as discs
 import schema
 
 BUILD = pathlib.Path(os.environ.get("ADIT_BUILD", schema.SOURCE / "build" / "release"))
@@ -36,7 +37,7 @@ def write_scene(scene, folder, change):
     folder.mkdir(parents=True, exist_ok=True)
     text = json.dumps(scene, indent=1)
     for name in set(re.findall(r'"path": "([^"]+)"', text)):
-        (folder / name).write_text({"mesh": mesh, "placed": placed}.get(name.split("_")[0].split(".")[0], record)(name, change))
+        (folder / name).write_text({"mesh": mesh, "placed": placed, "grains": grains}.get(name.split("_")[0].split(".")[0], record)(name, change))
     path = folder / "scene.yaml"
     path.write_text(text)
     return path
@@ -74,6 +75,14 @@ def placed(name, change):
         for column in range(int(columns) - row % 2):
             at = change.place(x + radius * (2 * column + 1 + row % 2), low + radius * math.sqrt(3) * (row + 0.5))
             rows.append("{!r},{!r},{!r}".format(*at, change.number("PlacedParticles", "radius", "m", radius)))
+    return "\n".join(rows) + "\n"
+
+
+def grains(_, change):
+    """The placed discs of the particles alone."""
+    rows = ["x_m,y_m,radius_m"]
+    for centre in discs.centres():
+        rows.append("{!r},{!r},{!r}".format(*change.place(*centre), change.number("PlacedParticles", "radius", "m", discs.RADIUS)))
     return "\n".join(rows) + "\n"
 
 
