@@ -37,6 +37,13 @@ std::ptrdiff_t regions_of_particles(const Model& model) {
                             [](const Participant& participant) { return participant.member.role; });
 }
 
+// Whether the bond joined two groups: the participant then tells none of its groups by name, but "a-b". One
+// that names no groups has one body.
+bool is_debonding(const wire::Crack& bond, const Participant& of) {
+  const auto& groups = of.model.groups();
+  return !groups.empty() && std::ranges::find(groups, bond.group()) == groups.end();
+}
+
 }  // namespace
 
 void write_fields(const Model& model, std::uint64_t n, const std::vector<wire::Snapshot>& snapshots,
@@ -72,15 +79,23 @@ void Recorder::exchange(state::Archive& archive) {
 
 void Findings::exchange(state::Archive& archive) {
   archive("peak_bond_force", peak_bond_force);
-  for (Event* event : {&peak, &first_crack, &first_crack_in_overlap}) archive("event", *event);
-  archive("cracks", cracks);
-  archive("cracks_in_overlap", cracks_in_overlap);
+  archive("event", peak);
+  for (BrokenBonds* bonds : {&cracks, &debonded, &in_overlap}) bonds->exchange(archive);
+}
+
+void BrokenBonds::add(const Event& event) {
+  if (count++ == 0) first = event;
+}
+
+void BrokenBonds::exchange(state::Archive& archive) {
+  archive("broken_bonds", count);
+  archive("event", first);
   std::vector<std::uint64_t> by_stage;
-  for (const auto& [stage, count] : cracks_in_statics) by_stage.insert(by_stage.end(), {stage, count});
-  archive("cracks_in_statics", by_stage);
-  cracks_in_statics.clear();
+  for (const auto& [stage, bonds] : in_statics) by_stage.insert(by_stage.end(), {stage, bonds});
+  archive("broken_in_statics", by_stage);
+  in_statics.clear();
   for (std::size_t k = 0; k + 1 < by_stage.size(); k += 2)
-    cracks_in_statics[static_cast<std::uint32_t>(by_stage[k])] = by_stage[k + 1];
+    in_statics[static_cast<std::uint32_t>(by_stage[k])] = by_stage[k + 1];
 }
 
 void Recorder::record_events() {
@@ -94,26 +109,26 @@ void Recorder::record_events() {
                         participant.strongest.y()};
     }
     for (const wire::Crack& crack : participant.cracks)
-      record_crack(crack, time_of(crack.step()), participant.member.name);
+      record_broken_bond(crack, time_of(crack.step()), participant);
     participant.cracks.clear();
     participant.strongest.Clear();
   }
 }
 
 // Those of statics before the stage from which cracks count are only counted.
-void Recorder::record_crack(const wire::Crack& crack, double time, const std::string& region) {
-  if (crack.in_statics()) {
-    ++findings_.cracks_in_statics[crack.stage()];
-    if (crack.stage() < model_.scene.statics().count_from_stage()) return;
+void Recorder::record_broken_bond(const wire::Crack& bond, double time, const Participant& of) {
+  BrokenBonds& kind = is_debonding(bond, of) ? findings_.debonded : findings_.cracks;
+  if (bond.in_statics()) {
+    ++kind.in_statics[bond.stage()];
+    if (bond.stage() < model_.scene.statics().count_from_stage()) return;
   }
-  if (cracks_) results::write_crack(*cracks_, time, crack, several_ ? region : "");
-  const Event event{time, crack.x(), crack.y()};
-  if (findings_.cracks++ == 0) findings_.first_crack = event;
-  if (std::none_of(model_.interfaces.begin(), model_.interfaces.end(), [&](const Interface& interface) {
-        return interface.overlap.contains(crack.x(), crack.y());
+  if (cracks_) results::write_crack(*cracks_, time, bond, several_ ? of.member.name : "");
+  const Event event{time, bond.x(), bond.y()};
+  kind.add(event);
+  if (std::ranges::any_of(model_.interfaces, [&](const Interface& interface) {
+        return interface.overlap.contains(bond.x(), bond.y());
       }))
-    return;
-  if (findings_.cracks_in_overlap++ == 0) findings_.first_crack_in_overlap = event;
+    findings_.in_overlap.add(event);
 }
 
 std::span<const double> Recorder::record_histories(std::uint64_t n, const Ledger& ledger) {

@@ -22,16 +22,22 @@ struct Event {
   double time = 0, x = 0, y = 0;  // [s], [m]
 };
 
-// The largest bond force and the cracks so far. Cracks inside an overlap mean that a particle region is too
-// small.
+struct BrokenBonds {
+  std::uint64_t count = 0;
+  Event first;
+  std::map<std::uint32_t, std::uint64_t> in_statics;  // by stage of excavation, before time began
+
+  void add(const Event& event);
+  void exchange(state::Archive& archive);
+};
+
+// The largest bond force and the broken bonds so far: cracks are those inside one body, debonded are those
+// between two groups. Broken bonds inside an overlap mean that a particle region is too small.
 struct Findings {
   double peak_bond_force = 0;  // [N]
   Event peak;
-  std::uint64_t cracks = 0;
-  Event first_crack;
-  std::uint64_t cracks_in_overlap = 0;
-  Event first_crack_in_overlap;
-  std::map<std::uint32_t, std::uint64_t> cracks_in_statics;  // by stage of excavation, before time began
+  BrokenBonds cracks, debonded;
+  BrokenBonds in_overlap;
 
   void exchange(state::Archive& archive);
 };
@@ -63,7 +69,7 @@ class Recorder {
   const Findings& findings() const { return findings_; }
 
  private:
-  void record_crack(const wire::Crack& crack, double time, const std::string& region);
+  void record_broken_bond(const wire::Crack& bond, double time, const Participant& of);
   void record_shares();
 
   Model& model_;

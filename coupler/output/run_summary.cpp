@@ -34,6 +34,20 @@ std::string at(const Event& event) {
   return fmt::format("at {:.2f} ms, x = {:.2f} m, y = {:.2f} m", 1e3 * event.time, event.x, event.y);
 }
 
+std::string how_many(const BrokenBonds& bonds) {
+  if (bonds.count == 0) return "none";
+  return fmt::format("{}, {}{}", bonds.count, bonds.count > 1 ? "the first " : "", at(bonds.first));
+}
+
+// "12 in stage 1, 3 in stage 2": bonds that broke before time began.
+std::string by_stage(const Findings& findings) {
+  std::map<std::uint32_t, std::uint64_t> broken = findings.cracks.in_statics;
+  for (const auto& [stage, count] : findings.debonded.in_statics) broken[stage] += count;
+  std::vector<std::string> stages;
+  for (const auto& [stage, count] : broken) stages.push_back(fmt::format("{} in stage {}", count, stage));
+  return fmt::format("{}", fmt::join(stages, ", "));
+}
+
 }  // namespace
 
 RunSummary::RunSummary(const RunLabels& labels, const Model& model) : model_(model) {
@@ -180,18 +194,21 @@ void RunSummary::add_states(const std::vector<std::uint64_t>& resumed, double wr
 void RunSummary::add_findings(const Findings& findings) {
   add_event("peak_bond_force", findings.peak, findings.peak_bond_force > 0);
   summary_.set("peak_bond_force_N", has_particles(model_) ? findings.peak_bond_force : kNothing);
-  summary_.set("crack_count", findings.cracks);
-  add_event("first_crack", findings.first_crack, findings.cracks > 0);
-  auto by_stage = nlohmann::ordered_json::object();
-  for (const auto& [stage, count] : findings.cracks_in_statics) by_stage[std::to_string(stage)] = count;
-  summary_.set("cracks_in_statics", by_stage);
+  add_broken_bonds({"crack_count", "first_crack", "cracks_in_statics"}, findings.cracks);
+  add_broken_bonds({"debonded_count", "first_debonding", "debonded_in_statics"}, findings.debonded);
   if (!has_particles(model_)) return;
   lines_.push_back(
       fmt::format("peak force chain   {:.0f} kN {}", 1e-3 * findings.peak_bond_force, at(findings.peak)));
-  lines_.push_back("cracks             " +
-                   (findings.cracks == 0
-                        ? std::string("none")
-                        : fmt::format("{}, the first {}", findings.cracks, at(findings.first_crack))));
+  lines_.push_back("cracks             " + how_many(findings.cracks));
+  if (findings.debonded.count > 0) lines_.push_back("debonded           " + how_many(findings.debonded));
+}
+
+void RunSummary::add_broken_bonds(const BrokenNames& names, const BrokenBonds& bonds) {
+  summary_.set(names.count, bonds.count);
+  add_event(names.first, bonds.first, bonds.count > 0);
+  auto by_stage = nlohmann::ordered_json::object();
+  for (const auto& [stage, count] : bonds.in_statics) by_stage[std::to_string(stage)] = count;
+  summary_.set(names.in_statics, by_stage);
 }
 
 void RunSummary::add_event(const std::string& name, const Event& event, bool happened) {
@@ -243,20 +260,16 @@ void RunSummary::add_cost(const Stepper& stepper, std::uint64_t steps, double wa
 }
 
 void RunSummary::add_warnings(const Findings& findings) {
-  if (findings.cracks_in_overlap > 0)
+  if (findings.in_overlap.count > 0)
     warnings_.push_back(
-        fmt::format("{} cracks inside the overlap, the first {}: the particle region is too small; move "
-                    "the overlap away from the damage",
-                    findings.cracks_in_overlap, at(findings.first_crack_in_overlap)));
-  if (!findings.cracks_in_statics.empty()) {
-    std::vector<std::string> stages;
-    for (const auto& [stage, count] : findings.cracks_in_statics)
-      stages.push_back(fmt::format("{} in stage {}", count, stage));
+        fmt::format("bonds broke inside the overlap: {}; the particle region is too small; move the overlap "
+                    "away from the damage",
+                    how_many(findings.in_overlap)));
+  if (const std::string stages = by_stage(findings); !stages.empty())
     warnings_.push_back(
         fmt::format("bonds broke before time began, {}: the state from which time starts is "
                     "cracked; look at strengths and initial stress where it should not be",
-                    fmt::join(stages, ", ")));
-  }
+                    stages));
   for (const auto& warning : warnings_) lines_.push_back("warning            " + warning);
   summary_.set("warnings", warnings_);
 }

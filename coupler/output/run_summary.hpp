@@ -65,6 +65,10 @@ class RunSummary {
   void add_notes(std::vector<std::string> notes);
   void add_figures();
   void add_findings(const Findings& findings);
+  struct BrokenNames {
+    const char *count, *first, *in_statics;
+  };
+  void add_broken_bonds(const BrokenNames& names, const BrokenBonds& bonds);
   void add_event(const std::string& name, const Event& event, bool happened);
   void add_cost(const Stepper& stepper, std::uint64_t steps, double wall_s, double stepping_s);
   void add_ledger(const Ledger& ledger);

@@ -78,6 +78,12 @@ class Run:
         """The Table of broken bonds in the order of time; only runs with particles have one."""
         return self.table("cracks.csv")
 
+    def debonded(self, broken):
+        """Of each row of the Table of broken bonds, whether the bond joined two groups: the others are cracks inside one body."""
+        groups = {name for key, names in self.summary.items() if key.endswith("_groups") for name in names}
+        groups |= {group["name"] for _, model in self.models for group in model.get("groups", [])}
+        return np.array(["-" in group and group not in groups for group in broken["group"].astype(str)], dtype=bool)
+
     def table(self, name):
         """The Table in a CSV file of the run, such as "envelopes.csv" of a whole tunnel."""
         if not self.has(name):

@@ -73,8 +73,8 @@ def _ring(color, size):
 
 
 def cracks(title, runs):
-    """Number of cracks over time, and their places; nothing unless some run has cracks."""
-    found = [(i, run, table) for i, run in enumerate(runs) if (table := run.table("cracks.csv"))]
+    """Number of cracks over time, and their places; nothing unless some run has cracks. What debonded is none."""
+    found = [(i, run, _inside_bodies(run, table)) for i, run in enumerate(runs) if (table := run.table("cracks.csv"))]
     if not any(len(table["time_s"]) for *_, table in found):
         return None
     figure, (count, places) = style.plt.subplots(2, 1, figsize=(8.0, 6.0), layout="constrained")
@@ -97,6 +97,11 @@ def cracks(title, runs):
         axes.grid(lw=0.3, color="#DDDDDD")
         axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.03))
     return figure
+
+
+def _inside_bodies(run, broken):
+    kept = ~run.debonded(broken)
+    return {name: values[kept] for name, values in broken.items()}
 
 
 def envelopes(title, runs):

@@ -80,25 +80,33 @@ def force_chains(run, time, pieces, bounds=None, scale=None):
 
 
 def bonds(run, time, pieces, bounds=None):
-    """Intact bonds as thin lines; a crack as a short line across its bond."""
+    """Intact bonds as thin lines; a crack, and a bond between two groups that broke, as a short line across the bond."""
     piece = pieces.get("bonds")
     if piece is None or len(piece.cells) == 0:
         return None
     lines, state = piece.points[piece.cells], piece.field("state")
-    counts = [int(np.sum(state == mode)) for mode in (INTACT, TENSILE_CRACK, SHEAR_CRACK)]
-    cracks = counts[TENSILE_CRACK] + counts[SHEAR_CRACK]
+    intact, between = state == INTACT, _between_groups(pieces)
+    cracks = int(np.sum(~intact & ~between))
     figure, axes, add_legend = _undeformed_sheet(
         run, time, pieces, bounds, "no cracks" if cracks == 0 else _count(cracks, "crack"))
     handles = _draw_surroundings(axes, run, pieces)
-    _draw_lines(axes, lines[state == INTACT], style.GREY, 0.5)
-    handles.append(Line2D([], [], color=style.GREY, lw=0.8, label=_count(counts[INTACT], "intact bond")))
-    for mode, name, color in ((TENSILE_CRACK, "tensile", style.RED), (SHEAR_CRACK, "shear", style.BLUE)):
-        if counts[mode]:
-            across = lines[state == mode]
-            axes.add_collection(LineCollection(_across(across), lw=2.4, color=color, zorder=4))
-            handles.append(Line2D([], [], color=color, lw=2.4, label=_count(counts[mode], f"{name} crack")))
+    _draw_lines(axes, lines[intact], style.GREY, 0.5)
+    handles.append(Line2D([], [], color=style.GREY, lw=0.8, label=_count(int(np.sum(intact)), "intact bond")))
+    for chosen, name, color in (((state == TENSILE_CRACK) & ~between, "tensile crack", style.RED),
+                                ((state == SHEAR_CRACK) & ~between, "shear crack", style.BLUE),
+                                (~intact & between, "debonded bond", style.ORANGE)):
+        if chosen.any():
+            axes.add_collection(LineCollection(_across(lines[chosen]), lw=2.4, color=color, zorder=4))
+            handles.append(Line2D([], [], color=color, lw=2.4, label=_count(int(np.sum(chosen)), name)))
     add_legend(handles)
     return figure
+
+
+def _between_groups(pieces):
+    """Whether each bond joins particles of two groups."""
+    cells = pieces["bonds"].cells
+    group = pieces["particles"].field("group") if "particles" in pieces else None
+    return np.zeros(len(cells), bool) if group is None else group[cells[:, 0]] != group[cells[:, 1]]
 
 
 def _draw_lines(axes, lines, color, width):

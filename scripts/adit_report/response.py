@@ -48,14 +48,23 @@ def cracks(results):
         return None
     if not len(found["time_s"]):
         return section("cracks", "Cracks", tag("p", "No bond broke."))
-    told = None if s.get("first_crack_time_s") is None else tag(
-        "p", f"The first of {s['crack_count']:,} cracks came at {quantity(s['first_crack_time_s'], 's')}, "
-             f"{place(s['first_crack_x_m'], s['first_crack_y_m'])}.")
+    told = [_first(s, "crack_count", "first_crack", "crack", "inside one body"),
+            _first(s, "debonded_count", "first_debonding", "debonded bond", "between two groups")]
     names = [name for name in ("time_s", "mode", "x_m", "y_m", "length_m", "group", "stage") if name in found]
     rows = [(str(i + 1), *(_said(name, found[name][i]) for name in names)) for i in range(min(LISTED, len(found["time_s"])))]
-    heads = ("crack", *(name.removesuffix("_m").removesuffix("_s") for name in names))
-    listed = table("Cracks in the order of time, from cracks.csv", heads, rows)
-    return section("cracks", "Cracks", told, details(f"The first {len(rows)} of {len(found['time_s']):,} cracks", listed))
+    heads = ("bond", *(name.removesuffix("_m").removesuffix("_s") for name in names))
+    listed = table("Broken bonds in the order of time, from cracks.csv", heads, rows)
+    every = len(found["time_s"])
+    some = "The broken bond" if every == 1 else f"The first {len(rows)} of {every:,} broken bonds"
+    return section("cracks", "Cracks", told, details(some, listed))
+
+
+def _first(s, count, first, what, where):
+    """A sentence on the broken bonds of one kind, where there are any."""
+    if s.get(f"{first}_time_s") is None:
+        return None
+    of = f"The only {what}" if s[count] == 1 else f"The first of {s[count]:,} {what}s"
+    return tag("p", f"{of} {where} broke at {quantity(s[f'{first}_time_s'], 's')}, {place(s[f'{first}_x_m'], s[f'{first}_y_m'])}.")
 
 
 def _said(name, value):

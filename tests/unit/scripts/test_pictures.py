@@ -13,7 +13,7 @@ from adit import Piece, Table  # noqa: E402
 from adit_plots import colour_pictures, deformation, model_pictures, spectra_pictures, style, time_pictures  # noqa: E402
 from adit_plots.colour_scale import Scale  # noqa: E402
 from adit_plots.setup import conditions, sheets  # noqa: E402
-from adit_report import model, overview, pictures  # noqa: E402
+from adit_report import model, overview, pictures, response  # noqa: E402
 
 
 def piece(points, cells, point_fields=None, cell_fields=None):
@@ -179,6 +179,15 @@ class Joints(unittest.TestCase):
         lining = piece([(-54, -9), (54, 9)], [(0, 1)])
         self.assertEqual(model_pictures.close_up({"grid": grid, "bonds": lining}), style.bounds_of(lining.points))
 
+    def test_bonds_between_two_groups_that_broke_are_no_cracks(self):
+        bonds = piece([(0, 0), (1, 0), (2, 0), (3, 0)], [(0, 1), (1, 2), (2, 3)], cell_fields={"state": np.array([1, 2, 0])})
+        discs = piece(bonds.points, np.arange(4)[:, None], {
+            "displacement_m": np.zeros((4, 3)), "radius_m": np.full(4, 0.5), "weight": np.ones(4), "group": np.array([0, 0, 1, 1])})
+        figure = model_pictures.bonds(run_named("ring"), 1.0, {"bonds": bonds, "particles": discs})
+        self.assertIn("1 crack", figure.axes[0].get_title() + figure.axes[0].get_title(loc="left"))
+        said = [text for legend in [figure.axes[0].get_legend(), *figure.legends] if legend for text in texts_of(legend)]
+        self.assertEqual(said[-3:], ["1 intact bond", "1 tensile crack", "1 debonded bond"])
+
 
 class Models(unittest.TestCase):
     def test_particles_that_were_taken_away_are_not_drawn(self):
@@ -187,7 +196,6 @@ class Models(unittest.TestCase):
         _, axes = style.plt.subplots()
         sheets._draw_particles(axes, types.SimpleNamespace(first_colour=0, group=lambda k: "rock"), discs)
         self.assertEqual(axes.collections[0].get_offsets().tolist(), [[1, 0], [2, 0]])
-
 
     def test_edges_that_move_as_a_body_are_drawn_as_moved(self):
         grid = piece([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2, 3)])
@@ -258,6 +266,20 @@ class Pages(unittest.TestCase):
         self.assertEqual(known["greatest moment, per metre"], "sections_largest_moment_Nm")
         self.assertEqual(known["shortest diameter, change"], "ovals_smallest_diameter_change_m")
         self.assertEqual(known["peak bond force: y"], "peak_bond_force_y_m")
+
+    def test_cracks_and_debonded_bonds_are_told_apart(self):
+        table = Table({name: np.array(values) for name, values in {
+            "time_s": [0.5, 1.0, 2.0], "mode": ["shear", "tensile", "shear"], "x_m": [1.0, 2, 3], "y_m": [4.0, 5, 6],
+            "group": ["lining-ground", "lining", "lining-ground"]}.items()}, "cracks.csv")
+        told = response.cracks(types.SimpleNamespace(table=lambda name: table, summary={
+            "crack_count": 1, "first_crack_time_s": 1.0, "first_crack_x_m": 2.0, "first_crack_y_m": 5.0,
+            "debonded_count": 2, "first_debonding_time_s": 0.5, "first_debonding_x_m": 1.0, "first_debonding_y_m": 4.0}))
+        self.assertIn("The only crack inside one body broke at 1 s", told)
+        self.assertIn("The first of 2 debonded bonds between two groups broke at 500 ms", told)
+        self.assertIn("The first 3 of 3 broken bonds", told)
+        known = dict(overview.main_figures())
+        self.assertEqual(known["cracks"], "crack_count")
+        self.assertEqual(known["debonded bonds"], "debonded_count")
 
     def test_panels_stand_below_each_other_with_both_of_their_axes(self):
         figure, (left, right) = style.plt.subplots(1, 2, figsize=(10, 3))

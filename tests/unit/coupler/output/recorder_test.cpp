@@ -1,4 +1,5 @@
-// Requirement: what particles report in their own, shorter steps stands in the results at its time.
+// Requirement: what particles report in their own, shorter steps stands in the results at its time; a crack
+// is a broken bond inside one body, what breaks between two groups debonds.
 #include "coupler/output/recorder.hpp"
 
 #include <google/protobuf/text_format.h>
@@ -8,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -79,6 +81,64 @@ TEST(Recorder, CracksStandAtTheTimeOfTheWave) {
 TEST(Recorder, ThePeakBondForceStandsAtTheTimeOfTheWave) {
   for (const unsigned substeps : {1U, 4U})
     EXPECT_NEAR(peak_bond_force(substeps), kArrival + kPull / 2, kPull / 4) << substeps;
+}
+
+// The bar, weak where it says: in the groups that tell the broken bonds, and how many the summary counts.
+struct Broken {
+  std::set<std::string> groups;
+  std::uint64_t rows = 0, cracks, debonded;
+  nlohmann::json first_crack, first_debonding;
+};
+
+Broken broken(const scene::Scene& scene) {
+  const test::ScratchFolder folder;
+  coupler::run(scene, test::local_participants(scene), {}, folder.path());
+  std::ifstream summary_in(folder / "summary.json"), cracks(folder / "cracks.csv");
+  const auto summary = nlohmann::json::parse(summary_in);
+  Broken found{{},
+               0,
+               summary["crack_count"],
+               summary["debonded_count"],
+               summary["first_crack_time_s"],
+               summary["first_debonding_time_s"]};
+  std::string line;
+  for (std::getline(cracks, line); std::getline(cracks, line); ++found.rows) {
+    std::istringstream cells(line);
+    for (int column = 0; column < 10; ++column) std::getline(cells, line, ',');
+    found.groups.insert(line);
+  }
+  return found;
+}
+
+void expect_debonded(const scene::Scene& scene, const std::string& groups) {
+  const Broken found = broken(scene);
+  EXPECT_EQ(found.groups, std::set{groups});
+  EXPECT_EQ(found.cracks, 0U);
+  EXPECT_GT(found.debonded, 0U);
+  EXPECT_EQ(found.debonded, found.rows);
+  EXPECT_TRUE(found.first_crack.is_null());
+  EXPECT_GT(found.first_debonding, kArrival / 2);
+}
+
+TEST(Recorder, CracksAreInsideOneBody) {
+  const Broken found = broken(bar(1, 1.3e5));
+  EXPECT_EQ(found.groups, std::set<std::string>{"particles"});
+  EXPECT_EQ(found.cracks, found.rows);
+  EXPECT_GT(found.cracks, 0U);
+  EXPECT_EQ(found.debonded, 0U);
+  EXPECT_TRUE(found.first_debonding.is_null());
+}
+
+TEST(Recorder, BondsBetweenTwoGroupsDebond) {
+  scene::Scene scene = bar(1, HUGE_VAL);
+  auto& end = *scene.mutable_particles()->add_groups();
+  end.set_name("end");
+  end.mutable_where()->set_x_min(3.5);
+  auto& between = *scene.mutable_particles()->add_between();
+  between.set_first("particles");
+  between.set_second("end");
+  between.mutable_bonds()->set_tensile_strength(1.3e5);
+  expect_debonded(scene, "particles-end");
 }
 
 }  // namespace
