@@ -78,7 +78,8 @@ inline SolidStress solid_stress(const PointStress& s) {
   return {s.mean + s.difference, s.mean - s.difference, s.across, s.shear};
 }
 
-// What yields, as bits: now in the last step, past ever before.
+// What yields, as bits: now in the last step, past ever before. Hysteretic ground has no limit to yield at:
+// its stiffness falls from the smallest strains on.
 enum Yield : unsigned {
   kElastic = 0,
   kShearNow = 1,
@@ -89,6 +90,7 @@ enum Yield : unsigned {
   kOpeningNow = 32,
   kSlipPast = 64,
   kOpeningPast = 128,
+  kHysteretic = 256,
 };
 
 }  // namespace adit::fdm

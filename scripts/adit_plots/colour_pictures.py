@@ -18,9 +18,11 @@ PEAKS = {  # field: what it is, unit, size of the unit, what is marked: the larg
     "peak_largest_principal_stress_Pa": ("largest principal stress (tension)", "MPa", 1e6, np.positive),
     "peak_smallest_principal_stress_Pa": ("smallest principal stress (compression)", "MPa", 1e6, np.negative)}
 
+HYSTERETIC = 256
 # Bits of yield_state (fdm_server/materials/solid.hpp) that make a kind, its name and colour; the first that holds.
 YIELD = ((1, "shear now", style.RED), (2, "tension now", style.BLUE), (16 | 32, "weak plane now", style.GREEN),
-         (4, "shear before", "#F3C3A8"), (8, "tension before", "#B5D3E8"), (64 | 128, "weak plane before", "#B2DDD0"))
+         (4, "shear before", "#F3C3A8"), (8, "tension before", "#B5D3E8"), (64 | 128, "weak plane before", "#B2DDD0"),
+         (HYSTERETIC, "hysteretic, which does not yield", "#F0F0F0"))
 
 
 def peaks(run, time, pieces):
@@ -64,14 +66,14 @@ def _with_field(pieces, field):
 
 
 def yield_state(run, time, pieces):
-    """Which zones yield now and which did before, and how."""
+    """Which zones yield now and which did before, and how; nothing where all ground is hysteretic."""
     grid = pieces.get("grid")
     state = None if grid is None else grid.field("yield_state")
-    if state is None:
+    heavy = grid is not None and grid.field("weight") >= LIGHT_WEIGHT
+    if state is None or np.all(state[heavy] == HYSTERETIC):
         return None
     figure, axes, add_legend = style.model_sheet(
         style.bounds_of(grid.points), f"{run.name}: what yields at t = {style.instant(time)}")
-    heavy = grid.field("weight") >= LIGHT_WEIGHT
     axes.add_collection(PolyCollection(grid.points[grid.cells[heavy]], fc="none", ec="#D5D5D5", lw=0.3))
     handles, left = [], heavy
     for bits, name, colour in YIELD:

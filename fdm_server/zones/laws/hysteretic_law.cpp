@@ -7,11 +7,7 @@ namespace adit::fdm {
 
 HystereticLaw::HystereticLaw(const Elasticity& elasticity, const IwanElements& chain, std::size_t zones,
                              bool large_strain)
-    : ZoneLaw(elasticity),
-      stiffness_(chain.stiffness),
-      limit_(chain.limit),
-      yields_(zones, 0),
-      axes_(zones, large_strain) {
+    : ZoneLaw(elasticity), stiffness_(chain.stiffness), limit_(chain.limit), axes_(zones, large_strain) {
   const std::size_t whole = (chain.limit.size() + kElementBlock - 1) / kElementBlock * kElementBlock;
   stiffness_.resize(whole, 0.0);
   limit_.resize(whole, std::numeric_limits<double>::infinity());
@@ -56,7 +52,6 @@ void HystereticLaw::advance_group(const LawStep& step, std::size_t from, std::si
     const std::size_t zone = step.first + i;
     const double cosine = axes_.cosine(zone), sine = axes_.sine(zone);
     double area = 0, deviator = 0, twice = 0;
-    std::uint32_t now = 0;
     for (std::size_t k = 0; k < 4; ++k) {
       const double d = group.growth[k][l], s = group.growth[4 + k][l];
       difference[k][i] += modulus * (cosine * d - sine * s);
@@ -64,13 +59,11 @@ void HystereticLaw::advance_group(const LawStep& step, std::size_t from, std::si
       area += step.areas[k][i];
       deviator += step.areas[k][i] * group.across[k][l];
       twice += step.areas[k][i] * group.twice[k][l];
-      if (group.twice[k][l] > 0) now |= (kShearNow | kShearPast) << (8 * k);
     }
     deviator *= modulus / area;
     mean[i] += bulk * step.strains.volume[i] - deviator / 2;
     across[i] += bulk * step.strains.volume[i] + deviator;
     step.dissipated[i] += modulus * twice / 2;
-    yields_[zone] = (yields_[zone] & (kShearPast * 0x01010101u)) | now;
   }
 }
 
@@ -79,7 +72,6 @@ void HystereticLaw::exchange(state::Archive& archive) {
   archive("paths", std::span(paths_));
   archive("wakes", std::span(wakes_));
   archive("flows", std::span(flows_));
-  archive("yields", std::span(yields_));
   axes_.exchange(archive);
 }
 

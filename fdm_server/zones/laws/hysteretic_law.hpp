@@ -25,9 +25,7 @@ class HystereticLaw final : public ZoneLaw {
   void exchange(state::Archive& archive) override;
   void find_energies(std::size_t first, std::uint32_t count, const PointValues& areas,
                      const ConstStressView& stresses, BatchValues& energies) const override;
-  unsigned yields(std::size_t zone, std::size_t point) const override {
-    return yields_[zone] >> (8 * point) & 0xFFu;
-  }
+  unsigned yields(std::size_t /*zone*/, std::size_t /*point*/) const override { return kHysteretic; }
 
  private:
   void advance_group(const LawStep& step, std::size_t from, std::size_t to);
@@ -39,7 +37,6 @@ class HystereticLaw final : public ZoneLaw {
 
   std::vector<double> stiffness_, limit_;  // of elements in whole blocks, the last of which may have none
   std::vector<GroupValues> strains_, paths_, wakes_, flows_;
-  std::vector<std::uint32_t> yields_;  // of each zone: bits of Yield of its points, a byte each
   HystereticAxes axes_;
 };
 

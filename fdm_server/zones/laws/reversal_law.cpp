@@ -31,7 +31,6 @@ ReversalLaw::ReversalLaw(const Elasticity& elasticity, const Polyline& backbone,
       inner_(zones),
       outer_(zones),
       summed_(zones),
-      yields_(zones, 0),
       axes_(zones, large_strain) {
   inner_.fill(kEnd, kVirgin.end);
   if (backbone_.narrowed()) std::ranges::fill(narrow_.emplace(zones)[0], kVirgin.share);
@@ -60,11 +59,7 @@ void ReversalLaw::advance(const LawStep& step) {
   const bool any = stay_on_piece(line, step.count, step.areas, strains, inner, to);
   grow(elasticity_, step.count, strains, to, axes_.view(step.first), inner, step.stresses);
   if (any) leave_pieces(step, strains, to);
-  for (std::uint32_t i = 0; i < step.count; ++i) {
-    step.dissipated[i] += elasticity_.shear * to.dissipated[i];
-    std::uint8_t& yields = yields_[step.first + i];
-    yields = to.dissipated[i] > 0 ? kShearNow | kShearPast : yields & kShearPast;
-  }
+  for (std::uint32_t i = 0; i < step.count; ++i) step.dissipated[i] += elasticity_.shear * to.dissipated[i];
 }
 
 void ReversalLaw::leave_pieces(const LawStep& step, const StrainBatch& strains, Advanced& to) {
@@ -135,7 +130,6 @@ void ReversalLaw::exchange(state::Archive& archive) {
   }
   archive("reversals", std::span(counts));
   archive("pieces", pieces);
-  archive("yields", std::span(yields_));
   axes_.exchange(archive);
   if (!archive.reads()) return;
   std::size_t at = 0;

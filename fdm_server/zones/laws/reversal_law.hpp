@@ -27,7 +27,7 @@ class ReversalLaw final : public ZoneLaw {
   void exchange(state::Archive& archive) override;
   void find_energies(std::size_t first, std::uint32_t count, const PointValues& areas,
                      const ConstStressView& stresses, BatchValues& energies) const override;
-  unsigned yields(std::size_t zone, std::size_t /*point*/) const override { return yields_[zone]; }
+  unsigned yields(std::size_t /*zone*/, std::size_t /*point*/) const override { return kHysteretic; }
 
  private:
   InnerPiece inner_piece(std::size_t zone) const;
@@ -48,7 +48,6 @@ class ReversalLaw final : public ZoneLaw {
   };
   const OuterSum& sum_of_outer(std::size_t zone, const ZoneStrain& weights, const InnerPiece& inner) const;
   mutable std::vector<Summed> summed_;
-  std::vector<std::uint8_t> yields_;  // bits of Yield
   HystereticAxes axes_;
 };
 

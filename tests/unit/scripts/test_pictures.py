@@ -206,6 +206,17 @@ class Models(unittest.TestCase):
         self.assertEqual([handle.get_label() for handle in handles], ["boundary: moved"])
         self.assertEqual(notes, [])
 
+    def test_hysteretic_zones_do_not_yield(self):
+        still = column(lambda points: 0 * points[:, :1], yield_state=np.full(25, 256))
+        self.assertIsNone(colour_pictures.yield_state(run_named("site"), 1.0, {"grid": still}))
+        state = np.full(25, 256)
+        state[:10] = [0, 0, 0, 0, 1 | 4, 1 | 4, 4, 8, 8, 8]
+        mixed = column(lambda points: 0 * points[:, :1], yield_state=state)
+        figure = colour_pictures.yield_state(run_named("site"), 1.0, {"grid": mixed})
+        self.assertEqual(texts_of(figure.legends[0]), [
+            "shear now: 2 zones", "shear before: 1 zones", "tension before: 3 zones", "hysteretic, which does not yield: 15 zones",
+            "elastic: 4 zones"])
+
 
 class Spectra(unittest.TestCase):
     def test_accelerations_are_drawn_in_g(self):

@@ -243,23 +243,19 @@ TEST(Participant, FillsSnapshotAndFarewell) {
   EXPECT_GE(bye.cpu_seconds(), 0);
 }
 
-// Zones show material and group by number, with names from the beginning, and where ground can yield how it
-// did.
-TEST(Participant, ShowsMaterialGroupAndYield) {
+// Three zones in a row, sheared for 50 steps: the fields of zones by name.
+std::map<std::string, std::vector<double>> sheared_row(const std::string& materials, wire::Model& model) {
   FdmParticipant participant;
-  wire::Model model;
   const auto setup = setup_of(
       "blocks { name: 'left' rectangle { x_min: 0 x_max: 1 y_min: 0 y_max: 1 } along { zones: 1 } "
       "across { zones: 1 } } "
       "blocks { name: 'right' rectangle { x_min: 1 x_max: 3 y_min: 0 y_max: 1 } along { zones: 2 } "
-      "across { zones: 1 } } "
-      "materials { where { x_min: 2 } material { young_modulus: 1e9 poisson_ratio: 0.2 density: 2000 "
-      "mohr_coulomb { cohesion: 10 } } } motions { where { x_max: 0 } velocity { x: 0 y: 0 } } "
-      "motions { where { x_min: 3 } velocity { x: 0 y: 1 } }",
+      "across { zones: 1 } } " +
+          materials +
+          "motions { where { x_max: 0 } velocity { x: 0 y: 0 } } "
+          "motions { where { x_min: 3 } velocity { x: 0 y: 1 } }",
       "", "plane: PLANE_STRAIN material { young_modulus: 1e9 poisson_ratio: 0.2 density: 2000 } ");
   set_up(participant, setup, model);
-  EXPECT_THAT(model.groups(), testing::ElementsAre("", "left", "right"));
-  EXPECT_THAT(model.materials(), testing::ElementsAre("material", "continuum.materials[0].material"));
   wire::Interface interface;
   participant.weigh({}, interface);
   wire::Advance advance;
@@ -274,12 +270,40 @@ TEST(Participant, ShowsMaterialGroupAndYield) {
   std::map<std::string, std::vector<double>> found;
   for (const auto& field : snapshot.pieces(0).cell_fields())
     found[field.name()] = {field.values().begin(), field.values().end()};
+  return found;
+}
+
+// Zones show material and group by number, with names from the beginning, and where ground can yield how it
+// did.
+TEST(Participant, ShowsMaterialGroupAndYield) {
+  wire::Model model;
+  auto found = sheared_row(
+      "materials { where { x_min: 2 } material { young_modulus: 1e9 poisson_ratio: 0.2 density: 2000 "
+      "mohr_coulomb { cohesion: 10 } } } ",
+      model);
+  EXPECT_THAT(model.groups(), testing::ElementsAre("", "left", "right"));
+  EXPECT_THAT(model.materials(), testing::ElementsAre("material", "continuum.materials[0].material"));
   EXPECT_THAT(found["material"], testing::ElementsAre(0, 0, 1));
   EXPECT_THAT(found["group"], testing::ElementsAre(1, 2, 2));
   EXPECT_EQ(found["yield_state"][0], 0);
   EXPECT_EQ(static_cast<unsigned>(found["yield_state"][2]) & kShearNow, kShearNow);
   EXPECT_EQ(found["plastic_shear_strain"][0], 0);
   EXPECT_GT(found["plastic_shear_strain"][2], 0);
+}
+
+// Hysteretic zones tell that they are hysteretic and no yield, at rest as beyond the last strain of their
+// curve.
+TEST(Participant, HystereticZonesDoNotYield) {
+  const auto hysteretic = [](const std::string& where, const std::string& memory) {
+    return "materials { where { " + where +
+           " } material { young_modulus: 1e9 poisson_ratio: 0.2 density: 2000 hysteretic { "
+           "hyperbola { reference_strain: 1e-9 } memory: " +
+           memory + " } } } ";
+  };
+  wire::Model model;
+  const auto found =
+      sheared_row(hysteretic("x_max: 2", "ELEMENTS") + hysteretic("x_min: 2", "REVERSALS"), model);
+  EXPECT_THAT(found.at("yield_state"), testing::Each(kHysteretic));
 }
 
 // A velocity that is not finite ends the run with step, place and value.
