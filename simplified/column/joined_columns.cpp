@@ -17,14 +17,10 @@ using protocol::UserError;
 
 namespace {
 
-std::vector<ModalColumn> checked_columns(std::span<const Column> columns, double modulus_ratio, double dt,
+std::vector<ModalColumn> checked_columns(std::span<const Column> columns, double dt,
                                          const std::string& path) {
   if (!(dt > 0 && std::isfinite(dt)))
     throw UserError("", fmt::format("the time step of the soil columns is {} s: give one above 0", dt));
-  if (!(modulus_ratio >= 0 && std::isfinite(modulus_ratio)))
-    throw UserError("", fmt::format("the modulus ratio of the joined soil columns is {}: give 0 or more "
-                                    "(a Poisson's ratio below 1)",
-                                    modulus_ratio));
   if (columns.empty()) throw UserError(path, "no soil column: give at least one");
   std::vector<ModalColumn> result;
   for (std::size_t j = 0; j < columns.size(); ++j) {
@@ -95,14 +91,13 @@ void add_coupling(const CouplingBlocks& blocks, std::size_t j, BlockTridiagonal&
 
 }  // namespace
 
-JoinedColumns::JoinedColumns(std::span<const Column> columns, double modulus_ratio, double dt,
-                             const std::string& path)
-    : columns_(checked_columns(columns, modulus_ratio, dt, path)), dt_(dt) {
+JoinedColumns::JoinedColumns(std::span<const Column> columns, bool joined, double dt, const std::string& path)
+    : columns_(checked_columns(columns, dt, path)), dt_(dt) {
   BlockTridiagonal mass(coordinates_of(columns_));
   stiffness_ = damping_ = mass;
   for (std::size_t j = 0; j < columns_.size(); ++j) add_column(j, share(columns, j), mass);
-  for (std::size_t j = 0; j + 1 < columns_.size(); ++j)
-    add_springs(j, columns[j + 1].chainage - columns[j].chainage, modulus_ratio);
+  for (std::size_t j = 0; joined && j + 1 < columns_.size(); ++j)
+    add_springs(j, columns[j + 1].chainage - columns[j].chainage);
   // Apart from M e the mass is needed in the factored matrix only, so it is not kept.
   factor(std::move(mass));
   for (auto* coordinates :
@@ -124,9 +119,8 @@ void JoinedColumns::add_column(std::size_t j, double length, BlockTridiagonal& m
   rock_dashpot_.push_back(column.deposit.rock ? length * column.deposit.rock->impedance() : 0);
 }
 
-void JoinedColumns::add_springs(std::size_t j, double distance, double modulus_ratio) {
-  const LongitudinalSprings springs =
-      longitudinal_springs(columns_[j], columns_[j + 1], distance, modulus_ratio);
+void JoinedColumns::add_springs(std::size_t j, double distance) {
+  const LongitudinalSprings springs = longitudinal_springs(columns_[j], columns_[j + 1], distance);
   add_coupling(springs.stiffness, j, stiffness_);
   add_coupling(springs.dashpots, j, damping_);
 }

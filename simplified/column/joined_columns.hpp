@@ -34,12 +34,11 @@ struct Column {
   std::size_t modes;  // >= 1 (modes_needed)
 };
 
-// The modulus that resists the difference between neighbouring columns, divided by that of the columns' own
-// waves:
+// The modulus ratio of a layer or of the rock: the modulus that resists the difference between neighbouring
+// columns, divided by that of the columns' own waves:
 //   motion across the tunnel   1: both are shear
 //   motion along the tunnel    axial_modulus_ratio(nu): compression beside shear
 //   vertical motion            (V_s/V_p)^2: shear beside compression
-//   columns not joined         0
 // Along the tunnel the soil is free to move vertically and keeps its width (sigma_z = 0, eps_y = 0):
 // sigma_x = 2 G/(1 - nu) du/dx (Wu and Finn 1997).
 inline double axial_modulus_ratio(double poisson) {
@@ -48,11 +47,11 @@ inline double axial_modulus_ratio(double poisson) {
 
 class JoinedColumns {
  public:
-  // The columns are at rest at t = 0, without acceleration. Throws protocol::UserError, at path +
-  // "[j].chainage" and the like, if there is no column, chainages do not increase, a column has no modes, or
-  // `check` refuses a deposit; with an empty path if modulus_ratio or dt is impossible.
-  JoinedColumns(std::span<const Column> columns, double modulus_ratio, double dt,
-                const std::string& path = "columns");
+  // The columns are at rest at t = 0, without acceleration. Where `joined` is false, there are no springs
+  // between them. Throws protocol::UserError, at path + "[j].chainage" and the like, if there is no column,
+  // chainages do not increase, a column has no modes, or `check` refuses a deposit; with an empty path if dt
+  // is impossible.
+  JoinedColumns(std::span<const Column> columns, bool joined, double dt, const std::string& path = "columns");
 
   // `acceleration` holds the given motion at the end of the step, columns() values [m/s^2]. It varies
   // linearly over the step; velocity and displacement are integrated here, from zero.
@@ -75,7 +74,7 @@ class JoinedColumns {
 
  private:
   void add_column(std::size_t column, double length, BlockTridiagonal& mass);
-  void add_springs(std::size_t column, double distance, double modulus_ratio);
+  void add_springs(std::size_t column, double distance);
   void factor(BlockTridiagonal mass);
   void move_ground(std::span<const double> acceleration);
   void predict();

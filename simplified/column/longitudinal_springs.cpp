@@ -24,19 +24,19 @@ std::vector<double> common_interfaces(const Deposit& a, const Deposit& b) {
 
 // The properties of a column below depth `top`, those of its layer or of its rock.
 struct Slice {
-  double flexibility;  // 1/G [1/Pa]; 0: rigid rock
+  double flexibility;  // 1/E [1/Pa]; 0: rigid rock
   double damping;
   std::vector<Harmonic> shapes;  // the shape of the base, then those of the oscillators
 };
 
 Slice slice_of(const ModalColumn& column, double top) {
   const Deposit& deposit = column.deposit;
-  Slice slice{deposit.rock ? 1 / deposit.rock->modulus() : 0, 0, {{1, 0}}};
+  Slice slice{deposit.rock ? 1 / (deposit.rock->modulus_ratio * deposit.rock->modulus()) : 0, 0, {{1, 0}}};
   double layer_top = 0;
   for (std::size_t i = 0; i < deposit.layers.size(); ++i) {
     const Layer& layer = deposit.layers[i];
     if (top < layer_top + layer.thickness) {
-      slice.flexibility = 1 / layer.modulus();
+      slice.flexibility = 1 / (layer.modulus_ratio * layer.modulus());
       slice.damping = layer.damping;
       for (const Mode& mode : column.modes)
         slice.shapes.push_back(
@@ -71,8 +71,7 @@ Eigen::VectorXd calibration(const ModalColumn& column) {
 
 }  // namespace
 
-LongitudinalSprings longitudinal_springs(const ModalColumn& a, const ModalColumn& b, double distance,
-                                         double modulus_ratio) {
+LongitudinalSprings longitudinal_springs(const ModalColumn& a, const ModalColumn& b, double distance) {
   const auto na = static_cast<Index>(a.modes.size() + 1), nb = static_cast<Index>(b.modes.size() + 1);
   const CouplingBlocks none{Eigen::MatrixXd::Zero(na, na), Eigen::MatrixXd::Zero(na, nb),
                             Eigen::MatrixXd::Zero(nb, nb)};
@@ -84,7 +83,7 @@ LongitudinalSprings longitudinal_springs(const ModalColumn& a, const ModalColumn
     // The depths end at the rock of the deeper column, so at least one of the two is soil here and this is
     // not 0.
     const double flexibility = sa.flexibility + sb.flexibility;
-    const double k = 2 * modulus_ratio / (distance * flexibility);
+    const double k = 2 / (distance * flexibility);
     const double loss = 2 * k * (sa.damping * sa.flexibility + sb.damping * sb.flexibility) / flexibility;
     const CouplingBlocks integrals{products(sa.shapes, sa.shapes, thickness),
                                    products(sa.shapes, sb.shapes, thickness),

@@ -51,9 +51,9 @@ beam::Tunnel beam_model(const scene::Simplified& scene, const Line& line) {
     tunnel.element_length = std::max(tunnel.element_length, 1.001 * (to - from));
   }
   for (std::size_t j = 0; j < line.joints.size(); ++j) {
-    const auto& before = scene.tunnel().sections(static_cast<int>(line.section[line.joint_node[j] - 1]));
+    const std::size_t node = line.joint_node[j];
     tunnel.joints.push_back(beam_joint(scene.tunnel().joints(static_cast<int>(line.joints[j].group)),
-                                       {before.width(), before.height()}, line.nodes[line.joint_node[j]]));
+                                       joint_outline(scene.tunnel(), line, node), line.nodes[node]));
   }
   tunnel.start = portal(scene.tunnel().begin());
   tunnel.end = portal(scene.tunnel().end());

@@ -89,9 +89,8 @@ chain::Chain chain_model(const scene::Simplified& scene, const Line& line) {
     const Flexibility lining = lining_about(scene, line, piece);
     if (joint != line.joint_node.end() && *joint == piece) {
       const auto group = line.joints[static_cast<std::size_t>(joint - line.joint_node.begin())].group;
-      const auto& before = section_of(scene, line, piece - 1);
-      chain.hinges.push_back(
-          hinge(scene.tunnel().joints(static_cast<int>(group)), {before.width(), before.height()}, lining));
+      chain.hinges.push_back(hinge(scene.tunnel().joints(static_cast<int>(group)),
+                                   joint_outline(scene.tunnel(), line, piece), lining));
       ++joint;
     } else {
       chain.hinges.push_back(hinge(lining));

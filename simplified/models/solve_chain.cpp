@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "protocol/errors.hpp"
 #include "protocol/stop_signals.hpp"
@@ -151,19 +152,22 @@ double largest(const chain::Extremes& extremes, std::size_t j) {
   return std::max(-extremes.min[j], extremes.max[j]);
 }
 
-// Strain of the lining's outermost fibre beside every hinge, N/EA plus M (d/2)/EI. It is an upper bound,
-// because force and moment are largest at different times.
+// Strain of the lining's outermost fibre beside every hinge, N/EA plus M (d/2)/EI, on the side of the hinge
+// where it is larger. It is an upper bound, because force and moment are largest at different times.
 Envelope strain(const scene::Simplified& scene, const Line& line, const chain::Envelopes& envelopes) {
   const Envelope force = axial_force(scene, line, envelopes);
-  Envelope strain{"strain", "", {}, {}};
-  for (std::size_t j = 1; j < line.section.size(); ++j) {
-    const auto& section = scene.tunnel().sections(static_cast<int>(line.section[j]));
-    const double bending = largest(envelopes.moment, j) * section.width() / 2 /
-                           (section.young_modulus() * section.lateral_inertia());
-    const double axial = section.young_modulus() * section.area();
-    strain.least.push_back(force.least[j - 1] / axial - bending);
-    strain.greatest.push_back(force.greatest[j - 1] / axial + bending);
-  }
+  const std::size_t hinges = line.section.size() - 1;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Envelope strain{"strain", "", std::vector(hinges, kInfinity), std::vector(hinges, -kInfinity)};
+  for (std::size_t h = 0; h < hinges; ++h)
+    for (const std::size_t piece : {h, h + 1}) {
+      const auto& section = scene.tunnel().sections(static_cast<int>(line.section[piece]));
+      const double bending = largest(envelopes.moment, h + 1) * section.width() / 2 /
+                             (section.young_modulus() * section.lateral_inertia());
+      const double axial = section.young_modulus() * section.area();
+      strain.least[h] = std::min(strain.least[h], force.least[h] / axial - bending);
+      strain.greatest[h] = std::max(strain.greatest[h], force.greatest[h] / axial + bending);
+    }
   return strain;
 }
 
@@ -178,7 +182,7 @@ std::vector<JointResponse> joints(const scene::Simplified& scene, const Line& li
     const std::size_t j = line.joint_node[k];
     const Flexibility lining = lining_about(scene, line, j);
     const double rotation = largest(envelopes.rotation, j) - largest(envelopes.moment, j) * lining.rotation;
-    const double turn = rotation * scene.tunnel().sections(static_cast<int>(line.section[j])).width() / 2;
+    const double turn = rotation * joint_outline(scene.tunnel(), line, j).width / 2;
     joints.push_back({line.nodes[j], line.joints[k].group,
                       envelopes.opening.max[j] - force.greatest[j - 1] * lining.axial + turn,
                       turn - envelopes.opening.min[j] + force.least[j - 1] * lining.axial,

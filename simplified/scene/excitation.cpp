@@ -42,10 +42,8 @@ Shaking direct(const std::vector<Motion>& motions, double factor, std::size_t st
 
 // The motions are those of the rock; soil columns transmit them to the depth of the tunnel.
 Shaking through_ground(const scene::Simplified& scene, const std::vector<column::Column>& columns,
-                       Direction direction, const std::vector<Motion>& motions, double factor,
-                       std::size_t steps) {
-  column::JoinedColumns ground(columns, modulus_ratio(scene.ground(), direction), motions[0].dt,
-                               "simplified.ground.profiles");
+                       const std::vector<Motion>& motions, double factor, std::size_t steps) {
+  column::JoinedColumns ground(columns, scene.ground().joined(), motions[0].dt, "simplified.ground.profiles");
   std::vector<column::JoinedColumns::Place> places;
   for (std::size_t j = 0; j < columns.size(); ++j)
     places.push_back(ground.place(j, axis_depth(scene.tunnel(), columns[j].chainage)));
@@ -110,7 +108,7 @@ GroundField shake(const scene::Simplified& scene, const Motion& motion, double b
     if (factors[direction] == 0) continue;
     field.shaking[direction] = excitation.through_ground()
                                    ? through_ground(scene, columns(scene.ground(), begin, end, direction),
-                                                    direction, motions, factors[direction], steps)
+                                                    motions, factors[direction], steps)
                                    : direct(motions, factors[direction], steps);
   }
   return field;

@@ -22,6 +22,19 @@ double wave_velocity(const scene::Layer& layer, Direction direction) {
                                 : layer.shear_velocity();
 }
 
+// The modulus that resists the difference between neighbouring columns over that of the columns' own waves.
+double modulus_ratio(double nu, Direction direction) {
+  switch (direction) {
+    case kAxial:
+      return column::axial_modulus_ratio(nu);
+    case kVertical:
+      return (1 - 2 * nu) / (2 * (1 - nu));  // (V_s/V_p)^2
+    case kLateral:
+      break;
+  }
+  return 1;
+}
+
 column::Deposit deposit(const scene::Ground& ground, double chainage, Direction direction) {
   column::Deposit deposit;
   const scene::SoilProfile profile = profile_at(ground, chainage);
@@ -29,11 +42,13 @@ column::Deposit deposit(const scene::Ground& ground, double chainage, Direction 
     deposit.layers.push_back({.thickness = layer.thickness(),
                               .density = layer.density(),
                               .wave_velocity = wave_velocity(layer, direction),
-                              .damping = layer.damping_ratio()});
+                              .damping = layer.damping_ratio(),
+                              .modulus_ratio = modulus_ratio(layer.poisson_ratio(), direction)});
   if (ground.has_rock()) {
     // Rock is assumed to have Poisson's ratio 1/4, for which V_p = sqrt(3) V_s.
     const double factor = direction == kVertical ? std::numbers::sqrt3 : 1.0;
-    deposit.rock = column::Rock{ground.rock().density(), factor * ground.rock().shear_velocity()};
+    deposit.rock = column::Rock{ground.rock().density(), factor * ground.rock().shear_velocity(),
+                                modulus_ratio(0.25, direction)};
   }
   return deposit;
 }
@@ -97,13 +112,6 @@ std::vector<column::Column> columns(const scene::Ground& ground, double begin, d
     columns.push_back({chainage, deposit(ground, chainage, direction), ground.modes()});
   }
   return columns;
-}
-
-double modulus_ratio(const scene::Ground& ground, Direction direction) {
-  if (!ground.joined() || direction == kLateral) return ground.joined() ? 1 : 0;
-  // One ratio serves the whole model; that of the first profile's top layer stands for all.
-  const double nu = ground.profiles(0).layers(0).poisson_ratio();
-  return direction == kAxial ? column::axial_modulus_ratio(nu) : (1 - 2 * nu) / (2 * (1 - nu));
 }
 
 SoilStiffness soil_stiffness(const scene::Simplified& scene, double chainage, const scene::Section& section) {

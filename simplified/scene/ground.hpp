@@ -23,10 +23,6 @@ scene::SoilProfile profile_at(const scene::Ground& ground, double chainage);
 std::vector<column::Column> columns(const scene::Ground& ground, double begin, double end,
                                     Direction direction);
 
-// The modulus ratio of the longitudinal springs between soil columns in this direction
-// (column/joined_columns.hpp); 0 if columns are not joined.
-double modulus_ratio(const scene::Ground& ground, Direction direction);
-
 struct SoilStiffness {
   double axial, lateral, vertical;  // per metre of tunnel [N/m^2]
 };

@@ -121,6 +121,12 @@ void add_linear(beam::Joint& joint, const scene::Joints& group, const Outline& o
 
 }  // namespace
 
+Outline joint_outline(const scene::Tunnel& tunnel, const Line& line, std::size_t node) {
+  const auto& before = tunnel.sections(static_cast<int>(line.section[node - 1]));
+  const auto& after = tunnel.sections(static_cast<int>(line.section[node]));
+  return {std::min(before.width(), after.width()), std::min(before.height(), after.height())};
+}
+
 void check(const scene::Joints& group, const std::string& path) {
   if (!group.has_axial_stiffness() && !group.has_gasket())
     throw UserError(path,

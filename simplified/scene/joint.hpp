@@ -6,10 +6,11 @@
 #include "protocol/messages/scene.pb.h"
 #include "simplified/beam/model/tunnel.hpp"
 #include "simplified/chain/model/chain.hpp"
+#include "simplified/scene/tunnel.hpp"
 
 namespace adit::simplified {
 
-// The outer rectangle of the cross-section [m].
+// A rectangle about the axis, across it [m].
 struct Outline {
   double width, height;
   double perimeter() const { return 2 * (width + height); }
@@ -21,6 +22,12 @@ struct Outline {
   // The two sides b at the ends of the lever a contribute 2 b (a/2)^2, the two sides along it 2 a^3/12.
   static double lever2(double a, double b) { return (b * a * a / 2 + a * a * a / 6) / (2 * (a + b)); }
 };
+
+// The outline of the joint at a node inside the tunnel: the rectangle that the faces of the sections before
+// and after it have in common. Gaskets, cables and bolts bear on both faces, so they lie within it, and the
+// edges that open against each other by rotation are its edges. Counting the chainage from the other end
+// changes nothing.
+Outline joint_outline(const scene::Tunnel& tunnel, const Line& line, std::size_t node);
 
 // Throws UserError below `path`, the path of the group, if its tables or its parts do not describe a joint.
 void check(const scene::Joints& group, const std::string& path);

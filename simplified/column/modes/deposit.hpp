@@ -12,6 +12,9 @@ struct Layer {
   double density;         // [kg/m^3]
   double wave_velocity;   // [m/s]: V_s for horizontal motion, V_p for vertical motion
   double damping = 0.05;  // hysteretic damping ratio xi: the modulus is rho V^2 (1 + 2 i xi)
+  // chi: the modulus that resists differences between neighbouring columns over modulus(), see
+  // joined_columns.hpp.
+  double modulus_ratio = 1;
 
   double modulus() const { return density * wave_velocity * wave_velocity; }  // [Pa]
   double impedance() const { return density * wave_velocity; }                // [Pa s/m]
@@ -20,8 +23,9 @@ struct Layer {
 
 // The half-space below the deposit: elastic, without damping.
 struct Rock {
-  double density;        // [kg/m^3]
-  double wave_velocity;  // [m/s]
+  double density;            // [kg/m^3]
+  double wave_velocity;      // [m/s]
+  double modulus_ratio = 1;  // as of a layer
 
   double modulus() const { return density * wave_velocity * wave_velocity; }  // [Pa]
   double impedance() const { return density * wave_velocity; }                // [Pa s/m]

@@ -32,7 +32,7 @@ TEST(JoinedColumns, UnjoinedAreSingleColumns) {
   const std::vector<Column> columns{{0, uniform_deposit(), 3}, {20, three_layers(), 4}};
   std::vector<double> errors;
   for (double dt : {0.004, 0.002}) {
-    JoinedColumns model(columns, 0, dt);
+    JoinedColumns model(columns, false, dt);
     OscillatorResponse first(model.modal(0), dt), second(model.modal(1), dt);
     const auto shapes_first = shapes_at(model.modal(0), 4), shapes_second = shapes_at(model.modal(1), 4);
     const auto place_first = model.place(0, 4), place_second = model.place(1, 4);
@@ -56,7 +56,7 @@ TEST(JoinedColumns, EqualColumnsUnderOneMotionMoveAsOne) {
   for (bool elastic : {false, true}) {
     Deposit deposit = three_layers();
     if (elastic) deposit.rock = kRock;
-    JoinedColumns single(row(deposit, 2, 10, 5), 0, kDt), joined(row(deposit, 7, 120, 5), 1.5, kDt);
+    JoinedColumns single(row(deposit, 2, 10, 5), false, kDt), joined(row(deposit, 7, 120, 5), true, kDt);
     const auto alone = single.place(0, 6), end = joined.place(0, 6), inside = joined.place(3, 6);
     for (double t = kDt; t < 4; t += kDt) {
       single.step(std::vector(2, motion_at(t)));
@@ -77,8 +77,8 @@ TEST(JoinedColumns, ConvergeToTheContinuumAtSecondOrder) {
   const auto free = modes(uniform_deposit(0), kModes);
   std::vector<double> errors;
   for (std::size_t spaces : {10u, 20u, 40u}) {
-    const auto columns = row(uniform_deposit(0), spaces + 1, kLength, kModes);
-    JoinedColumns model(columns, kRatio, kDt);
+    const auto columns = row(with_ratio(uniform_deposit(0), kRatio), spaces + 1, kLength, kModes);
+    JoinedColumns model(columns, true, kDt);
     const auto place = model.place(0, 0);
     // (q, q', u_g, v_g): q'' + (omega^2 + chi V^2 k^2) q = -a - chi V^2 k^2 u_g
     std::vector<Recursion> exact;
@@ -117,8 +117,8 @@ TEST(JoinedColumns, ConvergeToTheContinuumAtSecondOrder) {
 TEST(JoinedColumns, SlowBendingOfTheBaseDecaysUpwards) {
   constexpr double kLength = 100, kDt = 0.02, kRatio = 2.5, kRise = 40;
   const double k = kPi / kLength;
-  const auto columns = row(uniform_deposit(), 41, kLength, 12);
-  JoinedColumns model(columns, kRatio, kDt);
+  const auto columns = row(with_ratio(uniform_deposit(), kRatio), 41, kLength, 12);
+  JoinedColumns model(columns, true, kDt);
   const auto surface = model.place(0, 0), base = model.place(0, 25);
   std::vector<double> motion(columns.size());
   const double rate = 2 * kPi / kRise;
@@ -134,7 +134,7 @@ TEST(JoinedColumns, SlowBendingOfTheBaseDecaysUpwards) {
 // Each base moves by the double integral of its own motion, exact for straight lines between samples.
 TEST(JoinedColumns, BasesFollowTheirOwnMotions) {
   constexpr double kDt = 0.01;
-  JoinedColumns model(row(uniform_deposit(), 2, 30, 2), 1, kDt);
+  JoinedColumns model(row(uniform_deposit(), 2, 30, 2), true, kDt);
   const auto first = model.place(0, 25), second = model.place(1, 99);
   for (int i = 1; i <= 300; ++i) model.step(std::vector{i * kDt, -2 * i * kDt});  // a = t and -2 t
   EXPECT_NEAR(model.displacement(first), 27.0 / 6, 1e-11);

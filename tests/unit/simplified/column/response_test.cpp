@@ -82,7 +82,7 @@ TEST(ElasticRock, AgreesWithTheFrequencyDomain) {
   const std::vector<Column> columns{{0, deposit, 6}};
   std::vector<double> errors;
   for (double dt : {0.004, 0.002, 0.001}) {
-    JoinedColumns model(columns, 1, dt);
+    JoinedColumns model(columns, true, dt);
     const auto place = model.place(0, 0);
     const auto motion = pulse(dt, 3);
     const auto expected = by_frequency(motion, dt, [&](double frequency) {

@@ -69,8 +69,8 @@ TEST(UserError, DampingInPercent) {
 
 // Columns must stand one behind the other, with modes and sound layers; the message names the column.
 TEST(UserError, Columns) {
-  const auto join = [](std::vector<Column> columns, double ratio = 1, double dt = 0.01) {
-    return refusal([&] { JoinedColumns(columns, ratio, dt, "soil.columns"); });
+  const auto join = [](std::vector<Column> columns, double dt = 0.01) {
+    return refusal([&] { JoinedColumns(columns, true, dt, "soil.columns"); });
   };
   const Deposit sound = uniform_deposit();
   Deposit thin = sound;
@@ -81,8 +81,8 @@ TEST(UserError, Columns) {
   EXPECT_EQ(join({}).path, "soil.columns");
   EXPECT_EQ(join({{0, sound, 0}}).path, "soil.columns[0].modes");
   EXPECT_EQ(join({{0, sound, 3}, {30, thin, 3}}).path, "soil.columns[1].layers[0].thickness");
-  EXPECT_THAT(join({{0, sound, 3}}, -1).message, HasSubstr("modulus ratio"));
-  EXPECT_THAT(join({{0, sound, 3}}, 1, 0).message, HasSubstr("time step"));
+  EXPECT_THAT(join({{0, with_ratio(sound, -1), 3}}).message, HasSubstr("modulus ratio"));
+  EXPECT_THAT(join({{0, sound, 3}}, 0).message, HasSubstr("time step"));
 }
 
 }  // namespace

@@ -73,9 +73,8 @@ INSTANTIATE_TEST_SUITE_P(Tunnels, BeamAndChain,
                          ::testing::Values(&testing::tunnel, &testing::immersed_tunnel),
                          [](const auto& info) { return info.index == 0 ? "Tube" : "Immersed"; });
 
-// Requirement: a wave that passes opens the joints more than the same motion everywhere at once.
-// A joint has the outline of the section that ends at it, also one element behind a change of sections.
-TEST(BeamModel, JointsHaveTheOutlineOfTheSectionBeforeThem) {
+// Requirement: a joint has the outline that the sections before and after it have in common.
+TEST(BeamModel, JointsHaveTheOutlineThatBothSectionsHave) {
   scene::Scene scene = tunnel();
   auto& line = *scene.mutable_simplified()->mutable_tunnel();
   for (auto& section : *line.mutable_sections()) section.set_element_length(25);
@@ -93,6 +92,7 @@ TEST(BeamModel, JointsHaveTheOutlineOfTheSectionBeforeThem) {
     EXPECT_DOUBLE_EQ(half_width(joint), joint.chainage > 100 ? 2 * narrow : narrow) << joint.chainage;
 }
 
+// Requirement: a wave that passes opens the joints more than the same motion everywhere at once.
 TEST(Excitation, PassageOpensJointsThatUniformMotionLeavesClosed) {
   scene::Scene scene = tunnel();
   scene.mutable_simplified()->mutable_excitation()->clear_lateral();
