@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "coupler/check/compare_ground.hpp"
 #include "coupler/check/warnings.hpp"
 #include "coupler/checkpoint/transfer.hpp"
 #include "coupler/output/motion_outputs.hpp"
@@ -62,6 +63,7 @@ Model set_up_from(const std::optional<From>& from, const scene::Scene& scene,
   Model model = set_up(scene, std::move(participants), labels.case_name + "/" + scene.name(),
                        goes_on ? from->checkpoint.manifest.dt : 0);
   note_what_saves_no_state(model);
+  compare_ground(model);
   return model;
 }
 

@@ -11,18 +11,13 @@ namespace adit::coupler {
 
 // One of the two models that overlap.
 struct Side {
-  std::string name;
+  std::string name, path;           // path: in the scene
   scene::Scene part;                // with this model only, as `continuum` or `particles`
   std::span<const double> samples;  // x0 y0 x1 y1 … [m]
 };
 
-// One sentence each, where
-// - the overlap is narrower than the zones of a grid, so that its weights are felt in no zone as they are
-// meant;
-// - one model is more than three times as stiff as the other in it (Young's modulus), as in a lining: both
-// should
-//   model the same ground there. Materials that stiffnesses of bonds replace are not compared, nor blocks and
-//   particles that their group selects by name or number.
+// One sentence each, where the overlap is narrower than the zones of a grid, so that its weights are felt in
+// no zone as they are meant.
 std::vector<std::string> overlap_notes(const Overlap& overlap, const Side& outer, const Side& inner);
 
 }  // namespace adit::coupler

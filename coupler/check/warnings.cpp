@@ -49,7 +49,7 @@ void warn_of_absent_statics(const Model& model, std::vector<std::string>& warnin
 }  // namespace
 
 std::vector<std::string> warnings_before(const Model& model) {
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = model.warnings;
   warn_of_cracks(model, warnings);
   warn_of_absent_statics(model, warnings);
   return warnings;

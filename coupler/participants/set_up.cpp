@@ -101,9 +101,7 @@ void check_overlaps(Model& model) {
     Participant &outer = model.participants[interface.outer], &inner = model.participants[interface.inner];
     require_inside(interface.overlap, filled_by(outer), filled_by(inner));
     for (const std::string& note :
-         overlap_notes(interface.overlap,
-                       {outer.member.name, part_of(model.scene, outer.member), filled_by(outer).samples},
-                       {inner.member.name, part_of(model.scene, inner.member), filled_by(inner).samples}))
+         overlap_notes(interface.overlap, side_of(model.scene, outer), side_of(model.scene, inner)))
       model.notes.push_back(inner.member.name + ": " + note);
   }
 }
@@ -170,6 +168,11 @@ void couple(Model& model) {
 }
 
 }  // namespace
+
+Side side_of(const scene::Scene& scene, const Participant& participant) {
+  return {participant.member.name, participant.member.path, part_of(scene, participant.member),
+          filled_by(participant).samples};
+}
 
 bool has_particles(const Model& model) {
   return std::any_of(

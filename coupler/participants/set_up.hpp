@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "coupler/bridging/overlap_notes.hpp"
 #include "coupler/participants/constraint.hpp"
 #include "coupler/participants/interface.hpp"
 #include "coupler/participants/participant.hpp"
@@ -22,12 +23,16 @@ struct Model {
   std::unique_ptr<Constraint> constraint;  // of coupled runs
   double critical_dt = 0;                  // smallest of the participants [s]
   std::uint64_t steps = 0;
-  double dt = 0;                        // steps · dt is the duration, or less than dt more [s]
-  unsigned substeps = 1;                // of the particles in one step
-  std::vector<std::string> notes = {};  // for the user, of the participants and on the time step
+  double dt = 0;          // steps · dt is the duration, or less than dt more [s]
+  unsigned substeps = 1;  // of the particles in one step
+  // For the user: notes of the participants and on the time step; what of the model is likely to be wrong.
+  std::vector<std::string> notes = {}, warnings = {};
 };
 
 bool has_particles(const Model& model);
+
+// One of the models of an interface; it refers to the participant.
+Side side_of(const scene::Scene& scene, const Participant& participant);
 
 // Takes every participant, one for each of members(scene) in their order, through setup, weights and couple.
 // Throws protocol::UserError with the scene's path for what cannot be computed: no overlap, an overlap

@@ -43,22 +43,26 @@ scene::Interface interface_around(const scene::LinedTunnel& tunnel, const Contou
   return interface;
 }
 
-void add_as_particles(const scene::Particles& particles, const scene::Interface& interface,
-                      const std::string& path, Expansion& expansion) {
+// The particles' path in the expanded scene.
+std::string add_as_particles(const scene::Particles& particles, const scene::Interface& interface,
+                             const std::string& path, Expansion& expansion) {
   *expansion.scene.mutable_particles() = particles;
   *expansion.scene.mutable_interface() = interface;
   expansion.origins = {{"particles", path}, {"interface", path}};
+  return "particles";
 }
 
-void add_as_region(const std::string& name, const scene::Particles& particles, scene::Interface interface,
-                   const std::string& path, Expansion& expansion) {
-  expansion.origins.emplace_back(fmt::format("regions[{}]", expansion.scene.regions_size()), path);
-  expansion.origins.emplace_back(fmt::format("interfaces[{}]", expansion.scene.interfaces_size()), path);
+std::string add_as_region(const std::string& name, const scene::Particles& particles,
+                          scene::Interface interface, const std::string& path, Expansion& expansion) {
+  const std::string region_path = fmt::format("regions[{}]", expansion.scene.regions_size());
+  expansion.origins.push_back({region_path, path});
+  expansion.origins.push_back({fmt::format("interfaces[{}]", expansion.scene.interfaces_size()), path});
   auto& region = *expansion.scene.add_regions();
   region.set_name(name);
   *region.mutable_particles() = particles;
   interface.set_inner(name);
   *expansion.scene.add_interfaces() = interface;
+  return region_path + ".particles";
 }
 
 }  // namespace
@@ -73,22 +77,29 @@ Expansion expand_tunnels(const scene::Scene& given) {
     const auto& tunnel = given.tunnels(k);
     const std::string path = fmt::format("tunnels[{}]", k);
     const Contour contour(tunnel, path);
-    scene::Particles particles = region_around(tunnel, contour, given.continuum());
-    add_lining(tunnel, contour, path, particles);
+    TunnelGround ground = ground_around(tunnel, contour, given.continuum());
+    add_lining(tunnel, contour, path, ground.particles);
     const scene::Interface interface = interface_around(tunnel, contour);
-    if (alone)
-      add_as_particles(particles, interface, path, expansion);
-    else
-      add_as_region(tunnel.name(), particles, interface, path, expansion);
+    const std::string part = alone
+                                 ? add_as_particles(ground.particles, interface, path, expansion)
+                                 : add_as_region(tunnel.name(), ground.particles, interface, path, expansion);
+    for (std::size_t group = 0; group < ground.zones.size(); ++group)
+      expansion.origins.insert(expansion.origins.begin(),
+                               {fmt::format("{}.groups[{}]", part, group), path,
+                                fmt::format("continuum.materials[{}]", ground.zones[group])});
     add_note_on_rows(tunnel, expansion.notes);
   }
   return expansion;
 }
 
 UserError Expansion::at_tunnel(const UserError& error) const {
-  for (const auto& [part, tunnel] : origins)
+  for (const auto& [part, tunnel, zones] : origins)
     if (error.path() == part || error.path().starts_with(part + "."))
-      return {tunnel, fmt::format("becomes `{}`, which {}", error.path(), error.what())};
+      return zones.empty()
+                 ? UserError(tunnel, fmt::format("becomes `{}`, which {}", error.path(), error.what()))
+                 : UserError(zones, fmt::format("becomes `{}` in `{}`, which {}; or state the ground by "
+                                                "`particles.material` of the tunnel",
+                                                error.path(), tunnel, error.what()));
   return error;
 }
 

@@ -9,7 +9,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "protocol/errors.hpp"
@@ -24,8 +23,12 @@ struct Expansion {
   // What was refused of a part of the scene that a tunnel became, at that tunnel; other errors as they are.
   protocol::UserError at_tunnel(const protocol::UserError& error) const;
 
-  // Paths in the expanded scene, and of the tunnels that they came from.
-  std::vector<std::pair<std::string, std::string>> origins;
+  struct Origin {
+    std::string part;        // path in the expanded scene
+    std::string tunnel;      // path of the tunnel that it came from
+    std::string zones = {};  // path of the zones' material that it was taken from, if any
+  };
+  std::vector<Origin> origins;  // parts of others before these
 };
 
 // Takes a scene that fulfils its rules. Throws protocol::UserError below `tunnels[i]` for a tunnel that

@@ -89,7 +89,7 @@ class Joint {
     const double thickness = tunnel_.lining().thickness(), radius = tunnel_.particles().radius();
     const double rows = std::max(1.0, std::floor(thickness / (std::numbers::sqrt3 * radius) + 1e-6));
     const int last = static_cast<int>(kSpringsInARow * rows) - 1;
-    const double reach = std::max(thickness / 2 - kNearest * radius, thickness / 4);
+    const double reach = std::max(thickness / 2 - kNearestCentre * radius, thickness / 4);
     const auto arm = [&](int k) { return reach * (2.0 * k / last - 1); };
     double squares = 0;
     for (int k = 0; k <= last; ++k) squares += arm(k) * arm(k);
@@ -102,8 +102,6 @@ class Joint {
   }
 
  private:
-  // No place in a hexagonal lattice is farther from a centre, in radii.
-  static constexpr double kNearest = 1.16;
   // The particle nearest to a place so far from a joint lies on the same side of it.
   static constexpr double kBesideJoint = 1.5;
   static constexpr double kInsideSegment = 4;  // beyond the two outermost layers of particles

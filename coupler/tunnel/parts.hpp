@@ -18,6 +18,9 @@ inline scene::Point point(const geometry::Point& place) {
   return point;
 }
 
+// No place in a hexagonal lattice is farther from a centre, in radii.
+inline constexpr double kNearestCentre = 1.16;
+
 // Parts count from 1: `tunnel_joint_1`.
 inline std::string part_name(const scene::LinedTunnel& tunnel, const char* part, std::size_t number) {
   return fmt::format("{}_{}_{}", tunnel.name(), part, number);

@@ -1,7 +1,13 @@
 #include "coupler/tunnel/region.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
+
+#include "coupler/ground/stated_ground.hpp"
+#include "coupler/tunnel/parts.hpp"
+#include "protocol/geometry/selection.hpp"
 
 namespace adit::coupler {
 namespace {
@@ -22,13 +28,67 @@ scene::HexagonalPacking packing_over(const geometry::BoundingBox& box, double ra
   return packing;
 }
 
+constexpr double kMostPlaces = 2000;  // along a side, whatever radius a scene states
+
+// Places inside an area that are so far from its boundary that a disc of the lattice has its centre around
+// them.
+std::vector<geometry::Point> places_inside(const scene::Area& area, const scene::HexagonalPacking& packing) {
+  const double radius = packing.radius();
+  const protocol::Places inside(area, "tunnels", -kNearestCentre * radius);
+  const double side = std::max(packing.x_max() - packing.x_min(), packing.y_max() - packing.y_min());
+  const double step = std::max(radius / 2, side / kMostPlaces);
+  std::vector<geometry::Point> places;
+  for (double y = packing.y_min(); y <= packing.y_max(); y += step)
+    for (double x = packing.x_min(); x <= packing.x_max(); x += step)
+      if (inside.hold(x, y)) places.push_back({x, y});
+  return places;
+}
+
+// What bonds can stand for: elastic, or a strength that they take from it.
+scene::Material without_laws_of_zones(scene::Material material, const scene::Bonds& bonds) {
+  material.clear_hysteretic();
+  material.clear_weak_plane();
+  if (!bonds.strength_of_material()) material.clear_mohr_coulomb();
+  return material;
+}
+
+// The ground of the zones that the particles replace: groups for other materials that reach into it. Returns
+// the number of the zones' material for each.
+std::vector<int> take_over_materials(const scene::LinedTunnel& tunnel, const Contour& contour,
+                                     const scene::Continuum& continuum, scene::Particles& particles) {
+  const scene::Bonds& bonds = particles.bonds();
+  if (continuum.has_material())
+    *particles.mutable_material() = without_laws_of_zones(continuum.material(), bonds);
+  if (continuum.materials().empty()) return {};
+  const double lining = tunnel.lining().thickness(), outer = lining + tunnel.particles().ground();
+  const auto ground = places_inside(
+      tunnel.stage() > 0 ? contour.inside(outer) : contour.between(lining, outer), particles.packing());
+  std::vector<int> taken;
+  for (int k = 0; k < continuum.materials_size(); ++k) {
+    const scene::MaterialArea& zones = continuum.materials(k);
+    const std::string path = fmt::format("continuum.materials[{}].where", k);
+    for (const auto& area : by_place(zones.where(), continuum).value_or(std::vector<scene::Area>{})) {
+      const protocol::Places inside(area, path, -kNearestCentre * particles.packing().radius());
+      if (std::ranges::none_of(ground, [&](const auto& place) { return inside.hold(place.x, place.y); }))
+        continue;
+      auto& group = *particles.add_groups();
+      group.set_name(part_name(tunnel, "ground", static_cast<std::size_t>(particles.groups_size())));
+      *group.mutable_where() = area;
+      *group.mutable_material() = without_laws_of_zones(zones.material(), bonds);
+      taken.push_back(k);
+    }
+  }
+  return taken;
+}
+
 }  // namespace
 
-scene::Particles region_around(const scene::LinedTunnel& tunnel, const Contour& contour,
-                               const scene::Continuum& continuum) {
+TunnelGround ground_around(const scene::LinedTunnel& tunnel, const Contour& contour,
+                           const scene::Continuum& continuum) {
   const scene::TunnelRegion& wanted = tunnel.particles();
   const double outer = tunnel.lining().thickness() + wanted.ground();
-  scene::Particles particles;
+  TunnelGround ground;
+  scene::Particles& particles = ground.particles;
   *particles.mutable_packing() = packing_over(contour.box(outer), wanted.radius());
   *particles.mutable_within() = tunnel.stage() > 0 ? contour.inside(outer) : contour.between(0, outer);
   particles.set_remove_floaters(true);
@@ -39,7 +99,8 @@ scene::Particles region_around(const scene::LinedTunnel& tunnel, const Contour& 
   *particles.mutable_contacts() = wanted.contacts();
   if (!wanted.contacts().has_friction())
     particles.mutable_contacts()->set_friction(tunnel.lining().friction());
-  *particles.mutable_groups() = wanted.groups();
+  if (!wanted.has_material()) ground.zones = take_over_materials(tunnel, contour, continuum, particles);
+  particles.mutable_groups()->MergeFrom(wanted.groups());
   *particles.mutable_joints() = wanted.joints();
   if (wanted.has_damping()) *particles.mutable_damping() = wanted.damping();
   for (const auto& load : continuum.body_loads())
@@ -50,7 +111,7 @@ scene::Particles region_around(const scene::LinedTunnel& tunnel, const Contour& 
     excavation.set_stage(tunnel.stage());
     if (tunnel.has_released()) excavation.set_released(tunnel.released());
   }
-  return particles;
+  return ground;
 }
 
 }  // namespace adit::coupler

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "dem_server/model/reading/read_model.hpp"
+#include "protocol/geometry/selection.hpp"
 #include "protocol/scene/fields/check_rules.hpp"
 #include "tests/support/local_participants.hpp"
 #include "tests/support/refusals.hpp"
@@ -269,6 +270,76 @@ TEST(ExpandTunnels, WhatCannotBeBuiltIsRefused) {
   scene::Scene nowhere = test::scene_with({test::circular()});
   nowhere.clear_continuum();
   test::expect_refusal([&] { expand_tunnels(nowhere); }, "tunnels", "lie in no ground");
+}
+
+scene::Scene layered(const std::string& where, const std::string& tunnel) {
+  scene::Scene scene = test::scene_with({tunnel});
+  EXPECT_TRUE(google::protobuf::TextFormat::MergeFromString(
+      "continuum { materials { where { " + where +
+          " } material { young_modulus: 1e8 poisson_ratio: 0.2 density: 1800 "
+          "mohr_coulomb { cohesion: 1e4 } } } }",
+      &scene));
+  return scene;
+}
+
+// Requirement: the ground around a tunnel is that of the zones whose place it takes: their own material, and
+// groups for others that reach into it, below the tunnel's own groups. What the tunnel states holds instead.
+TEST(ExpandTunnels, GroundOfTheZones) {
+  const auto particles = expand_tunnels(layered("y_min: -10", test::circular())).scene.particles();
+  ASSERT_EQ(particles.groups_size(), 2);
+  EXPECT_EQ(particles.groups(0).name(), "tunnel_ground_1");
+  EXPECT_EQ(particles.groups(0).where().y_min(), -10);
+  EXPECT_EQ(particles.groups(0).material().young_modulus(), 1e8);
+  EXPECT_FALSE(particles.groups(0).material().has_mohr_coulomb());  // bonds that do not break
+  EXPECT_EQ(particles.groups(1).name(), "tunnel");
+  EXPECT_EQ(particles.between_size(), 2);  // of the lining with either ground
+  EXPECT_EQ(expand_tunnels(layered("y_min: -6", test::circular())).scene.particles().groups_size(), 1);
+  EXPECT_EQ(expand_tunnels(layered("circle { centre { x: 1 y: -12 } radius: 2 }", test::circular()))
+                .scene.particles()
+                .groups_size(),
+            1);
+  EXPECT_EQ(
+      expand_tunnels(layered("circle { centre { x: 1 y: -12 } radius: 2 }", test::circular("", "stage: 1")))
+          .scene.particles()
+          .groups_size(),
+      2);  // it is there until it is excavated
+
+  const std::string own =
+      test::replaced(test::circular(), "overlap: 1",
+                     "overlap: 1 material { young_modulus: 2e9 poisson_ratio: 0.2 density: 2000 }");
+  EXPECT_EQ(expand_tunnels(layered("y_min: -10", own)).scene.particles().groups_size(), 1);
+
+  scene::Scene scene = test::scene_with({test::circular()});
+  *scene.mutable_continuum()->mutable_material() = scene.material();
+  scene.mutable_continuum()->mutable_material()->set_young_modulus(5e8);
+  EXPECT_EQ(expand_tunnels(scene).scene.particles().material().young_modulus(), 5e8);
+}
+
+// Requirement: ground that a region cannot take over is refused at its zones, with the tunnel's remedy.
+TEST(ExpandTunnels, GroundThatBondsCannotHave) {
+  const auto error = expand_tunnels(layered("y_min: -10", test::circular()))
+                         .at_tunnel({"particles.groups[0].material.poisson_ratio", "is 0.4"});
+  EXPECT_EQ(error.path(), "continuum.materials[0]");
+  EXPECT_THAT(error.what(), AllOf(HasSubstr("`particles.groups[0].material.poisson_ratio` in `tunnels[0]`"),
+                                  HasSubstr("or state the ground by `particles.material` of the tunnel")));
+}
+
+// Requirement: every particle of the ground has the material of the zone at its place, thin layers included
+// as far as particles can show them.
+TEST(ExpandTunnels, EveryParticleHasTheGroundOfItsPlace) {
+  for (const char* where : {"y_min: -10", "band { from { x: -10 y: -8 } to { x: 10 y: -9 } width: 0.6 }",
+                            "x_max: -4.3", "x_min: -4.45 x_max: -4.3"}) {
+    scene::Scene scene = expand_tunnels(layered(where, test::circular())).scene;
+    const dem::Model model = dem::read_model(scene);
+    const protocol::Places soft(scene.particles().groups(0).where(), "where", 1e-9);
+    std::size_t there = 0;
+    for (std::size_t i = 0; i < model.discs.size(); ++i) {
+      if (model.group_names[model.group[i]] == "tunnel") continue;
+      EXPECT_EQ(soft.hold(model.discs.x[i], model.discs.y[i]), model.density[model.group[i]] == 1800);
+      there += model.density[model.group[i]] == 1800;
+    }
+    EXPECT_GT(there, 0u) << where;
+  }
 }
 
 // Requirement: what is refused of the expansion is told at the tunnel, with the place in the expansion.
