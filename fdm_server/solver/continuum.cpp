@@ -122,6 +122,7 @@ void Continuum::set_interface(std::span<const std::uint32_t> points) {
                                             [&](const Dashpot& dashpot) { return !chosen[dashpot.point]; });
   interface_.dashpots.assign(inside, dashpots.end());
   dashpots.erase(inside, dashpots.end());
+  for (auto& springs : interior_.foundations) springs.tie(points);
   for (auto& springs : interior_.foundations)
     if (auto taken = springs.take(chosen); !taken.empty()) interface_.foundations.push_back(std::move(taken));
   std::vector<Load> loads;

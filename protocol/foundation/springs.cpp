@@ -31,6 +31,10 @@ void Springs::mark(std::vector<bool>& points) const {
   for (const Point& point : points_) points[point.point] = true;
 }
 
+void Springs::tie(std::span<const std::uint32_t> points) {
+  for (Point& point : points_) point.tied = std::ranges::find(points, point.point) != points.end();
+}
+
 bool Springs::holds(std::uint32_t begin, std::uint32_t end) const {
   return std::ranges::any_of(points_,
                              [=](const Point& point) { return begin <= point.point && point.point < end; });
@@ -72,7 +76,7 @@ void Springs::brake(const protocol::Step& step, const PointMotion& motion) {
   for (Point& point : points_) {
     const double v = motion.velocity[point.point], ground = at(point.place, before_);
     const double c = point.area * law_.dashpot, w = step.kick() / 2 * motion.inverse_mass[point.point];
-    const double middle = moves ? v + w * motion.force[point.point] : 0;
+    const double middle = moves ? v + (point.tied ? 0 : w * motion.force[point.point]) : 0;
     const double drag = c * (at(point.place, now_) - middle) / (1 + (moves ? c * w : 0));
     motion.force[point.point] += drag;
     const double force_before = std::exchange(point.force, spring(point) + drag);

@@ -7,6 +7,9 @@
 // (fdm_server/solver/dashpots.hpp):
 //   c (v_g - v) = c (v_g - v(n-1/2) - kick/2 W f) / (1 + c kick/2 W),   f all other forces, W the inverse
 //   mass.
+// What ties a point of an interface to another model is not among the forces that are known. Dashpots take
+// the velocity of n - 1/2 alone there, which has been corrected:
+//   c (v_g - v(n-1/2)) / (1 + c kick/2 W).
 // Springs therefore pull before what needs their force, dashpots after all else. Where others' dashpots act
 // on the same point, each one sees the drag of those before it: together they brake as the product of their
 // factors 1 / (1 + c kick/2 W), which is stable for any of them.
@@ -18,6 +21,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "protocol/foundation/ground_course.hpp"
@@ -51,6 +55,8 @@ class Springs {
   // Takes the springs of the chosen points out, before the first step.
   Springs take(const std::vector<bool>& chosen);
   void mark(std::vector<bool>& points) const;
+  // The motion of these points is that of another model, too.
+  void tie(std::span<const std::uint32_t> points);
   bool empty() const { return points_.empty(); }
   Direction direction() const { return direction_; }
   bool holds(std::uint32_t begin, std::uint32_t end) const;  // a point of begin ... end - 1
@@ -76,6 +82,7 @@ class Springs {
     std::uint32_t point;
     double area;
     Bracket place;
+    bool tied = false;
     double elongation = 0, slider = 0, force = 0;  // [m], [N/m^2], [N]
     double stored_before = 0;                      // this step [J]
   };

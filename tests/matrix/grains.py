@@ -53,9 +53,9 @@ def possible(row):
 
 
 def passes_thresholds(row):
-    """Whether something breaks, slides or touches in its scene, so that rounding decides in which step."""
+    """Whether something breaks, slides, touches or is braked against the sign of its velocity, so that rounding decides in which step."""
     return row["bonds"] != "contact" or row["packing"] == "random" or row["line"] != "none" or row["spring"] in ("tension", "curve") or (
-        row["floor"] == "wall" or row["load"] == "wall" or row["foundation"] == "springs" or row["groups"] == "apart")
+        row["floor"] == "wall" or row["load"] == "wall" or row["foundation"] == "springs" or row["groups"] == "apart" or row["damping"] == "local")
 
 
 def is_idle(row):

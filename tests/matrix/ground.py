@@ -94,9 +94,9 @@ CENTRE = {"x": 0.0, "y": 2.0}
 
 
 def passes_thresholds(row):
-    """Whether something yields, breaks or touches in its scene, so that rounding decides in which step."""
+    """Whether something yields, breaks, touches or is braked against the sign of its velocity, so that rounding decides in which step."""
     return (row["law"] not in ("elastic", "layers") or row["bonds"] not in ("contact", "spring") or row["packing"] == "random"
-            or row["support"] in ("jointed", "bolt") or row["foundation"] == "springs")
+            or row["support"] in ("jointed", "bolt") or row["foundation"] == "springs" or row["damping"] == "local")
 
 
 class Ground:
@@ -300,8 +300,8 @@ class Ground:
             "random": {"random_packing": {**box, "x_min": x - 0.4, "x_max": box["x_max"] + 0.4, "radius_min": 0.12, "radius_max": 0.18, "stress": 50e3}},
         }[row["packing"]]
         model["body_loads"] = self.gravity()
-        if row["foundation"] == "springs":
-            model["foundations"] = [{"where": {"x_min": 5.0}, "x": {"stiffness": 20e6, "dashpot": 1e5}}]
+        if row["foundation"] == "springs" and row["inside"] != "ring":
+            model["foundations"] = [{"where": {"x_min": 5.0} if x > 0 else {"x_max": -5.0}, "x": {"stiffness": 20e6, "dashpot": 1e5}}]
         if row["rest"] in STATICS and row["inside"] != "ring":  # beyond the overlap they stand on rock that does not move
             beyond = {"x_min": 4.2} if x > 0 else {"x_max": -4.2}
             model["motions"] = [{"where": {"y_max": low + (0.6 if row["packing"] == "random" else 0.3), **beyond}, "velocity": {"x": 0.0, "y": 0.0}}]

@@ -78,6 +78,7 @@ Solver::Solver(const Model& model, std::size_t threads)
 
 void Solver::tie(std::span<const std::uint32_t> discs) {
   tied_.assign(discs.begin(), discs.end());
+  for (foundation::Springs& springs : foundations_) springs.tie(tied_);
   renew_damping();
 }
 
