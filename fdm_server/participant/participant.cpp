@@ -25,6 +25,7 @@
 #include "fdm_server/model/supports/meetings.hpp"
 #include "fdm_server/model/supports/supports.hpp"
 #include "fdm_server/participant/critical_element.hpp"
+#include "fdm_server/participant/lining_figures.hpp"
 #include "fdm_server/participant/snapshot.hpp"
 #include "fdm_server/solver/deformed_grid.hpp"
 #include "fdm_server/zones/zone_set.hpp"
@@ -365,7 +366,7 @@ void FdmParticipant::step_interior(const Step& step) {
   continuum_->step_interior(step);
   histories_->follow(*continuum_, step);
   ++steps_done_;
-  if (!step.relax) peak_forces_.take(supports_.linings, continuum_->structures());
+  if (!step.relax) peak_forces_.take(supports_.linings, continuum_->structures(), step.time());
   if (step.number % kFiniteCheckInterval == 0) check_grid(step);
   if (setup_.ground.large_strain && steps_done_ % kShapeCheckInterval == 0 &&
       !scene_.time().beyond_critical())
@@ -478,6 +479,7 @@ void FdmParticipant::exchange_solver(state::Archive& archive) {
 
 void FdmParticipant::finish(wire::Bye& bye) {
   bye.set_updates(grid_.zones.size() * steps_done_);
+  add_figures(grid_, supports_.linings, peak_forces_, bye);
 }
 
 }  // namespace adit::fdm

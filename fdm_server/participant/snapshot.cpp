@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -71,10 +72,21 @@ void add_linings(const Grid& grid, const Continuum& continuum, const std::vector
   add("thrust_N", thrust);
   add("moment_Nm", moment);
   add("shear_N", shear);
-  if (!peaks.values()[0].empty()) {
-    add("peak_thrust_N", peaks.values()[0]);
-    add("peak_moment_Nm", peaks.values()[1]);
-    add("peak_shear_N", peaks.values()[2]);
+  using Instant = PeakForces::Instant;
+  const auto add_peaks = [&](const std::string& name, const std::vector<Instant>& at,
+                             double Instant::*force) {
+    std::ranges::transform(at, new_field(*piece.mutable_point_fields(), name, 1, at.size()),
+                           std::mem_fn(force));
+  };
+  if (!peaks.empty()) {
+    add_peaks("peak_largest_thrust_N", peaks.thrust().largest, &Instant::thrust);
+    add_peaks("peak_least_thrust_N", peaks.thrust().least, &Instant::thrust);
+    add_peaks("peak_largest_moment_Nm", peaks.moment().largest, &Instant::moment);
+    add_peaks("peak_least_moment_Nm", peaks.moment().least, &Instant::moment);
+    add_peaks("peak_largest_shear_N", peaks.shear().largest, &Instant::shear);
+    add_peaks("peak_least_shear_N", peaks.shear().least, &Instant::shear);
+    add_peaks("thrust_at_peak_largest_moment_N", peaks.moment().largest, &Instant::thrust);
+    add_peaks("thrust_at_peak_least_moment_N", peaks.moment().least, &Instant::thrust);
   }
   std::ranges::copy(number, new_field(*piece.mutable_cell_fields(), "lining", 1, number.size()));
 }

@@ -26,8 +26,9 @@ void add_ground(const Grid& grid, const Ground& ground, const ZoneSet& zones, st
                 wire::Piece& piece);
 
 // Pieces of lines, where there are any: "linings" with point fields displacement_m, thrust_N, moment_Nm,
-// shear_N and their peaks, and the lining's number as cell field lining; "bolts" with displacement_m and, of
-// one bolt, cell field thrust_N.
+// shear_N, their peaks since time began by sign, peak_largest_… and peak_least_…, with the thrust beside
+// those of the moment, thrust_at_peak_largest_moment_N and …_least_…, and the lining's number as cell field
+// lining; "bolts" with displacement_m and, of one bolt, cell field thrust_N.
 void add_supports(const Grid& grid, const Continuum& continuum, const Supports& supports,
                   const PeakForces& peaks, wire::Snapshot& snapshot);
 // Adds the peaks to that piece: at points as of every model (peak_motion.hpp), in zones peak_shear_strain,

@@ -1,7 +1,6 @@
-// The largest thrust, moment and shear force of each node of the linings since time began, without sign.
+// The largest and the least thrust, moment and shear force of each node of the linings since time began.
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -12,19 +11,28 @@ namespace adit::fdm {
 
 class PeakForces {
  public:
-  // Takes the peaks of a step whose forces are known.
-  void take(std::span<const Lining> linings, const Structures& structures);
-  // One value a node, lining after lining: thrust [N], moment [N m], shear [N]; empty before the first step.
-  const std::array<std::vector<double>, 3>& values() const { return values_; }
+  // What acts at a node at one time.
+  struct Instant {
+    double thrust, moment, shear;  // [N], [N m], [N], signs as in beam.hpp
+    double time;                   // [s]
+  };
+  // The instants when one of these forces was extreme, one a node, lining after lining; empty before the
+  // first step.
+  struct Extremes {
+    std::vector<Instant> largest, least;
+  };
 
-  void exchange(std::span<const Lining> linings, state::Archive& archive) {
-    archive.all_or_none("lining_peaks", {&values_[0], &values_[1], &values_[2]}, nodes_of(linings));
-  }
+  // Takes the peaks of a step whose forces are known.
+  void take(std::span<const Lining> linings, const Structures& structures, double time);
+  bool empty() const { return thrust_.largest.empty(); }
+  const Extremes& thrust() const { return thrust_; }
+  const Extremes& moment() const { return moment_; }
+  const Extremes& shear() const { return shear_; }
+
+  void exchange(std::span<const Lining> linings, state::Archive& archive);
 
  private:
-  static std::size_t nodes_of(std::span<const Lining> linings);
-
-  std::array<std::vector<double>, 3> values_;
+  Extremes thrust_, moment_, shear_;
 };
 
 }  // namespace adit::fdm

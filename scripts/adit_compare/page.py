@@ -31,7 +31,7 @@ def _run(run, place):
 
 
 def _figures(runs):
-    return section("figures", "Main figures", _beside("From each summary.json", overview.main_figures(), runs),
+    return section("figures", "Main figures", _beside("From each summary.json", overview.main_figures(*runs), runs),
                    differences.chapter(runs))
 
 

@@ -11,7 +11,8 @@ REACH = 0.3  # length at which the largest value is drawn, relative to the size 
 
 
 def lining_forces(run, time, pieces):
-    """One panel for each force. Positive values are drawn to the right of the lining's path; dashed lines are the peaks."""
+    """One panel for each force. Positive values are drawn to the right of the lining's path; dashed lines are the least and
+    the largest so far."""
     linings = pieces.get("linings")
     if linings is None or len(linings.cells) == 0:
         return None
@@ -29,13 +30,14 @@ def lining_forces(run, time, pieces):
     figure.legend(handles=[
         Patch(fc=style.RED, alpha=0.5, label="positive: tension, or the right-hand side of the path stretched"),
         Patch(fc=style.BLUE, alpha=0.5, label="negative"),
-        Line2D([], [], color=style.GREY, ls="--", label="largest so far, without sign")], loc="lower center", ncol=3)
+        Line2D([], [], color=style.GREY, ls="--", label="least and largest so far")], loc="lower center", ncol=3)
     return figure
 
 
 def _draw(axes, linings, normals, name, reach):
-    values, peaks = linings.field(name), linings.field(f"peak_{name}")
-    largest = np.abs(values if peaks is None else peaks).max()
+    values = linings.field(name)
+    peaks = [peak for end in ("least", "largest") if (peak := linings.field(f"peak_{end}_{name}")) is not None]
+    largest = np.abs([values, *peaks]).max()
     offset = normals * (reach * values / largest if largest > 0 else 0 * values)[:, None]
     ends = linings.points[linings.cells]
     moved = (linings.points + offset)[linings.cells]
@@ -44,8 +46,8 @@ def _draw(axes, linings, normals, name, reach):
         np.concatenate([ends, moved[:, ::-1]], axis=1), fc=np.where(positive, style.RED, style.BLUE), alpha=0.5, lw=0))
     axes.add_collection(LineCollection(moved, color=style.BLACK, lw=0.7))
     axes.add_collection(LineCollection(ends, color=style.BLACK, lw=1.8))
-    if peaks is not None and largest > 0:
-        outline = linings.points + normals * (reach * peaks / largest)[:, None]
+    for peak in peaks if largest > 0 else ():
+        outline = linings.points + normals * (reach * peak / largest)[:, None]
         axes.add_collection(LineCollection(outline[linings.cells], color=style.GREY, lw=0.9, ls="--"))
 
 

@@ -17,8 +17,9 @@ def of_sections(results):
 def largest(results):
     """Yields (which ring or lining, angles [°], [largest magnitudes of each of FORCES over time]) of all of a run."""
     for ring, angle, least, greatest in _section_envelopes(results):
-        yield ring, angle, [np.maximum(-low, high) for low, high in zip(least, greatest)]
-    yield from _lining_peaks(results.last_pieces.get("linings"))
+        yield ring, angle, _magnitudes(least, greatest)
+    for which, angle, least, greatest in _lining_envelopes(results.last_pieces.get("linings")):
+        yield which, angle, _magnitudes(least, greatest)
 
 
 def _section_envelopes(results):
@@ -30,27 +31,32 @@ def _section_envelopes(results):
         yield ring, angle, least, greatest
 
 
+def _magnitudes(least, greatest):
+    return [np.maximum(np.abs(low), np.abs(high)) for low, high in zip(least, greatest)]
+
+
 def columns(results):
     """The columns of histories.csv that these figures show."""
     return {f"{section['name']}_{force}" for ring in _rings(results).values() for section in ring for force, *_ in FORCES}
 
 
 def of_linings(linings):
-    """Yields a figure for each lining: its largest forces so far, without sign, around its middle."""
-    for which, angle, peaks in _lining_peaks(linings):
-        yield _drawn(f"run: largest forces around {which}, without sign", angle, None, peaks)
+    """Yields a figure for each lining: its least and greatest forces so far, around its middle."""
+    for which, angle, least, greatest in _lining_envelopes(linings):
+        yield _drawn(f"run: envelopes around {which}", angle, least, greatest)
 
 
-def _lining_peaks(linings):
-    if linings is None or len(linings.cells) == 0 or linings.field("peak_thrust_N") is None:
+def _lining_envelopes(linings):
+    if linings is None or len(linings.cells) == 0 or linings.field("peak_largest_thrust_N") is None:
         return
     number = linings.field("lining", np.zeros(len(linings.cells)))
     for k in np.unique(number):
         nodes = np.unique(linings.cells[number == k])
         order, angle = _around(linings.points[nodes])
-        peaks = [linings.field(f"peak_{force}")[nodes][order] / 1e3 for force, *_ in FORCES]
+        least, greatest = ([linings.field(f"peak_{end}_{force}")[nodes][order] / 1e3 for force, *_ in FORCES]
+                           for end in ("least", "largest"))
         which = f"lining {k + 1:.0f}" if len(np.unique(number)) > 1 else "the lining"
-        yield which, angle, peaks
+        yield which, angle, least, greatest
 
 
 def _rings(results):
@@ -76,9 +82,8 @@ def _drawn(title, angle, least, greatest):
     figure, panels = style.plt.subplots(3, 1, sharex=True, figsize=(8.0, 6.0))
     panels[0].set_title(title, loc="left")
     for i, axes in enumerate(panels):
-        if least is not None:
-            axes.fill_between(angle, least[i], greatest[i], color=style.SKY, alpha=0.35, lw=0)
-            axes.plot(angle, least[i], color=style.BLUE, marker=".", ms=3, lw=1, label="least")
+        axes.fill_between(angle, least[i], greatest[i], color=style.SKY, alpha=0.35, lw=0)
+        axes.plot(angle, least[i], color=style.BLUE, marker=".", ms=3, lw=1, label="least")
         axes.plot(angle, greatest[i], color=style.RED, marker=".", ms=3, lw=1, label="greatest")
     panels[0].legend()
     label(panels)

@@ -1,4 +1,6 @@
 """How the run ended, its warnings, its main figures, and what was computed."""
+import re
+
 from adit_plots.spectra_pictures import GRAVITY
 from adit_report.markup import bullets, paragraphs, section, table, tag
 from adit_report.quantities import digits, figure, quantity
@@ -33,6 +35,17 @@ ROWS = (  # of the main figures: what, key of summary.json, divisor, format
     ("ring joint opening [mm]", "ring_joint_max_opening_m", 1e-3, "{:.3f}"),
     ("wall time [s]", "wall_s", 1, "{:.2f}"),
     ("real-time factor", "real_time_factor", 1, "{:.0f}"),
+)
+OF_A_LINING = (  # the same of each lining of a continuum, by its name before
+    ("least thrust, per metre [kN]", "least_thrust_N", 1e3, "{:,.0f}"),
+    ("  moment there [kN m]", "moment_at_least_thrust_Nm", 1e3, "{:,.0f}"),
+    ("greatest thrust, per metre [kN]", "largest_thrust_N", 1e3, "{:,.0f}"),
+    ("  moment there [kN m]", "moment_at_largest_thrust_Nm", 1e3, "{:,.0f}"),
+    ("largest moment, per metre [kN m]", "largest_moment_Nm", 1e3, "{:,.0f}"),
+    ("  thrust there [kN]", "thrust_at_largest_moment_N", 1e3, "{:,.0f}"),
+    ("  at [ms]", "largest_moment_time_s", 1e-3, "{:.2f}"),
+    ("  at x [m]", "largest_moment_x_m", 1, "{:.2f}"),
+    ("  at y [m]", "largest_moment_y_m", 1, "{:.2f}"),
 )
 PLACES = (("_time_s", ": time"), ("_x_m", ": x"), ("_y_m", ": y"), ("_chainage_m", ": chainage"))
 GAP = 0.01  # of the energy, above which the user guide calls for smaller steps
@@ -82,15 +95,15 @@ def _sentence(text):
 def figures(results):
     """The main figures of the run, those that scripts/run prints."""
     return section("figures", "Main figures", table("Main figures, from summary.json", ("figure", "value"), [
-        (name, figure(results.summary, key)) for name, key in main_figures() if results.summary.get(key) is not None]))
+        (name, figure(results.summary, key)) for name, key in main_figures(results) if results.summary.get(key) is not None]))
 
 
-def main_figures():
-    """(name, key of summary.json); rows such as `at x` carry the name of the quantity that they belong to."""
+def main_figures(*runs):
+    """(name, key of summary.json) for these runs; rows such as `at x` carry the name of the quantity that they belong to."""
     owner = ""
-    for what, key, *_ in ROWS:
+    for what, key, *_ in _rows(runs):
         name = what.partition(" [")[0]
-        part = next((said for ending, said in PLACES if key.endswith(ending)), "")
+        part = next((said for ending, said in PLACES if key.endswith(ending)), f": {name.strip()}" if name.startswith(" ") else "")
         if not name.startswith(" "):
             owner = name.removesuffix(" at")
         yield f"{owner}{part}", key
@@ -98,15 +111,27 @@ def main_figures():
 
 def lines(runs):
     """The main figures for the screen: a line for each that some run has, a column for each run."""
-    columns = [[""] + [row[0] for row in ROWS], *map(_column, runs)]
+    rows = _rows(runs)
+    columns = [[""] + [row[0] for row in rows], *(_column(run, rows) for run in runs)]
     widths = [max(map(len, cells)) for cells in columns]
     for line in zip(*columns):
         if any(cell != "-" for cell in line[1:]):
             yield "  ".join(["  " + line[0].ljust(widths[0]), *(c.rjust(w + 1) for c, w in zip(line[1:], widths[1:]))])
 
 
-def _column(run):
-    values = ((run.number(key), divisor, text) for _, key, divisor, text in ROWS)
+def _rows(runs):
+    """ROWS, and OF_A_LINING for each lining of the runs before what follows the forces of sections."""
+    last = "_largest_moment_Nm"
+    linings = dict.fromkeys(key.removesuffix(last) for run in runs for key in run.summary
+                            if re.fullmatch(rf"(.+_)?lining_.+{last}", key))
+    after = next(i for i, row in enumerate(ROWS) if row[1] == "ovals_largest_diameter_change_m")
+    of_linings = [(what if what.startswith(" ") else f"{lining.replace('lining_', 'lining ', 1)}: {what}", f"{lining}_{key}", *shown)
+                  for lining in linings for what, key, *shown in OF_A_LINING]
+    return [*ROWS[:after], *of_linings, *ROWS[after:]]
+
+
+def _column(run, rows):
+    values = ((run.number(key), divisor, text) for _, key, divisor, text in rows)
     return [run.name] + ["-" if v is None else text.format(v / divisor) for v, divisor, text in values]
 
 

@@ -10,10 +10,10 @@ import numpy as np
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "scripts"))
 
 from adit import Piece, Table  # noqa: E402
-from adit_plots import colour_pictures, deformation, model_pictures, spectra_pictures, style, time_pictures  # noqa: E402
+from adit_plots import colour_pictures, deformation, lining_pictures, model_pictures, spectra_pictures, style, time_pictures  # noqa: E402
 from adit_plots.colour_scale import Scale  # noqa: E402
 from adit_plots.setup import conditions, sheets  # noqa: E402
-from adit_report import model, overview, pictures, response  # noqa: E402
+from adit_report import around, model, overview, pictures, response  # noqa: E402
 
 
 def piece(points, cells, point_fields=None, cell_fields=None):
@@ -277,6 +277,30 @@ class Pages(unittest.TestCase):
         self.assertEqual(known["greatest moment, per metre"], "sections_largest_moment_Nm")
         self.assertEqual(known["shortest diameter, change"], "ovals_smallest_diameter_change_m")
         self.assertEqual(known["peak bond force: y"], "peak_bond_force_y_m")
+
+    def test_peaks_of_every_lining_are_main_figures(self):
+        summary = {"lining_roof_largest_moment_Nm": -2e4, "lining_roof_thrust_at_largest_moment_N": -3e5,
+                   "lining_roof_least_thrust_N": -4e5, "west_lining_floor_largest_moment_Nm": 1e3}
+        run = types.SimpleNamespace(name="portal", summary=summary, number=summary.get)
+        known = dict(overview.main_figures(run))
+        self.assertEqual(known["lining roof: largest moment, per metre: thrust there"], "lining_roof_thrust_at_largest_moment_N")
+        self.assertEqual(known["lining roof: largest moment, per metre: x"], "lining_roof_largest_moment_x_m")
+        self.assertEqual(known["west_lining floor: least thrust, per metre"], "west_lining_floor_least_thrust_N")
+        lines = [" ".join(line.split()) for line in overview.lines([run])]
+        self.assertEqual(lines[1:], ["lining roof: least thrust, per metre [kN] -400", "lining roof: largest moment, per metre [kN m] -20",
+                                     "thrust there [kN] -300", "west_lining floor: largest moment, per metre [kN m] 1"])
+
+    def test_forces_of_linings_are_drawn_between_their_least_and_largest(self):
+        angle = np.radians(range(0, 360, 45))
+        points = np.column_stack([np.cos(angle), np.sin(angle)])
+        fields = {f"{when}{force}": np.full(8, value) for force, _, _ in around.FORCES
+                  for when, value in (("", -3e3), ("peak_least_", -9e3), ("peak_largest_", -2e3))}
+        ring = piece(points, [(k, (k + 1) % 8) for k in range(8)], fields, {"lining": np.zeros(8)})
+        least, greatest = (next(around.of_linings(ring)).axes[0].get_lines()[k].get_ydata() for k in (0, 1))
+        np.testing.assert_allclose((least, greatest), ([-9] * 8, [-2] * 8))
+        drawn = lining_pictures.lining_forces(run_named("ring"), 1.0, {"linings": ring}).axes[0].collections
+        radii = [np.hypot(*line.get_paths()[0].vertices.T).max() for line in drawn[-2:]]
+        np.testing.assert_allclose(radii, [1 - 2 * lining_pictures.REACH * part for part in (1, 2 / 9)])
 
     def test_cracks_and_debonded_bonds_are_told_apart(self):
         table = Table({name: np.array(values) for name, values in {

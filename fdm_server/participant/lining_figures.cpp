@@ -1,0 +1,77 @@
+#include "fdm_server/participant/lining_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace adit::fdm {
+namespace {
+
+using Instant = PeakForces::Instant;
+
+struct Place {
+  Instant instant;
+  std::uint32_t point;
+};
+
+// The peaks of one lining, whose nodes begin at this row.
+class LiningPeaks {
+ public:
+  LiningPeaks(const Lining& lining, std::size_t first) : points_(lining.path.points), first_(first) {}
+
+  Place largest(const PeakForces::Extremes& of, double Instant::*force) const {
+    const auto rows = std::span(of.largest).subspan(first_, points_.size());
+    return at(rows, std::ranges::max_element(rows, {}, force));
+  }
+  Place least(const PeakForces::Extremes& of, double Instant::*force) const {
+    const auto rows = std::span(of.least).subspan(first_, points_.size());
+    return at(rows, std::ranges::min_element(rows, {}, force));
+  }
+
+ private:
+  template <class Rows, class Row>
+  Place at(const Rows& rows, Row row) const {
+    return {*row, points_[static_cast<std::size_t>(row - rows.begin())]};
+  }
+
+  std::span<const std::uint32_t> points_;
+  std::size_t first_;
+};
+
+}  // namespace
+
+void add_figures(const Grid& grid, std::span<const Lining> linings, const PeakForces& peaks, wire::Bye& bye) {
+  if (peaks.empty()) return;
+  const auto add = [&bye](const std::string& name, double value) {
+    wire::Figure& figure = *bye.add_figures();
+    figure.set_name(name);
+    figure.set_value(value);
+  };
+  const auto add_when_and_where = [&](const std::string& name, const Place& place) {
+    add(name + "_time_s", place.instant.time);
+    add(name + "_x_m", grid.x[place.point]);
+    add(name + "_y_m", grid.y[place.point]);
+  };
+  std::size_t row = 0;
+  for (const Lining& lining : linings) {
+    const std::string name = "lining_" + lining.name + "_";
+    const LiningPeaks of_lining(lining, row);
+    row += lining.path.points.size();
+    const auto add_thrust = [&](const std::string& which, const Place& place) {
+      add(name + which + "_N", place.instant.thrust);
+      add_when_and_where(name + which, place);
+      add(name + "moment_at_" + which + "_Nm", place.instant.moment);
+    };
+    add_thrust("largest_thrust", of_lining.largest(peaks.thrust(), &Instant::thrust));
+    add_thrust("least_thrust", of_lining.least(peaks.thrust(), &Instant::thrust));
+    const Place most = of_lining.largest(peaks.moment(), &Instant::moment),
+                least = of_lining.least(peaks.moment(), &Instant::moment);
+    const Place& bent = -least.instant.moment > most.instant.moment ? least : most;
+    add(name + "largest_moment_Nm", bent.instant.moment);
+    add_when_and_where(name + "largest_moment", bent);
+    add(name + "thrust_at_largest_moment_N", bent.instant.thrust);
+  }
+}
+
+}  // namespace adit::fdm

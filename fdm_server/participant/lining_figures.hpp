@@ -1,0 +1,20 @@
+// What the linings bore, for the summary of the run.
+#pragma once
+
+#include <span>
+
+#include "fdm_server/grid/grid.hpp"
+#include "fdm_server/supports/lining.hpp"
+#include "fdm_server/supports/peak_forces.hpp"
+#include "protocol/messages/wire.pb.h"
+
+namespace adit::fdm {
+
+// Of each lining, over its nodes and since time began: lining_<name>_largest_thrust_N and _least_thrust_N, by
+// sign, and _largest_moment_Nm, by size and with its sign. Each has its …_time_s and its grid point, …_x_m
+// and …_y_m, and what acted beside it there and then: lining_<name>_moment_at_largest_thrust_Nm,
+// _moment_at_least_thrust_Nm, _thrust_at_largest_moment_N. Of equal ones the first node's. None before the
+// first step.
+void add_figures(const Grid& grid, std::span<const Lining> linings, const PeakForces& peaks, wire::Bye& bye);
+
+}  // namespace adit::fdm
