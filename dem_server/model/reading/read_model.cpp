@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <set>
 
 #include "dem_server/model/initial_state/initial_state.hpp"
 #include "dem_server/model/lattice.hpp"
@@ -16,6 +17,7 @@
 #include "dem_server/model/reading/walls.hpp"
 #include "dem_server/model/solid/bends_as_solid.hpp"
 #include "dem_server/model/solid/ring_faces.hpp"
+#include "dem_server/model/solid/strength_of_material.hpp"
 #include "dem_server/model/stages/read_stages.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/ground/stated_stress.hpp"
@@ -108,6 +110,18 @@ void note_estimates(const scene::Particles& particles, const std::vector<Group>&
   }
 }
 
+void note_cut_tensions(const scene::Particles& particles, const std::vector<Group>& groups, Model& model) {
+  const auto take_strength = [](const auto& kind) { return kind.bonds().strength_of_material(); };
+  const bool between = particles.ring().joints().strength_of_material() ||
+                       std::ranges::any_of(particles.between(), take_strength) ||
+                       std::ranges::any_of(particles.joints(), take_strength);
+  std::set<std::string> told;  // groups may share a material
+  for (const Group& group : groups)
+    if (between || (group.bonds && group.bonds->strength_of_material()))
+      if (const auto note = note_on_cut_tension(group.material); note && told.insert(*note).second)
+        model.notes.push_back(*note);
+}
+
 // Rows of a lattice over the thickness of a ring below which it is noticeably softer in bending.
 constexpr double kRowsOfStiffRing = 8;
 
@@ -165,6 +179,7 @@ Model read_model(const scene::Scene& scene, const protocol::Progress& progress, 
   model.extent = placement.extent;
   set_masses(groups, placement, model);
   note_estimates(particles, groups, model);
+  note_cut_tensions(particles, groups, model);
   note_thin_ring(particles, model);
   note_no_bonds(particles, model);
   model.walls = read_walls(particles, groups.front());

@@ -1,5 +1,7 @@
 #include "dem_server/model/solid/strength_of_material.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,6 +17,11 @@ double compressive_strength(const MaterialStrength& strength) {
   return 2 * strength.cohesion * std::cos(strength.friction_angle) / (1 - std::sin(strength.friction_angle));
 }
 
+// The tension in which the cone of cohesion and friction ends.
+double apex(const scene::MohrCoulomb& law) {
+  return law.friction_angle() > 0 ? law.cohesion() / std::tan(law.friction_angle()) : kUnbreakable;
+}
+
 }  // namespace
 
 MaterialStrength strength_of(const MaterialAt& material, const std::string& path) {
@@ -23,9 +30,8 @@ MaterialStrength strength_of(const MaterialAt& material, const std::string& path
                               " has no mohr_coulomb; give its cohesion, friction_angle and tension, or leave "
                               "this out");
   const auto& law = material.material.mohr_coulomb();
-  const double apex =
-      law.friction_angle() > 0 ? law.cohesion() / std::tan(law.friction_angle()) : kUnbreakable;
-  const MaterialStrength strength{law.has_tension() ? std::min(law.tension(), apex) : apex, law.cohesion(),
+  const double most = apex(law);
+  const MaterialStrength strength{law.has_tension() ? std::min(law.tension(), most) : most, law.cohesion(),
                                   law.friction_angle()};
   for (const auto& [value, name] : {std::pair{strength.tension, ".mohr_coulomb.tension"},
                                     std::pair{strength.cohesion, ".mohr_coulomb.cohesion"}})
@@ -33,6 +39,18 @@ MaterialStrength strength_of(const MaterialAt& material, const std::string& path
       throw UserError(material.path + name,
                       "is 0, but " + path + " makes it the strength of bonds; give more");
   return strength;
+}
+
+std::optional<std::string> note_on_cut_tension(const MaterialAt& material) {
+  constexpr double kNoticed = 1.01;
+  const auto& law = material.material.mohr_coulomb();
+  const double most = apex(law);
+  if (!law.has_tension() || law.tension() <= kNoticed * most) return std::nullopt;
+  return fmt::format(
+      "{}.mohr_coulomb.tension: is {:.3g} Pa, but bonds get {:.3g} Pa, cohesion / tan(friction_angle), where "
+      "the "
+      "cone ends; a larger tension needs more cohesion",
+      material.path, law.tension(), most);
 }
 
 MaterialStrength weaker(const MaterialStrength& a, const MaterialStrength& b) {

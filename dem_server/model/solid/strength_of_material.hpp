@@ -13,6 +13,7 @@
 // laboratory is another matter (docs/particles.md).
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "dem_server/laws/contact_bond.hpp"
@@ -27,6 +28,10 @@ struct MaterialStrength {
 
 // UserError at `path` where the material has no mohr_coulomb, or no tensile strength or cohesion.
 MaterialStrength strength_of(const MaterialAt& material, const std::string& path);
+
+// Where the material states a tension that its cone cuts by more than 1 %, which strength_of() then does: a
+// sentence with both numbers.
+std::optional<std::string> note_on_cut_tension(const MaterialAt& material);
 
 // The smaller of each.
 MaterialStrength weaker(const MaterialStrength& a, const MaterialStrength& b);

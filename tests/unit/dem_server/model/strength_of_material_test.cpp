@@ -2,6 +2,7 @@
 // strength.
 #include "dem_server/model/solid/strength_of_material.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -97,6 +98,23 @@ TEST(StrengthOfMaterial, IsTheWeakerOfTwoMaterials) {
     most = std::max(most, law.tensile_strength);
   }
   EXPECT_NEAR(most / least, kTension / (1e6 / std::tan(kFriction)), 1e-12);
+}
+
+// A tension beyond the apex of the cone, 8 MPa/tan(0.7) = 9.498 MPa, is cut, and the run tells it once.
+TEST(StrengthOfMaterial, TellsWhereTheConeCutsTheTension) {
+  scene::Scene scene = rock();
+  auto& strength = *scene.mutable_material()->mutable_mohr_coulomb();
+  strength.set_tension(20e6);
+  auto& group = *scene.mutable_particles()->add_groups();
+  group.set_name("same");
+  group.mutable_where()->set_x_max(5);
+  EXPECT_THAT(read_model(scene).notes, testing::ElementsAre(testing::AllOf(
+                                           testing::HasSubstr("material.mohr_coulomb.tension: is 2e+07 Pa"),
+                                           testing::HasSubstr("9.5e+06 Pa"))));
+  strength.set_tension(9.55e6);  // 0.5 % beyond
+  EXPECT_THAT(read_model(scene).notes, testing::IsEmpty());
+  strength.clear_tension();
+  EXPECT_THAT(read_model(scene).notes, testing::IsEmpty());
 }
 
 }  // namespace
