@@ -51,19 +51,27 @@ double sum(const ZoneShares& fit, Value&& value) {
   return sum;
 }
 
-[[noreturn]] void refuse_place(const Grid& grid, double x, double y, const std::string& path) {
+[[noreturn]] void refuse_place(const Grid& grid, const ZoneLocator& locator, const std::vector<bool>& hidden,
+                               double x, double y, const std::string& path) {
+  const auto zone = locator.locate(x, y);
+  const bool excavated = zone && zone->zone < grid.own_zones();
   double distance = std::numeric_limits<double>::infinity();
-  std::size_t nearest = 0;
-  for (std::size_t i = 0; i < grid.own_points(); ++i)
-    if (const double d = std::hypot(grid.x[i] - x, grid.y[i] - y); d < distance) {
-      distance = d;
-      nearest = i;
-    }
+  std::uint32_t nearest = 0;  // among the points of ground that stays
+  for (std::size_t z = 0; z < grid.zones.size(); ++z) {
+    if (hidden[z]) continue;
+    for (const std::uint32_t point : grid.zones[z])
+      if (const double d = std::hypot(grid.x[point] - x, grid.y[point] - y); d < distance) {
+        distance = d;
+        nearest = point;
+      }
+  }
   throw protocol::UserError(
-      path,
-      fmt::format("is ({:g}, {:g}) m, where the continuum has no zone; its nearest grid point is ({:g}, "
-                  "{:g}) m, put it inside the continuum",
-                  x, y, grid.x[nearest], grid.y[nearest]));
+      path, fmt::format("is ({:g}, {:g}) m, {}; the nearest grid point of ground that stays is ({:g}, {:g}) "
+                        "m, put it inside the continuum",
+                        x, y,
+                        excavated ? "in a zone that continuum.excavations take away"
+                                  : "where the continuum has no zone",
+                        grid.x[nearest], grid.y[nearest]));
 }
 
 double stress(const Stress& stress, scene::Quantity quantity) {
@@ -114,7 +122,7 @@ Histories::Histories(const scene::Continuum& scene, const Supports& supports, co
     }
     const auto find = [&](const scene::Point& at, const std::string& key) {
       const auto place = locator.locate(at.x(), at.y(), hidden);
-      if (!place) refuse_place(grid, at.x(), at.y(), path + key);
+      if (!place) refuse_place(grid, locator, hidden, at.x(), at.y(), path + key);
       return *place;
     };
     const auto add = [&](const Place& place, double sign) {

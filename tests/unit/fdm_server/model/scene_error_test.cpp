@@ -131,8 +131,9 @@ INSTANTIATE_TEST_SUITE_P(
              "continuum.histories[0].at", "m from the lining's nearest node"},
         Case{"history_outside", "histories { name: 'a' quantity: VELOCITY_X at { x: 9 y: 0 } }",
              "continuum.histories[0].at",
-             "is (9, 0) m, where the continuum has no zone; its nearest grid point is (6, 0) m, put it "
-             "inside"}),
+             "is (9, 0) m, where the continuum has no zone; the nearest grid point of ground that stays is "
+             "(6, "
+             "0) m, put it inside"}),
     adit::test::kRefusalName);
 
 // A scene without a continuum is not for this server.

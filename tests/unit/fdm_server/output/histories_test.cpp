@@ -9,6 +9,7 @@
 
 #include "fdm_server/zones/critical_step.hpp"
 #include "protocol/errors.hpp"
+#include "tests/support/refusals.hpp"
 #include "tests/unit/fdm_server/scenes.hpp"
 #include "tests/unit/fdm_server/solver/standing_wave.hpp"
 
@@ -182,7 +183,8 @@ TEST(Histories, StressBesideAJointIsEachLayersOwn) {
   }
 }
 
-// Where the ground was taken away nothing is recorded; at its wall, the zone that stays.
+// Where the ground is taken away nothing is recorded, and the refusal says why and names a place that stays;
+// at its wall, the zone that stays.
 TEST(Histories, AreOfGroundThatStays) {
   const Grid grid = make_grid({0, 3, 0, 1, 3, 1});
   const std::vector<std::uint32_t> kinds{kNoGround, 0, 0};
@@ -192,8 +194,14 @@ TEST(Histories, AreOfGroundThatStays) {
   history.mutable_at()->set_x(1);
   history.mutable_at()->set_y(0.5);
   EXPECT_NO_THROW(Histories(scene, {}, grid, kinds, DampingLaw{}));
-  history.mutable_at()->set_x(0.5);
-  EXPECT_THROW(Histories(scene, {}, grid, kinds, DampingLaw{}), protocol::UserError);
+  history.mutable_at()->set_x(0);
+  adit::test::expect_refusal(
+      [&] { Histories(scene, {}, grid, kinds, DampingLaw{}); }, "continuum.histories[0].at",
+      "is (0, 0.5) m, in a zone that continuum.excavations take away; the nearest grid "
+      "point of ground that stays is (1, 0) m");
+  history.mutable_at()->set_x(-2);
+  adit::test::expect_refusal([&] { Histories(scene, {}, grid, kinds, DampingLaw{}); },
+                             "continuum.histories[0].at", "is (-2, 0.5) m, where the continuum has no zone");
 }
 
 // The stress across the plane is that of plane strain, nu (sxx + syy), and 0 in plane stress.
