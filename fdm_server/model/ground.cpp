@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numeric>
+#include <optional>
 #include <string>
 
 #include "fdm_server/model/grid/selection.hpp"
@@ -165,7 +167,35 @@ const scene::Material& material_of(const scene::Scene& scene, std::size_t number
   return continuum.has_material() ? continuum.material() : scene.material();
 }
 
+std::string name_of_material(std::size_t number) {
+  return number > 0 ? fmt::format("continuum.materials[{}]", number - 1) : "the material";
+}
+
+// The end of a backbone, beyond which the stress stays: engineering shear strain, shear stress over the
+// initial modulus. Nothing where the material has no curve.
+std::optional<BackbonePoint> end_of_curve(const Material& material) {
+  if (material.reversals) return material.reversals->backbone().back();
+  if (!material.hysteretic) return std::nullopt;
+  const auto& [stiffness, limit] = *material.hysteretic;
+  return BackbonePoint{limit.back(),
+                       std::inner_product(stiffness.begin(), stiffness.end(), limit.begin(), 0.0)};
+}
+
 }  // namespace
+
+std::vector<std::string> notes_on_strength(const Ground& ground) {
+  std::vector<std::string> notes;
+  for (std::size_t m = 0; m < ground.materials.size(); ++m) {
+    const Material& material = ground.materials[m];
+    if (const auto end = end_of_curve(material))
+      notes.push_back(fmt::format(
+          "the curve of {} reaches a shear stress of {:.3g} kPa, at {:.3g} % of shear strain, and no more at "
+          "any "
+          "depth",
+          name_of_material(m), end->stress * material.elasticity().shear / 1e3, 100 * end->strain));
+  }
+  return notes;
+}
 
 std::vector<std::string> notes_on_loops(const scene::Scene& scene, const Ground& ground) {
   constexpr double kLittle = 0.005;  // of critical damping, as at smallest strains
@@ -183,8 +213,7 @@ std::vector<std::string> notes_on_loops(const scene::Scene& scene, const Ground&
           "% "
           "there, and loops only become narrower than by these; what is missing may be added by "
           "continuum.damping",
-          m > 0 ? fmt::format("continuum.materials[{}]", m - 1) : "the material", 100 * asked.ratio(i),
-          asked.shear_strain(i), 100 * given);
+          name_of_material(m), 100 * asked.ratio(i), asked.shear_strain(i), 100 * given);
     }
     if (!note.empty()) notes.push_back(note);
   }

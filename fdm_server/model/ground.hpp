@@ -15,6 +15,10 @@ namespace adit::fdm {
 // path where no law can be built of it.
 Ground read_ground(const scene::Scene& scene);
 
+// The largest shear stress of each hysteretic curve, which is the strength that it implies, and the shear
+// strain at which it is reached: one sentence for each material that has one.
+std::vector<std::string> notes_on_strength(const Ground& ground);
+
 // Where loops dissipate less than the scene's table asks for, one sentence for each material: its worst
 // place.
 std::vector<std::string> notes_on_loops(const scene::Scene& scene, const Ground& ground);

@@ -97,6 +97,7 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   for (const std::string& note : notes_on_meetings(supports, grid_)) model.add_notes(note);
   if (const auto note = note_on_stiffening(scene_.continuum(), damping_)) model.add_notes(*note);
   if (const auto note = note_on_shared_motion(damping_, base_acceleration_.motion)) model.add_notes(*note);
+  for (const std::string& note : notes_on_strength(setup_.ground)) model.add_notes(note);
   for (const std::string& note : notes_on_loops(scene_, setup_.ground)) model.add_notes(note);
   const Resolution resolution = fdm::resolution(grid_, setup_.ground);
   model.set_highest_frequency(resolution.frequency);

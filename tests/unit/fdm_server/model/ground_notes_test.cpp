@@ -39,6 +39,25 @@ TEST(NotesOnLoops, AreNoneWhereLoopsFollowTheTable) {
   EXPECT_THAT(notes("0.00001, 0.01, 0.1"), IsEmpty());
 }
 
+// Requirement: the strength that a curve of stiffness implies is told. G = 40 MPa; the table's stress at its
+// last strain is 40 MPa x 0.5 x 0.1 %, that of the hyperbola at ten times its reference strain 40 MPa x 0.5
+// %/11.
+TEST(NotesOnStrength, TellTheLargestStressOfEveryCurve) {
+  const std::string constants = "young_modulus: 104e6 poisson_ratio: 0.3 density: 1800 ";
+  scene::Scene scene;
+  ASSERT_TRUE(google::protobuf::TextFormat::ParseFromString(
+      "material { " + constants +
+          "hysteretic { table { shear_strain: [1e-6, 1e-4, 1e-3] ratio: [1, 0.9, 0.5] } } } "
+          "continuum { materials { material { " +
+          constants + "} } materials { material { " + constants +
+          "hysteretic { memory: REVERSALS hyperbola { reference_strain: 5e-4 } } } } }",
+      &scene));
+  const std::vector<std::string> notes = notes_on_strength(read_ground(scene));
+  EXPECT_THAT(notes, ElementsAre(AllOf(HasSubstr("the material reaches"), HasSubstr(" 20 kPa, at 0.1 % of")),
+                                 AllOf(HasSubstr("continuum.materials[1] reaches"),
+                                       HasSubstr(" 18.2 kPa, at 0.5 % of"))));
+}
+
 // A base that shakes at w with the acceleration A moves with up to 2 A/w from rest; alpha of that beside A.
 TEST(NoteOnSharedMotion, TellsWhatDampingOfMassesTakesFromTheMotionOfTheBase) {
   constexpr double kAngular = 2;
