@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 
 namespace adit::fdm {
 
@@ -47,6 +48,9 @@ void MeanAcceleration::factor(const std::function<double(const Freedom&)>& inver
   Eigen::SparseMatrix<double> matrix(size, size);
   matrix.setFromTriplets(entries.begin(), entries.end());
   factor_.compute(matrix);
+  if (factor_.info() != Eigen::Success)
+    throw std::logic_error(
+        "the mass of linings and bolts with the stiffness of a step is not positive definite");
   ordered_.resize(size);
 }
 

@@ -77,6 +77,10 @@ std::vector<double> steps_of(const Grid& grid, double density, const MakeZones& 
     const auto found = stiffnesses(some, make);
     for (std::size_t s = 0; s < some.size(); ++s) {
       const Eigen::SelfAdjointEigenSolver<Stiffness> solver(found[s], Eigen::EigenvaluesOnly);
+      if (solver.info() != Eigen::Success) {  // a stiffness beyond all numbers, which allows no step
+        of_shape.push_back(0);
+        continue;
+      }
       const double squared = solver.eigenvalues().maxCoeff() / (density * area(some[s]) / 4);
       of_shape.push_back(squared > 0 ? 2 / std::sqrt(squared) : std::numeric_limits<double>::infinity());
     }

@@ -20,7 +20,7 @@ Eigen::Matrix<double, 8, 8> zone_stiffness(ZoneKind kind, const Corners& corners
 // A proven bound: by Rayleigh's quotient, u.K u / u.M u of the assembled system is a mean of the zones'
 // quotients with positive weights u.M_e u, so that no frequency of the grid exceeds the largest of a zone
 // (Irons & Treharne 1971; Belytschko 1983). Energy weights scale K_e and M_e alike and change nothing;
-// neither do prescribed motions, which restrict u.
+// neither do prescribed motions, which restrict u. 0 where a stiffness is beyond all numbers.
 double critical_step(ZoneKind kind, const Grid& grid, const PlaneLaw& law, double density);
 
 // That of every zone by itself [s], of all the ground's materials: their elastic stiffness bounds every

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 #include "protocol/errors.hpp"
 
@@ -101,7 +102,7 @@ void Stepper::start_accelerations() {
     BlockTridiagonal mass = structure_.mass;
     structure_.fix(mass);
     BlockCholesky factor;
-    factor.factor(mass);
+    if (factor.factor(mass)) throw std::logic_error("the mass of the tube is not positive definite");
     for (std::size_t i = 0; i < a0_.size(); ++i) a0_[i] = -residual_[i];
     factor.solve(a0_);
   }

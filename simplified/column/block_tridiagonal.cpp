@@ -1,6 +1,8 @@
 #include "simplified/column/block_tridiagonal.hpp"
 
 #include <Eigen/Cholesky>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace adit::simplified::column {
@@ -98,8 +100,10 @@ void BlockTridiagonal::subtract_product(std::span<const double> x, std::span<dou
 BlockTridiagonalFactor::BlockTridiagonalFactor(BlockTridiagonal matrix) : inverse_(std::move(matrix)) {
   for (std::size_t j = 0; j < inverse_.blocks(); ++j) {
     auto D = inverse_.diagonal(j);
-    // D is a view of the storage that receives the inverse: the copy and eval() keep the two apart.
-    D = Eigen::MatrixXd(D).llt().solve(Eigen::MatrixXd::Identity(D.rows(), D.cols())).eval();
+    const Eigen::LLT<Eigen::MatrixXd> factor{Eigen::MatrixXd(D)};
+    if (factor.info() != Eigen::Success)
+      throw std::logic_error("block " + std::to_string(j) + " of the soil columns is not positive definite");
+    D = factor.solve(Eigen::MatrixXd::Identity(D.rows(), D.cols()));
     if (j + 1 == inverse_.blocks()) break;
     auto upper = inverse_.upper(j);
     const Eigen::MatrixXd coupling = upper;

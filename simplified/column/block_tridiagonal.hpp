@@ -42,6 +42,7 @@ class BlockTridiagonal {
 class BlockTridiagonalFactor {
  public:
   BlockTridiagonalFactor() = default;
+  // std::logic_error with the block where A is not positive definite.
   explicit BlockTridiagonalFactor(BlockTridiagonal matrix);
   // Solves A x = right_side and overwrites right_side.
   void solve(std::span<double> right_side, std::span<double> x) const;

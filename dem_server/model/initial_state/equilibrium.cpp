@@ -1,5 +1,7 @@
 #include "dem_server/model/initial_state/equilibrium.hpp"
 
+#include <stdexcept>
+
 namespace adit::dem {
 namespace {
 
@@ -38,6 +40,8 @@ Equilibrium::Equilibrium(std::span<const Link> links, const Discs& discs, const 
   Matrix stiffness(free_, free_);
   stiffness.setFromTriplets(entries.begin(), entries.end());
   factor_.compute(stiffness);
+  if (factor_.info() != Eigen::Success)
+    throw std::logic_error("the stiffness of the links that balance the initial state is singular");
 }
 
 Eigen::VectorXd Equilibrium::resultants(std::span<const Link> links, std::span<const double> external,

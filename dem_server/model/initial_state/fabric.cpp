@@ -62,7 +62,7 @@ void Fabric::find_unit_forces() {
 
 Strain Fabric::strain_for(const Vector& stress) const {
   const Vector strain = compliance_.solve(stress);
-  if ((stiffness_ * strain - stress).norm() > kUnresisted * stress.norm())
+  if (!((stiffness_ * strain - stress).norm() <= kUnresisted * stress.norm()))
     throw UserError("initial_stress",
                     fmt::format("is ({:g}, {:g}, {:g}) Pa (xx, yy, xy), which the particles do not resist; "
                                 "give bonds or contacts a shear stiffness",

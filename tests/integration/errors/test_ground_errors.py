@@ -73,7 +73,7 @@ class GroundErrors(ProgramTest):
 
     def test_impossible_elasticity(self):
         self.refused("material.young_modulus=-1 MPa", "expected a pressure above 0 Pa")
-        self.assertIn("material: makes a critical time step of inf s",
+        self.assertIn("material: makes a critical time step of",
                       self.refusal(self.scene(BLOCK), "material.young_modulus=1e300"))
         self.refused("material.poisson_ratio=0.5", "below 0.5")
         self.refused("material.density=0", "above 0 kg/m^3")

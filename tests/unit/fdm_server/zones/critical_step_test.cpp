@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <limits>
 
 #include "fdm_server/solver/continuum.hpp"
 #include "fdm_server/zones/critical_step.hpp"
@@ -85,6 +86,13 @@ TEST(CriticalStep, SmallestZoneDecides) {
   const double regular = critical_step(kKinds[0], grid, kLaw, kDensity);
   grid.x[2] -= 0.6;
   EXPECT_LT(critical_step(kKinds[0], grid, kLaw, kDensity), 0.8 * regular);
+}
+
+// A stiffness beyond all numbers allows no step, also of one zone among others.
+TEST(CriticalStep, IsNoneForAStiffnessBeyondAllNumbers) {
+  const double huge = std::numeric_limits<double>::infinity();
+  const Ground ground{{{kDensity, kYoung, kPoisson}, {kDensity, huge, kPoisson}}, {0, 1}};
+  for (const ZoneKind kind : kKinds) EXPECT_EQ(critical_step(kind, make_grid({0, 2, 0, 1, 2, 1}), ground), 0);
 }
 
 }  // namespace

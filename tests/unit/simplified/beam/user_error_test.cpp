@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "protocol/errors.hpp"
-#include "simplified/beam/frequencies.hpp"
 #include "tests/support/refusals.hpp"
 #include "tests/unit/simplified/beam/tunnels.hpp"
 
@@ -90,7 +89,6 @@ TEST(UserError, ATubeThatIsFreeToMove) {
   Tunnel tunnel = good();
   for (auto& station : tunnel.soil) station.springs[kVertical].stiffness = 0;
   expect_error(tunnel, "soil", "free to move");
-  EXPECT_THROW(frequencies(tunnel, 1), protocol::UserError);
 }
 
 TEST(UserError, RunOptions) {

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "simplified/column/response/oscillator_response.hpp"
 #include "simplified/column/response/recursion.hpp"
@@ -25,6 +27,19 @@ std::vector<Column> row(const Deposit& deposit, std::size_t count, double length
   for (std::size_t j = 0; j < count; ++j)
     columns.push_back({length * static_cast<double>(j) / static_cast<double>(count - 1), deposit, modes});
   return columns;
+}
+
+// A matrix that has no factor is refused, not solved: the second block is 1 - 2 * 2 = -3.
+TEST(BlockTridiagonalFactor, RefusesWhatIsNotPositiveDefinite) {
+  BlockTridiagonal matrix(std::array<std::size_t, 2>{1, 1});
+  for (const std::size_t block : {0u, 1u}) matrix.add_diagonal(block, Eigen::MatrixXd::Ones(1, 1));
+  matrix.add_upper(0, Eigen::MatrixXd::Constant(1, 1, 2));
+  try {
+    BlockTridiagonalFactor{matrix};
+    ADD_FAILURE() << "solved";
+  } catch (const std::logic_error& error) {
+    EXPECT_STREQ(error.what(), "block 1 of the soil columns is not positive definite");
+  }
 }
 
 // Columns that are not joined are single columns, each with its own layers, at second order in the time step.
