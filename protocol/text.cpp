@@ -7,15 +7,13 @@
 #include <charconv>
 #include <iterator>
 
+#include "protocol/excerpt.hpp"
+#include "protocol/unseen.hpp"
+
 namespace adit::protocol {
 namespace {
 
 using Utf8 = boost::locale::utf::utf_traits<char>;
-
-// C0, DEL and C1; line and paragraph separator; overrides and isolates of the direction of writing.
-bool is_control(char32_t c) {
-  return c < U' ' || (c >= 0x7f && c < 0xa0) || (c >= 0x2028 && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
-}
 
 // The first characters of a text. A byte that begins no character stands for itself, so that one wrong byte
 // costs no more than itself.
@@ -39,8 +37,15 @@ std::string encode(std::u32string_view text) {
 }
 
 std::string encode_one_line(std::u32string text) {
-  std::ranges::replace_if(text, is_control, U' ');
+  std::ranges::replace_if(text, is_unseen, U' ');
   return encode(text);
+}
+
+// On one line, a longer text with `...` as its last characters.
+std::string cut(std::string_view text, std::size_t longest) {
+  std::u32string line = characters(text, longest + 1);
+  if (line.size() > longest) line.replace(longest - 3, line.npos, U"...");
+  return encode_one_line(std::move(line));
 }
 
 }  // namespace
@@ -60,14 +65,15 @@ std::string one_line(std::string_view text) {
 }
 
 std::string shorten(std::string_view text) {
-  constexpr std::size_t kLongest = 60;
-  std::u32string line = characters(text, kLongest + 1);
-  if (line.size() > kLongest) line.replace(kLongest - 3, line.npos, U"...");
-  return encode_one_line(std::move(line));
+  return cut(text, 60);
 }
 
 std::string quote(std::string_view text) {
   return "`" + shorten(text) + "`";
+}
+
+std::string excerpt(std::string_view content) {
+  return "`" + cut(content, 40) + "`";
 }
 
 std::string_view without_byte_order_mark(std::string_view content) {

@@ -6,11 +6,12 @@
 #include <cmath>
 
 #include "protocol/errors.hpp"
+#include "protocol/excerpt.hpp"
 #include "protocol/text.hpp"
 
 namespace adit::fdm {
 
-using protocol::quote;
+using protocol::excerpt;
 
 namespace {
 
@@ -45,7 +46,7 @@ double MeshText::number(const char* what) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   // from_chars() accepts `inf` and `nan`, which are no places.
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    refuse(fmt::format("has {} where {} was expected", quote(text), what));
+    refuse(fmt::format("has {} where {} was expected", excerpt(text), what));
   return value;
 }
 
@@ -54,7 +55,7 @@ std::int64_t MeshText::whole(const char* what) {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size())
-    refuse(fmt::format("has {} where {} was expected", quote(text), what));
+    refuse(fmt::format("has {} where {} was expected", excerpt(text), what));
   return value;
 }
 
@@ -73,12 +74,15 @@ std::string MeshText::quoted(const char* what) {
   if (end == std::string_view::npos) refuse(fmt::format("lacks {} in quotation marks", what));
   const auto begin = next_ + 1;
   next_ = end + 1;
-  return std::string(text_.substr(begin, end - begin));
+  const std::string text(text_.substr(begin, end - begin));
+  if (protocol::one_line(text) != protocol::valid_utf8(text))
+    refuse(fmt::format("has a character in {} that is not seen: {}; write it without", what, excerpt(text)));
+  return text;
 }
 
 void MeshText::expect(std::string_view expected) {
   const auto found = word(expected.data());
-  if (found != expected) refuse(fmt::format("has {} where {} was expected", quote(found), expected));
+  if (found != expected) refuse(fmt::format("has {} where {} was expected", excerpt(found), expected));
 }
 
 void MeshText::skip_past(std::string_view expected) {

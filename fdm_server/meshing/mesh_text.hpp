@@ -20,7 +20,7 @@ class MeshText {
   std::int64_t whole(const char* what);
   // A number of things of which each takes at least two characters: never more than the text can hold.
   std::size_t count(const char* what);
-  std::string quoted(const char* what);  // "any text"
+  std::string quoted(const char* what);  // "any text" that is seen as it is (protocol/unseen.hpp)
   void expect(std::string_view word);
   void skip_past(std::string_view word);
 

@@ -5,6 +5,7 @@
 
 #include <string_view>
 
+#include "protocol/excerpt.hpp"
 #include "protocol/motion/records/record_text.hpp"
 #include "protocol/text.hpp"
 
@@ -36,7 +37,7 @@ std::vector<std::vector<double>> read_columns(const std::string& file, const std
     if (!named) {
       if (!std::ranges::equal(found, names))
         text.refuse(line,
-                    protocol::quote(row) + " is not the line of names, `" + heading + "`; begin with it");
+                    protocol::excerpt(row) + " is not the line of names, `" + heading + "`; begin with it");
       named = true;
       continue;
     }

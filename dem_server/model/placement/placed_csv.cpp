@@ -8,13 +8,14 @@
 
 #include "dem_server/model/placement/placed_table.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/excerpt.hpp"
 #include "protocol/nearest_name.hpp"
 #include "protocol/text.hpp"
 
 namespace adit::dem {
 namespace {
 
-using protocol::quote;
+using protocol::excerpt;
 
 constexpr double kMostGroups = 1e6;
 
@@ -54,7 +55,7 @@ class Table {
     const char* end = text.data() + text.size();
     const auto [after, error] = std::from_chars(text.data(), end, value);
     if (error != std::errc() || after != end || !std::isfinite(value))
-      refuse(quote(text) + " is not a number; write one such as 0.05");
+      refuse(excerpt(text) + " is not a number; write one such as 0.05");
     return value;
   }
 
@@ -72,16 +73,16 @@ std::array<int, 4> read_heading(const Table& table, const std::vector<std::strin
   for (std::size_t k = 0; k < heading.size(); ++k) {
     const auto known = std::ranges::find(kColumns, heading[k]);
     if (known == kColumns.end())
-      table.refuse(quote(heading[k]) + " is no column of particles, which are x_m, y_m, radius_m and group" +
+      table.refuse(excerpt(heading[k]) +
+                   " is no column of particles, which are x_m, y_m, radius_m and group" +
                    protocol::did_you_mean(heading[k], kColumns));
     int& at = place[static_cast<std::size_t>(known - kColumns.begin())];
-    if (at >= 0) table.refuse("two columns are named " + quote(heading[k]) + "; keep one");
+    if (at >= 0) table.refuse("two columns are named " + excerpt(heading[k]) + "; keep one");
     at = static_cast<int>(k);
   }
   for (std::size_t c = 0; c < 3; ++c)
     if (place[c] < 0)
-      table.refuse("the heading has no column " + quote(kColumns[c]) +
-                   "; begin the file with x_m,y_m,radius_m");
+      table.refuse("the heading has no column `" + kColumns[c] + "`; begin the file with x_m,y_m,radius_m");
   return place;
 }
 

@@ -9,6 +9,7 @@
 
 #include "dem_server/model/placement/placed_table.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/excerpt.hpp"
 #include "protocol/text.hpp"
 
 namespace adit::dem {
@@ -73,7 +74,7 @@ class Reader {
       values = from_base64(array, what);
     else
       refuse(fmt::format("holds {} as {} data; save it as ASCII, or with binary data in place", what,
-                         protocol::quote(format)));
+                         protocol::excerpt(format)));
     if (values.size() != expected)
       refuse(fmt::format("holds {} values of {}, expected {}", values.size(), what, expected));
     return values;
@@ -88,7 +89,7 @@ class Reader {
       double value = 0;
       const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
       if (error != std::errc() || end != word.data() + word.size())
-        refuse(fmt::format("{} of {} is not a number", protocol::quote(word), what));
+        refuse(fmt::format("{} of {} is not a number", protocol::excerpt(word), what));
       values.push_back(value);
       at += word.size();
     }
@@ -128,7 +129,7 @@ class Reader {
     if (type == "UInt16") return as(std::uint16_t());
     if (type == "Int8") return as(std::int8_t());
     if (type == "UInt8") return as(std::uint8_t());
-    refuse(fmt::format("holds {} of the type {}; save it as Float64", what, protocol::quote(type)));
+    refuse(fmt::format("holds {} of the type {}; save it as Float64", what, protocol::excerpt(type)));
   }
 
   std::string decode(std::string_view text, const std::string& what) const {

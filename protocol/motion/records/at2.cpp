@@ -8,13 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "protocol/excerpt.hpp"
 #include "protocol/motion/records/record_text.hpp"
 #include "protocol/text.hpp"
 
 namespace adit::motion {
 namespace {
 
-using protocol::quote;
+using protocol::excerpt;
 
 constexpr std::size_t kLongestHeader = 20;       // lines that may precede the values; PEER writes four
 constexpr std::size_t kLongestHeaderLine = 200;  // characters of a line that are read
@@ -73,7 +74,7 @@ UnitWord find_unit(const RecordText& text, std::size_t end) {
 
 double step_of(const RecordText& text, const Size& size) {
   const double step = text.number(size.line, size.dt);
-  if (step <= 0) text.refuse(size.line, "DT is " + quote(size.dt) + "; a step above 0 s is expected");
+  if (step <= 0) text.refuse(size.line, "DT is " + excerpt(size.dt) + "; a step above 0 s is expected");
   return size.unit.empty() ? step : step * text.at(size.line, [&] { return time_unit(size.unit); });
 }
 
@@ -93,7 +94,7 @@ Motion parse_at2(const RecordText& text) {
   const UnitWord unit = find_unit(text, size->line);
   const double points = text.number(size->line, size->points);
   if (points < 1 || points != std::floor(points))
-    text.refuse(size->line, "NPTS is " + quote(size->points) + "; a count above 0 is expected");
+    text.refuse(size->line, "NPTS is " + excerpt(size->points) + "; a count above 0 is expected");
   const double dt = step_of(text, *size);
   std::vector<double> values;
   for (std::size_t i = size->line + 1; i < text.lines.size(); ++i) text.append_numbers(i, values);

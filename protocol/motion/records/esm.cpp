@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "protocol/excerpt.hpp"
 #include "protocol/motion/records/record_text.hpp"
 #include "protocol/text.hpp"
 
 namespace adit::motion {
 namespace {
 
-using protocol::quote;
+using protocol::excerpt;
 using protocol::trim;
 
 constexpr std::size_t kHeader = 64;  // lines
@@ -45,7 +46,7 @@ bool is_esm(const RecordText& text) {
 Motion parse_esm(const RecordText& text) {
   const Entry step = find(text, kStep), count = find(text, "NDATA:"), unit = find(text, "UNITS:");
   const double dt = text.number(step.line, step.value), points = text.number(count.line, count.value);
-  if (dt <= 0) text.refuse(step.line, "the step is " + quote(step.value) + "; one above 0 s is expected");
+  if (dt <= 0) text.refuse(step.line, "the step is " + excerpt(step.value) + "; one above 0 s is expected");
   std::size_t line = std::max({step.line, count.line, unit.line}) + 1;
   while (line < std::min(kHeader, text.lines.size()) && is_entry(text.lines[line])) ++line;
   std::vector<double> values;

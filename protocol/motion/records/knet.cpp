@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "protocol/excerpt.hpp"
 #include "protocol/motion/records/record_text.hpp"
 #include "protocol/text.hpp"
 
 namespace adit::motion {
 namespace {
 
-using protocol::quote;
+using protocol::excerpt;
 using protocol::trim;
 
 constexpr std::size_t kHeader = 17;  // lines
@@ -38,7 +39,7 @@ std::pair<std::string_view, std::string_view> split(std::string_view text, std::
 
 double positive(const RecordText& text, std::size_t line, std::string_view word) {
   const double value = text.number(line, trim(word));
-  if (value <= 0) text.refuse(line, quote(word) + " is not a number above 0");
+  if (value <= 0) text.refuse(line, excerpt(word) + " is not a number above 0");
   return value;
 }
 

@@ -10,12 +10,13 @@
 #include <sstream>
 #include <utility>
 
+#include "protocol/excerpt.hpp"
 #include "protocol/text.hpp"
 
 namespace adit::motion {
 namespace {
 
-using protocol::quote;
+using protocol::excerpt;
 using protocol::UserError;
 
 constexpr std::string_view kBlanks = " \t";
@@ -45,8 +46,8 @@ double RecordText::number(std::size_t line, std::string_view text) const {
   const auto [end, error] = std::from_chars(digits.data(), last, value);
   if (error == std::errc() && end == last && std::isfinite(value)) return value;
   if (std::ranges::count(digits, '.') > 1 && digits.find_first_not_of("0123456789.e+-") == std::string::npos)
-    refuse(line, quote(text) + " is several numbers without a blank between them; separate them");
-  refuse(line, quote(text) + " is not a number; a number such as `-0.12E-3` is expected");
+    refuse(line, excerpt(text) + " is several numbers without a blank between them; separate them");
+  refuse(line, excerpt(text) + " is not a number; a number such as `-0.12E-3` is expected");
 }
 
 void RecordText::append_numbers(std::size_t line, std::vector<double>& numbers) const {

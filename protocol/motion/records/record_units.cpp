@@ -3,6 +3,7 @@
 #include <string>
 
 #include "protocol/errors.hpp"
+#include "protocol/excerpt.hpp"
 #include "protocol/motion/records/record_text.hpp"
 #include "protocol/motion/records/records.hpp"
 #include "protocol/scene/fields/units.hpp"
@@ -12,7 +13,7 @@ namespace adit::motion {
 namespace {
 
 using protocol::Dimension;
-using protocol::quote;
+using protocol::excerpt;
 using protocol::UserError;
 
 // `text` as scenes write units: small letters, without brackets, a number of the unit behind it in brackets
@@ -37,7 +38,7 @@ double factor_of(std::string_view text, const Dimension& dimension, const std::s
   if (unit.dimension == dimension) return unit.factor * std::pow(10.0, unit.decimals);
   const bool moves =
       unit.dimension == Dimension{.length = 1, .time = -1} || unit.dimension == Dimension{.length = 1};
-  throw UserError("", quote(text) + " is not a unit of " + name + "; " +
+  throw UserError("", excerpt(text) + " is not a unit of " + name + "; " +
                           (moves ? "give the record of the acceleration" : "give one such as " + examples));
 }
 

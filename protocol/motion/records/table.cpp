@@ -9,13 +9,14 @@
 #include <utility>
 #include <vector>
 
+#include "protocol/excerpt.hpp"
 #include "protocol/motion/records/record_text.hpp"
 #include "protocol/text.hpp"
 
 namespace adit::motion {
 namespace {
 
-using protocol::quote;
+using protocol::excerpt;
 using protocol::trim;
 using protocol::UserError;
 
@@ -112,8 +113,8 @@ std::size_t only_acceleration(const RecordText& text, std::size_t line,
   if (found.size() == 1) return found[0];
   if (names.size() == first + 1) return first;  // its unit is refused, or given by the scene
   text.refuse(line,
-              fmt::format("has {} columns of acceleration; give the name of one as `column`, such as `{}`",
-                          found.size(), names[found.empty() ? first : found[0]]));
+              fmt::format("has {} columns of acceleration; give the name of one as `column`, such as {}",
+                          found.size(), excerpt(names[found.empty() ? first : found[0]])));
 }
 
 Columns columns_of(const RecordText& text, std::size_t line, const std::vector<std::string_view>& names,
@@ -122,7 +123,7 @@ Columns columns_of(const RecordText& text, std::size_t line, const std::vector<s
   if (keys.time_step == 0) {
     const Name time = name_of(names[0]);
     if (time.unit.empty())
-      text.refuse(line, quote(names[0]) + " states no unit; a name such as `time_s` is expected");
+      text.refuse(line, excerpt(names[0]) + " states no unit; a name such as `time_s` is expected");
     columns.time = 0;
     columns.time_factor = text.at(line, [&] { return time_unit(time.unit); });
   }
@@ -134,14 +135,14 @@ Columns columns_of(const RecordText& text, std::size_t line, const std::vector<s
     const auto found =
         std::ranges::find_if(names, [&](std::string_view cell) { return is_called(cell, keys.column); });
     if (found == names.end())
-      text.refuse(line,
-                  fmt::format("has no column `{}`; its columns are {}", keys.column, fmt::join(names, ", ")));
+      text.refuse(line, fmt::format("has no column `{}`; its columns are {}", keys.column,
+                                    excerpt(fmt::format("{}", fmt::join(names, ", ")))));
     columns.acceleration = static_cast<std::size_t>(found - names.begin());
   }
   const std::string_view name = names[columns.acceleration], unit = name_of(name).unit;
   if (unit.empty() && keys.unit.empty())
-    text.refuse(
-        line, quote(name) + " states no unit; a name such as `acceleration [m/s^2]` is expected, or `unit`");
+    text.refuse(line, excerpt(name) +
+                          " states no unit; a name such as `acceleration [m/s^2]` is expected, or `unit`");
   columns.unit = keys.unit.empty() ? unit : keys.unit;
   text.at(line, [&] { return acceleration_unit(columns.unit); });
   return columns;

@@ -5,6 +5,7 @@
 
 #include "protocol/scene/fields/quantity.hpp"
 #include "protocol/text.hpp"
+#include "protocol/unseen.hpp"
 
 namespace adit::protocol {
 namespace {
@@ -141,7 +142,7 @@ bool fit_for_a_name(std::string_view text) {
     return std::isalnum(c) || c == '_' || c == '-' || c == '.' || c > 127;  // letters of other scripts
   };
   return !text.empty() && text.size() <= kLongestName && text.front() != '.' &&
-         std::ranges::all_of(text, fits);
+         std::ranges::all_of(text, fits) && is_one_visible_word(text);
 }
 
 bool within(const scene::Rule& rule, double value) {

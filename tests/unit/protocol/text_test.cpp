@@ -6,6 +6,8 @@
 
 #include <string>
 
+#include "protocol/excerpt.hpp"
+
 namespace adit::protocol {
 namespace {
 
@@ -45,11 +47,24 @@ TEST(Text, ControlCharactersBecomeSpaces) {
   EXPECT_EQ(one_line(std::string("a\0b", 3)), "a b");
 }
 
+// Two texts that look alike would differ: zero width, word joiner, byte order mark, soft hyphen, a tag.
+TEST(Text, CharactersOfNoWidthBecomeSpaces) {
+  for (const char* unseen : {"\xe2\x80\x8b", "\xe2\x81\xa0", "\xef\xbb\xbf", "\xc2\xad", "\xf3\xa0\x81\x81"})
+    EXPECT_EQ(one_line(std::string("a") + unseen + "b"), "a b");
+}
+
 TEST(Text, IsCutBetweenCharacters) {
   std::string umlauts;
   for (int i = 0; i < 31; ++i) umlauts += "\xc3\xbc";
   EXPECT_EQ(shorten(umlauts + umlauts.substr(0, 58)), umlauts + umlauts.substr(0, 58)) << "60 characters";
   EXPECT_EQ(shorten(umlauts + umlauts), umlauts + umlauts.substr(0, 52) + "...") << "62 characters";
+}
+
+// Of a line of a foreign file a message shows a word.
+TEST(Text, ExcerptsOfFilesHaveFortyCharacters) {
+  EXPECT_EQ(excerpt("x_m;y_m"), "`x_m;y_m`");
+  EXPECT_EQ(excerpt(std::string(40, 'x')), "`" + std::string(40, 'x') + "`");
+  EXPECT_EQ(excerpt(std::string(41, 'x')), "`" + std::string(37, 'x') + "...`");
 }
 
 TEST(Text, OfAFileMayBearAByteOrderMark) {

@@ -24,6 +24,27 @@ std::string at2(const std::string& unit_line, const std::string& size_line, cons
 const std::string kUnit = "ACCELERATION TIME SERIES IN UNITS OF G";
 const std::string kValues = "  .1000000E+00  -.2000000E+00\n   0.300000E-01\n";
 
+// Requirement: no message shows more than 40 characters of a file, whatever the line that a reader stumbles
+// over.
+TEST(Records, AreNeverQuotedByTheLine) {
+  std::string secret;
+  for (int i = 0; i < 60; ++i) secret += fmt::format("s{:03d}", i);
+  const auto table = [&](const std::string& names) { return names + "," + secret + "\n0,1,2\n0.5,1,2\n"; };
+  using Case = std::pair<std::string, RecordKeys>;
+  for (const auto& [content, keys] :
+       {Case{secret, {}}, Case{secret + "\n" + secret, {}}, Case{"time_s,a_gal\n0," + secret, {}},
+        Case{table("time_s,a_gal"), {.column = "up"}},
+        Case{secret + "_gal," + secret + "_g\n1,2\n", {.time_step = 0.1}},
+        Case{at2(kUnit, "NPTS= 1, DT= " + secret + " SEC", "1\n"), {}},
+        Case{at2(kUnit, "NPTS= 1, DT= .01 SEC", secret), {}},
+        Case{at2(secret, "NPTS= 1, DT= .01 SEC", "1"), {}}}) {
+    const std::string message = complaint([&] { parse_motion("x", content, keys); });
+    EXPECT_NE(message, "") << content;
+    for (std::size_t i = 0; i + 41 <= secret.size(); ++i)
+      ASSERT_EQ(message.find(secret.substr(i, 41)), std::string::npos) << message;
+  }
+}
+
 // Every style of header that PEER has used is read to the same motion.
 TEST(At2, ReadsEveryStyleOfHeader) {
   const Folder folder;

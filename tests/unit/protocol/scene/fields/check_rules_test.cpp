@@ -62,7 +62,7 @@ TEST(CheckRules, RequiredFieldsAreThere) {
   expect_refused<scene::Polygon>("", "corners", "is missing; write for example `corners: [{x: 0, y: 0},");
 }
 
-// Names become parts of names of files and columns.
+// Names become parts of names of files and columns, and stand in reports and on terminals.
 TEST(CheckRules, NamesAreFitForFiles) {
   for (const std::string& name : {std::string("top-2.b_c"), std::string("Übergang"), std::string(100, 'x')})
     expect_accepted<scene::ParticleGroup>("name: '" + name + "' where { x_min: 0 }");
@@ -71,6 +71,18 @@ TEST(CheckRules, NamesAreFitForFiles) {
         std::string("a,b"), std::string(101, 'x')})
     expect_refused<scene::ParticleGroup>("name: '" + name + "'", "name",
                                          "expected a name of letters, digits, `_`, `-`");
+}
+
+// What a reader does not see must not stand in a name, nor must bytes that are not UTF-8: control characters,
+// separators, blanks of any width, what turns the direction of writing, and what has no width.
+TEST(CheckRules, NamesAreSeenAsTheyAre) {
+  for (const std::string unseen :
+       {"\u0085", "\u00a0", "\u00ad", "\u061c", "\u200b", "\u200d", "\u200e", "\u2028", "\u2029", "\u202e",
+        "\u2060", "\u2066", "\u2069", "\u3000", "\ufeff", "\U000e0041", "\xe4"})
+    expect_refused<scene::ParticleGroup>("name: 'a" + unseen + "b'", "name",
+                                         "expected a name of letters, digits, `_`, `-`");
+  for (const std::string seen : {"\u00dcbergang", "\u0928\u0940", "\u96a7\u9053", "\U0001f687"})
+    expect_accepted<scene::ParticleGroup>("name: '" + seen + "' where { x_min: 0 }");
 }
 
 TEST(CheckRules, FieldsStandInTheRelationTheyName) {
