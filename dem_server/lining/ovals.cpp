@@ -14,6 +14,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kFewestSectors = 8, kMostSectors = 72;
+constexpr double kOnLine = 1e-9;  // of a sector, beyond the rounding of places
 
 std::size_t number_of_sectors(double mean_radius, double largest_particle) {
   const double length = 2 * pi * mean_radius;
@@ -32,10 +33,18 @@ Oval::Oval(std::string name, const geometry::Point& centre, double inner_radius,
   for (std::uint32_t i = 0; i < p.size(); ++i) {
     const double x = p.x[i] - centre.x, y = p.y[i] - centre.y, distance = std::hypot(x, y);
     if (distance < inner_radius || distance > outer_radius) continue;
-    const double turns = std::atan2(y, x) / (2 * pi);
-    const auto sector = static_cast<std::size_t>((turns - std::floor(turns)) * count);
-    sectors_[std::min(sector, sectors_.size() - 1)].push_back(i);
+    // A particle on the line between two sectors is of both: a mirrored ring has the same diameters.
+    const double turns = std::atan2(y, x) / (2 * pi), place = (turns - std::floor(turns)) * count;
+    const std::size_t sector = sector_at(place - kOnLine), next = sector_at(place + kOnLine);
+    sectors_[sector].push_back(i);
+    if (next != sector) sectors_[next].push_back(i);
   }
+}
+
+// `place`: of an angle, in sectors from x.
+std::size_t Oval::sector_at(double place) const {
+  const auto count = static_cast<double>(sectors_.size());
+  return static_cast<std::size_t>(place - std::floor(place / count) * count) % sectors_.size();
 }
 
 bool Oval::is_whole() const {

@@ -41,6 +41,7 @@ class Oval {
   DiameterChange change(const Particles& particles) const;
 
  private:
+  std::size_t sector_at(double place) const;
   double middle_of(std::size_t sector) const;  // direction, from x
   geometry::Point translation(const Particles& particles) const;
   // Median displacement of a sector, without the translation of the ring.

@@ -77,6 +77,25 @@ TEST(Ovals, DoNotFollowLooseGrains) {
   expect_ellipse(oval(p).change(p), 0.3);
 }
 
+// Requirement: a ring and its mirror image have the same diameters, also where particles lie between two
+// sectors, as on the axes.
+TEST(Ovals, AreMirroredWithTheirRing) {
+  Particles p = ring().particles;
+  const Oval observed = oval(p);
+  const auto deformed = [&](double sign) {
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const double x = p.x[i] - kCentre.x, y = sign * (p.y[i] - kCentre.y);
+      p.ux[i] = p.settled_x[i] + 1e-3 * (std::sin(3 * x + y) + x * y);
+      p.uy[i] = p.settled_y[i] + sign * 1e-3 * (std::cos(2 * y - x) + y);
+    }
+    return observed.change(p);
+  };
+  const DiameterChange one = deformed(1), other = deformed(-1);
+  EXPECT_NEAR(one.largest, other.largest, 1e-12);
+  EXPECT_NEAR(one.smallest, other.smallest, 1e-12);
+  EXPECT_NEAR(std::remainder(one.direction + other.direction, pi), 0, 1e-9);
+}
+
 TEST(Ovals, AreUnknownWithoutTheirParticles) {
   GeneralEngine engine(ring(), 1);
   Particles& p = engine.particles();
