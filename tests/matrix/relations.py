@@ -79,7 +79,12 @@ def mirrored(world, row, scene, folder, base):
 def can_be_mirrored(row):
     # A formula has a sign of its own, and a random packing has no mirror image.
     formula = row["motion"] in ("ricker", "sine", "gabor", "synthetic") and row["direction"] == "x"
-    return not formula and row["packing"] != "random"
+    return not formula and row["packing"] != "random" and not is_lattice_by_its_order(row)
+
+
+def is_lattice_by_its_order(row):
+    """A table in the order of a lattice has the stated stress in each bond, and another order forces that balance."""
+    return row["packing"] == "placed" and row["rest"] == "stressed"
 
 
 def turned(world, row, scene, folder, base):
@@ -88,8 +93,8 @@ def turned(world, row, scene, folder, base):
 
 def can_be_turned(row):
     # Bases and free fields are below and beside the ground; rows of packings lie along x.
-    return row["base"] == "held" and row["sides"] != "free_field" and row["packing"] == "placed" or (
-        row["inside"] in ("none", "grid") and row["base"] == "held" and row["sides"] != "free_field") and row["rest"] != "stressed"
+    turns = row["packing"] == "placed" or row["inside"] in ("none", "grid")
+    return turns and row["base"] == "held" and row["sides"] != "free_field" and row["rest"] != "stressed"
 
 
 def moved(world, row, scene, folder, base):
@@ -260,7 +265,7 @@ OF_GROUND = {
     resumed: always, replayed: always, doubled: is_linear, divided: lambda row: row["grid"] == "block", in_arcs: lambda row: row["support"] == "lining",
 }
 OF_GRAINS = {
-    balanced: always, mirrored: lambda row: row["packing"] != "random", turned: lambda row: row["packing"] == "placed" and row["floor"] != "quiet" and row["rest"] != "stressed",
+    balanced: always, mirrored: lambda row: row["packing"] != "random" and not is_lattice_by_its_order(row), turned: lambda row: row["packing"] == "placed" and row["floor"] != "quiet" and row["rest"] != "stressed",
     moved: lambda row: row["packing"] != "random" and not grains.is_idle(row), scaled: always, scaled_stress: always, reordered: always, said_apart: always,
     longer: always, threads: always, observed: always, resumed: always, replayed: always, general: lambda row: row["engine"] == "automatic",
 }
