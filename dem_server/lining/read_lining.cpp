@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "dem_server/model/placement/joint_lines.hpp"
+#include "dem_server/model/placement/scene_checks.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/text.hpp"
 
@@ -38,8 +39,7 @@ std::vector<Cut> read_cuts(const scene::Particles& scene) {
     const auto& section = scene.sections(k);
     const std::string path = path_of("sections", k);
     const Cut cut{section.name(), place(section.from()), place(section.to())};
-    if (cut.from.x == cut.to.x && cut.from.y == cut.to.y)
-      throw UserError(path + ".to", "is the same place as `from`; give a section two ends");
+    require_two_ends(section.from(), section.to(), path, "section");
     if (std::ranges::find(cuts, cut.name, &Cut::name) != cuts.end()) refuse_name(path, cut.name, "section");
     cuts.push_back(cut);
   }

@@ -154,6 +154,7 @@ struct Model {
   std::uint32_t contact_number(std::uint32_t group_1, std::uint32_t group_2) const {
     return group_pair_number(groups(), group_1, group_2);
   }
+  bool is_there(std::size_t disc) const { return present.empty() || present[disc]; }
   // Area of the cell that a disc stands for, without its weight [m^2].
   double cell_area(std::size_t disc) const { return mass[disc] / density[group[disc]]; }
   // Moment of inertia of a disc without its weight, m R^2 / 2 [kg m^2].

@@ -24,9 +24,9 @@ std::vector<Pair> touching_without_bond(const Model& model) {
   for (const Bond& bond : model.bonds) bonded.push_back(by_discs(bond));
   std::ranges::sort(bonded);
   auto pairs = pairs_within(model.discs, kTouching * std::ranges::max(model.discs.radius));
-  const auto absent = [&](std::uint32_t disc) { return !model.present.empty() && !model.present[disc]; };
   std::erase_if(pairs, [&](const Pair& pair) {
-    return absent(pair.first) || absent(pair.second) || std::ranges::binary_search(bonded, by_discs(pair));
+    return !model.is_there(pair.first) || !model.is_there(pair.second) ||
+           std::ranges::binary_search(bonded, by_discs(pair));
   });
   return pairs;
 }

@@ -72,15 +72,17 @@ std::vector<double> external_forces(const Model& model) {
   std::vector<double> forces(3 * model.discs.size(), 0.0);
   for (const Load& load : model.loads) {
     const double factor = load.time(0);
-    for (const std::uint32_t i : load.discs) {
-      const double share = load.kind == Load::Kind::kForce ? 1 / static_cast<double>(load.discs.size())
+    std::vector<std::uint32_t> loaded = load.discs;
+    std::erase_if(loaded, [&](std::uint32_t i) { return !model.is_there(i); });
+    for (const std::uint32_t i : loaded) {
+      const double share = load.kind == Load::Kind::kForce ? 1 / static_cast<double>(loaded.size())
                                                            : model.weight[i] * model.mass[i];
       forces[3 * i] += factor * share * load.x;
       forces[3 * i + 1] += factor * share * load.y;
     }
   }
   for (const Spring& spring : model.springs) {
-    if (spring.stage > 0) continue;
+    if (spring.stage > 0 || !model.is_there(spring.first) || !model.is_there(spring.second)) continue;
     const double x = model.discs.x[spring.second] - model.discs.x[spring.first],
                  y = model.discs.y[spring.second] - model.discs.y[spring.first];
     const double per_length = spring.pretension / std::hypot(x, y);

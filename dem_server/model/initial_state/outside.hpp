@@ -16,8 +16,8 @@ using StressAt = std::function<protocol::GroundStress(double x, double y)>;
 // Less than the weight of what no overlap shares, but for rounding.
 inline constexpr double kShared = 1 - 1e-9;
 
-// Force x, force y [N] and moment [N m] on each disc, of loads and springs, with the discs' weights: three
-// values a disc.
+// Force x, force y [N] and moment [N m] on each disc that is there, of loads and springs, with the discs'
+// weights: three values a disc.
 std::vector<double> external_forces(const Model& model);
 
 // The same, by which the other model of an overlap holds the discs where both are at rest under the stated

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "protocol/errors.hpp"
 #include "protocol/machine/memory.hpp"
@@ -30,6 +31,12 @@ void require_room_for(double particles, double radius, const std::string& path) 
     throw UserError(path, fmt::format("{} m gives {:.3g} particles, at most {:.3g} can be computed on this "
                                       "machine; enlarge the radius",
                                       radius, particles, most_particles()));
+}
+
+void require_two_ends(const scene::Point& from, const scene::Point& to, const std::string& path,
+                      const char* what) {
+  if (!(std::hypot(to.x() - from.x(), to.y() - from.y()) >= kSmallestRadius))
+    throw UserError(path + ".to", fmt::format("is the same place as `from`; give a {} two ends", what));
 }
 
 const scene::Material& material_of(const scene::Scene& scene) {

@@ -13,6 +13,13 @@ namespace adit::dem {
 // A snapshot travels in one frame, which limits the particles.
 void require_room_for(double particles, double radius, const std::string& path);
 
+// Places and sizes beyond these are slips of a unit or an exponent; their squares stay finite [m].
+inline constexpr double kLargestPlace = 1e9, kSmallestRadius = 1e-12;
+
+// Refuses a line whose ends lie closer together than any particle is large: `what` has no direction.
+void require_two_ends(const scene::Point& from, const scene::Point& to, const std::string& path,
+                      const char* what);
+
 template <class Packing>
 geometry::BoundingBox box_of(const Packing& packing) {
   return {packing.x_min(), packing.x_max(), packing.y_min(), packing.y_max()};

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "dem_server/model/nearest_on_wall.hpp"
+#include "dem_server/model/placement/scene_checks.hpp"
 #include "dem_server/model/reading/conditions.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/text.hpp"
@@ -33,8 +34,7 @@ std::vector<MovingWall> read_walls(const scene::Particles& particles, const Grou
     if (std::ranges::find(walls, wall.name(), &MovingWall::name) != walls.end())
       throw UserError(path + ".name", fmt::format("is {}, as that of an earlier wall; give each its own",
                                                   protocol::quote(wall.name())));
-    if (wall.from().x() == wall.to().x() && wall.from().y() == wall.to().y())
-      throw UserError(path + ".to", "is the same place as `from`; give a wall two ends");
+    require_two_ends(wall.from(), wall.to(), path, "wall");
     const LinearContact contact =
         wall.has_contacts() ? read_contact(wall.contacts(),
                                            [&own] {
@@ -52,8 +52,8 @@ void refuse_walls_that_bear(const Model& model) {
   const Discs& d = model.discs;
   for (std::size_t k = 0; k < model.walls.size(); ++k)
     for (std::size_t i = 0; i < d.size(); ++i) {
-      const bool there = model.present.empty() || model.present[i];
-      if (!there || distance(model.walls[k], d.x[i], d.y[i]) > (1 + kTouching) * d.radius[i]) continue;
+      if (!model.is_there(i) || distance(model.walls[k], d.x[i], d.y[i]) > (1 + kTouching) * d.radius[i])
+        continue;
       throw UserError(fmt::format("particles.walls[{}]", k),
                       fmt::format("touches the particle at ({:.6g}, {:.6g}) m, and a wall cannot bear its "
                                   "part of initial_stress; hold the outermost particles by "

@@ -8,6 +8,7 @@
 
 #include "dem_server/model/initial_state/faces.hpp"
 #include "dem_server/model/initial_state/initial_state.hpp"
+#include "dem_server/model/initial_state/outside.hpp"
 #include "dem_server/model/reading/read_model.hpp"
 #include "protocol/scene/fields/check_rules.hpp"
 #include "tests/support/lattice_model.hpp"
@@ -52,6 +53,27 @@ TEST(InitialState, KnowsTheFacesBetweenDiscs) {
   for (std::size_t i = 0; i < model.discs.size(); ++i) {
     const double x = model.discs.x[i], y = model.discs.y[i];
     EXPECT_EQ(faces.border[i], x < 1 || x > 4 || y < 1 || y > 3);
+  }
+}
+
+// Requirement: a force is shared by the discs that are there, and a spring to one that is not pulls nothing,
+// as in the engines.
+TEST(InitialState, NothingActsOnDiscsThatAreAbsent) {
+  auto scene = test::square_scene(4, 1);
+  auto& force = *scene.mutable_particles()->add_loads();
+  force.mutable_where()->set_x_max(3);
+  force.mutable_force()->set_y(-6e3);
+  auto& spring = *scene.mutable_particles()->add_springs();
+  test::set(*spring.mutable_from(), 1.5, 0.5);
+  test::set(*spring.mutable_to(), 0.5, 0.5);
+  spring.set_stiffness(1e6);
+  spring.set_pretension(1e3);
+  Model model = read_model(scene);
+  model.present = {false, true, true, true};
+  const auto forces = external_forces(model);
+  for (std::size_t disc = 0; disc < 4; ++disc) {
+    EXPECT_EQ(forces[3 * disc], 0) << disc;
+    EXPECT_EQ(forces[3 * disc + 1], disc == 1 || disc == 2 ? -3e3 : 0) << disc;
   }
 }
 
