@@ -60,17 +60,27 @@ void require_edges_inside(const Overlap& overlap, const std::string& model, cons
   if (lowest > kTouching) refuse("continuum_ends", given.continuum_ends());
 }
 
-[[noreturn]] void refuse_gap(const Overlap& overlap, const Gap& gap, const std::string& absent,
-                             const std::string& present) {
-  const std::string remedy = overlap.is_ring()
-                                 ? "let it reach over the ring and what that lies around, or let both end "
-                                   "together"
-                                 : "both must fill the overlap's cross-section";
+// What to do about a gap; where zones are larger than the overlap is wide, their places say little of it.
+std::string remedy_of(const Overlap& overlap, const Presence& absent, const Gap& gap) {
+  std::string remedy = overlap.is_ring()
+                           ? "let it reach over the ring and what that lies around, or let both end together"
+                           : "both must fill the overlap's cross-section";
+  if (absent.is_nowhere()) return remedy;
+  if (const double size = absent.size(gap.x, gap.y); size > overlap.width())
+    remedy += fmt::format(
+        "; if it does, its zones of about {:.2g} m are too large for an overlap {:.2g} m wide: make "
+        "them smaller or the overlap wider",
+        size, overlap.width());
+  return remedy;
+}
+
+[[noreturn]] void refuse_gap(const Overlap& overlap, const Gap& gap, const Presence& model,
+                             const std::string& absent, const std::string& present) {
   throw UserError(
       overlap.path() + ".overlap",
       fmt::format("is not filled by `{}` at ({:g}, {:g}) m, where `{}` is: its nearest place is {:.3g} m "
                   "away; {}",
-                  absent, gap.x, gap.y, present, gap.distance, remedy));
+                  absent, gap.x, gap.y, present, gap.distance, remedy_of(overlap, model, gap)));
 }
 
 void require_filled(const Overlap& overlap, std::span<const double> outer, std::span<const double> inner) {
@@ -79,15 +89,15 @@ void require_filled(const Overlap& overlap, std::span<const double> outer, std::
   const Condition within = [&](double x, double y) { return overlap.contains(x, y); };
   const Presence inner_model(inner), outer_model(outer);
   if (const Gap gap = widest_gap(those(outer, within), inner_model, slack); gap.distance > 0)
-    refuse_gap(overlap, gap, inner_name, outer_name);
+    refuse_gap(overlap, gap, inner_model, inner_name, outer_name);
   if (const Gap gap = widest_gap(those(inner, within), outer_model, slack); gap.distance > 0)
-    refuse_gap(overlap, gap, outer_name, inner_name);
+    refuse_gap(overlap, gap, outer_model, outer_name, inner_name);
   if (!overlap.is_ring()) return;
   const Condition lost = [&](double x, double y) {
     return overlap.core().distance(x, y) < 0 && !inner_model.surrounds(x, y);
   };
   if (const Gap gap = widest_gap(those(outer, lost), inner_model, slack); gap.distance > 0)
-    refuse_gap(overlap, gap, inner_name, outer_name);
+    refuse_gap(overlap, gap, inner_model, inner_name, outer_name);
 }
 
 void require_ring_meets(const Overlap& overlap, const Filled& outer) {

@@ -3,15 +3,11 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "coupler/bridging/presence.hpp"
 
 namespace adit::coupler {
 namespace {
-
-// The eighth nearest sample of a grid of squares lies half a diagonal of a zone away (presence.hpp).
-constexpr double kZoneOverSpacing = std::numbers::sqrt2;
 
 std::string narrow_note(const Overlap& overlap, const Side& side) {
   if (!side.part.has_continuum()) return {};
@@ -19,7 +15,7 @@ std::string narrow_note(const Overlap& overlap, const Side& side) {
   double zone = 0;
   for (std::size_t i = 0; i + 1 < side.samples.size(); i += 2)
     if (const double x = side.samples[i], y = side.samples[i + 1]; overlap.contains(x, y)) {
-      const double size = kZoneOverSpacing * model.spacing(x, y);
+      const double size = model.size(x, y);
       if (zone == 0 || size < zone) zone = size;
     }
   if (overlap.width() >= (1 - 1e-6) * zone) return {};

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 namespace adit::coupler {
@@ -17,6 +18,7 @@ using Box = boost::geometry::model::box<Place>;
 
 constexpr double kReach = 1.5;  // of the local spacing
 constexpr unsigned kNeighbours = 8;
+constexpr unsigned kAround = 32;  // samples, one of which belongs to the zone around a place, if one does
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::vector<Place> places_of(std::span<const double> samples) {
@@ -45,6 +47,19 @@ struct Presence::Tree : index::rtree<Place, index::quadratic<16>> {
     return farthest;
   }
 
+  bool reaches(const Place& sample, const Place& place) const {
+    return boost::geometry::distance(place, sample) <= kReach * spacing_at(sample);
+  }
+
+  // Not always by the nearest sample, which in a graded grid may belong to a smaller zone beside that of the
+  // place.
+  bool is_reached(const Place& place) const {
+    if (reaches(nearest(place), place)) return true;
+    std::vector<Place> around;
+    query(index::nearest(place, kAround), std::back_inserter(around));
+    return std::ranges::any_of(around, [&](const Place& sample) { return reaches(sample, place); });
+  }
+
   bool is_in(const Box& box) const { return qbegin(index::intersects(box)) != qend(); }
 };
 
@@ -61,7 +76,7 @@ double Presence::gap(double x, double y, double slack) const {
   if (is_nowhere()) return kInfinity;
   const Place place(x, y), nearest = tree_->nearest(place);
   const double distance = boost::geometry::distance(place, nearest);
-  return distance <= slack || distance <= kReach * tree_->spacing_at(nearest) ? 0 : distance;
+  return distance <= slack || tree_->is_reached(place) ? 0 : distance;
 }
 
 bool Presence::surrounds(double x, double y) const {
@@ -71,6 +86,10 @@ bool Presence::surrounds(double x, double y) const {
          tree_->is_in({{x, y - half}, {kInfinity, y + half}}) &&
          tree_->is_in({{x - half, -kInfinity}, {x + half, y}}) &&
          tree_->is_in({{x - half, y}, {x + half, kInfinity}});
+}
+
+double Presence::size(double x, double y) const {
+  return std::numbers::sqrt2 * spacing(x, y);
 }
 
 double Presence::spacing(double x, double y) const {

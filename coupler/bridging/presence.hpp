@@ -3,8 +3,8 @@
 //
 // The local spacing s at a sample is the distance to its eighth nearest one: 0.7 zones in a grid of squares
 // that is sampled at points, edges and middles; 1.7 radii in a hexagonal lattice that is sampled at centres
-// and bonds. The model is taken to reach 1.5 s beyond its samples: a packing fills a box up to 1.8 radii
-// before its sides.
+// and bonds. The model is taken to reach 1.5 s beyond each of its samples: a packing fills a box up to 1.8
+// radii before its sides, and the middle of a zone reaches its corners, whatever lies beside it.
 #pragma once
 
 #include <memory>
@@ -19,8 +19,8 @@ class Presence {
 
   bool is_nowhere() const;
 
-  // How far (x, y) lies from where the model is [m]: 0 within 1.5 s or `slack` of a sample, otherwise the
-  // distance to the nearest one; infinite for a model that is nowhere.
+  // How far (x, y) lies from where the model is [m]: 0 within 1.5 s of a sample or `slack` of the nearest,
+  // otherwise the distance to that; infinite for a model that is nowhere.
   double gap(double x, double y, double slack) const;
 
   // Whether the model lies to the left and right of (x, y), and above and below: a place without it is then a
@@ -29,6 +29,8 @@ class Presence {
 
   // The local spacing at the sample nearest to (x, y) [m].
   double spacing(double x, double y) const;
+  // The size there of a zone, of which that is half a diagonal, or of a particle, about [m].
+  double size(double x, double y) const;
 
  private:
   struct Tree;

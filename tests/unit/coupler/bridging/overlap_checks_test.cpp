@@ -134,6 +134,33 @@ TEST(OverlapInside, ASlopingPortalIsAFreeFace) {
   refuse(ring, slope, face, "", "is not filled by `continuum` at (");
 }
 
+// Points, middles of edges and middles of zones between lines in both directions.
+std::vector<double> graded(const std::vector<double>& lines) {
+  const auto at = [&](std::size_t k) { return (lines[k / 2] + lines[(k + 1) / 2]) / 2; };
+  std::vector<double> points;
+  for (std::size_t i = 0; i < 2 * lines.size() - 1; ++i)
+    for (std::size_t j = 0; j < 2 * lines.size() - 1; ++j) points.insert(points.end(), {at(i), at(j)});
+  return points;
+}
+
+// Requirement: a grid fills an overlap whose width is less than its zones', however fast they grow.
+TEST(OverlapInside, AGridThatIsCoarseForTheOverlap) {
+  const std::vector<double> lines{-10,  -7,  -4.5, -3,  -2.6, -2.3, -2, -1.7,
+                                  -1.3, 0.2, 2.5,  2.7, 2.9,  5,    8,  11};
+  const Body patch = particles({-3.2, 3.2, -3.2, 3.2});
+  const auto inside = patch.samples(), outside = graded(lines);
+  for (const double width : {0.3, 0.8})
+    EXPECT_NO_THROW(require_inside(test::overlap_of(test::ring(test::box(-2.4, 2.4, -2.4, 2.4), width)),
+                                   {{-10, 11, -10, 11}, outside}, {patch.box, inside}))
+        << width;
+}
+
+// Requirement: where a gap is refused between zones larger than the overlap's width, that is told too.
+TEST(OverlapInside, AGapBetweenLargeZones) {
+  refuse(test::ring(test::box(-2, 2, -2, 9), 0.5), {{-20, 20, -20, 0}, 2}, particles({-3, 3, -3, 10}), "",
+         "its zones of about");
+}
+
 // Requirement: a hole of the inner model in the core is a hole; ground at which it merely ends is lost.
 TEST(OverlapInside, InTheCoreOnlyHolesMayBeEmpty) {
   Body lining = particles({-4, 4, -4, 4});
