@@ -15,6 +15,7 @@
 #include "protocol/ground/statics_notes.hpp"
 #include "protocol/log/log.hpp"
 #include "protocol/log/waiting.hpp"
+#include "protocol/participant/warnings.hpp"
 #include "protocol/text.hpp"
 
 namespace adit::coupler {
@@ -58,8 +59,11 @@ void build_models(Model& model, const std::string& run_id) {
   ask_all(model, wire::Frame::kModel, "builds its model");
   for (Participant& participant : model.participants) {
     participant.model.Swap(participant.reply.mutable_model());
-    for (const std::string& note : participant.model.notes())
-      model.notes.push_back(participant.member.name + ": " + note);
+    for (const std::string_view note : participant.model.notes()) {
+      const bool warns = note.starts_with(protocol::kWarning);
+      const auto text = note.substr(warns ? protocol::kWarning.size() : 0);
+      (warns ? model.warnings : model.notes).push_back(fmt::format("{}: {}", participant.member.name, text));
+    }
   }
 }
 

@@ -7,6 +7,8 @@
 #include <sstream>
 
 #include "dem_server/model/placement/placed_table.hpp"
+#include "dem_server/model/placement/scene_checks.hpp"
+#include "dem_server/model/placement/written_numbers.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/excerpt.hpp"
 #include "protocol/nearest_name.hpp"
@@ -88,6 +90,16 @@ std::array<int, 4> read_heading(const Table& table, const std::vector<std::strin
 
 }  // namespace
 
+std::optional<std::string> wrong_with_disc(double x, double y, double radius) {
+  if (!(radius > 0)) return fmt::format("the radius is {} m; give one above 0", radius);
+  if (!(radius >= kSmallestRadius && radius <= kLargestPlace))
+    return fmt::format("the radius is {} m; give one from {:g} to {:g} m", radius, kSmallestRadius,
+                       kLargestPlace);
+  if (!(std::abs(x) <= kLargestPlace && std::abs(y) <= kLargestPlace))
+    return fmt::format("the place is ({}, {}) m; give one within {:g} m of the origin", x, y, kLargestPlace);
+  return std::nullopt;
+}
+
 PlacedDiscs read_csv(const std::string& content, const std::string& path) {
   Table table(content, path);
   std::vector<std::string> cells;
@@ -96,24 +108,32 @@ PlacedDiscs read_csv(const std::string& content, const std::string& path) {
   const auto place = read_heading(table, cells);
   const std::size_t columns = cells.size();
   PlacedDiscs placed;
+  WrittenNumbers x, y, radius;
   while (table.next(cells)) {
     if (cells.size() != columns)
       table.refuse(
           fmt::format("has {} values, the heading {} columns; give one for each", cells.size(), columns));
-    const auto value = [&](std::size_t column) {
-      return table.number(cells[static_cast<std::size_t>(place[column])]);
+    const auto cell = [&](std::size_t column) { return cells[static_cast<std::size_t>(place[column])]; };
+    const auto value = [&](std::size_t column, WrittenNumbers& written) {
+      const double number = table.number(cell(column));
+      written.add(cell(column), number);
+      return number;
     };
-    placed.discs.x.push_back(value(0));
-    placed.discs.y.push_back(value(1));
-    placed.discs.radius.push_back(value(2));
-    if (!(placed.discs.radius.back() > 0))
-      table.refuse(fmt::format("the radius is {} m; give one above 0", placed.discs.radius.back()));
+    placed.discs.x.push_back(value(0, x));
+    placed.discs.y.push_back(value(1, y));
+    placed.discs.radius.push_back(value(2, radius));
+    if (const auto wrong =
+            wrong_with_disc(placed.discs.x.back(), placed.discs.y.back(), placed.discs.radius.back()))
+      table.refuse(*wrong);
     if (place[3] < 0) continue;
-    const double group = value(3);
+    const double group = table.number(cell(3));
     if (!(group >= 0 && group < kMostGroups && group == std::floor(group)))
       table.refuse(fmt::format("the group is {}; give a whole number from 0", group));
     placed.number.push_back(static_cast<std::uint32_t>(group));
   }
+  placed.x_rounding = x.rounding();
+  placed.y_rounding = y.rounding();
+  placed.radius_rounding = radius.rounding();
   return placed;
 }
 

@@ -11,7 +11,12 @@ namespace adit::dem {
 struct PlacedDiscs {
   Discs discs;
   std::vector<std::uint32_t> number;  // of each disc's group; empty where the file has none
+  // Half a unit of the last digit that the file holds [m].
+  double x_rounding = 0, y_rounding = 0, radius_rounding = 0;
 };
+
+// Why a disc cannot be computed, in words that go on from its row; none where it can.
+std::optional<std::string> wrong_with_disc(double x, double y, double radius);
 
 // Columns `x_m`, `y_m`, `radius_m` and perhaps `group` in any order, named by the first line. UserError at
 // `path` names the line.

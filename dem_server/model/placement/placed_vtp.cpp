@@ -4,16 +4,23 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <pugixml.hpp>
 #include <string_view>
 
 #include "dem_server/model/placement/placed_table.hpp"
+#include "dem_server/model/placement/written_numbers.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/excerpt.hpp"
 #include "protocol/text.hpp"
 
 namespace adit::dem {
 namespace {
+
+struct Numbers {
+  std::vector<double> values;
+  double rounding;  // half a unit of the last digit of the largest
+};
 
 class Reader {
  public:
@@ -40,49 +47,55 @@ class Reader {
 
   void read_piece(const pugi::xml_node& piece, PlacedDiscs& placed) const {
     const std::size_t count = piece.attribute("NumberOfPoints").as_ullong();
-    const auto points = values(piece.child("Points").child("DataArray"), "the points", 3 * count);
+    const auto [points, place_rounding] =
+        values(piece.child("Points").child("DataArray"), "the points", 3 * count);
     const auto field = [&](const char* name) {
       return piece.child("PointData").find_child_by_attribute("DataArray", "Name", name);
     };
     if (count > 0 && !field("radius_m"))
       refuse("has no point field `radius_m`; add it, or give the particles as CSV");
-    const auto radius = values(field("radius_m"), "radius_m", count);
+    const auto [radius, radius_rounding] = values(field("radius_m"), "radius_m", count);
+    placed.x_rounding = placed.y_rounding = std::max(placed.x_rounding, place_rounding);
+    placed.radius_rounding = std::max(placed.radius_rounding, radius_rounding);
     for (std::size_t i = 0; i < count; ++i) {
       for (const double value : {points[3 * i], points[3 * i + 1], radius[i]})
         if (!std::isfinite(value)) refuse(fmt::format("point {} has a place or radius that is no number", i));
-      if (!(radius[i] > 0))
-        refuse(fmt::format("point {}: the radius is {} m; give one above 0", i, radius[i]));
+      if (const auto wrong = wrong_with_disc(points[3 * i], points[3 * i + 1], radius[i]))
+        refuse(fmt::format("point {}: {}", i, *wrong));
       placed.discs.x.push_back(points[3 * i]);
       placed.discs.y.push_back(points[3 * i + 1]);
       placed.discs.radius.push_back(radius[i]);
     }
     if (!field("group")) return;
-    for (const double group : values(field("group"), "group", count)) {
+    for (const double group : values(field("group"), "group", count).values) {
       if (!(group >= 0 && group == std::floor(group) && group < 1e6))
         refuse(fmt::format("a point's group is {}; give whole numbers from 0", group));
       placed.number.push_back(static_cast<std::uint32_t>(group));
     }
   }
 
-  std::vector<double> values(const pugi::xml_node& array, const std::string& what,
-                             std::size_t expected) const {
+  Numbers values(const pugi::xml_node& array, const std::string& what, std::size_t expected) const {
     const std::string_view format = array.attribute("format").as_string("ascii");
-    std::vector<double> values;
+    Numbers numbers{};
     if (format == "ascii")
-      values = from_text(array.text().get(), what);
+      numbers = from_text(array.text().get(), what);
     else if (format == "binary")
-      values = from_base64(array, what);
+      numbers = from_base64(array, what);
     else
       refuse(fmt::format("holds {} as {} data; save it as ASCII, or with binary data in place", what,
                          protocol::excerpt(format)));
-    if (values.size() != expected)
-      refuse(fmt::format("holds {} values of {}, expected {}", values.size(), what, expected));
-    return values;
+    if (numbers.values.size() != expected)
+      refuse(fmt::format("holds {} values of {}, expected {}", numbers.values.size(), what, expected));
+    if (std::string_view(array.attribute("type").value()) == "Float32")  // however many digits it writes
+      for (const double value : numbers.values)
+        numbers.rounding = std::max(numbers.rounding, std::abs(value) * kSingle);
+    return numbers;
   }
 
-  std::vector<double> from_text(std::string_view text, const std::string& what) const {
+  Numbers from_text(std::string_view text, const std::string& what) const {
     constexpr std::string_view kBlanks = " \t\r\n";
     std::vector<double> values;
+    WrittenNumbers written;
     for (auto at = text.find_first_not_of(kBlanks); at != std::string_view::npos;
          at = text.find_first_not_of(kBlanks, at)) {
       const auto word = text.substr(at, text.find_first_of(kBlanks, at) - at);
@@ -91,13 +104,14 @@ class Reader {
       if (error != std::errc() || end != word.data() + word.size())
         refuse(fmt::format("{} of {} is not a number", protocol::excerpt(word), what));
       values.push_back(value);
+      written.add(word, value);
       at += word.size();
     }
-    return values;
+    return {std::move(values), written.rounding()};
   }
 
   // The length in bytes, then the values, in one stream.
-  std::vector<double> from_base64(const pugi::xml_node& array, const std::string& what) const {
+  Numbers from_base64(const pugi::xml_node& array, const std::string& what) const {
     if (std::string_view(file_.attribute("byte_order").value()) != "LittleEndian")
       refuse("holds big-endian data; save it as ASCII");
     const std::string bytes = decode(array.text().get(), what);
@@ -106,7 +120,8 @@ class Reader {
     std::memcpy(&length, bytes.data(), std::min(header, bytes.size()));
     if (bytes.size() < header || bytes.size() - header < length)
       refuse(fmt::format("holds fewer data of {} than it says; save it again", what));
-    return numbers(std::string_view(bytes).substr(header, length), array.attribute("type").value(), what);
+    const std::string_view type = array.attribute("type").value();
+    return {numbers(std::string_view(bytes).substr(header, length), type, what), 0};
   }
 
   std::vector<double> numbers(std::string_view bytes, std::string_view type, const std::string& what) const {
@@ -149,6 +164,7 @@ class Reader {
     return bytes;
   }
 
+  static constexpr double kSingle = std::numeric_limits<float>::epsilon() / 2;
   static constexpr std::string_view kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string path_;

@@ -113,7 +113,25 @@ void refuse_deep_overlaps(const Discs& discs, const std::string& path) {
   }
 }
 
-Placement placed(const scene::PlacedParticles& wanted) {
+// Rounding in a file opens gaps: it moves both discs in both directions, and changes both radii.
+constexpr double kFine = 2e-4;     // of a radius: numbers with a coarser last digit are meant as they stand
+constexpr double kNearest = 0.02;  // of a radius
+
+Reach reach_after_rounding(const PlacedDiscs& table) {
+  const double radius = std::ranges::min(table.discs.radius);
+  const auto gap = [radius](double x, double y, double size) {
+    return 2 * (std::hypot(x, y) + size) / radius;
+  };
+  const auto fine = [radius](double rounding) { return rounding <= kFine * radius ? rounding : 0; };
+  Reach reach;
+  reach.unstated = std::max(reach.unstated,
+                            gap(fine(table.x_rounding), fine(table.y_rounding), fine(table.radius_rounding)));
+  reach.near =
+      std::clamp(gap(table.x_rounding, table.y_rounding, table.radius_rounding), reach.near, kNearest);
+  return reach;
+}
+
+Placement placed(const scene::PlacedParticles& wanted, Notes& notes) {
   const std::string path = "particles.placed.path";
   const std::string& content = wanted.content();
   const auto begin = content.find_first_not_of(" \t\r\n");
@@ -124,7 +142,13 @@ Placement placed(const scene::PlacedParticles& wanted) {
   refuse_deep_overlaps(table.discs, path);
   const auto extent = extent_of(table.discs);
   const auto own_area = [](double density, double r) { return density * (std::numbers::pi * r * r); };
-  return {std::move(table.discs), own_area, extent, std::move(table.number), false};
+  const Reach reach = reach_after_rounding(table);
+  if (reach.unstated > Reach{}.unstated)
+    notes.push_back(fmt::format(
+        "{}: its numbers are rounded; bonds without a `reach` of their own join particles up to {:.2g} "
+        "of their mean radius apart",
+        path, reach.unstated));
+  return {std::move(table.discs), own_area, extent, std::move(table.number), false, reach};
 }
 
 Placement fill(const scene::Particles& p, double normal_stiffness, const Growing& growing, Notes& notes) {
@@ -137,7 +161,7 @@ Placement fill(const scene::Particles& p, double normal_stiffness, const Growing
   if (p.has_packing()) return hexagonal(p.packing());
   if (p.has_square_packing()) return square(p.square_packing());
   if (p.has_random_packing()) return random(p.random_packing(), normal_stiffness, growing, notes);
-  return placed(p.placed());
+  return placed(p.placed(), notes);
 }
 
 std::vector<bool> flags(std::size_t count, const std::vector<std::uint32_t>& chosen) {

@@ -12,6 +12,12 @@
 
 namespace adit::dem {
 
+// Gaps as shares of the mean radius of two discs.
+struct Reach {
+  double unstated = scene::Bonds::default_instance().reach();  // up to which bonds join that state none
+  double near = 1e-3;                                          // up to which rounding may have opened them
+};
+
 struct Placement {
   Discs discs;
   // Mass of the solid that a disc of this radius stands for [kg per metre of thickness].
@@ -19,6 +25,7 @@ struct Placement {
   geometry::BoundingBox extent;       // of the solid [m]
   std::vector<std::uint32_t> number;  // of each in the table it came from; empty without one
   bool overlaps_free = true;
+  Reach reach{};
 
   // Keeps the discs for which keep[i] is set.
   void keep_only(const std::vector<bool>& keep);

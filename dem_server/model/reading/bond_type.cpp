@@ -62,6 +62,7 @@ BondType with_strength_of_material(const BondType& type, const std::string& path
 }
 
 BondType read_without_material(const scene::Bonds& bonds, const std::string& path, const BondSource& source) {
+  const double reach = bonds.has_reach() ? bonds.reach() : source.reach;
   if (bonds.has_parallel()) {
     for (const auto& [given, name] : {std::pair{bonds.has_tensile_strength(), "tensile_strength"},
                                       std::pair{bonds.has_shear_strength(), "shear_strength"}})
@@ -69,7 +70,7 @@ BondType read_without_material(const scene::Bonds& bonds, const std::string& pat
         throw UserError(path + "." + name,
                         "is given beside `parallel`, whose cement alone carries tension; give the strengths "
                         "there, in Pa");
-    return {read_parallel(bonds.parallel()), bonds.reach()};
+    return {read_parallel(bonds.parallel()), reach};
   }
   ContactBond law{
       {bonds.normal_stiffness(), bonds.shear_stiffness()}, bonds.tensile_strength(), bonds.shear_strength()};
@@ -78,7 +79,7 @@ BondType read_without_material(const scene::Bonds& bonds, const std::string& pat
     if (!bonds.has_normal_stiffness()) law.stiffness.normal = other.normal;
     if (!bonds.has_shear_stiffness()) law.stiffness.shear = other.shear;
   }
-  return {law, bonds.reach()};
+  return {law, reach};
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ struct BondSource {
   // Of the material, the weaker one where there are two; asked for only with `strength_of_material`. A path.
   std::function<MaterialStrength(const std::string& path)> strength;
   std::optional<double> lattice_radius;  // of the particles, where they are packed hexagonally [m]
+  double reach;                          // of bonds that state none
 };
 // UserError below `path` for strengths that are given twice or cannot be had.
 BondType read_bond_type(const scene::Bonds& bonds, const std::string& path, const BondSource& source);

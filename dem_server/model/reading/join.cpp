@@ -7,6 +7,7 @@
 #include <map>
 
 #include "dem_server/model/placement/joint_lines.hpp"
+#include "dem_server/model/placement/scene_checks.hpp"
 #include "dem_server/model/reading/bond_type.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/text.hpp"
@@ -31,8 +32,8 @@ constexpr int kRing = -1, kNothing = -2;
 // The types of bonds of the scene, each read once.
 class BondTypes {
  public:
-  BondTypes(const scene::Particles& particles, const std::vector<Group>& groups)
-      : particles_(particles), groups_(groups) {
+  BondTypes(const scene::Particles& particles, const std::vector<Group>& groups, double reach)
+      : particles_(particles), groups_(groups), reach_(reach) {
     for (int k = 0; k < particles.between_size(); ++k) {
       const auto& between = particles.between(k);
       const std::string path = between_path(k);
@@ -58,10 +59,12 @@ class BondTypes {
   }
   const BondType& operator[](int number) const { return types_[static_cast<std::size_t>(number)]; }
 
-  // The largest of all reaches that the scene gives.
+  // The largest of all reaches.
   double largest_reach() const {
-    double reach = scene::Bonds::default_instance().reach();
-    const auto add = [&reach](const scene::Bonds& bonds) { reach = std::max(reach, bonds.reach()); };
+    double reach = reach_;
+    const auto add = [&reach](const scene::Bonds& bonds) {
+      if (bonds.has_reach()) reach = std::max(reach, bonds.reach());
+    };
     add(particles_.bonds());
     add(particles_.ring().joints());
     for (const auto& group : particles_.groups()) add(group.bonds());
@@ -83,7 +86,7 @@ class BondTypes {
     if (joint.has_bonds()) return read(joint.bonds(), path + ".bonds", pair);
     if (!joint.has_smooth()) return std::nullopt;
     const auto replaced = of_groups(pair);
-    const double reach = replaced ? replaced->reach : scene::Bonds::default_instance().reach();
+    const double reach = replaced ? replaced->reach : reach_;
     return read_smooth_joint(joint.smooth(), reach);
   }
 
@@ -125,13 +128,14 @@ class BondTypes {
                       [&](const std::string& path) {
                         return weaker(strength_of(first.material, path), strength_of(second.material, path));
                       },
-                      std::nullopt};
+                      std::nullopt, reach_};
     if (particles_.has_packing()) source.lattice_radius = particles_.packing().radius();
     return source;
   }
 
   const scene::Particles& particles_;
   const std::vector<Group>& groups_;
+  double reach_;  // of bonds that state none
   std::map<GroupPair, int> between_;
   std::map<std::pair<int, GroupPair>, int> numbers_;
   std::vector<BondType> types_;
@@ -173,8 +177,7 @@ std::vector<JointLine> read_lines(const scene::Particles& particles) {
   for (const auto& joint : particles.joints()) {
     const std::string path = joint_path(lines.size());
     const geometry::Point from{joint.from().x(), joint.from().y()}, to{joint.to().x(), joint.to().y()};
-    if (from.x == to.x && from.y == to.y)
-      throw UserError(path + ".to", "is the same place as `from`; give a joint two ends");
+    require_two_ends(joint.from(), joint.to(), path, "joint");
     if (joint.law_case() == scene::ParticleJoint::LAW_NOT_SET || (joint.has_open() && !joint.open()))
       throw UserError(path,
                       "does not say what joins the particles across it; give bonds, smooth or open: true");
@@ -209,28 +212,38 @@ std::vector<std::uint32_t> begin_of_joints(const scene::Particles& particles, co
 // Joins two discs, if anything does.
 class Joiner {
  public:
-  Joiner(const scene::Particles& particles, const std::vector<Group>& groups,
+  Joiner(const scene::Particles& particles, const std::vector<Group>& groups, const Reach& reach,
          const std::vector<ParticleStage>& stages, Model& model)
       : discs_(model.discs),
         groups_(groups),
+        reach_(reach),
         lines_(read_lines(particles)),
-        types_(particles, groups),
+        types_(particles, groups, reach.unstated),
         laws_(model) {
-    near_ = pairs_within(discs_, types_.largest_reach() * std::ranges::max(discs_.radius));
+    near_ =
+        pairs_within(discs_, std::max(types_.largest_reach(), reach.near) * std::ranges::max(discs_.radius));
     begin_of_lines_ = begin_of_joints(particles, discs_, lines_, near_, stages.back().group);
-    parts_some_.resize(lines_.size(), false);
+    joined_.crossing.resize(lines_.size(), 0);
     if (particles.has_ring()) ring_.emplace(particles.ring());
     within_ground_ = particles.ring().within_ground();
   }
 
   void join(ParticleStage& stage) {
+    nearly_ = 0;
+    crossing_.assign(lines_.size(), 0);
     for (const Pair& pair : near_)
       if (stage.present[pair.first] && stage.present[pair.second]) join(pair, stage);
+    joined_.bonds = std::max(joined_.bonds, stage.bonds.size());
+    joined_.nearly = std::max(joined_.nearly, nearly_);
+    for (std::size_t k = 0; k < lines_.size(); ++k)
+      joined_.crossing[k] = std::max(joined_.crossing[k], crossing_[k]);
   }
+
+  const Joined& joined() const { return joined_; }
 
   void require_parting() const {
     for (std::size_t k = 0; k < lines_.size(); ++k)
-      if (!parts_some_[k])
+      if (joined_.crossing[k] == 0)
         throw UserError(joint_path(k), "parts no particles that are joined; move it between them");
   }
 
@@ -256,8 +269,11 @@ class Joiner {
     const int barrier = barrier_between(pair, stage);
     const int type = types_.find(barrier, stage.group[i], stage.group[j]);
     if (barrier >= 0 && (joins(type) || joins(types_.find(kNothing, stage.group[i], stage.group[j]))))
-      parts_some_[static_cast<std::size_t>(barrier)] = true;
-    if (!joins(type)) return;
+      ++crossing_[static_cast<std::size_t>(barrier)];
+    if (!joins(type)) {
+      if (type != kNothing && share <= reach_.near) ++nearly_;
+      return;
+    }
     const auto [law, number] = laws_.find(type, types_[type], std::min(discs_.radius[i], discs_.radius[j]));
     Bond bond{i, j, law, number};
     if (law == Bond::Law::kSmoothJoint) {
@@ -270,6 +286,7 @@ class Joiner {
 
   const Discs& discs_;
   const std::vector<Group>& groups_;
+  Reach reach_;
   std::vector<JointLine> lines_;
   std::vector<std::uint32_t> begin_of_lines_;
   std::optional<RingJoints> ring_;
@@ -277,16 +294,19 @@ class Joiner {
   BondTypes types_;
   Laws laws_;
   std::vector<Pair> near_;
-  std::vector<bool> parts_some_;
+  Joined joined_;
+  std::size_t nearly_ = 0;             // in the stage at hand
+  std::vector<std::size_t> crossing_;  // likewise, of each line
 };
 
 }  // namespace
 
-void join(const scene::Particles& particles, const std::vector<Group>& groups,
-          std::vector<ParticleStage>& stages, Model& model) {
-  Joiner joiner(particles, groups, stages, model);
+Joined join(const scene::Particles& particles, const std::vector<Group>& groups, const Reach& reach,
+            std::vector<ParticleStage>& stages, Model& model) {
+  Joiner joiner(particles, groups, reach, stages, model);
   for (ParticleStage& stage : stages) joiner.join(stage);
   joiner.require_parting();
+  return joiner.joined();
 }
 
 }  // namespace adit::dem

@@ -7,12 +7,18 @@
 
 namespace adit::dem {
 
+// Counts of pairs in the stage that has most of them.
+struct Joined {
+  std::size_t bonds = 0, nearly = 0;  // with a bond; without one, but within Reach::near
+  std::vector<std::size_t> crossing;  // parted by each of `joints`, of those that something would join
+};
+
 // Sets the bonds of each stage, and the laws of the model, from its discs and their groups. The rule for two
 // discs near each other: the last of `joints` whose line parts them; else the ring's joints; else `between`
 // their groups; else the bonds of their groups. A joint without a stage begins with the first groups between
 // which it stands. UserError for joints that part nothing, groups that are unknown or joined by laws of two
 // kinds.
-void join(const scene::Particles& particles, const std::vector<Group>& groups,
-          std::vector<ParticleStage>& stages, Model& model);
+Joined join(const scene::Particles& particles, const std::vector<Group>& groups, const Reach& reach,
+            std::vector<ParticleStage>& stages, Model& model);
 
 }  // namespace adit::dem

@@ -13,6 +13,7 @@
 #include "dem_server/model/reading/conditions.hpp"
 #include "dem_server/model/reading/edges.hpp"
 #include "dem_server/model/reading/join.hpp"
+#include "dem_server/model/reading/join_warnings.hpp"
 #include "dem_server/model/reading/springs.hpp"
 #include "dem_server/model/reading/walls.hpp"
 #include "dem_server/model/solid/bends_as_solid.hpp"
@@ -21,6 +22,7 @@
 #include "dem_server/model/stages/read_stages.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/ground/stated_stress.hpp"
+#include "protocol/participant/warnings.hpp"
 
 namespace adit::dem {
 namespace {
@@ -30,14 +32,14 @@ using protocol::UserError;
 constexpr std::uint32_t kFewestNeighbours = 3;
 
 // Discs, groups and bonds of the model, in all stages.
-void set_particles(const scene::Scene& scene, const std::vector<Group>& groups, const Placement& placement,
-                   Model& model) {
+Joined set_particles(const scene::Scene& scene, const std::vector<Group>& groups, const Placement& placement,
+                     Model& model) {
   model.discs = placement.discs;
   model.contact_bonds.clear();
   model.parallel_bonds.clear();
   model.smooth_joints.clear();
   model.stages = read_stages(scene, placement);
-  join(scene.particles(), groups, model.stages, model);
+  const Joined joined = join(scene.particles(), groups, placement.reach, model.stages, model);
   stiffen_ring_faces(scene.particles(), groups, model);
   ParticleStage& first = model.stages.front();
   model.group = std::move(first.group);
@@ -45,6 +47,7 @@ void set_particles(const scene::Scene& scene, const std::vector<Group>& groups, 
   if (std::ranges::find(first.present, false) != first.present.end())
     model.present = std::move(first.present);
   model.stages.erase(model.stages.begin());
+  return joined;
 }
 
 void remove_floaters(const Model& model, std::vector<std::string>& notes, Placement& placement) {
@@ -167,10 +170,10 @@ Model read_model(const scene::Scene& scene, const protocol::Progress& progress, 
   Placement placement =
       place_discs(particles, model.contacts.front().normal_stiffness, {progress, threads}, model.notes);
   model.overlaps_free = placement.overlaps_free;
-  set_particles(scene, groups, placement, model);
+  Joined joined = set_particles(scene, groups, placement, model);
   if (particles.remove_floaters()) {
     remove_floaters(model, model.notes, placement);
-    set_particles(scene, groups, placement, model);
+    joined = set_particles(scene, groups, placement, model);
   }
   if (particles.has_packing() && groups.front().bonds != nullptr && model.bonds.empty())
     refuse_small_box(particles.packing(), model.discs.size());
@@ -182,6 +185,8 @@ Model read_model(const scene::Scene& scene, const protocol::Progress& progress, 
   note_cut_tensions(particles, groups, model);
   note_thin_ring(particles, model);
   note_no_bonds(particles, model);
+  for (const std::string& warning : join_warnings(particles, joined, placement.reach))
+    model.notes.push_back(protocol::as_warning(warning));
   model.walls = read_walls(particles, groups.front());
   model.springs = read_springs(particles, model.discs);
   model.edges = read_edges(particles, groups, placement, model.group);

@@ -169,6 +169,20 @@ INSTANTIATE_TEST_SUITE_P(
              placed("x_m,y_m,radius_m\nnan,0,1\n")},
         Case{"RadiusBelowNothing", "particles.placed.path", "line 3: the radius is -1 m; give one above 0",
              placed("x_m,y_m,radius_m\n0,0,1\n3,0,-1\n")},
+        Case{"RadiusBeyondAnyModel", "particles.placed.path",
+             "line 3: the radius is 1e+300 m; give one from 1e-12 to 1e+09 m",
+             placed("x_m,y_m,radius_m\n0,0,1\n3,0,1e300\n")},
+        Case{"RadiusOfNothing", "particles.placed.path", "line 3: the radius is 1e-200 m",
+             placed("x_m,y_m,radius_m\n0,0,1\n3,0,1e-200\n")},
+        Case{"InfiniteRadius", "particles.placed.path", "line 2: `inf` is not a number",
+             placed("x_m,y_m,radius_m\n0,0,inf\n")},
+        Case{"PlaceBeyondAnyModel", "particles.placed.path",
+             "line 2: the place is (1e+300, 0) m; give one within 1e+09 m of the origin",
+             placed("x_m,y_m,radius_m\n1e300,0,1\n")},
+        Case{"PointBeyondAnyModel", "particles.placed.path", "point 0: the radius is 1e+300 m; give one from",
+             placed("<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"1\"><PointData><DataArray "
+                    "Name=\"radius_m\">1e300</DataArray></PointData><Points><DataArray>0 0 "
+                    "0</DataArray></Points></Piece></PolyData></VTKFile>")},
         Case{"TooFewValues", "particles.placed.path", "line 2: has 2 values, the heading 3 columns",
              placed("x_m,y_m,radius_m\n0,0\n")},
         Case{"HalfAGroup", "particles.placed.path", "line 2: the group is 1.5; give a whole number",
@@ -310,6 +324,8 @@ INSTANTIATE_TEST_SUITE_P(
              square([](auto&, auto& p) { add_spring(p, 0, 0, 9, 0); })},
         Case{"WallWithoutLength", "particles.walls[0].to", "give a wall two ends",
              square([](auto&, auto& p) { test::set(*add_wall(p, "floor").mutable_to(), 0, 0); })},
+        Case{"WallShorterThanAnyParticle", "particles.walls[0].to", "give a wall two ends",
+             square([](auto&, auto& p) { test::set(*add_wall(p, "floor").mutable_to(), 1e-200, 0); })},
         Case{"WallsOfOneName", "particles.walls[1].name", "is `floor`, as that of an earlier wall",
              square([](auto&, auto& p) {
                add_wall(p, "floor");
