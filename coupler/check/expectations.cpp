@@ -9,6 +9,9 @@
 namespace adit::coupler {
 namespace {
 
+// A snapshot is held as fields, and a part of it as bytes on their way.
+constexpr double kSnapshotCopies = 1.3;
+
 // The critical step of a participant in steps of the particles, as time_step.hpp compares them.
 double critical_step(const Participant& participant, const Model& model) {
   const bool is_grid = participant.member.role == Role::kContinuum;
@@ -38,13 +41,16 @@ void print_frequencies(const Model& model) {
       print_line("carries", fmt::format("up to {:.3g} Hz in the {}", highest, participant.member.name));
 }
 
-void print_memory(const Model& model) {
+// The most that each process will hold: its model, and the snapshots of one time.
+void print_memory(const Model& model, const Volume& volume) {
   std::string text;
-  for (const Participant& participant : model.participants)
-    if (const double bytes = static_cast<double>(participant.counts.resident_bytes()); bytes > 0)
-      text +=
-          fmt::format("{}{} for the {}", text.empty() ? "" : ", ", memory(bytes), participant.member.name);
-  if (!text.empty()) print_line("memory", text);
+  for (std::size_t s = 0; s < model.participants.size(); ++s) {
+    const Participant& participant = model.participants[s];
+    if (const auto bytes = static_cast<double>(participant.counts.resident_bytes()); bytes > 0)
+      text += fmt::format("{} for the {}, ", memory(bytes + kSnapshotCopies * volume.snapshot_bytes[s]),
+                          participant.member.name);
+  }
+  print_line("memory", fmt::format("{}{} for the coupler", text, memory(volume.coupler_bytes)));
 }
 
 void print_time(const Model& model, const Schedule& schedule, const Pace& pace, const Volume& volume) {
@@ -64,8 +70,8 @@ void print_expectations(const Model& model, const Schedule& schedule, const Pace
                         const Volume& volume) {
   print_time_step(model);
   print_frequencies(model);
-  print_memory(model);
   if (!pace.stable()) return;
+  print_memory(model, volume);
   print_line("results", fmt::format("{} on disk: histories in {} rows of {} columns, fields at {} times",
                                     memory(volume.bytes(schedule)), grouped(schedule.row_count()),
                                     volume.history_columns, schedule.field_count()));

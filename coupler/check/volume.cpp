@@ -2,6 +2,7 @@
 
 #include "coupler/exchange/step_cost.hpp"
 #include "coupler/output/recorder.hpp"
+#include "protocol/machine/memory.hpp"
 #include "protocol/results/vtk.hpp"
 
 namespace adit::coupler {
@@ -14,6 +15,9 @@ constexpr double kBytesOfNumber = 20;  // of a number with 17 digits in a table;
 Volume measure_volume(const Model& model, const Schedule& schedule,
                       const std::vector<wire::Snapshot>& snapshots) {
   Volume volume;
+  volume.coupler_bytes = static_cast<double>(protocol::resident_bytes());
+  for (const wire::Snapshot& snapshot : snapshots)
+    volume.snapshot_bytes.push_back(static_cast<double>(snapshot.ByteSizeLong()));
   {
     const Stopwatch writing(volume.field_seconds);
     for (const wire::Snapshot& snapshot : snapshots)

@@ -1,4 +1,4 @@
-// The size of a run's results.
+// The size of a run's results, and of what is held for them.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,11 @@
 namespace adit::coupler {
 
 struct Volume {
-  double field_bytes = 0;    // of the fields at one time, as files
-  double field_seconds = 0;  // to put them into files
-  double history_bytes = 0;  // of histories.csv and energies.csv, about
+  double field_bytes = 0;              // of the fields at one time, as files
+  double field_seconds = 0;            // to put them into files
+  std::vector<double> snapshot_bytes;  // of each participant, as it is sent
+  double coupler_bytes = 0;            // that the coupler holds with the snapshots
+  double history_bytes = 0;            // of histories.csv and energies.csv, about
   std::size_t history_columns = 0;
 
   double bytes(const Schedule& schedule) const {

@@ -54,8 +54,12 @@ bool is_breakable(const Model& model, const Bond& bond) {
 }
 
 std::size_t breakable_bonds(const Model& model) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(model.bonds, [&](const Bond& bond) { return is_breakable(model, bond); }));
+  const auto count = [&](const std::vector<Bond>& bonds) {
+    return std::ranges::count_if(bonds, [&](const Bond& bond) { return is_breakable(model, bond); });
+  };
+  auto most = count(model.bonds);
+  for (const ParticleStage& stage : model.stages) most = std::max(most, count(stage.bonds));
+  return static_cast<std::size_t>(most);
 }
 
 BondSprings stiffest_springs(const Model& model, const Bond& bond) {

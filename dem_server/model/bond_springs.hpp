@@ -17,7 +17,7 @@ BondSprings stiffest_springs(const Model& model, const Bond& bond, const LinearC
 
 // Whether it has a finite strength, in tension or in shear. A smooth joint has none.
 bool is_breakable(const Model& model, const Bond& bond);
-std::size_t breakable_bonds(const Model& model);  // their number
+std::size_t breakable_bonds(const Model& model);  // in the stage that has most of them
 
 // The contact of the bond's discs.
 const LinearContact& contact_of(const Model& model, const Bond& bond);

@@ -1,11 +1,12 @@
 """`coupler check` tells what the run that follows will be, and writes nothing but the undeformed model where it is asked to."""
 
+import pathlib
 import re
 import subprocess
 import sys
 import unittest
 
-from programs import CASE, SOURCE, ProgramTest, coupler
+from programs import CASE, SOURCE, ProgramTest, Server, counts_resources, coupler
 
 sys.path.insert(0, str(SOURCE / "scripts"))
 from adit_plots.setup.checked import Checked  # noqa: E402
@@ -126,6 +127,25 @@ class Check(ProgramTest):
         size, unit = re.match(r"(\S+) (kB|MB)", report.line("results")).groups()
         told = float(size) * {"kB": 1, "MB": 1e3}[unit]
         self.assertLess(abs(told / kilobytes - 1), 0.2)
+
+    @counts_resources
+    def test_memory_is_what_the_run_will_hold_within_15_percent(self):
+        for name, more in (("lattice", ""), ("general", "  bonds: {}\n  contacts: {friction: 0.5}\n")):
+            with self.subTest(name):
+                scene = self.scene(f"material: {MATERIAL}\ntime: {{duration: 1 ms}}\nparticles:\n  packing: {{x_min: 0 m, "
+                                   f"x_max: 20 m, y_min: 0 m, y_max: 15 m, radius: 5 cm}}\n{more}", f"{name}.yaml")
+                size = re.search(r"(\S+) MB for the particles, (\S+) MB for the coupler", self.check(scene).line("memory"))
+                with Server("dem_server") as server:
+                    self.run_scene(scene, "--dem", server.address, out=name)
+                    held = re.search(r"VmHWM:\s+(\d+) kB", pathlib.Path(f"/proc/{server.process.pid}/status").read_text())
+                self.assertAlmostEqual(float(size[1]) * 1e3 / int(held[1]), 1, delta=0.15)
+                self.assertGreater(float(size[2]), 5)
+
+    def test_bonds_of_a_later_stage_can_break(self):
+        later = PARTICLES.replace("particles:\n", "statics: {}\nparticles:\n").replace(
+            "{tensile_strength: 5 kN, shear_strength: 5 kN}", "{}").replace(
+            "      bonds: {}", "      stage: 1\n      bonds: {tensile_strength: 5 kN, shear_strength: 5 kN}")
+        self.assertGreater(self.check(self.scene(later)).count("particles", "breakable"), 100)
 
     def test_breakable_bonds_are_those_with_a_strength(self):
         report = self.check(self.scene(PARTICLES))
