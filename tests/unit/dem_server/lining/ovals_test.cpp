@@ -80,7 +80,8 @@ TEST(Ovals, DoNotFollowLooseGrains) {
 // Requirement: a ring and its mirror image have the same diameters, also where particles lie between two
 // sectors, as on the axes.
 TEST(Ovals, AreMirroredWithTheirRing) {
-  Particles p = ring().particles;
+  GeneralEngine engine(ring(), 1);
+  Particles& p = engine.particles();
   const Oval observed = oval(p);
   const auto deformed = [&](double sign) {
     for (std::size_t i = 0; i < p.size(); ++i) {
