@@ -1,5 +1,5 @@
-// A material: elastic constants, and laws beyond them. A strength (Mohr-Coulomb, a weak plane or both) may bound
-// a hysteretic law with a memory of elements (zones/laws/limited_law.hpp).
+// A material: elastic constants, and laws beyond them. A strength (Mohr-Coulomb, a weak plane or both) may
+// bound a hysteretic law with a memory of elements (zones/laws/limited_law.hpp).
 #pragma once
 
 #include <cstdint>

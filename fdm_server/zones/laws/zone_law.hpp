@@ -22,7 +22,8 @@ struct LawStep {
   const StrainBatch& strains;
   StressView stresses;
   double* dissipated;  // of each zone, unweighted [J]
-  // Strain across the plane of each zone, beside the increments of `strains`, whose volume holds it; 0 where null.
+  // Strain across the plane of each zone, beside the increments of `strains`, whose volume holds it; 0 where
+  // null.
   const double* across = nullptr;
 };
 
