@@ -34,7 +34,7 @@ Oval::Oval(std::string name, const geometry::Point& centre, double inner_radius,
     const double x = p.x[i] - centre.x, y = p.y[i] - centre.y, distance = std::hypot(x, y);
     if (distance < inner_radius || distance > outer_radius) continue;
     // A particle on the line between two sectors is of both: a mirrored ring has the same diameters.
-    const double turns = std::atan2(y, x) / (2 * pi), place = (turns - std::floor(turns)) * count;
+    const double place = std::atan2(y, x) / (2 * pi) * count;
     const std::size_t sector = sector_at(place - kOnLine), next = sector_at(place + kOnLine);
     sectors_[sector].push_back(i);
     if (next != sector) sectors_[next].push_back(i);

@@ -212,12 +212,7 @@ Histories::Histories(const scene::Particles& scene, const Observable& observed, 
     const auto& given = scene.histories(i);
     const std::string path = fmt::format("particles.histories[{}]", i);
     History history{.quantity = given.quantity()};
-    if (given.has_relative_to() && taken_over(given.quantity()) != Over::kParticle)
-      throw UserError(
-          path + ".relative_to",
-          fmt::format("stands beside {}, but only a displacement, velocity or acceleration counts "
-                      "against another place; leave it out",
-                      protocol::name_of(given.quantity())));
+    protocol::require_relative_motion(given, path);
     switch (taken_over(given.quantity())) {
       case Over::kParticle:
         if (!given.has_at()) throw UserError(path + ".at", "is missing; give the place, {x: …, y: …}");

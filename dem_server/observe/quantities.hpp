@@ -2,20 +2,15 @@
 #pragma once
 
 #include "protocol/messages/scene.pb.h"
+#include "protocol/participant/history.hpp"
 
 namespace adit::dem {
 
 enum class Over { kParticle, kCircle, kWall, kSection, kJoint, kSpring, kOval, kNothing };
 
 inline Over taken_over(scene::Quantity quantity) {
+  if (protocol::is_motion(quantity)) return Over::kParticle;
   switch (quantity) {
-    case scene::DISPLACEMENT_X:
-    case scene::DISPLACEMENT_Y:
-    case scene::VELOCITY_X:
-    case scene::VELOCITY_Y:
-    case scene::ACCELERATION_X:
-    case scene::ACCELERATION_Y:
-      return Over::kParticle;
     case scene::STRESS_XX:
     case scene::STRESS_YY:
     case scene::STRESS_XY:

@@ -25,20 +25,6 @@ bool is_of_zones(scene::Quantity quantity) {
          quantity == scene::STRAIN_YY || quantity == scene::SHEAR_STRAIN_XY;
 }
 
-bool is_motion(scene::Quantity quantity) {
-  switch (quantity) {
-    case scene::DISPLACEMENT_X:
-    case scene::DISPLACEMENT_Y:
-    case scene::VELOCITY_X:
-    case scene::VELOCITY_Y:
-    case scene::ACCELERATION_X:
-    case scene::ACCELERATION_Y:
-      return true;
-    default:
-      return false;
-  }
-}
-
 std::span<const double> velocity(const Continuum& continuum, scene::Quantity quantity) {
   return quantity == scene::VELOCITY_Y || quantity == scene::ACCELERATION_Y ? continuum.vy() : continuum.vx();
 }
@@ -98,17 +84,13 @@ Histories::Histories(const scene::Continuum& scene, const Supports& supports, co
   for (int i = 0; i < scene.histories_size(); ++i) {
     const auto& history = scene.histories(i);
     const std::string path = fmt::format("continuum.histories[{}]", i);
-    const bool motion = is_motion(history.quantity()), zones = is_of_zones(history.quantity()),
+    const bool motion = protocol::is_motion(history.quantity()), zones = is_of_zones(history.quantity()),
                resultant = is_of_lining(history.quantity());
     if (!motion && !zones && !resultant)
       throw protocol::UserError(path + ".quantity",
                                 fmt::format("is {}, which only particles have; ask particles.histories",
                                             protocol::name_of(history.quantity())));
-    if (history.has_relative_to() && !motion)
-      throw protocol::UserError(path + ".relative_to",
-                                fmt::format("stands beside {}, but only a displacement, velocity or "
-                                            "acceleration counts against another place; leave it out",
-                                            protocol::name_of(history.quantity())));
+    protocol::require_relative_motion(history, path);
     Probe& probe = probes_.emplace_back(Probe{history.quantity()});
     if (resultant && history.has_section()) {
       probe.section = sections_.number_of(history, path);
@@ -160,7 +142,7 @@ double Histories::at(std::span<const PointShare> motion, std::span<const double>
 
 void Histories::remember(const Continuum& continuum) {
   for (Probe& probe : probes_)
-    if (is_motion(probe.quantity))
+    if (protocol::is_motion(probe.quantity))
       probe.velocity.remember(at(probe.motion, velocity(continuum, probe.quantity)));
 }
 

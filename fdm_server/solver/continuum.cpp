@@ -122,9 +122,10 @@ void Continuum::set_interface(std::span<const std::uint32_t> points) {
                                             [&](const Dashpot& dashpot) { return !chosen[dashpot.point]; });
   interface_.dashpots.assign(inside, dashpots.end());
   dashpots.erase(inside, dashpots.end());
-  for (auto& springs : interior_.foundations) springs.tie(points);
-  for (auto& springs : interior_.foundations)
+  for (auto& springs : interior_.foundations) {
+    springs.tie(points);
     if (auto taken = springs.take(chosen); !taken.empty()) interface_.foundations.push_back(std::move(taken));
+  }
   std::vector<Load> loads;
   for (auto& loading : interior_.loads) loads.push_back(std::move(loading.load));
   interior_.loads.clear();

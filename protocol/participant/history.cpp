@@ -1,5 +1,6 @@
 #include "protocol/participant/history.hpp"
 
+#include "protocol/errors.hpp"
 #include "protocol/messages/rule.pb.h"
 #include "protocol/text.hpp"
 
@@ -12,6 +13,27 @@ std::string column_of(const scene::History& history) {
 
 std::string name_of(scene::Quantity quantity) {
   return lower_case(scene::Quantity_Name(quantity));
+}
+
+bool is_motion(scene::Quantity quantity) {
+  switch (quantity) {
+    case scene::DISPLACEMENT_X:
+    case scene::DISPLACEMENT_Y:
+    case scene::VELOCITY_X:
+    case scene::VELOCITY_Y:
+    case scene::ACCELERATION_X:
+    case scene::ACCELERATION_Y:
+      return true;
+    default:
+      return false;
+  }
+}
+
+void require_relative_motion(const scene::History& history, const std::string& path) {
+  if (history.has_relative_to() && !is_motion(history.quantity()))
+    throw UserError(path + ".relative_to", "stands beside " + name_of(history.quantity()) +
+                                               ", but only a displacement, velocity or acceleration counts "
+                                               "against another place; leave it out");
 }
 
 }  // namespace adit::protocol

@@ -14,6 +14,12 @@ std::string column_of(const scene::History& history);
 // The quantity as a scene writes it: "displacement_x".
 std::string name_of(scene::Quantity quantity);
 
+// Whether it is a displacement, velocity or acceleration.
+bool is_motion(scene::Quantity quantity);
+
+// UserError at `path`, the history's, for a `relative_to` beside anything but a motion.
+void require_relative_motion(const scene::History& history, const std::string& path);
+
 // One velocity component at half steps, as histories need it at step n: v(n-1/2), which is final, and
 //   a(n) = (v(n+1/2) - v(n-1/2)) / dt,
 // or a(n-1) where v(n+1/2) still awaits the correction by another model. From rest, v(1/2) came of half a
