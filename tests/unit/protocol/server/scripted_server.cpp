@@ -27,7 +27,7 @@ class Scripted : public protocol::Participant {
   void couple(const wire::Couple&, wire::Operator&) override {}
   void advance(const wire::Advance&, wire::Predicted&) override {}
   void complete() override {
-    if (slow_rest_) std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    if (slow_rest_) std::this_thread::sleep_for(std::chrono::seconds(1));
     if (unstable_rest_) throw protocol::Unstable("the rest is not finite");
   }
   void snapshot(const wire::SnapshotRequest&, wire::Snapshot&) override {}
