@@ -12,13 +12,17 @@
 namespace adit::coupler {
 namespace {
 
+// The next whole number. Where the sizes are whole already, rounding must not add one, by which the lattice would
+// lie elsewhere as the tunnel does.
+double at_least(double number) { return std::ceil(number - 1e-6); }
+
 // The packing lies in the middle of its box. An odd number of rows puts a whole one at half the height, so
 // that the lattice is symmetric about both axes of the box.
 scene::HexagonalPacking packing_over(const geometry::BoundingBox& box, double radius) {
   const double margin = 2 * radius, row = std::numbers::sqrt3 * radius;
   const double middle_x = (box.x_min + box.x_max) / 2, middle_y = (box.y_min + box.y_max) / 2;
-  const double half_width = radius * std::ceil(((box.x_max - box.x_min) / 2 + margin) / radius);
-  const double half_height = row * (std::ceil(((box.y_max - box.y_min) / 2 + margin) / row) + 0.5);
+  const double half_width = radius * at_least(((box.x_max - box.x_min) / 2 + margin) / radius);
+  const double half_height = row * (at_least(((box.y_max - box.y_min) / 2 + margin) / row) + 0.5);
   scene::HexagonalPacking packing;
   packing.set_x_min(middle_x - half_width);
   packing.set_x_max(middle_x + half_width);

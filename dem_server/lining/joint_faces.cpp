@@ -60,7 +60,7 @@ JointFaces::JointFaces(std::string name, const geometry::Point& from, const geom
   std::set<std::uint32_t> near_face, far_face;
   for (const auto& [i, j] : near) {
     if (!line.parts({p.x[i], p.y[i]}, {p.x[j], p.y[j]})) continue;
-    for (const std::uint32_t k : {i, j}) (line.above({p.x[k], p.y[k]}) < 0 ? near_face : far_face).insert(k);
+    for (const std::uint32_t k : {i, j}) (line.side({p.x[k], p.y[k]}) < 0 ? near_face : far_face).insert(k);
   }
   near_.assign(near_face.begin(), near_face.end());
   far_.assign(far_face.begin(), far_face.end());

@@ -17,7 +17,7 @@ Sections::Sections(std::vector<Cut> cuts, const Particles& p, std::span<const Pa
     std::set<std::uint32_t> beside;
     for (std::uint32_t k = 0; k < bonds.size(); ++k) {
       const auto [i, j] = bonds[k];
-      if (!line.parts({p.x[i], p.y[i]}, {p.x[j], p.y[j]})) continue;
+      if (line.crossing({p.x[i], p.y[i]}, {p.x[j], p.y[j]}) == 0) continue;
       cut_bonds.insert(k);
       beside.insert({i, j});
     }
@@ -55,12 +55,11 @@ SectionForces Sections::resultant(std::size_t cut, const Particles& p,
   const double x = middle_x + ux, y = middle_y + uy;
   double fx = 0, fy = 0, moment = 0;
   for (const PairForce& pair : pairs) {
-    const geometry::Point first{p.x[pair.first], p.y[pair.first]};
-    if (!line.parts(first, {p.x[pair.second], p.y[pair.second]})) continue;
-    const double sign = line.above(first) < 0 ? -1 : 1;  // the force on the particle to the left
-    fx += sign * pair.fx;
-    fy += sign * pair.fy;
-    moment += sign * ((pair.x - x) * pair.fy - (pair.y - y) * pair.fx + pair.moment);
+    const double share = line.crossing({p.x[pair.first], p.y[pair.first]}, {p.x[pair.second], p.y[pair.second]});
+    if (share == 0) continue;
+    fx += share * pair.fx;
+    fy += share * pair.fy;
+    moment += share * ((pair.x - x) * pair.fy - (pair.y - y) * pair.fx + pair.moment);
   }
   const auto [ex, ey] = line.direction();
   return {fx * ey - fy * ex, -moment, fx * ex + fy * ey};

@@ -4,6 +4,9 @@ A scene takes less than a tenth of a second to compute.
 """
 import math
 
+from changes import Mirrored  # noqa: F401, of this world
+import ground
+
 FACTORS = {
     "plane": ["plane_strain", "plane_stress"],
     "packing": ["placed", "hexagonal", "square", "random"],
@@ -20,6 +23,7 @@ FACTORS = {
     "hole": ["none", "never", "stage"],
     "observe": ["discs", "circles", "section", "joint", "oval"],
     "rows": ["interval", "each_step"],
+    "output": ["histories", "all"],
 }
 
 STATICS = {"kinetic", "local", "adaptive", "unscaled"}
@@ -71,7 +75,7 @@ LOW, HIGH = 0.0, 3.0
 def scene(row):
     """The scene of a row."""
     whole = {"plane": row["plane"], "material": dict(ROCK), "time": {"duration": 0.03}, "particles": _particles(row),
-             "output": {"history_interval": 1e-3 if row["rows"] == "interval" else 1e-9}}
+             "output": ground.output(row)}
     if row["rest"] in STATICS:
         whole["statics"] = {"unbalanced_ratio": 1e-6 if passes_thresholds(row) else 1e-8, "max_steps": 20000,
                             "damping": row["rest"] if row["rest"] != "unscaled" else "local", "scale_masses": row["rest"] != "unscaled"}

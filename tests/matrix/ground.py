@@ -5,6 +5,7 @@ of both ends, or of its middle. A scene takes a tenth of a second to compute.
 """
 import math
 
+from changes import Mirrored  # noqa: F401, of this world
 FACTORS = {
     "plane": ["plane_strain", "plane_stress"],
     "grid": ["block", "blocks", "mesh", "ring", "skewed"],
@@ -27,6 +28,7 @@ FACTORS = {
     "solve": ["consistent", "lumped", "split"],
     "substeps": ["1", "2", "4", "0"],
     "rows": ["interval", "each_step"],
+    "output": ["histories", "all"],
 }
 
 STATICS = {"kinetic", "local", "adaptive", "unscaled"}
@@ -99,6 +101,12 @@ def passes_thresholds(row):
             or row["support"] in ("jointed", "bolt") or row["foundation"] == "springs" or row["damping"] == "local")
 
 
+def output(row):
+    """What is written in which steps."""
+    all_ = {"peaks": {}, "field_times": [0.0, 0.013, 0.03]} if row["output"] == "all" else {}
+    return {"history_interval": 1e-3 if row["rows"] == "interval" else 1e-9, **all_}
+
+
 class Ground:
     """The ground of a row: its sides, and what stands where."""
 
@@ -110,7 +118,7 @@ class Ground:
     def scene(self):
         row = self.row
         scene = {"plane": row["plane"], "material": dict(ROCK), "time": {"duration": 0.03}, "continuum": self.continuum(),
-                 "output": {"history_interval": 1e-3 if row["rows"] == "interval" else 1e-9}}
+                 "output": output(row)}
         if row["rest"] in STATICS:
             scene["statics"] = {"unbalanced_ratio": 1e-6 if passes_thresholds(row) else 1e-8, "max_steps": 20000, "damping": row["rest"] if row["rest"] != "unscaled" else "local",
                                 "scale_masses": row["rest"] != "unscaled"}

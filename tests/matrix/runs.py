@@ -1,11 +1,15 @@
 """Runs scenes and reads what they put out."""
+import atexit
 import csv
+import importlib.util
 import json
 import math
 import os
 import pathlib
 import re
+import shutil
 import subprocess
+import threading
 
 import grains as discs
 import schema
@@ -86,15 +90,64 @@ def grains(_, change):
     return "\n".join(rows) + "\n"
 
 
+# What of a summary tells of the machine, of the time that it took, and of how the run was asked for.
+_OF_THE_RUN = re.compile(r"(^|_)(cpu|compute|hidden|wait|solve|factor|wall|stepping|checkpoint|restore)_s$|^(steps_per_s|hidden_share|solve_factor_bytes|resumed_at_steps"
+                         r"|case|scene|scene_hash|versions|notes)$")
+
+
 class Results:
-    """What a run has written: its summary, and its histories as {column: [values]}."""
+    """What a run has written.
+
+    columns: its histories, {column: [values]}
+    figures: those of its summary that belong to the model
+    files: the bytes of all others, {path: bytes}
+    """
 
     def __init__(self, folder):
         self.folder = folder
         self.summary = json.loads((folder / "summary.json").read_text())
+        origin = set(self.summary) & {"command", "folder", "started", "revision", "inputs"}
+        self.figures = {key: value for key, value in self.summary.items() if not _OF_THE_RUN.search(key) and key not in origin}
         with open(folder / "histories.csv", newline="") as file:
             names, *rows = csv.reader(file)
         self.columns = {name: [float(row[i]) for row in rows] for i, name in enumerate(names)}
+
+    @property
+    def files(self):
+        own = {path.relative_to(self.folder): path for path in sorted(self.folder.rglob("*")) if path.is_file()}
+        return {str(name): path.read_bytes() for name, path in own.items() if name.suffix in (".csv", ".vtu", ".vtp", ".vtk", ".npz")}
+
+
+class _Server:
+    """A server that stays, so that nothing of a run may pass to the next one."""
+
+    def __init__(self, command):
+        self.process = subprocess.Popen([*map(str, command), "--listen", "127.0.0.1:0"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        atexit.register(self.process.terminate)
+        self.address = self.process.stdout.readline().removeprefix("listening on ").strip()
+
+
+_LAMMPS, _FENICSX = BUILD / "adapters/lammps/adit_lammps", schema.SOURCE / "adapters/fenicsx/serve.py"
+_MPIRUN = ["mpirun", "-np", "1", "--bind-to", "none", *(["--allow-run-as-root"] if os.geteuid() == 0 else [])]
+_COMMANDS = {"fdm": [BUILD / "fdm_server/fdm_server"], "dem": [BUILD / "dem_server/dem_server"],
+             "lammps": [*_MPIRUN, _LAMMPS], "fenicsx": [*_MPIRUN, _FENICSX]}
+_of_thread = threading.local()
+
+
+def address(name):
+    """Where a server listens that this thread has for itself: fdm, dem, lammps or fenicsx."""
+    servers = _of_thread.__dict__.setdefault("servers", {})
+    if name not in servers or servers[name].process.poll() is not None:
+        servers[name] = _Server(_COMMANDS[name])
+    return servers[name].address
+
+
+def has_lammps():
+    return _LAMMPS.exists()
+
+
+def has_fenicsx():
+    return bool(shutil.which("mpirun")) and importlib.util.find_spec("dolfinx") is not None
 
 
 def run(scene, folder, change, *options):

@@ -15,14 +15,31 @@ double JointLine::above(const geometry::Point& place) const {
   return (place.y - from_.y) * tx_ - (place.x - from_.x) * ty_;
 }
 
-bool JointLine::parts(const geometry::Point& a, const geometry::Point& b) const {
+// A lattice has rows of centres on the lines that people draw, and rounding must not choose their sides.
+constexpr double kOnLine = 1e-9;  // of the line's length
+
+int JointLine::side(const geometry::Point& place) const {
+  const double distance = above(place);
+  return (distance > kOnLine * length_) - (distance < -kOnLine * length_);
+}
+
+// Whether the way between places on both sides meets the line before its ends.
+bool JointLine::meets(const geometry::Point& a, const geometry::Point& b) const {
   const double first = above(a), second = above(b);
-  if ((first < 0) == (second < 0)) return false;
   const double share = first / (first - second);
   const double x = a.x + share * (b.x - a.x) - from_.x;
   const double y = a.y + share * (b.y - a.y) - from_.y;
   const double along = x * tx_ + y * ty_;
-  return along >= 0 && along <= length_;
+  return along >= -kOnLine * length_ && along <= (1 + kOnLine) * length_;
+}
+
+bool JointLine::parts(const geometry::Point& a, const geometry::Point& b) const {
+  return (side(a) < 0) != (side(b) < 0) && meets(a, b);
+}
+
+double JointLine::crossing(const geometry::Point& a, const geometry::Point& b) const {
+  const int sides = side(a) - side(b);
+  return sides != 0 && meets(a, b) ? sides / 2.0 : 0;
 }
 
 bool JointLine::parts(const Discs& discs, const Pair& pair) const {
@@ -31,7 +48,7 @@ bool JointLine::parts(const Discs& discs, const Pair& pair) const {
 }
 
 std::array<double, 2> JointLine::normal(const Discs& discs, const Pair& pair) const {
-  const double sign = above({discs.x[pair.first], discs.y[pair.first]}) < 0 ? 1 : -1;
+  const double sign = side({discs.x[pair.first], discs.y[pair.first]}) < 0 ? 1 : -1;
   return {-sign * ty_, sign * tx_};
 }
 

@@ -225,6 +225,23 @@ TEST(ExpandTunnels, TheLatticeIsSymmetric) {
   EXPECT_NEAR(area, pi * (5.5 * 5.5 - 3 * 3), 0.01 * area);
 }
 
+// Requirement: a tunnel has the same lattice wherever it lies, also where whole radii fill its box exactly and only
+// rounding could say whether there is room for one more.
+TEST(ExpandTunnels, TheLatticeIsTheSameAnywhere) {
+  const auto half_sizes = [](double x, double y) {
+    const std::string tunnel =
+        test::replaced(test::circular(), "x: 1 y: -12", "x: " + std::to_string(x) + " y: " + std::to_string(y));
+    const auto& packing = expand_tunnels(test::scene_with({tunnel})).scene.particles().packing();
+    return std::pair((packing.x_max() - packing.x_min()) / 2, (packing.y_max() - packing.y_min()) / 2);
+  };
+  const auto [width, height] = half_sizes(0, 0);
+  for (int k = 1; k <= 200; ++k) {
+    const auto [w, h] = half_sizes(0.37 * k, -11.3 * k);
+    EXPECT_NEAR(w, width, 1e-9) << k;
+    EXPECT_NEAR(h, height, 1e-9) << k;
+  }
+}
+
 // Requirement: what a tunnel became can be set up.
 TEST(ExpandTunnels, ATunnelOfEachShapeIsSetUp) {
   for (const char* shape :

@@ -82,19 +82,23 @@ TEST(Ovals, DoNotFollowLooseGrains) {
 TEST(Ovals, AreMirroredWithTheirRing) {
   GeneralEngine engine(ring(), 1);
   Particles& p = engine.particles();
-  const Oval observed = oval(p);
-  const auto deformed = [&](double sign) {
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      const double x = p.x[i] - kCentre.x, y = sign * (p.y[i] - kCentre.y);
-      p.ux[i] = p.settled_x[i] + 1e-3 * (std::sin(3 * x + y) + x * y);
-      p.uy[i] = p.settled_y[i] + sign * 1e-3 * (std::cos(2 * y - x) + y);
+  for (const double outer : {3.1, 3.3, 3.5, 3.7, 4.0}) {  // rings of other numbers of sectors
+    const Oval observed("ring", kCentre, kInner, outer, p);
+    const auto deformed = [&](double sign_x, double sign_y) {
+      for (std::size_t i = 0; i < p.size(); ++i) {
+        const double x = sign_x * (p.x[i] - kCentre.x), y = sign_y * (p.y[i] - kCentre.y);
+        p.ux[i] = p.settled_x[i] + sign_x * 1e-3 * (std::sin(3 * x + y) + x * y);
+        p.uy[i] = p.settled_y[i] + sign_y * 1e-3 * (std::cos(2 * y - x) + y);
+      }
+      return observed.change(p);
+    };
+    const DiameterChange one = deformed(1, 1);
+    for (const DiameterChange& other : {deformed(1, -1), deformed(-1, 1)}) {
+      EXPECT_NEAR(one.largest, other.largest, 1e-12) << outer;
+      EXPECT_NEAR(one.smallest, other.smallest, 1e-12) << outer;
+      EXPECT_NEAR(std::remainder(one.direction + other.direction, pi), 0, 1e-9) << outer;
     }
-    return observed.change(p);
-  };
-  const DiameterChange one = deformed(1), other = deformed(-1);
-  EXPECT_NEAR(one.largest, other.largest, 1e-12);
-  EXPECT_NEAR(one.smallest, other.smallest, 1e-12);
-  EXPECT_NEAR(std::remainder(one.direction + other.direction, pi), 0, 1e-9);
+  }
 }
 
 TEST(Ovals, AreUnknownWithoutTheirParticles) {
