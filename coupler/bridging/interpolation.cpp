@@ -55,7 +55,8 @@ Interpolation::Interpolation(std::vector<std::uint32_t> row_starts, std::vector<
                              std::vector<double> scaled_inverse_masses)
     : SparseRows(std::move(row_starts), std::move(columns), std::move(values)),
       inverse_masses_(std::move(inverse_masses)),
-      other_inverse_masses_(std::move(scaled_inverse_masses)) {}
+      of_time_(inverse_masses_),
+      of_scaled_statics_(std::move(scaled_inverse_masses)) {}
 
 Interpolation::Interpolation(const wire::Operator& op)
     : Interpolation({op.row_starts().begin(), op.row_starts().end()},
@@ -75,9 +76,12 @@ bool Interpolation::is_selection() const {
   return true;
 }
 
-void Interpolation::scale_masses(bool scaled) {
-  if (scaled != scaled_ && !other_inverse_masses_.empty()) inverse_masses_.swap(other_inverse_masses_);
-  scaled_ = scaled;
+void Interpolation::take_masses_of(MassesOf masses) {
+  if (of_scaled_statics_.empty()) return;
+  inverse_masses_ = masses == MassesOf::kScaledStatics ? of_scaled_statics_ : of_time_;
+  if (masses != MassesOf::kStatics) return;
+  for (std::size_t i = 0; i < inverse_masses_.size(); ++i)
+    if (of_scaled_statics_[i] == 0) inverse_masses_[i] = 0;
 }
 
 void Interpolation::divide_by_mass(std::span<double> own) const {

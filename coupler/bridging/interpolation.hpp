@@ -11,6 +11,8 @@
 
 namespace adit::coupler {
 
+enum class MassesOf { kTime, kStatics, kScaledStatics };
+
 // The matrix N that takes the velocities of one side's own points to the coupling points, and the inverse
 // lumped masses of these points [1/kg], 0 where a motion is prescribed. Rows sum to 1; entries may be
 // negative, where a side's points lie a little inside its edge. Vectors of velocities and impulses are
@@ -20,7 +22,7 @@ class Interpolation : public protocol::SparseRows {
   // A side of several participants has the points of all of them, numbered through.
   Interpolation(std::vector<std::uint32_t> row_starts, std::vector<std::uint32_t> columns,
                 std::vector<double> values, std::vector<double> inverse_masses,
-                std::vector<double> scaled_inverse_masses = {});
+                std::vector<double> scaled_inverse_masses = {});  // empty: those of time
 
   // Checks all that came over the wire and throws PeerLost, which names `peer`, if it cannot be used.
   Interpolation(const wire::Operator& op, std::size_t coupling_points, const std::string& peer);
@@ -28,8 +30,9 @@ class Interpolation : public protocol::SparseRows {
   std::size_t coupling_points() const { return rows(); }
   std::size_t own_points() const { return inverse_masses_.size() / 2; }
   std::span<const double> inverse_masses() const { return inverse_masses_; }
-  // Whether the masses are those of statics, where there are any, from now on.
-  void scale_masses(bool scaled);
+  // What the masses are from now on. Statics have those of time, or scaled ones; what they hold does not
+  // yield.
+  void take_masses_of(MassesOf masses);
 
   // Whether each coupling point is an own point and has its velocity (eq. 5 of the paper: N = identity).
   bool is_selection() const;
@@ -39,8 +42,7 @@ class Interpolation : public protocol::SparseRows {
  private:
   explicit Interpolation(const wire::Operator& op);
 
-  std::vector<double> inverse_masses_, other_inverse_masses_;
-  bool scaled_ = false;
+  std::vector<double> inverse_masses_, of_time_, of_scaled_statics_;
 };
 
 }  // namespace adit::coupler

@@ -78,7 +78,8 @@ class StaticMasses {
         of_time_(std::move(model.constraint)),
         dt_(choose_static_steps(model, step_share, own_steps)) {
     for (Participant& participant : model.participants)
-      scale_masses(participant, of_elements && participant.model.scales_masses());
+      take_masses_of(participant, of_elements && participant.model.scales_masses() ? MassesOf::kScaledStatics
+                                                                                   : MassesOf::kStatics);
     if (of_time_)
       model.constraint =
           std::make_unique<Constraint>(model.participants, model.interfaces, model.coupling_points, dt_);
@@ -88,16 +89,16 @@ class StaticMasses {
   ~StaticMasses() {
     for (Participant& participant : model_.participants) {
       participant.step_ratio = 1;
-      scale_masses(participant, false);
+      take_masses_of(participant, MassesOf::kTime);
     }
     model_.constraint = std::move(of_time_);
   }
   double dt() const { return dt_; }
 
  private:
-  static void scale_masses(Participant& participant, bool scaled) {
-    participant.scaled_masses = scaled;
-    if (participant.interpolation) participant.interpolation->scale_masses(scaled);
+  static void take_masses_of(Participant& participant, MassesOf masses) {
+    participant.scaled_masses = masses == MassesOf::kScaledStatics;
+    if (participant.interpolation) participant.interpolation->take_masses_of(masses);
   }
 
   Model& model_;

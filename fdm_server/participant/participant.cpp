@@ -246,8 +246,14 @@ void FdmParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
   fill_inverse_masses(*continuum_, operator_.points(), *op.mutable_inverse_masses());
   if (!scene_.has_statics() || !can_scale_masses()) return;
   scale_masses(true);
-  fill_inverse_masses(*continuum_, operator_.points(), *op.mutable_scaled_inverse_masses());
+  auto& scaled = *op.mutable_scaled_inverse_masses();
+  fill_inverse_masses(*continuum_, operator_.points(), scaled);
   scale_masses(false);
+  for (std::size_t j = 0; j < operator_.points().size(); ++j) {
+    const auto held = continuum_->held_in_statics(operator_.points()[j]);
+    for (const int axis : {0, 1})
+      if (held[axis]) scaled[static_cast<int>(2 * j) + axis] = 0;
+  }
 }
 
 void FdmParticipant::correct(std::span<const double> impulses) {

@@ -22,9 +22,11 @@
 // sum m v(1/2)^2, 0 where nothing acts at t = 0.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "fdm_server/grid/field_arrays.hpp"
@@ -129,6 +131,8 @@ class Continuum {
   // Whether the structures move by mean acceleration in time steps so long [s].
   bool longer_than_structures(double dt) const { return dt > structures_step_; }
 
+  // Whether statics hold a point of the interface, in x and in y.
+  std::array<bool, 2> held_in_statics(std::uint32_t point) const;
   // The points that bear on dashpots of boundaries, ascending.
   std::vector<std::uint32_t> points_on_dashpots() const;
   // The force of the dashpots of these points, but for those against columns, against a unit velocity [N
@@ -209,7 +213,8 @@ class Continuum {
   FieldArrays<kFields> points_;
   protocol::Team team_;
   Part interface_, interior_;
-  double structures_step_;  // critical [s]
+  std::unordered_map<std::uint32_t, std::size_t> tied_;  // dashpots of points that are tied
+  double structures_step_;                               // critical [s]
   // Of those of the interior, once a step is too long for them; the motions of the interior that drive its
   // prescribed freedoms.
   std::optional<MeanAcceleration> average_;
@@ -223,6 +228,7 @@ class Continuum {
   bool steady_ = false;                    // are there steady loads
   double external_work_ = 0, damped_ = 0;  // of all other loads, and of motions
   double last_dt_ = 0, last_kick_ = 0;
+  bool relaxes_ = false;  // the last step was one of statics
   std::uint32_t stage_ = 0;
   std::uint64_t step_of_stage_ = 0;    // in statics, the next
   std::vector<double> tie_x_, tie_y_;  // of the multipliers at the last step, where statics damp [N]

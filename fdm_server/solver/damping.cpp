@@ -62,14 +62,14 @@ void Damping::add_viscous(std::span<const protocol::IndexRange> ranges, const pr
 
 void Damping::tie(std::span<const std::uint32_t> points) {
   if (!acts()) return;
-  for (const std::uint32_t i : points) local_[i] = 0;
+  for (const std::uint32_t i : points) local_[i] = free_[i] = 0;
 }
 
 namespace {
 
 // One component of the points; powers in lanes, which the compiler makes a vector.
 struct Component {
-  const double *velocity, *inverse_mass, *mass, *local, *viscous;
+  const double *velocity, *inverse_mass, *mass, *local, *free, *viscous;
   double *force, *damping;
 };
 constexpr std::size_t kLanes = 4;
@@ -83,7 +83,7 @@ ADIT_VECTOR_CLONES void add_to(const protocol::IndexRange& range, double drag, d
   Powers power = powers;
   const auto add = [&](std::size_t i, double& lane) {
     const double v = of.velocity[i], f = of.force[i];
-    double taken = drag * of.mass[i] * (v + half * of.inverse_mass[i] * f);
+    double taken = drag * of.mass[i] * (v + half * of.free[i] * of.inverse_mass[i] * f);
     if constexpr (kLocal)
       taken += of.inverse_mass[i] > 0 ? acts * of.local[i] * std::abs(f) * protocol::sign(v) : 0;
     const double all = of.viscous[i] - taken;
@@ -108,10 +108,11 @@ double Damping::add_others(std::span<const protocol::IndexRange> ranges, const p
   const double drag = acts * law_.alpha / (1 + law_.alpha * half);
   const auto add = law_.local > 0 ? add_to<true> : add_to<false>;
   Powers powers{};
-  for (const Component& axis : {Component{points.vx, points.inverse_mass_x, points.mass, local_.data(),
-                                          state_[kViscousX].data(), points.fx, state_[kDampingX].data()},
-                                Component{points.vy, points.inverse_mass_y, points.mass, local_.data(),
-                                          state_[kViscousY].data(), points.fy, state_[kDampingY].data()}})
+  for (const Component& axis :
+       {Component{points.vx, points.inverse_mass_x, points.mass, local_.data(), free_.data(),
+                  state_[kViscousX].data(), points.fx, state_[kDampingX].data()},
+        Component{points.vy, points.inverse_mass_y, points.mass, local_.data(), free_.data(),
+                  state_[kViscousY].data(), points.fy, state_[kDampingY].data()}})
     for (const auto& range : ranges) add(range, drag, half, acts, axis, powers);
   return acts * -step.dt / 2 * ((powers[0] + powers[1]) + (powers[2] + powers[3]));
 }

@@ -29,6 +29,7 @@ class Damping {
   Damping(const DampingLaw& law, std::size_t points)
       : law_(law),
         local_(law.any() ? points : 0, law.local),
+        free_(law.any() ? points : 0, 1.0),
         state_(law.any() ? points : 0),
         elements_(law.count() > 1 ? points : 0) {}
   const DampingLaw& law() const { return law_; }
@@ -57,7 +58,7 @@ class Damping {
   enum Field { kZonesX, kZonesY, kViscousX, kViscousY, kDampingX, kDampingY, kFields };
 
   DampingLaw law_;
-  std::vector<double> local_;  // of each point
+  std::vector<double> local_, free_;  // of each point: share of local damping; 0 where it is tied, else 1
   FieldArrays<kFields> state_;
   FieldArrays<2 * kMostElements> elements_;  // each by itself, x and y, where there are several [N]
 };

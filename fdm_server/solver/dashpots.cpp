@@ -51,7 +51,8 @@ Vector mean_velocity(const PointArrays& points, std::uint32_t i, double kick) {
 // The dashpots' force F of the header's equation.
 Vector drag(const Dashpot& dashpot, const PointArrays& points, double kick) {
   const Symmetric& c = dashpot.damping;
-  const Vector pull = c * mean_velocity(points, dashpot.point, kick);
+  const Vector pull =
+      c * (dashpot.tied ? velocity(points, dashpot.point) : mean_velocity(points, dashpot.point, kick));
   const double wx = kick / 2 * points.inverse_mass_x[dashpot.point];
   const double wy = kick / 2 * points.inverse_mass_y[dashpot.point];
   const double xx = 1 + c.xx * wx, xy = c.xy * wy, yx = c.xy * wx, yy = 1 + c.yy * wy;
@@ -111,8 +112,8 @@ void add_boundary_forces(std::span<Dashpot> dashpots, bool supports, const Dampi
     const std::uint32_t i = dashpot.point;
     if (step.number == 0 && !step.relax) dashpot.origin = displacement(points, i);
     if (step.number == 0 && supports && !step.relax)
-      dashpot.support = {dashpot.settling.x - points.fx[i] - field.x,
-                         dashpot.settling.y - points.fy[i] - field.y};
+      dashpot.support = {dashpot.settling.x - points.fx[i] - field.x - dashpot.tie.x,
+                         dashpot.settling.y - points.fy[i] - field.y - dashpot.tie.y};
     const Vector away = step.relax ? Vector{} : displacement(points, i) + -1.0 * dashpot.origin;
     dashpot.given = dashpot.support + field + -1.0 * (dashpot.spring * away);
     add(points, i, dashpot.given);

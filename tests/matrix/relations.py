@@ -82,9 +82,10 @@ def closely(allowed, scene, folder, base, other, change):
         def number(self, name, key, unit, value):
             return value * (1 + share) if unit == of else value
     grown = 0.0
+    rows = len(base.columns["time_s"])
     for of, share in NUDGES:
         nudged = _without_rounding(runs.run(Nudged().scene(copy.deepcopy(scene)), folder / "nudged", Nudged()))
-        grown = max(grown, deviation(base, nudged, changes.Same(), rests=allowed >= OF_REST)[0])
+        grown = max(grown, deviation(base, nudged, changes.Same(), rows, rests=allowed >= OF_REST)[0])
     if worst > OF_NUDGES * grown:
         raise Broken(f"{where}; stresses and lengths that differ by 1e-12 make a difference of {grown:.1e} of the largest")
     JUDGED_BY_NUDGES.append(grown)
@@ -271,7 +272,7 @@ def doubled(world, row, scene, folder, base):
     """Twice the loads and motions of an elastic model double all that is linear, to the last bit."""
     class Doubled(changes.Same):
         def factor(self, column):
-            return 0.25 if column.endswith("_J") else 0.5 if column != "time_s" else 1.0
+            return 0.25 if column.endswith("_J") else 1.0 if column in ("time_s", "energy_drift") else 0.5
         def number(self, name, key, unit, value):
             loud = name in ("Force", "Acceleration", "Stress") or (name, key) in (("GroundMotion", "peak"), ("BaseVelocity", "amplitude"), ("BaseStress", "amplitude"))
             return 2 * value if loud or (name, key) == ("MotionFile", "a") else value
@@ -300,6 +301,16 @@ def superposed(world, row, scene, folder, base):
     expected.columns = {name: base.columns[name] for name in ["time_s", *linear]}
     both.columns = {"time_s": base.columns["time_s"], **{name: [(a + b) / 3 for a, b in zip(one.columns[name], other.columns[name])] for name in linear}}
     closely(tolerance(world, row), scene, folder, expected, both, changes.Same())
+
+
+def on_any_base(world, row, scene, folder, base):
+    """At rest the ground bears the same on a base that will move or yield as on one that never does."""
+    held = world.scene({**row, "base": "held", **({"motion": "none", "direction": "x"} if "motion" in row else {})})
+    first, other = copy.copy(base), runs.run(held, folder / "held", changes.Same())
+    for results in (first, other):
+        results.columns = {name: values[:1] for name, values in results.columns.items()
+                           if name in base.columns and schema.column_unit(name) in ("Pa", "N", "N*m") or name == "time_s"}
+    closely(tolerance(world, row), scene, folder, first, other, changes.Same())
 
 
 # Refined, and joined the other way round -----------------------------------------------------------------------------------------
@@ -412,7 +423,7 @@ OF_GROUND = {
     observed: lambda row: row["inside"] != "ring" and row["hole"] != "side", resumed: always, replayed: always, doubled: is_linear,
     superposed: lambda row: is_linear(row) and row["motion"] not in ("none", "synthetic"), refined: can_be_refined,
     exchanged: lambda row: row["inside"] == "grid" and row["solve"] == "consistent", divided: lambda row: row["grid"] == "block",
-    in_arcs: lambda row: row["support"] == "lining",
+    in_arcs: lambda row: row["support"] == "lining", on_any_base: lambda row: row["rest"] in ground.STATICS and row["base"] != "held",
 }
 OF_GRAINS = {
     balanced: always, mirrored: lambda row: row["packing"] != "random" and not is_lattice_by_its_order(row), turned: lambda row: row["packing"] == "placed" and row["floor"] != "quiet" and row["rest"] != "stressed",
@@ -423,6 +434,7 @@ OF_GRAINS = {
 OF_TUNNELS = {
     balanced: always, mirrored: always, moved: lambda row: not tunnels.is_idle(row), scaled: always, scaled_stress: always, reordered: always, said_apart: always,
     longer: always, threads: always, elsewhere: lambda row: row["tunnels"] == "one", observed: always, resumed: always, replayed: always,
+    on_any_base: lambda row: row["rest"] in tunnels.STATICS and row["base"] != "held",
 }
 
 

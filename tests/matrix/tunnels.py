@@ -103,8 +103,8 @@ class Mirrored(changes.Mirrored):
         return ((1 if kind != "section" else 3) - number) % 4 + 1
 
     def factor(self, column):
-        # The far face of a joint changes sides with it, so that its rotation keeps its sign.
-        return 1.0 if schema.quantity(column).startswith("rotation") else super().factor(column)
+        # The far face of a lining's joint changes sides with it, so that its rotation keeps its sign.
+        return 1.0 if self.NUMBERED.search(column) and schema.quantity(column).startswith("rotation") else super().factor(column)
 
 
 def _east(row):

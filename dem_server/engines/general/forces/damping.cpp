@@ -15,12 +15,15 @@ Damping::Damping(double local_share, double viscous_rate, std::span<const EdgeDa
   for (Component* c : {&x_, &y_, &spin_}) {
     c->edge.assign(drags_ ? p.size() : 0, 0.0);
     c->viscous = c->middle = c->edge;
+    c->free.assign(drags_ ? p.size() : 0, 1.0);
     c->local.assign(local_share_ > 0 ? p.size() : 0, local_share_);
     c->local_force.assign(c->local.size(), 0.0);
   }
   for (Component* c : {&x_, &y_})
-    for (const std::uint32_t i : tied)
+    for (const std::uint32_t i : tied) {
       if (!c->local.empty()) c->local[i] = 0;
+      if (drags_) c->free[i] = 0;
+    }
   if (!drags_) return;
   for (std::size_t i = 0; i < p.size(); ++i) {
     x_.viscous[i] = y_.viscous[i] = viscous_rate * p.mass[i];
@@ -70,11 +73,12 @@ struct DragPower {
   double edge, viscous;
 };
 ADIT_VECTOR_CLONES DragPower drag(std::uint32_t begin, std::uint32_t end, double half_kick,
-                                  const double* inverse_inertia, const double* edge, const double* viscous,
-                                  const double* velocity, double* force, double* middle) {
+                                  const double* inverse_inertia, const double* free, const double* edge,
+                                  const double* viscous, const double* velocity, double* force,
+                                  double* middle) {
   const auto middle_of = [=](std::size_t i) {
     const double by_inertia = half_kick * inverse_inertia[i];
-    return (velocity[i] + by_inertia * force[i]) / (1 + by_inertia * (edge[i] + viscous[i]));
+    return (velocity[i] + free[i] * by_inertia * force[i]) / (1 + by_inertia * (edge[i] + viscous[i]));
   };
   const double by_edges = protocol::eight_sums(
       begin, end, [=](std::size_t i) { return velocity[i] * edge[i] * (middle[i] + middle_of(i)); });
@@ -107,8 +111,8 @@ Damping::Loss Damping::kick(const protocol::Step& step, std::uint32_t begin, std
   else if (local_share_ > 0)
     loss.local -= half * damp_locally(begin, end, c.local.data(), velocity, force, c.local_force.data());
   if (drags_) {
-    const DragPower power = drag(begin, end, half_kick, inverse_inertia, c.edge.data(), c.viscous.data(),
-                                 velocity, force, c.middle.data());
+    const DragPower power = drag(begin, end, half_kick, inverse_inertia, c.free.data(), c.edge.data(),
+                                 c.viscous.data(), velocity, force, c.middle.data());
     loss.edges += half * power.edge;
     loss.viscous += half * power.viscous;
   }

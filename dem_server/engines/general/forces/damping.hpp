@@ -4,7 +4,8 @@
 // included; in statics, their own share takes its place. Tied discs are left out: what moves them are the
 // ties, and their own forces are not what they lack of balance. Drag, of viscous damping c = rate m and of
 // quiet edges: -c v at n, where v is the mean of the velocities half a step before and after; that is stable
-// for any c: v+ = [(m/dt - c/2) v- + f] / (m/dt + c/2).
+// for any c: v+ = [(m/dt - c/2) v- + f] / (m/dt + c/2). What ties a disc is not among the forces that are
+// known, and balances them at rest: drag of a tied disc takes the velocity before.
 #pragma once
 
 #include <cstdint>
@@ -51,6 +52,7 @@ class Damping {
   struct Component {
     std::vector<double> local, local_force;     // of each disc, [1], [N] or [N m]; empty: none
     std::vector<double> edge, viscous, middle;  // [N s/m] or [N m s], and [m/s] or [rad/s]; empty: none
+    std::vector<double> free;                   // 0 where the disc is tied, else 1
   };
   struct Motion;
   Loss kick(const protocol::Step& step, std::uint32_t begin, std::uint32_t end, const Motion& motion,

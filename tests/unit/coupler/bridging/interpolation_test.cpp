@@ -37,17 +37,26 @@ TEST(Interpolation, AppliesNAndItsTranspose) {
   EXPECT_FALSE(n.is_selection());
 }
 
-// Requirement: statics that scale masses find those that the participant told for them, and time its own.
+// Requirement: statics that scale masses find those that the participant told for them, and time its own;
+// what statics hold yields in neither kind of them.
 TEST(Interpolation, HasOtherMassesInStatics) {
   wire::Operator op = valid_operator();
   for (const double inverse : op.inverse_masses()) op.add_scaled_inverse_masses(4 * inverse);
   Interpolation n(op, 2, "");
-  n.scale_masses(true);
+  n.take_masses_of(MassesOf::kScaledStatics);
   EXPECT_THAT(n.inverse_masses(), testing::ElementsAreArray(op.scaled_inverse_masses()));
-  n.scale_masses(true);
-  EXPECT_THAT(n.inverse_masses(), testing::ElementsAreArray(op.scaled_inverse_masses()));
-  n.scale_masses(false);
+  n.take_masses_of(MassesOf::kTime);
   EXPECT_THAT(n.inverse_masses(), testing::ElementsAreArray(op.inverse_masses()));
+  n.take_masses_of(MassesOf::kStatics);
+  EXPECT_THAT(n.inverse_masses(), testing::ElementsAreArray(op.inverse_masses()));
+
+  op.set_scaled_inverse_masses(1, 0);
+  Interpolation held(op, 2, "");
+  held.take_masses_of(MassesOf::kStatics);
+  EXPECT_EQ(held.inverse_masses()[1], 0);
+  EXPECT_EQ(held.inverse_masses()[2], op.inverse_masses(2));
+  held.take_masses_of(MassesOf::kTime);
+  EXPECT_EQ(held.inverse_masses()[1], op.inverse_masses(1));
 }
 
 // Requirement: each malformed operator is refused, and the peer that sent it is named.
