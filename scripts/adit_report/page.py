@@ -54,7 +54,7 @@ def written(title, head, chapters):
     """The whole page, as bytes."""
     chapters = [chapter for chapter in chapters if chapter]
     script = (FOLDER / "page.js").read_text()
-    names = [chapter.partition('id="')[2].partition("-title")[0] for chapter in chapters]
+    names = [chapter.partition('id="')[2].partition('"')[0] for chapter in chapters]
     titles = [Markup(chapter.partition("<h2")[2].partition(">")[2].partition("</h2>")[0]) for chapter in chapters]
     return Template((FOLDER / "page.html").read_text()).substitute(
         title=safe(title), head=safe(head), body="\n".join(chapters), style=(FOLDER / "page.css").read_text(), script=script,

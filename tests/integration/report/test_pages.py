@@ -113,7 +113,11 @@ class Pages(ProgramTest):
 
     def assert_stands_alone(self, text):
         self.assertLess(len(text.encode()), 5_000_000)
-        for tag, attributes in Elements(text).tags:
+        tags = Elements(text).tags
+        places = {f"#{attributes.get('id')}" for _, attributes in tags}
+        links = {attributes["href"] for tag, attributes in tags if tag == "a"}
+        self.assertTrue(links and links <= places, links - places)
+        for tag, attributes in tags:
             self.assertNotIn(tag, ("link", "iframe", "object", "embed", "base"))
             for name in ("src", "srcset", "href", "action", "data"):
                 self.assertRegex(attributes.get(name) or "#", r"^(#|data:image/)", f"{tag} {name}")
