@@ -4,8 +4,9 @@
 // left by L. With the inertia of the points shared by both sides, (R - L)/2 is what the right exerts on the
 // left; at rest R = -L. With d the direction of the line, n its normal to the left, and s from its middle:
 //   thrust = -sum F.n,   shear = sum F.d,   moment = -sum s F.n,   F = (R - L)/2.
-// Places are those of the undeformed grid. A zone belongs to the side on which its middle lies, and only
-// where that lies beside the line, not beyond its ends.
+// Forces are those without energy weight: within an overlap they are what the whole ground bears, of which
+// the zones carry a share. Places are those of the undeformed grid. A zone belongs to the side on which its
+// middle lies, and only where that lies beside the line, not beyond its ends.
 #pragma once
 
 #include <cstdint>

@@ -199,8 +199,10 @@ Stress ElasticZones::stress(std::size_t zone) const {
 ZoneForces ElasticZones::forces(std::size_t zone) const {
   if (weights_[zone] == 0) return {};
   const ZoneRun& run = run_of(zone);
+  ElasticBatch alone = batch(run, static_cast<std::uint32_t>(zone) - run.first, 1);
+  alone.weight = nullptr;
   CornerForces forces;
-  elastic_forces(batch(run, static_cast<std::uint32_t>(zone) - run.first, 1), forces);
+  elastic_forces(alone, forces);
   return first_of(forces);
 }
 

@@ -59,7 +59,7 @@ class ZoneKernel {
   virtual double dissipated() const { return 0; }
   // Mean stress of a zone, unweighted.
   virtual Stress stress(std::size_t zone) const = 0;
-  // Weighted, on its corners; 0 of a zone that was taken away.
+  // Unweighted, on its corners; 0 of a zone that was taken away.
   virtual ZoneForces forces(std::size_t zone) const = 0;
   // Stresses of some zones, at most kBatch. Several threads may ask at once.
   virtual void find_stresses(const protocol::IndexRange& zones, PlaneStresses& stresses) const = 0;

@@ -259,8 +259,9 @@ ZoneForces NonlinearZones::forces(std::size_t zone) const {
   undeformed.set(0, shapes_[shape_of_[zone]]);
   now.set(0, corners_ && ux_ ? sampling_shape(kind_, corners_now(zone), bending_factor_)
                              : shapes_[shape_of_[zone]]);
+  const double whole = 1;
   CornerForces forces;
-  find_forces(kind_, 1, undeformed, now, view(stresses_, zone), &weights_[zone], forces);
+  find_forces(kind_, 1, undeformed, now, view(stresses_, zone), &whole, forces);
   return first_of(forces);
 }
 
