@@ -8,6 +8,20 @@
 #include "dem_server/model/placement/joint_lines.hpp"
 
 namespace adit::dem {
+namespace {
+
+// Of what `of` tells of these particles.
+geometry::Point median_of(std::span<const std::uint32_t> particles, const auto& of) {
+  std::vector<double> x, y;
+  for (const std::uint32_t i : particles) {
+    const geometry::Point one = of(i);
+    x.push_back(one.x);
+    y.push_back(one.y);
+  }
+  return x.empty() ? geometry::Point{0, 0} : geometry::Point{median(std::move(x)), median(std::move(y))};
+}
+
+}  // namespace
 
 Sections::Sections(std::vector<Cut> cuts, const Particles& p, std::span<const Pair> bonds)
     : cuts_(std::move(cuts)) {
@@ -31,13 +45,17 @@ geometry::Point Sections::middle(std::size_t cut) const {
   return {(from.x + to.x) / 2, (from.y + to.y) / 2};
 }
 
+geometry::Point Sections::middle_now(std::size_t cut, const Particles& p) const {
+  const auto [x, y] = middle(cut);
+  const auto moved = [&p](std::uint32_t i) { return geometry::Point{p.ux[i], p.uy[i]}; };
+  const auto [ux, uy] = median_of(beside_[cut], moved);
+  return {x + ux, y + uy};
+}
+
 geometry::Point Sections::displacement(std::size_t cut, const Particles& p) const {
-  std::vector<double> x, y;
-  for (const std::uint32_t i : beside_[cut]) {
-    x.push_back(p.ux[i]);
-    y.push_back(p.uy[i]);
-  }
-  return x.empty() ? geometry::Point{0, 0} : geometry::Point{median(std::move(x)), median(std::move(y))};
+  return median_of(beside_[cut], [&p](std::uint32_t i) {
+    return geometry::Point{p.ux[i] - p.settled_x[i], p.uy[i] - p.settled_y[i]};
+  });
 }
 
 std::vector<SectionForces> Sections::forces(const Particles& particles,
@@ -50,9 +68,7 @@ std::vector<SectionForces> Sections::forces(const Particles& particles,
 SectionForces Sections::resultant(std::size_t cut, const Particles& p,
                                   std::span<const PairForce> pairs) const {
   const JointLine line(cuts_[cut].from, cuts_[cut].to);
-  const auto [middle_x, middle_y] = middle(cut);
-  const auto [ux, uy] = displacement(cut, p);
-  const double x = middle_x + ux, y = middle_y + uy;
+  const auto [x, y] = middle_now(cut, p);
   double fx = 0, fy = 0, moment = 0;
   for (const PairForce& pair : pairs) {
     const double share = line.crossing({p.x[pair.first], p.y[pair.first]}, {p.x[pair.second], p.y[pair.second]});

@@ -56,7 +56,8 @@ class Sections {
   // Particles of the bonds that a cut crosses, ascending.
   std::span<const std::uint32_t> beside(std::size_t cut) const { return beside_[cut]; }
   geometry::Point middle(std::size_t cut) const;  // at rest
-  geometry::Point displacement(std::size_t cut, const Particles& particles) const;
+  geometry::Point middle_now(std::size_t cut, const Particles& particles) const;
+  geometry::Point displacement(std::size_t cut, const Particles& particles) const;  // since time began
 
   // Of each cut, by the forces of the cut bonds and of all else that acts between particles.
   std::vector<SectionForces> forces(const Particles& particles, std::span<const PairForce> pairs) const;
