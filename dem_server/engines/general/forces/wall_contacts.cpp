@@ -51,8 +51,8 @@ PairKinematics WallContacts::kinematics(std::uint32_t wall, std::uint32_t disc, 
   const double distance = std::hypot(dx, dy), length = std::sqrt(along_x * along_x + along_y * along_y);
   const double nx = distance > 0 ? dx / distance : -along_y / length,
                ny = distance > 0 ? dy / distance : along_x / length;
-  const double turn_per_way =
-      distance > 0 ? 1 / distance : 0;  // on the wall, its own normal is the direction
+  // Beside the wall the direction is that of its normal; round an end it turns with the disc.
+  const double turn_per_way = distance > 0 && !is_beside_wall(w, x, y) ? 1 / distance : 0;
   const double vx = s.vx - p.vx[disc], vy = s.vy - p.vy[disc];
   const double stretch_rate = along(nx, ny, vx, vy), half = 0.5 * dt * stretch_rate;
   const Arms arms{distance, 0};
