@@ -4,7 +4,7 @@ import unittest
 
 import numpy as np
 
-from figures.bars import HEIGHT, POISSON, RADIUS, STEP, YOUNG, bar, discs, kinetic_energy, masses_of_discs, masses_of_points, overlap
+from figures.bars import DENSITY, HEIGHT, POISSON, RADIUS, STEP, YOUNG, bar, discs, kinetic_energy, masses_of_discs, masses_of_points, overlap
 from figures.computed import ComputedTest
 from figures.discs import near, point
 
@@ -138,6 +138,25 @@ class Losses(ComputedTest):
         self.assertAlmostEqual(summary["multiplier_work_J"], multipliers[-1], delta=1e-9 * size)
         self.assertAlmostEqual(summary["energy_kept"], stored[-1] / work[-1], delta=1e-9)
         self.assertAlmostEqual(summary["max_energy_drift"], np.abs(stored - work).max() / size, delta=1e-12)
+
+
+class Shares(ComputedTest):
+    def test_of_a_bar_that_a_foundation_holds(self):
+        """It is pushed aside as one body, so that each model has the part of every energy that it has of the mass."""
+        push, stiffness = 3.0, 4e8
+        acts = {"body_loads": [{"acceleration": {"x": push, "y": 0}}], "foundations": [{"x": {"stiffness": stiffness}}]}
+        probe = [{"name": "p", "quantity": "displacement_x", "at": point((1, HEIGHT / 2))}]
+        self.computed(bar(END, particles=discs(0, 10, engine="general", **acts), interface=overlap(BEGIN, FINISH), continuum=acts | {"histories": probe}))
+        t, omega = self.time, np.sqrt(stiffness / DENSITY)
+        moved = push / omega**2 * (1 - np.cos(omega * t))
+        self.told_histories({"p_ux_m": moved}, tolerance=1e-4)
+        fields = self.run.fields()
+        masses = {"continuum": masses_of_points(fields["grid"]).sum(), "particles": masses_of_discs(fields["particles"]).sum()}
+        for model, mass in masses.items():
+            work, stored = mass * push * moved, mass / DENSITY * stiffness * moved**2 / 2
+            for column, values in (("external_work", work), ("strain", stored), ("kinetic", work - stored), ("multiplier_work", 0 * work)):
+                np.testing.assert_allclose(self.run.histories[f"{model}_{column}_J"], values, atol=2e-4 * work.max(), err_msg=f"{model} {column}")
+        self.told_energies(size=work.max(), tolerance=2e-4, body_loads=work, foundations=stored)
 
 
 class Sections(ComputedTest):
