@@ -63,15 +63,26 @@ class BrokenBonds(ComputedTest):
         self.told_energies(size=released[-1], tolerance=1e-4, contact_bonds=work, motions=work + released + np.where(t > 0, 2 * kinetic, 0))
 
     def test_before_time_begins(self):
-        """A load that one bond cannot bear tears it in statics: it counts there, and as a crack of the time 0."""
-        text = scene(END, STEP, bonds=BONDS, motions=[driven(p) for p in (*WHOLE, SHEARED[0])],
-                     loads=[{"where": near(SHEARED[1]), "force": {"x": 2 * BONDS["tensile_strength"]}}],
-                     walls=[{"name": "stop", "from": point((1.6, 4)), "to": point((1.6, 6))}])
-        self.computed(text | {"statics": {"unbalanced_ratio": 1e-6}}, discs=table([*WHOLE, *SHEARED]))
-        summary = self.run.summary
-        self.assertEqual((summary["crack_count"], summary["cracks_in_statics"], summary["debonded_in_statics"]), (1, {"0": 1}, {}))
+        """Loads that bonds cannot bear tear them in statics, one in a stage that takes its support away: they count there, and as
+        cracks of the time 0. Walls stop what they held."""
+        propped = SHEARED + [0, 10]
+        prop = np.array([2, 15])
+        text = scene(
+            END, STEP, bonds=BONDS, groups=[{"name": "other", "where": near(PARTED[1])}, {"name": "prop", "where": near(prop)}],
+            between=[{"first": "particles", "second": "prop"}],
+            motions=[driven(p) for p in (*WHOLE, SHEARED[0], PARTED[0], propped[0], prop)], excavations=[{"where": near(prop), "stage": 1}],
+            loads=[{"where": near(p), "force": {"x": factor * BONDS["tensile_strength"]}} for p, factor in (
+                (SHEARED[1], 2), (PARTED[1], 2), (propped[1], 1.1))],
+            walls=[{"name": f"stop_{y}", "from": point((x, y - 1)), "to": point((x, y + 1))} for x, y in ((1.6, 5), (1.6, 10), (2.6, 15))])
+        self.computed(text | {"statics": {"unbalanced_ratio": 1e-6}}, discs=table([*WHOLE, *SHEARED, *PARTED, *propped, prop]))
+        summary, cracks = self.run.summary, self.run.cracks
+        self.assertEqual((summary["crack_count"], summary["cracks_in_statics"]), (2, {"0": 1, "1": 1}))
+        self.assertEqual((summary["debonded_count"], summary["debonded_in_statics"]), (1, {"0": 1}))
         self.assertEqual((summary["first_crack_time_s"], summary["first_crack_x_m"], summary["first_crack_y_m"]), (0, 0.5, 5))
-        self.assertEqual((list(self.run.cracks["step"]), list(self.run.cracks["stage"]), list(self.run.cracks["time_s"])), ([0], [0], [0]))
+        self.assertEqual((summary["first_debonding_time_s"], summary["first_debonding_x_m"], summary["first_debonding_y_m"]), (0, 0.5, 10))
+        self.assertEqual((set(cracks["step"]), set(cracks["time_s"])), ({0}, {0}))
+        self.assertEqual(sorted(zip(cracks["y_m"], cracks["stage"], cracks["group"])),
+                         [(5, 0, "particles"), (10, 0, "particles-other"), (15, 1, "particles")])
 
 
 if __name__ == "__main__":
