@@ -104,7 +104,10 @@ class Mirrored(changes.Mirrored):
 
     def factor(self, column):
         # The far face of a lining's joint changes sides with it, so that its rotation keeps its sign.
-        return 1.0 if self.NUMBERED.search(column) and schema.quantity(column).startswith("rotation") else super().factor(column)
+        part = self.NUMBERED.search(column)
+        if part and schema.quantity(column).startswith("rotation"):
+            return 1.0
+        return -1.0 if part and part[1] == "key" else super().factor(column)  # which resists the offset
 
 
 def _east(row):
