@@ -93,7 +93,11 @@ func converse(c *connection, free func()) error {
 		}
 		if _, last := request.Content.(*wire.Frame_Finish); last && r.state != connected {
 			free()
-			return c.farewell(&wire.Bye{Updates: r.next * r.zones, CpuSeconds: r.computing.Seconds()})
+			bye := &wire.Bye{CpuSeconds: r.computing.Seconds()}
+			if r.next > 0 { // step 0 does not move
+				bye.Updates = (r.next - 1) * r.zones
+			}
+			return c.farewell(bye)
 		}
 		answer, err := r.answer(request)
 		if err != nil {

@@ -220,7 +220,7 @@ class Particles(LeapFrog):
             bonds.cell_fields.add(name=name, components=1, values=values.tolist())
 
     def finish(self, request, bye):
-        bye.updates = len(self.centres) * self.next
+        bye.updates = len(self.centres) * max(self.next - 1, 0)  # step 0 does not move
 
 
 if __name__ == "__main__":

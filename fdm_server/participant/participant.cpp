@@ -372,10 +372,10 @@ void FdmParticipant::step_interface(const Step& step) {
 void FdmParticipant::step_interior(const Step& step) {
   continuum_->step_interior(step);
   histories_->follow(*continuum_, step);
-  ++steps_done_;
+  if (!step.from_rest()) ++steps_done_;
   if (!step.relax) peak_forces_.take(supports_.linings, continuum_->structures(), step.time());
   if (step.number % kFiniteCheckInterval == 0) check_grid(step);
-  if (setup_.ground.large_strain && steps_done_ % kShapeCheckInterval == 0 &&
+  if (setup_.ground.large_strain && !step.from_rest() && steps_done_ % kShapeCheckInterval == 0 &&
       !scene_.time().beyond_critical())
     require_stable_shapes(setup_.kind, grid_, setup_.ground, step.relax ? DampingLaw{} : damping_, weights_,
                           *continuum_, step);

@@ -119,7 +119,7 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   std::optional<Peaks> peaks_;              // once wanted
   std::optional<Relaxation> relaxation_;    // in statics
   std::optional<protocol::Travel> travel_;  // of a stage of them
-  std::uint64_t steps_done_ = 0;            // whole ones, of statics and of time
+  std::uint64_t steps_done_ = 0;            // whole ones that moved, of statics and of time
 };
 
 }  // namespace adit::fdm

@@ -118,7 +118,7 @@ class Figures(ProgramTest):
         for k, axis in enumerate("xy"):
             measures |= {f"p_a{axis}_{name}": each for name, each in self.measures_of(abs(a[k])).items()}
             self.spectra(f"p_a{axis}", a[k])
-        self.summary(NO_PARTICLES | measures | {"zones": 8, "grid_points": 15, "zone_updates": 8 * 201, "spectra_sampling_interval_s": ROWS})
+        self.summary(NO_PARTICLES | measures | {"zones": 8, "grid_points": 15, "zone_updates": 8 * 200, "spectra_sampling_interval_s": ROWS})
 
     @staticmethod
     def measures_of(a):
@@ -174,7 +174,7 @@ class Figures(ProgramTest):
             "peak_shear_strain": np.hypot(e["exx"] - e["eyy"], e["gxy"]) * END,
             "peak_largest_principal_stress_Pa": (middle + radius) * END, "peak_smallest_principal_stress_Pa": (middle - radius) * END})
         self.stable = STEP, np.inf
-        self.summary(NO_PARTICLES | {"zones": 1, "grid_points": 4, "zone_updates": 201})
+        self.summary(NO_PARTICLES | {"zones": 1, "grid_points": 4, "zone_updates": 200})
 
     def test_a_bond_that_is_torn(self):
         self.computed(DRAWN)

@@ -57,6 +57,7 @@ class Runs(ProgramTest):
         self.assertTrue(summary["completed"])
         self.assertEqual((summary["particles"], summary["coupling_points"], summary["zones"]), (419, 140, 48))
         self.assertEqual(summary["particle_updates"], summary["particles"] * summary["steps"])
+        self.assertEqual(summary["zone_updates"], summary["zones"] * summary["steps"])
 
     def test_one_participant_takes_the_same_path(self):
         for scene, count, other in (("full_dem", "particles", "zones"), ("full_fdm", "zones", "particles")):
