@@ -79,7 +79,9 @@ void write_fourier(const std::filesystem::path& path, const motion::Motion& moti
   const auto spectrum = motion::fourier_spectrum(motion);
   const std::vector<std::string> columns{"frequency_Hz", "amplitude_m_per_s"};
   results::CsvFile file(path, columns);
-  for (std::size_t k = 0; k < spectrum.frequency.size(); ++k)
+  // The line at 0 Hz is no shaking but the velocity that the motion ends with, which <motion>_motion.csv
+  // tells.
+  for (std::size_t k = 1; k < spectrum.frequency.size(); ++k)
     file.row(std::vector{spectrum.frequency[k], spectrum.amplitude[k]});
 }
 

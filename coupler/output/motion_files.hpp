@@ -18,7 +18,7 @@ void write_motion(const std::filesystem::path& path, const motion::Motion& motio
 void write_response(const std::filesystem::path& path, const motion::Motion& motion,
                     const scene::Spectra& spectra);
 
-// The Fourier amplitude of the acceleration from 0 to the Nyquist frequency.
+// The Fourier amplitude of the acceleration up to the Nyquist frequency, without that of 0 Hz.
 void write_fourier(const std::filesystem::path& path, const motion::Motion& motion);
 
 // The smoothed Fourier amplitudes of two motions and their ratio, which is `nan` where the amplitude of

@@ -28,7 +28,7 @@ std::string name_of_motion(const std::string& history, scene::Quantity quantity)
 double share_of_fast_motion(const motion::Motion& motion) {
   const auto spectrum = motion::fourier_spectrum(motion);
   double all = 0, fast = 0;
-  for (std::size_t k = 0; k < spectrum.amplitude.size(); ++k) {
+  for (std::size_t k = 1; k < spectrum.amplitude.size(); ++k) {  // 0 Hz is no shaking
     const double energy = spectrum.amplitude[k] * spectrum.amplitude[k];
     all += energy;
     if (2 * k > spectrum.amplitude.size()) fast += energy;

@@ -91,10 +91,12 @@ def plain_decades(axes):
 
 def _fourier(run, name, table):
     figure, axes = plt.subplots(figsize=(7.0, 4.0), gridspec_kw={"left": 0.12, "right": 0.97, "top": 0.9, "bottom": 0.13})
-    axes.loglog(table["frequency_Hz"][1:], table["amplitude_m_per_s"][1:], color=style.BLUE, lw=0.8)
-    top = np.max(table["amplitude_m_per_s"]) or 1
+    shown = table["frequency_Hz"] > 0  # earlier releases wrote 0 Hz, too
+    frequency, amplitude = table["frequency_Hz"][shown], table["amplitude_m_per_s"][shown]
+    axes.loglog(frequency, amplitude, color=style.BLUE, lw=0.8)
+    top = np.max(amplitude) or 1
     axes.set(xlabel="frequency [Hz]", ylabel="Fourier amplitude of the acceleration [m/s]", ylim=(1e-5 * top, 2 * top),
-             xlim=(table["frequency_Hz"][1], table["frequency_Hz"][-1]))
+             xlim=(frequency[0], frequency[-1]))
     axes.grid(lw=0.3, color="#DDDDDD")
     sampling = run.number("spectra_sampling_interval_s")
     axes.set_title(f"{run.name}: Fourier spectrum of {style.literal(name)}" + (

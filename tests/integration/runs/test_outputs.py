@@ -80,6 +80,8 @@ class Outputs(ProgramTest):
                                       ("displacement_m", "surface_ux_m", 0)):
             error = numpy.interp(rows["time_s"] - lag, motion["time_s"], motion[column]) - rows[recorded]
             self.assertLess(abs(error).max(), 2e-3 * abs(rows[recorded]).max(), column)
+        fourier = table(run / "spectra" / "surface_ax_fourier.csv")
+        self.assertAlmostEqual(fourier["frequency_Hz"][0], fourier["frequency_Hz"][1] / 2)  # 0 Hz is no shaking
         response = table(run / "spectra" / "surface_ax_response.csv")
         self.assertEqual((response["period_s"][0], response["period_s"][-1]), (0.05, 0.5))
         self.assertGreater(response["psa_2pct_m_per_s2"].max(), 1.2 * response["psa_5pct_m_per_s2"].max())
