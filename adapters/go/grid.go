@@ -320,7 +320,7 @@ func (g *Grid) advance(step uint64, dt float64) error {
 		}
 		if motion := g.motions[i]; motion != nil {
 			g.v[i] = motion.velocity * factor(motion.time, (float64(step)+0.5)*dt)
-			g.outside[i] += mass*(g.v[i]-g.before[i])/g.kick - force
+			g.outside[i] += mass*(g.v[i]-g.before[i])/dt - force
 		} else {
 			g.v[i] += g.kick * force / mass
 		}
@@ -400,7 +400,9 @@ func (g *Grid) energies(step uint64, dt float64) *wire.Energies {
 	answer := &wire.Energies{Strain: g.strain, ExternalWork: g.work}
 	for i, v := range g.v {
 		if step == 0 {
-			answer.Kinetic -= g.mass[i/2] * v * v / 2
+			if g.motions[i] == nil { // what is prescribed comes to its velocity at once, from v(-1/2) = 0
+				answer.Kinetic -= g.mass[i/2] * v * v / 2
+			}
 		} else {
 			answer.Kinetic += g.mass[i/2] * g.before[i] * v / 2
 			answer.ExternalWork += dt / 2 * g.before[i] * g.outside[i]

@@ -172,7 +172,8 @@ Values Rank::reached() const {
 Values Rank::energies() const {
   const dem::Stored stored = part_->stored();
   const dem::Loads::Work& work = conditions_.work_of_loads();
-  return {dem::kinetic_energy(part_->particles, part_->before, from_rest_),
+  return {dem::kinetic_energy(part_->particles, part_->before, from_rest_) +
+              (from_rest_ ? conditions_.kinetic_energy_of_motions() : 0),
           stored.contacts,
           stored.contact_bonds,
           stored.parallel_bonds,

@@ -128,7 +128,8 @@ class LeapFrog:
         for motion in self.motions:
             after = motion.velocity * motion.factor((n + 0.5) * dt)
             motion.before = self.before[motion.where] if n > 0 else -after  # from rest v(-1/2) = -v(1/2)
-            reaction = self.masses[motion.where] * (after - motion.before) / dt - force[motion.where]
+            change = after - motion.before if n > 0 else after  # but 0 where it comes to its velocity at once
+            reaction = self.masses[motion.where] * change / dt - force[motion.where]
             if n > 0:
                 self.work += dt * np.sum(motion.before * (motion.reaction + reaction)) / 2
             motion.reaction = reaction
@@ -158,8 +159,11 @@ class LeapFrog:
         return force
 
     def kinetic_energy(self, from_rest):
-        """1/2 sum m v(n-1/2) v(n+1/2), the form that the scheme keeps."""
-        return np.sum(self.masses * (-self.v if from_rest else self.before) * self.v) / 2
+        """1/2 sum m v(n-1/2) v(n+1/2), the form that the scheme keeps; what is prescribed has v(-1/2) = 0 from rest."""
+        before = -self.v if from_rest else self.before
+        for motion in self.motions if from_rest else ():
+            before[motion.where] = 0
+        return np.sum(self.masses * before * self.v) / 2
 
     def at_coupling_points(self, velocities):
         found = np.zeros((self.coupling_points, 2))

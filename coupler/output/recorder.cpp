@@ -144,9 +144,11 @@ std::span<const double> Recorder::record_histories(std::uint64_t n, const Ledger
         strongest = std::max(strongest, participant.prediction().strongest().rbegin()->force());
     row_.push_back(strongest);
   }
+  // Where all that moves turns, and from rest, the velocities of half a step before and after are opposite:
+  // their product is as far below 0 as the step is coarse, and nothing moves.
   for (const ParticipantEnergies& e : ledger.energies())
-    row_.insert(row_.end(),
-                {e.kinetic, e.strain, e.released, e.external_work, e.multiplier_work, e.dissipated});
+    row_.insert(row_.end(), {e.kinetic <= 0 ? 0 : e.kinetic, e.strain, e.released, e.external_work,
+                             e.multiplier_work, e.dissipated});
   row_.push_back(ledger.drift());
   histories_.row(row_);
   record_shares();

@@ -63,9 +63,10 @@ class LocalEngine : public Engine, public Observable {
   void renew_tied_masses() { coupling_.take_masses(particles()); }
   // Before every step.
   void begin(const protocol::Step& step);
-  // In the form that the scheme keeps (energy.hpp), of the step made last.
-  double kinetic_energy_of(const protocol::Step& step) const {
-    return dem::kinetic_energy(particles(), before_, step.from_rest());
+  // In the form that the scheme keeps (energy.hpp), of the step made last. `motions`: the kinetic energy of
+  // what is prescribed.
+  double kinetic_energy_of(const protocol::Step& step, double motions) const {
+    return dem::kinetic_energy(particles(), before_, step.from_rest()) + (step.from_rest() ? motions : 0);
   }
 
   virtual double internal_force() const = 0;  // sum over bonds and contacts of |force|, weighted [N]

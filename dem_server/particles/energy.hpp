@@ -24,7 +24,8 @@ struct Velocities {
 // Overwrites `velocities` with the particles' present ones (no allocation after the first time).
 void remember(const Particles& particles, Velocities& velocities);
 
-// 1/2 sum m v_before v + J w_before w. For the first step, from rest, v(-1/2) = -v(1/2): pass `start` true.
+// 1/2 sum m v_before v + J w_before w. For the first step, from rest, v(-1/2) = -v(1/2): pass `start` true,
+// and add PrescribedMotions::kinetic_energy(), because v(-1/2) is 0 where a motion is prescribed.
 double kinetic_energy(const Particles& particles, const Velocities& before, bool start);
 
 }  // namespace adit::dem

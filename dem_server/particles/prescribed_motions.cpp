@@ -55,7 +55,7 @@ void PrescribedMotions::impose(const protocol::Step& step, Particles& p) {
     const double velocity = step.relax ? 0 : motion.amplitude * motion.time(step.half_time());
     motion.before = step.from_rest() ? -velocity : motion.after;
     motion.after = velocity;
-    double reaction = motion.inertia * (velocity - motion.before) / step.dt;
+    double reaction = motion.inertia * (velocity - (step.from_rest() ? 0 : motion.before)) / step.dt;
     for (const std::uint32_t i : motion.particles) {
       reaction -= (*resultants[component])[i];
       (*velocities[component])[i] = velocity;
@@ -65,6 +65,12 @@ void PrescribedMotions::impose(const protocol::Step& step, Particles& p) {
   }
   last_dt_ = step.dt;
   last_kick_ = step.kick();
+}
+
+double PrescribedMotions::kinetic_energy() const {
+  double twice = 0;
+  for (const Motion& motion : motions_) twice += motion.inertia * motion.after * motion.after;
+  return twice / 2;
 }
 
 void PrescribedMotions::hold(Component component, std::uint32_t particle, double impulse) {

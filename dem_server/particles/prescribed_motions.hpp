@@ -25,8 +25,8 @@ class PrescribedMotions {
 
   // After the kick of step n: overwrites the prescribed velocities with those of n + 1/2 and adds
   // the reactions' work since n - 1 to work(). `particles` still holds the resultants at n. The reaction is
-  // what the resultant lacks, R(n) = m (v(n+1/2) - v(n-1/2)) / dt - f(n), with v(-1/2) = -v(1/2) from rest;
-  // its work the trapezoid dt v(n-1/2) (R(n-1) + R(n)) / 2.
+  // what the resultant lacks, R(n) = m (v(n+1/2) - v(n-1/2)) / dt - f(n), with v(-1/2) = 0 from rest, because
+  // the particles come to their velocity at once; its work the trapezoid dt v(n-1/2) (R(n-1) + R(n)) / 2.
   void impose(const protocol::Step& step, Particles& particles);
 
   // An impulse [N s] on a prescribed component after step n: the reaction R(n), found without it, takes it
@@ -34,6 +34,8 @@ class PrescribedMotions {
   void hold(Component component, std::uint32_t particle, double impulse);
 
   double work() const { return work_; }  // [J]
+  // Of the prescribed components, after the last step [J].
+  double kinetic_energy() const;
   void start_over() { work_ = 0; }
   void exchange(state::Archive& archive) {
     for (Motion& motion : motions_)
@@ -52,9 +54,9 @@ class PrescribedMotions {
     std::vector<std::uint32_t> particles;  // ascending
     double amplitude;
     TimeFactor time;
-    double inertia;       // sum of the particles' masses or moments of inertia
-    double before = 0;    // velocity half a step before the last step
-    double after = 0;     // and half a step after it
+    double inertia;     // sum of the particles' masses or moments of inertia
+    double before = 0;  // velocity half a step before the last step; from rest that of the mirrored half step
+    double after = 0;   // and half a step after it
     double reaction = 0;  // sum at the last step
   };
   std::vector<Motion> motions_;

@@ -326,12 +326,15 @@ double Continuum::velocity_in_statics(Prescribed& one, const protocol::Step& ste
   return (motion.displacement * protocol::imposed_share(step_of_stage_ + 1) - one.moved) / step.dt;
 }
 
-// The reaction of a motion is what it adds to the other forces: R = m (v(n+1/2) - v(n-1/2))/dt - f.
+// The reaction of a motion is what it adds to the other forces: R = m (v(n+1/2) - v(n-1/2))/dt - f. From rest
+// the points come to their velocity at once, without the half step before the start that mirrors the one
+// after it: the energy that they get is 1/2 m v^2, not twice as much.
 void Continuum::find_reactions(Part& part, const protocol::Step& step) {
   for (auto& prescribed : part.motions) {
     const auto& motion = prescribed.motion;
     const auto force = points_[motion.axis == Axis::kX ? kFx : kFy];
-    double reaction = prescribed.mass * (prescribed.after - prescribed.before) / step.dt;
+    const double before = step.from_rest() ? 0 : prescribed.before;
+    double reaction = prescribed.mass * (prescribed.after - before) / step.dt;
     for (const auto point : motion.points) reaction -= force[point];
     if (!step.from_rest())
       external_work_ += step.dt * prescribed.before * (prescribed.reaction + reaction) / 2;
@@ -364,7 +367,11 @@ double Continuum::twice_kinetic_energy_of_points(const protocol::Step& step) {
         mass.size() * part / parts.size(), mass.size() * (part + 1) / parts.size(),
         [&](std::size_t i) { return sign * (mass[i] * (last_vx[i] * vx[i] + last_vy[i] * vy[i])); });
   });
-  return std::accumulate(parts.begin(), parts.end(), 0.0);
+  double twice = std::accumulate(parts.begin(), parts.end(), 0.0);
+  if (step.from_rest())  // v(-1/2) is 0 where a motion is prescribed (find_reactions)
+    for (const Part* part : {&interface_, &interior_})
+      for (const Prescribed& one : part->motions) twice += one.mass * one.after * one.after;
+  return twice;
 }
 
 Energies Continuum::energies(const protocol::Step& step) {

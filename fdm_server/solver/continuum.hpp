@@ -19,7 +19,7 @@
 // dt v(n+1/2) (F(n) + F(n+1))/2; dissipation of the materials (zones/nonlinear/nonlinear_zones.hpp). Then
 // kinetic + strain + dissipated - work keeps its value of step 0 to rounding: M (v(n+3/2) - v(n-1/2)) = dt
 // (f(n) + f(n+1)), times v(n+1/2)/2, is the change of the kinetic energy, and f = F - K u. That value is -1/2
-// sum m v(1/2)^2, 0 where nothing acts at t = 0.
+// sum m v(1/2)^2 over all that no motion prescribes, 0 where nothing acts at t = 0.
 #pragma once
 
 #include <array>
@@ -166,7 +166,7 @@ class Continuum {
   struct Prescribed {
     PrescribedMotion motion;
     double mass;          // of all its points
-    double before = 0;    // velocity half a step ago
+    double before = 0;    // velocity half a step ago; from rest that of the mirrored half step
     double after = 0;     // and half a step ahead
     double reaction = 0;  // total force that the motion needed at the last step
     double moved = 0;     // displacement so far in its stage of statics [m]

@@ -43,6 +43,7 @@ class Conditions {
 
   const dem::Loads::Work& work_of_loads() const { return loads_.work(); }
   double work_of_motions() const { return motions_.work(); }
+  double kinetic_energy_of_motions() const { return motions_.kinetic_energy(); }
 
  private:
   struct Whole {

@@ -138,7 +138,7 @@ Energies GeneralEngine::energies(const protocol::Step& step) {
   const Stored stored = solver_.stored();
   const double loads = loads_.work().forces, body_loads = loads_.work().accelerations,
                motions = motions_.work(), walls = solver_.walls().work();
-  return {.kinetic = kinetic_energy_of(step),
+  return {.kinetic = kinetic_energy_of(step, motions_.kinetic_energy()),
           .strain = solver_.strain_energy() + solver_.foundation_energy(),
           .external_work = loads + body_loads + motions + walls + ledger.support + ledger.ground,
           .released = ledger.released,

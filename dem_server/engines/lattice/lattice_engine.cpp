@@ -145,7 +145,8 @@ Energies LatticeEngine::energies(const protocol::Step& step) {
                contacts = contact_energy(law_.stiffness.normal, assembly_.bonds.rest_length,
                                          contacts_.pairs(), assembly_.particles);
   Energies energies;
-  energies.kinetic = kinetic_energy_of(step);
+  energies.kinetic =
+      kinetic_energy_of(step, interface_.motions.kinetic_energy() + interior_.motions.kinetic_energy());
   energies.strain = bonds + contacts;
   energies.released = released_;
   energies.external_work = work_of_gravity() - gravity_in_statics_;

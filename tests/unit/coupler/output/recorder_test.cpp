@@ -1,10 +1,11 @@
 // Requirement: what particles report in their own, shorter steps stands in the results at its time; a crack
-// is a broken bond inside one body, what breaks between two groups debonds.
+// is a broken bond inside one body, what breaks between two groups debonds. Kinetic energy is never negative.
 #include "coupler/output/recorder.hpp"
 
 #include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -12,6 +13,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "coupler/run.hpp"
 #include "tests/support/local_participants.hpp"
@@ -81,6 +83,33 @@ TEST(Recorder, CracksStandAtTheTimeOfTheWave) {
 TEST(Recorder, ThePeakBondForceStandsAtTheTimeOfTheWave) {
   for (const unsigned substeps : {1U, 4U})
     EXPECT_NEAR(peak_bond_force(substeps), kArrival + kPull / 2, kPull / 4) << substeps;
+}
+
+// The zones fall from the start, and the particles are drawn away at once: the ledger has energies below 0
+// then.
+TEST(Recorder, KineticEnergyIsNeverNegative) {
+  for (const unsigned substeps : {1U, 2U}) {
+    scene::Scene scene = bar(substeps, HUGE_VAL);
+    scene.mutable_output()->set_history_interval(kParticleStep);
+    scene.mutable_continuum()->add_body_loads()->mutable_acceleration()->set_y(-10);
+    scene.mutable_particles()->mutable_motions(0)->mutable_velocity()->set_x(0.1);
+    std::istringstream histories(result_of(scene, "histories.csv"));
+    std::string line, cell;
+    std::getline(histories, line);
+    std::vector<bool> kinetic;
+    for (std::istringstream names(line); std::getline(names, cell, ',');)
+      kinetic.push_back(cell.ends_with("_kinetic_J"));
+    ASSERT_EQ(std::ranges::count(kinetic, true), 2);
+    bool first = true;
+    for (; std::getline(histories, line); first = false) {
+      std::istringstream row(line);
+      for (std::size_t k = 0; std::getline(row, cell, ','); ++k) {
+        if (!kinetic[k]) continue;
+        EXPECT_GE(std::stod(cell), 0) << line;
+        EXPECT_LE(first ? std::stod(cell) : 0, 1e-12) << line;
+      }
+    }
+  }
 }
 
 // The bar, weak where it says: in the groups that tell the broken bonds, and how many the summary counts.

@@ -21,7 +21,8 @@ scene::Scene free_block() {
   return scene;
 }
 
-// What must stay as it was at step 0, where v(-1/2) = -v(1/2) makes the kinetic energy slightly negative.
+// What must stay as it was at step 0, where v(-1/2) = -v(1/2) makes the kinetic energy of what is loaded
+// slightly negative.
 double ledger(const wire::Energies& e) {
   return e.kinetic() + e.strain() + e.released() - e.external_work();
 }
@@ -102,6 +103,26 @@ TEST(Conditions, PrescribedVelocityIsFollowed) {
     run.advance();
     expected += run.dt * 0.5 * std::sin(2 * std::numbers::pi * 100 * (n - 0.5) * run.dt);
     ASSERT_NEAR(run.predicted.histories(0), expected, 1e-14);
+  }
+}
+
+// What comes to a velocity at once has no kinetic energy before, and afterwards gets just that by the work of
+// its motion, in either engine.
+TEST(Conditions, MotionThatBeginsAtOnceTakesItsKineticEnergyAsWork) {
+  for (const auto engine : {scene::Particles::LATTICE, scene::Particles::GENERAL}) {
+    auto scene = free_block();
+    scene.mutable_particles()->set_engine(engine);
+    auto& motion = *scene.mutable_particles()->add_motions();
+    motion.mutable_where();
+    motion.mutable_velocity()->set_x(0.5);
+    motion.set_spin(0);
+    InProcessRun run(scene);
+    const double expected = run.interface.mass() * 0.5 * 0.5 / 2;
+    for (int n = 0; n < 3; ++n) {
+      const auto& energies = run.advance().energies();
+      EXPECT_NEAR(energies.kinetic(), n == 0 ? 0 : expected, 1e-12 * expected) << n;
+      EXPECT_NEAR(energies.external_work(), n == 0 ? 0 : expected, 1e-12 * expected) << n;
+    }
   }
 }
 

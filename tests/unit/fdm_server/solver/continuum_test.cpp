@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "fdm_server/solver/continuum.hpp"
 #include "fdm_server/zones/critical_step.hpp"
@@ -191,6 +192,24 @@ TEST(Motion, PrescribedPointsFollowTheirVelocity) {
     continuum.push(left[1], 1e3, 0);
     EXPECT_NEAR(continuum.vx()[left[1]], expected, 1e-14);
     u += dt * expected;
+  }
+}
+
+// What comes to a velocity at once has no kinetic energy before, and afterwards gets just that by the work of
+// its motion.
+TEST(Motion, ThatBeginsAtOnceTakesItsKineticEnergyAsWork) {
+  const Grid grid = make_grid({0, 2, 0, 1, 4, 2});
+  const auto masses = lumped_masses(grid, ones(grid), kDensity);
+  std::vector<std::uint32_t> all(masses.size());
+  std::iota(all.begin(), all.end(), 0);
+  Continuum continuum(ZoneSet(kKinds[0], grid, kLaw, ones(grid)), masses, {},
+                      {{all, Axis::kX, 2.0, always}, {all, Axis::kY, 0.0, always}});
+  const double expected = kDensity * 2 * 2.0 * 2.0 / 2;
+  Energies e{};
+  for (std::uint64_t n = 0; n < 3; ++n) {
+    continuum.step({n, 1e-5}, &e);
+    EXPECT_NEAR(e.kinetic, n == 0 ? 0 : expected, 1e-12 * expected) << n;
+    EXPECT_NEAR(e.external_work, n == 0 ? 0 : expected, 1e-12 * expected) << n;
   }
 }
 
