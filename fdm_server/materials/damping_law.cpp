@@ -62,6 +62,15 @@ double stiffening(const DampingLaw& law, double frequency) {
   return sum;
 }
 
+double damping_ratio(const DampingLaw& law, double frequency) {
+  double loss = 0;
+  for (const auto& [spring, relaxation] : law.elements) {
+    const double x = angular(frequency) * relaxation;
+    loss += spring * x / (1 + x * x);
+  }
+  return (law.alpha / angular(frequency) + loss / stiffening(law, frequency)) / 2;
+}
+
 double critical_step(const DampingLaw& law, double undamped) {
   double springs = 0, viscosity = 0;
   for (const DampingLaw::Element& element : law.elements) {

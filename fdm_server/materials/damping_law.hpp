@@ -69,6 +69,9 @@ DampingLaw maxwell(double ratio, double low_frequency, double high_frequency);
 // How stiff zones are in waves of this frequency [Hz], over what they are under slow loads: 1 + S.
 double stiffening(const DampingLaw& law, double frequency);
 
+// The damping ratio at this frequency [Hz]: alpha/2w + L/2(1 + S).
+double damping_ratio(const DampingLaw& law, double frequency);
+
 // The critical step [s] of zones whose undamped critical step is `undamped`.
 double critical_step(const DampingLaw& law, double undamped);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "protocol/errors.hpp"
 #include "protocol/motion/measures.hpp"
 
@@ -33,6 +35,18 @@ DampingLaw resolve_damping(const scene::Continuum& scene) {
   }
   throw UserError("continuum.damping",
                   "names no kind; give `rayleigh`, `maxwell` or `local`, or leave it out");
+}
+
+std::optional<std::string> note_on_ratio(const scene::Continuum& scene, const DampingLaw& law) {
+  constexpr double kLittle = 0.05;
+  if (!scene.damping().has_rayleigh()) return std::nullopt;
+  const scene::RayleighDamping& given = scene.damping().rayleigh();
+  const double low = given.low_frequency(), high = given.high_frequency(), middle = std::sqrt(low * high);
+  if (damping_ratio(law, middle) >= (1 - kLittle) * given.ratio()) return std::nullopt;
+  return fmt::format(
+      "damping.rayleigh: the ratio is {:.3g} at {:g} Hz, {:.3g} at {:.3g} Hz and {:.3g} at {:g} Hz; "
+      "damping.maxwell keeps one ratio over a band",
+      damping_ratio(law, low), low, damping_ratio(law, middle), middle, damping_ratio(law, high), high);
 }
 
 std::optional<std::string> note_on_stiffening(const scene::Continuum& scene, const DampingLaw& law) {

@@ -12,6 +12,9 @@ namespace adit::fdm {
 
 DampingLaw resolve_damping(const scene::Continuum& scene);
 
+// What Rayleigh damping gives between the frequencies for which its ratio is stated, if it is much less.
+std::optional<std::string> note_on_ratio(const scene::Continuum& scene, const DampingLaw& law);
+
 // What Maxwell damping does to the stiffness in waves, if the scene has it.
 std::optional<std::string> note_on_stiffening(const scene::Continuum& scene, const DampingLaw& law);
 

@@ -95,6 +95,7 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   model.set_s_wave_speed(speeds.s);
   for (const std::string& note : base_acceleration_.notes) model.add_notes("base.acceleration: " + note);
   for (const std::string& note : notes_on_meetings(supports, grid_)) model.add_notes(note);
+  if (const auto note = note_on_ratio(scene_.continuum(), damping_)) model.add_notes(*note);
   if (const auto note = note_on_stiffening(scene_.continuum(), damping_)) model.add_notes(*note);
   if (const auto note = note_on_shared_motion(damping_, base_acceleration_.motion)) model.add_notes(*note);
   for (const std::string& note : notes_on_strength(setup_.ground)) model.add_notes(note);

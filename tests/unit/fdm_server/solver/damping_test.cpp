@@ -61,6 +61,9 @@ TEST(Damping, StandingWavesDecayAtRayleighsRate) {
       if (mode == 1 || mode == 4) {
         EXPECT_NEAR(here, ratio, 1e-12);
       }
+      if (mode <= 4) {
+        EXPECT_NEAR(damping_ratio(law, frequency(mode)), here, ratio * ratio * here) << "mode " << mode;
+      }
       const int periods = 8;
       const double decay = -std::log(energy_left(kind, law, mode, periods)) / (2 * 2 * pi * periods);
       EXPECT_NEAR(decay, here, 0.005 * here) << "mode " << mode;
@@ -76,12 +79,7 @@ TEST(MaxwellDamping, RatioIsTheSameOverTheBand) {
       EXPECT_EQ(law.count(), kMostElements);
       for (const auto& element : law.elements) EXPECT_GT(element.spring, 0);
       for (double f = 0.5; f <= 0.5 * band * (1 + 1e-9); f *= 1.05) {
-        double loss = 0;
-        for (const auto& [spring, relaxation] : law.elements) {
-          const double x = 2 * pi * f * relaxation;
-          loss += spring * x / (1 + x * x);
-        }
-        EXPECT_NEAR(loss / (2 * stiffening(law, f)), ratio, 0.05 * ratio) << band << " " << f;
+        EXPECT_NEAR(damping_ratio(law, f), ratio, 0.05 * ratio) << band << " " << f;
       }
     }
   const DampingLaw one = maxwell(0.01, 1, 10);
