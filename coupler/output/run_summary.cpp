@@ -61,7 +61,7 @@ RunSummary::RunSummary(const RunLabels& labels, const Model& model) : model_(mod
   summary_.set("duration_s", scene.time().duration());
   summary_.set("dt_s", model.dt);
   summary_.set("substeps", model.substeps);
-  summary_.set("critical_dt_s", model.critical_dt);
+  summary_.set("critical_dt_s", model.critical_dt * model.substeps);  // of the same step as dt_s
   wire::Interface counts;  // sums over all participants, each of which leaves out what it does not have
   for (const Participant& participant : model.participants) {
     counts.set_particles(counts.particles() + participant.counts.particles());

@@ -21,7 +21,7 @@ struct Model {
   std::vector<Interface> interfaces;
   std::vector<double> coupling_points;     // of all interfaces in turn, x0 y0 x1 y1 … [m]
   std::unique_ptr<Constraint> constraint;  // of coupled runs
-  double critical_dt = 0;                  // smallest of the participants [s]
+  double critical_dt = 0;                  // of the particles' steps: the smallest of the participants [s]
   std::uint64_t steps = 0;
   double dt = 0;          // steps · dt is the duration, or less than dt more [s]
   unsigned substeps = 1;  // of the particles in one step

@@ -201,6 +201,5 @@ def _steps(s, kind):
         return None
     substeps = s.get("substeps") or 1
     shorter = f", in each of which the particles took {substeps} steps" if substeps > 1 else ""
-    whose = "of the particles " if substeps > 1 else ""
-    stable = f"; the largest stable step {whose}is {quantity(s['critical_dt_s'], 's')}" if s.get("critical_dt_s") else ""
+    stable = f"; the largest stable step is {quantity(s['critical_dt_s'], 's')}" if s.get("critical_dt_s") else ""
     return f"Time was integrated in {s['steps']:,} {kind} steps of {quantity(s.get('dt_s'), 's')}{shorter}{stable}."

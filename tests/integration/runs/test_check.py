@@ -111,7 +111,7 @@ class Check(ProgramTest):
                 step, share = re.match(r"(\S+) s, (\S+) of the critical", report.line("time step")).groups()
                 own = summary["dt_s"] / summary["substeps"]
                 self.assertAlmostEqual(float(step) / own, 1, delta=1e-5)
-                self.assertAlmostEqual(float(share) / (own / summary["critical_dt_s"]), 1, delta=1e-2)
+                self.assertAlmostEqual(float(share) / (summary["dt_s"] / summary["critical_dt_s"]), 1, delta=1e-2)
                 rows, columns = map(int, re.search(r"in (\d+) rows of (\d+) columns", report.line("results")).groups())
                 header, *lines = (run / "histories.csv").read_text().splitlines()
                 self.assertEqual((rows, columns), (len(lines), len(header.split(","))))

@@ -1,5 +1,6 @@
 // Requirement: what particles report in their own, shorter steps stands in the results at its time; a crack
 // is a broken bond inside one body, what breaks between two groups debonds. Kinetic energy is never negative.
+// The summary's steps are those of one clock.
 #include "coupler/output/recorder.hpp"
 
 #include <google/protobuf/text_format.h>
@@ -110,6 +111,16 @@ TEST(Recorder, KineticEnergyIsNeverNegative) {
       }
     }
   }
+}
+
+TEST(Recorder, CriticalStepIsOfTheStepThatTheSummaryTells) {
+  const auto steps = [](unsigned substeps) {
+    const auto summary = nlohmann::json::parse(result_of(bar(substeps, HUGE_VAL), "summary.json"));
+    EXPECT_DOUBLE_EQ(summary["dt_s"], substeps * kParticleStep);
+    EXPECT_DOUBLE_EQ(summary["steps"].get<double>() * summary["dt_s"].get<double>(), 0.012);
+    return summary["critical_dt_s"].get<double>();
+  };
+  EXPECT_DOUBLE_EQ(steps(4), 4 * steps(1));  // of the particles, which bind either run
 }
 
 // The bar, weak where it says: in the groups that tell the broken bonds, and how many the summary counts.
