@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "coupler/check/compare_ground.hpp"
+#include "coupler/check/compare_motions.hpp"
 #include "coupler/check/warnings.hpp"
 #include "coupler/checkpoint/transfer.hpp"
 #include "coupler/output/motion_outputs.hpp"
@@ -64,6 +65,7 @@ Model set_up_from(const std::optional<From>& from, const scene::Scene& scene,
                        goes_on ? from->checkpoint.manifest.dt : 0);
   note_what_saves_no_state(model);
   compare_ground(model);
+  compare_motions(model);
   return model;
 }
 
@@ -129,6 +131,7 @@ Run::Run(const scene::Scene& scene, std::vector<Participant> participants, const
           .model = model_, .stepper = stepper_, .recorder = recorder_, .motions = motions_, .watch = watch_},
       summary_(labels, model_),
       reserve_(directory) {
+  schedule_.compare(model_);
   for (const std::string& warning : warnings_before(model_)) summary_.warn(warning);
   if (scene.has_statics()) state_.statics = &statics_.emplace(model_, stepper_);
   if (!from) return;

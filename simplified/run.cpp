@@ -116,6 +116,8 @@ Setup set_up(const scene::Scene& scene) {
   check_stations(*setup.scene, setup.begin, setup.end);
   setup.motion = motion::ground_motion(setup.scene->excitation().motion(), "simplified.excitation.motion",
                                        {.dt = setup.clock.dt, .duration = scene.time().duration()});
+  if (const auto note = motion::note_on_peak(setup.scene->excitation().motion(), setup.motion))
+    setup.motion.notes.push_back(*note);
   return setup;
 }
 

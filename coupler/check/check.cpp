@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "coupler/check/compare_ground.hpp"
+#include "coupler/check/compare_motions.hpp"
 #include "coupler/check/counts.hpp"
 #include "coupler/check/expectations.hpp"
 #include "coupler/check/pace.hpp"
@@ -40,6 +41,8 @@ void check(const scene::Scene& scene, std::vector<Participant> participants, con
   const MotionOutputs motions(model, schedule.interval());  // refuses what the run would refuse
   const std::chrono::duration<double> set_up_time = std::chrono::steady_clock::now() - start;
   compare_ground(model);
+  compare_motions(model);
+  schedule.compare(model);
   if (!directory.empty()) write_undeformed(model, scene_yaml, directory);
   print_counts(model);
   Stepper stepper(model);

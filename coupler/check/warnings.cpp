@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "coupler/check/text.hpp"
 
@@ -52,6 +53,7 @@ std::vector<std::string> warnings_before(const Model& model) {
   std::vector<std::string> warnings = model.warnings;
   warn_of_cracks(model, warnings);
   warn_of_absent_statics(model, warnings);
+  for (std::string& warning : warnings_of(model.stated)) warnings.push_back(std::move(warning));
   return warnings;
 }
 

@@ -113,6 +113,13 @@ void RunSummary::add_notes(std::vector<std::string> notes) {
   summary_.set("notes", notes);
 }
 
+void RunSummary::add_stated() {
+  auto list = nlohmann::ordered_json::array();
+  for (const Stated& one : model_.stated)
+    list.push_back({{"key", one.key}, {"stated", one.stated}, {"acted", one.acted}, {"unit", one.unit}});
+  summary_.set("stated", list);
+}
+
 void RunSummary::warn(const std::string& warning) {
   protocol::tell(protocol::Severity::kWarning, "warning: ", warning);
   warnings_.push_back(warning);
@@ -172,6 +179,7 @@ void RunSummary::add_outcome(const Stepper& stepper, const Findings& findings, s
   add_ledger(stepper.ledger());
   add_cost(stepper, steps, wall_s, stepping_s);
   add_figures();
+  add_stated();
   add_warnings(findings);
 }
 

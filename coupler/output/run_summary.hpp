@@ -64,6 +64,7 @@ class RunSummary {
   void add_names();
   void add_notes(std::vector<std::string> notes);
   void add_figures();
+  void add_stated();
   void add_findings(const Findings& findings);
   struct BrokenNames {
     const char *count, *first, *in_statics;

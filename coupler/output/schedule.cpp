@@ -45,6 +45,28 @@ Schedule::Schedule(const Model& model, std::uint64_t stride) : last_(model.steps
   fields_.insert(model.steps);
 }
 
+void Schedule::compare(Model& model) const {
+  const auto& output = model.scene.output();
+  const double dt = model.dt;
+  // A longer interval than the run has no second row.
+  if (output.has_history_interval() && output.history_interval() < model.scene.time().duration())
+    add_where_it_differs(
+        model.stated,
+        {.key = "output.history_interval",
+         .stated = output.history_interval(),
+         .acted = interval_,
+         .unit = "s",
+         .why = model.scene.time().has_dt()
+                    ? fmt::format("`time.dt` makes steps of {:g} s; choose a multiple of it", dt)
+                    : fmt::format("rows come at whole steps of {:g} s", dt)});
+  for (int i = 0; i < output.field_times_size(); ++i)
+    add_where_it_differs(model.stated, {.key = fmt::format("output.field_times[{}]", i),
+                                        .stated = output.field_times(i),
+                                        .acted = std::round(output.field_times(i) / dt) * dt,
+                                        .unit = "s",
+                                        .why = fmt::format("fields are of whole steps of {:g} s", dt)});
+}
+
 std::uint64_t Schedule::row_count() const {
   const auto others = std::ranges::count_if(fields_, [this](std::uint64_t n) { return !is_sample(n); });
   return last_ / history_stride_ + 1 +

@@ -25,6 +25,8 @@ class Schedule {
   std::uint64_t row_count() const;
   bool wants_fields(std::uint64_t n) const { return fields_.contains(n); }
   std::size_t field_count() const { return fields_.size(); }
+  // Says where the times of rows and fields are not those stated.
+  void compare(Model& model) const;
   bool wants_peaks(std::uint64_t n) const {
     return peak_stride_ > 0 && (n % peak_stride_ == 0 || n == last_);
   }

@@ -201,6 +201,7 @@ Model set_up(const scene::Scene& scene, std::vector<Participant> participants, c
   note_what_statics_leave_out(model);
   choose_time_step(model);
   if (dt > 0) keep_time_step(model, dt);
+  compare_time_step(model);
   share_energy(model);
   if (!model.interfaces.empty()) couple(model);
   return model;

@@ -11,6 +11,7 @@
 #include "coupler/participants/constraint.hpp"
 #include "coupler/participants/interface.hpp"
 #include "coupler/participants/participant.hpp"
+#include "coupler/time/stated.hpp"
 #include "protocol/messages/scene.pb.h"
 
 namespace adit::coupler {
@@ -27,6 +28,7 @@ struct Model {
   unsigned substeps = 1;  // of the particles in one step
   // For the user: notes of the participants and on the time step; what of the model is likely to be wrong.
   std::vector<std::string> notes = {}, warnings = {};
+  std::vector<Stated> stated = {};  // that does not act as it is stated
 };
 
 bool has_particles(const Model& model);

@@ -80,15 +80,6 @@ std::string shortened(double interval, double limit, double dt) {
       interval, limit, dt, limit * std::ceil(interval / limit), 100 * (1 - dt / limit));
 }
 
-std::string not_divided(double interval, double dt, bool given) {
-  const double rows = dt * std::max(1.0, std::round(interval / dt));
-  return fmt::format(
-      "rows of histories.csv are {:g} s apart instead of `output.history_interval` = {:g} s, {}", rows,
-      interval,
-      given ? fmt::format("because `time.dt` makes steps of {:g} s; choose a multiple of it", dt)
-            : fmt::format("because a time step takes {:g} s", dt));
-}
-
 // Steps that divide the interval between rows, where it is not shorter than they are. A given `dt` stays as
 // it is. For an interval that nobody gave the step is shortened a little at most.
 Steps steps_for_rows(const scene::Scene& scene, double limit, std::vector<std::string>& notes) {
@@ -100,16 +91,25 @@ Steps steps_for_rows(const scene::Scene& scene, double limit, std::vector<std::s
   const Steps plain = time.has_dt() ? steps_of(limit, duration) : equal_steps(duration, limit);
   if (interval >= duration * (1 - 1e-12)) return plain;  // a row at the begin and one at the end
   if (time.has_dt() || interval < limit * (1 - 1e-12)) {
-    if (!asked || on_step(interval, plain.dt)) return plain;
-    if (on_step(interval, limit)) return steps_of(limit, duration);
-    notes.push_back(not_divided(interval, plain.dt, time.has_dt()));
-    return plain;
+    const bool given = asked && !on_step(interval, plain.dt) && on_step(interval, limit);
+    return given ? steps_of(limit, duration) : plain;
   }
   const Steps dividing = dividing_steps(duration, limit, interval, fields);
   const bool costly = dividing.dt * kShortened < plain.dt;
   if (costly && !asked) return plain;
-  if (costly) notes.push_back(shortened(interval, limit, dividing.dt));
+  if (costly && !time.has_dt_factor()) notes.push_back(shortened(interval, limit, dividing.dt));
   return dividing;
+}
+
+// Why the step is not the share of the critical one that is stated.
+std::string why_another_share(const Model& model) {
+  const auto& time = model.scene.time();
+  if (time.has_dt()) return "`time.dt` is stated, too; leave one of them out";
+  const double interval = row_interval(model.scene),
+               limit = time.dt_factor() * model.critical_dt * model.substeps;
+  if (model.scene.output().has_history_interval() && on_step(interval, model.dt) && model.dt < limit)
+    return shortened(interval, limit, model.dt);
+  return fmt::format("steps of {:g} s end where rows of histories.csv or the run do", model.dt);
 }
 
 }  // namespace
@@ -151,6 +151,21 @@ void keep_time_step(Model& model, double dt) {
   const Steps steps = steps_of(dt, model.scene.time().duration());
   model.dt = steps.dt;
   model.steps = steps.count;
+}
+
+void compare_time_step(Model& model) {
+  const auto& time = model.scene.time();
+  add_where_it_differs(model.stated,
+                       {.key = "time.duration",
+                        .stated = time.duration(),
+                        .acted = static_cast<double>(model.steps) * model.dt,
+                        .unit = "s",
+                        .why = fmt::format("the last step of {:g} s is a whole one", model.dt)});
+  if (!time.has_dt_factor()) return;
+  add_where_it_differs(model.stated, {.key = "time.dt_factor",
+                                      .stated = time.dt_factor(),
+                                      .acted = model.dt / model.substeps / model.critical_dt,
+                                      .why = why_another_share(model)});
 }
 
 namespace {

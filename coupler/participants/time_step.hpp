@@ -6,13 +6,16 @@ namespace adit::coupler {
 
 // Sets the model's step, its substeps and their number, so that rows of histories.csv fall on steps and the
 // last step ends on the duration, or less than a step after it where no step divides both. Adds a note where
-// rows cannot come as asked for, or cost many steps. Throws protocol::UserError for a step above the critical
+// rows cost many steps. Throws protocol::UserError for a step above the critical
 // one, and for substeps that the model cannot take.
 void choose_time_step(Model& model);
 
 // The step of a run that goes on [s], for the duration that it has now. Adds a note where a new run would
 // take another one, after choose_time_step.
 void keep_time_step(Model& model, double dt);
+
+// Afterwards: says where the duration and the share of the critical step are not those stated.
+void compare_time_step(Model& model);
 
 // The largest stable step of statics in which all participants may move [s].
 double critical_static_step(const Model& model);

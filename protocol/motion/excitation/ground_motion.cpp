@@ -188,15 +188,6 @@ void note_drift(const scene::GroundMotion& scene, const Motion& whole, UsedMotio
                     most.displacement, most.displacement / swing, swing));
 }
 
-void note_peak(const scene::GroundMotion& scene, double acting, UsedMotion& used) {
-  constexpr double kNegligible = 0.01;
-  if (scene.has_peak() && std::abs(acting / scene.peak() - 1) > kNegligible)
-    used.notes.push_back(
-        fmt::format("the largest acceleration that acts is {:.4g} m/s^2 instead of `peak` = {:.4g} "
-                    "m/s^2, because the run takes a part of the motion",
-                    acting, scene.peak()));
-}
-
 double natural_step(const scene::GroundMotion& scene, const std::string& path) {
   constexpr double kPerPeriod = 200, kSynthetic = 0.005;
   const auto of_period = [&](double frequency) {
@@ -232,7 +223,7 @@ UsedMotion used_motion(const scene::GroundMotion& scene, const std::string& path
                     .notes = notes_on_cut(whole, {scene.from(), scene.until(), run.duration})};
     note_synthetic(scene, run, used);
     note_drift(scene, whole, used);
-    note_peak(scene, peaks(beginning(used.acting(), run.duration)).acceleration, used);
+    used.peak = peaks(beginning(used.acting(), run.duration)).acceleration;
     return used;
   });
 }
@@ -242,6 +233,15 @@ UsedMotion used_motion(const scene::GroundMotion& scene, const std::string& path
 Motion UsedMotion::acting(const Motion& other) const {
   return beginning(interpolation == Interpolation::kBandLimited ? refined(other, kPartsOfARecord) : other,
                    2 * duration);
+}
+
+std::optional<std::string> note_on_peak(const scene::GroundMotion& scene, const UsedMotion& used) {
+  constexpr double kNegligible = 0.01;
+  if (!scene.has_peak() || std::abs(used.peak / scene.peak() - 1) <= kNegligible) return std::nullopt;
+  return fmt::format(
+      "the largest acceleration that acts is {:.4g} m/s^2 instead of `peak` = {:.4g} "
+      "m/s^2, because the run takes a part of the motion",
+      used.peak, scene.peak());
 }
 
 UsedMotion ground_motion(const scene::GroundMotion& scene, const std::string& path,

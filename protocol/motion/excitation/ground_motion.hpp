@@ -1,6 +1,7 @@
 // The ground motion of a scene (ground_motion.proto).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct UsedMotion {
   Interpolation interpolation = Interpolation::kLinear;
   // Where the ground lies when the run begins, in the displacement of the whole motion [m].
   double place = 0;
+  double peak = 0;                      // the largest acceleration that acts during the run [m/s^2]
   std::vector<std::string> notes = {};  // for the user, where the motion is cut inside shaking
 
   // What acts during the run, with straight lines between the values, and for as long afterwards: the last
@@ -45,5 +47,8 @@ UsedMotion ground_motion(const scene::GroundMotion& scene, const std::string& pa
 // a pulse, 5 ms for a synthetic motion. Straight lines between such values change the amplitude of a pulse by
 // less than 1e-4.
 UsedMotion ground_motion(const scene::GroundMotion& scene, const std::string& path, double duration);
+
+// Where the largest acceleration that acts is not the stated `peak`, if one is stated.
+std::optional<std::string> note_on_peak(const scene::GroundMotion& scene, const UsedMotion& used);
 
 }  // namespace adit::motion

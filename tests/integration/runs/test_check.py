@@ -206,7 +206,8 @@ class Check(ProgramTest):
         hanging = re.sub("stage: [12]", "stage: 0", GROUND.replace("statics: {}\n", ""))
         stressed = hanging + "initial_stress: {yy: -10 kPa}\n"
         for name, scene, options in (("hanging", hanging, ()), ("stressed", stressed, ()),
-                                     ("fast", PARTICLES, ("--set", "time.dt_factor=1"))):
+                                     ("fast", PARTICLES, ("--set", "time.dt_factor=1")),
+                                     ("early", PARTICLES, ("--set", "output.field_times=[1 ns]"))):
             with self.subTest(name):
                 scene = self.scene(scene, f"{name}.yaml")
                 warned = self.check(scene, *options).warnings()

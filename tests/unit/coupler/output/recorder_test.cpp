@@ -123,6 +123,20 @@ TEST(Recorder, CriticalStepIsOfTheStepThatTheSummaryTells) {
   EXPECT_DOUBLE_EQ(steps(4), 4 * steps(1));  // of the particles, which bind either run
 }
 
+TEST(Recorder, SummaryListsWhatActsOtherwiseThanStated) {
+  scene::Scene scene = bar(1, HUGE_VAL);
+  EXPECT_EQ(nlohmann::json::parse(result_of(scene, "summary.json"))["stated"], nlohmann::json::array());
+  scene.mutable_output()->set_history_interval(2.4 * kParticleStep);
+  const auto summary = nlohmann::json::parse(result_of(scene, "summary.json"));
+  ASSERT_EQ(summary["stated"].size(), 1U);
+  const auto& one = summary["stated"][0];
+  EXPECT_EQ(one["key"], "output.history_interval");
+  EXPECT_DOUBLE_EQ(one["stated"], 2.4 * kParticleStep);
+  EXPECT_DOUBLE_EQ(one["acted"], 2 * kParticleStep);
+  EXPECT_EQ(one["unit"], "s");
+  ASSERT_EQ(summary["warnings"].size(), 1U);
+}
+
 // The bar, weak where it says: in the groups that tell the broken bonds, and how many the summary counts.
 struct Broken {
   std::set<std::string> groups;

@@ -1,5 +1,6 @@
 // Requirement: rows of histories.csv come at exactly the interval asked for, at the price of few steps; where
-// that is not possible, the user hears how far apart they are.
+// that is not possible, the user hears how far apart they are. So the user does of every time that acts
+// otherwise than stated: from 1 % on in a list, from 5 % on as a warning.
 #include "coupler/time/step_choice.hpp"
 
 #include <gmock/gmock.h>
@@ -10,12 +11,14 @@
 #include <string>
 #include <vector>
 
+#include "coupler/check/warnings.hpp"
 #include "coupler/output/schedule.hpp"
 #include "coupler/participants/time_step.hpp"
 
 namespace adit::coupler {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -53,6 +56,14 @@ Model model_with(const std::string& scene) {
   model.participants[0].member = {"continuum", Role::kContinuum, "continuum"};
   model.participants[0].model.set_critical_dt(1e-3);
   choose_time_step(model);
+  return model;
+}
+
+// The same, with what acts otherwise than stated.
+Model compared(const std::string& scene) {
+  Model model = model_with(scene);
+  compare_time_step(model);
+  Schedule(model).compare(model);
   return model;
 }
 
@@ -103,13 +114,12 @@ TEST(TimeStep, KeepsAGivenStepAndSaysWhereRowsMissTheInterval) {
   EXPECT_DOUBLE_EQ(model.dt, 0.0004);
   EXPECT_EQ(model.steps, 2501U);
   EXPECT_THAT(model.notes, IsEmpty());
-  model = model_with("time { duration: 1 dt: 0.0004 } output { history_interval: 0.001 }");
+  model = compared("time { duration: 1 dt: 0.0004 } output { history_interval: 0.001 }");
   EXPECT_DOUBLE_EQ(model.dt, 0.0004);
-  ASSERT_EQ(model.notes.size(), 1U);
-  EXPECT_THAT(model.notes[0],
-              HasSubstr("rows of histories.csv are 0.0012 s apart instead of "
-                        "`output.history_interval` = 0.001 s, because `time.dt` makes steps of "
-                        "0.0004 s; choose a multiple of it"));
+  EXPECT_THAT(
+      warnings_before(model),
+      ElementsAre("`output.history_interval` is stated as 0.001 s, but 0.0012 s acts: `time.dt` makes "
+                  "steps of 0.0004 s; choose a multiple of it"));
 }
 
 // A stated step acts exactly, whether or not a number of them makes up the duration.
@@ -136,15 +146,58 @@ TEST(TimeStep, OfALengthenedRunIsToldWhereANewRunTakesAnother) {
               testing::ElementsAre(HasSubstr("a new run of 30 s would take steps of 0.000895522 s")));
 }
 
+// Whether or not somebody stated the share of the critical step that the interval takes.
 TEST(TimeStep, SaysWhatAnIntervalCosts) {
-  Model model = model_with("time { duration: 1 dt_factor: 0.9 } output { history_interval: 0.001 }");
+  Model model = compared("time { duration: 1 } output { history_interval: 0.0006 }");
+  EXPECT_DOUBLE_EQ(model.dt, 0.0003);
+  EXPECT_THAT(model.notes, ElementsAre(HasSubstr("with 0.001 s the run takes 40 % fewer steps")));
+  EXPECT_THAT(model.stated, IsEmpty());
+  model = compared("time { duration: 1 dt_factor: 0.9 } output { history_interval: 0.001 }");
   EXPECT_DOUBLE_EQ(model.dt, 0.0005);
-  ASSERT_EQ(model.notes.size(), 1U);
-  EXPECT_THAT(model.notes[0], HasSubstr("with 0.0018 s the run takes 44 % fewer steps"));
-  model = model_with("time { duration: 1 dt_factor: 0.9 } output { history_interval: 0.0001 }");
+  EXPECT_THAT(model.notes, IsEmpty());
+  EXPECT_THAT(warnings_before(model),
+              ElementsAre(AllOf(HasSubstr("`time.dt_factor` is stated as 0.9, but 0.5 acts: "),
+                                HasSubstr("with 0.0018 s the run takes 44 % fewer steps"))));
+  model = compared("time { duration: 1 dt_factor: 0.9 } output { history_interval: 0.0001 }");
   EXPECT_NEAR(model.dt, 0.0009, 1e-6);
-  ASSERT_EQ(model.notes.size(), 1U);
-  EXPECT_THAT(model.notes[0], HasSubstr("because a time step takes 0.0008"));
+  EXPECT_THAT(warnings_before(model),
+              ElementsAre(AllOf(HasSubstr("`output.history_interval` is stated as 0.0001 s, but 0.0008"),
+                                HasSubstr("rows come at whole steps of 0.0008"))));
+}
+
+// Nothing is said of what acts as it is stated, nor of what nobody stated.
+TEST(Stated, IsNotToldWhereItActs) {
+  for (const char* scene :
+       {"time { duration: 1 }",
+        "time { duration: 1 dt: 0.0004 } output { history_interval: 0.002 field_times: 0.0012 }",
+        "time { duration: 1 dt: 0.0003 } output { history_interval: 0.02 field_times: 0.5 }",
+        "time { duration: 1 dt: 0.0004 } output { history_interval: 5 field_times: 0 }"}) {
+    const Model model = compared(scene);
+    EXPECT_THAT(model.stated, IsEmpty()) << scene;
+    EXPECT_THAT(warnings_before(model), IsEmpty()) << scene;
+  }
+}
+
+void expect_told(const std::string& scene, const std::string& key, double stated, double acted) {
+  const Model model = compared(scene);
+  ASSERT_EQ(model.stated.size(), 1U) << scene;
+  EXPECT_EQ(model.stated[0].key, key);
+  EXPECT_DOUBLE_EQ(model.stated[0].stated, stated);
+  EXPECT_NEAR(model.stated[0].acted, acted, 1e-12);
+  EXPECT_EQ(warnings_before(model).empty(), std::abs(acted / stated - 1) < 0.05) << scene;
+}
+
+TEST(Stated, IsToldWithWhatActs) {
+  expect_told("time { duration: 0.0105 dt: 0.001 }", "time.duration", 0.0105, 0.011);
+  expect_told("time { duration: 0.0051 dt: 0.001 }", "time.duration", 0.0051, 0.006);
+  expect_told("time { duration: 1 dt: 0.001 } output { history_interval: 0.0207 }", "output.history_interval",
+              0.0207, 0.021);
+  expect_told("time { duration: 1 dt: 0.001 } output { field_times: [0.5, 0.0302, 0.0003] }",
+              "output.field_times[2]", 0.0003, 0);
+  expect_told("time { duration: 1 dt: 0.001 } output { field_times: 0.0302 field_times: 0.0104 }",
+              "output.field_times[1]", 0.0104, 0.01);
+  expect_told("time { duration: 1 dt: 0.0005 dt_factor: 0.9 }", "time.dt_factor", 0.9, 0.5);
+  expect_told("time { duration: 0.0035 dt_factor: 0.9 }", "time.dt_factor", 0.9, 0.875);
 }
 
 }  // namespace
