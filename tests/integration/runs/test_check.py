@@ -1,5 +1,6 @@
 """`coupler check` tells what the run that follows will be, and writes nothing but the undeformed model where it is asked to."""
 
+import math
 import pathlib
 import re
 import subprocess
@@ -217,6 +218,27 @@ class Check(ProgramTest):
                 self.assertLessEqual(set(warned), set(self.summary(self.folder / name)["warnings"]))
                 for warning in warned:
                     self.assertIn(f"warning: {warning}\n", result.stderr)
+
+    def test_a_peak_that_the_run_does_not_meet_is_warned_of(self):
+        """With the largest acceleration that acts until then, in the words of the summary, which lists both."""
+        scene = self.scene(f"""\
+material: {MATERIAL}
+time: {{duration: 0.3 s}}
+continuum:
+  block: {{x_min: 0 m, x_max: 2 m, y_min: 0 m, y_max: 2 m, zones_x: 2, zones_y: 2}}
+  base: {{kind: rigid, acceleration: {{ricker: {{frequency: 2 Hz, time: 0.5 s}}, peak: 1 m/s^2}}}}
+""")
+        warned = self.check(scene).warnings()
+        self.assertEqual(len(warned), 1, warned)
+        self.assertRegex(warned[0], r"^`continuum\.base\.acceleration\.peak` is stated as 1 m/s\^2, but 0\.\d+ m/s\^2 acts: "
+                                    "the run takes a part of the motion$")
+        summary = self.summary(self.run_scene(scene))
+        self.assertEqual(summary["warnings"], warned)
+        told, = summary["stated"]
+        self.assertEqual((told["key"], told["stated"], told["unit"]), ("continuum.base.acceleration.peak", 1, "m/s^2"))
+        w = (math.pi * 2 * 0.2)**2  # at the end, just before the trough of the pulse
+        self.assertAlmostEqual(told["acted"], (2 * w - 1) * math.exp(-w), delta=1e-3)
+        self.assertEqual(self.check(scene, "--set", "time.duration=1 s").warnings(), [])
 
     def test_what_statics_leave_out_is_noted(self):
         pulled = GROUND.replace("velocity: {x: 0 m/s, y: 0 m/s}", "velocity: {x: 0.1 m/s, y: 0 m/s}")
