@@ -97,19 +97,8 @@ Steps steps_for_rows(const scene::Scene& scene, double limit, std::vector<std::s
   const Steps dividing = dividing_steps(duration, limit, interval, fields);
   const bool costly = dividing.dt * kShortened < plain.dt;
   if (costly && !asked) return plain;
-  if (costly && !time.has_dt_factor()) notes.push_back(shortened(interval, limit, dividing.dt));
+  if (costly) notes.push_back(shortened(interval, limit, dividing.dt));
   return dividing;
-}
-
-// Why the step is not the share of the critical one that is stated.
-std::string why_another_share(const Model& model) {
-  const auto& time = model.scene.time();
-  if (time.has_dt()) return "`time.dt` is stated, too; leave one of them out";
-  const double interval = row_interval(model.scene),
-               limit = time.dt_factor() * model.critical_dt * model.substeps;
-  if (model.scene.output().has_history_interval() && on_step(interval, model.dt) && model.dt < limit)
-    return shortened(interval, limit, model.dt);
-  return fmt::format("steps of {:g} s end where rows of histories.csv or the run do", model.dt);
 }
 
 }  // namespace
@@ -162,10 +151,12 @@ void compare_time_step(Model& model) {
                         .unit = "s",
                         .why = fmt::format("the last step of {:g} s is a whole one", model.dt)});
   if (!time.has_dt_factor()) return;
-  add_where_it_differs(model.stated, {.key = "time.dt_factor",
-                                      .stated = time.dt_factor(),
-                                      .acted = model.dt / model.substeps / model.critical_dt,
-                                      .why = why_another_share(model)});
+  // A shorter step keeps the share: it is not warned of.
+  add_where_it_differs(model.stated,
+                       {.key = "time.dt_factor",
+                        .stated = time.dt_factor(),
+                        .acted = model.dt / model.substeps / model.critical_dt,
+                        .why = time.has_dt() ? "`time.dt` is stated, too; leave one of them out" : ""});
 }
 
 namespace {

@@ -24,7 +24,7 @@ std::vector<std::string> warnings_of(const std::vector<Stated>& list) {
   std::vector<std::string> warnings;
   for (const auto& one : list) {
     const std::string unit = one.unit.empty() ? "" : " " + one.unit;
-    if (differs(one, kLittle))
+    if (!one.why.empty() && differs(one, kLittle))
       warnings.push_back(fmt::format("`{}` is stated as {:.6g}{}, but {:.6g}{} acts: {}", one.key, one.stated,
                                      unit, one.acted, unit, one.why));
   }

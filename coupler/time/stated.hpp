@@ -10,13 +10,13 @@ struct Stated {
   std::string key;        // of the scene: time.duration
   double stated, acted;   // in the unit
   std::string unit = {};  // s; empty: none
-  std::string why = {};   // what is stated does not act: the end of a sentence
+  std::string why = {};   // what is stated does not act: the end of a sentence; empty: nothing to warn of
 };
 
 // Adds one that differs by more than a hundredth of what is stated.
 void add_where_it_differs(std::vector<Stated>& list, Stated one);
 
-// A sentence for each that differs by more than a twentieth.
+// A sentence for each that differs by more than a twentieth, and has a reason.
 std::vector<std::string> warnings_of(const std::vector<Stated>& list);
 
 }  // namespace adit::coupler
