@@ -122,11 +122,10 @@ void Continuum::set_interface(std::span<const std::uint32_t> points) {
                                             [&](const Dashpot& dashpot) { return !chosen[dashpot.point]; });
   interface_.dashpots.assign(inside, dashpots.end());
   dashpots.erase(inside, dashpots.end());
-  for (std::size_t k = 0; k < interface_.dashpots.size(); ++k) {
-    Dashpot& dashpot = interface_.dashpots[k];
-    dashpot.tied = std::ranges::find(points, dashpot.point) != points.end();
-    if (dashpot.tied) tied_[dashpot.point] = k;
-  }
+  for (const Dashpot& dashpot : interface_.dashpots)
+    if (dashpot.hold_x || dashpot.hold_y) held_[dashpot.point] = {dashpot.hold_x, dashpot.hold_y};
+  tie_x_.assign(points_.size(), 0.0);
+  tie_y_.assign(points_.size(), 0.0);
   for (auto& springs : interior_.foundations) {
     springs.tie(points);
     if (auto taken = springs.take(chosen); !taken.empty()) interface_.foundations.push_back(std::move(taken));
@@ -193,27 +192,22 @@ void Continuum::plan(const std::vector<bool>& chosen) {
 
 // What statics hold does not yield to multipliers either: they are a part of what its support bears.
 void Continuum::push(std::uint32_t point, double x, double y) {
-  if (const auto found = relaxes_ ? tied_.find(point) : tied_.end(); found != tied_.end()) {
-    Dashpot& dashpot = interface_.dashpots[found->second];
-    dashpot.tie = {x / last_kick_, y / last_kick_};
-    if (dashpot.hold_x) x = 0;
-    if (dashpot.hold_y) y = 0;
-  }
-  points_[kVx][point] += points_[kInverseMassX][point] * x;
-  points_[kVy][point] += points_[kInverseMassY][point] * y;
   if (!tie_x_.empty()) {
     tie_x_[point] = x / last_kick_;
     tie_y_[point] = y / last_kick_;
   }
+  const auto [held_x, held_y] = relaxes_ ? held_in_statics(point) : std::array{false, false};
+  if (held_x) x = 0;
+  if (held_y) y = 0;
+  points_[kVx][point] += points_[kInverseMassX][point] * x;
+  points_[kVy][point] += points_[kInverseMassY][point] * y;
   if (points_[kInverseMassX][point] == 0) hold(Axis::kX, point, x);
   if (points_[kInverseMassY][point] == 0) hold(Axis::kY, point, y);
 }
 
 std::array<bool, 2> Continuum::held_in_statics(std::uint32_t point) const {
-  const auto found = tied_.find(point);
-  if (found == tied_.end()) return {false, false};
-  const Dashpot& dashpot = interface_.dashpots[found->second];
-  return {dashpot.hold_x, dashpot.hold_y};
+  const auto found = held_.find(point);
+  return found == held_.end() ? std::array{false, false} : found->second;
 }
 
 // The impulse on a component that does not yield is taken up by the reaction of its motion, which was found
@@ -410,8 +404,6 @@ void Continuum::slow(double factor) {
 void Continuum::start_over() {
   stop();
   structures_.start_over();
-  tie_x_.clear();
-  tie_y_.clear();
   external_work_ = damped_ = 0;
   boundary_work_ = {};
   for (Part* part : {&interface_, &interior_})
@@ -434,8 +426,8 @@ void Continuum::exchange(state::Archive& archive) {
       for (double* value : {&one.mass, &one.before, &one.after, &one.reaction, &one.moved})
         archive("prescribed", *value);
     archive.members("dashpots", std::span(part->dashpots), &Dashpot::origin, &Dashpot::settling,
-                    &Dashpot::tie, &Dashpot::support, &Dashpot::stress, &Dashpot::viscous_x,
-                    &Dashpot::viscous_y, &Dashpot::given, &Dashpot::drag);
+                    &Dashpot::support, &Dashpot::stress, &Dashpot::viscous_x, &Dashpot::viscous_y,
+                    &Dashpot::given, &Dashpot::drag);
     for (foundation::Springs& springs : part->foundations) springs.exchange(archive);
   }
   archive("boundary_work", boundary_work_);

@@ -213,8 +213,8 @@ class Continuum {
   FieldArrays<kFields> points_;
   protocol::Team team_;
   Part interface_, interior_;
-  std::unordered_map<std::uint32_t, std::size_t> tied_;  // dashpots of points that are tied
-  double structures_step_;                               // critical [s]
+  std::unordered_map<std::uint32_t, std::array<bool, 2>> held_;  // in statics, of the interface: x, y
+  double structures_step_;                                       // critical [s]
   // Of those of the interior, once a step is too long for them; the motions of the interior that drive its
   // prescribed freedoms.
   std::optional<MeanAcceleration> average_;
@@ -231,7 +231,7 @@ class Continuum {
   bool relaxes_ = false;  // the last step was one of statics
   std::uint32_t stage_ = 0;
   std::uint64_t step_of_stage_ = 0;    // in statics, the next
-  std::vector<double> tie_x_, tie_y_;  // of the multipliers at the last step, where statics damp [N]
+  std::vector<double> tie_x_, tie_y_;  // of the multipliers at the last step [N]; empty: nothing is tied
 };
 
 }  // namespace adit::fdm

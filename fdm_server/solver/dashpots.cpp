@@ -42,17 +42,22 @@ void add(const PointArrays& points, std::uint32_t i, const Vector& force) {
   points.fy[i] += force.y;
 }
 
+// Of the multipliers, as they were last.
+Vector tie(const PointArrays& points, std::uint32_t i) {
+  return points.tie_x ? Vector{points.tie_x[i], points.tie_y[i]} : Vector{};
+}
+
 // (v(n-1/2) + v(n+1/2))/2 under the forces that the point has so far.
 Vector mean_velocity(const PointArrays& points, std::uint32_t i, double kick) {
-  return {points.vx[i] + kick / 2 * points.inverse_mass_x[i] * points.fx[i],
-          points.vy[i] + kick / 2 * points.inverse_mass_y[i] * points.fy[i]};
+  const Vector force = Vector{points.fx[i], points.fy[i]} + tie(points, i);
+  return {points.vx[i] + kick / 2 * points.inverse_mass_x[i] * force.x,
+          points.vy[i] + kick / 2 * points.inverse_mass_y[i] * force.y};
 }
 
 // The dashpots' force F of the header's equation.
 Vector drag(const Dashpot& dashpot, const PointArrays& points, double kick) {
   const Symmetric& c = dashpot.damping;
-  const Vector pull =
-      c * (dashpot.tied ? velocity(points, dashpot.point) : mean_velocity(points, dashpot.point, kick));
+  const Vector pull = c * mean_velocity(points, dashpot.point, kick);
   const double wx = kick / 2 * points.inverse_mass_x[dashpot.point];
   const double wy = kick / 2 * points.inverse_mass_y[dashpot.point];
   const double xx = 1 + c.xx * wx, xy = c.xy * wy, yx = c.xy * wx, yy = 1 + c.yy * wy;
@@ -111,9 +116,11 @@ void add_boundary_forces(std::span<Dashpot> dashpots, bool supports, const Dampi
     const Vector field = dashpot.field ? free_field_force(dashpot, maxwell, step, zones, points) : Vector{};
     const std::uint32_t i = dashpot.point;
     if (step.number == 0 && !step.relax) dashpot.origin = displacement(points, i);
-    if (step.number == 0 && supports && !step.relax)
-      dashpot.support = {dashpot.settling.x - points.fx[i] - field.x - dashpot.tie.x,
-                         dashpot.settling.y - points.fy[i] - field.y - dashpot.tie.y};
+    if (step.number == 0 && supports && !step.relax) {
+      const Vector multipliers = tie(points, i);
+      dashpot.support = {dashpot.settling.x - points.fx[i] - field.x - multipliers.x,
+                         dashpot.settling.y - points.fy[i] - field.y - multipliers.y};
+    }
     const Vector away = step.relax ? Vector{} : displacement(points, i) + -1.0 * dashpot.origin;
     dashpot.given = dashpot.support + field + -1.0 * (dashpot.spring * away);
     add(points, i, dashpot.given);

@@ -6,9 +6,9 @@
 // to each of its ends. The force -C (v(n-1/2) + v(n+1/2))/2 is implicit for its own point, so that the limit
 // of the time step is that of the grid without dashpots; it is written as a force known before the update,
 //   (I + kick/2 C W) F = -C (v(n-1/2) + kick/2 W f),
-// f being all other forces and W the inverse masses (0: a prescribed component). What ties a point to another
-// model is not among the forces that are known, and balances them at rest: the dashpots of such a point take
-// its velocity before, without the term of f.
+// f being all other forces and W the inverse masses (0: a prescribed component). Of the multipliers, which
+// tie a point to another model, those of the step before stand for those of this one, which are not known
+// yet: at rest they balance the other forces.
 //
 // A side with a free field bears in addition the stress of the column beside it, s n L (with its viscous
 // part, damping_law.hpp), and the same dashpots act against the column's velocity: + C w. In a
@@ -66,11 +66,9 @@ struct Dashpot {
   Symmetric damping;                    // all dashpots of the point [N s/m]
   Symmetric spring{};                   // all its springs [N/m]
   bool hold_x = false, hold_y = false;  // in statics
-  bool tied = false;                    // to another model
   std::optional<FreeFieldLink> field{};
 
   Vector origin{};  // displacement at time 0 [m]
-  Vector tie{};     // force of the multipliers at the last step of statics [N]
   // Forces of the last step [N].
   Vector settling{};                  // share of what the model lacked of equilibrium when statics ended
   Vector support{};                   // what holds the point at rest, with it

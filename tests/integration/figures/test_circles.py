@@ -86,7 +86,7 @@ class Circles(ComputedTest):
         t = self.time
         stored = (1e8 * velocity[0]**2 + 4e7 * velocity[1]**2) * t**2 / 2
         kinetic = DENSITY * np.pi * 0.25 / 2 * (velocity[0]**2 + velocity[1]**2)
-        self.told_energies(size=stored[-1], tolerance=1e-4, contact_bonds=stored, motions=stored + np.where(t > 0, 2 * kinetic, 0))
+        self.told_energies(size=stored[-1], tolerance=1e-4, contact_bonds=stored, motions=stored + np.where(t > 0, kinetic, 0))
 
 
 if __name__ == "__main__":

@@ -37,7 +37,7 @@ class Contacts(ComputedTest):
         lost = friction * NORMAL * press * (slide - friction * NORMAL * press / SHEAR) * t**2 / 2
         kinetic = MASS / 2 * (press**2 + slide**2)
         work = -normal * press * t / 2 - shear * slip / 2
-        self.told_energies(size=work[-1], tolerance=1e-3, contacts=stored, friction=lost, motions=work + np.where(t > 0, 2 * kinetic, 0))
+        self.told_energies(size=work[-1], tolerance=1e-3, contacts=stored, friction=lost, motions=work + np.where(t > 0, kinetic, 0))
 
     def test_of_a_wall(self):
         """A wall moves up into a disc that is held, another wall is at rest below a disc that moves along it and down."""
@@ -57,7 +57,7 @@ class Contacts(ComputedTest):
         stored = lift**2 / 2 / NORMAL + floor**2 / 4 / NORMAL + drag**2 / 2 / SHEAR
         kinetic = MASS / 2 * (along**2 + down**2)
         self.told_energies(size=stored[-1], tolerance=1e-6, contacts=stored, walls=lift * rise * t / 2,
-                           motions=(floor * down + drag * along) * t / 2 + np.where(t > 0, 2 * kinetic, 0))
+                           motions=(floor * down + drag * along) * t / 2 + np.where(t > 0, kinetic, 0))
         np.testing.assert_array_equal(self.run.fields()["particles"]["coordination"], [0, 0])
         cell, upper, lower = np.pi * RADIUS**2, RADIUS - rise * END, RADIUS - down * END
         expected = np.array([(0, -lift[-1] * upper, 0), (0, -floor[-1] * lower, drag[-1] * lower / 2)]) / cell
@@ -105,7 +105,7 @@ class Contacts(ComputedTest):
         stored = normal**2 / 2 / normal_stiffness / length + shear**2 / 2 / shear_stiffness / length
         work = (-normal * press - shear * slide) * t / 2
         kinetic = MASS / 2 * (press**2 + slide**2)
-        self.told_energies(size=work[-1], tolerance=1e-6, joints=stored, friction=work - stored, motions=work + np.where(t > 0, 2 * kinetic, 0))
+        self.told_energies(size=work[-1], tolerance=1e-6, joints=stored, friction=work - stored, motions=work + np.where(t > 0, kinetic, 0))
 
 
 if __name__ == "__main__":

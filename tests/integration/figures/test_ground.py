@@ -58,7 +58,7 @@ class Ground(ComputedTest):
         stored = G * strain**2 / 2 + stress**2 / 2 / G
         lost = cohesion * plastic
         kinetic = 2 * DENSITY / 2 / 2 * rate**2
-        self.ledger(stored[-1], tolerance=1e-3, strain=stored, dissipated=lost, external_work=stored + lost + np.where(t > 0, 2 * kinetic, 0))
+        self.ledger(stored[-1], tolerance=1e-3, strain=stored, dissipated=lost, external_work=stored + lost + np.where(t > 0, kinetic, 0))
 
     def stretched(self, law, gradient):
         """Of one zone of a law that is strained steadily: its fields at the end."""
@@ -86,7 +86,7 @@ class Ground(ComputedTest):
         stored = 3 * G * (strain - flowed)**2 / 2
         kinetic = DENSITY / 4 * rate**2
         lost = tension * flowed
-        self.ledger(lost[-1], tolerance=1e-3, strain=stored, dissipated=lost, external_work=stored + lost + np.where(self.time > 0, 2 * kinetic, 0))
+        self.ledger(lost[-1], tolerance=1e-3, strain=stored, dissipated=lost, external_work=stored + lost + np.where(self.time > 0, kinetic, 0))
 
     def test_of_ground_that_softens(self):
         """Its stress follows the curve, and its state says that it has no limit of elasticity."""
@@ -97,10 +97,10 @@ class Ground(ComputedTest):
         np.testing.assert_allclose(found["stress_Pa"], [0, 0, curve[-1]], atol=0.01 * curve[-1])
         self.assertEqual((found["yield_state"], found["plastic_shear_strain"]), (256, 0))
         kinetic = DENSITY / 4 * rate**2
-        work = np.concatenate([[0], np.cumsum((curve[1:] + curve[:-1]) / 2 * np.diff(strain))]) + np.where(self.time > 0, 2 * kinetic, 0)
+        work = np.concatenate([[0], np.cumsum((curve[1:] + curve[:-1]) / 2 * np.diff(strain))]) + np.where(self.time > 0, kinetic, 0)
         np.testing.assert_allclose(self.run.histories["continuum_external_work_J"], work, atol=0.01 * work[-1])
         ledger = self.run.histories
-        np.testing.assert_allclose(ledger["continuum_strain_J"] + ledger["continuum_dissipated_J"] + np.where(self.time > 0, 2 * kinetic, 0),
+        np.testing.assert_allclose(ledger["continuum_strain_J"] + ledger["continuum_dissipated_J"] + np.where(self.time > 0, kinetic, 0),
                                    ledger["continuum_external_work_J"], atol=1e-9 * work[-1])
 
     def test_of_a_foundation(self):
@@ -121,7 +121,7 @@ class Ground(ComputedTest):
         stored = area * stress**2 / 2 / stiffness
         work = area * np.concatenate([[0], np.cumsum((stress[1:] + stress[:-1]) / 2 * speed * STEP)])
         kinetic = DENSITY * 4 * 1.5 / 2 * speed**2
-        self.ledger(work[-1], strain=stored, dissipated=work - stored, external_work=work + np.where(t > 0, 2 * kinetic, 0))
+        self.ledger(work[-1], strain=stored, dissipated=work - stored, external_work=work + np.where(t > 0, kinetic, 0))
 
 
 if __name__ == "__main__":

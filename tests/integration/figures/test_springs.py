@@ -59,7 +59,7 @@ class Springs(ComputedTest):
         way = np.diff(self.opening, axis=0)
         work = np.concatenate([[0], np.cumsum(np.sum((self.force[1:] + self.force[:-1]) / 2 * way, axis=1))])
         kinetic = 2000 * np.pi * RADIUS**2 / 2 * np.sum(VELOCITY**2)
-        self.told_energies(size=kinetic, tolerance=1e-4, springs=stored, motions=work + np.where(self.time > 0, 2 * kinetic, 0))
+        self.told_energies(size=kinetic, tolerance=1e-4, springs=stored, motions=work + np.where(self.time > 0, kinetic, 0))
         released = np.where(self.bears, 0, self.released)
         np.testing.assert_allclose(self.run.histories["particles_released_J"], released, rtol=1e-9, atol=1e-9)
 
