@@ -16,8 +16,8 @@ using std::numbers::pi;
 constexpr double kFewestSectors = 8, kMostSectors = 72;
 constexpr double kOnLine = 1e-9;  // of a sector, beyond the rounding of places
 
-// A multiple of four, so that lines between sectors lie on both axes: a ring that is mirrored at them, or turned by
-// a quarter, has the same diameters.
+// A multiple of four, so that lines between sectors lie on both axes: a ring that is mirrored at them, or
+// turned by a quarter, has the same diameters.
 std::size_t number_of_sectors(double mean_radius, double largest_particle) {
   const double quarter = pi / 2 * mean_radius;
   return static_cast<std::size_t>(

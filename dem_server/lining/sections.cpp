@@ -1,6 +1,7 @@
 #include "dem_server/lining/sections.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -71,8 +72,9 @@ SectionForces Sections::resultant(std::size_t cut, const Particles& p,
   const auto [x, y] = middle_now(cut, p);
   double fx = 0, fy = 0, moment = 0;
   for (const PairForce& pair : pairs) {
-    const double share = line.crossing({p.x[pair.first], p.y[pair.first]}, {p.x[pair.second], p.y[pair.second]});
-    if (share == 0) continue;
+    const double share =
+        line.crossing({p.x[pair.first], p.y[pair.first]}, {p.x[pair.second], p.y[pair.second]});
+    if (share == 0 || std::hypot(pair.x - x, pair.y - y) > line.length()) continue;
     fx += share * pair.fx;
     fy += share * pair.fy;
     moment += share * ((pair.x - x) * pair.fy - (pair.y - y) * pair.fx + pair.moment);

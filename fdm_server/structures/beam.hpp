@@ -62,6 +62,7 @@ class Beam {
 
   const std::array<std::uint32_t, 2>& points() const { return points_; }
   const std::array<std::uint32_t, 2>& rotations() const { return rotations_; }
+  const Chord& chord() const { return chord_; }
   double end_mass() const { return mass_; }        // at either end [kg]
   double end_inertia() const { return inertia_; }  // J [kg m^2]
   double critical_step() const;                    // 2/omega of the free beam [s]

@@ -64,25 +64,33 @@ Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structur
   return lining;
 }
 
-LiningForces forces_at(const Lining& lining, const Structures& structures, std::size_t node) {
+namespace {
+
+constexpr double kCorner = 0.766;  // cosine of 40 degrees, by which a ring of nine beams turns at its nodes
+
+LiningForces mean(const LiningForces& a, const LiningForces& b) {
+  return {0.5 * a.thrust + 0.5 * b.thrust, 0.5 * a.moment + 0.5 * b.moment, 0.5 * a.shear + 0.5 * b.shear};
+}
+
+}  // namespace
+
+NodeForces all_forces_at(const Lining& lining, const Structures& structures, std::size_t node) {
   const auto beams = structures.beams().subspan(lining.first_beam, lining.beams);
-  const bool has_before = lining.path.closed || node > 0, has_after = node < beams.size();
-  LiningForces sum{};
-  const auto add = [&](const BeamForces& beam, double moment) {
-    const double share = has_before && has_after ? 0.5 : 1;
-    sum.thrust += share * beam.thrust;
-    sum.moment += share * moment;
-    sum.shear += share * beam.shear;
-  };
-  if (has_before) {
-    const auto before = beams[(node + beams.size() - 1) % beams.size()].forces();
-    add(before, before.second);
-  }
-  if (has_after) {
-    const auto after = beams[node].forces();
-    add(after, after.first);
-  }
-  return sum;
+  const Beam& before = beams[(node + beams.size() - 1) % beams.size()];
+  const Beam& after = beams[node % beams.size()];
+  const BeamForces of_before = before.forces(), of_after = after.forces();
+  const LiningForces first{of_before.thrust, of_before.second, of_before.shear},
+      second{of_after.thrust, of_after.first, of_after.shear};
+  if (!lining.path.closed && node == 0) return {{second}, 1};
+  if (!lining.path.closed && node == beams.size()) return {{first}, 1};
+  if (before.chord().x * after.chord().x + before.chord().y * after.chord().y < kCorner)
+    return {{first, second}, 2};
+  return {{mean(first, second)}, 1};
+}
+
+LiningForces forces_at(const Lining& lining, const Structures& structures, std::size_t node) {
+  const auto [forces, count] = all_forces_at(lining, structures, node);
+  return count == 2 && std::abs(forces[1].thrust) > std::abs(forces[0].thrust) ? forces[1] : forces[0];
 }
 
 }  // namespace adit::fdm

@@ -6,6 +6,8 @@
 // one after the other.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -50,10 +52,18 @@ std::size_t nearest_node(const geometry::Point& place, const Path& lining, const
 // Joins the lining to those that were added before; the order does not matter.
 Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structures);
 
-// At a node of the lining: the mean of what the beams on its two sides carry there.
 struct LiningForces {
   double thrust, moment, shear;  // [N], [N m], [N], signs as in beam.hpp
 };
+
+// What is carried at a node: the mean of the beams on its two sides, or, at a corner, each of the two. Their
+// thrusts have no common direction there: the mean of wall and roof is neither's.
+struct NodeForces {
+  std::array<LiningForces, 2> forces;
+  std::size_t count;
+};
+NodeForces all_forces_at(const Lining& lining, const Structures& structures, std::size_t node);
+// The one of them with the larger thrust by size.
 LiningForces forces_at(const Lining& lining, const Structures& structures, std::size_t node);
 
 }  // namespace adit::fdm

@@ -23,11 +23,14 @@ void PeakForces::take(std::span<const Lining> linings, const Structures& structu
   std::size_t row = 0;
   for (const Lining& lining : linings)
     for (std::size_t node = 0; node < lining.path.points.size(); ++node, ++row) {
-      const auto [thrust, moment, shear] = forces_at(lining, structures, node);
-      const Instant now{thrust, moment, shear, time};
-      take_node(now, &Instant::thrust, row, thrust_);
-      take_node(now, &Instant::moment, row, moment_);
-      take_node(now, &Instant::shear, row, shear_);
+      const auto [forces, count] = all_forces_at(lining, structures, node);
+      for (std::size_t side = 0; side < count; ++side) {
+        const auto [thrust, moment, shear] = forces[side];
+        const Instant now{thrust, moment, shear, time};
+        take_node(now, &Instant::thrust, row, thrust_);
+        take_node(now, &Instant::moment, row, moment_);
+        take_node(now, &Instant::shear, row, shear_);
+      }
     }
 }
 

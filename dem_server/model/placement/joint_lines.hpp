@@ -19,12 +19,13 @@ class JointLine {
   // left.
   bool parts(const geometry::Point& first, const geometry::Point& second) const;
   bool parts(const Discs& discs, const Pair& pair) const;
-  // How far the way from the first place to the second crosses the line: 1 from left to right, -1 from right to
-  // left, half of it where one of them lies on the line, else 0.
+  // How far the way from the first place to the second crosses the line: 1 from left to right, -1 from right
+  // to left, half of it where one of them lies on the line, else 0.
   double crossing(const geometry::Point& first, const geometry::Point& second) const;
   // The unit normal, from the side of the pair's first disc to that of its second.
   std::array<double, 2> normal(const Discs& discs, const Pair& pair) const;
   std::array<double, 2> direction() const { return {tx_, ty_}; }  // unit vector along it
+  double length() const { return length_; }                       // [m]
   // 1: to its left, -1: to its right, 0: on it, but for the rounding of places.
   int side(const geometry::Point& place) const;
 

@@ -209,6 +209,23 @@ TEST(Sections, FollowTheParticlesButNotALooseGrain) {
 }
 
 // Each extreme comes with the time at which it was reached first.
+// Grains from both sides that meet elsewhere are no part of what the section bears.
+TEST(Sections, LeaveOutWhatFallsFarAway) {
+  GeneralEngine engine(strip(Bond::Law::kParallelBond), 1);
+  const Sections sections({kCut}, engine.particles(), all_bonds(engine));
+  const Particles& p = engine.particles();  // which the engine numbers as it likes
+  const auto nearest = [&p](double x) {
+    const auto found = std::ranges::min_element(p.x, {}, [x](double place) { return std::abs(place - x); });
+    return static_cast<std::uint32_t>(found - p.x.begin());
+  };
+  const auto thrust_at = [&](double y) {
+    const std::vector<PairForce> pairs{{nearest(0.6), nearest(0.8), 0.75, y, 1e3, 0, 0}};
+    return sections.forces(p, pairs)[0].thrust;
+  };
+  EXPECT_EQ(std::abs(thrust_at(0.3)), 1e3);
+  EXPECT_EQ(thrust_at(4.0), 0);
+}
+
 TEST(Sections, EnvelopeKeepsTheExtremes) {
   Envelope envelope;
   EXPECT_TRUE(envelope.largest(Force::kThrust).empty());

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "fdm_server/supports/peak_forces.hpp"
 #include "tests/unit/fdm_server/structures/frames.hpp"
 
 namespace adit::fdm::test {
@@ -177,6 +178,37 @@ TEST(LiningMeetings, TwoArcsAreACircle) {
   for (const auto& parts : {std::vector{upper, lower}, {around}}) {
     const auto found = moved(parts);
     for (std::size_t i = 0; i < kBeams; ++i) EXPECT_NEAR(found[i], whole[i], 1e-9 * scale);
+  }
+}
+
+// At the corner of a bracket, a post with an arm, the post bears the load as thrust and the arm as shear
+// force, and neither bears the mean; the moment is that of both. Whatever the direction of the path.
+TEST(LiningMeetings, ACornerTellsWhatEachSideBears) {
+  Grid bracket;
+  for (int k = 0; k <= 4; ++k) bracket.x.push_back(0), bracket.y.push_back(0.5 * k);
+  for (int k = 1; k <= 4; ++k) bracket.x.push_back(0.5 * k), bracket.y.push_back(2);
+  const Part upwards{range(0, 8), {}, {true, false}};
+  for (const Part& part : {upwards, reversed({range(0, 8), {}, {false, true}})}) {
+    const Frames frames(bracket, {part}, false);
+    Continuum continuum =
+        frames.continuum({{{8}, {0}, {-kForce}, constant}}, {fixed({0}, Axis::kX), fixed({0}, Axis::kY)});
+    settle(continuum, 0.9 * frames.structures.critical_step());
+    const auto all = all_forces_at(frames.linings[0], continuum.structures(), 4);
+    ASSERT_EQ(all.count, 2u);
+    const bool post_first = part.points.front() == 0;
+    const LiningForces &post = all.forces[post_first ? 0 : 1], &arm = all.forces[post_first ? 1 : 0];
+    EXPECT_NEAR(post.thrust, -kForce, 1e-8 * kForce);
+    EXPECT_NEAR(post.shear, 0, 1e-8 * kForce);
+    EXPECT_NEAR(arm.thrust, 0, 1e-8 * kForce);
+    EXPECT_NEAR(std::abs(arm.shear), kForce, 1e-8 * kForce);
+    EXPECT_NEAR(std::abs(post.moment), 2 * kForce, 1e-8 * kForce);
+    EXPECT_NEAR(post.moment, arm.moment, 1e-8 * kForce);
+    EXPECT_EQ(forces_at(frames.linings[0], continuum.structures(), 4).thrust, post.thrust);
+    PeakForces peaks;
+    peaks.take(frames.linings, continuum.structures(), 1);
+    EXPECT_EQ(peaks.thrust().least[4].thrust, post.thrust);
+    EXPECT_EQ(peaks.thrust().largest[4].thrust, arm.thrust) << "the other side of the corner counts, too";
+    EXPECT_EQ(all_forces_at(frames.linings[0], continuum.structures(), 2).count, 1u);
   }
 }
 
