@@ -12,9 +12,11 @@
 namespace adit::coupler {
 namespace {
 
-// The next whole number. Where the sizes are whole already, rounding must not add one, by which the lattice would
-// lie elsewhere as the tunnel does.
-double at_least(double number) { return std::ceil(number - 1e-6); }
+// The next whole number. Where the sizes are whole already, rounding must not add one, by which the lattice
+// would lie elsewhere as the tunnel does.
+double at_least(double number) {
+  return std::ceil(number - 1e-6);
+}
 
 // The packing lies in the middle of its box. An odd number of rows puts a whole one at half the height, so
 // that the lattice is symmetric about both axes of the box.

@@ -36,7 +36,7 @@ REFUSED = (
 
 
 # What cannot be said, because one value speaks of what the other leaves out.
-def _meaningless(row):
+def meaningless(row):
     has = row.get
     yield has("hole") == "stage" and has("rest", "kinetic") not in STATICS
     yield has("groups") == "later" and has("rest", "kinetic") not in STATICS
@@ -44,16 +44,6 @@ def _meaningless(row):
     # Grains without bonds have no joints and no strength, and a heap of them comes to rest by itself or not at all.
     yield has("bonds") == "grains" and (has("line", "none") != "none" or has("rest", "none") != "none" or has("groups") == "apart" or has("observe") == "section")
     yield has("load") == "wall" and has("packing", "square") != "square"  # which alone reaches the wall
-
-
-def sensible(row):
-    """Whether a whole or partial row says something, which the programs may still refuse."""
-    return not any(_meaningless(row))
-
-
-def possible(row):
-    refused = any(all(row.get(name) == value for name, value in pair.items()) for pair, _ in REFUSED)
-    return not refused and sensible(row)
 
 
 def passes_thresholds(row):

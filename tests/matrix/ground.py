@@ -46,7 +46,7 @@ REFUSED = (
 
 
 # What cannot be said, because one value speaks of what the other leaves out.
-def _meaningless(row):
+def meaningless(row):
     has = row.get
     particles = has("inside") in ("strip", "ring", "both_ends")
     alone = has("inside") == "none"
@@ -68,16 +68,6 @@ def _meaningless(row):
     yield has("packing") == "random" and has("bonds") in ("smooth_joint", "friction", "wall")
     # A wall bears no part of a stated stress.
     yield has("bonds") == "wall" and has("rest") == "stressed"
-
-
-def sensible(row):
-    """Whether a whole or partial row says something, which the programs may still refuse."""
-    return not any(_meaningless(row))
-
-
-def possible(row):
-    refused = any(all(row.get(name) == value for name, value in pair.items()) for pair, _ in REFUSED)
-    return not refused and sensible(row)
 
 
 ROCK = {"young_modulus": 1e9, "poisson_ratio": 0.2, "density": 2000.0}

@@ -39,20 +39,10 @@ REFUSED = (
 
 
 # What cannot be said, because one value speaks of what the other leaves out.
-def _meaningless(row):
+def meaningless(row):
     has = row.get
     yield has("shape", "circle") != "circle" and has("lining") in JOINTED - {"segments"}
     yield has("stage") in ("stage", "released") and has("rest", "kinetic") not in STATICS
-
-
-def sensible(row):
-    """Whether a whole or partial row says something, which the programs may still refuse."""
-    return not any(_meaningless(row))
-
-
-def possible(row):
-    refused = any(all(row.get(name) == value for name, value in pair.items()) for pair, _ in REFUSED)
-    return not refused and sensible(row)
 
 
 def passes_thresholds(row):

@@ -225,12 +225,12 @@ TEST(ExpandTunnels, TheLatticeIsSymmetric) {
   EXPECT_NEAR(area, pi * (5.5 * 5.5 - 3 * 3), 0.01 * area);
 }
 
-// Requirement: a tunnel has the same lattice wherever it lies, also where whole radii fill its box exactly and only
-// rounding could say whether there is room for one more.
+// Requirement: a tunnel has the same lattice wherever it lies, also where whole radii fill its box exactly
+// and only rounding could say whether there is room for one more.
 TEST(ExpandTunnels, TheLatticeIsTheSameAnywhere) {
   const auto half_sizes = [](double x, double y) {
-    const std::string tunnel =
-        test::replaced(test::circular(), "x: 1 y: -12", "x: " + std::to_string(x) + " y: " + std::to_string(y));
+    const std::string tunnel = test::replaced(test::circular(), "x: 1 y: -12",
+                                              "x: " + std::to_string(x) + " y: " + std::to_string(y));
     const auto& packing = expand_tunnels(test::scene_with({tunnel})).scene.particles().packing();
     return std::pair((packing.x_max() - packing.x_min()) / 2, (packing.y_max() - packing.y_min()) / 2);
   };
