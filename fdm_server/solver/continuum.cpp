@@ -262,10 +262,11 @@ void Continuum::step_interior(const protocol::Step& step) {
 }
 
 void Continuum::pull(Part& part, const protocol::Step& step) {
-  if (step.local_damping > 0 && tie_x_.empty()) {
+  if (step.local_damping > 0 && !damps_) {  // which counts the multipliers from its own first step on
     tie_x_.assign(points_.size(), 0.0);
     tie_y_.assign(points_.size(), 0.0);
   }
+  damps_ = step.local_damping > 0;
   const PointArrays points = arrays(step);
   damped_ += part.sweep.run(team_, zones_, step, points, damping_);
   if (damping_.acts()) damping_.add_viscous(part.kept, step, points);  // before any force but the zones'
@@ -434,6 +435,7 @@ void Continuum::exchange(state::Archive& archive) {
   archive("steady", steady_);
   for (double* value : {&external_work_, &damped_, &last_dt_, &last_kick_}) archive("continuum", *value);
   archive("step_of_stage", step_of_stage_);
+  archive("damps", damps_);
   archive.all_or_none("ties", {&tie_x_, &tie_y_}, points_.size());
 }
 

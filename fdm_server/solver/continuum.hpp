@@ -228,6 +228,7 @@ class Continuum {
   bool steady_ = false;                    // are there steady loads
   double external_work_ = 0, damped_ = 0;  // of all other loads, and of motions
   double last_dt_ = 0, last_kick_ = 0;
+  bool damps_ = false;    // the last step was damped locally, as those of statics may be
   bool relaxes_ = false;  // the last step was one of statics
   std::uint32_t stage_ = 0;
   std::uint64_t step_of_stage_ = 0;    // in statics, the next

@@ -177,6 +177,8 @@ TEST(ExpandTunnels, AStageOfExcavation) {
   EXPECT_EQ(particles.groups(0).stage(), 3u);
   EXPECT_EQ(particles.springs(0).stage(), 3u);
   EXPECT_FALSE(particles.joints(0).has_stage());  // it begins to act with the lining
+  EXPECT_EQ(particles_of(test::circular("", "stage: 1")).groups(0).stage(), 2u);
+  EXPECT_FALSE(particles_of(test::circular()).groups(0).has_stage());
 }
 
 // Requirement: a material with Mohr-Coulomb gives the strengths of the bonds, unless they have their own.
