@@ -45,7 +45,7 @@ def _scales(columns):
 
 def deviation(base, other, change, rows=None, rests=True):
     """The largest difference of all columns of `other`, as `change` says, from those of `base`: its share of the largest value of its unit,
-    and where it is. The first `rows` of base count. Rounding itself is left out where models come to `rest` or something else than bits counts."""
+    and where it is. The first `rows` of base count. Of a model that `rests`, no unit is smaller than what it may still do (AT_REST)."""
     scales = _scales(base.columns)
     if rests:
         scales = {unit: max(size, AT_REST.get(unit, 0.0)) for unit, size in scales.items()}

@@ -109,8 +109,8 @@ class Client {
 };
 
 // The server notices a client's end when it reads, so one who comes at once may still find it busy, or, where
-// it was computing, be cut off in the moment in which it begins anew. The deadline tells "soon" from the hour of
-// a computation, and leaves a busy machine its time.
+// it was computing, be cut off in the moment in which it begins anew. The deadline tells "soon" from the hour
+// of a computation, and leaves a busy machine its time.
 std::uint64_t serve_soon(const Server& server) {
   const auto deadline = std::chrono::steady_clock::now() + 60s;
   while (true) {

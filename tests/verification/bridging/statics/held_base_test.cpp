@@ -1,5 +1,5 @@
-// Requirement: statics hold a base where it lies in an overlap, too: ground and particles rest on a compliant base
-// as on a rigid one, and stay at rest when the base is let go.
+// Requirement: statics hold a base where it lies in an overlap, too: ground and particles rest on a compliant
+// base as on a rigid one, and stay at rest when the base is let go.
 #include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
 
@@ -12,21 +12,22 @@
 namespace adit {
 namespace {
 
-// The overlap, from 2 to 4 m, reaches down to the base, and its edge lies inside a zone. Beyond it the particles
-// stand on rock that does not move.
+// The overlap, from 2 to 4 m, reaches down to the base, and its edge lies inside a zone. Beyond it the
+// particles stand on rock that does not move.
 scene::Scene strip(const std::string& base, const std::string& statics) {
   const std::string gravity = "body_loads { acceleration { y: -4 } } ";
   scene::Scene scene;
   EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(
       "material { young_modulus: 1e9 poisson_ratio: 0.2 density: 2000 } time { duration: 0.02 } "
       "statics { unbalanced_ratio: 1e-8 " +
-          statics +
-          " } continuum { block { x_min: -4 x_max: 4 y_min: 0 y_max: 4 zones_x: 18 zones_y: 8 } " + gravity +
+          statics + " } continuum { block { x_min: -4 x_max: 4 y_min: 0 y_max: 4 zones_x: 18 zones_y: 8 } " +
+          gravity +
           "histories { name: 's' quantity: STRESS_YY at { x: -1 y: 0.6 } } "
           "histories { name: 's' quantity: STRESS_XX at { x: 1.3 y: 2.1 } } "
           "histories { name: 'v' quantity: VELOCITY_Y at { x: 2.7 y: 4 } } base { " +
           base +
-          " stress { amplitude: 0 } } } particles { packing { x_min: 1.8 x_max: 6.2 y_min: 0 y_max: 4 radius: 0.1443 } " +
+          " stress { amplitude: 0 } } } particles { packing { x_min: 1.8 x_max: 6.2 y_min: 0 y_max: 4 "
+          "radius: 0.1443 } " +
           gravity +
           "motions { where { x_min: 4.2 y_max: 0.3 } velocity { x: 0 y: 0 } } "
           "histories { name: 'p' quantity: STRESS_YY at { x: 4.8 y: 1.5 } radius: 0.6 } } "
