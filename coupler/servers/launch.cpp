@@ -13,9 +13,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <optional>
 #include <thread>
 
 #include "protocol/errors.hpp"
@@ -68,26 +66,6 @@ std::string last_line(std::FILE* log) {
   return text.substr(text.find_last_of('\n') + 1);
 }
 
-// A folder that only this user can enter, for a Unix socket, whose path must be short.
-class PrivateFolder {
- public:
-  PrivateFolder() {
-    std::string name = "/tmp/adit-XXXXXX";
-    if (::mkdtemp(name.data()) != nullptr) path_ = name;
-  }
-  ~PrivateFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
-  }
-  PrivateFolder(const PrivateFolder&) = delete;
-  PrivateFolder& operator=(const PrivateFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }  // empty where none can be made
-
- private:
-  std::filesystem::path path_;
-};
-
 // The first line that the server prints: `listening on ADDRESS`; empty where it ends before, or takes too
 // long.
 std::string first_line(boost::asio::io_context& io, process::async_pipe& pipe) {
@@ -122,7 +100,6 @@ std::string how_it_ended(const process::child& child) {
 }  // namespace
 
 struct ServerProcess::Child {
-  std::optional<PrivateFolder> folder;
   boost::asio::io_context io;
   process::async_pipe output{io};
   process::child process;
@@ -132,11 +109,8 @@ ServerProcess::ServerProcess(const std::string& program, const std::filesystem::
                              bool by_unix_socket, std::vector<std::string> options)
     : program_(program), child_(std::make_unique<Child>()), secret_(protocol::random_secret()) {
   const auto path = find_program(program);
-  if (by_unix_socket) child_->folder.emplace();
-  const std::filesystem::path folder = child_->folder ? child_->folder->path() : std::filesystem::path();
-  options.insert(options.end(),
-                 {"--listen", folder.empty() ? "127.0.0.1:0" : "unix:" + (folder / program).string(),
-                  "--exit-with-parent", std::to_string(::getpid())});
+  options.insert(options.end(), {"--exit-with-parent", std::to_string(::getpid())});
+  if (by_unix_socket) options.emplace_back("--private");
   if (protocol::logs_json()) options.insert(options.end(), {"--log-format", "json"});
   const Log log_file = open_log(log);
   // Servers that are started later would hold this one's pipe open.
@@ -167,7 +141,9 @@ ServerProcess::ServerProcess(const std::string& program, const std::filesystem::
 
 std::unique_ptr<protocol::Connection> ServerProcess::connect() {
   auto connection = protocol::connect(address_, program_);
-  child_->folder.reset();
+  std::error_code ignored;
+  if (!address_.path.empty())
+    std::filesystem::remove_all(std::filesystem::path(address_.path).parent_path(), ignored);
   return connection;
 }
 

@@ -25,7 +25,8 @@ class ServerProcess {
   ServerProcess(const ServerProcess&) = delete;
   ServerProcess& operator=(const ServerProcess&) = delete;
 
-  // To be called once: the socket is then taken from the file system.
+  // To be called once: the socket and its folder are then taken from the file system, so that nothing is left
+  // there if both processes are killed.
   std::unique_ptr<protocol::Connection> connect();
   const std::string& secret() const { return secret_; }
 

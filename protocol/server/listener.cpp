@@ -5,6 +5,7 @@
 
 #include <boost/asio/ip/address.hpp>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <utility>
 
@@ -66,7 +67,13 @@ Listener::Listener(const Address& address, bool anywhere, const std::vector<int>
     throw UserError("", fmt::format("cannot listen on {}: {}", to_string(address), error.message()));
   }
   file_ = address.path;
-  for (const int signal : stop_signals) signals_.add(signal);
+  sigset_t waiting;  // since exit_with() of server_main.cpp
+  ::sigemptyset(&waiting);
+  for (const int signal : stop_signals) {
+    signals_.add(signal);
+    ::sigaddset(&waiting, signal);
+  }
+  ::pthread_sigmask(SIG_UNBLOCK, &waiting, nullptr);
   signals_.async_wait([this](const error_code& cancelled, int) {
     if (!cancelled) stop();
   });

@@ -5,14 +5,14 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdlib>
-#include <filesystem>
-#include <system_error>
+#include <optional>
 
 #include "protocol/errors.hpp"
 #include "protocol/log/log.hpp"
 #include "protocol/log/option.hpp"
 #include "protocol/machine/refusal.hpp"
 #include "protocol/release.hpp"
+#include "protocol/server/private_folder.hpp"
 #include "protocol/server/server.hpp"
 #include "protocol/server/server_log.hpp"
 #include "protocol/standard_streams.hpp"
@@ -24,19 +24,17 @@ namespace adit::protocol {
 namespace {
 
 // The signals of a terminal or a scheduler, which go to all processes of a run, are the coupler's: it still
-// needs the servers for what it writes at the end, and then ends them by kOwnerSignal.
+// needs the servers for what it writes at the end, and then ends them by kOwnerSignal. That one waits until
+// the listener looks at it: before, it would end this process with its socket and folder left behind.
 // False where the coupler has ended already: the process is then the child of another one.
 bool exit_with(pid_t parent) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
+  sigset_t owner;
+  ::sigemptyset(&owner);
+  ::sigaddset(&owner, kOwnerSignal);
+  ::pthread_sigmask(SIG_BLOCK, &owner, nullptr);
   ::prctl(PR_SET_PDEATHSIG, kOwnerSignal);
   return ::getppid() == parent;
-}
-
-// A coupler that was killed before it connected cannot remove the folder that it made for the socket.
-void remove_folder_of(const Address& address) {
-  std::error_code not_empty_or_gone;
-  if (!address.path.empty())
-    std::filesystem::remove(std::filesystem::path(address.path).parent_path(), not_empty_or_gone);
 }
 
 // Of a file that the user names, or handed over by the coupler that started this process.
@@ -63,6 +61,7 @@ int server_main(int argc, char** argv, std::string_view program, std::vector<std
   std::string secret_file, tls_folder;
   std::string log_level = "info", log_format = "text";
   pid_t parent = 0;
+  bool in_private = false;
 
   CLI::App app("Takes part in the runs of the Adit coupler, one after another, until SIGINT or SIGTERM.",
                options.program);
@@ -79,8 +78,11 @@ int server_main(int argc, char** argv, std::string_view program, std::vector<std
                  "file whose first line clients must know; only its owner may read it");
   app.add_option(
       "--exit-with-parent", parent,
-      "id of the process that starts this one: end by SIGUSR1 or with it, not by SIGINT or SIGTERM; "
-      "the folder of a Unix socket is then removed, too, if nothing else is in it");
+      "id of the process that starts this one: end by SIGUSR1 or with it, not by SIGINT or SIGTERM");
+  app.add_flag(
+      "--private", in_private,
+      "listen at a Unix socket in a folder that only this user can enter; where none can be made, at "
+      "--listen");
   if (threads)
     app.add_option("--threads", *threads, "threads that share the computing; 0: as many as speed it up")
         ->check(CLI::Range(std::size_t{0}, kMostThreads))
@@ -103,18 +105,16 @@ int server_main(int argc, char** argv, std::string_view program, std::vector<std
     options.listen = parse_address(listen);
     if (parent > 0) {
       options.stop_signals = {kOwnerSignal};
-      if (!exit_with(parent)) {
-        remove_folder_of(options.listen);
-        return kSuccess;
-      }
+      if (!exit_with(parent)) return kSuccess;
     }
+    std::optional<PrivateFolder> folder;
+    if (in_private && options.adopt < 0) folder.emplace();
+    if (folder && !folder->path().empty()) options.listen.path = folder->path() / options.program;
     options.secret = own_secret(secret_file);
     if (!tls_folder.empty() && !options.listen.path.empty())
       throw UserError("", listen + " does not leave this machine, and --tls is for others: leave it out");
     if (!tls_folder.empty()) options.tls.emplace(tls_folder, End::kServer, !options.secret.empty());
-    const int code = serve(options, make_participant);
-    if (parent > 0) remove_folder_of(options.listen);
-    return code;
+    return serve(options, make_participant);
   } catch (const UserError& error) {
     tell(Severity::kError, options.program + ": ", error.what());
     return kUserError;

@@ -1,0 +1,23 @@
+// A folder for the Unix socket of a server that one process alone uses.
+#pragma once
+
+#include <filesystem>
+
+namespace adit::protocol {
+
+// Only this user can enter it. It is removed with this object, which the server owns and not the process that
+// started it: that one may be killed at any time, and the server ends with it.
+class PrivateFolder {
+ public:
+  PrivateFolder();
+  ~PrivateFolder();
+  PrivateFolder(const PrivateFolder&) = delete;
+  PrivateFolder& operator=(const PrivateFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }  // empty where none can be made
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace adit::protocol
