@@ -135,12 +135,7 @@ def mirrored(world, row, scene, folder, base):
 def can_be_mirrored(row):
     # A formula has a sign of its own, and a random packing has no mirror image.
     formula = row["motion"] in ("ricker", "sine", "gabor", "synthetic") and row["direction"] == "x"
-    return not formula and row["packing"] != "random" and not is_lattice_by_its_order(row)
-
-
-def is_lattice_by_its_order(row):
-    """A table in the order of a lattice has the stated stress in each bond, and another order forces that balance."""
-    return row["packing"] == "placed" and row["rest"] == "stressed"
+    return not formula and row["packing"] != "random"
 
 
 def turned(world, row, scene, folder, base):
@@ -427,7 +422,7 @@ OF_GROUND = {
     in_arcs: lambda row: row["support"] == "lining", on_any_base: lambda row: row["rest"] in ground.STATICS and row["base"] != "held",
 }
 OF_GRAINS = {
-    balanced: always, mirrored: lambda row: row["packing"] != "random" and not is_lattice_by_its_order(row), turned: lambda row: row["packing"] == "placed" and row["floor"] != "quiet" and row["rest"] != "stressed",
+    balanced: always, mirrored: lambda row: row["packing"] != "random", turned: lambda row: row["packing"] == "placed" and row["floor"] != "quiet" and row["rest"] != "stressed",
     moved: lambda row: row["packing"] != "random" and not grains.is_idle(row), scaled: always, scaled_stress: always, reordered: always, said_apart: always,
     longer: always, threads: always, elsewhere: always, observed: always, resumed: always, replayed: always,
     general: lambda row: row["engine"] == "automatic",

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "dem_server/model/lattice.hpp"
+#include <optional>
+
 #include "protocol/errors.hpp"
 
 namespace adit::dem {
@@ -42,19 +43,21 @@ Fabric::Fabric(const Model& model, std::span<const Pair> touching, const StressA
     throw UserError("initial_stress",
                     "is given, but no area lies between the particles; give a packing of two rows and more "
                     "whose particles touch, or leave it out");
-  if (why_no_lattice(model)) equilibrium_.emplace(links_, model.discs, held_);
   find_unit_forces();
 }
 
 void Fabric::find_unit_forces() {
   const std::vector<double> nothing(external_.size(), 0.0);
+  const std::vector<bool> held = with_border(held_, faces_.border);
   std::optional<Equilibrium> inside;
-  if (equilibrium_) inside.emplace(links_, model_.discs, with_border(held_, faces_.border));
   stiffness_.resize(3, 3);
   const Strain units[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (int k = 0; k < 3; ++k) {
     for (const Link& link : links_) unit_forces_[k].push_back(forces_under(units[k], link));
-    if (inside) inside->balance(links_, nothing, unit_forces_[k]);
+    if (!in_balance(links_, nothing, held, unit_forces_[k])) {
+      if (!inside) inside.emplace(links_, model_.discs, held);
+      inside->balance(links_, nothing, unit_forces_[k]);
+    }
     stiffness_.col(k) = mean_stress(unit_forces_[k]);
   }
   compliance_.compute(stiffness_);
@@ -75,8 +78,9 @@ std::vector<PairForces> Fabric::forces() const {
   forces.reserve(links_.size());
   for (const Link& link : links_)
     forces.push_back(forces_under(strain_for(components(stated_(link.at_x, link.at_y))), link));
-  if (!equilibrium_) return forces;
-  equilibrium_->balance(links_, external_, forces);
+  if (in_balance(links_, external_, held_, forces)) return forces;
+  const Equilibrium equilibrium(links_, model_.discs, held_);
+  equilibrium.balance(links_, external_, forces);
   const auto [xx, yy, xy] = strain_for(mean_stated() - mean_stress(forces));
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const PairForces &a = unit_forces_[0][k], &b = unit_forces_[1][k], &c = unit_forces_[2][k];
@@ -84,12 +88,12 @@ std::vector<PairForces> Fabric::forces() const {
     forces[k].shear += xx * a.shear + yy * b.shear + xy * c.shear;
     forces[k].moment += xx * a.moment + yy * b.moment + xy * c.moment;
   }
-  equilibrium_->balance(links_, external_, forces);  // at free surfaces
+  equilibrium.balance(links_, external_, forces);  // at free surfaces
   return forces;
 }
 
 void Fabric::balance(std::span<const Link> softened, std::vector<PairForces>& forces) const {
-  if (equilibrium_) Equilibrium(softened, model_.discs, held_).balance(softened, external_, forces);
+  Equilibrium(softened, model_.discs, held_).balance(softened, external_, forces);
 }
 
 Fabric::Vector Fabric::mean_stress(const std::vector<PairForces>& forces) const {

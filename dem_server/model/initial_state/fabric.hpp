@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -42,7 +41,6 @@ class Fabric {
   double area_ = 0;
   std::vector<bool> held_;
   std::vector<double> external_;
-  std::optional<Equilibrium> equilibrium_;  // a lattice needs none
   std::vector<PairForces> unit_forces_[3];  // under unit strains xx, yy, xy, the border held
   Eigen::MatrixXd stiffness_;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> compliance_;

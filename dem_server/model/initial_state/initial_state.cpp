@@ -9,7 +9,6 @@
 
 #include "dem_server/model/initial_state/admissible.hpp"
 #include "dem_server/model/initial_state/fabric.hpp"
-#include "dem_server/model/lattice.hpp"
 
 namespace adit::dem {
 namespace {
@@ -113,7 +112,6 @@ void set_initial_state(const StressAt& stated, Model& model) {
 }
 
 void balance_in_overlap(const StressAt& stated, std::span<const double> weights, Model& model) {
-  if (!why_no_lattice(model)) return;
   std::vector<Pair> touching;
   for (const TouchingPair& pair : model.touching) touching.push_back({pair.first, pair.second});
   const std::vector<Link> links = links_of(model, touching);
@@ -137,6 +135,9 @@ void balance_in_overlap(const StressAt& stated, std::span<const double> weights,
     for (std::size_t k = 0; k < forces.size(); ++k) scale(forces[k], 1 / shares[k]);
   };
   std::vector<PairForces> forces = forces_at_rest(model);
+  std::vector<PairForces> weighed = forces;
+  for (std::size_t k = 0; k < weighed.size(); ++k) scale(weighed[k], shares[k]);
+  if (in_balance(links, external, held, weighed)) return;
   balance(links, forces);
   bear_all(links, std::move(forces), balance, model);
 }

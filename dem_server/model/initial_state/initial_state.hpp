@@ -11,8 +11,8 @@
 // 3. What a link cannot bear is cut - tension of a contact, shear beyond friction, more than a strength -
 //    and the others balance what is left. The user is told how many were cut.
 //
-// The forces of a hexagonal lattice of one law are those of step 1: they balance on every disc inside where
-// the stress is uniform, and carry the weight where it grows by that.
+// Where step 1 leaves nothing out of balance, its forces stay: in a hexagonal lattice, where the border is
+// held and the stress is uniform or grows by the weight.
 #pragma once
 
 #include <span>
@@ -27,8 +27,7 @@ namespace adit::dem {
 void set_initial_state(const StressAt& stated, Model& model);
 
 // Makes the forces at rest balance again where an overlap has weighed the model, which the other one then
-// bears a share of (outside.hpp). `weights` are those at the centres. The lattice of one law has balanced
-// forces already.
+// bears a share of (outside.hpp). `weights` are those at the centres.
 void balance_in_overlap(const StressAt& stated, std::span<const double> weights, Model& model);
 
 }  // namespace adit::dem

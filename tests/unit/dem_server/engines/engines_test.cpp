@@ -148,13 +148,13 @@ TEST_P(Engines, TakeStressOverACircle) {
 TEST_P(Engines, StartUnderInitialStress) {
   Model model = block();
   const double weight = 2.0 / (2 * std::numbers::sqrt3 * kRadius * kRadius) * 10;  // [N/m^3]
+  model.loads = {
+      {Load::Kind::kAcceleration, model.id, 0, -10, [](double) { return 1.0; }, "body_loads", true}};
   set_initial_state(
       [=](double, double y) {
         return protocol::GroundStress{-3e3 + weight / 2 * y, -5e3 + weight * y, 1e3, {}};
       },
       model);
-  model.loads = {
-      {Load::Kind::kAcceleration, model.id, 0, -10, [](double) { return 1.0; }, "body_loads", true}};
   const auto engine = make(model);
   engine->step_interface({0, 1e-6});
   engine->step_interior({0, 1e-6});

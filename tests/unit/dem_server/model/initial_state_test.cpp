@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 
 #include "dem_server/model/initial_state/faces.hpp"
 #include "dem_server/model/initial_state/initial_state.hpp"
@@ -24,9 +27,7 @@ TEST(InitialState, OfALatticeIsTheClosedForm) {
   const ContactBond law{7e6, 3e6};
   const double radius = 0.5, length = 2 * radius;
   Model model = test::lattice_in({0, 14, 0, 12}, radius, 2.0, law);
-  const auto stated = [](double, double y) {
-    return protocol::GroundStress{-3e3 + 40 * y, -5e3 + 90 * y, 1e3, {}};
-  };
+  const auto stated = [](double, double y) { return protocol::GroundStress{-3e3 + 40 * y, -5e3, 1e3, {}}; };
   set_initial_state(stated, model);
   const double kn = 7e6, ks = 3e6, bulk = std::numbers::sqrt3 / 2 * kn,
                shear = std::numbers::sqrt3 / 4 * (kn + ks);
@@ -41,6 +42,40 @@ TEST(InitialState, OfALatticeIsTheClosedForm) {
     EXPECT_NEAR(bond.at_rest.shear, ks * length * (xy * cos_2 - deviator * sin_2) / 2, 1e-12 * 5e3);
   }
   EXPECT_TRUE(model.touching.empty());
+}
+
+// Requirement: the order in which discs are listed is no matter, also where the stated stress does not
+// balance: the weight is lacking here, and nothing presses on two of the edges.
+TEST(InitialState, IsThatOfDiscsInAnotherOrder) {
+  const auto forces_of = [](bool reversed) {
+    Model model = test::lattice_in({0, 9, 0, 8}, 0.5, 2.0, ContactBond{{7e6, 3e6}});
+    const auto last = static_cast<std::uint32_t>(model.discs.size() - 1);
+    if (reversed) {
+      for (auto* values : {&model.discs.x, &model.discs.y}) std::ranges::reverse(*values);
+      for (Bond& bond : model.bonds) {
+        bond = {last - bond.second, last - bond.first, Bond::Law::kContactBond, 0};
+        if (bond.first > bond.second) std::swap(bond.first, bond.second);
+      }
+    }
+    set_initial_state(
+        [](double x, double y) {
+          return protocol::GroundStress{-3e3 - 300 * x, -5e3 + 90 * y, 0, {}};
+        },
+        model);
+    std::map<std::pair<std::uint32_t, std::uint32_t>, PairForces> forces;
+    for (const Bond& bond : model.bonds) {
+      const std::uint32_t first = reversed ? last - bond.second : bond.first,
+                          second = reversed ? last - bond.first : bond.second;
+      forces[std::minmax({first, second})] = bond.at_rest;
+    }
+    return forces;
+  };
+  const auto listed = forces_of(false), reversed = forces_of(true);
+  ASSERT_EQ(listed.size(), reversed.size());
+  for (const auto& [pair, forces] : listed) {
+    EXPECT_NEAR(forces.normal, reversed.at(pair).normal, 1e-9 * 5e3);
+    EXPECT_NEAR(forces.shear, reversed.at(pair).shear, 1e-9 * 5e3);
+  }
 }
 
 // Faces of a block of square packing: its cells, bordered by its outer discs.
