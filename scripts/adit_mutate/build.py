@@ -58,8 +58,10 @@ class Build:
         answer.check_returncode()
         return answer.stdout.splitlines()
 
-    def targets(self):
-        return [line.partition(":")[0] for line in self._ask("targets", "all")]
+    def executables(self):
+        """Targets."""
+        rules = (line.partition(": ") for line in self._ask("targets", "all"))
+        return [name for name, _, rule in rules if rule.startswith("CXX_EXECUTABLE_LINKER")]
 
     def inputs(self, target):
         """Files of the project that the target is made of, headers excepted: paths from its root."""

@@ -21,7 +21,7 @@ def read(path):
     """(file, line, replacement, line that follows or None) of every change."""
     entries, entry = [], {}
     for text in [*path.read_text().splitlines(), ""]:
-        mark, content = text[:2], text[2:].strip()
+        mark, content = text[:2].ljust(2), text[2:].strip()
         if text.startswith("#"):
             continue
         if mark in ("- ", "+ ", "= "):
@@ -32,6 +32,15 @@ def read(path):
             entries.append((entry["file"], entry["-"], entry["+"], entry.get("=")))
             entry = {}
     return entries
+
+
+def write(path, changes, root):
+    """The changes of today's code as kept ones."""
+    entries = []
+    for change in changes:
+        following = [*(root / change.path).read_text().splitlines(), ""][change.line].strip()
+        entries.append(f"{change.path}\n- {change.before.strip()}\n+ {change.after.strip()}\n= {following}\n")
+    path.write_text("\n".join(entries))
 
 
 def _places(text, line, following):

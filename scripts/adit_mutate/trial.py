@@ -8,11 +8,14 @@ import queue
 from . import suite
 
 
+KINDS = {"unit": (False,), "scripts": (True,), "all": (False, True)}  # whether a test is a script
+
+
 class Verdict(enum.Enum):
     NOTICED = "noticed"
     UNNOTICED = "unnoticed"
     SAME_CODE = "same code"
-    NOT_IN_TESTS = "in no unit test; only --integration judges it"
+    NOT_IN_TESTS = "in no unit test; --tests scripts judges it"
     NOT_COMPILED = "not compiled"
 
 
@@ -26,16 +29,17 @@ class Result:
 class Bench:
     """A build whose tests pass, and what its files are used for."""
 
-    def __init__(self, build, wanted, times, integration=False):
-        """`wanted`: files that are to be changed. `times`: suite.Times."""
+    def __init__(self, build, wanted, times, tests="unit"):
+        """`wanted`: files that are to be changed. `times`: suite.Times. `tests`: of KINDS."""
         self._build = build
         build.configure()
-        programs = self._programs_for(wanted, integration)
-        if not build.make(*(program.name for program in programs if not program.script), *(["all"] if integration else [])):
+        self._used_by_scripts = [each for each in build.executables() if not each.endswith("_tests")]
+        programs = self._programs_for(wanted) if tests != "scripts" else []
+        if not build.make(*programs, *(self._used_by_scripts if tests != "unit" else [])):
             raise RuntimeError(f"{build.source} cannot be built without a change; build the project first")
         self._objects = build.objects()
-        self._programs = [each for each in suite.programs(build) if not each.script or integration]
-        self._programs = [each for each in self._programs if each.script or each.name in {p.name for p in programs}]
+        self._programs = [each for each in suite.programs(build)
+                          if each.script in KINDS[tests] and (each.script or each.name in programs)]
         self._inputs = {each.name: build.inputs(each.name) for each in self._programs if not each.script}
         made = {each for path in wanted for each in self._objects.get(path, [])} | set(self._inputs)
         self._clean = {target: build.fingerprint(target) for target in made}
@@ -43,8 +47,8 @@ class Bench:
             each.seconds = times.of(each, self._clean.get(each.name))
 
     # Test programs that hold a file, or one of the folder around it: a header is in none by itself.
-    def _programs_for(self, wanted, integration):
-        tests = [target for target in self._build.targets() if target.startswith("tests/") and target.endswith("_tests")]
+    def _programs_for(self, wanted):
+        tests = [each for each in self._build.executables() if each.startswith("tests/") and each.endswith("_tests")]
         inputs = {test: self._build.inputs(test) for test in tests}
         folders = set()
         for path in wanted:
@@ -52,8 +56,7 @@ class Bench:
             while folder and not any(each.startswith(folder + "/") for held in inputs.values() for each in held):
                 folder = folder.rpartition("/")[0]
             folders.add(folder + "/")
-        return [suite.Program(test, [], "", {}, False) for test, held in inputs.items()
-                if any(each.startswith(tuple(folders)) for each in held)]
+        return [test for test, held in inputs.items() if any(each.startswith(tuple(folders)) for each in held)]
 
     def _depending(self, path):
         objects = set(self._objects.get(path, []))
@@ -85,7 +88,7 @@ class Bench:
 
     def _show_to_tests(self, change):
         for program in suite.order(self._depending(change.path), change.path):
-            if not self._build.make("all" if program.script else program.name):
+            if not self._build.make(*(self._used_by_scripts if program.script else [program.name])):
                 return Result(change, Verdict.NOT_COMPILED)
             if not program.script and self._build.fingerprint(program.name) == self._clean[program.name]:
                 continue

@@ -121,6 +121,8 @@ class Sample(unittest.TestCase):
         self.assertIn("sample/area.cpp:6\n  - return 2 * (a + b);\n  + return 3 * (a + b);\n", out.getvalue())
         self.assertNotIn("metres", out.getvalue())
         self.assertRegex(out.getvalue(), r"all +4 +3 +1 +1 +0\n")
+        kept.write(self.root / "unnoticed.txt", [changes[3]], self.root)
+        self.assertEqual([kept.find(self.root, ["sample/area.cpp"], entry) for entry in kept.read(self.root / "unnoticed.txt")], [changes[3]])
         for path in ("sample/area.cpp", "sample/unit.hpp"):
             self.assertEqual((self.root / path).read_text(), SAMPLE[path])
 
