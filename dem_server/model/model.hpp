@@ -138,6 +138,8 @@ struct Model {
   std::vector<LinearContact> contacts;  // of discs of two groups, see contact()
   // Overlaps at the start bear no force; else the contacts do, and so do contact bonds that begin compressed.
   bool overlaps_free = true;
+  // The stated initial stress balances as it is: each link bears its part of it, and nothing was added.
+  bool stress_balances = false;
   std::vector<MovingWall> walls;
   std::vector<Spring> springs;
   std::vector<EdgeDashpot> edges;

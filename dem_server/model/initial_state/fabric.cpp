@@ -54,7 +54,7 @@ void Fabric::find_unit_forces() {
   const Strain units[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (int k = 0; k < 3; ++k) {
     for (const Link& link : links_) unit_forces_[k].push_back(forces_under(units[k], link));
-    if (!in_balance(links_, nothing, held, unit_forces_[k])) {
+    if (!dem::in_balance(links_, nothing, held, unit_forces_[k])) {
       if (!inside) inside.emplace(links_, model_.discs, held);
       inside->balance(links_, nothing, unit_forces_[k]);
     }
@@ -73,12 +73,19 @@ Strain Fabric::strain_for(const Vector& stress) const {
   return {strain[0], strain[1], strain[2]};
 }
 
-std::vector<PairForces> Fabric::forces() const {
+std::vector<PairForces> Fabric::stated_forces() const {
   std::vector<PairForces> forces;
   forces.reserve(links_.size());
   for (const Link& link : links_)
     forces.push_back(forces_under(strain_for(components(stated_(link.at_x, link.at_y))), link));
-  if (in_balance(links_, external_, held_, forces)) return forces;
+  return forces;
+}
+
+bool Fabric::in_balance(const std::vector<PairForces>& forces) const {
+  return dem::in_balance(links_, external_, held_, forces);
+}
+
+void Fabric::balance(std::vector<PairForces>& forces) const {
   const Equilibrium equilibrium(links_, model_.discs, held_);
   equilibrium.balance(links_, external_, forces);
   const auto [xx, yy, xy] = strain_for(mean_stated() - mean_stress(forces));
@@ -89,7 +96,6 @@ std::vector<PairForces> Fabric::forces() const {
     forces[k].moment += xx * a.moment + yy * b.moment + xy * c.moment;
   }
   equilibrium.balance(links_, external_, forces);  // at free surfaces
-  return forces;
 }
 
 void Fabric::balance(std::span<const Link> softened, std::vector<PairForces>& forces) const {

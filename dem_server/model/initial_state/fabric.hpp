@@ -17,9 +17,14 @@ class Fabric {
   // UserError at initial_stress where the links enclose no area.
   Fabric(const Model& model, std::span<const Pair> touching, const StressAt& stated);
 
-  // Forces of the links that balance, and whose mean stress is that of the stated one. UserError at
-  // initial_stress for a stress that the links do not resist.
-  std::vector<PairForces> forces() const;
+  // Forces of the links under the stated stress where they are. UserError at initial_stress for a stress that
+  // they do not resist.
+  std::vector<PairForces> stated_forces() const;
+
+  bool in_balance(const std::vector<PairForces>& forces) const;
+
+  // Makes them balance, with the mean of the stated stress.
+  void balance(std::vector<PairForces>& forces) const;
 
   // Makes the forces balance again where some links have become softer than they were.
   void balance(std::span<const Link> softened, std::vector<PairForces>& forces) const;

@@ -96,12 +96,16 @@ void set_initial_state(const StressAt& stated, Model& model) {
   for (const auto [first, second] : touching) model.touching.push_back({first, second, 0, 0});
   const Fabric fabric(model, touching, stated);
   const auto links = fabric.links();
+  std::vector<PairForces> forces = fabric.stated_forces();
+  const bool as_stated = fabric.in_balance(forces);
+  if (!as_stated) fabric.balance(forces);
   const std::size_t cut = bear_all(
-      {links.begin(), links.end()}, fabric.forces(),
-      [&fabric](std::span<const Link> softened, std::vector<PairForces>& forces) {
-        fabric.balance(softened, forces);
+      {links.begin(), links.end()}, std::move(forces),
+      [&fabric](std::span<const Link> softened, std::vector<PairForces>& unbalanced) {
+        fabric.balance(softened, unbalanced);
       },
       model);
+  model.stress_balances = as_stated && cut == 0;
   if (cut > 0)
     model.notes.push_back(fmt::format(
         "initial stress: {} of {} bonds and contacts cannot bear their part of it (tension of a contact, "
@@ -112,6 +116,7 @@ void set_initial_state(const StressAt& stated, Model& model) {
 }
 
 void balance_in_overlap(const StressAt& stated, std::span<const double> weights, Model& model) {
+  if (model.stress_balances) return;
   std::vector<Pair> touching;
   for (const TouchingPair& pair : model.touching) touching.push_back({pair.first, pair.second});
   const std::vector<Link> links = links_of(model, touching);
@@ -135,9 +140,6 @@ void balance_in_overlap(const StressAt& stated, std::span<const double> weights,
     for (std::size_t k = 0; k < forces.size(); ++k) scale(forces[k], 1 / shares[k]);
   };
   std::vector<PairForces> forces = forces_at_rest(model);
-  std::vector<PairForces> weighed = forces;
-  for (std::size_t k = 0; k < weighed.size(); ++k) scale(weighed[k], shares[k]);
-  if (in_balance(links, external, held, weighed)) return;
   balance(links, forces);
   bear_all(links, std::move(forces), balance, model);
 }

@@ -27,7 +27,8 @@ namespace adit::dem {
 void set_initial_state(const StressAt& stated, Model& model);
 
 // Makes the forces at rest balance again where an overlap has weighed the model, which the other one then
-// bears a share of (outside.hpp). `weights` are those at the centres.
+// bears a share of (outside.hpp). `weights` are those at the centres. Forces that balance as they are stated
+// stay: what weights of them leave on a disc, the other model's share of the same stress leaves, too.
 void balance_in_overlap(const StressAt& stated, std::span<const double> weights, Model& model);
 
 }  // namespace adit::dem
