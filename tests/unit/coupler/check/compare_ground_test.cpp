@@ -103,6 +103,11 @@ TEST(CompareGround, OfABlockByItsName) {
 TEST(CompareGround, OfAGroupOfAMesh) {
   const std::string mesh = "mesh { path: 'bar.msh' } ";
   EXPECT_THAT(warnings(mesh + "materials { where { group: 'right' } " + kSoft + " }"), IsEmpty());
+  const std::string wall =
+      "linings { name: 'wall' along { line { points { x: 0 y: 0.5 } points { x: 0.5 y: 0.5 } } } "
+      "young_modulus: 3e10 thickness: 0.1 density: 2400 } ";
+  EXPECT_THAT(warnings(mesh + wall + "materials { where { group: 'right' } " + kSoft + " }"), IsEmpty())
+      << "a drawing of a lining names no ground";
   EXPECT_THAT(warnings(mesh + kSoft + "materials { where { group: 'right' } " + kLight + " }"),
               ElementsAre(HasSubstr("0.1 GPa and 2000 kg/m^3 of `continuum` (continuum.material)")));
 }

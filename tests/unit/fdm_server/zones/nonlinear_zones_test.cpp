@@ -291,6 +291,24 @@ TEST_P(NonlinearZonesOfEachKind, RigidRotationTurnsTheStressAndNothingElse) {
   }
 }
 
+// Large strain: ground that is pressed together along x alone has the same stress along y and across the
+// plane, in the directions of the area as it is now.
+TEST_P(NonlinearZonesOfEachKind, PressedAlongOneAxisHasEqualStressesAlongTheOthers) {
+  const Grid grid = make_grid({0, 2, 0, 1, 4, 2});
+  const std::size_t n = grid.x.size();
+  std::vector<double> vx(n), vy(n), fx(n), fy(n), ux(n), uy(n);
+  NonlinearZones zones(GetParam(), grid, kElastic, ones(grid), true);
+  zones.follow(ux.data(), uy.data());
+  for (int step = 0; step < 20; ++step) {
+    for (std::size_t i = 0; i < n; ++i) ux[i] += vx[i] = -0.01 * grid.x[i];
+    zones.add_forces(1.0, {vx.data(), vy.data(), fx.data(), fy.data()});
+  }
+  for (std::size_t z = 0; z < grid.zones.size(); ++z) {
+    EXPECT_LT(zones.stress(z).yy, -0.1 * kYoung * kPoisson);
+    EXPECT_NEAR(zones.field(z, ZoneField::kStressZz), zones.stress(z).yy, -1e-12 * zones.stress(z).yy);
+  }
+}
+
 // Large strain: a stretched free block that spins three times round and rings keeps its energy, kinetic +
 // strain + dissipated, to an error of the second order in the time step (6e-5 of the energy at half the
 // critical step), and its angular momentum.

@@ -42,6 +42,7 @@ TEST(StatedStress, IsTheWeightOfLayers) {
   EXPECT_NEAR(stated.at(0, -12).yy, -1e4 - 4 * upper - 12 * lower, 1e-6);
   EXPECT_NEAR(stated.at(0, -12).xx, 0.8 * stated.at(0, -12).yy, 1e-6);
   EXPECT_NEAR(stated.at(0, 1e-9).yy, stated.at(0, -1e-9).yy, 1e-3);
+  EXPECT_NEAR(stated.at(0, 0).xx, 0.5 * stated.at(0, 0).yy, 1e-6) << "the upper layer ends here";
   EXPECT_EQ(stated.at(0, 1).xy, 0);
 }
 

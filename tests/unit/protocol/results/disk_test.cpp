@@ -1,9 +1,12 @@
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
 #include <fstream>
+#include <utility>
 
 #include "protocol/results/atomic_file.hpp"
 #include "protocol/results/disk/growing_file.hpp"
@@ -40,6 +43,18 @@ TEST(GrowingFile, EndsWithAWholePiece) {
   EXPECT_THROW(file.append("4,5,6\n"), std::runtime_error);
   EXPECT_EQ(content_of(folder / "a.csv"), "1,2,3\n");
   EXPECT_EQ(file.size(), 6u);
+}
+
+// What a file was moved from closes nothing, standard output least of all.
+TEST(GrowingFile, IsClosedOnce) {
+  const ScratchFolder folder;
+  {
+    GrowingFile from(folder / "a.csv");
+    GrowingFile file(std::move(from));
+    file.append("1\n");
+  }
+  EXPECT_EQ(content_of(folder / "a.csv"), "1\n");
+  EXPECT_GE(::fcntl(STDOUT_FILENO, F_GETFD), 0);
 }
 
 // Rows before the checkpoint that were edited since would stand among those of the run.

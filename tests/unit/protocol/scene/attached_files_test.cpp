@@ -5,6 +5,7 @@
 
 #include "protocol/scene/hash.hpp"
 #include "protocol/scene/writer.hpp"
+#include "protocol/wire/bounds.hpp"
 #include "tests/support/refusals.hpp"
 #include "tests/unit/protocol/scene/scene_files.hpp"
 
@@ -82,6 +83,17 @@ TEST(AttachedFiles, AMissingFileIsNamedWithItsPlace) {
     const std::string set = std::string("continuum.mesh.path=") + folder.path(path);
     test::expect_refusal([&] { read_attached(folder, "scene.yaml", {set}); }, "continuum.mesh.path", reason);
   }
+}
+
+// Requirement: the bound is that of all files together. The second file has no content and its size alone.
+TEST(AttachedFiles, AreRefusedWhereTheyAreTooLongTogether) {
+  const ScratchFolder folder;
+  folder.write("scene.yaml", kMesh + "regions: [{name: far, continuum: {mesh: {path: far.msh}}}]\n");
+  folder.write("ground.msh", "nodes");
+  folder.write("far.msh", "");
+  std::filesystem::resize_file(folder.path("far.msh"), kMaxAttachedBytes - 4);
+  test::expect_refusal([&] { read_attached(folder, "scene.yaml"); }, "regions[0].continuum.mesh.path",
+                       "with this file those of the scene are larger than 500 MiB");
 }
 
 }  // namespace

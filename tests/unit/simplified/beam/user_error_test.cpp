@@ -126,7 +126,7 @@ TEST(StationMotions, AreInterpolatedLinearly) {
   StationMotions motions;
   motions.dt = 0.1;
   motions.chainages = {0, 100};
-  motions.displacement[kAxial] = {{0, 1}, {2, 4}};
+  motions.displacement[kAxial] = {{0, 1, 5}, {2, 4, 8}};
   const GroundMotion motion = interpolated(motions);
   GroundState state;
   for (auto* kind : {&state.displacement, &state.velocity})
@@ -135,6 +135,9 @@ TEST(StationMotions, AreInterpolatedLinearly) {
   motion(0.05, chainages, state);
   EXPECT_THAT(state.displacement[kAxial],
               testing::ElementsAre(testing::DoubleEq(0.5), testing::DoubleEq(1.125), testing::DoubleEq(3)));
+  motion(0.175, chainages, state);
+  EXPECT_THAT(state.displacement[kAxial],
+              testing::ElementsAre(testing::DoubleEq(4), testing::DoubleEq(4.75), testing::DoubleEq(7)));
   EXPECT_THAT(state.velocity[kVertical], testing::Each(0.0));
 }
 

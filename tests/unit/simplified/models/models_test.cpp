@@ -141,5 +141,26 @@ TEST(Rates, AreOfFourthOrder) {
   }
 }
 
+// Requirement: rates of t^3 of two places: exact by the fourth order, dt^2 more beside the ends, and
+// one-sided in the first and the last row.
+TEST(Rates, TakeLessOrderTowardsTheEnds) {
+  const double dt = 0.5;
+  std::vector<double> time, values;
+  for (int n = 0; n < 7; ++n) {
+    time.push_back(n * dt);
+    for (const double factor : {1.0, -2.0}) values.push_back(factor * std::pow(n * dt, 3));
+  }
+  const std::vector<double> rate = rates(values, time, 2);
+  for (std::size_t n = 0; n < 7; ++n) {
+    const double t = time[n];
+    const double expected = n == 0             ? dt * dt
+                            : n == 6           ? 3 * t * t - 3 * t * dt + dt * dt
+                            : n == 1 || n == 5 ? 3 * t * t + dt * dt
+                                               : 3 * t * t;
+    EXPECT_NEAR(rate[2 * n], expected, 1e-12) << n;
+    EXPECT_NEAR(rate[2 * n + 1], -2 * expected, 1e-12) << n;
+  }
+}
+
 }  // namespace
 }  // namespace adit::simplified

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dem_server/packing/meeting_place.hpp"
 #include "tests/unit/dem_server/engines/lattice/lattice.hpp"
 
 namespace adit::dem {
@@ -27,6 +28,17 @@ TEST(CriticalStep, InteriorBondGovernsLargeLattices) {
 TEST(CriticalStep, LoneBondIsExact) {
   EXPECT_DOUBLE_EQ(critical_step(test::pair_of_particles(2.0), {7.0, 0.0}),
                    2 / std::sqrt(7.0 * (1 / 2.0 + 1 / 2.0)));
+}
+
+// Its place is told: that of the bond between the two lightest particles.
+TEST(CriticalStep, IsToldWithItsPlace) {
+  Assembly a = test::assemble(test::rows_of(5, 6), 2.0);
+  const std::uint32_t k = a.bonds.runs.front().begin + 2;
+  for (const std::uint32_t i : {a.bonds.first[k], a.bonds.second[k]}) a.particles.inverse_mass[i] *= 10;
+  const auto [x, y] = meeting_place(a.particles, a.bonds.first[k], a.bonds.second[k]);
+  const auto told = critical_element(a, {7.0, 1.0});
+  EXPECT_DOUBLE_EQ(told.x, x);
+  EXPECT_DOUBLE_EQ(told.y, y);
 }
 
 // The bound is never above the exact step of the assembled lattice, nor wastefully below it.
