@@ -112,6 +112,29 @@ TEST(InitialState, NothingActsOnDiscsThatAreAbsent) {
   }
 }
 
+// The other model of an overlap holds each disc of a lattice by its area times s . grad w where the stress s
+// is uniform and the weight w linear.
+TEST(InitialState, IsHeldInAnOverlapByTheGradientOfTheWeights) {
+  const double radius = 0.5, area = 2 * std::numbers::sqrt3 * radius * radius;
+  const Model model = test::lattice_in({0, 9, 0, 8}, radius);
+  const Faces faces = find_faces(model.discs, links_of(model, {}));
+  std::vector<double> weights;
+  for (std::size_t i = 0; i < model.discs.size(); ++i)
+    weights.push_back(0.1 + 0.05 * model.discs.x[i] + 0.03 * model.discs.y[i]);
+  const auto forces = forces_of_overlap(model.discs, faces, weights, [](double, double) {
+    return protocol::GroundStress{-3e3, -5e3, 1e3, {}};
+  });
+  std::size_t inside = 0;
+  for (std::size_t i = 0; i < model.discs.size(); ++i) {
+    EXPECT_EQ(forces[3 * i + 2], 0);
+    if (faces.border[i]) continue;
+    EXPECT_NEAR(forces[3 * i], -area * (-3e3 * 0.05 + 1e3 * 0.03), 1e-9);
+    EXPECT_NEAR(forces[3 * i + 1], -area * (1e3 * 0.05 - 5e3 * 0.03), 1e-9);
+    ++inside;
+  }
+  EXPECT_GT(inside, 20u);
+}
+
 // Resultants on the discs by what they bear at rest, contacts of parallel bonds included.
 struct Resultants3 {
   std::vector<double> x, y, moment;
