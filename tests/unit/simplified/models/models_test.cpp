@@ -123,6 +123,15 @@ TEST(Histories, EndWithTheRun) {
   }
 }
 
+// Requirement: an interval of less than half a step gives a row at every step.
+TEST(Histories, HaveNoMoreRowsThanSteps) {
+  scene::Scene scene = tunnel();
+  scene.mutable_output()->set_history_interval(scene.time().dt() / 5);
+  const Response response = response_of(scene);
+  EXPECT_NEAR(response.histories.rows[1][0], scene.time().dt(), 1e-12);
+  EXPECT_DOUBLE_EQ(response.histories.rows.back()[0], scene.time().duration());
+}
+
 // Requirement: the fourth-order differences err by (w dt)^4/30 of a sine's rate.
 TEST(Rates, AreOfFourthOrder) {
   const double omega = 2 * std::numbers::pi;

@@ -55,6 +55,31 @@ TEST(AlongChainage, KeepsStraightLinesAndGoesOnBeyondTheEnds) {
   EXPECT_DOUBLE_EQ(values[3], 13);
 }
 
+// Requirement: between places at any distances the curve is the natural cubic spline: value, slope and
+// curvature go on at each place, and both ends are straight. Four values at equal distances tell all of a
+// cubic.
+TEST(AlongChainage, IsTheNaturalSplineOfUnequalGaps) {
+  const std::vector<double> places = {0, 10, 40, 60, 63}, given = {1, -2, 5, 0, 2};
+  std::vector<double> chainages;
+  for (std::size_t k = 0; k + 1 < places.size(); ++k)
+    for (int i = 0; i < 4; ++i) chainages.push_back(places[k] + (places[k + 1] - places[k]) * i / 3);
+  std::vector<double> f(chainages.size());
+  AlongChainage(places, chainages).interpolate(given.data(), f.data());
+  double slope = 0, curvature = 0;
+  for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+    const double* v = f.data() + 4 * k;
+    const double h = (places[k + 1] - places[k]) / 3;
+    EXPECT_NEAR(v[0], given[k], 1e-12);
+    EXPECT_NEAR(v[3], given[k + 1], 1e-12);
+    const double begins = (-11 * v[0] + 18 * v[1] - 9 * v[2] + 2 * v[3]) / (6 * h);
+    EXPECT_NEAR(k > 0 ? begins - slope : 0, 0, 1e-10) << k;
+    EXPECT_NEAR((2 * v[0] - 5 * v[1] + 4 * v[2] - v[3]) / (h * h), curvature, 1e-10) << k;
+    slope = (11 * v[3] - 18 * v[2] + 9 * v[1] - 2 * v[0]) / (6 * h);
+    curvature = (2 * v[3] - 5 * v[2] + 4 * v[1] - v[0]) / (h * h);
+  }
+  EXPECT_NEAR(curvature, 0, 1e-10);
+}
+
 // The largest error of the moment, amplitude * sin(q x), away from the free ends, of a tunnel without mass
 // whose ground takes the form of the wave in one step.
 double moment_error(const scene::Simplified& scene, double spacing, double amplitude) {

@@ -33,6 +33,10 @@ TEST(Zoom, EdgesMoveAsTheTunnelDoes) {
   EXPECT_LE(around.begin.chainage, places[1].chainage);
   EXPECT_GE(around.end.chainage, places[1].chainage);
 
+  for (const Edge* edge : {&around.begin, &around.end})
+    for (const auto* motion : {&edge->axial, &edge->lateral, &edge->spin})
+      EXPECT_EQ(motion->size(), around.time.size());
+
   const test::ScratchFolder folder;
   write_edges(folder.path(), "moment", around);
   scene::Scene scene = fragment(around, "moment", 2);
