@@ -68,6 +68,10 @@ class Build:
         inside = (os.path.relpath(line, self.source) for line in self._ask("inputs", target) if line.startswith("/"))
         return {path for path in inside if not path.startswith((".", "build"))}
 
+    def started_by(self, target):
+        """Executables that are built with a test program because it starts them, and the program itself."""
+        return [target, *sorted(set(self._ask("inputs", target)) & set(self.executables()) - {target})]
+
     def objects(self):
         """Objects that were made of each file: of a source file one, of a header all that include it."""
         users, current = {}, None

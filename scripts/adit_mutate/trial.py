@@ -41,7 +41,9 @@ class Bench:
         self._programs = [each for each in suite.programs(build)
                           if each.script in KINDS[tests] and (each.script or each.name in programs)]
         self._inputs = {each.name: build.inputs(each.name) for each in self._programs if not each.script}
-        made = {each for path in wanted for each in self._objects.get(path, [])} | set(self._inputs)
+        self._started = {each: build.started_by(each) for each in self._inputs}
+        made = {each for path in wanted for each in self._objects.get(path, [])}
+        made.update(each for started in self._started.values() for each in started)
         self._clean = {target: build.fingerprint(target) for target in made}
         for each in self._programs:
             each.seconds = times.of(each, self._clean.get(each.name))
@@ -90,7 +92,8 @@ class Bench:
         for program in suite.order(self._depending(change.path), change.path):
             if not self._build.make(*(self._used_by_scripts if program.script else [program.name])):
                 return Result(change, Verdict.NOT_COMPILED)
-            if not program.script and self._build.fingerprint(program.name) == self._clean[program.name]:
+            started = self._started.get(program.name, [])
+            if started and all(self._build.fingerprint(each) == self._clean[each] for each in started):
                 continue
             outcome = suite.run(program)
             if not outcome.passed:

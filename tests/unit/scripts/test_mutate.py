@@ -67,15 +67,22 @@ SAMPLE = {
     "CMakePresets.json": '{"version": 6, "configurePresets": [{"name": "release", "generator": "Ninja", '
                          '"binaryDir": "${sourceDir}/build/release", "cacheVariables": {"CMAKE_BUILD_TYPE": "Release"}}]}',
     "CMakeLists.txt": "cmake_minimum_required(VERSION 3.25)\nproject(sample LANGUAGES CXX)\nenable_testing()\n"
-                      "include_directories(${PROJECT_SOURCE_DIR})\nadd_library(sample STATIC sample/area.cpp)\n"
+                      "include_directories(${PROJECT_SOURCE_DIR})\nadd_library(sample STATIC sample/area.cpp sample/angle.cpp)\n"
                       "add_subdirectory(tests)\n",
     "tests/CMakeLists.txt": "add_executable(area_tests area_test.cpp)\ntarget_link_libraries(area_tests sample)\n"
-                            "add_test(NAME area COMMAND area_tests)\n",
+                            "add_test(NAME area COMMAND area_tests)\n"
+                            "add_executable(angle angle.cpp)\ntarget_link_libraries(angle sample)\n"
+                            "add_executable(angle_tests angle_test.cpp)\n"
+                            "target_compile_definitions(angle_tests PRIVATE ANGLE=\"$<TARGET_FILE:angle>\")\n"
+                            "add_dependencies(angle_tests angle)\nadd_test(NAME angle COMMAND angle_tests)\n",
     "sample/unit.hpp": "inline double metres(double x) {\n  return 1000 * x;\n}\n",
     "sample/area.cpp": '#include "sample/unit.hpp"\n'
                        "double area(double a, double b) {\n  return metres(a) * b;\n}\n"
                        "double girth(double a, double b) {\n  return 2 * (a + b);\n}\n"
                        "int rounds() {\n  volatile int n = 0;\n  while (n < 3) n = n + 1;\n  return n;\n}\n",
+    "sample/angle.cpp": "int turn() {\n  return 90;\n}\n",
+    "tests/angle.cpp": "int turn();\nint main() {\n  return turn() == 90 ? 0 : 1;\n}\n",
+    "tests/angle_test.cpp": "#include <cstdlib>\nint main() {\n  return std::system(ANGLE) == 0 ? 0 : 1;\n}\n",
     "tests/area_test.cpp": "double area(double, double);\ndouble girth(double, double);\nint rounds();\n"
                            "int main() {\n  girth(2, 3);\n  return area(2, 3) == 6000 && rounds() == 3 ? 0 : 1;\n}\n",
     "tests/mutations.txt": "# noticed\nsample/area.cpp\n- return metres(a) * b;\n+ return metres(a) + b;\n\n"
@@ -83,7 +90,8 @@ SAMPLE = {
                            "# never ends\nsample/area.cpp\n- while (n < 3) n = n + 1;\n+ while (n < 3) n = n * 1;\n\n"
                            "# planted\nsample/area.cpp\n- return 2 * (a + b);\n+ return 3 * (a + b);\n= }\n\n"
                            "sample/area.cpp\n- return 2 * (a + b);\n+ return (a + b) * 2;\n\n"
-                           "sample/moved.cpp\n- return metres(a) * b;\n+ return metres(a) * c;\n",
+                           "sample/moved.cpp\n- return metres(a) * b;\n+ return metres(a) * c;\n\n"
+                           "# in a program that a test starts\nsample/angle.cpp\n- return 90;\n+ return 180;\n",
 }
 
 
@@ -114,13 +122,13 @@ class Sample(unittest.TestCase):
         results = trial.try_all([self.bench(changes)], changes, lambda result: None)
         verdicts = [result.verdict for result in results]
         noticed, unnoticed = trial.Verdict.NOTICED, trial.Verdict.UNNOTICED
-        self.assertEqual(verdicts, [noticed, noticed, noticed, unnoticed, trial.Verdict.SAME_CODE, trial.Verdict.NOT_COMPILED])
+        self.assertEqual(verdicts, [noticed, noticed, noticed, unnoticed, trial.Verdict.SAME_CODE, trial.Verdict.NOT_COMPILED, noticed])
         self.assertIn("no end after", results[2].by)
         out = io.StringIO()
         report.print_summary(results, out)
         self.assertIn("sample/area.cpp:6\n  - return 2 * (a + b);\n  + return 3 * (a + b);\n", out.getvalue())
         self.assertNotIn("metres", out.getvalue())
-        self.assertRegex(out.getvalue(), r"all +4 +3 +1 +1 +0\n")
+        self.assertRegex(out.getvalue(), r"all +5 +4 +1 +1 +0\n")
         kept.write(self.root / "unnoticed.txt", [changes[3]], self.root)
         self.assertEqual([kept.find(self.root, ["sample/area.cpp"], entry) for entry in kept.read(self.root / "unnoticed.txt")], [changes[3]])
         for path in ("sample/area.cpp", "sample/unit.hpp"):
