@@ -533,6 +533,55 @@ TEST(ReadModel, ReadsVtpAsTextAndAsResultsAreWritten) {
   EXPECT_EQ(written.group, (std::vector<std::uint32_t>{0, 1}));
 }
 
+std::string base64(const std::string& bytes) {
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t three = 0;
+    for (std::size_t k = i; k < i + 3; ++k)
+      three = three << 8 | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0u);
+    for (int shift = 18; shift >= 0; shift -= 6) text += kDigits[three >> shift & 63];
+  }
+  for (std::size_t k = 0; k < (3 - bytes.size() % 3) % 3; ++k) text[text.size() - 1 - k] = '=';
+  return text;
+}
+
+// VTP holds whole numbers of every size, behind lengths of either size.
+TEST(ReadModel, ReadsVtpOfEveryTypeOfNumbers) {
+  const auto groups_as = [](const std::string& type, auto four, auto two) {
+    for (const std::string header : {"UInt32", "UInt64"}) {
+      std::uint64_t length = sizeof(four) + sizeof(two);
+      std::string bytes(reinterpret_cast<const char*>(&length), header == "UInt32" ? 4 : 8);
+      bytes.append(reinterpret_cast<const char*>(&four), sizeof(four));
+      bytes.append(reinterpret_cast<const char*>(&two), sizeof(two));
+      auto scene = test::placed_scene(
+          "<?xml version=\"1.0\"?><VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+          "header_type=\"" +
+          header +
+          "\"><PolyData><Piece NumberOfPoints=\"2\"><PointData>"
+          "<DataArray type=\"Float64\" Name=\"radius_m\" format=\"ascii\">0.5 0.25</DataArray>"
+          "<DataArray type=\"" +
+          type + "\" Name=\"group\" format=\"binary\">" + base64(bytes) +
+          "</DataArray></PointData><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" "
+          "format=\"ascii\">0 0.1 0  0.7 0.1 0</DataArray></Points></Piece></PolyData></VTKFile>");
+      auto& group = *scene.mutable_particles()->add_groups();
+      group.set_name("small");
+      group.set_number(2);
+      EXPECT_EQ(read_model(scene).group, (std::vector<std::uint32_t>{0, 1})) << type << " " << header;
+    }
+  };
+  groups_as("Float64", 4.0, 2.0);
+  groups_as("Float32", 4.0F, 2.0F);
+  groups_as("Int64", std::int64_t{4}, std::int64_t{2});
+  groups_as("UInt64", std::uint64_t{4}, std::uint64_t{2});
+  groups_as("Int32", std::int32_t{4}, std::int32_t{2});
+  groups_as("UInt32", std::uint32_t{4}, std::uint32_t{2});
+  groups_as("Int16", std::int16_t{4}, std::int16_t{2});
+  groups_as("UInt16", std::uint16_t{4}, std::uint16_t{2});
+  groups_as("Int8", std::int8_t{4}, std::int8_t{2});
+  groups_as("UInt8", std::uint8_t{4}, std::uint8_t{2});
+}
+
 // One particle is a model; sizes of 1 to 50 are joined where they touch.
 TEST(ReadModel, TakesOneParticleAndSizesOfOneToFifty) {
   const Model one = read_model(test::placed_scene("x_m,y_m,radius_m\n1,2,0.5\n"));

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "fdm_server/model/boundaries/boundaries.hpp"
+#include "tests/unit/fdm_server/grid/grids.hpp"
 #include "tests/unit/fdm_server/scenes.hpp"
 
 namespace adit::fdm::test {
@@ -56,6 +58,19 @@ TEST(SpringEdge, IsWhatKeepsALastingForceFromMovingTheGround) {
     if (step == 20000) before = run.predicted.histories(0);
   }
   EXPECT_NEAR(run.predicted.histories(0) / before, 2, 0.01);
+}
+
+// What springs add to a zone's stiffness: 2 l G / (R area) for each of its edges of length l, two in a
+// corner.
+TEST(SpringEdge, StiffensZonesByLengthOverArea) {
+  const scene::Scene scene =
+      setup_of(
+          "quiet { where { x_max: 0 } source_distance: 20 } quiet { where { y_max: 0 } source_distance: 40 }")
+          .scene();
+  const Grid grid = make_grid({0, 6, 0, 1, 12, 4});  // zones of 0.5 by 0.25 m
+  const Ground ground{{{2500, 25e9, 0.2}}, std::vector<std::uint32_t>(grid.zones.size(), 0)};
+  const double per_distance = 2 * kShear / (0.5 * 0.25);
+  EXPECT_NEAR(spring_stiffness(scene.continuum(), grid, ground) / per_distance, 0.25 / 20 + 0.5 / 40, 1e-12);
 }
 
 // The critical step holds with springs as stiff as may be: just below it nothing grows.

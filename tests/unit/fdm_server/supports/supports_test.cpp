@@ -114,6 +114,14 @@ TEST(SupportsPath, ASideOfABlockIsAWallToo) {
   EXPECT_THAT(path_of("wall { y_min: 3 x_min: 2 x_max: 5 }", grid), ElementsAre(23, 24, 25, 26));
 }
 
+TEST(SupportsPath, AWallThatBranchesIsRefusedWithItsPlace) {
+  Grid grid = block_grid();
+  grid.boundary = boundary(number_edges(grid));
+  grid.boundary.push_back({24, 17, 0});
+  adit::test::expect_refusal([&] { path_of("wall { y_min: 2 x_min: 2 x_max: 5 }", grid); },
+                             "continuum.linings[0].along.wall", "holds edges that branch at (3, 3) m");
+}
+
 // Joints go to the nearest node, by place or by angle.
 TEST(Supports, JointsAreHinges) {
   const std::string circle = "linings { name: 'l' along { circle { centre { x: 0 y: 0 } radius: 2 } } ";
