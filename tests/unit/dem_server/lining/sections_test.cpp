@@ -238,6 +238,19 @@ TEST(Sections, EnvelopeKeepsTheExtremes) {
   EXPECT_EQ(envelope.smallest(Force::kMoment)[0].value, -7);
   EXPECT_EQ(envelope.largest(Force::kMoment)[0].time, 0.3);
   EXPECT_EQ(envelope.largest(Force::kShear)[1].time, 0.1);
+
+  state::Archive writes;
+  envelope.exchange(2, writes);
+  state::Archive reads(writes.take());
+  Envelope back;
+  back.exchange(2, reads);
+  for (const Force force : {Force::kThrust, Force::kMoment, Force::kShear})
+    for (std::size_t section = 0; section < 2; ++section) {
+      EXPECT_EQ(back.largest(force)[section].value, envelope.largest(force)[section].value);
+      EXPECT_EQ(back.largest(force)[section].time, envelope.largest(force)[section].time);
+      EXPECT_EQ(back.smallest(force)[section].value, envelope.smallest(force)[section].value);
+      EXPECT_EQ(back.smallest(force)[section].time, envelope.smallest(force)[section].time);
+    }
 }
 
 // The end of a run tells the extremes over all sections: under a load that only grows, those of the last step
