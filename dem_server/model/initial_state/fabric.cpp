@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "dem_server/model/initial_state/equilibrium.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::dem {

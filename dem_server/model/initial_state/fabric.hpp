@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "dem_server/model/initial_state/equilibrium.hpp"
 #include "dem_server/model/initial_state/faces.hpp"
 #include "dem_server/model/initial_state/network.hpp"
 #include "dem_server/model/initial_state/outside.hpp"

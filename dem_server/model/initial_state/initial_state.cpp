@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "dem_server/model/initial_state/admissible.hpp"
+#include "dem_server/model/initial_state/equilibrium.hpp"
 #include "dem_server/model/initial_state/fabric.hpp"
 
 namespace adit::dem {
