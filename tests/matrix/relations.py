@@ -81,8 +81,7 @@ def closely(allowed, scene, folder, base, other, change):
 
     That is judged by root mean squares: an acceleration for an instant, where a crack opens or local damping turns, is a matter of chance."""
     base, other = (_without_rounding(one) for one in (base, other))
-    worst, where = deviation(base, other, change, rests=allowed >= OF_REST)
-    if worst <= allowed:
+    if deviation(base, other, change, rests=allowed >= OF_REST)[0] <= allowed:
         return
     class Nudged(changes.Same):
         def number(self, name, key, unit, value):
