@@ -59,7 +59,7 @@ class Build:
         return answer.stdout.splitlines()
 
     def executables(self):
-        """Targets."""
+        """Targets that are programs."""
         rules = (line.partition(": ") for line in self._ask("targets", "all"))
         return [name for name, _, rule in rules if rule.startswith("CXX_EXECUTABLE_LINKER")]
 
@@ -68,9 +68,9 @@ class Build:
         inside = (os.path.relpath(line, self.source) for line in self._ask("inputs", target) if line.startswith("/"))
         return {path for path in inside if not path.startswith((".", "build"))}
 
-    def started_by(self, target):
-        """Executables that are built with a test program because it starts them, and the program itself."""
-        return [target, *sorted(set(self._ask("inputs", target)) & set(self.executables()) - {target})]
+    def started_by(self, target, executables):
+        """Those that are built with a test program because it starts them, and the program itself."""
+        return [target, *sorted(set(self._ask("inputs", target)) & set(executables) - {target})]
 
     def objects(self):
         """Objects that were made of each file: of a source file one, of a header all that include it."""

@@ -8,8 +8,6 @@ A line is known by its text, never by its number. Where it occurs more than once
 well, after `= `. `#` begins a comment.
 """
 
-import pathlib
-
 from .source import Change
 
 
@@ -21,7 +19,7 @@ def read(path):
     """(file, line, replacement, line that follows or None) of every change."""
     entries, entry = [], {}
     for text in [*path.read_text().splitlines(), ""]:
-        mark, content = text[:2].ljust(2), text[2:].strip()
+        mark, content = text[:2], text[2:].strip()
         if text.startswith("#"):
             continue
         if mark in ("- ", "+ ", "= "):
@@ -63,8 +61,3 @@ def find(root, sources, entry):
     before = lines[place]
     indent = before[:len(before) - len(before.lstrip())]
     return Change(file, place + 1, "kept", before, indent + replacement)
-
-
-def under(folder, changes):
-    folder = pathlib.PurePath(folder)
-    return [change for change in changes if pathlib.PurePath(change.path).is_relative_to(folder)]

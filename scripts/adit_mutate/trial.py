@@ -33,15 +33,16 @@ class Bench:
         """`wanted`: files that are to be changed. `times`: suite.Times. `tests`: of KINDS."""
         self._build = build
         build.configure()
-        self._used_by_scripts = [each for each in build.executables() if not each.endswith("_tests")]
-        programs = self._programs_for(wanted) if tests != "scripts" else []
+        executables = build.executables()
+        self._used_by_scripts = [each for each in executables if not each.endswith("_tests")]
+        programs = self._programs_for(wanted, executables) if tests != "scripts" else []
         if not build.make(*programs, *(self._used_by_scripts if tests != "unit" else [])):
             raise RuntimeError(f"{build.source} cannot be built without a change; build the project first")
         self._objects = build.objects()
         self._programs = [each for each in suite.programs(build)
                           if each.script in KINDS[tests] and (each.script or each.name in programs)]
         self._inputs = {each.name: build.inputs(each.name) for each in self._programs if not each.script}
-        self._started = {each: build.started_by(each) for each in self._inputs}
+        self._started = {each: build.started_by(each, executables) for each in self._inputs}
         made = {each for path in wanted for each in self._objects.get(path, [])}
         made.update(each for started in self._started.values() for each in started)
         self._clean = {target: build.fingerprint(target) for target in made}
@@ -49,8 +50,8 @@ class Bench:
             each.seconds = times.of(each, self._clean.get(each.name))
 
     # Test programs that hold a file, or one of the folder around it: a header is in none by itself.
-    def _programs_for(self, wanted):
-        tests = [each for each in self._build.executables() if each.startswith("tests/") and each.endswith("_tests")]
+    def _programs_for(self, wanted, executables):
+        tests = [each for each in executables if each.startswith("tests/") and each.endswith("_tests")]
         inputs = {test: self._build.inputs(test) for test in tests}
         folders = set()
         for path in wanted:
