@@ -47,7 +47,7 @@ def _places(text, line, following):
 
 
 def find(root, sources, entry):
-    """The change in today's code: in its file, or where the line went when the file was moved. Throws Stale."""
+    """The change in today's code: in its file, or where the line went when the file was moved. Raises Stale."""
     path, line, replacement, following = entry
     candidates = [path] if path in sources else sources
     found = []
@@ -61,3 +61,16 @@ def find(root, sources, entry):
     before = lines[place]
     indent = before[:len(before) - len(before.lstrip())]
     return Change(file, place + 1, "kept", before, indent + replacement)
+
+
+def find_all(root, sources, entries):
+    """`find` of every entry. Raises Stale with a line for each that no longer fits."""
+    found, stale = [], []
+    for entry in entries:
+        try:
+            found.append(find(root, sources, entry))
+        except Stale as error:
+            stale.append(str(error))
+    if stale:
+        raise Stale("\n".join(stale))
+    return found

@@ -144,6 +144,11 @@ class Sample(unittest.TestCase):
         with self.assertRaisesRegex(kept.Stale, "`return 1000 \\* x;` of sample/unit.hpp stands nowhere now"):
             self.changes()
 
+    def test_every_kept_change_that_no_longer_fits_is_named(self):
+        entries = [("sample/area.cpp", "return 7;", "return 8;", None), ("sample/unit.hpp", "return 9;", "return 8;", None)]
+        with self.assertRaisesRegex(kept.Stale, "(?s)`return 7;` of sample/area.cpp.*\n.*`return 9;` of sample/unit.hpp"):
+            kept.find_all(self.root, ["sample/area.cpp", "sample/unit.hpp"], entries)
+
 
 if __name__ == "__main__":
     unittest.main()
