@@ -5,11 +5,12 @@
 // A random packing is no even solid: single discs and circles scatter. Compared are, for the displacements,
 // the root mean square from the wall to the overlap, and at the wall the components that are uniform and that
 // go with cos 2 angle and sin 2 angle; for the hoop stress over 24 circles next to the wall the root mean
-// square, the uniform component and that of cos 2 angle.
+// square, the uniform component and that of cos 2 angle. The last one is a small difference of large stresses
+// and varies by 5 % from one packing to the next, so that its mean over the packings is compared.
 //
-// Found with 20,000 discs, 230 in a circle: root mean squares of 3.3 % and 2.7 %, components within 1.5 %,
-// single circles within 4.7 %. With half as many discs, whose circles hold 120, the root mean square of the
-// hoop stress is 5.5 %.
+// Found with 20,000 discs, 230 in a circle, in eight packings: root mean squares of 3.4 to 3.8 % and of 2.6
+// to 4.3 %, uniform hoop stress 0.973 to 1.006 of Kirsch's, that of cos 2 angle 0.938 to 1.060 with the mean
+// 1.013. With half as many discs, whose circles hold 120, the root mean square of the hoop stress is 5.5 %.
 #include <gtest/gtest.h>
 
 #include "dem_server/model/reading/read_model.hpp"
@@ -22,17 +23,19 @@ namespace {
 constexpr double kDisc = 0.024;  // mean radius: 62 in the tunnel's
 constexpr double kHalf = 3.4, kInside = 2.6, kOverlap = 0.7;
 constexpr double kWithin = 0.05;
+constexpr int kPackings = 6;
 constexpr int kCircles = 24;
 constexpr double kCircle = 0.4, kAway = test::kHole + kCircle + kDisc;
 
 // Parallel bonds, because a grain at the wall that hangs on one contact bond rolls away. The contacts beside
 // them, which carry no tension, add a thousandth of their stiffness.
-std::string packing() {
+std::string packing(int seed) {
   return fmt::format(
       "random_packing {{ x_min: {0} x_max: {1} y_min: {0} y_max: {1} radius_min: {2} radius_max: {3} "
-      "stress: 100 }} bonds {{ reach: 0.3 parallel {{ normal_stiffness: {4} shear_stiffness: {5} }} }} "
+      "stress: 100 seed: {6} }} bonds {{ reach: 0.3 parallel {{ normal_stiffness: {4} shear_stiffness: {5} "
+      "}} }} "
       "contacts {{ normal_stiffness: 1e6 shear_stiffness: 1e6 friction: 0.5 }} ",
-      -kHalf, kHalf, 0.8 * kDisc, 1.2 * kDisc, 1e9 / (2 * kDisc), 4e8 / (2 * kDisc));
+      -kHalf, kHalf, 0.8 * kDisc, 1.2 * kDisc, 1e9 / (2 * kDisc), 4e8 / (2 * kDisc), seed);
 }
 
 // Sums around the tunnel, of what was found and of what is exact.
@@ -80,7 +83,8 @@ void expect_wall(const test::Drawn& drawn, const test::Elastic& ground) {
   EXPECT_NEAR(tangential.ratio(), 1, kWithin);
 }
 
-void expect_hoop(const std::vector<double>& stress, const test::Elastic& ground) {
+// The part of cos 2 angle, of Kirsch's.
+double expect_hoop(const std::vector<double>& stress, const test::Elastic& ground) {
   const auto exact = test::kirsch(test::kHole, ground);
   const Places places;
   Compared uniform, second, squares;
@@ -93,15 +97,15 @@ void expect_hoop(const std::vector<double>& stress, const test::Elastic& ground)
     squares.add(1, (found - wanted) * (found - wanted), wanted * wanted);
   }
   EXPECT_NEAR(uniform.ratio(), 1, kWithin);
-  EXPECT_NEAR(second.ratio(), 1, kWithin);
   EXPECT_LT(std::sqrt(squares.ratio()), kWithin);
+  return second.ratio();
 }
 
-TEST(RandomlyExcavatedParticles, DeformAsKirschFound) {
+double excavate(int seed) {
   const dem::Model plain = dem::read_model(
       test::scene_of("material { young_modulus: 1e9 poisson_ratio: 0.2 density: 2000 } time { duration: 1e-3 "
                      "} particles { " +
-                     packing() + "} "));
+                     packing(seed) + "} "));
   const test::Moduli moduli = test::measured_moduli(plain, kHalf - 4 * kDisc, 0.85 * kHalf);
   EXPECT_LT(moduli.anisotropy, 0.02);
   const test::Elastic ground{moduli.young, moduli.poisson};
@@ -109,12 +113,21 @@ TEST(RandomlyExcavatedParticles, DeformAsKirschFound) {
   std::string circles;
   const Places places;
   for (int k = 0; k < kCircles; ++k) circles += test::stress_over(places.x[k], places.y[k], kCircle);
-  test::Settled settled(
-      test::tunnel_in(ground, 180, kInside, kOverlap, packing() + test::excavation("", 1, 0.5) + circles));
+  test::Settled settled(test::tunnel_in(ground, 180, kInside, kOverlap,
+                                        packing(seed) + test::excavation("", 1, 0.5) + circles));
   const test::Drawn drawn(settled.stepper.snapshots()[1]);
   EXPECT_LT(test::displacement_error(drawn, test::kHole, kInside, ground), kWithin);
   expect_wall(drawn, ground);
-  expect_hoop(settled.histories[1], ground);
+  return expect_hoop(settled.histories[1], ground);
+}
+
+TEST(RandomlyExcavatedParticles, DeformAsKirschFound) {
+  double sum = 0;
+  for (int seed = 1; seed <= kPackings; ++seed) {
+    SCOPED_TRACE(fmt::format("packing {}", seed));
+    sum += excavate(seed);
+  }
+  EXPECT_NEAR(sum / kPackings, 1, kWithin);
 }
 
 }  // namespace
