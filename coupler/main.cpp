@@ -45,6 +45,7 @@ using namespace adit::coupler;
 struct Options : protocol::SceneCommandLine {
   using SceneCommandLine::SceneCommandLine;
   ServerChoice servers;
+  bool which = false;     // asks for the program that computes the scene
   std::string from;       // folder of a run or a checkpoint, from whose state at rest the run begins
   std::string record;     // file of what is said to the servers
   std::string results;    // of the run that goes on, or one of its checkpoints
@@ -182,7 +183,7 @@ void check_scene(const Options& options, const protocol::SceneFile&, const Expan
 
 void add_trust(CLI::App& command, TrustFiles& trust) {
   command.add_option("--tls", trust.tls,
-                     "folder of this machine's certificate, as scripts/certificates makes it: servers that "
+                     "folder of this machine's certificate, as `adit certificates` makes it: servers that "
                      "already listen must have one of the same authority. For servers that ask for a secret, "
                      "authority.pem in it is enough");
   command.add_option("--secret-file", trust.secret_file,
@@ -256,6 +257,9 @@ int main(int argc, char** argv) {
       "accelerations of a base may differ");
   options.check->add_option("--out", options.out,
                             "folder for the fields of the undeformed model [default: none are written]");
+  options.check->add_flag(
+      "--which", options.which,
+      "print the program that computes the scene, coupler or simplified, and look no further");
   CLI::App* goes_on = options.app.add_subcommand("resume", "goes on with a run that was stopped or killed");
   goes_on->add_option("results", options.results, "folder of its results, or one of its checkpoints")
       ->required();
@@ -273,6 +277,7 @@ int main(int argc, char** argv) {
                                 [&](const protocol::SceneFile& file) { resume(options, file); });
   const auto& work = options.run->parsed() ? run_scene : check_scene;
   return protocol::with_scene(options.scene, options.sets, [&](const protocol::SceneFile& file) {
+    if (options.which) return protocol::print(file.scene.has_simplified() ? "simplified\n" : "coupler\n");
     const Expansion expansion = expand_tunnels(file.scene);
     try {
       work(options, file, expansion);

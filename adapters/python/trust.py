@@ -28,7 +28,7 @@ def prove(secret, who, challenges):
 
 
 def server_context(folder):
-    """TLS 1.3 with a certificate of the authority at both ends. `folder` is one that scripts/certificates made."""
+    """TLS 1.3 with a certificate of the authority at both ends. `folder` is one that adit certificates made."""
     folder = Path(folder)
     require_private(folder / "key.pem")
     context = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)

@@ -47,7 +47,7 @@ Listener::Listener(const Address& address, bool anywhere, const std::vector<int>
   if (beyond_loopback(endpoint) && !anywhere) {
     throw UserError(
         "", fmt::format("refusing to listen on {}: anyone on the way could read and change what is sent; "
-                        "add --tls with a folder that scripts/certificates made, or listen on 127.0.0.1 and "
+                        "add --tls with a folder that adit certificates made, or listen on 127.0.0.1 and "
                         "connect through an ssh tunnel (ssh -L PORT:127.0.0.1:PORT HOST), or add --insecure "
                         "on a network that you trust",
                         to_string(address)));

@@ -69,7 +69,7 @@ int server_main(int argc, char** argv, std::string_view program, std::vector<std
                  "HOST:PORT to listen on, port 0 takes any free one; or unix:PATH, for this machine")
       ->capture_default_str();
   app.add_option("--tls", tls_folder,
-                 "folder of this machine's certificate, as scripts/certificates makes it: clients must have "
+                 "folder of this machine's certificate, as adit certificates makes it: clients must have "
                  "one of the same authority, or know the secret");
   app.add_flag(
       "--insecure", options.insecure,

@@ -35,14 +35,14 @@ std::string openssl_error() {
 
 void require(int done, const std::filesystem::path& file, std::string_view what) {
   if (done != 1)
-    throw UserError("", fmt::format("{} is no {} that can be used ({}): make it by scripts/certificates",
+    throw UserError("", fmt::format("{} is no {} that can be used ({}): make it by adit certificates",
                                     file.string(), what, openssl_error()));
 }
 
 // A pipe in its place would be waited for.
 void require_file(const std::filesystem::path& file, std::string_view what) {
   if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
-    throw UserError("", fmt::format("{}, for the {}, is not a file: make it by scripts/certificates",
+    throw UserError("", fmt::format("{}, for the {}, is not a file: make it by adit certificates",
                                     file.string(), what));
 }
 
@@ -62,14 +62,14 @@ const char* refusal_of(int reason) {
   switch (reason) {
     case SSL_R_TLSV1_ALERT_UNKNOWN_CA:
     case SSL_R_TLSV1_ALERT_DECRYPT_ERROR:
-      return "another authority has signed it; use folders that one call of scripts/certificates made";
+      return "another authority has signed it; use folders that one call of adit certificates made";
     case SSL_R_SSLV3_ALERT_BAD_CERTIFICATE:  // what OpenSSL answers to one that begins later
       return "it is not valid yet, or is for another machine; compare the clocks of both machines and the "
              "names";
     case SSL_R_SSLV3_ALERT_CERTIFICATE_EXPIRED:
-      return "it has expired, or begins later; make a new one by scripts/certificates";
+      return "it has expired, or begins later; make a new one by adit certificates";
     case SSL_R_TLSV13_ALERT_CERTIFICATE_REQUIRED:
-      return "there is none; give the folder that scripts/certificates made for it by --tls";
+      return "there is none; give the folder that adit certificates made for it by --tls";
     default:
       return nullptr;
   }
@@ -79,17 +79,17 @@ const char* refusal_of(int reason) {
 std::string fault_of(long result, const std::string& name) {
   switch (result) {
     case X509_V_ERR_CERT_HAS_EXPIRED:
-      return "has expired; make a new one by scripts/certificates";
+      return "has expired; make a new one by adit certificates";
     case X509_V_ERR_CERT_NOT_YET_VALID:
       return "is not valid yet; compare the clocks of both machines";
     case X509_V_ERR_HOSTNAME_MISMATCH:
     case X509_V_ERR_IP_ADDRESS_MISMATCH:
-      return fmt::format("is not for {}; make one that names it by scripts/certificates", name);
+      return fmt::format("is not for {}; make one that names it by adit certificates", name);
     case X509_V_ERR_UNABLE_TO_GET_ISSUER_CERT_LOCALLY:
     case X509_V_ERR_SELF_SIGNED_CERT_IN_CHAIN:
     case X509_V_ERR_DEPTH_ZERO_SELF_SIGNED_CERT:
     case X509_V_ERR_CERT_SIGNATURE_FAILURE:
-      return "was signed by another authority; use folders that one call of scripts/certificates made";
+      return "was signed by another authority; use folders that one call of adit certificates made";
     default:
       return fmt::format("is not accepted ({})", X509_verify_cert_error_string(result));
   }

@@ -1,5 +1,5 @@
 // TLS 1.3: each end shows the certificate of its machine and accepts those that the same authority has
-// signed. Where clients must prove that they know a secret, they need no certificate. scripts/certificates
+// signed. Where clients must prove that they know a secret, they need no certificate. adit certificates
 // makes the folders.
 #pragma once
 

@@ -1,5 +1,5 @@
 // dem_server, but it answers when the whole step is computed, and leaves nothing to be hidden behind the
-// exchange: what scripts/bench network compares it with.
+// exchange: what tools/bench network compares it with.
 #include <memory>
 
 #include "dem_server/participant/participant.hpp"

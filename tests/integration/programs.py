@@ -7,12 +7,15 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
 
 BUILD = pathlib.Path(os.environ["ADIT_BUILD"])
 SOURCE = pathlib.Path(os.environ["ADIT_SOURCE"])
+sys.path[:0] = [str(SOURCE / "python"), str(SOURCE / "tools")]  # the package `adit`, and what measures other codes and networks
+ADIT = [str(SOURCE / "scripts" / "adit")]  # the command, whose name follows
 COUPLER = BUILD / "coupler" / "coupler"
 CASE = SOURCE / "cases" / "cantilever"
 PATIENCE = int(os.environ.get("ADIT_PATIENCE", 1))  # how many times as long as those of a plain build programs may take

@@ -4,7 +4,7 @@ import json
 import shlex
 import subprocess
 
-from programs import BUILD, PATIENCE, PATIENCE_S, SOURCE
+from programs import ADIT, BUILD, PATIENCE, PATIENCE_S, SOURCE
 
 CASES = SOURCE / "cases"
 
@@ -29,5 +29,5 @@ def run_reduced(test, case):
 
 
 def compare(run, case):
-    return subprocess.run([SOURCE / "scripts" / "compare", run, "--reference", CASES / case / "reference.json"], capture_output=True,
+    return subprocess.run([*ADIT, "compare", run, "--reference", CASES / case / "reference.json"], capture_output=True,
                           text=True, timeout=PATIENCE_S)

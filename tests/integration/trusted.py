@@ -6,7 +6,7 @@ import socket
 import subprocess
 import threading
 
-from programs import CASE, SOURCE, ProgramTest, coupler
+from programs import ADIT, CASE, ProgramTest, coupler
 
 SHORT = ("--set", "time.duration=2 ms", "--set", "output.field_times=[]")
 
@@ -20,7 +20,7 @@ class TrustTest(ProgramTest):
 
     def certificates(self, authority="ours", *machines):
         folder = self.folder / authority
-        subprocess.run([SOURCE / "scripts/certificates", folder, *(machines or ("localhost,127.0.0.1", "laptop"))],
+        subprocess.run([*ADIT, "certificates", folder, *(machines or ("localhost,127.0.0.1", "laptop"))],
                        check=True, capture_output=True)
         return folder
 

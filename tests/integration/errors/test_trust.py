@@ -13,7 +13,7 @@ import subprocess
 import time
 import unittest
 
-from programs import CASE, COUPLER, SOURCE, Server, coupler
+from programs import ADIT, CASE, COUPLER, Server, coupler
 from trusted import SHORT, Relay, TrustTest, expire, valid_in
 
 LONG = ("--set", "time.duration=50 s", "--set", "output.field_times=[]")
@@ -222,9 +222,9 @@ class Certificates(TrustTest):
         folder = self.folder / "none"
         for name in ("", "a b", "../a", "/a", "a,,b", "10.0.0.999", "1:2", "-a", "a" * 65, "authority,b", "a;b", "é"):
             with self.subTest(name):
-                result = subprocess.run([SOURCE / "scripts/certificates", folder, "right", name], capture_output=True, text=True)
+                result = subprocess.run([*ADIT, "certificates", folder, "right", name], capture_output=True, text=True)
                 self.assertEqual(result.returncode, 2, result.stderr)
-                self.assertRegex(result.stderr, r"\Ascripts/certificates: [^\n]*\n\Z")
+                self.assertRegex(result.stderr, r"\A[^\n]*adit certificates: [^\n]*\n\Z")
                 self.assertFalse(folder.exists())
 
     def test_a_certificate_of_another_machine(self):
@@ -271,8 +271,8 @@ class Certificates(TrustTest):
             self.assert_refused(self.join(server, "--tls", folder / "laptop"), f"chmod 600 {key}")
             key.chmod(0o600)
             key.write_bytes((folder / "localhost/key.pem").read_bytes())
-            self.assert_refused(self.join(server, "--tls", folder / "laptop"), str(key), "scripts/certificates")
-            self.assert_refused(self.join(server, "--tls", self.folder / "nowhere"), "authority.pem", "scripts/certificates")
+            self.assert_refused(self.join(server, "--tls", folder / "laptop"), str(key), "adit certificates")
+            self.assert_refused(self.join(server, "--tls", self.folder / "nowhere"), "authority.pem", "adit certificates")
 
     def test_insecure_says_what_it_is(self):
         with Server("dem_server", "0.0.0.0:0", "--insecure") as server:

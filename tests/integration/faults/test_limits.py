@@ -8,7 +8,7 @@ import tempfile
 import unittest
 
 from faults.faulty import SCENE, SHORT, FaultTest
-from programs import BUILD, CASE, COUPLER, PATIENCE_S, Server, counts_resources, coupler, wait_until
+from programs import CASE, COUPLER, PATIENCE_S, Server, counts_resources, coupler, wait_until
 
 MIB = 1 << 20
 LARGE = ("--set", "particles.packing.radius=4 mm", "--set", "time.duration=1 us", "--set", "output.field_times=[]")

@@ -4,7 +4,7 @@ within 10 s with exit code 3 and the name of the server, which is free again."""
 import time
 import unittest
 
-from faults.faulty import FaultTest, at
+from faults.faulty import FaultTest
 from faults.gate import Gate
 from programs import PATIENCE
 from resume.resumed import results_of

@@ -1,18 +1,16 @@
 """Runs whose numbers are compared: a scene, its results, and the sums of energies that every one of them must keep."""
 
 import json
-import sys
 
 import numpy as np
 
 from figures.told import Told
-from programs import SOURCE, ProgramTest
+from programs import ProgramTest
 
-sys.path.insert(0, str(SOURCE / "scripts"))
-from adit import Run  # noqa: E402
-from adit.pieces import Piece  # noqa: E402
-from adit_report import page  # noqa: E402
-from report.test_pages import Elements, value  # noqa: E402
+from adit import Run
+from adit.results.pieces import Piece
+from adit.report import page
+from report.test_pages import Elements, value
 
 # What energies.csv lists by cause, and the column of the ledger in histories.csv that each one is part of.
 CAUSES = {"contacts": "strain", "contact_bonds": "strain", "parallel_bonds": "strain", "joints": "strain", "springs": "strain",

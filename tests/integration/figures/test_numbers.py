@@ -112,7 +112,8 @@ class Figures(ProgramTest):
         self.piece("grid", {
             "displacement_m": [*(a * END**2 / 2), 0], "velocity_m_per_s": [*(a * (END + STEP / 2)), 0], "stress_Pa": 0, "weight": 1,
             "material": 0, "group": 0, "peak_displacement_m": np.sqrt(square) * END**2 / 2,
-            "peak_velocity_m_per_s": np.sqrt(square) * (END - STEP / 2), "peak_acceleration_m_per_s2": np.sqrt(square), "peak_shear_strain": 0, "peak_largest_principal_stress_Pa": 0,
+            "peak_velocity_m_per_s": np.sqrt(square) * (END - STEP / 2),
+            "peak_acceleration_m_per_s2": np.sqrt(square), "peak_shear_strain": 0, "peak_largest_principal_stress_Pa": 0,
             "peak_smallest_principal_stress_Pa": 0}, stress_Pa=1e5, peak_largest_principal_stress_Pa=1e5, peak_smallest_principal_stress_Pa=1e5)
         self.stable = 1 / np.sqrt(1.2e9 / DENSITY) / np.sqrt(2), 1 / np.sqrt(G / DENSITY)
         measures = {}
@@ -171,7 +172,8 @@ class Figures(ProgramTest):
         middle, radius = (stress["sxx"] + stress["syy"]) / 2, np.hypot((stress["sxx"] - stress["syy"]) / 2, stress["sxy"])
         self.piece("grid", {
             "displacement_m": moved * END, "velocity_m_per_s": moved, "stress_Pa": np.array([stress["sxx"], stress["syy"], stress["sxy"]]) * END,
-            "weight": 1, "material": 0, "group": 0, "peak_displacement_m": length * END, "peak_velocity_m_per_s": length, "peak_acceleration_m_per_s2": 2 * length / STEP,  # from rest within half a step
+            "weight": 1, "material": 0, "group": 0, "peak_displacement_m": length * END, "peak_velocity_m_per_s": length,
+            "peak_acceleration_m_per_s2": 2 * length / STEP,  # from rest within half a step
             "peak_shear_strain": np.hypot(e["exx"] - e["eyy"], e["gxy"]) * END,
             "peak_largest_principal_stress_Pa": (middle + radius) * END, "peak_smallest_principal_stress_Pa": (middle - radius) * END})
         self.stable = STEP, np.inf

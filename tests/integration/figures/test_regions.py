@@ -5,7 +5,7 @@ import unittest
 
 import numpy as np
 
-from figures.bars import HEIGHT, RADIUS, STEP, bar, discs, kinetic_energy, masses_of_discs, masses_of_points, overlap
+from figures.bars import HEIGHT, STEP, bar, discs, kinetic_energy, masses_of_discs, masses_of_points, overlap
 from figures.computed import ComputedTest
 from figures.discs import point
 

@@ -1,4 +1,4 @@
-"""The job of scripts/cluster computes what one machine computes, goes on after a signal or a lost server, and lets nobody else in.
+"""The job of adit cluster computes what one machine computes, goes on after a signal or a lost server, and lets nobody else in.
 
 Slurm is not needed: small programs take the places of srun, scontrol and sbatch and start the servers on this machine.
 """
@@ -8,7 +8,7 @@ import signal
 import subprocess
 import unittest
 
-from programs import BUILD, CASE, PATIENCE_S, SOURCE, wait_until
+from programs import ADIT, BUILD, CASE, PATIENCE_S, wait_until
 from resume.resumed import ResumeTest
 
 STAND_INS = {
@@ -45,7 +45,7 @@ class ClusterTest(ResumeTest):
                                 SLURM_JOB_NODELIST_HET_GROUP_1="localhost", SLURM_JOB_NODELIST_HET_GROUP_2="127.0.0.1")
 
     def write(self, *arguments):
-        return subprocess.run([SOURCE / "scripts/cluster", self.input, "--out", self.job, *arguments], capture_output=True, text=True)
+        return subprocess.run([*ADIT, "cluster", self.input, "--out", self.job, *arguments], capture_output=True, text=True)
 
     def written(self, *arguments):
         done = self.write(*arguments)

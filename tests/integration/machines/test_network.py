@@ -3,16 +3,14 @@
 import contextlib
 import re
 import subprocess
-import sys
 import unittest
 
-from programs import BUILD, CASE, COUPLER, SOURCE
+from programs import BUILD, CASE, COUPLER
 from resume.resumed import ResumeTest
 from trusted import TrustTest
 
-sys.path.insert(0, str(SOURCE / "scripts"))
-from adit_network.machines import FAR, NEAR, Link, Machines, NotAllowed  # noqa: E402
-from adit_programs import listening  # noqa: E402
+from network.machines import FAR, NEAR, Link, Machines, NotAllowed
+from adit.programs import listening
 
 CRACKING = [word for setting in ("time.duration=3 ms", "time.dt_factor=0.8", "output.field_times=[1 ms]",
                                  "particles.bonds.tensile_strength=100 kN") for word in ("--set", setting)]

@@ -1,4 +1,4 @@
-"""A template with one fault: broken_template.py FAULT. Each fault is one that scripts/conformance must find."""
+"""A template with one fault: broken_template.py FAULT. Each fault is one that adit conformance must find."""
 
 import pathlib
 import sys

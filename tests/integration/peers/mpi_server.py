@@ -10,6 +10,8 @@ import unittest
 from programs import CASE, COUPLER, SOURCE, Listening, ProgramTest, children_of, wait_until
 
 SERVE = SOURCE / "adapters/fenicsx/serve.py"
+
+
 def mpirun(ranks):
     """The beginning of a command on so many ranks."""
     # mpirun refuses root without a word.

@@ -1,14 +1,12 @@
-"""scripts/conformance passes our servers and the templates, and keeps what participants print apart from its table."""
+"""adit conformance passes our servers and the templates, and keeps what participants print apart from its table."""
 
 import shlex
 import subprocess
-import sys
 import unittest
 
-from programs import BUILD, SOURCE
+from programs import ADIT, BUILD, SOURCE
 
-sys.path.insert(0, str(SOURCE / "scripts"))
-from adit_conformance import CHECKS, states, statics  # noqa: E402
+from adit.conformance import CHECKS, states, statics  # noqa: E402
 
 PYTHON = "/usr/bin/python3"
 NO_TEMPLATE = [check.__name__.replace("_", " ") for check in (*statics.CHECKS, *states.CHECKS)]
@@ -28,7 +26,7 @@ runpy.run_path(sys.argv.pop(1), run_name="__main__")
 
 
 def conformance(option, command, *arguments):
-    return subprocess.run([PYTHON, SOURCE / "scripts/conformance", option, command, *arguments], capture_output=True, text=True)
+    return subprocess.run([*ADIT, "conformance", option, command, *arguments], capture_output=True, text=True)
 
 
 class Conformance(unittest.TestCase):

@@ -1,14 +1,12 @@
-"""Each line of scripts/conformance finds the fault that it is for: a participant with just this fault fails it."""
+"""Each line of adit conformance finds the fault that it is for: a participant with just this fault fails it."""
 
-import sys
 import unittest
 
 from peers import broken_road
 from programs import SOURCE, Server
 
-sys.path.insert(0, str(SOURCE / "scripts"))
-from adit_conformance import CHECKS  # noqa: E402
-from adit_conformance.client import Failure, Gone, Participant  # noqa: E402
+from adit.conformance import CHECKS
+from adit.conformance.client import Failure, Gone, Participant
 
 BROKEN = SOURCE / "tests/integration/peers/broken_template.py"
 

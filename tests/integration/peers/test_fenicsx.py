@@ -10,10 +10,9 @@ from unittest.mock import Mock
 import numpy as np
 from google.protobuf import text_format
 from peers.mpi_server import LostTest, MpiServer, needed
-from programs import CASE, SOURCE, ProgramTest, coupler
+from programs import ADIT, CASE, ProgramTest, SOURCE, coupler
 
-sys.path.insert(0, str(SOURCE / "scripts"))
-from adit_conformance.client import Participant, scene, wire  # noqa: E402
+from adit.conformance.client import Participant, scene, wire  # noqa: E402
 
 sys.path.insert(0, str(SOURCE / "adapters/fenicsx"))
 from serve import relay  # noqa: E402
@@ -90,7 +89,7 @@ class TwoRanks(ProgramTest):
     def test_conformance(self):
         for check in CHECKS:
             with self.subTest(check):
-                command = ["/usr/bin/python3", SOURCE / "scripts/conformance", "--fdm", self.server.address, "--only", check]
+                command = [*ADIT, "conformance", "--fdm", self.server.address, "--only", check]
                 done = subprocess.run(command, capture_output=True, text=True)
                 self.assertEqual(done.returncode, 0, done.stdout)
                 self.assertRegex(done.stdout, " ok ")

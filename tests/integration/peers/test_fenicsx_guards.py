@@ -1,11 +1,11 @@
-"""Whoever is lost of the FEniCSx continuum under MPI, the run ends and nothing stays behind; and all of scripts/conformance."""
+"""Whoever is lost of the FEniCSx continuum under MPI, the run ends and nothing stays behind; and all of adit conformance."""
 
 import signal
 import subprocess
 import unittest
 
 from peers.mpi_server import LostTest, needed, served
-from programs import SOURCE
+from programs import ADIT
 
 
 class Guards(LostTest):
@@ -28,7 +28,7 @@ class Guards(LostTest):
 @needed
 class Conformance(unittest.TestCase):
     def test_all_checks(self):
-        done = subprocess.run(["/usr/bin/python3", SOURCE / "scripts/conformance", "--fdm", " ".join(served(2))], capture_output=True, text=True)
+        done = subprocess.run([*ADIT, "conformance", "--fdm", " ".join(served(2))], capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stdout)
 
 

@@ -5,7 +5,7 @@ import shutil
 import subprocess
 import unittest
 
-from programs import CASE, SOURCE, Listening, ProgramTest, columns
+from programs import ADIT, CASE, Listening, ProgramTest, SOURCE, columns
 
 # Of the largest displacement. Both have the same zones; only the order of their sums differs.
 TOLERANCE = 0.01
@@ -60,7 +60,7 @@ class GoParticipant(ProgramTest):
     def test_conformance(self):
         for check in CHECKS:
             with self.subTest(check):
-                command = ["/usr/bin/python3", SOURCE / "scripts/conformance", "--fdm", self.program, "--only", check]
+                command = [*ADIT, "conformance", "--fdm", self.program, "--only", check]
                 done = subprocess.run(command, capture_output=True, text=True)
                 self.assertEqual(done.returncode, 0, done.stdout)
                 self.assertRegex(done.stdout, " ok ")
@@ -74,6 +74,7 @@ class GoParticipant(ProgramTest):
 
     def test_ground_under_loads_and_motions(self):
         self.assert_same_tip(self.scene(PUSHED_GROUND))
+
 
 if __name__ == "__main__":
     unittest.main()

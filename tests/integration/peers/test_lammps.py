@@ -4,15 +4,13 @@ import os
 import pathlib
 import signal
 import subprocess
-import sys
 import time
 import unittest
 
 from peers.mpi_server import Ranks, mpirun
-from programs import BUILD, CASE, SOURCE, ProgramTest, children_of, coupler, cracks, wait_until
+from programs import BUILD, CASE, ProgramTest, children_of, coupler, cracks, wait_until
 
-sys.path.insert(0, str(SOURCE / "scripts"))
-from adit_bench.peers import held  # noqa: E402
+from benchmarks.peers import held
 
 PROGRAM = BUILD / "adapters/lammps/adit_lammps"
 # Of the largest value; both compute the same pairs, and ranks add them up in another order.
@@ -115,7 +113,7 @@ class LammpsLosesARank(LammpsTest):
 
 @unittest.skipUnless(PROGRAM.exists(), "adapters/lammps is left out")
 class CodesTakeTurns(unittest.TestCase):
-    """scripts/bench ranks: servers and LAMMPS's own discs hold their models, and compute steps of them in turn."""
+    """tools/bench ranks: servers and LAMMPS's own discs hold their models, and compute steps of them in turn."""
 
     def test_on_one_rank_and_two(self):
         described = ("plane: PLANE_STRESS time { duration: 1 } material { young_modulus: 2e7 poisson_ratio: 0.2 density: 2000 } "

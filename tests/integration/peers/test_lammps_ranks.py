@@ -3,7 +3,7 @@
 import subprocess
 
 from peers.test_lammps import BEAM, STRENGTH, LammpsTest, served
-from programs import CASE, SOURCE
+from programs import ADIT, CASE
 
 
 class LammpsOnMoreRanks(LammpsTest):
@@ -12,6 +12,6 @@ class LammpsOnMoreRanks(LammpsTest):
             self.assertGreater(self.assert_same(beam, (1, 2, 4), *STRENGTH), 2)
 
     def test_conformance(self):
-        command = ["/usr/bin/python3", SOURCE / "scripts/conformance", "--dem", " ".join(served(2))]
+        command = [*ADIT, "conformance", "--dem", " ".join(served(2))]
         done = subprocess.run(command, capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stdout)

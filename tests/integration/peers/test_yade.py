@@ -4,13 +4,11 @@ the place of dem_server in a coupled run."""
 import math
 import shutil
 import subprocess
-import sys
 import unittest
 
-from programs import CASE, SOURCE, Listening, ProgramTest, columns, coupler
+from programs import ADIT, CASE, Listening, ProgramTest, SOURCE, columns, coupler
 
-sys.path.insert(0, str(SOURCE / "scripts"))
-from adit_bench.peers import particles as peers  # noqa: E402
+from benchmarks.peers import particles as peers
 
 DISCS, ROWS, RADIUS, DENSITY = 52, 6, 10 / 104, 2500.0
 NORMAL, SHEAR, FORCE = 2.6e10, 1.3e10, 1e5  # [N/m], [N/m], [N]
@@ -91,7 +89,7 @@ class YadeAsParticles(ProgramTest):
         self.assertIn("do not break", done.stderr)
 
     def test_it_passes_the_conformance_checks(self):
-        done = subprocess.run([SOURCE / "scripts/conformance", "--dem", SOURCE / "adapters/yade/participant.py"],
+        done = subprocess.run([*ADIT, "conformance", "--dem", SOURCE / "adapters/yade/participant.py"],
                               capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stdout)
         self.assertNotIn("FAILED", done.stdout)

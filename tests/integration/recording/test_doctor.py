@@ -11,7 +11,7 @@ import unittest
 
 from foreign import Listener
 from peers.test_templates import template
-from programs import CASE, COUPLER, SOURCE, ProgramTest, Server, coupler
+from programs import ADIT, CASE, COUPLER, ProgramTest, Server, coupler
 
 
 class Doctor(ProgramTest):
@@ -99,7 +99,7 @@ class Doctor(ProgramTest):
 
     def test_tls(self):
         folder = self.folder / "certificates"
-        subprocess.run([SOURCE / "scripts/certificates", folder, "localhost", "laptop"], check=True, capture_output=True)
+        subprocess.run([*ADIT, "certificates", folder, "localhost", "laptop"], check=True, capture_output=True)
         with Server("dem_server", "127.0.0.1:0", "--tls", folder / "localhost") as server:
             address = "localhost:" + server.address.rpartition(":")[2]
             text = self.examine(address, 0, "TLS 1.3, certificate of localhost, signed by Adit authority", options=("--tls", folder / "laptop"))

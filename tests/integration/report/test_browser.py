@@ -8,7 +8,7 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
 from browser import FAULTS, page, requested
-from programs import CASE, COUPLER, PATIENCE_S, SOURCE, ProgramTest
+from programs import ADIT, CASE, COUPLER, PATIENCE_S, ProgramTest
 
 WIDTHS = (390, 1400)  # CSS pixels: a phone and a screen
 TIMES = ("20 ms", "32 ms", "36 ms")  # before the first crack, with one, with several
@@ -19,7 +19,7 @@ def reported(name, folder):
     run = folder / name
     subprocess.run([COUPLER, "run", CASE / f"{name}.yaml", "--out", run, "--set", "time.duration=36 ms", "--set",
                     f"output.field_times=[{', '.join(TIMES)}]"], check=True, capture_output=True, timeout=PATIENCE_S)
-    subprocess.run([SOURCE / "scripts" / "report", run], check=True, capture_output=True, timeout=120)
+    subprocess.run([*ADIT, "report", run], check=True, capture_output=True, timeout=120)
     return run
 
 
@@ -59,7 +59,7 @@ class Browser(ProgramTest):
 
     def test_nothing_overlaps_or_reaches_beyond_the_page(self):
         other = reported("full_dem", self.run_folder.parent)
-        subprocess.run([SOURCE / "scripts" / "compare", self.run_folder, other], check=True, capture_output=True, timeout=120)
+        subprocess.run([*ADIT, "compare", self.run_folder, other], check=True, capture_output=True, timeout=120)
         compared = self.run_folder.parent / "report.html"
         self.assertIn('href="full_dem/report.html"', compared.read_text())
         for path in (self.path, compared):

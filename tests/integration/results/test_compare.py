@@ -1,28 +1,26 @@
-"""scripts/compare lays runs side by side, and scripts/run --vary computes variants of a scene and compares them."""
+"""adit compare lays runs side by side, and scripts/run --vary computes variants of a scene and compares them."""
 
 import csv
 import pathlib
 import re
 import shutil
 import subprocess
-import sys
 import unittest
 
 from browser import FAULTS, page
-from programs import BUILD, CASE, PATIENCE, SOURCE, ProgramTest, children_of, wait_until
+from programs import ADIT, BUILD, CASE, PATIENCE, ProgramTest, SOURCE, children_of, wait_until
 
-sys.path.insert(0, str(SOURCE / "scripts"))
-from adit_compare import bonds  # noqa: E402
-from adit_plots import model_pictures  # noqa: E402
-from adit_report.results import Results  # noqa: E402
-from adit_run import variants  # noqa: E402
+from adit.compare import bonds
+from adit.plots import model_pictures
+from adit.report.results import Results
+from adit.runs import variants
 
 CRACKED = ("--set", "time.duration=32 ms", "--set", "output.field_times=[28 ms, 32 ms]")
 TUNNEL = SOURCE / "cases" / "hzm" / "uniform_0.1g.yaml"
 
 
 def compare(*arguments):
-    return subprocess.run([SOURCE / "scripts" / "compare", *map(str, arguments)], capture_output=True, text=True, timeout=200)
+    return subprocess.run([*ADIT, "compare", *map(str, arguments)], capture_output=True, text=True, timeout=200)
 
 
 class Compare(ProgramTest):
@@ -95,11 +93,9 @@ class Compare(ProgramTest):
 
 class Vary(ProgramTest):
     def vary(self, *arguments):
-        """As scripts/run calls it, which would build first."""
-        return subprocess.run([sys.executable, "-m", "adit_run.variants", BUILD / "coupler" / "coupler", CASE / "coupled.yaml",
-                               "--out", self.folder / "out", "--no-report", "--set", "time.duration=2 ms", "--set",
-                               "output.field_times=[]", *arguments], capture_output=True, text=True, timeout=200,
-                              cwd=SOURCE / "scripts")
+        return subprocess.run([*ADIT, "run", CASE / "coupled.yaml", "--out", self.folder / "out", "--no-report", "--set",
+                               "time.duration=2 ms", "--set", "output.field_times=[]", *arguments], capture_output=True, text=True,
+                              timeout=200)
 
     def test_every_combination_is_computed_in_a_folder_of_its_own_and_compared(self):
         done = self.vary("--vary", "time.dt_factor=0.25,0.5", "--vary", "interface.solve=consistent,lumped")
@@ -168,9 +164,8 @@ class Vary(ProgramTest):
         self.assertTrue((self.folder / "out" / "comparison" / "figures.csv").exists())
 
     def test_programs_end_when_the_variants_are_stopped(self):
-        started = subprocess.Popen([sys.executable, "-m", "adit_run.variants", BUILD / "coupler" / "coupler", CASE / "coupled.yaml",
-                                    "--out", self.folder / "out", "--set", "time.duration=100 s", "--set", "output.field_times=[]",
-                                    "--vary", "time.dt_factor=0.3,0.4"], stdout=subprocess.DEVNULL, cwd=SOURCE / "scripts")
+        started = subprocess.Popen([*ADIT, "run", CASE / "coupled.yaml", "--out", self.folder / "out", "--set", "time.duration=100 s",
+                                    "--set", "output.field_times=[]", "--vary", "time.dt_factor=0.3,0.4"], stdout=subprocess.DEVNULL)
         self.addCleanup(started.kill)
         wait_until(lambda: len(list((self.folder / "out").glob("*/histories.csv"))) > 0)
         programs = children_of(started.pid)

@@ -1,22 +1,21 @@
 """Whatever is left of a run, and however little happens in it, scripts show what there is or say in one sentence why they cannot."""
 
 import contextlib
+import importlib
 import io
 import os
 import pathlib
-import runpy
 import shutil
 import subprocess
-import sys
 import unittest
 from unittest import mock
 
 from programs import BUILD, SOURCE, ProgramTest, coupler
 
-sys.path.insert(0, str(SOURCE / "scripts"))
-from adit_plots import style  # noqa: E402
-from adit_report import pictures  # noqa: E402
+from adit.plots import style
+from adit.report import pictures
 
+ROOMS = {"plot": "plots", "report": "report", "compare": "compare", "paraview": "paraview"}  # of the commands
 COARSE = 20  # dots per inch: this is about whether pictures are drawn
 
 MATERIAL = "material: {young_modulus: 30 GPa, poisson_ratio: 0.2, density: 2500 kg/m^3}\n"
@@ -74,14 +73,13 @@ DAMAGES = {"first_row": keep_rows(1), "no_row": keep_rows(0), "half_a_name": cut
            "empty_histories": cut("histories.csv", 0), "nan": nan_columns}
 
 
-def called(script, *arguments):
-    """(exit code, standard error) of a script, in this process, since loading matplotlib takes longer than most drawing."""
+def called(name, *arguments):
+    """(exit code, standard error) of a command of `adit`, in this process, since loading matplotlib takes longer than most drawing."""
     said, code = io.StringIO(), 0
-    with mock.patch.object(sys, "argv", [str(script), *map(str, arguments)]), contextlib.redirect_stderr(said), \
-            contextlib.redirect_stdout(io.StringIO()), mock.patch.object(pictures, "DOTS", COARSE), \
+    with contextlib.redirect_stderr(said), contextlib.redirect_stdout(io.StringIO()), mock.patch.object(pictures, "DOTS", COARSE), \
             style.plt.rc_context({"savefig.dpi": COARSE}):
         try:
-            runpy.run_path(str(SOURCE / "scripts" / script), run_name="__main__")
+            importlib.import_module(f"adit.{ROOMS[name]}.command").main([str(word) for word in arguments])
         except SystemExit as end:
             code = end.code or 0
     return code, said.getvalue()
@@ -113,7 +111,7 @@ class OddRuns(ProgramTest):
             self.assertIn(code, (0, 2), said)
             self.assertEqual(said.count("\n"), 1 if code else 0, said)
             if code:
-                self.assertRegex(said, rf"^scripts/{script}: .*[.:!?]\n|^scripts/{script}: ")
+                self.assertRegex(said, rf"^scripts/adit {script}: ")
             return code
 
     def test_runs_in_which_nothing_happens_are_shown(self):

@@ -1,4 +1,4 @@
-"""The state that scripts/paraview writes asks ParaView for parts, arrays and ranges that the files of the run hold, as VTK
+"""The state that adit paraview writes asks ParaView for parts, arrays and ranges that the files of the run hold, as VTK
 reads them. ParaView itself is not installed where tests run: a stand-in for its module notes what the state asks for."""
 
 import subprocess
@@ -12,7 +12,7 @@ import numpy
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
-from programs import CASE, PATIENCE_S, SOURCE, ProgramTest
+from programs import ADIT, CASE, PATIENCE_S, ProgramTest
 
 READERS = {".vtu": vtk.vtkXMLUnstructuredGridReader, ".vtp": vtk.vtkXMLPolyDataReader}
 
@@ -47,7 +47,7 @@ def read(path):
 
 class ParaView(ProgramTest):
     def state_of(self, run):
-        done = subprocess.run([SOURCE / "scripts" / "paraview", run], capture_output=True, text=True, timeout=PATIENCE_S)
+        done = subprocess.run([*ADIT, "paraview", run], capture_output=True, text=True, timeout=PATIENCE_S)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(done.stdout, f"state              {run / 'fields' / 'paraview.py'}\n")
         return run / "fields" / "paraview.py"
@@ -100,7 +100,7 @@ class ParaView(ProgramTest):
         run = self.run_scene(CASE / "coupled.yaml", "--set", "time.duration=1 ms", "--set", "output.field_times=[]")
         for piece in (run / "fields").glob("*"):
             piece.unlink()
-        done = subprocess.run([SOURCE / "scripts" / "paraview", run], capture_output=True, text=True, timeout=PATIENCE_S)
+        done = subprocess.run([*ADIT, "paraview", run], capture_output=True, text=True, timeout=PATIENCE_S)
         self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1))
         self.assertIn("holds no fields: ask for them by output.field_times", done.stderr)
 

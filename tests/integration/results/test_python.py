@@ -10,10 +10,9 @@ import unittest
 
 import numpy
 
-from programs import BUILD, CASE, PATIENCE_S, SOURCE, ProgramTest
+from programs import ADIT, BUILD, CASE, PATIENCE_S, ProgramTest, SOURCE
 
-sys.path.insert(0, str(SOURCE / "scripts"))
-from adit import Run, Unusable  # noqa: E402
+from adit import Run, Unusable
 
 SHORT = ("--set", "time.duration=12 ms", "--set", "output.field_times=[4 ms, 8 ms, 12 ms]")
 PULLED = "--set", "particles.bonds.tensile_strength=1 MN"  # so weak that it cracks at once
@@ -92,7 +91,7 @@ class Reading(ProgramTest):
     def test_a_run_that_was_killed_has_its_pictures(self):
         run = self.coupled()
         (run.folder / "summary.json").unlink()
-        done = subprocess.run([SOURCE / "scripts" / "plot", run.folder], capture_output=True, text=True, timeout=200)
+        done = subprocess.run([*ADIT, "plot", run.folder], capture_output=True, text=True, timeout=200)
         self.assertEqual(done.returncode, 0, done.stderr)
         drawn = {path.stem for path in (run.folder / "pictures").glob("*.png")}
         self.assertLessEqual({"histories", "energy", "deformed_12ms", "bonds_4ms", "displacement_8ms"}, drawn)

@@ -5,11 +5,10 @@ import pathlib
 import shutil
 import signal
 import subprocess
-import sys
 import time
 import unittest
 
-from programs import BUILD, CASE, COUPLER, PATIENCE, SOURCE, ProgramTest, children_of, wait_until
+from programs import ADIT, BUILD, CASE, COUPLER, PATIENCE, SOURCE, ProgramTest, children_of, wait_until
 
 LONG = ("--set", "time.duration=50 s", "--set", "output.history_interval=0.1 ms", "--set", "output.field_times=[1 ms]")
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
@@ -141,7 +140,7 @@ class Stop(ProgramTest):
         other = shutil.copytree(run, self.folder / "other")
         for script in ("plot", "report", "compare"):
             runs = [run, other] if script == "compare" else [run]
-            done = subprocess.run([sys.executable, SOURCE / "scripts" / script, *runs], capture_output=True, text=True,
+            done = subprocess.run([*ADIT, script, *runs], capture_output=True, text=True,
                                   timeout=200 * PATIENCE, cwd=self.folder)
             self.assertEqual(done.returncode, 0, f"{script}: {done.stderr}")
         page = (run / "report.html").read_text()

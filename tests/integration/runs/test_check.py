@@ -4,13 +4,11 @@ import math
 import pathlib
 import re
 import subprocess
-import sys
 import unittest
 
-from programs import CASE, SOURCE, ProgramTest, Server, counts_resources, coupler
+from programs import ADIT, CASE, ProgramTest, Server, counts_resources, coupler
 
-sys.path.insert(0, str(SOURCE / "scripts"))
-from adit_plots.setup.checked import Checked  # noqa: E402
+from adit.plots.setup.checked import Checked
 
 SHORT = ("--set", "time.duration=5 ms", "--set", "output.field_times=[2 ms]")
 
@@ -276,7 +274,7 @@ continuum:
     def test_the_model_is_drawn(self):
         out = self.folder / "model"
         self.check(self.scene(GROUND), "--out", out)
-        done = subprocess.run([SOURCE / "scripts" / "plot", "--model", out], capture_output=True, text=True)
+        done = subprocess.run([*ADIT, "plot", "--model", out], capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual([p.name for p in (out / "pictures").iterdir()], ["model.png"])
 

@@ -1,16 +1,14 @@
 """The cases of the continuum, in short versions, agree with wave theory and closed forms."""
 
 import subprocess
-import sys
 
 import numpy
 
-from programs import PATIENCE_S, SOURCE, ProgramTest
+from programs import ADIT, PATIENCE_S, ProgramTest, SOURCE
 
-sys.path.insert(0, str(SOURCE / "scripts"))
 from adit import Run
-from adit_studies import site_pictures, site_response
-from adit_studies.tunnels import lined_tunnel, lined_tunnel_pictures
+from adit.cases import site_response
+from adit.cases.tunnels import lined_tunnel, lined_tunnel_pictures
 
 SITE, TUNNEL = SOURCE / "cases" / "site_response", SOURCE / "cases" / "lined_tunnel"
 WAVELET = "continuum.base.acceleration={ricker: {frequency: 4 Hz, time: 0.5 s}, peak: %s}"
@@ -76,5 +74,5 @@ class LinedTunnel(ProgramTest):
             self.assertAlmostEqual(found / theory, 1, delta=0.05, msg=f"{what}, {form}")
         for figure in (lined_tunnel_pictures.around(ovaling), lined_tunnel_pictures.over_time(wave)):
             figure.savefig(self.folder / "picture.png")
-        subprocess.run([SOURCE / "scripts" / "plot", wave.folder], check=True, capture_output=True, timeout=120)
+        subprocess.run([*ADIT, "plot", wave.folder], check=True, capture_output=True, timeout=120)
         self.assertTrue((wave.folder / "pictures" / "lining_forces_560ms.png").exists())

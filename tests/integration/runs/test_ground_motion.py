@@ -97,7 +97,6 @@ class GroundMotion(ProgramTest):
         message = self.refusal(path, "--set", f"{field}={RECORDS / 'KOBE_NS1_wrong_header.AT2'}")
         self.assertIn("states 10102 points, but 2567 values follow", message)
 
-
     @unittest.skipUnless(RECORDS.is_dir() and RECORDS.name, "the PEER records are not on this machine (ADIT_RECORDS)")
     def test_outcrop_has_the_displacement_of_the_record_for_any_duration(self):
         outcrop = self.scene("""\

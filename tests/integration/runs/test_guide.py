@@ -80,7 +80,7 @@ class Readme(unittest.TestCase):
 
     def test_its_commands_name_what_exists(self):
         commands = [content for language, content in guide.blocks(self.text) if language in ("sh", "console")]
-        named = re.findall(r"\b(?:scripts|cases)/[\w./-]*[\w]", "".join(commands))
+        named = re.findall(r"\b(?:scripts|cases|tools)/[\w./-]*[\w]", "".join(commands))
         self.assertTrue(named)
         for name in named:
             self.assertTrue((SOURCE / name).exists(), name)

@@ -1,6 +1,5 @@
 """The Longxi tunnel, in a short and coarse version: an offset of the fault cuts the lining there and spares it far away."""
 
-import sys
 import unittest
 
 import numpy as np
@@ -8,9 +7,8 @@ import numpy as np
 import references
 from programs import SOURCE, ProgramTest, coupler
 
-sys.path.insert(0, str(SOURCE / "scripts"))
 from adit import Run
-from adit_studies.longxi import along, section
+from adit.cases.longxi import along, section
 
 CASE = SOURCE / "cases" / "longxi"
 

@@ -1,4 +1,4 @@
-"""Cases compute what their reference.json holds, and scripts/compare --reference says where a run does not."""
+"""Cases compute what their reference.json holds, and adit compare --reference says where a run does not."""
 
 import json
 import shlex

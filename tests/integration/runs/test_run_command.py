@@ -8,10 +8,10 @@ import sys
 import unittest
 from unittest import mock
 
-from programs import CASE, PATIENCE, SOURCE, ProgramTest, wait_until
+from programs import ADIT, CASE, PATIENCE, SOURCE, ProgramTest, wait_until
 
-sys.path.insert(0, str(SOURCE / "scripts"))
-from adit_studies import coupled_runs  # noqa: E402
+from adit.cli import COMMANDS
+from adit.runs import coupled_runs
 
 
 class RunCommand(ProgramTest):
@@ -42,9 +42,9 @@ class RunCommand(ProgramTest):
                 self.assertIn(str(self.folder / "record.csv"), (self.folder / run / "scene.yaml").read_text())
 
     def test_every_front_door_tells_its_options(self):
-        for script in ("run", "plot", "report", "compare", "paraview", "calibrate", "certificates", "cluster", "trade", "command"):
-            with self.subTest(script):
-                done = subprocess.run([SOURCE / "scripts" / script, "--help"], cwd=self.folder, capture_output=True, text=True,
+        for words in ([], *([name] for name in COMMANDS)):
+            with self.subTest(words):
+                done = subprocess.run([*ADIT, *words, "--help"], cwd=self.folder, capture_output=True, text=True,
                                       timeout=60 * PATIENCE)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
                 self.assertGreater(len(done.stdout), 100)

@@ -1,6 +1,5 @@
 """Scenes with tunnels: the run's `scene.yaml` shows what they became, and the cases of tunnels can be computed."""
 
-import sys
 import unittest
 
 import numpy
@@ -8,9 +7,8 @@ import numpy
 import references
 from programs import SOURCE, ProgramTest, coupler
 
-sys.path.insert(0, str(SOURCE / "scripts"))
 from adit import Run
-from adit_studies.tunnels import ring_ovaling
+from adit.cases.tunnels import ring_ovaling
 
 SCENE = """\
 material: {young_modulus: 1 GPa, poisson_ratio: 0.2, density: 2 t/m^3}

@@ -1,17 +1,17 @@
-"""scripts/trade measures how accuracy falls with cost."""
+"""adit trade measures how accuracy falls with cost."""
 
 import csv
 import os
 import subprocess
 import unittest
 
-from programs import PATIENCE_S, SOURCE, ProgramTest
+from programs import ADIT, PATIENCE_S, ProgramTest
 
 ERRORS = ("force_l2", "near_l2", "far_l2")
 
 
 def trade(*arguments, **environment):
-    return subprocess.run([SOURCE / "scripts" / "trade", *map(str, arguments)], capture_output=True, text=True,
+    return subprocess.run([*ADIT, "trade", *map(str, arguments)], capture_output=True, text=True,
                           timeout=PATIENCE_S, env=os.environ | environment)
 
 

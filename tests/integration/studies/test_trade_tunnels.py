@@ -1,17 +1,14 @@
-"""scripts/trade measures models of a tunnel against the finest; the fault's beam agrees with integrals in closed form."""
+"""adit trade measures models of a tunnel against the finest; the fault's beam agrees with integrals in closed form."""
 
 import csv
-import sys
 import unittest
 
 import numpy as np
 
-from programs import SOURCE, ProgramTest
+from programs import ProgramTest
 from studies.test_trade import trade
 
-sys.path.insert(0, str(SOURCE / "scripts"))
-
-from adit_trade.tunnels.fault_beam import Beam  # noqa: E402
+from adit.trade.tunnels.fault_beam import Beam
 
 
 def integral(values, s):

@@ -1,0 +1,1 @@
+"""Micro-properties of bonded discs, by tests of a laboratory of discs."""

@@ -1,0 +1,1 @@
+"""The Longxi tunnel: along its axis, and its elastic section."""

@@ -1,0 +1,1 @@
+"""Linings of tunnels beside closed forms."""

@@ -1,0 +1,59 @@
+"""Compares runs: their main figures side by side, and what they compute in one picture each.
+
+Of several runs it writes into the folder that holds all of them, or into DIR:
+    report.html     a page: figures with differences and ratios, histories, spectra, envelopes and cracks in one picture each,
+                    force chains and bonds side by side at every instant that the runs share
+    comparison/     the same pictures as files, and figures.csv: every figure of summary.json that differs
+The first run is the one that the others are measured by. With --reference it compares each run with the reference.json of its
+case instead, prints a table, and ends with exit code 1 where a figure is not within its tolerance.
+"""
+import argparse
+import os
+import sys
+from pathlib import Path
+
+from adit import programs
+from adit.compare import files, page, reference
+from adit.report import overview
+from adit.report.results import Results
+
+
+def main(words):
+    parser = argparse.ArgumentParser(prog=programs.command("compare"), description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folders", metavar="RUN_DIR", nargs="+", help="folder of a run")
+    parser.add_argument("--out", metavar="DIR", type=Path, help="folder of the comparison")
+    parser.add_argument("--reference", metavar="FILE", type=Path, help="reference.json of a case, as in cases/longxi")
+    parser.add_argument("--no-report", action="store_true", help="write no report.html")
+    parser.add_argument("--no-pictures", action="store_true", help="write figures.csv only: neither pictures nor report.html")
+    options = parser.parse_args(words)
+    with programs.refusals_told("compare"):
+        if options.reference:
+            runs = [Results(folder) for folder in options.folders]
+            sys.exit(0 if agree(runs, reference.Reference(options.reference)) else 1)
+        compare(options.folders, options.out, with_pictures=not options.no_pictures, with_report=not options.no_report)
+
+
+def agree(runs, expected):
+    """Prints how each run agrees with the reference; whether all figures are within their tolerances."""
+    compared = [(run, expected.figures(run)) for run in runs]
+    for run, figures in compared:
+        print(*reference.lines(run, expected, figures), sep="\n")
+    return all(figure.is_within() for _, figures in compared for figure in figures)
+
+
+def compare(folders, out, with_pictures=True, with_report=True):
+    """Prints the figures of runs side by side; writes the comparison of several into `out` or the folder that holds all."""
+    runs = [Results(folder) for folder in folders]
+    paths = [run.folder.resolve() for run in runs]
+    common = Path(os.path.commonpath([path.parent for path in paths]))
+    out = (out or common).resolve()
+    if len({run.name for run in runs}) < len(runs):
+        for run, path in zip(runs, paths):
+            run.name = path.relative_to(common).as_posix()
+    print(*overview.lines(runs), sep="\n", flush=True)
+    if len(runs) > 1:
+        files.write(out.name, runs, out / "comparison", with_pictures=with_pictures)
+        print(f"\ncomparison         {out / 'comparison'}", flush=True)
+        if with_report and with_pictures:
+            print(f"report             {page.write(out.name, runs, out)}", flush=True)

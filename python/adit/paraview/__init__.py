@@ -1,0 +1,1 @@
+"""States by which ParaView shows runs."""

@@ -1,0 +1,168 @@
+"""Fields in colours over the undeformed model: peaks over time; displacement, principal stress and yield state at an instant."""
+import numpy as np
+from matplotlib.collections import EllipseCollection, PolyCollection
+from matplotlib.patches import Patch
+
+from adit.plots import style
+from adit.plots.colour_scale import Scale, number
+from adit.plots.deformation import common_motion, told
+
+LIGHT_WEIGHT = 0.01  # zones that have less tell little: they follow the particles
+HALF_WEIGHT = 0.5  # particles that have less: the zones below them tell more
+
+PEAKS = {  # field: what it is, unit, size of the unit, what is marked: the largest of this function
+    "peak_displacement_m": ("largest displacement", "mm", 1e-3, np.abs),
+    "peak_velocity_m_per_s": ("largest velocity", "m/s", 1, np.abs),
+    "peak_acceleration_m_per_s2": ("largest acceleration", "m/s²", 1, np.abs),
+    "peak_shear_strain": ("largest shear strain", "10⁻³", 1e-3, np.abs),
+    "peak_largest_principal_stress_Pa": ("largest principal stress (tension)", "MPa", 1e6, np.positive),
+    "peak_smallest_principal_stress_Pa": ("smallest principal stress (compression)", "MPa", 1e6, np.negative)}
+
+HYSTERETIC = 256
+# Bits of yield_state (fdm_server/materials/solid.hpp) that make a kind, its name and colour; the first that holds.
+YIELD = ((1, "shear now", style.RED), (2, "tension now", style.BLUE), (16 | 32, "weak plane now", style.GREEN),
+         (4, "shear before", "#F3C3A8"), (8, "tension before", "#B5D3E8"), (64 | 128, "weak plane before", "#B2DDD0"),
+         (HYSTERETIC, "hysteretic, which does not yield", "#F0F0F0"))
+
+
+def peaks(run, time, pieces):
+    """Yields (name, figure) of every peak over time that the snapshot holds."""
+    for field, (what, unit, size, marked) in PEAKS.items():
+        shown = _with_field(pieces, field)
+        if shown:
+            values = {kind: piece[field] / size for kind, piece in shown.items()}
+            yield field.partition("_m_per")[0].removesuffix("_m").removesuffix("_Pa"), _coloured(
+                run, f"{what} until t = {style.instant(time)}", shown, values, unit, marked)
+
+
+def displacement(run, time, pieces):
+    """How far zones and particles have moved. A motion that all points share is taken off, and told in the title."""
+    shown = _with_field(pieces, "displacement_m")
+    if not shown:
+        return None
+    common = common_motion(shown)
+    values = {kind: 1e3 * np.hypot(*(piece["displacement_m"][:, :2] - common).T) for kind, piece in shown.items()}
+    return _coloured(run, f"displacement at t = {style.instant(time)}{told(common)}", shown, values, "mm", np.abs)
+
+
+def principal_stress(run, time, pieces):
+    """The larger principal stress in the plane, tension positive: of the whole model, or where the particles are and in the
+    zones among them."""
+    shown = _with_field(pieces, "stress_Pa")
+    if not shown:
+        return None
+    values = {}
+    for kind, piece in shown.items():
+        xx, yy, xy = piece["stress_Pa"].T
+        values[kind] = ((xx + yy) / 2 + np.hypot((xx - yy) / 2, xy)) / 1e6
+    near = [shown["particles"]] if "particles" in shown else None
+    return _coloured(run, f"largest principal stress (tension) at t = {style.instant(time)}", shown, values, "MPa", np.positive,
+                     near)
+
+
+def _with_field(pieces, field):
+    """The zones and particles that have this field."""
+    return {kind: pieces[kind] for kind in ("grid", "particles") if kind in pieces and pieces[kind].field(field) is not None}
+
+
+def yield_state(run, time, pieces):
+    """Which zones yield now and which did before, and how; nothing where all ground is hysteretic."""
+    grid = pieces.get("grid")
+    state = None if grid is None else grid.field("yield_state")
+    heavy = grid is not None and grid.field("weight") >= LIGHT_WEIGHT
+    if state is None or np.all(state[heavy] == HYSTERETIC):
+        return None
+    figure, axes, add_legend = style.model_sheet(
+        style.bounds_of(grid.points), f"{run.name}: what yields at t = {style.instant(time)}")
+    axes.add_collection(PolyCollection(grid.points[grid.cells[heavy]], fc="none", ec="#D5D5D5", lw=0.3))
+    handles, left = [], heavy
+    for bits, name, colour in YIELD:
+        chosen = left & (state.astype(int) & bits > 0)
+        left = left & ~chosen
+        if np.any(chosen):
+            axes.add_collection(PolyCollection(grid.points[grid.cells[chosen]], fc=colour, ec="none"))
+            handles.append(Patch(fc=colour, label=f"{name}: {int(chosen.sum()):,} zones"))
+    handles.append(Patch(fc="white", ec="#D5D5D5", label=f"elastic: {int(left.sum()):,} zones"))
+    add_legend(handles, columns=min(len(handles), 4))
+    return figure
+
+
+def _coloured(run, what, pieces, values, unit, marked, near=None):
+    """`marked`: the largest of this function of the values is marked; `near`: the pieces whose extent is drawn, else all."""
+    bounds = style.bounds_of(*(piece.points for piece in near or pieces.values()))
+    figure, axes, _ = style.model_sheet(bounds, f"{run.name}: {what}", right=1.15)
+    heavy = {kind: _heavy(piece, values[kind]) for kind, piece in pieces.items()}
+    seen = {kind: heavy[kind] & style.shown(axes, _places(piece, values[kind])) for kind, piece in pieces.items()}
+    scale = Scale(np.concatenate([values[kind][seen[kind]] for kind in pieces]))
+    for kind, piece in pieces.items():
+        drawn = _draw(axes, piece, values[kind], heavy[kind], scale)
+    box = axes.get_position()
+    bar = figure.colorbar(drawn, extend=scale.extend(), cax=figure.add_axes((
+        box.x1 + 0.25 / figure.get_figwidth(), box.y0, 0.14 / figure.get_figwidth(), box.height)))
+    bar.set_label(f"[{unit}]")
+    if scale.low == scale.high:
+        bar.set_ticks([scale.low])
+    _mark_largest(axes, pieces, values, seen, unit, marked)
+    _write_below(axes, 0, scale.beyond(unit))
+    return figure
+
+
+def _draw(axes, piece, values, heavy, scale):
+    """Particles as discs, zones in the colours of their values, or of those at their corners with lines of equal values."""
+    look = scale.look()
+    if piece.is_cloud:
+        width = 2 * piece.field("radius_m")[heavy]
+        drawn = EllipseCollection(width, width, np.zeros_like(width), units="xy", offsets=piece.points[heavy],
+                                  offset_transform=axes.transData, array=values[heavy], ec="none", zorder=3, **look)
+        return axes.add_collection(drawn)
+    if len(values) == len(piece.cells):
+        return axes.add_collection(PolyCollection(piece.points[piece.cells[heavy]], array=values[heavy], ec="face", lw=0.2, **look))
+    cells = piece.cells[_heavy_cells(piece)]
+    triangles = *piece.points.T, np.concatenate([cells[:, [0, 1, 2]], cells[:, [0, 2, 3]]])
+    levels = [level for level in scale.levels() if values[heavy].min() < level < values[heavy].max()]
+    if levels:
+        axes.tricontour(*triangles, values, levels, colors="white", linewidths=0.4, linestyles="solid")
+    return axes.tripcolor(*triangles, values, shading="gouraud", **look)
+
+
+def _places(piece, values):
+    """Where the values are: at the points, or in the middles of the cells."""
+    return piece.points if len(values) == len(piece.points) else piece.points[piece.cells].mean(axis=1)
+
+
+def _heavy(piece, values):
+    """Which values count: not those of light zones and particles, nor of particles that were taken away."""
+    if piece.is_cloud:
+        weight = piece.field("weight")
+        return piece.is_there() & (True if weight is None else weight >= HALF_WEIGHT)
+    heavy = _heavy_cells(piece)
+    if len(values) == len(heavy):
+        return heavy
+    of_points = np.full(len(values), False)
+    of_points[piece.cells[heavy]] = True
+    return of_points
+
+
+def _heavy_cells(grid):
+    weight = grid.field("weight")
+    return np.full(len(grid.cells), True) if weight is None else weight >= LIGHT_WEIGHT
+
+
+def _mark_largest(axes, pieces, values, seen, unit, marked):
+    """Marks the largest value that is shown by a ring and writes it below the picture."""
+    tops = []
+    for kind, piece in pieces.items():
+        found = np.flatnonzero(seen[kind])
+        if len(found):
+            top = found[np.argmax(marked(values[kind][found]))]
+            tops.append((marked(values[kind][top]), values[kind][top], *_places(piece, values[kind])[top]))
+    _, value, x, y = max(tops)
+    axes.plot(x, y, "o", ms=9, mfc="none", mec=style.RED, mew=1.3, zorder=5, clip_on=False)
+    _write_below(axes, 1, f"○ {number(value)} {unit} at x = {x:.4g} m, y = {y:.4g} m", color=style.RED)
+
+
+def _write_below(axes, line, text, **look):
+    """Writes a line of text below the picture, counted from the lower edge; nothing for an empty text."""
+    if text:
+        width, height = axes.figure.get_size_inches()
+        axes.figure.text(0.65 / width, (0.1 + style.LINE * line) / height, text, size=8.5, **look)

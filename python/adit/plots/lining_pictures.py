@@ -1,0 +1,67 @@
+"""Thrust, moment and shear force of linings, drawn across them where they act."""
+import numpy as np
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from adit.plots import style
+
+FORCES = (("thrust_N", "thrust N", "kN"), ("moment_Nm", "moment M", "kN m"), ("shear_N", "shear force Q", "kN"))
+REACH = 0.3  # length at which the largest value is drawn, relative to the size of the lining
+
+
+def lining_forces(run, time, pieces):
+    """One panel for each force. Positive values are drawn to the right of the lining's path; dashed lines are the least and
+    the largest so far."""
+    linings = pieces.get("linings")
+    if linings is None or len(linings.cells) == 0:
+        return None
+    size = max(np.ptp(linings.points, axis=0))
+    bounds = style.bounds_of(linings.points - REACH * size, linings.points + REACH * size)
+    figure, panels = style.plt.subplots(1, len(FORCES), figsize=(10.5, 4.6), gridspec_kw={
+        "left": 0.06, "right": 0.99, "top": 0.88, "bottom": 0.19, "wspace": 0.16})
+    figure.suptitle(f"{run.name}: forces in the lining at t = {style.instant(time)}, per metre", x=0.01, ha="left")
+    normals = _right_normals(linings)
+    for axes, (name, what, unit) in zip(panels, FORCES):
+        axes.set(xlim=bounds[:2], ylim=bounds[2:], aspect="equal", xlabel="x [m]")
+        _draw(axes, linings, normals, name, REACH * size)
+        axes.set_title(f"{what}: {_range(linings.field(name))} {unit}", loc="left")
+    panels[0].set_ylabel("y [m]")
+    figure.legend(handles=[
+        Patch(fc=style.RED, alpha=0.5, label="positive: tension, or the right-hand side of the path stretched"),
+        Patch(fc=style.BLUE, alpha=0.5, label="negative"),
+        Line2D([], [], color=style.GREY, ls="--", label="least and largest so far")], loc="lower center", ncol=3)
+    return figure
+
+
+def _draw(axes, linings, normals, name, reach):
+    values = linings.field(name)
+    peaks = [peak for end in ("least", "largest") if (peak := linings.field(f"peak_{end}_{name}")) is not None]
+    largest = np.abs([values, *peaks]).max()
+    offset = normals * (reach * values / largest if largest > 0 else 0 * values)[:, None]
+    ends = linings.points[linings.cells]
+    moved = (linings.points + offset)[linings.cells]
+    positive = values[linings.cells].mean(axis=1) >= 0
+    axes.add_collection(PolyCollection(
+        np.concatenate([ends, moved[:, ::-1]], axis=1), fc=np.where(positive, style.RED, style.BLUE), alpha=0.5, lw=0))
+    axes.add_collection(LineCollection(moved, color=style.BLACK, lw=0.7))
+    axes.add_collection(LineCollection(ends, color=style.BLACK, lw=1.8))
+    for peak in peaks if largest > 0 else ():
+        outline = linings.points + normals * (reach * peak / largest)[:, None]
+        axes.add_collection(LineCollection(outline[linings.cells], color=style.GREY, lw=0.9, ls="--"))
+
+
+def _right_normals(linings):
+    """The unit normal at each node, perpendicular to the mean direction of the beams that meet there."""
+    along = linings.points[linings.cells[:, 1]] - linings.points[linings.cells[:, 0]]
+    along /= np.hypot(*along.T)[:, None]
+    mean = np.zeros_like(linings.points)
+    for end in (0, 1):
+        np.add.at(mean, linings.cells[:, end], along)
+    mean /= np.maximum(np.hypot(*mean.T), 1e-12)[:, None]
+    return np.stack([mean[:, 1], -mean[:, 0]], axis=1)
+
+
+def _range(values):
+    low, high = values.min() / 1e3, values.max() / 1e3
+    return f"{low:,.4g} to {high:,.4g}"

@@ -1,0 +1,194 @@
+"""Pictures of the model at an instant: deformed shape, force chains (Fig. 8), bonds and cracks (Fig. 9)."""
+import numpy as np
+from matplotlib.collections import EllipseCollection, LineCollection, PolyCollection
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch, Polygon
+
+from adit.plots import joints, style
+from adit.plots.deformation import common_motion, near, round_below, scale_of, told
+
+ZONE_FACE, ZONE_EDGE, DISC_FACE, DISC_EDGE = "#C6DBEF", style.BLUE, "#FDD9A0", "#A86400"
+OVERLAP_FACE = "#BDBDBD"
+CLOSE_UP = 0.36  # of the area
+LEVELS = 40  # of the widths of force chains
+LINES_OF_A_PATH = 5000  # longer paths overflow the memory of the renderer
+INTACT, TENSILE_CRACK, SHEAR_CRACK = 0, 1, 2
+
+
+def deformed(run, time, pieces, scale=None):
+    """The deformed model: zones as quadrilaterals, particles as discs of their size. `scale` of the displacements: else
+    that of this instant. A motion that all points share is taken off, and told in the title."""
+    models = {kind: pieces[kind] for kind in ("grid", "particles") if kind in pieces}
+    if not models:
+        return None
+    common, scale = common_motion(pieces), scale or scale_of(pieces)
+    moved = {kind: piece.moved(scale, common) for kind, piece in models.items()}
+    kept = {kind: near(models[kind], points, scale) for kind, points in moved.items()}
+    figure, axes, add_legend = style.model_sheet(
+        style.bounds_of(*(p.points for p in models.values()), *(moved[kind][kept[kind]] for kind in models)),
+        f"{run.name}: deformed model at t = {style.instant(time)}, displacements × {scale:g}{told(common)}")
+    grid = pieces.get("grid")
+    handles = _shade_overlap(axes, run, grid, moved.get("grid"))
+    if grid is not None:
+        _draw_zones(axes, grid, moved["grid"], fc=ZONE_FACE, ec="none", zorder=1)
+        width = min(0.7, 0.06 * style.length_in_points(axes, np.ptp(grid.points[grid.cells], axis=1).max(axis=1)))
+        _draw_zones(axes, grid, moved["grid"], fc="none", ec=ZONE_EDGE, lw=width, zorder=3)  # over the particles
+        handles.append(Patch(fc=ZONE_FACE, ec=ZONE_EDGE, label="zones"))
+    if "particles" in models:
+        there = models["particles"].is_there()
+        size = 2 * models["particles"].field("radius_m", np.zeros(len(there)))[there]
+        axes.add_collection(EllipseCollection(
+            size, size, np.zeros_like(size), units="xy", offsets=moved["particles"][there],
+            offset_transform=axes.transData, fc=DISC_FACE, ec=DISC_EDGE, lw=0.35, zorder=2))
+        handles.append(Line2D([], [], ls="", marker="o", ms=6, mfc=DISC_FACE, mec=DISC_EDGE, label="particles"))
+        far = int(np.sum(there & ~kept["particles"]))
+        if far:
+            handles.append(Line2D([], [], ls="", label=f"{_count(far, 'loose particle')} may lie outside"))
+    add_legend(handles)
+    return figure
+
+
+def force_chains(run, time, pieces, bounds=None, scale=None):
+    """Bonds as lines whose width is proportional to the normal force; the largest force is marked. `scale`: the force [N] of
+    the widest line, the largest of this picture where it is not given; `bounds`: what is drawn, else `close_up`."""
+    bonds = pieces.get("bonds")
+    if bonds is None or len(bonds.cells) == 0:
+        return None
+    figure, axes, add_legend = _undeformed_sheet(run, time, pieces, bounds, "normal forces in the bonds")
+    lines, force = bonds.points[bonds.cells], bonds.field("normal_force_N")
+    handles = _draw_surroundings(axes, run, pieces)
+    top = int(np.nanargmax(np.abs(force)))
+    largest = abs(force[top])
+    scale = scale or largest
+    if largest > 0:
+        sample = round_below(scale)
+        widest = min(4.0, max(0.8, 0.5 * _length_in_points(axes, lines)))  # dense bonds stay apart
+        level = np.round(LEVELS * np.abs(force) / scale).astype(int)
+        for k in range(1, LEVELS + 1):  # the largest on top; single lines of their own widths take long to draw
+            for sign, color in ((1, style.RED), (-1, style.BLUE)):
+                _draw_lines(axes, lines[(level == k) & (sign * force > 0)], color, widest * k / LEVELS)
+        x, y = lines[top].mean(axis=0)
+        axes.plot(x, y, "o", ms=11, mfc="none", mec=style.BLACK, mew=1.1, zorder=5)
+        handles += [
+            Line2D([], [], color=color, lw=widest * sample / scale, label=f"{sign} (width of {_kilonewton(sample)})")
+            for color, sign in ((style.RED, "tension"), (style.BLUE, "compression"))]
+        handles.append(Line2D([], [], ls="", marker="o", ms=9, mfc="none", mec=style.BLACK, label=(
+            f"largest: {_kilonewton(largest)} ({'tension' if force[top] > 0 else 'compression'})"
+            f" at x = {x:.2f} m, y = {y:.2f} m")))
+    add_legend(handles, columns=3)
+    return figure
+
+
+def bonds(run, time, pieces, bounds=None):
+    """Intact bonds as thin lines; a crack, and a bond between two groups that broke, as a short line across the bond."""
+    piece = pieces.get("bonds")
+    if piece is None or len(piece.cells) == 0:
+        return None
+    lines, state = piece.points[piece.cells], piece.field("state")
+    intact, between = state == INTACT, _between_groups(pieces)
+    cracks = int(np.sum(~intact & ~between))
+    figure, axes, add_legend = _undeformed_sheet(
+        run, time, pieces, bounds, "no cracks" if cracks == 0 else _count(cracks, "crack"))
+    handles = _draw_surroundings(axes, run, pieces)
+    _draw_lines(axes, lines[intact], style.GREY, 0.5)
+    handles.append(Line2D([], [], color=style.GREY, lw=0.8, label=_count(int(np.sum(intact)), "intact bond")))
+    for chosen, name, color in (((state == TENSILE_CRACK) & ~between, "tensile crack", style.RED),
+                                ((state == SHEAR_CRACK) & ~between, "shear crack", style.BLUE),
+                                (~intact & between, "debonded bond", style.ORANGE)):
+        if chosen.any():
+            axes.add_collection(LineCollection(_across(lines[chosen]), lw=2.4, color=color, zorder=4))
+            handles.append(Line2D([], [], color=color, lw=2.4, label=_count(int(np.sum(chosen)), name)))
+    add_legend(handles)
+    return figure
+
+
+def _between_groups(pieces):
+    """Whether each bond joins particles of two groups."""
+    cells = pieces["bonds"].cells
+    group = pieces["particles"].field("group") if "particles" in pieces else None
+    return np.zeros(len(cells), bool) if group is None else group[cells[:, 0]] != group[cells[:, 1]]
+
+
+def _draw_lines(axes, lines, color, width):
+    """Many lines of one look, joined to paths with gaps."""
+    for some in np.array_split(lines, 1 + len(lines) // LINES_OF_A_PATH) if len(lines) else ():
+        x, y = np.insert(some, 2, np.nan, axis=1).reshape(-1, 2).T
+        axes.plot(x, y, color=color, lw=width, solid_capstyle="round")
+
+
+def close_up(pieces):
+    """Bounds of the whole model, or of the bonds alone where they fill a small part of it."""
+    bonds, bounds = pieces["bonds"], style.bounds_of(*(p.points for p in pieces.values()))
+    if not len(bonds.cells):
+        return bounds
+    near = style.bounds_of(bonds.points[np.unique(bonds.cells)])
+    return near if _area(near) < CLOSE_UP * _area(bounds) else bounds
+
+
+def _area(bounds):
+    x_min, x_max, y_min, y_max = bounds
+    return (x_max - x_min) * (y_max - y_min)
+
+
+def _undeformed_sheet(run, time, pieces, bounds, what):
+    return style.model_sheet(bounds or close_up(pieces), f"{run.name}: {what} at t = {style.instant(time)}")
+
+
+def _draw_zones(axes, grid, points, **look):
+    axes.add_collection(PolyCollection(points[grid.cells], **look))
+
+
+def _draw_surroundings(axes, run, pieces):
+    grid = pieces.get("grid")
+    handles = _shade_overlap(axes, run, grid)
+    if grid is not None:
+        _draw_zones(axes, grid, grid.points, fc="none", ec="#BBCFE0", lw=0.6)
+        handles.append(Patch(fc="white", ec="#BBCFE0", label="zones"))
+    springs = pieces.get("springs")
+    if springs is not None and len(springs.cells):
+        axes.add_collection(LineCollection(springs.points[springs.cells], color=style.GREEN, lw=1.6, zorder=3))
+        handles.append(Line2D([], [], color=style.GREEN, lw=1.6, label="springs"))
+    return handles + joints.draw(axes, [model for _, model in run.models])
+
+
+def _shade_overlap(axes, run, grid, points=None):
+    """Shades the overlap: a strip from where particles begin to where the continuum ends, or the zones of a ring. `points`:
+    those of the grid after its displacement."""
+    ends = run.overlap()
+    shade = {"fc": OVERLAP_FACE, "ec": "none", "alpha": 0.45}
+    if ends is None:
+        weight = np.array([]) if grid is None else grid.field("weight", np.array([]))
+        shared = weight < 1 - 1e-9  # beyond the overlap rounding leaves a weight just below 1
+        if not np.any(shared):
+            return []
+        points = grid.points if points is None else points
+        axes.add_collection(PolyCollection(points[grid.cells[shared]], zorder=1.5, **shade))
+        return [Patch(label="overlap", **shade)]
+    direction = ends[1] - ends[0]
+    along = np.array([-direction[1], direction[0]]) / np.hypot(*direction)
+    far = along * (np.ptp(axes.get_xlim()) + np.ptp(axes.get_ylim()))
+    corners = [ends[0] - far, ends[1] - far, ends[1] + far, ends[0] + far]
+    axes.add_patch(Polygon(corners, zorder=0, **shade))
+    return [Patch(label="overlap", **shade)]
+
+
+def _length_in_points(axes, lines):
+    """Median length of the lines in the picture."""
+    ends = axes.transData.transform(lines.reshape(-1, 2)).reshape(-1, 2, 2)
+    return float(np.median(np.hypot(*(ends[:, 1] - ends[:, 0]).T))) * 72 / axes.figure.dpi
+
+
+def _across(lines):
+    """Lines as long as the given ones, turned by a right angle about their middles."""
+    middle, half = lines.mean(axis=1), (lines[:, 1] - lines[:, 0]) / 2
+    turned = np.stack([-half[:, 1], half[:, 0]], axis=1)
+    return np.stack([middle - turned, middle + turned], axis=1)
+
+
+def _kilonewton(force):
+    kilo = force / 1e3
+    return f"{kilo:,.0f} kN" if kilo >= 100 else f"{kilo:.3g} kN"
+
+
+def _count(number, noun):
+    return f"{number:,} {noun}" + ("" if number == 1 else "s")

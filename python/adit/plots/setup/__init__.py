@@ -1,0 +1,1 @@
+"""Pictures of a model before it runs: materials, supports, boundaries, loads, probes."""

@@ -1,0 +1,125 @@
+"""Pictures of a model before it runs: materials, groups, joints, supports, boundaries, loads, probes, overlap."""
+import numpy as np
+from matplotlib.collections import EllipseCollection, LineCollection, PolyCollection
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from adit.plots import style
+from adit.plots.setup import conditions
+from adit.plots.setup.labels import add_labels
+
+# Pale for zones, stronger for particles; the pairs keep apart with any colour vision and in grey.
+ZONES = ("#DCE8F4", "#F6E3C0", "#C9DFC9", "#E9D3E3", "#D2D2D2", "#FFF6B8", "#B9D3EA")
+PARTICLES = ("#F2B65A", "#6C9FC9", "#5FB89B", "#C98BB0", "#E8DC5A", "#9A9A9A", "#D98A5B")
+OVERLAP = "#404040"
+OWN_SHEET = 0.25  # particles that fill less of the width get a sheet of their own
+
+
+def model(checked):
+    """Yields (name, figure): the whole model, and where particles fill a small part of it, a sheet cut to them."""
+    pieces = checked.pieces()
+    points = [piece.points for name, piece in pieces.items() if name.endswith(("grid", "particles"))]
+    whole = style.bounds_of(*points)
+    discs = [piece.points for name, piece in pieces.items() if name.endswith("particles")]
+    cut = style.bounds_of(*discs) if discs else whole
+    both = cut[1] - cut[0] < OWN_SHEET * (whole[1] - whole[0])
+    yield "model", _sheet(checked, pieces, whole, f"{checked.name}: the model", [cut] if both else [])
+    if both:
+        yield "model_particles", _sheet(checked, pieces, cut, f"{checked.name}: the particles", [])
+
+
+def _sheet(checked, pieces, bounds, title, elsewhere):
+    """One picture; probes inside the boxes `elsewhere` are named on another sheet."""
+    span = max(bounds[1] - bounds[0], bounds[3] - bounds[2])
+    room = 0.05 * span  # for arrows and thick edges
+    bounds = bounds[0] - room, bounds[1] + room, bounds[2] - room, bounds[3] + room
+    figure, axes, add_legend = style.sheet_with_legend_beside(bounds, title)
+    handles = []
+    for member in checked.members():
+        draw = _draw_zones if member.is_grid else _draw_particles
+        if member.piece in pieces:
+            handles += draw(axes, member, pieces[member.piece])
+    handles += _shade_overlap(axes, pieces)
+    handles += _draw_supports(axes, pieces)
+    drawn, notes = conditions.draw(axes, checked.members(), pieces, span)
+    handles += drawn + _draw_probes(axes, checked.members(), bounds, elsewhere) + notes
+    add_legend(handles)
+    return figure
+
+
+def _draw_zones(axes, member, grid):
+    number = np.asarray(grid.field("material", np.zeros(len(grid.cells))), int)
+    corners = grid.points[grid.cells]
+    lines = 0.25 if style.length_in_points(axes, np.ptp(corners, axis=1).max(axis=1)) > 3 else 0
+    handles = []
+    for k in np.unique(number):
+        face = ZONES[(k + member.first_colour) % len(ZONES)]
+        axes.add_collection(PolyCollection(corners[number == k], fc=face, ec="#8AA0B5" if lines else face,
+                                           lw=lines or 0.2, zorder=1))
+        if style.shown(axes, corners[number == k]).any():
+            handles.append(Patch(fc=face, ec="#8AA0B5", lw=0.5, label=f"zones: {style.literal(member.material(k))}"))
+    return handles
+
+
+def _draw_particles(axes, member, discs):
+    there = discs.is_there()
+    number = np.asarray(discs.field("group", np.zeros(len(discs.points))), int)
+    size = 2 * discs.field("radius_m", np.zeros(len(discs.points)))
+    handles = []
+    for k in np.unique(number[there]):
+        chosen, face = there & (number == k), PARTICLES[(k + member.first_colour) % len(PARTICLES)]
+        axes.add_collection(EllipseCollection(
+            size[chosen], size[chosen], np.zeros(chosen.sum()), units="xy", offsets=discs.points[chosen],
+            offset_transform=axes.transData, fc=face, ec="none", zorder=2))
+        handles.append(Line2D([], [], ls="", marker="o", ms=7, mfc=face, mec="none",
+                              label=f"particles: {style.literal(member.group(k))}"))
+    return handles
+
+
+def _shade_overlap(axes, pieces):
+    """The darker, the less of the energy the continuum has: the particles have the rest."""
+    shaded = False
+    for name, grid in pieces.items():
+        weight = grid.field("weight")
+        if not name.endswith("grid") or weight is None:
+            continue
+        shared = weight < 1 - 1e-9
+        shaded |= bool(shared.any())
+        colours = np.zeros((shared.sum(), 4))
+        colours[:, 3] = 0.08 + 0.3 * (1 - weight[shared])
+        axes.add_collection(PolyCollection(grid.points[grid.cells[shared]], fc=colours, ec="none", zorder=2.5))
+    return [Patch(fc=OVERLAP, alpha=0.3, label="overlap, darker where zones weigh less")] if shaded else []
+
+
+def _draw_supports(axes, pieces):
+    looks = {"linings": (style.BLACK, 3.0, "lining"), "bolts": (style.PINK, 2.0, "bolts"),
+             "springs": (style.PINK, 2.0, "springs")}
+    handles = []
+    for kind, (color, width, label) in looks.items():
+        lines = [p.points[p.cells] for name, p in pieces.items() if name.endswith(kind) and len(p.cells)]
+        if lines:
+            axes.add_collection(LineCollection(np.concatenate(lines), color=color, lw=width, zorder=4, capstyle="round"))
+            handles.append(Line2D([], [], color=color, lw=width, label=label))
+    return handles
+
+
+def _draw_probes(axes, members, bounds, elsewhere):
+    """A dot for each place of a history, with the names of the histories there."""
+    names = {}
+    for member in members:
+        for history in member.model.get("histories", []):
+            if "at" in history:
+                at = history["at"]["x"], history["at"]["y"]
+                names.setdefault(at, {})[history["name"]] = True
+    if not names:
+        return []
+    places = np.array(list(names))
+    axes.plot(*places.T, "o", ms=4.5, mfc="white", mec=style.BLACK, mew=1.1, zorder=7, clip_on=True)
+    named = [i for i, place in enumerate(places) if _within(place, bounds) and not any(_within(place, b) for b in elsewhere)]
+    texts = [style.literal(", ".join(names[tuple(places[i])])) for i in named]
+    add_labels(axes, places[named], texts)
+    return [Line2D([], [], ls="", marker="o", ms=4.5, mfc="white", mec=style.BLACK, mew=1.1, label="histories")]
+
+
+def _within(place, bounds):
+    return bounds[0] <= place[0] <= bounds[1] and bounds[2] <= place[1] <= bounds[3]

@@ -1,0 +1,150 @@
+"""Pictures over time: the histories and the energies of a run."""
+import matplotlib.pyplot as plt
+import numpy as np
+
+from adit.plots import style
+
+LINES = ("-", "--", "-.", (0, (3, 1, 1, 1, 1, 1)))  # line styles of the models, in turn
+KINDS = {"kinetic": style.BLUE, "strain": style.ORANGE, "released": style.PINK, "dissipated": style.RED, "external_work": style.GREEN,
+         "multiplier_work": style.SKY}
+STORED = ("kinetic", "strain")
+
+# The quantities in histories.csv: endings of the columns' names, name of the quantity, and its units with their sizes.
+QUANTITIES = (
+    (("ux_m", "uy_m", "uz_m"), "displacement", (("µm", 1e-6), ("mm", 1e-3), ("m", 1))),
+    (("vx_m_per_s", "vy_m_per_s"), "velocity", (("mm/s", 1e-3), ("m/s", 1))),
+    (("ax_m_per_s2", "ay_m_per_s2"), "acceleration", (("mm/s²", 1e-3), ("m/s²", 1))),
+    (("sxx_Pa", "syy_Pa", "szz_Pa", "sxy_Pa"), "stress", (("Pa", 1), ("kPa", 1e3), ("MPa", 1e6))),
+    (("exx", "eyy", "gxy"), "strain", (("10⁻⁶", 1e-6), ("10⁻³", 1e-3))),
+    (("thrust_N",), "thrust", (("N/m", 1), ("kN/m", 1e3), ("MN/m", 1e6))),
+    (("moment_Nm",), "moment", (("N m/m", 1), ("kN m/m", 1e3), ("MN m/m", 1e6))),
+    (("shear_N",), "shear force", (("N/m", 1), ("kN/m", 1e3), ("MN/m", 1e6))),
+    (("opening_m", "offset_m"), "joint", (("µm", 1e-6), ("mm", 1e-3), ("m", 1))),
+    (("rotation_rad",), "joint rotation", (("10⁻⁶ rad", 1e-6), ("10⁻³ rad", 1e-3))),
+    (("force_N", "fx_N", "fy_N"), "force", (("N", 1), ("kN", 1e3), ("MN", 1e6))),
+    (("axial_force_N",), "axial force", (("N", 1), ("kN", 1e3), ("MN", 1e6))),
+    (("moment_lateral_N_m", "moment_vertical_N_m"), "moment", (("N m", 1), ("kN m", 1e3), ("MN m", 1e6))),
+    (("shear_lateral_N", "shear_vertical_N"), "shear force", (("N", 1), ("kN", 1e3), ("MN", 1e6))))
+MOST_LINES = 12  # in one panel
+ROW = 0.16  # inches of a line of a legend
+
+
+def histories(run, quantities=None):
+    """The histories of the scene, one panel for each quantity with its largest MOST_LINES."""
+    panels = []
+    for quantity, (units, lines) in (quantities or quantities_of(run)).items():
+        panels.append((quantity, *unit_for(units, [values for _, values in lines]), _largest(lines)))
+    if not panels:
+        return None
+    heights = [max(1.6, ROW * len(lines)) for *_, lines in panels]  # each as high as its legend
+    figure, axes = plt.subplots(len(panels), 1, sharex=True, squeeze=False, figsize=(8.0, 0.9 + sum(heights) + 0.2 * len(heights)),
+                                height_ratios=heights)
+    time, label = style.time_axis(run.histories["time_s"])
+    for panel, (quantity, unit, size, lines) in zip(axes[:, 0], panels):
+        for i, (name, values) in enumerate(lines):
+            panel.plot(time, values / size, lw=1, color=_COLORS[i % len(_COLORS)], ls=LINES[i // len(_COLORS) % len(LINES)],
+                       label=style.literal(said(name)))
+        panel.axhline(0, color=style.GREY, lw=0.4, zorder=0)
+        panel.set_ylabel(f"{quantity} [{unit}]")
+        panel.legend(loc="upper left", bbox_to_anchor=(1.01, 1.04), handlelength=1.6, labelspacing=0.25)
+    axes[0, 0].set_title(f"{run.name}: histories", loc="left")
+    axes[-1, 0].set(xlabel=label, xlim=(time[0], time[-1] or 1))
+    height = figure.get_figheight()
+    figure.subplots_adjust(left=0.11, right=0.79, top=1 - 0.32 / height, bottom=0.5 / height, hspace=0.12)
+    figure.align_ylabels()
+    _widen(figure, [panel.get_legend() for panel in axes[:, 0]])
+    return figure
+
+
+def _widen(figure, legends):
+    """Makes the figure as wide as the legends at its right need."""
+    figure.canvas.draw()
+    width, needed = figure.get_figwidth(), max((legend.get_window_extent().x1 for legend in legends), default=0) / figure.dpi
+    if needed <= width:
+        return
+    at = figure.subplotpars
+    figure.set_figwidth(needed)
+    figure.subplots_adjust(left=at.left * width / needed, right=at.right * width / needed)
+
+
+def quantities_of(run):
+    """{quantity: (its units, [(column, values)])} of the histories of the scene."""
+    found = {}
+    for endings, quantity, units in QUANTITIES:
+        lines = [(name, values) for name, values in run.histories.items() if _ending(name) in endings]
+        if lines and len(run.histories["time_s"]):
+            found[quantity] = units, found.get(quantity, (units, []))[1] + lines
+    return found
+
+
+def _ending(name):
+    """The ending of a column's name that tells its quantity, the longest that fits; None of other columns."""
+    fitting = [ending for endings, *_ in QUANTITIES for ending in endings if name.endswith("_" + ending)]
+    return max(fitting, key=len, default=None)
+
+
+def said(column):
+    """What a legend says of a column: its place, and its direction or quantity."""
+    if column == "max_bond_force_N":
+        return "largest bond force"
+    ending = _ending(column)
+    first, *others = ending.split("_")
+    return f"{column.removesuffix('_' + ending)}, {others[0] if others and others[0] in ('lateral', 'vertical') else first}"
+
+
+def _largest(lines):
+    """The lines of largest magnitude, in the order given."""
+    order = sorted(range(len(lines)), key=lambda i: -np.nanmax(np.abs(lines[i][1]), initial=0))
+    return [lines[i] for i in sorted(order[:MOST_LINES])]
+
+
+def unit_for(units, series):
+    """The unit in which the largest value is at least 1: (its name, its size)."""
+    largest = max(np.nanmax(np.abs(values), initial=0) for values in series)
+    fitting = [unit for unit in units if largest >= unit[1]]
+    return fitting[-1] if fitting else units[0]
+
+
+_COLORS = (style.BLUE, style.RED, style.GREEN, style.ORANGE, style.PINK, style.SKY, style.BLACK)
+
+
+def energy(run):
+    """Three panels: what is put in and lost, what is stored, and the drift of the balance."""
+    h = run.histories
+    if "energy_drift" not in h or not len(h["time_s"]):
+        return None
+    models = [name.removesuffix("_kinetic_J") for name in h if name.endswith("_kinetic_J")]
+    names = [(model, kind) for model in models for kind in KINDS if np.any(h.get(f"{model}_{kind}_J", 0))]
+    time, label = style.time_axis(h["time_s"])
+    rows = [[name for name in names if (name[1] in STORED) == stored] for stored in (False, True)]
+    heights = [max(1.7, ROW * (len(row) + 1)) for row in rows] + [1.0]
+    figure, panels = plt.subplots(3, 1, sharex=True, figsize=(8.0, 0.9 + sum(heights)), height_ratios=heights)
+    for axes, row, what in zip(panels, rows, ("put in and lost", "stored")):
+        total = sum(h[f"{model}_{kind}_J"] for model, kind in row) if what == "stored" and row else None
+        _draw_energies(axes, time, h, row, models, total, what)
+    panels[0].set_title(f"{run.name}: energy", loc="left")
+    panels[2].plot(time, h["energy_drift"], color=style.BLACK, lw=1)
+    panels[2].axhline(0, color=style.GREY, lw=0.5)
+    panels[2].set(xlabel=label, ylabel="drift\n[of the peak]", xlim=(time[0], time[-1] or 1))
+    panels[2].ticklabel_format(axis="y", scilimits=(-2, 3))
+    figure.align_ylabels()
+    height = figure.get_figheight()
+    figure.subplots_adjust(left=0.12, right=0.7, top=1 - 0.32 / height, bottom=0.5 / height, hspace=0.14)
+    _widen(figure, [panel.get_legend() for panel in panels[:2] if panel.get_legend()])
+    return figure
+
+
+def _draw_energies(axes, time, histories, row, models, total, what):
+    """Curves of one panel, wide ones below, so that those that coincide are all seen; `total` is drawn on top."""
+    series = [histories[f"{model}_{kind}_J"] for model, kind in row]
+    unit, size = unit_for((("J", 1), ("kJ", 1e3), ("MJ", 1e6)), [*series, [0]])
+    for (model, kind), values in zip(row, series):
+        wide = {"lw": 3.5, "alpha": 0.4, "zorder": 1} if kind == "external_work" else {}
+        axes.plot(time, values / size, ls=LINES[models.index(model) % len(LINES)], color=KINDS[kind], **wide,
+                  label=f"{model}, {kind.replace('_', ' ').replace('multiplier', 'multipliers’')}")
+    if total is not None:
+        axes.plot(time, total / size, ":", color=style.BLACK, label="kinetic + strain, all")
+    axes.axhline(0, color=style.GREY, lw=0.4, zorder=0)
+    axes.set_ylabel(f"{what} [{unit}]")
+    if row:
+        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.04), handlelength=2.6, labelspacing=0.25)

@@ -1,0 +1,99 @@
+"""Envelopes around rings and along linings: forces of sections and linings against the angle."""
+import re
+
+import numpy as np
+
+from adit.plots import style
+
+FORCES = (("thrust_N", "thrust N", "kN/m"), ("moment_Nm", "moment M", "kN m/m"), ("shear_N", "shear force Q", "kN/m"))
+
+
+def of_sections(results):
+    """Yields a figure for each ring of sections: least and greatest thrust, moment and shear force over time."""
+    for ring, angle, least, greatest in _section_envelopes(results):
+        yield _drawn(f"run: envelopes around {style.literal(ring)}", angle, least, greatest)
+
+
+def largest(results):
+    """Yields (which ring or lining, angles [°], [largest magnitudes of each of FORCES over time]) of all of a run."""
+    for ring, angle, least, greatest in _section_envelopes(results):
+        yield ring, angle, _magnitudes(least, greatest)
+    for which, angle, least, greatest in _lining_envelopes(results.last_pieces.get("linings")):
+        yield which, angle, _magnitudes(least, greatest)
+
+
+def _section_envelopes(results):
+    for ring, sections in _rings(results).items():
+        middles = np.array([[(s["from"][axis] + s["to"][axis]) / 2 for axis in "xy"] for s in sections])
+        order, angle = _around(middles)
+        columns = [[results.histories[f"{sections[i]['name']}_{force}"] / 1e3 for i in order] for force, *_ in FORCES]
+        least, greatest = ([find(series, axis=1) for series in columns] for find in (np.nanmin, np.nanmax))
+        yield ring, angle, least, greatest
+
+
+def _magnitudes(least, greatest):
+    return [np.maximum(np.abs(low), np.abs(high)) for low, high in zip(least, greatest)]
+
+
+def columns(results):
+    """The columns of histories.csv that these figures show."""
+    return {f"{section['name']}_{force}" for ring in _rings(results).values() for section in ring for force, *_ in FORCES}
+
+
+def of_linings(linings):
+    """Yields a figure for each lining: its least and greatest forces so far, around its middle."""
+    for which, angle, least, greatest in _lining_envelopes(linings):
+        yield _drawn(f"run: envelopes around {which}", angle, least, greatest)
+
+
+def _lining_envelopes(linings):
+    if linings is None or len(linings.cells) == 0 or linings.field("peak_largest_thrust_N") is None:
+        return
+    number = linings.field("lining", np.zeros(len(linings.cells)))
+    for k in np.unique(number):
+        nodes = np.unique(linings.cells[number == k])
+        order, angle = _around(linings.points[nodes])
+        least, greatest = ([linings.field(f"peak_{end}_{force}")[nodes][order] / 1e3 for force, *_ in FORCES]
+                           for end in ("least", "largest"))
+        which = f"lining {k + 1:.0f}" if len(np.unique(number)) > 1 else "the lining"
+        yield which, angle, least, greatest
+
+
+def _rings(results):
+    """{ring: its sections} whose forces were recorded; `tube_section_7` is of the ring `tube`."""
+    found = {}
+    for _, model in results.models:
+        for section in model.get("sections", []):
+            if all(f"{section['name']}_{force}" in results.histories for force, *_ in FORCES):
+                ring = re.sub(r"_?(section)?_?\d+$", "", section["name"]) or "the ring"
+                found.setdefault(ring, []).append(section)
+    return {ring: sections for ring, sections in found.items() if len(sections) > 3}
+
+
+def _around(points):
+    """The order of points by their angle [°] about their middle, from x, counter-clockwise; and these angles."""
+    x, y = (points - points.mean(axis=0)).T
+    angle = np.degrees(np.arctan2(y, x)) % 360
+    order = np.argsort(angle)
+    return order, angle[order]
+
+
+def _drawn(title, angle, least, greatest):
+    figure, panels = style.plt.subplots(3, 1, sharex=True, figsize=(8.0, 6.0))
+    panels[0].set_title(title, loc="left")
+    for i, axes in enumerate(panels):
+        axes.fill_between(angle, least[i], greatest[i], color=style.SKY, alpha=0.35, lw=0)
+        axes.plot(angle, least[i], color=style.BLUE, marker=".", ms=3, lw=1, label="least")
+        axes.plot(angle, greatest[i], color=style.RED, marker=".", ms=3, lw=1, label="greatest")
+    panels[0].legend()
+    label(panels)
+    return figure
+
+
+def label(panels):
+    """Labels the panels of FORCES."""
+    for axes, (_, what, unit) in zip(panels, FORCES):
+        axes.axhline(0, color=style.GREY, lw=0.4, zorder=0)
+        axes.set_ylabel(f"{what} [{unit}]")
+        axes.grid(lw=0.3, color="#DDDDDD")
+    panels[-1].set(xlabel="angle from x, counter-clockwise [°]", xlim=(0, 360), xticks=range(0, 361, 45))

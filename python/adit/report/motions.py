@@ -1,0 +1,113 @@
+"""Motions in and out: accelerations over time and response spectra in one picture, and their measures."""
+import numpy as np
+
+from adit.plots import oscillators, spectra_pictures, style, time_pictures
+from adit.plots.spectra_pictures import GRAVITY
+from adit.report import pictures
+from adit.report.markup import section, table, tag
+from adit.report.quantities import figure
+
+DAMPING = "5pct"  # drawn where it was computed, otherwise the first
+MEASURES = (("PGA", "pga_m_per_s2"), ("PGV", "pgv_m_per_s"), ("PGD", "pgd_m"), ("Arias intensity", "arias_m_per_s"),
+            ("CAV", "cav_m_per_s"), ("significant duration", "significant_duration_s"),
+            ("largest amplification", "largest_amplification"), ("at", "largest_amplification_Hz"))
+
+NOISE = 1e-6  # of the largest displacement, below which a station does not move in this direction
+MOST = 6  # amplifications; pictures/ holds all
+
+
+def chapter(results):
+    if results.is_simplified:
+        told = (f"Spectra of the stations follow from their displacements, from {oscillators.ROWS} rows of histories.csv to a "
+                "period on.")
+        drawn = pictures.figure(_of_tunnel(results), tag("p", told, class_="note"))
+        return section("motions", "Motions in and out", drawn)
+    names = list(results.spectra)
+    if not names:
+        told = "The scene asks for no spectra (output.spectra), so that motions stand among the histories only."
+        return section("motions", "Motions in and out", tag("p", told))
+    found = [(results, name, name) for name in names]
+    return section("motions", "Motions in and out", pictures.figure(picture(found)), measures(found), _amplifications(results))
+
+
+def _amplifications(results):
+    drawn = []
+    for name, each in spectra_pictures.motions(results):
+        if name.endswith("_transfer") and len(drawn) < MOST:
+            drawn.append(pictures.figure(each))
+        else:
+            style.plt.close(each)
+    return drawn
+
+
+def _of_tunnel(results):
+    """The motion of the scene, below it how the stations of the tunnel move, and the response spectra of both."""
+    motion, moved = results.table("motion.csv"), time_pictures.quantities_of(results).get("displacement")
+    if not motion or not moved:
+        return None
+    drawn, (before, after, spectra) = style.plt.subplots(3, 1, figsize=(8.0, 7.2))
+    time, acceleration = motion["time_s"], motion["acceleration_m_per_s2"]
+    before.plot(time, acceleration, color=style.BLACK, lw=0.9, label="in: the motion of the scene")
+    response = oscillators.pseudo_acceleration(acceleration, time[1], oscillators.PERIODS)
+    spectra.plot(oscillators.PERIODS, response / GRAVITY, color=style.BLACK, label="in: the motion of the scene, 5 %")
+    time = results.histories["time_s"]
+    largest = max(np.abs(values).max() for _, values in moved[1])
+    for i, (column, values) in enumerate(moved[1]):
+        round_of, colour = divmod(i, len(spectra_pictures.COLORS))
+        look = {"lw": 1, "color": spectra_pictures.COLORS[colour], "ls": time_pictures.LINES[round_of % len(time_pictures.LINES)]}
+        said = style.literal(f"out: {time_pictures.said(column)}")
+        after.plot(time, 1e3 * values, label=said, **look)
+        if len(time) > 2 and np.abs(values).max() > NOISE * largest:
+            periods, response = oscillators.of_displacement(values, time[1])
+            spectra.plot(periods, response / GRAVITY, label=f"{said}, 5 %", **look)
+    before.set_title("run: motions in and out", loc="left")
+    before.set(xlabel="t [s]", ylabel="acceleration [m/s²]", xlim=(time[0], time[-1] or 1))
+    after.set(xlabel="t [s]", ylabel="displacement [mm]", xlim=(time[0], time[-1] or 1))
+    spectra.set(xlabel="period [s]", ylabel="pseudo acceleration [g]", xscale="log")
+    spectra_pictures.plain_decades(spectra)
+    for axes in (before, after, spectra):
+        axes.legend()
+    return drawn
+
+
+def measures(found):
+    used = [(said, key) for said, key in MEASURES
+            if any(run.summary.get(f"{name}_{key}") is not None for run, name, _ in found)]
+    return table("Measures of the motions, from summary.json", ("motion", *(said for said, _ in used)), [
+        (told, *(figure(run.summary, f"{name}_{key}") for _, key in used)) for run, name, told in found])
+
+
+def picture(found):
+    """Motions given as (run, name, what a legend says of it)."""
+    figure_, (over_time, spectra) = style.plt.subplots(2, 1, figsize=(8.0, 5.4))
+    for (results, name, said), colour in zip(found, spectra_pictures.COLORS * len(found)):
+        _draw(results, name, said, colour, over_time, spectra)
+    over_time.set(xlabel="t [s]", ylabel="acceleration [m/s²]")
+    over_time.set_title("run: motions in and out", loc="left")
+    spectra.set(xlabel="period [s]", ylabel="pseudo acceleration [g]", xscale="log")
+    spectra_pictures.plain_decades(spectra)
+    over_time.grid(lw=0.3, color="#DDDDDD")
+    for axes in (over_time, spectra):
+        axes.legend()
+    return figure_
+
+
+def _draw(results, name, said, colour, over_time, spectra):
+    """The motion in solid lines; dashed, the one from which it came."""
+    for kind, label, look in (("input", "input of ", {"ls": "--", "lw": 0.9, "alpha": 0.8}), ("motion", "", {"lw": 1})):
+        motion = results.spectra[name].get(kind)
+        if motion:
+            over_time.plot(motion["time_s"], motion["acceleration_m_per_s2"], color=colour,
+                           label=style.literal(label + said), **look)
+    for kind, label, look in (("reference", "input of ", {"ls": "--", "lw": 0.9}), ("response", "", {"lw": 1.2})):
+        response = results.spectra[name].get(kind)
+        if response:
+            column = _column(response)
+            share = column.removeprefix("psa_").partition("pct")[0]
+            spectra.plot(response["period_s"], response[column] / GRAVITY, color=colour,
+                         label=style.literal(f"{label}{said}, {share} %"), **look)
+
+
+def _column(response):
+    dampings = [column for column in response if column.startswith("psa_")]
+    return next((column for column in dampings if DAMPING in column), dampings[0])

@@ -1,0 +1,1 @@
+"""The files of a run, read when they are asked for."""

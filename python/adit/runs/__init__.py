@@ -1,0 +1,1 @@
+"""Runs: of one scene, of a case, of variants; and watching one."""

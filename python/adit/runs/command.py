@@ -1,0 +1,193 @@
+"""Computes scenes, draws them and reports.
+
+%(prog)s CASE_DIR | SCENE.yaml [options]
+A case runs every scene directly in its folder, or its `study` where it has one. Results: runs/CASE/SCENE/ in the current
+folder. All other options are those of `coupler run`, or of `simplified run` for a scene of a whole tunnel: coupler run --help.
+In a source tree the programs are built first; ADIT_BUILD names a build folder, which is used as it is.
+"""
+import argparse
+import contextlib
+import os
+import re
+import select
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+from adit import programs
+from adit.results.files import Unusable
+from adit.runs import variants
+
+ADDRESS = re.compile(r"\S+:\S+")  # of a server that already listens; any other word is its command
+LONGEST_START_S = 60  # until a server that is started by its command listens
+
+
+def main(words):
+    parser = argparse.ArgumentParser(prog=programs.command("run"), description=__doc__, allow_abbrev=False,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("input", metavar="CASE_DIR | SCENE.yaml")
+    parser.add_argument("--out", metavar="DIR", type=Path, help="another folder of the results")
+    parser.add_argument("--no-report", action="store_true", help="write no report.html")
+    parser.add_argument("--no-pictures", action="store_true", help="draw nothing: neither pictures nor reports")
+    parser.add_argument("--vary", action="append", metavar="KEY=VALUE,VALUE...",
+                        help="compute a scene with each of the values and compare the runs, in runs/CASE/SCENE_variants/; several "
+                        "--vary make every combination, keys of one --vary change together: --vary 'time.dt_factor=0.2,0.5' "
+                        "--vary 'continuum.block.zones_x,continuum.block.zones_y=8:4,16:8'")
+    for name in ("--fdm", "--dem"):
+        parser.add_argument(name, metavar="COMMAND | ADDRESS",
+                            help="start this server and stop it, as in --dem 'mpirun -np 2 adit_lammps', or join the one that listens there")
+    options, others = parser.parse_known_args(words)
+    try:
+        with programs.refusals_told("run", variants.Unclear):
+            sys.exit(run(options, others))
+    except KeyboardInterrupt:  # while pictures are drawn
+        sys.exit(128 + signal.SIGINT)
+
+
+def run(options, others):
+    """Computes all scenes of the input; returns the exit code."""
+    given = found(options.input)
+    if os.access(given / "study", os.X_OK):
+        programs.bring_up_to_date("coupler", "fdm_server", "dem_server")
+        return run_study(given / "study", options, others)
+    scenes = scenes_of(given)
+    programs.bring_up_to_date("coupler")
+    solvers = [program_of(scene) for scene in scenes]
+    programs.bring_up_to_date(*sorted({name for solver in solvers for name in NEEDED[solver]}))
+    if len(scenes) > 1 and options.vary:
+        raise Unusable(f"--vary needs one scene, and {given} holds {len(scenes)}.")
+    if options.vary:
+        return variants.compute_all(programs.program(solvers[0]), scenes[0], options, others + servers_of(options))
+    with contextlib.ExitStack() as servers:
+        others = others + servers_of(options, servers)
+        folders = []
+        for scene, solver in zip(scenes, solvers):
+            out = options.out / scene.stem if options.out and len(scenes) > 1 else options.out
+            print(f"run: {os.path.relpath(scene)}", flush=True)
+            code, folder = compute([programs.program(solver), "run", scene, *(["--out", out] if out else []), *others])
+            if code == 0 or folder:  # what was computed until it failed is reported
+                draw(folder, options, with_pictures=code == 0)
+            if code:
+                print(f"{programs.command('run')}: {os.path.relpath(scene)} failed (exit code {code}, reason above)", file=sys.stderr)
+                return code
+            folders.append(folder)
+    compare(folders, options)
+    print(f"\nResults: {' '.join(f'{folder}/' for folder in folders)}")
+    return 0
+
+
+# What a scene of each program runs.
+NEEDED = {"coupler": ("coupler", "fdm_server", "dem_server"), "simplified": ("simplified",)}
+
+
+def found(text):
+    """The case or the scene: a path from the current folder, or one of the cases that come with Adit."""
+    for path in (Path(text), programs.ROOT / text):
+        if path.exists():
+            return path.resolve()
+    raise Unusable(f"{text} does not exist; name a case or a scene, as in {programs.command('run')} cases/cantilever.")
+
+
+def scenes_of(given):
+    """The scenes of a case, the models to compare with first."""
+    if not given.is_dir():
+        return [given]
+    scenes = sorted(given.glob("*.yaml"), key=lambda scene: (not scene.name.startswith("full_"), scene.name))
+    if not scenes:
+        raise Unusable(f"{given} holds no scene (*.yaml).")
+    return scenes
+
+
+def program_of(scene):
+    """The program that computes a scene, by the reader of scenes itself."""
+    asked = subprocess.run([programs.program("coupler"), "check", scene, "--which"], stdout=subprocess.PIPE, text=True)
+    if asked.returncode:
+        sys.exit(asked.returncode)  # the reader has told why
+    return asked.stdout.strip()
+
+
+def run_study(study, options, others):
+    words = [word for name in ("out", "fdm", "dem") if (value := getattr(options, name)) for word in (f"--{name}", str(value))]
+    words += [f"--{name.replace('_', '-')}" for name in ("no_report", "no_pictures") if getattr(options, name)]
+    words += [word for value in options.vary or () for word in ("--vary", value)]
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(programs.PACKAGE.parent), *os.environ.get("PYTHONPATH", "").split(os.pathsep)])}
+    return subprocess.run([sys.executable, study, *words, *others], env=environment).returncode
+
+
+def servers_of(options, started=None):
+    """The options of the program for the servers that are named; those named by their command are started."""
+    words = []
+    for name in ("fdm", "dem"):
+        given = getattr(options, name)
+        if given and started is not None and not ADDRESS.fullmatch(given):
+            given = started.enter_context(listening(given))
+        words += [f"--{name}", given] if given else []
+    return words
+
+
+@contextlib.contextmanager
+def listening(command):
+    """The address of a server started by its command, which ends with the run."""
+    with subprocess.Popen(["bash", "-c", f"exec {command}"], stdout=subprocess.PIPE, text=True) as process:
+        try:
+            ready, _, _ = select.select([process.stdout], [], [], LONGEST_START_S)
+            line = process.stdout.readline().rstrip("\n") if ready else ""
+            if not line.startswith("listening on "):
+                raise Unusable(f"`{command}` said `{line}` where `listening on HOST:PORT` was expected.")
+            yield line.removeprefix("listening on ")
+        finally:
+            process.terminate()
+
+
+def compute(command):
+    """Runs a program and shows what it prints; returns (exit code, the folder of its results or None).
+
+    The terminal sends SIGINT and SIGHUP to the program, too, which then saves its state; SIGTERM is handed on."""
+    folder = None
+    with subprocess.Popen([*map(str, command)], stdout=subprocess.PIPE, text=True, errors="replace") as process:
+        with _signals({signal.SIGINT: lambda *_: None, signal.SIGHUP: lambda *_: None,
+                       signal.SIGTERM: lambda number, _: process.send_signal(number)}):
+            for line in process.stdout:
+                print(line, end="", flush=True)
+                if line.startswith("results "):
+                    folder = Path(line.removeprefix("results").strip())
+            code = process.wait()
+    return (128 - code if code < 0 else code), folder
+
+
+@contextlib.contextmanager
+def _signals(handlers):
+    """Handles signals meanwhile, but for those that are ignored, as nohup does."""
+    before = {number: signal.signal(number, handler) for number, handler in handlers.items()
+              if signal.getsignal(number) != signal.SIG_IGN}
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def draw(folder, options, with_pictures):
+    """The pictures and the report of a run. What fails here leaves the results as they are."""
+    from adit.plots import command as plots  # matplotlib is imported only where something is drawn
+    from adit.report import page
+
+    if with_pictures and not options.no_pictures:
+        plots.draw([folder])
+    if options.no_pictures or options.no_report:
+        return
+    try:
+        print(f"report             {page.of_run(folder)}", flush=True)
+    except (Unusable, OSError) as error:
+        print(f"{programs.command('run')}: the report of {folder} could not be written ({error}); the results are there", file=sys.stderr)
+
+
+def compare(folders, options):
+    from adit.compare import command as comparison
+
+    print()
+    try:
+        comparison.compare(folders, None, with_pictures=not options.no_pictures, with_report=not options.no_report)
+    except (Unusable, OSError) as error:
+        print(f"{programs.command('run')}: the runs could not be compared: {error}", file=sys.stderr)

@@ -1,0 +1,1 @@
+"""What speed costs in accuracy: models of one structure from the cheapest to the finest."""

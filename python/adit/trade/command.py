@@ -1,0 +1,61 @@
+"""Measures what speed costs in accuracy: %(prog)s [cantilever|bar|longxi|qingcaosha|hzm|all]
+
+cantilever, bar: variants of a coupled model, compared with the particles alone. longxi, qingcaosha, hzm: models of a tunnel from
+the cheapest to the finest, compared with the finest. Computes one after the other and writes runs/trade/CASE.csv (a row a
+variant), CASE.md (the same to read) and CASE.png (errors over cost). adit/trade says which variants; docs/trade.md what
+the columns mean and what follows.
+"""
+import argparse
+from pathlib import Path
+
+from adit import programs
+from adit.plots import style
+from adit.trade import front, measure, models, picture, table
+from adit.trade.tunnels import hzm, ladder, longxi, qingcaosha
+from adit.trade.tunnels.picture import findings_over_cost
+
+TUNNELS = {"longxi": longxi, "qingcaosha": qingcaosha, "hzm": hzm}
+
+
+def study(model, out):
+    rows = []
+    for row in measure.table(model, out / model.name):
+        rows.append(row)
+        print(f"  {model.name}: {row['variant']}: force {100 * row['force_l2']:.2f} %, {row['cpu_s']:.3g} CPU s",
+              flush=True)
+    write(model.name, rows, table.markdown(rows), picture.pareto(model.name, rows), out)
+    print(*front.advice(rows), sep="\n")
+
+
+def climb(steps, out):
+    def told(row):
+        print(f"  {steps.name}: {row['model']}: {row['cpu_s']:.3g} CPU s, {row['wall_s']:.3g} s", flush=True)
+
+    rows = ladder.table(steps, out / steps.name, told)
+    write(steps.name, rows, ladder.markdown(steps, rows), findings_over_cost(steps, rows), out)
+
+
+def write(name, rows, markdown, drawn, out):
+    table.write_csv(out / f"{name}.csv", rows)
+    lines = list(markdown)
+    (out / f"{name}.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
+    style.save(drawn, out / f"{name}.png")
+    print(*lines, f"written: {out / name}.csv, .md, .png", sep="\n")
+
+
+def main(words):
+    parser = argparse.ArgumentParser(prog=programs.command("trade"), description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("case", nargs="?", choices=[*models.MODELS, *TUNNELS, "all"], default="all")
+    parser.add_argument("--quick", action="store_true",
+                        help="for tests: a tiny bar instead of cantilever and bar; few models of a tunnel, over a short time")
+    parser.add_argument("--out", type=Path, default=programs.RUNS / "trade", help="folder of the results")
+    options = parser.parse_args(words)
+    programs.bring_up_to_date("coupler", "fdm_server", "dem_server", "simplified")
+    with programs.refusals_told("trade", measure.RunFailed):
+        options.out.mkdir(parents=True, exist_ok=True)
+        for name in [*models.MODELS, *TUNNELS] if options.case == "all" else [options.case]:
+            if name in TUNNELS:
+                climb(TUNNELS[name].ladder(options.quick), options.out)
+            else:
+                study(models.TINY if options.quick else models.MODELS[name], options.out)

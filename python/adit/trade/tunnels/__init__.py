@@ -1,0 +1,1 @@
+"""Models of whole tunnels, from the cheapest to the finest."""

@@ -1,0 +1,327 @@
+"""Pictures of results stay readable: titles, legends, scales and marks, for models that had spoiled them."""
+
+import types
+import unittest
+
+import numpy as np
+
+from adit import Piece, Table
+from adit.plots import colour_pictures, deformation, lining_pictures, model_pictures, spectra_pictures, style, time_pictures
+from adit.plots.colour_scale import Scale
+from adit.plots.setup import conditions, sheets
+from adit.report import around, model, overview, pictures, response
+
+
+def piece(points, cells, point_fields=None, cell_fields=None):
+    found = object.__new__(Piece)
+    found.points, found.cells = np.array(points, float), np.array(cells)
+    found.point_fields, found.cell_fields = Table(point_fields or {}, "piece"), Table(cell_fields or {}, "piece")
+    return found
+
+
+def column(displacement, width=2.0, height=50.0, zones=25, **cell_fields):
+    """A grid of one zone by many, with a displacement (n, 2) that follows from the points."""
+    y = np.linspace(-height, 0, zones + 1)
+    points = np.column_stack([np.tile([0, width], zones + 1), np.repeat(y, 2)])
+    cells = [(2 * k, 2 * k + 1, 2 * k + 3, 2 * k + 2) for k in range(zones)]
+    moved = np.column_stack([displacement(points), np.zeros(len(points))])
+    return piece(points, cells, {"displacement_m": moved}, {"weight": np.ones(zones), **cell_fields})
+
+
+def cloud(points, displacement):
+    """Particles with their displacements."""
+    count = len(points)
+    return piece(points, np.arange(count)[:, None], {
+        "displacement_m": np.column_stack([displacement, np.zeros(count)]), "radius_m": np.full(count, 0.05), "weight": np.ones(count)})
+
+
+def run_named(name, *models):
+    return types.SimpleNamespace(name=name, overlap=lambda: None, models=[("particles", model) for model in models])
+
+
+def texts_of(legend):
+    return [text.get_text() for text in legend.get_texts()]
+
+
+def box_of(figure, artist):
+    figure.canvas.draw()
+    return artist.get_window_extent()
+
+
+class Titles(unittest.TestCase):
+    def test_a_title_stays_on_the_sheet_of_a_tall_model(self):
+        grid = column(lambda points: 0.075 + 1e-3 * points[:, 1:] ** 2)
+        for figure in (model_pictures.deformed(run_named("hysteretic"), 25.0, {"grid": grid}),
+                       colour_pictures.displacement(run_named("a_scene_of_a_rather_long_name"), 25.0, {"grid": grid})):
+            title = figure.axes[0].title if figure.axes[0].get_title() else figure.axes[0]._left_title
+            box = box_of(figure, title)
+            self.assertLess(box.x1, figure.bbox.x1)
+            self.assertLess(box.y1, figure.bbox.y1)
+
+
+class Displacements(unittest.TestCase):
+    def test_a_motion_that_all_points_share_is_taken_off(self):
+        bent = lambda points: 1e-3 * (points[:, 1:] / 50) ** 2  # noqa: E731
+        at_rest, shaken = column(bent), column(lambda points: 4 + bent(points))
+        self.assertGreaterEqual(deformation.scale_of({"grid": shaken}), deformation.scale_of({"grid": at_rest}))
+        self.assertAlmostEqual(deformation.common_motion({"grid": shaken})[0], 4, delta=1e-3)
+        figure = model_pictures.deformed(run_named("shaken"), 1.0, {"grid": shaken})
+        left, right = figure.axes[0].get_xlim()
+        self.assertLess(right - left, 20, "4 m times the scale would be kilometres")
+        self.assertIn("without the common (4000, 0) mm", figure.axes[0].get_title(loc="left").replace("\n", " "))
+
+    def test_a_model_that_is_held_shows_all_of_its_displacement(self):
+        held = column(lambda points: 1e-2 * (points[:, 1:] + 50) / 50)
+        np.testing.assert_array_equal(deformation.common_motion({"grid": held}), (0, 0))
+
+    def test_a_loose_grain_does_not_set_the_scale(self):
+        places = np.array([(x, y) for x in range(30) for y in range(30)], float) / 10
+        displacement = np.column_stack([1e-3 * places[:, 0], np.zeros(900)])
+        whole = cloud(places, displacement)
+        displacement[450] = 0, -5.2
+        loose = cloud(places, displacement)
+        self.assertEqual(deformation.scale_of({"particles": loose}), deformation.scale_of({"particles": whole}))
+        figure = model_pictures.deformed(run_named("ring"), 1.0, {"particles": loose})
+        self.assertLess(np.ptp(figure.axes[0].get_ylim()), 4)
+        self.assertIn("1 loose particle", " ".join(text.get_text() for text in figure.legends[0].get_texts()))
+
+
+class Colours(unittest.TestCase):
+    def marked(self, figure):
+        return next(text.get_text() for text in figure.texts if "○" in text.get_text())
+
+    def test_tension_is_marked_and_not_the_largest_magnitude(self):
+        stress = np.zeros((25, 3))
+        stress[:, :2] = -0.228e6  # compression everywhere but in one zone
+        stress[7, 0] = 0.17e6
+        figure = colour_pictures.principal_stress(run_named("ring"), 1.0, {"grid": column(lambda p: 0 * p[:, :1], stress_Pa=stress)})
+        self.assertRegex(self.marked(figure), r"^○ 0\.17 MPa at x = 1 m, y = -35 m$")
+
+    def test_light_zones_set_no_scale_and_no_mark(self):
+        weight, strain = np.ones(25), np.full(25, 0.012)
+        weight[3], strain[3] = 0.002, 0.67
+        grid = column(lambda p: 0 * p[:, :1], peak_shear_strain=strain)
+        grid.cell_fields["weight"] = weight
+        (_, figure), = colour_pictures.peaks(run_named("fault"), 1.0, {"grid": grid})
+        self.assertIn("○ 12 10⁻³", self.marked(figure))
+
+    def test_a_field_of_zeros_has_a_scale_of_one_tick(self):
+        figure = colour_pictures.displacement(run_named("rest"), 1.0, {"grid": column(lambda points: 0 * points[:, :1])})
+        self.assertEqual(list(figure.axes[1].get_yticks()), [0])
+
+    def test_a_few_peaks_do_not_rule_the_scale_and_are_told(self):
+        stress = np.zeros((400, 3))
+        stress[:, 0] = np.linspace(0.1e6, 0.2e6, 400)
+        stress[7, 0] = 5.2e6
+        places = np.array([(x, y) for x in range(20) for y in range(20)], float)
+        cracked = cloud(places, np.zeros((400, 2)))
+        cracked.point_fields["stress_Pa"] = stress
+        figure = colour_pictures.principal_stress(run_named("ring"), 1.0, {"particles": cracked})
+        bar = figure.axes[1]._colorbar
+        self.assertLess(bar.vmax, 0.21)
+        self.assertEqual(bar.extend, "max")
+        self.assertIn("○ 5.2 MPa at x = 0 m, y = 7 m", self.marked(figure))
+        told = [text.get_text() for text in figure.texts]
+        self.assertIn("Beyond the scale of colours: 2 above, up to 5.2 MPa", told)  # 0.5 % of 400
+
+    def test_a_roof_that_fell_by_metres_is_told_in_plain_numbers(self):
+        scale = Scale(np.append(np.linspace(1, 2, 999), 10670.4))
+        self.assertIn("up to 10,670 mm", scale.beyond("mm"))
+
+    def test_all_values_lie_in_the_scale_where_none_is_far_from_the_others(self):
+        values = np.sin(np.linspace(0, 3, 1000))
+        scale = Scale(values)
+        self.assertEqual((scale.low, scale.high, scale.beyond("mm")), (values.min(), values.max(), ""))
+
+    def test_ground_can_be_told_apart_beside_a_cracking_lining(self):
+        """Ground shaken by 1 to 3 m/s^2 and particles that crack by thousands: a linear scale shows one colour."""
+        scale = Scale(np.concatenate([np.linspace(1, 3, 500), np.geomspace(5, 2000, 100)]))
+        shown = scale.look()["norm"]([1.0, 3.0])
+        self.assertGreater(shown[1] - shown[0], 0.1)
+
+    def test_the_smaller_sign_is_pale_where_it_is_much_smaller(self):
+        """Compression of 0.2 MPa beside tension of 19 MPa is nearly nothing, and is drawn nearly white."""
+        norm = Scale(np.linspace(-0.2, 19, 200)).look()["norm"]
+        self.assertAlmostEqual(norm(0), 0.5)
+        self.assertGreater(norm(-0.2), 0.45)
+        self.assertEqual(norm(19), 1)
+
+    def test_displacement_is_that_beside_the_common_motion(self):
+        grid = column(lambda points: 4 + 1e-3 * (points[:, 1:] / 50) ** 2)
+        figure = colour_pictures.displacement(run_named("shaken"), 1.0, {"grid": grid})
+        self.assertIn("without the common (4000, 0) mm", figure.axes[0].get_title(loc="left").replace("\n", " "))
+        self.assertRegex(self.marked(figure), r"^○ 0\.7\d* mm")
+
+    def test_rounding_of_the_weight_is_no_overlap(self):
+        grid = column(lambda points: 0 * points[:, :1])
+        grid.cell_fields["weight"] = np.full(25, 1 - 2.2e-16)
+        figure = model_pictures.deformed(run_named("hzm"), 1.0, {"grid": grid})
+        self.assertNotIn("overlap", [text.get_text() for text in figure.legends[0].get_texts()])
+
+
+class Joints(unittest.TestCase):
+    def test_joints_of_a_lining_are_drawn_over_its_bonds(self):
+        state = {"state": np.zeros(2), "normal_force_N": np.array([1e3, -2e3])}
+        segments = piece([(0, 0), (1, 0), (2, 0)], [(0, 1), (1, 2)], {}, state)
+        joint = {"from": {"x": 1.5, "y": -0.2}, "to": {"x": 1.5, "y": 0.2}, "open": True}
+        for draw in (model_pictures.bonds, model_pictures.force_chains):
+            figure = draw(run_named("ring", {"joints": [joint]}), 1.0, {"bonds": segments})
+            self.assertIn("open joint", texts_of(figure.legends[0]))
+            lines = [path.vertices.tolist() for drawn in figure.axes[0].collections for path in drawn.get_paths()]
+            self.assertIn([[1.5, -0.2], [1.5, 0.2]], lines)
+
+    def test_a_close_up_shows_a_long_thin_region_of_particles(self):
+        grid = piece([(-80, -40), (80, -40), (80, 40), (-80, 40)], [(0, 1, 2, 3)])
+        lining = piece([(-54, -9), (54, 9)], [(0, 1)])
+        self.assertEqual(model_pictures.close_up({"grid": grid, "bonds": lining}), style.bounds_of(lining.points))
+
+    def test_bonds_between_two_groups_that_broke_are_no_cracks(self):
+        bonds = piece([(0, 0), (1, 0), (2, 0), (3, 0)], [(0, 1), (1, 2), (2, 3)], cell_fields={"state": np.array([1, 2, 0])})
+        discs = piece(bonds.points, np.arange(4)[:, None], {
+            "displacement_m": np.zeros((4, 3)), "radius_m": np.full(4, 0.5), "weight": np.ones(4), "group": np.array([0, 0, 1, 1])})
+        figure = model_pictures.bonds(run_named("ring"), 1.0, {"bonds": bonds, "particles": discs})
+        self.assertIn("1 crack", figure.axes[0].get_title() + figure.axes[0].get_title(loc="left"))
+        said = [text for legend in [figure.axes[0].get_legend(), *figure.legends] if legend for text in texts_of(legend)]
+        self.assertEqual(said[-3:], ["1 intact bond", "1 tensile crack", "1 debonded bond"])
+
+
+class Models(unittest.TestCase):
+    def test_particles_that_were_taken_away_are_not_drawn(self):
+        discs = cloud([(0, 0), (1, 0), (2, 0)], np.zeros((3, 2)))
+        discs.cells = discs.cells[1:]
+        _, axes = style.plt.subplots()
+        sheets._draw_particles(axes, types.SimpleNamespace(first_colour=0, group=lambda k: "rock"), discs)
+        self.assertEqual(axes.collections[0].get_offsets().tolist(), [[1, 0], [2, 0]])
+
+    def test_edges_that_move_as_a_body_are_drawn_as_moved(self):
+        grid = piece([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2, 3)])
+        motion = {"where": {"x_max": 0}, "body": {"centre": {"x": 0, "y": 0.5}, "path": "edge.csv"}}
+        member = types.SimpleNamespace(piece="grid", is_grid=True, model={"motions": [motion]}, mesh_groups={})
+        _, axes = style.plt.subplots()
+        handles, notes = conditions.draw(axes, [member], {"grid": grid}, 1.0)
+        self.assertEqual([handle.get_label() for handle in handles], ["boundary: moved"])
+        self.assertEqual(notes, [])
+
+    def test_hysteretic_zones_do_not_yield(self):
+        still = column(lambda points: 0 * points[:, :1], yield_state=np.full(25, 256))
+        self.assertIsNone(colour_pictures.yield_state(run_named("site"), 1.0, {"grid": still}))
+        state = np.full(25, 256)
+        state[:10] = [0, 0, 0, 0, 1 | 4, 1 | 4, 4, 8, 8, 8]
+        mixed = column(lambda points: 0 * points[:, :1], yield_state=state)
+        figure = colour_pictures.yield_state(run_named("site"), 1.0, {"grid": mixed})
+        self.assertEqual(texts_of(figure.legends[0]), [
+            "shear now: 2 zones", "shear before: 1 zones", "tension before: 3 zones", "hysteretic, which does not yield: 15 zones",
+            "elastic: 4 zones"])
+
+
+class Spectra(unittest.TestCase):
+    def test_accelerations_are_drawn_in_g(self):
+        table = Table({"period_s": np.array([0.1, 1.0]), "psa_5pct_m_per_s2": np.array([9.80665, 4.903325]),
+                       "sv_5pct_m_per_s": np.ones(2), "sd_5pct_m": np.ones(2)}, "table")
+        run = types.SimpleNamespace(name="site", number=lambda key: 4.903325 if key == "top_pga_m_per_s2" else None)
+        axes = spectra_pictures._response(run, "top", table, None, "input").axes[0]
+        spectrum, pga = axes.get_lines()
+        self.assertEqual(axes.get_ylabel(), "pseudo acceleration [g]")
+        np.testing.assert_allclose(spectrum.get_ydata(), (1, 0.5))
+        np.testing.assert_allclose(pga.get_ydata(), 0.5)
+
+
+class Times(unittest.TestCase):
+    def run_with(self, columns, end):
+        time = np.linspace(0, end, 200)
+        return types.SimpleNamespace(name="ring", histories={"time_s": time} | {name: np.sin(k + time) for k, name in enumerate(columns)})
+
+    def test_legends_of_panels_do_not_print_over_each_other(self):
+        names = [f"place_{k}_{ending}" for ending in ("ux_m", "vx_m_per_s", "sxx_Pa") for k in range(15)]
+        figure = time_pictures.histories(self.run_with(names, 30))
+        boxes = [box_of(figure, axes.get_legend()) for axes in figure.axes]
+        self.assertEqual([len(axes.get_legend().get_texts()) for axes in figure.axes], [time_pictures.MOST_LINES] * 3)
+        for upper, lower in zip(boxes, boxes[1:]):
+            self.assertGreaterEqual(upper.y0, lower.y1)
+        self.assertLessEqual(max(box.x1 for box in boxes), figure.bbox.x1)
+
+    def test_long_runs_are_drawn_in_seconds_and_short_ones_in_milliseconds(self):
+        for end, label, shown in ((30, "t [s]", 30), (0.05, "t [ms]", 50)):
+            axes = time_pictures.histories(self.run_with(["tip_ux_m"], end)).axes[0]
+            self.assertEqual((axes.get_xlabel(), round(axes.get_xlim()[1], 9)), (label, shown))
+
+    def test_energies_that_are_small_beside_the_work_have_a_panel_of_their_own(self):
+        run = self.run_with([], 30)
+        rise = run.histories["time_s"]
+        run.histories |= {"continuum_external_work_J": 5e6 * rise, "continuum_dissipated_J": 4.99e6 * rise,
+                          "continuum_kinetic_J": 4e3 * rise, "continuum_strain_J": 1e3 * rise, "energy_drift": 0 * rise}
+        work, stored, _ = time_pictures.energy(run).axes
+        self.assertEqual((work.get_ylabel(), stored.get_ylabel()), ("put in and lost [MJ]", "stored [kJ]"))
+        self.assertGreater(stored.get_ylim()[1], 100)
+
+
+class Pages(unittest.TestCase):
+    def test_a_motion_is_told_with_its_units_and_in_g(self):
+        told = overview.motion({"synthetic": {"spectrum": "gb_18306", "corner_period": 0.65, "seed": 11}, "peak": 1.96133})
+        self.assertEqual(told, "The motion is synthetic (spectrum gb_18306, corner period 0.65 s, seed 11), with a peak of "
+                               "1.961 m/s² (0.2 g).")
+
+    def test_joints_of_a_whole_tunnel_are_told_with_what_they_consist_of(self):
+        joint = {"from": 222.0, "to": 5442.0, "at": [111.0], "gasket": {"installed_force": 171e6, "force": [0.0, 1e6]},
+                 "lateral_keys": {"stiffness": 3e9, "clearance": 5e-3}, "seal_limit": 0.06}
+        self.assertEqual(model._chainages(joint), "222 m to 5,442 m, 111 m")
+        self.assertEqual(model._properties(joint), "gasket: installed force = 171 MN; lateral keys: stiffness = 3 GN/m, "
+                                                   "clearance = 5 mm; limit of the seal = 60 mm")
+
+    def test_forces_and_diameters_of_a_ring_are_main_figures(self):
+        known = dict(overview.main_figures())
+        self.assertEqual(known["greatest moment, per metre"], "sections_largest_moment_Nm")
+        self.assertEqual(known["shortest diameter, change"], "ovals_smallest_diameter_change_m")
+        self.assertEqual(known["peak bond force: y"], "peak_bond_force_y_m")
+
+    def test_peaks_of_every_lining_are_main_figures(self):
+        summary = {"lining_roof_largest_moment_Nm": -2e4, "lining_roof_thrust_at_largest_moment_N": -3e5,
+                   "lining_roof_least_thrust_N": -4e5, "west_lining_floor_largest_moment_Nm": 1e3}
+        run = types.SimpleNamespace(name="portal", summary=summary, number=summary.get)
+        known = dict(overview.main_figures(run))
+        self.assertEqual(known["lining roof: largest moment, per metre: thrust there"], "lining_roof_thrust_at_largest_moment_N")
+        self.assertEqual(known["lining roof: largest moment, per metre: x"], "lining_roof_largest_moment_x_m")
+        self.assertEqual(known["west_lining floor: least thrust, per metre"], "west_lining_floor_least_thrust_N")
+        lines = [" ".join(line.split()) for line in overview.lines([run])]
+        self.assertEqual(lines[1:], ["lining roof: least thrust, per metre [kN] -400", "lining roof: largest moment, per metre [kN m] -20",
+                                     "thrust there [kN] -300", "west_lining floor: largest moment, per metre [kN m] 1"])
+
+    def test_forces_of_linings_are_drawn_between_their_least_and_largest(self):
+        angle = np.radians(range(0, 360, 45))
+        points = np.column_stack([np.cos(angle), np.sin(angle)])
+        fields = {f"{when}{force}": np.full(8, value) for force, _, _ in around.FORCES
+                  for when, value in (("", -3e3), ("peak_least_", -9e3), ("peak_largest_", -2e3))}
+        ring = piece(points, [(k, (k + 1) % 8) for k in range(8)], fields, {"lining": np.zeros(8)})
+        least, greatest = (next(around.of_linings(ring)).axes[0].get_lines()[k].get_ydata() for k in (0, 1))
+        np.testing.assert_allclose((least, greatest), ([-9] * 8, [-2] * 8))
+        drawn = lining_pictures.lining_forces(run_named("ring"), 1.0, {"linings": ring}).axes[0].collections
+        radii = [np.hypot(*line.get_paths()[0].vertices.T).max() for line in drawn[-2:]]
+        np.testing.assert_allclose(radii, [1 - 2 * lining_pictures.REACH * part for part in (1, 2 / 9)])
+
+    def test_cracks_and_debonded_bonds_are_told_apart(self):
+        table = Table({name: np.array(values) for name, values in {
+            "time_s": [0.5, 1.0, 2.0], "mode": ["shear", "tensile", "shear"], "x_m": [1.0, 2, 3], "y_m": [4.0, 5, 6],
+            "group": ["lining-ground", "lining", "lining-ground"]}.items()}, "cracks.csv")
+        told = response.cracks(types.SimpleNamespace(table=lambda name: table, summary={
+            "crack_count": 1, "first_crack_time_s": 1.0, "first_crack_x_m": 2.0, "first_crack_y_m": 5.0,
+            "debonded_count": 2, "first_debonding_time_s": 0.5, "first_debonding_x_m": 1.0, "first_debonding_y_m": 4.0}))
+        self.assertIn("The only crack inside one body broke at 1 s", told)
+        self.assertIn("The first of 2 debonded bonds between two groups broke at 500 ms", told)
+        self.assertIn("The first 3 of 3 broken bonds", told)
+        known = dict(overview.main_figures())
+        self.assertEqual(known["cracks"], "crack_count")
+        self.assertEqual(known["debonded bonds"], "debonded_count")
+
+    def test_panels_stand_below_each_other_with_both_of_their_axes(self):
+        figure, (left, right) = style.plt.subplots(1, 2, figsize=(10, 3))
+        other = right.twinx()
+        other.set_ylabel("cracks")
+        pictures._fit(figure)
+        figure.canvas.draw()
+        self.assertEqual(other.get_position().bounds, right.get_position().bounds)
+        self.assertGreater(left.get_position().y0, right.get_position().y1)
+        self.assertGreater(left.get_position().height, 0.3)
+
+
+if __name__ == "__main__":
+    unittest.main()
