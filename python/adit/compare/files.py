@@ -1,10 +1,10 @@
 """The pictures and the table that a comparison leaves in a folder."""
-import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from PIL import Image
 
 from adit.compare import bonds, differences, overlays
 from adit.plots import style
+from adit.plots.cores import on_all_cores
+from adit.plots.instants import MOST, spread
 from adit.report import motions
 
 DOTS = 150  # per inch, of pictures joined from those of the runs
@@ -21,11 +21,17 @@ def write(title, runs, folder, with_pictures=True):
     for name, figure in _drawn(title, runs):
         style.save(figure, folder / f"{name}.png")
     runs = bonds.with_bonds(runs)
-    for time, numbers in bonds.common_instants(runs) if len(runs) > 1 else ():
+    common = bonds.common_instants(runs) if len(runs) > 1 else []
+    chosen = spread(common, MOST, [piece for run in runs for piece in run.last_pieces.values()]) if common else []
+
+    def side_by_side(n):
+        time, numbers = chosen[n]
         for view in (bonds.force_chains, bonds.bonds):
             figures = [each for each in view(runs, numbers) if each]
             if figures:
                 joined(figures, folder / f"{view.__name__}_{style.milliseconds(time)}ms.png")
+
+    list(on_all_cores(side_by_side, len(chosen)))
 
 
 def _drawn(title, runs):
@@ -41,7 +47,7 @@ def _drawn(title, runs):
 
 def joined(figures, path):
     """Writes figures into one picture: wide ones below each other, tall ones side by side."""
-    drawn = [_dots(figure) for figure in figures]
+    drawn = [_closed(figure) for figure in figures]
     wide = all(image.width > 1.4 * image.height for image in drawn)
     size = ((max(i.width for i in drawn), sum(i.height for i in drawn)) if wide
             else (sum(i.width for i in drawn), max(i.height for i in drawn)))
@@ -49,12 +55,10 @@ def joined(figures, path):
     for image in drawn:
         whole.paste(image, (0, at) if wide else (at, 0))
         at += image.height if wide else image.width
-    whole.save(path)
+    whole.save(path, compress_level=style.COMPRESSION)
 
 
-def _dots(figure):
-    figure.set_dpi(DOTS)
-    canvas = FigureCanvasAgg(figure)
-    canvas.draw()
+def _closed(figure):
+    dots = style.dots(figure, DOTS)
     style.plt.close(figure)
-    return Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
+    return dots

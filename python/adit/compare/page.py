@@ -1,6 +1,8 @@
 """The page that compares runs: figures side by side, histories, spectra, envelopes and cracks in one picture each, force chains
 and bonds side by side."""
 from adit.compare import bonds, differences, overlays
+from adit.plots.cores import on_all_cores
+from adit.plots.instants import spread
 from adit.report import instants, motions, overview, page, pictures
 from adit.report.markup import bullets, section, table, tag
 from adit.report.quantities import figure
@@ -73,7 +75,9 @@ def _side_by_side(runs, most):
     common = bonds.common_instants(runs) if len(runs) > 1 else []
     if not common:
         return None
-    shown = [(time, _compared(runs, numbers)) for time, numbers in instants.spread(common, most, runs)]
+    chosen = spread(common, most, [piece for run in runs for piece in run.last_pieces.values()])
+    compared = on_all_cores(lambda n: _compared(runs, chosen[n][1]), len(chosen))
+    shown = [(time, figures) for (time, _), figures in zip(chosen, compared)]
     peak = runs[0].number("peak_bond_force_time_s")
     first = len(shown) - 1 if peak is None else min(range(len(shown)), key=lambda n: abs(shown[n][0] - peak))
     return section("instants", "Force chains and cracks at chosen instants",

@@ -2,7 +2,7 @@
 
 %(prog)s RUN_DIR
     writes RUN_DIR/pictures/: deformed model, force chains, bonds, linings, displacement, principal stress and yield state at
-    every field time; histories, energy, peaks over time and spectra. A run of a whole tunnel gives envelopes along the axis
+    the field times, eight of them or --all; histories, energy, peaks over time and spectra. A run of a whole tunnel gives envelopes along the axis
     and motion over time and distance.
 %(prog)s --model SCENE.yaml
     draws the model before it runs (`coupler check`): materials and groups, joints, supports, boundaries, loads, probes,
@@ -11,44 +11,71 @@
 import argparse
 import subprocess
 import sys
-from itertools import chain
 from pathlib import Path
 
-from adit import programs
-from adit import Run
-from adit.plots import (colour_pictures, lining_pictures, model_pictures, spectra_pictures, style, time_pictures,
+from adit import Run, programs
+from adit.plots import (colour_pictures, instants, lining_pictures, model_pictures, spectra_pictures, style, time_pictures,
                         tunnel_pictures)
+from adit.plots.cores import on_all_cores
 from adit.plots.setup import sheets
 from adit.plots.setup.checked import Checked
 
+OF_AN_INSTANT = (model_pictures.deformed, model_pictures.force_chains, model_pictures.bonds, lining_pictures.lining_forces,
+                 colour_pictures.displacement, colour_pictures.principal_stress, colour_pictures.yield_state)
+OVER_TIME = (time_pictures.histories, time_pictures.energy)
 
-def draw_run(folder):
+
+def draw_run(folder, most=None):
+    """Draws a run, at `most` of its instants, all where there is no limit; returns the paths of the pictures."""
     run = Run(folder)
     pictures = run.folder / "pictures"
     for old in pictures.glob("*.png"):  # an earlier run may have had other field times
         old.unlink()
+    groups = list(_groups(run, most))
+
+    def drawn(number):
+        draw, *arguments = groups[number]
+        return [style.save(figure, pictures / f"{name}.png") for name, figure in draw(run, *arguments) if figure]
+
+    return [path for paths in on_all_cores(drawn, len(groups)) for path in paths]
+
+
+def _groups(run, most):
+    """(function, arguments) of pictures that are drawn together: those of an instant read its fields once."""
     if run.is_simplified:
-        for draw in (tunnel_pictures.envelopes, tunnel_pictures.time_distance):
-            yield pictures / f"{draw.__name__}.png", draw(run)
+        yield from ((_one, draw) for draw in (tunnel_pictures.envelopes, tunnel_pictures.time_distance))
         return
-    pieces = None
-    for time, pieces in run.snapshots():
-        for draw in (model_pictures.deformed, model_pictures.force_chains, model_pictures.bonds, lining_pictures.lining_forces,
-                     colour_pictures.displacement, colour_pictures.principal_stress, colour_pictures.yield_state):
-            yield pictures / f"{draw.__name__}_{style.milliseconds(time)}ms.png", draw(run, time, pieces)
-    for name, figure in colour_pictures.peaks(run, time, pieces) if pieces else ():  # in the last snapshot
-        yield pictures / f"{name}.png", figure
-    for name, figure in spectra_pictures.motions(run):
-        yield pictures / f"{name}.png", figure
-    for draw in (time_pictures.histories, time_pictures.energy):
-        yield pictures / f"{draw.__name__}.png", draw(run)
+    numbers = range(len(run.instants))
+    if most and len(numbers) > most:
+        numbers = instants.spread(numbers, most, run.fields().values())
+    yield from ((_of_instant, number) for number in numbers)
+    if run.instants:
+        yield (_of_peaks,)
+    yield (spectra_pictures.motions,)
+    yield from ((_one, draw) for draw in OVER_TIME)
+
+
+def _one(run, draw):
+    yield draw.__name__, draw(run)
+
+
+def _of_instant(run, number):
+    time, files = run.instants[number]
+    pieces = run.pieces_of(files)
+    for draw in OF_AN_INSTANT:
+        yield f"{draw.__name__}_{style.milliseconds(time)}ms", draw(run, time, pieces)
+
+
+def _of_peaks(run):
+    time, files = run.instants[-1]
+    return colour_pictures.peaks(run, time, run.pieces_of(files))
 
 
 def draw_model(scene):
+    """Draws the model of a scene before it runs; returns the paths of the pictures."""
     scene = Path(scene)
     folder = scene if scene.is_dir() else check(scene)
-    for name, figure in sheets.model(Checked(folder)):
-        yield folder / "pictures" / f"{name}.png", figure
+    return [style.save(figure, folder / "pictures" / f"{name}.png") for name, figure in sheets.model(Checked(folder)) if figure]
 
 
 def check(scene):
@@ -61,10 +88,8 @@ def check(scene):
     return folder
 
 
-def draw(folders, draws=draw_run):
-    """Draws runs, or models by `draw_model`, and prints where."""
-    pictures = chain(*map(draws, folders))
-    drawn = [style.save(figure, path) for path, figure in pictures if figure]
+def tell(drawn):
+    """Prints where pictures are."""
     print(drawn[0] if len(drawn) == 1 else f"{len(drawn)} pictures in {Path(drawn[0]).parent}" if drawn else "nothing to draw",
           flush=True)
 
@@ -73,7 +98,10 @@ def main(words):
     parser = argparse.ArgumentParser(prog=programs.command("plot"), description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folders", metavar="RUN_DIR", nargs="+", help="folder of a run, or a scene")
-    parser.add_argument("--model", action="store_true", help="draw the models of scenes before they run")
+    which = parser.add_mutually_exclusive_group()
+    which.add_argument("--model", action="store_true", help="draw the models of scenes before they run")
+    which.add_argument("--all", action="store_true", help=f"draw all instants, not {instants.MOST} of them as `adit run` does")
     options = parser.parse_args(words)
+    draw = draw_model if options.model else lambda folder: draw_run(folder, None if options.all else instants.MOST)
     with programs.refusals_told("plot"):
-        draw(options.folders, draw_model if options.model else draw_run)
+        tell([path for folder in options.folders for path in draw(folder)])

@@ -2,32 +2,25 @@
 import numpy as np
 
 from adit.plots import colour_pictures, lining_pictures, model_pictures, style
+from adit.plots.cores import on_all_cores
 from adit.plots.deformation import scale_of
+from adit.plots.instants import MOST, spread
 from adit.report import pictures
 from adit.report.markup import Markup, section, tag
 
 VIEWS = (colour_pictures.displacement, model_pictures.force_chains, model_pictures.bonds, lining_pictures.lining_forces,
          colour_pictures.principal_stress, colour_pictures.yield_state)  # beside the deformed model
-MOST = 8  # instants
-FEW = 3  # instants of a model so large that they hold more than MOST_CELLS zones, particles and bonds: drawing takes time
-MOST_CELLS = 800_000
-
-
-def spread(items, most, runs):
-    """At most `most` of the items, spread evenly, the last among them; fewer for large models."""
-    cells = max(1, sum(len(piece.cells) for run in runs for piece in run.last_pieces.values()))
-    count = min(most, len(items), max(FEW, MOST_CELLS // cells))
-    return [items[k] for k in sorted({round(k) for k in np.linspace(len(items) - 1, 0, count)})]
 
 
 def chapter(results, most=MOST):
     if not results.instants:
         return None
-    numbers = spread(range(len(results.instants)), most, [results])
+    numbers = spread(range(len(results.instants)), most, results.last_pieces.values())
     found = [(results.instants[n][0], results.pieces_at(n)) for n in numbers]
     found = [(time, pieces) for time, pieces in found if pieces]
     scale = min((scale_of(pieces) for _, pieces in found), default=1)
-    shown = [(time, _views(results, time, pieces, scale)) for time, pieces in found]
+    views = on_all_cores(lambda n: _views(results, *found[n], scale), len(found))
+    shown = [(time, each) for (time, _), each in zip(found, views)]
     if not any(views for _, views in shown):
         return None
     return section("instants", "The model at chosen instants",

@@ -4,12 +4,13 @@ import hashlib
 from pathlib import Path
 from string import Template
 
+from adit.plots.instants import MOST
 from adit.report import instants, model, motions, origin, overview, pictures, response
 from adit.report.markup import Markup, bullets, safe, tag
 from adit.report.results import Results
 
 LARGEST = 5_000_000  # bytes of a report
-FEWER = (instants.MOST, 4, 2, 1)  # instants, in turn, until the page is small enough
+FEWER = (MOST, 4, 2, 1)  # instants, in turn, until the page is small enough
 FOLDER = Path(__file__).parent
 
 

@@ -3,8 +3,6 @@ import base64
 import contextlib
 import io
 
-import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.gridspec import GridSpec
 from PIL import Image
 
@@ -25,8 +23,7 @@ def narrow():
     """Within it, pictures of the model are drawn as narrow as the page needs."""
     wide, style.WIDTH = style.WIDTH, WIDTH
     try:
-        with style.plt.rc_context({"axes.formatter.use_mathtext": False}):  # formulas at the ticks would take half of the time
-            yield
+        yield
     finally:
         style.WIDTH = wide
 
@@ -137,12 +134,7 @@ def _lines(drawn):
 
 
 def _dots(drawn):
-    drawn.set_dpi(DOTS)
-    canvas = FigureCanvasAgg(drawn)
-    if drawn.get_layout_engine():  # scales of colours get their place in a second pass
-        canvas.draw()
-    canvas.draw()
-    dots = Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
+    dots = style.dots(drawn, DOTS)
     while True:
         file = io.BytesIO()
         dots.save(file, "webp", quality=QUALITY, method=2)

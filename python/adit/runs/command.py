@@ -170,11 +170,11 @@ def _signals(handlers):
 
 def draw(folder, options, with_pictures):
     """The pictures and the report of a run. What fails here leaves the results as they are."""
-    from adit.plots import command as plots  # matplotlib is imported only where something is drawn
+    from adit.plots import command as plots, instants  # matplotlib is imported only where something is drawn
     from adit.report import page
 
     if with_pictures and not options.no_pictures:
-        plots.draw([folder])
+        plots.tell(plots.draw_run(folder, instants.MOST))
     if options.no_pictures or options.no_report:
         return
     try:

@@ -1,0 +1,13 @@
+"""Which instants of a run are drawn where all would be too many."""
+import numpy as np
+
+MOST = 8  # instants
+FEW = 3  # instants of a model so large that they hold more than MOST_CELLS zones, particles and bonds: drawing takes time
+MOST_CELLS = 800_000
+
+
+def spread(items, most, pieces):
+    """At most `most` of the items, spread evenly, the last among them; fewer where the pieces of one instant are large."""
+    cells = max(1, sum(len(piece.cells) for piece in pieces))
+    count = min(most, len(items), max(FEW, MOST_CELLS // cells))
+    return [items[k] for k in sorted({round(k) for k in np.linspace(len(items) - 1, 0, count)})]
