@@ -28,8 +28,6 @@ function(install_link name target folder)
   file(CREATE_LINK ${target} ${links}/${name} SYMBOLIC)
   install(FILES ${links}/${name} DESTINATION ${folder})
 endfunction()
-install_link(adit ../share/adit/scripts/adit bin)
-install_link(adit ../../../share/adit/scripts/adit lib/python3/dist-packages)  # `import adit`
 install_link(cases ../../adit/cases share/doc/adit)  # where the pages refer to them
 install_link(protocol ../../adit/protocol share/doc/adit)
 install_link(adapters ../../adit/adapters share/doc/adit)

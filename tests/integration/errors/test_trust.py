@@ -224,7 +224,7 @@ class Certificates(TrustTest):
             with self.subTest(name):
                 result = subprocess.run([*ADIT, "certificates", folder, "right", name], capture_output=True, text=True)
                 self.assertEqual(result.returncode, 2, result.stderr)
-                self.assertRegex(result.stderr, r"\A[^\n]*adit certificates: [^\n]*\n\Z")
+                self.assertRegex(result.stderr, r"\A(usage: [^\n]*\n)?[^\n]*adit certificates: [^\n]*\n\Z")
                 self.assertFalse(folder.exists())
 
     def test_a_certificate_of_another_machine(self):

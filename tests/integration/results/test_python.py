@@ -147,7 +147,7 @@ class Example(ProgramTest):
         for name in ("full_dem", "coupled"):
             self.run_scene(CASE / f"{name}.yaml", "--set", "time.duration=35 ms", "--set", "output.field_times=[32 ms]", out=name)
         done = subprocess.run([sys.executable, SOURCE / "docs" / "read_results.py", self.folder], capture_output=True, text=True,
-                              timeout=120, env=os.environ | {"PYTHONPATH": str(SOURCE / "scripts")})
+                              timeout=120, env=os.environ | {"PYTHONPATH": str(SOURCE / "python")})
         self.assertEqual(done.returncode, 0, done.stderr)
         count, force = self.summary(self.folder / "coupled")["crack_count"], self.summary(self.folder / "coupled")["peak_bond_force_N"]
         self.assertIn(f"coupled: {count} cracks, largest bond force {force / 1e3:.0f} kN", done.stdout)

@@ -48,7 +48,7 @@ class SiteResponse(ProgramTest):
         self.assertAlmostEqual(abs(stress[top]) / backbone, 1, delta=0.02)
 
     def test_the_study_draws_what_the_readme_shows(self):
-        done = subprocess.run([SITE / "study", "--out", self.folder / "study", "--set", "time.duration=1 s",
+        done = subprocess.run([*ADIT, "run", SITE, "--out", self.folder / "study", "--set", "time.duration=1 s",
                                "--set", WAVELET % "0.1 g"], capture_output=True, text=True, timeout=120)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("resonance 1", done.stdout)
@@ -56,7 +56,7 @@ class SiteResponse(ProgramTest):
                          {path.name for path in (SITE / "pictures").glob("*.png")})
 
     def test_the_study_ends_as_its_runs_do(self):
-        done = subprocess.run([SITE / "study", "--out", self.folder / "study", "--set",
+        done = subprocess.run([*ADIT, "run", SITE, "--out", self.folder / "study", "--set",
                                "continuum.base.acceleration.file.path=absent.AT2"], capture_output=True, text=True, timeout=PATIENCE_S)
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertIn("there is no such file", done.stderr)

@@ -2,18 +2,17 @@
 
 import csv
 import subprocess
-import sys
 
 from browser import FAULTS, page
-from programs import SOURCE, ProgramTest
+from programs import ADIT, SOURCE, ProgramTest
 
-STUDY = SOURCE / "cases" / "wave_bar" / "study"
+CASE = SOURCE / "cases" / "wave_bar"
 COLUMNS = """solve h_over_a overlap_over_h lambda_over_h dt_factor angle_deg side reflected transmitted lost""".split()
 
 
 class WaveStudy(ProgramTest):
     def study(self, pattern):
-        return subprocess.run([sys.executable, STUDY, "--only", pattern, "--out", self.folder / "study"],
+        return subprocess.run([*ADIT, "run", CASE, "--only", pattern, "--out", self.folder / "study"],
                               capture_output=True, text=True)
 
     def test_two_rows_become_a_table_and_a_picture(self):

@@ -2,10 +2,9 @@
 
 import csv
 import subprocess
-import sys
 import unittest
 
-from programs import BUILD, PATIENCE_S, SOURCE, ProgramTest
+from programs import ADIT, BUILD, PATIENCE_S, SOURCE, ProgramTest
 
 # Three elements of the HZM tunnel on linear springs that slip, shaken by a wavelet that passes along them.
 SCENE = """\
@@ -47,7 +46,7 @@ class Zoom(ProgramTest):
     def test_a_joint_of_particles_moves_as_that_of_the_beam(self):
         """Openings and forces of the joint within 10 % of the beam's at their largest; the opening also at any time."""
         scene = self.scene(SCENE, "reduced.yaml")
-        done = subprocess.run([sys.executable, SOURCE / "cases/hzm/zoom/study", scene, "--out", self.folder / "out"], capture_output=True,
+        done = subprocess.run([*ADIT, "run", SOURCE / "cases/hzm/zoom", scene, "--out", self.folder / "out"], capture_output=True,
                               text=True, timeout=PATIENCE_S)
         self.assertEqual(done.returncode, 0, done.stderr)
         with open(self.folder / "out/zoom/comparison.csv", newline="", encoding="utf-8") as file:
