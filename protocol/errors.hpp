@@ -30,6 +30,11 @@ class UserError : public std::runtime_error {
   std::string path_;
 };
 
+// Throws UserError unless it holds.
+inline void require(bool holds, const std::string& path, const std::string& message) {
+  if (!holds) throw UserError(path, message);
+}
+
 // The other end is gone, silent or unintelligible. `peer` names it.
 class PeerLost : public std::runtime_error {
  public:

@@ -52,7 +52,8 @@ void require_slowing(const Model& model) {
                       participant.member.name));
 }
 
-double mass_of(const std::vector<Participant>& participants) {
+// The mass of all; 0 where one does not say its own.
+double known_mass_of(const std::vector<Participant>& participants) {
   double sum = 0;
   for (const Participant& participant : participants) {
     if (participant.counts.mass() <= 0) return 0;
@@ -68,6 +69,8 @@ scene::Statics::Damping damping_of(const Model& model) {
   if (statics.damping() == scene::Statics::ADAPTIVE) require_slowing(model);
   return statics.damping();
 }
+
+}  // namespace
 
 // Statics with masses of their own, which end with this object: the constraint of time is kept meanwhile.
 class StaticMasses {
@@ -106,8 +109,6 @@ class StaticMasses {
   double dt_;
 };
 
-}  // namespace
-
 // One model on its way to rest.
 class Statics::Relaxer {
  public:
@@ -115,7 +116,7 @@ class Statics::Relaxer {
       : model_(model),
         stepper_(stepper),
         statics_(model.scene.statics()),
-        mass_(mass_of(model.participants)),
+        mass_(known_mass_of(model.participants)),
         damping_(damping_of(model)),
         how_{.dt = 0, .local_damping = damping_ == scene::Statics::LOCAL ? kLocalDamping : 0},
         stall_(statics_.unbalanced_ratio(), statics_.max_steps()) {

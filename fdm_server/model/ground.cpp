@@ -13,9 +13,7 @@
 namespace adit::fdm {
 namespace {
 
-void require(bool condition, const std::string& path, const std::string& message) {
-  if (!condition) throw protocol::UserError(path, message);
-}
+using protocol::require;
 
 // A row of strengths, or a weak plane; what the scene leaves out is as in `before`.
 template <class Scene>

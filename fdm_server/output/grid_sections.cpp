@@ -14,13 +14,6 @@
 #include "protocol/nearest_name.hpp"
 
 namespace adit::fdm {
-namespace {
-
-void require(bool condition, const std::string& path, const std::string& message) {
-  if (!condition) throw protocol::UserError(path, message);
-}
-
-}  // namespace
 
 GridSections::GridSections(const scene::Continuum& scene, const Grid& grid,
                            std::span<const std::uint32_t> zone_kinds, const DampingLaw& damping)
@@ -31,12 +24,13 @@ GridSections::GridSections(const scene::Continuum& scene, const Grid& grid,
     const scene::GridSection& given = scene.sections(i);
     const std::string path = fmt::format("continuum.sections[{}]", i);
     const auto same = std::ranges::find(sections_, given.name(), &Section::name);
-    require(same == sections_.end(), path + ".name",
-            fmt::format("is `{}`, as that of continuum.sections[{}]; give each section a name of its own",
-                        given.name(), same - sections_.begin()));
+    protocol::require(
+        same == sections_.end(), path + ".name",
+        fmt::format("is `{}`, as that of continuum.sections[{}]; give each section a name of its own",
+                    given.name(), same - sections_.begin()));
     const geometry::Point from{given.from().x(), given.from().y()}, to{given.to().x(), given.to().y()};
     const double length = std::hypot(to.x - from.x, to.y - from.y);
-    require(length > 0, path + ".to", "is the same place as `from`; give the section a length");
+    protocol::require(length > 0, path + ".to", "is the same place as `from`; give the section a length");
     Section& section = sections_.emplace_back();
     section.name = given.name();
     section.x = (to.x - from.x) / length;
@@ -55,7 +49,7 @@ GridSections::GridSections(const scene::Continuum& scene, const Grid& grid,
       if (along(x, y) < 0 || along(x, y) > length) continue;
       for (std::size_t c = 0; c < 4; ++c)
         if (const auto place = places.find(grid.zones[zone][c]); place != places.end()) {
-          require(
+          protocol::require(
               zone_kinds[zone] != kNoGround, path,
               fmt::format("runs beside the zone at ({:.6g}, {:.6g}) m, which is excavated; lay it through "
                           "ground that stays",
@@ -64,8 +58,9 @@ GridSections::GridSections(const scene::Continuum& scene, const Grid& grid,
         }
     }
     for (const double side : {0.5, -0.5})
-      require(std::ranges::find(section.corners, side, &Corner::share) != section.corners.end(), path,
-              "has zones on one side only; lay it through the ground, such as a row of zones further in");
+      protocol::require(
+          std::ranges::find(section.corners, side, &Corner::share) != section.corners.end(), path,
+          "has zones on one side only; lay it through the ground, such as a row of zones further in");
   }
 }
 

@@ -1,5 +1,7 @@
 #include "protocol/state/archive.hpp"
 
+#include <fmt/format.h>
+
 #include <zlib.h>
 
 #include <algorithm>
@@ -68,9 +70,7 @@ std::size_t Archive::begin(const char* name, std::size_t value_bytes, std::size_
 
 void Archive::begin_fixed(const char* name, std::size_t value_bytes, std::size_t count) {
   const std::size_t found = begin(name, value_bytes, count);
-  if (found != count)
-    refuse("`" + std::string(name) + "` has " + std::to_string(found) + " values, the model " +
-           std::to_string(count));
+  if (found != count) refuse(fmt::format("`{}` has {} values, the model {}", name, found, count));
 }
 
 void Archive::bytes(void* data, std::size_t size) {

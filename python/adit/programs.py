@@ -78,6 +78,12 @@ def bring_up_to_date(*names):
         sys.exit(built.returncode)
 
 
+def tell_progress(text=""):
+    """Shows on the last line of a terminal what is being done; nothing takes the line away."""
+    if sys.stderr.isatty():
+        print(f"\r{text}\033[K", end="", file=sys.stderr, flush=True)
+
+
 @contextlib.contextmanager
 def refusals_told(name, *refusals):
     """Ends with exit code 2 and one sentence where a run is not usable, a file cannot be written, or one of `refusals` is raised."""

@@ -13,6 +13,9 @@
 
 namespace adit::simplified {
 
+// Time between two records of the fields [s]. Velocities are derived from them, for motions up to 10 Hz.
+inline constexpr double kFieldInterval = 0.02;
+
 struct Clock {
   double dt;  // [s]
   std::uint64_t steps;

@@ -16,9 +16,6 @@ namespace {
 
 using protocol::UserError;
 
-// Time between two records of the fields [s]. Velocities are derived from them, for motions up to 10 Hz.
-constexpr double kFieldInterval = 0.02;
-
 beam::Scheme scheme(const scene::Integration& integration) {
   using Scene = scene::Integration;
   // An absent enumerator reads as the first one, newmark, but the beam has another default

@@ -15,9 +15,8 @@ namespace {
 
 using protocol::UserError;
 
-// Largest number of places at which fields are recorded, and the time between two records [s].
+// Largest number of places at which fields are recorded.
 constexpr std::size_t kFieldPlaces = 1000;
-constexpr double kFieldInterval = 0.02;
 
 chain::Method method(const scene::Integration& integration) {
   using Scene = scene::Integration;

@@ -9,10 +9,10 @@ namespace adit::simplified {
 namespace {
 
 // Straight lines between places and times as close together miss a wave of 100 m, or of 10 Hz, by 5 and 2 %.
-constexpr double kPlaces = 10, kTimes = 0.01;  // [m], [s]
+constexpr double kPlaceGap = 10, kTimeGap = 0.01;  // [m], [s]
 
 std::vector<double> places_between(double begin, double end) {
-  const int gaps = static_cast<int>(std::ceil((end - begin) / kPlaces));
+  const int gaps = static_cast<int>(std::ceil((end - begin) / kPlaceGap));
   std::vector<double> places;
   for (int k = 0; k <= gaps; ++k) places.push_back(begin + (end - begin) * k / gaps);
   return places;
@@ -28,7 +28,7 @@ void write_ground_along(const std::filesystem::path& path, const GroundField& gr
   AlongChainage along(ground.chainage, places);
   std::array<std::vector<double>, 2> now{std::vector<double>(places.size()),
                                          std::vector<double>(places.size())};
-  const auto every = static_cast<std::size_t>(std::max(1.0, std::floor(kTimes / dt + 1e-9)));
+  const auto every = static_cast<std::size_t>(std::max(1.0, std::floor(kTimeGap / dt + 1e-9)));
   const std::size_t count = ground.chainage.size();
   const auto rows = [&](Direction direction) { return ground.shaking[direction].velocity.size() / count; };
   for (std::size_t n = 0; n < std::max(rows(kAxial), rows(kLateral)); n += every) {

@@ -41,7 +41,7 @@ class Build:
             shutil.copy(root / path, target)
 
     def configure(self):
-        self._run(["cmake", "--preset", self._preset], self.source).check_returncode()
+        self._run(["cmake", "--preset", self._preset, "-DCMAKE_UNITY_BUILD=OFF"], self.source).check_returncode()
 
     def make(self, *targets):
         """Whether they could be built."""

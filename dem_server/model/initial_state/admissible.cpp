@@ -8,7 +8,7 @@
 namespace adit::dem {
 namespace {
 
-constexpr double kTouching = 1e-9;  // of a length: gaps below are rounding
+constexpr double kGapRounding = 1e-9;  // of a length: gaps below are rounding
 
 const LinearContact& contact_of(const Model& model, std::uint32_t i, std::uint32_t j) {
   return model.contacts[model.contact_number(model.group[i], model.group[j])];
@@ -21,7 +21,7 @@ PairForces pressed(double friction, const PairForces& wanted) {
 
 bool touch(const Discs& d, const Bond& bond) {
   const double distance = std::hypot(d.x[bond.second] - d.x[bond.first], d.y[bond.second] - d.y[bond.first]);
-  return distance <= (1 + kTouching) * (d.radius[bond.first] + d.radius[bond.second]);
+  return distance <= (1 + kGapRounding) * (d.radius[bond.first] + d.radius[bond.second]);
 }
 
 PairForces within(const ContactBond& law, const PairForces& wanted) {

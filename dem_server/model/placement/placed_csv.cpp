@@ -19,7 +19,7 @@ namespace {
 
 using protocol::excerpt;
 
-constexpr double kMostGroups = 1e6;
+constexpr double kGroupNumbersEnd = 1e6;
 
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> cells;
@@ -127,7 +127,7 @@ PlacedDiscs read_csv(const std::string& content, const std::string& path) {
       table.refuse(*wrong);
     if (place[3] < 0) continue;
     const double group = table.number(cell(3));
-    if (!(group >= 0 && group < kMostGroups && group == std::floor(group)))
+    if (!(group >= 0 && group < kGroupNumbersEnd && group == std::floor(group)))
       table.refuse(fmt::format("the group is {}; give a whole number from 0", group));
     placed.number.push_back(static_cast<std::uint32_t>(group));
   }

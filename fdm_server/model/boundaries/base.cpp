@@ -12,8 +12,6 @@
 namespace adit::fdm {
 namespace {
 
-const std::string kPath = "continuum.base";
-
 // A point of the base: where the motion meets it, and the load of a unit outcrop velocity or stress.
 struct BasePoint {
   double x;
@@ -24,14 +22,14 @@ struct BasePoint {
 std::vector<std::size_t> base_edges(const scene::Base& base, const EdgeSet& edges) {
   const Grid& grid = edges.grid();
   if (base.has_where()) {
-    const std::string path = kPath + ".where";
+    const std::string path = kBasePath + ".where";
     return edges.numbers(select_edges(grid, base.where(), path), path);
   }
   double bottom = HUGE_VAL;
   for (const BoundaryEdge& edge : edges.outline()) bottom = std::min(bottom, grid.y[edge.from]);
   scene::Area area;
   area.set_y_max(bottom);
-  return edges.numbers(select_edges(grid, area, kPath), kPath);
+  return edges.numbers(select_edges(grid, area, kBasePath), kBasePath);
 }
 
 Vector column_of(const Symmetric& c, scene::Base::Direction direction) {
@@ -61,7 +59,7 @@ BaseActions resolve_base(const scene::Base& base, const motion::UsedMotion& acce
   const bool compliant = base.kind() == scene::Base::COMPLIANT;
   const auto chosen = base_edges(base, edges);
   for (const std::size_t e : chosen) {
-    edges.claim(e, kPath, base.has_where() ? kPath + ".where" : kPath);
+    edges.claim(e, kBasePath, base.has_where() ? kBasePath + ".where" : kBasePath);
     if (!compliant) continue;
     dashpots.add_quiet(edges, e, impedance, true, true);
     dashpots.hold(edges, e, true, true);

@@ -13,8 +13,6 @@ namespace {
 
 using protocol::UserError;
 
-const std::string kPath = "continuum.base";
-
 // For BaseVelocity and BaseStress.
 template <class Given>
 TimeFactor scaled(const Given& given) {
@@ -25,7 +23,7 @@ std::vector<TimeFactor> shaken(const scene::Base& base, std::span<const double> 
                                const motion::UsedMotion& used) {
   if (!base.has_incidence()) return {motion::VelocityHistory(used.acting())};
   const scene::Incidence& incidence = base.incidence();
-  return motion::errors_at(kPath + ".incidence", [&] {
+  return motion::errors_at(kBasePath + ".incidence", [&] {
     std::vector<TimeFactor> histories;
     for (const auto& here : motion::station_motions(used.motion, places,
                                                     {.apparent_velocity = incidence.apparent_velocity(),
@@ -40,13 +38,13 @@ std::vector<TimeFactor> shaken(const scene::Base& base, std::span<const double> 
 
 motion::UsedMotion base_acceleration(const scene::Base& base, double duration) {
   if (!base.has_acceleration()) return {};
-  return motion::ground_motion(base.acceleration(), kPath + ".acceleration", duration);
+  return motion::ground_motion(base.acceleration(), kBasePath + ".acceleration", duration);
 }
 
 std::vector<TimeFactor> base_histories(const scene::Base& base, std::span<const double> places,
                                        const motion::UsedMotion& acceleration) {
   if (base.has_incidence() && !base.has_acceleration())
-    throw UserError(kPath + ".incidence",
+    throw UserError(kBasePath + ".incidence",
                     "goes with `acceleration` only; leave it out, or give the motion so");
   switch (base.motion_case()) {
     case scene::Base::kAcceleration:
@@ -55,14 +53,14 @@ std::vector<TimeFactor> base_histories(const scene::Base& base, std::span<const 
       return {scaled(base.velocity())};
     case scene::Base::kStress:
       if (base.kind() == scene::Base::RIGID)
-        throw UserError(kPath + ".stress",
+        throw UserError(kBasePath + ".stress",
                         "is given to a rigid base, whose motion is prescribed; give its "
                         "`acceleration` or `velocity`, or `kind: compliant`");
       return {scaled(base.stress())};
     case scene::Base::MOTION_NOT_SET:
       break;
   }
-  throw UserError(kPath, "has no motion; give one of acceleration, velocity, stress");
+  throw UserError(kBasePath, "has no motion; give one of acceleration, velocity, stress");
 }
 
 }  // namespace adit::fdm

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "fdm_server/solver/loads.hpp"
@@ -9,6 +10,8 @@
 #include "protocol/motion/excitation/ground_motion.hpp"
 
 namespace adit::fdm {
+
+inline const std::string kBasePath = "continuum.base";  // in the scene
 
 // The base's `acceleration` for a run of this duration [s]; no values if it moves in another way. UserError
 // with the scene's path, such as for a record that is shorter.

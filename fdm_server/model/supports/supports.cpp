@@ -20,11 +20,9 @@
 namespace adit::fdm {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
+using protocol::require;
 
-void require(bool condition, const std::string& path, const std::string& message) {
-  if (!condition) throw protocol::UserError(path, message);
-}
+constexpr double kTurn = 2 * std::numbers::pi;
 
 void require_statics(std::uint32_t stage, const scene::Scene& scene, const std::string& path) {
   require(

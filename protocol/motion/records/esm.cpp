@@ -14,22 +14,9 @@ namespace adit::motion {
 namespace {
 
 using protocol::excerpt;
-using protocol::trim;
 
-constexpr std::size_t kHeader = 64;  // lines
+constexpr std::size_t kEsmHeader = 64;  // lines
 constexpr std::string_view kStep = "SAMPLING_INTERVAL_S:";
-
-struct Entry {
-  std::size_t line;
-  std::string value;
-};
-
-Entry find(const RecordText& text, std::string_view name) {
-  for (std::size_t i = 0; i < std::min(kHeader, text.lines.size()); ++i)
-    if (text.lines[i].starts_with(name)) return {i, std::string(trim(text.lines[i].substr(name.size())))};
-  text.refuse(0,
-              fmt::format("none of the first {} lines begins with `{}`; give the whole file", kHeader, name));
-}
 
 bool is_entry(const std::string& line) {
   return !line.empty() && line.front() >= 'A' && line.front() <= 'Z' && line.find(':') != std::string::npos;
@@ -38,17 +25,18 @@ bool is_entry(const std::string& line) {
 }  // namespace
 
 bool is_esm(const RecordText& text) {
-  const auto end = text.lines.begin() + static_cast<std::ptrdiff_t>(std::min(kHeader, text.lines.size()));
+  const auto end = text.lines.begin() + static_cast<std::ptrdiff_t>(std::min(kEsmHeader, text.lines.size()));
   return std::any_of(text.lines.begin(), end,
                      [](const std::string& line) { return line.starts_with(kStep); });
 }
 
 Motion parse_esm(const RecordText& text) {
-  const Entry step = find(text, kStep), count = find(text, "NDATA:"), unit = find(text, "UNITS:");
+  const RecordText::Entry step = text.entry(kEsmHeader, kStep), count = text.entry(kEsmHeader, "NDATA:"),
+                          unit = text.entry(kEsmHeader, "UNITS:");
   const double dt = text.number(step.line, step.value), points = text.number(count.line, count.value);
   if (dt <= 0) text.refuse(step.line, "the step is " + excerpt(step.value) + "; one above 0 s is expected");
   std::size_t line = std::max({step.line, count.line, unit.line}) + 1;
-  while (line < std::min(kHeader, text.lines.size()) && is_entry(text.lines[line])) ++line;
+  while (line < std::min(kEsmHeader, text.lines.size()) && is_entry(text.lines[line])) ++line;
   std::vector<double> values;
   for (; line < text.lines.size(); ++line) text.append_numbers(line, values);
   if (static_cast<double>(values.size()) != points)

@@ -16,20 +16,7 @@ namespace {
 using protocol::excerpt;
 using protocol::trim;
 
-constexpr std::size_t kHeader = 17;  // lines
-
-struct Entry {
-  std::size_t line;
-  std::string_view value;
-};
-
-Entry find(const RecordText& text, std::string_view name) {
-  for (std::size_t i = 0; i < kHeader; ++i)
-    if (text.lines[i].starts_with(name))
-      return {i, trim(std::string_view(text.lines[i]).substr(name.size()))};
-  text.refuse(0,
-              fmt::format("none of the first {} lines begins with `{}`; give the whole file", kHeader, name));
-}
+constexpr std::size_t kKnetHeader = 17;  // lines
 
 // The part before the first of the characters, and what follows it.
 std::pair<std::string_view, std::string_view> split(std::string_view text, std::string_view characters) {
@@ -46,18 +33,19 @@ double positive(const RecordText& text, std::size_t line, std::string_view word)
 }  // namespace
 
 bool is_knet(const RecordText& text) {
-  return text.lines.size() > kHeader && text.lines[0].starts_with("Origin Time");
+  return text.lines.size() > kKnetHeader && text.lines[0].starts_with("Origin Time");
 }
 
 Motion parse_knet(const RecordText& text) {
-  const Entry frequency = find(text, "Sampling Freq(Hz)"), scale = find(text, "Scale Factor"),
-              duration = find(text, "Duration Time(s)");
+  const RecordText::Entry frequency = text.entry(kKnetHeader, "Sampling Freq(Hz)"),
+                          scale = text.entry(kKnetHeader, "Scale Factor"),
+                          duration = text.entry(kKnetHeader, "Duration Time(s)");
   const double dt = 1 / positive(text, frequency.line, split(frequency.value, "Hh").first);
   const auto [most, rest] = split(scale.value, "(");  // 3920(gal)/6182761
   const auto [unit, counts] = split(rest, "/");
   const double factor = positive(text, scale.line, most) / positive(text, scale.line, counts);
   std::vector<double> values;
-  for (std::size_t i = kHeader; i < text.lines.size(); ++i) text.append_numbers(i, values);
+  for (std::size_t i = kKnetHeader; i < text.lines.size(); ++i) text.append_numbers(i, values);
   const double stated = positive(text, duration.line, duration.value) / dt;
   if (std::abs(static_cast<double>(values.size()) - stated) > 1.5)
     text.refuse(duration.line, fmt::format("states {:.0f} values, but {} follow; get the whole file", stated,

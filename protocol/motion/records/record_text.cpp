@@ -50,6 +50,14 @@ double RecordText::number(std::size_t line, std::string_view text) const {
   refuse(line, excerpt(text) + " is not a number; a number such as `-0.12E-3` is expected");
 }
 
+RecordText::Entry RecordText::entry(std::size_t header_lines, std::string_view name) const {
+  for (std::size_t i = 0; i < std::min(header_lines, lines.size()); ++i)
+    if (lines[i].starts_with(name))
+      return {i, protocol::trim(std::string_view(lines[i]).substr(name.size()))};
+  refuse(0,
+         fmt::format("none of the first {} lines begins with `{}`; give the whole file", header_lines, name));
+}
+
 void RecordText::append_numbers(std::size_t line, std::vector<double>& numbers) const {
   std::string_view rest = lines[line];
   while (true) {

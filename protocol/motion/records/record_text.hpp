@@ -30,6 +30,14 @@ struct RecordText {
   // blank between numbers that fill their width.
   void append_numbers(std::size_t line, std::vector<double>& numbers) const;
 
+  // The line among the first ones, those of the header, that begins with a name, and what follows the name;
+  // refused where there is none.
+  struct Entry {
+    std::size_t line;
+    std::string_view value;
+  };
+  Entry entry(std::size_t header_lines, std::string_view name) const;
+
   // What `work` returns; what it refuses is refused of the line.
   template <class Work>
   auto at(std::size_t line, Work&& work) const {

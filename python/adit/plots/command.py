@@ -37,7 +37,12 @@ def draw_run(folder, most=None):
         draw, *arguments = groups[number]
         return [style.save(figure, pictures / f"{name}.png") for name, figure in draw(run, *arguments) if figure]
 
-    return [path for paths in on_all_cores(drawn, len(groups)) for path in paths]
+    paths = []
+    for done, more in enumerate(on_all_cores(drawn, len(groups)), start=1):
+        paths += more
+        programs.tell_progress(f"pictures: {100 * done / len(groups):.0f} %")
+    programs.tell_progress()
+    return paths
 
 
 def _groups(run, most):

@@ -9,9 +9,7 @@
 namespace adit::simplified::beam {
 namespace {
 
-void require(bool holds, const std::string& path, const std::string& message) {
-  if (!holds) throw protocol::UserError(path, message);
-}
+using protocol::require;
 
 void positive(double value, const std::string& path, const char* unit) {
   require(value > 0 && std::isfinite(value), path, fmt::format("must be positive, got {:g} {}", value, unit));

@@ -43,6 +43,7 @@ double unexplained(const coupler::ParticipantEnergies& e) {
 TEST(Ledger, MultipliersWorkClosesTheBalanceOfEachParticipant) {
   coupler::Model model = test::local_model(bar());
   coupler::Stepper stepper(model);
+  EXPECT_EQ(stepper.ledger().kept(), 1) << "nothing has done work yet";
   std::vector<double> start, largest(2, 0.0);
   for (std::uint64_t n = 0; n <= 20; ++n) {
     stepper.step(n, {.energies = true});

@@ -57,6 +57,25 @@ TEST(ParticleStages, TakeAwayAndBringBack) {
     EXPECT_DOUBLE_EQ(back.mass[i], (back.fresh[i] ? 2 : 1) * model.mass[i]);
 }
 
+// Every disc whose group changes begins afresh, the first one of the packing, too.
+TEST(ParticleStages, BeginAfreshWithTheFirstDisc) {
+  auto scene = staged();
+  scene.mutable_particles()->clear_excavations();
+  auto& where = *scene.mutable_particles()->mutable_groups(0)->mutable_where();
+  where.set_x_min(0);
+  where.set_x_max(1);
+  scene.mutable_particles()->mutable_groups(0)->set_stage(1);
+  auto& later = *scene.mutable_particles()->add_groups();
+  later = scene.particles().groups(0);
+  later.set_name("second plug");
+  later.set_stage(2);
+  const Model model = read_model(scene);
+  ASSERT_EQ(model.stages.size(), 2u);
+  const auto& fresh = model.stages[1].fresh;
+  EXPECT_EQ(count(fresh), 4u);
+  for (std::size_t i = 0; i < fresh.size(); ++i) EXPECT_EQ(fresh[i], model.discs.x[i] < 1) << "disc " << i;
+}
+
 // What an excavation does not release at once is held by what vanishes, and let go in the stage that follows.
 TEST(ParticleStages, HoldAShareUntilTheNextStage) {
   auto scene = staged();

@@ -1,0 +1,30 @@
+# precompile(TARGET HEADER…): compiles the headers once for all sources of a library, but for those with flags of their own.
+function(precompile target)
+  target_precompile_headers(${target} PRIVATE ${ARGN})
+  # ccache asks for -fpch-preprocess. GCC 12 forgets that what it has precompiled is the system's, and warns of its own std::string.
+  target_compile_options(${target} PRIVATE
+    "$<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess;-Wno-stringop-overflow;-Wno-array-bounds>")
+  get_target_property(sources ${target} SOURCES)
+  foreach(source ${sources})
+    get_source_file_property(flags ${source} COMPILE_OPTIONS)
+    if(flags)
+      set_source_files_properties(${source} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+    endif()
+  endforeach()
+endfunction()
+
+# compile_by_room(TARGET): compiles the sources of each folder as one unit, since the headers of protobuf, Eigen and Asio
+# take most of the time of a small file. Names in anonymous namespaces are therefore unique within a folder. Sources with
+# flags of their own stay units of their own. The presets for developers build file by file (CMAKE_UNITY_BUILD is off).
+function(compile_by_room target)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source ${sources})
+    get_source_file_property(flags ${source} COMPILE_OPTIONS)
+    if(NOT flags)
+      get_filename_component(room ${source} DIRECTORY)
+      string(MAKE_C_IDENTIFIER "room_${room}" group)
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+    endif()
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+endfunction()
