@@ -1,9 +1,13 @@
+# What a target with precompiled headers needs of GCC: ccache asks for -fpch-preprocess, and GCC 12 forgets that what it has
+# precompiled is the system's, and warns of its own std::string.
+add_library(adit_precompiled INTERFACE)
+target_compile_options(adit_precompiled INTERFACE
+  "$<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds>")
+
 # precompile(TARGET HEADER…): compiles the headers once for all sources of a library, but for those with flags of their own.
 function(precompile target)
   target_precompile_headers(${target} PRIVATE ${ARGN})
-  # ccache asks for -fpch-preprocess. GCC 12 forgets that what it has precompiled is the system's, and warns of its own std::string.
-  target_compile_options(${target} PRIVATE
-    "$<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess;-Wno-stringop-overflow;-Wno-array-bounds>")
+  target_link_libraries(${target} PRIVATE adit_precompiled)
   get_target_property(sources ${target} SOURCES)
   foreach(source ${sources})
     get_source_file_property(flags ${source} COMPILE_OPTIONS)

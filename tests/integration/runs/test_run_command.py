@@ -49,6 +49,40 @@ class RunCommand(ProgramTest):
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
                 self.assertGreater(len(done.stdout), 100)
 
+    def adit(self, *words):
+        return subprocess.run([*ADIT, *words], cwd=self.folder, capture_output=True, text=True, timeout=120 * PATIENCE)
+
+    def test_the_reader_says_which_program_computes_a_scene(self):
+        (self.folder / "extended scene.yaml").write_text(f'extends: "{SOURCE}/cases/hzm/uniform_0.1g.yaml"\n')
+        for scene, program in ((CASE / "coupled.yaml", "coupler"), ("extended scene.yaml", "simplified")):
+            self.assertEqual(self.adit("check", scene, "--which").stdout, f"{program}\n")
+        (self.folder / "wrong.yaml").write_text("nothing: 1\n")
+        done = self.adit("run", "wrong.yaml")
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
+        self.assertIn("nothing", done.stderr)
+
+    def test_watch_tells_how_far_a_run_is(self):
+        run = self.run_scene(CASE / "full_fdm.yaml", "--set", "time.duration=2 ms", "--set", "output.field_times=[]")
+        done = self.adit("watch", run)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("completed at 0.002 s", done.stdout)
+        (run / "summary.json").unlink()
+        text = (run / "histories.csv").read_text().splitlines(keepends=True)
+        (run / "histories.csv").write_text("".join(text[:len(text) // 2]))
+        done = self.adit("watch", run, "--once")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertRegex(done.stdout, r"\A0\.\d+ of 0\.002 s \(\d\d %\), ")
+
+    def test_several_scenes_have_a_folder_each_below_out(self):
+        case = self.folder / "case"
+        case.mkdir()
+        for name in ("a", "b"):
+            (case / f"{name}.yaml").write_text(f"extends: {CASE}/full_fdm.yaml\n")
+        done = self.adit("run", "case", "--out", "out", "--no-pictures", "--set", "time.duration=1 ms", "--set", "output.field_times=[]")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for name in ("a", "b"):
+            self.assertTrue(self.summary(self.folder / "out" / name)["completed"])
+
     def run_with(self, server):
         return subprocess.run([SOURCE / "scripts" / "run", CASE / "full_fdm.yaml", "--fdm", server, "--out", self.folder / "run", "--no-report",
                                "--set", "time.duration=2 ms", "--set", "output.field_times=[]"], capture_output=True, text=True, timeout=120)
