@@ -18,7 +18,7 @@ foreach(server "fdm;continuum solver" "dem;particle solver")
 endforeach()
 
 file(GLOB pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/*.md)
-install(FILES ${pages} LICENSE DESTINATION share/doc/adit)
+install(FILES ${pages} LICENSE CITATION.cff DESTINATION share/doc/adit)
 install(DIRECTORY docs DESTINATION share/doc/adit)
 
 # install_link(NAME TARGET FOLDER): a symbolic link FOLDER/NAME to TARGET.

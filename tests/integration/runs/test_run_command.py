@@ -53,8 +53,10 @@ class RunCommand(ProgramTest):
         return subprocess.run([*ADIT, *words], cwd=self.folder, capture_output=True, text=True, timeout=120 * PATIENCE)
 
     def test_the_reader_says_which_program_computes_a_scene(self):
-        (self.folder / "extended scene.yaml").write_text(f'extends: "{SOURCE}/cases/hzm/uniform_0.1g.yaml"\n')
-        for scene, program in ((CASE / "coupled.yaml", "coupler"), ("extended scene.yaml", "simplified")):
+        (self.folder / "a folder").mkdir()
+        (self.folder / "a folder" / "base.yaml").write_text(f"extends: {SOURCE}/cases/hzm/uniform_0.1g.yaml\n")
+        (self.folder / "extended.yaml").write_text('extends: "a folder/base.yaml"\n')
+        for scene, program in ((CASE / "coupled.yaml", "coupler"), ("extended.yaml", "simplified")):
             self.assertEqual(self.adit("check", scene, "--which").stdout, f"{program}\n")
         (self.folder / "wrong.yaml").write_text("nothing: 1\n")
         done = self.adit("run", "wrong.yaml")

@@ -166,31 +166,6 @@ TEST(ReadModel, WidthOfCementFollowsTheSmallerDisc) {
   EXPECT_EQ(model.contacts[0].normal_stiffness, calibrate(10e9, 0.2, Plane::kStress).normal);
 }
 
-// Cement between two groups is the weaker in each of its strengths, and the softer in series.
-TEST(ReadModel, CementBetweenGroupsIsTheWeaker) {
-  auto scene = test::square_scene(4, 1);
-  auto& p = *scene.mutable_particles();
-  auto& weak = *p.mutable_bonds();
-  set_parallel(weak);
-  weak.mutable_parallel()->set_tensile_strength(2e6);
-  weak.mutable_parallel()->set_cohesion(5e6);
-  weak.mutable_parallel()->set_friction_angle(0.7);
-  auto& group = *p.add_groups();
-  group.set_name("lining");
-  group.mutable_where()->set_x_min(2);
-  *group.mutable_bonds() = weak;
-  group.mutable_bonds()->mutable_parallel()->set_tensile_strength(3e6);
-  group.mutable_bonds()->mutable_parallel()->set_cohesion(4e6);
-  group.mutable_bonds()->mutable_parallel()->set_friction_angle(0.6);
-  const Model model = read_model(scene);
-  ASSERT_EQ(model.bonds.size(), 3u);
-  const ParallelBond& between = model.parallel_bonds[model.bonds[1].number];
-  EXPECT_EQ(between.tensile_strength, 2e6);
-  EXPECT_EQ(between.cohesion, 4e6);
-  EXPECT_EQ(between.tan_friction_angle, std::tan(0.6));
-  EXPECT_DOUBLE_EQ(between.normal_stiffness, model.parallel_bonds[model.bonds[0].number].normal_stiffness / 2);
-}
-
 // Groups: material, bonds and contacts of their own; between two, stiffnesses in series and the smaller
 // strengths.
 TEST(ReadModel, GroupsHaveTheirOwnBonds) {

@@ -12,6 +12,7 @@
 #include "dem_server/model/reading/read_model.hpp"
 #include "tests/support/lattice_model.hpp"
 #include "tests/unit/dem_server/cantilever_scene.hpp"
+#include "tests/unit/dem_server/scenes_of_discs.hpp"
 
 namespace adit::dem {
 namespace {
@@ -115,6 +116,32 @@ TEST(StrengthOfMaterial, TellsWhereTheConeCutsTheTension) {
   EXPECT_THAT(read_model(scene).notes, testing::IsEmpty());
   strength.clear_tension();
   EXPECT_THAT(read_model(scene).notes, testing::IsEmpty());
+}
+
+// Cement between two groups is the weaker in each of its strengths, and the softer in series.
+TEST(Cement, BetweenGroupsIsTheWeaker) {
+  auto scene = test::square_scene(4, 1);
+  auto& p = *scene.mutable_particles();
+  auto& weak = *p.mutable_bonds();
+  weak.mutable_parallel()->set_normal_stiffness(2e11);
+  weak.mutable_parallel()->set_shear_stiffness(1e11);
+  weak.mutable_parallel()->set_tensile_strength(2e6);
+  weak.mutable_parallel()->set_cohesion(5e6);
+  weak.mutable_parallel()->set_friction_angle(0.7);
+  auto& group = *p.add_groups();
+  group.set_name("lining");
+  group.mutable_where()->set_x_min(2);
+  *group.mutable_bonds() = weak;
+  group.mutable_bonds()->mutable_parallel()->set_tensile_strength(3e6);
+  group.mutable_bonds()->mutable_parallel()->set_cohesion(4e6);
+  group.mutable_bonds()->mutable_parallel()->set_friction_angle(0.6);
+  const Model model = read_model(scene);
+  ASSERT_EQ(model.bonds.size(), 3u);
+  const ParallelBond& between = model.parallel_bonds[model.bonds[1].number];
+  EXPECT_EQ(between.tensile_strength, 2e6);
+  EXPECT_EQ(between.cohesion, 4e6);
+  EXPECT_EQ(between.tan_friction_angle, std::tan(0.6));
+  EXPECT_DOUBLE_EQ(between.normal_stiffness, 2e11) << "two halves in series";
 }
 
 }  // namespace
