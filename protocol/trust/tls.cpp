@@ -42,8 +42,8 @@ void require(int done, const std::filesystem::path& file, std::string_view what)
 // A pipe in its place would be waited for.
 void require_file(const std::filesystem::path& file, std::string_view what) {
   if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
-    throw UserError("", fmt::format("{}, for the {}, is not a file: make it by adit certificates",
-                                    file.string(), what));
+    throw UserError(
+        "", fmt::format("{}, for the {}, is not a file: make it by adit certificates", file.string(), what));
 }
 
 // OpenSSL would ask for a pass phrase at the terminal.

@@ -8,10 +8,11 @@ import subprocess
 
 
 def sources_of(root):
-    """Paths of the project's files, those not yet committed included."""
-    listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=root, check=True,
-                            capture_output=True, text=True).stdout
-    return sorted({path for path in listed.split("\0") if path and (root / path).is_file()})
+    """Paths of the project's files, those not yet committed included; where there is no clone, all that are not built."""
+    asked = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=root, capture_output=True, text=True)
+    listed = asked.stdout.split("\0") if asked.returncode == 0 else (
+        path.relative_to(root).as_posix() for path in root.rglob("*") if path.relative_to(root).parts[0] not in ("build", "runs"))
+    return sorted({path for path in listed if path and (root / path).is_file()})
 
 
 class Build:
