@@ -4,9 +4,12 @@ add_library(adit_precompiled INTERFACE)
 target_compile_options(adit_precompiled INTERFACE
   "$<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds>")
 
-# precompile(TARGET HEADER…): compiles the headers once for all sources of a library, but for those with flags of their own.
+# What most sources of the participants and the coupler include.
+set(ADIT_PRECOMPILED "${PROJECT_BINARY_DIR}/protocol/messages/wire.pb.h" <fmt/format.h> <algorithm> <functional> <string> <vector>)
+
+# precompile(TARGET): compiles these headers once for all sources of a library, but for those with flags of their own.
 function(precompile target)
-  target_precompile_headers(${target} PRIVATE ${ARGN})
+  target_precompile_headers(${target} PRIVATE ${ADIT_PRECOMPILED})
   target_link_libraries(${target} PRIVATE adit_precompiled)
   get_target_property(sources ${target} SOURCES)
   foreach(source ${sources})

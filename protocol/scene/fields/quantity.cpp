@@ -47,10 +47,6 @@ constexpr bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-[[noreturn]] void refuse(const std::string& message) {
-  throw UserError("", message);
-}
-
 struct Parts {
   std::string_view number;
   std::string_view unit;
@@ -93,12 +89,12 @@ double scale(std::string_view number, int decimals) {
     if (std::from_chars(begin, number.data() + number.size(), exponent).ec != std::errc() ||
         // The bound keeps the sum below from overflowing; no double has such an exponent.
         std::abs(exponent) > 1'000'000'000)
-      refuse(quote(number) + " is beyond the range of numbers");
+      throw UserError("", quote(number) + " is beyond the range of numbers");
   }
   const std::string text = std::string(number.substr(0, mark)) + "e" + std::to_string(exponent + decimals);
   double value = 0;
   if (std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc())
-    refuse(quote(number) + " is beyond the range of numbers");
+    throw UserError("", quote(number) + " is beyond the range of numbers");
   return value;
 }
 
@@ -113,8 +109,8 @@ std::string expectation(std::string_view si_unit) {
                                                           : "another quantity";
   // A product that holds the standard gravity and is no known quantity, such as g/cm^3, was meant in grams.
   const bool meant_gram = !quantity && found.factor == parse_unit("g").factor;
-  refuse(quote(text) + " is " + name + "; " + expectation(si_unit) +
-         (meant_gram ? " (`g` is the standard gravity; write masses in kg or t)" : ""));
+  throw UserError("", quote(text) + " is " + name + "; " + expectation(si_unit) +
+                          (meant_gram ? " (`g` is the standard gravity; write masses in kg or t)" : ""));
 }
 
 }  // namespace
@@ -126,13 +122,13 @@ double parse_quantity(std::string_view text, std::string_view si_unit) {
   // A unit begins with a letter or the micro sign; other signs belong to a mistyped number ("1,5").
   if (number.empty() ||
       (!unit_text.empty() && std::string_view(",.:;_-+'").find(unit_text.front()) != std::string_view::npos))
-    refuse(quote(text) + " is not a number; " + expectation(si_unit));
+    throw UserError("", quote(text) + " is not a number; " + expectation(si_unit));
   if (unit_text.empty()) return scale(number, 0);
   const Unit unit = parse_unit(unit_text);
   if (si_unit.empty() || unit.dimension != parse_unit(si_unit).dimension)
     refuse_dimension(text, unit, si_unit);
   const double value = scale(number, unit.decimals) * unit.factor;
-  if (!std::isfinite(value)) refuse(quote(text) + " is beyond the range of numbers");
+  if (!std::isfinite(value)) throw UserError("", quote(text) + " is beyond the range of numbers");
   return value;
 }
 

@@ -53,10 +53,6 @@ struct Prefix {
 constexpr Prefix kPrefixes[] = {{"", 0},   {"T", 12}, {"G", 9},  {"M", 6},       {"k", 3},       {"d", -1},
                                 {"c", -2}, {"m", -3}, {"u", -6}, {"\u00b5", -6}, {"\u03bc", -6}, {"n", -9}};
 
-[[noreturn]] void refuse_unit(const std::string& message) {
-  throw UserError("", message);
-}
-
 std::optional<Unit> known_symbol(std::string_view name) {
   for (const auto& [spelling, symbol] : kSpellings)
     if (spelling == name) return known_symbol(symbol);
@@ -76,7 +72,7 @@ std::optional<Unit> known_symbol(std::string_view name) {
 
 Unit find_symbol(std::string_view name) {
   if (const auto unit = known_symbol(name)) return *unit;
-  refuse_unit("unit " + quote(name) + " is unknown" + did_you_mean(name, unit_symbols()));
+  throw UserError("", "unit " + quote(name) + " is unknown" + did_you_mean(name, unit_symbols()));
 }
 
 void multiply(Unit& product, const Unit& unit, int power) {
@@ -104,7 +100,8 @@ int take_power(std::string_view& rest, std::string_view whole) {
   int power = 0;
   const auto end = std::from_chars(rest.data() + mark, rest.data() + rest.size(), power).ptr;
   if (power == 0 || std::abs(power) > 9)
-    refuse_unit("unit " + quote(whole) + " has a power that is not a whole number from -9 to 9, without 0");
+    throw UserError(
+        "", "unit " + quote(whole) + " has a power that is not a whole number from -9 to 9, without 0");
   rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
   return power;
 }
@@ -121,13 +118,14 @@ int take_operator(std::string_view& rest) {  // the sign of the next power
 Unit parse_unit(std::string_view text) {
   constexpr std::size_t kLongest = 60;
   // A text of this length is no unit; the limit also bounds the powers of the product.
-  if (text.size() > kLongest) refuse_unit("unit " + quote(text) + " is too long");
+  if (text.size() > kLongest) throw UserError("", "unit " + quote(text) + " is too long");
   Unit product;
   std::string_view rest = trim(text);
   int sign = 1;
   do {
     const std::string_view symbol = take_symbol(rest);
-    if (symbol.empty()) refuse_unit("unit " + quote(text) + " is incomplete; write it as in `kg/m^3`");
+    if (symbol.empty())
+      throw UserError("", "unit " + quote(text) + " is incomplete; write it as in `kg/m^3`");
     const Unit unit = symbol == "1" ? Unit{} : find_symbol(symbol);
     multiply(product, unit, sign * take_power(rest, text));
     if (rest.empty()) return product;
