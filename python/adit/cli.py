@@ -1,9 +1,11 @@
 """The command `adit`: one door to computing, drawing, reporting and comparing."""
 import importlib
 import os
+import signal
 import sys
 
 from adit import programs
+from adit.results.files import Unusable
 
 COMMANDS = {  # name: (module with main(words), what it does)
     "run": ("adit.runs.command", "computes scenes, draws them and reports, as in run cases/cantilever; results in ./runs"),
@@ -36,9 +38,29 @@ def main():
     elif name not in COMMANDS:
         print(usage(), file=sys.stderr)
         sys.exit(2)
-    elif module := COMMANDS[name][0]:
-        importlib.import_module(module).main(words)
     else:
-        programs.bring_up_to_date("coupler", "fdm_server", "dem_server")
-        coupler = programs.program("coupler")
-        os.execv(coupler, [str(coupler), name, *words])
+        run(name, words)
+
+
+def run(name, words):
+    """Runs a command. Ends with exit code 2 and one sentence where what was asked for cannot be done, or a file cannot be used."""
+    module = COMMANDS[name][0]
+    try:
+        importlib.import_module(module).main(words) if module else run_coupler(name, words)
+    except OSError as error:
+        reason = f"{error.filename}: {error.strerror}" if error.filename else str(error)
+    except Unusable as error:
+        reason = str(error)
+    except KeyboardInterrupt:
+        sys.exit(128 + signal.SIGINT)
+    else:
+        return
+    print(f"{programs.command(name)}: {reason}", file=sys.stderr)
+    sys.exit(2)
+
+
+def run_coupler(name, words):
+    """Becomes the coupler with one of its own commands."""
+    programs.bring_up_to_date("coupler", "fdm_server", "dem_server")
+    coupler = programs.program("coupler")
+    os.execv(coupler, [str(coupler), name, *words])

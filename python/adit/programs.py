@@ -1,7 +1,10 @@
 """Where the programs and the cases are, in the source tree or where Adit is installed, and the results: in the current folder."""
+import argparse
 import contextlib
 import json
 import os
+import select
+import shlex
 import shutil
 import subprocess
 import sys
@@ -12,6 +15,7 @@ from adit.results.files import Unusable
 
 PACKAGE = Path(__file__).resolve().parent
 RUNS = Path.cwd() / "runs"
+LONGEST_START_S = 60  # until a server that is started by its command listens
 
 
 def _is_source_tree(folder):
@@ -52,6 +56,12 @@ def command(name):
     return f"{DOOR} {name}"
 
 
+def parser(name, description, **options):
+    """The parser of a command's words; %(prog)s in its description is what the user types."""
+    return argparse.ArgumentParser(prog=command(name), description=description,
+                                   formatter_class=argparse.RawDescriptionHelpFormatter, **options)
+
+
 def own_command():
     """The words that start `adit` from another program, by paths that hold in every folder."""
     return [sys.executable, *(["-B"] if sys.dont_write_bytecode else []), str(PACKAGE)]
@@ -70,8 +80,11 @@ def program(name):
 
 
 def bring_up_to_date(*names):
-    """Builds the programs in a source tree, unless ADIT_BUILD names a folder that somebody has built."""
+    """Builds the programs in a source tree, unless ADIT_BUILD names a folder that somebody has built. Raises Unusable where one of
+    these is not there."""
     if INSTALLED or "ADIT_BUILD" in os.environ:
+        for name in names:
+            program(name)
         return
     built = subprocess.run([ROOT / "scripts" / "build", "release", *names])
     if built.returncode:
@@ -85,25 +98,15 @@ def tell_progress(text=""):
 
 
 @contextlib.contextmanager
-def refusals_told(name, *refusals):
-    """Ends with exit code 2 and one sentence where a run is not usable, a file cannot be written, or one of `refusals` is raised."""
-    try:
-        yield
-    except OSError as error:
-        reason = f"{error.filename}: {error.strerror}" if error.filename else str(error)
-    except (Unusable, *refusals) as error:
-        reason = str(error)
-    else:
-        return
-    print(f"{command(name)}: {reason}", file=sys.stderr)
-    sys.exit(2)
-
-
-@contextlib.contextmanager
-def listening(*command, silenced_by=("--log-level", "off")):
-    """The address of a server while it listens; it logs nothing by the options that silence it."""
+def listening(*command, silenced_by=("--log-level", "off"), named=None):
+    """The address of a server while it listens; it logs nothing by the options that silence it. Raises Unusable, by the name that
+    the user gave it, where it does not say within LONGEST_START_S that it listens."""
     with subprocess.Popen([*map(str, command), *silenced_by], stdout=subprocess.PIPE, text=True) as process:
         try:
-            yield process.stdout.readline().split()[-1]
+            ready, _, _ = select.select([process.stdout], [], [], LONGEST_START_S)
+            line = process.stdout.readline().rstrip("\n") if ready else ""
+            if not line.startswith("listening on "):
+                raise Unusable(f"`{named or shlex.join(map(str, command))}` said `{line}` where `listening on HOST:PORT` was expected.")
+            yield line.removeprefix("listening on ")
         finally:
             process.terminate()

@@ -26,8 +26,7 @@ def above_zero(text):
 
 
 def main(words):
-    parser = argparse.ArgumentParser(prog=programs.command("calibrate"), description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = programs.parser("calibrate", __doc__)
     parser.add_argument("--young-modulus", type=above_zero, required=True, metavar="PA")
     parser.add_argument("--poisson-ratio", type=above_zero, required=True, metavar="NU")
     parser.add_argument("--compressive-strength", type=above_zero, required=True, metavar="PA", help="uniaxial")

@@ -4,7 +4,6 @@ Makes an authority in FOLDER/authority, unless it is there, and for each MACHINE
 MACHINE is the name or the address by which others reach it; further ones follow commas: tunnel-b,192.168.0.7
 Copy each folder to its machine by a safe way, and keep FOLDER/authority/key.pem to yourself: who has it can make more.
 """
-import argparse
 import ipaddress
 import os
 import re
@@ -13,46 +12,41 @@ import subprocess
 from pathlib import Path
 
 from adit import programs
+from adit.results.files import Unusable
 
 DAYS, DAYS_OF_AUTHORITY = 825, 3650
 LONGEST_NAME = 64  # characters that the subject of a certificate takes
 MACHINE = re.compile(r"[A-Za-z0-9:*][A-Za-z0-9_.:*-]*")
 
 
-class Refused(Exception):
-    """What is no machine; the message is one sentence for the user."""
-
-
 def main(words):
-    parser = argparse.ArgumentParser(prog=programs.command("certificates"), description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = programs.parser("certificates", __doc__)
     parser.add_argument("folder", metavar="FOLDER", type=Path)
     parser.add_argument("machines", metavar="MACHINE", nargs="+")
     options = parser.parse_args(words)
     os.umask(0o077)
-    with programs.refusals_told("certificates", Refused):
-        machines = [names_of(machine) for machine in options.machines]  # all are looked at before anything is made
-        make_authority(options.folder / "authority")
-        for names in machines:
-            make_certificate(options.folder, names)
-            print(f"certificates: {options.folder / names[0]} is for --tls on {' '.join(names)}, for {DAYS} days")
+    machines = [names_of(machine) for machine in options.machines]  # all are looked at before anything is made
+    make_authority(options.folder / "authority")
+    for names in machines:
+        make_certificate(options.folder, names)
+        print(f"certificates: {options.folder / names[0]} is for --tls on {' '.join(names)}, for {DAYS} days")
 
 
 def names_of(machine):
     """The names and addresses of a machine, the first of which names its folder."""
     names = machine.split(",")
     if not all(MACHINE.fullmatch(name) for name in names):
-        raise Refused(f"'{machine}' is no machine; give its name or its address, and further ones after commas: tunnel-b,192.168.0.7")
+        raise Unusable(f"'{machine}' is no machine; give its name or its address, and further ones after commas: tunnel-b,192.168.0.7")
     if names[0] == "authority":
-        raise Refused("a machine cannot be called authority, which is the folder of the authority")
+        raise Unusable("a machine cannot be called authority, which is the folder of the authority")
     if len(names[0]) > LONGEST_NAME:
-        raise Refused(f"'{names[0]}' is longer than the {LONGEST_NAME} characters that a certificate takes; begin with a shorter name, "
+        raise Unusable(f"'{names[0]}' is longer than the {LONGEST_NAME} characters that a certificate takes; begin with a shorter name, "
                       "and give this one after a comma")
     for name in filter(is_address, names):
         try:
             ipaddress.ip_address(name)
         except ValueError:
-            raise Refused(f"'{name}' is no address; an address is written as 192.168.0.7 or fd00::7") from None
+            raise Unusable(f"'{name}' is no address; an address is written as 192.168.0.7 or fd00::7") from None
     return names
 
 
@@ -65,9 +59,9 @@ def openssl(*words, **more):
     try:
         return subprocess.run(["openssl", *map(str, words)], check=True, capture_output=True, text=True, **more).stdout
     except FileNotFoundError:
-        raise Refused("openssl is not installed; install the package openssl") from None
+        raise Unusable("openssl is not installed; install the package openssl") from None
     except subprocess.CalledProcessError as error:
-        raise Refused(f"openssl {words[0]} failed: {error.stderr.strip()}") from None
+        raise Unusable(f"openssl {words[0]} failed: {error.stderr.strip()}") from None
 
 
 def make_key(path):

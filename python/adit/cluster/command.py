@@ -5,7 +5,6 @@
 The scene is checked first. On three nodes the coupler, the continuum and the particles have one each; on fewer, the coupler computes
 the other models on its own. What follows -- is asked of Slurm for each node. docs/cluster.md goes through the job.
 """
-import argparse
 import re
 import subprocess
 import sys
@@ -72,8 +71,7 @@ def main(words):
     own, asked = words, []
     if "--" in own:
         own, asked = own[:own.index("--")], own[own.index("--") + 1:]
-    parser = argparse.ArgumentParser(prog=programs.command("cluster"), description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = programs.parser("cluster", __doc__)
     parser.add_argument("scene", type=Path)
     parser.add_argument("--nodes", type=int, required=True, metavar="N")
     parser.add_argument("--threads", type=int, default=8, metavar="T", help="cores for each server")
@@ -90,7 +88,6 @@ def main(words):
     if not 1 <= options.nodes <= len(models) + 1:
         parser.error(f"--nodes {options.nodes}: the scene has {len(models)} model{'s' * (len(models) > 1)}, each of which and the coupler "
                      f"can have a node; give 1 to {len(models) + 1}")
-    with programs.refusals_told("cluster"):
-        options.out.mkdir(parents=True, exist_ok=True)
-        (options.out / "job.sh").write_text(job(models, options, asked, join([parser.prog, *words])))
+    options.out.mkdir(parents=True, exist_ok=True)
+    (options.out / "job.sh").write_text(job(models, options, asked, join([parser.prog, *words])))
     print(f"submit             sbatch {quote(str(options.out / 'job.sh'))}")

@@ -47,7 +47,7 @@ def _drawn(title, runs):
 
 def joined(figures, path):
     """Writes figures into one picture: wide ones below each other, tall ones side by side."""
-    drawn = [_closed(figure) for figure in figures]
+    drawn = [style.dots(figure, DOTS) for figure in figures]
     wide = all(image.width > 1.4 * image.height for image in drawn)
     size = ((max(i.width for i in drawn), sum(i.height for i in drawn)) if wide
             else (sum(i.width for i in drawn), max(i.height for i in drawn)))
@@ -56,9 +56,3 @@ def joined(figures, path):
         whole.paste(image, (0, at) if wide else (at, 0))
         at += image.height if wide else image.width
     whole.save(path, compress_level=style.COMPRESSION)
-
-
-def _closed(figure):
-    dots = style.dots(figure, DOTS)
-    style.plt.close(figure)
-    return dots

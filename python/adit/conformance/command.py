@@ -8,7 +8,6 @@ A command must print `listening on HOST:PORT`. A line of the table is one check:
 where the participant refuses the scene of the check, as it may. Where a check failed, the exit code is 1, and what the command
 has printed follows the table.
 """
-import argparse
 import sys
 
 from adit import programs
@@ -31,8 +30,7 @@ def outcome(check, participant):
 
 
 def main(words):
-    options = argparse.ArgumentParser(prog=programs.command("conformance"), description=__doc__,
-                                      formatter_class=argparse.RawDescriptionHelpFormatter)
+    options = programs.parser("conformance", __doc__)
     role = options.add_mutually_exclusive_group(required=True)
     role.add_argument("--fdm", help="the continuum under test: its command, or HOST:PORT")
     role.add_argument("--dem", help="the particles under test, likewise")

@@ -6,14 +6,12 @@
     force, at the last instant; the clock of ParaView holds all instants. Bonds, in colours of their normal force, are there
     but hidden.
 """
-import argparse
 from pathlib import Path
 from string import Template
 
 import numpy as np
 
-from adit import programs
-from adit import Run
+from adit import Run, programs
 from adit.plots.deformation import scale_of
 
 SHOWN = {"grid": "displacement_m", "particles": "displacement_m", "linings": "thrust_N", "springs": "force_N",
@@ -48,10 +46,8 @@ def entries(mapping):
 
 
 def main(words):
-    parser = argparse.ArgumentParser(prog=programs.command("paraview"), description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = programs.parser("paraview", __doc__)
     parser.add_argument("folders", metavar="RUN_DIR", nargs="+", help="folder of a run")
     options = parser.parse_args(words)
-    with programs.refusals_told("paraview"):
-        for folder in options.folders:
-            print(f"state              {write(folder)}")
+    for folder in options.folders:
+        print(f"state              {write(folder)}")

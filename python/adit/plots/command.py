@@ -8,7 +8,6 @@
     draws the model before it runs (`coupler check`): materials and groups, joints, supports, boundaries, loads, probes,
     overlap. The pictures lie in runs/CASE/SCENE_model/pictures/. The folder of a `coupler check --out` may stand for the scene.
 """
-import argparse
 import subprocess
 import sys
 from pathlib import Path
@@ -54,8 +53,6 @@ def _groups(run, most):
     if most and len(numbers) > most:
         numbers = instants.spread(numbers, most, run.fields().values())
     yield from ((_of_instant, number) for number in numbers)
-    if run.instants:
-        yield (_of_peaks,)
     yield (spectra_pictures.motions,)
     yield from ((_one, draw) for draw in OVER_TIME)
 
@@ -69,11 +66,8 @@ def _of_instant(run, number):
     pieces = run.pieces_of(files)
     for draw in OF_AN_INSTANT:
         yield f"{draw.__name__}_{style.milliseconds(time)}ms", draw(run, time, pieces)
-
-
-def _of_peaks(run):
-    time, files = run.instants[-1]
-    return colour_pictures.peaks(run, time, run.pieces_of(files))
+    if number == len(run.instants) - 1:  # the last one holds the peaks of all
+        yield from colour_pictures.peaks(run, time, pieces)
 
 
 def draw_model(scene):
@@ -100,13 +94,11 @@ def tell(drawn):
 
 
 def main(words):
-    parser = argparse.ArgumentParser(prog=programs.command("plot"), description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = programs.parser("plot", __doc__)
     parser.add_argument("folders", metavar="RUN_DIR", nargs="+", help="folder of a run, or a scene")
     which = parser.add_mutually_exclusive_group()
     which.add_argument("--model", action="store_true", help="draw the models of scenes before they run")
     which.add_argument("--all", action="store_true", help=f"draw all instants, not {instants.MOST} of them as `adit run` does")
     options = parser.parse_args(words)
     draw = draw_model if options.model else lambda folder: draw_run(folder, None if options.all else instants.MOST)
-    with programs.refusals_told("plot"):
-        tell([path for folder in options.folders for path in draw(folder)])
+    tell([path for folder in options.folders for path in draw(folder)])

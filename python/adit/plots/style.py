@@ -178,11 +178,13 @@ def length_in_points(axes, lengths):
 
 
 def dots(figure, per_inch):
-    """The figure as an image of Pillow. What lays itself out is drawn twice, since scales of colours get their place by then."""
+    """The figure as an image of Pillow, and closes it. What lays itself out is drawn twice, since scales of colours get their place by
+    then."""
     figure.set_dpi(per_inch)
     if figure.get_layout_engine():
         figure.canvas.draw()
     figure.canvas.draw()
+    plt.close(figure)
     return Image.fromarray(np.asarray(figure.canvas.buffer_rgba())).convert("RGB")
 
 
@@ -190,5 +192,4 @@ def save(figure, path):
     path.parent.mkdir(parents=True, exist_ok=True)
     per_inch = plt.rcParams["savefig.dpi"]
     dots(figure, per_inch).save(path, compress_level=COMPRESSION, dpi=2 * [per_inch])
-    plt.close(figure)
     return path

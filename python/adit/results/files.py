@@ -3,7 +3,7 @@ from difflib import get_close_matches
 
 
 class Unusable(Exception):
-    """Something of a run is missing or is not what it should be; the message is one sentence for the user."""
+    """What was asked for cannot be done, such as where something of a run is missing; the message is one sentence for the user."""
 
 
 def read(path, reader):

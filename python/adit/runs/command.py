@@ -5,11 +5,9 @@ A case runs every scene directly in its folder, or its `study` where it has one.
 folder. All other options are those of `coupler run`, or of `simplified run` for a scene of a whole tunnel: coupler run --help.
 In a source tree the programs are built first; ADIT_BUILD names a build folder, which is used as it is.
 """
-import argparse
 import contextlib
 import os
 import re
-import select
 import signal
 import subprocess
 import sys
@@ -20,12 +18,10 @@ from adit.results.files import Unusable
 from adit.runs import variants
 
 ADDRESS = re.compile(r"\S+:\S+")  # of a server that already listens; any other word is its command
-LONGEST_START_S = 60  # until a server that is started by its command listens
 
 
 def main(words):
-    parser = argparse.ArgumentParser(prog=programs.command("run"), description=__doc__, allow_abbrev=False,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = programs.parser("run", __doc__, allow_abbrev=False)
     parser.add_argument("input", metavar="CASE_DIR | SCENE.yaml")
     parser.add_argument("--out", metavar="DIR", type=Path, help="another folder of the results")
     parser.add_argument("--no-report", action="store_true", help="write no report.html")
@@ -38,11 +34,7 @@ def main(words):
         parser.add_argument(name, metavar="COMMAND | ADDRESS",
                             help="start this server and stop it, as in --dem 'mpirun -np 2 adit_lammps', or join the one that listens there")
     options, others = parser.parse_known_args(words)
-    try:
-        with programs.refusals_told("run", variants.Unclear):
-            sys.exit(run(options, others))
-    except KeyboardInterrupt:  # while pictures are drawn
-        sys.exit(128 + signal.SIGINT)
+    sys.exit(run(options, others))
 
 
 def run(options, others):
@@ -121,23 +113,9 @@ def servers_of(options, started=None):
     for name in ("fdm", "dem"):
         given = getattr(options, name)
         if given and started is not None and not ADDRESS.fullmatch(given):
-            given = started.enter_context(listening(given))
+            given = started.enter_context(programs.listening("bash", "-c", f"exec {given}", silenced_by=(), named=given))
         words += [f"--{name}", given] if given else []
     return words
-
-
-@contextlib.contextmanager
-def listening(command):
-    """The address of a server started by its command, which ends with the run."""
-    with subprocess.Popen(["bash", "-c", f"exec {command}"], stdout=subprocess.PIPE, text=True) as process:
-        try:
-            ready, _, _ = select.select([process.stdout], [], [], LONGEST_START_S)
-            line = process.stdout.readline().rstrip("\n") if ready else ""
-            if not line.startswith("listening on "):
-                raise Unusable(f"`{command}` said `{line}` where `listening on HOST:PORT` was expected.")
-            yield line.removeprefix("listening on ")
-        finally:
-            process.terminate()
 
 
 def compute(command):

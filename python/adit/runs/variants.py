@@ -10,6 +10,7 @@ import time
 from itertools import product
 
 from adit import programs
+from adit.results.files import Unusable
 from adit.runs import children
 from adit.runs.coupled_runs import for_all
 
@@ -17,10 +18,6 @@ LONGEST = 60  # characters of the name of a folder; longer ones end in a checksu
 FEW = 4  # variants that are also drawn each for itself: drawing takes longer than many runs
 TABLE = "variants.csv"
 BRACKETS = {"[": 1, "{": 1, "]": -1, "}": -1}
-
-
-class Unclear(Exception):
-    """What is to be varied cannot be read; the message is one sentence for the user."""
 
 
 def parted(text, separator):
@@ -40,7 +37,7 @@ def values_of(text):
     key, found, listed = text.partition("=")
     values = parted(listed, ",")
     if not found or not all([*parted(key, ","), *values]) or not all(all(tied(key, value).values()) for value in values):
-        raise Unclear(f"--vary `{text}` is not KEY=VALUE,VALUE… or KEY,KEY=VALUE:VALUE,VALUE:VALUE…; write for example "
+        raise Unusable(f"--vary `{text}` is not KEY=VALUE,VALUE… or KEY,KEY=VALUE:VALUE,VALUE:VALUE…; write for example "
                       "--vary 'time.dt_factor=0.2,0.5'.")
     return key.strip(), values
 
@@ -64,7 +61,7 @@ def variants(varied):
     found = {}
     for name, settings in zip(readable, combinations):
         if settings in found.values():
-            raise Unclear(f"two variants would lie in the folder {name}; state each value once.")
+            raise Unusable(f"two variants would lie in the folder {name}; state each value once.")
         if len(name) > LONGEST or readable.count(name) > 1:
             name = f"{name[:LONGEST - 9].rstrip('._')}_{hashlib.sha256(repr(settings).encode()).hexdigest()[:8]}"
         found[name] = settings
@@ -108,7 +105,7 @@ def compute_all(program, scene, options, others):
     try:
         out.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise Unclear(f"--out {out} cannot be a folder: {error.strerror}.") from None
+        raise Unusable(f"--out {out} cannot be a folder: {error.strerror}.") from None
     undrawn = [word for word, asked in (("--no-report", options.no_report), ("--no-pictures", options.no_pictures)) if asked]
     drawn = () if options.no_pictures or len(chosen) > FEW else ("plot",) if options.no_report else ("plot", "report")
     print(f"run: {len(chosen)} variants of {os.path.relpath(scene)}, {min(len(chosen), os.cpu_count())} at a time", flush=True)

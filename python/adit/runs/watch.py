@@ -4,7 +4,6 @@
 A line each time the histories have grown: the time reached of the whole, what is left at this speed, cracks, and the drift of
 the energy. The exit code is 0 where the run was completed, 1 where it has ended before.
 """
-import argparse
 import os
 import sys
 import time
@@ -17,13 +16,11 @@ EVERY_S = 2.0  # between two looks at the folder
 
 
 def main(words):
-    parser = argparse.ArgumentParser(prog=programs.command("watch"), description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = programs.parser("watch", __doc__)
     parser.add_argument("folder", metavar="RUN_DIR", help="folder of a run")
     parser.add_argument("--once", action="store_true", help="look once")
     options = parser.parse_args(words)
-    with programs.refusals_told("watch"):
-        sys.exit(watch(options.folder, options.once))
+    sys.exit(watch(options.folder, options.once))
 
 
 def watch(folder, once):

@@ -5,7 +5,6 @@ the cheapest to the finest, compared with the finest. Computes one after the oth
 variant), CASE.md (the same to read) and CASE.png (errors over cost). adit/trade says which variants; docs/trade.md what
 the columns mean and what follows.
 """
-import argparse
 from pathlib import Path
 
 from adit import programs
@@ -44,18 +43,16 @@ def write(name, rows, markdown, drawn, out):
 
 
 def main(words):
-    parser = argparse.ArgumentParser(prog=programs.command("trade"), description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = programs.parser("trade", __doc__)
     parser.add_argument("case", nargs="?", choices=[*models.MODELS, *TUNNELS, "all"], default="all")
     parser.add_argument("--quick", action="store_true",
                         help="for tests: a tiny bar instead of cantilever and bar; few models of a tunnel, over a short time")
     parser.add_argument("--out", type=Path, default=programs.RUNS / "trade", help="folder of the results")
     options = parser.parse_args(words)
     programs.bring_up_to_date("coupler", "fdm_server", "dem_server", "simplified")
-    with programs.refusals_told("trade", measure.RunFailed):
-        options.out.mkdir(parents=True, exist_ok=True)
-        for name in [*models.MODELS, *TUNNELS] if options.case == "all" else [options.case]:
-            if name in TUNNELS:
-                climb(TUNNELS[name].ladder(options.quick), options.out)
-            else:
-                study(models.TINY if options.quick else models.MODELS[name], options.out)
+    options.out.mkdir(parents=True, exist_ok=True)
+    for name in [*models.MODELS, *TUNNELS] if options.case == "all" else [options.case]:
+        if name in TUNNELS:
+            climb(TUNNELS[name].ladder(options.quick), options.out)
+        else:
+            study(models.TINY if options.quick else models.MODELS[name], options.out)

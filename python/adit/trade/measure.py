@@ -4,17 +4,12 @@ import subprocess
 
 import numpy as np
 
-from adit import programs
-from adit import Run
+from adit import Run, Unusable, programs
 from adit.trade.front import ALONE
 from adit.trade.models import dt_factor
 
 REFERENCE_DT_FACTOR = 0.2
 COSTS = ("cpu_s", "wall_s")
-
-
-class RunFailed(Exception):
-    """The message is one sentence for the user."""
 
 
 def table(model, out):
@@ -37,7 +32,7 @@ def compute(scene, settings, folder):
     ended = subprocess.run([programs.program("coupler"), "run", scene, *sets, "--out", folder],
                            capture_output=True, text=True)
     if ended.returncode:
-        raise RunFailed(f"{folder.name} failed (exit code {ended.returncode}): {ended.stderr.splitlines()[-1]}")
+        raise Unusable(f"{folder.name} failed (exit code {ended.returncode}): {ended.stderr.splitlines()[-1]}")
     return Run(folder)
 
 

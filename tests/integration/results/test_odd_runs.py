@@ -1,7 +1,6 @@
 """Whatever is left of a run, and however little happens in it, scripts show what there is or say in one sentence why they cannot."""
 
 import contextlib
-import importlib
 import io
 import os
 import pathlib
@@ -12,10 +11,10 @@ from unittest import mock
 
 from programs import BUILD, SOURCE, ProgramTest, coupler
 
+from adit import cli
 from adit.plots import style
 from adit.report import pictures
 
-ROOMS = {"plot": "plots", "report": "report", "compare": "compare", "paraview": "paraview"}  # of the commands
 COARSE = 20  # dots per inch: this is about whether pictures are drawn
 
 MATERIAL = "material: {young_modulus: 30 GPa, poisson_ratio: 0.2, density: 2500 kg/m^3}\n"
@@ -79,7 +78,7 @@ def called(name, *arguments):
     with contextlib.redirect_stderr(said), contextlib.redirect_stdout(io.StringIO()), mock.patch.object(pictures, "DOTS", COARSE), \
             style.plt.rc_context({"savefig.dpi": COARSE}):
         try:
-            importlib.import_module(f"adit.{ROOMS[name]}.command").main([str(word) for word in arguments])
+            cli.run(name, [str(word) for word in arguments])
         except SystemExit as end:
             code = end.code or 0
     return code, said.getvalue()

@@ -7,9 +7,7 @@ from pathlib import Path
 
 import yaml
 
-from adit import programs
-from adit import Run
-from adit.trade.measure import RunFailed
+from adit import Run, Unusable, programs
 
 LOOKS = 0.02  # time between two looks at the memory of the processes [s]
 ELEMENTS = ("elements", "bodies", "columns")  # of the simplified models
@@ -38,7 +36,7 @@ class Meter:
             errors.seek(0)
             said = errors.read().decode(errors="replace").splitlines()
         if process.returncode:
-            raise RunFailed(f"{out} failed (exit code {process.returncode}): {said[-1] if said else 'it said nothing'}")
+            raise Unusable(f"{out} failed (exit code {process.returncode}): {said[-1] if said else 'it said nothing'}")
         run = Run(out)
         self.wall_s += time.monotonic() - begun
         self.cpu_s += usage.ru_utime + usage.ru_stime
