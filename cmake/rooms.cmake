@@ -1,8 +1,8 @@
 # What a target with precompiled headers needs of GCC: ccache asks for -fpch-preprocess, and GCC 12 forgets that what it has
-# precompiled is the system's, and warns of its own std::string.
+# precompiled is the system's, and warns of its own std::string and std::vector.
 add_library(adit_precompiled INTERFACE)
 target_compile_options(adit_precompiled INTERFACE
-  "$<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds>")
+  "$<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds;-Wno-free-nonheap-object>")
 
 # What most sources of the participants and the coupler include.
 set(ADIT_PRECOMPILED "${PROJECT_BINARY_DIR}/protocol/messages/wire.pb.h" <fmt/format.h> <algorithm> <functional> <string> <vector>)

@@ -13,7 +13,7 @@
 #include "tests/fuzz/session/restore.hpp"
 #include "tests/fuzz/support/target.hpp"
 
-namespace adit::fuzz {
+namespace adit::fuzz::replay_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -54,4 +54,4 @@ INSTANTIATE_TEST_SUITE_P(Fuzz, Replay, testing::ValuesIn(targets()),
                          [](const auto& info) { return std::string(info.param->name()); });
 
 }  // namespace
-}  // namespace adit::fuzz
+}  // namespace adit::fuzz::replay_test

@@ -15,7 +15,7 @@
 #include "tests/support/local_participants.hpp"
 #include "tests/support/scratch_folder.hpp"
 
-namespace adit {
+namespace adit::run_test {
 namespace {
 
 constexpr std::uint64_t kFrom = 100;
@@ -142,4 +142,4 @@ TEST(Run, EndsWithinAHundredStepsAboveIt) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::run_test

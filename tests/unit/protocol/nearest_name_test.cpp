@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace adit::protocol {
+namespace adit::protocol::nearest_name_test {
 namespace {
 
 TEST(NearestName, DistanceCountsInsertionsDeletionsReplacementsAndExchanges) {
@@ -29,4 +29,4 @@ TEST(NearestName, TheNearestOfTheKnownIsFoundAndGarbageIsNot) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::nearest_name_test

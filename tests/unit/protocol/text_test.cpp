@@ -8,7 +8,7 @@
 
 #include "protocol/excerpt.hpp"
 
-namespace adit::protocol {
+namespace adit::protocol::text_test {
 namespace {
 
 constexpr const char* kUmlauts = "\xc3\xa4\xc3\xb6\xc3\xbc";  // äöü in UTF-8
@@ -75,4 +75,4 @@ TEST(Text, OfAFileMayBearAByteOrderMark) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::text_test

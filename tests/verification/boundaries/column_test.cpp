@@ -12,7 +12,7 @@
 #include "tests/unit/fdm_server/boundaries/boundary_scenes.hpp"
 #include "tests/verification/boundaries/shear_column.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::column_test {
 namespace {
 
 using std::numbers::pi;
@@ -196,4 +196,4 @@ TEST(CompliantBase, SurfaceMovesAsTheOutcrop) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::column_test

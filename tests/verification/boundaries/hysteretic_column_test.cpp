@@ -6,7 +6,7 @@
 
 #include "tests/unit/fdm_server/boundaries/boundary_scenes.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::hysteretic_column_test {
 namespace {
 
 constexpr double kHeight = 20, kReference = 1e-3, kModulus = kGroundDensity * kShearVelocity * kShearVelocity;
@@ -92,4 +92,4 @@ TEST(HystereticColumn, MovesAsAnIndependentIntegrationOfItsLaw) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::hysteretic_column_test

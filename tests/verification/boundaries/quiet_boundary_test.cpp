@@ -5,7 +5,7 @@
 
 #include "tests/verification/boundaries/quiet_reflection.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::quiet_boundary_test {
 namespace {
 
 Medium medium(double poisson) {
@@ -53,4 +53,4 @@ TEST(QuietBoundary, GridFollowsTheTheory) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::quiet_boundary_test

@@ -11,7 +11,7 @@
 #include "tests/support/momentum.hpp"
 #include "tests/verification/bridging/bars.hpp"
 
-namespace adit {
+namespace adit::break_away_test {
 namespace {
 
 struct BreakAway : testing::TestWithParam<std::tuple<scene::Solve, unsigned>> {
@@ -71,4 +71,4 @@ INSTANTIATE_TEST_SUITE_P(AllSolves, BreakAway,
                          });
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::break_away_test

@@ -15,7 +15,7 @@
 #include "protocol/scene/reader.hpp"
 #include "tests/support/local_participants.hpp"
 
-namespace adit {
+namespace adit::cantilever_test {
 namespace {
 
 struct Crack {
@@ -154,4 +154,4 @@ TEST(Cantilever, CracksAsTheParticlesAlone) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::cantilever_test

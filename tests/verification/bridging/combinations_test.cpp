@@ -15,7 +15,7 @@
 #include "tests/support/momentum.hpp"
 #include "tests/verification/bridging/bars.hpp"
 
-namespace adit {
+namespace adit::combinations_test {
 namespace {
 
 using test::Bar;
@@ -189,4 +189,4 @@ INSTANTIATE_TEST_SUITE_P(Some, CombinationWithSubsteps,
                          });
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::combinations_test

@@ -11,7 +11,7 @@
 #include "tests/support/local_participants.hpp"
 #include "tests/support/momentum.hpp"
 
-namespace adit {
+namespace adit::conservation_test {
 namespace {
 
 constexpr double kDensity = 2000, kForceX = 3e5, kForceY = 1e5;
@@ -115,4 +115,4 @@ TEST(Conservation, RestStaysRest) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::conservation_test

@@ -10,7 +10,7 @@
 #include "coupler/stepping/stepper.hpp"
 #include "tests/support/local_participants.hpp"
 
-namespace adit {
+namespace adit::coupled_grid_test {
 namespace {
 
 // A free bar, zones left, particles right, pushed on its zones; lightly, since bonds that turn keep the
@@ -71,4 +71,4 @@ TEST(CoupledGrid, SlantedZonesKeepTheEnergy) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::coupled_grid_test

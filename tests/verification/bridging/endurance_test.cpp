@@ -12,7 +12,7 @@
 #include "tests/support/local_participants.hpp"
 #include "tests/verification/bridging/bars.hpp"
 
-namespace adit {
+namespace adit::endurance_test {
 namespace {
 
 constexpr auto kGrid = test::Stretch::kGrid, kLattice = test::Stretch::kLattice;
@@ -65,4 +65,4 @@ INSTANTIATE_TEST_SUITE_P(AllSolves, Endurance,
                          [](const auto& info) { return scene::Solve_Name(info.param); });
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::endurance_test

@@ -14,7 +14,7 @@
 #include "tests/support/local_participants.hpp"
 #include "tests/verification/bridging/bars.hpp"
 
-namespace adit {
+namespace adit::extremes_test {
 namespace {
 
 constexpr auto kGrid = test::Stretch::kGrid, kLattice = test::Stretch::kLattice;
@@ -220,4 +220,4 @@ TEST(FarFromTheOrigin, TheSameMotionIsComputed) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::extremes_test

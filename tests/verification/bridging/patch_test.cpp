@@ -8,7 +8,7 @@
 #include "tests/support/overlaps.hpp"
 #include "tests/verification/bridging/statics/coupled_statics.hpp"
 
-namespace adit {
+namespace adit::patch_test {
 namespace {
 
 constexpr double kRadius = 0.5, kRow = std::numbers::sqrt3 * kRadius;
@@ -110,4 +110,4 @@ INSTANTIATE_TEST_SUITE_P(BoxAndCircle, RingPatch,
                                          test::circle(0.1, 0.2, 4.3), test::circle(1.1, -0.7, 4.3)));
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::patch_test

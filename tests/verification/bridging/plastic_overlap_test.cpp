@@ -10,7 +10,7 @@
 #include "coupler/stepping/stepper.hpp"
 #include "tests/support/local_participants.hpp"
 
-namespace adit {
+namespace adit::plastic_overlap_test {
 namespace {
 
 struct Balance {
@@ -69,4 +69,4 @@ TEST_P(PlasticOverlap, KeepsTheBalanceOfEnergy) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::plastic_overlap_test

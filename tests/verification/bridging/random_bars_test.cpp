@@ -11,7 +11,7 @@
 #include "tests/support/local_participants.hpp"
 #include "tests/verification/bridging/bars.hpp"
 
-namespace adit {
+namespace adit::random_bars_test {
 namespace {
 
 double between(double low, double high) {
@@ -81,4 +81,4 @@ RC_GTEST_PROP(RandomBars, MakeNoEnergy, ()) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::random_bars_test

@@ -13,7 +13,7 @@
 #include "tests/support/local_participants.hpp"
 #include "tests/support/refusals.hpp"
 
-namespace adit {
+namespace adit::substeps_test {
 namespace {
 
 // A bar, zones of 0.5 m at its pushed end, particles at its fixed end.
@@ -189,4 +189,4 @@ TEST(Substeps, AreNotChosenWhereTwoModelsOfOneKindAreJoined) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::substeps_test

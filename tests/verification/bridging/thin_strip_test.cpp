@@ -13,7 +13,7 @@
 #include "coupler/stepping/stepper.hpp"
 #include "tests/support/local_participants.hpp"
 
-namespace adit {
+namespace adit::thin_strip_test {
 namespace {
 
 constexpr int kRows = 5, kDiscs = 87;
@@ -113,4 +113,4 @@ TEST(ThinStrip, CoupledSwingsAsTimoshenkosBeam) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::thin_strip_test

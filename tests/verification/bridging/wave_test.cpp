@@ -18,7 +18,7 @@
 #include "tests/support/local_participants.hpp"
 #include "tests/verification/bridging/chain_and_bar.hpp"
 
-namespace adit {
+namespace adit::wave_test {
 namespace {
 
 constexpr double kZone = 10, kOverlap = 5 * kZone, kStep = 0.5, kLongStep = 0.8;
@@ -254,4 +254,4 @@ INSTANTIATE_TEST_SUITE_P(Rows, SplitWave,
                          [](const auto& info) { return name_of_ratio(info.param.ratio); });
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::wave_test

@@ -11,7 +11,7 @@
 #include "fdm_server/zones/critical_step.hpp"
 #include "tests/verification/continuum/grids.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::conservation_test {
 namespace {
 
 const PlaneLaw kLaw = plane_strain(2.5e9, 0.3);
@@ -159,4 +159,4 @@ TEST_P(FreeBody, NeverGainsEnergy) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::conservation_test

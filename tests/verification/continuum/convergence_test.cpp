@@ -9,7 +9,7 @@
 #include "fdm_server/zones/critical_step.hpp"
 #include "tests/verification/continuum/wave_run.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::convergence_test {
 namespace {
 
 const Medium kMedium{plane_strain(1e9, 0.3), 2000};
@@ -71,4 +71,4 @@ TEST_P(Convergence, IsOfSecondOrder) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::convergence_test

@@ -10,7 +10,7 @@
 #include "tests/verification/continuum/dispersion.hpp"
 #include "tests/verification/continuum/oracles/harmonic_wave.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::dispersion_test {
 namespace {
 
 using oracle::Medium;
@@ -106,4 +106,4 @@ TEST_P(DispersionOfEachZone, KeepsTheAdviceOnZonesAWavelength) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::dispersion_test

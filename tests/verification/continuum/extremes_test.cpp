@@ -8,7 +8,7 @@
 #include "fdm_server/zones/critical_step.hpp"
 #include "tests/verification/continuum/wave_run.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::extremes_test {
 namespace {
 
 using std::numbers::pi;
@@ -88,4 +88,4 @@ TEST_P(Extremes, LargeCoordinatesChangeOnlyTheRounding) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::extremes_test

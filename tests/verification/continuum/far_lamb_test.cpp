@@ -4,7 +4,7 @@
 
 #include "tests/verification/continuum/lamb_run.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::far_lamb_test {
 namespace {
 
 TEST(Lamb, IsWithinTwoPercentAtSixWavelengths) {
@@ -15,4 +15,4 @@ TEST(Lamb, IsWithinTwoPercentAtSixWavelengths) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::far_lamb_test

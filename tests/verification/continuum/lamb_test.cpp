@@ -4,7 +4,7 @@
 
 #include "tests/verification/continuum/lamb_run.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::lamb_test {
 namespace {
 
 void expect_two_percent(const std::vector<Peaks>& receivers) {
@@ -23,4 +23,4 @@ TEST(Lamb, MixedDiscretizationIsWithinTwoPercentAtFourWavelengths) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::lamb_test

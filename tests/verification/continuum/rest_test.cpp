@@ -8,7 +8,7 @@
 #include "tests/verification/continuum/grids.hpp"
 #include "tests/verification/continuum/rest.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::rest_test {
 namespace {
 
 TEST(Rest, LastsTenMillionSteps) {
@@ -40,4 +40,4 @@ TEST(Rest, LastsTenMillionSteps) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::rest_test

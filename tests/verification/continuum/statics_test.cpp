@@ -11,7 +11,7 @@
 #include "tests/verification/continuum/oracles/lame.hpp"
 #include "tests/verification/continuum/rest.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::statics_test {
 namespace {
 
 using oracle::CartesianStress;
@@ -155,4 +155,4 @@ TEST_P(Statics, GravityGivesTheElasticPressureAtRest) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::statics_test

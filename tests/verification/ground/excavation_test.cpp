@@ -10,7 +10,7 @@
 #include "protocol/errors.hpp"
 #include "tests/support/local_participants.hpp"
 
-namespace adit {
+namespace adit::excavation_test {
 namespace {
 
 constexpr double kYoung = 1e9, kPoisson = 0.25, kShear = kYoung / (2 * (1 + kPoisson));
@@ -147,4 +147,4 @@ TEST(Excavation, InStagesEndsAtTheSameState) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::excavation_test

@@ -9,7 +9,7 @@
 #include "fdm_server/zones/critical_step.hpp"
 #include "fdm_server/zones/zone_set.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::footing_test {
 namespace {
 
 // Half of a rough footing of half width 1, pushed down until the load stays, slowly: inertia is a thousandth
@@ -70,4 +70,4 @@ TEST_P(Footing, OnCohesiveGroundCarriesPrandtlsPressure) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::footing_test

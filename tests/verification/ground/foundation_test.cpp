@@ -10,7 +10,7 @@
 #include "coupler/stepping/stepper.hpp"
 #include "tests/support/local_participants.hpp"
 
-namespace adit {
+namespace adit::foundation_test {
 namespace {
 
 scene::Scene scene_of(const std::string& text) {
@@ -187,4 +187,4 @@ TEST(BodyMotion, OfTwoEdgesTurnsABarAsARigidBody) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::foundation_test

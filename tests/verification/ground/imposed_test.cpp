@@ -13,7 +13,7 @@
 #include "protocol/state/archive.hpp"
 #include "tests/support/local_participants.hpp"
 
-namespace adit {
+namespace adit::imposed_test {
 namespace {
 
 struct Loaded {
@@ -129,4 +129,4 @@ TEST(Imposed, GoesOnFromAState) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::imposed_test

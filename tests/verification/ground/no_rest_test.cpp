@@ -13,7 +13,7 @@
 #include "protocol/errors.hpp"
 #include "tests/support/local_participants.hpp"
 
-namespace adit {
+namespace adit::no_rest_test {
 namespace {
 
 using testing::AllOf;
@@ -134,4 +134,4 @@ TEST(NoRest, IsNotSeenWhereNothingActs) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::no_rest_test

@@ -9,7 +9,7 @@
 #include "fdm_server/zones/critical_step.hpp"
 #include "fdm_server/zones/zone_set.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::plastic_hole_test {
 namespace {
 
 using std::numbers::pi;
@@ -142,4 +142,4 @@ TEST_P(PlasticHole, HasSalenconsStressesAndRadius) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::plastic_hole_test

@@ -11,7 +11,7 @@
 #include "coupler/stepping/statics.hpp"
 #include "tests/support/local_participants.hpp"
 
-namespace adit {
+namespace adit::slope_test {
 namespace {
 
 struct Rested {
@@ -82,4 +82,4 @@ TEST(Slope, HoldsParticlesWithLittleMovement) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::slope_test

@@ -14,7 +14,7 @@
 #include "tests/verification/lined_tunnel/ovaling.hpp"
 #include "tests/verification/particles/in_situ/in_situ.hpp"
 
-namespace adit::test {
+namespace adit::test::bonded_ring_test {
 namespace {
 
 using oracle::RingForces;
@@ -181,4 +181,4 @@ TEST(BondedRing, IsTheAnnulusAndDiffersFromBeamsAsTheoryDoes) {
 }
 
 }  // namespace
-}  // namespace adit::test
+}  // namespace adit::test::bonded_ring_test

@@ -7,7 +7,7 @@
 #include "tests/verification/lined_tunnel/lined_ring.hpp"
 #include "tests/verification/lined_tunnel/ovaling.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::ovaling_test {
 namespace {
 
 constexpr double kStrain = 1e-3;
@@ -90,4 +90,4 @@ TEST(LinedTunnel, NearRimsAreFeltBySquaresOfTheirDistance) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::ovaling_test

@@ -10,7 +10,7 @@
 #include "coupler/stepping/statics.hpp"
 #include "tests/support/local_participants.hpp"
 
-namespace adit {
+namespace adit::staged_test {
 namespace {
 
 constexpr double kPressure = 1e6, kRadius = 2, kShear = 1e8, kPoisson = 0.25;
@@ -85,4 +85,4 @@ TEST(StagedLining, SharesWhatIsReleasedLaterInGroundOfSeveralMaterials) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::staged_test

@@ -13,7 +13,7 @@
 #include "dem_server/model/reading/read_model.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
-namespace adit::dem {
+namespace adit::dem::cracking_test {
 namespace {
 
 struct Crack {
@@ -257,4 +257,4 @@ TEST(BrazilianDisc, SplitsAlongTheLoadedDiameter) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::cracking_test

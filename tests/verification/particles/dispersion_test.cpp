@@ -4,7 +4,7 @@
 #include "dem_server/model/calibration.hpp"
 #include "tests/verification/particles/periodic_lattice.hpp"
 
-namespace adit::dem {
+namespace adit::dem::dispersion_test {
 namespace {
 
 constexpr double kYoung = 25e9, kDensity = 2500;
@@ -77,4 +77,4 @@ TEST(LatticeWaves, RotationStartsAtItsOwnFrequency) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::dispersion_test

@@ -5,7 +5,7 @@
 
 #include "tests/unit/dem_server/discs_models.hpp"
 
-namespace adit::dem {
+namespace adit::dem::endurance_test {
 namespace {
 
 // A bonded pair that turns and swings, and a loose disc that bounces between two walls and slides on a third.
@@ -34,4 +34,4 @@ TEST(DiscsEndurance, TenMillionSteps) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::endurance_test

@@ -11,7 +11,7 @@
 #include "protocol/scene/reader.hpp"
 #include "tests/support/local_participants.hpp"
 
-namespace adit {
+namespace adit::engines_test {
 namespace {
 
 struct Outcome {
@@ -111,4 +111,4 @@ TEST(CoupledDiscs, KeepEnergyAsParallelBondsBreak) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::engines_test

@@ -9,7 +9,7 @@
 #include "dem_server/model/calibration.hpp"
 #include "tests/unit/dem_server/engines/lattice/lattice.hpp"
 
-namespace adit::dem {
+namespace adit::dem::moduli_test {
 namespace {
 
 constexpr double kRadius = 0.5, kHeightOfRow = std::numbers::sqrt3 * kRadius;
@@ -79,4 +79,4 @@ TEST(Moduli, OfTheHexagonalLattice) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::moduli_test

@@ -12,7 +12,7 @@
 
 #include "tests/unit/dem_server/discs_models.hpp"
 
-namespace adit::dem {
+namespace adit::dem::repose_test {
 namespace {
 
 constexpr double kGravity = 9.81, kLength = 110;  // [m/s^2], of the floor in mean diameters [m]
@@ -90,4 +90,4 @@ TEST(AngleOfRepose, OfDiscsWithFriction) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::repose_test

@@ -14,7 +14,7 @@
 #include "tests/support/local_participants.hpp"
 #include "tests/support/refusals.hpp"
 
-namespace adit {
+namespace adit::rest_test {
 namespace {
 
 constexpr double kWidth = 10, kHeight = 6, kGravity = 10;
@@ -66,4 +66,4 @@ TEST(DiscsAtRest, RefuseAStepAboveTheCriticalOne) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::rest_test

@@ -10,7 +10,7 @@
 
 #include "protocol/errors.hpp"
 
-namespace adit::coupler {
+namespace adit::coupler::answers_test {
 namespace {
 
 constexpr const char* kSoundModel = "critical_dt: 1 x_min: 0 x_max: 1 y_min: 0 y_max: 1 ";
@@ -83,4 +83,4 @@ TEST(Answers, Bye) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::coupler::answers_test

@@ -9,7 +9,7 @@
 
 #include "protocol/errors.hpp"
 
-namespace adit::coupler {
+namespace adit::coupler::interpolation_test {
 namespace {
 
 // Two coupling points between three own points.
@@ -90,4 +90,4 @@ TEST(Interpolation, RefusesAnythingMalformed) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::coupler::interpolation_test

@@ -13,7 +13,7 @@
 #include "tests/support/refusals.hpp"
 #include "tests/unit/coupler/participants/interface_fixture.hpp"
 
-namespace adit::coupler {
+namespace adit::coupler::multipliers_test {
 namespace {
 
 using test::component;
@@ -229,4 +229,4 @@ TEST(Multipliers, StaySparseWithAHundredThousandCouplingPoints) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::coupler::multipliers_test

@@ -8,7 +8,7 @@
 #include "tests/support/overlaps.hpp"
 #include "tests/support/refusals.hpp"
 
-namespace adit::coupler {
+namespace adit::coupler::overlap_checks_test {
 namespace {
 
 // What a model fills, with samples every so often in both directions.
@@ -171,4 +171,4 @@ TEST(OverlapInside, InTheCoreOnlyHolesMayBeEmpty) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::coupler::overlap_checks_test

@@ -6,7 +6,7 @@
 #include "tests/support/overlaps.hpp"
 #include "tests/support/refusals.hpp"
 
-namespace adit::coupler {
+namespace adit::coupler::overlap_error_test {
 namespace {
 
 void expect_refused(const std::string& overlap, const std::string& path, const std::string& text) {
@@ -83,4 +83,4 @@ TEST(OverlapErrors, AHoleThatIsNotInsideItsPolygon) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::coupler::overlap_error_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/overlaps.hpp"
 
-namespace adit::coupler {
+namespace adit::coupler::overlap_notes_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -46,4 +46,4 @@ TEST(OverlapNotes, AnOverlapNarrowerThanAZone) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::coupler::overlap_notes_test

@@ -3,7 +3,7 @@
 
 #include "tests/unit/coupler/bridging/random_overlaps.hpp"
 
-namespace adit::coupler {
+namespace adit::coupler::overlap_test {
 namespace {
 
 using test::overlap_of;
@@ -100,4 +100,4 @@ RC_GTEST_PROP(Overlap, BoundsHoldEveryPointOfTheOverlap, ()) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::coupler::overlap_test

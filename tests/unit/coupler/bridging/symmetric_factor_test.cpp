@@ -7,7 +7,7 @@
 #include <Eigen/Dense>
 #include <random>
 
-namespace adit::coupler {
+namespace adit::coupler::symmetric_factor_test {
 namespace {
 
 Eigen::SparseMatrix<double> lower_of(const Eigen::MatrixXd& matrix) {
@@ -54,4 +54,4 @@ TEST(SymmetricFactor, RefusesWhatIsNotPositiveDefinite) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::coupler::symmetric_factor_test

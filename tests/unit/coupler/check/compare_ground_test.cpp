@@ -7,7 +7,7 @@
 
 #include "tests/support/local_participants.hpp"
 
-namespace adit::coupler {
+namespace adit::coupler::compare_ground_test {
 namespace {
 
 using ::testing::AllOf;
@@ -122,4 +122,4 @@ TEST(CompareGround, WhatBondsCannotHave) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::coupler::compare_ground_test

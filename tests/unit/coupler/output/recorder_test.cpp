@@ -20,7 +20,7 @@
 #include "tests/support/local_participants.hpp"
 #include "tests/support/scratch_folder.hpp"
 
-namespace adit {
+namespace adit::recorder_test {
 namespace {
 
 constexpr double kLength = 4, kYoung = 1e9, kDensity = 2000, kPull = 0.004, kParticleStep = 1e-5;
@@ -196,4 +196,4 @@ TEST(Recorder, BondsBetweenTwoGroupsDebond) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::recorder_test

@@ -9,7 +9,7 @@
 #include "tests/support/local_participants.hpp"
 #include "tests/verification/bridging/bars.hpp"
 
-namespace adit::coupler {
+namespace adit::coupler::constraint_test {
 namespace {
 
 TEST(Constraint, EndsWhereImpulsesAreBeyondNumbers) {
@@ -29,4 +29,4 @@ TEST(Constraint, EndsWhereImpulsesAreBeyondNumbers) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::coupler::constraint_test

@@ -11,7 +11,7 @@
 #include "protocol/errors.hpp"
 #include "tests/support/local_participants.hpp"
 
-namespace adit::coupler {
+namespace adit::coupler::decay_rate_test {
 namespace {
 
 // A bar of 4 m, pulled at the particles' end.
@@ -118,4 +118,4 @@ TEST(DecayRate, AWaveSpeedThatIsNoneLosesThePeer) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::coupler::decay_rate_test

@@ -8,7 +8,7 @@
 #include "tests/support/local_participants.hpp"
 #include "tests/support/refusals.hpp"
 
-namespace adit::coupler {
+namespace adit::coupler::free_face_test {
 namespace {
 
 scene::Scene scene_of(const std::string& text) {
@@ -77,4 +77,4 @@ TEST(FreeFace, WithoutTheCavernThereIsGroundToFill) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::coupler::free_face_test

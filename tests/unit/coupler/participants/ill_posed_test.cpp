@@ -7,7 +7,7 @@
 #include "tests/support/refusals.hpp"
 #include "tests/verification/bridging/bars.hpp"
 
-namespace adit::coupler {
+namespace adit::coupler::ill_posed_test {
 namespace {
 
 constexpr auto kGrid = test::Stretch::kGrid, kLattice = test::Stretch::kLattice;
@@ -92,4 +92,4 @@ TEST(IllPosed, SolvesThatDiffer) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::coupler::ill_posed_test

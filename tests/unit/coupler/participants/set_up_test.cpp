@@ -10,7 +10,7 @@
 #include "tests/support/local_participants.hpp"
 #include "tests/support/refusals.hpp"
 
-namespace adit::coupler {
+namespace adit::coupler::set_up_test {
 namespace {
 
 // A bar of 4 m: zones of 0.5 m, rows of particles, overlap from 1 m to 3 m.
@@ -164,4 +164,4 @@ TEST(SetUp, PassesOnWhatAParticipantRefuses) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::coupler::set_up_test

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace adit::coupler {
+namespace adit::coupler::difference_test {
 namespace {
 
 wire::Frame predicted() {
@@ -111,4 +111,4 @@ TEST(Difference, IsNotThatOfClocksAndNames) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::coupler::difference_test

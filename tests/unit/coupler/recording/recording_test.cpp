@@ -13,7 +13,7 @@
 #include "tests/support/refusals.hpp"
 #include "tests/support/scratch_folder.hpp"
 
-namespace adit::coupler {
+namespace adit::coupler::recording_test {
 namespace {
 
 using test::expect_refusal;
@@ -206,4 +206,4 @@ TEST_F(RecordingTest, PutsPartsTogether) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::coupler::recording_test

@@ -5,7 +5,7 @@
 
 #include "protocol/wire/bounds.hpp"
 
-namespace adit::coupler {
+namespace adit::coupler::answer_bounds_test {
 namespace {
 
 using Frame = wire::Frame;
@@ -52,4 +52,4 @@ TEST(AnswerBounds, OfAStepHoldAllVelocitiesAndCracks) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::coupler::answer_bounds_test

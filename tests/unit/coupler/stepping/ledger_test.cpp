@@ -12,7 +12,7 @@
 #include "coupler/stepping/stepper.hpp"
 #include "tests/support/local_participants.hpp"
 
-namespace adit {
+namespace adit::ledger_test {
 namespace {
 
 // The zones fall from the start, and the particles hold them back.
@@ -60,4 +60,4 @@ TEST(Ledger, MultipliersWorkClosesTheBalanceOfEachParticipant) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::ledger_test

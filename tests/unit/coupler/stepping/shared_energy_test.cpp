@@ -8,7 +8,7 @@
 #include "tests/support/weighted_lattice.hpp"
 #include "tests/unit/coupler/bridging/random_overlaps.hpp"
 
-namespace adit::coupler {
+namespace adit::coupler::shared_energy_test {
 namespace {
 
 constexpr double kFloor = 1e-12;
@@ -167,4 +167,4 @@ RC_GTEST_PROP(SharedEnergy, AStripKeepsTheArea, ()) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::coupler::shared_energy_test

@@ -13,7 +13,7 @@
 #include <limits>
 #include <numbers>
 
-namespace adit::coupler {
+namespace adit::coupler::unrest_test {
 namespace {
 
 constexpr double kWanted = 1e-4;
@@ -96,4 +96,4 @@ TEST(Flow, IsNotSeenInWhatComesToRest) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::coupler::unrest_test

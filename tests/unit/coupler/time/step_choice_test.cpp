@@ -15,7 +15,7 @@
 #include "coupler/output/schedule.hpp"
 #include "coupler/participants/time_step.hpp"
 
-namespace adit::coupler {
+namespace adit::coupler::step_choice_test {
 namespace {
 
 using testing::ElementsAre;
@@ -202,4 +202,4 @@ TEST(Stated, IsToldWithWhatActs) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::coupler::step_choice_test

@@ -8,7 +8,7 @@
 #include "tests/support/refusals.hpp"
 #include "tests/unit/coupler/tunnel/tunnels.hpp"
 
-namespace adit::coupler {
+namespace adit::coupler::contour_test {
 namespace {
 
 using std::numbers::pi;
@@ -89,4 +89,4 @@ TEST(Contour, WhatIsNoOutlineIsRefused) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::coupler::contour_test

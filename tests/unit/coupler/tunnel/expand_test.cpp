@@ -14,7 +14,7 @@
 #include "tests/support/refusals.hpp"
 #include "tests/unit/coupler/tunnel/tunnels.hpp"
 
-namespace adit::coupler {
+namespace adit::coupler::expand_test {
 namespace {
 
 using std::numbers::pi;
@@ -371,4 +371,4 @@ TEST(ExpandTunnels, RefusalsComeBackToTheTunnel) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::coupler::expand_test

@@ -8,7 +8,7 @@
 
 #include "tests/unit/dem_server/engines/lattice/lattice.hpp"
 
-namespace adit::dem {
+namespace adit::dem::triangulation_test {
 namespace {
 
 constexpr double kRadius = 0.3;
@@ -117,4 +117,4 @@ TEST(Triangulation, ARowHasNoField) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::triangulation_test

@@ -4,7 +4,7 @@
 
 #include "tests/unit/dem_server/engines/lattice/lattice.hpp"
 
-namespace adit::dem {
+namespace adit::dem::crack_test {
 namespace {
 
 // A crack lies where the particles touched, across the bond, and is as long as the cells' common edge.
@@ -41,4 +41,4 @@ TEST(Crack, UprightCrackHasAPositiveAngle) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::crack_test

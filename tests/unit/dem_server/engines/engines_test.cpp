@@ -17,7 +17,7 @@
 #include "protocol/errors.hpp"
 #include "tests/support/lattice_model.hpp"
 
-namespace adit::dem {
+namespace adit::dem::engines_test {
 namespace {
 
 constexpr double kRadius = 0.5;
@@ -314,4 +314,4 @@ TEST_P(Engines, KeepTheWeightsAboveTheFloor) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::engines_test

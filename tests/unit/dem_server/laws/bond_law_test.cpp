@@ -4,7 +4,7 @@
 
 #include "tests/unit/dem_server/engines/lattice/lattice.hpp"
 
-namespace adit::dem {
+namespace adit::dem::bond_law_test {
 namespace {
 
 using test::compute;
@@ -206,4 +206,4 @@ TEST(BondLaw, VectorsAndRemaindersGiveTheSameBits) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::bond_law_test

@@ -11,7 +11,7 @@
 #include "dem_server/laws/spring.hpp"
 #include "tests/unit/dem_server/two_bodies.hpp"
 
-namespace adit::dem {
+namespace adit::dem::laws_test {
 namespace {
 
 using test::Body;
@@ -274,4 +274,4 @@ TEST(Laws, GiveTheStoredForces) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::laws_test

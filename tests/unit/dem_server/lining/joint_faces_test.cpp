@@ -16,7 +16,7 @@
 #include "tests/unit/dem_server/in_process_run.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
-namespace adit::dem {
+namespace adit::dem::joint_faces_test {
 namespace {
 
 constexpr int kRows = 6;
@@ -304,4 +304,4 @@ INSTANTIATE_TEST_SUITE_P(
     adit::test::kRefusalName);
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::joint_faces_test

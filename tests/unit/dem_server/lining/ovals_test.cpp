@@ -15,7 +15,7 @@
 #include "tests/unit/dem_server/in_process_run.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
-namespace adit::dem {
+namespace adit::dem::ovals_test {
 namespace {
 
 using std::numbers::pi;
@@ -201,4 +201,4 @@ INSTANTIATE_TEST_SUITE_P(
     adit::test::kRefusalName);
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::ovals_test

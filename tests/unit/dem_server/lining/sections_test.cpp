@@ -19,7 +19,7 @@
 #include "tests/unit/dem_server/in_process_run.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
-namespace adit::dem {
+namespace adit::dem::sections_test {
 namespace {
 
 constexpr double kFx = 3e5, kFy = -2e5;
@@ -306,4 +306,4 @@ INSTANTIATE_TEST_SUITE_P(
     adit::test::kRefusalName);
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::sections_test

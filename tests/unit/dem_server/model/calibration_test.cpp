@@ -4,7 +4,7 @@
 
 #include "tests/unit/dem_server/engines/lattice/lattice.hpp"
 
-namespace adit::dem {
+namespace adit::dem::calibration_test {
 namespace {
 
 struct Stress {
@@ -144,4 +144,4 @@ TEST_P(Waves, FollowTheDispersionRelation) {
 INSTANTIATE_TEST_SUITE_P(WaveNumbers, Waves, testing::Values(0.02, 0.3, 0.8, 1.4));
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::calibration_test

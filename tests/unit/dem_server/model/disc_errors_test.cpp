@@ -9,7 +9,7 @@
 #include "tests/support/refusals.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
-namespace adit::dem {
+namespace adit::dem::disc_errors_test {
 namespace {
 
 using Case = adit::test::Refusal<std::function<scene::Scene()>>;
@@ -351,4 +351,4 @@ INSTANTIATE_TEST_SUITE_P(
     adit::test::kRefusalName);
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::disc_errors_test

@@ -18,7 +18,7 @@
 #include "tests/support/refusals.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
-namespace adit::dem {
+namespace adit::dem::initial_state_test {
 namespace {
 
 // The uniform strain of a lattice under a stress loads a bond of direction n, t with kn 2R n.e.n and
@@ -270,4 +270,4 @@ TEST(InitialState, IsNotBorneByWalls) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::initial_state_test

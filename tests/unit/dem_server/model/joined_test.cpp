@@ -11,7 +11,7 @@
 #include "protocol/results/vtk.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
-namespace adit::dem {
+namespace adit::dem::joined_test {
 namespace {
 
 using testing::AllOf;
@@ -146,4 +146,4 @@ TEST(Joined, OpenJointsThroughRows) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::joined_test

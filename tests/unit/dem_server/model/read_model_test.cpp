@@ -18,7 +18,7 @@
 #include "tests/support/scratch_folder.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
-namespace adit::dem {
+namespace adit::dem::read_model_test {
 namespace {
 
 using testing::HasSubstr;
@@ -592,4 +592,4 @@ TEST(ReadModel, TakesOneParticleAndSizesOfOneToFifty) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::read_model_test

@@ -15,7 +15,7 @@
 #include "tests/support/refusals.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
-namespace adit::dem {
+namespace adit::dem::ring_faces_test {
 namespace {
 
 using std::numbers::pi;
@@ -216,4 +216,4 @@ INSTANTIATE_TEST_SUITE_P(
     adit::test::kRefusalName);
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::ring_faces_test

@@ -13,7 +13,7 @@
 #include "tests/support/refusals.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
-namespace adit::dem {
+namespace adit::dem::stages_test {
 namespace {
 
 // Six columns and four rows of discs of radius 0.5 m: the middle two columns are excavated in stage 1, and a
@@ -264,4 +264,4 @@ TEST(ParticleStages, AreRefusedInAnOverlap) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::stages_test

@@ -14,7 +14,7 @@
 #include "tests/unit/dem_server/cantilever_scene.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
-namespace adit::dem {
+namespace adit::dem::strength_of_material_test {
 namespace {
 
 constexpr double kTension = 3e6, kCohesion = 8e6, kFriction = 0.7;
@@ -145,4 +145,4 @@ TEST(Cement, BetweenGroupsIsTheWeaker) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::strength_of_material_test

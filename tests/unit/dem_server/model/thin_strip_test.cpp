@@ -12,7 +12,7 @@
 #include "dem_server/model/calibration.hpp"
 #include "tests/unit/dem_server/engines/lattice/lattice.hpp"
 
-namespace adit::dem {
+namespace adit::dem::thin_strip_test {
 namespace {
 
 constexpr double kYoung = 25e9, kRadius = 0.5, kStrength = 1e6;
@@ -175,4 +175,4 @@ TEST(ThinStripFactors, NeedFreeFaces) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::thin_strip_test

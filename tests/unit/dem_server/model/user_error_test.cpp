@@ -9,7 +9,7 @@
 #include "tests/support/refusals.hpp"
 #include "tests/unit/dem_server/cantilever_scene.hpp"
 
-namespace adit::dem {
+namespace adit::dem::user_error_test {
 namespace {
 
 using Case = adit::test::Refusal<std::function<void(scene::Scene&)>>;
@@ -243,4 +243,4 @@ TEST(UserErrors, LoadOnVanishedParticles) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::user_error_test

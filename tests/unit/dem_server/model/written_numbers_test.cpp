@@ -7,7 +7,7 @@
 #include <initializer_list>
 #include <string>
 
-namespace adit::dem {
+namespace adit::dem::written_numbers_test {
 namespace {
 
 double rounding_of(std::initializer_list<std::string> words) {
@@ -32,4 +32,4 @@ TEST(WrittenNumbers, OfNothingAreExact) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::written_numbers_test

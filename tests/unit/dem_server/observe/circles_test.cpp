@@ -12,7 +12,7 @@
 #include "dem_server/packing/random/random_dense.hpp"
 #include "tests/support/lattice_model.hpp"
 
-namespace adit::dem {
+namespace adit::dem::circles_test {
 namespace {
 
 constexpr double kRadius = 0.5;
@@ -191,4 +191,4 @@ TEST(Circles, Coordination) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::circles_test

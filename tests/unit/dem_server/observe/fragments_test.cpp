@@ -7,7 +7,7 @@
 
 #include "dem_server/packing/hexagonal.hpp"
 
-namespace adit::dem {
+namespace adit::dem::fragments_test {
 namespace {
 
 std::vector<Pair> chain(std::uint32_t discs) {
@@ -97,4 +97,4 @@ TEST(Coordination, OfAHexagonalPacking) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::fragments_test

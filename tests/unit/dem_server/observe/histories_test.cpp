@@ -13,7 +13,7 @@
 #include "tests/support/refusals.hpp"
 #include "tests/unit/dem_server/discs_models.hpp"
 
-namespace adit::dem {
+namespace adit::dem::histories_test {
 namespace {
 
 constexpr double kStiffness = 1e9, kSpacing = 0.99;
@@ -176,4 +176,4 @@ INSTANTIATE_TEST_SUITE_P(
     adit::test::kRefusalName);
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::histories_test

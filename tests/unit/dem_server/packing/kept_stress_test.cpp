@@ -10,7 +10,7 @@
 #include "dem_server/model/reading/read_model.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
-namespace adit::dem {
+namespace adit::dem::kept_stress_test {
 namespace {
 
 constexpr double kStiffness = 1e10, kStress = 1e7;  // [N/m], [Pa]
@@ -77,4 +77,4 @@ TEST(KeptStress, IsGoneWhereItIsNotKept) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::kept_stress_test

@@ -8,7 +8,7 @@
 
 #include "tests/unit/dem_server/engines/lattice/lattice.hpp"
 
-namespace adit::dem {
+namespace adit::dem::packing_test {
 namespace {
 
 constexpr double kRadius = 10.0 / 156;
@@ -65,4 +65,4 @@ TEST(Packing, SmallBoxHoldsNothing) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::packing_test

@@ -8,7 +8,7 @@
 #include "dem_server/packing/random/random_dense.hpp"
 #include "dem_server/packing/square.hpp"
 
-namespace adit::dem {
+namespace adit::dem::random_packing_test {
 namespace {
 
 const RandomPacking kWanted{{-1, 2, 5, 6}, 0.03, 0.05, 0.16, 1e-3, 7};
@@ -138,4 +138,4 @@ TEST(Floaters, GoUntilNoneIsLeft) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::random_packing_test

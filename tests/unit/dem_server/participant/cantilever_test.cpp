@@ -7,7 +7,7 @@
 #include "dem_server/model/calibration.hpp"
 #include "tests/unit/dem_server/cantilever_scene.hpp"
 
-namespace adit::dem {
+namespace adit::dem::cantilever_test {
 namespace {
 
 struct Outcome {
@@ -89,4 +89,4 @@ INSTANTIATE_TEST_SUITE_P(Strengths, Breaking,
                          testing::Values(Strength{9.5e6, 13}, Strength{10e6, 7}, Strength{10.5e6, 1}));
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::cantilever_test

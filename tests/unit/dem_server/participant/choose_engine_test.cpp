@@ -11,7 +11,7 @@
 #include "protocol/errors.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
-namespace adit::dem {
+namespace adit::dem::choose_engine_test {
 namespace {
 
 using Spoil = std::function<void(scene::Particles&)>;
@@ -184,4 +184,4 @@ TEST(EngineChoice, KnowsNoInitialStress) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::choose_engine_test

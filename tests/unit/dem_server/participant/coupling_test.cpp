@@ -8,7 +8,7 @@
 #include "tests/unit/dem_server/in_process_run.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
-namespace adit::dem {
+namespace adit::dem::coupling_test {
 namespace {
 
 using test::cantilever_scene;
@@ -301,4 +301,4 @@ TEST(Coupling, RefusesWeightsThatDoNotFit) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::coupling_test

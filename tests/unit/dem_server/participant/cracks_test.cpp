@@ -9,7 +9,7 @@
 #include "tests/unit/dem_server/in_process_run.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
-namespace adit::dem {
+namespace adit::dem::cracks_test {
 namespace {
 
 constexpr double kSmall = 1, kLarge = 3, kAlongX = 0.6, kAlongY = 0.8;
@@ -72,4 +72,4 @@ TEST(Cracks, OfAParallelBondAreAsLongAsItsStrip) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::cracks_test

@@ -9,7 +9,7 @@
 #include "tests/unit/dem_server/cantilever_scene.hpp"
 #include "tests/unit/dem_server/engines/lattice/lattice.hpp"
 
-namespace adit::dem {
+namespace adit::dem::deferral_test {
 namespace {
 
 using test::cantilever_scene;
@@ -182,4 +182,4 @@ TEST(Deferral, InstabilityOfTheInteriorIsFound) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::deferral_test

@@ -8,7 +8,7 @@
 #include "protocol/errors.hpp"
 #include "tests/unit/dem_server/cantilever_scene.hpp"
 
-namespace adit::dem {
+namespace adit::dem::participant_test {
 namespace {
 
 using test::cantilever_scene;
@@ -166,4 +166,4 @@ TEST(Participant, CountsUpdates) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::participant_test

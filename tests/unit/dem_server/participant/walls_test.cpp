@@ -6,7 +6,7 @@
 #include "tests/unit/dem_server/in_process_run.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
-namespace adit::dem {
+namespace adit::dem::walls_test {
 namespace {
 
 constexpr double kStiffness = 1e8, kSpeed = 1e-2, kRise = 1e-3;
@@ -36,4 +36,4 @@ TEST(Walls, MoveAsFarAsTheirChangingVelocitySays) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::walls_test

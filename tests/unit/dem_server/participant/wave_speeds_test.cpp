@@ -9,7 +9,7 @@
 #include "dem_server/model/calibration.hpp"
 #include "dem_server/packing/hexagonal.hpp"
 
-namespace adit::dem {
+namespace adit::dem::wave_speeds_test {
 namespace {
 
 constexpr double kRadius = 0.07, kDensity = 2400;
@@ -115,4 +115,4 @@ TEST(WaveSpeeds, AreNotKnownWithoutBonds) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::wave_speeds_test

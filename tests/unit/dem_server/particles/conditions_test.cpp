@@ -6,7 +6,7 @@
 #include "protocol/errors.hpp"
 #include "tests/unit/dem_server/cantilever_scene.hpp"
 
-namespace adit::dem {
+namespace adit::dem::conditions_test {
 namespace {
 
 using test::cantilever_scene;
@@ -176,4 +176,4 @@ TEST(Conditions, HistoriesReadTheNearestParticle) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::conditions_test

@@ -8,7 +8,7 @@
 
 #include "tests/unit/fdm_server/boundaries/boundary_scenes.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::boundaries_test {
 namespace {
 
 const std::string kBlock = "block { x_min: 0 x_max: 12 y_min: -8 y_max: 0 zones_x: 12 zones_y: 8 } ";
@@ -237,4 +237,4 @@ TEST(FreeField, InterfaceDividesNoPhysics) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::boundaries_test

@@ -5,7 +5,7 @@
 #include "tests/support/refusals.hpp"
 #include "tests/unit/fdm_server/boundaries/boundary_scenes.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::boundary_error_test {
 namespace {
 
 using testing::HasSubstr;
@@ -116,4 +116,4 @@ TEST(BoundaryErrors, SideOfAFreeFieldIsInterrupted) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::boundary_error_test

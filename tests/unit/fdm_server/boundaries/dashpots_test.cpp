@@ -6,7 +6,7 @@
 
 #include "tests/unit/fdm_server/grid/grids.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::dashpots_test {
 namespace {
 
 TEST(Dashpots, SolveTheirImplicitEquation) {
@@ -36,4 +36,4 @@ TEST(Dashpots, SolveTheirImplicitEquation) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::dashpots_test

@@ -6,7 +6,7 @@
 
 #include "tests/unit/fdm_server/scenes.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::rest_test {
 namespace {
 
 // Stressed ground between free fields, or on quiet edges, stands on a foundation with dashpots. All forces
@@ -48,4 +48,4 @@ TEST(Rest, OfStressedGroundOnAFoundationBesideOtherSupports) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::rest_test

@@ -9,7 +9,7 @@
 #include "tests/unit/fdm_server/grid/grids.hpp"
 #include "tests/unit/fdm_server/scenes.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::spring_edge_test {
 namespace {
 
 constexpr double kShear = 25e9 / 2.4, kForce = 1e6, kHeight = 1;
@@ -85,4 +85,4 @@ TEST(SpringEdge, StiffSpringsShortenTheCriticalStep) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::spring_edge_test

@@ -9,7 +9,7 @@
 #include "fdm_server/zones/kernel/zone_runs.hpp"
 #include "tests/unit/fdm_server/grid/grids.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::grid_test {
 namespace {
 
 const Block kBlock{-1, 3, 0.5, 2, 4, 3};
@@ -73,4 +73,4 @@ TEST(Layout, RowsOfEqualZonesAreRuns) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::grid_test

@@ -9,7 +9,7 @@
 #include "protocol/errors.hpp"
 #include "tests/unit/fdm_server/grid/grids.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::locate_test {
 namespace {
 
 // The bilinear map is inverted to rounding on distorted zones: the shape functions give the point back.
@@ -103,4 +103,4 @@ TEST(Interpolation, RefusesPlacesOutside) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::locate_test

@@ -9,7 +9,7 @@
 #include "fdm_server/grid/samples.hpp"
 #include "protocol/errors.hpp"
 
-namespace adit::fdm {
+namespace adit::fdm::slivers_test {
 namespace {
 
 // Weights 0 up to `begin`, then a ramp over `width`.
@@ -66,4 +66,4 @@ TEST(Slivers, AreNotZonesOfWeight) {
 }
 
 }  // namespace
-}  // namespace adit::fdm
+}  // namespace adit::fdm::slivers_test

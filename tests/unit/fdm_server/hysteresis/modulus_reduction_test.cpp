@@ -9,7 +9,7 @@
 
 #include "fdm_server/hysteresis/polyline.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::modulus_reduction_test {
 namespace {
 
 // A measured table: monotone between its points, through them, and followed by the backbone within 1 % of the
@@ -51,4 +51,4 @@ TEST(ModulusReduction, UnevenTableFollowsItsCurve) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::modulus_reduction_test

@@ -11,7 +11,7 @@
 #include "protocol/errors.hpp"
 #include "tests/support/iwan_point.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::reversals_test {
 namespace {
 
 using std::numbers::pi;
@@ -297,4 +297,4 @@ TEST(Reversals, RefuseASuddenEndOfDamping) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::reversals_test

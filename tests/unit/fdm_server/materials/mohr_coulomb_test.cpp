@@ -10,7 +10,7 @@
 
 #include "fdm_server/materials/mohr_coulomb.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::mohr_coulomb_test {
 namespace {
 
 using std::numbers::pi;
@@ -227,4 +227,4 @@ TEST(MohrCoulomb, AssociatedReturnIsTheClosestPoint) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::mohr_coulomb_test

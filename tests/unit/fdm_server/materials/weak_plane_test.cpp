@@ -6,7 +6,7 @@
 
 #include "fdm_server/materials/weak_plane.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::weak_plane_test {
 namespace {
 
 using std::numbers::pi;
@@ -106,4 +106,4 @@ TEST(WeakPlane, TurnsWithTheGround) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::weak_plane_test

@@ -11,7 +11,7 @@
 #include "protocol/scene/fields/check_rules.hpp"
 #include "tests/support/refusals.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::blocks_test {
 namespace {
 
 using testing::HasSubstr;
@@ -194,4 +194,4 @@ INSTANTIATE_TEST_SUITE_P(
     adit::test::kRefusalName);
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::blocks_test

@@ -9,7 +9,7 @@
 #include "protocol/errors.hpp"
 #include "tests/support/refusals.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::gmsh_test {
 namespace {
 
 using testing::ElementsAre;
@@ -186,4 +186,4 @@ TEST(Gmsh, GarbageIsRefusedInOneSentence) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::gmsh_test

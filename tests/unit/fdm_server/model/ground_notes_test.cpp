@@ -11,7 +11,7 @@
 #include "fdm_server/model/damping.hpp"
 #include "fdm_server/model/ground.hpp"
 
-namespace adit::fdm {
+namespace adit::fdm::ground_notes_test {
 namespace {
 
 using testing::AllOf;
@@ -69,4 +69,4 @@ TEST(NoteOnSharedMotion, TellsWhatDampingOfMassesTakesFromTheMotionOfTheBase) {
 }
 
 }  // namespace
-}  // namespace adit::fdm
+}  // namespace adit::fdm::ground_notes_test

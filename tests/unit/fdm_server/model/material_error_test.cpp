@@ -9,7 +9,7 @@
 #include "tests/support/refusals.hpp"
 #include "tests/unit/fdm_server/scenes.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::material_error_test {
 namespace {
 
 using testing::HasSubstr;
@@ -163,4 +163,4 @@ TEST(Materials, SofteningRowsKeepWhatTheyLeaveOut) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::material_error_test

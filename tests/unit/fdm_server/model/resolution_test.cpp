@@ -9,7 +9,7 @@
 
 #include "tests/unit/fdm_server/boundaries/boundary_scenes.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::resolution_test {
 namespace {
 
 using testing::HasSubstr;
@@ -70,4 +70,4 @@ TEST(Resolution, StandsBesideTheNotesOnTheCut) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::resolution_test

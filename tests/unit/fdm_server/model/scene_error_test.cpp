@@ -8,7 +8,7 @@
 #include "tests/support/refusals.hpp"
 #include "tests/unit/fdm_server/scenes.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::scene_error_test {
 namespace {
 
 using testing::HasSubstr;
@@ -175,4 +175,4 @@ TEST(SceneErrors, AgreeingMotionsMayOverlap) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::scene_error_test

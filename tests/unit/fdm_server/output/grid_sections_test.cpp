@@ -12,7 +12,7 @@
 #include "protocol/errors.hpp"
 #include "tests/unit/fdm_server/scenes.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::grid_sections_test {
 namespace {
 
 constexpr double kDensity = 2500, kMiddle = 0.5, kCut = 3, kGravity = -4;
@@ -157,4 +157,4 @@ TEST(Histories, CountAgainstAnotherPlace) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::grid_sections_test

@@ -13,7 +13,7 @@
 #include "tests/unit/fdm_server/scenes.hpp"
 #include "tests/unit/fdm_server/solver/standing_wave.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::histories_test {
 namespace {
 
 using Values = google::protobuf::RepeatedField<double>;
@@ -270,4 +270,4 @@ TEST(Histories, AccelerationOfATiedPointHoldsItsCorrection) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::histories_test

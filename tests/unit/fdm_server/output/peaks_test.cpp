@@ -11,7 +11,7 @@
 #include "tests/unit/fdm_server/scenes.hpp"
 #include "tests/unit/fdm_server/solver/standing_wave.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::peaks_test {
 namespace {
 
 using testing::DoubleNear;
@@ -137,4 +137,4 @@ TEST(Peaks, AreOnlyThereWhereWantedAndAfterTheCorrection) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::peaks_test

@@ -5,7 +5,7 @@
 #include "tests/support/refusals.hpp"
 #include "tests/unit/fdm_server/scenes.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::statics_test {
 namespace {
 
 constexpr double kDt = 2e-5;
@@ -110,4 +110,4 @@ TEST(LocalDamping, TakesNothingFromTiedPointsThatMoveSteadily) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::statics_test

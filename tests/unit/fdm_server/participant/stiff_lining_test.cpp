@@ -8,7 +8,7 @@
 
 #include "tests/unit/fdm_server/scenes.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::stiff_lining_test {
 namespace {
 
 constexpr const char* kSoil = "material { young_modulus: 100e6 poisson_ratio: 0.3 density: 2000 } ";
@@ -88,4 +88,4 @@ TEST(StiffLining, KeepsEnergyAtTheCriticalStep) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::stiff_lining_test

@@ -7,7 +7,7 @@
 
 #include "tests/unit/fdm_server/grid/grids.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::bending_test {
 namespace {
 
 constexpr double kLength = 10, kHeight = 1, kInertia = 1.0 / 12, kShearFactor = 5.0 / 6;
@@ -128,4 +128,4 @@ TEST(BendingFrequency, FirstIsWithinOnePercentOfTimoshenkosBeam) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::bending_test

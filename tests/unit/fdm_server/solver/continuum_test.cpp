@@ -10,7 +10,7 @@
 #include "fdm_server/zones/critical_step.hpp"
 #include "tests/unit/fdm_server/grid/grids.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::continuum_test {
 namespace {
 
 using std::numbers::pi;
@@ -270,4 +270,4 @@ TEST(Motion, IsReproducibleToTheLastBit) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::continuum_test

@@ -8,7 +8,7 @@
 #include "tests/unit/fdm_server/boundaries/boundary_scenes.hpp"
 #include "tests/unit/fdm_server/grid/grids.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::damping_test {
 namespace {
 
 using std::numbers::pi;
@@ -168,4 +168,4 @@ TEST(Damping, CriticalStepIsThatOfTheViscousScheme) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::damping_test

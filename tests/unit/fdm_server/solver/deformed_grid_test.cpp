@@ -6,7 +6,7 @@
 #include "protocol/errors.hpp"
 #include "tests/unit/fdm_server/scenes.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::deformed_grid_test {
 namespace {
 
 using testing::AllOf;
@@ -54,4 +54,4 @@ TEST(DeformedGrid, LetsZonesTurnAndStretchALittle) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::deformed_grid_test

@@ -10,7 +10,7 @@
 #include "fdm_server/zones/zone_set.hpp"
 #include "tests/unit/fdm_server/grid/grids.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::threads_test {
 namespace {
 
 const PlaneLaw kLaw = plane_strain(kYoung, kPoisson);
@@ -140,4 +140,4 @@ TEST(Chunks, ChangeNoPhysics) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::threads_test

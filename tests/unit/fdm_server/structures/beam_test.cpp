@@ -5,7 +5,7 @@
 #include "tests/unit/fdm_server/grid/grids.hpp"
 #include "tests/unit/fdm_server/structures/frames.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::beam_test {
 namespace {
 
 constexpr double kThickness = 0.4;
@@ -114,4 +114,4 @@ TEST(Beam, FrequenciesConvergeToTheTheory) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::beam_test

@@ -8,7 +8,7 @@
 #include "tests/unit/fdm_server/grid/grids.hpp"
 #include "tests/unit/fdm_server/structures/frames.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::ledger_test {
 namespace {
 
 const PlaneLaw kLaw = plane_strain(2e9, 0.3);
@@ -175,4 +175,4 @@ TEST(LiningLedger, FreeRingKeepsItsMomentum) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::ledger_test

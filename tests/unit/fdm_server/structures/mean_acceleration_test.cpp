@@ -6,7 +6,7 @@
 #include "fdm_server/structures/mean_acceleration.hpp"
 #include "tests/unit/fdm_server/structures/frames.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::mean_acceleration_test {
 namespace {
 
 Eigen::Index number(const Freedom& freedom, std::size_t points) {
@@ -107,4 +107,4 @@ TEST(MeanAcceleration, PrescribedPointsDoTheWork) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::mean_acceleration_test

@@ -5,7 +5,7 @@
 
 #include "tests/unit/fdm_server/structures/frames.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::statics_test {
 namespace {
 
 using std::numbers::pi;
@@ -168,4 +168,4 @@ TEST(LiningStatics, RingWithYieldingJoints) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::statics_test

@@ -8,7 +8,7 @@
 #include "fdm_server/supports/peak_forces.hpp"
 #include "tests/unit/fdm_server/structures/frames.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::meetings_test {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity(), kForce = 1e5;
@@ -346,4 +346,4 @@ TEST(LiningMeetings, ALaterFixedEndHoldsFromItsStageOn) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::meetings_test

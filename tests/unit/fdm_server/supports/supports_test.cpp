@@ -20,7 +20,7 @@
 #include "tests/unit/fdm_server/scenes.hpp"
 #include "tests/unit/fdm_server/structures/frames.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::supports_test {
 namespace {
 
 using testing::ElementsAre;
@@ -443,4 +443,4 @@ INSTANTIATE_TEST_SUITE_P(
     adit::test::kRefusalName);
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::supports_test

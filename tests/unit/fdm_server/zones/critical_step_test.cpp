@@ -9,7 +9,7 @@
 #include "fdm_server/zones/critical_step.hpp"
 #include "tests/unit/fdm_server/grid/grids.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::critical_step_test {
 namespace {
 
 const PlaneLaw kLaw = plane_stress(kYoung, kPoisson);
@@ -96,4 +96,4 @@ TEST(CriticalStep, IsNoneForAStiffnessBeyondAllNumbers) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::critical_step_test

@@ -15,7 +15,7 @@
 #include "tests/support/hysteretic_zone.hpp"
 #include "tests/support/iwan_point.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::hysteretic_law_test {
 namespace {
 
 using std::numbers::pi;
@@ -258,4 +258,4 @@ TEST(HystereticLaw, ZonesTogetherAreSinglePoints) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::hysteretic_law_test

@@ -7,7 +7,7 @@
 
 #include "tests/unit/fdm_server/boundaries/boundary_scenes.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::large_strain_test {
 namespace {
 
 constexpr double kWidth = 6, kHeight = 2, kSqueeze = 0.2;
@@ -61,4 +61,4 @@ TEST(LargeStrain, StressTimesPresentWidthIsTheForceOnThePlate) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::large_strain_test

@@ -11,7 +11,7 @@
 #include "fdm_server/materials/admissible.hpp"
 #include "fdm_server/model/ground.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::limited_law_test {
 namespace {
 
 constexpr double kReference = 1e-3, kCohesion = 40e3;
@@ -162,4 +162,4 @@ TEST(LimitedLaw, AccountsForItsEnergyWithinItsStrength) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::limited_law_test

@@ -11,7 +11,7 @@
 #include "fdm_server/zones/zone_set.hpp"
 #include "tests/unit/fdm_server/grid/grids.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::nonlinear_zones_test {
 namespace {
 
 using std::numbers::pi;
@@ -354,4 +354,4 @@ TEST_P(NonlinearZonesOfEachKind, SpinningBlockKeepsItsEnergyToSecondOrder) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::nonlinear_zones_test

@@ -11,7 +11,7 @@
 #include "fdm_server/zones/laws/plastic_kernels.hpp"
 #include "fdm_server/zones/laws/plastic_law.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::plastic_law_test {
 namespace {
 
 class Random {
@@ -124,4 +124,4 @@ TEST(PlasticKernels, ReturnAsSinglePointsDo) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::plastic_law_test

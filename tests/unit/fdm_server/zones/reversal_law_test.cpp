@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::reversal_law_test {
 namespace {
 
 constexpr Elasticity kElasticity{400e6, 150e6};
@@ -113,4 +113,4 @@ TEST(ReversalLaw, ZonesTogetherAreSingleZones) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::reversal_law_test

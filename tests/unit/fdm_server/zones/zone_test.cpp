@@ -7,7 +7,7 @@
 #include "fdm_server/zones/critical_step.hpp"
 #include "tests/unit/fdm_server/grid/grids.hpp"
 
-namespace adit::fdm::test {
+namespace adit::fdm::test::zone_test {
 namespace {
 
 using Matrix8 = Eigen::Matrix<double, 8, 8>;
@@ -243,4 +243,4 @@ TEST(MixedDiscretization, EqualsTheMeanOfTwoOverlays) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::test
+}  // namespace adit::fdm::test::zone_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace adit::foundation {
+namespace adit::foundation::springs_test {
 namespace {
 
 // One point on a foundation, by central differences.
@@ -95,4 +95,4 @@ TEST(FoundationSprings, AreDividedBetweenInterfaceAndInterior) {
 }
 
 }  // namespace
-}  // namespace adit::foundation
+}  // namespace adit::foundation::springs_test

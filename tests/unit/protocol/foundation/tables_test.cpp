@@ -5,7 +5,7 @@
 #include "protocol/foundation/read.hpp"
 #include "tests/support/refusals.hpp"
 
-namespace adit::foundation {
+namespace adit::foundation::tables_test {
 namespace {
 
 scene::BodyMotion body(const std::string& content) {
@@ -74,4 +74,4 @@ TEST(Tables, RefuseWhatCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace adit::foundation
+}  // namespace adit::foundation::tables_test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-namespace adit::protocol {
+namespace adit::protocol::cells_test {
 namespace {
 
 double coordinate() {
@@ -44,4 +44,4 @@ TEST(Cells, PlacesOutsideAreHarmless) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::cells_test

@@ -8,7 +8,7 @@
 
 #include "tests/support/refusals.hpp"
 
-namespace adit::protocol {
+namespace adit::protocol::selection_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -123,4 +123,4 @@ TEST(Selection, AGroupNeedsAModelThatHasGroups) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::selection_test

@@ -8,7 +8,7 @@
 #include "protocol/geometry/read_shape.hpp"
 #include "tests/unit/coupler/bridging/random_overlaps.hpp"
 
-namespace adit::geometry {
+namespace adit::geometry::shape_test {
 namespace {
 
 scene::Shape parse(const std::string& text) {
@@ -123,4 +123,4 @@ TEST(Loop, IsSimpleIfItsSidesMeetInCornersOnly) {
 }
 
 }  // namespace
-}  // namespace adit::geometry
+}  // namespace adit::geometry::shape_test

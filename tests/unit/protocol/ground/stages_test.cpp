@@ -10,7 +10,7 @@
 
 #include "tests/support/refusals.hpp"
 
-namespace adit::protocol {
+namespace adit::protocol::stages_test {
 namespace {
 
 using testing::ElementsAre;
@@ -46,4 +46,4 @@ TEST(Stages, CountFromOneThatTheSceneHas) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::stages_test

@@ -8,7 +8,7 @@
 #include "protocol/ground/stated_stress.hpp"
 #include "tests/support/refusals.hpp"
 
-namespace adit::protocol {
+namespace adit::protocol::stated_stress_test {
 namespace {
 
 scene::Stress parse(const std::string& text) {
@@ -89,4 +89,4 @@ TEST(StatedStress, RefusesWhatContradictsItself) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::stated_stress_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace adit::protocol {
+namespace adit::protocol::vector_sizes_test {
 namespace {
 
 // Lengths around those of whole vectors and of a whole piece of the sum.
@@ -41,4 +41,4 @@ TEST(VectorSizes, WhatIsNotANumberIsTheLargest) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::vector_sizes_test

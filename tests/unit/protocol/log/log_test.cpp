@@ -7,7 +7,7 @@
 
 #include "protocol/standard_streams.hpp"
 
-namespace adit::protocol {
+namespace adit::protocol::log_test {
 namespace {
 
 // Requirement: no terminal obeys what a file or a peer says; lines and the line of progress stay.
@@ -43,4 +43,4 @@ TEST(Log, TellsTheTimeInMilliseconds) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::log_test

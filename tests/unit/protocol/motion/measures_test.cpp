@@ -7,7 +7,7 @@
 #include "protocol/motion/synthesis/pulses.hpp"
 #include "tests/unit/protocol/motion/support.hpp"
 
-namespace adit::motion::test {
+namespace adit::motion::test::measures_test {
 namespace {
 
 // PGA, PGV and PGD of whole cycles of a sine: A, 2 A/w and A T/w.
@@ -81,4 +81,4 @@ TEST(Measures, FourierSpectrumKeepsTheEnergy) {
 }
 
 }  // namespace
-}  // namespace adit::motion::test
+}  // namespace adit::motion::test::measures_test

@@ -5,7 +5,7 @@
 
 #include "tests/unit/protocol/motion/support.hpp"
 
-namespace adit::motion::test {
+namespace adit::motion::test::motion_test {
 namespace {
 
 using testing::HasSubstr;
@@ -59,4 +59,4 @@ TEST(Motion, RefusesToBeShorterThanAsked) {
 }
 
 }  // namespace
-}  // namespace adit::motion::test
+}  // namespace adit::motion::test::motion_test

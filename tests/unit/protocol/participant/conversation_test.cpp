@@ -7,7 +7,7 @@
 #include "protocol/participant/participant.hpp"
 #include "tests/support/refusals.hpp"
 
-namespace adit::protocol {
+namespace adit::protocol::conversation_test {
 namespace {
 
 using testing::HasSubstr;
@@ -236,4 +236,4 @@ TEST_F(ConversationTest, RefusesASkippedStep) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::conversation_test

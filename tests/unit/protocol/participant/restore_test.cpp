@@ -6,7 +6,7 @@
 #include "protocol/wire/bounds.hpp"
 #include "tests/support/refusals.hpp"
 
-namespace adit::protocol {
+namespace adit::protocol::restore_test {
 namespace {
 
 using testing::HasSubstr;
@@ -159,4 +159,4 @@ TEST(Restore, IsNotForAllParticipants) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::restore_test

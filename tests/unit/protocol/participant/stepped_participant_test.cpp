@@ -10,7 +10,7 @@
 
 #include "protocol/errors.hpp"
 
-namespace adit::protocol {
+namespace adit::protocol::stepped_participant_test {
 namespace {
 
 using testing::ElementsAre;
@@ -364,4 +364,4 @@ TEST(SteppedParticipant, RefusesOtherMassesInMotion) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::stepped_participant_test

@@ -9,7 +9,7 @@
 #include "protocol/scene/fields/check_rules.hpp"
 #include "tests/support/refusals.hpp"
 
-namespace adit::protocol {
+namespace adit::protocol::time_function_test {
 namespace {
 
 scene::TimeFunction table(const std::vector<double>& times, const std::vector<double>& values) {
@@ -70,4 +70,4 @@ TEST(TimeFunction, TablesThatCannotBeEvaluatedAreRefusedAtTheirPath) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::time_function_test

@@ -12,7 +12,7 @@
 
 #include "tests/unit/protocol/results/results_fixture.hpp"
 
-namespace adit::results {
+namespace adit::results::csv_test {
 namespace {
 
 const std::vector<std::string> kColumns{"time_s", "tip_uy_m"};
@@ -120,4 +120,4 @@ TEST(Csv, CrackRowHoldsTheWholeRecord) {
 }
 
 }  // namespace
-}  // namespace adit::results
+}  // namespace adit::results::csv_test

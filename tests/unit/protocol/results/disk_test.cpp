@@ -15,7 +15,7 @@
 #include "tests/support/refusals.hpp"
 #include "tests/unit/protocol/results/results_fixture.hpp"
 
-namespace adit::results {
+namespace adit::results::disk_test {
 namespace {
 
 // While it lives, no file may be longer. The system then writes what has room and refuses the rest, as on a
@@ -135,4 +135,4 @@ TEST(WriteError, KnowsAFullDisk) {
 }
 
 }  // namespace
-}  // namespace adit::results
+}  // namespace adit::results::disk_test

@@ -11,7 +11,7 @@
 #include "tests/support/refusals.hpp"
 #include "tests/unit/protocol/results/results_fixture.hpp"
 
-namespace adit::results {
+namespace adit::results::run_directory_test {
 namespace {
 
 TEST(RunDirectory, CaseIsTheFolderOfTheScene) {
@@ -79,4 +79,4 @@ TEST(RunDirectory, RefusesTheFolderOfTheScene) {
 }
 
 }  // namespace
-}  // namespace adit::results
+}  // namespace adit::results::run_directory_test

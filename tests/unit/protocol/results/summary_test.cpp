@@ -8,7 +8,7 @@
 
 #include "tests/unit/protocol/results/results_fixture.hpp"
 
-namespace adit::results {
+namespace adit::results::summary_test {
 namespace {
 
 // A reader finds the entries in the order in which the run states them, each with its own type.
@@ -62,4 +62,4 @@ TEST(Summary, LeavesNoUnfinishedFile) {
 }
 
 }  // namespace
-}  // namespace adit::results
+}  // namespace adit::results::summary_test

@@ -14,7 +14,7 @@
 
 #include "tests/unit/protocol/results/results_fixture.hpp"
 
-namespace adit::results {
+namespace adit::results::vtk_test {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -229,4 +229,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
-}  // namespace adit::results
+}  // namespace adit::results::vtk_test

@@ -9,7 +9,7 @@
 #include "tests/support/refusals.hpp"
 #include "tests/unit/protocol/scene/scene_files.hpp"
 
-namespace adit::protocol {
+namespace adit::protocol::attached_files_test {
 namespace {
 
 using ::testing::AllOf;
@@ -97,4 +97,4 @@ TEST(AttachedFiles, AreRefusedWhereTheyAreTooLongTogether) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::attached_files_test

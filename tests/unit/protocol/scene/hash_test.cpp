@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace adit::protocol {
+namespace adit::protocol::hash_test {
 namespace {
 
 scene::Scene small_scene() {
@@ -41,4 +41,4 @@ TEST(SceneHash, TheLastBitOfAValueChangesIt) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::hash_test

@@ -8,7 +8,7 @@
 #include "protocol/scene/hash.hpp"
 #include "tests/unit/protocol/scene/scene_files.hpp"
 
-namespace adit::protocol {
+namespace adit::protocol::origin_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -43,4 +43,4 @@ TEST(Origin, NamesTheSceneAndItsFiles) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::origin_test

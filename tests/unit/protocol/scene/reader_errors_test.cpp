@@ -3,7 +3,7 @@
 
 #include "tests/unit/protocol/scene/scene_files.hpp"
 
-namespace adit::protocol {
+namespace adit::protocol::reader_errors_test {
 namespace {
 
 using testing::complaint;
@@ -280,4 +280,4 @@ TEST(SceneErrors, MessagesAreOneLine) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::reader_errors_test

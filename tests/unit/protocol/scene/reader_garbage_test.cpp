@@ -10,7 +10,7 @@
 #include "protocol/scene/fields/check_rules.hpp"
 #include "protocol/scene/yaml/message_reader.hpp"
 
-namespace adit::protocol {
+namespace adit::protocol::reader_garbage_test {
 namespace {
 
 // What the reader says of the text; empty where it accepts it. Anything but UserError ends the test.
@@ -108,4 +108,4 @@ TEST(SceneGarbage, LargeAndDeepFilesEndSoon) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::reader_garbage_test

@@ -9,7 +9,7 @@
 #include "protocol/scene/writer.hpp"
 #include "tests/unit/protocol/scene/scene_files.hpp"
 
-namespace adit::protocol {
+namespace adit::protocol::reader_test {
 namespace {
 
 using testing::ScratchFolder;
@@ -271,4 +271,4 @@ TEST(SceneReader, AWrittenSceneReadsBackAsTheSameMessage) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::reader_test

@@ -14,7 +14,7 @@
 
 #include "tests/unit/protocol/wire/loopback.hpp"
 
-namespace adit::protocol {
+namespace adit::protocol::server_test {
 namespace {
 
 namespace process = boost::process;
@@ -47,7 +47,7 @@ class Server {
 
   const Address& address() const { return address_; }
   void signal(int number) { ::kill(child_.id(), number); }
-  int exit_code_within(std::chrono::milliseconds time) { return protocol::exit_code_within(child_, time); }
+  int exit_code_within(std::chrono::milliseconds time) { return server_test::exit_code_within(child_, time); }
   std::string rest_of_output() {
     std::string rest;
     std::getline(output_, rest, '\0');
@@ -417,4 +417,4 @@ TEST(Server, EndsWithItsParentWhenAsked) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::server_test

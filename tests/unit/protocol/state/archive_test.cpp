@@ -8,7 +8,7 @@
 
 #include "tests/support/refusals.hpp"
 
-namespace adit::state {
+namespace adit::state::archive_test {
 namespace {
 
 struct Spring {
@@ -178,4 +178,4 @@ TEST(Archive, RefusesNumbersOfWhatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace adit::state
+}  // namespace adit::state::archive_test

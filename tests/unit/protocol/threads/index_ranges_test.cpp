@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace adit::protocol {
+namespace adit::protocol::index_ranges_test {
 namespace {
 
 // The ranges of either value name every number once, in order, and none is longer than need be.
@@ -27,4 +27,4 @@ RC_GTEST_PROP(IndexRanges, PartitionTheNumbers, (const std::vector<bool>& flags)
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::index_ranges_test

@@ -8,7 +8,7 @@
 
 #include "protocol/threads/team.hpp"
 
-namespace adit::protocol::test {
+namespace adit::protocol::test::team_test {
 namespace {
 
 // Every task is done once a call, all before the call returns, whether tasks or threads are more.
@@ -49,4 +49,4 @@ TEST(Team, WakesUp) {
 }
 
 }  // namespace
-}  // namespace adit::protocol::test
+}  // namespace adit::protocol::test::team_test

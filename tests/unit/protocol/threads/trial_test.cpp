@@ -9,7 +9,7 @@
 
 #include "protocol/threads/team.hpp"
 
-namespace adit::protocol::test {
+namespace adit::protocol::test::trial_test {
 namespace {
 
 constexpr int kManySteps = 1000;
@@ -87,4 +87,4 @@ TEST(Trial, RulesItsTeam) {
 }
 
 }  // namespace
-}  // namespace adit::protocol::test
+}  // namespace adit::protocol::test::trial_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace adit::protocol {
+namespace adit::protocol::secret_test {
 namespace {
 
 // The proof is HMAC-SHA256; the reference is Python's hmac.digest(b"key of sixteen b", text, "sha256").
@@ -48,4 +48,4 @@ TEST(Secret, RandomSecretsAreLongAndDiffer) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::secret_test

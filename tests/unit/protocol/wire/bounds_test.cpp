@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-namespace adit::protocol {
+namespace adit::protocol::bounds_test {
 namespace {
 
 std::string text(std::chrono::milliseconds time) {
@@ -85,4 +85,4 @@ TEST(Bounds, AreInOrder) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::bounds_test

@@ -12,7 +12,7 @@
 #include "tests/unit/protocol/wire/frames.hpp"
 #include "tests/unit/protocol/wire/loopback.hpp"
 
-namespace adit::protocol {
+namespace adit::protocol::connection_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -517,4 +517,4 @@ TEST(Address, IsAHostAndAPort) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::connection_test

@@ -8,7 +8,7 @@
 
 #include "tests/unit/protocol/wire/frames.hpp"
 
-namespace adit::protocol {
+namespace adit::protocol::frame_test {
 namespace {
 
 using testing::HasSubstr;
@@ -235,4 +235,4 @@ TEST(Preamble, InHttpIsNamedInAnyPieces) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::frame_test

@@ -10,7 +10,7 @@
 #include "tests/unit/protocol/wire/frames.hpp"
 #include "tests/unit/protocol/wire/loopback.hpp"
 
-namespace adit::protocol {
+namespace adit::protocol::parts_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -209,4 +209,4 @@ TEST(Parts, AreNotSentToWhoReadsNone) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::parts_test

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <future>
 
-namespace adit::protocol {
+namespace adit::protocol::resolve_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -36,4 +36,4 @@ TEST(Resolve, EndsAtTheDeadline) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::resolve_test

@@ -4,7 +4,7 @@
 
 #include "simplified/beam/elements/block_tridiagonal.hpp"
 
-namespace adit::simplified::beam {
+namespace adit::simplified::beam::block_tridiagonal_test {
 namespace {
 
 BlockTridiagonal positive_matrix(std::size_t nodes) {
@@ -66,4 +66,4 @@ TEST(BlockCholesky, NamesTheDegreeOfFreedomWithoutStiffness) {
 }
 
 }  // namespace
-}  // namespace adit::simplified::beam
+}  // namespace adit::simplified::beam::block_tridiagonal_test

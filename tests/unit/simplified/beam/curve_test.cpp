@@ -3,7 +3,7 @@
 
 #include "simplified/beam/model/curve.hpp"
 
-namespace adit::simplified::beam {
+namespace adit::simplified::beam::curve_test {
 namespace {
 
 const Curve kBent = {{{-0.1, -3}, {0, 0}, {0.2, 1}, {0.3, 1}}, 50, 7};
@@ -50,4 +50,4 @@ TEST(Curve, CableKeyAndGasketAnswerOnOneSideOnlyOrBeyondTheirClearance) {
 }
 
 }  // namespace
-}  // namespace adit::simplified::beam
+}  // namespace adit::simplified::beam::curve_test

@@ -3,7 +3,7 @@
 
 #include "tests/unit/simplified/beam/tunnels.hpp"
 
-namespace adit::simplified::beam {
+namespace adit::simplified::beam::earthquake_test {
 namespace {
 
 constexpr double kSegment = 90, kElements = 8, kLength = kSegment * kElements;
@@ -108,4 +108,4 @@ TEST(Earthquake, ResultsAreTheSameToTheBitWhenRepeated) {
 }
 
 }  // namespace
-}  // namespace adit::simplified::beam
+}  // namespace adit::simplified::beam::earthquake_test

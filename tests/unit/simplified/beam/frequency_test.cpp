@@ -9,7 +9,7 @@
 #include "simplified/beam/elements/structure.hpp"
 #include "tests/unit/simplified/beam/tunnels.hpp"
 
-namespace adit::simplified::beam {
+namespace adit::simplified::beam::frequency_test {
 namespace {
 
 constexpr double kSoil = 1.661e8, kLength = 400, kMass = 4.3e5;
@@ -104,4 +104,4 @@ TEST(Frequencies, RotaryInertiaOfARigidTube) {
 }
 
 }  // namespace
-}  // namespace adit::simplified::beam
+}  // namespace adit::simplified::beam::frequency_test

@@ -3,7 +3,7 @@
 
 #include "tests/unit/simplified/beam/tunnels.hpp"
 
-namespace adit::simplified::beam {
+namespace adit::simplified::beam::joint_test {
 namespace {
 
 constexpr double kHydrostatic = 171e6, kHeight = 11.4, kLength = 180;
@@ -116,4 +116,4 @@ TEST(ShearKey, EngagesBeyondItsClearance) {
 }
 
 }  // namespace
-}  // namespace adit::simplified::beam
+}  // namespace adit::simplified::beam::joint_test

@@ -3,7 +3,7 @@
 
 #include "tests/unit/simplified/beam/tunnels.hpp"
 
-namespace adit::simplified::beam {
+namespace adit::simplified::beam::static_test {
 namespace {
 
 constexpr double kSoil = 1.661e8, kLength = 400, kAmplitude = 0.05, kQ = 2 * kPi / kLength;
@@ -175,4 +175,4 @@ TEST(StaticTube, SoilVariesLinearlyBetweenStations) {
 }
 
 }  // namespace
-}  // namespace adit::simplified::beam
+}  // namespace adit::simplified::beam::static_test

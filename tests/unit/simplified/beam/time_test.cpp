@@ -6,7 +6,7 @@
 
 #include "tests/unit/simplified/beam/tunnels.hpp"
 
-namespace adit::simplified::beam {
+namespace adit::simplified::beam::time_test {
 namespace {
 
 constexpr double kSoil = 1.661e8, kMass = 4.3e5, kAmplitude = 0.1, kDrive = 2 * kPi * 1.3, kDuration = 2.0;
@@ -96,4 +96,4 @@ TEST(Integration, HhtDissipatesAndNewmarkDoesNot) {
 }
 
 }  // namespace
-}  // namespace adit::simplified::beam
+}  // namespace adit::simplified::beam::time_test

@@ -6,7 +6,7 @@
 #include "tests/support/refusals.hpp"
 #include "tests/unit/simplified/beam/tunnels.hpp"
 
-namespace adit::simplified::beam {
+namespace adit::simplified::beam::user_error_test {
 namespace {
 
 using testing::HasSubstr;
@@ -142,4 +142,4 @@ TEST(StationMotions, AreInterpolatedLinearly) {
 }
 
 }  // namespace
-}  // namespace adit::simplified::beam
+}  // namespace adit::simplified::beam::user_error_test

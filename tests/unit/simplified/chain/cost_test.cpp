@@ -23,7 +23,7 @@ void operator delete(void* memory, std::size_t) noexcept {
   std::free(memory);
 }
 
-namespace adit::simplified::chain {
+namespace adit::simplified::chain::cost_test {
 namespace {
 
 // No step allocates memory, with curves or without, after Houbolt's start.
@@ -76,4 +76,4 @@ TEST(Cost, SmallestNumbersAreNotSlow) {
 }
 
 }  // namespace
-}  // namespace adit::simplified::chain
+}  // namespace adit::simplified::chain::cost_test

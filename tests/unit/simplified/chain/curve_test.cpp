@@ -9,7 +9,7 @@
 #include "protocol/errors.hpp"
 #include "tests/unit/simplified/chain/chains.hpp"
 
-namespace adit::simplified::chain {
+namespace adit::simplified::chain::curve_test {
 namespace {
 
 // Between points the force is interpolated, beyond them the outer lines go on.
@@ -144,4 +144,4 @@ TEST(CurvedHinges, NoConvergenceIsAnError) {
 }
 
 }  // namespace
-}  // namespace adit::simplified::chain
+}  // namespace adit::simplified::chain::curve_test

@@ -6,7 +6,7 @@
 #include "tests/support/chain/sweep_cost.hpp"
 #include "tests/unit/simplified/chain/chains.hpp"
 
-namespace adit::simplified::chain {
+namespace adit::simplified::chain::direct_test {
 namespace {
 
 // The largest difference of any displacement over `steps` steps, against the largest displacement so far.
@@ -55,4 +55,4 @@ TEST(RiccatiAgainstDirect, EveryMethodAndSize) {
 }
 
 }  // namespace
-}  // namespace adit::simplified::chain
+}  // namespace adit::simplified::chain::direct_test

@@ -7,7 +7,7 @@
 
 #include "tests/unit/simplified/chain/chains.hpp"
 
-namespace adit::simplified::chain {
+namespace adit::simplified::chain::integrator_test {
 namespace {
 
 struct Order {
@@ -82,4 +82,4 @@ TEST(Integrator, OrderForAModeOfTheChain) {
 }
 
 }  // namespace
-}  // namespace adit::simplified::chain
+}  // namespace adit::simplified::chain::integrator_test

@@ -4,7 +4,7 @@
 #include "protocol/errors.hpp"
 #include "tests/unit/simplified/chain/chains.hpp"
 
-namespace adit::simplified::chain {
+namespace adit::simplified::chain::mechanics_test {
 namespace {
 
 // Random numbers in [-1, 1] that are the same everywhere.
@@ -226,4 +226,4 @@ TEST(Unstable, NamesStepAndBody) {
 }
 
 }  // namespace
-}  // namespace adit::simplified::chain
+}  // namespace adit::simplified::chain::mechanics_test

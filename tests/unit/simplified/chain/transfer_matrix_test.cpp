@@ -9,7 +9,7 @@
 #include "simplified/chain/joints/joint_forces.hpp"
 #include "tests/unit/simplified/chain/chains.hpp"
 
-namespace adit::simplified::chain {
+namespace adit::simplified::chain::transfer_matrix_test {
 namespace {
 
 // s = m A of the segment for dt = 5 ms, k = 2 GN/m.
@@ -139,4 +139,4 @@ TEST(TransferMatrix, RefusesAnOpenHinge) {
 }
 
 }  // namespace
-}  // namespace adit::simplified::chain
+}  // namespace adit::simplified::chain::transfer_matrix_test

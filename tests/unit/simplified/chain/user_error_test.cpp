@@ -9,7 +9,7 @@
 #include "tests/support/refusals.hpp"
 #include "tests/unit/simplified/chain/chains.hpp"
 
-namespace adit::simplified::chain {
+namespace adit::simplified::chain::user_error_test {
 namespace {
 
 using Case = adit::test::Refusal<std::function<void(Chain&, Settings&)>>;
@@ -93,4 +93,4 @@ TEST(Excitation, WrongSizeIsRefused) {
 }
 
 }  // namespace
-}  // namespace adit::simplified::chain
+}  // namespace adit::simplified::chain::user_error_test

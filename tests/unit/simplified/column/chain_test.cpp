@@ -9,7 +9,7 @@
 #include "simplified/column/response/oscillator_response.hpp"
 #include "tests/unit/simplified/column/deposits.hpp"
 
-namespace adit::simplified::column::test {
+namespace adit::simplified::column::test::chain_test {
 namespace {
 
 Deposit unequally_damped() {
@@ -87,4 +87,4 @@ TEST(Chain, ResponsesOverTimeAreTheOscillators) {
 }
 
 }  // namespace
-}  // namespace adit::simplified::column::test
+}  // namespace adit::simplified::column::test::chain_test

@@ -13,7 +13,7 @@
 #include "simplified/column/response/recursion.hpp"
 #include "tests/unit/simplified/column/deposits.hpp"
 
-namespace adit::simplified::column::test {
+namespace adit::simplified::column::test::joined_columns_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -158,4 +158,4 @@ TEST(JoinedColumns, BasesFollowTheirOwnMotions) {
 }
 
 }  // namespace
-}  // namespace adit::simplified::column::test
+}  // namespace adit::simplified::column::test::joined_columns_test

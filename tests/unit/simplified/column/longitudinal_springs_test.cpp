@@ -8,7 +8,7 @@
 
 #include "tests/unit/simplified/column/deposits.hpp"
 
-namespace adit::simplified::column::test {
+namespace adit::simplified::column::test::longitudinal_springs_test {
 namespace {
 
 struct Soil {
@@ -112,4 +112,4 @@ TEST(LongitudinalSprings, EqualMotionsAreFree) {
 }
 
 }  // namespace
-}  // namespace adit::simplified::column::test
+}  // namespace adit::simplified::column::test::longitudinal_springs_test

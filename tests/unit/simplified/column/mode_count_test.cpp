@@ -12,7 +12,7 @@
 #include "tests/unit/simplified/column/deposits.hpp"
 #include "tests/unit/simplified/column/finite_elements.hpp"
 
-namespace adit::simplified::column::test {
+namespace adit::simplified::column::test::mode_count_test {
 namespace {
 
 struct Case {
@@ -98,4 +98,4 @@ TEST(ModeCount, UnreachableErrorIsRefused) {
 }
 
 }  // namespace
-}  // namespace adit::simplified::column::test
+}  // namespace adit::simplified::column::test::mode_count_test

@@ -12,7 +12,7 @@
 #include "tests/unit/simplified/column/deposits.hpp"
 #include "tests/unit/simplified/column/finite_elements.hpp"
 
-namespace adit::simplified::column::test {
+namespace adit::simplified::column::test::modes_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -120,4 +120,4 @@ TEST(Modes, DampingIsWeightedWithStrainEnergy) {
 }
 
 }  // namespace
-}  // namespace adit::simplified::column::test
+}  // namespace adit::simplified::column::test::modes_test

@@ -9,7 +9,7 @@
 #include "tests/unit/simplified/column/deposits.hpp"
 #include "tests/unit/simplified/column/spectral.hpp"
 
-namespace adit::simplified::column::test {
+namespace adit::simplified::column::test::response_test {
 namespace {
 
 double largest(const std::vector<double>& values) {
@@ -101,4 +101,4 @@ TEST(ElasticRock, AgreesWithTheFrequencyDomain) {
 }
 
 }  // namespace
-}  // namespace adit::simplified::column::test
+}  // namespace adit::simplified::column::test::response_test

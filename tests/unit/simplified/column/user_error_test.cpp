@@ -9,7 +9,7 @@
 #include "simplified/column/joined_columns.hpp"
 #include "tests/unit/simplified/column/deposits.hpp"
 
-namespace adit::simplified::column::test {
+namespace adit::simplified::column::test::user_error_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -86,4 +86,4 @@ TEST(UserError, Columns) {
 }
 
 }  // namespace
-}  // namespace adit::simplified::column::test
+}  // namespace adit::simplified::column::test::user_error_test

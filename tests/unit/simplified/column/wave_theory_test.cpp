@@ -9,7 +9,7 @@
 
 #include "tests/unit/simplified/column/deposits.hpp"
 
-namespace adit::simplified::column::test {
+namespace adit::simplified::column::test::wave_theory_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -69,4 +69,4 @@ TEST(WaveTheory, NoContrastNoReflection) {
 }
 
 }  // namespace
-}  // namespace adit::simplified::column::test
+}  // namespace adit::simplified::column::test::wave_theory_test

@@ -11,7 +11,7 @@
 #include "tests/support/local_participants.hpp"
 #include "tests/unit/simplified/scenes.hpp"
 
-namespace adit::simplified {
+namespace adit::simplified::column_fdm_test {
 namespace {
 
 constexpr double kVelocity = 200, kDensity = 1900, kDuration = 1.2;
@@ -73,4 +73,4 @@ TEST(Column, AgreesWithTheContinuumOnASoftLayer) {
 }
 
 }  // namespace
-}  // namespace adit::simplified
+}  // namespace adit::simplified::column_fdm_test

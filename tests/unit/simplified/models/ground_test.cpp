@@ -10,7 +10,7 @@
 #include "simplified/run.hpp"
 #include "tests/unit/simplified/scenes.hpp"
 
-namespace adit::simplified {
+namespace adit::simplified::ground_test {
 namespace {
 
 constexpr double kDelay = 0.1, kStep = 1e-3;  // [s]
@@ -55,4 +55,4 @@ TEST(Ground, OfTheRocksStiffnessPassesCompressionWavesUnchanged) {
 }
 
 }  // namespace
-}  // namespace adit::simplified
+}  // namespace adit::simplified::ground_test

@@ -7,7 +7,7 @@
 
 #include "tests/unit/simplified/scenes.hpp"
 
-namespace adit::simplified {
+namespace adit::simplified::mirrored_test {
 namespace {
 
 // Shear forces are those of pieces of the stiffness 12 EI/l^3 = 1.6e11 N/m: rounding of displacements of 0.1
@@ -126,4 +126,4 @@ INSTANTIATE_TEST_SUITE_P(Models, Mirrored,
                          [](const auto& info) { return info.index == 0 ? "Beam" : "Chain"; });
 
 }  // namespace
-}  // namespace adit::simplified
+}  // namespace adit::simplified::mirrored_test

@@ -9,7 +9,7 @@
 #include "simplified/models/solve.hpp"
 #include "tests/unit/simplified/scenes.hpp"
 
-namespace adit::simplified {
+namespace adit::simplified::models_test {
 namespace {
 
 using testing::response_of;
@@ -172,4 +172,4 @@ TEST(Rates, TakeLessOrderTowardsTheEnds) {
 }
 
 }  // namespace
-}  // namespace adit::simplified
+}  // namespace adit::simplified::models_test

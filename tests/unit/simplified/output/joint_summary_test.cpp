@@ -8,7 +8,7 @@
 #include "simplified/run_summary.hpp"
 #include "tests/support/scratch_folder.hpp"
 
-namespace adit::simplified {
+namespace adit::simplified::joint_summary_test {
 namespace {
 
 // Two groups of one name and one of another, as at the portals and between them.
@@ -37,4 +37,4 @@ TEST(JointSummary, TellsTheWidestOfEachName) {
 }
 
 }  // namespace
-}  // namespace adit::simplified
+}  // namespace adit::simplified::joint_summary_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/scratch_folder.hpp"
 
-namespace adit::simplified {
+namespace adit::simplified::results_test {
 namespace {
 
 TEST(Results, EnvelopesHoldEveryPlace) {
@@ -24,4 +24,4 @@ TEST(Results, EnvelopesHoldEveryPlace) {
 }
 
 }  // namespace
-}  // namespace adit::simplified
+}  // namespace adit::simplified::results_test

@@ -11,7 +11,7 @@
 #include "simplified/models/solve.hpp"
 #include "tests/unit/simplified/scenes.hpp"
 
-namespace adit::simplified {
+namespace adit::simplified::along_chainage_test {
 namespace {
 
 constexpr double kLength = 1200, kSpacing = 60, kWave = 2 * std::numbers::pi / 600;  // [m], [m], [rad/m]
@@ -127,4 +127,4 @@ TEST(AlongChainage, TunnelBendsBetweenColumnsThatStandFarApart) {
 }
 
 }  // namespace
-}  // namespace adit::simplified
+}  // namespace adit::simplified::along_chainage_test

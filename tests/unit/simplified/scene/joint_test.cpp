@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace adit::simplified {
+namespace adit::simplified::joint_test {
 namespace {
 
 constexpr double kStiffness = 5e9;
@@ -56,4 +56,4 @@ TEST(Joint, OfTheChainTurnsAsItsPerimeter) {
 }
 
 }  // namespace
-}  // namespace adit::simplified
+}  // namespace adit::simplified::joint_test

@@ -7,7 +7,7 @@
 #include "tests/support/refusals.hpp"
 #include "tests/unit/simplified/scenes.hpp"
 
-namespace adit::simplified {
+namespace adit::simplified::set_up_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -143,4 +143,4 @@ TEST(Ground, InterpolatesProfiles) {
 }
 
 }  // namespace
-}  // namespace adit::simplified
+}  // namespace adit::simplified::set_up_test

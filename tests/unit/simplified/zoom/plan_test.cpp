@@ -14,7 +14,7 @@
 #include "tests/support/refusals.hpp"
 #include "tests/unit/simplified/scenes.hpp"
 
-namespace adit::simplified {
+namespace adit::simplified::plan_test {
 namespace {
 
 // Joints every 25 m, the middle one at 100 m.
@@ -181,4 +181,4 @@ TEST(PlanScene, RefusesJointsWithoutRoomForParticles) {
 }
 
 }  // namespace
-}  // namespace adit::simplified
+}  // namespace adit::simplified::plan_test

@@ -12,7 +12,7 @@
 #include "tests/support/scratch_folder.hpp"
 #include "tests/unit/simplified/scenes.hpp"
 
-namespace adit::simplified {
+namespace adit::simplified::site_test {
 namespace {
 
 // A layer of rock on rock without damping, in which a wave of the outcrop rises unchanged to the tunnel's
@@ -89,4 +89,4 @@ TEST(SiteMotion, IsEmptyWithoutSoilColumns) {
 }
 
 }  // namespace
-}  // namespace adit::simplified
+}  // namespace adit::simplified::site_test

@@ -14,7 +14,7 @@
 #include "tests/support/scratch_folder.hpp"
 #include "tests/unit/simplified/scenes.hpp"
 
-namespace adit::simplified {
+namespace adit::simplified::window_test {
 namespace {
 
 using testing::response_of;
@@ -101,4 +101,4 @@ TEST(Zoom, RefusesAWindowWiderThanTheTunnel) {
 }
 
 }  // namespace
-}  // namespace adit::simplified
+}  // namespace adit::simplified::window_test

@@ -12,7 +12,7 @@
 #include "tests/support/local_participants.hpp"
 #include "tests/support/overlaps.hpp"
 
-namespace adit {
+namespace adit::drift_test {
 namespace {
 
 constexpr double kDuration = 1;  // [s]: P waves cross the model 8 times
@@ -74,4 +74,4 @@ TEST(Drift, OfParticlesOnQuietEdgesIsTakenOut) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::drift_test

@@ -9,7 +9,7 @@
 #include "coupler/stepping/statics.hpp"
 #include "tests/support/local_participants.hpp"
 
-namespace adit {
+namespace adit::held_base_test {
 namespace {
 
 // The overlap, from 2 to 4 m, reaches down to the base, and its edge lies inside a zone. Beyond it the
@@ -80,4 +80,4 @@ TEST_P(HeldBase, CarriesTheSameWhetherItWillYieldOrNot) {
 INSTANTIATE_TEST_SUITE_P(Masses, HeldBase, testing::Values("", "scale_masses: false", "damping: LOCAL"));
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::held_base_test

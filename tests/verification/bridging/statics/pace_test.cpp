@@ -11,7 +11,7 @@
 #include "coupler/stepping/statics.hpp"
 #include "tests/support/local_participants.hpp"
 
-namespace adit {
+namespace adit::pace_test {
 namespace {
 
 struct Settled {
@@ -111,4 +111,4 @@ TEST(MassesOfStatics, BringACoupledPackingToTheSameRest) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::pace_test

@@ -19,7 +19,7 @@
 #include "tests/support/local_participants.hpp"
 #include "tests/support/overlaps.hpp"
 
-namespace adit {
+namespace adit::statics_test {
 namespace {
 
 // A block of ground on rollers at its sides, fixed at its base, in plane strain.
@@ -338,4 +338,4 @@ TEST(Statics, TooFewStepsEndTheRun) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::statics_test

@@ -13,7 +13,7 @@
 #include "tests/verification/continuum/oracles/quiet_boundary.hpp"
 #include "tests/verification/continuum/oracles/salencon.hpp"
 
-namespace adit::fdm::oracle {
+namespace adit::fdm::oracle::oracles_test {
 namespace {
 
 using std::numbers::pi;
@@ -306,4 +306,4 @@ TEST(ViscousReflection, GrowsFromNothingToEverything) {
 }
 
 }  // namespace
-}  // namespace adit::fdm::oracle
+}  // namespace adit::fdm::oracle::oracles_test

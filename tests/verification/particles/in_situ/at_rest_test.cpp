@@ -3,7 +3,7 @@
 
 #include "tests/verification/particles/in_situ/in_situ.hpp"
 
-namespace adit {
+namespace adit::at_rest_test {
 namespace {
 
 constexpr double kStiffness = 1e9, kSize = 10, kDensity = 2500, kGravity = 9.80665;
@@ -97,4 +97,4 @@ TEST(InSitu, RandomDiscsInAContinuumStandStillUnderTheirWeight) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::at_rest_test

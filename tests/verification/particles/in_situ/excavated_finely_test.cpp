@@ -4,7 +4,7 @@
 
 #include "tests/verification/particles/in_situ/excavated.hpp"
 
-namespace adit {
+namespace adit::excavated_finely_test {
 namespace {
 
 TEST(FinelyExcavatedParticles, DeformAsKirschFound) {
@@ -14,4 +14,4 @@ TEST(FinelyExcavatedParticles, DeformAsKirschFound) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::excavated_finely_test

@@ -17,7 +17,7 @@
 #include "tests/verification/particles/in_situ/excavated.hpp"
 #include "tests/verification/particles/in_situ/moduli_of_packing.hpp"
 
-namespace adit {
+namespace adit::excavated_randomly_test {
 namespace {
 
 constexpr double kDisc = 0.024;  // mean radius: 62 in the tunnel's
@@ -131,4 +131,4 @@ TEST(RandomlyExcavatedParticles, DeformAsKirschFound) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::excavated_randomly_test

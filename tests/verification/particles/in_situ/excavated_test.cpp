@@ -4,7 +4,7 @@
 
 #include "tests/verification/particles/in_situ/excavated.hpp"
 
-namespace adit {
+namespace adit::excavated_test {
 namespace {
 
 constexpr double kDisc = 0.125;
@@ -61,4 +61,4 @@ TEST(ExcavatedParticles, LiningCarriesWhatIsReleasedAfterIt) {
 }
 
 }  // namespace
-}  // namespace adit
+}  // namespace adit::excavated_test

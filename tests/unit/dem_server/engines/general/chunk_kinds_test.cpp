@@ -8,7 +8,7 @@
 
 #include "tests/unit/dem_server/discs_models.hpp"
 
-namespace adit::dem {
+namespace adit::dem::chunk_kinds_test {
 namespace {
 
 using Kind = Pairs::Kind;
@@ -195,4 +195,4 @@ TEST(InternalForce, IsThatOfTheStateReached) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::chunk_kinds_test

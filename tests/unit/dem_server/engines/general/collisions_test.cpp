@@ -9,7 +9,7 @@
 
 #include "tests/unit/dem_server/discs_models.hpp"
 
-namespace adit::dem {
+namespace adit::dem::collisions_test {
 namespace {
 
 constexpr double kStiffness = 1e9, kRadius = 0.1, kSpeed = 1e-5;
@@ -195,4 +195,4 @@ TEST(Collisions, FrictionStopsASlidingBlock) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::collisions_test

@@ -8,7 +8,7 @@
 
 #include "tests/unit/dem_server/discs_models.hpp"
 
-namespace adit::dem {
+namespace adit::dem::column_test {
 namespace {
 
 constexpr double kRadius = 0.05, kNormal = 3e11, kShear = 1.2e11;
@@ -129,4 +129,4 @@ TEST(DiscsColumn, TheTimeStepsBoundHoldsForAnyDiscs) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::column_test

@@ -14,7 +14,7 @@
 #include "tests/unit/dem_server/in_process_run.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
-namespace adit::dem {
+namespace adit::dem::critical_step_test {
 namespace {
 
 constexpr double kNormal = 1e8;
@@ -144,4 +144,4 @@ TEST(CriticalStepOfLooseDiscs, DashpotsRestInStatics) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::critical_step_test

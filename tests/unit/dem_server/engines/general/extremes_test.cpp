@@ -12,7 +12,7 @@
 #include "tests/unit/dem_server/in_process_run.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
-namespace adit::dem {
+namespace adit::dem::extremes_test {
 namespace {
 
 // One particle has a critical step, and falls as it should.
@@ -218,4 +218,4 @@ TEST(DiscsExtremes, ThreadsChangeNothing) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::extremes_test

@@ -8,7 +8,7 @@
 #include "tests/unit/dem_server/discs_models.hpp"
 #include "tests/unit/dem_server/two_bodies.hpp"
 
-namespace adit::dem {
+namespace adit::dem::laws_test {
 namespace {
 
 using test::Body;
@@ -172,4 +172,4 @@ TEST(DiscsLaws, SmoothJointsSlideAlongTheirPlane) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::laws_test

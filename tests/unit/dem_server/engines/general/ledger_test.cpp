@@ -8,7 +8,7 @@
 #include "tests/unit/dem_server/in_process_run.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
-namespace adit::dem {
+namespace adit::dem::ledger_test {
 namespace {
 
 // A block of parallel-bonded discs of random size between two platens, the upper one pressing.
@@ -168,4 +168,4 @@ TEST(DiscsLedger, TheTimeStepsShareIsOfSecondOrder) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::ledger_test

@@ -8,7 +8,7 @@
 #include "tests/unit/dem_server/discs_models.hpp"
 #include "tests/unit/dem_server/engines/general/breaking_spring.hpp"
 
-namespace adit::dem {
+namespace adit::dem::parts_test {
 namespace {
 
 // A bolt pulls by its pretension and stiffness, never pushes, and is gone above its strength; its energy is
@@ -166,4 +166,4 @@ TEST(DiscsParts, SpringsSurviveANewList) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::parts_test

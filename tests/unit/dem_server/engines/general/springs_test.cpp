@@ -16,7 +16,7 @@
 #include "tests/unit/dem_server/in_process_run.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
-namespace adit::dem {
+namespace adit::dem::springs_test {
 namespace {
 
 // A gasket pressed by 2 kN when it is installed; it stiffens in compression and lets go at 4 mm.
@@ -254,4 +254,4 @@ INSTANTIATE_TEST_SUITE_P(
     adit::test::kRefusalName);
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::springs_test

@@ -4,7 +4,7 @@
 
 #include "tests/unit/dem_server/engines/lattice/lattice.hpp"
 
-namespace adit::dem {
+namespace adit::dem::assembly_test {
 namespace {
 
 constexpr double kCellMass = 3.0;
@@ -112,4 +112,4 @@ TEST(Assembly, RunIsPlainUnlessABondOfItsOwnIsNot) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::assembly_test

@@ -12,7 +12,7 @@
 #include "dem_server/model/placement/scene_checks.hpp"
 #include "tests/unit/dem_server/engines/lattice/lattice.hpp"
 
-namespace adit::dem {
+namespace adit::dem::beam_test {
 namespace {
 
 constexpr double kYoung = 25e9, kNu = 0.2, kDensity = 2500, kLength = 10;
@@ -102,4 +102,4 @@ TEST(Beam, TendsToTimoshenkos) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::beam_test

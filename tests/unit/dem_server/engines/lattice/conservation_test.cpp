@@ -4,7 +4,7 @@
 #include "dem_server/engines/lattice/critical_step.hpp"
 #include "tests/unit/dem_server/engines/lattice/lattice.hpp"
 
-namespace adit::dem {
+namespace adit::dem::conservation_test {
 namespace {
 
 const ContactBond kLaw{{7.0, 3.0}, kUnbreakable, kUnbreakable};
@@ -159,4 +159,4 @@ TEST(Conservation, ReleasedEnergyOfOneBondIsExact) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::conservation_test

@@ -8,7 +8,7 @@
 #include "tests/unit/dem_server/cantilever_scene.hpp"
 #include "tests/unit/dem_server/engines/lattice/lattice.hpp"
 
-namespace adit::dem {
+namespace adit::dem::contacts_test {
 namespace {
 
 double between(double low, double high) {
@@ -144,4 +144,4 @@ TEST(Contacts, BounceBrokenPieces) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::contacts_test

@@ -5,7 +5,7 @@
 #include "dem_server/packing/meeting_place.hpp"
 #include "tests/unit/dem_server/engines/lattice/lattice.hpp"
 
-namespace adit::dem {
+namespace adit::dem::critical_step_test {
 namespace {
 
 // 2 / omega of the assembled lattice's highest mode.
@@ -93,4 +93,4 @@ TEST(CriticalStep, ExactStepIsTheLimitOfStability) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::critical_step_test

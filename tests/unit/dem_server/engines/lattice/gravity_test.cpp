@@ -10,7 +10,7 @@
 #include "dem_server/engines/lattice/lattice_engine.hpp"
 #include "tests/support/lattice_model.hpp"
 
-namespace adit::dem {
+namespace adit::dem::gravity_test {
 namespace {
 
 constexpr double kRadius = 0.5;
@@ -62,4 +62,4 @@ TEST(Gravity, IsALoadOnAllParticles) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::gravity_test

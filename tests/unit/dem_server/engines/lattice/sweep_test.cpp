@@ -7,7 +7,7 @@
 #include "dem_server/engines/lattice/critical_step.hpp"
 #include "tests/unit/dem_server/engines/lattice/lattice.hpp"
 
-namespace adit::dem {
+namespace adit::dem::sweep_test {
 namespace {
 
 constexpr ContactBond kBrittle{{7.0, 3.0}, 0.02, 0.015};
@@ -119,4 +119,4 @@ TEST_P(Sweeps, FindsTheLargestSpeed) {
 }
 
 }  // namespace
-}  // namespace adit::dem
+}  // namespace adit::dem::sweep_test

@@ -11,7 +11,7 @@
 #include "protocol/motion/synthesis/pulses.hpp"
 #include "tests/unit/protocol/motion/support.hpp"
 
-namespace adit::motion::test {
+namespace adit::motion::test::coherency_test {
 namespace {
 
 constexpr double kDrift = 2.5e-4;
@@ -139,4 +139,4 @@ TEST(Coherency, IsFixedByItsSeedAlsoForCloseStations) {
 }
 
 }  // namespace
-}  // namespace adit::motion::test
+}  // namespace adit::motion::test::coherency_test

@@ -12,7 +12,7 @@
 #include "tests/support/refusals.hpp"
 #include "tests/unit/protocol/motion/support.hpp"
 
-namespace adit::motion::test {
+namespace adit::motion::test::ground_motion_test {
 namespace {
 
 using std::numbers::pi;
@@ -121,4 +121,4 @@ TEST(GroundMotion, RefusesExchangedCorners) {
 }
 
 }  // namespace
-}  // namespace adit::motion::test
+}  // namespace adit::motion::test::ground_motion_test

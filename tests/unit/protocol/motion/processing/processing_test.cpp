@@ -6,7 +6,7 @@
 #include "protocol/motion/measures.hpp"
 #include "tests/unit/protocol/motion/support.hpp"
 
-namespace adit::motion::test {
+namespace adit::motion::test::processing_test {
 namespace {
 
 using testing::Each;
@@ -124,4 +124,4 @@ TEST(Processing, RefusesWrongArguments) {
 }
 
 }  // namespace
-}  // namespace adit::motion::test
+}  // namespace adit::motion::test::processing_test

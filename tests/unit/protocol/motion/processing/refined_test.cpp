@@ -8,7 +8,7 @@
 #include "protocol/motion/velocity_history.hpp"
 #include "tests/unit/protocol/motion/support.hpp"
 
-namespace adit::motion::test {
+namespace adit::motion::test::refined_test {
 namespace {
 
 constexpr int kParts = 8;
@@ -63,4 +63,4 @@ TEST(Refined, KeepsTheValuesAndTheEnd) {
 }
 
 }  // namespace
-}  // namespace adit::motion::test
+}  // namespace adit::motion::test::refined_test

@@ -8,7 +8,7 @@
 #include "protocol/motion/records/records.hpp"
 #include "tests/unit/protocol/motion/support.hpp"
 
-namespace adit::motion::test {
+namespace adit::motion::test::readers_test {
 namespace {
 
 using testing::DoubleEq;
@@ -310,4 +310,4 @@ TEST(Cosmos, TakesTheStepFromTheRealHeader) {
 }
 
 }  // namespace
-}  // namespace adit::motion::test
+}  // namespace adit::motion::test::readers_test

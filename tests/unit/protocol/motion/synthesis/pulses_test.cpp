@@ -6,7 +6,7 @@
 #include "protocol/motion/measures.hpp"
 #include "tests/unit/protocol/motion/support.hpp"
 
-namespace adit::motion::test {
+namespace adit::motion::test::pulses_test {
 namespace {
 
 using testing::HasSubstr;
@@ -61,4 +61,4 @@ TEST(Pulses, RefuseWrongArguments) {
 }
 
 }  // namespace
-}  // namespace adit::motion::test
+}  // namespace adit::motion::test::pulses_test

@@ -8,7 +8,7 @@
 #include "protocol/motion/spectra/response.hpp"
 #include "tests/unit/protocol/motion/support.hpp"
 
-namespace adit::motion::test {
+namespace adit::motion::test::synthetic_test {
 namespace {
 
 using testing::HasSubstr;
@@ -141,4 +141,4 @@ TEST(Synthetic, RefusesWrongRequests) {
 }
 
 }  // namespace
-}  // namespace adit::motion::test
+}  // namespace adit::motion::test::synthetic_test

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace adit::protocol {
+namespace adit::protocol::interface_operator_test {
 namespace {
 
 using testing::ElementsAre;
@@ -71,4 +71,4 @@ TEST(InterfaceOperator, IsEmptyAtFirst) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::interface_operator_test

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace adit::protocol {
+namespace adit::protocol::sparse_rows_test {
 namespace {
 
 constexpr std::size_t kOwn = 12;
@@ -80,4 +80,4 @@ TEST(SparseRows, ActAsRowByRow) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::sparse_rows_test

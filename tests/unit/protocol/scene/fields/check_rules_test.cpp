@@ -8,7 +8,7 @@
 #include "protocol/messages/scene.pb.h"
 #include "tests/support/refusals.hpp"
 
-namespace adit::protocol {
+namespace adit::protocol::check_rules_test {
 namespace {
 
 template <class Message>
@@ -143,4 +143,4 @@ TEST(CheckRules, PathsLeadToTheField) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::check_rules_test

@@ -7,7 +7,7 @@
 
 #include "protocol/errors.hpp"
 
-namespace adit::protocol {
+namespace adit::protocol::computed_test {
 namespace {
 
 constexpr const char* kBar =
@@ -81,4 +81,4 @@ TEST(Computed, WhoListsNothingTakesPartInNoRun) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::computed_test

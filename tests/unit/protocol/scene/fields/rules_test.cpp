@@ -10,7 +10,7 @@
 #include "protocol/scene/yaml/merge.hpp"
 #include "protocol/scene/yaml/message_reader.hpp"
 
-namespace adit::protocol {
+namespace adit::protocol::rules_test {
 namespace {
 
 using google::protobuf::Descriptor;
@@ -91,4 +91,4 @@ TEST(SceneRules, EveryExampleIsAccepted) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::rules_test

@@ -10,7 +10,7 @@
 #include "protocol/errors.hpp"
 #include "protocol/scene/fields/quantity.hpp"
 
-namespace adit::protocol {
+namespace adit::protocol::units_test {
 namespace {
 
 std::string complaint(const std::string& text, const std::string& si_unit) {
@@ -154,4 +154,4 @@ RC_GTEST_PROP(Quantity, AnyTextGivesANumberOrAUserError, ()) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::units_test

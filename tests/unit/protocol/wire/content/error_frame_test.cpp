@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <new>
 
-namespace adit::protocol {
+namespace adit::protocol::error_frame_test {
 namespace {
 
 // The message that arrives as an exception of the same kind; empty for another kind.
@@ -70,4 +70,4 @@ TEST(ErrorFrame, ABugOfTheSenderLosesThePeer) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::error_frame_test

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-namespace adit::protocol {
+namespace adit::protocol::finite_test {
 namespace {
 
 std::string first_in(const std::string& text) {
@@ -45,4 +45,4 @@ TEST(Finite, FindsOneAmongMany) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::finite_test

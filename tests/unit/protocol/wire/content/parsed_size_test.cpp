@@ -7,7 +7,7 @@
 
 #include "protocol/messages/wire.pb.h"
 
-namespace adit::protocol {
+namespace adit::protocol::parsed_size_test {
 namespace {
 
 std::optional<std::uint64_t> size_of(const std::string& bytes, const google::protobuf::Descriptor* type) {
@@ -120,4 +120,4 @@ TEST(ParsedSize, IsNothingForBytesThatAreNoMessage) {
 }
 
 }  // namespace
-}  // namespace adit::protocol
+}  // namespace adit::protocol::parsed_size_test
