@@ -196,6 +196,21 @@ TEST(Multipliers, TieMatchingPoints) {
   }
 }
 
+// Requirement: coupling points may lie on the edges of zones, where a coarse point has the share 0. Of three
+// along a zone, two lie at its ends; all move on with it.
+TEST(SplitSolve, IsContinuousWhereCouplingPointsLieOnEdgesOfZones) {
+  const Interpolation coarse({0, 2, 4, 6}, {0, 1, 0, 1, 0, 1}, {1, 0, 0.5, 0.5, 0, 1},
+                             std::vector<double>(4, 0.5));
+  const std::vector<double> moving(6, 4.0), still(6, 0.0), masses(6, 1.0);
+  std::vector<double> multipliers(6), own(4), lost(6);
+  make_multiplier_solve(scene::SPLIT, coarse, masses, std::vector<double>(3, 0.5))
+      ->solve(moving, still, multipliers);
+  coarse.gather(multipliers, own);
+  coarse.divide_by_mass(own);
+  coarse.interpolate(own, lost);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(multipliers[i] / masses[i], 4 - lost[i], 1e-9) << i;
+}
+
 // Requirement: factors stay sparse: in a plane with 10⁵ coupling points they hold a few dozen numbers a grid
 // point.
 TEST(Multipliers, StaySparseWithAHundredThousandCouplingPoints) {

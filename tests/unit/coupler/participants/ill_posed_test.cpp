@@ -67,12 +67,24 @@ TEST(IllPosed, TwoInterfacesThatFightForAPoint) {
                  "interfaces[1].overlap", "move the overlaps apart");
 }
 
-// The middle model's points are tied to the grid's, and the lattice's to them.
+// The middle model's points are tied to the grid's, and the lattice's to them. Rows of particles are 0.05 m
+// times the root of 3 apart, the lowest at half of that.
 TEST(IllPosed, APointThatIsCoarseAndFine) {
   expect_refusal({"",
                   {{kGrid, 0, 5, 0.5}, {kGrid, 2, 6, 0.25}, {kLattice, 3, 8, 0.05}},
                   {{0, 1, 2.5, 4}, {1, 2, 4, 5.5}}},
-                 "interfaces[1].overlap", "ties already");
+                 "interfaces[1].overlap",
+                 "ties the point (4.05, 0.0433013) m of `stretch_2`, which interfaces[0] ties already");
+}
+
+// Each of the two overlaps holds the particles at x = 4 m on which they meet: those of the second row are the
+// first ones.
+TEST(IllPosed, TwoOverlapsThatMeetOnAColumnOfParticles) {
+  expect_refusal({"",
+                  {{kGrid, 0, 4.5, 0.5}, {kLattice, 2, 6, 0.05}, {kGrid, 3.5, 8, 0.5}},
+                  {{0, 1, 3, 4}, {2, 1, 5, 4}}},
+                 "interfaces[1].overlap",
+                 "ties the point (4, 0.129904) m of `stretch_1`, which another interface ties already");
 }
 
 TEST(IllPosed, AMotionPrescribedInTheOverlap) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <numbers>
 #include <random>
 
 #include "dem_server/engines/general/general_engine.hpp"
@@ -300,6 +301,22 @@ INSTANTIATE_TEST_SUITE_P(
                            *joint.mutable_to() = section.to();
                            joint.set_name("joint");
                            joint.set_open(true);
+                         }},
+                    Case{"OnAJointOfTheRing", "sections[3]",
+                         "crosses no bond, because it lies on a joint of particles.ring; lay it beside",
+                         [](auto& s) {
+                           add_section(s, "seam", 7);
+                           auto& ring = *s.mutable_ring();
+                           test::set(*ring.mutable_centre(), 7, kRows / 2.0);
+                           ring.set_inner_radius(0.1);
+                           ring.set_outer_radius(20);
+                           ring.set_segments(2);
+                           ring.set_first_joint(std::numbers::pi / 2);
+                         }},
+                    Case{"BetweenLooseParticles", "sections[0]", "crosses no bond between particles; lay it",
+                         [](auto& s) {
+                           s.clear_bonds();
+                           s.mutable_contacts();
                          }},
                     Case{"NoSuchSection", "histories[0].section", "choose one of at_2, at_5, at_10",
                          [](auto& s) { s.mutable_histories(0)->set_section("crown"); }}),

@@ -267,6 +267,10 @@ TEST(InitialState, IsNotBorneByWalls) {
   wall.mutable_from()->set_y(-0.1);
   wall.mutable_to()->set_y(-0.1);
   EXPECT_EQ(read_model(scene).walls.size(), 1u);
+  test::set(*wall.mutable_from(), 4, 0);  // below one particle alone
+  test::set(*wall.mutable_to(), 5, 0);
+  adit::test::expect_refusal([&] { read_model(scene); }, "particles.walls[0]",
+                             "touches the particle at (4.5, 0.5) m");
 }
 
 }  // namespace

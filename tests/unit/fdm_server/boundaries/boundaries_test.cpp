@@ -117,6 +117,20 @@ TEST(QuietBoundary, DoesNotShortenTheCriticalStep) {
   }
 }
 
+// The ground above a compliant base takes the velocity of the outcrop, also its sign: where that rises to a
+// constant, all ground moves with it in the end.
+TEST(CompliantBase, MovesTheGroundAsItsOutcrop) {
+  for (const std::string direction : {"X", "Y"}) {
+    GroundRun run(kBlock + kSides + "base { kind: COMPLIANT direction: " + direction +
+                      " velocity { amplitude: 0.1 time { table { time: [0, 0.05] value: [0, 1] } } } } "
+                      "histories { name: 'top' quantity: VELOCITY_" +
+                      direction + " at { x: 6 y: 0 } } ",
+                  0.5);
+    for (std::uint64_t n = 0; n < run.steps(); ++n) run.advance();
+    EXPECT_NEAR(run.predicted.histories(0), 0.1, 1e-3) << direction;
+  }
+}
+
 // Both components of the velocity of all points, by height: how far the rows are from moving alike.
 double unevenness(const wire::Snapshot& snapshot) {
   const auto& piece = snapshot.pieces(0);

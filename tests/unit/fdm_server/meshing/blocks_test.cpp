@@ -82,18 +82,18 @@ TEST(Blocks, ZonesAreGraded) {
 }
 
 // Requirement: the points of an arc lie on it at equal angles, by centre or through a point, of either sense;
-// the corners may run either way round.
+// the corners may run either way round. The centre of the arcs is (5, -2).
 TEST(Blocks, SidesAreArcs) {
   const std::string corners =
-      "corners { x: 1 y: 0 } corners { x: 3 y: 0 } corners { x: 0 y: 3 } corners { x: 0 y: 1 } ";
+      "corners { x: 6 y: -2 } corners { x: 8 y: -2 } corners { x: 5 y: 1 } corners { x: 5 y: -1 } ";
   const std::string mirrored =
-      "corners { x: 1 y: 0 } corners { x: 0 y: 1 } corners { x: 0 y: 3 } corners { x: 3 y: 0 } ";
+      "corners { x: 6 y: -2 } corners { x: 5 y: -1 } corners { x: 5 y: 1 } corners { x: 8 y: -2 } ";
   const double h = std::numbers::sqrt2 / 2;
   const std::string through =
-      " through { x: " + std::to_string(3 * h) + " y: " + std::to_string(3 * h) + " } ";
+      " through { x: " + std::to_string(5 + 3 * h) + " y: " + std::to_string(-2 + 3 * h) + " } ";
   for (const std::string& shape :
-       {corners + "arcs { side: LEFT centre { x: 0 y: 0 } } arcs { side: RIGHT " + through + "}",
-        mirrored + "arcs { side: LOWER centre { x: 0 y: 0 } } arcs { side: UPPER " + through + "}"}) {
+       {corners + "arcs { side: LEFT centre { x: 5 y: -2 } } arcs { side: RIGHT " + through + "}",
+        mirrored + "arcs { side: LOWER centre { x: 5 y: -2 } } arcs { side: UPPER " + through + "}"}) {
     const bool turned = shape.starts_with(mirrored);
     const Grid grid =
         grid_of("blocks { quadrilateral { " + shape + " } along { zones: " + (turned ? "8" : "4") +
@@ -102,8 +102,8 @@ TEST(Blocks, SidesAreArcs) {
     for (std::size_t i = 0; i < grid.x.size(); ++i) {
       const double row = turned ? static_cast<double>(i % 9) : std::floor(static_cast<double>(i) / 5);
       const double column = turned ? std::floor(static_cast<double>(i) / 9) : static_cast<double>(i % 5);
-      EXPECT_NEAR(std::hypot(grid.x[i], grid.y[i]), 1 + column / 2, 2e-6);
-      EXPECT_NEAR(std::atan2(grid.y[i], grid.x[i]), row * std::numbers::pi / 16, 1e-6);
+      EXPECT_NEAR(std::hypot(grid.x[i] - 5, grid.y[i] + 2), 1 + column / 2, 2e-6);
+      EXPECT_NEAR(std::atan2(grid.y[i] + 2, grid.x[i] - 5), row * std::numbers::pi / 16, 1e-6);
     }
   }
 }

@@ -121,6 +121,20 @@ TEST(Damping, MassAndStiffnessDampAlone) {
     }
 }
 
+// Damping of the masses alone: ground that falls under its weight ends at the speed g/alpha, at which drag
+// and weight are equal, however long the step is.
+TEST(Damping, DragOfTheMassesEndsAtTheTerminalVelocity) {
+  const double alpha = 50, gravity = 10, dt = 2e-3;
+  const Grid grid = make_grid({0, 1, 0, 1, 1, 1});
+  const auto masses = lumped_masses(grid, ones(grid), kGroundDensity);
+  Load weight{{0, 1, 2, 3}, {0, 0, 0, 0}, {}, {}};
+  for (const double mass : masses) weight.fy.push_back(-gravity * mass);
+  Continuum continuum(ZoneSet(kKinds[0], grid, kLaw, ones(grid)), masses, {weight}, {});
+  continuum.set_damping(rayleigh(alpha, 0));
+  for (std::uint64_t n = 0; n <= 500; ++n) continuum.step({n, dt});
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(continuum.vy()[i], -gravity / alpha, 1e-9);
+}
+
 // Local damping: half a cycle leaves (1 - a)/(1 + a) of the energy, whatever the frequency, because the
 // stiffness is 1 - a on the way to rest and 1 + a on the way from it.
 TEST(Damping, LocalDampingIsTheSameAtEveryFrequency) {
