@@ -14,6 +14,7 @@ GRIDS = ((100, 100), (400, 250), (1000, 1000))  # zones along x and y
 THREADS = (1, 2)
 # Floors of one thread, in 10^6 zone-steps per second; two threads must reach 1.8 times as much.
 FLOORS = {100000: 80, 1000000: 60}
+PROGRAMS, BESIDE_PEERS = ("continuum_bench",), ("coupler", "fdm_server")
 
 
 def run(root):

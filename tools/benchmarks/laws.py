@@ -3,6 +3,8 @@
 import json
 import subprocess
 
+PROGRAMS = ("laws_bench",)
+
 
 def run(root):
     lines = subprocess.run([root / "build/release/tests/bench/laws_bench"], check=True, capture_output=True,

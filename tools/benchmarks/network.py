@@ -32,6 +32,7 @@ LINKS = {
 }
 LATE = "late_particles"  # dem_server that hides nothing behind the exchange
 SUBSTEPS = (1, 2)  # more would make the steps of the particles smaller, as the zones of the beam are small
+PROGRAMS = ("coupler", "fdm_server", "dem_server", "network_link", LATE)
 
 
 def run(root):

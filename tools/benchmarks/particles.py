@@ -21,6 +21,7 @@ KINDS = {"lattice": "contact bonds", "contact_bonds": "contact bonds, discs of a
 PACKING = "packing with friction, no bonds"
 # Bond-steps per second of one thread from 10^4 particles on; two must reach 1.8 times as much.
 FLOORS, FLOOR_FROM = {"lattice": 120e6, "parallel_bonds": 60e6}, 9000
+PROGRAMS = BESIDE_PEERS = ("particles_bench",)
 
 
 def run(root):

@@ -21,6 +21,7 @@ GRANULAR = "LAMMPS granular with history"
 
 MATERIAL = "plane: PLANE_STRESS time { duration: 1 } material { young_modulus: 25e9 poisson_ratio: 0.2 density: 2500 }"
 FALLS = "body_loads { acceleration { y: -9.81 } }"
+PROGRAMS = ("adit_lammps",)
 
 
 def run(root):

@@ -74,6 +74,7 @@ ASKED = {
         "quiet boundary": ("continuum.quiet=[{where: {x_min: 20}}]",),
         **observed("continuum"),
         "coupling": (OTHER["continuum"], "interface.overlap=" + OVERLAP["continuum"])}}
+PROGRAMS = ("coupler", "fdm_server", "dem_server")
 
 
 def run(root):

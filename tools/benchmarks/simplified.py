@@ -13,6 +13,7 @@ CASES = (
     ("cases/qingcaosha/east_chain.yaml", 30),
     ("cases/qingcaosha/east_beam.yaml", 30),
 )
+PROGRAMS = ("simplified", "chain_bench")
 
 
 def run(root):

@@ -14,6 +14,7 @@ ROUNDS = 7
 SHORT = "cases/cantilever/variants/coupled_52x6.yaml"
 LONG = "cases/cantilever/variants/coupled_100k.yaml"
 OVERHEAD_BYTES = 40  # bytes of a frame besides its interface values
+PROGRAMS = ("coupler", "fdm_server", "dem_server", "ping_pong")
 
 
 def run(root):

@@ -21,25 +21,16 @@ def with_bonds(runs):
     return [run for run in runs if any("bonds" in name for _, files in run.instants[-1:] for name in files)]
 
 
-def force_chains(runs, instants):
-    """A figure for each run; all have one scale of widths and one of lengths, so that they can be compared."""
-    pieces, bounds = _alike(runs, instants)
-    largest = max((np.nanmax(np.abs(each["bonds"]["normal_force_N"]), initial=0) for each in pieces), default=0)
-    for run, number, each in zip(runs, instants, pieces):
-        yield model_pictures.force_chains(run, run.instants[number][0], each, bounds, largest or None)
-
-
-def bonds(runs, instants):
-    """A figure for each run, intact bonds and cracks."""
-    pieces, bounds = _alike(runs, instants)
-    for run, number, each in zip(runs, instants, pieces):
-        yield model_pictures.bonds(run, run.instants[number][0], each, bounds)
-
-
-def _alike(runs, instants):
-    """The pieces of each run, and bounds that hold what each would show; nothing if a file is damaged."""
-    pieces = [run.pieces_at(number) for run, number in zip(runs, instants)]
+def side_by_side(runs, numbers):
+    """{"force_chains", "bonds": [a drawing for each run that has bonds]} at the instants of these numbers; nothing if a file is
+    damaged. All have one scale of widths and one of lengths, so that they can be compared."""
+    pieces = [run.pieces_at(number) for run, number in zip(runs, numbers)]
     if not all("bonds" in each for each in pieces):
-        return [], None
+        return {}
     found = np.array([model_pictures.close_up(each) for each in pieces])
-    return pieces, (found[:, 0].min(), found[:, 1].max(), found[:, 2].min(), found[:, 3].max())
+    bounds = found[:, 0].min(), found[:, 1].max(), found[:, 2].min(), found[:, 3].max()
+    largest = max(np.nanmax(np.abs(each["bonds"]["normal_force_N"]), initial=0) for each in pieces)
+    models = [(run, run.instants[number][0], each) for run, number, each in zip(runs, numbers, pieces)]
+    drawn = {"force_chains": [model_pictures.force_chains(*each, bounds, largest or None) for each in models],
+             "bonds": [model_pictures.bonds(*each, bounds) for each in models]}
+    return {view: shown for view, several in drawn.items() if (shown := [each for each in several if each])}

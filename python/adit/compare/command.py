@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 
 from adit import programs
-from adit.compare import files, page, reference
+from adit.compare import files, overlays, page, reference
 from adit.report import overview
 from adit.report.results import Results
 
@@ -50,7 +50,11 @@ def compare(folders, out, with_pictures=True, with_report=True):
             run.name = path.relative_to(common).as_posix()
     print(*overview.lines(runs), sep="\n", flush=True)
     if len(runs) > 1:
-        files.write(out.name, runs, out / "comparison", with_pictures=with_pictures)
+        files.write(runs, out / "comparison")
+        if with_pictures:
+            drawn = overlays.drawn(out.name, runs)
+            files.draw(drawn, out / "comparison")
+            side_by_side = files.draw_side_by_side(runs, out / "comparison", with_report)
         print(f"\ncomparison         {out / 'comparison'}", flush=True)
-        if with_report and with_pictures:
-            print(f"report             {page.write(out.name, runs, out)}", flush=True)
+        if with_pictures and with_report:
+            print(f"report             {page.write(out.name, runs, out, drawn, *side_by_side)}", flush=True)

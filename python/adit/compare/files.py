@@ -1,53 +1,53 @@
 """The pictures and the table that a comparison leaves in a folder."""
 from PIL import Image
 
-from adit.compare import bonds, differences, overlays
-from adit.plots import style
+from adit.compare import bonds, differences
+from adit.plots import png, style
 from adit.plots.cores import on_all_cores
 from adit.plots.instants import MOST, spread
-from adit.report import motions
+from adit.report import pictures
+from adit.report.instants import Instant
 
 DOTS = 150  # per inch, of pictures joined from those of the runs
 
 
-def write(title, runs, folder, with_pictures=True):
-    """Writes figures.csv and the pictures into the folder, in place of those of an earlier comparison."""
+def write(runs, folder):
+    """Writes figures.csv into the folder, and takes away the pictures of an earlier comparison."""
     folder.mkdir(parents=True, exist_ok=True)
     for old in folder.glob("*.png"):
         old.unlink()
     differences.write(folder / "figures.csv", runs)
-    if not with_pictures:
-        return
-    for name, figure in _drawn(title, runs):
-        style.save(figure, folder / f"{name}.png")
+
+
+def draw(overlaid, folder):
+    """Writes what overlays.drawn returned."""
+    for drawings in overlaid.values():
+        for name, drawing in drawings.items():
+            png.write(drawing, folder / f"{name}.png")
+
+
+def draw_side_by_side(runs, folder, for_page):
+    """Writes force chains and bonds of the runs with particles, each in one picture at every instant that all of them have and
+    that is drawn. Returns these Instants for the page where it is wanted, and how many instants they have in common."""
     runs = bonds.with_bonds(runs)
     common = bonds.common_instants(runs) if len(runs) > 1 else []
-    chosen = spread(common, MOST, [piece for run in runs for piece in run.last_pieces.values()]) if common else []
+    chosen = spread(common, MOST, [piece for run in runs for piece in run.last_pieces.values()])
+    peak = runs[0].number("peak_bond_force_time_s") if runs else None
 
-    def side_by_side(n):
+    def drawn(n):
         time, numbers = chosen[n]
-        for view in (bonds.force_chains, bonds.bonds):
-            figures = [each for each in view(runs, numbers) if each]
-            if figures:
-                joined(figures, folder / f"{view.__name__}_{style.milliseconds(time)}ms.png")
+        views = bonds.side_by_side(runs, numbers)
+        for name, drawings in views.items():
+            joined(drawings, folder / f"{name}_{style.milliseconds(time)}ms.png")
+        shown = [pictures.figure(each, names_run=True) for drawings in views.values() for each in drawings] if for_page else []
+        return Instant(time, shown, -time if peak is None else abs(time - peak))
 
-    list(on_all_cores(side_by_side, len(chosen)))
-
-
-def _drawn(title, runs):
-    for quantity, what in overlays.shared_histories(runs).items():
-        yield quantity.replace(" ", "_"), overlays.histories(title, quantity, *what)
-    yield from overlays.envelopes(title, runs)
-    cracks, found = overlays.cracks(title, runs), overlays.shared_motions(runs)
-    if cracks:
-        yield "cracks", cracks
-    if found:
-        yield "motions", motions.picture(found)
+    return list(on_all_cores(drawn, len(chosen))), len(common)
 
 
-def joined(figures, path):
-    """Writes figures into one picture: wide ones below each other, tall ones side by side."""
-    drawn = [style.dots(figure, DOTS) for figure in figures]
+def joined(drawings, path):
+    """Writes drawings into one picture: wide ones below each other, tall ones side by side."""
+    drawn = [style.dots(png.figure(each), DOTS) for each in drawings]
     wide = all(image.width > 1.4 * image.height for image in drawn)
     size = ((max(i.width for i in drawn), sum(i.height for i in drawn)) if wide
             else (sum(i.width for i in drawn), max(i.height for i in drawn)))

@@ -3,10 +3,24 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from adit.plots import style, time_pictures, tunnel_pictures
-from adit.report import around
+from adit.plots.drawing import Drawing, Panels, legend
+from adit.report import around, motions
 
 NOISE = 1e-6  # of the largest history of a quantity, below which another one tells nothing
 MODES = {"tensile": "x", "shear": "+"}  # markers of cracks
+
+
+BESIDE = {"loc": "upper left", "bbox_to_anchor": (1.01, 1.03)}  # of a panel: its legend
+
+
+def drawn(title, runs):
+    """{chapter of the page: {name of the file: drawing}}; chapters without a drawing are empty."""
+    shared, found = shared_motions(runs), cracks(title, runs)
+    return {"comparison": {quantity.replace(" ", "_"): histories(title, quantity, *what)
+                           for quantity, what in shared_histories(runs).items()},
+            "motions": {"motions": motions.picture(title, shared)} if shared else {},
+            "envelopes": dict(envelopes(title, runs)),
+            "cracks": {"cracks": found} if found else {}}
 
 
 def look(i):
@@ -41,23 +55,23 @@ def histories(title, quantity, units, columns):
     last = max((run.histories["time_s"] for _, run, _ in every), key=lambda times: times[-1])
     scale, label = style.time_axis(last)
     factor = scale[-1] / last[-1] if last[-1] else 1
-    figure, panels = style.plt.subplots(len(columns), 1, sharex=True, squeeze=False, layout="constrained",
-                                        figsize=(8.0, 1.0 + 1.6 * len(columns)))
-    drawn = {}  # the legend's line of each run
-    for axes, (column, lines) in zip(panels[:, 0], columns.items()):
-        for i, run, values in lines:
-            drawn[i], = axes.plot(factor * run.histories["time_s"], values / size, label=style.literal(run.name), **look(i))
-            if column == "max_bond_force_N":
-                _mark_first_crack(axes, run, factor, size, look(i)["color"], 6 + 3 * i)
-        axes.set_ylabel(f"{style.literal(time_pictures.said(column))} [{unit}]")
-        axes.grid(lw=0.3, color="#DDDDDD")
-    handles = [drawn[i] for i in sorted(drawn)]
-    if any(line.get_marker() == "o" for axes in panels[:, 0] for line in axes.get_lines()):
-        handles.append(Line2D([], [], label="first crack, in the colour of its run", **_ring(style.BLACK, 7)))
-    panels[0, 0].set_title(f"{title}: {quantity}", loc="left")
-    panels[-1, 0].set(xlabel=label, xlim=(0, scale[-1] or 1))
-    panels[0, 0].legend(handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.05), handlelength=3.2)
-    return figure
+
+    def paint(*panels):
+        named = {}  # the legend's line of each run
+        for axes, (column, lines) in zip(panels, columns.items()):
+            for i, run, values in lines:
+                named[i], = axes.plot(factor * run.histories["time_s"], values / size, label=style.literal(run.name), **look(i))
+                if column == "max_bond_force_N":
+                    _mark_first_crack(axes, run, factor, size, look(i)["color"], 6 + 3 * i)
+            axes.set_ylabel(f"{style.literal(time_pictures.said(column))} [{unit}]")
+            axes.grid(lw=0.3, color="#DDDDDD")
+        handles = [named[i] for i in sorted(named)]
+        if any(line.get_marker() == "o" for axes in panels for line in axes.get_lines()):
+            handles.append(Line2D([], [], label="first crack, in the colour of its run", **_ring(style.BLACK, 7)))
+        panels[-1].set(xlabel=label, xlim=(0, scale[-1] or 1))
+        return [legend(panels[0], handles, loc="upper left", bbox_to_anchor=(1.01, 1.05), handlelength=3.2)]
+
+    return Drawing(title, quantity, Panels(len(columns), 1, (8.0, 1.0 + 1.6 * len(columns)), sharex=True), paint)
 
 
 def _mark_first_crack(axes, run, factor, size, color, width):
@@ -77,26 +91,27 @@ def cracks(title, runs):
     found = [(i, run, _inside_bodies(run, table)) for i, run in enumerate(runs) if (table := run.table("cracks.csv"))]
     if not any(len(table["time_s"]) for *_, table in found):
         return None
-    figure, (count, places) = style.plt.subplots(2, 1, figsize=(8.0, 6.0), layout="constrained")
     ends = [run.histories["time_s"][-1] for _, run, _ in found]
     scale, label = style.time_axis(np.array([max(ends)]))
     factor = scale[0] / max(ends)
-    for (i, run, table), end in zip(found, ends):
-        times = np.sort(table["time_s"])
-        count.step(factor * np.array([0, *times, end]), [*range(len(times) + 1), len(times)], where="post",
-                   label=f"{style.literal(run.name)}: {len(times):,}", **look(i))
-        for mode, marker in MODES.items():
-            chosen = table["mode"].astype(str) == mode
-            if chosen.any():
-                places.plot(table["x_m"][chosen], table["y_m"][chosen], ls="", marker=marker, ms=5 + 2 * i, mew=1.2, zorder=9 - i,
-                            color=look(i)["color"], label=f"{style.literal(run.name)}, {mode}")
-    count.set(xlabel=label, ylabel="cracks", xlim=(0, scale[0]), ylim=(0, None))
-    count.set_title(f"{title}: cracks over time, and where they are", loc="left")
-    places.set(xlabel="x [m]", ylabel="y [m]", aspect="equal", adjustable="datalim")
-    for axes in (count, places):
-        axes.grid(lw=0.3, color="#DDDDDD")
-        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.03))
-    return figure
+
+    def paint(count, places):
+        for (i, run, table), end in zip(found, ends):
+            times = np.sort(table["time_s"])
+            count.step(factor * np.array([0, *times, end]), [*range(len(times) + 1), len(times)], where="post",
+                       label=f"{style.literal(run.name)}: {len(times):,}", **look(i))
+            for mode, marker in MODES.items():
+                chosen = table["mode"].astype(str) == mode
+                if chosen.any():
+                    places.plot(table["x_m"][chosen], table["y_m"][chosen], ls="", marker=marker, ms=5 + 2 * i, mew=1.2,
+                                zorder=9 - i, color=look(i)["color"], label=f"{style.literal(run.name)}, {mode}")
+        count.set(xlabel=label, ylabel="cracks", xlim=(0, scale[0]), ylim=(0, None))
+        places.set(xlabel="x [m]", ylabel="y [m]", aspect="equal", adjustable="datalim")
+        for axes in (count, places):
+            axes.grid(lw=0.3, color="#DDDDDD")
+        return [legend(axes, **BESIDE) for axes in (count, places)]
+
+    return Drawing(title, "cracks over time, and where they are", Panels(2, 1, (8.0, 6.0)), paint)
 
 
 def _inside_bodies(run, broken):
@@ -105,7 +120,7 @@ def _inside_bodies(run, broken):
 
 
 def envelopes(title, runs):
-    """Yields (name, figure): along the axis of whole tunnels; around rings and linings, largest magnitudes over time."""
+    """Yields (name, drawing): along the axis of whole tunnels; around rings and linings, largest magnitudes over time."""
     tunnels = [run for run in runs if run.is_simplified and run.has("envelopes.csv")]
     if len(tunnels) > 1:
         yield "along_the_axis", tunnel_pictures.comparison(title, tunnels)
@@ -119,14 +134,14 @@ def envelopes(title, runs):
 
 
 def _around(title, what, several):
-    figure, panels = style.plt.subplots(3, 1, sharex=True, figsize=(8.0, 6.0), layout="constrained")
-    for i, run, angle, peaks in several:
-        for axes, values in zip(panels, peaks):
-            axes.plot(angle, values, marker=".", ms=3, label=style.literal(run.name), **look(i))
-    around.label(panels)
-    panels[0].set_title(f"{title}: largest forces around {what}, without sign", loc="left")
-    panels[0].legend(loc="upper left", bbox_to_anchor=(1.01, 1.03))
-    return figure
+    def paint(*panels):
+        for i, run, angle, peaks in several:
+            for axes, values in zip(panels, peaks):
+                axes.plot(angle, values, marker=".", ms=3, label=style.literal(run.name), **look(i))
+        around.label(panels)
+        return [legend(panels[0], **BESIDE)]
+
+    return Drawing(title, f"largest forces around {what}, without sign", Panels(3, 1, (8.0, 6.0), sharex=True), paint)
 
 
 def shared_motions(runs):

@@ -1,23 +1,24 @@
 """The page that compares runs: figures side by side, histories, spectra, envelopes and cracks in one picture each, force chains
 and bonds side by side."""
-from adit.compare import bonds, differences, overlays
-from adit.plots.cores import on_all_cores
-from adit.plots.instants import spread
+from adit.compare import differences, overlays
 from adit.report import instants, motions, overview, page, pictures
 from adit.report.markup import bullets, section, table, tag
 from adit.report.quantities import figure
 
 
-def write(title, runs, place):
-    """Writes report.html into the folder `place` and returns its path."""
+def write(title, runs, place, drawn, shown, common):
+    """Writes report.html into the folder `place` and returns its path. `drawn`: what overlays.drawn returned; `shown`: Instants of
+    the runs side by side, of so many that they have in `common`."""
     finished = sum(run.completed for run in runs)
     told = tag("p", f"{len(runs)} runs are compared; {finished} of them are complete.",
                class_="state" if finished == len(runs) else "state failed")
-    with pictures.narrow():
-        before = [_runs(runs, place), _figures(runs), _histories(title, runs), _motions(runs), _envelopes(title, runs),
-                  _cracks(title, runs)]
-        return page.write(place / "report.html", lambda most: page.written(
-            f"{title}: {len(runs)} runs compared", told, [*before, _side_by_side(runs, most), _sizes(runs)]))
+    overlaid = {chapter: [pictures.figure(each) for each in drawings.values()] for chapter, drawings in drawn.items()}
+    motions_too = motions.measures(overlays.shared_motions(runs)) if drawn["motions"] else None
+    before = [_runs(runs, place), _figures(runs), section("comparison", "Histories of the runs in one picture", overlaid["comparison"]),
+              section("motions", "Motions in and out", overlaid["motions"], motions_too),
+              section("envelopes", "Envelopes", overlaid["envelopes"]), section("cracks", "Cracks", overlaid["cracks"])]
+    return page.write(place / "report.html", lambda most: page.written(f"{title}: {len(runs)} runs compared", told, [
+        *before, instants.chapter("Force chains and cracks at chosen instants", shown, common, most), _sizes(runs)]))
 
 
 def _runs(runs, place):
@@ -47,43 +48,3 @@ def _beside(caption, known, runs):
     rows = [(said, *(figure(run.summary, key) for run in runs)) for said, key in known
             if any(run.summary.get(key) is not None for run in runs)]
     return table(caption, ("", *(run.name for run in runs)), rows)
-
-
-def _histories(title, runs):
-    return section("comparison", "Histories of the runs in one picture",
-                   [pictures.figure(overlays.histories(title, quantity, *what))
-                    for quantity, what in overlays.shared_histories(runs).items()])
-
-
-def _motions(runs):
-    found = overlays.shared_motions(runs)
-    return section("motions", "Motions in and out", pictures.figure(motions.picture(found)),
-                   motions.measures(found)) if found else None
-
-
-def _envelopes(title, runs):
-    return section("envelopes", "Envelopes", [pictures.figure(each) for _, each in overlays.envelopes(title, runs)])
-
-
-def _cracks(title, runs):
-    return section("cracks", "Cracks", pictures.figure(overlays.cracks(title, runs)))
-
-
-def _side_by_side(runs, most):
-    """Force chains and cracks at the instants that all runs with particles have."""
-    runs = bonds.with_bonds(runs)
-    common = bonds.common_instants(runs) if len(runs) > 1 else []
-    if not common:
-        return None
-    chosen = spread(common, most, [piece for run in runs for piece in run.last_pieces.values()])
-    compared = on_all_cores(lambda n: _compared(runs, chosen[n][1]), len(chosen))
-    shown = [(time, figures) for (time, _), figures in zip(chosen, compared)]
-    peak = runs[0].number("peak_bond_force_time_s")
-    first = len(shown) - 1 if peak is None else min(range(len(shown)), key=lambda n: abs(shown[n][0] - peak))
-    return section("instants", "Force chains and cracks at chosen instants",
-                   instants.behind_a_slider(shown, first, len(common)))
-
-
-def _compared(runs, numbers):
-    return [pictures.figure(each, of_model=True, of_run=run.name)
-            for view in (bonds.force_chains, bonds.bonds) for run, each in zip(runs, view(runs, numbers))]

@@ -6,6 +6,7 @@ from matplotlib.patches import Patch
 from adit.plots import style
 from adit.plots.colour_scale import Scale, number
 from adit.plots.deformation import common_motion, told
+from adit.plots.drawing import Colours, Drawing, Sheet, legend
 
 LIGHT_WEIGHT = 0.01  # zones that have less tell little: they follow the particles
 HALF_WEIGHT = 0.5  # particles that have less: the zones below them tell more
@@ -26,7 +27,7 @@ YIELD = ((1, "shear now", style.RED), (2, "tension now", style.BLUE), (16 | 32, 
 
 
 def peaks(run, time, pieces):
-    """Yields (name, figure) of every peak over time that the snapshot holds."""
+    """Yields (name, drawing) of every peak over time that the snapshot holds."""
     for field, (what, unit, size, marked) in PEAKS.items():
         shown = _with_field(pieces, field)
         if shown:
@@ -72,39 +73,44 @@ def yield_state(run, time, pieces):
     heavy = grid is not None and grid.field("weight") >= LIGHT_WEIGHT
     if state is None or np.all(state[heavy] == HYSTERETIC):
         return None
-    figure, axes, add_legend = style.model_sheet(
-        style.bounds_of(grid.points), f"{run.name}: what yields at t = {style.instant(time)}")
-    axes.add_collection(PolyCollection(grid.points[grid.cells[heavy]], fc="none", ec="#D5D5D5", lw=0.3))
-    handles, left = [], heavy
+    found, left = [], heavy
     for bits, name, colour in YIELD:
         chosen = left & (state.astype(int) & bits > 0)
         left = left & ~chosen
         if np.any(chosen):
-            axes.add_collection(PolyCollection(grid.points[grid.cells[chosen]], fc=colour, ec="none"))
-            handles.append(Patch(fc=colour, label=f"{name}: {int(chosen.sum()):,} zones"))
-    handles.append(Patch(fc="white", ec="#D5D5D5", label=f"elastic: {int(left.sum()):,} zones"))
-    add_legend(handles, columns=min(len(handles), 4))
-    return figure
+            found.append((grid.points[grid.cells[chosen]], colour, f"{name}: {int(chosen.sum()):,} zones"))
+
+    def paint(axes):
+        axes.add_collection(PolyCollection(grid.points[grid.cells[heavy]], fc="none", ec="#D5D5D5", lw=0.3))
+        for corners, colour, _ in found:
+            axes.add_collection(PolyCollection(corners, fc=colour, ec="none"))
+        handles = [Patch(fc=colour, label=label) for _, colour, label in found]
+        handles.append(Patch(fc="white", ec="#D5D5D5", label=f"elastic: {int(left.sum()):,} zones"))
+        return [legend(None, handles, ncol=min(len(handles), 4))]
+
+    return Drawing(run.name, f"what yields at t = {style.instant(time)}", Sheet(style.bounds_of(grid.points)), paint)
 
 
 def _coloured(run, what, pieces, values, unit, marked, near=None):
     """`marked`: the largest of this function of the values is marked; `near`: the pieces whose extent is drawn, else all."""
     bounds = style.bounds_of(*(piece.points for piece in near or pieces.values()))
-    figure, axes, _ = style.model_sheet(bounds, f"{run.name}: {what}", right=1.15)
     heavy = {kind: _heavy(piece, values[kind]) for kind, piece in pieces.items()}
-    seen = {kind: heavy[kind] & style.shown(axes, _places(piece, values[kind])) for kind, piece in pieces.items()}
+    seen = {kind: heavy[kind] & style.inside(bounds, _places(piece, values[kind])) for kind, piece in pieces.items()}
     scale = Scale(np.concatenate([values[kind][seen[kind]] for kind in pieces]))
-    for kind, piece in pieces.items():
-        drawn = _draw(axes, piece, values[kind], heavy[kind], scale)
-    box = axes.get_position()
-    bar = figure.colorbar(drawn, extend=scale.extend(), cax=figure.add_axes((
-        box.x1 + 0.25 / figure.get_figwidth(), box.y0, 0.14 / figure.get_figwidth(), box.height)))
-    bar.set_label(f"[{unit}]")
-    if scale.low == scale.high:
-        bar.set_ticks([scale.low])
-    _mark_largest(axes, pieces, values, seen, unit, marked)
-    _write_below(axes, 0, scale.beyond(unit))
-    return figure
+    norm = scale.look()["norm"]
+    colours = Colours("", norm.vmin, norm.vmax, unit)
+    value, x, y = _largest(pieces, values, seen, marked)
+    notes = ((f"○ {number(value)} {unit} at x = {x:.4g} m, y = {y:.4g} m", style.RED), (scale.beyond(unit), style.BLACK))
+
+    def paint(axes, beside):
+        for kind, piece in pieces.items():
+            drawn = _draw(axes, piece, values[kind], heavy[kind], scale)
+        bar = axes.figure.colorbar(drawn, extend=scale.extend(), cax=beside, label=colours.label)
+        if scale.low == scale.high:
+            bar.set_ticks([scale.low])
+        axes.plot(x, y, "o", ms=9, mfc="none", mec=style.RED, mew=1.3, zorder=5, clip_on=False)
+
+    return Drawing(run.name, what, Sheet(bounds, has_bar=True), paint, notes, (colours,))
 
 
 def _draw(axes, piece, values, heavy, scale):
@@ -148,21 +154,12 @@ def _heavy_cells(grid):
     return np.full(len(grid.cells), True) if weight is None else weight >= LIGHT_WEIGHT
 
 
-def _mark_largest(axes, pieces, values, seen, unit, marked):
-    """Marks the largest value that is shown by a ring and writes it below the picture."""
+def _largest(pieces, values, seen, marked):
+    """(value, x, y) where the function `marked` of the values that are shown is largest."""
     tops = []
     for kind, piece in pieces.items():
         found = np.flatnonzero(seen[kind])
         if len(found):
             top = found[np.argmax(marked(values[kind][found]))]
             tops.append((marked(values[kind][top]), values[kind][top], *_places(piece, values[kind])[top]))
-    _, value, x, y = max(tops)
-    axes.plot(x, y, "o", ms=9, mfc="none", mec=style.RED, mew=1.3, zorder=5, clip_on=False)
-    _write_below(axes, 1, f"○ {number(value)} {unit} at x = {x:.4g} m, y = {y:.4g} m", color=style.RED)
-
-
-def _write_below(axes, line, text, **look):
-    """Writes a line of text below the picture, counted from the lower edge; nothing for an empty text."""
-    if text:
-        width, height = axes.figure.get_size_inches()
-        axes.figure.text(0.65 / width, (0.1 + style.LINE * line) / height, text, size=8.5, **look)
+    return max(tops)[1:]

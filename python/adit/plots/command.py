@@ -13,7 +13,7 @@ import sys
 from pathlib import Path
 
 from adit import Run, programs
-from adit.plots import (colour_pictures, instants, lining_pictures, model_pictures, spectra_pictures, style, time_pictures,
+from adit.plots import (colour_pictures, instants, lining_pictures, model_pictures, png, spectra_pictures, style, time_pictures,
                         tunnel_pictures)
 from adit.plots.cores import on_all_cores
 from adit.plots.setup import sheets
@@ -34,7 +34,7 @@ def draw_run(folder, most=None):
 
     def drawn(number):
         draw, *arguments = groups[number]
-        return [style.save(figure, pictures / f"{name}.png") for name, figure in draw(run, *arguments) if figure]
+        return [png.write(drawing, pictures / f"{name}.png") for name, drawing in draw(run, *arguments) if drawing]
 
     paths = []
     for done, more in enumerate(on_all_cores(drawn, len(groups)), start=1):
@@ -74,7 +74,7 @@ def draw_model(scene):
     """Draws the model of a scene before it runs; returns the paths of the pictures."""
     scene = Path(scene)
     folder = scene if scene.is_dir() else check(scene)
-    return [style.save(figure, folder / "pictures" / f"{name}.png") for name, figure in sheets.model(Checked(folder)) if figure]
+    return [png.write(drawing, folder / "pictures" / f"{name}.png") for name, drawing in sheets.model(Checked(folder))]
 
 
 def check(scene):

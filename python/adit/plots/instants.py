@@ -6,7 +6,7 @@ FEW = 3  # instants of a model so large that they hold more than MOST_CELLS zone
 MOST_CELLS = 800_000
 
 
-def spread(items, most, pieces):
+def spread(items, most, pieces=()):
     """At most `most` of the items, spread evenly, the last among them; fewer where the pieces of one instant are large."""
     cells = max(1, sum(len(piece.cells) for piece in pieces))
     count = min(most, len(items), max(FEW, MOST_CELLS // cells))

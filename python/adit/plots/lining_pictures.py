@@ -5,6 +5,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from adit.plots import style
+from adit.plots.drawing import Drawing, Panels, legend
 
 FORCES = (("thrust_N", "thrust N", "kN"), ("moment_Nm", "moment M", "kN m"), ("shear_N", "shear force Q", "kN"))
 REACH = 0.3  # length at which the largest value is drawn, relative to the size of the lining
@@ -18,20 +19,22 @@ def lining_forces(run, time, pieces):
         return None
     size = max(np.ptp(linings.points, axis=0))
     bounds = style.bounds_of(linings.points - REACH * size, linings.points + REACH * size)
-    figure, panels = style.plt.subplots(1, len(FORCES), figsize=(10.5, 4.6), gridspec_kw={
-        "left": 0.06, "right": 0.99, "top": 0.88, "bottom": 0.19, "wspace": 0.16})
-    figure.suptitle(f"{run.name}: forces in the lining at t = {style.instant(time)}, per metre", x=0.01, ha="left")
     normals = _right_normals(linings)
-    for axes, (name, what, unit) in zip(panels, FORCES):
-        axes.set(xlim=bounds[:2], ylim=bounds[2:], aspect="equal", xlabel="x [m]")
-        _draw(axes, linings, normals, name, REACH * size)
-        axes.set_title(f"{what}: {_range(linings.field(name))} {unit}", loc="left")
-    panels[0].set_ylabel("y [m]")
-    figure.legend(handles=[
-        Patch(fc=style.RED, alpha=0.5, label="positive: tension, or the right-hand side of the path stretched"),
-        Patch(fc=style.BLUE, alpha=0.5, label="negative"),
-        Line2D([], [], color=style.GREY, ls="--", label="least and largest so far")], loc="lower center", ncol=3)
-    return figure
+
+    def paint(*panels):
+        for axes, (name, what, unit) in zip(panels, FORCES):
+            axes.set(xlim=bounds[:2], ylim=bounds[2:], aspect="equal", xlabel="x [m]")
+            _draw(axes, linings, normals, name, REACH * size)
+            axes.set_title(f"{what}: {_range(linings.field(name))} {unit}", loc="left")
+        panels[0].set_ylabel("y [m]")
+        return [legend(None, [
+            Patch(fc=style.RED, alpha=0.5, label="positive: tension, or the right-hand side of the path stretched"),
+            Patch(fc=style.BLUE, alpha=0.5, label="negative"),
+            Line2D([], [], color=style.GREY, ls="--", label="least and largest so far")], loc="lower center", ncol=3)]
+
+    layout = Panels(1, len(FORCES), (10.5, 4.6), title_above=True, dense=True,
+                    margins={"left": 0.06, "right": 0.99, "top": 0.88, "bottom": 0.19, "wspace": 0.16})
+    return Drawing(run.name, f"forces in the lining at t = {style.instant(time)}, per metre", layout, paint)
 
 
 def _draw(axes, linings, normals, name, reach):

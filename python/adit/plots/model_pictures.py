@@ -6,6 +6,7 @@ from matplotlib.patches import Patch, Polygon
 
 from adit.plots import joints, style
 from adit.plots.deformation import common_motion, near, round_below, scale_of, told
+from adit.plots.drawing import Drawing, Sheet, legend
 
 ZONE_FACE, ZONE_EDGE, DISC_FACE, DISC_EDGE = "#C6DBEF", style.BLUE, "#FDD9A0", "#A86400"
 OVERLAP_FACE = "#BDBDBD"
@@ -24,28 +25,36 @@ def deformed(run, time, pieces, scale=None):
     common, scale = common_motion(pieces), scale or scale_of(pieces)
     moved = {kind: piece.moved(scale, common) for kind, piece in models.items()}
     kept = {kind: near(models[kind], points, scale) for kind, points in moved.items()}
-    figure, axes, add_legend = style.model_sheet(
-        style.bounds_of(*(p.points for p in models.values()), *(moved[kind][kept[kind]] for kind in models)),
-        f"{run.name}: deformed model at t = {style.instant(time)}, displacements × {scale:g}{told(common)}")
-    grid = pieces.get("grid")
-    handles = _shade_overlap(axes, run, grid, moved.get("grid"))
-    if grid is not None:
-        _draw_zones(axes, grid, moved["grid"], fc=ZONE_FACE, ec="none", zorder=1)
-        width = min(0.7, 0.06 * style.length_in_points(axes, np.ptp(grid.points[grid.cells], axis=1).max(axis=1)))
-        _draw_zones(axes, grid, moved["grid"], fc="none", ec=ZONE_EDGE, lw=width, zorder=3)  # over the particles
-        handles.append(Patch(fc=ZONE_FACE, ec=ZONE_EDGE, label="zones"))
-    if "particles" in models:
-        there = models["particles"].is_there()
-        size = 2 * models["particles"].field("radius_m", np.zeros(len(there)))[there]
-        axes.add_collection(EllipseCollection(
-            size, size, np.zeros_like(size), units="xy", offsets=moved["particles"][there],
-            offset_transform=axes.transData, fc=DISC_FACE, ec=DISC_EDGE, lw=0.35, zorder=2))
-        handles.append(Line2D([], [], ls="", marker="o", ms=6, mfc=DISC_FACE, mec=DISC_EDGE, label="particles"))
-        far = int(np.sum(there & ~kept["particles"]))
-        if far:
-            handles.append(Line2D([], [], ls="", label=f"{_count(far, 'loose particle')} may lie outside"))
-    add_legend(handles)
-    return figure
+    bounds = style.bounds_of(*(p.points for p in models.values()), *(moved[kind][kept[kind]] for kind in models))
+    grid, discs = pieces.get("grid"), pieces.get("particles")
+
+    def paint(axes):
+        handles = _shade_overlap(axes, run, grid, moved.get("grid"))
+        if grid is not None:
+            _draw_zones(axes, grid, moved["grid"], fc=ZONE_FACE, ec="none", zorder=1)
+            width = min(0.7, 0.06 * style.length_in_points(axes, np.ptp(grid.points[grid.cells], axis=1).max(axis=1)))
+            _draw_zones(axes, grid, moved["grid"], fc="none", ec=ZONE_EDGE, lw=width, zorder=3)  # over the particles
+            handles.append(Patch(fc=ZONE_FACE, ec=ZONE_EDGE, label="zones"))
+        if discs is not None:
+            handles += _draw_discs(axes, discs, moved["particles"], kept["particles"])
+        return [legend(None, handles)]
+
+    title = f"deformed model at t = {style.instant(time)}, displacements × {scale:g}{told(common)}"
+    return Drawing(run.name, title, Sheet(bounds), paint)
+
+
+def _draw_discs(axes, discs, moved, kept):
+    """`kept`: which of them are not loose."""
+    there = discs.is_there()
+    size = 2 * discs.field("radius_m", np.zeros(len(there)))[there]
+    axes.add_collection(EllipseCollection(
+        size, size, np.zeros_like(size), units="xy", offsets=moved[there], offset_transform=axes.transData, fc=DISC_FACE,
+        ec=DISC_EDGE, lw=0.35, zorder=2))
+    handles = [Line2D([], [], ls="", marker="o", ms=6, mfc=DISC_FACE, mec=DISC_EDGE, label="particles")]
+    far = int(np.sum(there & ~kept))
+    if far:
+        handles.append(Line2D([], [], ls="", label=f"{_count(far, 'loose particle')} may lie outside"))
+    return handles
 
 
 def force_chains(run, time, pieces, bounds=None, scale=None):
@@ -54,29 +63,32 @@ def force_chains(run, time, pieces, bounds=None, scale=None):
     bonds = pieces.get("bonds")
     if bonds is None or len(bonds.cells) == 0:
         return None
-    figure, axes, add_legend = _undeformed_sheet(run, time, pieces, bounds, "normal forces in the bonds")
     lines, force = bonds.points[bonds.cells], bonds.field("normal_force_N")
-    handles = _draw_surroundings(axes, run, pieces)
-    top = int(np.nanargmax(np.abs(force)))
-    largest = abs(force[top])
-    scale = scale or largest
-    if largest > 0:
-        sample = round_below(scale)
-        widest = min(4.0, max(0.8, 0.5 * _length_in_points(axes, lines)))  # dense bonds stay apart
-        level = np.round(LEVELS * np.abs(force) / scale).astype(int)
-        for k in range(1, LEVELS + 1):  # the largest on top; single lines of their own widths take long to draw
-            for sign, color in ((1, style.RED), (-1, style.BLUE)):
-                _draw_lines(axes, lines[(level == k) & (sign * force > 0)], color, widest * k / LEVELS)
-        x, y = lines[top].mean(axis=0)
-        axes.plot(x, y, "o", ms=11, mfc="none", mec=style.BLACK, mew=1.1, zorder=5)
-        handles += [
-            Line2D([], [], color=color, lw=widest * sample / scale, label=f"{sign} (width of {_kilonewton(sample)})")
-            for color, sign in ((style.RED, "tension"), (style.BLUE, "compression"))]
-        handles.append(Line2D([], [], ls="", marker="o", ms=9, mfc="none", mec=style.BLACK, label=(
-            f"largest: {_kilonewton(largest)} ({'tension' if force[top] > 0 else 'compression'})"
-            f" at x = {x:.2f} m, y = {y:.2f} m")))
-    add_legend(handles, columns=3)
-    return figure
+    largest = np.nanmax(np.abs(force))
+
+    def paint(axes):
+        handles = _draw_surroundings(axes, run, pieces)
+        if largest > 0:
+            handles += _draw_forces(axes, lines, force, scale or largest)
+        return [legend(None, handles, ncol=3)]
+
+    return Drawing(run.name, f"normal forces in the bonds at t = {style.instant(time)}", Sheet(bounds or close_up(pieces)), paint)
+
+
+def _draw_forces(axes, lines, force, scale):
+    """`scale`: the force [N] of the widest line."""
+    widest = min(4.0, max(0.8, 0.5 * _length_in_points(axes, lines)))  # dense bonds stay apart
+    level = np.round(LEVELS * np.abs(force) / scale).astype(int)
+    for k in range(1, LEVELS + 1):  # the largest on top; single lines of their own widths take long to draw
+        for sign, color in ((1, style.RED), (-1, style.BLUE)):
+            _draw_lines(axes, lines[(level == k) & (sign * force > 0)], color, widest * k / LEVELS)
+    top, sample = int(np.nanargmax(np.abs(force))), round_below(scale)
+    x, y = lines[top].mean(axis=0)
+    axes.plot(x, y, "o", ms=11, mfc="none", mec=style.BLACK, mew=1.1, zorder=5)
+    mark = Line2D([], [], ls="", marker="o", ms=9, mfc="none", mec=style.BLACK, label=(
+        f"largest: {_kilonewton(abs(force[top]))} ({'tension' if force[top] > 0 else 'compression'}) at x = {x:.2f} m, y = {y:.2f} m"))
+    return [*(Line2D([], [], color=color, lw=widest * sample / scale, label=f"{sign} (width of {_kilonewton(sample)})")
+              for color, sign in ((style.RED, "tension"), (style.BLUE, "compression"))), mark]
 
 
 def bonds(run, time, pieces, bounds=None):
@@ -87,19 +99,21 @@ def bonds(run, time, pieces, bounds=None):
     lines, state = piece.points[piece.cells], piece.field("state")
     intact, between = state == INTACT, _between_groups(pieces)
     cracks = int(np.sum(~intact & ~between))
-    figure, axes, add_legend = _undeformed_sheet(
-        run, time, pieces, bounds, "no cracks" if cracks == 0 else _count(cracks, "crack"))
-    handles = _draw_surroundings(axes, run, pieces)
-    _draw_lines(axes, lines[intact], style.GREY, 0.5)
-    handles.append(Line2D([], [], color=style.GREY, lw=0.8, label=_count(int(np.sum(intact)), "intact bond")))
-    for chosen, name, color in (((state == TENSILE_CRACK) & ~between, "tensile crack", style.RED),
-                                ((state == SHEAR_CRACK) & ~between, "shear crack", style.BLUE),
-                                (~intact & between, "debonded bond", style.ORANGE)):
-        if chosen.any():
-            axes.add_collection(LineCollection(_across(lines[chosen]), lw=2.4, color=color, zorder=4))
-            handles.append(Line2D([], [], color=color, lw=2.4, label=_count(int(np.sum(chosen)), name)))
-    add_legend(handles)
-    return figure
+
+    def paint(axes):
+        handles = _draw_surroundings(axes, run, pieces)
+        _draw_lines(axes, lines[intact], style.GREY, 0.5)
+        handles.append(Line2D([], [], color=style.GREY, lw=0.8, label=_count(int(np.sum(intact)), "intact bond")))
+        for chosen, name, color in (((state == TENSILE_CRACK) & ~between, "tensile crack", style.RED),
+                                    ((state == SHEAR_CRACK) & ~between, "shear crack", style.BLUE),
+                                    (~intact & between, "debonded bond", style.ORANGE)):
+            if chosen.any():
+                axes.add_collection(LineCollection(_across(lines[chosen]), lw=2.4, color=color, zorder=4))
+                handles.append(Line2D([], [], color=color, lw=2.4, label=_count(int(np.sum(chosen)), name)))
+        return [legend(None, handles)]
+
+    title = f"{_count(cracks, 'crack') if cracks else 'no cracks'} at t = {style.instant(time)}"
+    return Drawing(run.name, title, Sheet(bounds or close_up(pieces)), paint)
 
 
 def _between_groups(pieces):
@@ -113,7 +127,7 @@ def _draw_lines(axes, lines, color, width):
     """Many lines of one look, joined to paths with gaps."""
     for some in np.array_split(lines, 1 + len(lines) // LINES_OF_A_PATH) if len(lines) else ():
         x, y = np.insert(some, 2, np.nan, axis=1).reshape(-1, 2).T
-        axes.plot(x, y, color=color, lw=width, solid_capstyle="round")
+        axes.add_line(Line2D(x, y, color=color, lw=width, solid_capstyle="round"))
 
 
 def close_up(pieces):
@@ -128,10 +142,6 @@ def close_up(pieces):
 def _area(bounds):
     x_min, x_max, y_min, y_max = bounds
     return (x_max - x_min) * (y_max - y_min)
-
-
-def _undeformed_sheet(run, time, pieces, bounds, what):
-    return style.model_sheet(bounds or close_up(pieces), f"{run.name}: {what} at t = {style.instant(time)}")
 
 
 def _draw_zones(axes, grid, points, **look):

@@ -1,8 +1,8 @@
 """Pictures over time: the histories and the energies of a run."""
-import matplotlib.pyplot as plt
 import numpy as np
 
 from adit.plots import style
+from adit.plots.drawing import Drawing, Panels, legend
 
 LINES = ("-", "--", "-.", (0, (3, 1, 1, 1, 1, 1)))  # line styles of the models, in turn
 KINDS = {"kinetic": style.BLUE, "strain": style.ORANGE, "released": style.PINK, "dissipated": style.RED, "external_work": style.GREEN,
@@ -27,44 +27,37 @@ QUANTITIES = (
     (("shear_lateral_N", "shear_vertical_N"), "shear force", (("N", 1), ("kN", 1e3), ("MN", 1e6))))
 MOST_LINES = 12  # in one panel
 ROW = 0.16  # inches of a line of a legend
+BESIDE = {"loc": "upper left", "bbox_to_anchor": (1.01, 1.04), "labelspacing": 0.25}  # of a panel: its legend
 
 
-def histories(run, quantities=None):
-    """The histories of the scene, one panel for each quantity with its largest MOST_LINES."""
+def histories(run, quantities=None, title="histories"):
+    """The histories of the scene, or those of these `quantities`: one panel for each with its largest MOST_LINES."""
     panels = []
     for quantity, (units, lines) in (quantities or quantities_of(run)).items():
         panels.append((quantity, *unit_for(units, [values for _, values in lines]), _largest(lines)))
     if not panels:
         return None
     heights = [max(1.6, ROW * len(lines)) for *_, lines in panels]  # each as high as its legend
-    figure, axes = plt.subplots(len(panels), 1, sharex=True, squeeze=False, figsize=(8.0, 0.9 + sum(heights) + 0.2 * len(heights)),
-                                height_ratios=heights)
     time, label = style.time_axis(run.histories["time_s"])
-    for panel, (quantity, unit, size, lines) in zip(axes[:, 0], panels):
-        for i, (name, values) in enumerate(lines):
-            panel.plot(time, values / size, lw=1, color=_COLORS[i % len(_COLORS)], ls=LINES[i // len(_COLORS) % len(LINES)],
-                       label=style.literal(said(name)))
-        panel.axhline(0, color=style.GREY, lw=0.4, zorder=0)
-        panel.set_ylabel(f"{quantity} [{unit}]")
-        panel.legend(loc="upper left", bbox_to_anchor=(1.01, 1.04), handlelength=1.6, labelspacing=0.25)
-    axes[0, 0].set_title(f"{run.name}: histories", loc="left")
-    axes[-1, 0].set(xlabel=label, xlim=(time[0], time[-1] or 1))
-    height = figure.get_figheight()
-    figure.subplots_adjust(left=0.11, right=0.79, top=1 - 0.32 / height, bottom=0.5 / height, hspace=0.12)
-    figure.align_ylabels()
-    _widen(figure, [panel.get_legend() for panel in axes[:, 0]])
-    return figure
+
+    def paint(*axes):
+        for panel, (quantity, unit, size, lines) in zip(axes, panels):
+            for i, (name, values) in enumerate(lines):
+                panel.plot(time, values / size, lw=1, color=_COLORS[i % len(_COLORS)], ls=LINES[i // len(_COLORS) % len(LINES)],
+                           label=style.literal(said(name)))
+            panel.axhline(0, color=style.GREY, lw=0.4, zorder=0)
+            panel.set_ylabel(f"{quantity} [{unit}]")
+        axes[-1].set(xlabel=label, xlim=(time[0], time[-1] or 1))
+        axes[0].figure.align_ylabels()
+        return [legend(panel, handlelength=1.6, **BESIDE) for panel in axes]
+
+    return Drawing(run.name, title, _rows(heights, 0.9 + sum(heights) + 0.2 * len(heights), left=0.11, right=0.79, hspace=0.12), paint)
 
 
-def _widen(figure, legends):
-    """Makes the figure as wide as the legends at its right need."""
-    figure.canvas.draw()
-    width, needed = figure.get_figwidth(), max((legend.get_window_extent().x1 for legend in legends), default=0) / figure.dpi
-    if needed <= width:
-        return
-    at = figure.subplotpars
-    figure.set_figwidth(needed)
-    figure.subplots_adjust(left=at.left * width / needed, right=at.right * width / needed)
+def _rows(heights, height, **margins):
+    """Panels over one time, with margins of equal size above and below for any height of the picture."""
+    return Panels(len(heights), 1, (8.0, height), heights, sharex=True,
+                  margins={"top": 1 - 0.32 / height, "bottom": 0.5 / height, **margins})
 
 
 def quantities_of(run):
@@ -118,20 +111,19 @@ def energy(run):
     time, label = style.time_axis(h["time_s"])
     rows = [[name for name in names if (name[1] in STORED) == stored] for stored in (False, True)]
     heights = [max(1.7, ROW * (len(row) + 1)) for row in rows] + [1.0]
-    figure, panels = plt.subplots(3, 1, sharex=True, figsize=(8.0, 0.9 + sum(heights)), height_ratios=heights)
-    for axes, row, what in zip(panels, rows, ("put in and lost", "stored")):
-        total = sum(h[f"{model}_{kind}_J"] for model, kind in row) if what == "stored" and row else None
-        _draw_energies(axes, time, h, row, models, total, what)
-    panels[0].set_title(f"{run.name}: energy", loc="left")
-    panels[2].plot(time, h["energy_drift"], color=style.BLACK, lw=1)
-    panels[2].axhline(0, color=style.GREY, lw=0.5)
-    panels[2].set(xlabel=label, ylabel="drift\n[of the peak]", xlim=(time[0], time[-1] or 1))
-    panels[2].ticklabel_format(axis="y", scilimits=(-2, 3))
-    figure.align_ylabels()
-    height = figure.get_figheight()
-    figure.subplots_adjust(left=0.12, right=0.7, top=1 - 0.32 / height, bottom=0.5 / height, hspace=0.14)
-    _widen(figure, [panel.get_legend() for panel in panels[:2] if panel.get_legend()])
-    return figure
+    total = sum(h[f"{model}_{kind}_J"] for model, kind in rows[1]) if rows[1] else None
+
+    def paint(lost, stored, drift):
+        _draw_energies(lost, time, h, rows[0], models, None, "put in and lost")
+        _draw_energies(stored, time, h, rows[1], models, total, "stored")
+        drift.plot(time, h["energy_drift"], color=style.BLACK, lw=1)
+        drift.axhline(0, color=style.GREY, lw=0.5)
+        drift.set(xlabel=label, ylabel="drift\n[of the peak]", xlim=(time[0], time[-1] or 1))
+        drift.ticklabel_format(axis="y", scilimits=(-2, 3))
+        drift.figure.align_ylabels()
+        return [legend(panel, handlelength=2.6, **BESIDE) for panel in (lost, stored)]
+
+    return Drawing(run.name, "energy", _rows(heights, 0.9 + sum(heights), left=0.12, right=0.7, hspace=0.14), paint)
 
 
 def _draw_energies(axes, time, histories, row, models, total, what):
@@ -146,5 +138,3 @@ def _draw_energies(axes, time, histories, row, models, total, what):
         axes.plot(time, total / size, ":", color=style.BLACK, label="kinetic + strain, all")
     axes.axhline(0, color=style.GREY, lw=0.4, zorder=0)
     axes.set_ylabel(f"{what} [{unit}]")
-    if row:
-        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.04), handlelength=2.6, labelspacing=0.25)

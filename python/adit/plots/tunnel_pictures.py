@@ -4,6 +4,7 @@ import numpy as np
 
 from adit import Unusable
 from adit.plots import style
+from adit.plots.drawing import Colours, Drawing, Panels, legend
 
 # The quantities drawn along the axis: name and unit in the table's columns, label and unit in the picture.
 QUANTITIES = (
@@ -14,6 +15,8 @@ QUANTITIES = (
     ("lateral_acceleration", "m_per_s2", "lateral acc.", "m/s²"),
 )
 SHOWN = 4  # panels below the soil at most
+APART = {"w_pad": 0.1, "h_pad": 0.06, "wspace": 0.06}  # so that labels touch neither the edge nor other panels
+BESIDE = {"loc": "upper left", "bbox_to_anchor": (1.01, 1.0)}  # of a panel: its legend
 
 
 def table(run, name):
@@ -23,12 +26,12 @@ def table(run, name):
 
 def envelopes(run):
     """Least and greatest values along the axis, the soil drawn above."""
-    return _along_the_axis([run], f"{run.name}: envelopes along the axis")
+    return _along_the_axis([run], run.name, "envelopes along the axis")
 
 
 def comparison(case, runs):
     """The largest magnitudes of all scenes of a case along the axis, the soil of the first above."""
-    return _along_the_axis(runs, f"{case}: the scenes compared")
+    return _along_the_axis(runs, case, "the scenes compared")
 
 
 def time_distance(run):
@@ -37,22 +40,25 @@ def time_distance(run):
     if values is None:
         return None
     places, times = np.unique(values["chainage_m"]), np.unique(values["time_s"])
-    figure, panels = plt.subplots(1, 2, sharey=True, figsize=(10, 5.2), layout="constrained")
-    style.keep_apart(figure)
-    for axes, (column, divisor, label) in zip(panels, (
-            ("lateral_velocity_m_per_s", 1, "lateral velocity [m/s]"), ("axial_force_N", 1e6, "axial force [MN]"))):
-        field = values[column].reshape(len(times), len(places)) / divisor
-        limit = np.max(np.abs(field)) or 1
-        mesh = axes.pcolormesh(places / 1e3, times, field, cmap="RdBu_r", vmin=-limit, vmax=limit, shading="nearest",
-                               rasterized=True)
-        figure.colorbar(mesh, ax=axes, label=label)
-        axes.set_xlabel("chainage [km]")
-    panels[0].set_ylabel("t [s]")
-    panels[0].set_title(f"{run.name}: over time and distance", loc="left")
-    return figure
+    fields = [values[column].reshape(len(times), len(places)) / divisor
+              for column, divisor in (("lateral_velocity_m_per_s", 1), ("axial_force_N", 1e6))]
+    limits = [np.max(np.abs(field)) or 1 for field in fields]
+    colours = [Colours(what, -limit, limit, unit)
+               for what, limit, unit in zip(("lateral velocity", "axial force"), limits, ("m/s", "MN"))]
+
+    def paint(*panels):
+        for axes, field, scale in zip(panels, fields, colours):
+            mesh = axes.pcolormesh(places / 1e3, times, field, cmap="RdBu_r", vmin=scale.low, vmax=scale.high, shading="nearest",
+                                   rasterized=True)
+            axes.figure.colorbar(mesh, ax=axes, label=scale.label)
+            axes.set_xlabel("chainage [km]")
+        panels[0].set_ylabel("t [s]")
+
+    layout = Panels(1, 2, (10, 5.2), sharey=True, pads=APART, dense=True)
+    return Drawing(run.name, "over time and distance", layout, paint, colours=tuple(colours))
 
 
-def _along_the_axis(runs, title):
+def _along_the_axis(runs, of, title):
     tables = [table(run, "envelopes.csv") for run in runs]
     if any(t is None for t in tables):
         raise Unusable(f"{runs[0].folder} lacks envelopes.csv: run the scene again.")
@@ -61,23 +67,23 @@ def _along_the_axis(runs, title):
     with_joints = any(j is not None for j in joints)
     units = [_unit(tables, quantity) for quantity in rows]
     count = 1 + len(rows) + with_joints
-    figure, panels = plt.subplots(count, 1, sharex=True, figsize=(9, 1.9 * count + 0.6), layout="constrained")
-    style.keep_apart(figure)
-    panels[0].set_title(title, loc="left")
-    _draw_soil(panels[0], runs[0])
-    for i, (run, values) in enumerate(zip(runs, tables)):
-        color = _color(i)
-        for axes, quantity, unit in zip(panels[1:], rows, units):
-            _draw_envelope(axes, values, quantity, unit, color, run.name, both=len(runs) == 1)
-        if with_joints and joints[i] is not None:
-            _draw_openings(panels[-1], joints[i], color if len(runs) > 1 else None)
-    if rows:
-        panels[1].legend(loc="upper left", bbox_to_anchor=(1.01, 1.0))
-    for axes in panels[1:]:
-        axes.grid(lw=0.3, color="#DDDDDD")
-    panels[-1].set_xlabel("chainage [km]")
-    figure.align_ylabels(panels)
-    return figure
+
+    def paint(*panels):
+        _draw_soil(panels[0], runs[0])
+        for i, (run, values) in enumerate(zip(runs, tables)):
+            color = _color(i)
+            for axes, quantity, unit in zip(panels[1:], rows, units):
+                _draw_envelope(axes, values, quantity, unit, color, run.name, both=len(runs) == 1)
+            if with_joints and joints[i] is not None:
+                _draw_openings(panels[-1], joints[i], color if len(runs) > 1 else None)
+        for axes in panels[1:]:
+            axes.grid(lw=0.3, color="#DDDDDD")
+        panels[-1].set_xlabel("chainage [km]")
+        panels[0].figure.align_ylabels(panels)
+        groups = panels[-1] if with_joints and len(runs) == 1 and len(panels[-1].get_lines()) > 1 else None
+        return [legend(axes, **BESIDE) for axes in (panels[0], panels[1] if rows else None, groups) if axes]
+
+    return Drawing(of, title, Panels(count, 1, (9, 1.9 * count + 0.6), sharex=True, pads=APART), paint)
 
 
 def _unit(tables, quantity):
@@ -116,8 +122,6 @@ def _draw_openings(axes, joints, color):
                   lw=0.8, marker="." if np.count_nonzero(chosen) < 300 else None, ms=3,
                   label=style.literal(group.replace("_", " ")))
     axes.set_ylabel("joint opening [mm]")
-    if len(groups) > 1:
-        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0))
 
 
 def _draw_soil(axes, run):
@@ -138,7 +142,6 @@ def _draw_soil(axes, run):
     if run.summary.get("model") != "column":
         axes.plot(chainage, soil["axis_depth_m"], color=style.BLACK, lw=1.6, label="tunnel")
     axes.set_ylim(1.05 * np.max(top), 0)
-    axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0))
 
 
 def _color(i):

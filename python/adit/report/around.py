@@ -4,14 +4,15 @@ import re
 import numpy as np
 
 from adit.plots import style
+from adit.plots.drawing import Drawing, Panels, legend
 
 FORCES = (("thrust_N", "thrust N", "kN/m"), ("moment_Nm", "moment M", "kN m/m"), ("shear_N", "shear force Q", "kN/m"))
 
 
 def of_sections(results):
-    """Yields a figure for each ring of sections: least and greatest thrust, moment and shear force over time."""
+    """Yields a drawing for each ring of sections: least and greatest thrust, moment and shear force over time."""
     for ring, angle, least, greatest in _section_envelopes(results):
-        yield _drawn(f"run: envelopes around {style.literal(ring)}", angle, least, greatest)
+        yield _drawn(f"envelopes around {ring}", angle, least, greatest)
 
 
 def largest(results):
@@ -41,9 +42,9 @@ def columns(results):
 
 
 def of_linings(linings):
-    """Yields a figure for each lining: its least and greatest forces so far, around its middle."""
+    """Yields a drawing for each lining: its least and greatest forces so far, around its middle."""
     for which, angle, least, greatest in _lining_envelopes(linings):
-        yield _drawn(f"run: envelopes around {which}", angle, least, greatest)
+        yield _drawn(f"envelopes around {which}", angle, least, greatest)
 
 
 def _lining_envelopes(linings):
@@ -79,15 +80,15 @@ def _around(points):
 
 
 def _drawn(title, angle, least, greatest):
-    figure, panels = style.plt.subplots(3, 1, sharex=True, figsize=(8.0, 6.0))
-    panels[0].set_title(title, loc="left")
-    for i, axes in enumerate(panels):
-        axes.fill_between(angle, least[i], greatest[i], color=style.SKY, alpha=0.35, lw=0)
-        axes.plot(angle, least[i], color=style.BLUE, marker=".", ms=3, lw=1, label="least")
-        axes.plot(angle, greatest[i], color=style.RED, marker=".", ms=3, lw=1, label="greatest")
-    panels[0].legend()
-    label(panels)
-    return figure
+    def paint(*panels):
+        for axes, low, high in zip(panels, least, greatest):
+            axes.fill_between(angle, low, high, color=style.SKY, alpha=0.35, lw=0)
+            axes.plot(angle, low, color=style.BLUE, marker=".", ms=3, lw=1, label="least")
+            axes.plot(angle, high, color=style.RED, marker=".", ms=3, lw=1, label="greatest")
+        label(panels)
+        return [legend(panels[0])]
+
+    return Drawing("", title, Panels(3, 1, (8.0, 6.0), sharex=True), paint)
 
 
 def label(panels):

@@ -1,4 +1,5 @@
 """Legends of pictures as text beside small swatches: text reflows on narrow screens and is read aloud."""
+from matplotlib.backend_bases import RendererBase
 from matplotlib.collections import Collection
 from matplotlib.colors import to_hex
 from matplotlib.lines import Line2D
@@ -14,36 +15,17 @@ HATCHES = {"/": "M4 11L12 1M12 11L20 1M20 11L28 1", "\\": "M4 1L12 11M12 1L20 11
            "-": "M4 4H28M4 8H28", ".": "M8 6h1M16 6h1M24 6h1"}
 
 
-def taken_from(figure):
-    """Removes all legends of a figure; returns [(heading, [(swatch, text)])], the heading being the panel's quantity."""
-    found = []
-    for axes in figure.axes:
-        legend = axes.get_legend()
-        if legend:
-            found.append((axes.get_ylabel(), _entries(legend)))
-            legend.remove()
-    for legend in list(figure.legends):
-        found.append(("", _entries(legend)))
-        legend.remove()
-    return [(heading, entries) for heading, entries in found if entries]
-
-
 def written(legends):
-    """A list for each legend, its heading before it where a picture has several."""
-    several = len(legends) > 1
-    return [tag("div", tag("p", heading, class_="panel") if several and heading else None,
-                bullets([[swatch, " ", text] for swatch, text in entries], class_="legend"), class_="key")
-            for heading, entries in legends]
+    """A list for each legend; where a picture has several, the panel's quantity stands before it."""
+    legends = [each for each in legends if each.handles]
+    return [tag("div", tag("p", each.axes.get_ylabel(), class_="panel") if len(legends) > 1 and each.axes else None,
+                bullets([[_swatch(handle), " ", plain(handle.get_label())] for handle in each.handles], class_="legend"), class_="key")
+            for each in legends]
 
 
 def plain(text):
     """A text of a picture without the signs that keep matplotlib from reading a formula."""
     return text.replace(r"\$", "$")
-
-
-def _entries(legend):
-    texts = [plain(text.get_text()) for text in legend.get_texts()]
-    return [(_swatch(handle), text) for handle, text in zip(legend.legendHandles, texts) if text and not text.startswith("_")]
 
 
 def _swatch(handle):
@@ -62,7 +44,7 @@ def _swatch(handle):
 def _line(line):
     colour, marker, drawn = to_hex(line.get_color()), line.get_marker(), ""
     if line.get_linestyle() not in ("None", "", " ") and line.get_linewidth() > 0:
-        dashes = line._dash_pattern[1]  # matplotlib has no public name for the pattern in points
+        dashes = _dashes(line)
         pattern = f' stroke-dasharray="{",".join(f"{2 * d:.3g}" for d in dashes)}"' if dashes else ""
         drawn = f'<path d="M1 6H31" stroke="{colour}" stroke-width="{max(1.0, 1.4 * line.get_linewidth()):.3g}"{pattern}/>'
     if marker in MARKERS:
@@ -74,6 +56,22 @@ def _line(line):
     elif isinstance(marker, str) and "arrow" in marker:
         drawn += ARROW.format(f'fill="none" stroke="{colour}" stroke-width="1.6"')
     return drawn
+
+
+class _Pen(RendererBase):
+    """Keeps the dashes of the last path that is drawn: only a renderer is told them in points."""
+    dashes = None
+
+    def draw_path(self, gc, path, transform, rgbFace=None):
+        self.dashes = gc.get_dashes()[1]
+
+
+def _dashes(line):
+    drawn, pen = Line2D([0, 1], [0, 1]), _Pen()
+    drawn.update_from(line)
+    drawn.set_marker("")
+    drawn.draw(pen)
+    return pen.dashes
 
 
 def _patch(patch):

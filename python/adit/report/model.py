@@ -40,10 +40,9 @@ def _pictures(results):
     if results.is_simplified:
         return None  # the ground stands above the envelopes
     try:
-        drawn = list(sheets.model(Checked(results.folder)))
+        return [pictures.figure(drawing) for _, drawing in sheets.model(Checked(results.folder))]
     except Unusable:
         return tag("p", "No fields were written, so the model is not drawn here; adit plot --model SCENE draws it.")
-    return [pictures.figure(figure, of_model=True) for _, figure in drawn]
 
 
 def _overlap_weights(results):

@@ -2,6 +2,7 @@
 import numpy as np
 
 from adit.plots import oscillators, spectra_pictures, style, time_pictures
+from adit.plots.drawing import Drawing, Panels, legend
 from adit.plots.spectra_pictures import GRAVITY
 from adit.report import pictures
 from adit.report.markup import section, table, tag
@@ -27,17 +28,12 @@ def chapter(results):
         told = "The scene asks for no spectra (output.spectra), so that motions stand among the histories only."
         return section("motions", "Motions in and out", tag("p", told))
     found = [(results, name, name) for name in names]
-    return section("motions", "Motions in and out", pictures.figure(picture(found)), measures(found), _amplifications(results))
+    return section("motions", "Motions in and out", pictures.figure(picture("", found)), measures(found), _amplifications(results))
 
 
 def _amplifications(results):
-    drawn = []
-    for name, each in spectra_pictures.motions(results):
-        if name.endswith("_transfer") and len(drawn) < MOST:
-            drawn.append(pictures.figure(each))
-        else:
-            style.plt.close(each)
-    return drawn
+    found = [drawing for name, drawing in spectra_pictures.motions(results) if name.endswith("_transfer")]
+    return [pictures.figure(drawing) for drawing in found[:MOST]]
 
 
 def _of_tunnel(results):
@@ -45,29 +41,33 @@ def _of_tunnel(results):
     motion, moved = results.table("motion.csv"), time_pictures.quantities_of(results).get("displacement")
     if not motion or not moved:
         return None
-    drawn, (before, after, spectra) = style.plt.subplots(3, 1, figsize=(8.0, 7.2))
-    time, acceleration = motion["time_s"], motion["acceleration_m_per_s2"]
-    before.plot(time, acceleration, color=style.BLACK, lw=0.9, label="in: the motion of the scene")
-    response = oscillators.pseudo_acceleration(acceleration, time[1], oscillators.PERIODS)
-    spectra.plot(oscillators.PERIODS, response / GRAVITY, color=style.BLACK, label="in: the motion of the scene, 5 %")
-    time = results.histories["time_s"]
+    acceleration, time = motion["acceleration_m_per_s2"], results.histories["time_s"]
+    response = oscillators.pseudo_acceleration(acceleration, motion["time_s"][1], oscillators.PERIODS)
     largest = max(np.abs(values).max() for _, values in moved[1])
-    for i, (column, values) in enumerate(moved[1]):
-        round_of, colour = divmod(i, len(spectra_pictures.COLORS))
-        look = {"lw": 1, "color": spectra_pictures.COLORS[colour], "ls": time_pictures.LINES[round_of % len(time_pictures.LINES)]}
-        said = style.literal(f"out: {time_pictures.said(column)}")
-        after.plot(time, 1e3 * values, label=said, **look)
-        if len(time) > 2 and np.abs(values).max() > NOISE * largest:
-            periods, response = oscillators.of_displacement(values, time[1])
-            spectra.plot(periods, response / GRAVITY, label=f"{said}, 5 %", **look)
-    before.set_title("run: motions in and out", loc="left")
-    before.set(xlabel="t [s]", ylabel="acceleration [m/s²]", xlim=(time[0], time[-1] or 1))
-    after.set(xlabel="t [s]", ylabel="displacement [mm]", xlim=(time[0], time[-1] or 1))
-    spectra.set(xlabel="period [s]", ylabel="pseudo acceleration [g]", xscale="log")
-    spectra_pictures.plain_decades(spectra)
-    for axes in (before, after, spectra):
-        axes.legend()
-    return drawn
+    stations = [(style.literal(f"out: {time_pictures.said(column)}"), values, oscillators.of_displacement(values, time[1])
+                 if len(time) > 2 and np.abs(values).max() > NOISE * largest else None) for column, values in moved[1]]
+
+    def paint(before, after, spectra):
+        before.plot(motion["time_s"], acceleration, color=style.BLACK, lw=0.9, label="in: the motion of the scene")
+        spectra.plot(oscillators.PERIODS, response / GRAVITY, color=style.BLACK, label="in: the motion of the scene, 5 %")
+        for i, (said, values, spectrum) in enumerate(stations):
+            round_of, colour = divmod(i, len(spectra_pictures.COLORS))
+            look = {"lw": 1, "color": spectra_pictures.COLORS[colour], "ls": time_pictures.LINES[round_of % len(time_pictures.LINES)]}
+            after.plot(time, 1e3 * values, label=said, **look)
+            if spectrum:
+                spectra.plot(spectrum[0], spectrum[1] / GRAVITY, label=f"{said}, 5 %", **look)
+        before.set(xlabel="t [s]", ylabel="acceleration [m/s²]", xlim=(time[0], time[-1] or 1))
+        after.set(xlabel="t [s]", ylabel="displacement [mm]", xlim=(time[0], time[-1] or 1))
+        return _legends(before, after, spectra)
+
+    return Drawing("", "motions in and out", Panels(3, 1, (8.0, 7.2)), paint)
+
+
+def _legends(*panels):
+    """Labels the last panel, of spectra; returns the legends of all."""
+    panels[-1].set(xlabel="period [s]", ylabel="pseudo acceleration [g]", xscale="log")
+    spectra_pictures.plain_decades(panels[-1])
+    return [legend(axes) for axes in panels]
 
 
 def measures(found):
@@ -77,19 +77,16 @@ def measures(found):
         (told, *(figure(run.summary, f"{name}_{key}") for _, key in used)) for run, name, told in found])
 
 
-def picture(found):
+def picture(of, found):
     """Motions given as (run, name, what a legend says of it)."""
-    figure_, (over_time, spectra) = style.plt.subplots(2, 1, figsize=(8.0, 5.4))
-    for (results, name, said), colour in zip(found, spectra_pictures.COLORS * len(found)):
-        _draw(results, name, said, colour, over_time, spectra)
-    over_time.set(xlabel="t [s]", ylabel="acceleration [m/s²]")
-    over_time.set_title("run: motions in and out", loc="left")
-    spectra.set(xlabel="period [s]", ylabel="pseudo acceleration [g]", xscale="log")
-    spectra_pictures.plain_decades(spectra)
-    over_time.grid(lw=0.3, color="#DDDDDD")
-    for axes in (over_time, spectra):
-        axes.legend()
-    return figure_
+    def paint(over_time, spectra):
+        for (results, name, said), colour in zip(found, spectra_pictures.COLORS * len(found)):
+            _draw(results, name, said, colour, over_time, spectra)
+        over_time.set(xlabel="t [s]", ylabel="acceleration [m/s²]")
+        over_time.grid(lw=0.3, color="#DDDDDD")
+        return _legends(over_time, spectra)
+
+    return Drawing(of, "motions in and out", Panels(2, 1, (8.0, 5.4)), paint)
 
 
 def _draw(results, name, said, colour, over_time, spectra):

@@ -5,7 +5,7 @@ from pathlib import Path
 from string import Template
 
 from adit.plots.instants import MOST
-from adit.report import instants, model, motions, origin, overview, pictures, response
+from adit.report import instants, model, motions, origin, overview, response
 from adit.report.markup import Markup, bullets, safe, tag
 from adit.report.results import Results
 
@@ -18,23 +18,23 @@ def of_run(folder):
     """Writes FOLDER/report.html and returns its path."""
     results = Results(folder)
     case = results.summary.get("case") or results.folder.resolve().parent.name
-    with pictures.narrow():
-        before = [_unless_odd(results, chapter) for chapter in (
-            overview.figures, overview.computed, model.chapter, motions.chapter, response.histories, response.envelopes)]
-        after = [_unless_odd(results, chapter) for chapter in (response.cracks, response.energy, origin.timing, origin.chapter)]
+    before = [_unless_odd(results, chapter) for chapter in (
+        overview.figures, overview.computed, model.chapter, motions.chapter, response.histories, response.envelopes)]
+    after = [_unless_odd(results, chapter) for chapter in (response.cracks, response.energy, origin.timing, origin.chapter)]
+    shown, peaks = _unless_odd(results, instants.drawn) or ([], None)
+    head, warned = _unless_odd(results, overview.state), overview.warnings(results)  # which tells what could not be read
 
-        def whole(most):
-            chosen = _unless_odd(results, instants.chapter, most)  # before the warnings, which tell what could not be read
-            return written(f"{case}: {results.name}", _unless_odd(results, overview.state),
-                           [overview.warnings(results), *before, chosen, *after])
+    def chosen(most):
+        return instants.chapter("The model at chosen instants", shown, len(results.instants), most, peaks)
 
-        return write(results.folder / "report.html", whole)
+    return write(results.folder / "report.html", lambda most: written(
+        f"{case}: {results.name}", head, [warned, *before, chosen(most), *after]))
 
 
-def _unless_odd(results, chapter, *options):
+def _unless_odd(results, chapter):
     """The chapter; nothing where a file holds what no run writes, which the page tells and the other chapters survive."""
     try:
-        return chapter(results, *options)
+        return chapter(results)
     except Exception as error:  # as many kinds as there are ways to damage a file
         what = f"{chapter.__module__.rpartition('.')[2]}, {chapter.__name__}"
         results.faults.append(f"A part of this page is left out ({what}: {type(error).__name__}: {error}); run the scene again.")

@@ -1,125 +1,78 @@
-"""Turns a figure of adit.plots into a picture of the page: narrow enough for a phone, its title and legends as text."""
+"""Drawings as pictures of the page: narrow enough for a phone, their titles, legends and notes as text."""
 import base64
-import contextlib
 import io
 
-from matplotlib.gridspec import GridSpec
 from PIL import Image
 
 from adit.plots import style
+from adit.plots.drawing import LEFT, Sheet
 from adit.report import curves, legends
 from adit.report.markup import image, tag
 from adit.report.quantities import digits
 
 WIDTH = 5.6  # inches: letters of 9 points are readable where the picture fills a phone, and not large where it fills a screen
-PANEL = 2.3  # inches: height of panels that stood side by side
+PANEL = 2.3  # inches: height of panels that stand side by side in a file
+BESIDE = 1.5  # inches less, of the height of such panels whose axes have equal scales
 DOTS = 200  # per inch, of pictures of the model
 LARGEST = 90_000  # bytes of one picture; pictures that need more are drawn with fewer dots
 QUALITY = 72  # of WebP
+RIGHT, RIGHT_WITH_BAR, BELOW, ABOVE = 0.15, 1.14, 0.48, 0.1  # inches around the axes of a sheet
+X_LABEL, Y_LABEL = 0.27, 0.47  # inches from these axes to their labels
 
 
-@contextlib.contextmanager
-def narrow():
-    """Within it, pictures of the model are drawn as narrow as the page needs."""
-    wide, style.WIDTH = style.WIDTH, WIDTH
-    try:
-        yield
-    finally:
-        style.WIDTH = wide
-
-
-def figure(drawn, *below, of_model=False, of_run=None):
-    """<figure> with the picture, its title, its legends and the table of its curves; nothing for no figure. `of_run`: the
-    name of its run, where a page shows several."""
-    if drawn is None:
+def figure(drawing, *below, names_run=False):
+    """<figure> with the picture, its title, its legends and the table of its curves; nothing for no drawing. `names_run`: where
+    a page shows several runs."""
+    if drawing is None:
         return None
-    title, notes = _take_title(drawn), _take_notes(drawn)
-    title = f"{of_run}: {title}" if of_run else title
-    keys = legends.taken_from(drawn)
+    title = drawing.title[:1].upper() + drawing.title[1:]
+    title = f"{drawing.of}: {title}" if names_run else title
+    drawn, keys = painted(drawing)
     table = curves.as_table(drawn, title)
     curves.thin(drawn)
-    _fit(drawn)
-    source, width, height = _encoded(drawn, of_model)
+    source, width, height = _encoded(drawn, drawing.layout.dense)
     style.plt.close(drawn)
     alt = f"{title}. The legend and the numbers stand below."
-    told = [tag("p", note, class_="note") for note in notes]
-    caption = tag("figcaption", tag("strong", title), legends.written(keys), told)
+    scales = [f"Colours: {f'{each.what} '.lstrip()}from {digits(each.low)} to {digits(each.high)} {each.unit}" for each in drawing.colours]
+    notes = [tag("p", note, class_="note") for note in (*(text for text, _ in drawing.notes if text), *scales)]
+    caption = tag("figcaption", tag("strong", title), legends.written(keys), notes)
     return tag("figure", image(source, alt, width, height, min(100, 100 * width / (96 * WIDTH))), caption, table, below)
 
 
-def _take_title(drawn):
-    """The title without the name of the run, which the page tells."""
-    if drawn._suptitle:
-        text = drawn._suptitle.get_text()
-        drawn._suptitle.remove()
-        drawn._suptitle = None  # the layout would look for it
-    else:
-        first = next((axes for axes in drawn.axes if axes.get_title(loc="left")), drawn.axes[0])
-        text = first.get_title(loc="left")
-        first.set_title("", loc="left")
-    text = legends.plain(text.replace("\n", " "))
-    text = text.partition(": ")[2] or text
-    return text[:1].upper() + text[1:]
+def painted(drawing):
+    """(the drawing as a figure of matplotlib of the page's size, its legends)."""
+    return (_sheet if isinstance(drawing.layout, Sheet) else _panels)(drawing)
 
 
-def _take_notes(drawn):
-    """What is written below a picture, and the range of its colours."""
-    notes = [text.get_text() for text in drawn.texts]
-    for text in list(drawn.texts):
-        text.remove()
-    for axes in drawn.axes:
-        bar = getattr(axes, "_colorbar", None)
-        if bar is not None:
-            low, high, label = bar.norm.vmin, bar.norm.vmax, bar.ax.get_ylabel().strip()
-            what, _, unit = label.rstrip("]").partition("[")
-            notes.append(f"Colours: {what}from {digits(low)} to {digits(high)} {unit}")
-    return [legends.plain(note) for note in notes]
+def _sheet(drawing):
+    layout = drawing.layout
+    size = layout.size(min(WIDTH, layout.width))
+    drawn = style.plt.figure(figsize=(LEFT + size[0] + (RIGHT_WITH_BAR if layout.has_bar else RIGHT), BELOW + size[1] + ABOVE))
+    axes, *bar = layout.axes(drawn, BELOW, size)
+    axes.xaxis.set_label_coords(0.5, -X_LABEL / size[1])  # at every instant behind a slider
+    axes.yaxis.set_label_coords(-Y_LABEL / size[0], 0.5)
+    return drawn, drawing.paint(axes, *bar) or []
 
 
-def _fit(drawn):
-    panels = [axes for axes in drawn.axes if hasattr(axes, "get_subplotspec")]
-    if panels:
-        _stack(drawn, panels)
-    else:
-        _crop(drawn)
+def _panels(drawing):
+    """Panels of one row stand below each other. Margins are as labels need."""
+    layout = drawing.layout
+    is_row = layout.rows == 1 and layout.columns > 1
+    rows, columns = (layout.columns, 1) if is_row else (layout.rows, layout.columns)
+    drawn, panels = style.plt.subplots(rows, columns, sharex=layout.sharex and not is_row, sharey=layout.sharey, squeeze=False,
+                                       figsize=(WIDTH, layout.size[1]), height_ratios=layout.heights, layout="constrained")
+    keys = drawing.paint(*panels.flat) or []
+    if is_row:
+        for axes in panels.flat:
+            axes.set_ylabel(axes.get_ylabel() or panels[0, 0].get_ylabel())
+        drawn.set_figheight(rows * (WIDTH - BESIDE if all(axes.get_aspect() == 1 for axes in panels.flat) else PANEL))
+    return drawn, keys
 
 
-def _stack(drawn, panels):
-    """Puts panels below each other and lets matplotlib find the margins that labels need. Axes that share a panel stay together."""
-    places = list(dict.fromkeys(axes.get_subplotspec() for axes in panels))
-    height = drawn.get_figheight()
-    if places[0].get_gridspec().nrows == 1 and len(places) > 1:
-        alike = all(axes.get_aspect() == 1 for axes in panels)
-        rows = GridSpec(len(places), 1, figure=drawn)
-        for axes in panels:
-            axes.set_subplotspec(rows[places.index(axes.get_subplotspec())])
-            if axes.yaxis.get_label_position() == "left":
-                axes.tick_params(labelleft=True)
-                axes.set_ylabel(axes.get_ylabel() or panels[0].get_ylabel())
-        height = len(places) * (WIDTH - 1.5 if alike else PANEL)
-    drawn.set_size_inches(WIDTH, height)
-    drawn.set_layout_engine("constrained")
-
-
-def _crop(drawn):
-    """Cuts off the room that title and legends had."""
-    left, right, below, above = 0.65, 0.15, 0.48, 0.1  # inches for the labels of the axes
-    beside = 0.75  # for those of a scale of colours
-    size = drawn.get_size_inches()
-    boxes = [axes.get_position() for axes in drawn.axes]
-    x0, y0 = min(b.x0 for b in boxes) * size[0] - left, min(b.y0 for b in boxes) * size[1] - below
-    width = max(b.x1 for b in boxes) * size[0] + (beside if len(boxes) > 1 else right) - x0
-    height = max(b.y1 for b in boxes) * size[1] + above - y0
-    drawn.set_size_inches(width, height)
-    for axes, b in zip(drawn.axes, boxes):
-        axes.set_position(((b.x0 * size[0] - x0) / width, (b.y0 * size[1] - y0) / height,
-                           b.width * size[0] / width, b.height * size[1] / height))
-
-
-def _encoded(drawn, of_model):
-    """(data URI, width, height in CSS pixels); lines as SVG, the model and what would be too large as WebP."""
+def _encoded(drawn, dense):
+    """(data URI, width, height in CSS pixels); lines as SVG, many shapes and what would be too large as WebP."""
     width, height = (round(96 * inches) for inches in drawn.get_size_inches())
-    if not of_model:
+    if not dense:
         data = _lines(drawn)
         if len(data) <= LARGEST:
             return _uri("image/svg+xml", data), width, height

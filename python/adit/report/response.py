@@ -17,15 +17,11 @@ def histories(results):
     for name, (units, lines) in time_pictures.quantities_of(results).items():
         lines = [line for line in lines if line[0] not in of_sections]
         if lines:
-            drawn.append(_named(time_pictures.histories(results, {name: (units, lines)}), name, len(lines)))
+            left_out = len(lines) - time_pictures.MOST_LINES
+            told = f"{left_out} more histories of this quantity, which stay smaller, are in histories.csv."
+            drawn.append(pictures.figure(time_pictures.histories(results, {name: (units, lines)}, f"{name} over time"),
+                                         tag("p", told, class_="note") if left_out > 0 else None))
     return section("histories", "Histories", drawn)
-
-
-def _named(drawn, name, count):
-    drawn.axes[0].set_title(f"run: {name} over time", loc="left")
-    left_out = count - time_pictures.MOST_LINES
-    told = f"{left_out} more histories of this quantity, which stay smaller, are in histories.csv."
-    return pictures.figure(drawn, tag("p", told, class_="note") if left_out > 0 else None)
 
 
 def envelopes(results):
@@ -34,7 +30,7 @@ def envelopes(results):
     if results.is_simplified:
         try:
             drawn = [pictures.figure(tunnel_pictures.envelopes(results)),
-                     pictures.figure(tunnel_pictures.time_distance(results), of_model=True)]
+                     pictures.figure(tunnel_pictures.time_distance(results))]
         except Unusable as reason:
             results.faults.append(str(reason))
     linings = around.of_linings(results.last_pieces.get("linings"))

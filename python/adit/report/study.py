@@ -6,14 +6,13 @@ from adit.report import page, pictures
 from adit.report.markup import paragraphs, section, table, tag
 
 
-def write(folder, title, told, tables, figures, run):
+def write(folder, title, told, tables, drawings, run):
     """Writes FOLDER/report.html and returns its path. `told`: the docstring of the study; `tables`: [(caption, head, rows)];
-    `figures`: matplotlib's; `run`: any run of the study, for the versions of the programs."""
-    with pictures.narrow():
-        chapters = [section("tables", "Tables", [table(*each) for each in tables]),
-                    section("pictures", "Pictures", [pictures.figure(each) for each in figures]),
-                    section("origin", "Versions and how to repeat the study", _origin(folder, run))]
-        text = page.written(title, paragraphs(told.strip().split("\n\n")[:1]), chapters)
+    `run`: any run of the study, for the versions of the programs."""
+    chapters = [section("tables", "Tables", [table(*each) for each in tables]),
+                section("pictures", "Pictures", [pictures.figure(each) for each in drawings]),
+                section("origin", "Versions and how to repeat the study", _origin(folder, run))]
+    text = page.written(title, paragraphs(told.strip().split("\n\n")[:1]), chapters)
     path = folder / "report.html"
     path.write_bytes(text)
     return path

@@ -11,7 +11,7 @@ from browser import FAULTS, page
 from programs import ADIT, BUILD, CASE, PATIENCE, ProgramTest, SOURCE, children_of, wait_until
 
 from adit.compare import bonds
-from adit.plots import model_pictures
+from adit.plots import model_pictures, png
 from adit.report.results import Results
 from adit.runs import variants
 
@@ -67,7 +67,7 @@ class Compare(ProgramTest):
                 for force in ("1 MN", "3 MN")]
         instants = bonds.common_instants(runs)
         self.assertEqual([round(1e3 * time) for time, _ in instants], [28, 32])
-        figures = list(bonds.force_chains(runs, instants[0][1]))
+        figures = [png.figure(drawing) for drawing in bonds.side_by_side(runs, instants[0][1])["force_chains"]]
         widest = [max(line.get_linewidth() for line in figure.axes[0].get_lines() if line.get_marker() == "None")
                   for figure in figures]
         self.assertAlmostEqual(widest[0] / widest[1], 1 / 3, delta=1 / model_pictures.LEVELS)

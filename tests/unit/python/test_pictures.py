@@ -6,8 +6,9 @@ import unittest
 import numpy as np
 
 from adit import Piece, Table
-from adit.plots import colour_pictures, deformation, lining_pictures, model_pictures, spectra_pictures, style, time_pictures
+from adit.plots import colour_pictures, deformation, lining_pictures, model_pictures, png, spectra_pictures, style, time_pictures
 from adit.plots.colour_scale import Scale
+from adit.plots.drawing import Drawing, Panels, legend
 from adit.plots.setup import conditions, sheets
 from adit.report import around, model, overview, pictures, response
 
@@ -51,12 +52,61 @@ def box_of(figure, artist):
 class Titles(unittest.TestCase):
     def test_a_title_stays_on_the_sheet_of_a_tall_model(self):
         grid = column(lambda points: 0.075 + 1e-3 * points[:, 1:] ** 2)
-        for figure in (model_pictures.deformed(run_named("hysteretic"), 25.0, {"grid": grid}),
-                       colour_pictures.displacement(run_named("a_scene_of_a_rather_long_name"), 25.0, {"grid": grid})):
-            title = figure.axes[0].title if figure.axes[0].get_title() else figure.axes[0]._left_title
-            box = box_of(figure, title)
+        for drawing in (model_pictures.deformed(run_named("hysteretic"), 25.0, {"grid": grid}),
+                        colour_pictures.displacement(run_named("a_scene_of_a_rather_long_name"), 25.0, {"grid": grid})):
+            figure = png.figure(drawing)
+            title = figure.axes[0].get_title(loc="left")
+            box = box_of(figure, next(text for text in figure.axes[0].get_children() if getattr(text, "get_text", str)() == title))
             self.assertLess(box.x1, figure.bbox.x1)
             self.assertLess(box.y1, figure.bbox.y1)
+
+
+class Sizes(unittest.TestCase):
+    """A drawing has no size: files and pages choose it."""
+
+    def test_a_file_and_a_page_show_the_same_data(self):
+        grid = column(lambda points: 1e-3 * points[:, 1:] ** 2, width=50.0)
+        discs = cloud([(1, -1), (2, -2)], np.array([(1e-3, 0), (2e-3, 0)]))
+        drawing = colour_pictures.displacement(run_named("site"), 1.0, {"grid": grid, "particles": discs})
+        wide, (narrow, _) = png.figure(drawing), pictures.painted(drawing)
+        self.assertGreater(wide.get_figwidth(), 1.5 * narrow.get_figwidth())
+        for axes, other in zip(wide.axes[:1], narrow.axes[:1]):
+            self.assertEqual((axes.get_xlim(), axes.get_ylim()), (other.get_xlim(), other.get_ylim()))
+            self.assertEqual(len(axes.collections), len(other.collections))
+            for one, same in zip(axes.collections, other.collections):
+                np.testing.assert_array_equal(one.get_array(), same.get_array())
+            np.testing.assert_array_equal(axes.get_lines()[0].get_xydata(), other.get_lines()[0].get_xydata())
+
+    def test_a_model_has_equal_scales_in_both_sizes(self):
+        """A flat model and a tall one, whose sheets are wider than they are."""
+        for width, height in ((50.0, 2.0), (2.0, 50.0)):
+            drawing = colour_pictures.displacement(run_named("site"), 1.0, {"grid": column(
+                lambda points: 1e-3 * points[:, 1:], width=width, height=height)})
+            for figure in (png.figure(drawing), pictures.painted(drawing)[0]):
+                figure.canvas.draw()
+                axes, bar = figure.axes
+                box = axes.get_window_extent()
+                self.assertAlmostEqual(box.width / np.ptp(axes.get_xlim()) / (box.height / np.ptp(axes.get_ylim())), 1)
+                self.assertAlmostEqual(bar.get_window_extent().height, box.height)
+                self.assertGreater(bar.get_window_extent().x0, box.x1)
+
+    def test_a_page_writes_title_legends_and_notes_as_text(self):
+        def paint(axes):
+            axes.plot([0, 1, 2], [0, 1, 4], "--", lw=2, label=r"top\$1")
+            axes.set(xlabel="t [s]", ylabel="force [N]")
+            return [legend(axes)]
+
+        drawing = Drawing("bar", "forces of a$b", Panels(1, 1, (8, 3)), paint, (("○ 4 N", style.RED), ("", style.BLACK)))
+        written = pictures.figure(drawing)
+        self.assertIn("<strong>Forces of a$b</strong>", written)
+        self.assertIn("<strong>bar: Forces of a$b</strong>", pictures.figure(drawing, names_run=True))
+        self.assertIn('<p class="note">○ 4 N</p></figcaption>', written)
+        self.assertRegex(written, r'stroke-width="2.8" stroke-dasharray="14.8,6.4"/></svg> top\$1')  # 3.7 and 1.6 widths of 2 points, twice as large
+        figure, _ = pictures.painted(drawing)
+        self.assertEqual([figure.axes[0].get_title(loc="left"), figure.axes[0].get_legend(), figure.texts], ["", None, []])
+        filed = png.figure(drawing)
+        self.assertEqual(filed.axes[0].get_title(loc="left"), r"bar: forces of a\$b")
+        self.assertEqual(texts_of(filed.axes[0].get_legend()), [r"top\$1"])
 
 
 class Displacements(unittest.TestCase):
@@ -65,10 +115,10 @@ class Displacements(unittest.TestCase):
         at_rest, shaken = column(bent), column(lambda points: 4 + bent(points))
         self.assertGreaterEqual(deformation.scale_of({"grid": shaken}), deformation.scale_of({"grid": at_rest}))
         self.assertAlmostEqual(deformation.common_motion({"grid": shaken})[0], 4, delta=1e-3)
-        figure = model_pictures.deformed(run_named("shaken"), 1.0, {"grid": shaken})
-        left, right = figure.axes[0].get_xlim()
+        drawing = model_pictures.deformed(run_named("shaken"), 1.0, {"grid": shaken})
+        left, right, _, _ = drawing.layout.bounds
         self.assertLess(right - left, 20, "4 m times the scale would be kilometres")
-        self.assertIn("without the common (4000, 0) mm", figure.axes[0].get_title(loc="left").replace("\n", " "))
+        self.assertIn("without the common (4000, 0) mm", drawing.title)
 
     def test_a_model_that_is_held_shows_all_of_its_displacement(self):
         held = column(lambda points: 1e-2 * (points[:, 1:] + 50) / 50)
@@ -81,33 +131,33 @@ class Displacements(unittest.TestCase):
         displacement[450] = 0, -5.2
         loose = cloud(places, displacement)
         self.assertEqual(deformation.scale_of({"particles": loose}), deformation.scale_of({"particles": whole}))
-        figure = model_pictures.deformed(run_named("ring"), 1.0, {"particles": loose})
+        figure = png.figure(model_pictures.deformed(run_named("ring"), 1.0, {"particles": loose}))
         self.assertLess(np.ptp(figure.axes[0].get_ylim()), 4)
         self.assertIn("1 loose particle", " ".join(text.get_text() for text in figure.legends[0].get_texts()))
 
 
 class Colours(unittest.TestCase):
-    def marked(self, figure):
-        return next(text.get_text() for text in figure.texts if "○" in text.get_text())
+    def marked(self, drawing):
+        return next(text for text, _ in drawing.notes if "○" in text)
 
     def test_tension_is_marked_and_not_the_largest_magnitude(self):
         stress = np.zeros((25, 3))
         stress[:, :2] = -0.228e6  # compression everywhere but in one zone
         stress[7, 0] = 0.17e6
-        figure = colour_pictures.principal_stress(run_named("ring"), 1.0, {"grid": column(lambda p: 0 * p[:, :1], stress_Pa=stress)})
-        self.assertRegex(self.marked(figure), r"^○ 0\.17 MPa at x = 1 m, y = -35 m$")
+        drawing = colour_pictures.principal_stress(run_named("ring"), 1.0, {"grid": column(lambda p: 0 * p[:, :1], stress_Pa=stress)})
+        self.assertRegex(self.marked(drawing), r"^○ 0\.17 MPa at x = 1 m, y = -35 m$")
 
     def test_light_zones_set_no_scale_and_no_mark(self):
         weight, strain = np.ones(25), np.full(25, 0.012)
         weight[3], strain[3] = 0.002, 0.67
         grid = column(lambda p: 0 * p[:, :1], peak_shear_strain=strain)
         grid.cell_fields["weight"] = weight
-        (_, figure), = colour_pictures.peaks(run_named("fault"), 1.0, {"grid": grid})
-        self.assertIn("○ 12 10⁻³", self.marked(figure))
+        (_, drawing), = colour_pictures.peaks(run_named("fault"), 1.0, {"grid": grid})
+        self.assertIn("○ 12 10⁻³", self.marked(drawing))
 
     def test_a_field_of_zeros_has_a_scale_of_one_tick(self):
-        figure = colour_pictures.displacement(run_named("rest"), 1.0, {"grid": column(lambda points: 0 * points[:, :1])})
-        self.assertEqual(list(figure.axes[1].get_yticks()), [0])
+        drawing = colour_pictures.displacement(run_named("rest"), 1.0, {"grid": column(lambda points: 0 * points[:, :1])})
+        self.assertEqual(list(png.figure(drawing).axes[1].get_yticks()), [0])
 
     def test_a_few_peaks_do_not_rule_the_scale_and_are_told(self):
         stress = np.zeros((400, 3))
@@ -116,12 +166,11 @@ class Colours(unittest.TestCase):
         places = np.array([(x, y) for x in range(20) for y in range(20)], float)
         cracked = cloud(places, np.zeros((400, 2)))
         cracked.point_fields["stress_Pa"] = stress
-        figure = colour_pictures.principal_stress(run_named("ring"), 1.0, {"particles": cracked})
-        bar = figure.axes[1]._colorbar
-        self.assertLess(bar.vmax, 0.21)
-        self.assertEqual(bar.extend, "max")
-        self.assertIn("○ 5.2 MPa at x = 0 m, y = 7 m", self.marked(figure))
-        told = [text.get_text() for text in figure.texts]
+        drawing = colour_pictures.principal_stress(run_named("ring"), 1.0, {"particles": cracked})
+        self.assertLess(drawing.colours[0].high, 0.21)
+        self.assertEqual(Scale(stress[:, 0] / 1e6).extend(), "max")
+        self.assertIn("○ 5.2 MPa at x = 0 m, y = 7 m", self.marked(drawing))
+        told = [text.get_text() for text in png.figure(drawing).texts]
         self.assertIn("Beyond the scale of colours: 2 above, up to 5.2 MPa", told)  # 0.5 % of 400
 
     def test_a_roof_that_fell_by_metres_is_told_in_plain_numbers(self):
@@ -148,14 +197,14 @@ class Colours(unittest.TestCase):
 
     def test_displacement_is_that_beside_the_common_motion(self):
         grid = column(lambda points: 4 + 1e-3 * (points[:, 1:] / 50) ** 2)
-        figure = colour_pictures.displacement(run_named("shaken"), 1.0, {"grid": grid})
-        self.assertIn("without the common (4000, 0) mm", figure.axes[0].get_title(loc="left").replace("\n", " "))
-        self.assertRegex(self.marked(figure), r"^○ 0\.7\d* mm")
+        drawing = colour_pictures.displacement(run_named("shaken"), 1.0, {"grid": grid})
+        self.assertIn("without the common (4000, 0) mm", drawing.title)
+        self.assertRegex(self.marked(drawing), r"^○ 0\.7\d* mm")
 
     def test_rounding_of_the_weight_is_no_overlap(self):
         grid = column(lambda points: 0 * points[:, :1])
         grid.cell_fields["weight"] = np.full(25, 1 - 2.2e-16)
-        figure = model_pictures.deformed(run_named("hzm"), 1.0, {"grid": grid})
+        figure = png.figure(model_pictures.deformed(run_named("hzm"), 1.0, {"grid": grid}))
         self.assertNotIn("overlap", [text.get_text() for text in figure.legends[0].get_texts()])
 
 
@@ -165,7 +214,7 @@ class Joints(unittest.TestCase):
         segments = piece([(0, 0), (1, 0), (2, 0)], [(0, 1), (1, 2)], {}, state)
         joint = {"from": {"x": 1.5, "y": -0.2}, "to": {"x": 1.5, "y": 0.2}, "open": True}
         for draw in (model_pictures.bonds, model_pictures.force_chains):
-            figure = draw(run_named("ring", {"joints": [joint]}), 1.0, {"bonds": segments})
+            figure = png.figure(draw(run_named("ring", {"joints": [joint]}), 1.0, {"bonds": segments}))
             self.assertIn("open joint", texts_of(figure.legends[0]))
             lines = [path.vertices.tolist() for drawn in figure.axes[0].collections for path in drawn.get_paths()]
             self.assertIn([[1.5, -0.2], [1.5, 0.2]], lines)
@@ -179,10 +228,9 @@ class Joints(unittest.TestCase):
         bonds = piece([(0, 0), (1, 0), (2, 0), (3, 0)], [(0, 1), (1, 2), (2, 3)], cell_fields={"state": np.array([1, 2, 0])})
         discs = piece(bonds.points, np.arange(4)[:, None], {
             "displacement_m": np.zeros((4, 3)), "radius_m": np.full(4, 0.5), "weight": np.ones(4), "group": np.array([0, 0, 1, 1])})
-        figure = model_pictures.bonds(run_named("ring"), 1.0, {"bonds": bonds, "particles": discs})
-        self.assertIn("1 crack", figure.axes[0].get_title() + figure.axes[0].get_title(loc="left"))
-        said = [text for legend in [figure.axes[0].get_legend(), *figure.legends] if legend for text in texts_of(legend)]
-        self.assertEqual(said[-3:], ["1 intact bond", "1 tensile crack", "1 debonded bond"])
+        drawing = model_pictures.bonds(run_named("ring"), 1.0, {"bonds": bonds, "particles": discs})
+        self.assertEqual(drawing.title, "1 crack at t = 1 s")
+        self.assertEqual(texts_of(png.figure(drawing).legends[0])[-3:], ["1 intact bond", "1 tensile crack", "1 debonded bond"])
 
 
 class Models(unittest.TestCase):
@@ -208,7 +256,7 @@ class Models(unittest.TestCase):
         state = np.full(25, 256)
         state[:10] = [0, 0, 0, 0, 1 | 4, 1 | 4, 4, 8, 8, 8]
         mixed = column(lambda points: 0 * points[:, :1], yield_state=state)
-        figure = colour_pictures.yield_state(run_named("site"), 1.0, {"grid": mixed})
+        figure = png.figure(colour_pictures.yield_state(run_named("site"), 1.0, {"grid": mixed}))
         self.assertEqual(texts_of(figure.legends[0]), [
             "shear now: 2 zones", "shear before: 1 zones", "tension before: 3 zones", "hysteretic, which does not yield: 15 zones",
             "elastic: 4 zones"])
@@ -219,7 +267,7 @@ class Spectra(unittest.TestCase):
         table = Table({"period_s": np.array([0.1, 1.0]), "psa_5pct_m_per_s2": np.array([9.80665, 4.903325]),
                        "sv_5pct_m_per_s": np.ones(2), "sd_5pct_m": np.ones(2)}, "table")
         run = types.SimpleNamespace(name="site", number=lambda key: 4.903325 if key == "top_pga_m_per_s2" else None)
-        axes = spectra_pictures._response(run, "top", table, None, "input").axes[0]
+        axes = png.figure(spectra_pictures._response(run, "top", table, None, "input")).axes[0]
         spectrum, pga = axes.get_lines()
         self.assertEqual(axes.get_ylabel(), "pseudo acceleration [g]")
         np.testing.assert_allclose(spectrum.get_ydata(), (1, 0.5))
@@ -233,7 +281,7 @@ class Times(unittest.TestCase):
 
     def test_legends_of_panels_do_not_print_over_each_other(self):
         names = [f"place_{k}_{ending}" for ending in ("ux_m", "vx_m_per_s", "sxx_Pa") for k in range(15)]
-        figure = time_pictures.histories(self.run_with(names, 30))
+        figure = png.figure(time_pictures.histories(self.run_with(names, 30)))
         boxes = [box_of(figure, axes.get_legend()) for axes in figure.axes]
         self.assertEqual([len(axes.get_legend().get_texts()) for axes in figure.axes], [time_pictures.MOST_LINES] * 3)
         for upper, lower in zip(boxes, boxes[1:]):
@@ -242,7 +290,7 @@ class Times(unittest.TestCase):
 
     def test_long_runs_are_drawn_in_seconds_and_short_ones_in_milliseconds(self):
         for end, label, shown in ((30, "t [s]", 30), (0.05, "t [ms]", 50)):
-            axes = time_pictures.histories(self.run_with(["tip_ux_m"], end)).axes[0]
+            axes = png.figure(time_pictures.histories(self.run_with(["tip_ux_m"], end))).axes[0]
             self.assertEqual((axes.get_xlabel(), round(axes.get_xlim()[1], 9)), (label, shown))
 
     def test_energies_that_are_small_beside_the_work_have_a_panel_of_their_own(self):
@@ -250,7 +298,7 @@ class Times(unittest.TestCase):
         rise = run.histories["time_s"]
         run.histories |= {"continuum_external_work_J": 5e6 * rise, "continuum_dissipated_J": 4.99e6 * rise,
                           "continuum_kinetic_J": 4e3 * rise, "continuum_strain_J": 1e3 * rise, "energy_drift": 0 * rise}
-        work, stored, _ = time_pictures.energy(run).axes
+        work, stored, _ = png.figure(time_pictures.energy(run)).axes
         self.assertEqual((work.get_ylabel(), stored.get_ylabel()), ("put in and lost [MJ]", "stored [kJ]"))
         self.assertGreater(stored.get_ylim()[1], 100)
 
@@ -292,9 +340,10 @@ class Pages(unittest.TestCase):
         fields = {f"{when}{force}": np.full(8, value) for force, _, _ in around.FORCES
                   for when, value in (("", -3e3), ("peak_least_", -9e3), ("peak_largest_", -2e3))}
         ring = piece(points, [(k, (k + 1) % 8) for k in range(8)], fields, {"lining": np.zeros(8)})
-        least, greatest = (next(around.of_linings(ring)).axes[0].get_lines()[k].get_ydata() for k in (0, 1))
+        envelopes, _ = pictures.painted(next(around.of_linings(ring)))
+        least, greatest = (envelopes.axes[0].get_lines()[k].get_ydata() for k in (0, 1))
         np.testing.assert_allclose((least, greatest), ([-9] * 8, [-2] * 8))
-        drawn = lining_pictures.lining_forces(run_named("ring"), 1.0, {"linings": ring}).axes[0].collections
+        drawn = png.figure(lining_pictures.lining_forces(run_named("ring"), 1.0, {"linings": ring})).axes[0].collections
         radii = [np.hypot(*line.get_paths()[0].vertices.T).max() for line in drawn[-2:]]
         np.testing.assert_allclose(radii, [1 - 2 * lining_pictures.REACH * part for part in (1, 2 / 9)])
 
@@ -313,11 +362,14 @@ class Pages(unittest.TestCase):
         self.assertEqual(known["debonded bonds"], "debonded_count")
 
     def test_panels_stand_below_each_other_with_both_of_their_axes(self):
-        figure, (left, right) = style.plt.subplots(1, 2, figsize=(10, 3))
-        other = right.twinx()
-        other.set_ylabel("cracks")
-        pictures._fit(figure)
+        def paint(left, right):
+            left.set_ylabel("stress")
+            right.twinx().set_ylabel("cracks")
+
+        figure, _ = pictures.painted(Drawing("", "rock", Panels(1, 2, (10, 3)), paint))
         figure.canvas.draw()
+        left, right, other = figure.axes
+        self.assertEqual([axes.get_ylabel() for axes in figure.axes], ["stress", "stress", "cracks"])
         self.assertEqual(other.get_position().bounds, right.get_position().bounds)
         self.assertGreater(left.get_position().y0, right.get_position().y1)
         self.assertGreater(left.get_position().height, 0.3)

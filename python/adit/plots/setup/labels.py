@@ -10,8 +10,7 @@ STEPS = 12  # places tried farther and farther away
 
 def add_labels(axes, places, names):
     """Writes each name near its place, with a thin line to it where it had to move. Names without room are left out."""
-    figure = axes.figure
-    figure.canvas.draw()
+    axes.apply_aspect()
     frame = axes.get_window_extent()
     dots = axes.transData.transform(np.asarray(places, float).reshape(-1, 2))
     taken = [Bbox.from_bounds(x - 4, y - 4, 8, 8) for x, y in dots]

@@ -5,6 +5,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from adit.plots import style
+from adit.plots.drawing import Drawing, Sheet, legend
 from adit.plots.setup import conditions
 from adit.plots.setup.labels import add_labels
 
@@ -16,16 +17,16 @@ OWN_SHEET = 0.25  # particles that fill less of the width get a sheet of their o
 
 
 def model(checked):
-    """Yields (name, figure): the whole model, and where particles fill a small part of it, a sheet cut to them."""
+    """Yields (name, drawing): the whole model, and where particles fill a small part of it, a sheet cut to them."""
     pieces = checked.pieces()
     points = [piece.points for name, piece in pieces.items() if name.endswith(("grid", "particles"))]
     whole = style.bounds_of(*points)
     discs = [piece.points for name, piece in pieces.items() if name.endswith("particles")]
     cut = style.bounds_of(*discs) if discs else whole
     both = cut[1] - cut[0] < OWN_SHEET * (whole[1] - whole[0])
-    yield "model", _sheet(checked, pieces, whole, f"{checked.name}: the model", [cut] if both else [])
+    yield "model", _sheet(checked, pieces, whole, "the model", [cut] if both else [])
     if both:
-        yield "model_particles", _sheet(checked, pieces, cut, f"{checked.name}: the particles", [])
+        yield "model_particles", _sheet(checked, pieces, cut, "the particles", [])
 
 
 def _sheet(checked, pieces, bounds, title, elsewhere):
@@ -33,18 +34,20 @@ def _sheet(checked, pieces, bounds, title, elsewhere):
     span = max(bounds[1] - bounds[0], bounds[3] - bounds[2])
     room = 0.05 * span  # for arrows and thick edges
     bounds = bounds[0] - room, bounds[1] + room, bounds[2] - room, bounds[3] + room
-    figure, axes, add_legend = style.sheet_with_legend_beside(bounds, title)
-    handles = []
-    for member in checked.members():
-        draw = _draw_zones if member.is_grid else _draw_particles
-        if member.piece in pieces:
-            handles += draw(axes, member, pieces[member.piece])
-    handles += _shade_overlap(axes, pieces)
-    handles += _draw_supports(axes, pieces)
-    drawn, notes = conditions.draw(axes, checked.members(), pieces, span)
-    handles += drawn + _draw_probes(axes, checked.members(), bounds, elsewhere) + notes
-    add_legend(handles)
-    return figure
+    members = list(checked.members())
+
+    def paint(axes):
+        handles = []
+        for member in members:
+            draw = _draw_zones if member.is_grid else _draw_particles
+            if member.piece in pieces:
+                handles += draw(axes, member, pieces[member.piece])
+        handles += _shade_overlap(axes, pieces)
+        handles += _draw_supports(axes, pieces)
+        drawn, notes = conditions.draw(axes, members, pieces, span)
+        return [legend(None, handles + drawn + _draw_probes(axes, members, bounds, elsewhere) + notes)]
+
+    return Drawing(checked.name, title, Sheet(bounds, is_setup=True), paint)
 
 
 def _draw_zones(axes, member, grid):
