@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-namespace adit::coupler {
+namespace adit::coupler::progress_test {
 namespace {
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -39,4 +39,4 @@ TEST(Progress, TellsTheRateAndTheTimeThatIsLeft) {
 }
 
 }  // namespace
-}  // namespace adit::coupler
+}  // namespace adit::coupler::progress_test
