@@ -1,7 +1,7 @@
 """Reads the results of the cantilever in Python: docs/python.md, with a picture at the end.
 
     scripts/run cases/cantilever
-    PYTHONPATH=scripts /usr/bin/python3 docs/read_results.py runs/cantilever
+    PYTHONPATH=python /usr/bin/python3 docs/read_results.py runs/cantilever
 
 An editor that knows cells (`# %%`) opens this file as a notebook.
 """
