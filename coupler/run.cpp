@@ -163,8 +163,7 @@ void Run::go() {
   summary_.print(directory_);
 }
 
-// What can still be written is; the error is the one to report, whatever fails now, such as a server that is
-// lost.
+// Writes what can still be written. A later error, such as a lost server, must not hide the one to report.
 void Run::end_early(const std::exception& error) {
   const auto attempt = [](const char* what, const std::function<void()>& write) {
     try {

@@ -177,10 +177,10 @@ void Constraint::solve(std::span<const double> coarse, std::span<const double> f
   const auto largest = [](std::span<const double> velocities) {
     return std::abs(std::ranges::max(velocities, {}, [](double v) { return std::abs(v); }));
   };
-  throw protocol::Unstable(fmt::format(
-      "the impulses that tie the models are beyond numbers: their velocities reach {:g} and {:g} m/s at the "
-      "coupling points; choose a smaller time.dt_factor",
-      largest(coarse), largest(fine)));
+  throw protocol::Unstable(
+      fmt::format("the coupling impulses overflowed: the velocities of the models reach {:g} and {:g} m/s at "
+                  "the coupling points; choose a smaller time.dt_factor",
+                  largest(coarse), largest(fine)));
 }
 
 void Constraint::assign(std::span<const double> multipliers, double factor, Part part,

@@ -295,7 +295,7 @@ void Statics::Relaxer::give_up(std::uint64_t steps, bool stalled) const {
           "ground that fails under its weight; or allow more statics.max_steps, or a larger "
           "statics.unbalanced_ratio",
           name_of_stage(), steps, rest_.mean_ratio, statics_.unbalanced_ratio(),
-          stalled ? ", and it falls no more" : "", place(), farthest()));
+          stalled ? ", and it no longer decreases" : "", place(), farthest()));
 }
 
 void Statics::Relaxer::exchange(state::Archive& archive) {

@@ -68,10 +68,10 @@ class Structures {
   Critical critical_element(const std::vector<bool>& chosen) const;
   double critical_step() const { return critical_element().step; }
 
-  // From now on, what the stages up to this one install takes part.
+  // Activates the structures of the stages up to this one.
   void install(std::uint32_t stage);
 
-  // What is computed together, by numbers.
+  // Numbers of the elements that are computed together.
   struct Part {
     std::vector<std::uint32_t> beams, bars, joints, rotations;
   };

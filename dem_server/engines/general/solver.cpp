@@ -21,7 +21,8 @@ protocol::IndexRange range_of(std::uint32_t block, std::size_t discs) {
   return {block * kBlock, static_cast<std::uint32_t>(std::min<std::size_t>((block + 1) * kBlock, discs))};
 }
 
-// Of what pulled on some discs at the last step (`before`) and pulls now, which becomes the one before [W].
+// Twice the mean power [W] of the forces on some discs at the last step (`before`) and now; stores the latter
+// in `before`.
 ADIT_VECTOR_CLONES double power(const Particles& p, std::uint32_t begin, std::uint32_t end,
                                 const Resultants& before) {
   const double *vx = p.vx.data(), *vy = p.vy.data(), *spin = p.spin.data();
@@ -190,7 +191,7 @@ void Solver::gather(double dt) {
   });
 }
 
-// Of what pulled on the kept discs of a block at the last step and pulls now, which is noted [W].
+// The same for the kept discs of a block.
 double Solver::power_of_kept(std::size_t block) {
   const Resultants before{pulled_x_.data(), pulled_y_.data(), pulled_moment_.data()};
   double sum = 0;
