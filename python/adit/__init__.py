@@ -8,9 +8,9 @@
     run.cracks.frame()                              # a pandas.DataFrame
     run.fields(0.032)["grid"]["displacement_m"]     # at the points of the grid, 32 ms after the beginning
 
-Runs of `coupler` and of `simplified` are read alike, and so are runs that failed, were stopped or are still going on: they
-have what was written until then. What a run does not have raises `Unusable`, whose message is one sentence. Names of columns,
-fields and figures end in their units, all SI. docs/python.md tells more.
+Runs of `coupler` and of `simplified` are read in the same way. Runs that failed, were stopped or are still in progress have the
+results written so far. A request for something that a run does not have raises `Unusable`, whose message is one sentence. Names
+of columns, fields and figures end in their units, all SI. See docs/python.md.
 """
 from adit.results.files import Unusable
 from adit.results.pieces import Piece

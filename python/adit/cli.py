@@ -1,4 +1,4 @@
-"""The command `adit`: one door to computing, drawing, reporting and comparing."""
+"""The command `adit`, which computes, draws, reports and compares."""
 import importlib
 import os
 import signal
@@ -9,19 +9,19 @@ from adit.results.files import Unusable
 
 COMMANDS = {  # name: (module with main(words), what it does)
     "run": ("adit.runs.command", "computes scenes, draws them and reports, as in run cases/cantilever; results in ./runs"),
-    "check": (None, "sets a scene up without computing it, and tells what it holds"),
-    "resume": (None, "goes on with a run that was stopped or killed"),
-    "watch": ("adit.runs.watch", "tells how far a run is that somebody computes"),
+    "check": (None, "sets a scene up without computing it, and describes the run"),
+    "resume": (None, "resumes a run that was stopped or killed"),
+    "watch": ("adit.runs.watch", "shows the progress of a run that another process computes"),
     "plot": ("adit.plots.command", "draws the pictures of a run; plot --model SCENE.yaml draws a model before it runs"),
     "report": ("adit.report.command", "writes the report of a run again"),
     "compare": ("adit.compare.command", "compares runs: figures, histories, spectra, cracks, envelopes, force chains"),
     "paraview": ("adit.paraview.command", "writes a state by which ParaView shows a run"),
     "calibrate": ("adit.calibrate.command", "finds micro-properties of bonded discs for a given rock"),
     "trade": ("adit.trade.command", "measures what speed costs in accuracy"),
-    "cluster": ("adit.cluster.command", "writes a job of Slurm that computes a scene on several nodes"),
+    "cluster": ("adit.cluster.command", "writes a Slurm job that computes a scene on several nodes"),
     "certificates": ("adit.cluster.certificates", "makes certificates for servers and couplers on several machines"),
-    "conformance": ("adit.conformance.command", "takes a server of your own through the protocol, and checks its physics"),
-    "doctor": (None, "examines a server that listens: who it is, whether it serves, how fast it answers"),
+    "conformance": ("adit.conformance.command", "tests the protocol and the physics of a server of your own"),
+    "doctor": (None, "examines a server that listens: its program, whether it serves, its round trip"),
 }
 
 
@@ -43,7 +43,7 @@ def main():
 
 
 def run(name, words):
-    """Runs a command. Ends with exit code 2 and one sentence where what was asked for cannot be done, or a file cannot be used."""
+    """Runs a command. Ends with exit code 2 and one sentence if it cannot do it, or if a file cannot be used."""
     module = COMMANDS[name][0]
     try:
         importlib.import_module(module).main(words) if module else run_coupler(name, words)

@@ -52,7 +52,7 @@ DOOR = "scripts/adit" if _is_source_tree(PACKAGE.parents[1]) else "adit"  # what
 
 
 def command(name):
-    """What the user types for a command of Adit."""
+    """The words that the user types for a command of Adit."""
     return f"{DOOR} {name}"
 
 
@@ -92,7 +92,7 @@ def bring_up_to_date(*names):
 
 
 def tell_progress(text=""):
-    """Shows on the last line of a terminal what is being done; nothing takes the line away."""
+    """Shows a progress text on the last line of a terminal; an empty text removes the line."""
     if sys.stderr.isatty():
         print(f"\r{text}\033[K", end="", file=sys.stderr, flush=True)
 

@@ -1,4 +1,4 @@
-"""What quiet boundaries send back of plane waves, over the angle (a minute): docs/boundaries.md."""
+"""Share of plane waves that quiet boundaries reflect, over the angle (takes a minute): docs/boundaries.md."""
 
 from adit.plots import style
 

@@ -1,4 +1,4 @@
-"""What the laws of the ground cost: zone-steps per second, the cost relative to elastic zones, what a second thread gives."""
+"""Cost of the laws of the ground: zone-steps per second, the cost relative to elastic zones, the speed-up by a second thread."""
 
 import json
 import subprocess

@@ -1,5 +1,5 @@
-"""A coupled run between two machines: steps per second over delay, jitter, loss and bandwidth of the network between them, what
-it gains that participants compute during the exchange, and that the continuum takes larger steps (time.substeps).
+"""A coupled run between two machines: steps per second over delay, jitter, loss and bandwidth of the network between them, and the
+gain by computing during the exchange and by larger steps of the continuum (time.substeps).
 
 The particles compute on the far machine, in the study of substeps the continuum does; all else on the near one. Each run must
 give the histories of the run on loopback, bit for bit.
@@ -51,7 +51,7 @@ def speed(summary):
 
 
 def parts(summaries, trip):
-    """Of a step on loopback [s]: all of it; and it without the round trip and without what is hidden behind that."""
+    """Times of a step on loopback [s]: the whole step; and the step without the round trip and the computing hidden behind it."""
     step = statistics.median(1 / speed(summary) for summary in summaries)
     hidden = statistics.median(max(summary[f"{name}_hidden_s"] for name in ("continuum", "particles")) / summary["steps"]
                                for summary in summaries)
@@ -130,7 +130,7 @@ class Study:
         yield record(f"{name}: gain by hiding", hidden, "1", POINTS[LARGE])
 
     def round_trip(self, machines, address, trust, points):
-        """Of messages for so many coupling points, without computing [s]."""
+        """Round trip of messages for so many coupling points, without computing [s]."""
         told = self.coupler(machines, "doctor", address, "--points", points, *trust)
         number, unit = re.search(r"round trip +([\d.,]+) (\S+) median", told).groups()
         return float(number.replace(",", "")) * {"µs": 1e-6, "ms": 1e-3}[unit]

@@ -1,8 +1,8 @@
 """Participants under MPI: the time of a step on 1, 2 and 4 ranks, beside one of them LAMMPS's own granular step, and the messages and
 bytes that a step sends between ranks, counted by Open MPI and by PETSc.
 
-All hold the same model, 13 GB in all, and compute some of its steps in turn: the ratios are those of the turns. A rank whose time
-is to mean anything needs a free core; messages are counted right on any machine.
+All hold the same model, 13 GB in all, and compute some of its steps in turn: the ratios are those of the turns. Times are
+valid only if each rank has a free core; counts of messages are right on any machine.
 """
 
 import contextlib
@@ -36,7 +36,7 @@ def record(name, size, ranks, value, unit):
 
 
 def particles(root, size, ranks, *options):
-    """What makes a server of LAMMPS that holds a square of bonded particles."""
+    """Returns a function that starts a server of LAMMPS with a square of bonded particles."""
     square = f"x_min: 0 x_max: {size[0]} y_min: 0 y_max: {size[1] * 0.75**0.5} radius: 0.5"
     described = f"{MATERIAL} particles {{ engine: GENERAL packing {{ {square} }} bonds {{}} {FALLS} }}"
     program = root / "build/release/adapters/lammps/adit_lammps"
@@ -65,7 +65,7 @@ def taking_turns(code, size, make):
 
 
 def messages(root):
-    """Of a step, between all ranks: of a run and of a longer one, the difference."""
+    """Messages and bytes of a step between all ranks: the difference of a run and a longer one."""
     for ranks in RANKS:
         short, long = (counted(root, ranks, steps) for steps in (COUNTED_STEPS, 2 * COUNTED_STEPS))
         for name, few, many in zip(("messages of ghosts", "bytes of ghosts", "messages of orders", "bytes of orders"), short, long):
@@ -75,7 +75,7 @@ def messages(root):
 
 
 def exchanged_zones(ranks):
-    """What peers/fenicsx_messages.py prints."""
+    """The output of peers/fenicsx_messages.py."""
     script = pathlib.Path(__file__).with_name("peers") / "fenicsx_messages.py"
     command = [*mpirun(ranks), "/usr/bin/python3", script, *map(str, (*COUNTED, COUNTED_STEPS))]
     return json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()[-1])

@@ -1,6 +1,6 @@
-"""Only what a scene requires: instructions and bytes of a point's step, with and without each thing that a scene may ask for.
+"""Cost of features of a scene: instructions and bytes of a point's step, with and without each feature.
 
-A server takes a short run and one of twice as many steps under valgrind's callgrind, which counts while a step is computed; the
+A server computes a short run and one of twice as many steps under valgrind's callgrind, which counts while a step is computed; the
 difference is that of the steps. Counts do not depend on what else the machine does, so that one run of each is enough.
 Bytes are the cache lines that a cache of 256 KiB fetches: the models are larger than that, as large ones are than a real cache.
 """
@@ -44,7 +44,7 @@ OVERLAP = {"particles": "{particles_begin: {x: 0, y: 0}, continuum_ends: {x: 2, 
 
 
 def observed(side):
-    """What only observes, in every step and in none."""
+    """Outputs without effect on the results, in every step and in none."""
     watched = side + '.histories=[{name: "middle", quantity: velocity_x, at: {x: 10, y: 9}}]'
     every_step = f"output.history_interval={DT_S} s"
     return {"histories and energies, not due": (watched,), "energies": (every_step,), "histories and energies": (watched, every_step),

@@ -1,4 +1,4 @@
-"""The kept changes, tests/mutations.txt: each a file, its line and what stands there instead.
+"""The kept changes, tests/mutations.txt: each a file, its line and the replacement.
 
     coupler/bridging/decay.cpp
     - return kDecayOnTheWay * wave_speed / width;

@@ -1,4 +1,4 @@
-"""What a run of changes found, in words."""
+"""The results of a run of changes as text."""
 
 import sys
 

@@ -1,4 +1,4 @@
-"""Careless changes of one line of C++: what a tired programmer gets wrong, found in the text by rules."""
+"""Careless changes of one line of C++, as a tired programmer makes them, found in the text by rules."""
 
 import dataclasses
 import re
@@ -27,7 +27,7 @@ def _other_number(match):
     return str(int(text) + 1) if text.isdigit() else f"(0.7 * {text})"
 
 
-# What stands between two brackets, if it declares nothing.
+# Text between two brackets that declares nothing.
 _WHOLE = r"(?:[^()=;]|[=!<>]=|\((?:[^()]|\([^()]*\))*\))+"
 
 # Kind, pattern, replacement. Code is formatted: operators of two operands stand between blanks, templates' angles do not.

@@ -8,7 +8,7 @@ import signal
 import subprocess
 import time
 
-_PATIENCE_S = 60  # beside ten times what a program takes without a change: other runs share the machine
+_PATIENCE_S = 60  # in addition to ten times the time without a change, because other runs share the machine
 
 
 @dataclasses.dataclass

@@ -1,4 +1,4 @@
-"""One change tried: built, told from no change at all, and shown to the tests that depend on it."""
+"""One change: built, compared with the unchanged code, and tested by the tests that depend on it."""
 
 import concurrent.futures
 import dataclasses
@@ -49,7 +49,7 @@ class Bench:
         for each in self._programs:
             each.seconds = times.of(each, self._clean.get(each.name))
 
-    # Test programs that hold a file, or one of the folder around it: a header is in none by itself.
+    # Test programs that contain a file, or one of the folder around it: a header alone is in none.
     def _programs_for(self, wanted, executables):
         tests = [each for each in executables if each.startswith("tests/") and each.endswith("_tests")]
         inputs = {test: self._build.inputs(test) for test in tests}

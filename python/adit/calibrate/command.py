@@ -2,9 +2,9 @@
 
 %(prog)s --young-modulus 69e9 --poisson-ratio 0.26 --compressive-strength 200e6 --tensile-strength 40e6
 
-Tests random packings (plane strain) in uniaxial compression and as Brazilian discs (cases/calibration), again and again;
-prints the words for a scene and how far what was reached is from what was wanted. Strengths of compression beyond a few times that of
-tension are out of reach of discs: the misfit says so, shared by both.
+Tests random packings (plane strain) in uniaxial compression and as Brazilian discs (cases/calibration), repeatedly; prints a part
+of a scene, and the wanted and the reached values. Discs cannot reach a compressive strength beyond a few times the tensile strength:
+both strengths then share the misfit.
 """
 import argparse
 import sys

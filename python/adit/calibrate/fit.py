@@ -1,9 +1,9 @@
 """Micro-properties of cemented discs that give wanted laboratory values.
 
-Poisson's ratio follows from the ratio of stiffnesses alone, Young's modulus is then in proportion to the modulus; the ratio
-of the two strengths follows from cohesion over tensile strength of the cement, and both strengths are in proportion to it.
-So two searches in one dimension each, by secants in logarithms, and scalings. Strengths vary from packing to packing: means
-of several are fitted.
+Poisson's ratio depends only on the ratio of stiffnesses; Young's modulus is then proportional to the modulus. The ratio of the
+two strengths depends on cohesion over tensile strength of the cement; both strengths are then proportional to it. The fit is
+therefore two searches in one dimension, by secants in logarithms, and scalings. Strengths vary from packing to packing, so the
+means of several packings are fitted.
 """
 from dataclasses import dataclass, replace
 from math import exp, inf, log

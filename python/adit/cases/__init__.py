@@ -1,1 +1,1 @@
-"""What the studies of cases measure in their runs, and the theory that they are compared with."""
+"""Measurements in the runs of the cases' studies, and the theory for comparison."""

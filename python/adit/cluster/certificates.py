@@ -2,7 +2,7 @@
 
 Makes an authority in FOLDER/authority, unless it is there, and for each MACHINE the folder FOLDER/MACHINE for --tls.
 MACHINE is the name or the address by which others reach it; further ones follow commas: tunnel-b,192.168.0.7
-Copy each folder to its machine by a safe way, and keep FOLDER/authority/key.pem to yourself: who has it can make more.
+Copy each folder to its machine over a secure connection. Keep FOLDER/authority/key.pem secret: anyone who has it can make more.
 """
 import ipaddress
 import os
@@ -15,7 +15,7 @@ from adit import programs
 from adit.results.files import Unusable
 
 DAYS, DAYS_OF_AUTHORITY = 825, 3650
-LONGEST_NAME = 64  # characters that the subject of a certificate takes
+LONGEST_NAME = 64  # characters allowed in the subject of a certificate
 MACHINE = re.compile(r"[A-Za-z0-9:*][A-Za-z0-9_.:*-]*")
 
 
@@ -55,7 +55,7 @@ def is_address(name):
 
 
 def openssl(*words, **more):
-    """Runs openssl; returns what it printed. Its notes about what it does are of no use to anybody."""
+    """Runs openssl; returns its standard output. Its progress notes are discarded."""
     try:
         return subprocess.run(["openssl", *map(str, words)], check=True, capture_output=True, text=True, **more).stdout
     except FileNotFoundError:
@@ -78,7 +78,7 @@ def make_authority(folder):
 
 
 def make_certificate(folder, names):
-    """A key and a certificate of the authority in `folder`, which holds for all names of a machine."""
+    """A key and a certificate of the authority in `folder`, valid for all names of a machine."""
     own, authority = folder / names[0], folder / "authority"
     own.mkdir(parents=True, exist_ok=True)
     make_key(own / "key.pem")

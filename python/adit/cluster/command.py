@@ -1,9 +1,9 @@
-"""Writes a job of Slurm that computes a scene on several nodes: %(prog)s SCENE --nodes N [options] [-- options of sbatch]
+"""Writes a Slurm job that computes a scene on several nodes: %(prog)s SCENE --nodes N [options] [-- options of sbatch]
 
 %(prog)s lining.yaml --nodes 3 --time 24:00:00 -- --partition=long --account=tunnels
 
-The scene is checked first. On three nodes the coupler, the continuum and the particles have one each; on fewer, the coupler computes
-the other models on its own. What follows -- is asked of Slurm for each node. docs/cluster.md goes through the job.
+The scene is checked first. With three nodes the coupler, the continuum and the particles have one each; with fewer, the node of the
+coupler also computes the other models. Options after -- are passed to Slurm for each node. docs/cluster.md explains the job.
 """
 import re
 import subprocess
@@ -16,7 +16,7 @@ from adit import programs
 TEMPLATE = Path(__file__).resolve().parent / "job.sh.in"
 CERTIFICATES = join([*programs.own_command(), "certificates"])
 TABLES = {"particles of": "dem_server", "grid of": "fdm_server"}
-COUPLER_CORES = 2  # of a coupler that is alone on its node
+COUPLER_CORES = 2  # for a coupler that is alone on its node
 
 
 def models_in(checked):
@@ -75,7 +75,7 @@ def main(words):
     parser.add_argument("scene", type=Path)
     parser.add_argument("--nodes", type=int, required=True, metavar="N")
     parser.add_argument("--threads", type=int, default=8, metavar="T", help="cores for each server")
-    parser.add_argument("--time", default="24:00:00", help="limit of the job, as Slurm writes it, above ten minutes; it goes on after that")
+    parser.add_argument("--time", default="24:00:00", help="time limit of the job in Slurm's format, above ten minutes; a new job then resumes the run")
     parser.add_argument("--out", type=Path, metavar="DIR", help="folder of the job, which all nodes must see")
     options = parser.parse_args(own)
     options.out = (options.out or programs.RUNS / f"{options.scene.stem}_job").resolve()

@@ -1,11 +1,11 @@
-"""Compares runs: their main figures side by side, and what they compute in one picture each.
+"""Compares runs: their main figures side by side, and their results in one picture each.
 
-Of several runs it writes into the folder that holds all of them, or into DIR:
+For several runs it writes into the folder that contains all of them, or into DIR:
     report.html     a page: figures with differences and ratios, histories, spectra, envelopes and cracks in one picture each,
                     force chains and bonds side by side at every instant that the runs share
     comparison/     the same pictures as files, and figures.csv: every figure of summary.json that differs
-The first run is the one that the others are measured by. With --reference it compares each run with the reference.json of its
-case instead, prints a table, and ends with exit code 1 where a figure is not within its tolerance.
+The first run is the reference. With --reference it compares each run with the reference.json of its case instead, prints a table,
+and ends with exit code 1 if a figure is not within its tolerance.
 """
 import os
 import sys
@@ -32,7 +32,7 @@ def main(words):
 
 
 def agree(runs, expected):
-    """Prints how each run agrees with the reference; whether all figures are within their tolerances."""
+    """Prints how each run agrees with the reference; returns whether all figures are within their tolerances."""
     compared = [(run, expected.figures(run)) for run in runs]
     for run, figures in compared:
         print(*reference.lines(run, expected, figures), sep="\n")
@@ -40,7 +40,7 @@ def agree(runs, expected):
 
 
 def compare(folders, out, with_pictures=True, with_report=True):
-    """Prints the figures of runs side by side; writes the comparison of several into `out` or the folder that holds all."""
+    """Prints the figures of runs side by side; writes the comparison of several into `out` or the folder that contains all."""
     runs = [Results(folder) for folder in folders]
     paths = [run.folder.resolve() for run in runs]
     common = Path(os.path.commonpath([path.parent for path in paths]))

@@ -12,12 +12,12 @@ class Row:
     values: list  # a number for each run, None where it has none
 
     def differences(self):
-        """Of the runs after the first."""
+        """Differences of the other runs from the first one."""
         first, *others = self.values
         return [None if first is None or value is None else value - first for value in others]
 
     def ratios(self):
-        """Of the runs after the first; None where the first has 0."""
+        """Ratios of the other runs to the first one; None if the first has 0."""
         first, *others = self.values
         return [None if not first or value is None else value / first for value in others]
 

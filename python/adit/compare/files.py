@@ -12,7 +12,7 @@ DOTS = 150  # per inch, of pictures joined from those of the runs
 
 
 def write(runs, folder):
-    """Writes figures.csv into the folder, and takes away the pictures of an earlier comparison."""
+    """Writes figures.csv into the folder, and removes the pictures of an earlier comparison."""
     folder.mkdir(parents=True, exist_ok=True)
     for old in folder.glob("*.png"):
         old.unlink()

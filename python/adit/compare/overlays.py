@@ -6,7 +6,7 @@ from adit.plots import style, time_pictures, tunnel_pictures
 from adit.plots.drawing import Drawing, Panels, legend
 from adit.report import around, motions
 
-NOISE = 1e-6  # of the largest history of a quantity, below which another one tells nothing
+NOISE = 1e-6  # share of the largest history of a quantity, below which another one is noise
 MODES = {"tensile": "x", "shear": "+"}  # markers of cracks
 
 
@@ -87,7 +87,7 @@ def _ring(color, size):
 
 
 def cracks(title, runs):
-    """Number of cracks over time, and their places; nothing unless some run has cracks. What debonded is none."""
+    """Number of cracks over time, and their places; None unless some run has cracks. Debonded bonds do not count."""
     found = [(i, run, _inside_bodies(run, table)) for i, run in enumerate(runs) if (table := run.table("cracks.csv"))]
     if not any(len(table["time_s"]) for *_, table in found):
         return None
@@ -145,6 +145,6 @@ def _around(title, what, several):
 
 
 def shared_motions(runs):
-    """[(run, motion, what a legend says of it)] of all motions; nothing if fewer than two runs have any."""
+    """[(run, motion, its text in a legend)] of all motions; empty if fewer than two runs have any."""
     found = [(run, name, f"{run.name}, {name}") for run in runs for name in run.spectra]
     return found if len({run.name for run, *_ in found}) > 1 else []

@@ -1,8 +1,8 @@
 """Finished runs beside the reference.json of a case: figures of summary.json, each with its tolerance and the reason for it.
 
-{"spread": what stands for another machine,
+{"spread": variants that represent another machine,
  "tolerances": {name: {"relative": share of the figure by which it may differ, "reason": why}},
- "runs": [{"command": that computes it, "reduced": how it differs from the case, "computed": by what and when,
+ "runs": [{"command": that computes it, "reduced": how it differs from the case, "computed": program and date,
            "scene_hash": of summary.json, "figures": {key of summary.json: [value, name of a tolerance]}}]}
 """
 import json
@@ -45,7 +45,7 @@ class Reference:
             raise Unusable(f"{path} is no reference: it has no {missing}.") from None
 
     def of(self, run):
-        """What is expected of this run: the entry of its scene."""
+        """The expected figures of this run: the entry of its scene."""
         for expected in self.runs:
             if expected["scene_hash"] == run.summary.get("scene_hash"):
                 return expected
@@ -60,7 +60,7 @@ class Reference:
 
 
 def lines(run, reference, figures):
-    """A table for the screen, and in how far the run agrees."""
+    """A table for the screen, and a sentence on the agreement."""
     cells = [("", run.name, "reference", "difference", "allowed", "")]
     for each in figures:
         unit, allowed = unit_of(each.key), f"±{digits(100 * each.relative)} %" if each.relative else "none"

@@ -20,7 +20,7 @@ START_S = 10
 
 
 class Failure(Exception):
-    """The participant does not do what docs/protocol.md says."""
+    """The participant violates docs/protocol.md."""
 
 
 class NotComputed(Exception):
@@ -41,7 +41,7 @@ class Participant:
         self.address = host, int(port)
 
     def start(self, command):
-        """The address at which it listens. What it prints is kept in a file, which never makes it wait."""
+        """The address at which it listens. Its output goes into a file, so that printing never blocks it."""
         self.output = tempfile.NamedTemporaryFile("ab", prefix="conformance_")
         self.process = subprocess.Popen(shlex.split(command), stdout=self.output, stderr=self.output)
         while not (listening := re.search(r"^listening on (\S+:\d+)\n", self.said(), re.MULTILINE)):
@@ -51,7 +51,7 @@ class Participant:
         return listening[1]
 
     def said(self):
-        """All that the command has printed."""
+        """The output of the command."""
         return Path(self.output.name).read_text(errors="replace") if self.output else ""
 
     def stop(self):

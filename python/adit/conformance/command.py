@@ -1,12 +1,12 @@
-"""Takes a participant through the states, limits and faults of the protocol, and checks its physics.
+"""Tests a participant: the states, limits and faults of the protocol, and its physics.
 
     %(prog)s --fdm COMMAND_OR_ADDRESS [--only WORD]
     %(prog)s --dem 'adapters/python/particles.py --listen 127.0.0.1:0'
     %(prog)s --dem 127.0.0.1:4712
 
-A command must print `listening on HOST:PORT`. A line of the table is one check: `ok`, `FAILED` with what was found, or `-`
-where the participant refuses the scene of the check, as it may. Where a check failed, the exit code is 1, and what the command
-has printed follows the table.
+A command must print `listening on HOST:PORT`. A line of the table is one check: `ok`, `FAILED` with the fault, or `-`
+if the participant refuses the scene of the check, which is allowed. If a check failed, the exit code is 1, and the output of the
+command follows the table.
 """
 import sys
 
@@ -34,7 +34,7 @@ def main(words):
     role = options.add_mutually_exclusive_group(required=True)
     role.add_argument("--fdm", help="the continuum under test: its command, or HOST:PORT")
     role.add_argument("--dem", help="the particles under test, likewise")
-    options.add_argument("--only", default="", help="only the checks whose names hold this")
+    options.add_argument("--only", default="", help="only the checks whose names contain this")
     given = options.parse_args(words)
     checks = [check for check in CHECKS if given.only in name_of(check)]
     if not checks:

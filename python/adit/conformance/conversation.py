@@ -1,4 +1,4 @@
-"""States, limits and faults: what docs/protocol.md says of any participant, whatever it computes."""
+"""States, limits and faults: the rules of docs/protocol.md for every participant."""
 import struct
 import time
 
@@ -22,7 +22,7 @@ def greeting(participant):
 
 
 def computed_keys(participant):
-    """lists in hello the keys that it computes, all of them keys of the scene, among them those that it is asked for here"""
+    """lists in hello the keys that it computes: only keys of the scene, and all keys that these checks use"""
     link = participant.connect()
     link.read(8)
     listed = set(link.next_answer().hello.computes)
@@ -56,7 +56,7 @@ def keys_of(message, path=""):
 
 
 def heartbeats(participant):
-    """sends a heartbeat at least every second, and takes those of the other end"""
+    """sends a heartbeat at least every second, and accepts those of the other end"""
     with participant.run() as run:
         run.link.send(wire.Frame(heartbeat=wire.Heartbeat()))
         run.set_up(scene_of(participant.role))
@@ -135,7 +135,7 @@ def one_run_after_another(participant):
 
 
 def busy(participant):
-    """refuses a second client while a run goes on, with kind REFUSED"""
+    """refuses a second client during a run, with kind REFUSED"""
     with participant.run() as run:
         run.set_up(scene_of(participant.role))
         second = participant.connect()
@@ -148,7 +148,7 @@ def busy(participant):
 
 
 def other_version(participant):
-    """sends a client of another version away, and serves the next run"""
+    """refuses a client of another version, and serves the next run"""
     link = participant.connect()
     link.socket.sendall(b"ADIT" + struct.pack("<I", 7))
     link.send(wire.Frame(hello=wire.Hello(protocol_version=7, program="conformance", max_frame_bytes=1 << 20)))
@@ -157,7 +157,7 @@ def other_version(participant):
 
 
 def malformed(participant):
-    """ends a run on bytes that are no frame, and serves the next one"""
+    """ends a run on bytes that are not a frame, and serves the next one"""
     for bytes_sent in (b"\x04\x00\x00\x00\xff\xff\xff\xff", b"\x02\x00\x00\x00\x92\x3e"):
         run = participant.run()
         run.link.socket.sendall(bytes_sent)

@@ -1,6 +1,6 @@
-"""What holds for the physics of any participant: momentum, energy, rigid motion, uniform strain, weights, the step.
+"""Physics of every participant: momentum, energy, rigid motion, uniform strain, weights, the step.
 
-All points of a small model are coupling points, so that impulses give it any motion, and the answers tell the velocity of
+All points of a small model are coupling points, so that impulses can give it any motion, and the answers contain the velocity of
 every point. A tolerance of 1e-9 leaves room for the rounding of some hundred steps.
 """
 import numpy as np
@@ -8,7 +8,7 @@ import numpy as np
 from adit.conformance.client import STATED, NotComputed, require, scene_of, tied, wire
 
 TOLERANCE = 1e-9
-# What stays linear for particles, whose bonds turn, and is not lost by codes that keep places rather than displacements [m/s].
+# Small enough for particles to stay linear although their bonds turn, large enough for codes that store places instead of displacements [m/s].
 SMALL = 1e-6
 # Forces on the edge of a lattice differ from those inside; its stored energy is that of the solid but for the rows there.
 ENERGY_OF_SOLID = {"continuum": 1e-9, "particles": 0.3}
@@ -39,7 +39,7 @@ def noise(run):
 
 
 def model(participant):
-    """says a positive critical step, a box, wave speeds of the material, and where it needs weights"""
+    """states a positive critical step, a box, wave speeds of the material, and the places where it needs weights"""
     with participant.run() as run:
         said = run.set_up(scene_of(participant.role))
     require(0 < said.critical_dt < np.inf, f"critical_dt is {said.critical_dt} s")
@@ -52,7 +52,7 @@ def model(participant):
 
 
 def mass(participant):
-    """has the mass that it says, of which the weights leave their share"""
+    """has the mass that it states, multiplied by the weights"""
     with tied(participant) as whole:
         close(whole.masses[:, 0].sum(), whole.interface.mass, "inverse masses and interface.mass")
         require(len(np.unique(whole.points, axis=0)) == len(whole.points), "offers a point twice")
@@ -82,7 +82,7 @@ def operator_rows(participant):
 
 
 def chosen_points(participant):
-    """ties just the points that it is asked to tie, in the order of the request"""
+    """ties exactly the points of the request, in its order"""
     chosen = np.random.default_rng(5).permutation(8)
     with tied(participant) as run:
         dt = run.model.critical_dt / 2
@@ -103,7 +103,7 @@ def applied_force(participant):
 
 
 def body_load(participant):
-    """falls as a whole, whatever the weights, and books the work of its weight"""
+    """falls as a rigid body with any weights, and books the work of its weight"""
     for weight in (1.0, 0.25):
         with tied(participant, "body_loads { acceleration { x: 1 y: -2 } }", weight) as run:
             dt = run.model.critical_dt / 2
@@ -116,7 +116,7 @@ def body_load(participant):
 
 
 def prescribed(participant):
-    """moves what is prescribed at (n + 1/2) dt, and does not yield to impulses there"""
+    """moves prescribed points at (n + 1/2) dt, and ignores impulses there"""
     ramp = "time { table { time: 0 time: 1 value: 0 value: 1 } }"
     with tied(participant, "motions { where { x_max: 0.15 } velocity { x: 2 } %s }" % ramp) as run:
         dt = run.model.critical_dt / 2
@@ -130,7 +130,7 @@ def prescribed(participant):
 
 
 def rigid_translation(participant):
-    """keeps a uniform motion for ever, without any force"""
+    """keeps a uniform motion, without any force"""
     with tied(participant) as run:
         motion = np.tile([SMALL, -2 * SMALL], (len(run.points), 1))
         answer = start(run, motion, run.model.critical_dt / 2)
@@ -143,7 +143,7 @@ def rigid_translation(participant):
 
 
 def rigid_rotation(participant):
-    """bears no stress when it turns as a whole, by a small angle"""
+    """has no stress when it turns as a rigid body, by a small angle"""
     if participant.role == "particles":
         raise NotComputed("the spins of particles begin at 0, and impulses do not turn them")
     with tied(participant) as run:
@@ -154,7 +154,7 @@ def rigid_rotation(participant):
 
 
 def uniform_strain(participant):
-    """passes the patch test: uniform strain leaves its inside at rest and stores the energy of the solid"""
+    """passes the patch test: under uniform strain its inside stays at rest and stores the energy of the solid"""
     for gradient in ([[1, 0], [0, 0]], [[0, 0], [0, 1]], [[0.5, 0.5], [0.5, -1]]):
         with tied(participant) as run:
             dt = run.model.critical_dt / 2
@@ -175,7 +175,7 @@ def uniform_strain(participant):
 
 
 def momentum(participant):
-    """keeps linear momentum to rounding, whatever moves"""
+    """keeps linear momentum to rounding for any motion"""
     with tied(participant) as run:
         motion = noise(run)
         before = (run.masses * motion).sum(axis=0)
@@ -189,7 +189,7 @@ def momentum(participant):
 
 
 def energy_ledger(participant):
-    """closes its energy ledger: kinetic + strain + released + dissipated - work stays what it was"""
+    """closes its energy ledger: kinetic + strain + released + dissipated - work is constant"""
     load = LOADS[participant.role]
     inside = ("%s { where { x_max: 0.15 } force { y: 1 } time { sine { frequency: 300 phase: 1 } } } "
               "motions { where { x_min: 1.8 } velocity { x: 1e-6 y: 2e-6 } time { sine { frequency: 200 } } }" % load)
@@ -205,7 +205,7 @@ def energy_ledger(participant):
 
 
 def critical_step(participant):
-    """is stable at 0.999 of the critical step that it says"""
+    """is stable at 0.999 of the critical step that it states"""
     with tied(participant) as run:
         dt = 0.999 * run.model.critical_dt
         motion = noise(run)
@@ -217,7 +217,7 @@ def critical_step(participant):
 
 
 def what_is_wanted(participant):
-    """moves to the same bits whether or not energies are wanted, and in every run"""
+    """gives the same bits whether or not energies are requested, and in every run"""
     runs = []
     for wanted in (False, True, True):
         with tied(participant) as run:
@@ -232,7 +232,7 @@ def what_is_wanted(participant):
 
 
 def snapshot(participant):
-    """draws the state that the snapshot's impulses correct, in pieces whose sizes fit"""
+    """sends snapshots corrected by their impulses, in pieces of consistent sizes"""
     with tied(participant) as run:
         dt = run.model.critical_dt / 2
         run.step(0, dt)
@@ -253,7 +253,7 @@ def snapshot(participant):
 
 
 def histories(participant):
-    """tells displacements of step n and velocities half a step before, in the order of the scene"""
+    """reports displacements of step n and velocities half a step before, in the order of the scene"""
     place = "at { x: 1 y: 1 }" if participant.role == "continuum" else "at { x: 1 y: 0.5 }"
     inside = "body_loads { acceleration { x: 1 y: -2 } } " + " ".join(
         "histories { name: \"%s\" quantity: %s %s }" % (quantity, quantity, place)
@@ -270,7 +270,7 @@ def histories(participant):
 
 
 def strongest(participant):
-    """says the largest bond force of each step where energies are wanted"""
+    """reports the largest bond force of each step with requested energies"""
     if participant.role == "continuum":
         raise NotComputed("a continuum has no bonds")
     with tied(participant) as run:

@@ -1,4 +1,4 @@
-"""States: what a participant saves, and that a run goes on from it as if it had never ended."""
+"""States: saved by a participant, and continued as if the run had never ended."""
 import zlib
 
 import numpy as np
@@ -49,7 +49,7 @@ def saved(run):
 
 
 def restored(participant):
-    """goes on from a state as if it had never ended, to the bit, and is not changed by saving"""
+    """continues from a state to the same bits as a run that never ended; saving changes nothing"""
     with moving(participant) as run:
         whole = go_on(run, STEPS, 2 * STEPS)
     with moving(participant) as run:

@@ -1,4 +1,4 @@
-"""Statics: what docs/protocol.md says of the steps that relax, and of the first step of time after them."""
+"""Statics: the rules of docs/protocol.md for the steps that relax, and for the first step of time after them."""
 import numpy as np
 
 from adit.conformance.client import require, scene_of, tied, wire
@@ -15,7 +15,7 @@ def relaxing(participant, inside=""):
 
 
 def refusals_in_statics(participant):
-    """refuses statics after time, what belongs to statics in time, another dt without `stop`, with kind REQUEST"""
+    """refuses statics after time, fields of statics in time, and another dt without `stop`, with kind REQUEST"""
     for before, wrong in ((False, {"relax": True}), (False, {"stop": True}), (False, {"stage": 1}), (False, {"local_damping": SHARE}),
                           (False, {"scale_masses": True}), (False, {"slowing": SHARE}), (True, {"dt": 2.0}), (True, {"local_damping": 1.0}), (True, {"step": 2})):
         with relaxing(participant) as run:
@@ -42,7 +42,7 @@ def loads_in_statics(participant):
 
 
 def relaxation(participant):
-    """says in each step of statics how far it is from rest: forces of the step before, kinetic energy of this one"""
+    """reports in each step of statics its unbalanced forces of the step before and its kinetic energy of this step"""
     load = LOADS[participant.role]
     with relaxing(participant, "%s { where { x_max: 0.15 } force { x: 3 } }" % load) as run:
         dt = run.model.critical_dt / 2
@@ -57,7 +57,7 @@ def relaxation(participant):
 
 
 def local_damping(participant):
-    """brakes each component by a share of its unbalanced force, against its velocity"""
+    """applies to each component a share of its unbalanced force, against its velocity"""
     changes = []
     for share in (0, SHARE):
         with relaxing(participant) as run:
@@ -70,7 +70,7 @@ def local_damping(participant):
 
 
 def stop(participant):
-    """stops where it is asked to, and starts from rest by half a kick, with another dt if it is given one"""
+    """stops on request, and starts from rest by half a kick, also with another dt"""
     with relaxing(participant, WEIGHT) as run:
         dt = run.model.critical_dt / 2
         for n, (length, asked) in enumerate(((1, {}), (1, {}), (1, {"stop": True}), (0.5, {"stop": True}), (0.5, {}))):
@@ -80,7 +80,7 @@ def stop(participant):
 
 
 def slowing(participant):
-    """slows the corrected motion by a share before a step, if it says that it can"""
+    """slows the corrected motion by a share before a step, if it states `slows`"""
     with relaxing(participant, WEIGHT) as run:
         if not run.model.slows:
             return
@@ -91,7 +91,7 @@ def slowing(participant):
 
 
 def scaled_masses(participant):
-    """moves other masses in statics, if it says that it can: those that it told, under the same weight"""
+    """uses the scaled masses that it stated, with unchanged loads, if it states `scales_masses`"""
     with relaxing(participant, WEIGHT) as run:
         if not run.model.scales_masses:
             return
@@ -134,7 +134,7 @@ def rest_of_statics(participant):
 
 
 def impulses_of_statics(participant):
-    """takes impulses on the last step of statics with the first step of time, where they leave no trace"""
+    """accepts impulses on the last step of statics with the first step of time, without any effect"""
     with relaxing(participant) as run:
         dt = run.model.critical_dt / 2
         for n in range(2):

@@ -2,9 +2,8 @@
 
 %(prog)s RUN_DIR...
     writes RUN_DIR/fields/paraview.py. Open it by File > Load State, or by: paraview --script=RUN_DIR/fields/paraview.py
-    It shows zones and particles displaced, in colours of their displacement, linings of their thrust and springs of their
-    force, at the last instant; the clock of ParaView holds all instants. Bonds, in colours of their normal force, are there
-    but hidden.
+    It shows the last instant: displaced zones and particles coloured by displacement, linings by thrust, springs by force. The
+    time controls of ParaView have all instants. Bonds, coloured by their normal force, are hidden at first.
 """
 from pathlib import Path
 from string import Template

@@ -8,10 +8,10 @@ from adit.plots.colour_scale import Scale, number
 from adit.plots.deformation import common_motion, told
 from adit.plots.drawing import Colours, Drawing, Sheet, legend
 
-LIGHT_WEIGHT = 0.01  # zones that have less tell little: they follow the particles
-HALF_WEIGHT = 0.5  # particles that have less: the zones below them tell more
+LIGHT_WEIGHT = 0.01  # zones with less weight are not marked: they follow the particles
+HALF_WEIGHT = 0.5  # particles with less weight: the zones below them are shown instead
 
-PEAKS = {  # field: what it is, unit, size of the unit, what is marked: the largest of this function
+PEAKS = {  # field: name, unit, size of the unit, function whose largest value is marked
     "peak_displacement_m": ("largest displacement", "mm", 1e-3, np.abs),
     "peak_velocity_m_per_s": ("largest velocity", "m/s", 1, np.abs),
     "peak_acceleration_m_per_s2": ("largest acceleration", "m/s²", 1, np.abs),
@@ -20,14 +20,14 @@ PEAKS = {  # field: what it is, unit, size of the unit, what is marked: the larg
     "peak_smallest_principal_stress_Pa": ("smallest principal stress (compression)", "MPa", 1e6, np.negative)}
 
 HYSTERETIC = 256
-# Bits of yield_state (fdm_server/materials/solid.hpp) that make a kind, its name and colour; the first that holds.
+# Bits of yield_state (fdm_server/materials/solid.hpp) of each kind, its name and colour; the first match counts.
 YIELD = ((1, "shear now", style.RED), (2, "tension now", style.BLUE), (16 | 32, "weak plane now", style.GREEN),
          (4, "shear before", "#F3C3A8"), (8, "tension before", "#B5D3E8"), (64 | 128, "weak plane before", "#B2DDD0"),
          (HYSTERETIC, "hysteretic, which does not yield", "#F0F0F0"))
 
 
 def peaks(run, time, pieces):
-    """Yields (name, drawing) of every peak over time that the snapshot holds."""
+    """Yields (name, drawing) of every peak over time in the snapshot."""
     for field, (what, unit, size, marked) in PEAKS.items():
         shown = _with_field(pieces, field)
         if shown:
@@ -37,7 +37,7 @@ def peaks(run, time, pieces):
 
 
 def displacement(run, time, pieces):
-    """How far zones and particles have moved. A motion that all points share is taken off, and told in the title."""
+    """Displacement of zones and particles, without the common motion of all points, which the title states."""
     shown = _with_field(pieces, "displacement_m")
     if not shown:
         return None
@@ -67,7 +67,7 @@ def _with_field(pieces, field):
 
 
 def yield_state(run, time, pieces):
-    """Which zones yield now and which did before, and how; nothing where all ground is hysteretic."""
+    """Which zones yield now and which did before, and how; None if all ground is hysteretic."""
     grid = pieces.get("grid")
     state = None if grid is None else grid.field("yield_state")
     heavy = grid is not None and grid.field("weight") >= LIGHT_WEIGHT
@@ -132,7 +132,7 @@ def _draw(axes, piece, values, heavy, scale):
 
 
 def _places(piece, values):
-    """Where the values are: at the points, or in the middles of the cells."""
+    """The places of the values: the points, or the middles of the cells."""
     return piece.points if len(values) == len(piece.points) else piece.points[piece.cells].mean(axis=1)
 
 

@@ -1,11 +1,11 @@
-"""The scale of colours of values: not ruled by a few of them, and what lies beyond its ends."""
+"""The colour scale of values, which a few extreme values do not determine, and the values outside it."""
 import numpy as np
 from matplotlib.colors import LogNorm, Normalize, TwoSlopeNorm
 
 INNER = 0.5, 99.5  # percentiles between which most values lie
-FAR = 0.25  # of the range of these, beyond which values lie outside the scale
-WIDE = 10  # times the median: values of one sign that reach farther are seen on a logarithmic scale only
-PALE = 0.2  # of the larger sign's values: what the strongest colour of the other sign stands for at least
+FAR = 0.25  # share of their range, beyond which values are outside the scale
+WIDE = 10  # times the median: values of one sign that reach farther need a logarithmic scale
+PALE = 0.2  # share of the larger sign's values: smallest value of the strongest colour of the other sign
 PARTS = 10  # of the scale, between lines of equal values
 
 
@@ -39,12 +39,12 @@ class Scale:
         return self.look()["norm"].inverse(np.linspace(0, 1, PARTS + 1))[1:-1]
 
     def extend(self):
-        """At which ends of a colour bar values lie beyond."""
+        """The ends of a colour bar that values exceed."""
         below, above = self.least < self.low, self.greatest > self.high
         return "both" if below and above else "min" if below else "max" if above else "neither"
 
     def beyond(self, unit):
-        """What lies outside the scale, in words; empty if nothing does."""
+        """A text on the values outside the scale; empty if there are none."""
         ends = (("above", self._values > self.high, "up to", self.greatest),
                 ("below", self._values < self.low, "down to", self.least))
         told = [f"{outside.sum():,} {side}, {until} {number(end)} {unit}" for side, outside, until, end in ends if outside.any()]

@@ -6,7 +6,7 @@
     and motion over time and distance.
 %(prog)s --model SCENE.yaml
     draws the model before it runs (`coupler check`): materials and groups, joints, supports, boundaries, loads, probes,
-    overlap. The pictures lie in runs/CASE/SCENE_model/pictures/. The folder of a `coupler check --out` may stand for the scene.
+    overlap. The pictures are in runs/CASE/SCENE_model/pictures/. The folder of a `coupler check --out` may replace the scene.
 """
 import subprocess
 import sys
@@ -66,7 +66,7 @@ def _of_instant(run, number):
     pieces = run.pieces_of(files)
     for draw in OF_AN_INSTANT:
         yield f"{draw.__name__}_{style.milliseconds(time)}ms", draw(run, time, pieces)
-    if number == len(run.instants) - 1:  # the last one holds the peaks of all
+    if number == len(run.instants) - 1:  # the last one has the peaks of the whole run
         yield from colour_pictures.peaks(run, time, pieces)
 
 

@@ -3,8 +3,8 @@ import math
 
 import numpy as np
 
-AT_REST = 0.5  # of the common displacement: a model with points that move less is held, and shows its whole displacement
-LOOSE = 3.0  # times the displacement of 99 % of the particles: what moves farther has left the others
+AT_REST = 0.5  # share of the common displacement: a model with points that move less is supported, and its whole displacement is shown
+LOOSE = 3.0  # times the displacement of 99 % of the particles: particles that move farther are loose
 NOISE = 1e-9  # displacement relative to the model's size, below which it is left as it is
 
 
@@ -16,13 +16,13 @@ def common_motion(pieces):
 
 
 def told(common):
-    """What a title says of the common motion that was taken off."""
+    """The text of a title on the common motion that was subtracted."""
     return f", without the common ({1e3 * common[0]:.4g}, {1e3 * common[1]:.4g}) mm" if common.any() else ""
 
 
 def scale_of(pieces):
-    """The round factor that makes the largest displacement about a fourteenth of the model, at least 1. What all points share
-    does not count, nor do loose grains."""
+    """The round factor that makes the largest displacement about a fourteenth of the model, at least 1. The common motion
+    and loose grains do not count."""
     models = _models(pieces)
     size = max(np.ptp(np.concatenate([p.points for p in models]), axis=0), default=0)
     common = common_motion(pieces)
@@ -47,7 +47,7 @@ def _models(pieces):
 
 
 def _displacements(piece):
-    """Of the points that belong to something."""
+    """Displacements of the points that belong to a cell."""
     return (piece.moved(1) - piece.points)[np.unique(piece.cells)]
 
 

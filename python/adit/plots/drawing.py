@@ -1,4 +1,4 @@
-"""A picture before it has a size: what it shows and how its axes lie. Files and pages choose size, format, and where its words stand."""
+"""A picture without a size: its content and the layout of its axes. Files and pages choose size and format, and place its texts."""
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import NamedTuple
@@ -12,7 +12,7 @@ GAP, BAR = 0.25, 0.14  # inches: a scale of colours beside the axes, and its wid
 class Sheet:
     """One pair of axes of the model, as high as the model needs."""
     bounds: tuple  # x_min, x_max, y_min, y_max [m]
-    has_bar: bool = False  # beside it stands a scale of colours, in axes of its own
+    has_bar: bool = False  # a colour scale stands beside it, in separate axes
     width: float = 9.0  # inches at most
     is_setup: bool = False  # its long legend stands beside it
     dense = True  # many shapes: dots take less room than lines
@@ -36,14 +36,14 @@ class Sheet:
 
 @dataclass(frozen=True)
 class Panels:
-    """Axes in rows and columns. What lies in one row stands below each other where there is no room beside."""
+    """Axes in rows and columns. On a narrow page the axes of a row are placed below each other."""
     rows: int
     columns: int
     size: tuple  # inches of a file: width, height
     heights: list = None  # of the rows, relative
     sharex: bool = False
     sharey: bool = False
-    margins: dict = None  # of a file, as subplots_adjust takes them; None: as labels need
+    margins: dict = None  # of a file, for subplots_adjust; None: as labels need
     pads: dict = field(default_factory=dict)  # of a file whose margins are as labels need
     title_above: bool = False  # the title stands above all panels, which have their own
     dense: bool = False  # many shapes: dots take less room than lines
@@ -52,11 +52,11 @@ class Panels:
 class Legend(NamedTuple):
     axes: object  # None: of the whole picture
     handles: list
-    look: dict  # of a file, as matplotlib's legend takes it
+    look: dict  # of a file, arguments of matplotlib's legend
 
 
 class Colours(NamedTuple):
-    """What a scale of colours shows, from `low` to `high`."""
+    """The quantity of a colour scale, from `low` to `high`."""
     what: str
     low: float
     high: float
@@ -83,5 +83,5 @@ class Drawing:
 
 
 def legend(axes, handles=None, **look):
-    """The legend of the handles, or of all that has a name in the axes."""
+    """The legend of the handles, or of everything with a name in the axes."""
     return Legend(axes, axes.get_legend_handles_labels()[0] if handles is None else handles, look)

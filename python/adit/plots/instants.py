@@ -1,8 +1,8 @@
-"""Which instants of a run are drawn where all would be too many."""
+"""The choice of instants of a run to draw if all would be too many."""
 import numpy as np
 
 MOST = 8  # instants
-FEW = 3  # instants of a model so large that they hold more than MOST_CELLS zones, particles and bonds: drawing takes time
+FEW = 3  # instants of a model with more than MOST_CELLS zones, particles and bonds, because drawing them is slow
 MOST_CELLS = 800_000
 
 

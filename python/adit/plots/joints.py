@@ -10,7 +10,7 @@ LOOKS = {"open": ("-", "open joint"), "smooth": ((0, (4, 1.5)), "smooth joint"),
 
 
 def draw(axes, models):
-    """Draws the joints of models, each the part of a scene; returns what the legend needs."""
+    """Draws the joints of models, each the part of a scene; returns the handles of the legend."""
     found = {}
     for model in models:
         for joint in model.get("joints", []):

@@ -18,7 +18,7 @@ INTACT, TENSILE_CRACK, SHEAR_CRACK = 0, 1, 2
 
 def deformed(run, time, pieces, scale=None):
     """The deformed model: zones as quadrilaterals, particles as discs of their size. `scale` of the displacements: else
-    that of this instant. A motion that all points share is taken off, and told in the title."""
+    that of this instant. The common motion of all points is subtracted and stated in the title."""
     models = {kind: pieces[kind] for kind in ("grid", "particles") if kind in pieces}
     if not models:
         return None

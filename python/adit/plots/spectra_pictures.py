@@ -1,4 +1,4 @@
-"""Pictures of the motions for which spectra were asked: time histories, response spectra, Fourier spectra, amplification."""
+"""Pictures of the motions of `output.spectra`: time histories, response spectra, Fourier spectra, amplification."""
 import numpy as np
 from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 

@@ -7,7 +7,7 @@ from matplotlib import scale, ticker
 from PIL import Image
 
 plt.switch_backend("Agg")
-# A picture is made of many small objects. Looking for garbage as often as Python does by itself takes a sixth of the time.
+# A picture has many small objects. Python's default frequency of garbage collection would cost a sixth of the time.
 gc.freeze()
 gc.set_threshold(20_000, 2)
 
@@ -15,7 +15,7 @@ gc.set_threshold(20_000, 2)
 BLUE, RED, GREEN, ORANGE, SKY, PINK, YELLOW, BLACK = (
     "#0072B2", "#D55E00", "#009E73", "#E69F00", "#56B4E9", "#CC79A7", "#F0E442", "#000000")
 GREY = "#8C8C8C"
-COMPRESSION = 3  # of PNG: 6 takes twice as long and saves 5 %
+COMPRESSION = 3  # of PNG: level 6 takes twice as long and saves 5 %
 
 plt.rcParams.update({
     "figure.dpi": 100, "savefig.dpi": 220, "font.size": 9, "axes.titlesize": 10, "axes.labelsize": 9,
@@ -33,7 +33,7 @@ class Ticks(ticker.ScalarFormatter):
 
 
 class Linear(scale.LinearScale):
-    """The scale of every axis that asks for no other one."""
+    """The default scale of axes."""
 
     def set_default_locators_and_formatters(self, axis):
         super().set_default_locators_and_formatters(axis)
@@ -66,7 +66,7 @@ def bounds_of(*point_sets):
 
 
 def literal(text):
-    """A name of the scene as it stands there: matplotlib would read what stands between dollar signs as a formula."""
+    """A name of the scene, escaped: matplotlib would read text between dollar signs as a formula."""
     return text.replace("$", r"\$")
 
 
@@ -89,8 +89,8 @@ def length_in_points(axes, lengths):
 
 
 def dots(figure, per_inch):
-    """The figure as an image of Pillow, and closes it. What lays itself out is drawn twice, since scales of colours get their place by
-    then."""
+    """The figure as an image of Pillow, and closes it. Figures with an automatic layout are drawn twice, because colour scales get their
+    places in the first pass."""
     figure.set_dpi(per_inch)
     if figure.get_layout_engine():
         figure.canvas.draw()

@@ -71,13 +71,13 @@ def quantities_of(run):
 
 
 def _ending(name):
-    """The ending of a column's name that tells its quantity, the longest that fits; None of other columns."""
+    """The longest ending of a column's name that names a quantity; None for other columns."""
     fitting = [ending for endings, *_ in QUANTITIES for ending in endings if name.endswith("_" + ending)]
     return max(fitting, key=len, default=None)
 
 
 def said(column):
-    """What a legend says of a column: its place, and its direction or quantity."""
+    """The text of a column in a legend: its place, and its direction or quantity."""
     if column == "max_bond_force_N":
         return "largest bond force"
     ending = _ending(column)
@@ -102,7 +102,7 @@ _COLORS = (style.BLUE, style.RED, style.GREEN, style.ORANGE, style.PINK, style.S
 
 
 def energy(run):
-    """Three panels: what is put in and lost, what is stored, and the drift of the balance."""
+    """Three panels: input and losses, stored energy, and the drift of the balance."""
     h = run.histories
     if "energy_drift" not in h or not len(h["time_s"]):
         return None

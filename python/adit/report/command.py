@@ -1,4 +1,4 @@
-"""Writes a report of runs: one page with all that an engineer hands on, readable without network.
+"""Writes the reports of runs: one page each, readable without network.
 
 %(prog)s RUN_DIR...
     writes RUN_DIR/report.html for each run, also of a run that failed or was stopped. `adit compare` writes one that

@@ -1,4 +1,4 @@
-"""The curves of a picture: the table of their extremes beside it, and no more points than it can show."""
+"""The curves of a picture: the table of their extremes, and at most as many points as the picture can show."""
 import numpy as np
 
 from adit.report.legends import plain
@@ -10,7 +10,7 @@ BINS = 700  # across a picture: about the dots of a phone
 
 
 def as_table(figure, title):
-    """A closed table with a row for each named curve; nothing if the figure has none."""
+    """A collapsed table with a row for each named curve; None if the figure has none."""
     last = next((axes.get_xlabel() for axes in reversed(figure.axes) if axes.get_xlabel()), "")
     rows = [row for axes in figure.axes for row in _rows(axes, last)]
     if not rows:

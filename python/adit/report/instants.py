@@ -31,7 +31,7 @@ def drawn(results):
 
 
 def chapter(title, shown, there, most, peaks=None):
-    """At most so many of the Instants behind a slider; `there`: how many there are. Nothing where nothing is drawn."""
+    """At most so many of the Instants behind a slider; `there`: their number in the run. None if nothing is drawn."""
     if not any(each.views for each in shown):
         return None
     shown = spread(shown, most)

@@ -7,7 +7,7 @@ class Markup(str):
 
 
 def safe(content):
-    """Content as HTML: texts escaped, what can be listed joined, nothing for None."""
+    """Content as HTML: texts escaped, iterables joined, an empty text for None."""
     if content is None:
         return Markup()
     if isinstance(content, Markup):
@@ -31,7 +31,7 @@ def image(source, alt, width, height, share):
 
 
 def section(name, title, *content):
-    """A chapter of the page; nothing if it is empty."""
+    """A chapter of the page; None without content."""
     content = [part for part in content if part]
     if not content:
         return None

@@ -69,7 +69,7 @@ def state(results):
 
 
 def warnings(results):
-    """Call it last: it tells what could not be read for the rest of the page."""
+    """Call it last: it lists the files that could not be read for the rest of the page."""
     found = list(results.summary.get("warnings", []))
     drift = results.summary.get("max_energy_drift")
     if drift is not None and drift > GAP:
@@ -136,7 +136,7 @@ def _column(run, rows):
 
 
 def computed(results):
-    """What was computed and how, in sentences."""
+    """Sentences on the models and the computation."""
     description = results.scene.get("description")
     say = _tunnel if results.is_simplified else _ground
     return section("computed", "What was computed and how", paragraphs([description and _sentence(description), *say(results)]))

@@ -1,4 +1,4 @@
-"""The page: chapters in order, in one file that needs nothing else and stays below LARGEST."""
+"""The page: chapters in order, in one self-contained file smaller than LARGEST."""
 import base64
 import hashlib
 from pathlib import Path
@@ -22,7 +22,7 @@ def of_run(folder):
         overview.figures, overview.computed, model.chapter, motions.chapter, response.histories, response.envelopes)]
     after = [_unless_odd(results, chapter) for chapter in (response.cracks, response.energy, origin.timing, origin.chapter)]
     shown, peaks = _unless_odd(results, instants.drawn) or ([], None)
-    head, warned = _unless_odd(results, overview.state), overview.warnings(results)  # which tells what could not be read
+    head, warned = _unless_odd(results, overview.state), overview.warnings(results)  # which lists the files that could not be read
 
     def chosen(most):
         return instants.chapter("The model at chosen instants", shown, len(results.instants), most, peaks)
@@ -32,7 +32,7 @@ def of_run(folder):
 
 
 def _unless_odd(results, chapter):
-    """The chapter; nothing where a file holds what no run writes, which the page tells and the other chapters survive."""
+    """The chapter; None if a file has impossible content. The page says so, and the other chapters are complete."""
     try:
         return chapter(results)
     except Exception as error:  # as many kinds as there are ways to damage a file

@@ -21,7 +21,7 @@ X_LABEL, Y_LABEL = 0.27, 0.47  # inches from these axes to their labels
 
 
 def figure(drawing, *below, names_run=False):
-    """<figure> with the picture, its title, its legends and the table of its curves; nothing for no drawing. `names_run`: where
+    """<figure> with the picture, its title, its legends and the table of its curves; None without a drawing. `names_run`: where
     a page shows several runs."""
     if drawing is None:
         return None

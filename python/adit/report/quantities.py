@@ -17,7 +17,7 @@ def unit_of(name):
 
 
 def quantity(value, unit=""):
-    """Four digits with the unit, such as 14.97 MN; a dash for nothing."""
+    """Four digits with the unit, such as 14.97 MN; a dash for None."""
     if value is None:
         return "–"
     if isinstance(value, bool):

@@ -1,4 +1,4 @@
-"""What the model did: histories, envelopes, cracks, energy."""
+"""The response of the model: histories, envelopes, cracks, energy."""
 from adit import Unusable
 from adit.plots import time_pictures, tunnel_pictures
 from adit.report import around, pictures

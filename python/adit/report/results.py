@@ -33,7 +33,7 @@ class Results(Run):
 
     @cached_property
     def spectra(self):
-        """Of the motions all of whose tables can be read."""
+        """Spectra of the motions whose tables can all be read."""
         found = {name: {what: table for what, table in tables.items() if table} for name, tables in super().spectra.items()}
         return {name: tables for name, tables in found.items() if OF_EVERY_MOTION <= tables.keys()}
 
@@ -64,5 +64,5 @@ class Results(Run):
             return otherwise
 
     def _note(self, reason):
-        """The page tells the folder, and its sentences need not."""
+        """The page names the folder, so its sentences do not."""
         self.faults.append(str(reason).replace(f"{self.folder}/", ""))

@@ -1,4 +1,4 @@
-"""The report of a study: what it asks, its tables and pictures, and where its runs come from."""
+"""The report of a study: its question, its tables and pictures, and the origin of its runs."""
 import shlex
 import sys
 

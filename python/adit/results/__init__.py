@@ -1,1 +1,1 @@
-"""The files of a run, read when they are asked for."""
+"""The files of a run, read at first use."""

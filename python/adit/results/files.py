@@ -3,7 +3,7 @@ from difflib import get_close_matches
 
 
 class Unusable(Exception):
-    """What was asked for cannot be done, such as where something of a run is missing; the message is one sentence for the user."""
+    """A request cannot be fulfilled, for example because a file of a run is missing; the message is one sentence for the user."""
 
 
 def read(path, reader):

@@ -13,7 +13,7 @@ HEADER_BYTES = 8  # size of the length that precedes the values
 
 
 class Piece:
-    """What was written of one kind at one instant, such as the grid or the bonds.
+    """The fields of one kind at one instant, such as the grid or the bonds.
 
     points: their places [m] before any displacement, (n, 2)
     cells: numbers of the points of each zone, bond or beam, (m, points of a cell); of particles, their own number
@@ -64,7 +64,7 @@ class Piece:
         return self.cells.shape[1] == 1
 
     def is_there(self):
-        """Of each point of a cloud: particles that were taken away keep their place but have no cell."""
+        """Whether each point of a cloud exists: removed particles keep their place but have no cell."""
         there = np.full(len(self.points), False)
         there[self.cells[:, 0]] = True
         return there

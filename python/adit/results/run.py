@@ -11,11 +11,11 @@ from adit.results.files import Unusable, nearest, read
 from adit.results.pieces import Fields, Piece, read_collection
 from adit.results.tables import Table, read_table
 
-NEAR = 0.05  # of the time between two instants: fields are written at whole time steps, not at the very time asked for
+NEAR = 0.05  # share of the time between two instants: fields are written at whole time steps, not at the exact stated time
 
 
 class Run:
-    """The results in a folder, read when they are asked for. Run(folder) refuses what is not the folder of a run."""
+    """The results in a folder, read at first use. Run(folder) refuses a folder that is not that of a run."""
 
     def __init__(self, folder):
         self.folder = Path(folder)
@@ -44,7 +44,7 @@ class Run:
 
     @property
     def duration(self):
-        """The time [s] that the scene asks for."""
+        """The duration [s] of the scene."""
         return float(self.scene["time"]["duration"])
 
     @cached_property
@@ -84,7 +84,7 @@ class Run:
         return self.table("cracks.csv")
 
     def debonded(self, broken):
-        """Of each row of the Table of broken bonds, whether the bond joined two groups: the others are cracks inside one body."""
+        """Whether each bond of the Table of broken bonds joined two groups; the others are cracks inside one body."""
         groups = {name for key, names in self.summary.items() if key.endswith("_groups") for name in names}
         groups |= {group["name"] for _, model in self.models for group in model.get("groups", [])}
         return np.array(["-" in group and group not in groups for group in broken["group"].astype(str)], dtype=bool)

@@ -9,7 +9,7 @@ _stopped = threading.Event()
 
 
 def run(command, silent=True):
-    """Runs a command; returns (its exit code, what it said on standard error). What is not silent writes to our own streams.
+    """Runs a command; returns (its exit code, its standard error). A command that is not silent writes to our own streams.
     After a stop nothing is begun."""
     if _stopped.is_set():
         return 1, "stopped"

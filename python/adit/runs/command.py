@@ -1,9 +1,9 @@
 """Computes scenes, draws them and reports.
 
 %(prog)s CASE_DIR | SCENE.yaml [options]
-A case runs every scene directly in its folder, or its `study` where it has one. Results: runs/CASE/SCENE/ in the current
+For a case it runs every scene directly in its folder, or its `study` if there is one. Results: runs/CASE/SCENE/ in the current
 folder. All other options are those of `coupler run`, or of `simplified run` for a scene of a whole tunnel: coupler run --help.
-In a source tree the programs are built first; ADIT_BUILD names a build folder, which is used as it is.
+In a source tree the programs are built first, unless ADIT_BUILD names a build folder.
 """
 import contextlib
 import os
@@ -69,7 +69,7 @@ def run(options, others):
     return 0
 
 
-# What a scene of each program runs.
+# The command for a scene of each program.
 NEEDED = {"coupler": ("coupler", "fdm_server", "dem_server"), "simplified": ("simplified",)}
 
 
@@ -147,7 +147,7 @@ def _signals(handlers):
 
 
 def draw(folder, options, with_pictures):
-    """The pictures and the report of a run. What fails here leaves the results as they are."""
+    """The pictures and the report of a run. A failure here does not change the results."""
     from adit.plots import command as plots, instants  # matplotlib is imported only where something is drawn
     from adit.report import page
 

@@ -25,7 +25,7 @@ def run(scene, folder):
     done = subprocess.run([programs.program("coupler"), "run", file, "--out", folder], capture_output=True, text=True)
     if done.returncode != 0:
         raise Failed(f"{file} failed (exit code {done.returncode}): {done.stderr.strip()}")
-    file.unlink()  # the folder holds the scene as it was computed
+    file.unlink()  # the folder has the scene as it was computed
     return Run(folder)
 
 
@@ -66,7 +66,7 @@ def last(run, column):
 
 
 def energy(run, side):
-    """Kinetic and strain energy [J] that a side of the model holds at the end."""
+    """Kinetic and strain energy [J] of a side of the model at the end."""
     return last(run, f"{side}_kinetic_J") + last(run, f"{side}_strain_J")
 
 

@@ -15,7 +15,7 @@ from adit.runs import children
 from adit.runs.coupled_runs import for_all
 
 LONGEST = 60  # characters of the name of a folder; longer ones end in a checksum
-FEW = 4  # variants that are also drawn each for itself: drawing takes longer than many runs
+FEW = 4  # variants that are also drawn separately: drawing takes longer than many runs
 TABLE = "variants.csv"
 BRACKETS = {"[": 1, "{": 1, "]": -1, "}": -1}
 
@@ -80,7 +80,7 @@ def _end(key, parts):
 
 
 def write_table(path, chosen, codes):
-    """Which variant lies in which folder, and the exit code of its run."""
+    """Writes the folder of each variant, and the exit code of its run."""
     with open(path, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(["variant", *next(iter(chosen.values())), "exit_code"])
@@ -88,7 +88,7 @@ def write_table(path, chosen, codes):
 
 
 def compute(program, scene, others, folder, settings, drawn):
-    """Runs one variant, draws and reports it by the commands `drawn`; returns (exit code, what the program said about an error)."""
+    """Runs one variant, draws and reports it by the commands `drawn`; returns (exit code, error text of the program)."""
     sets = [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
     threads = () if program.name == "simplified" else ("--fdm-threads", "1", "--dem-threads", "1")
     code, said = children.run([program, "run", scene, "--out", folder, *threads, *sets, *others])

@@ -1,8 +1,8 @@
-"""Tells how far a run is that somebody computes, until it has ended.
+"""Shows the progress of a run that another process computes, until it has ended.
 
 %(prog)s RUN_DIR [--once]
-A line each time the histories have grown: the time reached of the whole, what is left at this speed, cracks, and the drift of
-the energy. The exit code is 0 where the run was completed, 1 where it has ended before.
+It prints a line each time the histories have grown: the time reached and the duration, the remaining time at this speed, cracks, and
+the drift of the energy. The exit code is 0 if the run was completed, 1 if it ended before.
 """
 import os
 import sys
@@ -18,7 +18,7 @@ EVERY_S = 2.0  # between two looks at the folder
 def main(words):
     parser = programs.parser("watch", __doc__)
     parser.add_argument("folder", metavar="RUN_DIR", help="folder of a run")
-    parser.add_argument("--once", action="store_true", help="look once")
+    parser.add_argument("--once", action="store_true", help="print one line and end")
     options = parser.parse_args(words)
     sys.exit(watch(options.folder, options.once))
 
@@ -42,7 +42,7 @@ def watch(folder, once):
 
 
 def reached_by(run):
-    """The time [s] of the last row of the histories; nothing where there is none yet."""
+    """The time [s] of the last row of the histories; 0 if there is none yet."""
     try:
         return float(run.histories["time_s"][-1])
     except (Unusable, IndexError):
@@ -64,7 +64,7 @@ def line(run, reached, seconds_left):
 
 
 def state(run):
-    """What an observer asks next: bonds broken, and whether the energy closes."""
+    """Further figures for the observer: broken bonds, and the drift of the energy."""
     if run.has("cracks.csv"):
         yield f"{len(run.cracks)} bonds broken"
     if run.has("histories.csv") and len(drift := run.histories.get("energy_drift", ())):

@@ -1,1 +1,1 @@
-"""What speed costs in accuracy: models of one structure from the cheapest to the finest."""
+"""Speed against accuracy: models of one structure from the cheapest to the finest."""

@@ -2,8 +2,8 @@
 
 cantilever, bar: variants of a coupled model, compared with the particles alone. longxi, qingcaosha, hzm: models of a tunnel from
 the cheapest to the finest, compared with the finest. Computes one after the other and writes runs/trade/CASE.csv (a row a
-variant), CASE.md (the same to read) and CASE.png (errors over cost). adit/trade says which variants; docs/trade.md what
-the columns mean and what follows.
+variant), CASE.md (the same as a page) and CASE.png (errors over cost). adit/trade defines the variants; docs/trade.md
+explains the columns and the conclusions.
 """
 from pathlib import Path
 

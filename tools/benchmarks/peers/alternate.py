@@ -1,7 +1,7 @@
 """Other codes beside ours: both compute the same model, in turn, on one core, and every pair of turns gives a ratio.
 
 A machine that changes its speed changes it for both codes of a pair, so that the ratio holds where the speeds do not. Both
-are measured by processor time: what else the machine does costs them cache and bandwidth, but not turns.
+are measured by processor time: other work on the machine costs them cache and bandwidth, but not their time slices.
 """
 
 import dataclasses
@@ -57,7 +57,7 @@ def records(compared):
 
 
 def table(root, all_compared):
-    """What was compared as a page, with the machine, its load and the flags of our programs."""
+    """The comparison as a page, with the machine, its load and the flags of our programs."""
     rows = [row(compared) for compared in all_compared]
     return "\n".join([
         "| model | size | ours | 10⁶/s | other code | 10⁶/s | ratio: median (least to most) |", "|---|---|---|---|---|---|---|", *rows, "",

@@ -1,4 +1,4 @@
-"""Another continuum and ours on the same block of elastic zones: FEniCSx, which takes the place of fdm_server
+"""Another continuum and ours on the same block of elastic zones: FEniCSx, which replaces fdm_server
 (adapters/fenicsx). One rank, one thread; measured is the time that the participant computes, as the coupler's summary tells it."""
 
 import pathlib

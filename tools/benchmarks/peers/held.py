@@ -21,7 +21,7 @@ def mpirun(ranks, *options):
 
 
 class Server:
-    """A participant under mpirun in the place of the coupler's, which is asked for bare steps of a scene."""
+    """A participant under mpirun, which computes steps of a scene without a coupler."""
 
     def __init__(self, role, command, described):
         self.participant, self.ended, self.at = Participant(role, shlex.join(map(str, command))), threading.Event(), 0
@@ -47,7 +47,7 @@ class Server:
         self.at += 1
 
     def seconds(self, steps):
-        """Of one step. The first one waits for what the last answer left to compute."""
+        """Time of one step. The first step also waits for the computing that the last answer left over."""
         self.step()
         begin = time.perf_counter()
         for _ in range(steps):
@@ -73,7 +73,7 @@ class Granular:
         self.process.communicate()
 
     def command(self, text):
-        """The seconds that a command takes."""
+        """The time of a command [s]."""
         print(text, file=self.process.stdin, flush=True)
         return float(next(line for line in self.process.stdout if line.startswith("seconds ")).split()[1])
 

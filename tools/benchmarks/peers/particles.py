@@ -132,7 +132,7 @@ def measure_yade(places, bonds):
 
 
 def in_yade(beam):
-    """What yade_beam.py says of the beam."""
+    """The output of yade_beam.py for the beam."""
     with tempfile.TemporaryDirectory() as folder:
         source, target = pathlib.Path(folder) / "beam.json", pathlib.Path(folder) / "result.json"
         source.write_text(json.dumps(beam))
@@ -151,7 +151,7 @@ def cpu_seconds(command, script, folder, steps):
 
 
 def compute(command, folder):
-    """What the code prints of the input in.beam."""
+    """The output of the code for the input in.beam."""
     result = subprocess.run([*command, "in.beam"], cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, text=True)
     if result.returncode:
         raise RuntimeError(f"{command} failed:\n{result.stdout[-2000:]}{result.stderr[-2000:]}")

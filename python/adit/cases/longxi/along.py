@@ -26,7 +26,7 @@ class Lining:
         return points[:, 0] - self._slope * points[:, 1]
 
     def bonds(self):
-        """(distance [m], whether it is broken) of each bond within the walls, at the end."""
+        """(distance [m], broken or not) of each bond within the walls, at the end."""
         bonds = self.last["bonds"]
         cells = bonds.cells[self._in_walls[bonds.cells].all(axis=1)]
         broken = bonds.field("state")[self._in_walls[bonds.cells].all(axis=1)] != INTACT
@@ -60,7 +60,7 @@ class Lining:
 
 
 def mean_within(values, low, high):
-    """The mean of what lies between two distances, in (distance, value)."""
+    """The mean of the values between two distances, in (distance, value)."""
     distance, value = values
     return value[(low <= distance) & (distance <= high)].mean()
 

@@ -28,12 +28,12 @@ def of_particles(run, time):
 
 
 def second_harmonic(angle, values):
-    """Amplitude of what follows cos 2 theta and sin 2 theta, for values at equal angles; a row of values for each time."""
+    """Amplitude of the part that varies as cos 2 theta and sin 2 theta, for values at equal angles; a row of values for each time."""
     return 2 * np.abs(np.mean(values * np.exp(-2j * angle), axis=-1))
 
 
 def compare(particles, zones):
-    """Rows (what, of particles, of zones) at the first instant of which both wrote fields."""
+    """Rows (quantity, in particles, in zones) at the first instant at which both wrote fields."""
     time = particles.times[0]
     forces = of_particles(particles, time), of_zones(zones, time)
     for name, column, unit in (("thrust", 1, "kN"), ("moment", 2, "kN m")):

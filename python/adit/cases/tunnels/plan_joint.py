@@ -6,7 +6,7 @@ import numpy as np
 
 
 def half_width(run):
-    """Of the gasket [m]: half the width of the first section."""
+    """The distance of the gasket from the axis [m]: half the width of the first section."""
     return float(run.scene["simplified"]["tunnel"]["sections"][0]["width"]) / 2
 
 

@@ -1,6 +1,6 @@
 """The ring of cases/qingcaosha/ovaling under far-field shear: thrust and moment in beams, zones and particles.
 
-Both vary as sin 2 theta around the ring; told are the amplitudes (thrust [N], moment [N m], per metre).
+Both vary as sin 2 theta around the ring; the functions return amplitudes (thrust [N], moment [N m], per metre).
 """
 import numpy as np
 
@@ -8,7 +8,7 @@ from adit.cases.tunnels import lined_tunnel
 
 
 def amplitude(angle, values):
-    """Of sin 2 theta, in values at equal distances around the ring."""
+    """Amplitude of sin 2 theta in values at equal distances around the ring."""
     return 2 * np.mean(values * np.sin(2 * angle))
 
 
@@ -43,7 +43,7 @@ def of_zones(run, inner, outer):
 
 
 def annulus(ring, ground, inner, outer, shear):
-    """(thrust, moment) of an elastic annulus bonded to ground without end under a shear stress [Pa] far away.
+    """(thrust, moment) of an elastic annulus bonded to infinite ground under a shear stress [Pa] far away.
 
     `ring`, `ground`: (Young's modulus, Poisson's ratio). Michell's solution; tests/verification/lined_tunnel/bonded_annulus.hpp
     derives it.

@@ -4,7 +4,7 @@ from matplotlib.path import Path as Outline
 
 
 class UnknownGroup(Exception):
-    """The area names a group that no mesh holds, such as a block."""
+    """The area names a group that is not in a mesh, such as a block."""
 
 
 def inside(area, points):

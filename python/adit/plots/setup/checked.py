@@ -1,4 +1,4 @@
-"""The undeformed model that `coupler check --out` leaves: its pieces, and what its parts are called in a legend."""
+"""The undeformed model that `coupler check --out` leaves: its pieces, and the names of its parts in a legend."""
 from functools import cached_property
 from pathlib import Path
 
@@ -46,14 +46,14 @@ class Member:
         return read(Path(path), mesh_groups.read) if path else {}
 
     def material(self, number):
-        """What the material of this number is called in a legend."""
+        """The name of the material of this number in a legend."""
         if number == 0:
             return _called(self.name, self.own_material)
         area = self.model["materials"][number - 1]
         return _called(area.get("where", {}).get("group", ""), area["material"])
 
     def group(self, number):
-        """What the group of particles of this number is called in a legend."""
+        """The name of the group of particles of this number in a legend."""
         if number == 0:
             return _called(self.name, self.own_material)
         group = self.model["groups"][number - 1]

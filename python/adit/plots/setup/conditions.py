@@ -16,11 +16,11 @@ REACH = 0.045  # length of an arrow, relative to the model
 
 
 def draw(axes, members, pieces, span):
-    """Draws the conditions of all models; returns what the legend needs, and notes for its end."""
+    """Draws the conditions of all models; returns the handles of the legend, and notes for its end."""
     lines, marks, unknown, notes, loads, handles = {}, {}, [], [], [], []
 
     def attempt(what, select, *arguments):
-        """What an area selects; nothing, and a note, where it names a group that is not known."""
+        """The selection of an area; empty, with a note, if it names an unknown group."""
         try:
             return select(*arguments)
         except UnknownGroup as group:
@@ -59,7 +59,7 @@ def _middles_in(area, grid, edges, groups):
 
 
 def _draw_stages(axes, member, grid, attempt):
-    """Hatches the zones that stages of excavation take away."""
+    """Hatches the zones that stages of excavation remove."""
     handles = []
     for excavation in member.model.get("excavations", []):
         stage = excavation.get("stage", 0)

@@ -80,7 +80,7 @@ def _draw_particles(axes, member, discs):
 
 
 def _shade_overlap(axes, pieces):
-    """The darker, the less of the energy the continuum has: the particles have the rest."""
+    """Darker with a smaller share of the continuum in the energy; the particles have the rest."""
     shaded = False
     for name, grid in pieces.items():
         weight = grid.field("weight")

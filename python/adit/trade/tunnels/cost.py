@@ -15,8 +15,8 @@ ELEMENTS = ("elements", "bodies", "columns")  # of the simplified models
 
 @dataclass
 class Meter:
-    """Computes the runs of one variant below `folder` and adds up what they cost. Memory is the largest of any run: the sum
-    over its processes of the most that each of them held."""
+    """Computes the runs of one variant below `folder` and adds up what they cost. Memory is that of the largest run: the sum
+    over its processes of the largest memory of each."""
     folder: Path
     cpu_s: float = 0
     wall_s: float = 0

@@ -1,4 +1,4 @@
-"""An elastic beam without end in elastic ground that a fault cuts: its forces once the fault has slipped.
+"""An infinite elastic beam in elastic ground that a fault cuts: its forces after the fault has slipped.
 
 Ground in plane strain of the width d resists a load along the beam that varies as a sine of the wave number q, across the beam
 or along it, with k = kappa q, kappa = 8 G (1 - nu) / (3 - 4 nu) d per metre (cases/longxi/README.md; with q = 2 pi / L the spring

@@ -7,7 +7,7 @@ from adit.trade.tunnels.ladder import Ladder, Quantity, Rung
 
 SCENE = programs.ROOT / "cases" / "hzm" / "wave_500_0.2g.yaml"
 PLACE, JOINT = "worst-opening", 1842.0  # where the beam opens most [m]
-UNTIL = 16.0  # all largest values come earlier [s]
+UNTIL = 16.0  # all largest values occur earlier [s]
 # The chain needs ground that does not slip.
 LINEAR_SPRINGS = "simplified.soil_springs={wavelength: 400 m, dashpot_time: 20 ms}"
 

@@ -8,7 +8,7 @@ from adit.trade.tunnels.cost import Meter
 
 @dataclass
 class Quantity:
-    """What an engineer reads."""
+    """A quantity of the table."""
     key: str
     heading: str  # with the unit
     factor: float  # from SI to the unit of the heading
@@ -17,7 +17,7 @@ class Quantity:
 
 @dataclass
 class Rung:
-    """A model. `compute` takes a Meter and returns {key: value}; a quantity of which the model knows nothing is left out."""
+    """A model. `compute` takes a Meter and returns {key: value}; a quantity that the model does not have is left out."""
     family: str
     name: str
     compute: Callable
@@ -25,14 +25,14 @@ class Rung:
 
 @dataclass
 class Ladder:
-    """The last rung is the finest, against which all are measured."""
+    """The last rung is the finest, with which all are compared."""
     name: str
     quantities: list
     rungs: list
 
 
 def table(ladder, out, told):
-    """Rows: what each rung is, costs and finds, and its errors relative to the finest rung. `told` hears of each rung."""
+    """Rows: model, cost and results of each rung, and its errors relative to the finest rung. Calls `told` for each rung."""
     rows = []
     for rung in ladder.rungs:
         meter = Meter(out / rung.name.replace(" ", "_").replace(",", ""))
@@ -48,7 +48,7 @@ def table(ladder, out, told):
 
 
 def error(value, finest):
-    """Relative to the finest; nothing where one of them is nothing, or the finest is zero."""
+    """Error relative to the finest; None if one of them is None, or the finest is zero."""
     return None if value is None or not finest else value / finest - 1
 
 

@@ -1,8 +1,7 @@
 """The tunnel of cases/longxi along its axis, cut by 0.5 m of its fault: a beam, zones, and coupled models of growing regions.
 
-All tell what the offset adds to the forces of the tube one and two diameters from the fault, and how far the lining is damaged:
-in the beam and in elastic zones where the stress exceeds the strength, in other zones where they yield, in particles where
-bonds break.
+All give the change of the forces of the tube by the offset, one and two diameters from the fault, and the extent of the damage of
+the lining: in the beam and in elastic zones the stress exceeds the strength, other zones yield, and bonds of particles break.
 """
 import time
 
@@ -92,7 +91,7 @@ def coupled(length, height, settings):
 
 
 def forces(run, columns):
-    """Of the tube, their changes since time began, the mean of both sides of the fault."""
+    """Forces of the tube: their changes since time 0, the mean of both sides of the fault."""
     def wall(name, at):
         column, factor = columns[name, at]
         return factor * (run.histories[column] - run.histories[column][0])
@@ -108,7 +107,7 @@ def forces(run, columns):
 
 
 def within(distances):
-    """The distance within which 95 % of the damage lies."""
+    """The distance that contains 95 % of the damage."""
     return np.percentile(distances, 95) if len(distances) else 0.0
 
 
@@ -137,7 +136,7 @@ def walls(run):
 
 
 def beyond_strength(run, grid, in_walls):
-    """Which walls bear more than their strength, as far as the offset loads them."""
+    """The zones of walls whose stress by the offset exceeds their strength."""
     before = next(run.snapshots())[1]["grid"]["stress_Pa"][in_walls, 0]
     change = grid["stress_Pa"][in_walls, 0] - before
     return (change > TENSION) | (change < -COMPRESSION)

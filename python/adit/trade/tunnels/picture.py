@@ -1,4 +1,4 @@
-"""The picture of a ladder: what each model finds, as a multiple of what the finest finds, over its CPU time."""
+"""The picture of a ladder: results of each model relative to the finest one, over its CPU time."""
 import matplotlib.pyplot as plt
 
 from adit.plots import style

@@ -1,9 +1,9 @@
 """The ring of cases/qingcaosha across the tunnel, shaken: rings at rest in the strain of a soil column, and coupled models whose
 region of particles grows.
 
-All tell what the motion adds to the forces at rest: the amplitude of what follows sin 2 theta around the ring, and the largest
-moment anywhere. The rings at rest are linear: their scene shears the clay by 1/1000, and their forces are taken times the strain
-that a column of the same ground has beside the ring.
+All give the change of the forces by the motion: the amplitude of the part that varies as sin 2 theta around the ring, and the largest
+moment anywhere. The rings at rest are linear: their scene shears the clay by 1/1000, and their forces are scaled by the strain of a
+column of the same ground beside the ring.
 """
 import numpy as np
 
@@ -19,7 +19,7 @@ NEIGHBOURS = 48e6  # rotational stiffness by the neighbours [N m/rad]
 JOINTS = range(15, 360, 60)  # angles [deg]
 SHEAR_MODULUS, POISSON = 44.8e6, 0.45  # of the clay [Pa]
 SHEARED = 1e-3  # strain of the clay in CASE/ovaling
-APART = 6.8  # distance of the two places whose displacements tell the strain [m]
+APART = 6.8  # distance of the two places whose displacements give the strain [m]
 COLUMN = [
     "tunnels=[]", "statics.count_from_stage=0", "time.substeps=1",
     "continuum.block.x_min=-20.4 m", "continuum.block.x_max=-19.6 m", "continuum.block.zones_x=1",
@@ -116,7 +116,7 @@ def amplitude(run, force):
 
 
 def largest_change(run, quantity):
-    """Of all histories of a quantity, since the model was at rest."""
+    """Changes of all histories of a quantity since the state at rest."""
     return max(np.abs(values - values[0]).max() for name, values in run.histories.items() if name.endswith(quantity))
 
 

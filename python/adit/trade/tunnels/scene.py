@@ -1,4 +1,4 @@
-"""Scenes as mappings, for what neither `extends` nor `--set` can do: leave a part out."""
+"""Scenes as mappings, to remove parts of a scene."""
 import yaml
 
 from adit.results.run import SceneLoader
