@@ -8,8 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "coupler/check/compare_ground.hpp"
-#include "coupler/check/compare_motions.hpp"
 #include "coupler/check/warnings.hpp"
 #include "coupler/checkpoint/transfer.hpp"
 #include "coupler/output/motion_outputs.hpp"

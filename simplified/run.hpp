@@ -6,7 +6,7 @@
 
 #include "protocol/messages/scene.pb.h"
 #include "protocol/scene/origin.hpp"
-#include "simplified/models/setup.hpp"
+#include "simplified/models/solve.hpp"
 #include "simplified/output/response.hpp"
 #include "simplified/scene/excitation.hpp"
 

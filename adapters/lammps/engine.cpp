@@ -45,9 +45,10 @@ void LammpsEngine::watch(const scene::Particles& scene) {
   });
 }
 
-void LammpsEngine::tie(std::span<const double> places, wire::Operator& op) {
-  picture_.tie(places, op);
-  orders_.give(Order::kTie, Values(picture_.tied().begin(), picture_.tied().end()));
+const protocol::InterfaceOperator& LammpsEngine::tie(std::span<const double> places) {
+  const protocol::InterfaceOperator& n = picture_.tie(places);
+  orders_.give(Order::kTie, Values(n.points().begin(), n.points().end()));
+  return n;
 }
 
 void LammpsEngine::begin() {
@@ -213,8 +214,7 @@ dem::Energies LammpsEngine::energies(const protocol::Step&) {
                      {"contact_dashpots", sum[6]}}};
 }
 
-void LammpsEngine::read_histories(const protocol::Step& step,
-                                  google::protobuf::RepeatedField<double>& values) {
+void LammpsEngine::read_histories(const protocol::Step& step, std::vector<double>& values) {
   if (!watched_) return;
   fetch();
   picture_.read_histories(step, values);

@@ -24,7 +24,8 @@ class LammpsEngine final : public dem::Engine {
   dem::CriticalElement critical_element() const override { return picture_.critical_element(); }
   void watch(const scene::Particles& scene) override;
   std::vector<double> offer(const geometry::BoundingBox& box) override { return picture_.offer(box); }
-  void tie(std::span<const double> places, wire::Operator& op) override;
+  const protocol::InterfaceOperator& tie(std::span<const double> places) override;
+  std::span<const double> tied_inverse_masses() const override { return picture_.tied_inverse_masses(); }
   void correct(std::span<const double> impulses) override;
 
   void prepare(bool energies) override;
@@ -34,7 +35,7 @@ class LammpsEngine final : public dem::Engine {
   std::span<const dem::Crack> broken() const override { return cracks_; }
   dem::Strongest strongest() const override { return strongest_; }
   dem::Energies energies(const protocol::Step& step) override;
-  void read_histories(const protocol::Step& step, google::protobuf::RepeatedField<double>& values) override;
+  void read_histories(const protocol::Step& step, std::vector<double>& values) override;
   void snapshot(wire::Snapshot& snapshot) const override;
   std::uint64_t fragments() const override;
   std::vector<dem::Figure> figures() const override { return picture_.figures(); }

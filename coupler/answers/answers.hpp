@@ -2,7 +2,7 @@
 // correct one gives ends the run with the name of the one that gave it, before anything computes with it.
 //
 // Here is what holds whatever was asked; whether an answer fits its request is looked at by those who asked
-// (interface.cpp, interpolation.cpp, exchange.cpp).
+// (interface.cpp, operator.cpp, round_trip.cpp).
 #pragma once
 
 #include <string>

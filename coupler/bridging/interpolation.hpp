@@ -3,10 +3,8 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
-#include "protocol/messages/wire.pb.h"
 #include "protocol/participant/interface/sparse_rows.hpp"
 
 namespace adit::coupler {
@@ -24,9 +22,6 @@ class Interpolation : public protocol::SparseRows {
                 std::vector<double> values, std::vector<double> inverse_masses,
                 std::vector<double> scaled_inverse_masses = {});  // empty: those of time
 
-  // Checks all that came over the wire and throws PeerLost, which names `peer`, if it cannot be used.
-  Interpolation(const wire::Operator& op, std::size_t coupling_points, const std::string& peer);
-
   std::size_t coupling_points() const { return rows(); }
   std::size_t own_points() const { return inverse_masses_.size() / 2; }
   std::span<const double> inverse_masses() const { return inverse_masses_; }
@@ -34,14 +29,9 @@ class Interpolation : public protocol::SparseRows {
   // yield.
   void take_masses_of(MassesOf masses);
 
-  // Whether each coupling point is an own point and has its velocity (eq. 5 of the paper: N = identity).
-  bool is_selection() const;
-
   void divide_by_mass(std::span<double> own) const;  // own *= 1/M
 
  private:
-  explicit Interpolation(const wire::Operator& op);
-
   std::vector<double> inverse_masses_, of_time_, of_scaled_statics_;
 };
 

@@ -73,13 +73,6 @@ double ramp(scene::Ramp kind, double s) {
   return s;
 }
 
-template <class Weight>
-std::vector<double> at_each(std::span<const double> points, Weight&& weight) {
-  std::vector<double> weights(points.size() / 2);
-  for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = weight(points[2 * i], points[2 * i + 1]);
-  return weights;
-}
-
 }  // namespace
 
 Overlap::Overlap(const scene::Interface& interface, const std::string& path)
@@ -119,14 +112,6 @@ double Overlap::inner_weight(double x, double y) const {
 bool Overlap::contains(double x, double y) const {
   const double s = share(x, y), thickness = edge(x, y);
   return s >= -thickness && s <= 1.0 + thickness;
-}
-
-std::vector<double> Overlap::outer_weights(std::span<const double> points) const {
-  return at_each(points, [this](double x, double y) { return outer_weight(x, y); });
-}
-
-std::vector<double> Overlap::inner_weights(std::span<const double> points) const {
-  return at_each(points, [this](double x, double y) { return inner_weight(x, y); });
 }
 
 BoundingBox Overlap::bounds(const BoundingBox& model) const {

@@ -52,10 +52,6 @@ class Overlap {
   // between them for every ramp, constant beyond them.
   double depth(double x, double y) const;
 
-  // Weights at points x0 y0 x1 y1 …
-  std::vector<double> outer_weights(std::span<const double> points) const;
-  std::vector<double> inner_weights(std::span<const double> points) const;
-
   // Box around the part of the overlap that lies in `model`.
   BoundingBox bounds(const BoundingBox& model) const;
 

@@ -2,9 +2,6 @@
 
 #include <chrono>
 
-#include "coupler/check/compare_ground.hpp"
-#include "coupler/check/compare_motions.hpp"
-#include "coupler/check/counts.hpp"
 #include "coupler/check/expectations.hpp"
 #include "coupler/check/pace.hpp"
 #include "coupler/check/volume.hpp"

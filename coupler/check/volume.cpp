@@ -1,6 +1,6 @@
 #include "coupler/check/volume.hpp"
 
-#include "coupler/exchange/step_cost.hpp"
+#include "coupler/exchange/round_trip.hpp"
 #include "coupler/output/recorder.hpp"
 #include "protocol/machine/memory.hpp"
 #include "protocol/results/vtk.hpp"

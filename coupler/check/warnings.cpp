@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "coupler/bridging/overlap_notes.hpp"
 #include "coupler/check/text.hpp"
+#include "coupler/exchange/round_trip.hpp"
+#include "protocol/motion/excitation/ground_motion.hpp"
 
 namespace adit::coupler {
 namespace {
@@ -47,6 +50,29 @@ void warn_of_absent_statics(const Model& model, std::vector<std::string>& warnin
                       participant.member.name));
 }
 
+// Zones by their centres; none where the participant does not draw their materials.
+std::vector<GroundHere> drawn_ground(const wire::Snapshot& snapshot, const Side& side) {
+  std::vector<GroundHere> zones;
+  const double materials = side.part.continuum().materials_size();
+  for (const wire::Piece& piece : snapshot.pieces()) {
+    const auto& fields = piece.cell_fields();
+    const auto material = std::ranges::find(fields, "material", &wire::Field::name);
+    if (piece.shape() != wire::Piece::QUADS || material == fields.end()) continue;
+    for (int zone = 0; 4 * zone < piece.connectivity_size(); ++zone) {
+      const double number = material->values(zone);
+      if (!(number >= 0 && number <= materials)) continue;
+      GroundHere here{0, 0, ground_of_zones(side.part, side.path, static_cast<std::size_t>(number))};
+      for (int corner = 4 * zone; corner < 4 * zone + 4; ++corner) {
+        const int point = static_cast<int>(piece.connectivity(corner));
+        here.x += piece.points(2 * point) / 4;
+        here.y += piece.points(2 * point + 1) / 4;
+      }
+      zones.push_back(std::move(here));
+    }
+  }
+  return zones;
+}
+
 }  // namespace
 
 std::vector<std::string> warnings_before(const Model& model) {
@@ -62,6 +88,35 @@ void print_notes_and_warnings(const Model& model, const Pace& pace) {
   for (const std::string& warning : warnings_before(model)) print_line("warning", warning);
   if (!pace.stable())
     print_line("warning", "the first steps, without the statics before them, failed: " + pace.unstable);
+}
+
+void compare_ground(Model& model) {
+  std::vector<wire::Snapshot> snapshots;
+  for (const Interface& interface : model.interfaces) {
+    const Side outer = side_of(model.scene, model.participants[interface.outer]);
+    const Side inner = side_of(model.scene, model.participants[interface.inner]);
+    const bool is_known = StatedGround(outer.part, outer.path).is_known();
+    if (!is_known && snapshots.empty()) snapshots = take_snapshots(model.participants);
+    const auto warning = ground_warning(
+        interface.overlap, outer, inner,
+        is_known ? std::vector<GroundHere>{} : drawn_ground(snapshots[interface.outer], outer));
+    if (warning) model.warnings.push_back(*warning);
+  }
+}
+
+void compare_motions(Model& model) {
+  for (const Participant& participant : model.participants) {
+    if (participant.member.role != Role::kContinuum) continue;
+    const scene::GroundMotion& stated = continuum_of(model.scene, participant.member).base().acceleration();
+    if (!stated.has_peak()) continue;
+    const std::string path = participant.member.path + ".base.acceleration";
+    add_where_it_differs(model.stated,
+                         {.key = path + ".peak",
+                          .stated = stated.peak(),
+                          .acted = motion::ground_motion(stated, path, model.scene.time().duration()).peak,
+                          .unit = "m/s^2",
+                          .why = "the run takes a part of the motion"});
+  }
 }
 
 }  // namespace adit::coupler

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "coupler/output/motion_files.hpp"
-#include "coupler/time/row_interval.hpp"
+#include "coupler/participants/time_step.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/motion/excitation/ground_motion.hpp"
 #include "protocol/motion/measures.hpp"

@@ -79,7 +79,7 @@ void Recorder::exchange(state::Archive& archive) {
 
 void Findings::exchange(state::Archive& archive) {
   archive("peak_bond_force", peak_bond_force);
-  archive("event", peak);
+  archive("peak_event", peak);
   for (BrokenBonds* bonds : {&cracks, &debonded, &in_overlap}) bonds->exchange(archive);
 }
 
@@ -89,7 +89,7 @@ void BrokenBonds::add(const Event& event) {
 
 void BrokenBonds::exchange(state::Archive& archive) {
   archive("broken_bonds", count);
-  archive("event", first);
+  archive("first_event", first);
   std::vector<std::uint64_t> by_stage;
   for (const auto& [stage, bonds] : in_statics) by_stage.insert(by_stage.end(), {stage, bonds});
   archive("broken_in_statics", by_stage);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupler/time/row_interval.hpp"
+#include "coupler/participants/time_step.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::coupler {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <set>
 
-#include "coupler/exchange/wanted.hpp"
+#include "coupler/exchange/round_trip.hpp"
 #include "coupler/participants/set_up.hpp"
 
 namespace adit::coupler {

@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-#include "coupler/bridging/decay.hpp"
+#include "coupler/bridging/solves/split.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/wire/content/finite.hpp"
 

@@ -1,21 +1,66 @@
 // One participant as the coupler sees it.
 #pragma once
 
+#include <google/protobuf/repeated_field.h>
+
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "coupler/bridging/interpolation.hpp"
-#include "coupler/participants/connection.hpp"
-#include "coupler/participants/correction.hpp"
 #include "coupler/participants/members.hpp"
+#include "protocol/messages/spans.hpp"
 #include "protocol/messages/wire.pb.h"
 #include "protocol/participant/step.hpp"
 #include "protocol/state/archive.hpp"
 
 namespace adit::coupler {
+
+// The way to a participant: a server at the other end of a connection, or an object in the same process.
+class Connection {
+ public:
+  virtual ~Connection() = default;
+  virtual const std::string& name() const = 0;
+  virtual void post(const wire::Frame& request) = 0;  // does not wait for the answer
+  virtual void collect(wire::Frame& reply) = 0;       // the answer to the request posted last
+  // How far the participant is meanwhile, where it says so; from any thread.
+  virtual std::string progress() const { return {}; }
+};
+
+// The multipliers' impulses on one participant, at its coupling points: computed for a step, sent once.
+class Correction {
+ public:
+  Correction() = default;
+  explicit Correction(std::size_t coupling_points) : impulses_(2 * coupling_points, 0.0) {}
+
+  // One pair for each coupling point [N s].
+  std::span<const double> impulses() const { return impulses_; }
+  // For those of the next step, to be written by the caller, which are then to be sent.
+  std::span<double> renew() {
+    pending_ = true;
+    return impulses_;
+  }
+  // They are not to be sent.
+  void withhold() { pending_ = false; }
+  // Fills the field, unless they were sent or withheld.
+  void send(google::protobuf::RepeatedField<double>& field) {
+    if (pending_) std::ranges::copy(impulses_, protocol::resize(field, impulses_.size()).begin());
+    pending_ = false;
+  }
+
+  void exchange(state::Archive& archive) {
+    archive("impulses", std::span(impulses_));
+    archive("pending", pending_);
+  }
+
+ private:
+  std::vector<double> impulses_;
+  bool pending_ = false;
+};
 
 // Coupling points of one interface among those of a participant: `count` of them from the participant's own
 // `begin`, from `global` in the model's list.
@@ -62,8 +107,8 @@ struct Participant {
 };
 
 // Collects the answer to what was posted; another kind, or one that is not sound (answers.hpp), is
-// protocol::PeerLost. What the
-// participant says against its part of the scene is a protocol::UserError at that place of the whole scene.
+// protocol::PeerLost. What the participant says against its part of the scene is a protocol::UserError at
+// that place of the whole scene.
 void collect(Participant& participant, wire::Frame::ContentCase expected);
 
 // Ends all participants; afterwards the last reply of each is its Bye.

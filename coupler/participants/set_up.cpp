@@ -7,6 +7,7 @@
 #include <set>
 #include <string_view>
 
+#include "coupler/answers/operator.hpp"
 #include "coupler/bridging/overlap_checks.hpp"
 #include "coupler/bridging/overlap_notes.hpp"
 #include "coupler/participants/time_step.hpp"
@@ -162,7 +163,8 @@ void couple(Model& model) {
     const auto& points = participant.request.couple().points();
     participant.places.assign(points.begin(), points.end());
     const std::size_t count = participant.segments.back().begin + participant.segments.back().count;
-    participant.interpolation.emplace(participant.reply.operator_(), count, participant.connection->name());
+    participant.interpolation =
+        interpolation_of(participant.reply.operator_(), count, participant.connection->name());
     participant.correction = Correction(count);
     for (auto* vector : {&participant.predicted, &participant.corrected}) vector->assign(2 * count, 0.0);
     participant.own.assign(2 * participant.interpolation->own_points(), 0.0);

@@ -11,7 +11,7 @@
 #include "coupler/participants/constraint.hpp"
 #include "coupler/participants/interface.hpp"
 #include "coupler/participants/participant.hpp"
-#include "coupler/time/stated.hpp"
+#include "coupler/participants/stated.hpp"
 #include "protocol/messages/scene.pb.h"
 
 namespace adit::coupler {

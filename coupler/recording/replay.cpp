@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "coupler/check/text.hpp"
-#include "coupler/recording/difference.hpp"
+#include "coupler/recording/diff.hpp"
 #include "coupler/recording/reader.hpp"
 #include "coupler/recording/turns.hpp"
 #include "protocol/errors.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "protocol/kernels/eight_sums.hpp"
+#include "protocol/kernels/sums.hpp"
 #include "protocol/threads/vector_clones.hpp"
 
 namespace adit::coupler {
@@ -180,9 +180,13 @@ void Ledger::exchange(state::Archive& archive) {
   }
   archive("compared", compared_);
   archive("balances_at_start", std::span(balances_at_start_));
-  for (double* value : {&unexplained_at_start_, &first_turnover_, &peak_turnover_, &peak_stored_,
-                        &peak_unexplained_, &largest_gap_, &largest_velocity_})
-    archive("ledger", *value);
+  archive("ledger_unexplained_at_start", unexplained_at_start_);
+  archive("ledger_first_turnover", first_turnover_);
+  archive("ledger_peak_turnover", peak_turnover_);
+  archive("ledger_peak_stored", peak_stored_);
+  archive("ledger_peak_unexplained", peak_unexplained_);
+  archive("ledger_largest_gap", largest_gap_);
+  archive("ledger_largest_velocity", largest_velocity_);
 }
 
 double Ledger::max_constraint_residual() const {

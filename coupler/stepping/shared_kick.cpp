@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "coupler/exchange/exchange.hpp"
+#include "coupler/exchange/round_trip.hpp"
 
 namespace adit::coupler {
 

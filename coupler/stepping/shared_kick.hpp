@@ -43,10 +43,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "coupler/exchange/step_cost.hpp"
+#include "coupler/exchange/round_trip.hpp"
 #include "coupler/participants/set_up.hpp"
 #include "coupler/stepping/ledger.hpp"
-#include "coupler/stepping/time_scheme.hpp"
+#include "coupler/stepping/stepper.hpp"
 
 namespace adit::coupler {
 
@@ -58,8 +58,15 @@ class SharedKick : public TimeScheme {
   // Energies are those of that time.
   void step(std::uint64_t n, Wanted wanted) override;
   void exchange(state::Archive& archive) override {
-    for (auto* values : {&w_, &q_, &y_, &v_, &p_, &target_, &lambda_, &lambda_1_, &total_})
-      archive("kick", std::span(*values));
+    archive("kick_w", std::span(w_));
+    archive("kick_q", std::span(q_));
+    archive("kick_y", std::span(y_));
+    archive("kick_v", std::span(v_));
+    archive("kick_p", std::span(p_));
+    archive("kick_target", std::span(target_));
+    archive("kick_lambda", std::span(lambda_));
+    archive("kick_lambda_1", std::span(lambda_1_));
+    archive("kick_total", std::span(total_));
   }
 
  private:

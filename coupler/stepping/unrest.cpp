@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "coupler/exchange/exchange.hpp"
+#include "coupler/exchange/round_trip.hpp"
 
 namespace adit::coupler {
 namespace {

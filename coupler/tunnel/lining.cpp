@@ -1,9 +1,9 @@
 #include "coupler/tunnel/lining.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "coupler/tunnel/histories.hpp"
 #include "coupler/tunnel/joints.hpp"
 #include "coupler/tunnel/parts.hpp"
 
@@ -59,6 +59,13 @@ void add_oval(const scene::LinedTunnel& tunnel, const Contour& contour, scene::P
   *oval.mutable_annulus() = contour.between(0, tunnel.lining().thickness()).annulus();
 }
 
+scene::History& add(scene::Particles& particles, const std::string& name, scene::Quantity quantity) {
+  auto& history = *particles.add_histories();
+  history.set_name(name);
+  history.set_quantity(quantity);
+  return history;
+}
+
 }  // namespace
 
 void add_lining(const scene::LinedTunnel& tunnel, const Contour& contour, const std::string& path,
@@ -69,6 +76,38 @@ void add_lining(const scene::LinedTunnel& tunnel, const Contour& contour, const 
   add_oval(tunnel, contour, particles);
   add_convergence(tunnel, contour, particles);
   add_lining_histories(particles);
+}
+
+// The particle on the inner side has its centre a radius or so outside it.
+void add_convergence(const scene::LinedTunnel& tunnel, const Contour& contour, scene::Particles& particles) {
+  const auto box = contour.box(tunnel.particles().radius());
+  const double x = tunnel.centre().x(), y = tunnel.centre().y();
+  const std::pair<const char*, geometry::Point> places[] = {{"crown", {x, box.y_max}},
+                                                            {"invert", {x, box.y_min}},
+                                                            {"left", {box.x_min, y}},
+                                                            {"right", {box.x_max, y}}};
+  for (const auto& [part, place] : places)
+    for (const scene::Quantity quantity : {scene::DISPLACEMENT_X, scene::DISPLACEMENT_Y}) {
+      auto& at = *add(particles, tunnel.name() + "_" + part, quantity).mutable_at();
+      at.set_x(place.x);
+      at.set_y(place.y);
+    }
+}
+
+void add_lining_histories(scene::Particles& particles) {
+  for (const auto& joint : particles.joints())
+    if (joint.has_name())
+      for (const scene::Quantity quantity : {scene::OPENING, scene::OFFSET, scene::ROTATION})
+        add(particles, joint.name(), quantity).set_joint(joint.name());
+  for (const auto& spring : particles.springs())
+    if (spring.has_name()) add(particles, spring.name(), scene::SPRING_FORCE).set_spring(spring.name());
+  for (const auto& oval : particles.ovals())
+    for (const scene::Quantity quantity :
+         {scene::LARGEST_DIAMETER_CHANGE, scene::SMALLEST_DIAMETER_CHANGE, scene::LARGEST_DIAMETER_DIRECTION})
+      add(particles, oval.name(), quantity).set_oval(oval.name());
+  for (const auto& section : particles.sections())
+    for (const scene::Quantity quantity : {scene::THRUST, scene::MOMENT, scene::SHEAR_FORCE})
+      add(particles, section.name(), quantity).set_section(section.name());
 }
 
 }  // namespace adit::coupler

@@ -13,4 +13,11 @@ namespace adit::coupler {
 void add_lining(const scene::LinedTunnel& tunnel, const Contour& contour, const std::string& path,
                 scene::Particles& particles);
 
+// Displacements of the inner side: `<tunnel>_crown`, `_invert`, `_left`, `_right`.
+void add_convergence(const scene::LinedTunnel& tunnel, const Contour& contour, scene::Particles& particles);
+
+// Opening, offset and rotation of the joints that have names, forces of the springs that have names, changes
+// of the diameters of the ovals, and thrust, moment and shear force in the sections, each under its own name.
+void add_lining_histories(scene::Particles& particles);
+
 }  // namespace adit::coupler

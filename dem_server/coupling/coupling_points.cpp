@@ -82,11 +82,6 @@ void CouplingPoints::tie(std::span<const double> places, const Particles& p, con
   }
 }
 
-void CouplingPoints::fill(wire::Operator& op) const {
-  operator_.fill(op);
-  op.mutable_inverse_masses()->Assign(inverse_masses_.begin(), inverse_masses_.end());
-}
-
 void CouplingPoints::take_masses(const Particles& p) {
   for (std::size_t k = 0; k < inverse_masses_.size(); ++k)
     if (inverse_masses_[k] > 0) inverse_masses_[k] = p.inverse_mass[operator_.points()[k / 2]];

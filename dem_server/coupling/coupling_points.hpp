@@ -8,6 +8,7 @@
 #include "dem_server/particles/bonded_neighbours.hpp"
 #include "dem_server/particles/particles.hpp"
 #include "dem_server/particles/prescribed_motions.hpp"
+#include "protocol/geometry/bounding_box.hpp"
 #include "protocol/participant/interface/interface_operator.hpp"
 
 namespace adit::dem {
@@ -26,9 +27,8 @@ class CouplingPoints {
   std::size_t size() const { return operator_.rows(); }
   std::span<const std::uint32_t> particles() const { return operator_.points(); }  // tied, ascending
 
-  // N, and the inverse weighted masses for x and for y of each tied particle, 0 where the motion is
-  // prescribed.
-  void fill(wire::Operator& op) const;
+  const protocol::InterfaceOperator& interpolation() const { return operator_; }  // N
+  // Weighted, for x and for y of each tied particle [1/kg]; 0 where the motion is prescribed.
   std::span<const double> inverse_masses() const { return inverse_masses_; }
   // The particles have other masses from now on.
   void take_masses(const Particles& particles);
@@ -43,7 +43,7 @@ class CouplingPoints {
  private:
   std::vector<std::uint32_t> offered_;
   protocol::InterfaceOperator operator_;
-  std::vector<double> inverse_masses_;  // [1/kg]
+  std::vector<double> inverse_masses_;
 };
 
 }  // namespace adit::dem

@@ -14,10 +14,16 @@
 #include "dem_server/engines/answers.hpp"
 #include "dem_server/engines/crack.hpp"
 #include "protocol/geometry/bounding_box.hpp"
-#include "protocol/messages/scene.pb.h"
-#include "protocol/messages/wire.pb.h"
+#include "protocol/participant/interface/interface_operator.hpp"
 #include "protocol/participant/step.hpp"
 #include "protocol/state/archive.hpp"
+
+namespace adit::scene {
+class Particles;
+}
+namespace adit::wire {
+class Snapshot;
+}
 
 namespace adit::dem {
 
@@ -34,9 +40,11 @@ class Engine {
 
   // Centres at rest inside or on the box, x0 y0 x1 y1 … [m]
   virtual std::vector<double> offer(const geometry::BoundingBox& box) = 0;
-  // Ties the particles to the coupling points [m] and tells how they follow. UserError where they do not
+  // Ties the particles to the coupling points [m]: N, which says how they follow. UserError where they do not
   // reach.
-  virtual void tie(std::span<const double> places, wire::Operator& op) = 0;
+  virtual const protocol::InterfaceOperator& tie(std::span<const double> places) = 0;
+  // 1/M of the particles that N names, for x and for y [1/kg]; 0 where the motion is prescribed.
+  virtual std::span<const double> tied_inverse_masses() const = 0;
   // Adds N^T impulse / mass to the velocities predicted last; one pair [N s] a coupling point.
   virtual void correct(std::span<const double> impulses) = 0;
 
@@ -53,8 +61,7 @@ class Engine {
   virtual Strongest strongest() const = 0;                               // likewise
   virtual Energies energies(const protocol::Step& step) = 0;
   virtual double kinetic_energy() const = 0;  // of the present velocities, weighted [J]
-  virtual void read_histories(const protocol::Step& step,
-                              google::protobuf::RepeatedField<double>& values) = 0;
+  virtual void read_histories(const protocol::Step& step, std::vector<double>& values) = 0;  // adds to them
 
   // Both ask for a step whose velocities are corrected.
   virtual void take_peaks(const protocol::Step& step) = 0;
@@ -70,8 +77,6 @@ class Engine {
   // particle (CriticalElement), and loads know nothing of them; 0: masses are true.
   virtual bool scales_masses() const { return false; }
   virtual void scale_masses(double /*mass_per_stiffness*/) {}
-  // Those of now, where the interface ties them (wire.proto, Operator).
-  virtual std::span<const double> tied_inverse_masses() const { return {}; }
   // Displacements count from here, also when time begins.
   virtual void count_displacements() = 0;
   // The first step that does not relax is next: displacements, energies and work count from here. What held

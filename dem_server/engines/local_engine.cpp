@@ -55,11 +55,12 @@ std::vector<double> LocalEngine::offer(const geometry::BoundingBox& box) {
   return coupling_.offer(particles(), box);
 }
 
-void LocalEngine::tie_particles(std::span<const double> places, const BondEnds& bonds,
-                                const PrescribedMotions& motions, wire::Operator& op) {
+const protocol::InterfaceOperator& LocalEngine::tie_particles(std::span<const double> places,
+                                                              const BondEnds& bonds,
+                                                              const PrescribedMotions& motions) {
   coupling_.tie(places, particles(), bonds, motions);
-  coupling_.fill(op);
   if (histories_) histories_->tie(coupling_.particles());
+  return coupling_.interpolation();
 }
 
 void LocalEngine::prepare(bool energies) {
@@ -77,8 +78,7 @@ void LocalEngine::read_velocities(std::span<double> velocities) const {
   coupling_.read_velocities(particles(), velocities);
 }
 
-void LocalEngine::read_histories(const protocol::Step& step,
-                                 google::protobuf::RepeatedField<double>& values) {
+void LocalEngine::read_histories(const protocol::Step& step, std::vector<double>& values) {
   if (histories_) histories_->read(*this, lining_, step, values);
   take_envelope(step);
 }

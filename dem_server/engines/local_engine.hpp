@@ -33,7 +33,7 @@ class LocalEngine : public Engine, public Observable {
   void remember_for_peaks() final;
   void read_velocities(std::span<double> velocities) const final;
   double kinetic_energy() const final { return dem::kinetic_energy(particles()); }
-  void read_histories(const protocol::Step& step, google::protobuf::RepeatedField<double>& values) final;
+  void read_histories(const protocol::Step& step, std::vector<double>& values) final;
   void take_peaks(const protocol::Step& step) final;
   Unrest unrest(const protocol::Step& step) final;
   void begin_stage(std::uint32_t stage) override;
@@ -54,8 +54,8 @@ class LocalEngine : public Engine, public Observable {
   // The groups, and which particles are there, become those of the model.
   void take_stage(const Model& model);
 
-  void tie_particles(std::span<const double> places, const BondEnds& bonds, const PrescribedMotions& motions,
-                     wire::Operator& op);
+  const protocol::InterfaceOperator& tie_particles(std::span<const double> places, const BondEnds& bonds,
+                                                   const PrescribedMotions& motions);
   void push(std::span<const double> impulses, PrescribedMotions& motions) {
     coupling_.push(impulses, kick_, particles(), motions);
   }

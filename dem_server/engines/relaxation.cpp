@@ -1,7 +1,6 @@
 #include "dem_server/engines/relaxation.hpp"
 
-#include "protocol/kernels/eight_sums.hpp"
-#include "protocol/kernels/vector_sizes.hpp"
+#include "protocol/kernels/sums.hpp"
 #include "protocol/participant/local_damping.hpp"
 #include "protocol/threads/vector_clones.hpp"
 

@@ -29,12 +29,19 @@
 #include <string>
 #include <vector>
 
-#include "dem_server/lining/pair_force.hpp"
 #include "dem_server/packing/discs.hpp"
 #include "dem_server/particles/particles.hpp"
 #include "protocol/geometry/shape.hpp"
 
 namespace adit::dem {
+
+// The force between two particles, wherever it comes from.
+// What a pair does to its first particle; to the second it does the opposite at the same place. No energy
+// weight, no dashpots.
+struct PairForce {
+  std::uint32_t first, second;
+  double x, y, fx, fy, moment;  // place [m], force [N], moment of the bond beside it [N m]
+};
 
 struct SectionForces {
   double thrust, moment, shear;  // [N], [N m], [N]

@@ -12,7 +12,6 @@
 
 #include "dem_server/observe/branches.hpp"
 #include "dem_server/observe/fragments.hpp"
-#include "dem_server/observe/quantities.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/text.hpp"
 
@@ -268,7 +267,7 @@ void Histories::remember(const Particles& particles) {
 }
 
 void Histories::read(const Observable& observed, const Lining& lining, const protocol::Step& step,
-                     google::protobuf::RepeatedField<double>& values) const {
+                     std::vector<double>& values) const {
   const Particles& p = observed.particles();
   std::optional<CircleMeans> means;
   std::optional<std::vector<SectionForces>> sections;
@@ -277,46 +276,46 @@ void Histories::read(const Observable& observed, const Lining& lining, const pro
     switch (history.quantity) {
       case scene::DISPLACEMENT_X:
       case scene::DISPLACEMENT_Y:
-        values.Add(motion(history, displacement, p));
+        values.push_back(motion(history, displacement, p));
         break;
       case scene::VELOCITY_X:
       case scene::VELOCITY_Y:
-        values.Add(history.velocity.before());
+        values.push_back(history.velocity.before());
         break;
       case scene::ACCELERATION_X:
       case scene::ACCELERATION_Y:
-        values.Add(history.velocity.acceleration(motion(history, velocity, p), step, history.tied));
+        values.push_back(history.velocity.acceleration(motion(history, velocity, p), step, history.tied));
         break;
       case scene::FORCE_X:
-        values.Add(observed.walls()[history.named].x);
+        values.push_back(observed.walls()[history.named].x);
         break;
       case scene::FORCE_Y:
-        values.Add(observed.walls()[history.named].y);
+        values.push_back(observed.walls()[history.named].y);
         break;
       case scene::OPENING:
       case scene::OFFSET:
       case scene::ROTATION:
         if (!fragments) fragments = fragments_of(p.size(), firm_bonds(observed));
-        values.Add(component(lining.joints[history.named].motion(p, {fragments->number, fragments->size}),
-                             history.quantity));
+        values.push_back(component(
+            lining.joints[history.named].motion(p, {fragments->number, fragments->size}), history.quantity));
         break;
       case scene::SPRING_FORCE:
-        values.Add(observed.springs()[history.named].force);
+        values.push_back(observed.springs()[history.named].force);
         break;
       case scene::LARGEST_DIAMETER_CHANGE:
       case scene::SMALLEST_DIAMETER_CHANGE:
       case scene::LARGEST_DIAMETER_DIRECTION:
-        values.Add(component(lining.ovals[history.named].change(p), history.quantity));
+        values.push_back(component(lining.ovals[history.named].change(p), history.quantity));
         break;
       case scene::THRUST:
       case scene::MOMENT:
       case scene::SHEAR_FORCE:
         if (!sections) sections = section_forces(observed, lining.sections);
-        values.Add(component((*sections)[history.named], history.quantity));
+        values.push_back(component((*sections)[history.named], history.quantity));
         break;
       default:
         if (!means) means.emplace(observed);
-        values.Add(means->value(history.quantity, history.circle));
+        values.push_back(means->value(history.quantity, history.circle));
     }
   }
 }

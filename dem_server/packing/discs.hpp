@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "protocol/geometry/bounding_box.hpp"
+
 namespace adit::dem {
 
 struct Discs {
@@ -42,5 +44,9 @@ inline void keep_only(const std::vector<bool>& keep, Discs& discs) {
 // until there are none. Contacts are the pairs, and `walls[i]` further ones of disc i (empty: none).
 std::vector<bool> without_floaters(std::size_t discs, std::span<const Pair> contacts,
                                    std::span<const std::uint32_t> walls, std::uint32_t fewest);
+
+// Where the discs of a model are.
+// The box around at least one disc.
+geometry::BoundingBox extent_of(const Discs& discs);
 
 }  // namespace adit::dem

@@ -7,6 +7,7 @@
 
 #include "dem_server/engines/engine.hpp"
 #include "dem_server/model/model.hpp"
+#include "protocol/messages/scene.pb.h"
 
 namespace adit::dem {
 

@@ -98,7 +98,8 @@ void DemParticipant::balance_under_weights(std::span<const double> centres) {
 }
 
 void DemParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
-  engine_->tie(protocol::view(couple.points()), op);
+  engine_->tie(protocol::view(couple.points())).fill(op);
+  assign(*op.mutable_inverse_masses(), engine_->tied_inverse_masses());
   coupling_points_ = static_cast<std::size_t>(couple.points_size()) / 2;
   if (!scene_.has_statics() || !engine_->scales_masses()) return;
   scale_masses(true);
@@ -166,7 +167,9 @@ void DemParticipant::read_energies(const protocol::Step& step, wire::Energies& e
 
 void DemParticipant::read_histories(const protocol::Step& step,
                                     google::protobuf::RepeatedField<double>& values) {
-  engine_->read_histories(step, values);
+  histories_.clear();
+  engine_->read_histories(step, histories_);
+  assign(values, histories_);
 }
 
 void DemParticipant::read_events(wire::Predicted& predicted) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "dem_server/engines/engine.hpp"
 #include "dem_server/model/model.hpp"
@@ -61,9 +62,10 @@ class DemParticipant final : public protocol::SteppedParticipant {
   std::unique_ptr<Engine> engine_;
   CriticalElement critical_{};  // of the unweighted model
   std::size_t coupling_points_ = 0;
-  std::uint32_t stage_ = 0;     // of excavation, reached
-  bool scaled_ = false;         // masses, in statics
-  wire::Predicted unreported_;  // cracks and largest forces of whole steps
+  std::uint32_t stage_ = 0;        // of excavation, reached
+  bool scaled_ = false;            // masses, in statics
+  wire::Predicted unreported_;     // cracks and largest forces of whole steps
+  std::vector<double> histories_;  // of the step told last
   std::uint64_t moves_ = 0;
 };
 

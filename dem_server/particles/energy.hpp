@@ -17,7 +17,9 @@ struct Velocities {
   std::vector<double> x, y, spin;
 
   void exchange(state::Archive& archive) {
-    for (auto* values : {&x, &y, &spin}) archive("velocities_before", std::span(*values));
+    archive("velocities_before_x", std::span(x));
+    archive("velocities_before_y", std::span(y));
+    archive("velocities_before_spin", std::span(spin));
   }
 };
 

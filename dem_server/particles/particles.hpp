@@ -33,8 +33,13 @@ struct Particles {
 
   // Masses are those of the stage, and each step finds its resultants anew.
   void exchange(state::Archive& archive) {
-    for (auto* values : {&ux, &uy, &settled_x, &settled_y, &vx, &vy, &spin})
-      archive("motion", std::span(*values));
+    archive("motion_ux", std::span(ux));
+    archive("motion_uy", std::span(uy));
+    archive("motion_settled_x", std::span(settled_x));
+    archive("motion_settled_y", std::span(settled_y));
+    archive("motion_vx", std::span(vx));
+    archive("motion_vy", std::span(vy));
+    archive("motion_spin", std::span(spin));
     archive.all_or_none("ties", {&tie_x, &tie_y}, size());
   }
 };

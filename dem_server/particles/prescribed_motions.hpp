@@ -38,9 +38,14 @@ class PrescribedMotions {
   double kinetic_energy() const;
   void start_over() { work_ = 0; }
   void exchange(state::Archive& archive) {
-    for (Motion& motion : motions_)
-      for (double* value : {&motion.before, &motion.after, &motion.reaction}) archive("prescribed", *value);
-    for (double* value : {&work_, &last_dt_, &last_kick_}) archive("prescribed_motions", *value);
+    for (Motion& motion : motions_) {
+      archive("prescribed_before", motion.before);
+      archive("prescribed_after", motion.after);
+      archive("prescribed_reaction", motion.reaction);
+    }
+    archive("prescribed_motions_work", work_);
+    archive("prescribed_motions_last_dt", last_dt_);
+    archive("prescribed_motions_last_kick", last_kick_);
   }
 
   bool prescribes(Component component, std::uint32_t particle) const {

@@ -27,12 +27,6 @@ struct Elasticity {
   double lame() const { return bulk - 2 * shear / 3; }
 };
 
-inline SolidStress stress_of(const Elasticity& e, const Strain& strain) {
-  const double mean = e.lame() * (strain.xx + strain.yy + strain.zz);
-  return {mean + 2 * e.shear * strain.xx, mean + 2 * e.shear * strain.yy, mean + 2 * e.shear * strain.zz,
-          e.shear * strain.xy};
-}
-
 inline Strain strain_of(const Elasticity& e, const SolidStress& stress) {
   const double mean = (stress.xx + stress.yy + stress.zz) / 3, compliance = 1 / (2 * e.shear);
   const double isotropic = mean / (3 * e.bulk) - mean * compliance;

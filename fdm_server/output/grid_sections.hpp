@@ -16,7 +16,7 @@
 
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/materials/damping_law.hpp"
-#include "fdm_server/output/damped_value.hpp"
+#include "fdm_server/output/damped_stress.hpp"
 #include "fdm_server/supports/lining.hpp"
 #include "fdm_server/zones/zone_set.hpp"
 #include "protocol/messages/scene.pb.h"
@@ -36,7 +36,7 @@ class GridSections {
   // is none.
   std::size_t number_of(const scene::History& history, const std::string& path) const;
 
-  // After every step, once the zones have their stress of it: what damping adds (damped_value.hpp).
+  // After every step, once the zones have their stress of it: what damping adds (damped_stress.hpp).
   void follow(const ZoneSet& zones, const protocol::Step& step);
   // Signs as in GridSection of structures.proto.
   LiningForces of(const ZoneSet& zones, std::size_t section) const;

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "fdm_server/grid/grid.hpp"
-#include "fdm_server/zones/shape/mean_gradient.hpp"
+#include "fdm_server/zones/shape/hourglass.hpp"
 
 namespace adit::fdm {
 

@@ -6,7 +6,7 @@
 
 #include "fdm_server/output/mean_strain.hpp"
 #include "fdm_server/zones/batch/batch.hpp"
-#include "fdm_server/zones/shape/mean_gradient.hpp"
+#include "fdm_server/zones/shape/hourglass.hpp"
 #include "protocol/threads/vector_clones.hpp"
 
 namespace adit::fdm {

@@ -32,14 +32,15 @@ class Peaks {
 
   void exchange(state::Archive& archive) {
     motion_.exchange(archive);
-    for (auto* values : {&shear_strain_, &largest_principal_, &smallest_principal_})
-      archive("zone_peaks", std::span(*values));
+    archive("zone_peaks_shear_strain", std::span(shear_strain_));
+    archive("zone_peaks_largest_principal", std::span(largest_principal_));
+    archive("zone_peaks_smallest_principal", std::span(smallest_principal_));
   }
 
  private:
   std::size_t points_;
   protocol::PeakMotion motion_;
-  // Of each zone: numbers of its corners, mean gradient of the first two (mean_gradient.hpp).
+  // Of each zone: numbers of its corners, mean gradient of the first two (hourglass.hpp).
   std::array<std::vector<std::int32_t>, 4> corners_;
   std::array<std::vector<double>, 4> gradients_;
   std::vector<double> shear_strain_, largest_principal_, smallest_principal_;

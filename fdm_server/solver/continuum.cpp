@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "protocol/ground/imposed.hpp"
-#include "protocol/kernels/eight_sums.hpp"
+#include "protocol/kernels/sums.hpp"
 
 namespace adit::fdm {
 namespace {
@@ -423,9 +423,13 @@ void Continuum::exchange(state::Archive& archive) {
   damping_.exchange(archive);
   for (Part* part : {&interface_, &interior_}) {
     for (Loading& loading : part->loads) archive("load_factor", loading.factor);
-    for (Prescribed& one : part->motions)
-      for (double* value : {&one.mass, &one.before, &one.after, &one.reaction, &one.moved})
-        archive("prescribed", *value);
+    for (Prescribed& one : part->motions) {
+      archive("prescribed_mass", one.mass);
+      archive("prescribed_before", one.before);
+      archive("prescribed_after", one.after);
+      archive("prescribed_reaction", one.reaction);
+      archive("prescribed_moved", one.moved);
+    }
     archive.members("dashpots", std::span(part->dashpots), &Dashpot::origin, &Dashpot::settling,
                     &Dashpot::support, &Dashpot::stress, &Dashpot::viscous_x, &Dashpot::viscous_y,
                     &Dashpot::given, &Dashpot::drag);
@@ -433,7 +437,10 @@ void Continuum::exchange(state::Archive& archive) {
   }
   archive("boundary_work", boundary_work_);
   archive("steady", steady_);
-  for (double* value : {&external_work_, &damped_, &last_dt_, &last_kick_}) archive("continuum", *value);
+  archive("external_work", external_work_);
+  archive("damped", damped_);
+  archive("last_dt", last_dt_);
+  archive("last_kick", last_kick_);
   archive("step_of_stage", step_of_stage_);
   archive("damps", damps_);
   archive.all_or_none("ties", {&tie_x_, &tie_y_}, points_.size());

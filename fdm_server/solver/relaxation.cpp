@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "protocol/kernels/eight_sums.hpp"
-#include "protocol/kernels/vector_sizes.hpp"
+#include "protocol/kernels/sums.hpp"
 #include "protocol/participant/local_damping.hpp"
 #include "protocol/threads/vector_clones.hpp"
 

@@ -34,7 +34,10 @@ class Relaxation {
   // All velocities were multiplied by this factor.
   void slowed(double factor);
   void exchange(state::Archive& archive) {
-    for (auto* values : {&vx_, &vy_, &fx_, &fy_}) archive("relaxation", std::span(*values));
+    archive("relaxation_vx", std::span(vx_));
+    archive("relaxation_vy", std::span(vy_));
+    archive("relaxation_fx", std::span(fx_));
+    archive("relaxation_fy", std::span(fy_));
   }
 
  private:

@@ -91,7 +91,10 @@ class Structures {
     for (Beam& beam : beams_) beam.exchange(archive);
     for (Bar& bar : bars_) bar.exchange(archive);
     for (Joint& joint : joints_) joint.spring.exchange(archive);
-    for (auto* values : {&angle_, &rate_, &rate_before_, &couple_}) archive("rotations", std::span(*values));
+    archive("rotations_angle", std::span(angle_));
+    archive("rotations_rate", std::span(rate_));
+    archive("rotations_rate_before", std::span(rate_before_));
+    archive("rotations_couple", std::span(couple_));
     archive("structures_dissipated", dissipated_);
   }
 

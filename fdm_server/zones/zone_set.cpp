@@ -7,7 +7,7 @@
 #include "fdm_server/zones/batch/zone_kernels.hpp"
 #include "fdm_server/zones/elastic/elastic_zones.hpp"
 #include "fdm_server/zones/nonlinear/nonlinear_zones.hpp"
-#include "protocol/kernels/eight_sums.hpp"
+#include "protocol/kernels/sums.hpp"
 
 namespace adit::fdm {
 namespace {

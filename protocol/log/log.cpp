@@ -2,9 +2,9 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <mutex>
-#include <nlohmann/json.hpp>
 
 #include "protocol/standard_streams.hpp"
 #include "protocol/text.hpp"

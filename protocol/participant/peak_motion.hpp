@@ -48,8 +48,11 @@ class PeakMotion {
   }
 
   void exchange(state::Archive& archive) {
-    for (auto* values : {&before_x_, &before_y_, &displacement_, &velocity_, &acceleration_})
-      archive("peak_motion", std::span(*values));
+    archive("peak_motion_before_x", std::span(before_x_));
+    archive("peak_motion_before_y", std::span(before_y_));
+    archive("peak_motion_displacement", std::span(displacement_));
+    archive("peak_motion_velocity", std::span(velocity_));
+    archive("peak_motion_acceleration", std::span(acceleration_));
   }
 
   std::vector<double> displacement() const { return roots(displacement_); }  // [m]

@@ -52,10 +52,15 @@ void SteppedParticipant::snapshot(const wire::SnapshotRequest& request, wire::Sn
 
 void SteppedParticipant::exchange(state::Archive& archive) {
   archive("last_step", last_.number);
-  for (double* value : {&last_.dt, &last_.local_damping}) archive("last_step", *value);
-  for (bool* flag :
-       {&last_.relax, &last_.stop, &scaled_, &started_, &corrected_, &peaks_due_, &interior_left_})
-    archive("flag", *flag);
+  archive("last_step_dt", last_.dt);
+  archive("last_step_local_damping", last_.local_damping);
+  archive("relax", last_.relax);
+  archive("stop", last_.stop);
+  archive("scaled", scaled_);
+  archive("started", started_);
+  archive("corrected", corrected_);
+  archive("peaks_due", peaks_due_);
+  archive("interior_left", interior_left_);
   exchange_solver(archive);
   if (archive.reads()) scale_masses(scaled_);
 }

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "protocol/kernels/vector_sizes.hpp"
+#include "protocol/kernels/sums.hpp"
 #include "protocol/state/archive.hpp"
 
 namespace adit::protocol {
@@ -37,7 +37,8 @@ class Travel {
   }
 
   void exchange(state::Archive& archive) {
-    for (auto* values : {&from_x_, &from_y_}) archive("travel_from", std::span(*values));
+    archive("travel_from_x", std::span(from_x_));
+    archive("travel_from_y", std::span(from_y_));
   }
 
  private:

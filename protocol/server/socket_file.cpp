@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 #include <sys/socket.h>
 #include <unistd.h>
-
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
+
 #include <cerrno>
+#include <cstdlib>
+#include <string>
+#include <system_error>
 
 #include "protocol/errors.hpp"
 
@@ -45,6 +48,17 @@ void make_room_for_socket(const std::filesystem::path& path) {
 
 void remove_socket(const std::filesystem::path& path) {
   if (!path.empty()) ::unlink(path.c_str());
+}
+
+// In /tmp, because the path of a Unix socket must be short.
+PrivateFolder::PrivateFolder() {
+  std::string name = fmt::format("/tmp/adit-{}-XXXXXX", ::getpid());
+  if (::mkdtemp(name.data()) != nullptr) path_ = name;
+}
+
+PrivateFolder::~PrivateFolder() {
+  std::error_code ignored;
+  if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
 }
 
 }  // namespace adit::protocol

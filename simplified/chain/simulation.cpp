@@ -24,7 +24,7 @@ const char* direction_name(std::size_t direction) {
 }
 
 void check(const Settings& settings) {
-  check(settings.method, settings.dt);
+  check(settings.newmark, settings.dt);
   if (!(settings.tolerance > 0 && settings.tolerance < 1))
     throw protocol::UserError("tolerance", fmt::format("{} is not between 0 and 1", settings.tolerance));
   if (settings.max_iterations < 1)
@@ -39,14 +39,13 @@ class Simulation::Impl {
       : settings_(settings),
         model_(chain),
         curved_(chain),
-        integrator_(settings.method, settings.dt, 0),
+        integrator_(settings.newmark, settings.dt),
         riccati_(model_),
-        tracks_{Track(model_.bodies + 2, settings.method), Track(model_.bodies + 2, settings.method),
-                Track(model_.bodies + 2, settings.method)},
+        tracks_{Track(model_.bodies + 2), Track(model_.bodies + 2), Track(model_.bodies + 2)},
         zero_(model_.bodies, 0.0),
         results_(model_.bodies) {
     const std::size_t n = model_.bodies;
-    for (Components* all : {&load_, &before_, &ahead_, &r_, &y_, &trial_}) *all = components(n + 2);
+    for (Components* all : {&load_, &r_, &y_, &trial_}) *all = components(n + 2);
     hinge_forces_ = components(n + 1);
     factor(0);
     // Results can be read before the first step, also without start().
@@ -66,8 +65,7 @@ class Simulation::Impl {
   RiccatiSweep riccati_;
   Tracks tracks_;
   const std::vector<double> zero_;
-  // On the bodies, without the chain's own: at the end of this step, of the last one, theta steps ahead.
-  Components load_, before_, ahead_;
+  Components load_;  // on the bodies at the end of the step, without the chain's own
   Components hinge_forces_, r_, y_, trial_;
   Results results_;
 
@@ -79,9 +77,8 @@ class Simulation::Impl {
   void factor(std::size_t changed_hinge);
   void set_load(const Excitation& excitation);
   void move_abutments(const Excitation& excitation);
-  void look_ahead(const Excitation& at_end);
-  const Components& acting_load() const { return integrator_.theta() == 1 ? load_ : ahead_; }
-  void balance(const Components& load);
+  void predict_abutments();
+  void balance();
   void solve();
   void solve_to_curves();
   void check_finite();
@@ -134,29 +131,13 @@ void Simulation::Impl::move_abutments(const Excitation& e) {
   }
 }
 
-// The equations hold theta steps ahead, where forces and abutments are extrapolated along straight lines. The
-// motion of the abutments is known, so their prediction needs no correction.
-void Simulation::Impl::look_ahead(const Excitation& at_end) {
-  const double theta = integrator_.theta();
-  const auto ahead = [theta](double now, double after) {
-    return theta == 1 ? after : now + theta * (after - now);
-  };
-  for (Track& track : tracks_) {  // from the motion at the start of the step
+// The motion of the abutments is known, so their prediction needs no correction.
+void Simulation::Impl::predict_abutments() {
+  for (Track& track : tracks_)
     for (const std::size_t i : {std::size_t{0}, model_.bodies + 1}) {
       track.p[i] = track.x[i];
       track.q[i] = track.v[i];
     }
-  }
-  move_abutments(at_end);
-  for (Track& track : tracks_) {
-    for (const std::size_t i : {std::size_t{0}, model_.bodies + 1}) {
-      track.p[i] = ahead(track.p[i], track.x[i]);
-      track.q[i] = ahead(track.q[i], track.v[i]);
-    }
-  }
-  if (theta == 1) return;
-  for (std::size_t c = 0; c < 3; ++c)
-    for (std::size_t i = 0; i < load_[c].size(); ++i) ahead_[c][i] = ahead(before_[c][i], load_[c][i]);
 }
 
 // The prediction, its unbalanced forces, and the forward sweep, block by block. The unbalanced force of a
@@ -167,7 +148,7 @@ void Simulation::Impl::sweep_forward() {
   const Field p = predicted_displacement(tracks_), q = predicted_velocity(tracks_);
   const auto complete = [&](std::size_t begin, std::size_t end) {
     hinge_forces(model_, p, q, begin, end, hinge_forces_);
-    unbalanced(model_, p, q, acting_load(), hinge_forces_, begin, end, r_);
+    unbalanced(model_, p, q, load_, hinge_forces_, begin, end, r_);
     riccati_.forward(r_, begin, end);
   };
   std::size_t done = 1;
@@ -200,11 +181,11 @@ void Simulation::Impl::finish(std::size_t begin, std::size_t end) {
 }
 
 // The unbalanced forces of the prediction, for all bodies at once.
-void Simulation::Impl::balance(const Components& load) {
+void Simulation::Impl::balance() {
   const std::size_t n = model_.bodies;
   const Field p = predicted_displacement(tracks_), q = predicted_velocity(tracks_);
   hinge_forces(model_, p, q, 0, n + 1, hinge_forces_);
-  unbalanced(model_, p, q, load, hinge_forces_, 1, n + 1, r_);
+  unbalanced(model_, p, q, load_, hinge_forces_, 1, n + 1, r_);
 }
 
 // One solution of the linear equations with the present tangents.
@@ -241,20 +222,15 @@ void Simulation::Impl::solve_to_curves() {
     // again.
     const std::size_t changed = curved_.relinearize(x, iteration > kBold, model_);
     factor(changed);
-    balance(acting_load());
+    balance();
   }
 }
 
 void Simulation::Impl::step(const Excitation& at_end) {
   const FlushDenormals fast;
-  if (steps_ == kHouboltStart && std::holds_alternative<Houbolt>(settings_.method)) {
-    // A and C of the method enter every matrix, so all are factored again.
-    integrator_ = Integrator(settings_.method, settings_.dt, steps_);
-    factor(0);
-  }
-  std::swap(before_, load_);
   set_load(at_end);
-  look_ahead(at_end);
+  move_abutments(at_end);
+  predict_abutments();
   // Linear hinges let each block pass through all stages while it is in the cache. Curves need the
   // deformations of the whole chain before their tangents are known.
   if (curved_.empty()) {
@@ -262,7 +238,7 @@ void Simulation::Impl::step(const Excitation& at_end) {
     sweep_back();
   } else {
     for (Track& track : tracks_) integrator_.predict(track, 1, model_.bodies + 1);
-    balance(acting_load());
+    balance();
     solve_to_curves();
     finish(1, model_.bodies + 1);
   }
@@ -288,7 +264,7 @@ void Simulation::Impl::start(const InitialMotion& motion, const Excitation& at_s
   // At the initial displacements themselves the tangents have the forces of the curves, so that the first
   // accelerations are exact.
   factor(curved_.relinearize(displacement(tracks_), false, model_));
-  balance(load_);
+  balance();
   for (std::size_t c = 0; c < 3; ++c) {
     const std::vector<double>& mass = c < 2 ? model_.mass : model_.inertia;
     for (std::size_t i = 1; i <= model_.bodies; ++i) tracks_[c].a[i] = r_[c][i] / mass[i];

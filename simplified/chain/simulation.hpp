@@ -21,7 +21,7 @@ namespace adit::simplified::chain {
 
 struct Settings {
   double dt = 0;  // [s]
-  Method method = Newmark{};
+  Newmark newmark = {};
   // Curves are linearized again within the step until no joint's force deviates from its curve by more than
   // this share of the curve's largest force.
   double tolerance = 1e-9;

@@ -4,7 +4,7 @@
 
 #include "simplified/column/modes/modes.hpp"
 #include "simplified/models/solve.hpp"
-#include "simplified/scene/nearest.hpp"
+#include "simplified/scene/along_chainage.hpp"
 
 namespace adit::simplified {
 namespace {

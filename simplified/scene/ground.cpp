@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "protocol/errors.hpp"
-#include "simplified/scene/interpolate.hpp"
+#include "simplified/scene/along_chainage.hpp"
 #include "simplified/scene/tunnel.hpp"
 
 namespace adit::simplified {

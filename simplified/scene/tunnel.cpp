@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "protocol/errors.hpp"
-#include "simplified/scene/interpolate.hpp"
+#include "simplified/scene/along_chainage.hpp"
 
 namespace adit::simplified {
 namespace {

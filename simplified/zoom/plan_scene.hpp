@@ -14,7 +14,7 @@
 #include <string>
 
 #include "protocol/messages/scene.pb.h"
-#include "simplified/models/setup.hpp"
+#include "simplified/models/solve.hpp"
 #include "simplified/output/response.hpp"
 #include "simplified/scene/excitation.hpp"
 #include "simplified/zoom/window.hpp"

@@ -7,7 +7,7 @@
 
 #include "protocol/errors.hpp"
 #include "protocol/results/csv.hpp"
-#include "simplified/scene/nearest.hpp"
+#include "simplified/scene/along_chainage.hpp"
 
 namespace adit::simplified {
 namespace {

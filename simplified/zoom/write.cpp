@@ -11,7 +11,7 @@
 #include "protocol/nearest_name.hpp"
 #include "protocol/scene/writer.hpp"
 #include "protocol/text.hpp"
-#include "simplified/scene/nearest.hpp"
+#include "simplified/scene/along_chainage.hpp"
 #include "simplified/zoom/places.hpp"
 #include "simplified/zoom/plan_scene.hpp"
 #include "simplified/zoom/site.hpp"

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "simplified/models/setup.hpp"
+#include "simplified/models/solve.hpp"
 #include "simplified/output/response.hpp"
 #include "simplified/scene/excitation.hpp"
 

@@ -8,7 +8,7 @@
 #include "dem_server/model/lattice.hpp"
 #include "dem_server/model/model.hpp"
 #include "dem_server/model/weigh.hpp"
-#include "dem_server/packing/hexagonal.hpp"
+#include "dem_server/packing/regular.hpp"
 
 namespace adit::dem::test {
 

@@ -7,7 +7,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "coupler/bridging/overlap.hpp"
 
@@ -22,6 +24,20 @@ inline scene::Interface interface_of(const std::string& text) {
 // `text`: of the message Overlap.
 inline coupler::Overlap overlap_of(const std::string& text, const std::string& ramp = "LINEAR") {
   return {interface_of("overlap { " + text + " } ramp: " + ramp), "interface"};
+}
+
+// Weights of the overlap's outer or inner model at points x0 y0 x1 y1 …
+template <class Weight>
+std::vector<double> weights_at(std::span<const double> points, Weight weight) {
+  std::vector<double> weights;
+  for (std::size_t i = 0; i < points.size(); i += 2) weights.push_back(weight(points[i], points[i + 1]));
+  return weights;
+}
+inline std::vector<double> outer_weights(const coupler::Overlap& overlap, std::span<const double> points) {
+  return weights_at(points, [&](double x, double y) { return overlap.outer_weight(x, y); });
+}
+inline std::vector<double> inner_weights(const coupler::Overlap& overlap, std::span<const double> points) {
+  return weights_at(points, [&](double x, double y) { return overlap.inner_weight(x, y); });
 }
 
 inline std::string point(double x, double y) {

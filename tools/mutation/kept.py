@@ -1,6 +1,6 @@
 """The kept changes, tests/mutations.txt: each a file, its line and the replacement.
 
-    coupler/bridging/decay.cpp
+    coupler/bridging/solves/split.cpp
     - return kDecayOnTheWay * wave_speed / width;
     + return 2 * kDecayOnTheWay * wave_speed / width;
 

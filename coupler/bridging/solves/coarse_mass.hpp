@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "coupler/bridging/interpolation.hpp"
-#include "coupler/bridging/solves/cost.hpp"
+#include "coupler/bridging/solves/multipliers.hpp"
 #include "coupler/bridging/solves/symmetric_factor.hpp"
 
 namespace adit::coupler {

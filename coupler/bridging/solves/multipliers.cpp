@@ -9,6 +9,7 @@
 #include "coupler/bridging/solves/lumped.hpp"
 #include "coupler/bridging/solves/split.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/messages/scene.pb.h"
 
 namespace adit::coupler {
 namespace {

@@ -7,14 +7,24 @@
 // Rows of N sum to 1, so both sides together keep their linear momentum, whatever λ is.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 
 #include "coupler/bridging/interpolation.hpp"
-#include "coupler/bridging/solves/cost.hpp"
-#include "protocol/messages/scene.pb.h"
+
+namespace adit::scene {
+enum Solve : int;
+}
 
 namespace adit::coupler {
+
+// The cost of a multiplier solve: the time for setting it up, and its memory.
+struct SolveCost {
+  double factor_seconds = 0;     // assembly and factorization
+  std::size_t factor_bytes = 0;  // memory of the factors
+  std::size_t unknowns = 0;      // unknowns of all systems that are solved in a step
+};
 
 class MultiplierSolve {
  public:
@@ -28,7 +38,7 @@ class MultiplierSolve {
 
 // `fine_masses`: m, one pair (x, y) for each coupling point [kg], infinite where a motion is prescribed.
 // `decay`: for the solve `split`, the share of the fine motion that each coupling point loses in a step
-// (decay.hpp); empty otherwise.
+// (split.hpp); empty otherwise.
 // Throws protocol::UserError if the motion of a fine point is prescribed, or if the points of the coarse side
 // lie closer together than those of the fine side.
 std::unique_ptr<MultiplierSolve> make_multiplier_solve(scene::Solve kind, const Interpolation& coarse,

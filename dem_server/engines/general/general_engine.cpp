@@ -51,11 +51,13 @@ CriticalElement GeneralEngine::critical_element() const {
   return critical;
 }
 
-void GeneralEngine::tie(std::span<const double> places, wire::Operator& op) {
+const protocol::InterfaceOperator& GeneralEngine::tie(std::span<const double> places) {
   const Pairs& bonds = solver_.bonds();
   const double longest = bonds.size() > 0 ? std::ranges::max(bonds.rest_length) : 0;
-  tie_particles(places, {bonds.first, bonds.second, longest}, motions_, op);
+  const protocol::InterfaceOperator& n =
+      tie_particles(places, {bonds.first, bonds.second, longest}, motions_);
   solver_.tie(tied());
+  return n;
 }
 
 void GeneralEngine::step_interface(const protocol::Step& step) {

@@ -33,7 +33,7 @@ class GeneralEngine final : public LocalEngine {
 
   Counts counts() const override { return {solver_.particles().size(), model_.bonds.size()}; }
   CriticalElement critical_element() const override;
-  void tie(std::span<const double> places, wire::Operator& op) override;
+  const protocol::InterfaceOperator& tie(std::span<const double> places) override;
   void correct(std::span<const double> impulses) override { push(impulses, motions_); }
   void step_interface(const protocol::Step& step) override;
   void step_interior(const protocol::Step&) override {}

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "dem_server/engines/general/pairs/pairs.hpp"
-#include "dem_server/packing/extent.hpp"
+#include "dem_server/packing/discs.hpp"
 
 namespace adit::dem {
 namespace {

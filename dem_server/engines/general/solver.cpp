@@ -7,7 +7,7 @@
 
 #include "dem_server/engines/general/build_arrays.hpp"
 #include "dem_server/particles/integrate.hpp"
-#include "protocol/kernels/eight_sums.hpp"
+#include "protocol/kernels/sums.hpp"
 #include "protocol/threads/vector_clones.hpp"
 
 namespace adit::dem {
@@ -291,7 +291,9 @@ void Solver::exchange(state::Archive& archive) {
   archive("support_x", std::span(support_x_));
   archive("support_y", std::span(support_y_));
   archive("held", held_);
-  for (auto* pulled : {&pulled_x_, &pulled_y_, &pulled_moment_}) archive("pulled", std::span(*pulled));
+  archive("pulled_x", std::span(pulled_x_));
+  archive("pulled_y", std::span(pulled_y_));
+  archive("pulled_moment", std::span(pulled_moment_));
   double internal = internal_of_pairs_.value_or(-1);
   archive("internal_of_pairs", internal);
   archive("ledger", ledger_);

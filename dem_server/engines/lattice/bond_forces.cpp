@@ -8,7 +8,7 @@
 #include "dem_server/laws/contact_bond.hpp"
 #include "dem_server/laws/pair_kinematics.hpp"
 #include "dem_server/laws/spring.hpp"
-#include "protocol/kernels/eight_sums.hpp"
+#include "protocol/kernels/sums.hpp"
 #include "protocol/threads/vector_clones.hpp"
 
 namespace adit::dem {
@@ -231,16 +231,6 @@ double internal_force(const ContactBond& law, const Particles& particles, const 
     });
   }
   return sum;
-}
-
-BondResult compute_bond_forces(const ContactBond& law, double dt, Particles& particles, Bonds& bonds,
-                               std::vector<std::uint32_t>& broken) {
-  const protocol::IndexRange all{0, static_cast<std::uint32_t>(particles.size())};
-  clear({&all, 1}, resultants_of(particles));
-  BondResult result;
-  add_bond_forces(law, dt, bonds.runs, particles, bonds, resultants_of(particles), result, broken);
-  find_normal_forces(law, particles, bonds, bonds.normal_force);
-  return result;
 }
 
 }  // namespace adit::dem

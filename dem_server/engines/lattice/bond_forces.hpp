@@ -49,8 +49,4 @@ double strain_energy(const ContactBond& law, std::span<const Run> runs, const Pa
 // Sum over all bonds of |force|, weighted [N].
 double internal_force(const ContactBond& law, const Particles& particles, const Bonds& bonds);
 
-// The step's forces of all particles and all bonds.
-BondResult compute_bond_forces(const ContactBond& law, double dt, Particles& particles, Bonds& bonds,
-                               std::vector<std::uint32_t>& broken);
-
 }  // namespace adit::dem

@@ -46,14 +46,15 @@ CriticalElement LatticeEngine::critical_element() const {
   return dem::critical_element(assembly_, law_.stiffness);
 }
 
-void LatticeEngine::tie(std::span<const double> places, wire::Operator& op) {
-  tie_particles(places, ends_of(assembly_.bonds), interior_.motions, op);
+const protocol::InterfaceOperator& LatticeEngine::tie(std::span<const double> places) {
+  const protocol::InterfaceOperator& n = tie_particles(places, ends_of(assembly_.bonds), interior_.motions);
   for (const std::uint32_t i : tied()) tied_[i] = true;
   // Loads and motions follow their particles, because the velocities of tied ones are complete before the
   // interior is computed.
   interface_.loads = interior_.loads.take(tied_);
   interface_.motions = interior_.motions.take(tied_, assembly_.particles);
   plan();
+  return n;
 }
 
 void LatticeEngine::plan() {

@@ -29,7 +29,7 @@ class LatticeEngine final : public LocalEngine {
 
   Counts counts() const override { return {assembly_.particles.size(), assembly_.bonds.size()}; }
   CriticalElement critical_element() const override;
-  void tie(std::span<const double> places, wire::Operator& op) override;
+  const protocol::InterfaceOperator& tie(std::span<const double> places) override;
   void correct(std::span<const double> impulses) override { push(impulses, interface_.motions); }
   void step_interface(const protocol::Step& step) override;
   void step_interior(const protocol::Step& step) override;

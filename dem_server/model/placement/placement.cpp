@@ -10,9 +10,8 @@
 #include "dem_server/model/calibration.hpp"
 #include "dem_server/model/placement/placed_table.hpp"
 #include "dem_server/model/placement/scene_checks.hpp"
-#include "dem_server/packing/extent.hpp"
-#include "dem_server/packing/hexagonal.hpp"
-#include "dem_server/packing/square.hpp"
+#include "dem_server/packing/discs.hpp"
+#include "dem_server/packing/regular.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/geometry/selection.hpp"
 

@@ -1,6 +1,9 @@
 // Which discs of the model are joined, and by what.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "dem_server/model/model.hpp"
 #include "dem_server/model/placement/groups.hpp"
 #include "protocol/messages/scene.pb.h"
@@ -20,5 +23,12 @@ struct Joined {
 // kinds.
 Joined join(const scene::Particles& particles, const std::vector<Group>& groups, const Reach& reach,
             std::vector<ParticleStage>& stages, Model& model);
+
+// What is likely to be wrong with the bonds of a model.
+// One sentence each, where
+// - many pairs are left without a bond by a gap that the rounding of their places may have opened;
+// - rows of particles interlock across an open joint, which then does not slide as a plane.
+std::vector<std::string> join_warnings(const scene::Particles& particles, const Joined& joined,
+                                       const Reach& reach);
 
 }  // namespace adit::dem

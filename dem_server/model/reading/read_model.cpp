@@ -13,7 +13,6 @@
 #include "dem_server/model/reading/conditions.hpp"
 #include "dem_server/model/reading/edges.hpp"
 #include "dem_server/model/reading/join.hpp"
-#include "dem_server/model/reading/join_warnings.hpp"
 #include "dem_server/model/reading/springs.hpp"
 #include "dem_server/model/reading/walls.hpp"
 #include "dem_server/model/solid/bends_as_solid.hpp"

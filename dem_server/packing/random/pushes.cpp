@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "protocol/kernels/eight_sums.hpp"
+#include "protocol/kernels/sums.hpp"
 #include "protocol/threads/vector_clones.hpp"
 
 namespace adit::dem {

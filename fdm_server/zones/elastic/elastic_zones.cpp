@@ -6,7 +6,7 @@
 
 #include "fdm_server/zones/shape/assumed_strain.hpp"
 #include "fdm_server/zones/shape/mixed_discretization.hpp"
-#include "protocol/kernels/eight_sums.hpp"
+#include "protocol/kernels/sums.hpp"
 
 namespace adit::fdm {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "protocol/kernels/eight_sums.hpp"
+#include "protocol/kernels/sums.hpp"
 
 namespace adit::fdm {
 

@@ -1,7 +1,7 @@
 // The hourglass pattern of a quadrilateral, and what resists it.
 //
 // Any four corner values are those of a linear field plus q times the pattern h = (1, -1, 1, -1):
-//   f_a = f_0 + f,x x_a + f,y y_a + q h_a,   f,x = b_x . f,  f,y = b_y . f  (mean_gradient.hpp),
+//   f_a = f_0 + f,x x_a + f,y y_a + q h_a,   f,x = b_x . f,  f,y = b_y . f,
 //   q = gamma . f,   gamma = 1/4 [h - (h.x) b_x - (h.y) b_y],
 // because b and h are orthogonal and gamma is so to every linear field: q = 0 there on any quadrilateral
 // (patch test). A kind of zone says what strain the pattern means. Where the mean of that strain is 0, as in
@@ -12,9 +12,23 @@
 
 #include <array>
 
-#include "fdm_server/zones/shape/mean_gradient.hpp"
+#include "fdm_server/grid/grid.hpp"
 
 namespace adit::fdm {
+
+// Mean gradient of the bilinear field over a quadrilateral (one-point quadrature, exact for the mean):
+//   A <df/dx> = 1/2 [(y1 - y3)(f0 - f2) + (y2 - y0)(f1 - f3)],  y -> -x for d/dy.
+// Corners 2 and 3 have the negative coefficients of corners 0 and 1.
+struct MeanGradient {
+  double x0, x1;  // d/dx of corners 0 and 1 [1/m]
+  double y0, y1;  // d/dy
+};
+
+inline MeanGradient mean_gradient(const Corners& c) {
+  const double half = 0.5 / area(c);
+  return {half * (c.y[1] - c.y[3]), half * (c.y[2] - c.y[0]), half * (c.x[3] - c.x[1]),
+          half * (c.x[0] - c.x[2])};
+}
 
 inline constexpr std::array<double, 4> kHourglass{1, -1, 1, -1};
 

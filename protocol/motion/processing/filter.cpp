@@ -104,14 +104,4 @@ Motion high_pass(const Motion& motion, double corner, int order, Phase phase) {
   return filtered(motion, Pass::kHigh, corner, order, phase);
 }
 
-Motion band_pass(const Motion& motion, double low, double high, int order, Phase phase) {
-  check_filter(motion, low, order);
-  check_filter(motion, high, order);
-  if (low >= high)
-    throw UserError(
-        "", fmt::format("the band begins at {:.6g} Hz and ends at {:.6g} Hz; give an end above its begin",
-                        low, high));
-  return low_pass(high_pass(motion, low, order, phase), high, order, phase);
-}
-
 }  // namespace adit::motion

@@ -17,7 +17,4 @@ enum class Phase { kZero, kCausal };
 Motion low_pass(const Motion& motion, double corner, int order, Phase phase);
 Motion high_pass(const Motion& motion, double corner, int order, Phase phase);
 
-// The high pass at `low` followed by the low pass at `high`, both of the given order.
-Motion band_pass(const Motion& motion, double low, double high, int order, Phase phase);
-
 }  // namespace adit::motion

@@ -100,11 +100,4 @@ RecordText split_text(const std::string& file, const std::string& content) {
   return text;
 }
 
-RecordText read_text(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!std::filesystem::is_regular_file(file) || !stream)
-    throw UserError("", file.string() + ": cannot be read; give the path of a record");
-  return split_text(file.string(), {std::istreambuf_iterator<char>(stream), {}});
-}
-
 }  // namespace adit::motion

@@ -51,7 +51,6 @@ struct RecordText {
 
 // The text up to the mark with which DOS ends a file (0x1A). Refuses UTF-16.
 RecordText split_text(const std::string& file, const std::string& content);
-RecordText read_text(const std::filesystem::path& file);
 
 // What is said where values, times `factor` in m/s^2, are stronger than any earthquake; empty where they are
 // not.

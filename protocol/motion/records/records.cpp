@@ -34,10 +34,6 @@ Motion parse(const RecordText& text, const RecordKeys& keys) {
 
 }  // namespace
 
-Motion read_motion(const std::filesystem::path& file, const RecordKeys& keys) {
-  return parse(read_text(file), keys);
-}
-
 Motion parse_motion(const std::string& file, const std::string& content, const RecordKeys& keys) {
   return parse(split_text(file, content), keys);
 }

@@ -38,8 +38,6 @@ struct RecordKeys {
 // Refused is a file that does not state a unit of acceleration, whose number of values differs from its
 // count, or of which a value exceeds 10 g: that is more than twice the strongest motion ever recorded, so the
 // unit must be wrong.
-Motion read_motion(const std::filesystem::path& file, const RecordKeys& keys = {});
-// The same for the content of a file.
 Motion parse_motion(const std::string& file, const std::string& content, const RecordKeys& keys = {});
 
 // The value of one `unit` in m/s^2, of a unit of time in s. Units are written as in

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "protocol/messages/wire.pb.h"
+
 namespace adit::protocol {
 
 InterfaceOperator::InterfaceOperator(std::span<const OperatorRow> rows) {

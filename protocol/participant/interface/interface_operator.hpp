@@ -7,8 +7,11 @@
 #include <span>
 #include <vector>
 
-#include "protocol/messages/wire.pb.h"
 #include "protocol/participant/interface/sparse_rows.hpp"
+
+namespace adit::wire {
+class Operator;
+}
 
 namespace adit::protocol {
 

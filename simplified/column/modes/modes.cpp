@@ -103,13 +103,6 @@ std::vector<Mode> modes(const Deposit& deposit, std::size_t count) {
   return result;
 }
 
-std::size_t modes_below(const Deposit& deposit, double frequency) {
-  // Mode n lies below the frequency if the phase has passed (n - 1/2) pi; a mode at the frequency itself does
-  // not count.
-  const double passed = phase_at_rock(deposit, frequency).value / kPi + 0.5;
-  return passed > 1 ? static_cast<std::size_t>(std::ceil(passed)) - 1 : 0;
-}
-
 double shape(const Deposit& deposit, const Mode& mode, double depth) {
   double top = 0;
   for (std::size_t i = 0; i < deposit.layers.size(); ++i) {

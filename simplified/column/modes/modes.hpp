@@ -24,9 +24,6 @@ struct Mode {
 // mode. The deposit must have been checked.
 std::vector<Mode> modes(const Deposit& deposit, std::size_t count);
 
-// The number of modes whose circular frequency is below `frequency` [rad/s].
-std::size_t modes_below(const Deposit& deposit, double frequency);
-
 // phi at depth z [m]; 0 at the rock and below.
 double shape(const Deposit& deposit, const Mode& mode, double depth);
 

@@ -113,10 +113,9 @@ Eigen::VectorXd interleaved(const std::vector<std::span<const double>>& columns,
 }  // namespace
 
 DirectIntegration::DirectIntegration(const Chain& chain, const Settings& settings)
-    : settings_(settings),
-      integrator_(settings.method, settings.dt, 0),
+    : integrator_(settings.newmark, settings.dt),
       bodies_(chain.bodies.size()),
-      motion_(3 * bodies_, settings.method),
+      motion_(3 * bodies_),
       load_(Vector::Zero(3 * bodies_)) {
   Triplets mass;
   Stations stations{chain, {}, {}};
@@ -150,17 +149,11 @@ DirectIntegration::Vector DirectIntegration::load(const Excitation& e) const {
 }
 
 void DirectIntegration::step(const Excitation& at_end) {
-  if (step_ == kHouboltStart && std::holds_alternative<Houbolt>(settings_.method)) {
-    integrator_ = Integrator(settings_.method, settings_.dt, step_);
-    factor();
-  }
-  const Vector before = std::exchange(load_, load(at_end));
+  load_ = load(at_end);
   integrator_.predict(motion_, 0, 3 * bodies_);
-  const Vector y = solver_.solve(before + integrator_.theta() * (load_ - before) -
-                                 stiffness_ * Map(motion_.p.data(), motion_.p.size()) -
+  const Vector y = solver_.solve(load_ - stiffness_ * Map(motion_.p.data(), motion_.p.size()) -
                                  dashpot_ * Map(motion_.q.data(), motion_.q.size()));
   integrator_.correct(motion_, {y.data(), static_cast<std::size_t>(y.size())}, 0, 3 * bodies_);
-  ++step_;
 }
 
 }  // namespace adit::simplified::chain::test

@@ -26,8 +26,6 @@ class DirectIntegration {
   void factor();
   Vector load(const Excitation& excitation) const;
 
-  Settings settings_;
-  long step_ = 0;
   Integrator integrator_;
   std::size_t bodies_;
   Sparse mass_, stiffness_, dashpot_;

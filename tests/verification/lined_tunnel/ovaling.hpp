@@ -24,7 +24,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "fdm_server/structures/section.hpp"
+#include "fdm_server/structures/beam.hpp"
 
 namespace adit::fdm::oracle {
 

@@ -19,9 +19,9 @@
 #include <string>
 #include <vector>
 
-#include "dem_server/engines/lattice/bond_forces.hpp"
 #include "dem_server/engines/lattice/critical_step.hpp"
 #include "dem_server/particles/integrate.hpp"
+#include "tests/support/bond_forces.hpp"
 
 namespace adit::dem::test {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "dem_server/particles/integrate.hpp"
-#include "protocol/kernels/eight_sums.hpp"
+#include "protocol/kernels/sums.hpp"
 #include "protocol/participant/local_damping.hpp"
 #include "protocol/threads/vector_clones.hpp"
 

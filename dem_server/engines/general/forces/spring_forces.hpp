@@ -40,7 +40,9 @@ class SpringForces {
   std::span<const std::uint32_t> broken() const { return broken_; }  // in the order in which they broke
 
   void exchange(state::Archive& archive) {
-    for (auto* values : {&forces_, &openings_, &installed_at_}) archive("spring", std::span(*values));
+    archive("spring_forces", std::span(forces_));
+    archive("spring_openings", std::span(openings_));
+    archive("spring_installed_at", std::span(installed_at_));
     archive("springs_whole", whole_);
     archive("springs_broken", broken_);
     archive("springs_released", released_);

@@ -64,7 +64,9 @@ class WallContacts {
   void exchange(state::Archive& archive) {
     archive("walls", std::span(states_));
     archive("touches", touches_);
-    for (double* sum : {&work_, &friction_, &dashpots_}) archive("walls_sum", *sum);
+    archive("walls_sum_work", work_);
+    archive("walls_sum_friction", friction_);
+    archive("walls_sum_dashpots", dashpots_);
   }
 
  private:

@@ -7,7 +7,7 @@
 #include "dem_server/engines/general/pairs/bond_breaking.hpp"
 #include "dem_server/engines/general/pairs/pair_kernel.hpp"
 #include "protocol/kernels/prefetch.hpp"
-#include "protocol/kernels/vector_sizes.hpp"
+#include "protocol/kernels/sums.hpp"
 
 namespace adit::dem {
 namespace {

@@ -3,7 +3,7 @@
 #include "dem_server/engines/general/pairs/chunk.hpp"
 #include "dem_server/laws/linear_contact.hpp"
 #include "dem_server/laws/spring.hpp"
-#include "protocol/kernels/vector_sizes.hpp"
+#include "protocol/kernels/sums.hpp"
 #include "protocol/threads/vector_clones.hpp"
 
 namespace adit::dem {

@@ -74,9 +74,19 @@ void Pairs::exchange(std::size_t discs, std::span<const PairLaw> laws, state::Ar
     finish(discs, with_bonds, with_dashpots);
   }
   archive("pair_law", std::span(law));
-  for (auto* values : {&rest_x, &rest_y, &rest_length, &half_difference, &slack, &width, &weight, &slide,
-                       &normal_dashpot, &shear_dashpot, &initial, &shear, &moment})
-    archive("pair", std::span(*values));
+  archive("pair_rest_x", std::span(rest_x));
+  archive("pair_rest_y", std::span(rest_y));
+  archive("pair_rest_length", std::span(rest_length));
+  archive("pair_half_difference", std::span(half_difference));
+  archive("pair_slack", std::span(slack));
+  archive("pair_width", std::span(width));
+  archive("pair_weight", std::span(weight));
+  archive("pair_slide", std::span(slide));
+  archive("pair_normal_dashpot", std::span(normal_dashpot));
+  archive("pair_shear_dashpot", std::span(shear_dashpot));
+  archive("pair_initial", std::span(initial));
+  archive("pair_shear", std::span(shear));
+  archive("pair_moment", std::span(moment));
   archive("pair_state", std::span(state));
   exchange_kinds(laws, archive);
 }

@@ -1,5 +1,5 @@
 // An operator that comes over the wire, perhaps from a foreign code, is checked completely before it is used.
-#include "coupler/bridging/interpolation.hpp"
+#include "coupler/answers/operator.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ wire::Operator valid_operator() {
 }
 
 TEST(Interpolation, AppliesNAndItsTranspose) {
-  const Interpolation n(valid_operator(), 2, "fdm_server");
+  const Interpolation n = interpolation_of(valid_operator(), 2, "fdm_server");
   std::vector<double> own = {1, 10, 2, 20, 3, 30}, velocities(4);
   n.interpolate(own, velocities);
   EXPECT_THAT(velocities, testing::ElementsAre(1.75, 17.5, 2.5, 25));
@@ -34,7 +34,6 @@ TEST(Interpolation, AppliesNAndItsTranspose) {
   EXPECT_THAT(own, testing::ElementsAre(1, 0, 4, 4, 1, 4));
   n.divide_by_mass(own);
   EXPECT_THAT(own, testing::ElementsAre(1, 0, 8, 8, 3, 8));
-  EXPECT_FALSE(n.is_selection());
 }
 
 // Requirement: statics that scale masses find those that the participant told for them, and time its own;
@@ -42,7 +41,7 @@ TEST(Interpolation, AppliesNAndItsTranspose) {
 TEST(Interpolation, HasOtherMassesInStatics) {
   wire::Operator op = valid_operator();
   for (const double inverse : op.inverse_masses()) op.add_scaled_inverse_masses(4 * inverse);
-  Interpolation n(op, 2, "");
+  Interpolation n = interpolation_of(op, 2, "");
   n.take_masses_of(MassesOf::kScaledStatics);
   EXPECT_THAT(n.inverse_masses(), testing::ElementsAreArray(op.scaled_inverse_masses()));
   n.take_masses_of(MassesOf::kTime);
@@ -51,7 +50,7 @@ TEST(Interpolation, HasOtherMassesInStatics) {
   EXPECT_THAT(n.inverse_masses(), testing::ElementsAreArray(op.inverse_masses()));
 
   op.set_scaled_inverse_masses(1, 0);
-  Interpolation held(op, 2, "");
+  Interpolation held = interpolation_of(op, 2, "");
   held.take_masses_of(MassesOf::kStatics);
   EXPECT_EQ(held.inverse_masses()[1], 0);
   EXPECT_EQ(held.inverse_masses()[2], op.inverse_masses(2));
@@ -80,7 +79,7 @@ TEST(Interpolation, RefusesAnythingMalformed) {
     wire::Operator op = valid_operator();
     spoil(op);
     try {
-      const Interpolation n(op, 2, "fdm_server at 10.0.0.1:1");
+      interpolation_of(op, 2, "fdm_server at 10.0.0.1:1");
       ADD_FAILURE() << "accepted where it should say: " << expected;
     } catch (const protocol::PeerLost& error) {
       EXPECT_THAT(error.what(), testing::HasSubstr(expected));

@@ -8,7 +8,7 @@
 #include <array>
 #include <limits>
 
-#include "coupler/bridging/decay.hpp"
+#include "coupler/bridging/solves/split.hpp"
 #include "protocol/errors.hpp"
 #include "tests/support/refusals.hpp"
 #include "tests/unit/coupler/participants/interface_fixture.hpp"

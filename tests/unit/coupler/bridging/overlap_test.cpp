@@ -75,12 +75,11 @@ RC_GTEST_PROP(Overlap, OwnsItsEdgesFarFromTheOrigin, ()) {
 RC_GTEST_PROP(Overlap, SharesTheEnergyFully, ()) {
   const Overlap overlap =
       overlap_of(test::random_overlap(), *rc::gen::element("LINEAR", "CUBIC", "CONSTANT"));
-  const std::vector<double> point = {test::random_between(-3, 3), test::random_between(-3, 3)};
-  const double outer = overlap.outer_weights(point)[0], inner = overlap.inner_weights(point)[0];
+  const double x = test::random_between(-3, 3), y = test::random_between(-3, 3);
+  const double outer = overlap.outer_weight(x, y), inner = overlap.inner_weight(x, y);
   RC_ASSERT(outer >= 0 && outer <= 1 && inner >= 0 && inner <= 1);
   RC_ASSERT(std::abs(outer + inner - 1.0) <= 1.1e-9);
-  if (!overlap.contains(point[0], point[1]))
-    RC_ASSERT(outer == overlap.depth(point[0], point[1]) && (outer == 0 || inner == 0));
+  if (!overlap.contains(x, y)) RC_ASSERT(outer == overlap.depth(x, y) && (outer == 0 || inner == 0));
 }
 
 TEST(Overlap, BoundsCutTheModelWhereTheStripFollowsAnAxis) {

@@ -1,5 +1,5 @@
 // Ground that two models describe differently at one place must be told.
-#include "coupler/check/compare_ground.hpp"
+#include "coupler/check/warnings.hpp"
 
 #include <gmock/gmock.h>
 #include <google/protobuf/text_format.h>

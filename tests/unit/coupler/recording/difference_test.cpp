@@ -1,4 +1,4 @@
-#include "coupler/recording/difference.hpp"
+#include "coupler/recording/diff.hpp"
 
 #include <gmock/gmock.h>
 

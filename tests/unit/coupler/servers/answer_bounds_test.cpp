@@ -1,5 +1,5 @@
 // Requirement: no answer may be longer than the model can need that the participant told of.
-#include "coupler/servers/answer_bounds.hpp"
+#include "coupler/servers/remote_connection.hpp"
 
 #include <gtest/gtest.h>
 

@@ -26,7 +26,7 @@ double zone_height(const fdm::Block& block) {
 
 std::vector<double> zone_weights(const fdm::Block& block, const Overlap& overlap) {
   const fdm::Grid grid = make_grid(block);
-  return fdm::zone_weights(grid, overlap.outer_weights(fdm::sample_points(grid)), kFloor);
+  return fdm::zone_weights(grid, adit::test::outer_weights(overlap, fdm::sample_points(grid)), kFloor);
 }
 
 BoundingBox zone_box(const fdm::Block& block, std::size_t i, std::size_t j) {

@@ -134,7 +134,7 @@ TEST_P(Engines, TakeStressOverACircle) {
   engine->prepare(false);
   const double xx = 1e-7, xy = 3e-7;
   strain(*engine, xx, 0, xy);
-  google::protobuf::RepeatedField<double> values;
+  std::vector<double> values;
   engine->read_histories({1, 1.0}, values);
   const double root = std::numbers::sqrt3 / 4;
   EXPECT_NEAR(values[0] / (root * (3 * 7e6 + 3e6) * xx), 1, 2e-3);

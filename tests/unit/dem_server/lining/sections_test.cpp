@@ -14,7 +14,7 @@
 #include "dem_server/lining/median.hpp"
 #include "dem_server/lining/read_lining.hpp"
 #include "dem_server/observe/branches.hpp"
-#include "dem_server/packing/hexagonal.hpp"
+#include "dem_server/packing/regular.hpp"
 #include "tests/support/refusals.hpp"
 #include "tests/unit/dem_server/discs_models.hpp"
 #include "tests/unit/dem_server/in_process_run.hpp"

@@ -190,9 +190,9 @@ TEST(ParticleStages, LeaveSectionsWhatCrossesThem) {
   Particles& p = engine.particles();
   for (std::size_t i = 0; i < p.size(); ++i) p.ux[i] = 1e-3 * p.x[i];
   const auto thrust = [&] {
-    google::protobuf::RepeatedField<double> values;
+    std::vector<double> values;
     engine.read_histories({0, 1e-6}, values);
-    return values.Get(0);
+    return values.at(0);
   };
   const double before = thrust();
   EXPECT_GT(before, 1);
@@ -221,7 +221,7 @@ TEST(ParticleStages, LeaveCirclesWhatIsThere) {
   const auto values = [&] {
     Particles& p = engine.particles();
     for (std::size_t i = 0; i < p.size(); ++i) p.vx[i] = p.is_there(i) ? 0.5 * p.x[i] : 0;
-    google::protobuf::RepeatedField<double> read;
+    std::vector<double> read;
     engine.read_histories({0, 1e-6}, read);
     return read;
   };

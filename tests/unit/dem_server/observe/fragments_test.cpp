@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "dem_server/packing/hexagonal.hpp"
+#include "dem_server/packing/regular.hpp"
 
 namespace adit::dem::fragments_test {
 namespace {

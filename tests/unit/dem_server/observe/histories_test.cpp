@@ -70,7 +70,7 @@ TEST(Histories, ReadCirclesAndWalls) {
     p.vy[i] = 0.25 * p.x[i] - 3 * p.y[i];
   }
   histories.remember(p);
-  google::protobuf::RepeatedField<double> values;
+  std::vector<double> values;
   histories.read(engine, none, {1, 1e-9}, values);
   ASSERT_EQ(values.size(), 11);
   const double pressure = kStiffness * 0.01 / kSpacing;

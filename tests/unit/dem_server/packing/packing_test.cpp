@@ -1,4 +1,4 @@
-#include "dem_server/packing/hexagonal.hpp"
+#include "dem_server/packing/regular.hpp"
 
 #include <gtest/gtest.h>
 

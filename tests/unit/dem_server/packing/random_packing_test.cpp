@@ -6,7 +6,7 @@
 
 #include "dem_server/packing/random/pressed_discs.hpp"
 #include "dem_server/packing/random/random_dense.hpp"
-#include "dem_server/packing/square.hpp"
+#include "dem_server/packing/regular.hpp"
 
 namespace adit::dem::random_packing_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "dem_server/model/calibration.hpp"
-#include "dem_server/packing/hexagonal.hpp"
+#include "dem_server/packing/regular.hpp"
 
 namespace adit::dem::wave_speeds_test {
 namespace {

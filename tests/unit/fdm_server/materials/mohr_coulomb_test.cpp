@@ -9,6 +9,7 @@
 #include <random>
 
 #include "fdm_server/materials/mohr_coulomb.hpp"
+#include "tests/unit/fdm_server/materials/stress_of.hpp"
 
 namespace adit::fdm::test::mohr_coulomb_test {
 namespace {

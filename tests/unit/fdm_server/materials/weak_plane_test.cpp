@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "fdm_server/materials/weak_plane.hpp"
+#include "tests/unit/fdm_server/materials/stress_of.hpp"
 
 namespace adit::fdm::test::weak_plane_test {
 namespace {

@@ -1,5 +1,5 @@
 // Sums and largest values of many vectors, by hand.
-#include "protocol/kernels/vector_sizes.hpp"
+#include "protocol/kernels/sums.hpp"
 
 #include <gtest/gtest.h>
 

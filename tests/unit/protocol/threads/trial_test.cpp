@@ -1,13 +1,11 @@
 // Requirements on the choice whether threads share the work of a run.
-#include "protocol/threads/trial.hpp"
+#include "protocol/threads/team.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
 #include <vector>
-
-#include "protocol/threads/team.hpp"
 
 namespace adit::protocol::test::trial_test {
 namespace {

@@ -15,7 +15,7 @@ namespace {
 // s = m A of the segment for dt = 5 ms, k = 2 GN/m.
 const double kDigitsAJoint = std::acosh(1 + 9.5e6 * 4 / (0.005 * 0.005) / (2 * 2e9)) / std::log(10);
 
-const Integrator kIntegrator(Newmark{}, 0.005, 0);
+const Integrator kIntegrator(Newmark{}, 0.005);
 
 double predicted(const Chain& chain, const Integrator& integrator = kIntegrator) {
   return test::predicted_digits_lost(Model(chain), integrator.A(), integrator.C());
@@ -34,7 +34,7 @@ class ProductIntegration {
  public:
   ProductIntegration(const Chain& chain, double dt)
       : model_(chain),
-        integrator_(Newmark{}, dt, 0),
+        integrator_(Newmark{}, dt),
         product_(model_),
         tracks_{track(), track(), track()},
         hinges_(components(model_.bodies + 1)),
@@ -56,7 +56,7 @@ class ProductIntegration {
   double x(std::size_t body) const { return tracks_[0].x[body + 1]; }
 
  private:
-  Track track() const { return Track(model_.bodies + 2, Newmark{}); }
+  Track track() const { return Track(model_.bodies + 2); }
 
   Model model_;
   Integrator integrator_;
@@ -91,7 +91,7 @@ TEST(TransferMatrix, AgreesWhileItHasDigits) {
   for (Hinge& hinge : chain.hinges)
     for (HingeDirection* d : {&hinge.axial, &hinge.shear, &hinge.rotation}) d->stiffness *= 100;
   const double dt = 0.02;
-  ASSERT_LT(predicted(chain, Integrator(Newmark{}, dt, 0)), 5);
+  ASSERT_LT(predicted(chain, Integrator(Newmark{}, dt)), 5);
   ProductIntegration product(chain, dt);
   Simulation riccati(chain, {.dt = dt});
   test::Wave wave(4);

@@ -9,8 +9,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "simplified/column/response/oscillator_response.hpp"
-#include "simplified/column/response/recursion.hpp"
+#include "tests/support/column/oscillator_response.hpp"
+#include "tests/support/column/recursion.hpp"
 #include "tests/unit/simplified/column/deposits.hpp"
 
 namespace adit::simplified::column::test::joined_columns_test {

@@ -5,7 +5,8 @@
 #include <cmath>
 
 #include "simplified/column/joined_columns.hpp"
-#include "simplified/column/response/oscillator_response.hpp"
+#include "tests/support/column/harmonic_response.hpp"
+#include "tests/support/column/oscillator_response.hpp"
 #include "tests/unit/simplified/column/deposits.hpp"
 #include "tests/unit/simplified/column/spectral.hpp"
 

@@ -1,5 +1,5 @@
 // Requirements on the exact transfer function.
-#include "simplified/column/modes/wave_theory.hpp"
+#include "tests/support/column/wave_theory.hpp"
 
 #include <gtest/gtest.h>
 

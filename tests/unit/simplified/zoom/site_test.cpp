@@ -6,9 +6,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "protocol/motion/records/records.hpp"
 #include "simplified/run.hpp"
 #include "simplified/zoom/site.hpp"
+#include "tests/support/read_motion.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/unit/simplified/scenes.hpp"
 
@@ -66,7 +66,7 @@ TEST(SiteFiles, HoldARecordOfTheBase) {
   const scene::Scene scene = rock_tunnel();
   const SiteMotion motion{0.01, {0, 1.5, -2.25}, {0, 0.1, 0.2}};
   write_site(folder.path(), "opening", scene.simplified().ground(), motion, 80);
-  const motion::Motion base = motion::read_motion(folder / "opening_base.csv");
+  const motion::Motion base = adit::test::read_motion(folder / "opening_base.csv");
   EXPECT_DOUBLE_EQ(base.dt, 0.01);
   EXPECT_EQ(base.acceleration, motion.base_acceleration);
   const auto text = [&](const char* name) {

@@ -8,7 +8,7 @@
 
 #include "protocol/errors.hpp"
 #include "protocol/foundation/body_course.hpp"
-#include "simplified/scene/nearest.hpp"
+#include "simplified/scene/along_chainage.hpp"
 #include "simplified/zoom/places.hpp"
 #include "simplified/zoom/window.hpp"
 #include "tests/support/scratch_folder.hpp"

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "coupler/bridging/overlap.hpp"
-#include "dem_server/engines/lattice/bond_forces.hpp"
 #include "dem_server/model/calibration.hpp"
 #include "fdm_server/grid/interpolation.hpp"
 #include "fdm_server/grid/samples.hpp"
 #include "fdm_server/zones/elastic/elastic_zones.hpp"
+#include "tests/support/bond_forces.hpp"
 #include "tests/support/weighted_lattice.hpp"
 
 namespace adit::test {
@@ -66,7 +66,7 @@ inline Eigen::MatrixXd lattice_stiffness(const CoupledPatch& patch, const dem::A
       a.particles.spin[i] = u[3 * i + 2];
     }
     std::vector<std::uint32_t> broken;
-    dem::compute_bond_forces(law, 1.0, a.particles, a.bonds, broken);
+    dem::test::compute_bond_forces(law, 1.0, a.particles, a.bonds, broken);
     Eigen::VectorXd f(3 * size);
     for (Eigen::Index i = 0; i < size; ++i)
       f.segment<3>(3 * i) << a.particles.fx[i], a.particles.fy[i], a.particles.moment[i];
@@ -161,7 +161,8 @@ inline Equilibrium equilibrium(const CoupledPatch& patch, const coupler::Overlap
       {}};
   fdm::Grid& grid = result.grid;
   const dem::Particles& particles = result.assembly.particles;
-  auto weights = fdm::zone_weights(grid, overlap.outer_weights(fdm::sample_points(grid)), patch.floor);
+  auto weights =
+      fdm::zone_weights(grid, adit::test::outer_weights(overlap, fdm::sample_points(grid)), patch.floor);
   fdm::compact(grid, weights);
   std::vector<std::size_t> coupled;
   for (std::size_t i = 0; i < particles.size(); ++i)

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "dem_server/engines/lattice/bond_forces.hpp"
 #include "dem_server/particles/energy.hpp"
 #include "dem_server/particles/integrate.hpp"
+#include "tests/support/bond_forces.hpp"
 #include "tests/support/lattice_model.hpp"
 
 namespace adit::dem::test {

@@ -53,7 +53,7 @@ Outcome passed(const Model& packing, const ContactBond& law) {
   for (std::uint64_t n = 0; n < 100; ++n) {
     const protocol::Step step{n, dt};
     if (!step.from_rest()) move(dt, {&all, 1}, a.particles);
-    out.last = compute_bond_forces(law, dt, a.particles, a.bonds, out.broken);
+    out.last = test::compute_bond_forces(law, dt, a.particles, a.bonds, out.broken);
     kick(step, {&all, 1}, resultants_of(a.particles), a.particles);
   }
   return out;

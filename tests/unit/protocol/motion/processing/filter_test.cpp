@@ -57,14 +57,14 @@ TEST(Filter, HasTheButterworthGain) {
 
 // The zero-phase filter delays no frequency: its response to an impulse is symmetric about it.
 TEST(Filter, ZeroPhaseIsSymmetric) {
-  const Motion response = band_pass(impulse(), 1, 10, 4, Phase::kZero);
+  const Motion response = low_pass(high_pass(impulse(), 1, 4, Phase::kZero), 10, 4, Phase::kZero);
   for (std::size_t i = 1; i < 1000; ++i)
     EXPECT_NEAR(response.acceleration[kImpulse + i], response.acceleration[kImpulse - i], 1e-9);
 }
 
 // The causal filter does nothing before its cause.
 TEST(Filter, CausalRespondsAfterItsCause) {
-  const Motion response = band_pass(impulse(), 1, 10, 5, Phase::kCausal);
+  const Motion response = low_pass(high_pass(impulse(), 1, 5, Phase::kCausal), 10, 5, Phase::kCausal);
   for (std::size_t i = 0; i < kImpulse; ++i) ASSERT_EQ(response.acceleration[i], 0);
   EXPECT_NE(response.acceleration[kImpulse], 0);
 }
@@ -76,16 +76,6 @@ TEST(Filter, ZeroPhaseDoesNotWrapAround) {
   EXPECT_LT(std::abs(low_pass(motion, kCorner, 4, Phase::kZero).acceleration.back()), 1e-9);
 }
 
-// The band pass is -3 dB at both corners where these lie far apart.
-TEST(Filter, BandPassHasBothCorners) {
-  for (const auto phase : {Phase::kZero, Phase::kCausal}) {
-    const Motion band = band_pass(impulse(), 0.5, 20, 4, phase);
-    for (const double corner : {0.5, 20.0})
-      EXPECT_NEAR(20 * std::log10(std::abs(gain(band, corner))), -10 * std::log10(2), 1e-3);
-    EXPECT_NEAR(std::abs(gain(band, 3)), 1, 1e-5);
-  }
-}
-
 // Every wrong corner or order is refused in words.
 TEST(Filter, RefusesWrongArguments) {
   const auto low = [](double corner, int order) {
@@ -95,8 +85,6 @@ TEST(Filter, RefusesWrongArguments) {
   EXPECT_THAT(low(-1, 4), HasSubstr("corner frequency of the filter is -1"));
   EXPECT_THAT(low(50, 4), HasSubstr("at steps of 0.01 s give one below 50 Hz"));
   EXPECT_THAT(low(5, 0), HasSubstr("order of the filter is 0; give one from 1 to 20"));
-  EXPECT_THAT(complaint([] { band_pass(impulse(), 5, 2, 4, Phase::kCausal); }),
-              HasSubstr("begins at 5 Hz and ends at 2 Hz"));
 }
 
 }  // namespace

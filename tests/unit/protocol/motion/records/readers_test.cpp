@@ -6,11 +6,13 @@
 #include <utility>
 
 #include "protocol/motion/records/records.hpp"
+#include "tests/support/read_motion.hpp"
 #include "tests/unit/protocol/motion/support.hpp"
 
 namespace adit::motion::test::readers_test {
 namespace {
 
+using adit::test::read_motion;
 using testing::DoubleEq;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -125,8 +127,6 @@ TEST(At2, NamesFileAndLineOfEveryError) {
   EXPECT_THAT(refused(at2(kUnit, size, "0.1 0.2 nan\n")), HasSubstr("x.AT2:5: `nan` is not a number"));
   EXPECT_THAT(refused(""), HasSubstr("states count and step"));
   EXPECT_THAT(refused(std::string(1000000, '\x01')), HasSubstr("states count and step"));
-  EXPECT_THAT(complaint([&] { read_motion("/nowhere/x.AT2"); }), HasSubstr("/nowhere/x.AT2: cannot be read"));
-  EXPECT_THAT(complaint([&] { read_motion("/nowhere/x.txt"); }), HasSubstr("/nowhere/x.txt: cannot be read"));
 }
 
 // Two columns are read in the units their names state, in the project's own way of naming and with brackets.

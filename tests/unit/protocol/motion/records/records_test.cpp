@@ -8,11 +8,13 @@
 #include "protocol/motion/measures.hpp"
 #include "protocol/motion/processing/processing.hpp"
 #include "protocol/motion/records/records.hpp"
+#include "tests/support/read_motion.hpp"
 #include "tests/unit/protocol/motion/support.hpp"
 
 namespace adit::motion::test::records_test {
 namespace {
 
+using adit::test::read_motion;
 using testing::HasSubstr;
 
 const std::filesystem::path kRecords = ADIT_RECORDS;
