@@ -93,8 +93,11 @@ std::vector<JointFaces> read_joints(const scene::Particles& scene, const Particl
     if (std::ranges::find(joints, name, &JointFaces::name) != joints.end()) refuse_name(path, name, "joint");
     joints.emplace_back(name, from, to, p, near);
     if (std::min(joints.back().near_face().size(), joints.back().far_face().size()) < 2)
-      throw UserError(path, fmt::format("has fewer than two particles on a face of {}; let it part more",
-                                        protocol::quote(name)));
+      throw UserError(
+          path,
+          fmt::format(
+              "has fewer than two particles on a face of {}; let it part more, or take smaller particles",
+              protocol::quote(name)));
   };
   if (scene.has_ring()) {
     const auto& ring = scene.ring();

@@ -98,6 +98,7 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   if (const auto note = note_on_ratio(scene_.continuum(), damping_)) model.add_notes(*note);
   if (const auto note = note_on_stiffening(scene_.continuum(), damping_)) model.add_notes(*note);
   if (const auto note = note_on_shared_motion(damping_, base_acceleration_.motion)) model.add_notes(*note);
+  if (const auto warning = warn_of_imbalance(scene_, grid_, setup_.ground)) model.add_notes(*warning);
   for (const std::string& note : notes_on_strength(setup_.ground)) model.add_notes(note);
   for (const std::string& note : notes_on_loops(scene_, setup_.ground)) model.add_notes(note);
   const Resolution resolution = fdm::resolution(grid_, setup_.ground);
@@ -157,6 +158,7 @@ void FdmParticipant::make_continuum() {
   for (const auto& column : columns_)
     for (const auto& edge : column.edges) setup_.ground.of_zone.push_back(setup_.ground.of_zone[edge.zone]);
   weights_.resize(grid_.zones.size(), 1.0);
+  zones_there_ = grid_.zones.size();
 
   auto motions = resolve_motions(conditions, grid_);
   for (auto& motion : motions)
@@ -337,6 +339,7 @@ void FdmParticipant::excavate(std::uint32_t stage) {
     if (excavated_.stage[z] > stage_ && excavated_.stage[z] <= stage)
       zones.push_back({z, excavated_.held[z]});
   for (const auto& excavated : zones) weights_[excavated.zone] = 0;
+  zones_there_ -= zones.size();
   if (protocol::counted_from(scene_.statics()).begins(stage_, stage)) continuum_->reset_displacements();
   stage_ = stage;
   const auto masses = this->masses();
@@ -373,7 +376,10 @@ void FdmParticipant::step_interface(const Step& step) {
 void FdmParticipant::step_interior(const Step& step) {
   continuum_->step_interior(step);
   histories_->follow(*continuum_, step);
-  if (!step.from_rest()) ++steps_done_;
+  if (!step.from_rest()) {
+    ++steps_done_;
+    updates_ += zones_there_;
+  }
   if (!step.relax) peak_forces_.take(supports_.linings, continuum_->structures(), step.time());
   if (step.number % kFiniteCheckInterval == 0) check_grid(step);
   if (setup_.ground.large_strain && !step.from_rest() && steps_done_ % kShapeCheckInterval == 0 &&
@@ -483,10 +489,11 @@ void FdmParticipant::exchange_solver(state::Archive& archive) {
   archive("relaxation", relaxation_, [this] { return Relaxation(grid_, weights_); });
   archive("travel", travel_, [this] { return protocol::Travel(continuum_->ux(), continuum_->uy()); });
   archive("steps_done", steps_done_);
+  archive("updates", updates_);
 }
 
 void FdmParticipant::finish(wire::Bye& bye) {
-  bye.set_updates(grid_.zones.size() * steps_done_);
+  bye.set_updates(updates_);
   add_figures(grid_, supports_.linings, peak_forces_, bye);
 }
 

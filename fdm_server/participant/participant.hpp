@@ -103,6 +103,7 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   double critical_dt_ = 0, critical_static_dt_ = 0;
   Grid grid_;
   std::vector<double> weights_;   // of the zones; 0 where they were taken away
+  std::size_t zones_there_ = 0;   // not taken away
   std::vector<Corners> slivers_;  // zones that an overlap leaves next to nothing of (samples.hpp)
   Supports supports_;
   std::vector<FreeFieldColumn> columns_;
@@ -120,6 +121,7 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   std::optional<Relaxation> relaxation_;    // in statics
   std::optional<protocol::Travel> travel_;  // of a stage of them
   std::uint64_t steps_done_ = 0;            // whole ones that moved, of statics and of time
+  std::uint64_t updates_ = 0;               // of the zones that were there, in these steps
 };
 
 }  // namespace adit::fdm

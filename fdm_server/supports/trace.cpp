@@ -27,13 +27,20 @@ double distance(const Grid& grid, std::size_t point, const geometry::Point& plac
   std::size_t nearest = 0;
   for (std::size_t i = 0; i < grid.x.size(); ++i)
     if (distance(grid, i, place) < distance(grid, nearest, place)) nearest = i;
+  const std::string begin =
+      fmt::format("has no sides of zones along it at ({:.6g}, {:.6g}) m", place.x, place.y);
+  const std::string remedy =
+      "let the grid have a line of points along it (a ring of zones, a curve of the mesh), or put it on grid "
+      "points";
+  constexpr double kSamePlace = 1e-6;  // [m]
   throw protocol::UserError(
       path,
-      fmt::format(
-          "has no sides of zones along it at ({:.6g}, {:.6g}) m, where the nearest grid point is ({:.6g}, "
-          "{:.6g}) m; let the grid have a line of points along it (a ring of zones, a curve of the mesh), "
-          "or put it on grid points",
-          place.x, place.y, grid.x[nearest], grid.y[nearest]));
+      distance(grid, nearest, place) < kSamePlace
+          ? fmt::format("{}, where a grid point lies, but no zone has a side that goes on along it: zones "
+                        "end there, by the grid or by an overlap, or lie across it; {}",
+                        begin, remedy)
+          : fmt::format("{}, where the nearest grid point is ({:.6g}, {:.6g}) m; {}", begin, grid.x[nearest],
+                        grid.y[nearest], remedy));
 }
 
 // The steps from each point along the curve, the nearest to it first.

@@ -146,6 +146,26 @@ void note_no_bonds(const scene::Particles& particles, Model& model) {
       "write `bonds: {}` for bonds of the stiffness of the material");
 }
 
+// A model beside a continuum takes the scene's material, whose laws beyond elasticity are those of the zones.
+void warn_of_laws_of_zones(const scene::Scene& scene, Model& model) {
+  const scene::Particles& particles = scene.particles();
+  const scene::Material& material = scene.material();
+  const bool bonded = particles.has_bonds() || !particles.has_contacts();
+  if (particles.has_material() || !bonded) return;
+  const scene::Bonds& bonds = particles.bonds();
+  std::vector<std::string> laws;
+  if (material.has_mohr_coulomb() && !bonds.strength_of_material() && !bonds.has_tensile_strength() &&
+      !bonds.has_shear_strength())
+    laws.emplace_back("mohr_coulomb");
+  if (material.has_weak_plane()) laws.emplace_back("weak_plane");
+  if (material.has_hysteretic()) laws.emplace_back("hysteretic");
+  if (laws.empty()) return;
+  model.notes.push_back(protocol::as_warning(fmt::format(
+      "`{}` of `material` does not act in the particles, which stay elastic; give particles.material, "
+      "or set particles.bonds.strength_of_material for a strength by Mohr and Coulomb",
+      fmt::join(laws, "`, `"))));
+}
+
 void start_under_stress(const scene::Scene& scene, Model& model) {
   if (scene.particles().random_packing().keep_stress())
     throw UserError(
@@ -184,6 +204,7 @@ Model read_model(const scene::Scene& scene, const protocol::Progress& progress, 
   note_cut_tensions(particles, groups, model);
   note_thin_ring(particles, model);
   note_no_bonds(particles, model);
+  warn_of_laws_of_zones(scene, model);
   for (const std::string& warning : join_warnings(particles, joined, placement.reach))
     model.notes.push_back(protocol::as_warning(warning));
   model.walls = read_walls(particles, groups.front());

@@ -73,7 +73,7 @@ BaseActions resolve_base(const scene::Base& base, const motion::UsedMotion& acce
 
   const auto [along, across] =
       base.direction() == scene::Base::X ? std::pair{Axis::kX, Axis::kY} : std::pair{Axis::kY, Axis::kX};
-  BaseActions actions;
+  BaseActions actions{chosen, {}, {}};
   for (const TimeFactor& history : histories) {
     if (compliant)
       actions.loads.push_back({{}, {}, {}, history});

@@ -16,6 +16,7 @@
 namespace adit::fdm {
 
 struct BaseActions {
+  std::vector<std::size_t> edges;  // of the base
   std::vector<Load> loads;
   std::vector<PrescribedMotion> motions;
 };

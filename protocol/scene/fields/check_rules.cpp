@@ -4,6 +4,7 @@
 #include <google/protobuf/unknown_field_set.h>
 
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "protocol/errors.hpp"
@@ -60,6 +61,13 @@ void check_number(double value, const FieldDescriptor* field, const std::string&
   if (std::isnan(value)) refuse(path, "not a number", expectation(field));
   if (std::isinf(value) && !may_be_infinite(field)) refuse(path, "infinite", expectation(field));
   if (!within(rule_of(field), value)) refuse(path, in_unit(value, field), expectation(field));
+  // Degrees whose unit was forgotten; an arc may end in its second turn.
+  constexpr double kTwoTurns = 4 * std::numbers::pi;
+  if (rule_of(field).unit() == "rad" && std::abs(value) > kTwoTurns)
+    refuse(path, in_unit(value, field),
+           fmt::format("an angle within two turns; a number without a unit is in radians, in degrees it is "
+                       "`{:.6g} deg`",
+                       value));
 }
 
 void check_value(const Message& message, const FieldDescriptor* field, int i, const std::string& path) {

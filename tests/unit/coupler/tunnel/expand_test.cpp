@@ -19,9 +19,11 @@ namespace {
 
 using std::numbers::pi;
 using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 scene::Particles particles_of(const std::string& tunnel) {
   const Expansion expansion = expand_tunnels(test::scene_with({tunnel}));
@@ -39,6 +41,22 @@ TEST(ExpandTunnels, ASceneWithoutTunnelsStaysAsItIs) {
   const Expansion expansion = expand_tunnels(scene);
   EXPECT_EQ(expansion.scene.SerializeAsString(), scene.SerializeAsString());
   EXPECT_THAT(expansion.notes, IsEmpty());
+}
+
+// Requirement: what the zones around compute and the tunnel's particles do not is told.
+TEST(ExpandTunnels, TellsWhereItsGroundIsElasticBesideZonesThatYield) {
+  scene::Scene scene = test::scene_with({test::circular("")});
+  const auto told = Contains(HasSubstr("elastic where continuum.material has a law"));
+  EXPECT_THAT(expand_tunnels(scene).notes, Not(told));
+  *scene.mutable_continuum()->mutable_material() = scene.material();
+  scene.mutable_continuum()->mutable_material()->mutable_mohr_coulomb()->set_cohesion(1e5);
+  EXPECT_THAT(expand_tunnels(scene).notes, told);
+  auto& particles = *scene.mutable_tunnels(0)->mutable_particles();
+  particles.mutable_bonds()->set_strength_of_material(true);
+  EXPECT_THAT(expand_tunnels(scene).notes, Not(told));
+  particles.clear_bonds();
+  *particles.mutable_material() = scene.material();
+  EXPECT_THAT(expand_tunnels(scene).notes, Not(told));
 }
 
 // Requirement: the lining is a group that only touches the ground, under the gravity of the continuum.

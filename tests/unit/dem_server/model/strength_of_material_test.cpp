@@ -10,12 +10,17 @@
 #include "dem_server/model/initial_state/initial_state.hpp"
 #include "dem_server/model/lattice.hpp"
 #include "dem_server/model/reading/read_model.hpp"
+#include "protocol/participant/warnings.hpp"
 #include "tests/support/lattice_model.hpp"
 #include "tests/unit/dem_server/cantilever_scene.hpp"
 #include "tests/unit/dem_server/scenes_of_discs.hpp"
 
 namespace adit::dem::strength_of_material_test {
 namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
 
 constexpr double kTension = 3e6, kCohesion = 8e6, kFriction = 0.7;
 
@@ -57,6 +62,30 @@ TEST(StrengthOfMaterial, OfContactBondsIsReachedAtTheMaterialsStrengths) {
   const auto [kn, ks] = law.stiffness;
   const double across = kTension * (3 * kn + ks) / (2 * kn + ks);
   EXPECT_NEAR(largest_under({0, across, 0, {}}, law, radius).normal / law.tensile_strength, 1, 1e-12);
+}
+
+// Requirement: laws of the scene's material that particles do not compute are named, in a warning.
+TEST(StrengthOfMaterial, WarnsWhereTheScenesLawDoesNotAct) {
+  const auto warnings = [](const scene::Scene& scene) {
+    std::vector<std::string> found;
+    for (const std::string& note : read_model(scene).notes)
+      if (note.starts_with(protocol::kWarning)) found.push_back(note);
+    return found;
+  };
+  scene::Scene scene = rock();
+  EXPECT_THAT(warnings(scene), IsEmpty());
+  scene.mutable_particles()->clear_bonds();
+  EXPECT_THAT(warnings(scene),
+              ElementsAre(HasSubstr(
+                  "`mohr_coulomb` of `material` does not act in the particles, which stay elastic")));
+  scene.mutable_particles()->mutable_bonds()->set_tensile_strength(1e3);
+  EXPECT_THAT(warnings(scene), IsEmpty());
+  scene.mutable_material()->mutable_weak_plane()->set_dip_angle(0.5);
+  EXPECT_THAT(warnings(scene), ElementsAre(HasSubstr("`weak_plane` of `material`")));
+  *scene.mutable_particles()->mutable_material() = scene.material();
+  scene.mutable_particles()->mutable_material()->clear_weak_plane();
+  scene.mutable_particles()->mutable_material()->clear_mohr_coulomb();
+  EXPECT_THAT(warnings(scene), IsEmpty());
 }
 
 TEST(StrengthOfMaterial, OfAStripIsScaledByItsRows) {

@@ -81,6 +81,17 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"base_and_motions", base("") + "motions { where { x_max: 0 } velocity { x: 0 } }",
              "continuum.base",
              "prescribes the x velocity of the grid point (0, -3) m, as one of `motions` does"},
+        Case{"held_compliant_base",
+             base("kind: COMPLIANT") + "motions { where { y_max: -3 } velocity { x: 0 } }", "continuum.base",
+             "absorbs nothing along x between (0, -3) and (1, -3) m"},
+        Case{"held_quiet_side",
+             "quiet { where { x_max: 0 } } motions { where { x_max: 0 } velocity { x: 0 } }",
+             "continuum.quiet[0]", "absorbs nothing along x"},
+        Case{"held_shear_dashpots",
+             "quiet { where { y_max: -3 } normal: false } motions { where { y_max: -3 } velocity { x: 0 } }",
+             "continuum.quiet[0]", "absorbs nothing along x"},
+        Case{"held_free_field", "free_field { left: true } motions { where { x_max: 0 } velocity { x: 0 } }",
+             "continuum.free_field", "leave the motion away (after statics: `motions: []`)"},
         Case{"damping_of_no_kind", "damping {}", "continuum.damping",
              "give `rayleigh`, `maxwell` or `local`"},
         Case{"negative_ratio", "damping { rayleigh { ratio: -0.1 low_frequency: 1 high_frequency: 5 } }",
@@ -95,6 +106,18 @@ INSTANTIATE_TEST_SUITE_P(
              "continuum.damping.rayleigh.high_frequency",
              "is 1 Hz, expected a frequency of at least `low_frequency` = 5 Hz"}),
     adit::test::kRefusalName);
+
+// What is held beside the dashpots, or across them, or everywhere, for waves in one dimension, leaves them
+// what they absorb.
+TEST(BoundaryErrors, MotionsBesideDashpotsAreNone) {
+  for (const std::string& boundaries :
+       {base("kind: COMPLIANT") + "motions { where { y_max: -3 } velocity { y: 0 } }",
+        std::string("quiet { where { x_max: 0 } } motions { where { y_max: -3 } velocity { x: 0 y: 0 } }"),
+        std::string("quiet { where { y_max: -3 } } motions { velocity { y: 0 } where { } }")})
+    EXPECT_NO_THROW(
+        GroundRun("block { x_min: 0 x_max: 4 y_min: -3 y_max: 0 zones_x: 4 zones_y: 3 } " + boundaries, 1))
+        << boundaries;
+}
 
 // A side that zones vanished from has no free field.
 TEST(BoundaryErrors, SideOfAFreeFieldIsInterrupted) {

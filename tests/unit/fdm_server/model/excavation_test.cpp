@@ -30,6 +30,32 @@ TEST(Excavation, OfStageZeroLaysABoundaryBare) {
   EXPECT_EQ(run.interface.zones(), 40u);
 }
 
+// Requirement: zones that were taken away are updated no more: 40 of 48 after the excavation.
+TEST(Excavation, ZonesThatAreGoneAreNotUpdated) {
+  FdmParticipant participant;
+  wire::Model model;
+  wire::Interface interface;
+  wire::Setup setup = setup_of(kHole + "stage: 1 }");
+  setup.mutable_scene()->mutable_statics();
+  participant.set_up(setup, model);
+  participant.weigh({}, interface);
+  wire::Predicted predicted;
+  for (std::uint64_t n = 0; n <= 4; ++n) {
+    wire::Advance advance;
+    advance.set_step(n);
+    advance.set_dt(model.critical_dt() / 2);
+    advance.set_relax(true);
+    advance.set_stop(n == 0 || n == 3);
+    advance.set_stage(n < 3 ? 0 : 1);
+    predicted.Clear();
+    participant.advance(advance, predicted);
+    participant.complete();
+  }
+  wire::Bye bye;
+  participant.finish(bye);
+  EXPECT_EQ(bye.updates(), 48u * 2 + 40u);  // steps 0 and 3 begin from rest and move nothing
+}
+
 // A participant in statics, whose stages of excavation the test calls.
 struct Statics {
   FdmParticipant participant;

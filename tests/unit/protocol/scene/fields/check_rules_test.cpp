@@ -44,6 +44,17 @@ TEST(CheckRules, NumbersLieWithinTheirLimits) {
   expect_refused<scene::Statics>("max_steps: 0", "max_steps", "is 0, expected a whole number above 0");
 }
 
+// Degrees without their unit would be taken as radians; an arc may end in its second turn.
+TEST(CheckRules, AnglesLieWithinTwoTurns) {
+  expect_accepted<scene::WeakPlane>("dip_angle: 12.5 cohesion: 0");
+  expect_accepted<scene::WeakPlane>("dip_angle: -12.5 cohesion: 0");
+  expect_refused<scene::WeakPlane>(
+      "dip_angle: 70 cohesion: 0", "dip_angle",
+      "is 70 rad, expected an angle within two turns; a number without a unit is in "
+      "radians, in degrees it is `70 deg`");
+  expect_refused<scene::WeakPlane>("dip_angle: -20 cohesion: 0", "dip_angle", "`-20 deg`");
+}
+
 TEST(CheckRules, NumbersAreFiniteWhereTheirDefaultIs) {
   expect_refused<scene::Point>("x: nan y: 0", "x", "is not a number, expected a length such as `0.5 m`");
   expect_refused<scene::Point>("x: 0 y: -inf", "y", "is infinite, expected a length such as `0.5 m`");
