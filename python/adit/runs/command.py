@@ -44,7 +44,7 @@ def run(options, others):
         programs.bring_up_to_date("coupler", "fdm_server", "dem_server")
         return run_study(given / "study", options, others)
     scenes = scenes_of(given)
-    programs.bring_up_to_date("coupler")
+    programs.bring_up_to_date("coupler", "fdm_server", "dem_server")  # at once: each may wait for few large sources
     solvers = [program_of(scene) for scene in scenes]
     programs.bring_up_to_date(*sorted({name for solver in solvers for name in NEEDED[solver]}))
     if len(scenes) > 1 and options.vary:

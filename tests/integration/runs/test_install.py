@@ -103,6 +103,8 @@ class Package(ProgramTest):
         succeed("cpack", "-G", "DEB", "-B", self.folder, cwd=BUILD)
         package, = self.folder.glob("*.deb")
         self.assertRegex(package.name, rf"^adit_{re.escape(project_version())}_[a-z0-9]+\.deb$")
+        # No host receives mail for the project, and the programs explain themselves by --help.
+        succeed("lintian", "--allow-root", "--fail-on", "error,warning", "--suppress-tags", "bogus-mail-host,no-manual-page", package)
         needed = succeed("dpkg-deb", "-f", package, "Depends")
         for other in ("python3", "python3-numpy", "python3-matplotlib", "python3-pil", "python3-yaml", "libc6", "libprotobuf"):
             self.assertIn(other, needed)
