@@ -1,9 +1,8 @@
-"""How the run ended, its warnings, its main figures, and what was computed."""
+"""How the run ended, its warnings, its main figures."""
 import re
 
-from adit.plots.spectra_pictures import GRAVITY
-from adit.report.markup import bullets, paragraphs, section, table, tag
-from adit.report.quantities import digits, figure, quantity
+from adit.report.markup import bullets, section, table, tag
+from adit.report.quantities import figure, quantity, sentence
 
 ROWS = (  # of the main figures: what, key of summary.json, divisor, format
     ("peak bond force [kN]", "peak_bond_force_N", 1e3, "{:,.0f}"),
@@ -56,13 +55,15 @@ def state(results):
     s = results.summary
     duration = quantity(s.get("duration_s") or results.scene.get("time", {}).get("duration"), "s")
     if s.get("completed"):
-        return tag("p", f"The run is complete: {duration} were computed.", class_="state")
+        acted = results.acted("time.duration")
+        computed = f"{duration} were computed" if acted is None else f"{quantity(acted, 's')} were computed, {duration} are stated"
+        return tag("p", f"The run is complete: {computed}.", class_="state")
     until = "" if results.reached is None else f" at {quantity(results.reached, 's')} of {duration}"
     if s.get("error", "").startswith("ended by "):
-        how, told = f"The run was stopped{until}.", f" This page shows what was computed until then. {_sentence(s['error'])}"
-        told += f" {_sentence('to go on: ' + s['resume'])}" if "resume" in s else ""
+        how, told = f"The run was stopped{until}.", f" This page shows what was computed until then. {sentence(s['error'])}"
+        told += f" {sentence('to go on: ' + s['resume'])}" if "resume" in s else ""
     elif "error" in s:
-        how, told = f"The run failed{until}.", f" This page shows what was computed until then. {_sentence(s['error'])}"
+        how, told = f"The run failed{until}.", f" This page shows what was computed until then. {sentence(s['error'])}"
     else:
         how, told = f"The run was not finished: it was stopped{until} or is still going on.", " This page shows what there is."
     return tag("p", tag("strong", how), told, class_="state failed")
@@ -76,8 +77,8 @@ def warnings(results):
         found.append(f"the energy balance has a gap of {100 * drift:.2g} % of the peak energy; {_remedy_of_gap(results.summary)}")
     found += dict.fromkeys(results.faults)
     notes = results.summary.get("notes", [])
-    return section("warnings", "Warnings", bullets(map(_sentence, found)) if found else tag("p", "None."),
-                   [tag("h3", "Notes"), bullets(map(_sentence, notes))] if notes else None)
+    return section("warnings", "Warnings", bullets(map(sentence, found)) if found else tag("p", "None."),
+                   [tag("h3", "Notes"), bullets(map(sentence, notes))] if notes else None)
 
 
 def _remedy_of_gap(summary):
@@ -86,10 +87,6 @@ def _remedy_of_gap(summary):
         return (f"the multipliers took {quantity(taken, 'J')}, because the solve `{solve}` damps what zones cannot carry; a smaller "
                 "time.dt_factor helps against the rest only")
     return "more than 1 % calls for a smaller time.dt_factor"
-
-
-def _sentence(text):
-    return text[:1].upper() + text[1:] + ("" if text.endswith(".") else ".")
 
 
 def figures(results):
@@ -133,73 +130,3 @@ def _rows(runs):
 def _column(run, rows):
     values = ((run.number(key), divisor, text) for _, key, divisor, text in rows)
     return [run.name] + ["-" if v is None else text.format(v / divisor) for v, divisor, text in values]
-
-
-def computed(results):
-    """Sentences on the models and the computation."""
-    description = results.scene.get("description")
-    say = _tunnel if results.is_simplified else _ground
-    return section("computed", "What was computed and how", paragraphs([description and _sentence(description), *say(results)]))
-
-
-def _tunnel(results):
-    s, scene = results.summary, results.scene.get("simplified", {})
-    what = {"beam": "a beam with joints on soil springs", "chain": "a chain of rigid rings on soil springs",
-            "column": "columns of ground"}.get(s.get("model"), s.get("model"))
-    begin, end = (quantity(s.get(key), "m") for key in ("begin_m", "end_m"))
-    yield f"The simplified model is {what}, from {begin} to {end} of chainage."
-    excitation = scene.get("excitation", {})
-    path = "through the ground, from the rock below" if excitation.get("through_ground") else "directly"
-    speed = s.get("apparent_velocity_m_per_s")
-    along = f" and passes along the axis with {quantity(speed, 'm/s')}" if speed else ""
-    yield f"The motion reaches the tunnel {path}{along}."
-    yield motion(excitation.get("motion", {}))
-    yield _steps(s, "implicit")
-
-
-def _ground(results):
-    s = results.summary
-    plane = {"plane_strain": "plane strain", "plane_stress": "plane stress"}.get(s.get("plane"), "two dimensions")
-    parts = [f"a continuum of {s['zones']:,} zones and {s['grid_points']:,} grid points"] if s.get("zones") else []
-    parts += [f"{s['particles']:,} particles with {s['bonds']:,} bonds"] if s.get("particles") else []
-    if parts:
-        yield f"The model is in {plane}: {' and '.join(parts)}."
-    if s.get("coupling_points"):
-        yield (f"The bridging-domain method joins them in the overlap, at {s['coupling_points']:,} coupling points: there both "
-               f"share mass and forces and move alike (solve: {s.get('solve')}).")
-    if s.get("statics_steps") is not None:
-        yield (f"First the model came to rest under its loads, stage by stage where it has stages: {s['statics_steps']:,} "
-               f"steps, until the unbalanced force was {quantity(s.get('statics_unbalanced_ratio'))} of the internal force.")
-    for name, model in results.models:
-        base, sides = model.get("base"), [side for side, on in model.get("free_field", {}).items() if on]
-        yield f"The base of the {name} is {base['kind']}." if base and "kind" in base else None
-        yield motion(base.get("acceleration") or {}) if base else None
-        yield f"The {name} ends in free fields: {' and '.join(sides)}." if sides else None
-    yield _steps(s, "explicit")
-
-
-def motion(given):
-    """A sentence for a motion of the scene."""
-    about = {"file": lambda m: f"the record {m.get('path')}", "synthetic": lambda m: f"synthetic ({_listed(m)})",
-             "ricker": lambda m: f"a Ricker wavelet of {quantity(m.get('frequency'), 'Hz')}",
-             "sine": lambda m: f"a sine of {quantity(m.get('frequency'), 'Hz')}", "table": lambda m: "a table of the scene"}
-    kind = next((kind for kind in about if kind in given), None)
-    if kind is None:
-        return None
-    peak = f", with a peak of {quantity(given['peak'], 'm/s²')} ({digits(given['peak'] / GRAVITY)} g)" if "peak" in given else ""
-    return f"The motion is {about[kind](given[kind])}{peak}."
-
-
-def _listed(mapping):
-    units = {"corner_period": " s"}
-    return ", ".join(f"{key.replace('_', ' ')} {value}{units.get(key, '')}" for key, value in mapping.items()
-                     if not isinstance(value, (dict, list)))
-
-
-def _steps(s, kind):
-    if s.get("steps") is None:
-        return None
-    substeps = s.get("substeps") or 1
-    shorter = f", in each of which the particles took {substeps} steps" if substeps > 1 else ""
-    stable = f"; the largest stable step is {quantity(s['critical_dt_s'], 's')}" if s.get("critical_dt_s") else ""
-    return f"Time was integrated in {s['steps']:,} {kind} steps of {quantity(s.get('dt_s'), 's')}{shorter}{stable}."

@@ -1,4 +1,4 @@
-"""Numbers with units, as an engineer writes them; the unit follows from the name of a figure in summary.json."""
+"""Numbers with units and sentences, as an engineer writes them; the unit follows from the name of a figure in summary.json."""
 import math
 
 from adit.report.markup import tag
@@ -38,6 +38,10 @@ def figure(summary, key):
 
 def place(x, y):
     return f"x = {quantity(x, 'm')}, y = {quantity(y, 'm')}"
+
+
+def sentence(text):
+    return text[:1].upper() + text[1:] + ("" if text.endswith(".") else ".")
 
 
 def _prefix(size, unit):

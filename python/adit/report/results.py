@@ -56,6 +56,17 @@ class Results(Run):
         times = self.histories["time_s"]
         return float(times[-1]) if len(times) else None
 
+    def acted(self, key):
+        """The number that acted where another one is stated by this key of the scene; None where the stated one did."""
+        return next((each["acted"] for each in self.summary.get("stated", []) if each["key"] == key), None)
+
+    def path_of(self, model):
+        """Where a model stands in the scene: `continuum`, or `regions[1].continuum`."""
+        for i, region in enumerate(self.scene.get("regions", [])):
+            if region["name"] == model:
+                return f"regions[{i}].{'continuum' if 'continuum' in region else 'particles'}"
+        return model
+
     def _unless_damaged(self, name, otherwise):
         try:
             return getattr(super(), name)

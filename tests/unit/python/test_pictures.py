@@ -10,7 +10,7 @@ from adit.plots import colour_pictures, deformation, lining_pictures, model_pict
 from adit.plots.colour_scale import Scale
 from adit.plots.drawing import Drawing, Panels, legend
 from adit.plots.setup import conditions, sheets
-from adit.report import around, model, overview, pictures, response
+from adit.report import around, computed, model, overview, pictures, response
 
 
 def piece(points, cells, point_fields=None, cell_fields=None):
@@ -305,7 +305,7 @@ class Times(unittest.TestCase):
 
 class Pages(unittest.TestCase):
     def test_a_motion_is_told_with_its_units_and_in_g(self):
-        told = overview.motion({"synthetic": {"spectrum": "gb_18306", "corner_period": 0.65, "seed": 11}, "peak": 1.96133})
+        told = computed.motion({"synthetic": {"spectrum": "gb_18306", "corner_period": 0.65, "seed": 11}, "peak": 1.96133})
         self.assertEqual(told, "The motion is synthetic (spectrum gb_18306, corner period 0.65 s, seed 11), with a peak of "
                                "1.961 m/s² (0.2 g).")
 
