@@ -5,19 +5,15 @@ import unittest
 
 import numpy as np
 
-from adit import Piece, Table
+from adit import Table
 from adit.plots import colour_pictures, deformation, lining_pictures, model_pictures, png, spectra_pictures, style, time_pictures
 from adit.plots.colour_scale import Scale
 from adit.plots.drawing import Drawing, Panels, legend
 from adit.plots.setup import conditions, sheets
+from adit.plots.setup.checked import Member
 from adit.report import around, computed, model, overview, pictures, response
 
-
-def piece(points, cells, point_fields=None, cell_fields=None):
-    found = object.__new__(Piece)
-    found.points, found.cells = np.array(points, float), np.array(cells)
-    found.point_fields, found.cell_fields = Table(point_fields or {}, "piece"), Table(cell_fields or {}, "piece")
-    return found
+from pieces import piece
 
 
 def column(displacement, width=2.0, height=50.0, zones=25, **cell_fields):
@@ -238,13 +234,13 @@ class Models(unittest.TestCase):
         discs = cloud([(0, 0), (1, 0), (2, 0)], np.zeros((3, 2)))
         discs.cells = discs.cells[1:]
         _, axes = style.plt.subplots()
-        sheets._draw_particles(axes, types.SimpleNamespace(first_colour=0, group=lambda k: "rock"), discs)
+        sheets._draw_particles(axes, Member("", "particles", {}, {}), discs)
         self.assertEqual(axes.collections[0].get_offsets().tolist(), [[1, 0], [2, 0]])
 
     def test_edges_that_move_as_a_body_are_drawn_as_moved(self):
         grid = piece([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2, 3)])
         motion = {"where": {"x_max": 0}, "body": {"centre": {"x": 0, "y": 0.5}, "path": "edge.csv"}}
-        member = types.SimpleNamespace(piece="grid", is_grid=True, model={"motions": [motion]}, mesh_groups={})
+        member = Member("", "continuum", {"motions": [motion]}, {})
         _, axes = style.plt.subplots()
         handles, notes = conditions.draw(axes, [member], {"grid": grid}, 1.0)
         self.assertEqual([handle.get_label() for handle in handles], ["boundary: moved"])
