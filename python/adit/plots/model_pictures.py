@@ -5,7 +5,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Polygon
 
 from adit.plots import joints, style
-from adit.plots.deformation import common_motion, near, round_below, scale_of, told
+from adit.plots.deformation import common_motion, near, round_below, told
 from adit.plots.drawing import Drawing, Sheet, legend
 
 ZONE_FACE, ZONE_EDGE, DISC_FACE, DISC_EDGE = "#C6DBEF", style.BLUE, "#FDD9A0", "#A86400"
@@ -16,13 +16,13 @@ LINES_OF_A_PATH = 5000  # longer paths overflow the memory of the renderer
 INTACT, TENSILE_CRACK, SHEAR_CRACK = 0, 1, 2
 
 
-def deformed(run, time, pieces, scale=None):
-    """The deformed model: zones as quadrilaterals, particles as discs of their size. `scale` of the displacements: else
-    that of this instant. The common motion of all points is subtracted and stated in the title."""
+def deformed(run, time, pieces, scale):
+    """The deformed model: zones as quadrilaterals, particles as discs of their size. `scale` of the displacements: that of
+    the run. The common motion of all points is subtracted and stated in the title."""
     models = {kind: pieces[kind] for kind in ("grid", "particles") if kind in pieces}
     if not models:
         return None
-    common, scale = common_motion(pieces), scale or scale_of(pieces)
+    common = common_motion(pieces)
     moved = {kind: piece.moved(scale, common) for kind, piece in models.items()}
     kept = {kind: near(models[kind], points, scale) for kind, points in moved.items()}
     bounds = style.bounds_of(*(p.points for p in models.values()), *(moved[kind][kept[kind]] for kind in models))
@@ -39,7 +39,7 @@ def deformed(run, time, pieces, scale=None):
             handles += _draw_discs(axes, discs, moved["particles"], kept["particles"])
         return [legend(None, handles)]
 
-    title = f"deformed model at t = {style.instant(time)}, displacements × {scale:g}{told(common)}"
+    title = f"deformed model at t = {style.instant(time)}, displacements × {scale:,.0f}{told(common)}"
     return Drawing(run.name, title, Sheet(bounds), paint)
 
 

@@ -39,9 +39,8 @@ class Results(Run):
 
     def pieces_at(self, number):
         """{kind: Piece} at the instant of this number; empty if a file of it is missing or damaged."""
-        _, files = self.instants[number]
         try:
-            return self.pieces_of(files)
+            return super().pieces_at(number)
         except Unusable as reason:
             self._note(reason)
             return {}

@@ -48,7 +48,7 @@ def box_of(figure, artist):
 class Titles(unittest.TestCase):
     def test_a_title_stays_on_the_sheet_of_a_tall_model(self):
         grid = column(lambda points: 0.075 + 1e-3 * points[:, 1:] ** 2)
-        for drawing in (model_pictures.deformed(run_named("hysteretic"), 25.0, {"grid": grid}),
+        for drawing in (model_pictures.deformed(run_named("hysteretic"), 25.0, {"grid": grid}, 10),
                         colour_pictures.displacement(run_named("a_scene_of_a_rather_long_name"), 25.0, {"grid": grid})):
             figure = png.figure(drawing)
             title = figure.axes[0].get_title(loc="left")
@@ -109,9 +109,9 @@ class Displacements(unittest.TestCase):
     def test_a_motion_that_all_points_share_is_taken_off(self):
         bent = lambda points: 1e-3 * (points[:, 1:] / 50) ** 2  # noqa: E731
         at_rest, shaken = column(bent), column(lambda points: 4 + bent(points))
-        self.assertGreaterEqual(deformation.scale_of({"grid": shaken}), deformation.scale_of({"grid": at_rest}))
+        self.assertGreaterEqual(deformation.largest_factor({"grid": shaken}), deformation.largest_factor({"grid": at_rest}))
         self.assertAlmostEqual(deformation.common_motion({"grid": shaken})[0], 4, delta=1e-3)
-        drawing = model_pictures.deformed(run_named("shaken"), 1.0, {"grid": shaken})
+        drawing = model_pictures.deformed(run_named("shaken"), 1.0, {"grid": shaken}, 1000)
         left, right, _, _ = drawing.layout.bounds
         self.assertLess(right - left, 20, "4 m times the scale would be kilometres")
         self.assertIn("without the common (4000, 0) mm", drawing.title)
@@ -126,8 +126,8 @@ class Displacements(unittest.TestCase):
         whole = cloud(places, displacement)
         displacement[450] = 0, -5.2
         loose = cloud(places, displacement)
-        self.assertEqual(deformation.scale_of({"particles": loose}), deformation.scale_of({"particles": whole}))
-        figure = png.figure(model_pictures.deformed(run_named("ring"), 1.0, {"particles": loose}))
+        self.assertEqual(deformation.largest_factor({"particles": loose}), deformation.largest_factor({"particles": whole}))
+        figure = png.figure(model_pictures.deformed(run_named("ring"), 1.0, {"particles": loose}, 100))
         self.assertLess(np.ptp(figure.axes[0].get_ylim()), 4)
         self.assertIn("1 loose particle", " ".join(text.get_text() for text in figure.legends[0].get_texts()))
 
@@ -200,7 +200,7 @@ class Colours(unittest.TestCase):
     def test_rounding_of_the_weight_is_no_overlap(self):
         grid = column(lambda points: 0 * points[:, :1])
         grid.cell_fields["weight"] = np.full(25, 1 - 2.2e-16)
-        figure = png.figure(model_pictures.deformed(run_named("hzm"), 1.0, {"grid": grid}))
+        figure = png.figure(model_pictures.deformed(run_named("hzm"), 1.0, {"grid": grid}, 1))
         self.assertNotIn("overlap", [text.get_text() for text in figure.legends[0].get_texts()])
 
 
