@@ -25,7 +25,7 @@ class Row:
 def rows(runs):
     """Figures that at least two runs have and that are not the same in all that have them, in the order of the summaries."""
     for key in dict.fromkeys(key for run in runs for key in run.summary):
-        values = [run.number(key) for run in runs]
+        values = [run.number(key) if key in run.figures else None for run in runs]
         found = [value for value in values if value is not None]
         if len(found) > 1 and len(set(found)) > 1:
             yield Row(key, values)

@@ -92,7 +92,7 @@ def _remedy_of_gap(summary):
 def figures(results):
     """The main figures of the run, those that scripts/run prints."""
     return section("figures", "Main figures", table("Main figures, from summary.json", ("figure", "value"), [
-        (name, figure(results.summary, key)) for name, key in main_figures(results) if results.summary.get(key) is not None]))
+        (name, figure(results.figures, key)) for name, key in main_figures(results) if results.figures.get(key) is not None]))
 
 
 def main_figures(*runs):
@@ -128,5 +128,5 @@ def _rows(runs):
 
 
 def _column(run, rows):
-    values = ((run.number(key), divisor, text) for _, key, divisor, text in rows)
+    values = ((run.number(key) if key in run.figures else None, divisor, text) for _, key, divisor, text in rows)
     return [run.name] + ["-" if v is None else text.format(v / divisor) for v, divisor, text in values]

@@ -68,7 +68,7 @@ def _said(name, value):
 
 
 def energy(results):
-    s = results.summary
+    s = results.figures
     drawn = None if results.is_simplified else time_pictures.energy(results)
     rows = [(said, figure(s, key)) for said, key in BALANCE if s.get(key) is not None]
     by_cause = [(name.removesuffix("_J").replace("_", " "), quantity(float(values[-1]), "J"))

@@ -6,6 +6,8 @@ import numpy as np
 from adit import Run, Table, Unusable
 
 OF_EVERY_MOTION = {"motion", "response", "fourier"}
+NEEDED = {  # figures that mean nothing where the summary has 0 of what they count
+    "bonds": ("crack_count", "debonded_count"), "coupling_points": ("multiplier_work_J", "coupler_solve_s")}
 
 
 class Results(Run):
@@ -18,6 +20,18 @@ class Results(Run):
     summary = cached_property(lambda self: self._unless_damaged("summary", {}))
     scene = cached_property(lambda self: self._unless_damaged("scene", {}))
     instants = cached_property(lambda self: self._unless_damaged("instants", []))
+
+    @cached_property
+    def figures(self):
+        """The figures of the summary that mean something for what was computed: no cracks where there are no bonds."""
+        idle = {figure for needed, figures in NEEDED.items() if self.summary.get(needed) == 0 for figure in figures}
+        if not self._has_groups_of_particles():
+            idle.add("debonded_count")
+        return {key: value for key, value in self.summary.items() if key not in idle}
+
+    def _has_groups_of_particles(self):
+        """Whether bonds could join two groups."""
+        return any(model.get("groups") or "ring" in model for _, model in self.models)
 
     @cached_property
     def histories(self):

@@ -321,7 +321,7 @@ class Pages(unittest.TestCase):
     def test_peaks_of_every_lining_are_main_figures(self):
         summary = {"lining_roof_largest_moment_Nm": -2e4, "lining_roof_thrust_at_largest_moment_N": -3e5,
                    "lining_roof_least_thrust_N": -4e5, "west_lining_floor_largest_moment_Nm": 1e3}
-        run = types.SimpleNamespace(name="portal", summary=summary, number=summary.get)
+        run = types.SimpleNamespace(name="portal", summary=summary, figures=summary, number=summary.get)
         known = dict(overview.main_figures(run))
         self.assertEqual(known["lining roof: largest moment, per metre: thrust there"], "lining_roof_thrust_at_largest_moment_N")
         self.assertEqual(known["lining roof: largest moment, per metre: x"], "lining_roof_largest_moment_x_m")

@@ -8,7 +8,8 @@ import unittest
 
 import yaml
 
-from adit.report import computed, overview
+from adit.compare import differences
+from adit.report import computed, origin, overview, response
 from adit.report.results import Results
 
 MOTION = {"ricker": {"frequency": 2}, "peak": 4.0}
@@ -53,6 +54,36 @@ class Acted(ReportTest):
         self.assertIn("310 ms were computed, 300 ms are stated.",
                       overview.state(self.results({}, completed=True, duration_s=0.3, stated=stated)))
         self.assertIn("300 ms were computed.", overview.state(self.results({}, completed=True, duration_s=0.3, stated=[])))
+
+
+class Rows(ReportTest):
+    """Tables leave out what means nothing for what was computed."""
+    COUNTS = {"crack_count": 0, "debonded_count": 0, "multiplier_work_J": 0.0, "coupler_solve_s": 0.0, "max_energy_drift": 1e-12,
+              "wall_s": 1.5}
+
+    def rows(self, results):
+        chapters = overview.figures(results), response.energy(results), origin.timing(results)
+        return set(re.findall(r'data-key="(\w+)"', "".join(chapters)))
+
+    def test_of_a_run(self):
+        grouped = {"particles": {"groups": [{"name": "ring"}]}}
+        for scene, sizes, missing in (
+                ({"continuum": {}}, (9, 0, 0, 0), {"crack_count", "debonded_count", "multiplier_work_J", "coupler_solve_s"}),
+                ({"particles": {}}, (0, 9, 0, 0), {"crack_count", "debonded_count", "multiplier_work_J", "coupler_solve_s"}),
+                ({"particles": {}}, (0, 9, 8, 0), {"debonded_count", "multiplier_work_J", "coupler_solve_s"}),
+                (grouped, (0, 9, 8, 0), {"multiplier_work_J", "coupler_solve_s"}),
+                ({"continuum": {}, **grouped}, (9, 9, 8, 7), set())):
+            results = self.results(scene, **self.COUNTS, **dict(zip(("zones", "particles", "bonds", "coupling_points"), sizes)))
+            self.assertEqual(self.COUNTS.keys() - self.rows(results), missing)
+            lines = "".join(overview.lines([results]))
+            self.assertEqual([word in lines for word in ("cracks", "debonded")], [name not in missing for name in ("crack_count", "debonded_count")])
+
+    def test_of_a_comparison(self):
+        """A run without particles has no cracks beside one that has some."""
+        runs = [self.results({}, crack_count=0, zones=9, particles=0, bonds=0), self.results({}, crack_count=3, zones=0, particles=9, bonds=8)]
+        self.assertEqual([row.key for row in differences.rows(runs)], ["zones", "particles", "bonds"])
+        (line,) = [line for line in overview.lines(runs) if "cracks" in line]
+        self.assertEqual(line.split(), ["cracks", "-", "3"])
 
 
 if __name__ == "__main__":
