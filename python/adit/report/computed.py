@@ -1,5 +1,6 @@
 """What was computed and how: the models, their loads and motions, the time steps."""
 from adit.plots.spectra_pictures import GRAVITY
+from adit.report import conditions
 from adit.report.markup import paragraphs, section
 from adit.report.quantities import digits, quantity, sentence
 
@@ -9,7 +10,8 @@ SAME = 0.01  # share by which a number may differ from the stated one that it is
 def chapter(results):
     description = results.scene.get("description")
     say = _tunnel if results.is_simplified else _ground
-    return section("computed", "What was computed and how", paragraphs([description and sentence(description), *say(results)]))
+    return section("computed", "What was computed and how", paragraphs([description and sentence(description), *say(results)]),
+                   conditions.listed(results))
 
 
 def _tunnel(results):
@@ -38,8 +40,7 @@ def _ground(results):
         yield (f"The bridging-domain method joins them in the overlap, at {s['coupling_points']:,} coupling points: there both "
                f"share mass and forces and move alike (solve: {s.get('solve')}).")
     if s.get("statics_steps") is not None:
-        yield (f"First the model came to rest under its loads, stage by stage where it has stages: {s['statics_steps']:,} "
-               f"steps, until the unbalanced force was {quantity(s.get('statics_unbalanced_ratio'))} of the internal force.")
+        yield "First the model came to rest under its loads, stage by stage where it has stages."
     for name, model in results.models:
         base, sides = model.get("base"), [side for side, on in model.get("free_field", {}).items() if on]
         yield f"The base of the {name} is {base['kind']}." if base and "kind" in base else None
