@@ -7,6 +7,7 @@ from adit.plots import style
 from adit.plots.colour_scale import Scale, number
 from adit.plots.deformation import common_motion, heavy_cells, told
 from adit.plots.drawing import Colours, Drawing, Sheet, legend
+from adit.results.rounding import settled
 
 HALF_WEIGHT = 0.5  # particles with less weight: the zones below them are shown instead
 
@@ -98,7 +99,8 @@ def _coloured(run, what, pieces, values, unit, marked, near=None):
     scale = Scale(np.concatenate([values[kind][seen[kind]] for kind in pieces]))
     norm = scale.look()["norm"]
     colours = Colours("", norm.vmin, norm.vmax, unit)
-    value, x, y = _largest(pieces, values, seen, marked)
+    value, *place = _largest(pieces, values, seen, marked)
+    x, y = (settled(each, max(map(abs, bounds))) for each in place)
     notes = ((f"○ {number(value)} {unit} at x = {x:.4g} m, y = {y:.4g} m", style.RED), (scale.beyond(unit), style.BLACK))
 
     def paint(axes, beside):

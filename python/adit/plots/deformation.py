@@ -4,6 +4,7 @@ import math
 import numpy as np
 
 from adit.plots.cores import on_all_cores
+from adit.results.rounding import settled
 
 AT_REST = 0.5  # share of the common displacement: a model with points that move less is supported, and its whole displacement is shown
 LOOSE = 3.0  # times the displacement of 99 % of the particles: particles that move farther are loose
@@ -23,7 +24,8 @@ def common_motion(pieces):
 
 def told(common):
     """The text of a title on the common motion that was subtracted."""
-    return f", without the common ({1e3 * common[0]:.4g}, {1e3 * common[1]:.4g}) mm" if common.any() else ""
+    x, y = (settled(1e3 * each, 1e3 * np.hypot(*common)) for each in common)
+    return f", without the common ({x:.4g}, {y:.4g}) mm" if common.any() else ""
 
 
 def scale_of_run(run):

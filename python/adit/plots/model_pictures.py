@@ -86,7 +86,7 @@ def _draw_forces(axes, lines, force, scale):
     x, y = lines[top].mean(axis=0)
     axes.plot(x, y, "o", ms=11, mfc="none", mec=style.BLACK, mew=1.1, zorder=5)
     mark = Line2D([], [], ls="", marker="o", ms=9, mfc="none", mec=style.BLACK, label=(
-        f"largest: {_kilonewton(abs(force[top]))} ({'tension' if force[top] > 0 else 'compression'}) at x = {x:.2f} m, y = {y:.2f} m"))
+        f"largest: {_kilonewton(abs(force[top]))} ({'tension' if force[top] > 0 else 'compression'}) at x = {x:z.2f} m, y = {y:z.2f} m"))
     return [*(Line2D([], [], color=color, lw=widest * sample / scale, label=f"{sign} (width of {_kilonewton(sample)})")
               for color, sign in ((style.RED, "tension"), (style.BLUE, "compression"))), mark]
 

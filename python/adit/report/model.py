@@ -7,6 +7,7 @@ from adit.plots.setup.checked import LAWS, Checked
 from adit.report import pictures
 from adit.report.markup import details, section, table, tag
 from adit.report.quantities import figure, quantity
+from adit.results.rounding import coordinate
 
 SIZES = (("particles", "particles"), ("bonds", "bonds"), ("zones", "zones"), ("grid points", "grid_points"),
          ("coupling points", "coupling_points"),
@@ -86,7 +87,7 @@ def _said(value, unit):
 
 def where(area):
     """The area of a scene in words."""
-    return ", ".join(f"group {value}" if key == "group" else f"{key} = {quantity(float(value), 'm')}" if isinstance(value, (int, float))
+    return ", ".join(f"group {value}" if key == "group" else f"{key} = {quantity(coordinate(float(value)), 'm')}" if isinstance(value, (int, float))
                      else key for key, value in (area or {}).items()) or "all"
 
 
