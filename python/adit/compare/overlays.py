@@ -25,9 +25,8 @@ def drawn(title, runs):
 
 def look(i):
     """Colour and dashes of run i; only the first is solid, so that curves that coincide show through."""
-    colors = (style.BLACK, style.GREEN, style.RED, style.BLUE, style.ORANGE, style.PINK, style.SKY)
     dashes = ("-", (0, (5, 2)), (0, (1.5, 1.2)), (0, (6, 1.5, 1.5, 1.5)), (0, (9, 3)), (0, (3, 4)), (0, (1, 3)))
-    return {"color": colors[i % len(colors)], "ls": dashes[(i + i // len(colors)) % len(dashes)],
+    return {"color": style.of_run(i), "ls": dashes[(i + i // len(style.OF_RUNS)) % len(dashes)],
             "lw": 1.2 if i == 0 else 1.5}
 
 
@@ -145,6 +144,7 @@ def _around(title, what, several):
 
 
 def shared_motions(runs):
-    """[(run, motion, its text in a legend)] of all motions; empty if fewer than two runs have any."""
-    found = [(run, name, f"{run.name}, {name}") for run in runs for name in run.spectra]
-    return found if len({run.name for run, *_ in found}) > 1 else []
+    """[Shown] of all motions, those of one run in its colour; empty if fewer than two runs have any."""
+    found = [motions.Shown(run, name, f"{run.name}, {name}", style.of_run(i), time_pictures.LINES[::2][n % 2])
+             for i, run in enumerate(runs) for n, name in enumerate(run.spectra)]
+    return found if len({each.run.name for each in found}) > 1 else []

@@ -15,6 +15,7 @@ gc.set_threshold(20_000, 2)
 BLUE, RED, GREEN, ORANGE, SKY, PINK, YELLOW, BLACK = (
     "#0072B2", "#D55E00", "#009E73", "#E69F00", "#56B4E9", "#CC79A7", "#F0E442", "#000000")
 GREY = "#8C8C8C"
+OF_RUNS = (BLACK, GREEN, RED, BLUE, ORANGE, PINK, SKY)  # in turn, in all pictures that compare runs
 COMPRESSION = 3  # of PNG: level 6 takes twice as long and saves 5 %
 
 plt.rcParams.update({
@@ -41,6 +42,11 @@ class Linear(scale.LinearScale):
 
 
 scale.register_scale(Linear)
+
+
+def of_run(number):
+    """The colour of the run of this number among those that are compared."""
+    return OF_RUNS[number % len(OF_RUNS)]
 
 
 def milliseconds(time):
