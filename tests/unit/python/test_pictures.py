@@ -1,5 +1,6 @@
 """Pictures of results stay readable: titles, legends, scales and marks, for models that had spoiled them."""
 
+import pathlib
 import types
 import unittest
 
@@ -342,6 +343,14 @@ class Pages(unittest.TestCase):
         drawn = png.figure(lining_pictures.lining_forces(run_named("ring"), 1.0, {"linings": ring})).axes[0].collections
         radii = [np.hypot(*line.get_paths()[0].vertices.T).max() for line in drawn[-2:]]
         np.testing.assert_allclose(radii, [1 - 2 * lining_pictures.REACH * part for part in (1, 2 / 9)])
+
+    def test_pages_say_of_dashed_lines_what_the_legend_says(self):
+        beam = piece([(0, 0), (1, 0)], [(0, 1)], {name: np.zeros(2) for name, *_ in lining_pictures.FORCES})
+        figure = png.figure(lining_pictures.lining_forces(run_named("ring"), 1.0, {"linings": beam}))
+        (told,) = [text for text in texts_of(figure.legends[0]) if "so far" in text]
+        guide = (pathlib.Path(__file__).resolve().parents[3] / "docs" / "user_guide.md").read_text()
+        self.assertIn(f"the dashed lines are the {told}.", guide)
+        self.assertNotIn("largest value so far", guide)
 
     def test_cracks_and_debonded_bonds_are_told_apart(self):
         table = Table({name: np.array(values) for name, values in {
