@@ -94,6 +94,7 @@ def yield_state(run, time, pieces):
 def _coloured(run, what, pieces, values, unit, marked, near=None):
     """`marked`: the largest of this function of the values is marked; `near`: the pieces whose extent is drawn, else all."""
     bounds = style.bounds_of(*(piece.points for piece in near or pieces.values()))
+    what += style.cut(bounds, pieces)
     heavy = {kind: _heavy(piece, values[kind]) for kind, piece in pieces.items()}
     seen = {kind: heavy[kind] & style.inside(bounds, _places(piece, values[kind])) for kind, piece in pieces.items()}
     scale = Scale(np.concatenate([values[kind][seen[kind]] for kind in pieces]))

@@ -63,7 +63,7 @@ def force_chains(run, time, pieces, bounds=None, scale=None):
     bonds = pieces.get("bonds")
     if bonds is None or len(bonds.cells) == 0:
         return None
-    lines, force = bonds.points[bonds.cells], bonds.field("normal_force_N")
+    lines, force, bounds = bonds.points[bonds.cells], bonds.field("normal_force_N"), bounds or close_up(pieces)
     largest = np.nanmax(np.abs(force))
 
     def paint(axes):
@@ -72,7 +72,8 @@ def force_chains(run, time, pieces, bounds=None, scale=None):
             handles += _draw_forces(axes, lines, force, scale or largest)
         return [legend(None, handles, ncol=3)]
 
-    return Drawing(run.name, f"normal forces in the bonds at t = {style.instant(time)}", Sheet(bounds or close_up(pieces)), paint)
+    title = f"normal forces in the bonds at t = {style.instant(time)}{style.cut(bounds, pieces)}"
+    return Drawing(run.name, title, Sheet(bounds), paint)
 
 
 def _draw_forces(axes, lines, force, scale):
@@ -96,7 +97,7 @@ def bonds(run, time, pieces, bounds=None):
     piece = pieces.get("bonds")
     if piece is None or len(piece.cells) == 0:
         return None
-    lines, state = piece.points[piece.cells], piece.field("state")
+    lines, state, bounds = piece.points[piece.cells], piece.field("state"), bounds or close_up(pieces)
     intact, between = state == INTACT, _between_groups(pieces)
     cracks = int(np.sum(~intact & ~between))
 
@@ -112,8 +113,8 @@ def bonds(run, time, pieces, bounds=None):
                 handles.append(Line2D([], [], color=color, lw=2.4, label=_count(int(np.sum(chosen)), name)))
         return [legend(None, handles)]
 
-    title = f"{_count(cracks, 'crack') if cracks else 'no cracks'} at t = {style.instant(time)}"
-    return Drawing(run.name, title, Sheet(bounds or close_up(pieces)), paint)
+    title = f"{_count(cracks, 'crack') if cracks else 'no cracks'} at t = {style.instant(time)}{style.cut(bounds, pieces)}"
+    return Drawing(run.name, title, Sheet(bounds), paint)
 
 
 def _between_groups(pieces):

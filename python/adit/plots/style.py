@@ -71,6 +71,12 @@ def bounds_of(*point_sets):
     return low[0] - margin, high[0] + margin, low[1] - margin, high[1] + margin
 
 
+def cut(bounds, pieces):
+    """The end of a title where a sheet of these bounds shows the part with particles only."""
+    whole = all(inside(bounds, piece.points).all() for piece in pieces.values())
+    return "" if whole else "; only the part with particles is drawn"
+
+
 def literal(text):
     """A name of the scene, escaped: matplotlib would read text between dollar signs as a formula."""
     return text.replace("$", r"\$")

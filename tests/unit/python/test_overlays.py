@@ -52,6 +52,17 @@ class Overlays(unittest.TestCase):
         styles = {line.get_label(): line.get_linestyle() for line in figure.axes[0].get_lines()}
         self.assertNotEqual(styles["linear, top"], styles["linear, base"])
 
+    def test_a_run_that_is_short_beside_another_is_seen_and_told(self):
+        """10 ms beside 2 s are less than a line is wide."""
+        runs = [run_of("ovaling", "top", end=0.01, first=1), run_of("shear_wave", "top")]
+        for name, figure in figures(runs):
+            if name != "cracks":
+                line = next(line for line in figure.axes[0].get_lines() if "ovaling, " in line.get_label() and "input" not in line.get_label())
+                self.assertIn(", ends at 10 ms", line.get_label())
+                self.assertTrue(name == "motions" or line.get_marker() == "x")
+        long, _ = overlays.end_of(np.array([0.0, 1.9]), 2)
+        self.assertEqual(long, "")
+
     def test_legends_cover_no_curves(self):
         for name, figure in figures([run_of("linear", "top"), run_of("hysteretic", "top")]):
             figure.canvas.draw()

@@ -221,6 +221,18 @@ class Joints(unittest.TestCase):
         lining = piece([(-54, -9), (54, 9)], [(0, 1)])
         self.assertEqual(model_pictures.close_up({"grid": grid, "bonds": lining}), style.bounds_of(lining.points))
 
+    def test_a_picture_of_a_part_says_so(self):
+        grid = piece([(0, 0), (40, 0), (40, 8), (0, 8)], [(0, 1, 2, 3)], {"displacement_m": np.zeros((4, 3))},
+                     {"stress_Pa": np.zeros((1, 3)), "weight": np.ones(1)})
+        for width, told in ((1, True), (40, False)):
+            places = [(0, 0), (width, 0), (width, 8), (0, 8)]
+            discs = cloud(places, np.zeros((4, 2)))
+            discs.point_fields["stress_Pa"] = np.zeros((4, 3))
+            bonds = piece(places, [(0, 1), (1, 2)], {}, {"state": np.zeros(2), "normal_force_N": np.ones(2)})
+            pieces = {"grid": grid, "particles": discs, "bonds": bonds}
+            for draw in (colour_pictures.principal_stress, model_pictures.bonds, model_pictures.force_chains):
+                self.assertEqual("only the part with particles is drawn" in draw(run_named("beam"), 1.0, pieces).title, told, draw)
+
     def test_bonds_between_two_groups_that_broke_are_no_cracks(self):
         bonds = piece([(0, 0), (1, 0), (2, 0), (3, 0)], [(0, 1), (1, 2), (2, 3)], cell_fields={"state": np.array([1, 2, 0])})
         discs = piece(bonds.points, np.arange(4)[:, None], {
