@@ -4,7 +4,7 @@ from matplotlib.collections import EllipseCollection, LineCollection, PolyCollec
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Polygon
 
-from adit.plots import joints, style
+from adit.plots import joints, particle_groups, style
 from adit.plots.deformation import common_motion, near, round_below, told
 from adit.plots.drawing import Drawing, Sheet, legend
 
@@ -36,14 +36,14 @@ def deformed(run, time, pieces, scale):
             _draw_zones(axes, grid, moved["grid"], fc="none", ec=ZONE_EDGE, lw=width, zorder=3)  # over the particles
             handles.append(Patch(fc=ZONE_FACE, ec=ZONE_EDGE, label="zones"))
         if discs is not None:
-            handles += _draw_discs(axes, discs, moved["particles"], kept["particles"])
+            handles += _draw_discs(axes, run, discs, moved["particles"], kept["particles"])
         return [legend(None, handles)]
 
     title = f"deformed model at t = {style.instant(time)}, displacements × {scale:,.0f}{told(common)}"
     return Drawing(run.name, title, Sheet(bounds), paint)
 
 
-def _draw_discs(axes, discs, moved, kept):
+def _draw_discs(axes, run, discs, moved, kept):
     """`kept`: which of them are not loose."""
     there = discs.is_there()
     size = 2 * discs.field("radius_m", np.zeros(len(there)))[there]
@@ -51,6 +51,7 @@ def _draw_discs(axes, discs, moved, kept):
         size, size, np.zeros_like(size), units="xy", offsets=moved[there], offset_transform=axes.transData, fc=DISC_FACE,
         ec=DISC_EDGE, lw=0.35, zorder=2))
     handles = [Line2D([], [], ls="", marker="o", ms=6, mfc=DISC_FACE, mec=DISC_EDGE, label="particles")]
+    handles += particle_groups.draw(axes, _parts(run), discs, moved, ec=DISC_EDGE, lw=0.35, zorder=2)
     far = int(np.sum(there & ~kept))
     if far:
         handles.append(Line2D([], [], ls="", label=f"{_count(far, 'loose particle')} may lie outside"))
@@ -155,11 +156,18 @@ def _draw_surroundings(axes, run, pieces):
     if grid is not None:
         _draw_zones(axes, grid, grid.points, fc="none", ec="#BBCFE0", lw=0.6)
         handles.append(Patch(fc="white", ec="#BBCFE0", label="zones"))
+    if "particles" in pieces:
+        handles += particle_groups.draw(axes, _parts(run), pieces["particles"], pieces["particles"].points, ec="none", alpha=0.55, zorder=0.5)
     springs = pieces.get("springs")
     if springs is not None and len(springs.cells):
         axes.add_collection(LineCollection(springs.points[springs.cells], color=style.GREEN, lw=1.6, zorder=3))
         handles.append(Line2D([], [], color=style.GREEN, lw=1.6, label="springs"))
-    return handles + joints.draw(axes, [model for _, model in run.models])
+    return handles + joints.draw(axes, _parts(run))
+
+
+def _parts(run):
+    """The models of the run, as its scene states them."""
+    return [model for _, model in run.models]
 
 
 def _shade_overlap(axes, run, grid, points=None):

@@ -5,9 +5,11 @@ import types
 import unittest
 
 import numpy as np
+from matplotlib.colors import to_rgb
 
 from adit import Table
-from adit.plots import colour_pictures, deformation, lining_pictures, model_pictures, png, spectra_pictures, style, time_pictures
+from adit.plots import (colour_pictures, deformation, lining_pictures, model_pictures, particle_groups, png, spectra_pictures, style,
+                        time_pictures)
 from adit.plots.colour_scale import Scale
 from adit.plots.drawing import Drawing, Panels, legend
 from adit.plots.setup import conditions, sheets
@@ -220,6 +222,21 @@ class Joints(unittest.TestCase):
         grid = piece([(-80, -40), (80, -40), (80, 40), (-80, 40)], [(0, 1, 2, 3)])
         lining = piece([(-54, -9), (54, 9)], [(0, 1)])
         self.assertEqual(model_pictures.close_up({"grid": grid, "bonds": lining}), style.bounds_of(lining.points))
+
+    def test_groups_of_particles_are_told_apart_from_the_ground(self):
+        """Also where they lie in several regions, and where particles were taken away."""
+        discs = cloud([(0, 0), (1, 0), (2, 0), (3, 0)], np.zeros((4, 2)))
+        discs.point_fields["group"], discs.cells = np.array([0, 1, 2, 1]), discs.cells[:3]
+        bonds = piece(discs.points, [(0, 1), (1, 2)], {}, {"state": np.zeros(2), "normal_force_N": np.ones(2)})
+        run = run_named("tunnels", {"groups": [{"name": "west"}, {"name": "gouge"}]}, {"groups": [{"name": "east"}]})
+        for draw, more in ((model_pictures.bonds, ()), (model_pictures.force_chains, ()), (model_pictures.deformed, (1,))):
+            figure = png.figure(draw(run, 1.0, {"particles": discs, "bonds": bonds}, *more))
+            self.assertEqual([text for text in texts_of(figure.legends[0]) if ": " in text and "part" in text],
+                             ["particles: west, east", "particles: gouge"], draw)
+            toned = [drawn.get_offsets().tolist() for drawn in figure.axes[0].collections
+                     if tuple(np.round(drawn.get_facecolor()[:1, :3].ravel(), 3)) in {
+                         tuple(np.round(to_rgb(tone), 3)) for tone in particle_groups.TONES}]
+            self.assertEqual(toned, [[[1, 0]], [[2, 0]]], draw)
 
     def test_a_picture_of_a_part_says_so(self):
         grid = piece([(0, 0), (40, 0), (40, 8), (0, 8)], [(0, 1, 2, 3)], {"displacement_m": np.zeros((4, 3))},
