@@ -1,8 +1,18 @@
-"""Fields of a model, made up for a test."""
+"""Fields of a model, made up for a test, and tests that draw them."""
+
+import unittest
 
 import numpy as np
 
 from adit import Piece, Table
+from adit.plots import style
+
+
+class PictureTest(unittest.TestCase):
+    """A test that leaves no figure open."""
+
+    def setUp(self):
+        self.addCleanup(style.plt.close, "all")
 
 
 def piece(points, cells, point_fields=None, cell_fields=None):

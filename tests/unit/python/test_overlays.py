@@ -9,6 +9,8 @@ from adit import Table
 from adit.compare import overlays
 from adit.plots import png, style
 
+from pieces import PictureTest
+
 
 def run_of(name, *motions, end=2.0, first=0.0):
     """A run with motions, histories over its duration and cracks."""
@@ -31,10 +33,7 @@ def figures(runs):
             yield name, png.figure(drawing)
 
 
-class Overlays(unittest.TestCase):
-    def setUp(self):
-        self.addCleanup(style.plt.close, "all")
-
+class Overlays(PictureTest):
     def test_a_run_has_one_colour_in_all_pictures(self):
         runs = [run_of("linear", "top", "base"), run_of("still"), run_of("hysteretic", "top")]
         seen = set()

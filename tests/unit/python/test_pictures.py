@@ -16,7 +16,7 @@ from adit.plots.setup import conditions, sheets
 from adit.plots.setup.checked import Member
 from adit.report import around, computed, model, overview, pictures, response
 
-from pieces import piece
+from pieces import PictureTest, piece
 
 
 def column(displacement, width=2.0, height=50.0, zones=25, **cell_fields):
@@ -48,7 +48,7 @@ def box_of(figure, artist):
     return artist.get_window_extent()
 
 
-class Titles(unittest.TestCase):
+class Titles(PictureTest):
     def test_a_title_stays_on_the_sheet_of_a_tall_model(self):
         grid = column(lambda points: 0.075 + 1e-3 * points[:, 1:] ** 2)
         for drawing in (model_pictures.deformed(run_named("hysteretic"), 25.0, {"grid": grid}, 10),
@@ -60,7 +60,7 @@ class Titles(unittest.TestCase):
             self.assertLess(box.y1, figure.bbox.y1)
 
 
-class Sizes(unittest.TestCase):
+class Sizes(PictureTest):
     """A drawing has no size: files and pages choose it."""
 
     def test_a_file_and_a_page_show_the_same_data(self):
@@ -108,7 +108,7 @@ class Sizes(unittest.TestCase):
         self.assertEqual(texts_of(filed.axes[0].get_legend()), [r"top\$1"])
 
 
-class Displacements(unittest.TestCase):
+class Displacements(PictureTest):
     def test_a_motion_that_all_points_share_is_taken_off(self):
         bent = lambda points: 1e-3 * (points[:, 1:] / 50) ** 2  # noqa: E731
         at_rest, shaken = column(bent), column(lambda points: 4 + bent(points))
@@ -135,7 +135,7 @@ class Displacements(unittest.TestCase):
         self.assertIn("1 loose particle", " ".join(text.get_text() for text in figure.legends[0].get_texts()))
 
 
-class Colours(unittest.TestCase):
+class Colours(PictureTest):
     def marked(self, drawing):
         return next(text for text, _ in drawing.notes if "○" in text)
 
@@ -207,7 +207,7 @@ class Colours(unittest.TestCase):
         self.assertNotIn("overlap", [text.get_text() for text in figure.legends[0].get_texts()])
 
 
-class Joints(unittest.TestCase):
+class Joints(PictureTest):
     def test_joints_of_a_lining_are_drawn_over_its_bonds(self):
         state = {"state": np.zeros(2), "normal_force_N": np.array([1e3, -2e3])}
         segments = piece([(0, 0), (1, 0), (2, 0)], [(0, 1), (1, 2)], {}, state)
@@ -259,7 +259,7 @@ class Joints(unittest.TestCase):
         self.assertEqual(texts_of(png.figure(drawing).legends[0])[-3:], ["1 intact bond", "1 tensile crack", "1 debonded bond"])
 
 
-class Models(unittest.TestCase):
+class Models(PictureTest):
     def test_particles_that_were_taken_away_are_not_drawn(self):
         discs = cloud([(0, 0), (1, 0), (2, 0)], np.zeros((3, 2)))
         discs.cells = discs.cells[1:]
@@ -288,7 +288,7 @@ class Models(unittest.TestCase):
             "elastic: 4 zones"])
 
 
-class Spectra(unittest.TestCase):
+class Spectra(PictureTest):
     def test_accelerations_are_drawn_in_g(self):
         table = Table({"period_s": np.array([0.1, 1.0]), "psa_5pct_m_per_s2": np.array([9.80665, 4.903325]),
                        "sv_5pct_m_per_s": np.ones(2), "sd_5pct_m": np.ones(2)}, "table")
@@ -300,7 +300,7 @@ class Spectra(unittest.TestCase):
         np.testing.assert_allclose(pga.get_ydata(), 0.5)
 
 
-class Times(unittest.TestCase):
+class Times(PictureTest):
     def run_with(self, columns, end):
         time = np.linspace(0, end, 200)
         return types.SimpleNamespace(name="ring", histories={"time_s": time} | {name: np.sin(k + time) for k, name in enumerate(columns)})
@@ -329,7 +329,7 @@ class Times(unittest.TestCase):
         self.assertGreater(stored.get_ylim()[1], 100)
 
 
-class Pages(unittest.TestCase):
+class Pages(PictureTest):
     def test_a_motion_is_told_with_its_units_and_in_g(self):
         told = computed.motion({"synthetic": {"spectrum": "gb_18306", "corner_period": 0.65, "seed": 11}, "peak": 1.96133})
         self.assertEqual(told, "The motion is synthetic (spectrum gb_18306, corner period 0.65 s, seed 11), with a peak of "

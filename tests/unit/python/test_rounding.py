@@ -7,17 +7,17 @@ import unittest
 import numpy as np
 
 from adit.compare import differences
-from adit.plots import colour_pictures, deformation, lining_pictures, model_pictures, png, style
+from adit.plots import colour_pictures, deformation, lining_pictures, model_pictures, png
 from adit.plots.drawing import Drawing, Panels
 from adit.report import curves, overview, pictures, response
 from adit.report.quantities import figure, place
 
-from pieces import piece
+from pieces import PictureTest, piece
 
 TINY = re.compile(r"e-1\d|10⁻¹[⁰¹²³⁴-⁹]|[-−]0(\.0*)?\b(?!\.)")  # 4.441e-16, 4.441 × 10⁻¹⁶, -0.00
 
 
-class Rounding(unittest.TestCase):
+class Rounding(PictureTest):
     def assert_settled(self, *texts):
         for text in texts:
             self.assertNotRegex(str(text), TINY)
@@ -32,7 +32,6 @@ class Rounding(unittest.TestCase):
         shown = colour_pictures.displacement(run, 1.0, {"particles": discs})
         self.assertIn("x = 0 m, y = 5 m", shown.notes[0][0])
         chains = png.figure(model_pictures.force_chains(run, 1.0, {"particles": discs, "bonds": bonds}))
-        self.addCleanup(style.plt.close, chains)
         self.assert_settled(*(text for text, _ in shown.notes), *(text.get_text() for text in chains.legends[0].get_texts()))
 
     def test_of_motions_and_ranges(self):
@@ -47,7 +46,6 @@ class Rounding(unittest.TestCase):
             return []
 
         drawn, _ = pictures.painted(Drawing("", "motion", Panels(1, 1, (8, 3)), paint))
-        self.addCleanup(style.plt.close, drawn)
         self.assert_settled(curves.as_table(drawn, "motion"))
 
     def test_of_figures_and_cracks(self):

@@ -9,7 +9,7 @@ from adit.plots import png, style
 from adit.plots.setup import sheets, supports
 from adit.plots.setup.checked import Checked, Member
 
-from pieces import piece
+from pieces import PictureTest, piece
 
 
 def block(zones, side=1.0, **cell_fields):
@@ -34,12 +34,11 @@ def hatched(figure, hatch):
     return [0.5 * abs(np.sum(x[:-1] * y[1:] - x[1:] * y[:-1])) for x, y in (corners.T for corners in found)]
 
 
-class Setup(unittest.TestCase):
+class Setup(PictureTest):
     def drawn(self, pieces, *members):
         checked = types.SimpleNamespace(name="model", pieces=lambda: pieces, members=lambda: members)
         (_, drawing), = sheets.model(checked)
         figure = png.figure(drawing)
-        self.addCleanup(style.plt.close, figure)
         return figure, [text.get_text() for text in figure.legends[0].get_texts()]
 
     def test_what_is_dug_from_a_block_by_its_name(self):
@@ -71,7 +70,6 @@ class Setup(unittest.TestCase):
         member = Member("west", "continuum", {"linings": [{"name": "roof", "stage": 3}, {"name": "floor"}],
                                               "bolts": [{"stage": 2}, {"stage": 5}], "springs": [{}]}, {})
         _, axes = style.plt.subplots()
-        self.addCleanup(style.plt.close, axes.figure)
         handles = supports.draw(axes, [member], {"west_linings": beams, "west_bolts": beams, "west_springs": beams})
         self.assertEqual([each.get_label() for each in handles], ["lining roof, stage 3", "lining floor", "bolts, stages 2 and 5", "springs"])
         self.assertEqual(len({each.get_color() for each in handles}), 4)
