@@ -2,10 +2,10 @@
 
 %(prog)s RUN_DIR
     writes RUN_DIR/pictures/: deformed model, force chains, bonds, linings, displacement, principal stress and yield state at
-    the field times, eight of them or --all; histories, energy, peaks over time and spectra. A run of a whole tunnel gives envelopes along the axis
-    and motion over time and distance.
+    the field times, eight of them or --all; histories, energy, peaks over time and spectra. A run of a whole tunnel gives
+    envelopes along the axis and motion over time and distance.
 %(prog)s --model SCENE.yaml
-    draws the model before it runs (`coupler check`): materials and groups, joints, supports, boundaries, loads, probes,
+    draws the model before it runs (`coupler check`): materials and groups, stages, joints, supports, boundaries, loads, probes,
     overlap. The pictures are in runs/CASE/SCENE_model/pictures/. The folder of a `coupler check --out` may replace the scene.
 """
 import subprocess
