@@ -8,12 +8,13 @@ A page marks what it shows by the language of the fenced block:
 """
 
 import dataclasses
+import os
 import re
 
 FENCE = re.compile(r"^(```+)(\w*)\n(.*?)^\1\n", re.MULTILINE | re.DOTALL)
 HEADING = re.compile(r"^## (.*)$", re.MULTILINE)
 NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
-TOLERANCE = 0.02  # of a number
+ANOTHER_COMPILER = 0.02  # of a number, where the programs are built for a sanitizer: its compiler rounds otherwise
 
 
 @dataclasses.dataclass
@@ -60,7 +61,7 @@ def chapters(text):
 
 
 def agrees(stated, printed):
-    """Whether a printed line says what the page states: the same words, numbers within the tolerance."""
+    """Whether a printed line says what the page states: the same words, numbers that are the stated ones to their last digit."""
     pieces = [piece.strip() for piece in stated.split("…")]
     pattern = ".*".join(re.escape(" ".join(NUMBER.sub("#", piece).split())) for piece in pieces)
     if "…" not in stated:
@@ -70,5 +71,11 @@ def agrees(stated, printed):
         return False
     if "…" in stated:  # numbers before the first gap
         stated = pieces[0]
-    pairs = zip(map(float, NUMBER.findall(stated)), map(float, NUMBER.findall(printed)))
-    return all(abs(found - said) <= TOLERANCE * abs(said) for said, found in pairs)
+    return all(abs(float(found) - float(said)) <= tolerance(said) for said, found in zip(NUMBER.findall(stated), NUMBER.findall(printed)))
+
+
+def tolerance(said):
+    """Half a unit of the last digit of a stated number."""
+    mantissa, _, exponent = said.partition("e")
+    half = 0.5000001 * 10.0 ** (int(exponent or 0) - len(mantissa.partition(".")[2]))
+    return max(half, ANOTHER_COMPILER * abs(float(said))) if os.environ.get("ADIT_SANITIZE") else half

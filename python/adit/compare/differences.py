@@ -3,7 +3,8 @@ import csv
 from dataclasses import dataclass
 
 from adit.report.markup import details, table, tag
-from adit.report.quantities import digits, quantity, unit_of
+from adit.report.quantities import digits, number_of, quantity, unit_of
+from adit.results.rounding import settled
 
 
 @dataclass
@@ -25,7 +26,7 @@ class Row:
 def rows(runs):
     """Figures that at least two runs have and that are not the same in all that have them, in the order of the summaries."""
     for key in dict.fromkeys(key for run in runs for key in run.summary):
-        values = [run.number(key) for run in runs]
+        values = [run.number(key) if key in run.figures else None for run in runs]
         found = [value for value in values if value is not None]
         if len(found) > 1 and len(set(found)) > 1:
             yield Row(key, values)
@@ -50,15 +51,17 @@ def chapter(runs):
     for run in runs[1:]:
         head += [run.name, "difference", f"of {runs[0].name}"]
     listed = table(f"What differs in summary.json, with the difference from {runs[0].name} and the ratio to it", head,
-                   [(row.key, *_cells(row)) for row in found])
+                   [(row.key, *_cells(row, runs)) for row in found])
     return details(f"All {len(found)} figures that differ, with differences and ratios", listed) if found else None
 
 
-def _cells(row):
-    unit = unit_of(row.key)
+def _cells(row, runs):
+    row = Row(row.key, [value if value is None else number_of(run.summary, row.key) for run, value in zip(runs, row.values)])
+    unit, size = unit_of(row.key), max(abs(value) for value in row.values if value is not None)
     yield _number(quantity(row.values[0], unit))
     for value, difference, ratio in zip(row.values[1:], row.differences(), row.ratios()):
         yield _number(quantity(value, unit))
+        difference = difference if difference is None else settled(difference, size)
         yield _number("" if difference is None else f"{'+' if difference > 0 else ''}{quantity(difference, unit)}")
         yield _number("" if ratio is None else digits(ratio))
 

@@ -7,6 +7,7 @@ from adit.plots.drawing import Drawing, Panels, legend
 from adit.report import around, motions
 
 NOISE = 1e-6  # share of the largest history of a quantity, below which another one is noise
+SHORT = 0.05  # of the longest run: the curves of a shorter one are hardly seen, and end in a cross
 MODES = {"tensile": "x", "shear": "+"}  # markers of cracks
 
 
@@ -25,9 +26,8 @@ def drawn(title, runs):
 
 def look(i):
     """Colour and dashes of run i; only the first is solid, so that curves that coincide show through."""
-    colors = (style.BLACK, style.GREEN, style.RED, style.BLUE, style.ORANGE, style.PINK, style.SKY)
     dashes = ("-", (0, (5, 2)), (0, (1.5, 1.2)), (0, (6, 1.5, 1.5, 1.5)), (0, (9, 3)), (0, (3, 4)), (0, (1, 3)))
-    return {"color": colors[i % len(colors)], "ls": dashes[(i + i // len(colors)) % len(dashes)],
+    return {"color": style.of_run(i), "ls": dashes[(i + i // len(style.OF_RUNS)) % len(dashes)],
             "lw": 1.2 if i == 0 else 1.5}
 
 
@@ -55,12 +55,14 @@ def histories(title, quantity, units, columns):
     last = max((run.histories["time_s"] for _, run, _ in every), key=lambda times: times[-1])
     scale, label = style.time_axis(last)
     factor = scale[-1] / last[-1] if last[-1] else 1
+    ends = {i: end_of(run.histories["time_s"], last[-1]) for i, run, _ in every}
 
     def paint(*panels):
         named = {}  # the legend's line of each run
         for axes, (column, lines) in zip(panels, columns.items()):
             for i, run, values in lines:
-                named[i], = axes.plot(factor * run.histories["time_s"], values / size, label=style.literal(run.name), **look(i))
+                told, mark = ends[i]
+                named[i], = axes.plot(factor * run.histories["time_s"], values / size, label=style.literal(run.name + told), **mark, **look(i))
                 if column == "max_bond_force_N":
                     _mark_first_crack(axes, run, factor, size, look(i)["color"], 6 + 3 * i)
             axes.set_ylabel(f"{style.literal(time_pictures.said(column))} [{unit}]")
@@ -72,6 +74,13 @@ def histories(title, quantity, units, columns):
         return [legend(panels[0], handles, loc="upper left", bbox_to_anchor=(1.01, 1.05), handlelength=3.2)]
 
     return Drawing(title, quantity, Panels(len(columns), 1, (8.0, 1.0 + 1.6 * len(columns)), sharex=True), paint)
+
+
+def end_of(times, last):
+    """(what a legend says of the end of a run that is short beside one until `last` [s], the mark of its last value)."""
+    if not len(times) or times[-1] >= SHORT * last:
+        return "", {}
+    return f", ends at {style.instant(times[-1])}", {"marker": "x", "markevery": [len(times) - 1], "ms": 7, "mew": 1.6, "clip_on": False}
 
 
 def _mark_first_crack(axes, run, factor, size, color, width):
@@ -145,6 +154,8 @@ def _around(title, what, several):
 
 
 def shared_motions(runs):
-    """[(run, motion, its text in a legend)] of all motions; empty if fewer than two runs have any."""
-    found = [(run, name, f"{run.name}, {name}") for run in runs for name in run.spectra]
-    return found if len({run.name for run, *_ in found}) > 1 else []
+    """[Shown] of all motions, those of one run in its colour; empty if fewer than two runs have any."""
+    last = max((run.spectra[name]["motion"]["time_s"][-1] for run in runs for name in run.spectra), default=0)
+    found = [motions.Shown(run, name, f"{run.name}, {name}{end_of(run.spectra[name]['motion']['time_s'], last)[0]}", style.of_run(i),
+                           time_pictures.LINES[::2][n % 2]) for i, run in enumerate(runs) for n, name in enumerate(run.spectra)]
+    return found if len({each.run.name for each in found}) > 1 else []

@@ -41,10 +41,11 @@ def _figures(runs):
 def _sizes(runs):
     known = [("zones", "zones"), ("particles", "particles"), ("bonds", "bonds"), ("time step", "dt_s"), ("steps", "steps"),
              ("programs", "versions"), ("hash of the scene", "scene_hash")]
-    return section("sizes", "Sizes, versions and hashes", _beside("From each summary.json, too", known, runs))
+    found = [(said, key) for said, key in known if any(run.summary.get(key) for run in runs)]
+    return section("sizes", "Sizes, versions and hashes", _beside("From each summary.json, too", found, runs))
 
 
 def _beside(caption, known, runs):
-    rows = [(said, *(figure(run.summary, key) for run in runs)) for said, key in known
-            if any(run.summary.get(key) is not None for run in runs)]
+    rows = [(said, *(figure(run.figures, key) for run in runs)) for said, key in known
+            if any(run.figures.get(key) is not None for run in runs)]
     return table(caption, ("", *(run.name for run in runs)), rows)

@@ -11,7 +11,7 @@ from string import Template
 import numpy as np
 
 from adit import Run, programs
-from adit.plots.deformation import scale_of
+from adit.plots.deformation import scale_of_run
 
 SHOWN = {"grid": "displacement_m", "particles": "displacement_m", "linings": "thrust_N", "springs": "force_N",
          "bonds": "normal_force_N"}  # kind: the array of its colours
@@ -28,7 +28,7 @@ def write(folder):
     ranges = {array: limits([fields[kind][array] for kind, other in arrays.items() if other == array]) for array in arrays.values()}
     path = run.folder / "fields" / "paraview.py"
     path.write_text(TEMPLATE.substitute(
-        name=run.name, fields=repr(str(run.folder.resolve() / "fields" / "fields.pvd")), scale=f"{scale_of(fields):g}",
+        name=run.name, fields=repr(str(run.folder.resolve() / "fields" / "fields.pvd")), scale=f"{scale_of_run(run):g}",
         pieces=entries(pieces), ranges=entries(ranges)))
     return path
 

@@ -5,10 +5,10 @@ from matplotlib.patches import Patch
 
 from adit.plots import style
 from adit.plots.colour_scale import Scale, number
-from adit.plots.deformation import common_motion, told
+from adit.plots.deformation import common_motion, heavy_cells, told
 from adit.plots.drawing import Colours, Drawing, Sheet, legend
+from adit.results.rounding import settled
 
-LIGHT_WEIGHT = 0.01  # zones with less weight are not marked: they follow the particles
 HALF_WEIGHT = 0.5  # particles with less weight: the zones below them are shown instead
 
 PEAKS = {  # field: name, unit, size of the unit, function whose largest value is marked
@@ -70,7 +70,7 @@ def yield_state(run, time, pieces):
     """Which zones yield now and which did before, and how; None if all ground is hysteretic."""
     grid = pieces.get("grid")
     state = None if grid is None else grid.field("yield_state")
-    heavy = grid is not None and grid.field("weight") >= LIGHT_WEIGHT
+    heavy = grid is not None and heavy_cells(grid)
     if state is None or np.all(state[heavy] == HYSTERETIC):
         return None
     found, left = [], heavy
@@ -94,12 +94,14 @@ def yield_state(run, time, pieces):
 def _coloured(run, what, pieces, values, unit, marked, near=None):
     """`marked`: the largest of this function of the values is marked; `near`: the pieces whose extent is drawn, else all."""
     bounds = style.bounds_of(*(piece.points for piece in near or pieces.values()))
+    what += style.cut(bounds, pieces)
     heavy = {kind: _heavy(piece, values[kind]) for kind, piece in pieces.items()}
     seen = {kind: heavy[kind] & style.inside(bounds, _places(piece, values[kind])) for kind, piece in pieces.items()}
     scale = Scale(np.concatenate([values[kind][seen[kind]] for kind in pieces]))
     norm = scale.look()["norm"]
     colours = Colours("", norm.vmin, norm.vmax, unit)
-    value, x, y = _largest(pieces, values, seen, marked)
+    value, *place = _largest(pieces, values, seen, marked)
+    x, y = (settled(each, max(map(abs, bounds))) for each in place)
     notes = ((f"○ {number(value)} {unit} at x = {x:.4g} m, y = {y:.4g} m", style.RED), (scale.beyond(unit), style.BLACK))
 
     def paint(axes, beside):
@@ -123,7 +125,7 @@ def _draw(axes, piece, values, heavy, scale):
         return axes.add_collection(drawn)
     if len(values) == len(piece.cells):
         return axes.add_collection(PolyCollection(piece.points[piece.cells[heavy]], array=values[heavy], ec="face", lw=0.2, **look))
-    cells = piece.cells[_heavy_cells(piece)]
+    cells = piece.cells[heavy_cells(piece)]
     triangles = *piece.points.T, np.concatenate([cells[:, [0, 1, 2]], cells[:, [0, 2, 3]]])
     levels = [level for level in scale.levels() if values[heavy].min() < level < values[heavy].max()]
     if levels:
@@ -141,17 +143,12 @@ def _heavy(piece, values):
     if piece.is_cloud:
         weight = piece.field("weight")
         return piece.is_there() & (True if weight is None else weight >= HALF_WEIGHT)
-    heavy = _heavy_cells(piece)
+    heavy = heavy_cells(piece)
     if len(values) == len(heavy):
         return heavy
     of_points = np.full(len(values), False)
     of_points[piece.cells[heavy]] = True
     return of_points
-
-
-def _heavy_cells(grid):
-    weight = grid.field("weight")
-    return np.full(len(grid.cells), True) if weight is None else weight >= LIGHT_WEIGHT
 
 
 def _largest(pieces, values, seen, marked):

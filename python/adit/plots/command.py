@@ -2,10 +2,10 @@
 
 %(prog)s RUN_DIR
     writes RUN_DIR/pictures/: deformed model, force chains, bonds, linings, displacement, principal stress and yield state at
-    the field times, eight of them or --all; histories, energy, peaks over time and spectra. A run of a whole tunnel gives envelopes along the axis
-    and motion over time and distance.
+    the field times, eight of them or --all; histories, energy, peaks over time and spectra. A run of a whole tunnel gives
+    envelopes along the axis and motion over time and distance.
 %(prog)s --model SCENE.yaml
-    draws the model before it runs (`coupler check`): materials and groups, joints, supports, boundaries, loads, probes,
+    draws the model before it runs (`coupler check`): materials and groups, stages, joints, supports, boundaries, loads, probes,
     overlap. The pictures are in runs/CASE/SCENE_model/pictures/. The folder of a `coupler check --out` may replace the scene.
 """
 import subprocess
@@ -16,10 +16,11 @@ from adit import Run, programs
 from adit.plots import (colour_pictures, instants, lining_pictures, model_pictures, png, spectra_pictures, style, time_pictures,
                         tunnel_pictures)
 from adit.plots.cores import on_all_cores
+from adit.plots.deformation import scale_of_run
 from adit.plots.setup import sheets
 from adit.plots.setup.checked import Checked
 
-OF_AN_INSTANT = (model_pictures.deformed, model_pictures.force_chains, model_pictures.bonds, lining_pictures.lining_forces,
+OF_AN_INSTANT = (model_pictures.force_chains, model_pictures.bonds, lining_pictures.lining_forces,
                  colour_pictures.displacement, colour_pictures.principal_stress, colour_pictures.yield_state)
 OVER_TIME = (time_pictures.histories, time_pictures.energy)
 
@@ -52,7 +53,8 @@ def _groups(run, most):
     numbers = range(len(run.instants))
     if most and len(numbers) > most:
         numbers = instants.spread(numbers, most, run.fields().values())
-    yield from ((_of_instant, number) for number in numbers)
+    scale = scale_of_run(run)
+    yield from ((_of_instant, number, scale) for number in numbers)
     yield (spectra_pictures.motions,)
     yield from ((_one, draw) for draw in OVER_TIME)
 
@@ -61,9 +63,9 @@ def _one(run, draw):
     yield draw.__name__, draw(run)
 
 
-def _of_instant(run, number):
-    time, files = run.instants[number]
-    pieces = run.pieces_of(files)
+def _of_instant(run, number, scale):
+    time, pieces = run.instants[number][0], run.pieces_at(number)
+    yield f"deformed_{style.milliseconds(time)}ms", model_pictures.deformed(run, time, pieces, scale)
     for draw in OF_AN_INSTANT:
         yield f"{draw.__name__}_{style.milliseconds(time)}ms", draw(run, time, pieces)
     if number == len(run.instants) - 1:  # the last one has the peaks of the whole run

@@ -6,6 +6,7 @@ from matplotlib.patches import Patch
 
 from adit.plots import style
 from adit.plots.drawing import Drawing, Panels, legend
+from adit.results.rounding import settled
 
 FORCES = (("thrust_N", "thrust N", "kN"), ("moment_Nm", "moment M", "kN m"), ("shear_N", "shear force Q", "kN"))
 REACH = 0.3  # length at which the largest value is drawn, relative to the size of the lining
@@ -66,5 +67,5 @@ def _right_normals(linings):
 
 
 def _range(values):
-    low, high = values.min() / 1e3, values.max() / 1e3
+    low, high = (settled(end / 1e3, np.abs(values).max() / 1e3) for end in (values.min(), values.max()))
     return f"{low:,.4g} to {high:,.4g}"

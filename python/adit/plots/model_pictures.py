@@ -4,8 +4,8 @@ from matplotlib.collections import EllipseCollection, LineCollection, PolyCollec
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Polygon
 
-from adit.plots import joints, style
-from adit.plots.deformation import common_motion, near, round_below, scale_of, told
+from adit.plots import joints, particle_groups, style
+from adit.plots.deformation import common_motion, near, round_below, told
 from adit.plots.drawing import Drawing, Sheet, legend
 
 ZONE_FACE, ZONE_EDGE, DISC_FACE, DISC_EDGE = "#C6DBEF", style.BLUE, "#FDD9A0", "#A86400"
@@ -16,13 +16,13 @@ LINES_OF_A_PATH = 5000  # longer paths overflow the memory of the renderer
 INTACT, TENSILE_CRACK, SHEAR_CRACK = 0, 1, 2
 
 
-def deformed(run, time, pieces, scale=None):
-    """The deformed model: zones as quadrilaterals, particles as discs of their size. `scale` of the displacements: else
-    that of this instant. The common motion of all points is subtracted and stated in the title."""
+def deformed(run, time, pieces, scale):
+    """The deformed model: zones as quadrilaterals, particles as discs of their size. `scale` of the displacements: that of
+    the run. The common motion of all points is subtracted and stated in the title."""
     models = {kind: pieces[kind] for kind in ("grid", "particles") if kind in pieces}
     if not models:
         return None
-    common, scale = common_motion(pieces), scale or scale_of(pieces)
+    common = common_motion(pieces)
     moved = {kind: piece.moved(scale, common) for kind, piece in models.items()}
     kept = {kind: near(models[kind], points, scale) for kind, points in moved.items()}
     bounds = style.bounds_of(*(p.points for p in models.values()), *(moved[kind][kept[kind]] for kind in models))
@@ -36,14 +36,14 @@ def deformed(run, time, pieces, scale=None):
             _draw_zones(axes, grid, moved["grid"], fc="none", ec=ZONE_EDGE, lw=width, zorder=3)  # over the particles
             handles.append(Patch(fc=ZONE_FACE, ec=ZONE_EDGE, label="zones"))
         if discs is not None:
-            handles += _draw_discs(axes, discs, moved["particles"], kept["particles"])
+            handles += _draw_discs(axes, run, discs, moved["particles"], kept["particles"])
         return [legend(None, handles)]
 
-    title = f"deformed model at t = {style.instant(time)}, displacements × {scale:g}{told(common)}"
+    title = f"deformed model at t = {style.instant(time)}, displacements × {scale:,.0f}{told(common)}"
     return Drawing(run.name, title, Sheet(bounds), paint)
 
 
-def _draw_discs(axes, discs, moved, kept):
+def _draw_discs(axes, run, discs, moved, kept):
     """`kept`: which of them are not loose."""
     there = discs.is_there()
     size = 2 * discs.field("radius_m", np.zeros(len(there)))[there]
@@ -51,6 +51,7 @@ def _draw_discs(axes, discs, moved, kept):
         size, size, np.zeros_like(size), units="xy", offsets=moved[there], offset_transform=axes.transData, fc=DISC_FACE,
         ec=DISC_EDGE, lw=0.35, zorder=2))
     handles = [Line2D([], [], ls="", marker="o", ms=6, mfc=DISC_FACE, mec=DISC_EDGE, label="particles")]
+    handles += particle_groups.draw(axes, _parts(run), discs, moved, ec=DISC_EDGE, lw=0.35, zorder=2)
     far = int(np.sum(there & ~kept))
     if far:
         handles.append(Line2D([], [], ls="", label=f"{_count(far, 'loose particle')} may lie outside"))
@@ -63,7 +64,7 @@ def force_chains(run, time, pieces, bounds=None, scale=None):
     bonds = pieces.get("bonds")
     if bonds is None or len(bonds.cells) == 0:
         return None
-    lines, force = bonds.points[bonds.cells], bonds.field("normal_force_N")
+    lines, force, bounds = bonds.points[bonds.cells], bonds.field("normal_force_N"), bounds or close_up(pieces)
     largest = np.nanmax(np.abs(force))
 
     def paint(axes):
@@ -72,7 +73,8 @@ def force_chains(run, time, pieces, bounds=None, scale=None):
             handles += _draw_forces(axes, lines, force, scale or largest)
         return [legend(None, handles, ncol=3)]
 
-    return Drawing(run.name, f"normal forces in the bonds at t = {style.instant(time)}", Sheet(bounds or close_up(pieces)), paint)
+    title = f"normal forces in the bonds at t = {style.instant(time)}{style.cut(bounds, pieces)}"
+    return Drawing(run.name, title, Sheet(bounds), paint)
 
 
 def _draw_forces(axes, lines, force, scale):
@@ -86,7 +88,7 @@ def _draw_forces(axes, lines, force, scale):
     x, y = lines[top].mean(axis=0)
     axes.plot(x, y, "o", ms=11, mfc="none", mec=style.BLACK, mew=1.1, zorder=5)
     mark = Line2D([], [], ls="", marker="o", ms=9, mfc="none", mec=style.BLACK, label=(
-        f"largest: {_kilonewton(abs(force[top]))} ({'tension' if force[top] > 0 else 'compression'}) at x = {x:.2f} m, y = {y:.2f} m"))
+        f"largest: {_kilonewton(abs(force[top]))} ({'tension' if force[top] > 0 else 'compression'}) at x = {x:z.2f} m, y = {y:z.2f} m"))
     return [*(Line2D([], [], color=color, lw=widest * sample / scale, label=f"{sign} (width of {_kilonewton(sample)})")
               for color, sign in ((style.RED, "tension"), (style.BLUE, "compression"))), mark]
 
@@ -96,7 +98,7 @@ def bonds(run, time, pieces, bounds=None):
     piece = pieces.get("bonds")
     if piece is None or len(piece.cells) == 0:
         return None
-    lines, state = piece.points[piece.cells], piece.field("state")
+    lines, state, bounds = piece.points[piece.cells], piece.field("state"), bounds or close_up(pieces)
     intact, between = state == INTACT, _between_groups(pieces)
     cracks = int(np.sum(~intact & ~between))
 
@@ -112,8 +114,8 @@ def bonds(run, time, pieces, bounds=None):
                 handles.append(Line2D([], [], color=color, lw=2.4, label=_count(int(np.sum(chosen)), name)))
         return [legend(None, handles)]
 
-    title = f"{_count(cracks, 'crack') if cracks else 'no cracks'} at t = {style.instant(time)}"
-    return Drawing(run.name, title, Sheet(bounds or close_up(pieces)), paint)
+    title = f"{_count(cracks, 'crack') if cracks else 'no cracks'} at t = {style.instant(time)}{style.cut(bounds, pieces)}"
+    return Drawing(run.name, title, Sheet(bounds), paint)
 
 
 def _between_groups(pieces):
@@ -154,11 +156,18 @@ def _draw_surroundings(axes, run, pieces):
     if grid is not None:
         _draw_zones(axes, grid, grid.points, fc="none", ec="#BBCFE0", lw=0.6)
         handles.append(Patch(fc="white", ec="#BBCFE0", label="zones"))
+    if "particles" in pieces:
+        handles += particle_groups.draw(axes, _parts(run), pieces["particles"], pieces["particles"].points, ec="none", alpha=0.55, zorder=0.5)
     springs = pieces.get("springs")
     if springs is not None and len(springs.cells):
         axes.add_collection(LineCollection(springs.points[springs.cells], color=style.GREEN, lw=1.6, zorder=3))
         handles.append(Line2D([], [], color=style.GREEN, lw=1.6, label="springs"))
-    return handles + joints.draw(axes, [model for _, model in run.models])
+    return handles + joints.draw(axes, _parts(run))
+
+
+def _parts(run):
+    """The models of the run, as its scene states them."""
+    return [model for _, model in run.models]
 
 
 def _shade_overlap(axes, run, grid, points=None):

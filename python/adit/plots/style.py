@@ -15,6 +15,7 @@ gc.set_threshold(20_000, 2)
 BLUE, RED, GREEN, ORANGE, SKY, PINK, YELLOW, BLACK = (
     "#0072B2", "#D55E00", "#009E73", "#E69F00", "#56B4E9", "#CC79A7", "#F0E442", "#000000")
 GREY = "#8C8C8C"
+OF_RUNS = (BLACK, GREEN, RED, BLUE, ORANGE, PINK, SKY)  # in turn, in all pictures that compare runs
 COMPRESSION = 3  # of PNG: level 6 takes twice as long and saves 5 %
 
 plt.rcParams.update({
@@ -43,6 +44,11 @@ class Linear(scale.LinearScale):
 scale.register_scale(Linear)
 
 
+def of_run(number):
+    """The colour of the run of this number among those that are compared."""
+    return OF_RUNS[number % len(OF_RUNS)]
+
+
 def milliseconds(time):
     return f"{1e3 * time:.0f}" if time >= 10 else f"{1e3 * time:.4g}"
 
@@ -63,6 +69,12 @@ def bounds_of(*point_sets):
     low, high = points.min(axis=0), points.max(axis=0)
     margin = 0.04 * max(high - low) or 1.0  # a disc drawn a million times as large as the sheet would take hours
     return low[0] - margin, high[0] + margin, low[1] - margin, high[1] + margin
+
+
+def cut(bounds, pieces):
+    """The end of a title where a sheet of these bounds shows the part with particles only."""
+    whole = all(inside(bounds, piece.points).all() for piece in pieces.values())
+    return "" if whole else "; only the part with particles is drawn"
 
 
 def literal(text):

@@ -71,7 +71,7 @@ def _along_the_axis(runs, of, title):
     def paint(*panels):
         _draw_soil(panels[0], runs[0])
         for i, (run, values) in enumerate(zip(runs, tables)):
-            color = _color(i)
+            color = style.of_run(i)
             for axes, quantity, unit in zip(panels[1:], rows, units):
                 _draw_envelope(axes, values, quantity, unit, color, run.name, both=len(runs) == 1)
             if with_joints and joints[i] is not None:
@@ -118,7 +118,7 @@ def _draw_openings(axes, joints, color):
         groups = [joints["group"][np.argmax(joints["opening_max_m"])]]
     for i, group in enumerate(groups):
         chosen = joints["group"] == group
-        axes.plot(joints["chainage_m"][chosen] / 1e3, 1e3 * joints["opening_max_m"][chosen], color=color or _color(i),
+        axes.plot(joints["chainage_m"][chosen] / 1e3, 1e3 * joints["opening_max_m"][chosen], color=color or style.of_run(i),
                   lw=0.8, marker="." if np.count_nonzero(chosen) < 300 else None, ms=3,
                   label=style.literal(group.replace("_", " ")))
     axes.set_ylabel("joint opening [mm]")
@@ -142,8 +142,3 @@ def _draw_soil(axes, run):
     if run.summary.get("model") != "column":
         axes.plot(chainage, soil["axis_depth_m"], color=style.BLACK, lw=1.6, label="tunnel")
     axes.set_ylim(1.05 * np.max(top), 0)
-
-
-def _color(i):
-    colors = (style.BLACK, style.RED, style.BLUE, style.GREEN, style.ORANGE, style.PINK, style.SKY)
-    return colors[i % len(colors)]

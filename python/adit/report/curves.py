@@ -4,6 +4,7 @@ import numpy as np
 from adit.report.legends import plain
 from adit.report.markup import details, table
 from adit.report.quantities import digits
+from adit.results.rounding import settled
 
 FEWEST = 3  # points of a curve; lines of fewer are marks
 BINS = 700  # across a picture: about the dots of a phone
@@ -21,14 +22,21 @@ def as_table(figure, title):
 
 def _rows(axes, last):
     place = axes.get_xlabel() or last
+    widest, highest = (_largest([line.get_data()[axis] for line in axes.get_lines()]) for axis in (0, 1))
     for line in axes.get_lines():
         label = line.get_label()
         x, y = (np.asarray(values, float) for values in line.get_data())
         if label.startswith("_") or len(y) < FEWEST or not np.isfinite(y).any():
             continue
         low, high = np.nanargmin(y), np.nanargmax(y)
-        yield (plain(label), plain(axes.get_ylabel()), digits(y[low]), f"{_name(place)} {digits(x[low])} {_unit(place)}",
-               digits(y[high]), f"{_name(place)} {digits(x[high])} {_unit(place)}")
+        ends = [(digits(settled(y[k], highest)), f"{_name(place)} {digits(settled(x[k], widest))} {_unit(place)}") for k in (low, high)]
+        yield (plain(label), plain(axes.get_ylabel()), *ends[0], *ends[1])
+
+
+def _largest(several):
+    """The largest magnitude of the values of several curves."""
+    finite = [np.abs(values[np.isfinite(values)]) for values in (np.asarray(each, float) for each in several)]
+    return max((np.max(values, initial=0) for values in finite), default=0)
 
 
 def _name(label):

@@ -3,7 +3,7 @@ from typing import NamedTuple
 
 from adit.plots import colour_pictures, lining_pictures, model_pictures, style
 from adit.plots.cores import on_all_cores
-from adit.plots.deformation import scale_of
+from adit.plots.deformation import largest_factor, scale_of_run
 from adit.plots.instants import MOST, spread
 from adit.report import pictures
 from adit.report.markup import Markup, section, tag
@@ -23,10 +23,11 @@ def drawn(results):
     numbers = spread(range(len(results.instants)), MOST, results.last_pieces.values())
     found = [(results.instants[n][0], results.pieces_at(n)) for n in numbers]
     found = [(time, pieces) for time, pieces in found if pieces]
-    scales = [scale_of(pieces) for _, pieces in found]
-    views = on_all_cores(lambda n: _views(results, *found[n], min(scales)), len(found))
-    peak = results.number("peak_bond_force_time_s")  # else the largest displacement counts
-    shown = [Instant(time, each, scale if peak is None else abs(time - peak)) for (time, _), each, scale in zip(found, views, scales)]
+    scale = scale_of_run(results)
+    views = on_all_cores(lambda n: _views(results, *found[n], scale), len(found))
+    peak = results.number("peak_bond_force_time_s")  # else the largest deformation counts
+    shown = [Instant(time, each, largest_factor(pieces) if peak is None else abs(time - peak))
+             for (time, pieces), each in zip(found, views)]
     return shown, _peaks(results, *found[-1]) if found else None
 
 

@@ -7,6 +7,7 @@ from adit.plots.setup.checked import LAWS, Checked
 from adit.report import pictures
 from adit.report.markup import details, section, table, tag
 from adit.report.quantities import figure, quantity
+from adit.results.rounding import coordinate
 
 SIZES = (("particles", "particles"), ("bonds", "bonds"), ("zones", "zones"), ("grid points", "grid_points"),
          ("coupling points", "coupling_points"),
@@ -63,7 +64,7 @@ def _materials(results):
     for name, model in results.models:
         own = model.get("material") or results.scene.get("material")
         rows += [_material(name, own, model.get("bonds"))] if own else []
-        rows += [_material(f"{name}, {_where(area.get('where'))}", area["material"]) for area in model.get("materials", [])]
+        rows += [_material(f"{name}, {where(area.get('where'))}", area["material"]) for area in model.get("materials", [])]
         rows += [_material(f"{name}, group {group['name']}", group.get("material") or own, group.get("bonds"))
                  for group in model.get("groups", []) if group.get("material") or own]
     return table("Materials, from scene.yaml", ("where", "elastic constants", "law and strength"), rows)
@@ -84,12 +85,10 @@ def _said(value, unit):
     return f"{np.degrees(value):.4g}°" if unit == "°" else quantity(float(value), unit)
 
 
-def _where(area):
-    area = area or {}
-    if "group" in area:
-        return f"group {area['group']}"
-    return ", ".join(f"{key} = {quantity(float(value), 'm')}" if isinstance(value, (int, float)) else key
-                     for key, value in area.items()) or "all"
+def where(area):
+    """The area of a scene in words."""
+    return ", ".join(f"group {value}" if key == "group" else f"{key} = {quantity(coordinate(float(value)), 'm')}" if isinstance(value, (int, float))
+                     else key for key, value in (area or {}).items()) or "all"
 
 
 def _parts(results):

@@ -1,4 +1,6 @@
 """Motions in and out: accelerations over time and response spectra in one picture, and their measures."""
+from typing import NamedTuple
+
 import numpy as np
 
 from adit.plots import oscillators, spectra_pictures, style, time_pictures
@@ -14,7 +16,17 @@ MEASURES = (("PGA", "pga_m_per_s2"), ("PGV", "pgv_m_per_s"), ("PGD", "pgd_m"), (
             ("largest amplification", "largest_amplification"), ("at", "largest_amplification_Hz"))
 
 NOISE = 1e-6  # of the largest displacement, below which a station does not move in this direction
+BESIDE = {"loc": "upper left", "bbox_to_anchor": (1.01, 1.03)}  # of a panel: its legend, so that it covers no curve
 MOST = 6  # amplifications; pictures/ holds all
+
+
+class Shown(NamedTuple):
+    """A motion of a run in a picture."""
+    run: object
+    name: str
+    said: str  # in a legend
+    color: str
+    line: str  # style of its line; the motion from which it came is dashed
 
 
 def chapter(results):
@@ -27,7 +39,8 @@ def chapter(results):
     if not names:
         told = "The scene asks for no spectra (output.spectra), so that motions stand among the histories only."
         return section("motions", "Motions in and out", tag("p", told))
-    found = [(results, name, name) for name in names]
+    colors = spectra_pictures.COLORS
+    found = [Shown(results, name, name, colors[i % len(colors)], "-") for i, name in enumerate(names)]
     return section("motions", "Motions in and out", pictures.figure(picture("", found)), measures(found), _amplifications(results))
 
 
@@ -67,41 +80,43 @@ def _legends(*panels):
     """Labels the last panel, of spectra; returns the legends of all."""
     panels[-1].set(xlabel="period [s]", ylabel="pseudo acceleration [g]", xscale="log")
     spectra_pictures.plain_decades(panels[-1])
-    return [legend(axes) for axes in panels]
+    return [legend(axes, **BESIDE) for axes in panels]
 
 
 def measures(found):
     used = [(said, key) for said, key in MEASURES
-            if any(run.summary.get(f"{name}_{key}") is not None for run, name, _ in found)]
+            if any(each.run.summary.get(f"{each.name}_{key}") is not None for each in found)]
     return table("Measures of the motions, from summary.json", ("motion", *(said for said, _ in used)), [
-        (told, *(figure(run.summary, f"{name}_{key}") for _, key in used)) for run, name, told in found])
+        (each.said, *(figure(each.run.summary, f"{each.name}_{key}") for _, key in used)) for each in found])
 
 
 def picture(of, found):
-    """Motions given as (run, name, what a legend says of it)."""
+    """Several Shown, over time and as response spectra."""
+    end = max(each.run.spectra[each.name]["motion"]["time_s"][-1] for each in found)
+
     def paint(over_time, spectra):
-        for (results, name, said), colour in zip(found, spectra_pictures.COLORS * len(found)):
-            _draw(results, name, said, colour, over_time, spectra)
-        over_time.set(xlabel="t [s]", ylabel="acceleration [m/s²]")
+        for each in found:
+            _draw(each, over_time, spectra)
+        over_time.set(xlabel="t [s]", ylabel="acceleration [m/s²]", xlim=(0, end or 1))
         over_time.grid(lw=0.3, color="#DDDDDD")
         return _legends(over_time, spectra)
 
     return Drawing(of, "motions in and out", Panels(2, 1, (8.0, 5.4)), paint)
 
 
-def _draw(results, name, said, colour, over_time, spectra):
-    """The motion in solid lines; dashed, the one from which it came."""
-    for kind, label, look in (("input", "input of ", {"ls": "--", "lw": 0.9, "alpha": 0.8}), ("motion", "", {"lw": 1})):
-        motion = results.spectra[name].get(kind)
+def _draw(shown, over_time, spectra):
+    """The motion in its line; dashed, the one from which it came."""
+    tables, said, color = shown.run.spectra[shown.name], shown.said, shown.color
+    for kind, label, look in (("input", "input of ", {"ls": "--", "lw": 0.9, "alpha": 0.8}), ("motion", "", {"lw": 1, "ls": shown.line})):
+        motion = tables.get(kind)
         if motion:
-            over_time.plot(motion["time_s"], motion["acceleration_m_per_s2"], color=colour,
-                           label=style.literal(label + said), **look)
-    for kind, label, look in (("reference", "input of ", {"ls": "--", "lw": 0.9}), ("response", "", {"lw": 1.2})):
-        response = results.spectra[name].get(kind)
+            over_time.plot(motion["time_s"], motion["acceleration_m_per_s2"], color=color, label=style.literal(label + said), **look)
+    for kind, label, look in (("reference", "input of ", {"ls": "--", "lw": 0.9}), ("response", "", {"lw": 1.2, "ls": shown.line})):
+        response = tables.get(kind)
         if response:
             column = _column(response)
             share = column.removeprefix("psa_").partition("pct")[0]
-            spectra.plot(response["period_s"], response[column] / GRAVITY, color=colour,
+            spectra.plot(response["period_s"], response[column] / GRAVITY, color=color,
                          label=style.literal(f"{label}{said}, {share} %"), **look)
 
 

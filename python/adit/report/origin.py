@@ -17,7 +17,7 @@ SCENES = (("scene_as_written.yaml", "The scene as it was written"), ("scene.yaml
 
 
 def timing(results):
-    s = results.summary
+    s = results.figures
     models = [key.removesuffix("_cpu_s") for key in s if key.endswith("_cpu_s") and key != "coupler_cpu_s"]
     known = [*COSTS, *((said.format(m), key.format(m)) for m in models for said, key in OF_MODELS)]
     return section("timing", "Timing", table("What the run cost, from summary.json", None, [

@@ -1,51 +1,50 @@
-"""How the run ended, its warnings, its main figures, and what was computed."""
+"""How the run ended, its warnings, its main figures."""
 import re
 
-from adit.plots.spectra_pictures import GRAVITY
-from adit.report.markup import bullets, paragraphs, section, table, tag
-from adit.report.quantities import digits, figure, quantity
+from adit.report.markup import bullets, section, table, tag
+from adit.report.quantities import figure, quantity, sentence
 
 ROWS = (  # of the main figures: what, key of summary.json, divisor, format
-    ("peak bond force [kN]", "peak_bond_force_N", 1e3, "{:,.0f}"),
-    ("  at [ms]", "peak_bond_force_time_s", 1e-3, "{:.2f}"),
-    ("  at x [m]", "peak_bond_force_x_m", 1, "{:.2f}"),
-    ("  at y [m]", "peak_bond_force_y_m", 1, "{:.2f}"),
-    ("first crack at [ms]", "first_crack_time_s", 1e-3, "{:.2f}"),
-    ("  at x [m]", "first_crack_x_m", 1, "{:.2f}"),
-    ("  at y [m]", "first_crack_y_m", 1, "{:.2f}"),
-    ("cracks", "crack_count", 1, "{:.0f}"),
-    ("first debonding at [ms]", "first_debonding_time_s", 1e-3, "{:.2f}"),
-    ("  at x [m]", "first_debonding_x_m", 1, "{:.2f}"),
-    ("  at y [m]", "first_debonding_y_m", 1, "{:.2f}"),
-    ("debonded bonds", "debonded_count", 1, "{:.0f}"),
-    ("least thrust, per metre [kN]", "sections_smallest_thrust_N", 1e3, "{:,.0f}"),
-    ("greatest thrust, per metre [kN]", "sections_largest_thrust_N", 1e3, "{:,.0f}"),
-    ("least moment, per metre [kN m]", "sections_smallest_moment_Nm", 1e3, "{:,.0f}"),
-    ("greatest moment, per metre [kN m]", "sections_largest_moment_Nm", 1e3, "{:,.0f}"),
-    ("longest diameter, change [mm]", "ovals_largest_diameter_change_m", 1e-3, "{:.2f}"),
-    ("shortest diameter, change [mm]", "ovals_smallest_diameter_change_m", 1e-3, "{:.2f}"),
+    ("peak bond force [kN]", "peak_bond_force_N", 1e3, "{:z,.0f}"),
+    ("  at [ms]", "peak_bond_force_time_s", 1e-3, "{:z.2f}"),
+    ("  at x [m]", "peak_bond_force_x_m", 1, "{:z.2f}"),
+    ("  at y [m]", "peak_bond_force_y_m", 1, "{:z.2f}"),
+    ("first crack at [ms]", "first_crack_time_s", 1e-3, "{:z.2f}"),
+    ("  at x [m]", "first_crack_x_m", 1, "{:z.2f}"),
+    ("  at y [m]", "first_crack_y_m", 1, "{:z.2f}"),
+    ("cracks", "crack_count", 1, "{:z.0f}"),
+    ("first debonding at [ms]", "first_debonding_time_s", 1e-3, "{:z.2f}"),
+    ("  at x [m]", "first_debonding_x_m", 1, "{:z.2f}"),
+    ("  at y [m]", "first_debonding_y_m", 1, "{:z.2f}"),
+    ("debonded bonds", "debonded_count", 1, "{:z.0f}"),
+    ("least thrust, per metre [kN]", "sections_smallest_thrust_N", 1e3, "{:z,.0f}"),
+    ("greatest thrust, per metre [kN]", "sections_largest_thrust_N", 1e3, "{:z,.0f}"),
+    ("least moment, per metre [kN m]", "sections_smallest_moment_Nm", 1e3, "{:z,.0f}"),
+    ("greatest moment, per metre [kN m]", "sections_largest_moment_Nm", 1e3, "{:z,.0f}"),
+    ("longest diameter, change [mm]", "ovals_largest_diameter_change_m", 1e-3, "{:z.2f}"),
+    ("shortest diameter, change [mm]", "ovals_smallest_diameter_change_m", 1e-3, "{:z.2f}"),
     ("energy drift", "max_energy_drift", 1, "{:.1e}"),
-    ("axial force [MN]", "max_axial_force_N", 1e6, "{:,.1f}"),
-    ("lateral moment [MN m]", "max_moment_lateral_N_m", 1e6, "{:,.1f}"),
-    ("lateral shear [MN]", "max_shear_lateral_N", 1e6, "{:,.2f}"),
-    ("strain [1e-6]", "max_strain", 1e-6, "{:,.0f}"),
-    ("element joint opening [mm]", "element_joint_max_opening_m", 1e-3, "{:.2f}"),
-    ("  at [m]", "element_joint_max_opening_chainage_m", 1, "{:.0f}"),
-    ("segment joint opening [mm]", "segment_joint_max_opening_m", 1e-3, "{:.2f}"),
-    ("ring joint opening [mm]", "ring_joint_max_opening_m", 1e-3, "{:.3f}"),
-    ("wall time [s]", "wall_s", 1, "{:.2f}"),
-    ("real-time factor", "real_time_factor", 1, "{:.0f}"),
+    ("axial force [MN]", "max_axial_force_N", 1e6, "{:z,.1f}"),
+    ("lateral moment [MN m]", "max_moment_lateral_N_m", 1e6, "{:z,.1f}"),
+    ("lateral shear [MN]", "max_shear_lateral_N", 1e6, "{:z,.2f}"),
+    ("strain [1e-6]", "max_strain", 1e-6, "{:z,.0f}"),
+    ("element joint opening [mm]", "element_joint_max_opening_m", 1e-3, "{:z.2f}"),
+    ("  at [m]", "element_joint_max_opening_chainage_m", 1, "{:z.0f}"),
+    ("segment joint opening [mm]", "segment_joint_max_opening_m", 1e-3, "{:z.2f}"),
+    ("ring joint opening [mm]", "ring_joint_max_opening_m", 1e-3, "{:z.3f}"),
+    ("wall time [s]", "wall_s", 1, "{:z.2f}"),
+    ("real-time factor", "real_time_factor", 1, "{:z.0f}"),
 )
 OF_A_LINING = (  # the same of each lining of a continuum, by its name before
-    ("least thrust, per metre [kN]", "least_thrust_N", 1e3, "{:,.0f}"),
-    ("  moment there [kN m]", "moment_at_least_thrust_Nm", 1e3, "{:,.0f}"),
-    ("greatest thrust, per metre [kN]", "largest_thrust_N", 1e3, "{:,.0f}"),
-    ("  moment there [kN m]", "moment_at_largest_thrust_Nm", 1e3, "{:,.0f}"),
-    ("largest moment, per metre [kN m]", "largest_moment_Nm", 1e3, "{:,.0f}"),
-    ("  thrust there [kN]", "thrust_at_largest_moment_N", 1e3, "{:,.0f}"),
-    ("  at [ms]", "largest_moment_time_s", 1e-3, "{:.2f}"),
-    ("  at x [m]", "largest_moment_x_m", 1, "{:.2f}"),
-    ("  at y [m]", "largest_moment_y_m", 1, "{:.2f}"),
+    ("least thrust, per metre [kN]", "least_thrust_N", 1e3, "{:z,.0f}"),
+    ("  moment there [kN m]", "moment_at_least_thrust_Nm", 1e3, "{:z,.0f}"),
+    ("greatest thrust, per metre [kN]", "largest_thrust_N", 1e3, "{:z,.0f}"),
+    ("  moment there [kN m]", "moment_at_largest_thrust_Nm", 1e3, "{:z,.0f}"),
+    ("largest moment, per metre [kN m]", "largest_moment_Nm", 1e3, "{:z,.0f}"),
+    ("  thrust there [kN]", "thrust_at_largest_moment_N", 1e3, "{:z,.0f}"),
+    ("  at [ms]", "largest_moment_time_s", 1e-3, "{:z.2f}"),
+    ("  at x [m]", "largest_moment_x_m", 1, "{:z.2f}"),
+    ("  at y [m]", "largest_moment_y_m", 1, "{:z.2f}"),
 )
 PLACES = (("_time_s", ": time"), ("_x_m", ": x"), ("_y_m", ": y"), ("_chainage_m", ": chainage"))
 GAP = 0.01  # of the energy, above which the user guide calls for smaller steps
@@ -56,13 +55,15 @@ def state(results):
     s = results.summary
     duration = quantity(s.get("duration_s") or results.scene.get("time", {}).get("duration"), "s")
     if s.get("completed"):
-        return tag("p", f"The run is complete: {duration} were computed.", class_="state")
+        acted = results.acted("time.duration")
+        computed = f"{duration} were computed" if acted is None else f"{quantity(acted, 's')} were computed, {duration} are stated"
+        return tag("p", f"The run is complete: {computed}.", class_="state")
     until = "" if results.reached is None else f" at {quantity(results.reached, 's')} of {duration}"
     if s.get("error", "").startswith("ended by "):
-        how, told = f"The run was stopped{until}.", f" This page shows what was computed until then. {_sentence(s['error'])}"
-        told += f" {_sentence('to go on: ' + s['resume'])}" if "resume" in s else ""
+        how, told = f"The run was stopped{until}.", f" This page shows what was computed until then. {sentence(s['error'])}"
+        told += f" {sentence('to go on: ' + s['resume'])}" if "resume" in s else ""
     elif "error" in s:
-        how, told = f"The run failed{until}.", f" This page shows what was computed until then. {_sentence(s['error'])}"
+        how, told = f"The run failed{until}.", f" This page shows what was computed until then. {sentence(s['error'])}"
     else:
         how, told = f"The run was not finished: it was stopped{until} or is still going on.", " This page shows what there is."
     return tag("p", tag("strong", how), told, class_="state failed")
@@ -76,8 +77,8 @@ def warnings(results):
         found.append(f"the energy balance has a gap of {100 * drift:.2g} % of the peak energy; {_remedy_of_gap(results.summary)}")
     found += dict.fromkeys(results.faults)
     notes = results.summary.get("notes", [])
-    return section("warnings", "Warnings", bullets(map(_sentence, found)) if found else tag("p", "None."),
-                   [tag("h3", "Notes"), bullets(map(_sentence, notes))] if notes else None)
+    return section("warnings", "Warnings", bullets(map(sentence, found)) if found else tag("p", "None."),
+                   [tag("h3", "Notes"), bullets(map(sentence, notes))] if notes else None)
 
 
 def _remedy_of_gap(summary):
@@ -88,14 +89,10 @@ def _remedy_of_gap(summary):
     return "more than 1 % calls for a smaller time.dt_factor"
 
 
-def _sentence(text):
-    return text[:1].upper() + text[1:] + ("" if text.endswith(".") else ".")
-
-
 def figures(results):
     """The main figures of the run, those that scripts/run prints."""
     return section("figures", "Main figures", table("Main figures, from summary.json", ("figure", "value"), [
-        (name, figure(results.summary, key)) for name, key in main_figures(results) if results.summary.get(key) is not None]))
+        (name, figure(results.figures, key)) for name, key in main_figures(results) if results.figures.get(key) is not None]))
 
 
 def main_figures(*runs):
@@ -131,75 +128,5 @@ def _rows(runs):
 
 
 def _column(run, rows):
-    values = ((run.number(key), divisor, text) for _, key, divisor, text in rows)
+    values = ((run.number(key) if key in run.figures else None, divisor, text) for _, key, divisor, text in rows)
     return [run.name] + ["-" if v is None else text.format(v / divisor) for v, divisor, text in values]
-
-
-def computed(results):
-    """Sentences on the models and the computation."""
-    description = results.scene.get("description")
-    say = _tunnel if results.is_simplified else _ground
-    return section("computed", "What was computed and how", paragraphs([description and _sentence(description), *say(results)]))
-
-
-def _tunnel(results):
-    s, scene = results.summary, results.scene.get("simplified", {})
-    what = {"beam": "a beam with joints on soil springs", "chain": "a chain of rigid rings on soil springs",
-            "column": "columns of ground"}.get(s.get("model"), s.get("model"))
-    begin, end = (quantity(s.get(key), "m") for key in ("begin_m", "end_m"))
-    yield f"The simplified model is {what}, from {begin} to {end} of chainage."
-    excitation = scene.get("excitation", {})
-    path = "through the ground, from the rock below" if excitation.get("through_ground") else "directly"
-    speed = s.get("apparent_velocity_m_per_s")
-    along = f" and passes along the axis with {quantity(speed, 'm/s')}" if speed else ""
-    yield f"The motion reaches the tunnel {path}{along}."
-    yield motion(excitation.get("motion", {}))
-    yield _steps(s, "implicit")
-
-
-def _ground(results):
-    s = results.summary
-    plane = {"plane_strain": "plane strain", "plane_stress": "plane stress"}.get(s.get("plane"), "two dimensions")
-    parts = [f"a continuum of {s['zones']:,} zones and {s['grid_points']:,} grid points"] if s.get("zones") else []
-    parts += [f"{s['particles']:,} particles with {s['bonds']:,} bonds"] if s.get("particles") else []
-    if parts:
-        yield f"The model is in {plane}: {' and '.join(parts)}."
-    if s.get("coupling_points"):
-        yield (f"The bridging-domain method joins them in the overlap, at {s['coupling_points']:,} coupling points: there both "
-               f"share mass and forces and move alike (solve: {s.get('solve')}).")
-    if s.get("statics_steps") is not None:
-        yield (f"First the model came to rest under its loads, stage by stage where it has stages: {s['statics_steps']:,} "
-               f"steps, until the unbalanced force was {quantity(s.get('statics_unbalanced_ratio'))} of the internal force.")
-    for name, model in results.models:
-        base, sides = model.get("base"), [side for side, on in model.get("free_field", {}).items() if on]
-        yield f"The base of the {name} is {base['kind']}." if base and "kind" in base else None
-        yield motion(base.get("acceleration") or {}) if base else None
-        yield f"The {name} ends in free fields: {' and '.join(sides)}." if sides else None
-    yield _steps(s, "explicit")
-
-
-def motion(given):
-    """A sentence for a motion of the scene."""
-    about = {"file": lambda m: f"the record {m.get('path')}", "synthetic": lambda m: f"synthetic ({_listed(m)})",
-             "ricker": lambda m: f"a Ricker wavelet of {quantity(m.get('frequency'), 'Hz')}",
-             "sine": lambda m: f"a sine of {quantity(m.get('frequency'), 'Hz')}", "table": lambda m: "a table of the scene"}
-    kind = next((kind for kind in about if kind in given), None)
-    if kind is None:
-        return None
-    peak = f", with a peak of {quantity(given['peak'], 'm/s²')} ({digits(given['peak'] / GRAVITY)} g)" if "peak" in given else ""
-    return f"The motion is {about[kind](given[kind])}{peak}."
-
-
-def _listed(mapping):
-    units = {"corner_period": " s"}
-    return ", ".join(f"{key.replace('_', ' ')} {value}{units.get(key, '')}" for key, value in mapping.items()
-                     if not isinstance(value, (dict, list)))
-
-
-def _steps(s, kind):
-    if s.get("steps") is None:
-        return None
-    substeps = s.get("substeps") or 1
-    shorter = f", in each of which the particles took {substeps} steps" if substeps > 1 else ""
-    stable = f"; the largest stable step is {quantity(s['critical_dt_s'], 's')}" if s.get("critical_dt_s") else ""
-    return f"Time was integrated in {s['steps']:,} {kind} steps of {quantity(s.get('dt_s'), 's')}{shorter}{stable}."

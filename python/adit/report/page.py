@@ -5,7 +5,7 @@ from pathlib import Path
 from string import Template
 
 from adit.plots.instants import MOST
-from adit.report import instants, model, motions, origin, overview, response
+from adit.report import computed, instants, model, motions, origin, overview, response
 from adit.report.markup import Markup, bullets, safe, tag
 from adit.report.results import Results
 
@@ -19,7 +19,7 @@ def of_run(folder):
     results = Results(folder)
     case = results.summary.get("case") or results.folder.resolve().parent.name
     before = [_unless_odd(results, chapter) for chapter in (
-        overview.figures, overview.computed, model.chapter, motions.chapter, response.histories, response.envelopes)]
+        overview.figures, computed.chapter, model.chapter, motions.chapter, response.histories, response.envelopes)]
     after = [_unless_odd(results, chapter) for chapter in (response.cracks, response.energy, origin.timing, origin.chapter)]
     shown, peaks = _unless_odd(results, instants.drawn) or ([], None)
     head, warned = _unless_odd(results, overview.state), overview.warnings(results)  # which lists the files that could not be read

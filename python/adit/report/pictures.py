@@ -9,6 +9,7 @@ from adit.plots.drawing import LEFT, Sheet
 from adit.report import curves, legends
 from adit.report.markup import image, tag
 from adit.report.quantities import digits
+from adit.results.rounding import settled
 
 WIDTH = 5.6  # inches: letters of 9 points are readable where the picture fills a phone, and not large where it fills a screen
 PANEL = 2.3  # inches: height of panels that stand side by side in a file
@@ -33,10 +34,15 @@ def figure(drawing, *below, names_run=False):
     source, width, height = _encoded(drawn, drawing.layout.dense)
     style.plt.close(drawn)
     alt = f"{title}. The legend and the numbers stand below."
-    scales = [f"Colours: {f'{each.what} '.lstrip()}from {digits(each.low)} to {digits(each.high)} {each.unit}" for each in drawing.colours]
+    scales = [f"Colours: {f'{each.what} '.lstrip()}{_range(each)} {each.unit}" for each in drawing.colours]
     notes = [tag("p", note, class_="note") for note in (*(text for text, _ in drawing.notes if text), *scales)]
     caption = tag("figcaption", tag("strong", title), legends.written(keys), notes)
     return tag("figure", image(source, alt, width, height, min(100, 100 * width / (96 * WIDTH))), caption, table, below)
+
+
+def _range(colours):
+    low, high = (digits(settled(end, max(abs(colours.low), abs(colours.high)))) for end in (colours.low, colours.high))
+    return f"from {low} to {high}"
 
 
 def painted(drawing):

@@ -1,7 +1,8 @@
-"""Numbers with units, as an engineer writes them; the unit follows from the name of a figure in summary.json."""
+"""Numbers with units and sentences, as an engineer writes them; the unit follows from the name of a figure in summary.json."""
 import math
 
 from adit.report.markup import tag
+from adit.results.rounding import coordinate
 
 # Endings of the names in summary.json and of columns, the longest first.
 ENDINGS = (("_m_per_s2", "m/s²"), ("_m_per_s", "m/s"), ("_N_m", "N m"), ("_Nm", "N m"), ("_bytes", "B"), ("_per_s", "1/s"),
@@ -32,12 +33,25 @@ def quantity(value, unit=""):
 
 def figure(summary, key):
     """A table cell with a figure of the summary, marked with its name there."""
-    value = summary.get(key)
+    value = number_of(summary, key)
     return tag("td", quantity(value, unit_of(key)), data_key=key, class_=None if isinstance(value, str) else "number")
 
 
+def number_of(summary, key):
+    """A figure of the summary; of a coordinate, 0 where it is rounding beside the other one of its place."""
+    value = summary.get(key)
+    for axis, other in (("_x_m", "_y_m"), ("_y_m", "_x_m")):
+        if key.endswith(axis) and isinstance(value, (int, float)):
+            return coordinate(value, summary.get(key.removesuffix(axis) + other) or 0)
+    return value
+
+
 def place(x, y):
-    return f"x = {quantity(x, 'm')}, y = {quantity(y, 'm')}"
+    return f"x = {quantity(coordinate(x, y), 'm')}, y = {quantity(coordinate(y, x), 'm')}"
+
+
+def sentence(text):
+    return text[:1].upper() + text[1:] + ("" if text.endswith(".") else ".")
 
 
 def _prefix(size, unit):

@@ -4,6 +4,7 @@ from adit.plots import time_pictures, tunnel_pictures
 from adit.report import around, pictures
 from adit.report.markup import details, section, table, tag
 from adit.report.quantities import figure, place, quantity, unit_of
+from adit.results.rounding import coordinate, settled
 
 LISTED = 20  # cracks
 BALANCE = (("largest gap of the energy balance, of the peak energy", "max_energy_drift"),
@@ -64,16 +65,18 @@ def _first(s, count, first, what, where):
 
 
 def _said(name, value):
+    if name in ("x_m", "y_m"):
+        value = coordinate(float(value))
     return quantity(float(value), unit_of(name)) if unit_of(name) else f"{value}".removesuffix(".0")
 
 
 def energy(results):
-    s = results.summary
+    s = results.figures
     drawn = None if results.is_simplified else time_pictures.energy(results)
     rows = [(said, figure(s, key)) for said, key in BALANCE if s.get(key) is not None]
-    by_cause = [(name.removesuffix("_J").replace("_", " "), quantity(float(values[-1]), "J"))
-                for name, values in (results.table("energies.csv") or {}).items()
-                if name != "time_s" and len(values) and values[-1]]
+    ended = {name: float(values[-1]) for name, values in (results.table("energies.csv") or {}).items() if name != "time_s" and len(values)}
+    largest = max(map(abs, ended.values()), default=0)
+    by_cause = [(name.removesuffix("_J").replace("_", " "), quantity(value, "J")) for name, value in ended.items() if settled(value, largest)]
     told = tag("p", "What is stored and dissipated must equal the work done. The gap is of the order of rounding for an intact "
                     "continuum; bonds that break and contacts that close within a step raise it.") if rows else None
     causes = details("Energy by cause at the end", table("The last row of energies.csv", None, by_cause)) if by_cause else None

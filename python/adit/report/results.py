@@ -6,6 +6,8 @@ import numpy as np
 from adit import Run, Table, Unusable
 
 OF_EVERY_MOTION = {"motion", "response", "fourier"}
+NEEDED = {  # figures that mean nothing where the summary has 0 of what they count
+    "bonds": ("crack_count", "debonded_count"), "coupling_points": ("multiplier_work_J", "coupler_solve_s")}
 
 
 class Results(Run):
@@ -18,6 +20,18 @@ class Results(Run):
     summary = cached_property(lambda self: self._unless_damaged("summary", {}))
     scene = cached_property(lambda self: self._unless_damaged("scene", {}))
     instants = cached_property(lambda self: self._unless_damaged("instants", []))
+
+    @cached_property
+    def figures(self):
+        """The figures of the summary that mean something for what was computed: no cracks where there are no bonds."""
+        idle = {figure for needed, figures in NEEDED.items() if self.summary.get(needed) == 0 for figure in figures}
+        if not self._has_groups_of_particles():
+            idle.add("debonded_count")
+        return {key: value for key, value in self.summary.items() if key not in idle}
+
+    def _has_groups_of_particles(self):
+        """Whether bonds could join two groups."""
+        return any(model.get("groups") or "ring" in model for _, model in self.models)
 
     @cached_property
     def histories(self):
@@ -39,9 +53,8 @@ class Results(Run):
 
     def pieces_at(self, number):
         """{kind: Piece} at the instant of this number; empty if a file of it is missing or damaged."""
-        _, files = self.instants[number]
         try:
-            return self.pieces_of(files)
+            return super().pieces_at(number)
         except Unusable as reason:
             self._note(reason)
             return {}
@@ -55,6 +68,17 @@ class Results(Run):
         """The last time [s] in histories.csv; None if there is none."""
         times = self.histories["time_s"]
         return float(times[-1]) if len(times) else None
+
+    def acted(self, key):
+        """The number that acted where another one is stated by this key of the scene; None where the stated one did."""
+        return next((each["acted"] for each in self.summary.get("stated", []) if each["key"] == key), None)
+
+    def path_of(self, model):
+        """Where a model stands in the scene: `continuum`, or `regions[1].continuum`."""
+        for i, region in enumerate(self.scene.get("regions", [])):
+            if region["name"] == model:
+                return f"regions[{i}].{'continuum' if 'continuum' in region else 'particles'}"
+        return model
 
     def _unless_damaged(self, name, otherwise):
         try:

@@ -119,12 +119,16 @@ class Run:
     def fields(self, time=None):
         """{kind: Piece} at a time [s] of `times`, the last where none is given. Kinds: grid, particles, bonds, contacts,
         linings, bolts, springs, … Pieces of several regions are joined."""
-        return self.pieces_of(self.instants[self.instant_at(time)][1])
+        return self.pieces_at(self.instant_at(time))
 
     def snapshots(self):
         """Yields (time [s], fields) of all instants."""
-        for time, files in self.instants:
-            yield time, self.pieces_of(files)
+        for number, (time, _) in enumerate(self.instants):
+            yield time, self.pieces_at(number)
+
+    def pieces_at(self, number):
+        """{kind: Piece} at the instant of this number."""
+        return self.pieces_of(self.instants[number][1])
 
     @staticmethod
     def pieces_of(files):

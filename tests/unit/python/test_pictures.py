@@ -1,23 +1,22 @@
 """Pictures of results stay readable: titles, legends, scales and marks, for models that had spoiled them."""
 
+import pathlib
 import types
 import unittest
 
 import numpy as np
+from matplotlib.colors import to_rgb
 
-from adit import Piece, Table
-from adit.plots import colour_pictures, deformation, lining_pictures, model_pictures, png, spectra_pictures, style, time_pictures
+from adit import Table
+from adit.plots import (colour_pictures, deformation, lining_pictures, model_pictures, particle_groups, png, spectra_pictures, style,
+                        time_pictures)
 from adit.plots.colour_scale import Scale
 from adit.plots.drawing import Drawing, Panels, legend
 from adit.plots.setup import conditions, sheets
-from adit.report import around, model, overview, pictures, response
+from adit.plots.setup.checked import Member
+from adit.report import around, computed, model, overview, pictures, response
 
-
-def piece(points, cells, point_fields=None, cell_fields=None):
-    found = object.__new__(Piece)
-    found.points, found.cells = np.array(points, float), np.array(cells)
-    found.point_fields, found.cell_fields = Table(point_fields or {}, "piece"), Table(cell_fields or {}, "piece")
-    return found
+from pieces import PictureTest, piece
 
 
 def column(displacement, width=2.0, height=50.0, zones=25, **cell_fields):
@@ -49,10 +48,10 @@ def box_of(figure, artist):
     return artist.get_window_extent()
 
 
-class Titles(unittest.TestCase):
+class Titles(PictureTest):
     def test_a_title_stays_on_the_sheet_of_a_tall_model(self):
         grid = column(lambda points: 0.075 + 1e-3 * points[:, 1:] ** 2)
-        for drawing in (model_pictures.deformed(run_named("hysteretic"), 25.0, {"grid": grid}),
+        for drawing in (model_pictures.deformed(run_named("hysteretic"), 25.0, {"grid": grid}, 10),
                         colour_pictures.displacement(run_named("a_scene_of_a_rather_long_name"), 25.0, {"grid": grid})):
             figure = png.figure(drawing)
             title = figure.axes[0].get_title(loc="left")
@@ -61,7 +60,7 @@ class Titles(unittest.TestCase):
             self.assertLess(box.y1, figure.bbox.y1)
 
 
-class Sizes(unittest.TestCase):
+class Sizes(PictureTest):
     """A drawing has no size: files and pages choose it."""
 
     def test_a_file_and_a_page_show_the_same_data(self):
@@ -109,13 +108,13 @@ class Sizes(unittest.TestCase):
         self.assertEqual(texts_of(filed.axes[0].get_legend()), [r"top\$1"])
 
 
-class Displacements(unittest.TestCase):
+class Displacements(PictureTest):
     def test_a_motion_that_all_points_share_is_taken_off(self):
         bent = lambda points: 1e-3 * (points[:, 1:] / 50) ** 2  # noqa: E731
         at_rest, shaken = column(bent), column(lambda points: 4 + bent(points))
-        self.assertGreaterEqual(deformation.scale_of({"grid": shaken}), deformation.scale_of({"grid": at_rest}))
+        self.assertGreaterEqual(deformation.largest_factor({"grid": shaken}), deformation.largest_factor({"grid": at_rest}))
         self.assertAlmostEqual(deformation.common_motion({"grid": shaken})[0], 4, delta=1e-3)
-        drawing = model_pictures.deformed(run_named("shaken"), 1.0, {"grid": shaken})
+        drawing = model_pictures.deformed(run_named("shaken"), 1.0, {"grid": shaken}, 1000)
         left, right, _, _ = drawing.layout.bounds
         self.assertLess(right - left, 20, "4 m times the scale would be kilometres")
         self.assertIn("without the common (4000, 0) mm", drawing.title)
@@ -130,13 +129,13 @@ class Displacements(unittest.TestCase):
         whole = cloud(places, displacement)
         displacement[450] = 0, -5.2
         loose = cloud(places, displacement)
-        self.assertEqual(deformation.scale_of({"particles": loose}), deformation.scale_of({"particles": whole}))
-        figure = png.figure(model_pictures.deformed(run_named("ring"), 1.0, {"particles": loose}))
+        self.assertEqual(deformation.largest_factor({"particles": loose}), deformation.largest_factor({"particles": whole}))
+        figure = png.figure(model_pictures.deformed(run_named("ring"), 1.0, {"particles": loose}, 100))
         self.assertLess(np.ptp(figure.axes[0].get_ylim()), 4)
         self.assertIn("1 loose particle", " ".join(text.get_text() for text in figure.legends[0].get_texts()))
 
 
-class Colours(unittest.TestCase):
+class Colours(PictureTest):
     def marked(self, drawing):
         return next(text for text, _ in drawing.notes if "○" in text)
 
@@ -204,11 +203,11 @@ class Colours(unittest.TestCase):
     def test_rounding_of_the_weight_is_no_overlap(self):
         grid = column(lambda points: 0 * points[:, :1])
         grid.cell_fields["weight"] = np.full(25, 1 - 2.2e-16)
-        figure = png.figure(model_pictures.deformed(run_named("hzm"), 1.0, {"grid": grid}))
+        figure = png.figure(model_pictures.deformed(run_named("hzm"), 1.0, {"grid": grid}, 1))
         self.assertNotIn("overlap", [text.get_text() for text in figure.legends[0].get_texts()])
 
 
-class Joints(unittest.TestCase):
+class Joints(PictureTest):
     def test_joints_of_a_lining_are_drawn_over_its_bonds(self):
         state = {"state": np.zeros(2), "normal_force_N": np.array([1e3, -2e3])}
         segments = piece([(0, 0), (1, 0), (2, 0)], [(0, 1), (1, 2)], {}, state)
@@ -224,6 +223,33 @@ class Joints(unittest.TestCase):
         lining = piece([(-54, -9), (54, 9)], [(0, 1)])
         self.assertEqual(model_pictures.close_up({"grid": grid, "bonds": lining}), style.bounds_of(lining.points))
 
+    def test_groups_of_particles_are_told_apart_from_the_ground(self):
+        """Also where they lie in several regions, and where particles were taken away."""
+        discs = cloud([(0, 0), (1, 0), (2, 0), (3, 0)], np.zeros((4, 2)))
+        discs.point_fields["group"], discs.cells = np.array([0, 1, 2, 1]), discs.cells[:3]
+        bonds = piece(discs.points, [(0, 1), (1, 2)], {}, {"state": np.zeros(2), "normal_force_N": np.ones(2)})
+        run = run_named("tunnels", {"groups": [{"name": "west"}, {"name": "gouge"}]}, {"groups": [{"name": "east"}]})
+        for draw, more in ((model_pictures.bonds, ()), (model_pictures.force_chains, ()), (model_pictures.deformed, (1,))):
+            figure = png.figure(draw(run, 1.0, {"particles": discs, "bonds": bonds}, *more))
+            self.assertEqual([text for text in texts_of(figure.legends[0]) if ": " in text and "part" in text],
+                             ["particles: west, east", "particles: gouge"], draw)
+            toned = [drawn.get_offsets().tolist() for drawn in figure.axes[0].collections
+                     if tuple(np.round(drawn.get_facecolor()[:1, :3].ravel(), 3)) in {
+                         tuple(np.round(to_rgb(tone), 3)) for tone in particle_groups.TONES}]
+            self.assertEqual(toned, [[[1, 0]], [[2, 0]]], draw)
+
+    def test_a_picture_of_a_part_says_so(self):
+        grid = piece([(0, 0), (40, 0), (40, 8), (0, 8)], [(0, 1, 2, 3)], {"displacement_m": np.zeros((4, 3))},
+                     {"stress_Pa": np.zeros((1, 3)), "weight": np.ones(1)})
+        for width, told in ((1, True), (40, False)):
+            places = [(0, 0), (width, 0), (width, 8), (0, 8)]
+            discs = cloud(places, np.zeros((4, 2)))
+            discs.point_fields["stress_Pa"] = np.zeros((4, 3))
+            bonds = piece(places, [(0, 1), (1, 2)], {}, {"state": np.zeros(2), "normal_force_N": np.ones(2)})
+            pieces = {"grid": grid, "particles": discs, "bonds": bonds}
+            for draw in (colour_pictures.principal_stress, model_pictures.bonds, model_pictures.force_chains):
+                self.assertEqual("only the part with particles is drawn" in draw(run_named("beam"), 1.0, pieces).title, told, draw)
+
     def test_bonds_between_two_groups_that_broke_are_no_cracks(self):
         bonds = piece([(0, 0), (1, 0), (2, 0), (3, 0)], [(0, 1), (1, 2), (2, 3)], cell_fields={"state": np.array([1, 2, 0])})
         discs = piece(bonds.points, np.arange(4)[:, None], {
@@ -233,18 +259,18 @@ class Joints(unittest.TestCase):
         self.assertEqual(texts_of(png.figure(drawing).legends[0])[-3:], ["1 intact bond", "1 tensile crack", "1 debonded bond"])
 
 
-class Models(unittest.TestCase):
+class Models(PictureTest):
     def test_particles_that_were_taken_away_are_not_drawn(self):
         discs = cloud([(0, 0), (1, 0), (2, 0)], np.zeros((3, 2)))
         discs.cells = discs.cells[1:]
         _, axes = style.plt.subplots()
-        sheets._draw_particles(axes, types.SimpleNamespace(first_colour=0, group=lambda k: "rock"), discs)
+        sheets._draw_particles(axes, Member("", "particles", {}, {}), discs)
         self.assertEqual(axes.collections[0].get_offsets().tolist(), [[1, 0], [2, 0]])
 
     def test_edges_that_move_as_a_body_are_drawn_as_moved(self):
         grid = piece([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2, 3)])
         motion = {"where": {"x_max": 0}, "body": {"centre": {"x": 0, "y": 0.5}, "path": "edge.csv"}}
-        member = types.SimpleNamespace(piece="grid", is_grid=True, model={"motions": [motion]}, mesh_groups={})
+        member = Member("", "continuum", {"motions": [motion]}, {})
         _, axes = style.plt.subplots()
         handles, notes = conditions.draw(axes, [member], {"grid": grid}, 1.0)
         self.assertEqual([handle.get_label() for handle in handles], ["boundary: moved"])
@@ -262,7 +288,7 @@ class Models(unittest.TestCase):
             "elastic: 4 zones"])
 
 
-class Spectra(unittest.TestCase):
+class Spectra(PictureTest):
     def test_accelerations_are_drawn_in_g(self):
         table = Table({"period_s": np.array([0.1, 1.0]), "psa_5pct_m_per_s2": np.array([9.80665, 4.903325]),
                        "sv_5pct_m_per_s": np.ones(2), "sd_5pct_m": np.ones(2)}, "table")
@@ -274,7 +300,7 @@ class Spectra(unittest.TestCase):
         np.testing.assert_allclose(pga.get_ydata(), 0.5)
 
 
-class Times(unittest.TestCase):
+class Times(PictureTest):
     def run_with(self, columns, end):
         time = np.linspace(0, end, 200)
         return types.SimpleNamespace(name="ring", histories={"time_s": time} | {name: np.sin(k + time) for k, name in enumerate(columns)})
@@ -303,9 +329,9 @@ class Times(unittest.TestCase):
         self.assertGreater(stored.get_ylim()[1], 100)
 
 
-class Pages(unittest.TestCase):
+class Pages(PictureTest):
     def test_a_motion_is_told_with_its_units_and_in_g(self):
-        told = overview.motion({"synthetic": {"spectrum": "gb_18306", "corner_period": 0.65, "seed": 11}, "peak": 1.96133})
+        told = computed.motion({"synthetic": {"spectrum": "gb_18306", "corner_period": 0.65, "seed": 11}, "peak": 1.96133})
         self.assertEqual(told, "The motion is synthetic (spectrum gb_18306, corner period 0.65 s, seed 11), with a peak of "
                                "1.961 m/s² (0.2 g).")
 
@@ -325,7 +351,7 @@ class Pages(unittest.TestCase):
     def test_peaks_of_every_lining_are_main_figures(self):
         summary = {"lining_roof_largest_moment_Nm": -2e4, "lining_roof_thrust_at_largest_moment_N": -3e5,
                    "lining_roof_least_thrust_N": -4e5, "west_lining_floor_largest_moment_Nm": 1e3}
-        run = types.SimpleNamespace(name="portal", summary=summary, number=summary.get)
+        run = types.SimpleNamespace(name="portal", summary=summary, figures=summary, number=summary.get)
         known = dict(overview.main_figures(run))
         self.assertEqual(known["lining roof: largest moment, per metre: thrust there"], "lining_roof_thrust_at_largest_moment_N")
         self.assertEqual(known["lining roof: largest moment, per metre: x"], "lining_roof_largest_moment_x_m")
@@ -346,6 +372,14 @@ class Pages(unittest.TestCase):
         drawn = png.figure(lining_pictures.lining_forces(run_named("ring"), 1.0, {"linings": ring})).axes[0].collections
         radii = [np.hypot(*line.get_paths()[0].vertices.T).max() for line in drawn[-2:]]
         np.testing.assert_allclose(radii, [1 - 2 * lining_pictures.REACH * part for part in (1, 2 / 9)])
+
+    def test_pages_say_of_dashed_lines_what_the_legend_says(self):
+        beam = piece([(0, 0), (1, 0)], [(0, 1)], {name: np.zeros(2) for name, *_ in lining_pictures.FORCES})
+        figure = png.figure(lining_pictures.lining_forces(run_named("ring"), 1.0, {"linings": beam}))
+        (told,) = [text for text in texts_of(figure.legends[0]) if "so far" in text]
+        guide = (pathlib.Path(__file__).resolve().parents[3] / "docs" / "user_guide.md").read_text()
+        self.assertIn(f"the dashed lines are the {told}.", guide)
+        self.assertNotIn("largest value so far", guide)
 
     def test_cracks_and_debonded_bonds_are_told_apart(self):
         table = Table({name: np.array(values) for name, values in {

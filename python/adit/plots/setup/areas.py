@@ -1,17 +1,19 @@
 """Which points and boundary edges the areas of a scene (`where`) select, and the outline of a grid."""
+from typing import NamedTuple
+
 import numpy as np
 from matplotlib.path import Path as Outline
 
 
-class UnknownGroup(Exception):
-    """The area names a group that is not in a mesh, such as a block."""
+class Group(NamedTuple):
+    """What a block or a mesh calls by a name."""
+    zones: np.ndarray = np.empty((0, 4, 2))  # corners
+    edges: np.ndarray = np.empty((0, 2, 2))  # ends; those of physical curves only
 
 
 def inside(area, points):
     """Whether each point lies inside or on all shapes of the area, an absent area being everywhere."""
     area = area or {}
-    if "group" in area:
-        raise UnknownGroup(area["group"])
     x, y = points.T
     near = 1e-6 * max(np.ptp(x), np.ptp(y), 1e-9)
     chosen = np.ones(len(points), bool)
@@ -40,27 +42,39 @@ def boundary(grid):
     return sides[first[count == 1]]
 
 
+def points_in(area, piece, groups=None):
+    """Points (n, 2) in the area; of a group, the corners of its zones and the ends of its edges. `groups`: {name: Group}."""
+    points = piece.points
+    if "group" in (area or {}):
+        points = np.unique(np.concatenate([each.reshape(-1, 2) for each in groups[area["group"]]]), axis=0)
+    return points[inside(area, points)] if len(points) else points
+
+
 def edges_in(area, grid, edges, groups):
-    """Ends (n, 2, 2) of the edges wholly inside the area; `groups` are those of the mesh (mesh_groups.py)."""
-    ends, area = _candidates(area, grid.points[edges], groups)
+    """Ends (n, 2, 2) of the edges wholly inside the area; of a group, its own edges, or the sides of its zones among `edges`."""
+    ends = grid.points[edges]
+    if "group" in (area or {}):
+        group = groups[area["group"]]
+        ends = group.edges if len(group.edges) else ends[_are_sides(ends, group.zones)]
     return ends[inside(area, ends.reshape(-1, 2)).reshape(-1, 2).all(axis=1)] if len(ends) else ends
 
 
 def zones_in(area, grid, groups):
-    """Corners (n, 4, 2) of the zones whose centres lie in the area."""
-    corners, area = _candidates(area, grid.points[grid.cells], groups)
-    return corners[inside(area, corners.mean(axis=1))]
+    """Corners (n, 4, 2) of the zones, those of a group where the area names one, whose centres lie in the area."""
+    corners = groups[area["group"]].zones if "group" in (area or {}) else grid.points[grid.cells]
+    return corners[inside(area, centres(corners))] if len(corners) else corners
 
 
-def _candidates(area, own, groups):
-    """The cells that the rest of the area selects from: those of its group, or all of the grid's own."""
-    area = dict(area or {})
-    name = area.pop("group", None)
-    if name is None:
-        return own, area
-    if name not in groups or groups[name].shape[1] != own.shape[1]:
-        raise UnknownGroup(name)
-    return groups[name], area
+def centres(cells):
+    """The middles (n, 2) of cells given by their corners."""
+    return cells.mean(axis=1)
+
+
+def _are_sides(ends, zones):
+    """Whether each edge is a side of one of the zones."""
+    sides = np.stack([zones, np.roll(zones, -1, axis=1)], axis=2).reshape(-1, 2, 2)
+    known = {frozenset(map(tuple, side)) for side in sides.tolist()}
+    return np.array([frozenset(map(tuple, each)) in known for each in ends.tolist()], bool)
 
 
 def _distance(centre, points):

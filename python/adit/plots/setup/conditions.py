@@ -1,45 +1,36 @@
-"""Joints, stages, boundaries and loads of a model, as its scene states them."""
+"""Joints, boundaries and loads of a model, as its scene states them."""
 import math
 
 import numpy as np
-from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
 
 from adit.plots import joints, style
-from adit.plots.setup.areas import UnknownGroup, boundary, edges_in, inside, zones_in
+from adit.plots.setup import stages
+from adit.plots.setup.areas import boundary, centres, edges_in, points_in
 
 BOUNDARIES = {"held": style.BLACK, "moved": style.PINK, "quiet": style.GREEN, "free field": style.BLUE, "base": style.RED}
-HATCHES = ("////", "\\\\\\\\", "xx", "..", "--")  # of stages
 ARROWS = 7  # of one load at most
 REACH = 0.045  # length of an arrow, relative to the model
 
 
 def draw(axes, members, pieces, span):
     """Draws the conditions of all models; returns the handles of the legend, and notes for its end."""
-    lines, marks, unknown, notes, loads, handles = {}, {}, [], [], [], []
-
-    def attempt(what, select, *arguments):
-        """The selection of an area; empty, with a note, if it names an unknown group."""
-        try:
-            return select(*arguments)
-        except UnknownGroup as group:
-            unknown.append(f"not drawn: {what} of group {group}")
-            return np.empty((0, 2) if select in (_points_in, _middles_in) else (0, 2, 2))
-
+    lines, marks, excavated, notes, loads = {}, {}, {}, [], []
     for member in members:
         piece = pieces.get(member.piece)
         if piece is None:
             continue
+        groups = member.zone_groups(piece) if member.is_grid else {}
+        stages.draw(axes, member, piece, groups, excavated)
         if member.is_grid:
-            handles += _draw_stages(axes, member, piece, attempt)
-            _collect_boundaries(member, piece, attempt, lines, marks)
-            loads += _grid_loads(member, piece, attempt)
+            _collect_boundaries(member, piece, groups, lines, marks)
+            loads += _grid_loads(member, piece, groups)
         else:
-            _collect_particle_boundaries(member, piece, attempt, lines, marks)
-            loads += [(attempt("a load", _points_in, load["where"], piece), load["force"])
-                      for load in member.model.get("loads", [])]
+            _collect_particle_boundaries(member, piece, lines, marks)
+            loads += [(points_in(load["where"], piece), load["force"]) for load in member.model.get("loads", [])]
         notes += _body_loads(member.model)
+    handles = [excavated[key] for key in sorted(excavated)]
     handles += _draw_boundaries(axes, lines, marks)
     handles += joints.draw(axes, [member.model for member in members])
     loads = [(places[style.shown(axes, places)], force) for places, force in loads]
@@ -47,29 +38,7 @@ def draw(axes, members, pieces, span):
         _draw_arrows(axes, places, force, REACH * span)
     if any(len(places) for places, _ in loads):
         handles.append(Line2D([], [], ls="", marker=r"$\rightarrow$", ms=11, color=style.RED, label="loads"))
-    return handles, [Line2D([], [], ls="", label=style.literal(note)) for note in dict.fromkeys(notes + unknown)]
-
-
-def _points_in(area, piece):
-    return piece.points[inside(area, piece.points)]
-
-
-def _middles_in(area, grid, edges, groups):
-    return edges_in(area, grid, edges, groups).mean(axis=1)
-
-
-def _draw_stages(axes, member, grid, attempt):
-    """Hatches the zones that stages of excavation remove."""
-    handles = []
-    for excavation in member.model.get("excavations", []):
-        stage = excavation.get("stage", 0)
-        zones = attempt("an excavation", zones_in, excavation["where"], grid, member.mesh_groups)
-        if stage == 0 or len(zones) == 0:
-            continue
-        hatch = HATCHES[(stage - 1) % len(HATCHES)]
-        axes.add_collection(PolyCollection(zones, fc="none", ec="#5A5A5A", lw=0, hatch=hatch, zorder=1.5))
-        handles.append(Patch(fc="none", ec="#5A5A5A", lw=0, hatch=hatch, label=f"excavated in stage {stage}"))
-    return handles
+    return handles, [Line2D([], [], ls="", label=style.literal(note)) for note in dict.fromkeys(notes)]
 
 
 def _kind_of(motion):
@@ -77,7 +46,7 @@ def _kind_of(motion):
     return "moved" if "velocity" not in motion or any(motion["velocity"].values()) else "held"
 
 
-def _collect_boundaries(member, grid, attempt, lines, marks):
+def _collect_boundaries(member, grid, groups, lines, marks):
     """Adds the edges of each kind of boundary to `lines`, and points without an edge to `marks`."""
     model, edges = member.model, boundary(grid)
     (left, lowest), right = grid.points.min(axis=0), grid.points[:, 0].max()
@@ -88,18 +57,18 @@ def _collect_boundaries(member, grid, attempt, lines, marks):
         areas.append(("base", model["base"].get("where", {"y_max": lowest})))
     areas += [(_kind_of(motion), motion.get("where")) for motion in model.get("motions", [])]
     for kind, area in areas:
-        found = attempt(kind, edges_in, area, grid, edges, member.mesh_groups)
+        found = edges_in(area, grid, edges, groups)
         if len(found):
             lines.setdefault(kind, []).append(found)
-        elif kind in ("held", "moved") and "group" not in (area or {}):
-            marks.setdefault(kind, []).append(_points_in(area, grid))
+        elif kind in ("held", "moved"):
+            marks.setdefault(kind, []).append(points_in(area, grid, groups))
 
 
-def _collect_particle_boundaries(member, discs, attempt, lines, marks):
+def _collect_particle_boundaries(member, discs, lines, marks):
     conditions = [(_kind_of(motion), motion.get("where")) for motion in member.model.get("motions", [])]
     conditions += [("quiet", quiet.get("where")) for quiet in member.model.get("quiet", [])]
     for kind, area in conditions:
-        marks.setdefault(kind, []).append(attempt(kind, _points_in, area, discs))
+        marks.setdefault(kind, []).append(points_in(area, discs))
     for wall in member.model.get("walls", []):
         lines.setdefault("held", []).append(np.array([joints.segment(wall)]))
 
@@ -119,12 +88,12 @@ def _draw_boundaries(axes, lines, marks):
     return handles
 
 
-def _grid_loads(member, grid, attempt):
+def _grid_loads(member, grid, groups):
     edges = boundary(grid)
     for load in member.model.get("edge_loads", []):
-        yield attempt("a load", _middles_in, load["where"], grid, edges, member.mesh_groups), load["force"]
+        yield centres(edges_in(load["where"], grid, edges, groups)), load["force"]
     for load in member.model.get("point_loads", []):
-        yield attempt("a load", _points_in, load["where"], grid), load["force"]
+        yield points_in(load["where"], grid, groups), load["force"]
 
 
 def _draw_arrows(axes, places, force, length):

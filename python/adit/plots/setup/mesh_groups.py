@@ -3,23 +3,26 @@ from pathlib import Path
 
 import numpy as np
 
+from adit.plots.setup.areas import Group
+
 LINE, QUADRILATERAL = 1, 3  # Gmsh's numbers of the types of elements
 
 
 def read(path):
-    """{name of a group: ends of its edges (n, 2, 2), or corners of its zones (n, 4, 2)} [m]."""
+    """{name of a physical group, its number where it has none: Group}."""
     sections = _sections(Path(path).read_text().split("\n"))
     names = {}  # (dimension, tag of the group): name
-    for line in sections["PhysicalNames"][1:]:
+    for line in sections.get("PhysicalNames", ())[1:]:
         dimension, tag, name = line.split(maxsplit=2)
         names[int(dimension), int(tag)] = name.strip('"')
     points = _nodes(sections["Nodes"])
     groups_of = _groups_of_entities(sections["Entities"])
-    cells = {}
+    found = {}  # name: (edges, zones)
     for dimension, entity, corners in _elements(sections["Elements"]):
         for tag in groups_of.get((dimension, entity), ()):
-            cells.setdefault(names.get((dimension, tag)), []).append([points[node] for node in corners])
-    return {name: np.array(group) for name, group in cells.items() if name}
+            kinds = found.setdefault(names.get((dimension, tag), str(tag)), ([], []))
+            kinds[dimension - 1].append([points[node] for node in corners])
+    return {name: Group(np.array(zones).reshape(-1, 4, 2), np.array(edges).reshape(-1, 2, 2)) for name, (edges, zones) in found.items()}
 
 
 def _sections(lines):
@@ -39,7 +42,7 @@ def _groups_of_entities(lines):
     """{(dimension, tag): tags of its groups} of curves and surfaces: tag, box of six numbers, groups, bounding entities."""
     points, curves, surfaces, _ = map(int, lines[0].split())
     rows = [line.split() for line in lines[1 + points:1 + points + curves + surfaces]]
-    return {(1 if i < curves else 2, int(row[0])): [int(tag) for tag in row[8:8 + int(row[7])]] for i, row in enumerate(rows)}
+    return {(1 if i < curves else 2, int(row[0])): [abs(int(tag)) for tag in row[8:8 + int(row[7])]] for i, row in enumerate(rows)}
 
 
 def _nodes(lines):

@@ -1,13 +1,14 @@
 """Pictures of a model before it runs: materials, groups, joints, supports, boundaries, loads, probes, overlap."""
 import numpy as np
-from matplotlib.collections import EllipseCollection, LineCollection, PolyCollection
+from matplotlib.collections import EllipseCollection, PolyCollection
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from adit.plots import style
 from adit.plots.drawing import Drawing, Sheet, legend
-from adit.plots.setup import conditions
+from adit.plots.setup import conditions, supports
 from adit.plots.setup.labels import add_labels
+from adit.plots.setup.checked import in_stages
 
 # Pale for zones, stronger for particles; the pairs keep apart with any colour vision and in grey.
 ZONES = ("#DCE8F4", "#F6E3C0", "#C9DFC9", "#E9D3E3", "#D2D2D2", "#FFF6B8", "#B9D3EA")
@@ -43,7 +44,7 @@ def _sheet(checked, pieces, bounds, title, elsewhere):
             if member.piece in pieces:
                 handles += draw(axes, member, pieces[member.piece])
         handles += _shade_overlap(axes, pieces)
-        handles += _draw_supports(axes, pieces)
+        handles += supports.draw(axes, members, pieces)
         drawn, notes = conditions.draw(axes, members, pieces, span)
         return [legend(None, handles + drawn + _draw_probes(axes, members, bounds, elsewhere) + notes)]
 
@@ -66,7 +67,7 @@ def _draw_zones(axes, member, grid):
 
 def _draw_particles(axes, member, discs):
     there = discs.is_there()
-    number = np.asarray(discs.field("group", np.zeros(len(discs.points))), int)
+    number = member.particle_groups(discs)
     size = 2 * discs.field("radius_m", np.zeros(len(discs.points)))
     handles = []
     for k in np.unique(number[there]):
@@ -75,7 +76,7 @@ def _draw_particles(axes, member, discs):
             size[chosen], size[chosen], np.zeros(chosen.sum()), units="xy", offsets=discs.points[chosen],
             offset_transform=axes.transData, fc=face, ec="none", zorder=2))
         handles.append(Line2D([], [], ls="", marker="o", ms=7, mfc=face, mec="none",
-                              label=f"particles: {style.literal(member.group(k))}"))
+                              label=f"particles: {style.literal(member.group(k))}{in_stages([{'stage': member.stage_of_group(k)}])}"))
     return handles
 
 
@@ -92,18 +93,6 @@ def _shade_overlap(axes, pieces):
         colours[:, 3] = 0.08 + 0.3 * (1 - weight[shared])
         axes.add_collection(PolyCollection(grid.points[grid.cells[shared]], fc=colours, ec="none", zorder=2.5))
     return [Patch(fc=OVERLAP, alpha=0.3, label="overlap, darker where zones weigh less")] if shaded else []
-
-
-def _draw_supports(axes, pieces):
-    looks = {"linings": (style.BLACK, 3.0, "lining"), "bolts": (style.PINK, 2.0, "bolts"),
-             "springs": (style.PINK, 2.0, "springs")}
-    handles = []
-    for kind, (color, width, label) in looks.items():
-        lines = [p.points[p.cells] for name, p in pieces.items() if name.endswith(kind) and len(p.cells)]
-        if lines:
-            axes.add_collection(LineCollection(np.concatenate(lines), color=color, lw=width, zorder=4, capstyle="round"))
-            handles.append(Line2D([], [], color=color, lw=width, label=label))
-    return handles
 
 
 def _draw_probes(axes, members, bounds, elsewhere):

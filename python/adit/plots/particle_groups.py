@@ -1,0 +1,33 @@
+"""Groups of particles, such as a lining, told apart from the ground around them by their tone."""
+import numpy as np
+from matplotlib.collections import EllipseCollection
+from matplotlib.lines import Line2D
+
+from adit.plots import style
+
+TONES = ("#CDBFE8", "#B9DFB2", "#F3BDB9")  # of the groups, in turn; the ground outside all groups has none
+NAMED = 4  # groups of one tone
+
+
+def draw(axes, models, discs, places, **look):
+    """Draws the particles of groups at these places; returns the handles of the legend. `models`: the parts of the scene."""
+    number = discs.field("group")
+    if number is None:
+        return []
+    there, size, handles = discs.is_there() & (number > 0), 2 * discs["radius_m"], []
+    for k, tone in enumerate(TONES):
+        chosen = there & ((number - 1) % len(TONES) == k)
+        if chosen.any():
+            axes.add_collection(EllipseCollection(size[chosen], size[chosen], np.zeros(chosen.sum()), units="xy", offsets=places[chosen],
+                                                  offset_transform=axes.transData, fc=tone, **look))
+            names = _names(models, np.unique(number[chosen]).astype(int))
+            handles.append(Line2D([], [], ls="", marker="o", ms=6, mfc=tone, mec=look["ec"], alpha=look.get("alpha"),
+                                  label=style.literal(f"particles: {names}")))
+    return handles
+
+
+def _names(models, numbers):
+    """The names of the groups of these numbers in all models."""
+    found = [group["name"] for model in models for k, group in enumerate(model.get("groups", []), 1) if k in numbers]
+    found = list(dict.fromkeys(found)) or ["lining"]  # that of a ring stands in no list
+    return ", ".join(found[:NAMED]) + (", …" if len(found) > NAMED else "")

@@ -1,0 +1,84 @@
+"""The picture of a model before it runs shows what is dug and installed, and when."""
+
+import types
+import unittest
+
+import numpy as np
+
+from adit.plots import png, style
+from adit.plots.setup import sheets, supports
+from adit.plots.setup.checked import Checked, Member
+
+from pieces import PictureTest, piece
+
+
+def block(zones, side=1.0, **cell_fields):
+    """A square of zones by zones."""
+    x, y = np.meshgrid(side * np.arange(zones + 1), side * np.arange(zones + 1))
+    corner = lambda i, j: (zones + 1) * j + i  # noqa: E731
+    cells = [(corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)) for j in range(zones) for i in range(zones)]
+    return piece(np.column_stack([x.ravel(), y.ravel()]), cells, {}, cell_fields)
+
+
+def packing(count, radius):
+    """A square of count by count discs, all of the first group."""
+    x, y = np.meshgrid(2 * radius * np.arange(count), 2 * radius * np.arange(count))
+    discs = piece(np.column_stack([x.ravel(), y.ravel()]), np.arange(count**2)[:, None],
+                  {"radius_m": np.full(count**2, radius), "group": np.zeros(count**2)})
+    return discs
+
+
+def hatched(figure, hatch):
+    """Areas of the cells with this hatch."""
+    found = [path.vertices for drawn in figure.axes[0].collections if drawn.get_hatch() == hatch for path in drawn.get_paths()]
+    return [0.5 * abs(np.sum(x[:-1] * y[1:] - x[1:] * y[:-1])) for x, y in (corners.T for corners in found)]
+
+
+class Setup(PictureTest):
+    def drawn(self, pieces, *members):
+        checked = types.SimpleNamespace(name="model", pieces=lambda: pieces, members=lambda: members)
+        (_, drawing), = sheets.model(checked)
+        figure = png.figure(drawing)
+        return figure, [text.get_text() for text in figure.legends[0].get_texts()]
+
+    def test_what_is_dug_from_a_block_by_its_name(self):
+        """A zone is taken by the first stage that names it."""
+        grid = block(4, group=np.repeat([1, 2], 8), material=np.zeros(16))
+        member = Member("", "continuum", {"blocks": [{"name": "bench"}, {"name": "heading"}], "excavations": [
+            {"where": {"y_max": 4}, "stage": 3}, {"where": {"group": "heading"}, "stage": 1, "released": 0.4}]}, {})
+        figure, legend = self.drawn({"grid": grid}, member)
+        self.assertEqual([each for each in legend if "excavated" in each], ["excavated in stage 1, 40 % released", "excavated in stage 3"])
+        self.assertEqual([sum(hatched(figure, hatch)) for hatch in ("////", "xx")], [8, 8])
+        self.assertFalse(any("not drawn" in each for each in legend))
+
+    def test_what_is_dug_from_particles_and_the_lining_that_is_installed_there(self):
+        tunnel = {"circle": {"centre": {"x": 1, "y": 1}, "radius": 0.6}}
+        ring = {"annulus": {"centre": {"x": 1, "y": 1}, "inner_radius": 0.4, "outer_radius": 0.6}}
+        member = Member("", "particles", {"excavations": [{"where": tunnel, "stage": 1, "released": 0.5}], "groups": [
+            {"name": "ring", "where": ring, "stage": 2, "material": {"young_modulus": 25e9}}]}, {"material": {"young_modulus": 1e9}})
+        discs = packing(100, 0.01)
+        figure, legend = self.drawn({"particles": discs}, member)
+        self.assertEqual([each for each in legend if "particles" in each], ["particles: E = 1 GPa", "particles: ring, E = 25 GPa, stage 2"])
+        self.assertIn("excavated in stage 1, 50 % released", legend)
+        self.assertAlmostEqual(sum(hatched(figure, "////")) / (np.pi * 0.4**2), 1, delta=0.1)  # the opening inside the lining
+        lining = figure.axes[0].collections[1].get_offsets()
+        radii = np.hypot(*(np.asarray(lining) - 1).T)
+        self.assertTrue(len(lining) > 100 and 0.39 < radii.min() and radii.max() < 0.61)
+
+    def test_linings_have_their_names_and_stages_and_all_supports_colours_of_their_own(self):
+        beams = piece([(0, 0), (1, 0), (1, 1)], [(0, 1), (1, 2)], {}, {"lining": np.array([0, 1])})
+        member = Member("west", "continuum", {"linings": [{"name": "roof", "stage": 3}, {"name": "floor"}],
+                                              "bolts": [{"stage": 2}, {"stage": 5}], "springs": [{}]}, {})
+        _, axes = style.plt.subplots()
+        handles = supports.draw(axes, [member], {"west_linings": beams, "west_bolts": beams, "west_springs": beams})
+        self.assertEqual([each.get_label() for each in handles], ["lining roof, stage 3", "lining floor", "bolts, stages 2 and 5", "springs"])
+        self.assertEqual(len({each.get_color() for each in handles}), 4)
+
+    def test_groups_of_several_regions_have_colours_of_their_own(self):
+        regions = [{"name": name, "particles": {"groups": [{"name": "lining"}]}} for name in ("west", "east")]
+        members = Checked.members(types.SimpleNamespace(scene={"continuum": {}, "regions": regions}))
+        self.assertEqual([member.first_colour for member in members], [0, 0, 2])
+
+
+if __name__ == "__main__":
+    unittest.main()
