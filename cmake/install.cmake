@@ -19,11 +19,6 @@ endforeach()
 
 file(GLOB pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/*.md)
 install(FILES ${pages} LICENSE CITATION.cff DESTINATION share/doc/adit)
-# As Debian wants the changelog of a package.
-add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/changelog.gz DEPENDS CHANGELOG.md WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
-  COMMAND gzip -9nc CHANGELOG.md > ${PROJECT_BINARY_DIR}/changelog.gz)
-add_custom_target(changelog ALL DEPENDS ${PROJECT_BINARY_DIR}/changelog.gz)
-install(FILES ${PROJECT_BINARY_DIR}/changelog.gz DESTINATION share/doc/adit)
 install(DIRECTORY docs DESTINATION share/doc/adit)
 
 # install_link(NAME TARGET FOLDER): a symbolic link FOLDER/NAME to TARGET.

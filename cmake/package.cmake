@@ -21,4 +21,10 @@ Simplified models compute the whole tunnel in seconds.
 The programs need a processor with AVX2 (x86-64-v3: Intel since Haswell, AMD
 since Excavator).]])
 
+# What Debian asks of every package beside the pages.
+configure_file(cmake/debian_changelog.in debian/changelog @ONLY)
+execute_process(COMMAND gzip -9nkf ${PROJECT_BINARY_DIR}/debian/changelog COMMAND_ERROR_IS_FATAL ANY)
+install(FILES ${PROJECT_BINARY_DIR}/debian/changelog.gz DESTINATION share/doc/adit)
+install(FILES LICENSE DESTINATION share/doc/adit RENAME copyright)
+
 include(CPack)
