@@ -33,27 +33,14 @@ void add_note_on_rows(const scene::LinedTunnel& tunnel, std::vector<std::string>
       tunnel.name(), rows, rows == 1 ? "" : "s", softer, thickness / (few * std::numbers::sqrt3), few));
 }
 
-bool has_law_of_zones(const scene::Material& material, bool bonds_have_its_strength) {
-  return material.has_hysteretic() || material.has_weak_plane() ||
-         (material.has_mohr_coulomb() && !bonds_have_its_strength);
-}
-
-// `taken`: numbers of the zones' materials that the particles took over, beside the continuum's own.
-void add_note_on_elastic_ground(const scene::LinedTunnel& tunnel, const scene::Continuum& continuum,
-                                const std::vector<int>& taken, std::vector<std::string>& notes) {
-  if (tunnel.particles().has_material()) return;
-  const bool strength = tunnel.particles().bonds().strength_of_material();
-  std::vector<std::string> paths;
-  if (has_law_of_zones(continuum.material(), strength)) paths.emplace_back("continuum.material");
-  for (const int k : taken)
-    if (has_law_of_zones(continuum.materials(k).material(), strength))
-      paths.push_back(fmt::format("continuum.materials[{}]", k));
-  if (paths.empty()) return;
+void add_note_on_elastic_ground(const scene::LinedTunnel& tunnel, const std::vector<std::string>& zones,
+                                std::vector<std::string>& notes) {
+  if (zones.empty()) return;
   notes.push_back(fmt::format(
       "{}: the particles around it are elastic where {} has a law beyond elasticity; give the tunnel a "
       "`particles.material`, or set `particles.bonds.strength_of_material` for a strength by Mohr and "
       "Coulomb",
-      tunnel.name(), fmt::join(paths, ", ")));
+      tunnel.name(), fmt::join(zones, ", ")));
 }
 
 scene::Interface interface_around(const scene::LinedTunnel& tunnel, const Contour& contour) {
@@ -111,7 +98,7 @@ Expansion expand_tunnels(const scene::Scene& given) {
                                {fmt::format("{}.groups[{}]", part, group), path,
                                 fmt::format("continuum.materials[{}]", ground.zones[group])});
     add_note_on_rows(tunnel, expansion.notes);
-    add_note_on_elastic_ground(tunnel, given.continuum(), ground.zones, expansion.notes);
+    add_note_on_elastic_ground(tunnel, ground.elastic, expansion.notes);
   }
   return expansion;
 }

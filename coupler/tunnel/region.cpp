@@ -50,41 +50,44 @@ std::vector<geometry::Point> places_inside(const scene::Area& area, const scene:
   return places;
 }
 
-// What bonds can stand for: elastic, or a strength that they take from it.
-scene::Material without_laws_of_zones(scene::Material material, const scene::Bonds& bonds) {
+// What bonds can stand for of the zones' material at this path: elastic, or a strength that they take from
+// it.
+scene::Material as_bonds_have_it(scene::Material material, const scene::Bonds& bonds, const std::string& path,
+                                 std::vector<std::string>& elastic) {
+  const bool strength = material.has_mohr_coulomb() && !bonds.strength_of_material();
+  if (strength || material.has_hysteretic() || material.has_weak_plane()) elastic.push_back(path);
   material.clear_hysteretic();
   material.clear_weak_plane();
-  if (!bonds.strength_of_material()) material.clear_mohr_coulomb();
+  if (strength) material.clear_mohr_coulomb();
   return material;
 }
 
-// The ground of the zones that the particles replace: groups for other materials that reach into it. Returns
-// the number of the zones' material for each.
-std::vector<int> take_over_materials(const scene::LinedTunnel& tunnel, const Contour& contour,
-                                     const scene::Continuum& continuum, scene::Particles& particles) {
+// The ground of the zones that the particles replace: groups for other materials that reach into it.
+void take_over_materials(const scene::LinedTunnel& tunnel, const Contour& contour,
+                         const scene::Continuum& continuum, TunnelGround& taken) {
+  scene::Particles& particles = taken.particles;
   const scene::Bonds& bonds = particles.bonds();
   if (continuum.has_material())
-    *particles.mutable_material() = without_laws_of_zones(continuum.material(), bonds);
-  if (continuum.materials().empty()) return {};
+    *particles.mutable_material() =
+        as_bonds_have_it(continuum.material(), bonds, "continuum.material", taken.elastic);
+  if (continuum.materials().empty()) return;
   const double lining = tunnel.lining().thickness(), outer = lining + tunnel.particles().ground();
   const auto ground = places_inside(
       tunnel.stage() > 0 ? contour.inside(outer) : contour.between(lining, outer), particles.packing());
-  std::vector<int> taken;
   for (int k = 0; k < continuum.materials_size(); ++k) {
     const scene::MaterialArea& zones = continuum.materials(k);
-    const std::string path = fmt::format("continuum.materials[{}].where", k);
+    const std::string path = fmt::format("continuum.materials[{}]", k);
     for (const auto& area : by_place(zones.where(), continuum).value_or(std::vector<scene::Area>{})) {
-      const protocol::Places inside(area, path, -kNearestCentre * particles.packing().radius());
+      const protocol::Places inside(area, path + ".where", -kNearestCentre * particles.packing().radius());
       if (std::ranges::none_of(ground, [&](const auto& place) { return inside.hold(place.x, place.y); }))
         continue;
       auto& group = *particles.add_groups();
       group.set_name(part_name(tunnel, "ground", static_cast<std::size_t>(particles.groups_size())));
       *group.mutable_where() = area;
-      *group.mutable_material() = without_laws_of_zones(zones.material(), bonds);
-      taken.push_back(k);
+      *group.mutable_material() = as_bonds_have_it(zones.material(), bonds, path, taken.elastic);
+      taken.zones.push_back(k);
     }
   }
-  return taken;
 }
 
 }  // namespace
@@ -105,7 +108,7 @@ TunnelGround ground_around(const scene::LinedTunnel& tunnel, const Contour& cont
   *particles.mutable_contacts() = wanted.contacts();
   if (!wanted.contacts().has_friction())
     particles.mutable_contacts()->set_friction(tunnel.lining().friction());
-  if (!wanted.has_material()) ground.zones = take_over_materials(tunnel, contour, continuum, particles);
+  if (!wanted.has_material()) take_over_materials(tunnel, contour, continuum, ground);
   particles.mutable_groups()->MergeFrom(wanted.groups());
   *particles.mutable_joints() = wanted.joints();
   if (wanted.has_damping()) *particles.mutable_damping() = wanted.damping();

@@ -1,6 +1,7 @@
 // The particles around a tunnel: ground, without the lining.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "coupler/tunnel/contour.hpp"
@@ -14,7 +15,8 @@ namespace adit::coupler {
 // whose places only the grid knows. Throws protocol::UserError for areas that enclose nothing.
 struct TunnelGround {
   scene::Particles particles;
-  std::vector<int> zones;  // of each of its first groups: the number in `continuum.materials`
+  std::vector<int> zones;            // of each of its first groups: the number in `continuum.materials`
+  std::vector<std::string> elastic;  // paths of zones' materials of which it has the elasticity alone
 };
 TunnelGround ground_around(const scene::LinedTunnel& tunnel, const Contour& contour,
                            const scene::Continuum& continuum);

@@ -51,9 +51,16 @@ MaterialAt checked_material(const scene::Scene& scene) {
   return at;
 }
 
+std::vector<std::string> laws_beyond_bonds(const scene::Material& material, const scene::Bonds& bonds) {
+  std::vector<std::string> laws;
+  if (material.has_mohr_coulomb() && !bonds.strength_of_material()) laws.emplace_back("mohr_coulomb");
+  if (material.has_weak_plane()) laws.emplace_back("weak_plane");
+  if (material.has_hysteretic()) laws.emplace_back("hysteretic");
+  return laws;
+}
+
 void require_usable(const MaterialAt& at, const scene::Bonds& bonds) {
-  const bool strength = at.material.has_mohr_coulomb() && !bonds.strength_of_material();
-  if (strength || at.material.has_hysteretic() || at.material.has_weak_plane())
+  if (!laws_beyond_bonds(at.material, bonds).empty())
     throw UserError(at.path,
                     "has a law beyond elasticity, which bonds do not compute; leave it out and give "
                     "particles.bonds.tensile_strength and shear_strength, or leave only mohr_coulomb and set "

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "dem_server/model/calibration.hpp"
 #include "protocol/geometry/bounding_box.hpp"
@@ -34,7 +35,10 @@ struct MaterialAt {
 };
 // The same where there is one that bonds can stand for: its path beside it.
 MaterialAt checked_material(const scene::Scene& scene);
-// Refuses laws beyond elasticity, except strengths for bonds that take theirs from the material.
+// The laws of the material, by their keys, that these bonds do not compute: all beyond elasticity, except
+// strengths for bonds that take theirs from the material.
+std::vector<std::string> laws_beyond_bonds(const scene::Material& material, const scene::Bonds& bonds);
+// Refuses these laws.
 void require_usable(const MaterialAt& material, const scene::Bonds& bonds);
 
 Plane plane_of(const scene::Scene& scene);

@@ -10,6 +10,7 @@
 #include "dem_server/model/lattice.hpp"
 #include "dem_server/model/placement/groups.hpp"
 #include "dem_server/model/placement/placement.hpp"
+#include "dem_server/model/placement/scene_checks.hpp"
 #include "dem_server/model/reading/conditions.hpp"
 #include "dem_server/model/reading/edges.hpp"
 #include "dem_server/model/reading/join.hpp"
@@ -149,16 +150,11 @@ void note_no_bonds(const scene::Particles& particles, Model& model) {
 // A model beside a continuum takes the scene's material, whose laws beyond elasticity are those of the zones.
 void warn_of_laws_of_zones(const scene::Scene& scene, Model& model) {
   const scene::Particles& particles = scene.particles();
-  const scene::Material& material = scene.material();
   const bool bonded = particles.has_bonds() || !particles.has_contacts();
   if (particles.has_material() || !bonded) return;
   const scene::Bonds& bonds = particles.bonds();
-  std::vector<std::string> laws;
-  if (material.has_mohr_coulomb() && !bonds.strength_of_material() && !bonds.has_tensile_strength() &&
-      !bonds.has_shear_strength())
-    laws.emplace_back("mohr_coulomb");
-  if (material.has_weak_plane()) laws.emplace_back("weak_plane");
-  if (material.has_hysteretic()) laws.emplace_back("hysteretic");
+  std::vector<std::string> laws = laws_beyond_bonds(scene.material(), bonds);
+  if (bonds.has_tensile_strength() || bonds.has_shear_strength()) std::erase(laws, "mohr_coulomb");
   if (laws.empty()) return;
   model.notes.push_back(protocol::as_warning(fmt::format(
       "`{}` of `material` does not act in the particles, which stay elastic; give particles.material, "
