@@ -7,9 +7,14 @@ target_compile_options(adit_precompiled INTERFACE
 # What most sources of the participants and the coupler include.
 set(ADIT_PRECOMPILED "${PROJECT_BINARY_DIR}/protocol/messages/wire.pb.h" <fmt/format.h> <algorithm> <functional> <string> <vector>)
 
-# precompile(TARGET): compiles these headers once for all sources of a library, but for those with flags of their own.
+# precompile(TARGET): these headers, compiled once for all libraries, serve all sources of this one, but for those with flags of
+# their own.
 function(precompile target)
-  target_precompile_headers(${target} PRIVATE ${ADIT_PRECOMPILED})
+  if(target STREQUAL adit_participant)
+    target_precompile_headers(${target} PRIVATE ${ADIT_PRECOMPILED})
+  else()
+    target_precompile_headers(${target} REUSE_FROM adit_participant)
+  endif()
   target_link_libraries(${target} PRIVATE adit_precompiled)
   get_target_property(sources ${target} SOURCES)
   foreach(source ${sources})
