@@ -10,6 +10,7 @@ import subprocess
 import sys
 from importlib import metadata
 from pathlib import Path
+from urllib.parse import unquote
 
 from adit.results.files import Unusable
 
@@ -28,7 +29,7 @@ def _installed_from():
         place = json.loads(metadata.distribution("adit").read_text("direct_url.json") or "{}").get("url", "")
     except (metadata.PackageNotFoundError, ValueError):
         return None
-    tree = Path(place.removeprefix("file://")).parent
+    tree = Path(unquote(place.removeprefix("file://"))).parent
     return tree if place.startswith("file://") and _is_source_tree(tree) else None
 
 
