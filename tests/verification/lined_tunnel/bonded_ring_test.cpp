@@ -59,7 +59,7 @@ std::string held(double x, double y, const std::string& component) {
 std::string scene_with(const oracle::Tractions& rim, const std::string& in_grid, const std::string& beside) {
   return fmt::format(
              "material {{ young_modulus: {} poisson_ratio: {} density: 2000 }} time {{ duration: 1e-3 }} "
-             "statics {{ unbalanced_ratio: 1e-4 count_from_stage: 0 }} "
+             "statics {{ unbalanced_ratio: 1e-6 count_from_stage: 0 }} "
              "continuum {{ blocks {{ ring {{ centre {{ x: 0 y: 0 }} inner_radius: {} outer_radius: {} }} "
              "along {{ zones: {} }} across {{ zones: 12 ratio: 1.08 }} }} ",
              kGround.young, kGround.poisson, kOuter, kRim, kAround) +
