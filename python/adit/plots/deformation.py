@@ -28,9 +28,11 @@ def told(common):
     return f", without the common ({x:.4g}, {y:.4g}) mm" if common.any() else ""
 
 
-def scale_of_run(run):
-    """The factor of all pictures of a run: that of its largest deformation."""
-    return scale_of(on_all_cores(lambda n: largest_factor(run.pieces_at(n)), len(run.instants)))
+def scale_of_run(run, read=None):
+    """The factor of all pictures of a run: that of its largest deformation. `read`: {number: pieces} of instants that need not be
+    read again."""
+    read = read or {}
+    return scale_of(on_all_cores(lambda n: largest_factor(read[n] if n in read else run.pieces_at(n)), len(run.instants)))
 
 
 def scale_of(largest_factors):

@@ -21,9 +21,9 @@ class Instant(NamedTuple):
 def drawn(results):
     """The Instants that are drawn, at most MOST, and the pictures of the peaks over time."""
     numbers = spread(range(len(results.instants)), MOST, results.last_pieces.values())
-    found = [(results.instants[n][0], results.pieces_at(n)) for n in numbers]
-    found = [(time, pieces) for time, pieces in found if pieces]
-    scale = scale_of_run(results)
+    read = {n: results.pieces_at(n) for n in numbers}
+    found = [(results.instants[n][0], pieces) for n, pieces in read.items() if pieces]
+    scale = scale_of_run(results, read)
     views = on_all_cores(lambda n: _views(results, *found[n], scale), len(found))
     peak = results.number("peak_bond_force_time_s")  # else the largest deformation counts
     shown = [Instant(time, each, largest_factor(pieces) if peak is None else abs(time - peak))

@@ -71,6 +71,11 @@ class Factors(unittest.TestCase):
         run.instants = instants[:1]
         self.assertEqual(deformation.scale_of_run(run), 1)
 
+    def test_instants_that_are_read_are_not_read_again(self):
+        instants = [{"grid": annulus(5, 50, lambda points, share=share: share * closing(points))} for share in (1, 0.5)]
+        run = types.SimpleNamespace(instants=instants, pieces_at=lambda number: {1: instants[1]}[number])
+        self.assertEqual(deformation.scale_of_run(run, {0: instants[0]}), 200)
+
 
 if __name__ == "__main__":
     unittest.main()
