@@ -1,0 +1,244 @@
+#include "dem_server/packing/voronoi/cell_points.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <numbers>
+#include <stdexcept>
+
+#include "dem_server/packing/voronoi/voronoi_cells.hpp"
+#include "protocol/geometry/polygon.hpp"
+
+namespace adit::dem::cell_points_test {
+namespace {
+
+using geometry::BoundingBox;
+using geometry::Point;
+
+const BoundingBox kBox{-4, 4, -4, 4};
+constexpr double kPi = std::numbers::pi;
+
+VoronoiCells cells_of(const CellPacking& wanted) {
+  return voronoi_cells(pack_cells(wanted), wanted.box);
+}
+
+// Area of the cells whose nuclei the shape holds.
+double area_where(const VoronoiCells& cells, const std::function<bool(double, double)>& holds) {
+  double sum = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (holds(cells.x[i], cells.y[i])) sum += cells.area[i];
+  return sum;
+}
+
+double area_in_circle(const VoronoiCells& cells, double radius) {
+  return area_where(cells, [radius](double x, double y) { return std::hypot(x, y) < radius; });
+}
+
+double area_in_loop(const VoronoiCells& cells, const geometry::Loop& loop) {
+  const auto sides = geometry::sides(loop);
+  return area_where(cells, [&](double x, double y) { return geometry::signed_distance(sides, {x, y}) < 0; });
+}
+
+double least_distance(const std::vector<Point>& points) {
+  double least = 1e300;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      least = std::min(least, std::hypot(points[i].x - points[j].x, points[i].y - points[j].y));
+  return least;
+}
+
+// No cell crosses a circle but by the sagitta of the widest facet on it, and those inside have its area.
+TEST(CellPoints, CellsEndAtACircle) {
+  const double radius = 3, size = 0.1, sagitta = 1.3 * 1.3 * size * size / (8 * radius);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const auto cells = cells_of({kBox, size, {FaceCircle{{0, 0}, radius}}, seed});
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const bool inside = std::hypot(cells.x[i], cells.y[i]) < radius;
+      for (std::size_t c = cells.corner_starts[i]; c < cells.corner_starts[i + 1]; ++c) {
+        const double from_centre = std::hypot(cells.corner_x[c], cells.corner_y[c]);
+        if (inside)
+          EXPECT_LT(from_centre, radius + sagitta);
+        else
+          EXPECT_GT(from_centre, radius - sagitta);
+      }
+    }
+    EXPECT_NEAR(area_in_circle(cells, radius), kPi * radius * radius, 1e-11);
+  }
+}
+
+// The cells between two circles have the area of the ring: its mean thickness is exact, from half a size on,
+// with as many rows of cells as fit.
+TEST(CellPoints, RingsHaveTheirThickness) {
+  const double outer = 3, size = 0.1;
+  for (const double sizes : {0.5, 0.8, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0}) {
+    const double inner = outer - sizes * size;
+    const auto cells = cells_of({kBox, size, {FaceCircle{{0, 0}, outer}, FaceCircle{{0, 0}, inner}}, 5});
+    EXPECT_NEAR(area_in_circle(cells, outer), kPi * outer * outer, 1e-11) << sizes;
+    EXPECT_NEAR(area_in_circle(cells, inner), kPi * inner * inner, 1e-11) << sizes;
+  }
+}
+
+// A ring two sizes thick is two rows of cells, each beside one face; one of three sizes has a row between.
+TEST(CellPoints, RingsHaveRowsOfCells) {
+  const auto cells_per_size = [](double thickness) {
+    const auto points =
+        pack_cells({kBox, 0.1, {FaceCircle{{0, 0}, 3}, FaceCircle{{0, 0}, 3 - thickness}}, 2});
+    double in_ring = 0;
+    for (const auto& [x, y] : points)
+      if (std::hypot(x, y) < 3 && std::hypot(x, y) > 3 - thickness) ++in_ring;
+    return in_ring / (2 * kPi * (3 - thickness / 2) / 0.0866);
+  };
+  EXPECT_NEAR(cells_per_size(0.2), 2, 0.02);
+  EXPECT_NEAR(cells_per_size(0.3), 3, 0.15);
+}
+
+// Polygons keep their areas and so their corners, which may be right, blunt, sharp or turned inwards, and may
+// have short sides.
+TEST(CellPoints, CornersAreExact) {
+  const std::vector<geometry::Loop> loops{
+      {{-2, -1}, {2, -1}, {2, 1.5}, {-2, 1.5}},                        // a box
+      {{-2.1, -1}, {1.7, -2}, {1.9, 1.5}, {-1.2, 1.7}},                // all angles near 90 degrees
+      {{-2, -2}, {2, -2}, {0, -2 + 2 * std::numbers::sqrt3}},          // 60 degrees
+      {{-2, -2}, {2, -2}, {2, 2}, {0.5, 2}, {0.5, -0.5}, {-2, -0.5}},  // an L
+      {{-3, 0}, {0, -1.2}, {3, 0}, {0, 1.2}},                          // 44 degrees
+      {{-2, -2}, {2, -2}, {2.4, 0.3}, {2, 2}, {-2, 2}, {-2.2, 0}},     // bends by 20 and 11 degrees
+      {{-2, -2}, {-1.85, -2}, {-1.85, 2}, {-2, 2}},                    // a strip of 1.5 sizes
+  };
+  for (std::size_t k = 0; k < loops.size(); ++k)
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      const auto& loop = loops[k];
+      double area = 0;
+      for (const auto& [a, b] : geometry::sides(loop)) area += (a.x * b.y - a.y * b.x) / 2;
+      const auto cells = cells_of({kBox, 0.1, {FaceLine{loop, true}}, seed});
+      EXPECT_NEAR(area_in_loop(cells, loop), area, 1e-9) << "loop " << k << ", seed " << seed;
+    }
+}
+
+// An oval of many short sides keeps its area but for what chords cut off.
+TEST(CellPoints, FinelyBentLinesAreFollowed) {
+  geometry::Loop oval;
+  for (int k = 0; k < 360; ++k) oval.push_back({3 * std::cos(k * kPi / 180), 2 * std::sin(k * kPi / 180)});
+  const auto cells = cells_of({kBox, 0.2, {FaceLine{oval, true}}, 1});
+  EXPECT_NEAR(area_in_loop(cells, oval), 6 * kPi, 2e-3 * 6 * kPi);
+}
+
+// An oblique line from side to side divides the box: no cell crosses it but near its ends.
+TEST(CellPoints, LinesFromSideToSideDivide) {
+  const double size = 0.1, slope = 0.4;
+  const auto cells = cells_of({kBox, size, {FaceLine{{{-4, -4 * slope}, {4, 4 * slope}}}}, 3});
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    for (std::size_t c = cells.corner_starts[i]; c < cells.corner_starts[i + 1]; ++c) {
+      if (std::abs(cells.corner_x[c]) > 4 - 1.5 * size) continue;
+      const double above = cells.y[i] > slope * cells.x[i] ? 1 : -1;
+      EXPECT_GT(above * (cells.corner_y[c] - slope * cells.corner_x[c]), -1e-12);
+    }
+}
+
+// The mean area of cells is that of a hexagonal lattice of the packing's size, within 2 %.
+TEST(CellPoints, CellsHaveTheMeanAreaAskedFor) {
+  const std::vector<std::vector<CellFace>> faces{{},
+                                                 {FaceCircle{{0, 0}, 3}, FaceCircle{{0, 0}, 2.7}},
+                                                 {FaceLine{{{-2, -1}, {2, -1}, {2, 1.5}, {-2, 1.5}}, true}}};
+  for (const double size : {0.1, 0.15})
+    for (const auto& chosen : faces) {
+      const double count = static_cast<double>(pack_cells({kBox, size, chosen, 4}).size());
+      EXPECT_NEAR(64 / count, std::numbers::sqrt3 / 2 * size * size, 0.02 * size * size);
+    }
+}
+
+// Nuclei are not close to each other nor to the sides: small cells would cost small time steps.
+TEST(CellPoints, NucleiKeepTheirDistance) {
+  const auto points = pack_cells({kBox, 0.1, {FaceCircle{{0, 0}, 3}, FaceCircle{{0, 0}, 2.7}}, 6});
+  EXPECT_GT(least_distance(points), 0.06);
+  for (const auto& [x, y] : points) EXPECT_LE(std::max(std::abs(x), std::abs(y)), 4 - 0.025);
+  EXPECT_GE(least_distance(pack_cells({kBox, 0.1, {}, 6})), 0.0777);
+}
+
+// The filling leaves no room: no place of the box is farther from the nearest nucleus than the least distance
+// of nuclei, but for the strip along the sides.
+TEST(CellPoints, NoRoomIsLeft) {
+  const auto cells = cells_of({kBox, 0.1, {}, 7});
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    for (std::size_t c = cells.corner_starts[i]; c < cells.corner_starts[i + 1]; ++c) {
+      const double x = cells.corner_x[c], y = cells.corner_y[c];
+      if (std::max(std::abs(x), std::abs(y)) > 4 - 0.025) continue;
+      EXPECT_LE(std::hypot(x - cells.x[i], y - cells.y[i]), 0.0777 * (1 + 1e-6));
+    }
+}
+
+// The same seed gives the same nuclei, another seed others.
+TEST(CellPoints, DependOnTheSeedAlone) {
+  CellPacking wanted{kBox, 0.2, {FaceCircle{{0, 0}, 3}}, 1};
+  const auto first = pack_cells(wanted), again = pack_cells(wanted);
+  wanted.seed = 2;
+  const auto other = pack_cells(wanted);
+  ASSERT_EQ(first.size(), again.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_EQ(first[i].x, again[i].x);
+    EXPECT_EQ(first[i].y, again[i].y);
+  }
+  EXPECT_NE(first[0].x, other[0].x);
+  EXPECT_NE(first.back().x, other.back().x);
+}
+
+// Faces that cross, meet, touch the sides or leave the box give cells all the same, none of them tiny, and
+// the face that is named first stays exact.
+TEST(CellPoints, FacesMayMeet) {
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    const CellPacking wanted{
+        kBox,
+        0.1,
+        {FaceCircle{{0, 0}, 3}, FaceCircle{{1, 1}, 2.5}, FaceCircle{{3, 3}, 2}, FaceLine{{{-4, -1}, {4, 1}}},
+         FaceLine{{{0, -4}, {0, 0}}}, FaceLine{{{-4, -1.3}, {5, 1.2}}}, FaceLine{{{-4, -4}, {4, -4}, {4, 4}}},
+         FaceLine{{{-2.98, 0}, {-2.98, 3}}}, FaceCircle{{0.01, 0}, 3.001}},
+        seed};
+    const auto points = pack_cells(wanted);
+    EXPECT_GT(least_distance(points), 0.015);
+    const auto cells = voronoi_cells(points, kBox);
+    EXPECT_NEAR(area_in_circle(cells, 3), 9 * kPi, 1e-11);
+  }
+}
+
+// A box that is smaller than a cell has one.
+TEST(CellPoints, SmallBoxesHaveACell) {
+  EXPECT_EQ(pack_cells({{0, 0.1, 0, 0.1}, 1, {}, 1}).size(), 1u);
+  EXPECT_GE(pack_cells({{0, 10, 0, 0.1}, 1, {}, 1}).size(), 5u);
+}
+
+// What cannot be packed is refused with the number of the face.
+TEST(CellPoints, RefusesWhatCannotBePacked) {
+  const auto message = [](const CellPacking& wanted) {
+    try {
+      pack_cells(wanted);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(message({kBox, 0, {}, 1}), "the size of cells is 0, not positive");
+  EXPECT_EQ(message({{0, 0, 0, 1}, 1, {}, 1}), "the box of a packing of cells has no finite area");
+  const std::string bad =
+      " of a packing of cells is neither a line that does not meet itself nor a circle with a radius of at "
+      "least 0.5 m, half the size of a cell";
+  EXPECT_EQ(message({kBox, 1, {FaceCircle{{0, 0}, 0.5}, FaceCircle{{0, 0}, 0.49}}, 1}), "face 1" + bad);
+  EXPECT_EQ(message({kBox, 1, {FaceLine{{{0, 0}}}}, 1}), "face 0" + bad);
+  EXPECT_EQ(message({kBox, 0.1, {FaceCircle{{0, 0}, 3}, FaceLine{{{-4, -3.03}, {4, -3.03}}}}, 1}),
+            "faces 0 and 1 of a packing of cells are less than 0.05 m apart, half the size of a cell, but "
+            "meet nowhere");
+  EXPECT_EQ(message({kBox, 1, {FaceLine{{{0, 0}, {2, 2}, {2, 0}, {0, 2}}, true}}, 1}), "face 0" + bad);
+}
+
+// A hundred thousand cells are made in seconds; the time is told, since it depends on the machine.
+TEST(CellPoints, AHundredThousandCells) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto cells = cells_of({{0, 10, 0, 10}, std::sqrt(1e-3 / 0.866), {FaceCircle{{5, 5}, 3}}, 1});
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  std::cout << cells.size() << " cells in " << took.count() << " s\n";
+  EXPECT_NEAR(static_cast<double>(cells.size()), 1e5, 2e3);
+}
+
+}  // namespace
+}  // namespace adit::dem::cell_points_test
