@@ -26,4 +26,7 @@ struct Crack {
 Crack crack_between(const Particles& particles, std::uint32_t first, std::uint32_t second, double width,
                     BondState mode);
 
+// Of a line across a normal (nx, ny), brought into (-pi/2, pi/2] [rad].
+double crack_orientation(double nx, double ny);
+
 }  // namespace adit::dem

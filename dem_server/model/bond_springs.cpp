@@ -27,6 +27,11 @@ BondSprings whole_springs(const Model& model, const Bond& bond, const LinearCont
       const SmoothJoint& law = model.smooth_joints[bond.number];
       return {law.normal_stiffness * law.length, law.shear_stiffness * law.length};
     }
+    case Bond::Law::kFacet: {
+      const FacetBond& facet = model.facets[bond.number];
+      const double k = facet.stiffness * facet.length;
+      return {k, k, k * facet.length * facet.length / 12};
+    }
   }
   return {};
 }
@@ -47,6 +52,8 @@ bool is_breakable(const Model& model, const Bond& bond) {
       const ParallelBond& law = model.parallel_bonds[bond.number];
       return law.tensile_strength < kUnbreakable || law.cohesion < kUnbreakable;
     }
+    case Bond::Law::kFacet:
+      return model.facet_laws[model.facets[bond.number].law].breaks();
     case Bond::Law::kSmoothJoint:
       return false;
   }

@@ -25,6 +25,7 @@ std::optional<std::string> why_laws_differ(const Model& model) {
   for (const Bond& bond : model.bonds) {
     if (bond.law == Bond::Law::kParallelBond) return "parallel bonds join particles";
     if (bond.law == Bond::Law::kSmoothJoint) return "smooth joints join particles";
+    if (bond.law == Bond::Law::kFacet) return "facets join cells";
     ContactBond law = model.contact_bonds[bond.number],
                 first = model.contact_bonds[model.bonds.front().number];
     law.factors = first.factors;  // rows may differ by factors

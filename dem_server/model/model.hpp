@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "dem_server/laws/contact_bond.hpp"
+#include "dem_server/laws/facet.hpp"
 #include "dem_server/laws/force_curve.hpp"
 #include "dem_server/laws/linear_contact.hpp"
 #include "dem_server/laws/pair_kinematics.hpp"
@@ -30,13 +31,30 @@ using TimeFactor = std::function<double(double time)>;
 // breaks.
 struct Bond {
   std::uint32_t first, second;
-  enum class Law : std::uint8_t { kContactBond, kParallelBond, kSmoothJoint } law;
+  enum class Law : std::uint8_t { kContactBond, kParallelBond, kSmoothJoint, kFacet } law;
   std::uint32_t number;   // of the law among the model's laws of its kind
   double nx = 0, ny = 0;  // of a smooth joint: its plane's unit normal, from the first to the second side
   double weight = 1;      // energy weight
   // Before anything moves, unweighted: of the bond, and of the contact beside a parallel bond.
   PairForces at_rest{};
   double contact_normal = 0, contact_shear = 0;  // [N]
+};
+
+// Between two cells of Voronoi (laws/facet.hpp). A cell is a disc about its nucleus, as large as lies inside
+// it, to all that it is not joined to.
+struct FacetBond {
+  double nx, ny;         // unit normal, from the first nucleus to the second
+  double half_distance;  // of the nuclei [m]
+  double skew;           // of the facet's middle to the left of the line of nuclei, over their distance
+  double length;         // [m]
+  double stiffness;      // k [Pa/m]
+  std::uint32_t law;     // among the model's
+  FacetBond turned() const { return {-nx, -ny, half_distance, -skew, length, stiffness, law}; }
+};
+
+// Of a solid of cells (engines/general/facets/facet_kernel.hpp): E' and lambda [Pa].
+struct CellElasticity {
+  double stiffness, lambda;
 };
 
 // Two discs that touch without a bond, first < second, and press on each other before anything moves [N].
@@ -118,10 +136,11 @@ struct Foundation {
 
 struct Model {
   Discs discs;
-  std::vector<double> mass;          // without weight [kg]
-  std::vector<double> weight;        // energy weight of each disc
-  std::vector<std::uint32_t> id;     // of each disc: its place in the packing
-  std::vector<std::uint32_t> group;  // of each disc, in group_names; 0 is the model's own
+  std::vector<double> mass;             // without weight [kg]
+  std::vector<double> weight;           // energy weight of each disc
+  std::vector<double> gyration_square;  // of each cell's area, about its nucleus [m^2]; empty: of discs
+  std::vector<std::uint32_t> id;        // of each disc: its place in the packing
+  std::vector<std::uint32_t> group;     // of each disc, in group_names; 0 is the model's own
   std::vector<std::string> group_names;
   std::vector<double> density;     // of each group, of its cells [kg/m^3]
   geometry::BoundingBox extent{};  // of the solid [m]
@@ -134,6 +153,9 @@ struct Model {
   std::vector<ContactBond> contact_bonds;
   std::vector<ParallelBond> parallel_bonds;  // by group or joint and width: equal ones once
   std::vector<SmoothJoint> smooth_joints;
+  std::vector<FacetBond> facets;  // one a bond of this law, from its first cell to its second
+  std::vector<FacetLaw> facet_laws;
+  std::vector<CellElasticity> cell_elasticity;  // of each group; empty without cells
 
   std::vector<LinearContact> contacts;  // of discs of two groups, see contact()
   // Overlaps at the start bear no force; else the contacts do, and so do contact bonds that begin compressed.
@@ -159,8 +181,11 @@ struct Model {
   bool is_there(std::size_t disc) const { return present.empty() || present[disc]; }
   // Area of the cell that a disc stands for, without its weight [m^2].
   double cell_area(std::size_t disc) const { return mass[disc] / density[group[disc]]; }
-  // Moment of inertia of a disc without its weight, m R^2 / 2 [kg m^2].
-  double inertia(std::size_t disc) const { return mass[disc] * discs.radius[disc] * discs.radius[disc] / 2; }
+  // Moment of inertia of a disc without its weight [kg m^2]: m R^2 / 2, or that of the cell.
+  double inertia(std::size_t disc) const {
+    if (!gyration_square.empty()) return mass[disc] * gyration_square[disc];
+    return mass[disc] * discs.radius[disc] * discs.radius[disc] / 2;
+  }
 };
 
 }  // namespace adit::dem

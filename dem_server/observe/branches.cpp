@@ -106,7 +106,10 @@ std::vector<PairForce> pair_forces_of(const Observable& observed, std::span<cons
   };
   const auto add_pair = [&](const ObservedPair& s) {
     const PlaneVector force = vector_of(s.nx, s.ny, s.normal, s.shear);
-    add(s.first, s.second, force.x, force.y, s.moment);
+    if (s.place)
+      found.push_back({s.first, s.second, s.place->x, s.place->y, force.x, force.y, s.moment});
+    else
+      add(s.first, s.second, force.x, force.y, s.moment);
   };
   observed.see_bonds(bonds, add_pair);
   observed.for_each_contact(add_pair);

@@ -25,6 +25,9 @@ struct ObservedPair {
   BondState state = BondState::kIntact;  // of a bond
   bool touches = true;                   // its particles' surfaces press on each other
   bool resists_turning = false;          // as a parallel bond does
+  // Of a facet: where its force acts [m], how wide it stands open and how far it has slipped [m].
+  std::optional<PlaneVector> place = {};
+  double opening = 0, slip = 0;
 };
 
 // A force [N] on what is at (x_1, y_1), by what is at (x_2, y_2) [m]: a centre or a point on a wall.

@@ -7,7 +7,8 @@
 //   c^2 = 1/(2 m) sum over the bonds of L^2 (kn (e.n)^2 (a.n)^2 + ks ((e.n)(a.t) + (e.t)(a.n))^2 / 4),
 // a = e for the compression wave, a normal to e for the shear wave. For the hexagonal lattice this is exact,
 // c_p^2 = sqrt(3)/4 (3 kn + ks) / density and c_s^2 = sqrt(3)/4 (kn + ks) / density, and so is c_p along a
-// single row. Bonds of a random packing do not all strain alike: there the speeds are upper bounds (Voigt).
+// single row. Cells add lambda / density to c_p^2, and have both speeds of their solid. Bonds of a random
+// packing do not all strain alike: there the speeds are upper bounds (Voigt).
 #pragma once
 
 #include "dem_server/model/model.hpp"

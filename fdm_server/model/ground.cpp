@@ -117,6 +117,8 @@ void read_hysteretic(const scene::Hysteretic& scene, const std::string& path, Ma
 
 Material read_material(const scene::Material& scene, const scene::Scene& whole, const std::string& path) {
   Material material{scene.density(), scene.young_modulus(), scene.poisson_ratio()};
+  require(!scene.has_fracture() || path == "material", path + ".fracture",
+          "is given, but only facets between cells of particles break by it; give `mohr_coulomb` to zones");
   const bool reversals = scene.hysteretic().memory() == scene::Hysteretic::REVERSALS;
   require(
       !reversals || !(scene.has_mohr_coulomb() || scene.has_weak_plane()), path + ".hysteretic.memory",

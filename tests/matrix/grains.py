@@ -9,7 +9,7 @@ import ground
 
 FACTORS = {
     "plane": ["plane_strain", "plane_stress"],
-    "packing": ["placed", "hexagonal", "square", "random"],
+    "packing": ["placed", "hexagonal", "square", "random", "cells"],
     "engine": ["automatic", "general"],
     "bonds": ["contact", "breakable", "friction", "parallel", "grains"],
     "line": ["none", "weak", "open", "smooth"],
@@ -44,11 +44,12 @@ def meaningless(row):
     # Grains without bonds have no joints and no strength, and a heap of them comes to rest by itself or not at all.
     yield has("bonds") == "grains" and (has("line", "none") != "none" or has("rest", "none") != "none" or has("groups") == "apart" or has("observe") == "section")
     yield has("load") == "wall" and has("packing", "square") != "square"  # which alone reaches the wall
+    yield has("packing") == "cells" and has("bonds") == "parallel"  # facets join cells instead
 
 
 def passes_thresholds(row):
     """Whether something breaks, slides, touches or is braked against the sign of its velocity, so that rounding decides in which step."""
-    return row["bonds"] != "contact" or row["packing"] == "random" or row["line"] != "none" or row["spring"] in ("tension", "curve") or (
+    return row["bonds"] != "contact" or row["packing"] in ("random", "cells") or row["line"] != "none" or row["spring"] in ("tension", "curve") or (
         row["floor"] == "wall" or row["load"] == "wall" or row["foundation"] == "springs" or row["groups"] == "apart" or row["damping"] == "local")
 
 
@@ -58,6 +59,7 @@ def is_idle(row):
 
 
 ROCK = {"young_modulus": 1e9, "poisson_ratio": 0.2, "density": 2000.0}
+FRACTURE = {"tensile_strength": 100e3, "fracture_energy": 20.0, "compressive_strength": 1e6}
 RADIUS = 0.125
 LOW, HIGH = 0.0, 3.0
 
@@ -71,6 +73,8 @@ def scene(row):
                             "damping": row["rest"] if row["rest"] != "unscaled" else "local", "scale_masses": row["rest"] != "unscaled"}
     if row["rest"] == "stressed":
         whole["initial_stress"] = {"xx": -20e3, "yy": -80e3, "yy_per_metre": 20e3}
+    if row["packing"] == "cells" and row["bonds"] == "breakable":
+        whole["particles"]["material"] = {**ROCK, "fracture": FRACTURE}
     return whole
 
 
@@ -81,6 +85,7 @@ def _particles(row):
         "hexagonal": {"packing": {**box, "radius": RADIUS}},
         "square": {"square_packing": {**box, "radius": RADIUS}},
         "random": {"random_packing": {**box, "radius_min": 0.1, "radius_max": 0.15, "stress": 50e3}},
+        "cells": {"cells": {**box, "size": 2 * RADIUS}},
     }[row["packing"]]
     bonds = {
         "contact": {"bonds": {}}, "grains": {"bonds": {}, "contacts": {"friction": 0.5, "normal_damping": 0.2, "shear_damping": 0.1}},
@@ -89,6 +94,8 @@ def _particles(row):
         "parallel": {"bonds": {"parallel": {"normal_stiffness": 4e9, "shear_stiffness": 1.5e9, "cohesion": 2e6, "tensile_strength": 1e6}},
                      "contacts": {"friction": 0.5}},
     }[row["bonds"]]
+    if row["packing"] == "cells" and row["bonds"] == "breakable":
+        bonds = {"bonds": {}}
     model.update({**bonds, "bonds": {**model.get("bonds", {}), **bonds["bonds"]}, "engine": row["engine"]})
     if row["bonds"] == "grains":
         del model["bonds"]
@@ -114,7 +121,10 @@ def _add_floor(row, model):
 
 
 def _add_line(row, model):
-    law = {"weak": {"bonds": {"tensile_strength": 50e3, "shear_strength": 100e3}}, "open": {"open": True},
+    weak = {"tensile_strength": 50e3, "shear_strength": 100e3}
+    if row["packing"] == "cells":
+        weak = {"fracture": {**FRACTURE, "tensile_strength": 50e3}}
+    law = {"weak": {"bonds": weak}, "open": {"open": True},
            "smooth": {"smooth": {"normal_stiffness": 5e9, "shear_stiffness": 2e9, "friction": 0.5}}}.get(row["line"])
     if law:
         model["joints"] = [{"name": "line", "from": {"x": -0.1, "y": 1.43}, "to": {"x": 4.1, "y": 1.43}, **law}]
@@ -124,7 +134,8 @@ def _add_groups(row, model):
     if row["groups"] == "none":
         return
     group = {"name": "part", "where": {"x_min": 2.5, "y_max": 2.05}}
-    group.update({"soft": {"material": {**ROCK, "young_modulus": 0.4e9}}, "apart": {}, "later": {"material": {**ROCK, "young_modulus": 4e9}, "stage": 1}}[row["groups"]])
+    rock = {**ROCK, "fracture": FRACTURE} if row["packing"] == "cells" and row["bonds"] == "breakable" else ROCK
+    group.update({"soft": {"material": {**rock, "young_modulus": 0.4e9}}, "apart": {}, "later": {"material": {**rock, "young_modulus": 4e9}, "stage": 1}}[row["groups"]])
     model.setdefault("groups", []).append(group)
     if row["groups"] == "apart":  # which only touches what lies above
         model["groups"].append({"name": "above", "where": {"x_min": 2.5, "y_min": 2.05}})

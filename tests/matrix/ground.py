@@ -23,7 +23,7 @@ FACTORS = {
     "foundation": ["none", "springs"],
     "large": ["no", "yes"],
     "inside": ["none", "strip", "ring", "both_ends", "grid"],
-    "packing": ["hexagonal", "square", "placed", "random"],
+    "packing": ["hexagonal", "square", "placed", "random", "cells"],
     "bonds": ["contact", "breakable", "friction", "parallel", "smooth_joint", "spring", "wall"],
     "solve": ["consistent", "lumped", "split"],
     "substeps": ["1", "2", "4", "0"],
@@ -66,6 +66,7 @@ def meaningless(row):
     # Smooth joints and springs belong to lattices that they cross; sizes of a random packing are chosen by its seed.
     yield has("bonds") in ("smooth_joint", "spring", "wall") and has("inside", "strip") != "strip"
     yield has("packing") == "random" and has("bonds") in ("smooth_joint", "friction", "wall")
+    yield has("packing") == "cells" and has("bonds") == "parallel"  # facets join cells instead
     # A wall bears no part of a stated stress.
     yield has("bonds") == "wall" and has("rest") == "stressed"
 
@@ -296,6 +297,7 @@ class Ground:
             "placed": {"placed": {"path": f"placed_{x:.4g}_{columns}_{low:g}_{high:g}.csv"}, "bonds": {"reach": 1e-5}},
             # Discs of a corner may be left out: the packing begins before the overlap.
             "random": {"random_packing": {**box, "x_min": x - 0.4, "x_max": box["x_max"] + 0.4, "radius_min": 0.12, "radius_max": 0.18, "stress": 50e3}},
+            "cells": {"cells": {**box, "size": 2 * radius}},
         }[row["packing"]]
         model["body_loads"] = self.gravity()
         if row["foundation"] == "springs" and row["inside"] != "ring":
@@ -313,6 +315,8 @@ class Ground:
             "parallel": {"bonds": {"parallel": {"normal_stiffness": 4e9, "shear_stiffness": 1.5e9, "cohesion": 1e6, "tensile_strength": 0.3e6}},
                          "contacts": {"friction": 0.5}},
         }[row["bonds"]]
+        if row["packing"] == "cells" and row["bonds"] == "breakable":
+            bonds = {"bonds": {"fracture": {"tensile_strength": 2 * strength, "fracture_energy": 100.0, "cohesion": 6 * strength}}}
         model.update({**bonds, "bonds": {**model.get("bonds", {}), **bonds.get("bonds", {})}})
         if row["bonds"] == "smooth_joint":
             model["joints"] = [{"name": "plane", "from": {"x": 4.4, "y": low - 0.1}, "to": {"x": 4.4, "y": high + 0.1},

@@ -141,7 +141,7 @@ def mirrored(world, row, scene, folder, base):
 def can_be_mirrored(row):
     # A formula has a sign of its own, and a random packing has no mirror image.
     formula = row["motion"] in ("ricker", "sine", "gabor", "synthetic") and row["direction"] == "x"
-    return not formula and row["packing"] != "random"
+    return not formula and row["packing"] not in ("random", "cells")
 
 
 def turned(world, row, scene, folder, base):
@@ -161,7 +161,7 @@ def moved(world, row, scene, folder, base):
 
 def can_be_moved(row):
     idle = row["motion"] == "none" and row["load"] == "none" and row["rest"] == "none"  # which has no size to compare with
-    return row["packing"] != "random" and not idle
+    return row["packing"] not in ("random", "cells") and not idle
 
 
 def scaled(world, row, scene, folder, base):
@@ -428,8 +428,9 @@ OF_GROUND = {
     in_arcs: lambda row: row["support"] == "lining", on_any_base: lambda row: row["rest"] in ground.STATICS and row["base"] != "held",
 }
 OF_GRAINS = {
-    balanced: always, mirrored: lambda row: row["packing"] != "random", turned: lambda row: row["packing"] == "placed" and row["floor"] != "quiet" and row["rest"] != "stressed",
-    moved: lambda row: row["packing"] != "random" and not grains.is_idle(row), scaled: always, scaled_stress: always, reordered: always, said_apart: always,
+    balanced: always, mirrored: lambda row: row["packing"] not in ("random", "cells"),
+    turned: lambda row: row["packing"] == "placed" and row["floor"] != "quiet" and row["rest"] != "stressed",
+    moved: lambda row: row["packing"] not in ("random", "cells") and not grains.is_idle(row), scaled: always, scaled_stress: always, reordered: always, said_apart: always,
     longer: always, threads: always, elsewhere: always, observed: always, resumed: always, replayed: always,
     general: lambda row: row["engine"] == "automatic",
 }

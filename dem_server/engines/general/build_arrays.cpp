@@ -82,6 +82,7 @@ Bonded bonds_of(const Model& model) {
       out.joints.push_back(joint_of(model, pair));
       continue;
     }
+    if (pair.law == Bond::Law::kFacet) continue;  // facets/facets.hpp
     const std::uint32_t contact = model.contact_number(model.group[pair.first], model.group[pair.second]);
     const auto [found, fresh] = numbers.try_emplace({pair.law, pair.number, contact});
     if (fresh) {

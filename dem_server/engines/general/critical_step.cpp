@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "dem_server/engines/general/facets/highest_frequency.hpp"
 #include "dem_server/model/bond_springs.hpp"
 #include "protocol/foundation/critical_step.hpp"
 
@@ -18,6 +19,7 @@ struct Element {
   const char* kind;
   std::uint32_t first, second;
   double kn, ks, km, arm_1, arm_2;
+  bool facet = false;
   double k() const { return std::max(kn, ks); }
   double turning_1() const { return ks * arm_1 * arm_1 + km; }
   double turning_2() const { return ks * arm_2 * arm_2 + km; }
@@ -49,6 +51,15 @@ LinearContact effective(const LinearContact& contact, double inverse_mass, doubl
   with.normal_stiffness = effective(contact.normal_stiffness, contact.normal_damping, inverse_mass, dt);
   with.shear_stiffness = effective(contact.shear_stiffness, contact.shear_damping, 3 * inverse_mass, dt);
   return with;
+}
+
+// Of the masses of statics; how fast facets oscillate is found of all together
+// (facets/highest_frequency.hpp).
+Element facet_of(const Model& model, const Bond& bond) {
+  const FacetBond& f = model.facets[bond.number];
+  const double k = f.stiffness * f.length;
+  return {"facet",         bond.first,      bond.second, k, k, k * f.length * f.length / 12,
+          f.half_distance, f.half_distance, true};
 }
 
 Element element_of(const Model& model, const Bond& bond, double dt) {
@@ -124,12 +135,14 @@ class Touching {
         smallest_(*std::ranges::min_element(model.discs.radius)),
         heaviest_(*std::ranges::max_element(model.mass)) {}
 
-  // In steps of dt.
-  Sums sums(double dt) const;
+  // In steps of dt, of all but facets.
+  Sums sums(double dt) const { return sums(dt, false); }
+  Sums sums_with_facets(double dt) const { return sums(dt, true); }
   // The largest omega^2 of an element.
   Stiffest stiffest(const Sums& sums, const Masses& masses) const;
 
  private:
+  Sums sums(double dt, bool facets) const;
   Hardest contact_of_disc(std::uint32_t i, double dt) const;
   Hardest wall_of_disc(std::uint32_t i, double dt) const;
   std::vector<Element> elements(double dt) const;
@@ -156,14 +169,16 @@ Hardest Touching::wall_of_disc(std::uint32_t i, double dt) const {
 
 std::vector<Element> Touching::elements(double dt) const {
   std::vector<Element> elements;
-  for (const Bond& bond : model_.bonds) elements.push_back(element_of(model_, bond, dt));
+  for (const Bond& bond : model_.bonds)
+    elements.push_back(bond.law == Bond::Law::kFacet ? facet_of(model_, bond) : element_of(model_, bond, dt));
   for (const Spring& spring : model_.springs) elements.push_back(element_of(model_, spring));
   return elements;
 }
 
-Sums Touching::sums(double dt) const {
+Sums Touching::sums(double dt, bool facets) const {
   const std::size_t size = model_.discs.size();
   std::vector<std::uint32_t> joined(size, 0);
+  std::vector<bool> cell(size, false);
   Sums sums;
   sums.elements = elements(dt);
   for (auto* column : {&sums.stretch, &sums.turn, &sums.free, &sums.slip}) column->assign(size, 0.0);
@@ -171,6 +186,8 @@ Sums Touching::sums(double dt) const {
   for (std::uint32_t i = 0; i < size; ++i) contacts[i] = contact_of_disc(i, dt);
   for (std::size_t k = 0; k < sums.elements.size(); ++k) {
     const Element& e = sums.elements[k];
+    if (e.facet) cell[e.first] = cell[e.second] = true;
+    if (e.facet && !facets) continue;
     const bool bond = k < model_.bonds.size(), breaks = bond && lets_go(model_, model_.bonds[k]);
     const auto add = [&](std::uint32_t i, double turning) {
       const Hardest contact = breaks ? contacts[i] : Hardest{};
@@ -186,7 +203,7 @@ Sums Touching::sums(double dt) const {
     const Hardest &contact = contacts[i], wall = wall_of_disc(i, dt);
     const double radius = model_.discs.radius[i], walls = this->walls();
     const std::uint32_t most = most_neighbours(radius, smallest_);
-    sums.free[i] = most > joined[i] ? most - joined[i] : 0;
+    sums.free[i] = most > joined[i] && !cell[i] ? most - joined[i] : 0;
     sums.slip[i] = contact.slip;
     sums.stretch[i] += sums.free[i] * contact.k() + walls * wall.k();
     sums.turn[i] += (sums.free[i] * contact.ks + walls * wall.ks) * radius * radius;
@@ -209,7 +226,8 @@ Stiffest Touching::stiffest(const Sums& sums, const Masses& masses) const {
     if (sums.slip[i] > 0) one_contact.see(share.stretch[i] * sums.slip[i] + share.turn[i], "contact", i, i);
   }
   stiffest.see(2 * one_contact.squared, "contact", one_contact.first, one_contact.second);
-  for (const Element& e : sums.elements) stiffest.see(highest(e, share), e.kind, e.first, e.second);
+  for (const Element& e : sums.elements)
+    if (!e.facet) stiffest.see(highest(e, share), e.kind, e.first, e.second);
   return stiffest;
 }
 
@@ -224,8 +242,8 @@ Masses true_masses(const Model& model) {
   return masses;
 }
 
-double step_of(const Stiffest& stiffest) {
-  return stiffest.squared > 0 ? 2 / std::sqrt(stiffest.squared) : std::numeric_limits<double>::infinity();
+double step_of(double squared) {
+  return squared > 0 ? 2 / std::sqrt(squared) : std::numeric_limits<double>::infinity();
 }
 
 bool any_dashpots(const Model& model) {
@@ -234,14 +252,15 @@ bool any_dashpots(const Model& model) {
          std::ranges::any_of(model.walls, damped, &MovingWall::contact);
 }
 
-// The largest step that the dashpots leave stable, of one that springs alone allow.
-double with_dashpots(const Touching& touching, const Masses& masses, double unstable) {
+// The largest step that the dashpots leave stable, of one that springs alone allow, beside facets of this
+// omega^2.
+double with_dashpots(const Touching& touching, const Masses& masses, double facets, double unstable) {
   constexpr int kBisections = 30;
   double stable = 0;
   for (int k = 0; k < kBisections; ++k) {
     const double middle = (stable + unstable) / 2;
     const Stiffest stiffest = touching.stiffest(touching.sums(middle), masses);
-    (stiffest.squared * middle * middle <= 4 ? stable : unstable) = middle;
+    ((stiffest.squared + facets) * middle * middle <= 4 ? stable : unstable) = middle;
   }
   return stable;
 }
@@ -282,7 +301,19 @@ Masses masses_of(const Sums& sums, double mass_per_stiffness, const Model& model
 
 // By which this step [s] is critical.
 double mass_per_stiffness(const Model& model, const Touching& touching, const Sums& sums, double step) {
-  return touching.stiffest(sums, masses_of(sums, 1, model)).squared * step * step / 4;
+  const Masses masses = masses_of(sums, 1, model);
+  const double squared = touching.stiffest(sums, masses).squared + highest_square_of_facets(model, masses);
+  return squared * step * step / 4;
+}
+
+// By which a body of cells oscillates fastest: it is the smallest one, as a rule.
+Stiffest smallest_cell(const Model& model, double squared) {
+  std::uint32_t smallest = 0;
+  for (std::uint32_t i = 0; i < model.discs.size(); ++i)
+    if (model.is_there(i) && model.mass[i] / model.density[model.group[i]] <
+                                 model.mass[smallest] / model.density[model.group[smallest]])
+      smallest = i;
+  return {squared, "facet", smallest, smallest};
 }
 
 }  // namespace
@@ -290,21 +321,23 @@ double mass_per_stiffness(const Model& model, const Touching& touching, const Su
 CriticalElement critical_element(const Model& model) {
   const Touching touching(model);
   const Masses masses = true_masses(model);
-  Sums springs = touching.sums(kOfSprings);
-  Stiffest stiffest = touching.stiffest(springs, masses);
-  const double of_statics = step_of(stiffest);
+  const double facets = highest_square_of_facets(model, masses);
+  Stiffest stiffest = touching.stiffest(touching.sums(kOfSprings), masses);
+  const double of_statics = step_of(stiffest.squared + facets);
   double step = of_statics;
   if (stiffest.squared > 0 && any_dashpots(model)) {
-    step = with_dashpots(touching, masses, step);
+    step = with_dashpots(touching, masses, facets, step);
     stiffest = touching.stiffest(touching.sums(step), masses);
   }
   const auto allowed = [&model, damped = std::sqrt(1 + model.local_damping)](double undamped) {
     return on_foundations(model, undamped / damped);
   };
+  if (facets > stiffest.squared) stiffest = smallest_cell(model, facets);
   const auto middle = [&stiffest](const std::vector<double>& at) {
     return (at[stiffest.first] + at[stiffest.second]) / 2;
   };
   const double static_step = allowed(of_statics);
+  Sums springs = touching.sums_with_facets(kOfSprings);
   add_foundations(model, springs);
   return {allowed(step),         static_step,
           stiffest.kind,         middle(model.discs.x),
@@ -312,7 +345,7 @@ CriticalElement critical_element(const Model& model) {
 }
 
 Masses scaled_masses(const Model& model, double mass_per_stiffness) {
-  Sums springs = Touching(model).sums(kOfSprings);
+  Sums springs = Touching(model).sums_with_facets(kOfSprings);
   add_foundations(model, springs);
   return masses_of(springs, mass_per_stiffness, model);
 }

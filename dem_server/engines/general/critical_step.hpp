@@ -8,10 +8,15 @@
 //   stretching:  omega^2 = kn (A_1 + A_2),   A = (sum of the disc's k) / (k m),
 //   slipping and turning: the larger eigenvalue of their two springs, coupled where the discs differ.
 //
-// What touches. A disc is surrounded by at most pi / asin(q / (R + q)) others, q being the smallest radius;
-// those that it is not joined to are counted as contacts of the stiffest kind, and so are two walls. A bond
-// that can break counts as a contact of the stiffest kind where that is stiffer: its place may be taken by
-// any other disc.
+// Facets oscillate together, and omega^2 of all of them is found by itself (facets/highest_frequency.hpp); it
+// is added to that of the other elements, which then have all masses to themselves: the quotient of Rayleigh
+// of both is at most the sum of the largest of each. A cell that facets join touches others only where it has
+// none: this takes a facet's place.
+//
+// What touches. A disc that is no such cell is surrounded by at most pi / asin(q / (R + q)) others, q being
+// the smallest radius; those that it is not joined to are counted as contacts of the stiffest kind, and so
+// are two walls. A bond that can break counts as a contact of the stiffest kind where that is stiffer: its
+// place may be taken by any other disc.
 //
 // Dashpots. They appear where bonds break and discs meet, and look back: their force takes the velocity of n
 // − ½. With springs K and dashpots C,

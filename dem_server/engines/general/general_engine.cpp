@@ -53,9 +53,15 @@ CriticalElement GeneralEngine::critical_element() const {
 
 const protocol::InterfaceOperator& GeneralEngine::tie(std::span<const double> places) {
   const Pairs& bonds = solver_.bonds();
-  const double longest = bonds.size() > 0 ? std::ranges::max(bonds.rest_length) : 0;
-  const protocol::InterfaceOperator& n =
-      tie_particles(places, {bonds.first, bonds.second, longest}, motions_);
+  const FacetSet& facets = solver_.facets().set();
+  const bool cells = facets.size() > 0;
+  double longest = 0;
+  if (cells)
+    longest = 2 * std::ranges::max(facets.half_distance);
+  else if (bonds.size() > 0)
+    longest = std::ranges::max(bonds.rest_length);
+  const protocol::InterfaceOperator& n = tie_particles(
+      places, {cells ? facets.first : bonds.first, cells ? facets.second : bonds.second, longest}, motions_);
   solver_.tie(tied());
   return n;
 }
@@ -95,6 +101,13 @@ void GeneralEngine::note_cracks() {
     const double width = bond.law == Bond::Law::kParallelBond ? model_.parallel_bonds[bond.number].area() : 0;
     Crack crack = crack_between(particles(), bond.first, bond.second, width, solver_.bonds().state[pair]);
     std::tie(crack.group_a, crack.group_b) = std::minmax({group()[bond.first], group()[bond.second]});
+    cracks_.push_back(crack);
+  }
+  for (const std::uint32_t facet : solver_.facets().cracked()) {
+    Crack crack = solver_.facets().crack(facet, particles());
+    const FacetSet& set = solver_.facets().set();
+    std::tie(crack.group_a, crack.group_b) =
+        std::minmax({group()[set.first[facet]], group()[set.second[facet]]});
     cracks_.push_back(crack);
   }
 }
@@ -144,11 +157,12 @@ Energies GeneralEngine::energies(const protocol::Step& step) {
           .strain = solver_.strain_energy() + solver_.foundation_energy(),
           .external_work = loads + body_loads + motions + walls + ledger.support + ledger.ground,
           .released = ledger.released,
-          .dissipated = ledger.friction + ledger.dashpots + ledger.damping.local + ledger.damping.viscous +
-                        ledger.damping.edges + ledger.foundations,
+          .dissipated = ledger.friction + ledger.fracture + ledger.dashpots + ledger.damping.local +
+                        ledger.damping.viscous + ledger.damping.edges + ledger.foundations,
           .shares = {{"contacts", stored.contacts},
                      {"contact_bonds", stored.contact_bonds},
                      {"parallel_bonds", stored.parallel_bonds},
+                     {"facets", solver_.facets().strain_energy()},
                      {"joints", solver_.joints().strain_energy()},
                      {"springs", solver_.springs().strain_energy()},
                      {"foundations", solver_.foundation_energy()},
@@ -158,6 +172,7 @@ Energies GeneralEngine::energies(const protocol::Step& step) {
                      {"walls", walls},
                      {"ground", ledger.ground},
                      {"friction", ledger.friction},
+                     {"fracture", ledger.fracture},
                      {"contact_dashpots", ledger.dashpots},
                      {"local_damping", ledger.damping.local},
                      {"viscous_damping", ledger.damping.viscous},

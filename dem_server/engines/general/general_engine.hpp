@@ -31,7 +31,9 @@ class GeneralEngine final : public LocalEngine {
   std::vector<SpringForce> springs() const override;
   std::vector<WallForce> walls() const override;
 
-  Counts counts() const override { return {solver_.particles().size(), model_.bonds.size()}; }
+  Counts counts() const override {
+    return {solver_.particles().size(), model_.bonds.size() - solver_.facets().touching().size()};
+  }
   CriticalElement critical_element() const override;
   const protocol::InterfaceOperator& tie(std::span<const double> places) override;
   void correct(std::span<const double> impulses) override { push(impulses, motions_); }
@@ -54,7 +56,9 @@ class GeneralEngine final : public LocalEngine {
   explicit GeneralEngine(std::size_t threads, Model renumbered);
 
   double internal_force() const override { return solver_.internal_force(); }
-  std::size_t elements() const override { return solver_.bonds().size() + solver_.contacts().size(); }
+  std::size_t elements() const override {
+    return solver_.bonds().size() + solver_.facets().size() + solver_.contacts().size();
+  }
 
   void require_finite(const protocol::Step& step) const;
   // Tells the user once of a particle that is far from where it stood.

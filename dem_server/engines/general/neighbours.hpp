@@ -32,6 +32,9 @@ class Neighbours {
   void begin_stage(const Particles& particles, std::vector<Pair> joined, std::vector<std::uint32_t> group,
                    std::uint32_t first_law, const std::vector<bool>& fresh);
 
+  // Pairs of `joined` that may touch from now on; ascending.
+  void part(std::span<const Pair> pairs);
+
   // A step moved the discs, and walls, by at most this [m].
   void moved(double farthest, double farthest_wall) {
     moved_.add(farthest);
@@ -66,6 +69,7 @@ class Neighbours {
   Pairs pairs_;
   DisplacementBound moved_;     // of the discs since the list was made
   double skin_ = 0;             // [m]
+  bool stale_ = false;          // pairs have parted that may be missing
   double walls_travelled_ = 0;  // at most, by any wall since the list was made [m]
   std::uint64_t lists_ = 0;
 };

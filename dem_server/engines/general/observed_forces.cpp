@@ -21,19 +21,45 @@ ObservedPair forces_of(std::uint32_t pair, const Solver& solver, const Pairs& pa
           solver.laws()[pairs.law[pair]].km > 0};
 }
 
+ObservedPair forces_of(std::uint32_t facet, const Solver& solver) {
+  const FacetSet& set = solver.facets().set();
+  const FacetState s = solver.facets().state(facet, solver.particles());
+  return {.first = set.first[facet],
+          .second = set.second[facet],
+          .nx = s.nx,
+          .ny = s.ny,
+          .normal = s.normal,
+          .shear = s.shear,
+          .moment = s.moment,
+          .weight = set.weight[facet],
+          .state = s.state,
+          .touches = s.state == BondState::kIntact || s.normal < 0,
+          .resists_turning = true,
+          .place = PlaneVector{s.x, s.y},
+          .opening = s.opening,
+          .slip = s.slip};
+}
+
 }  // namespace
 
+// Facets come after the bonds of discs.
 void GeneralEngine::for_each_bond(const SeePair& see) const {
   for (std::uint32_t k = 0; k < solver_.bonds().size(); ++k) see(forces_of(k, solver_, solver_.bonds()));
+  for (const std::uint32_t k : solver_.facets().joining()) see(forces_of(k, solver_));
 }
 
 void GeneralEngine::see_bonds(std::span<const std::uint32_t> bonds, const SeePair& see) const {
-  for (const std::uint32_t k : bonds) see(forces_of(k, solver_, solver_.bonds()));
+  const auto pairs = static_cast<std::uint32_t>(solver_.bonds().size());
+  for (const std::uint32_t k : bonds)
+    see(k < pairs ? forces_of(k, solver_, solver_.bonds())
+                  : forces_of(solver_.facets().joining()[k - pairs], solver_));
 }
 
 void GeneralEngine::for_each_contact(const SeePair& see) const {
   for (std::uint32_t k = 0; k < solver_.contacts().size(); ++k)
     if (const ObservedPair contact = forces_of(k, solver_, solver_.contacts()); contact.touches) see(contact);
+  for (const std::uint32_t k : solver_.facets().touching())
+    if (const ObservedPair contact = forces_of(k, solver_); contact.normal < 0) see(contact);
 }
 
 std::vector<JointForce> GeneralEngine::joints() const {

@@ -60,7 +60,8 @@ std::pair<std::uint32_t, std::uint32_t> by_discs(const Joined& pair) {
   return {pair.first, pair.second};
 }
 
-void renumber(const std::vector<std::uint32_t>& place, std::vector<Bond>& bonds) {
+void renumber(const std::vector<std::uint32_t>& place, std::vector<FacetBond>& facets,
+              std::vector<Bond>& bonds) {
   for (Bond& bond : bonds) {
     bond.first = place[bond.first];
     bond.second = place[bond.second];
@@ -69,6 +70,7 @@ void renumber(const std::vector<std::uint32_t>& place, std::vector<Bond>& bonds)
     bond.nx = -bond.nx;
     bond.ny = -bond.ny;
     bond.at_rest.moment = -bond.at_rest.moment;
+    if (bond.law == Bond::Law::kFacet) facets[bond.number] = facets[bond.number].turned();
   }
   std::ranges::sort(bonds, {}, by_discs<Bond>);
 }
@@ -80,6 +82,7 @@ void renumber(Model& model) {
   for (auto* column : {&model.discs.x, &model.discs.y, &model.discs.radius, &model.mass, &model.weight})
     take_in_order(order, *column);
   for (auto* column : {&model.id, &model.group}) take_in_order(order, *column);
+  if (!model.gyration_square.empty()) take_in_order(order, model.gyration_square);
   if (!model.present.empty()) take_in_order(order, model.present);
   for (ParticleStage& stage : model.stages) {
     for (auto* column : {&stage.held, &stage.mass}) take_in_order(order, *column);
@@ -92,8 +95,8 @@ void renumber(Model& model) {
   for (TouchingPair& pair : model.touching)
     std::tie(pair.first, pair.second) = std::minmax({place[pair.first], place[pair.second]});
   std::ranges::sort(model.touching, {}, by_discs<TouchingPair>);
-  renumber(place, model.bonds);
-  for (ParticleStage& stage : model.stages) renumber(place, stage.bonds);
+  renumber(place, model.facets, model.bonds);
+  for (ParticleStage& stage : model.stages) renumber(place, model.facets, stage.bonds);
   for (Spring& spring : model.springs) {
     spring.first = place[spring.first];
     spring.second = place[spring.second];

@@ -68,6 +68,7 @@ Solver::Solver(const Model& model, std::size_t threads)
   bonds_ = std::move(bonded.bonds);
   bond_of_pair_ = std::move(bonded.bond_of_pair);
   joints_ = Joints(std::move(bonded.joints));
+  facets_ = Facets(model);
   neighbours_ =
       Neighbours(particles_, model.discs.radius, pairs_of(model.bonds), model.group, model.groups(),
                  bonded.first_contact_law, bonded.dashpots, model.overlaps_free, model.touching, laws_);
@@ -99,6 +100,8 @@ void Solver::step(const protocol::Step& step, Loads& loads, PrescribedMotions& m
   move(step);
   if (!planned_ || sweeps_ == damping_.acts_everywhere(step)) plan(step, loads, motions);
   sweep(step);
+  facets_.add_forces(dt, particles_, *team_);
+  neighbours_.part(facets_.parted_now());
   joints_.add_forces(dt, particles_);
   springs_.add_forces(dt, particles_);
   walls_.add_forces(step, particles_);
@@ -122,6 +125,7 @@ void Solver::plan(const protocol::Step& step, const Loads& loads, const Prescrib
   std::vector<bool> kept(particles_.size(), !sweeps_);
   for (const Pairs* pairs : {&bonds_, &neighbours_.pairs()})
     for (const std::uint32_t i : pairs->reached) kept[i] = true;
+  facets_.mark(kept);
   for (const Joints::Joint& joint : joints_.joints()) kept[joint.first] = kept[joint.second] = true;
   for (const Spring& spring : springs_.springs()) kept[spring.first] = kept[spring.second] = true;
   for (const WallContacts::Touch& touch : walls_.touches()) kept[touch.disc] = true;
@@ -245,7 +249,7 @@ void Solver::take_results(bool relax) {
     broken_.insert(broken_.end(), result.bonds.broken.begin(), result.bonds.broken.end());
   }
   if (relax) internal_of_pairs_ = internal;
-  strongest_ = find_strongest();
+  strongest_ = facets_.empty() ? find_strongest() : facets_.strongest(particles_);
 }
 
 Strongest Solver::find_strongest() const {
@@ -275,6 +279,7 @@ void Solver::start_over(const protocol::Drift& drift) {
   springs_.start_over();
   for (foundation::Springs& springs : foundations_) springs.start_over();
   joints_.start_over();
+  facets_.start_over();
   strain_at_start_ = strain_energy();
 }
 
@@ -284,6 +289,8 @@ void Solver::exchange(state::Archive& archive) {
   bonds_.exchange(particles_.size(), laws_, archive);
   neighbours_.exchange(laws_, archive);
   joints_.exchange(archive);
+  facets_.exchange(archive);
+  if (archive.reads()) neighbours_.part(facets_.parted());
   springs_.exchange(archive);
   for (foundation::Springs& springs : foundations_) springs.exchange(archive);
   walls_.exchange(archive);
@@ -326,7 +333,7 @@ Stored Solver::stored() const {
 }
 
 double Solver::strain_energy() const {
-  return stored().sum() + joints_.strain_energy() + springs_.strain_energy();
+  return stored().sum() + facets_.strain_energy() + joints_.strain_energy() + springs_.strain_energy();
 }
 
 double Solver::foundation_energy() const {
@@ -347,6 +354,7 @@ double Solver::internal_force_of_pairs() const {
 
 double Solver::internal_force() const {
   double sum = internal_of_pairs_ ? *internal_of_pairs_ : internal_force_of_pairs();
+  sum += facets_.internal_force();
   for (const Joints::Joint& joint : joints_.joints())
     sum += joint.weight * std::hypot(joint.normal, joint.springs.shear);
   for (const double force : springs_.forces()) sum += std::abs(force);
@@ -357,6 +365,7 @@ double Solver::internal_force() const {
 DiscLedger Solver::ledger() const {
   DiscLedger ledger = ledger_;
   ledger.friction += walls_.friction() + joints_.friction();
+  ledger.fracture = facets_.fracture();
   ledger.dashpots += walls_.dashpots();
   ledger.released += springs_.released();
   for (const foundation::Springs& springs : foundations_) {
@@ -369,7 +378,7 @@ DiscLedger Solver::ledger() const {
 double Solver::time_step_share() const {
   const DiscLedger sum = ledger();
   return -sum.pairs + walls_.work() - (strain_energy() - strain_at_start_) - sum.friction - sum.dashpots -
-         sum.released;
+         sum.released - sum.fracture;
 }
 
 }  // namespace adit::dem

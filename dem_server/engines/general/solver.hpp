@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "dem_server/engines/answers.hpp"
+#include "dem_server/engines/general/facets/facets.hpp"
 #include "dem_server/engines/general/forces/damping.hpp"
 #include "dem_server/engines/general/forces/joints.hpp"
 #include "dem_server/engines/general/forces/spring_forces.hpp"
@@ -36,9 +37,9 @@
 
 namespace adit::dem {
 
-// Since the start [J]. `pairs`: work of all pairs, joints, springs and walls on the discs.
+// Since the start [J]. `pairs`: work of all pairs, facets, joints, springs and walls on the discs.
 struct DiscLedger {
-  double pairs = 0, friction = 0, dashpots = 0, released = 0;
+  double pairs = 0, friction = 0, dashpots = 0, released = 0, fracture = 0;
   Damping::Loss damping;
   double support = 0;  // work of what held quiet edges in statics
   double ground = 0;   // work of the ground of foundations, and what their slip and dashpots took
@@ -77,6 +78,7 @@ class Solver {
   const WallContacts& walls() const { return walls_; }
   const SpringForces& springs() const { return springs_; }
   const Joints& joints() const { return joints_; }
+  const Facets& facets() const { return facets_; }
   std::span<const PairLaw> laws() const { return laws_; }
   // Which of model.bonds a pair is.
   std::span<const std::uint32_t> bond_of_pair() const { return bond_of_pair_; }
@@ -127,6 +129,7 @@ class Solver {
   std::vector<std::uint32_t> bond_of_pair_;
   Neighbours neighbours_;
   Joints joints_;
+  Facets facets_;
   SpringForces springs_;
   std::vector<foundation::Springs> foundations_;
   WallContacts walls_;

@@ -45,6 +45,8 @@ PairForces bear(const Model& model, const PairForces& wanted, Bond& bond) {
       return bond.at_rest = within(model.contact_bonds[bond.number], wanted);
     case Bond::Law::kSmoothJoint:
       return bond.at_rest = pressed(model.smooth_joints[bond.number].friction, wanted);
+    case Bond::Law::kFacet:  // its own law finds what it cannot bear
+      return bond.at_rest = wanted;
     case Bond::Law::kParallelBond:
       break;
   }

@@ -89,10 +89,29 @@ void scale(PairForces& forces, double factor) {
   forces = {factor * forces.normal, factor * forces.shear, factor * forces.moment};
 }
 
+// Faces close around every cell: a stress that balances in the solid does so on them, too.
+void set_on_facets(const StressAt& stated, Model& model) {
+  for (Bond& bond : model.bonds) {
+    if (bond.law != Bond::Law::kFacet) continue;
+    const FacetBond& facet = model.facets[bond.number];
+    const auto [nx, ny] = std::pair(facet.nx, facet.ny);
+    const double h = facet.half_distance, e = 2 * h * facet.skew;
+    const protocol::GroundStress stress =
+        stated(model.discs.x[bond.first] + h * nx - e * ny, model.discs.y[bond.first] + h * ny + e * nx);
+    const double x = stress.xx * nx + stress.xy * ny, y = stress.xy * nx + stress.yy * ny;
+    bond.at_rest = {facet.length * along(nx, ny, x, y), facet.length * across(nx, ny, x, y), 0};
+  }
+  model.stress_balances = true;
+}
+
 }  // namespace
 
 void set_initial_state(const StressAt& stated, Model& model) {
   model.overlaps_free = true;
+  if (!model.facets.empty()) {
+    set_on_facets(stated, model);
+    return;
+  }
   const auto touching = touching_without_bond(model);
   for (const auto [first, second] : touching) model.touching.push_back({first, second, 0, 0});
   const Fabric fabric(model, touching, stated);

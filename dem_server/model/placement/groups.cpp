@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 
+#include "dem_server/model/solid/facets_of_material.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/geometry/selection.hpp"
 #include "protocol/nearest_name.hpp"
@@ -23,15 +25,20 @@ std::string group_path(int number) {
 Group own_group(const scene::Scene& scene) {
   const auto& p = scene.particles();
   const bool bonded = p.has_bonds() || !p.has_contacts();
-  return {kOwnGroup,         checked_material(scene), bonded ? &p.bonds() : nullptr,
-          "particles.bonds", &p.contacts(),           "particles.contacts",
-          plane_of(scene)};
+  return {kOwnGroup,
+          checked_material(scene),
+          bonded ? &p.bonds() : nullptr,
+          "particles.bonds",
+          &p.contacts(),
+          "particles.contacts",
+          plane_of(scene),
+          p.has_cells()};
 }
 
 MaterialAt own_material(const scene::ParticleGroup& scene, const std::string& path, const Group& own) {
   MaterialAt at{scene.material(), path + ".material"};
   const auto* bonds = scene.has_bonds() ? &scene.bonds() : own.bonds;
-  require_usable(at, bonds != nullptr ? *bonds : scene::Bonds::default_instance());
+  require_usable(at, bonds != nullptr ? *bonds : scene::Bonds::default_instance(), own.cells);
   return at;
 }
 
@@ -42,7 +49,8 @@ Group read_group(const scene::ParticleGroup& scene, const std::string& path, con
           scene.has_bonds() ? path + ".bonds" : own.bonds_path,
           scene.has_contacts() ? &scene.contacts() : own.contacts,
           scene.has_contacts() ? path + ".contacts" : own.contacts_path,
-          own.plane};
+          own.plane,
+          own.cells};
 }
 
 // Whether the ring selects the particles of this group.
@@ -67,6 +75,11 @@ scene::Area lining_area(const scene::SegmentRing& ring) {
 }  // namespace
 
 BondStiffness Group::stiffness() const {
+  if (cells) {
+    // That of a facet of a regular hexagon: E' A / h, A / h = 1 / sqrt(3).
+    const double k = elasticity_of(material, plane).stiffness / std::numbers::sqrt3;
+    return {k, k};
+  }
   return checked_stiffness(bonds != nullptr ? *bonds : scene::Bonds::default_instance(),
                            bonds != nullptr ? bonds_path : contacts_path, material, plane);
 }

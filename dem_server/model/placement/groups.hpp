@@ -23,6 +23,7 @@ struct Group {
   const scene::ParticleContacts* contacts;
   std::string contacts_path;
   Plane plane;
+  bool cells;  // its particles are cells, which facets join
 
   // Stiffness of its bonds; where the scene gives none, that of the hexagonal lattice of its material.
   BondStiffness stiffness() const;

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "dem_server/model/calibration.hpp"
+#include "dem_server/model/placement/cells.hpp"
 #include "dem_server/model/placement/placed_table.hpp"
 #include "dem_server/model/placement/scene_checks.hpp"
 #include "dem_server/packing/discs.hpp"
@@ -151,12 +152,14 @@ Placement placed(const scene::PlacedParticles& wanted, Notes& notes) {
 }
 
 Placement fill(const scene::Particles& p, double normal_stiffness, const Growing& growing, Notes& notes) {
-  const int given = p.has_packing() + p.has_square_packing() + p.has_random_packing() + p.has_placed();
+  const int given =
+      p.has_packing() + p.has_square_packing() + p.has_random_packing() + p.has_placed() + p.has_cells();
   if (given != 1)
     throw UserError(
         "particles",
-        fmt::format("has {} packings; give one of packing, square_packing, random_packing and placed",
+        fmt::format("has {} packings; give one of cells, packing, square_packing, random_packing and placed",
                     given == 0 ? "no" : std::to_string(given)));
+  if (p.has_cells()) return place_cells(p);
   if (p.has_packing()) return hexagonal(p.packing());
   if (p.has_square_packing()) return square(p.square_packing());
   if (p.has_random_packing()) return random(p.random_packing(), normal_stiffness, growing, notes);
@@ -198,6 +201,7 @@ void refuse_small_box(const scene::HexagonalPacking& packing, std::size_t partic
 void Placement::keep_only(const std::vector<bool>& keep) {
   dem::keep_only(keep, discs);
   if (!number.empty()) dem::keep_only(keep, number);
+  if (cells) cells->keep_only(keep);
   if (std::ranges::count(keep, false) > 0) extent = extent_of(discs);
 }
 

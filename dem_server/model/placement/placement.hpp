@@ -2,11 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "dem_server/packing/discs.hpp"
 #include "dem_server/packing/random/random_dense.hpp"
+#include "dem_server/packing/voronoi/voronoi_cells.hpp"
 #include "protocol/geometry/bounding_box.hpp"
 #include "protocol/messages/scene.pb.h"
 
@@ -18,6 +20,14 @@ struct Reach {
   double near = 1e-3;                                          // up to which rounding may have opened them
 };
 
+// Of cells of Voronoi, whose nuclei are the discs' centres.
+struct CellShapes {
+  std::vector<double> area, polar_moment;  // about the nucleus [m^2], [m^4]
+  std::vector<Facet> facets;
+
+  void keep_only(const std::vector<bool>& keep);
+};
+
 struct Placement {
   Discs discs;
   // Mass of the solid that a disc of this radius stands for [kg per metre of thickness].
@@ -26,6 +36,7 @@ struct Placement {
   std::vector<std::uint32_t> number;  // of each in the table it came from; empty without one
   bool overlaps_free = true;
   Reach reach{};
+  std::optional<CellShapes> cells{};
 
   // Keeps the discs for which keep[i] is set.
   void keep_only(const std::vector<bool>& keep);

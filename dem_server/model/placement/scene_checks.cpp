@@ -47,24 +47,35 @@ MaterialAt checked_material(const scene::Scene& scene) {
   const bool own = scene.particles().has_material();
   const MaterialAt at{material_of(scene), own ? "particles.material" : "material"};
   if (!own && !scene.has_material()) throw UserError(at.path, "is missing; give it, or particles.material");
-  if (own) require_usable(at, scene.particles().bonds());
+  if (own) require_usable(at, scene.particles().bonds(), scene.particles().has_cells());
   return at;
 }
 
-std::vector<std::string> laws_beyond_bonds(const scene::Material& material, const scene::Bonds& bonds) {
+std::vector<std::string> laws_beyond_bonds(const scene::Material& material, const scene::Bonds& bonds,
+                                           bool cells) {
   std::vector<std::string> laws;
+  if (material.has_fracture() && !cells) laws.emplace_back("fracture");
   if (material.has_mohr_coulomb() && !bonds.strength_of_material()) laws.emplace_back("mohr_coulomb");
   if (material.has_weak_plane()) laws.emplace_back("weak_plane");
   if (material.has_hysteretic()) laws.emplace_back("hysteretic");
   return laws;
 }
 
-void require_usable(const MaterialAt& at, const scene::Bonds& bonds) {
-  if (!laws_beyond_bonds(at.material, bonds).empty())
-    throw UserError(at.path,
-                    "has a law beyond elasticity, which bonds do not compute; leave it out and give "
-                    "particles.bonds.tensile_strength and shear_strength, or leave only mohr_coulomb and set "
-                    "particles.bonds.strength_of_material");
+void require_usable(const MaterialAt& at, const scene::Bonds& bonds, bool cells) {
+  const std::vector<std::string> laws = laws_beyond_bonds(at.material, bonds, cells);
+  if (laws.empty()) return;
+  if (cells)
+    throw UserError(at.path + "." + laws.front(),
+                    "is given, but cells break by `fracture`; leave it out, and give the strength there");
+  if (laws.front() == "fracture")
+    throw UserError(at.path + ".fracture",
+                    "is given, but only facets between `cells` break by it; give bonds.tensile_strength and "
+                    "shear_strength, or "
+                    "pack `cells`");
+  throw UserError(at.path,
+                  "has a law beyond elasticity, which bonds do not compute; leave it out and give "
+                  "particles.bonds.tensile_strength and shear_strength, or leave only mohr_coulomb and set "
+                  "particles.bonds.strength_of_material");
 }
 
 Plane plane_of(const scene::Scene& scene) {

@@ -36,10 +36,11 @@ struct MaterialAt {
 // The same where there is one that bonds can stand for: its path beside it.
 MaterialAt checked_material(const scene::Scene& scene);
 // The laws of the material, by their keys, that these bonds do not compute: all beyond elasticity, except
-// strengths for bonds that take theirs from the material.
-std::vector<std::string> laws_beyond_bonds(const scene::Material& material, const scene::Bonds& bonds);
+// strengths for bonds that take theirs from the material, and `fracture` for facets between cells.
+std::vector<std::string> laws_beyond_bonds(const scene::Material& material, const scene::Bonds& bonds,
+                                           bool cells);
 // Refuses these laws.
-void require_usable(const MaterialAt& material, const scene::Bonds& bonds);
+void require_usable(const MaterialAt& material, const scene::Bonds& bonds, bool cells);
 
 Plane plane_of(const scene::Scene& scene);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dem_server/model/placement/groups.hpp"
+#include "dem_server/model/solid/facets_of_material.hpp"
 #include "protocol/errors.hpp"
 
 namespace adit::dem {
@@ -105,6 +106,9 @@ std::optional<BondType> between(const BondType& a, const BondType& b) {
   if (const auto* one = std::get_if<ParallelBond>(&a.law), *other = std::get_if<ParallelBond>(&b.law);
       one && other)
     return BondType{between(*one, *other), reach};
+  if (const auto* one = std::get_if<FacetType>(&a.law), *other = std::get_if<FacetType>(&b.law); one && other)
+    return BondType{FacetType{in_series(one->stiffness, other->stiffness), weaker(one->law, other->law)},
+                    reach};
   return std::nullopt;
 }
 

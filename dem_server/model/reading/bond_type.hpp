@@ -13,10 +13,16 @@
 
 namespace adit::dem {
 
+// Of the solid and of its strength, before a facet's place is known.
+struct FacetType {
+  double stiffness;  // E' [Pa]
+  FacetLaw law;
+};
+
 struct BondType {
   // Lengths are shares: of a parallel bond its half width of the smaller radius, of a smooth joint its length
   // of the smaller diameter.
-  std::variant<ContactBond, ParallelBond, SmoothJoint> law;
+  std::variant<ContactBond, ParallelBond, SmoothJoint, FacetType> law;
   double reach;  // discs are joined whose gap is at most this share of their mean radius
 };
 

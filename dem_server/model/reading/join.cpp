@@ -6,9 +6,11 @@
 #include <cmath>
 #include <map>
 
+#include "dem_server/laws/pair_kinematics.hpp"
 #include "dem_server/model/placement/joint_lines.hpp"
 #include "dem_server/model/placement/scene_checks.hpp"
 #include "dem_server/model/reading/bond_type.hpp"
+#include "dem_server/model/solid/facets_of_material.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/text.hpp"
 
@@ -24,6 +26,22 @@ GroupPair ordered(std::uint32_t a, std::uint32_t b) {
 
 std::string joint_path(std::size_t number) {
   return "particles.joints[" + std::to_string(number) + "]";
+}
+
+// Keys of bonds that facets take from the material.
+void refuse_keys_of_discs(const scene::Bonds& bonds, const std::string& path) {
+  for (const auto& [given, name] :
+       {std::pair{bonds.has_tensile_strength(), "tensile_strength"},
+        std::pair{bonds.has_shear_strength(), "shear_strength"},
+        std::pair{bonds.has_normal_stiffness(), "normal_stiffness"},
+        std::pair{bonds.has_shear_stiffness(), "shear_stiffness"},
+        std::pair{bonds.has_parallel(), "parallel"}, std::pair{bonds.has_reach(), "reach"},
+        std::pair{bonds.strength_of_material(), "strength_of_material"}})
+    if (given)
+      throw UserError(path + "." + name,
+                      "is given, but facets between cells have the stiffness of the material and its "
+                      "`fracture`; leave it out, "
+                      "or give `fracture` here");
 }
 
 // What stands between discs: a joint's line, the ring's, or neither.
@@ -92,6 +110,7 @@ class BondTypes {
 
   std::optional<BondType> read(const scene::Bonds& bonds, const std::string& path,
                                const GroupPair& pair) const {
+    if (particles_.has_cells()) return facet_type(bonds, path, groups_[pair.first], groups_[pair.second]);
     return read_bond_type(bonds, path, source(groups_[pair.first], groups_[pair.second]));
   }
 
@@ -116,7 +135,26 @@ class BondTypes {
 
   std::optional<BondType> of_group(const Group& group) const {
     if (group.bonds == nullptr) return std::nullopt;
+    if (particles_.has_cells()) return facet_type(*group.bonds, group.bonds_path, group, group);
     return read_bond_type(*group.bonds, group.bonds_path, source(group, group));
+  }
+
+  // Between cells of two groups, or of one: stiffnesses in series, and the weaker of both materials unless
+  // the bonds state a strength.
+  BondType facet_type(const scene::Bonds& bonds, const std::string& path, const Group& first,
+                      const Group& second) const {
+    refuse_keys_of_discs(bonds, path);
+    const auto strength = [](const Group& group) {
+      const scene::Material& material = group.material.material;
+      return material.has_fracture() ? fracture_of(material.fracture(), group.material.path + ".fracture")
+                                     : unbroken();
+    };
+    const FacetLaw law = bonds.has_fracture() ? fracture_of(bonds.fracture(), path + ".fracture")
+                                              : weaker(strength(first), strength(second));
+    return {FacetType{in_series(elasticity_of(first.material, first.plane).stiffness,
+                                elasticity_of(second.material, second.plane).stiffness),
+                      law},
+            reach_};
   }
 
   // Of bonds between particles of two groups, or of one.
@@ -212,16 +250,19 @@ std::vector<std::uint32_t> begin_of_joints(const scene::Particles& particles, co
 // Joins two discs, if anything does.
 class Joiner {
  public:
-  Joiner(const scene::Particles& particles, const std::vector<Group>& groups, const Reach& reach,
+  Joiner(const scene::Particles& particles, const std::vector<Group>& groups, const Placement& placement,
          const std::vector<ParticleStage>& stages, Model& model)
       : discs_(model.discs),
         groups_(groups),
-        reach_(reach),
+        reach_(placement.reach),
+        cells_(placement.cells ? &*placement.cells : nullptr),
+        model_(model),
         lines_(read_lines(particles)),
-        types_(particles, groups, reach.unstated),
+        types_(particles, groups, reach_.unstated),
         laws_(model) {
-    near_ =
-        pairs_within(discs_, std::max(types_.largest_reach(), reach.near) * std::ranges::max(discs_.radius));
+    near_ = cells_ ? pairs_of(cells_->facets)
+                   : pairs_within(discs_, std::max(types_.largest_reach(), reach_.near) *
+                                              std::ranges::max(discs_.radius));
     begin_of_lines_ = begin_of_joints(particles, discs_, lines_, near_, stages.back().group);
     joined_.crossing.resize(lines_.size(), 0);
     if (particles.has_ring()) ring_.emplace(particles.ring());
@@ -231,8 +272,8 @@ class Joiner {
   void join(ParticleStage& stage) {
     nearly_ = 0;
     crossing_.assign(lines_.size(), 0);
-    for (const Pair& pair : near_)
-      if (stage.present[pair.first] && stage.present[pair.second]) join(pair, stage);
+    for (std::size_t k = 0; k < near_.size(); ++k)
+      if (stage.present[near_[k].first] && stage.present[near_[k].second]) join(k, stage);
     joined_.bonds = std::max(joined_.bonds, stage.bonds.size());
     joined_.nearly = std::max(joined_.nearly, nearly_);
     for (std::size_t k = 0; k < lines_.size(); ++k)
@@ -260,21 +301,64 @@ class Joiner {
     return ring_ && in_ring(pair, stage) && ring_->parts(discs_, pair) ? kRing : kNothing;
   }
 
-  void join(const Pair& pair, ParticleStage& stage) {
+  static std::vector<Pair> pairs_of(std::span<const Facet> facets) {
+    std::vector<Pair> pairs;
+    for (const Facet& facet : facets) pairs.push_back({facet.first, facet.second});
+    return pairs;
+  }
+
+  static double length_of(const Facet& facet) {
+    return std::hypot(facet.x_2 - facet.x_1, facet.y_2 - facet.y_1);
+  }
+
+  // The facet's place, of the solid's stiffness and law.
+  std::uint32_t add_facet(const Facet& facet, const FacetType& type) {
+    const double x = discs_.x[facet.second] - discs_.x[facet.first],
+                 y = discs_.y[facet.second] - discs_.y[facet.first], distance = std::hypot(x, y);
+    const double nx = x / distance, ny = y / distance;
+    const double off = across(nx, ny, (facet.x_1 + facet.x_2) / 2 - discs_.x[facet.first],
+                              (facet.y_1 + facet.y_2) / 2 - discs_.y[facet.first]);
+    const auto found = std::ranges::find(model_.facet_laws, type.law);
+    const auto law = static_cast<std::uint32_t>(found - model_.facet_laws.begin());
+    if (found == model_.facet_laws.end()) model_.facet_laws.push_back(type.law);
+    model_.facets.push_back(
+        {nx, ny, distance / 2, off / distance, length_of(facet), type.stiffness / distance, law});
+    return static_cast<std::uint32_t>(model_.facets.size() - 1);
+  }
+
+  void join(std::size_t near, ParticleStage& stage) {
+    const Pair& pair = near_[near];
     const auto [i, j] = pair;
     const double distance = std::hypot(discs_.x[j] - discs_.x[i], discs_.y[j] - discs_.y[i]);
-    const double share =
-        (distance - discs_.radius[i] - discs_.radius[j]) / (0.5 * (discs_.radius[i] + discs_.radius[j]));
+    // Cells that have a facet touch along it.
+    const double share = cells_ ? 0
+                                : (distance - discs_.radius[i] - discs_.radius[j]) /
+                                      (0.5 * (discs_.radius[i] + discs_.radius[j]));
     const auto joins = [&](int type) { return type != kNothing && share <= types_[type].reach; };
     const int barrier = barrier_between(pair, stage);
     const int type = types_.find(barrier, stage.group[i], stage.group[j]);
     if (barrier >= 0 && (joins(type) || joins(types_.find(kNothing, stage.group[i], stage.group[j]))))
       ++crossing_[static_cast<std::size_t>(barrier)];
+    if (!joins(type) && cells_) {  // what nothing joins lies face to face
+      const Group &one = groups_[stage.group[i]], &other = groups_[stage.group[j]];
+      const double stiffness = in_series(elasticity_of(one.material, one.plane).stiffness,
+                                         elasticity_of(other.material, other.plane).stiffness);
+      const double friction = model_.contacts[model_.contact_number(stage.group[i], stage.group[j])].friction;
+      stage.bonds.push_back({i, j, Bond::Law::kFacet,
+                             add_facet(cells_->facets[near], {stiffness, touching(stiffness, friction)})});
+      return;
+    }
     if (!joins(type)) {
       if (type != kNothing && share <= reach_.near) ++nearly_;
       return;
     }
-    const auto [law, number] = laws_.find(type, types_[type], std::min(discs_.radius[i], discs_.radius[j]));
+    if (const auto* facet = std::get_if<FacetType>(&types_[type].law)) {
+      stage.bonds.push_back({i, j, Bond::Law::kFacet, add_facet(cells_->facets[near], *facet)});
+      return;
+    }
+    const double half_width =
+        cells_ ? length_of(cells_->facets[near]) / 2 : std::min(discs_.radius[i], discs_.radius[j]);
+    const auto [law, number] = laws_.find(type, types_[type], half_width);
     Bond bond{i, j, law, number};
     if (law == Bond::Law::kSmoothJoint) {
       const auto [nx, ny] = lines_[static_cast<std::size_t>(barrier)].normal(discs_, pair);
@@ -287,6 +371,8 @@ class Joiner {
   const Discs& discs_;
   const std::vector<Group>& groups_;
   Reach reach_;
+  const CellShapes* cells_;  // null: discs
+  Model& model_;
   std::vector<JointLine> lines_;
   std::vector<std::uint32_t> begin_of_lines_;
   std::optional<RingJoints> ring_;
@@ -325,9 +411,9 @@ void warn_of_teeth(const scene::Particles& particles, const Joined& joined,
 
 }  // namespace
 
-Joined join(const scene::Particles& particles, const std::vector<Group>& groups, const Reach& reach,
+Joined join(const scene::Particles& particles, const std::vector<Group>& groups, const Placement& placement,
             std::vector<ParticleStage>& stages, Model& model) {
-  Joiner joiner(particles, groups, reach, stages, model);
+  Joiner joiner(particles, groups, placement, stages, model);
   for (ParticleStage& stage : stages) joiner.join(stage);
   joiner.require_parting();
   return joiner.joined();

@@ -21,7 +21,7 @@ struct Joined {
 // their groups; else the bonds of their groups. A joint without a stage begins with the first groups between
 // which it stands. UserError for joints that part nothing, groups that are unknown or joined by laws of two
 // kinds.
-Joined join(const scene::Particles& particles, const std::vector<Group>& groups, const Reach& reach,
+Joined join(const scene::Particles& particles, const std::vector<Group>& groups, const Placement& placement,
             std::vector<ParticleStage>& stages, Model& model);
 
 // What is likely to be wrong with the bonds of a model.

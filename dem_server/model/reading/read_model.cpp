@@ -17,6 +17,7 @@
 #include "dem_server/model/reading/springs.hpp"
 #include "dem_server/model/reading/walls.hpp"
 #include "dem_server/model/solid/bends_as_solid.hpp"
+#include "dem_server/model/solid/facets_of_material.hpp"
 #include "dem_server/model/solid/ring_faces.hpp"
 #include "dem_server/model/solid/strength_of_material.hpp"
 #include "dem_server/model/stages/read_stages.hpp"
@@ -38,8 +39,10 @@ Joined set_particles(const scene::Scene& scene, const std::vector<Group>& groups
   model.contact_bonds.clear();
   model.parallel_bonds.clear();
   model.smooth_joints.clear();
+  model.facets.clear();
+  model.facet_laws.clear();
   model.stages = read_stages(scene, placement);
-  const Joined joined = join(scene.particles(), groups, placement.reach, model.stages, model);
+  const Joined joined = join(scene.particles(), groups, placement, model.stages, model);
   stiffen_ring_faces(scene.particles(), groups, model);
   ParticleStage& first = model.stages.front();
   model.group = std::move(first.group);
@@ -72,9 +75,17 @@ void remove_floaters(const Model& model, std::vector<std::string>& notes, Placem
 
 void set_masses(const std::vector<Group>& groups, const Placement& placement, Model& model) {
   for (const Group& group : groups) model.density.push_back(group.material.material.density());
+  const auto& cells = placement.cells;
   const auto mass = [&](std::size_t i, std::uint32_t group) {
-    return placement.mass(model.density[group], model.discs.radius[i]);
+    return cells ? model.density[group] * cells->area[i]
+                 : placement.mass(model.density[group], model.discs.radius[i]);
   };
+  if (cells) {
+    for (const Group& group : groups)
+      model.cell_elasticity.push_back(elasticity_of(group.material, group.plane));
+    for (std::size_t i = 0; i < model.discs.size(); ++i)
+      model.gyration_square.push_back(cells->polar_moment[i] / cells->area[i]);
+  }
   for (ParticleStage& stage : model.stages)
     for (std::size_t i = 0; i < model.discs.size(); ++i) stage.mass.push_back(mass(i, stage.group[i]));
   for (std::size_t i = 0; i < model.discs.size(); ++i) {
@@ -100,7 +111,7 @@ void set_damping(const scene::ParticleDamping& damping, Model& model) {
 
 // In a packing of another kind the material's stiffness is only an estimate.
 void note_estimates(const scene::Particles& particles, const std::vector<Group>& groups, Model& model) {
-  if (particles.has_packing()) return;
+  if (particles.has_packing() || particles.has_cells()) return;
   for (const Group& group : groups) {
     if (!group.bonds || group.bonds->has_parallel() ||
         (group.bonds->has_normal_stiffness() && group.bonds->has_shear_stiffness()))
@@ -153,13 +164,41 @@ void warn_of_laws_of_zones(const scene::Scene& scene, Model& model) {
   const bool bonded = particles.has_bonds() || !particles.has_contacts();
   if (particles.has_material() || !bonded) return;
   const scene::Bonds& bonds = particles.bonds();
-  std::vector<std::string> laws = laws_beyond_bonds(scene.material(), bonds);
+  std::vector<std::string> laws = laws_beyond_bonds(scene.material(), bonds, particles.has_cells());
   if (bonds.has_tensile_strength() || bonds.has_shear_strength()) std::erase(laws, "mohr_coulomb");
   if (laws.empty()) return;
   model.notes.push_back(protocol::as_warning(fmt::format(
-      "`{}` of `material` does not act in the particles, which stay elastic; give particles.material, "
-      "or set particles.bonds.strength_of_material for a strength by Mohr and Coulomb",
-      fmt::join(laws, "`, `"))));
+      "`{}` of `material` does not act in the particles, which {}", fmt::join(laws, "`, `"),
+      particles.has_cells()
+          ? "break by `fracture` of particles.material, or stay elastic without"
+          : "stay elastic; give particles.material, or set particles.bonds.strength_of_material for a "
+            "strength by Mohr and Coulomb")));
+}
+
+// What a laboratory would find, and cells that are too large to soften stably: a facet is as long a spring as
+// its cells are apart, and must not store more than it dissipates.
+void note_fracture(const scene::Particles& particles, const std::vector<Group>& groups, Model& model) {
+  constexpr double kLargestShare = 0.25;
+  if (!particles.has_cells()) return;
+  const double size = particles.cells().size();
+  for (const Group& group : groups) {
+    const scene::Material& material = group.material.material;
+    if (!material.has_fracture() ||
+        (&group != &groups.front() && &material == &groups.front().material.material))
+      continue;
+    const FacetLaw law = fracture_of(material.fracture(), group.material.path + ".fracture");
+    const double length = elasticity_of(group.material, group.plane).stiffness * law.opening_energy /
+                          (law.tensile_strength * law.tensile_strength);
+    model.notes.push_back(
+        fmt::format("{}.fracture: strength {:.4g} Pa in direct tension, {:.4g} Pa in unconfined compression",
+                    group.material.path, law.tensile_strength, compressive_strength(law)));
+    if (size > kLargestShare * length)
+      model.notes.push_back(
+          protocol::as_warning(fmt::format("particles.cells.size: is {:.4g} m, too large for "
+                                           "fracture_energy: facets snap, and cracks dissipate more than "
+                                           "stated; give at most {:.3g} m",
+                                           size, kLargestShare * length)));
+  }
 }
 
 void start_under_stress(const scene::Scene& scene, Model& model) {
@@ -199,6 +238,7 @@ Model read_model(const scene::Scene& scene, const protocol::Progress& progress, 
   note_estimates(particles, groups, model);
   note_cut_tensions(particles, groups, model);
   note_thin_ring(particles, model);
+  note_fracture(particles, groups, model);
   note_no_bonds(particles, model);
   warn_of_laws_of_zones(scene, model);
   for (const std::string& warning : join_warnings(particles, joined, placement.reach))

@@ -34,6 +34,10 @@ void Solver::hold_what_vanishes(const ParticleStage& stage) {
             w * (s.shear * arms.first + s.moment), w * (s.shear * arms.second - s.moment)},
            stage);
     }
+  for (std::uint32_t k = 0; k < facets_.size(); ++k) {
+    const auto [x, y, moment_1, moment_2] = facets_.actions(k);
+    hold({facets_.set().first[k], facets_.set().second[k], x, y, moment_1, moment_2}, stage);
+  }
   for (const Joints::Joint& j : joints_.joints()) {
     const PlaneVector force = vector_of(j.nx, j.ny, j.weight * j.normal, j.weight * j.springs.shear);
     hold({j.first, j.second, force.x, force.y, 0, 0}, stage);
@@ -51,8 +55,10 @@ void Solver::begin_stage(std::uint32_t before, const ParticleStage& stage, const
   bonds_ = std::move(bonded.bonds);
   bond_of_pair_ = std::move(bonded.bond_of_pair);
   joints_.replace(std::move(bonded.joints));
+  facets_.begin_stage(model, stage.fresh, particles_);
   neighbours_.begin_stage(particles_, pairs_of(model.bonds), model.group, bonded.first_contact_law,
                           stage.fresh);
+  neighbours_.part(facets_.parted());
   walls_.list(particles_);
   springs_.begin_stage(before, stage.number, particles_);
   renew_damping();

@@ -1,0 +1,88 @@
+// The facets of a model, step by step (facet_kernel.hpp), as a part of the solver beside pairs, joints and
+// springs.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dem_server/engines/answers.hpp"
+#include "dem_server/engines/crack.hpp"
+#include "dem_server/engines/general/facets/facet_kernel.hpp"
+#include "dem_server/packing/discs.hpp"
+#include "dem_server/particles/particles.hpp"
+#include "protocol/state/archive.hpp"
+#include "protocol/threads/team.hpp"
+
+namespace adit::dem {
+
+// A facet as it is now: force on its first cell and moment about its middle, unweighted.
+struct FacetState {
+  double nx, ny;                 // its normal
+  double x, y;                   // its middle [m]
+  double normal, shear, moment;  // [N], [N m]
+  double opening, slip;          // of the half that is wider open, as far as they are not elastic [m]
+  BondState state;
+};
+
+class Facets {
+ public:
+  Facets() = default;
+  explicit Facets(const Model& model);
+
+  bool empty() const { return set_.size() == 0; }
+  std::size_t size() const { return set_.size(); }
+  const FacetSet& set() const { return set_; }
+  void mark(std::vector<bool>& discs) const;
+
+  // Turns the cells and adds what their facets do to their resultants; `dt` is 0 where the step starts from
+  // rest.
+  void add_forces(double dt, Particles& particles, protocol::Team& team);
+
+  // The same for cells that have turned by their `spin` [rad], whatever they did before.
+  void find_linear_forces(Particles& particles);
+
+  // What a facet does to its first cell, and its moment on the second, weighted.
+  struct Actions {
+    double x, y, moment_1, moment_2;
+  };
+  Actions actions(std::uint32_t facet) const {
+    const double* of = &motion_.actions[4 * std::size_t{facet}];
+    return {of[0], of[1], of[2], of[3]};
+  }
+  // Those that join their cells, and those at which the cells only touch; ascending.
+  std::span<const std::uint32_t> joining() const { return joining_; }
+  std::span<const std::uint32_t> touching() const { return touching_; }
+  FacetState state(std::uint32_t facet, const Particles& particles) const;
+  // Of the last step: facets that cracked, ascending; the largest |normal force|.
+  std::span<const std::uint32_t> cracked() const { return cracked_; }
+  // Pairs of cells whose facets parted in the last step, and of all that have; ascending.
+  std::vector<Pair> parted_now() const;
+  std::vector<Pair> parted() const;
+  // What a cracked facet leaves, in the body at rest.
+  Crack crack(std::uint32_t facet, const Particles& particles) const;
+  Strongest strongest(const Particles& particles) const;
+  double internal_force() const;                 // sum of |force|, weighted [N]
+  double strain_energy() const;                  // weighted [J]
+  double fracture() const { return fracture_; }  // dissipated since the start, weighted [J]
+  void start_over() { fracture_ = 0; }
+
+  // Takes the facets of another stage: those of the same two cells and law keep what they are, of which no
+  // cell is fresh; the others begin free of stress as the cells lie now.
+  void begin_stage(const Model& model, const std::vector<bool>& fresh, const Particles& particles);
+
+  void exchange(state::Archive& archive);
+
+ private:
+  void make_room();
+  void find_motion(const Particles& particles);
+
+  FacetSet set_;
+  FacetMotion motion_;
+  std::vector<FacetResult> results_;  // of blocks
+  std::vector<std::uint32_t> joining_, touching_;
+  std::vector<std::uint32_t> cracked_;
+  double fracture_ = 0;
+};
+
+}  // namespace adit::dem

@@ -1,0 +1,101 @@
+// A facet bond: two rigid cells of Voronoi joined over the whole facet between them, by springs that are
+// spread over it and that soften when they break (rigid-body-spring network: Bolander & Saito 1998, Eng.
+// Fract. Mech. 61, 569; softening by a fracture energy: Carol, Prat & Lopez 1997, J. Eng. Mech. 123, 765).
+// Per metre of thickness.
+//
+// At a point of the facet D is the jump of displacement from the first to the second cell, D_n along the
+// facet's normal and D_t along its left normal. Intact, the traction is k D in both directions. Two points,
+// at +-A / (2 sqrt 3) from the middle of a facet of length A, stand for half of it each: they give the
+// bending stiffness k A^3 / 12 exactly.
+//
+// What is left of the strength is chi = exp(-wear). With the tensile strength f_t, the shear strength c
+// without pressure and w = G_f / f_t,
+//   open (D_n > 0):  sigma = whole k D_n, tau = k (D_t - slip), within (sigma / f_t)^2 + (tau / f_t)^2 <=
+//   chi^2: a traction
+//     beyond that is scaled back by r, `whole` by r, and slip grows by (1 - r) tau / k. The wear grows by
+//     sqrt((d opening / w)^2 + (d slip / w)^2), the opening being D_n - sigma / k where it has never been
+//     larger;
+//   closed:  sigma = k D_n, |tau| <= chi (f_t + (c - f_t) min(1, -sigma / f_t)) - sigma (mu_r + (mu - mu_r)
+//   chi); what slips
+//     beyond that wears by c / G, G = G_f + (G_II - G_f) min(1, -sigma / c).
+// So a facet that opens slowly dissipates f_t w = G_f, and one that is worn away bears compression and
+// friction mu_r. A shear strength of f_t under tension, and friction that is lost with the cohesion, make
+// strengths independent of the size of cells; with c and mu instead, irregular facets interlock.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace adit::dem {
+
+// A strength that nothing reaches, whose square is finite [Pa].
+inline constexpr double kUnbroken = 1e100;
+
+struct FacetLaw {
+  double tensile_strength, cohesion;       // f_t, c [Pa]
+  double friction, residual_friction = 0;  // mu, mu_r
+  double opening_energy, shearing_energy;  // G_f, G_II [J/m^2]
+  bool joined = true;                      // else its cells only touch there, from the beginning
+  bool breaks() const { return joined && tensile_strength < kUnbroken; }
+  bool operator==(const FacetLaw&) const = default;
+};
+
+// Where a point of a facet lies, as a share of its length from its middle.
+inline constexpr double kFacetPoint = 0.28867513459481287;  // 1 / (2 sqrt 3)
+// Wear by which a facet counts as cracked: a twentieth of its strength is left.
+inline constexpr double kCracked = 3;
+
+struct FacetTraction {
+  double normal, shear;  // [Pa]
+};
+
+// One point that has been beyond its strength.
+struct FacetPoint {
+  double whole = 1, slip = 0, opening = 0, wear = 0;  // [m]
+};
+
+// The largest shear stress under the compression `pressure` [Pa].
+inline double shear_limit(const FacetLaw& law, double chi, double pressure) {
+  const double closed = std::min(1.0, pressure / law.tensile_strength);
+  return chi * (law.tensile_strength + (law.cohesion - law.tensile_strength) * closed) +
+         pressure * (law.residual_friction + (law.friction - law.residual_friction) * chi);
+}
+
+inline FacetTraction open_traction(const FacetLaw& law, double k, double jump_n, double jump_t,
+                                   FacetPoint& point) {
+  FacetTraction t{point.whole * k * jump_n, k * (jump_t - point.slip)};
+  const double chi = std::exp(-point.wear), size = std::hypot(t.normal, t.shear) / law.tensile_strength;
+  if (size <= chi) return t;
+  const double r = chi / size, width = law.opening_energy / law.tensile_strength;
+  const double slipped = (1 - r) * t.shear / k;
+  t = {r * t.normal, r * t.shear};
+  point.whole *= r;
+  point.slip += slipped;
+  const double opening = std::max(point.opening, jump_n - t.normal / k);
+  point.wear += std::hypot((opening - point.opening) / width, slipped / width);
+  point.opening = opening;
+  return t;
+}
+
+inline FacetTraction closed_traction(const FacetLaw& law, double k, double jump_n, double jump_t,
+                                     FacetPoint& point) {
+  FacetTraction t{k * jump_n, k * (jump_t - point.slip)};
+  const double limit = shear_limit(law, std::exp(-point.wear), -t.normal), beyond = std::abs(t.shear) - limit;
+  if (beyond <= 0) return t;
+  const double slipped = beyond / k;
+  const double energy = law.opening_energy +
+                        (law.shearing_energy - law.opening_energy) * std::min(1.0, -t.normal / law.cohesion);
+  point.slip += std::copysign(slipped, t.shear);
+  point.wear += slipped * law.cohesion / energy;
+  t.shear = std::copysign(limit, t.shear);
+  return t;
+}
+
+inline FacetTraction facet_traction(const FacetLaw& law, double k, double jump_n, double jump_t,
+                                    FacetPoint& point) {
+  return jump_n > 0 ? open_traction(law, k, jump_n, jump_t, point)
+                    : closed_traction(law, k, jump_n, jump_t, point);
+}
+
+}  // namespace adit::dem

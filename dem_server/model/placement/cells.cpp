@@ -1,0 +1,183 @@
+#include "dem_server/model/placement/cells.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "dem_server/model/placement/scene_checks.hpp"
+#include "dem_server/packing/voronoi/cell_points.hpp"
+#include "protocol/errors.hpp"
+#include "protocol/text.hpp"
+
+namespace adit::dem {
+namespace {
+
+using geometry::Point;
+using protocol::UserError;
+
+Point point_of(const scene::Point& p) {
+  return {p.x(), p.y()};
+}
+
+bool same(const CellFace& a, const CellFace& b) {
+  const auto equal = [](const Point& p, const Point& q) { return p.x == q.x && p.y == q.y; };
+  if (a.index() != b.index()) return false;
+  if (const auto* circle = std::get_if<FaceCircle>(&a)) {
+    const auto& other = std::get<FaceCircle>(b);
+    return equal(circle->centre, other.centre) && circle->radius == other.radius;
+  }
+  const auto &line = std::get<FaceLine>(a), &other = std::get<FaceLine>(b);
+  return line.closed == other.closed && std::ranges::equal(line.corners, other.corners, equal);
+}
+
+// The lines of a scene, each once, as far as they lie in the box.
+class Faces {
+ public:
+  explicit Faces(const geometry::BoundingBox& box) : box_(box) {}
+
+  const std::vector<CellFace>& all() const { return faces_; }
+
+  void add_circle(const scene::Point& centre, double radius) { add(FaceCircle{point_of(centre), radius}); }
+
+  void add_line(std::vector<Point> corners, bool closed = false) {
+    add(FaceLine{std::move(corners), closed});
+  }
+
+  template <class Corners>
+  void add_polygon(const Corners& corners) {
+    std::vector<Point> points;
+    for (const auto& corner : corners) points.push_back(point_of(corner));
+    add_line(std::move(points), true);
+  }
+
+  void add_band(const scene::Band& band) {
+    const Point from = point_of(band.from()), to = point_of(band.to());
+    const double length = std::hypot(to.x - from.x, to.y - from.y), half = band.width() / 2;
+    if (length == 0) return;
+    const double x = -(to.y - from.y) / length * half, y = (to.x - from.x) / length * half;
+    add_line({{from.x - x, from.y - y}, {to.x - x, to.y - y}, {to.x + x, to.y + y}, {from.x + x, from.y + y}},
+             true);
+  }
+
+  // Those sides of a box that lie inside: all four, or what hangs together of them.
+  void add_sides(double x_min, double x_max, double y_min, double y_max) {
+    const double left = std::max(x_min, box_.x_min), right = std::min(x_max, box_.x_max),
+                 lower = std::max(y_min, box_.y_min), upper = std::min(y_max, box_.y_max);
+    if (!(left < right && lower < upper)) return;
+    const std::array<Point, 4> corners{{{left, lower}, {right, lower}, {right, upper}, {left, upper}}};
+    const std::array<bool, 4> inside{lower > box_.y_min, right < box_.x_max,
+                                     upper<box_.y_max, left> box_.x_min};
+    const auto count = std::ranges::count(inside, true);
+    if (count == 4) {
+      add_line({corners.begin(), corners.end()}, true);
+      return;
+    }
+    for (std::size_t side = 0; side < 4; ++side) {
+      if (!inside[side] || inside[(side + 3) % 4]) continue;  // not the first of a run
+      std::vector<Point> line{corners[side]};
+      for (std::size_t next = side; inside[next % 4]; ++next) line.push_back(corners[(next + 1) % 4]);
+      add_line(std::move(line));
+    }
+  }
+
+  void add_area(const scene::Area& area) {
+    constexpr double kOpen = std::numeric_limits<double>::infinity();
+    add_sides(area.has_x_min() ? area.x_min() : -kOpen, area.has_x_max() ? area.x_max() : kOpen,
+              area.has_y_min() ? area.y_min() : -kOpen, area.has_y_max() ? area.y_max() : kOpen);
+    if (area.has_circle()) add_circle(area.circle().centre(), area.circle().radius());
+    if (area.has_annulus()) add_annulus(area.annulus());
+    if (area.has_band()) add_band(area.band());
+    if (area.has_polygon()) {
+      add_polygon(area.polygon().corners());
+      for (const auto& hole : area.polygon().holes()) add_polygon(hole.corners());
+    }
+  }
+
+  template <class Annulus>
+  void add_annulus(const Annulus& annulus) {
+    add_circle(annulus.centre(), annulus.inner_radius());
+    add_circle(annulus.centre(), annulus.outer_radius());
+  }
+
+ private:
+  void add(const CellFace& face) {
+    if (std::ranges::none_of(faces_, [&](const CellFace& other) { return same(face, other); }))
+      faces_.push_back(face);
+  }
+
+  geometry::BoundingBox box_;
+  std::vector<CellFace> faces_;
+};
+
+std::vector<CellFace> faces_of(const scene::Particles& particles, const geometry::BoundingBox& box) {
+  Faces faces(box);
+  if (particles.has_ring()) faces.add_annulus(particles.ring());
+  for (const auto& group : particles.groups()) faces.add_area(group.where());
+  for (const auto& excavation : particles.excavations()) faces.add_area(excavation.where());
+  faces.add_area(particles.within());
+  for (const auto& joint : particles.joints()) faces.add_line({point_of(joint.from()), point_of(joint.to())});
+  return faces.all();
+}
+
+// A lining of less than two cells would be a chain.
+void require_two_rows(double thickness, double size, const std::string& what) {
+  if (size > thickness / 2)
+    throw UserError(
+        "particles.cells.size",
+        fmt::format("is {} m, more than half of the thickness of {}, {:.4g} m; give at most {:.4g} m", size,
+                    what, thickness, thickness / 2));
+}
+
+void require_rows_in_linings(const scene::Particles& particles) {
+  const double size = particles.cells().size();
+  if (particles.has_ring())
+    require_two_rows(particles.ring().outer_radius() - particles.ring().inner_radius(), size, "the ring");
+  for (const auto& group : particles.groups())
+    if (group.where().has_annulus())
+      require_two_rows(group.where().annulus().outer_radius() - group.where().annulus().inner_radius(), size,
+                       "the group " + protocol::quote(group.name()));
+}
+
+}  // namespace
+
+void CellShapes::keep_only(const std::vector<bool>& keep) {
+  constexpr std::uint32_t kGone = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> place(keep.size(), kGone);
+  std::uint32_t kept = 0;
+  for (std::size_t i = 0; i < keep.size(); ++i)
+    if (keep[i]) place[i] = kept++;
+  dem::keep_only(keep, area, polar_moment);
+  std::erase_if(facets, [&](const Facet& f) { return place[f.first] == kGone || place[f.second] == kGone; });
+  for (Facet& facet : facets) {
+    facet.first = place[facet.first];
+    facet.second = place[facet.second];
+  }
+}
+
+Placement place_cells(const scene::Particles& particles) {
+  const scene::CellPacking& wanted = particles.cells();
+  const std::string path = "particles.cells";
+  const geometry::BoundingBox box = box_of(wanted);
+  constexpr double kAreaOfCell = 0.8660254;  // over the square of the size
+  require_room_for(
+      (box.x_max - box.x_min) * (box.y_max - box.y_min) / (kAreaOfCell * wanted.size() * wanted.size()),
+      wanted.size(), path + ".size");
+  require_rows_in_linings(particles);
+  VoronoiCells cells;
+  try {
+    cells = voronoi_cells(pack_cells({box, wanted.size(), faces_of(particles, box), wanted.seed()}), box);
+  } catch (const std::invalid_argument& why) {
+    throw UserError(path, why.what());
+  }
+  Discs discs{std::move(cells.x), std::move(cells.y), std::move(cells.radius)};
+  return {.discs = std::move(discs),
+          .mass = {},
+          .extent = box,
+          .number = {},
+          .cells = CellShapes{std::move(cells.area), std::move(cells.polar_moment), std::move(cells.facets)}};
+}
+
+}  // namespace adit::dem

@@ -1,0 +1,82 @@
+#include "dem_server/model/solid/facets_of_material.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "protocol/errors.hpp"
+
+namespace adit::dem {
+
+using protocol::UserError;
+
+CellElasticity elasticity_of(const MaterialAt& at, Plane plane) {
+  constexpr double kLargest = 0.45;
+  double e = at.material.young_modulus(), nu = at.material.poisson_ratio();
+  if (!(nu >= 0 && nu <= kLargest))
+    throw UserError(
+        at.path + ".poisson_ratio",
+        fmt::format("is {}, but cells deform like a solid only from 0 to {}; change it", nu, kLargest));
+  if (plane == Plane::kStrain) {
+    e /= 1 - nu * nu;
+    nu /= 1 - nu;
+  }
+  return {e / (1 + nu), e * nu / (1 - nu * nu)};
+}
+
+FacetLaw fracture_of(const scene::Fracture& fracture, const std::string& path) {
+  if (fracture.has_compressive_strength() == fracture.has_cohesion())
+    throw UserError(path, "needs one of compressive_strength and cohesion; give exactly one");
+  const double phi = fracture.friction_angle(), ft = fracture.tensile_strength();
+  const double cohesion = fracture.has_cohesion()
+                              ? fracture.cohesion()
+                              : fracture.compressive_strength() * (1 - std::sin(phi)) / (2 * std::cos(phi));
+  if (!(cohesion >= ft))
+    throw UserError(
+        path + (fracture.has_cohesion() ? ".cohesion" : ".compressive_strength"),
+        fmt::format("is too small: it makes the cohesion {:.4g} Pa, below the tensile_strength of {:.4g} Pa; "
+                    "give more, as rock and concrete have",
+                    cohesion, ft));
+  if (fracture.residual_friction_angle() > phi)
+    throw UserError(path + ".residual_friction_angle", "is above friction_angle; give at most that");
+  const double opening = fracture.fracture_energy();
+  return {ft,
+          cohesion,
+          std::tan(phi),
+          std::tan(fracture.residual_friction_angle()),
+          opening,
+          fracture.has_shearing_energy() ? fracture.shearing_energy() : 3 * opening};
+}
+
+double compressive_strength(const FacetLaw& law) {
+  const double phi = std::atan(law.friction);
+  return 2 * law.cohesion * std::cos(phi) / (1 - std::sin(phi));
+}
+
+FacetLaw touching(double stiffness, double friction) {
+  constexpr double kNone = 1e-9, kAtOnce = 1e-200;  // energy by which it is worn away whatever it does first
+  const double none = kNone * stiffness;
+  return {.tensile_strength = none,
+          .cohesion = none,
+          .friction = friction,
+          .residual_friction = friction,
+          .opening_energy = kAtOnce,
+          .shearing_energy = kAtOnce,
+          .joined = false};
+}
+
+FacetLaw unbroken() {
+  return {kUnbroken, kUnbroken, 0, 0, kUnbroken, kUnbroken};
+}
+
+FacetLaw weaker(const FacetLaw& a, const FacetLaw& b) {
+  return {std::min(a.tensile_strength, b.tensile_strength),
+          std::min(a.cohesion, b.cohesion),
+          std::min(a.friction, b.friction),
+          std::min(a.residual_friction, b.residual_friction),
+          std::min(a.opening_energy, b.opening_energy),
+          std::min(a.shearing_energy, b.shearing_energy)};
+}
+
+}  // namespace adit::dem
