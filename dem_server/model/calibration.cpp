@@ -16,6 +16,15 @@ BondStiffness calibrate(double young_modulus, double poisson_ratio, Plane plane)
   return {factor * (mu + lambda), factor * (mu - lambda)};
 }
 
+CellElasticity cell_elasticity(double young_modulus, double poisson_ratio, Plane plane) {
+  double e = young_modulus, nu = poisson_ratio;
+  if (plane == Plane::kStrain) {
+    e /= 1 - nu * nu;
+    nu /= 1 - nu;
+  }
+  return {e / (1 + nu), e * nu / (1 - nu * nu)};
+}
+
 double largest_poisson_ratio(Plane plane) {
   return plane == Plane::kStress ? 1.0 / 3 : 1.0 / 4;
 }

@@ -18,6 +18,12 @@ enum class Plane { kStrain, kStress };
 // The shear stiffness is negative above largest_poisson_ratio.
 BondStiffness calibrate(double young_modulus, double poisson_ratio, Plane plane);
 
+// Of a solid of cells (engines/general/facets/facet_kernel.hpp): E' = 2 G and lambda of the plane [Pa].
+struct CellElasticity {
+  double stiffness, lambda;
+};
+CellElasticity cell_elasticity(double young_modulus, double poisson_ratio, Plane plane);
+
 // Above it the lattice would need a negative shear stiffness: 1/3 in plane stress, 1/4 in plane strain.
 double largest_poisson_ratio(Plane plane);
 

@@ -17,6 +17,7 @@
 #include "dem_server/laws/pair_kinematics.hpp"
 #include "dem_server/laws/parallel_bond.hpp"
 #include "dem_server/laws/smooth_joint.hpp"
+#include "dem_server/model/calibration.hpp"
 #include "dem_server/model/group_pairs.hpp"
 #include "dem_server/packing/discs.hpp"
 #include "protocol/foundation/springs.hpp"
@@ -50,11 +51,6 @@ struct FacetBond {
   double stiffness;      // k [Pa/m]
   std::uint32_t law;     // among the model's
   FacetBond turned() const { return {-nx, -ny, half_distance, -skew, length, stiffness, law}; }
-};
-
-// Of a solid of cells (engines/general/facets/facet_kernel.hpp): E' and lambda [Pa].
-struct CellElasticity {
-  double stiffness, lambda;
 };
 
 // Two discs that touch without a bond, first < second, and press on each other before anything moves [N].

@@ -153,32 +153,36 @@ Energies GeneralEngine::energies(const protocol::Step& step) {
   const Stored stored = solver_.stored();
   const double loads = loads_.work().forces, body_loads = loads_.work().accelerations,
                motions = motions_.work(), walls = solver_.walls().work();
-  return {.kinetic = kinetic_energy_of(step, motions_.kinetic_energy()),
-          .strain = solver_.strain_energy() + solver_.foundation_energy(),
-          .external_work = loads + body_loads + motions + walls + ledger.support + ledger.ground,
-          .released = ledger.released,
-          .dissipated = ledger.friction + ledger.fracture + ledger.dashpots + ledger.damping.local +
-                        ledger.damping.viscous + ledger.damping.edges + ledger.foundations,
-          .shares = {{"contacts", stored.contacts},
-                     {"contact_bonds", stored.contact_bonds},
-                     {"parallel_bonds", stored.parallel_bonds},
-                     {"facets", solver_.facets().strain_energy()},
-                     {"joints", solver_.joints().strain_energy()},
-                     {"springs", solver_.springs().strain_energy()},
-                     {"foundations", solver_.foundation_energy()},
-                     {"loads", loads},
-                     {"body_loads", body_loads},
-                     {"motions", motions},
-                     {"walls", walls},
-                     {"ground", ledger.ground},
-                     {"friction", ledger.friction},
-                     {"fracture", ledger.fracture},
-                     {"contact_dashpots", ledger.dashpots},
-                     {"local_damping", ledger.damping.local},
-                     {"viscous_damping", ledger.damping.viscous},
-                     {"quiet_edges", ledger.damping.edges},
-                     {"foundation_losses", ledger.foundations},
-                     {"time_step", solver_.time_step_share()}}};
+  Energies energies{.kinetic = kinetic_energy_of(step, motions_.kinetic_energy()),
+                    .strain = solver_.strain_energy() + solver_.foundation_energy(),
+                    .external_work = loads + body_loads + motions + walls + ledger.support + ledger.ground,
+                    .released = ledger.released,
+                    .dissipated = ledger.friction + solver_.facets().fracture() + ledger.dashpots +
+                                  ledger.damping.local + ledger.damping.viscous + ledger.damping.edges +
+                                  ledger.foundations,
+                    .shares = {{"contacts", stored.contacts},
+                               {"contact_bonds", stored.contact_bonds},
+                               {"parallel_bonds", stored.parallel_bonds},
+                               {"joints", solver_.joints().strain_energy()},
+                               {"springs", solver_.springs().strain_energy()},
+                               {"foundations", solver_.foundation_energy()},
+                               {"loads", loads},
+                               {"body_loads", body_loads},
+                               {"motions", motions},
+                               {"walls", walls},
+                               {"ground", ledger.ground},
+                               {"friction", ledger.friction},
+                               {"contact_dashpots", ledger.dashpots},
+                               {"local_damping", ledger.damping.local},
+                               {"viscous_damping", ledger.damping.viscous},
+                               {"quiet_edges", ledger.damping.edges},
+                               {"foundation_losses", ledger.foundations},
+                               {"time_step", solver_.time_step_share()}}};
+  if (!solver_.facets().empty()) {
+    energies.shares.push_back({"facets", solver_.facets().strain_energy()});
+    energies.shares.push_back({"fracture", solver_.facets().fracture()});
+  }
+  return energies;
 }
 
 void GeneralEngine::exchange(state::Archive& archive) {

@@ -365,7 +365,6 @@ double Solver::internal_force() const {
 DiscLedger Solver::ledger() const {
   DiscLedger ledger = ledger_;
   ledger.friction += walls_.friction() + joints_.friction();
-  ledger.fracture = facets_.fracture();
   ledger.dashpots += walls_.dashpots();
   ledger.released += springs_.released();
   for (const foundation::Springs& springs : foundations_) {
@@ -378,7 +377,7 @@ DiscLedger Solver::ledger() const {
 double Solver::time_step_share() const {
   const DiscLedger sum = ledger();
   return -sum.pairs + walls_.work() - (strain_energy() - strain_at_start_) - sum.friction - sum.dashpots -
-         sum.released - sum.fracture;
+         sum.released - facets_.fracture();
 }
 
 }  // namespace adit::dem

@@ -39,7 +39,7 @@ namespace adit::dem {
 
 // Since the start [J]. `pairs`: work of all pairs, facets, joints, springs and walls on the discs.
 struct DiscLedger {
-  double pairs = 0, friction = 0, dashpots = 0, released = 0, fracture = 0;
+  double pairs = 0, friction = 0, dashpots = 0, released = 0;
   Damping::Loss damping;
   double support = 0;  // work of what held quiet edges in statics
   double ground = 0;   // work of the ground of foundations, and what their slip and dashpots took

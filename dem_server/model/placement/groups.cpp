@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include "dem_server/model/solid/facets_of_material.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/geometry/selection.hpp"
 #include "protocol/nearest_name.hpp"
@@ -77,7 +76,10 @@ scene::Area lining_area(const scene::SegmentRing& ring) {
 BondStiffness Group::stiffness() const {
   if (cells) {
     // That of a facet of a regular hexagon: E' A / h, A / h = 1 / sqrt(3).
-    const double k = elasticity_of(material, plane).stiffness / std::numbers::sqrt3;
+    const double k =
+        cell_elasticity(material.material.young_modulus(), material.material.poisson_ratio(), plane)
+            .stiffness /
+        std::numbers::sqrt3;
     return {k, k};
   }
   return checked_stiffness(bonds != nullptr ? *bonds : scene::Bonds::default_instance(),

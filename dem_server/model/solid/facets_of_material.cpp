@@ -13,16 +13,12 @@ using protocol::UserError;
 
 CellElasticity elasticity_of(const MaterialAt& at, Plane plane) {
   constexpr double kLargest = 0.45;
-  double e = at.material.young_modulus(), nu = at.material.poisson_ratio();
+  const double nu = at.material.poisson_ratio();
   if (!(nu >= 0 && nu <= kLargest))
     throw UserError(
         at.path + ".poisson_ratio",
         fmt::format("is {}, but cells deform like a solid only from 0 to {}; change it", nu, kLargest));
-  if (plane == Plane::kStrain) {
-    e /= 1 - nu * nu;
-    nu /= 1 - nu;
-  }
-  return {e / (1 + nu), e * nu / (1 - nu * nu)};
+  return cell_elasticity(at.material.young_modulus(), nu, plane);
 }
 
 FacetLaw fracture_of(const scene::Fracture& fracture, const std::string& path) {
