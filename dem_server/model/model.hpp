@@ -178,9 +178,11 @@ struct Model {
   // Area of the cell that a disc stands for, without its weight [m^2].
   double cell_area(std::size_t disc) const { return mass[disc] / density[group[disc]]; }
   // Moment of inertia of a disc without its weight [kg m^2]: m R^2 / 2, or that of the cell.
-  double inertia(std::size_t disc) const {
-    if (!gyration_square.empty()) return mass[disc] * gyration_square[disc];
-    return mass[disc] * discs.radius[disc] * discs.radius[disc] / 2;
+  double inertia(std::size_t disc) const { return inertia(disc, mass[disc]); }
+  // If it had this mass [kg].
+  double inertia(std::size_t disc, double its_mass) const {
+    if (!gyration_square.empty()) return its_mass * gyration_square[disc];
+    return its_mass * discs.radius[disc] * discs.radius[disc] / 2;
   }
 };
 

@@ -26,7 +26,7 @@ void set_masses(const Model& model, Particles& p) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (!model.present.empty() && !model.present[i]) continue;
     p.mass[i] = p.weight[i] * model.mass[i];
-    p.inertia[i] = p.weight[i] * model.inertia(i);
+    p.inertia[i] = model.inertia(i, p.mass[i]);
     p.inverse_mass[i] = 1 / p.mass[i];
     p.inverse_inertia[i] = 1 / p.inertia[i];
   }
