@@ -4,18 +4,6 @@
 
 namespace adit::dem {
 
-BondStiffness calibrate(double young_modulus, double poisson_ratio, Plane plane) {
-  double e = young_modulus, nu = poisson_ratio;
-  if (plane == Plane::kStrain) {
-    e /= 1 - nu * nu;
-    nu /= 1 - nu;
-  }
-  const double lambda = e * nu / (1 - nu * nu);
-  const double mu = e / (2 * (1 + nu));
-  const double factor = 2 / std::numbers::sqrt3;
-  return {factor * (mu + lambda), factor * (mu - lambda)};
-}
-
 CellElasticity cell_elasticity(double young_modulus, double poisson_ratio, Plane plane) {
   double e = young_modulus, nu = poisson_ratio;
   if (plane == Plane::kStrain) {
@@ -23,6 +11,12 @@ CellElasticity cell_elasticity(double young_modulus, double poisson_ratio, Plane
     nu /= 1 - nu;
   }
   return {e / (1 + nu), e * nu / (1 - nu * nu)};
+}
+
+BondStiffness calibrate(double young_modulus, double poisson_ratio, Plane plane) {
+  const auto [twice_mu, lambda] = cell_elasticity(young_modulus, poisson_ratio, plane);
+  const double mu = twice_mu / 2, factor = 2 / std::numbers::sqrt3;
+  return {factor * (mu + lambda), factor * (mu - lambda)};
 }
 
 double largest_poisson_ratio(Plane plane) {

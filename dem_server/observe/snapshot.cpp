@@ -28,8 +28,7 @@ void add_bonds(const Observable& observed, wire::Snapshot& snapshot) {
   auto& moment = add_field(fields, "moment_Nm", 1);
   auto& state = add_field(fields, "state", 1);
   auto& weight = add_field(fields, "weight", 1);
-  std::vector<double> opening, slip;
-  bool facets = false;
+  google::protobuf::RepeatedField<double>*opening = nullptr, *slip = nullptr;  // where facets join cells
   observed.for_each_bond([&](const ObservedPair& bond) {
     add_line(bond.first, bond.second, piece);
     normal.Add(bond.normal);
@@ -37,13 +36,14 @@ void add_bonds(const Observable& observed, wire::Snapshot& snapshot) {
     moment.Add(bond.moment);
     state.Add(static_cast<double>(bond.state));
     weight.Add(bond.weight);
-    opening.push_back(bond.opening);
-    slip.push_back(bond.slip);
-    facets = facets || bond.place;
+    if (!bond.place) return;
+    if (!opening) {
+      opening = &add_field(fields, "opening_m", 1);
+      slip = &add_field(fields, "slip_m", 1);
+    }
+    opening->Add(bond.opening);
+    slip->Add(bond.slip);
   });
-  if (!facets) return;
-  add_scalars(fields, "opening_m", opening);
-  add_scalars(fields, "slip_m", slip);
 }
 
 void add_contacts(const Observable& observed, wire::Snapshot& snapshot) {

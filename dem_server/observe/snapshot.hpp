@@ -34,9 +34,9 @@ wire::Piece& add_piece(const std::string& name, wire::Piece::Shape shape, const 
 // Piece "particles": displacement_m, velocity_m_per_s (three components), spin_rad_per_s, radius_m, weight,
 // id, group, stress_Pa (xx, yy, xy), coordination (bonds and contacts), fragment. Piece "bonds", over the
 // same points: normal_force_N, shear_force_N, moment_Nm (unweighted), state (0 intact, 1 tensile crack, 2
-// shear crack), weight. Piece "contacts", of what touches and was never joined: normal_force_N,
-// shear_force_N. Piece "springs", where there are any: force_N, opening_m, broken (0 or 1). Displacements at
-// the last step n since time began, velocities of n
+// shear crack), weight, and of facets, which are then all bonds, opening_m and slip_m. Piece "contacts", of
+// what touches and was never joined: normal_force_N, shear_force_N. Piece "springs", where there are any:
+// force_N, opening_m, broken (0 or 1). Displacements at the last step n since time began, velocities of n
 // + 1/2.
 void write_snapshot(const Observable& observed, wire::Snapshot& snapshot);
 

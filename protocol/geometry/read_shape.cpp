@@ -46,15 +46,20 @@ std::shared_ptr<const Shape> read_annulus(const scene::Annulus& given) {
   return annulus(given.centre().x(), given.centre().y(), given.inner_radius(), given.outer_radius());
 }
 
-std::shared_ptr<const Shape> read_band(const scene::Band& band, const std::string& path) {
+std::array<Point, 4> read_band_corners(const scene::Band& band, const std::string& path) {
   const double dx = band.to().x() - band.from().x(), dy = band.to().y() - band.from().y();
   const double length = std::hypot(dx, dy);
   if (!(length > 0)) throw UserError(path + ".to", "is the same place as `from`; give a band two ends");
   const double nx = -dy / length * band.width() / 2, ny = dx / length * band.width() / 2;
-  return polygon({{{band.from().x() - nx, band.from().y() - ny},
-                   {band.to().x() - nx, band.to().y() - ny},
-                   {band.to().x() + nx, band.to().y() + ny},
-                   {band.from().x() + nx, band.from().y() + ny}}});
+  return {{{band.from().x() - nx, band.from().y() - ny},
+           {band.to().x() - nx, band.to().y() - ny},
+           {band.to().x() + nx, band.to().y() + ny},
+           {band.from().x() + nx, band.from().y() + ny}}};
+}
+
+std::shared_ptr<const Shape> read_band(const scene::Band& band, const std::string& path) {
+  const auto four = read_band_corners(band, path);
+  return polygon({{four.begin(), four.end()}});
 }
 
 std::shared_ptr<const Shape> read_polygon(const scene::Polygon& given, const std::string& path) {

@@ -1,6 +1,7 @@
 // Reads shapes from the scene.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 
@@ -16,6 +17,7 @@ std::shared_ptr<const Shape> read_shape(const scene::Shape& shape, const std::st
 BoundingBox read_bounds(const scene::Box& box);
 std::shared_ptr<const Shape> read_circle(const scene::Circle& circle);
 std::shared_ptr<const Shape> read_annulus(const scene::Annulus& annulus);
+std::array<Point, 4> read_band_corners(const scene::Band& band, const std::string& path);
 std::shared_ptr<const Shape> read_band(const scene::Band& band, const std::string& path);
 std::shared_ptr<const Shape> read_polygon(const scene::Polygon& polygon, const std::string& path);
 

@@ -94,10 +94,10 @@ void set_on_facets(const StressAt& stated, Model& model) {
   for (Bond& bond : model.bonds) {
     if (bond.law != Bond::Law::kFacet) continue;
     const FacetBond& facet = model.facets[bond.number];
-    const auto [nx, ny] = std::pair(facet.nx, facet.ny);
-    const double h = facet.half_distance, e = 2 * h * facet.skew;
+    const double nx = facet.nx, ny = facet.ny, h = facet.half_distance;
+    const PlaneVector middle = dem::vector_of(nx, ny, h, 2 * h * facet.skew);
     const protocol::GroundStress stress =
-        stated(model.discs.x[bond.first] + h * nx - e * ny, model.discs.y[bond.first] + h * ny + e * nx);
+        stated(model.discs.x[bond.first] + middle.x, model.discs.y[bond.first] + middle.y);
     const double x = stress.xx * nx + stress.xy * ny, y = stress.xy * nx + stress.yy * ny;
     bond.at_rest = {facet.length * along(nx, ny, x, y), facet.length * across(nx, ny, x, y), 0};
   }

@@ -10,6 +10,7 @@
 #include "dem_server/model/placement/scene_checks.hpp"
 #include "dem_server/packing/voronoi/cell_points.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/geometry/read_shape.hpp"
 #include "protocol/text.hpp"
 
 namespace adit::dem {
@@ -53,21 +54,12 @@ class Faces {
     add_line(std::move(points), true);
   }
 
-  void add_band(const scene::Band& band) {
-    const Point from = point_of(band.from()), to = point_of(band.to());
-    const double length = std::hypot(to.x - from.x, to.y - from.y), half = band.width() / 2;
-    if (length == 0) return;
-    const double x = -(to.y - from.y) / length * half, y = (to.x - from.x) / length * half;
-    add_line({{from.x - x, from.y - y}, {to.x - x, to.y - y}, {to.x + x, to.y + y}, {from.x + x, from.y + y}},
-             true);
-  }
-
   // Those sides of a box that lie inside: all four, or what hangs together of them.
   void add_sides(double x_min, double x_max, double y_min, double y_max) {
     const double left = std::max(x_min, box_.x_min), right = std::min(x_max, box_.x_max),
                  lower = std::max(y_min, box_.y_min), upper = std::min(y_max, box_.y_max);
     if (!(left < right && lower < upper)) return;
-    const std::array<Point, 4> corners{{{left, lower}, {right, lower}, {right, upper}, {left, upper}}};
+    const std::array<Point, 4> corners = geometry::corners(geometry::BoundingBox{left, right, lower, upper});
     const std::array<bool, 4> inside{lower > box_.y_min, right < box_.x_max,
                                      upper<box_.y_max, left> box_.x_min};
     const auto count = std::ranges::count(inside, true);
@@ -83,13 +75,16 @@ class Faces {
     }
   }
 
-  void add_area(const scene::Area& area) {
+  void add_area(const scene::Area& area, const std::string& path) {
     constexpr double kOpen = std::numeric_limits<double>::infinity();
     add_sides(area.has_x_min() ? area.x_min() : -kOpen, area.has_x_max() ? area.x_max() : kOpen,
               area.has_y_min() ? area.y_min() : -kOpen, area.has_y_max() ? area.y_max() : kOpen);
     if (area.has_circle()) add_circle(area.circle().centre(), area.circle().radius());
     if (area.has_annulus()) add_annulus(area.annulus());
-    if (area.has_band()) add_band(area.band());
+    if (area.has_band()) {
+      const auto four = geometry::read_band_corners(area.band(), path + ".band");
+      add_line({four.begin(), four.end()}, true);
+    }
     if (area.has_polygon()) {
       add_polygon(area.polygon().corners());
       for (const auto& hole : area.polygon().holes()) add_polygon(hole.corners());
@@ -115,9 +110,11 @@ class Faces {
 std::vector<CellFace> faces_of(const scene::Particles& particles, const geometry::BoundingBox& box) {
   Faces faces(box);
   if (particles.has_ring()) faces.add_annulus(particles.ring());
-  for (const auto& group : particles.groups()) faces.add_area(group.where());
-  for (const auto& excavation : particles.excavations()) faces.add_area(excavation.where());
-  faces.add_area(particles.within());
+  for (int k = 0; k < particles.groups_size(); ++k)
+    faces.add_area(particles.groups(k).where(), fmt::format("particles.groups[{}].where", k));
+  for (int k = 0; k < particles.excavations_size(); ++k)
+    faces.add_area(particles.excavations(k).where(), fmt::format("particles.excavations[{}].where", k));
+  faces.add_area(particles.within(), "particles.within");
   for (const auto& joint : particles.joints()) faces.add_line({point_of(joint.from()), point_of(joint.to())});
   return faces.all();
 }

@@ -311,19 +311,26 @@ class Joiner {
     return std::hypot(facet.x_2 - facet.x_1, facet.y_2 - facet.y_1);
   }
 
-  // The facet's place, of the solid's stiffness and law.
-  std::uint32_t add_facet(const Facet& facet, const FacetType& type) {
-    const double x = discs_.x[facet.second] - discs_.x[facet.first],
-                 y = discs_.y[facet.second] - discs_.y[facet.first], distance = std::hypot(x, y);
+  // What nothing joins lies face to face.
+  FacetType touching_type(std::uint32_t first, std::uint32_t second) const {
+    const Group &one = groups_[first], &other = groups_[second];
+    const double stiffness = in_series(elasticity_of(one.material, one.plane).stiffness,
+                                       elasticity_of(other.material, other.plane).stiffness);
+    return {stiffness, touching(stiffness, model_.contacts[model_.contact_number(first, second)].friction)};
+  }
+
+  void join_over(const Facet& facet, const FacetType& type, ParticleStage& stage) {
+    const auto [i, j] = std::pair(facet.first, facet.second);
+    const double x = discs_.x[j] - discs_.x[i], y = discs_.y[j] - discs_.y[i], distance = std::hypot(x, y);
     const double nx = x / distance, ny = y / distance;
-    const double off = across(nx, ny, (facet.x_1 + facet.x_2) / 2 - discs_.x[facet.first],
-                              (facet.y_1 + facet.y_2) / 2 - discs_.y[facet.first]);
+    const double off =
+        across(nx, ny, (facet.x_1 + facet.x_2) / 2 - discs_.x[i], (facet.y_1 + facet.y_2) / 2 - discs_.y[i]);
     const auto found = std::ranges::find(model_.facet_laws, type.law);
     const auto law = static_cast<std::uint32_t>(found - model_.facet_laws.begin());
     if (found == model_.facet_laws.end()) model_.facet_laws.push_back(type.law);
+    stage.bonds.push_back({i, j, Bond::Law::kFacet, static_cast<std::uint32_t>(model_.facets.size())});
     model_.facets.push_back(
         {nx, ny, distance / 2, off / distance, length_of(facet), type.stiffness / distance, law});
-    return static_cast<std::uint32_t>(model_.facets.size() - 1);
   }
 
   void join(std::size_t near, ParticleStage& stage) {
@@ -339,21 +346,15 @@ class Joiner {
     const int type = types_.find(barrier, stage.group[i], stage.group[j]);
     if (barrier >= 0 && (joins(type) || joins(types_.find(kNothing, stage.group[i], stage.group[j]))))
       ++crossing_[static_cast<std::size_t>(barrier)];
-    if (!joins(type) && cells_) {  // what nothing joins lies face to face
-      const Group &one = groups_[stage.group[i]], &other = groups_[stage.group[j]];
-      const double stiffness = in_series(elasticity_of(one.material, one.plane).stiffness,
-                                         elasticity_of(other.material, other.plane).stiffness);
-      const double friction = model_.contacts[model_.contact_number(stage.group[i], stage.group[j])].friction;
-      stage.bonds.push_back({i, j, Bond::Law::kFacet,
-                             add_facet(cells_->facets[near], {stiffness, touching(stiffness, friction)})});
-      return;
-    }
     if (!joins(type)) {
-      if (type != kNothing && share <= reach_.near) ++nearly_;
+      if (cells_)
+        join_over(cells_->facets[near], touching_type(stage.group[i], stage.group[j]), stage);
+      else if (type != kNothing && share <= reach_.near)
+        ++nearly_;
       return;
     }
     if (const auto* facet = std::get_if<FacetType>(&types_[type].law)) {
-      stage.bonds.push_back({i, j, Bond::Law::kFacet, add_facet(cells_->facets[near], *facet)});
+      join_over(cells_->facets[near], *facet, stage);
       return;
     }
     const double half_width =

@@ -43,7 +43,6 @@ struct FacetSet {
   std::vector<double> stiffness;  // k [Pa/m]
   std::vector<double> weight;     // energy weight
   std::vector<std::uint32_t> law;
-  std::vector<std::uint32_t> bond;  // its number among the model's bonds
   // Of strain-free facets that were made later: jump and turn at that time [m], [1]. Traction at rest [Pa].
   std::vector<double> start_n, start_t, start_turn, rest_n, rest_t;
   std::vector<double> share_1, share_2;      // of the jump, which each cell takes, times two
@@ -69,7 +68,7 @@ struct FacetSet {
   void exchange(state::Archive& archive);
 };
 
-// Of those bonds of a model that are facets, with their numbers among its bonds.
+// Of those bonds of a model that are facets.
 FacetSet facets_of(const Model& model);
 
 }  // namespace adit::dem

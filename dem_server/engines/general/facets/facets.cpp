@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "dem_server/laws/pair_kinematics.hpp"
 #include "dem_server/model/model.hpp"
 
 namespace adit::dem {
@@ -58,13 +59,11 @@ void set_bulk(const Model& model, FacetSet& set) {
 FacetSet facets_of(const Model& model) {
   FacetSet set;
   set.laws = model.facet_laws;
-  for (std::uint32_t b = 0; b < model.bonds.size(); ++b) {
-    const Bond& bond = model.bonds[b];
+  for (const Bond& bond : model.bonds) {
     if (bond.law != Bond::Law::kFacet) continue;
     const FacetBond& facet = model.facets[bond.number];
     set.first.push_back(bond.first);
     set.second.push_back(bond.second);
-    set.bond.push_back(b);
     set.nx.push_back(facet.nx);
     set.ny.push_back(facet.ny);
     set.half_distance.push_back(facet.half_distance);
@@ -167,10 +166,9 @@ void Facets::add_forces(double dt, Particles& p, protocol::Team& team) {
   }
 }
 
-void Facets::find_linear_forces(Particles& p) {
+void Facets::find_linear_forces(Particles& p, protocol::Team& team) {
   std::ranges::fill(set_.turn, 0.0);
-  protocol::Team alone;
-  add_forces(1, p, alone);
+  add_forces(1, p, team);
 }
 
 std::vector<Pair> Facets::parted_now() const {
@@ -190,16 +188,10 @@ std::vector<Pair> Facets::parted() const {
 
 Crack Facets::crack(std::uint32_t k, const Particles& p) const {
   const std::uint32_t i = set_.first[k], j = set_.second[k];
-  const double nx = set_.nx[k], ny = set_.ny[k], e = 2 * set_.half_distance[k] * set_.skew[k];
-  const double x = (p.x[i] + p.x[j]) / 2 - e * ny, y = (p.y[i] + p.y[j]) / 2 + e * nx;
-  const auto mode = state(k, p).state;
-  return {mode,
-          x,
-          y,
-          set_.length[k],
-          crack_orientation(nx, ny),
-          std::min(p.id[i], p.id[j]),
-          std::max(p.id[i], p.id[j])};
+  const double nx = set_.nx[k], ny = set_.ny[k], h = set_.half_distance[k];
+  const PlaneVector middle = vector_of(nx, ny, h, 2 * h * set_.skew[k]);
+  return {state(k, p).state,         p.x[i] + middle.x,          p.y[i] + middle.y,         set_.length[k],
+          crack_orientation(nx, ny), std::min(p.id[i], p.id[j]), std::max(p.id[i], p.id[j])};
 }
 
 Strongest Facets::strongest(const Particles& p) const {
@@ -226,18 +218,18 @@ FacetState Facets::state(std::uint32_t k, const Particles& p) const {
   const double fx = action[0] / w, fy = action[1] / w;
   // The first cell's place of the middle, and half the jump.
   const std::uint32_t i = set_.first[k];
-  const double h = set_.half_distance[k], e = 2 * h * set_.skew[k];
-  const double x_1 = h * set_.nx[k] - e * set_.ny[k], y_1 = h * set_.ny[k] + e * set_.nx[k];
-  const double c = 1 - set_.versine[i], s = set_.sine[i];
-  const double jump_n = motion_.jump_n[k] + set_.start_n[k], jump_t = motion_.jump_t[k] + set_.start_t[k];
-  const double arm_x = c * x_1 - s * y_1 + 0.5 * (jump_n * nx - jump_t * ny),
-               arm_y = s * x_1 + c * y_1 + 0.5 * (jump_n * ny + jump_t * nx);
+  const double h = set_.half_distance[k];
+  const PlaneVector at_rest = vector_of(set_.nx[k], set_.ny[k], h, 2 * h * set_.skew[k]),
+                    turned = vector_of(1 - set_.versine[i], set_.sine[i], at_rest.x, at_rest.y),
+                    jump = vector_of(nx, ny, motion_.jump_n[k] + set_.start_n[k],
+                                     motion_.jump_t[k] + set_.start_t[k]);
+  const double arm_x = turned.x + 0.5 * jump.x, arm_y = turned.y + 0.5 * jump.y;
   FacetState state{nx,
                    ny,
                    p.x[i] + p.ux[i] + arm_x,
                    p.y[i] + p.uy[i] + arm_y,
-                   fx * nx + fy * ny,
-                   fy * nx - fx * ny,
+                   along(nx, ny, fx, fy),
+                   across(nx, ny, fx, fy),
                    action[2] / w - (arm_x * fy - arm_y * fx),
                    0,
                    0,
@@ -349,12 +341,12 @@ void Facets::exchange(state::Archive& archive) {
   archive("facet_actions", std::span(motion_.actions));
   archive("cell_pressure", std::span(motion_.pressure));
   archive("fracture", fracture_);
-  if (archive.reads())
-    for (std::size_t block = 0; block < set_.cell_blocks(); ++block) {
-      const auto [begin, end] = range(block, set_.cells());
-      const std::vector<double> still(set_.cells(), 0.0);
-      turn_cells(0, begin, end, still, set_);
-    }
+  if (!archive.reads()) return;
+  const std::vector<double> still(set_.cells(), 0.0);
+  for (std::size_t block = 0; block < set_.cell_blocks(); ++block) {
+    const auto [begin, end] = range(block, set_.cells());
+    turn_cells(0, begin, end, still, set_);
+  }
 }
 
 }  // namespace adit::dem

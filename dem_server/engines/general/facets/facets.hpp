@@ -40,7 +40,7 @@ class Facets {
   void add_forces(double dt, Particles& particles, protocol::Team& team);
 
   // The same for cells that have turned by their `spin` [rad], whatever they did before.
-  void find_linear_forces(Particles& particles);
+  void find_linear_forces(Particles& particles, protocol::Team& team);
 
   // What a facet does to its first cell, and its moment on the second, weighted.
   struct Actions {

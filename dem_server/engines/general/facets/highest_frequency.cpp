@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <utility>
 
 #include "dem_server/engines/general/facets/facets.hpp"
 #include "dem_server/model/solid/facets_of_material.hpp"
+#include "protocol/motion/random.hpp"
 
 namespace adit::dem {
 namespace {
@@ -21,9 +21,9 @@ class Oscillation {
  public:
   Oscillation(const Model& model, Masses masses) : masses_(std::move(masses)), facets_(model) {
     particles_ = at_rest(model);
-    std::mt19937_64 random(1);
+    motion::Random random(1);
     for (auto* column : {&particles_.ux, &particles_.uy, &particles_.spin})
-      for (double& value : *column) value = static_cast<double>(random() >> 11) * 0x1p-53 - 0.5;
+      for (double& value : *column) value = random.uniform() - 0.5;
     for (std::size_t i = 0; i < particles_.size(); ++i) {
       particles_.ux[i] *= particles_.radius[i];
       particles_.uy[i] *= particles_.radius[i];
@@ -35,7 +35,7 @@ class Oscillation {
     Particles& p = particles_;
     make_small();
     for (auto* column : {&p.fx, &p.fy, &p.moment}) std::ranges::fill(*column, 0.0);
-    facets_.find_linear_forces(p);
+    facets_.find_linear_forces(p, alone_);
     double twice_strain = 0, square = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
       twice_strain -= p.ux[i] * p.fx[i] + p.uy[i] * p.fy[i] + p.spin[i] * p.moment[i];
@@ -64,6 +64,7 @@ class Oscillation {
   Masses masses_;
   Facets facets_;
   Particles particles_;
+  protocol::Team alone_;
 };
 
 // Without strengths, stresses and weights.

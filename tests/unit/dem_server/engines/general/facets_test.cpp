@@ -80,8 +80,7 @@ TEST_P(UniformStrain, GivesTheStressOfTheSolid) {
     const double factor = e / (1 - v * v);
     const double xx = factor * (strain.xx + v * strain.yy), yy = factor * (strain.yy + v * strain.xx),
                  xy = factor * (1 - v) * strain.xy;
-    const std::vector<bool> whole = inside(model);
-    const std::vector<bool>& in = whole;
+    const std::vector<bool> in = inside(model);
     std::size_t seen = 0;
     double worst = 0, unbalanced = 0;
     for (std::uint32_t k = 0; k < facets.size(); ++k) {
