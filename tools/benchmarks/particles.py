@@ -17,10 +17,10 @@ from benchmarks.peers import particles as peers
 BEAMS = ((52, 6), (312, 32), (1000, 100), (3162, 316))  # discs along x, rows
 THREADS = (1, 2)
 KINDS = {"lattice": "contact bonds", "contact_bonds": "contact bonds, discs of any size",
-         "parallel_bonds": "parallel bonds, discs of any size"}
+         "parallel_bonds": "parallel bonds, discs of any size", "cells": "facets between cells"}
 PACKING = "packing with friction, no bonds"
 # Bond-steps per second of one thread from 10^4 particles on; two must reach 1.8 times as much.
-FLOORS, FLOOR_FROM = {"lattice": 120e6, "parallel_bonds": 60e6}, 9000
+FLOORS, FLOOR_FROM = {"lattice": 120e6, "parallel_bonds": 60e6, "cells": 60e6}, 9000
 PROGRAMS = BESIDE_PEERS = ("particles_bench",)
 
 

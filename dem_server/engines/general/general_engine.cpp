@@ -150,21 +150,21 @@ void GeneralEngine::warn_of_escapes(const protocol::Step& step) {
 
 Energies GeneralEngine::energies(const protocol::Step& step) {
   const DiscLedger ledger = solver_.ledger();
-  const Stored stored = solver_.stored();
+  const Solver::StrainEnergy strain = solver_.strain_energy();
   const double loads = loads_.work().forces, body_loads = loads_.work().accelerations,
                motions = motions_.work(), walls = solver_.walls().work();
   Energies energies{.kinetic = kinetic_energy_of(step, motions_.kinetic_energy()),
-                    .strain = solver_.strain_energy() + solver_.foundation_energy(),
+                    .strain = strain.sum() + solver_.foundation_energy(),
                     .external_work = loads + body_loads + motions + walls + ledger.support + ledger.ground,
                     .released = ledger.released,
                     .dissipated = ledger.friction + solver_.facets().fracture() + ledger.dashpots +
                                   ledger.damping.local + ledger.damping.viscous + ledger.damping.edges +
                                   ledger.foundations,
-                    .shares = {{"contacts", stored.contacts},
-                               {"contact_bonds", stored.contact_bonds},
-                               {"parallel_bonds", stored.parallel_bonds},
-                               {"joints", solver_.joints().strain_energy()},
-                               {"springs", solver_.springs().strain_energy()},
+                    .shares = {{"contacts", strain.pairs.contacts},
+                               {"contact_bonds", strain.pairs.contact_bonds},
+                               {"parallel_bonds", strain.pairs.parallel_bonds},
+                               {"joints", strain.joints},
+                               {"springs", strain.springs},
                                {"foundations", solver_.foundation_energy()},
                                {"loads", loads},
                                {"body_loads", body_loads},
@@ -177,9 +177,9 @@ Energies GeneralEngine::energies(const protocol::Step& step) {
                                {"viscous_damping", ledger.damping.viscous},
                                {"quiet_edges", ledger.damping.edges},
                                {"foundation_losses", ledger.foundations},
-                               {"time_step", solver_.time_step_share()}}};
+                               {"time_step", solver_.time_step_share(strain.sum())}}};
   if (!solver_.facets().empty()) {
-    energies.shares.push_back({"facets", solver_.facets().strain_energy()});
+    energies.shares.push_back({"facets", strain.facets});
     energies.shares.push_back({"fracture", solver_.facets().fracture()});
   }
   return energies;

@@ -68,13 +68,13 @@ Solver::Solver(const Model& model, std::size_t threads)
   bonds_ = std::move(bonded.bonds);
   bond_of_pair_ = std::move(bonded.bond_of_pair);
   joints_ = Joints(std::move(bonded.joints));
-  facets_ = Facets(model);
+  facets_ = Facets(model, threads);
   neighbours_ =
       Neighbours(particles_, model.discs.radius, pairs_of(model.bonds), model.group, model.groups(),
                  bonded.first_contact_law, bonded.dashpots, model.overlaps_free, model.touching, laws_);
   walls_ = WallContacts(model.walls, model.discs.radius, particles_, neighbours_.skin(), model.overlaps_free);
   for (auto* pulled : {&pulled_x_, &pulled_y_, &pulled_moment_}) pulled->assign(particles_.size(), 0.0);
-  strain_at_start_ = strain_energy();
+  strain_at_start_ = strain_energy().sum();
   renew_damping();
 }
 
@@ -100,7 +100,7 @@ void Solver::step(const protocol::Step& step, Loads& loads, PrescribedMotions& m
   move(step);
   if (!planned_ || sweeps_ == damping_.acts_everywhere(step)) plan(step, loads, motions);
   sweep(step);
-  facets_.add_forces(dt, particles_, *team_);
+  facets_.end_step();
   neighbours_.part(facets_.parted_now());
   joints_.add_forces(dt, particles_);
   springs_.add_forces(dt, particles_);
@@ -125,7 +125,6 @@ void Solver::plan(const protocol::Step& step, const Loads& loads, const Prescrib
   std::vector<bool> kept(particles_.size(), !sweeps_);
   for (const Pairs* pairs : {&bonds_, &neighbours_.pairs()})
     for (const std::uint32_t i : pairs->reached) kept[i] = true;
-  facets_.mark(kept);
   for (const Joints::Joint& joint : joints_.joints()) kept[joint.first] = kept[joint.second] = true;
   for (const Spring& spring : springs_.springs()) kept[spring.first] = kept[spring.second] = true;
   for (const WallContacts::Touch& touch : walls_.touches()) kept[touch.disc] = true;
@@ -161,6 +160,7 @@ void Solver::move(const protocol::Step& step) {
   team_->run(results_.size(), [&](std::size_t block, std::size_t) {
     const protocol::IndexRange discs = range_of(static_cast<std::uint32_t>(block), particles_.size());
     results_[block].fastest = adit::dem::move(step.dt, {&discs, 1}, particles_);
+    facets_.turn(step.dt, discs, particles_.spin);
   });
   double fastest = 0;
   for (const BlockResult& result : results_) fastest = std::max(fastest, result.fastest);
@@ -177,10 +177,14 @@ void Solver::sweep(const protocol::Step& step) {
   team_->run(results_.size(), [&](std::size_t b, std::size_t thread) {
     const auto block = static_cast<std::uint32_t>(b);
     BlockDiscs& discs = in_work_[thread];
-    discs.take(block, particles_);
+    if (bonds_.in_block(block) || neighbours_.pairs().in_block(block))
+      discs.take(block, particles_);
+    else
+      discs.clear();
     add_pair_forces(block, laws, dt, step.relax, particles_, bonds_, discs, results_[b].bonds);
     add_pair_forces(block, laws, dt, step.relax, particles_, neighbours_.pairs(), discs,
                     results_[b].contacts);
+    facets_.add_forces(block, thread, step.relax, particles_, discs);
     results_[b].work = dt / 2 * discs.give(block, step.kick(), discs_.swept, particles_);
   });
 }
@@ -280,7 +284,7 @@ void Solver::start_over(const protocol::Drift& drift) {
   for (foundation::Springs& springs : foundations_) springs.start_over();
   joints_.start_over();
   facets_.start_over();
-  strain_at_start_ = strain_energy();
+  strain_at_start_ = strain_energy().sum();
 }
 
 void Solver::exchange(state::Archive& archive) {
@@ -332,8 +336,8 @@ Stored Solver::stored() const {
   return sum;
 }
 
-double Solver::strain_energy() const {
-  return stored().sum() + facets_.strain_energy() + joints_.strain_energy() + springs_.strain_energy();
+Solver::StrainEnergy Solver::strain_energy() const {
+  return {stored(), facets_.strain_energy(particles_), joints_.strain_energy(), springs_.strain_energy()};
 }
 
 double Solver::foundation_energy() const {
@@ -374,9 +378,9 @@ DiscLedger Solver::ledger() const {
   return ledger;
 }
 
-double Solver::time_step_share() const {
+double Solver::time_step_share(double strain_energy) const {
   const DiscLedger sum = ledger();
-  return -sum.pairs + walls_.work() - (strain_energy() - strain_at_start_) - sum.friction - sum.dashpots -
+  return -sum.pairs + walls_.work() - (strain_energy - strain_at_start_) - sum.friction - sum.dashpots -
          sum.released - facets_.fracture();
 }
 

@@ -92,11 +92,16 @@ class Solver {
   double internal_force() const;
 
   DiscLedger ledger() const;
-  Stored stored() const;             // of pairs; walls' contacts among the contacts
-  double strain_energy() const;      // of all but foundations
+  // Strain energy [J], of pairs with walls' contacts among the contacts; foundations are not among them.
+  struct StrainEnergy {
+    Stored pairs;
+    double facets, joints, springs;
+    double sum() const { return pairs.sum() + facets + joints + springs; }
+  };
+  StrainEnergy strain_energy() const;
   double foundation_energy() const;  // stored in their springs
-  // The share of the time step (see above), since the start [J].
-  double time_step_share() const;
+  // The share of the time step (see above), since the start [J], of all that is stored now.
+  double time_step_share(double strain_energy) const;
 
  private:
   struct BlockResult {
@@ -120,6 +125,7 @@ class Solver {
   void hold_what_vanishes(const ParticleStage& stage);
   void hold(const PairLoad& load, const ParticleStage& stage);
   void take_results(bool relax);
+  Stored stored() const;
   double internal_force_of_pairs() const;
   Strongest find_strongest() const;
 

@@ -1,29 +1,29 @@
 #include "dem_server/engines/general/facets/facet_kernel.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
 #include "dem_server/engines/general/pairs/lanes.hpp"
+#include "protocol/kernels/sums.hpp"
 #include "protocol/threads/vector_clones.hpp"
 
 namespace adit::dem {
 namespace {
 
-constexpr double kSmallTurn = 0.5;  // [rad] up to which the series below have all digits
+constexpr double kSmallTurn = 0.1;  // [rad] up to which the series below have all digits
 
 // x - x^3 / 3! + …, and x^2 / 2! - x^4 / 4! + …, by reciprocals because divisions are slow.
 inline double small_sine(double x) {
-  constexpr double k3 = 1.0 / 6, k5 = 1.0 / 20, k7 = 1.0 / 42, k9 = 1.0 / 72, k11 = 1.0 / 110,
-                   k13 = 1.0 / 156;
+  constexpr double k3 = 1.0 / 6, k5 = 1.0 / 20, k7 = 1.0 / 42, k9 = 1.0 / 72;
   const double q = x * x;
-  return x * (1 - q * k3 * (1 - q * k5 * (1 - q * k7 * (1 - q * k9 * (1 - q * k11 * (1 - q * k13))))));
+  return x * (1 - q * k3 * (1 - q * k5 * (1 - q * k7 * (1 - q * k9))));
 }
 inline double small_versine(double x) {
-  constexpr double k2 = 0.5, k4 = 1.0 / 12, k6 = 1.0 / 30, k8 = 1.0 / 56, k10 = 1.0 / 90, k12 = 1.0 / 132,
-                   k14 = 1.0 / 182;
+  constexpr double k2 = 0.5, k4 = 1.0 / 12, k6 = 1.0 / 30, k8 = 1.0 / 56, k10 = 1.0 / 90;
   const double q = x * x;
-  return q * k2 * (1 - q * k4 * (1 - q * k6 * (1 - q * k8 * (1 - q * k10 * (1 - q * k12 * (1 - q * k14))))));
+  return q * k2 * (1 - q * k4 * (1 - q * k6 * (1 - q * k8 * (1 - q * k10))));
 }
 
 ADIT_VECTOR_CLONES bool turn_slightly(double dt, std::uint32_t begin, std::uint32_t end, const double* spin,
@@ -39,9 +39,8 @@ ADIT_VECTOR_CLONES bool turn_slightly(double dt, std::uint32_t begin, std::uint3
   return far == 0;
 }
 
-std::uint32_t end_of(std::uint32_t block, const FacetSet& set) {
-  return static_cast<std::uint32_t>(std::min<std::size_t>((block + 1) * kFacetBlock, set.size()));
-}
+constexpr std::uint32_t kAtATime = 128;  // facets: what is known of them stays in the first cache
+using Column = std::array<double, kAtATime>;
 
 // The spreads of a facet's elastic jump in both cells.
 struct Spread {
@@ -52,63 +51,123 @@ struct Spread {
   return {straight + across, straight - across};
 }
 
-template <bool kPlain>
-ADIT_VECTOR_CLONES void find_elastic_jumps(std::uint32_t begin, std::uint32_t end, const double* ux,
-                                           const double* uy, const FacetSet& set, FacetMotion& motion) {
-  const std::uint32_t *first = set.first.data(), *second = set.second.data();
-  const double *sine = set.sine.data(), *versine = set.versine.data();
-  const double *rest_nx = set.nx.data(), *rest_ny = set.ny.data(), *half = set.half_distance.data(),
-               *skew = set.skew.data(), *length = set.length.data();
-  const double *start_n = set.start_n.data(), *start_t = set.start_t.data(),
-               *start_turn = set.start_turn.data();
-  const double *share_1 = set.share_1.data(), *share_2 = set.share_2.data();
-  double *jump_n = motion.jump_n.data(), *jump_t = motion.jump_t.data(), *turn = motion.turn.data();
-  double *nx_now = motion.nx.data(), *ny_now = motion.ny.data(), *cosine = motion.cosine.data(),
-         *spread = motion.spread.data();
-#pragma GCC ivdep
-  for (std::uint32_t k = begin; k < end; ++k) {
-    const std::uint32_t i = first[k], j = second[k];
-    const double s_1 = sine[i], v_1 = versine[i], s_2 = sine[j], v_2 = versine[j];
-    const double nx = rest_nx[k], ny = rest_ny[k], h = half[k], e = 2 * h * skew[k];
-    const double x_1 = h * nx - e * ny, y_1 = h * ny + e * nx, x_2 = -h * nx - e * ny, y_2 = -h * ny + e * nx;
-    const double dx = (ux[j] - ux[i]) + ((v_1 * x_1 + s_1 * y_1) - (v_2 * x_2 + s_2 * y_2));
-    const double dy = (uy[j] - uy[i]) + ((v_1 * y_1 - s_1 * x_1) - (v_2 * y_2 - s_2 * x_2));
-    // The sum of both turned unit vectors is 2 cos(turn / 2) long.
-    const double c = 2 - v_1 - v_2, s = s_1 + s_2, inverse = 1 / std::sqrt(c * c + s * s);
-    const double mean_c = c * inverse, mean_s = s * inverse;
-    const double mx = mean_c * nx - mean_s * ny, my = mean_c * ny + mean_s * nx;
-    double n = dx * mx + dy * my, t = dy * mx - dx * my;
-    double turned = 2 * inverse * (s_2 * (1 - v_1) - s_1 * (1 - v_2));
-    if constexpr (!kPlain) {
-      n -= start_n[k];
-      t -= start_t[k];
-      turned -= start_turn[k];
+// Of two cells: the difference of the displacements [m], sines and versines.
+struct Turns {
+  double dx, dy, sine_1, versine_1, sine_2, versine_2;
+};
+// In the frame of n at rest, r_i = (h, e) and r_j = (-h, e), and D = u_j - u_i + (R_j - 1) r_j - (R_i - 1) r_i,
+// R - 1 being the matrix of -versine, -sine, sine, -versine.
+[[gnu::always_inline]] inline FacetMotion motion_of(double nx, double ny, double half_distance, double skew,
+                                                    const Turns& of) {
+  const double h = half_distance, e = 2 * h * skew;
+  const double s = of.sine_1 + of.sine_2, v = of.versine_1 + of.versine_2, c = 2 - v;
+  const double n = of.dx * nx + of.dy * ny + h * v + e * (of.sine_1 - of.sine_2);
+  const double t = of.dy * nx - of.dx * ny - h * s + e * (of.versine_1 - of.versine_2);
+  // The sum of both turned unit vectors is 2 cos(turn / 2) long.
+  const double square = c * c + s * s, inverse = 1 / std::sqrt(square);
+  const double mean_c = c * inverse, mean_s = s * inverse;
+  return {.jump_n = mean_c * n + mean_s * t,
+          .jump_t = mean_c * t - mean_s * n,
+          .turn = 2 * inverse * (of.sine_2 * (1 - of.versine_1) - of.sine_1 * (1 - of.versine_2)),
+          .nx = mean_c * nx - mean_s * ny,
+          .ny = mean_c * ny + mean_s * nx,
+          .cosine = 0.5 * square * inverse};
+}
+
+// Consecutive ones.
+ADIT_VECTOR_CLONES void look_up_cells(std::size_t begin, std::size_t count, const double* ux,
+                                      const double* uy, const double* sine, const double* versine,
+                                      FacetWork::CellMotion* to) {
+  std::size_t k = 0;
+  for (; k + 4 <= count; k += 4) {
+    const std::size_t i = begin + k;
+    Four rows[4] = {four(ux + i), four(uy + i), four(sine + i), four(versine + i)};
+    turn(rows);
+    for (std::size_t lane = 0; lane < 4; ++lane) store(rows[lane], &to[k + lane].ux);
+  }
+  for (; k < count; ++k) to[k] = {ux[begin + k], uy[begin + k], sine[begin + k], versine[begin + k]};
+}
+
+// What the loop over facets wants of their cells (Turns).
+struct TurnColumns {
+  alignas(64) Column dx, dy, sine_1, versine_1, sine_2, versine_2;
+};
+
+// The last few facets may be fewer than four, and any cell stands for the others.
+ADIT_VECTOR_CLONES void look_up(const std::uint32_t* first, const std::uint32_t* second, std::uint32_t count,
+                                const FacetWork::CellMotion* cells, TurnColumns& out) {
+  const auto look_up_four = [&](std::uint32_t k, const std::uint32_t* of_first,
+                                const std::uint32_t* of_second) __attribute__((always_inline)) {
+    Four a[4], b[4];
+    for (std::uint32_t lane = 0; lane < 4; ++lane) {
+      a[lane] = four(&cells[of_first[lane]].ux);
+      b[lane] = four(&cells[of_second[lane]].ux);
     }
-    jump_n[k] = n;
-    jump_t[k] = t;
-    nx_now[k] = mx;
-    ny_now[k] = my;
-    turn[k] = turned;
-    cosine[k] = 0.5 * (c * c + s * s) * inverse;
-    const auto [spread_1, spread_2] = spread_of(length[k], skew[k], n, t);
-    spread[2 * k] = kPlain ? spread_1 : share_1[k] * spread_1;
-    spread[2 * k + 1] = kPlain ? spread_2 : share_2[k] * spread_2;
+    turn(a);
+    turn(b);
+    store(b[0] - a[0], &out.dx[k]);
+    store(b[1] - a[1], &out.dy[k]);
+    store(a[2], &out.sine_1[k]);
+    store(a[3], &out.versine_1[k]);
+    store(b[2], &out.sine_2[k]);
+    store(b[3], &out.versine_2[k]);
+  };
+  std::uint32_t k = 0;
+  for (; k + 4 <= count; k += 4) look_up_four(k, first + k, second + k);
+  if (k == count) return;
+  std::array<std::uint32_t, 4> last_first{}, last_second{};
+  std::copy(first + k, first + count, last_first.begin());
+  std::copy(second + k, second + count, last_second.begin());
+  look_up_four(k, last_first.data(), last_second.data());
+}
+
+// Of the places begin … begin + count - 1.
+template <bool kPlain>
+ADIT_VECTOR_CLONES void find_jumps(std::uint32_t begin, std::uint32_t count, const TurnColumns& of,
+                                   const FacetPatch& patch, FacetWork& work) {
+  const double *rest_nx = &patch.nx[begin], *rest_ny = &patch.ny[begin], *half = &patch.half_distance[begin],
+               *skew = &patch.skew[begin], *length = &patch.length[begin];
+  const auto column = [begin](const std::vector<double>& values) {
+    return kPlain ? nullptr : values.data() + begin;
+  };
+  const double *start_n = column(patch.start_n), *start_t = column(patch.start_t),
+               *start_turn = column(patch.start_turn), *share_1 = column(patch.share_1),
+               *share_2 = column(patch.share_2);
+  double *jump_n = &work.jump_n[begin], *jump_t = &work.jump_t[begin], *turn = &work.turn[begin],
+         *nx = &work.nx[begin], *ny = &work.ny[begin], *cosine = &work.cosine[begin],
+         *spread_1 = &work.spread_1[begin], *spread_2 = &work.spread_2[begin];
+#pragma GCC ivdep
+  for (std::uint32_t k = 0; k < count; ++k) {
+    FacetMotion m = motion_of(
+        rest_nx[k], rest_ny[k], half[k], skew[k],
+        {of.dx[k], of.dy[k], of.sine_1[k], of.versine_1[k], of.sine_2[k], of.versine_2[k]});
+    if constexpr (!kPlain) {
+      m.jump_n -= start_n[k];
+      m.jump_t -= start_t[k];
+      m.turn -= start_turn[k];
+    }
+    jump_n[k] = m.jump_n;
+    jump_t[k] = m.jump_t;
+    turn[k] = m.turn;
+    nx[k] = m.nx;
+    ny[k] = m.ny;
+    cosine[k] = m.cosine;
+    const auto [first, second] = spread_of(length[k], skew[k], m.jump_n, m.jump_t);
+    spread_1[k] = kPlain ? first : share_1[k] * first;
+    spread_2[k] = kPlain ? second : share_2[k] * second;
   }
 }
 
 // What a facet's forces do in the frame of n: on lever arms to the middle between where both cells have
 // brought its middle.
-struct Action {
-  double x, y, moment_1, moment_2;
-};
-[[gnu::always_inline]] inline Action action_of(double half_distance, double skew, double cosine, double sine,
-                                               double jump_n, double jump_t, double normal, double shear,
-                                               double moment, double nx, double ny) {
+[[gnu::always_inline]] inline FacetAction action_of(double half_distance, double skew, double cosine,
+                                                    double sine, double jump_n, double jump_t, double normal,
+                                                    double shear, double moment, double nx, double ny) {
   const double h = half_distance, e = 2 * h * skew;
-  const double n_1 = cosine * h + sine * e + 0.5 * jump_n, t_1 = cosine * e - sine * h + 0.5 * jump_t;
-  const double n_2 = -cosine * h - sine * e - 0.5 * jump_n, t_2 = cosine * e - sine * h - 0.5 * jump_t;
-  return {normal * nx - shear * ny, normal * ny + shear * nx, n_1 * shear - t_1 * normal + moment,
-          t_2 * normal - n_2 * shear - moment};
+  const double arm_n = cosine * h + sine * e + 0.5 * jump_n;  // of the second cell: -arm_n
+  const double middle_t = cosine * e - sine * h, half_t = 0.5 * jump_t, by_shear = arm_n * shear;
+  return {normal * nx - shear * ny, normal * ny + shear * nx, by_shear - (middle_t + half_t) * normal + moment,
+          (middle_t - half_t) * normal + by_shear - moment};
 }
 
 inline constexpr double kBeyond = 1 + 1e-12;  // rounding of a traction that was scaled back
@@ -131,97 +190,106 @@ struct Strengths {
   return found > most * kBeyond;
 }
 
+// Some facets side by side: columns of a patch and of what was found of it.
+struct FacetChunk {
+  std::uint32_t count;
+  const std::uint32_t *number, *first, *second;  // number: in the set
+  const double *half_distance, *skew, *length, *stiffness;
+  const double *jump_n, *jump_t, *turn, *nx, *ny, *cosine;
+  // Null where the patch is plain.
+  const double *start_n, *start_t, *start_turn, *rest_n, *rest_t, *share_1, *share_2, *weight;
+};
+
+// What they do; N, unweighted; 1 where a point is beyond its strength, else 0.
+struct ActionColumns {
+  alignas(64) Column x, y, moment_1, moment_2, normal, beyond;
+};
+
+// Returns 0 where no point is beyond its strength.
 template <bool kPlain, bool kOneLaw>
-ADIT_VECTOR_CLONES std::int64_t find_elastic_actions(std::uint32_t begin, std::uint32_t end,
-                                                     const FacetSet& set, const Strengths* strengths,
-                                                     FacetMotion& motion, double* beyond) {
-  const std::uint32_t *first = set.first.data(), *second = set.second.data();
-  const double *half = set.half_distance.data(), *skew = set.skew.data(), *length = set.length.data(),
-               *stiffness = set.stiffness.data(), *weight = set.weight.data(), *rest_n = set.rest_n.data(),
-               *rest_t = set.rest_t.data();
-  const double *start_n = set.start_n.data(), *start_t = set.start_t.data(),
-               *start_turn = set.start_turn.data();
-  const double *jump_n = motion.jump_n.data(), *jump_t = motion.jump_t.data(), *turn = motion.turn.data(),
-               *nx = motion.nx.data(), *ny = motion.ny.data(), *cosine = motion.cosine.data(),
-               *pressure = motion.pressure.data();
-  const double *share_1 = set.share_1.data(), *share_2 = set.share_2.data();
-  double* actions = motion.actions.data();
+ADIT_VECTOR_CLONES std::int64_t find_elastic_actions(const FacetChunk& of, const double* pressure,
+                                                     const Strengths* strengths, ActionColumns& out) {
+  const FacetChunk f = of;
   const Strengths only = strengths[0];
-  std::int64_t largest = 0;
+  std::int64_t exceeding = 0;
 #pragma GCC ivdep
-  for (std::uint32_t k = begin; k < end; ++k) {
-    const Strengths law = kOneLaw ? only : strengths[k - begin];
-    const double p_1 = kPlain ? pressure[first[k]] : share_1[k] * pressure[first[k]],
-                 p_2 = kPlain ? pressure[second[k]] : share_2[k] * pressure[second[k]];
-    const double w = kPlain ? 1 : weight[k], share = kPlain ? 1 : 1 / w;
-    double n = jump_n[k], t = jump_t[k], half_turn = 0.5 * turn[k];
-    double sigma = stiffness[k] * n + 0.5 * share * (p_1 + p_2),
-           tau = stiffness[k] * t + share * skew[k] * (p_1 - p_2);
+  for (std::uint32_t k = 0; k < f.count; ++k) {
+    const Strengths law = kOneLaw ? only : strengths[k];
+    const double p_1 = kPlain ? pressure[f.first[k]] : f.share_1[k] * pressure[f.first[k]],
+                 p_2 = kPlain ? pressure[f.second[k]] : f.share_2[k] * pressure[f.second[k]];
+    const double w = kPlain ? 1 : f.weight[k], share = kPlain ? 1 : 1 / w;
+    double n = f.jump_n[k], t = f.jump_t[k], half_turn = 0.5 * f.turn[k];
+    double sigma = f.stiffness[k] * n + 0.5 * share * (p_1 + p_2),
+           tau = f.stiffness[k] * t + share * f.skew[k] * (p_1 - p_2);
     const double bending =
-        stiffness[k] * turn[k] * length[k] * kFacetPoint;  // between the middle and a point
+        f.stiffness[k] * f.turn[k] * f.length[k] * kFacetPoint;  // between the middle and a point
     if constexpr (!kPlain) {
-      sigma += rest_n[k];
-      tau += rest_t[k];
-      n += start_n[k];
-      t += start_t[k];
-      half_turn += 0.5 * start_turn[k];
+      sigma += f.rest_n[k];
+      tau += f.rest_t[k];
+      n += f.start_n[k];
+      t += f.start_t[k];
+      half_turn += 0.5 * f.start_turn[k];
     }
-    const double size = std::abs(bending), shear_size = std::abs(tau);
-    const bool one = exceeds(law, sigma + size, shear_size), other = exceeds(law, sigma - size, shear_size);
-    beyond[k - begin] = (one ? 1.0 : 0.0) + (other ? 1.0 : 0.0);
-    const double normal = length[k] * sigma, shear = length[k] * tau,
-                 moment = kFacetPoint * length[k] * length[k] * bending;
-    const Action a =
-        action_of(half[k], skew[k], cosine[k], half_turn, n, t, normal, shear, moment, nx[k], ny[k]);
-    actions[4 * k] = w * a.x;
-    actions[4 * k + 1] = w * a.y;
-    actions[4 * k + 2] = w * a.moment_1;
-    actions[4 * k + 3] = w * a.moment_2;
-    largest = std::max(largest, std::bit_cast<std::int64_t>(std::abs(normal)));
+    // The point that is pressed less is the weaker one: pressure makes no cohesion and friction smaller.
+    const double worse = sigma + std::abs(bending), beyond = exceeds(law, worse, std::abs(tau)) ? 1.0 : 0.0;
+    out.beyond[k] = beyond;
+    exceeding |= std::bit_cast<std::int64_t>(beyond);
+    const double normal = f.length[k] * sigma, shear = f.length[k] * tau,
+                 moment = kFacetPoint * f.length[k] * f.length[k] * bending;
+    const FacetAction a = action_of(f.half_distance[k], f.skew[k], f.cosine[k], half_turn, n, t, normal,
+                                    shear, moment, f.nx[k], f.ny[k]);
+    out.x[k] = w * a.x;
+    out.y[k] = w * a.y;
+    out.moment_1[k] = w * a.moment_1;
+    out.moment_2[k] = w * a.moment_2;
+    out.normal[k] = normal;
   }
-  return largest;
+  return exceeding;
 }
 
-// By the laws of a block's facets.
-template <bool kPlain>
-std::int64_t find_elastic_actions(std::uint32_t begin, std::uint32_t end, const FacetSet& set,
-                                  FacetMotion& motion, double* beyond) {
-  std::array<Strengths, kFacetBlock> strengths;
-  strengths[0] = strengths_of(set.laws[set.law[begin]]);
-  if (set.laws.size() == 1)
-    return find_elastic_actions<kPlain, true>(begin, end, set, strengths.data(), motion, beyond);
-  for (std::uint32_t k = begin; k < end; ++k) strengths[k - begin] = strengths_of(set.laws[set.law[k]]);
-  return find_elastic_actions<kPlain, false>(begin, end, set, strengths.data(), motion, beyond);
+std::int64_t find_actions(const FacetChunk& of, const FacetPatch& patch, const FacetSet& set,
+                          const double* pressure, ActionColumns& out) {
+  std::array<Strengths, kAtATime> strengths;
+  if (patch.one_law)
+    strengths[0] = strengths_of(set.laws[patch.first_law]);
+  else
+    for (std::uint32_t k = 0; k < of.count; ++k) strengths[k] = strengths_of(set.laws[set.law[of.number[k]]]);
+  if (patch.plain && patch.one_law)
+    return find_elastic_actions<true, true>(of, pressure, strengths.data(), out);
+  const auto find = patch.plain     ? find_elastic_actions<true, false>
+                    : patch.one_law ? find_elastic_actions<false, true>
+                                    : find_elastic_actions<false, false>;
+  return find(of, pressure, strengths.data(), out);
 }
 
 // The whole law of a facet that is worn.
 class WornStep {
  public:
-  WornStep(std::uint32_t facet, const FacetSet& set, FacetMotion& motion)
+  WornStep(std::uint32_t facet, const FacetMotion& motion, const FacetSet& set)
       : set_(set),
         motion_(motion),
         k_(facet),
         law_(set.laws[set.law[facet]]),
         stiffness_(set.stiffness[facet]) {}
 
-  // What the cells' areas add now.
-  void add(WornFacet& worn) const {
-    const double p_1 = set_.share_1[k_] * motion_.pressure[set_.first[k_]],
-                 p_2 = set_.share_2[k_] * motion_.pressure[set_.second[k_]], share = 1 / set_.weight[k_];
+  // What the cells' areas add now, by their pressures.
+  void add(double pressure_1, double pressure_2, WornFacet& worn) const {
+    const double p_1 = set_.share_1[k_] * pressure_1, p_2 = set_.share_2[k_] * pressure_2,
+                 share = 1 / set_.weight[k_];
     worn.added_n = 0.5 * share * (p_1 + p_2) + set_.rest_n[k_];
     worn.added_t = share * set_.skew[k_] * (p_1 - p_2) + set_.rest_t[k_];
   }
 
   // Tractions at both points; returns what was dissipated [J].
   double find(WornFacet& worn) const {
-    const double jump_n = motion_.jump_n[k_] + worn.added_n / stiffness_,
-                 jump_t = motion_.jump_t[k_] + worn.added_t / stiffness_;
+    const double jump_n = motion_.jump_n + worn.added_n / stiffness_,
+                 jump_t = motion_.jump_t + worn.added_t / stiffness_;
     const double half = set_.length[k_] / 2;
     double dissipated = 0;
     for (int e = 0; e < 2; ++e) {
       WornFacet::End& end = worn.ends[e];
       const double at = (e == 0 ? 1 : -1) * kFacetPoint * set_.length[k_];
-      const double n = jump_n - at * motion_.turn[k_];
+      const double n = jump_n - at * motion_.turn;
       const auto [sigma, tau] =
           worn.parted ? FacetTraction{0, 0} : facet_traction(law_, stiffness_, n, jump_t, end.point);
       if (!worn.begun) {
@@ -253,46 +321,36 @@ class WornStep {
 
   bool parts(const WornFacet& worn) const {
     return worn.cracked && !worn.parted &&
-           std::max(std::abs(motion_.jump_t[k_]), motion_.jump_n[k_]) > set_.length[k_] / 2;
+           std::max(std::abs(motion_.jump_t), motion_.jump_n) > set_.length[k_] / 2;
   }
 
-  void act(const WornFacet& worn) const {
-    const double length = set_.length[k_], half = length / 2, w = set_.weight[k_];
-    const double normal = half * (worn.ends[0].normal + worn.ends[1].normal),
-                 shear = half * (worn.ends[0].shear + worn.ends[1].shear),
-                 moment = half * kFacetPoint * length * (worn.ends[1].normal - worn.ends[0].normal);
-    const Action a = action_of(set_.half_distance[k_], set_.skew[k_], motion_.cosine[k_],
-                               0.5 * (motion_.turn[k_] + set_.start_turn[k_]),
-                               motion_.jump_n[k_] + set_.start_n[k_], motion_.jump_t[k_] + set_.start_t[k_],
-                               normal, shear, moment, motion_.nx[k_], motion_.ny[k_]);
-    double* to = &motion_.actions[4 * std::size_t{k_}];
-    to[0] = w * a.x;
-    to[1] = w * a.y;
-    to[2] = w * a.moment_1;
-    to[3] = w * a.moment_2;
+  double normal(const WornFacet& worn) const {
+    return set_.length[k_] / 2 * (worn.ends[0].normal + worn.ends[1].normal);
+  }
+
+  FacetAction act(const WornFacet& worn) const {
+    const double length = set_.length[k_], half = length / 2;
+    return action(normal(worn), half * (worn.ends[0].shear + worn.ends[1].shear),
+                  half * kFacetPoint * length * (worn.ends[1].normal - worn.ends[0].normal));
+  }
+
+  // Of these forces and this moment, unweighted.
+  FacetAction action(double normal, double shear, double moment) const {
+    const FacetAction a =
+        action_of(set_.half_distance[k_], set_.skew[k_], motion_.cosine,
+                  0.5 * (motion_.turn + set_.start_turn[k_]), motion_.jump_n + set_.start_n[k_],
+                  motion_.jump_t + set_.start_t[k_], normal, shear, moment, motion_.nx, motion_.ny);
+    const double w = set_.weight[k_];
+    return {w * a.x, w * a.y, w * a.moment_1, w * a.moment_2};
   }
 
  private:
   const FacetSet& set_;
-  FacetMotion& motion_;
+  const FacetMotion motion_;
   std::uint32_t k_;
   const FacetLaw& law_;
   double stiffness_;
 };
-
-// Adds those that are beyond their strength for the first time, in their order.
-void wear(std::uint32_t begin, std::span<const double> beyond, std::vector<WornFacet>& worn) {
-  if (worn.empty() && std::ranges::all_of(beyond, [](double points) { return points == 0; })) return;
-  const auto before = static_cast<std::ptrdiff_t>(worn.size());
-  std::ptrdiff_t next = 0;
-  for (std::uint32_t m = 0; m < beyond.size(); ++m) {
-    if (next < before && worn[static_cast<std::size_t>(next)].facet == begin + m)
-      ++next;
-    else if (beyond[m] != 0)
-      worn.push_back({.facet = begin + m});
-  }
-  std::ranges::inplace_merge(worn, worn.begin() + before, {}, &WornFacet::facet);
-}
 
 bool cracks(const WornFacet& worn) {
   return !worn.cracked && std::min(worn.ends[0].point.wear, worn.ends[1].point.wear) >= kCracked;
@@ -303,20 +361,247 @@ bool has_opened(const WornFacet& worn) {
   return left.point.opening + right.point.opening > std::abs(left.point.slip) + std::abs(right.point.slip);
 }
 
-double largest_normal(std::uint32_t begin, std::uint32_t end, const FacetSet& set,
-                      const FacetMotion& motion) {
-  double largest = 0;
-  for (std::uint32_t k = begin; k < end; ++k)
-    if (const double normal = std::abs(normal_force(k, set, motion)); !(normal <= largest)) largest = normal;
+// A step of one that is worn; the result is told of it.
+void wear(const WornStep& step, double pressure_1, double pressure_2, const FacetSet& set, WornFacet& worn,
+          FacetResult& result) {
+  step.add(pressure_1, pressure_2, worn);
+  if (step.parts(worn)) {
+    worn.parted = true;
+    result.parted.push_back(worn.facet);
+  }
+  result.fracture += set.weight[worn.facet] * step.find(worn);
+  if (!cracks(worn)) return;
+  worn.cracked = true;
+  worn.opened = has_opened(worn);
+  if (set.laws[set.law[worn.facet]].joined) result.cracked.push_back(worn.facet);
+}
+
+ADIT_VECTOR_CLONES std::int64_t largest_size(const double* values, std::uint32_t count) {
+  std::int64_t largest = 0;
+  for (std::uint32_t k = 0; k < count; ++k)
+    largest = std::max(largest, std::bit_cast<std::int64_t>(std::abs(values[k])));
   return largest;
 }
 
-}  // namespace
-
-double normal_force(std::uint32_t facet, const FacetSet& set, const FacetMotion& motion) {
-  const double* action = &motion.actions[4 * std::size_t{facet}];
-  return (action[0] * motion.nx[facet] + action[1] * motion.ny[facet]) / set.weight[facet];
+ADIT_VECTOR_CLONES void add_to_cells(const FacetChunk& f, const ActionColumns& actions, double* sums) {
+  constexpr std::size_t kOfCell = sizeof(DiscSums) / sizeof(double);
+  const std::uint32_t *first = f.first, *second = f.second, count = f.count;
+  for (std::uint32_t k = 0; k < count; k += 4) {
+    Four rows[4] = {four(&actions.x[k]), four(&actions.y[k]), four(&actions.moment_1[k]),
+                    four(&actions.moment_2[k])};
+    turn(rows);
+    const auto add = [&](std::uint32_t lane) __attribute__((always_inline)) {
+      double *of_first = sums + kOfCell * first[k + lane],
+             *of_second = sums + kOfCell * second[k + lane] + kOfCell / 2;
+      store(four(of_first) + rows[lane], of_first);
+      store(four(of_second) + rows[lane], of_second);
+    };
+    if (k + 4 <= count)
+      for (std::uint32_t lane = 0; lane < 4; ++lane) add(lane);
+    else
+      for (std::uint32_t lane = 0; lane < count - k; ++lane) add(lane);
+  }
 }
+
+void add_spreads(std::size_t count, const std::uint32_t* first, const std::uint32_t* second,
+                 const double* spread_1, const double* spread_2, double* as_first, double* as_second) {
+  for (std::size_t k = 0; k < count; ++k) {
+    as_first[first[k]] += spread_1[k];
+    as_second[second[k]] += spread_2[k];
+  }
+}
+
+ADIT_VECTOR_CLONES void scale_sums(std::size_t count, const double* factor, const double* as_first,
+                                   const double* as_second, double* scaled) {
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < count; ++i) scaled[i] = factor[i] * (as_first[i] + as_second[i]);
+}
+
+std::uint32_t count_at(std::uint32_t at, std::uint32_t end) {
+  return std::min(kAtATime, end - at);
+}
+
+// All of one patch in one step.
+class PatchStep {
+ public:
+  PatchStep(const FacetPatch& patch, FacetSet& set, FacetWork& work)
+      : patch_(patch), set_(set), work_(work), worn_(set.worn[patch.begin / kBlock]) {
+    const auto grow = [](auto& values, std::size_t size) {
+      if (values.size() < size) values.resize(size);
+    };
+    for (auto* column : {&work.jump_n, &work.jump_t, &work.turn, &work.nx, &work.ny, &work.cosine,
+                         &work.spread_1, &work.spread_2})
+      grow(*column, patch.size());
+    for (auto* column : {&work.as_first, &work.as_second, &work.pressure}) grow(*column, patch.places());
+    grow(work.cells, patch.places());
+  }
+
+  void find_jumps(std::span<const double> ux, std::span<const double> uy) const {
+    const double *sine = set_.sine.data(), *versine = set_.versine.data();
+    look_up_cells(patch_.begin, patch_.cells, ux.data(), uy.data(), sine, versine, work_.cells.data());
+    FacetWork::CellMotion* reached = &work_.cells[kBlock];
+    for (const std::uint32_t i : patch_.reached) *reached++ = {ux[i], uy[i], sine[i], versine[i]};
+    TurnColumns turns;
+    const auto find = patch_.plain ? dem::find_jumps<true> : dem::find_jumps<false>;
+    for (std::uint32_t at = 0; at < patch_.size(); at += kAtATime) {
+      const std::uint32_t count = count_at(at, patch_.size());
+      look_up(&patch_.first[at], &patch_.second[at], count, work_.cells.data(), turns);
+      find(at, count, turns, patch_, work_);
+    }
+    if (set_.any_worn) spread_worn();
+  }
+
+  // Of the cells whose facets the patch has all: those of the block and their neighbours.
+  void find_pressures() const {
+    const std::size_t cells = patch_.places();
+    double *as_first = work_.as_first.data(), *as_second = work_.as_second.data();
+    std::fill_n(as_first, cells, 0.0);
+    std::fill_n(as_second, cells, 0.0);
+    add_spreads(patch_.size(), patch_.first.data(), patch_.second.data(), work_.spread_1.data(),
+                work_.spread_2.data(), as_first, as_second);
+    scale_sums(cells, patch_.bulk.data(), as_first, as_second, work_.pressure.data());
+    std::copy_n(work_.pressure.begin(), patch_.cells, set_.pressure.begin() + patch_.begin);
+  }
+
+  // What the facets of the block do.
+  void act(bool internal_force, double* sums, FacetResult& result) const {
+    ActionColumns actions;
+    auto before = worn_.begin();
+    std::int64_t largest = 0;
+    for (std::uint32_t at = patch_.own_begin; at < patch_.own_end; at += kAtATime) {
+      const FacetChunk chunk = chunk_at(at, count_at(at, patch_.own_end));
+      const std::int64_t exceeding = find_actions(chunk, patch_, set_, work_.pressure.data(), actions);
+      if (exceeding != 0 || (before != worn_.end() && before->facet <= chunk.number[chunk.count - 1]))
+        for (std::uint32_t k = 0; k < chunk.count; ++k) {
+          if (before != worn_.end() && before->facet == chunk.number[k])
+            result.worn.push_back(*before++);
+          else if (actions.beyond[k] != 0)
+            result.worn.push_back({.facet = chunk.number[k]});
+          else
+            continue;
+          wear_at(chunk, k, result.worn.back(), actions, result);
+        }
+      add_to_cells(chunk, actions, sums);
+      if (internal_force)
+        result.internal_force += protocol::sum_of_sizes(std::span(actions.x).first(chunk.count),
+                                                        std::span(actions.y).first(chunk.count));
+      const std::int64_t of_chunk = largest_size(actions.normal.data(), chunk.count);
+      if (of_chunk <= largest) continue;
+      largest = of_chunk;
+      std::uint32_t k = 0;
+      while (std::bit_cast<std::int64_t>(std::abs(actions.normal[k])) != largest) ++k;
+      result.strongest = chunk.number[k];
+    }
+    result.max_normal = std::bit_cast<double>(largest);
+  }
+
+  // What those of other blocks do, which these blocks account.
+  void act_incoming(double* sums) const {
+    ActionColumns actions;
+    Packed packed;
+    const auto all = static_cast<std::uint32_t>(patch_.incoming.size());
+    for (std::uint32_t at = 0; at < all; at += kAtATime) {
+      const FacetChunk chunk = pack(std::span(patch_.incoming).subspan(at, count_at(at, all)), packed);
+      const std::int64_t exceeding = find_actions(chunk, patch_, set_, work_.pressure.data(), actions);
+      if (exceeding != 0 || set_.any_worn)
+        for (std::uint32_t k = 0; k < chunk.count; ++k) {
+          const WornFacet* before = set_.worn_facet(chunk.number[k]);
+          if (!before && actions.beyond[k] == 0) continue;
+          WornFacet worn = before ? *before : WornFacet{.facet = chunk.number[k]};
+          FacetResult unread;
+          wear_at(chunk, k, worn, actions, unread);
+        }
+      add_to_cells(chunk, actions, sums);
+    }
+  }
+
+ private:
+  // Columns of facets that are not side by side.
+  struct Packed {
+    std::array<std::uint32_t, kAtATime> number, first, second;
+    std::array<Column, 18> values;
+  };
+
+  FacetMotion motion_at(const FacetChunk& f, std::uint32_t k) const {
+    return {f.jump_n[k], f.jump_t[k], f.turn[k], f.nx[k], f.ny[k], f.cosine[k]};
+  }
+
+  // Spreads of the facets that are worn, of which a copy takes the step: it is taken again once the cells'
+  // areas are known.
+  void spread_worn() const {
+    const auto spread = [&](std::uint32_t place, WornFacet worn) {
+      const WornStep step(worn.facet, motion_at(chunk_at(place, 1), 0), set_);
+      step.find(worn);
+      const auto [first, second] = step.spread(worn);
+      work_.spread_1[place] = first;
+      work_.spread_2[place] = second;
+    };
+    for (const WornFacet& worn : worn_)
+      spread(patch_.own_begin + (worn.facet - patch_.facets[patch_.own_begin]), worn);
+    const auto spread_others = [&](std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t place = begin; place < end; ++place)
+        if (const WornFacet* worn = set_.worn_facet(patch_.facets[place])) spread(place, *worn);
+    };
+    spread_others(0, patch_.own_begin);
+    spread_others(patch_.own_end, static_cast<std::uint32_t>(patch_.size()));
+  }
+
+  void wear_at(const FacetChunk& chunk, std::uint32_t k, WornFacet& worn, ActionColumns& actions,
+               FacetResult& result) const {
+    const WornStep step(worn.facet, motion_at(chunk, k), set_);
+    wear(step, work_.pressure[chunk.first[k]], work_.pressure[chunk.second[k]], set_, worn, result);
+    const FacetAction a = step.act(worn);
+    actions.x[k] = a.x;
+    actions.y[k] = a.y;
+    actions.moment_1[k] = a.moment_1;
+    actions.moment_2[k] = a.moment_2;
+    actions.normal[k] = step.normal(worn);
+  }
+
+  // The columns of a chunk, in its order.
+  std::array<const std::vector<double>*, 18> columns() const {
+    return {&patch_.half_distance, &patch_.skew,    &patch_.length,     &patch_.stiffness, &work_.jump_n,
+            &work_.jump_t,         &work_.turn,     &work_.nx,          &work_.ny,         &work_.cosine,
+            &patch_.start_n,       &patch_.start_t, &patch_.start_turn, &patch_.rest_n,    &patch_.rest_t,
+            &patch_.share_1,       &patch_.share_2, &patch_.weight};
+  }
+
+  FacetChunk chunk_at(std::uint32_t at, std::uint32_t count) const {
+    return chunk_of(count, &patch_.facets[at], &patch_.first[at], &patch_.second[at],
+                    [&](std::size_t c) { return columns()[c]->data() + at; });
+  }
+
+  FacetChunk pack(std::span<const std::uint32_t> places, Packed& to) const {
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      to.number[k] = patch_.facets[places[k]];
+      to.first[k] = patch_.first[places[k]];
+      to.second[k] = patch_.second[places[k]];
+    }
+    const auto all = columns();
+    for (std::size_t c = 0; c < (patch_.plain ? kOfPlain : all.size()); ++c)
+      for (std::size_t k = 0; k < places.size(); ++k) to.values[c][k] = (*all[c])[places[k]];
+    return chunk_of(static_cast<std::uint32_t>(places.size()), to.number.data(), to.first.data(),
+                    to.second.data(), [&](std::size_t c) { return to.values[c].data(); });
+  }
+
+  static constexpr std::size_t kOfPlain = 10;
+
+  template <class ColumnAt>
+  FacetChunk chunk_of(std::uint32_t count, const std::uint32_t* number, const std::uint32_t* first,
+                      const std::uint32_t* second, ColumnAt at) const {
+    const auto varied = [&](std::size_t c) { return patch_.plain ? nullptr : at(c); };
+    return {count,     number,     first,      second,     at(0),      at(1),      at(2),
+            at(3),     at(4),      at(5),      at(6),      at(7),      at(8),      at(9),
+            varied(10), varied(11), varied(12), varied(13), varied(14), varied(15), varied(16), varied(17)};
+  }
+
+  const FacetPatch& patch_;
+  FacetSet& set_;
+  FacetWork& work_;
+  const std::vector<WornFacet>& worn_;
+};
+
+}  // namespace
 
 void turn_cells(double dt, std::uint32_t begin, std::uint32_t end, std::span<const double> spin,
                 FacetSet& set) {
@@ -329,69 +614,42 @@ void turn_cells(double dt, std::uint32_t begin, std::uint32_t end, std::span<con
   }
 }
 
-void find_jumps(std::uint32_t block, std::span<const double> ux, std::span<const double> uy,
-                const FacetSet& set, FacetMotion& motion) {
-  const auto find = set.plain ? find_elastic_jumps<true> : find_elastic_jumps<false>;
-  find(block * kFacetBlock, end_of(block, set), ux.data(), uy.data(), set, motion);
-  for (WornFacet worn : set.worn[block]) {  // copies: the law is asked again once the cells' areas are known
-    const WornStep step(worn.facet, set, motion);
-    step.find(worn);
-    const auto [first, second] = step.spread(worn);
-    motion.spread[2 * std::size_t{worn.facet}] = first;
-    motion.spread[2 * std::size_t{worn.facet} + 1] = second;
-  }
+void add_facet_forces(const FacetPatch& patch, std::span<const double> ux, std::span<const double> uy,
+                      bool internal_force, FacetSet& set, FacetWork& work, BlockDiscs& discs,
+                      FacetResult& result) {
+  result.max_normal = result.fracture = result.internal_force = 0;
+  for (auto* facets : {&result.cracked, &result.parted}) facets->clear();
+  result.worn.clear();
+  if (patch.size() == 0) return;
+  const PatchStep step(patch, set, work);
+  step.find_jumps(ux, uy);
+  step.find_pressures();
+  discs.make_room(patch.reached.size());
+  step.act(internal_force, discs.sums(), result);
+  step.act_incoming(discs.sums());
 }
 
-void find_pressures(std::uint32_t begin, std::uint32_t end, const FacetSet& set, FacetMotion& motion) {
-  for (std::uint32_t i = begin; i < end; ++i) {
-    double sum = 0;
-    for (std::uint32_t k = set.first_starts[i]; k < set.first_starts[i + 1]; ++k) sum += motion.spread[2 * k];
-    for (std::uint32_t m = set.second_starts[i]; m < set.second_starts[i + 1]; ++m)
-      sum += motion.spread[2 * set.as_second[m] + 1];
-    motion.pressure[i] = set.bulk[i] * sum;
-  }
+FacetMotion motion_of(std::uint32_t k, std::span<const double> ux, std::span<const double> uy,
+                      const FacetSet& set) {
+  const std::uint32_t i = set.first[k], j = set.second[k];
+  FacetMotion motion =
+      motion_of(set.nx[k], set.ny[k], set.half_distance[k], set.skew[k],
+                {ux[j] - ux[i], uy[j] - uy[i], set.sine[i], set.versine[i], set.sine[j], set.versine[j]});
+  motion.jump_n -= set.start_n[k];
+  motion.jump_t -= set.start_t[k];
+  motion.turn -= set.start_turn[k];
+  return motion;
 }
 
-void find_actions(std::uint32_t block, FacetSet& set, FacetMotion& motion, FacetResult& result) {
-  const std::uint32_t begin = block * kFacetBlock, end = end_of(block, set);
-  std::array<double, kFacetBlock> beyond;
-  const auto find = set.plain ? find_elastic_actions<true> : find_elastic_actions<false>;
-  const std::int64_t largest = find(begin, end, set, motion, beyond.data());
-  result.fracture = 0;
-  result.cracked.clear();
-  result.parted.clear();
-  std::vector<WornFacet>& worn = set.worn[block];
-  wear(begin, std::span(beyond).first(end - begin), worn);
-  for (WornFacet& one : worn) {
-    const WornStep step(one.facet, set, motion);
-    step.add(one);
-    if (step.parts(one)) {
-      one.parted = true;
-      result.parted.push_back(one.facet);
-    }
-    result.fracture += set.weight[one.facet] * step.find(one);
-    step.act(one);
-    if (!cracks(one)) continue;
-    one.cracked = true;
-    one.opened = has_opened(one);
-    if (set.laws[set.law[one.facet]].joined) result.cracked.push_back(one.facet);
-  }
-  result.max_normal = worn.empty() ? std::bit_cast<double>(largest) : largest_normal(begin, end, set, motion);
-}
-
-void gather_actions(std::uint32_t begin, std::uint32_t end, const FacetSet& set, const FacetMotion& motion,
-                    double* fx, double* fy, double* moment) {
-  const double* actions = motion.actions.data();
-  for (std::uint32_t i = begin; i < end; ++i) {
-    Four as_first{}, as_second{};
-    for (std::uint32_t k = set.first_starts[i]; k < set.first_starts[i + 1]; ++k)
-      as_first += four(&actions[4 * k]);
-    for (std::uint32_t m = set.second_starts[i]; m < set.second_starts[i + 1]; ++m)
-      as_second += four(&actions[4 * std::size_t{set.as_second[m]}]);
-    fx[i] += as_first[0] - as_second[0];
-    fy[i] += as_first[1] - as_second[1];
-    moment[i] += as_first[2] + as_second[3];
-  }
+FacetAction action_of(std::uint32_t k, const FacetMotion& motion, const FacetSet& set) {
+  const WornStep step(k, motion, set);
+  if (const WornFacet* worn = set.worn_facet(k)) return step.act(*worn);
+  WornFacet elastic{.facet = k};
+  step.add(set.pressure[set.first[k]], set.pressure[set.second[k]], elastic);
+  const double length = set.length[k], stiffness = set.stiffness[k];
+  return step.action(length * (stiffness * motion.jump_n + elastic.added_n),
+                     length * (stiffness * motion.jump_t + elastic.added_t),
+                     stiffness * motion.turn * length * length * length / 12);
 }
 
 }  // namespace adit::dem

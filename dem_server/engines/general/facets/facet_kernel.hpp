@@ -1,4 +1,4 @@
-// What facets do in a step, pass by pass (laws/facet.hpp has the law).
+// What facets do in a step, patch by patch (facet_patch.hpp; laws/facet.hpp has the law).
 //
 // Cells are rigid and may turn far. The middle of a facet, at r_i of one nucleus and r_j of the other, is
 // moved by u + (R - 1) r with each cell; D is the difference, in the frame of n turned by the mean of both
@@ -33,39 +33,60 @@
 #include <span>
 #include <vector>
 
+#include "dem_server/engines/general/facets/facet_patch.hpp"
 #include "dem_server/engines/general/facets/facet_set.hpp"
+#include "dem_server/engines/general/pairs/block_discs.hpp"
 
 namespace adit::dem {
 
-// Results of the passes, of use within a step and to observers after it.
+// How far a facet has come.
 struct FacetMotion {
-  std::vector<double> jump_n, jump_t,
-      turn;                            // D [m]; 2 sin of half the turn of the second cell against the first
-  std::vector<double> nx, ny, cosine;  // n now; of half that turn
-  std::vector<double> spread;          // two a facet: A / h (r . De), for the first and the second cell [m^2]
-  std::vector<double> pressure;        // of each cell: lambda theta, weighted [Pa]
-  // Four a facet: the force on the first cell [N] and the moments on both [N m], weighted.
-  std::vector<double> actions;
+  double jump_n, jump_t;  // D [m]
+  double turn;            // 2 sin of half the turn of the second cell against the first
+  double nx, ny, cosine;  // n now; of half that turn
 };
 
-// What one block of facets did in a step.
+// What a facet does to its cells: the force on the first one [N] and the moments on both [N m], weighted.
+struct FacetAction {
+  double x, y, moment_1, moment_2;
+};
+
+// Room for a patch, of each thread; of no use between two patches.
+struct FacetWork {
+  struct CellMotion {
+    double ux, uy, sine, versine;
+  };
+  std::vector<CellMotion> cells;
+  // Of the cells: sums of A / h (r . De) over the facets whose first and whose second they are [m^2]; lambda
+  // theta, weighted [Pa].
+  std::vector<double> as_first, as_second, pressure;
+  // Of the facets: FacetMotion, and A / h (r . De) for both cells.
+  std::vector<double> jump_n, jump_t, turn, nx, ny, cosine, spread_1, spread_2;
+};
+
+// What the facets of a block did in a step.
 struct FacetResult {
   double max_normal = 0;                       // largest |N|, unweighted [N]; not finite where any is not
+  std::uint32_t strongest = 0;                 // a facet that carries it
   double fracture = 0;                         // dissipated, weighted [J]
+  double internal_force = 0;                   // sum of |force|, weighted, where it is asked for [N]
   std::vector<std::uint32_t> cracked, parted;  // ascending
+  std::vector<WornFacet> worn;                 // those of FacetSet after the step
 };
 
 // Turns the cells begin … end - 1 by dt times their spin.
 void turn_cells(double dt, std::uint32_t begin, std::uint32_t end, std::span<const double> spin,
                 FacetSet& set);
-void find_jumps(std::uint32_t block, std::span<const double> ux, std::span<const double> uy,
-                const FacetSet& set, FacetMotion& motion);
-void find_pressures(std::uint32_t begin, std::uint32_t end, const FacetSet& set, FacetMotion& motion);
-void find_actions(std::uint32_t block, FacetSet& set, FacetMotion& motion, FacetResult& result);
-// Of the last step, unweighted, tension positive [N].
-double normal_force(std::uint32_t facet, const FacetSet& set, const FacetMotion& motion);
-// Adds to the resultants of the cells.
-void gather_actions(std::uint32_t begin, std::uint32_t end, const FacetSet& set, const FacetMotion& motion,
-                    double* fx, double* fy, double* moment);
+
+// Adds what facets do to the cells of a patch to the sums of `discs`, which have taken the block, and finds
+// the cells' pressures. Of worn facets, `set` still has what they were, which other patches read.
+void add_facet_forces(const FacetPatch& patch, std::span<const double> ux, std::span<const double> uy,
+                      bool internal_force, FacetSet& set, FacetWork& work, BlockDiscs& discs,
+                      FacetResult& result);
+
+// The same of a single facet, after a step.
+FacetMotion motion_of(std::uint32_t facet, std::span<const double> ux, std::span<const double> uy,
+                      const FacetSet& set);
+FacetAction action_of(std::uint32_t facet, const FacetMotion& motion, const FacetSet& set);
 
 }  // namespace adit::dem

@@ -1,8 +1,7 @@
 // Facets of a model as structure of arrays, and what their cells are to them.
 //
-// Facets ascend by their first cell, then by their second; blocks of consecutive facets and blocks of
-// consecutive cells are shared by threads. Nothing that a block writes is read in the same pass by another
-// one, and a cell sums what its facets do in their order: results do not depend on the number of threads.
+// Facets ascend by their first cell, then by their second. Those whose first cell is in a block of
+// consecutive cells (pairs/pairs.hpp) belong to it.
 #pragma once
 
 #include <array>
@@ -16,8 +15,6 @@
 namespace adit::dem {
 
 struct Model;
-
-inline constexpr std::uint32_t kFacetBlock = 512;  // facets or cells
 
 // A facet that has been beyond its strength.
 struct WornFacet {
@@ -45,26 +42,29 @@ struct FacetSet {
   std::vector<std::uint32_t> law;
   // Of strain-free facets that were made later: jump and turn at that time [m], [1]. Traction at rest [Pa].
   std::vector<double> start_n, start_t, start_turn, rest_n, rest_t;
-  std::vector<double> share_1, share_2;      // of the jump, which each cell takes, times two
-  std::vector<std::vector<WornFacet>> worn;  // of each block, ascending
+  std::vector<double> share_1, share_2;  // of the jump, which each cell takes, times two
   std::vector<FacetLaw> laws;
 
-  // Of each cell: its turn since rest [rad], sin and 1 - cos of it, and the pressure per sum of its facets'
-  // spreads (facet_kernel.hpp), weighted [Pa/m^2]; 0 where there is none of it.
-  std::vector<double> turn, sine, versine, bulk;
-  bool any_bulk = false;
-  bool plain = false;  // no start, no stress at rest, no weights, cells of one stiffness
+  // Facets that are worn, of each block, ascending; and of each facet its place there, from 1; 0: none.
+  std::vector<std::vector<WornFacet>> worn;
+  std::vector<std::uint32_t> worn_place;
+  bool any_worn = false;
 
-  // Facets whose second cell a cell is: one list, and where each cell's begins. Facets whose first it is are
-  // consecutive.
-  std::vector<std::uint32_t> first_starts, second_starts, as_second;
+  // Of each cell: its turn since rest [rad], sin and 1 - cos of it; what a sum of its facets' spreads
+  // (facet_kernel.hpp) gives of pressure, weighted [Pa/m^2], 0 where there is none of it; that pressure at
+  // the last step [Pa].
+  std::vector<double> turn, sine, versine, bulk, pressure;
 
   std::size_t size() const { return first.size(); }
-  std::size_t blocks() const { return (size() + kFacetBlock - 1) / kFacetBlock; }
   std::size_t cells() const { return turn.size(); }
-  std::size_t cell_blocks() const { return (cells() + kFacetBlock - 1) / kFacetBlock; }
+  std::uint32_t block_of(std::uint32_t facet) const;
+  // Null where it is as it was made.
+  const WornFacet* worn_facet(std::uint32_t facet) const {
+    return worn_place[facet] == 0 ? nullptr : &worn[block_of(facet)][worn_place[facet] - 1];
+  }
 
-  void find_plain();
+  // Of the facets of a block, ascending.
+  void set_worn(std::uint32_t block, std::vector<WornFacet>&& facets);
   void exchange(state::Archive& archive);
 };
 

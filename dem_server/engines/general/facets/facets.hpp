@@ -12,6 +12,7 @@
 #include "dem_server/packing/discs.hpp"
 #include "dem_server/particles/particles.hpp"
 #include "protocol/state/archive.hpp"
+#include "protocol/threads/index_ranges.hpp"
 #include "protocol/threads/team.hpp"
 
 namespace adit::dem {
@@ -28,28 +29,27 @@ struct FacetState {
 class Facets {
  public:
   Facets() = default;
-  explicit Facets(const Model& model);
+  Facets(const Model& model, std::size_t threads);
 
   bool empty() const { return set_.size() == 0; }
   std::size_t size() const { return set_.size(); }
   const FacetSet& set() const { return set_; }
-  void mark(std::vector<bool>& discs) const;
 
-  // Turns the cells and adds what their facets do to their resultants; `dt` is 0 where the step starts from
-  // rest.
-  void add_forces(double dt, Particles& particles, protocol::Team& team);
+  // A step turns all cells, adds the forces block by block, and ends. Blocks may be computed by different
+  // threads at once. The first is left out where the step starts from rest.
+  void turn(double dt, const protocol::IndexRange& cells, std::span<const double> spin);
+  // To the sums of a block's cells, which `discs` have taken; with `relax` internal forces are summed, too.
+  void add_forces(std::uint32_t block, std::size_t thread, bool relax, const Particles& particles,
+                  BlockDiscs& discs);
+  void end_step();
 
+  // Adds to the resultants of all cells, which turn by `dt` times their spin before.
+  void find_forces(double dt, Particles& particles, protocol::Team& team);
   // The same for cells that have turned by their `spin` [rad], whatever they did before.
   void find_linear_forces(Particles& particles, protocol::Team& team);
 
-  // What a facet does to its first cell, and its moment on the second, weighted.
-  struct Actions {
-    double x, y, moment_1, moment_2;
-  };
-  Actions actions(std::uint32_t facet) const {
-    const double* of = &motion_.actions[4 * std::size_t{facet}];
-    return {of[0], of[1], of[2], of[3]};
-  }
+  // What a facet does to its cells.
+  FacetAction action(std::uint32_t facet, const Particles& particles) const;
   // Those that join their cells, and those at which the cells only touch; ascending.
   std::span<const std::uint32_t> joining() const { return joining_; }
   std::span<const std::uint32_t> touching() const { return touching_; }
@@ -62,8 +62,9 @@ class Facets {
   // What a cracked facet leaves, in the body at rest.
   Crack crack(std::uint32_t facet, const Particles& particles) const;
   Strongest strongest(const Particles& particles) const;
-  double internal_force() const;                 // sum of |force|, weighted [N]
-  double strain_energy() const;                  // weighted [J]
+  // Sum of |force|, weighted, at the last step of statics [N].
+  double internal_force() const { return internal_force_; }
+  double strain_energy(const Particles& particles) const;  // weighted [J]
   double fracture() const { return fracture_; }  // dissipated since the start, weighted [J]
   void start_over() { fracture_ = 0; }
 
@@ -74,15 +75,15 @@ class Facets {
   void exchange(state::Archive& archive);
 
  private:
-  void make_room();
-  void find_motion(const Particles& particles);
+  void divide();
 
   FacetSet set_;
-  FacetMotion motion_;
+  std::vector<FacetPatch> patches_;   // of blocks
   std::vector<FacetResult> results_;  // of blocks
+  std::vector<FacetWork> work_;       // of threads
   std::vector<std::uint32_t> joining_, touching_;
   std::vector<std::uint32_t> cracked_;
-  double fracture_ = 0;
+  double fracture_ = 0, internal_force_ = 0;
 };
 
 }  // namespace adit::dem

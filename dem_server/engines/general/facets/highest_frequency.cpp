@@ -19,7 +19,7 @@ constexpr double kLacking = 1.02;  // what it may still lack
 // Displacements and turns of all cells, and what their forces make of them: x becomes M^-1 K x.
 class Oscillation {
  public:
-  Oscillation(const Model& model, Masses masses) : masses_(std::move(masses)), facets_(model) {
+  Oscillation(const Model& model, Masses masses) : masses_(std::move(masses)), facets_(model, 1) {
     particles_ = at_rest(model);
     motion::Random random(1);
     for (auto* column : {&particles_.ux, &particles_.uy, &particles_.spin})

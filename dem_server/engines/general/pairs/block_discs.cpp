@@ -98,22 +98,26 @@ std::uint32_t own_count(std::uint32_t block, std::size_t discs) {
 
 }  // namespace
 
-void BlockDiscs::take(std::uint32_t block, const Particles& p) {
+void BlockDiscs::clear() {
   std::fill_n(sums_.begin(), kBlock, DiscSums{});
+}
+
+void BlockDiscs::make_room(std::size_t count) {
+  if (sums_.size() < kBlock + count) sums_.resize(kBlock + count);
+  std::fill_n(sums_.begin() + kBlock, count, DiscSums{});
+}
+
+void BlockDiscs::take(std::uint32_t block, const Particles& p) {
+  clear();
   take_range(p, block * kBlock, own_count(block, p.size()), motions_.data());
 }
 
 void BlockDiscs::take_reached(std::uint32_t block, const Pairs& pairs, const Particles& p) {
   const std::uint32_t begin = pairs.reach_starts[block], end = pairs.reach_starts[block + 1];
   const std::size_t size = kBlock + (end - begin);
-  if (motions_.size() < size) {
-    motions_.resize(size);
-    sums_.resize(size);
-  }
-  for (std::uint32_t k = begin; k < end; ++k) {
-    motions_[kBlock + (k - begin)] = motion_of(p, pairs.reached[k]);
-    sums_[kBlock + (k - begin)] = {};
-  }
+  if (motions_.size() < size) motions_.resize(size);
+  make_room(end - begin);
+  for (std::uint32_t k = begin; k < end; ++k) motions_[kBlock + (k - begin)] = motion_of(p, pairs.reached[k]);
 }
 
 void BlockDiscs::give_reached(std::uint32_t block, Pairs& pairs) const {

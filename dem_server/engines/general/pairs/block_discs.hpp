@@ -27,8 +27,12 @@ static_assert(sizeof(DiscMotion) == kDiscValues * sizeof(double) && sizeof(DiscS
 
 class BlockDiscs {
  public:
-  // Looks up the block's own discs and sets their sums to 0.
+  // Sets the sums of the block's own discs to 0.
+  void clear();
+  // The same, and looks them up.
   void take(std::uint32_t block, const Particles& particles);
+  // Makes room for the sums of `count` discs of other blocks, and sets them to 0.
+  void make_room(std::size_t count);
   // The same for those of other blocks that some of its pairs reach; and puts their sums where they wait.
   void take_reached(std::uint32_t block, const Pairs& pairs, const Particles& particles);
   void give_reached(std::uint32_t block, Pairs& pairs) const;

@@ -51,7 +51,7 @@ void add_pair_forces(std::uint32_t block, std::span<const PairLaw> laws, double 
                      const Particles& particles, Pairs& pairs, BlockDiscs& of_block, PairResult& result) {
   result.max_normal_force = result.friction = result.dashpots = result.released = result.internal_force = 0;
   result.broken.clear();
-  if (pairs.chunk_starts[block] == pairs.chunk_starts[block + 1]) return;
+  if (!pairs.in_block(block)) return;
   ChunkDiscs discs;
   ChunkLaws of_chunk;
   ChunkForces forces;

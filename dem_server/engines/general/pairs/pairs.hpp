@@ -58,6 +58,7 @@ struct Pairs {
   std::vector<BondState> state;                       // of the bond; empty: none
   std::size_t size() const { return first.size(); }
   bool bonded() const { return !state.empty(); }
+  bool in_block(std::uint32_t block) const { return chunk_starts[block] < chunk_starts[block + 1]; }
 
   // Consecutive pairs of one block. Intact: all bonds are, and contacts act beside all of them or beside
   // none. Varied: of one law besides, without initial force and weight. Plain: of one width besides, without

@@ -35,7 +35,7 @@ void Solver::hold_what_vanishes(const ParticleStage& stage) {
            stage);
     }
   for (std::uint32_t k = 0; k < facets_.size(); ++k) {
-    const auto [x, y, moment_1, moment_2] = facets_.actions(k);
+    const auto [x, y, moment_1, moment_2] = facets_.action(k, particles_);
     hold({facets_.set().first[k], facets_.set().second[k], x, y, moment_1, moment_2}, stage);
   }
   for (const Joints::Joint& j : joints_.joints()) {
