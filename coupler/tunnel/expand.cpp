@@ -7,6 +7,7 @@
 
 #include "coupler/tunnel/contour.hpp"
 #include "coupler/tunnel/lining.hpp"
+#include "coupler/tunnel/parts.hpp"
 #include "coupler/tunnel/region.hpp"
 
 namespace adit::coupler {
@@ -23,6 +24,7 @@ constexpr FewRows kStraight{5, "by 12 % with 5 rows and 22 % with 3 (nu = 0.2)"}
 constexpr FewRows kRing{7, "by 11 % with 5 rows and 31 % with 3 (nu = 0.2)"};
 
 void add_note_on_rows(const scene::LinedTunnel& tunnel, std::vector<std::string>& notes) {
+  if (of_cells(tunnel)) return;
   const double thickness = tunnel.lining().thickness();
   const double rows = std::floor(thickness / (std::numbers::sqrt3 * tunnel.particles().radius()) + 1e-6);
   const auto& [few, softer] = tunnel.has_circle() ? kRing : kStraight;
@@ -38,9 +40,10 @@ void add_note_on_elastic_ground(const scene::LinedTunnel& tunnel, const std::vec
   if (zones.empty()) return;
   notes.push_back(fmt::format(
       "{}: the particles around it are elastic where {} has a law beyond elasticity; give the tunnel a "
-      "`particles.material`, or set `particles.bonds.strength_of_material` for a strength by Mohr and "
-      "Coulomb",
-      tunnel.name(), fmt::join(zones, ", ")));
+      "`particles.material`{}",
+      tunnel.name(), fmt::join(zones, ", "),
+      of_cells(tunnel) ? " with `fracture`"
+                       : ", or set `particles.bonds.strength_of_material` for a strength by Mohr and Coulomb"));
 }
 
 scene::Interface interface_around(const scene::LinedTunnel& tunnel, const Contour& contour) {
@@ -86,6 +89,10 @@ Expansion expand_tunnels(const scene::Scene& given) {
   for (int k = 0; k < given.tunnels_size(); ++k) {
     const auto& tunnel = given.tunnels(k);
     const std::string path = fmt::format("tunnels[{}]", k);
+    if (tunnel.particles().has_size() == tunnel.particles().has_radius())
+      throw UserError(path + ".particles",
+                      fmt::format("{}; give `size` for cells or `radius` for a lattice of discs",
+                                  of_cells(tunnel) ? "has size and radius" : "needs size or radius"));
     const Contour contour(tunnel, path);
     TunnelGround ground = ground_around(tunnel, contour, given.continuum());
     add_lining(tunnel, contour, path, ground.particles);

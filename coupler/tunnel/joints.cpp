@@ -51,7 +51,7 @@ class Joint {
 
   void add_line() {
     auto& line = *particles_.add_joints();
-    *line.mutable_from() = point(cut_.at(-tunnel_.particles().radius()));
+    *line.mutable_from() = point(cut_.at(-grain_radius(tunnel_)));
     *line.mutable_to() = point(cut_.at(tunnel_.lining().thickness()));
     line.set_open(true);
     line.set_name(part_name(tunnel_, "joint", number_));
@@ -66,7 +66,7 @@ class Joint {
   }
 
   void add_gasket(const scene::ForceCurve& curve) {
-    auto& spring = add_spring(kBesideJoint * tunnel_.particles().radius());
+    auto& spring = add_spring(kBesideJoint * grain_radius(tunnel_));
     spring.set_name(part_name(tunnel_, "gasket", number_));
     spring.set_tension_only(false);
     *spring.mutable_curve() = curve;
@@ -74,7 +74,7 @@ class Joint {
   }
 
   void add_key(const scene::SegmentKeys& keys) {
-    auto& spring = add_spring(kBesideJoint * tunnel_.particles().radius());
+    auto& spring = add_spring(kBesideJoint * grain_radius(tunnel_));
     spring.set_name(part_name(tunnel_, "key", number_));
     spring.set_tension_only(false);
     spring.set_stiffness(keys.stiffness());
@@ -86,7 +86,7 @@ class Joint {
   // Springs along the lining. Together they resist a rotation by the sum of k a^2, a their distances from the
   // middle. They end inside the segments, because grains at the faces of a joint may roll.
   void add_neighbours(const scene::NeighbourRings& neighbours) {
-    const double thickness = tunnel_.lining().thickness(), radius = tunnel_.particles().radius();
+    const double thickness = tunnel_.lining().thickness(), radius = grain_radius(tunnel_);
     const double rows = std::max(1.0, std::floor(thickness / (std::numbers::sqrt3 * radius) + 1e-6));
     const int last = static_cast<int>(kSpringsInARow * rows) - 1;
     const double reach = std::max(thickness / 2 - kNearestCentre * radius, thickness / 4);

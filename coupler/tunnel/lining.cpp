@@ -19,7 +19,7 @@ void add_group(const scene::LinedTunnel& tunnel, const Contour& contour, scene::
   *group.mutable_where() = contour.between(0, lining.thickness());
   *group.mutable_material() = lining.material();
   *group.mutable_bonds() = lining.bonds();
-  if (!lining.has_bonds() && lining.material().has_mohr_coulomb())
+  if (!of_cells(tunnel) && !lining.has_bonds() && lining.material().has_mohr_coulomb())
     group.mutable_bonds()->set_strength_of_material(true);
   auto& contacts = *group.mutable_contacts();
   contacts = particles.contacts();
@@ -27,7 +27,8 @@ void add_group(const scene::LinedTunnel& tunnel, const Contour& contour, scene::
   contacts.clear_shear_stiffness();
   contacts.set_friction(lining.friction());
   if (tunnel.stage() > 0) group.set_stage(stage_of_lining(tunnel));
-  if (tunnel.has_circle() && !group.bonds().has_parallel()) group.set_bends_as_solid(true);
+  if (!of_cells(tunnel) && tunnel.has_circle() && !group.bonds().has_parallel())
+    group.set_bends_as_solid(true);
   for (const std::string& other : ground) {
     auto& between = *particles.add_between();
     between.set_first(tunnel.name());
@@ -41,7 +42,7 @@ void add_group(const scene::LinedTunnel& tunnel, const Contour& contour, scene::
 constexpr double kBeyondFace = 0.05;  // in radii
 
 void add_sections(const scene::LinedTunnel& tunnel, const Contour& contour, scene::Particles& particles) {
-  const double beyond = kBeyondFace * tunnel.particles().radius();
+  const double beyond = kBeyondFace * grain_radius(tunnel);
   for (std::uint32_t k = 0; k < tunnel.sections(); ++k) {
     const auto cut = contour.cut(static_cast<double>(k) / tunnel.sections());
     auto& section = *particles.add_sections();
@@ -80,7 +81,7 @@ void add_lining(const scene::LinedTunnel& tunnel, const Contour& contour, const 
 
 // The particle on the inner side has its centre a radius or so outside it.
 void add_convergence(const scene::LinedTunnel& tunnel, const Contour& contour, scene::Particles& particles) {
-  const auto box = contour.box(tunnel.particles().radius());
+  const auto box = contour.box(grain_radius(tunnel));
   const double x = tunnel.centre().x(), y = tunnel.centre().y();
   const std::pair<const char*, geometry::Point> places[] = {{"crown", {x, box.y_max}},
                                                             {"invert", {x, box.y_min}},

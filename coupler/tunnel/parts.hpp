@@ -18,6 +18,16 @@ inline scene::Point point(const geometry::Point& place) {
   return point;
 }
 
+// Cells in place of a lattice of discs.
+inline bool of_cells(const scene::LinedTunnel& tunnel) {
+  return tunnel.particles().has_size();
+}
+
+// Half of the distance of neighbouring particles [m].
+inline double grain_radius(const scene::LinedTunnel& tunnel) {
+  return of_cells(tunnel) ? tunnel.particles().size() / 2 : tunnel.particles().radius();
+}
+
 // No place in a hexagonal lattice is farther from a centre, in radii.
 inline constexpr double kNearestCentre = 1.16;
 

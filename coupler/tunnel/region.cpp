@@ -34,18 +34,31 @@ scene::HexagonalPacking packing_over(const geometry::BoundingBox& box, double ra
   return packing;
 }
 
+// The cells end at the outline of `within`, some way inside the box.
+scene::CellPacking cells_over(const geometry::BoundingBox& box, const scene::TunnelRegion& wanted) {
+  const double margin = 2 * wanted.size();
+  scene::CellPacking cells;
+  cells.set_x_min(box.x_min - margin);
+  cells.set_x_max(box.x_max + margin);
+  cells.set_y_min(box.y_min - margin);
+  cells.set_y_max(box.y_max + margin);
+  cells.set_size(wanted.size());
+  if (wanted.has_seed()) cells.set_seed(wanted.seed());
+  return cells;
+}
+
 constexpr double kMostPlaces = 2000;  // along a side, whatever radius a scene states
 
 // Places inside an area that are so far from its boundary that a disc of the lattice has its centre around
 // them.
-std::vector<geometry::Point> places_inside(const scene::Area& area, const scene::HexagonalPacking& packing) {
-  const double radius = packing.radius();
+std::vector<geometry::Point> places_inside(const scene::Area& area, const geometry::BoundingBox& box,
+                                           double radius) {
   const protocol::Places inside(area, "tunnels", -kNearestCentre * radius);
-  const double side = std::max(packing.x_max() - packing.x_min(), packing.y_max() - packing.y_min());
+  const double side = std::max(box.x_max - box.x_min, box.y_max - box.y_min);
   const double step = std::max(radius / 2, side / kMostPlaces);
   std::vector<geometry::Point> places;
-  for (double y = packing.y_min(); y <= packing.y_max(); y += step)
-    for (double x = packing.x_min(); x <= packing.x_max(); x += step)
+  for (double y = box.y_min; y <= box.y_max; y += step)
+    for (double x = box.x_min; x <= box.x_max; x += step)
       if (inside.hold(x, y)) places.push_back({x, y});
   return places;
 }
@@ -72,13 +85,15 @@ void take_over_materials(const scene::LinedTunnel& tunnel, const Contour& contou
         as_bonds_have_it(continuum.material(), bonds, "continuum.material", taken.elastic);
   if (continuum.materials().empty()) return;
   const double lining = tunnel.lining().thickness(), outer = lining + tunnel.particles().ground();
-  const auto ground = places_inside(
-      tunnel.stage() > 0 ? contour.inside(outer) : contour.between(lining, outer), particles.packing());
+  const double radius = grain_radius(tunnel);
+  const auto ground =
+      places_inside(tunnel.stage() > 0 ? contour.inside(outer) : contour.between(lining, outer),
+                    contour.box(outer), radius);
   for (int k = 0; k < continuum.materials_size(); ++k) {
     const scene::MaterialArea& zones = continuum.materials(k);
     const std::string path = fmt::format("continuum.materials[{}]", k);
     for (const auto& area : by_place(zones.where(), continuum).value_or(std::vector<scene::Area>{})) {
-      const protocol::Places inside(area, path + ".where", -kNearestCentre * particles.packing().radius());
+      const protocol::Places inside(area, path + ".where", -kNearestCentre * radius);
       if (std::ranges::none_of(ground, [&](const auto& place) { return inside.hold(place.x, place.y); }))
         continue;
       auto& group = *particles.add_groups();
@@ -98,9 +113,12 @@ TunnelGround ground_around(const scene::LinedTunnel& tunnel, const Contour& cont
   const double outer = tunnel.lining().thickness() + wanted.ground();
   TunnelGround ground;
   scene::Particles& particles = ground.particles;
-  *particles.mutable_packing() = packing_over(contour.box(outer), wanted.radius());
+  if (of_cells(tunnel))
+    *particles.mutable_cells() = cells_over(contour.box(outer), wanted);
+  else
+    *particles.mutable_packing() = packing_over(contour.box(outer), wanted.radius());
   *particles.mutable_within() = tunnel.stage() > 0 ? contour.inside(outer) : contour.between(0, outer);
-  particles.set_remove_floaters(true);
+  if (!of_cells(tunnel)) particles.set_remove_floaters(true);
   if (wanted.has_material()) *particles.mutable_material() = wanted.material();
   *particles.mutable_bonds() = wanted.bonds();
   // The contact of two groups has the smaller friction: that of the ground must not fall below the lining's

@@ -13,6 +13,7 @@ import schema
 FACTORS = {
     "plane": ["plane_strain", "plane_stress"],
     "shape": ["circle", "horseshoe", "box"],
+    "particles": ["lattice", "cells"],
     "lining": ["solid", "breakable", "segments", "bolts", "gasket", "keys", "neighbours"],
     "to_ground": ["touches", "bonded"],
     "tunnels": ["one", "two"],
@@ -128,7 +129,9 @@ def _lining(row):
     if row["to_ground"] == "bonded":
         lining["to_ground"] = {}
     kind = row["lining"]
-    if kind == "breakable":
+    if kind == "breakable" and row["particles"] == "cells":
+        lining["material"]["fracture"] = {"tensile_strength": 0.3e6, "fracture_energy": 20.0, "cohesion": 1e6}
+    elif kind == "breakable":
         lining["bonds"] = {"tensile_strength": 40e3, "shear_strength": 120e3}
     if kind in JOINTED:
         lining.update({"segments": 4, "first_joint": math.pi / 4})
@@ -142,7 +145,8 @@ def _lining(row):
 
 
 def _region(row):
-    region = {"radius": 0.08, "ground": 0.9, "overlap": 0.5, "bonds": {}}
+    grains = {"size": 0.16} if row["particles"] == "cells" else {"radius": 0.08}
+    region = {**grains, "ground": 0.9, "overlap": 0.5, "bonds": {}}
     if row["ground"] == "stated":
         region["material"] = {**ROCK, "young_modulus": 1.02e9}
     if row["ground"] == "gouge":

@@ -79,6 +79,25 @@ TEST(ExpandTunnels, ALiningInGround) {
   EXPECT_EQ(particles.joints_size() + particles.springs_size() + particles.excavations_size(), 0);
 }
 
+// Requirement: `size` makes the region of cells that end at the faces of the lining and of the region; nothing
+// of what a lattice needs is set.
+TEST(ExpandTunnels, ALiningOfCells) {
+  const auto particles = particles_of(test::replaced(test::circular(), "radius: 0.05", "size: 0.12 seed: 3"));
+  EXPECT_FALSE(particles.has_packing());
+  EXPECT_EQ(particles.cells().size(), 0.12);
+  EXPECT_EQ(particles.cells().seed(), 3u);
+  EXPECT_LT(particles.cells().x_min(), 1 - 5.5 - 0.12);
+  EXPECT_GT(particles.cells().y_max(), -12 + 5.5 + 0.12);
+  EXPECT_FALSE(particles.groups(0).has_bends_as_solid());
+  EXPECT_FALSE(particles.remove_floaters());
+  scene::Scene scene = test::scene_with({test::replaced(test::circular(), "radius: 0.05", "size: 0.12")});
+  const dem::Model model = dem::read_model(expand_tunnels(scene).scene);
+  double lining = 0;  // its area
+  for (std::uint32_t i = 0; i < model.discs.size(); ++i)
+    if (model.group[i] == 1) lining += model.cell_area(i);
+  EXPECT_NEAR(lining, pi * (3.5 * 3.5 - 3 * 3), 1e-9);
+}
+
 // Requirement: the overlap ends where the particles end, and leaves ground between itself and the lining.
 TEST(ExpandTunnels, TheOverlapLiesInTheOuterGround) {
   const Expansion expansion = expand_tunnels(test::scene_with({test::circular()}));
@@ -302,6 +321,10 @@ TEST(ExpandTunnels, WhatCannotBeBuiltIsRefused) {
   expect_refused(test::circular("neighbours { rotational_stiffness: 1 }"), "tunnels[0].lining.neighbours",
                  "has no joints");
   expect_refused(test::circular("keys { stiffness: 1 }"), "tunnels[0].lining.keys", "has no joints");
+  expect_refused(test::replaced(test::circular(), "radius: 0.05", ""), "tunnels[0].particles",
+                 "needs size or radius; give `size` for cells");
+  expect_refused(test::replaced(test::circular(), "radius: 0.05", "radius: 0.05 size: 0.1"),
+                 "tunnels[0].particles", "has size and radius");
   expect_refused(test::circular("segments: 3 joints: 0.1"), "tunnels[0].lining.joints",
                  "is given beside `segments`");
   scene::Scene nowhere = test::scene_with({test::circular()});

@@ -125,7 +125,7 @@ TEST(FacetForces, AreTheGradientOfTheirEnergy) {
     state = state * 6364136223846793005u + 1442695040888963407u;
     return static_cast<double>(state >> 40) / (1 << 24) - 0.5;
   };
-  for (std::size_t i = 0; i < model.weight.size(); ++i) model.weight[i] = 1 + random();
+  for (double& weight : model.weight) weight = 1 + random();
   for (Bond& bond : model.bonds) bond.weight = 1 + random();
   Particles p = at_rest(model);
   for (std::size_t i = 0; i < p.size(); ++i) {
