@@ -113,7 +113,7 @@ void add_cracks(const Observable& observed, wire::Snapshot& snapshot) {
     state.push_back(static_cast<double>(crack.mode));
     opening.push_back(crack.opening);
     slip.push_back(crack.slip);
-    debonded.push_back(observed.group()[crack.first] != observed.group()[crack.second]);
+    debonded.push_back(observed.group()[crack.first] != observed.group()[crack.second] ? 1 : 0);
   }
   points.end();
   add_scalars(fields, "state", state);
