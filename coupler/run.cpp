@@ -152,6 +152,7 @@ void Run::go() {
     finish(model_.participants);
     for (const Participant& participant : model_.participants)
       summary_.add_participant(participant, participant.reply.bye());
+    recorder_.record_crack_paths();
     summary_.add_motions(motions_.write(directory_ / "spectra"));
   } catch (const std::exception& error) {
     end_early(error);

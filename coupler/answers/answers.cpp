@@ -103,6 +103,10 @@ void check(const wire::Predicted& predicted, const Answer& answer) {
 
 void check(const wire::Bye& bye, const Answer& answer) {
   answer.at_least_zero({{"bye.cpu_seconds", bye.cpu_seconds()}});
+  for (const wire::CrackPath& path : bye.crack_paths())
+    answer.at_least_zero({{"bye.crack_paths.length", path.length()},
+                          {"bye.crack_paths.opening", path.opening()},
+                          {"bye.crack_paths.slip", path.slip()}});
 }
 
 }  // namespace

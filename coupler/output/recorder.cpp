@@ -170,6 +170,20 @@ void Recorder::record_shares() {
   shares_->row(share_row_);
 }
 
+void Recorder::record_crack_paths() const {
+  const auto paths_of = [](const Participant& participant) -> const auto& {
+    return participant.reply.bye().crack_paths();
+  };
+  if (std::ranges::all_of(model_.participants, [&](const Participant& one) { return paths_of(one).empty(); }))
+    return;
+  results::CsvFile file(directory_ / "crack_paths.csv", results::crack_path_columns(several_));
+  for (const Participant& participant : model_.participants) {
+    std::uint64_t number = 0;
+    for (const wire::CrackPath& path : paths_of(participant))
+      results::write_crack_path(file, ++number, path, several_ ? participant.member.name : "");
+  }
+}
+
 void Recorder::record_fields(std::uint64_t n, const std::vector<wire::Snapshot>& snapshots) {
   write_fields(model_, n, snapshots, fields_);
 }

@@ -1,6 +1,6 @@
 // The files that a run writes while it goes on: histories.csv, energies.csv (for participants that report the
-// parts of their energy), cracks.csv, fields/. Cracks of statics before the stage from which
-// cracks count do not stand in cracks.csv.
+// parts of their energy), cracks.csv, fields/; and at its end crack_paths.csv. Cracks of statics before the
+// stage from which cracks count do not stand in cracks.csv.
 #pragma once
 
 #include <cstdint>
@@ -62,6 +62,9 @@ class Recorder {
                                            const Ledger& ledger);  // the row, valid until the next call
   void record_fields(std::uint64_t n,
                      const std::vector<wire::Snapshot>& snapshots);  // one for each participant
+
+  // After the participants have ended: crack_paths.csv, where any has told of paths.
+  void record_crack_paths() const;
 
   // How far the files are. One that reads takes away what came later.
   void exchange(state::Archive& archive);

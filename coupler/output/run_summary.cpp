@@ -168,6 +168,8 @@ void RunSummary::add_participant(const Participant& participant, const wire::Bye
   const std::string region = is_region(participant.member) ? participant.member.name + "_" : "";
   for (const wire::Figure& figure : bye.figures())
     figures_.emplace_back(region + figure.name(), figure.value());
+  for (const wire::CrackPath& path : bye.crack_paths())
+    if (crack_paths_++ == 0 || path.length() > longest_path_.length()) longest_path_ = path;
   (participant.member.role == Role::kContinuum ? zone_updates_ : particle_updates_) += bye.updates();
 }
 
@@ -209,6 +211,24 @@ void RunSummary::add_findings(const Findings& findings) {
       fmt::format("peak force chain   {:.0f} kN {}", 1e-3 * findings.peak_bond_force, at(findings.peak)));
   lines_.push_back("cracks             " + how_many(findings.cracks));
   if (findings.debonded.count > 0) lines_.push_back("debonded           " + how_many(findings.debonded));
+  add_crack_paths();
+}
+
+// Of particles whose cracks have a width.
+void RunSummary::add_crack_paths() {
+  if (crack_paths_ == 0) return;
+  const std::string mode(results::name_of(longest_path_.mode()));
+  summary_.set("crack_path_count", crack_paths_);
+  summary_.set("longest_crack_path_m", longest_path_.length());
+  summary_.set("longest_crack_path_opening_m", longest_path_.opening());
+  summary_.set("longest_crack_path_slip_m", longest_path_.slip());
+  summary_.set("longest_crack_path_mode", mode);
+  summary_.set("longest_crack_path_x_m", longest_path_.x());
+  summary_.set("longest_crack_path_y_m", longest_path_.y());
+  lines_.push_back(fmt::format(
+      "crack paths        {}, the longest {:.3g} m, {}, open by {:.3g} mm at x = {:.2f} m, y = {:.2f} m",
+      crack_paths_, longest_path_.length(), mode, 1e3 * longest_path_.opening(), longest_path_.x(),
+      longest_path_.y()));
 }
 
 void RunSummary::add_broken_bonds(const BrokenNames& names, const BrokenBonds& bonds) {

@@ -66,6 +66,7 @@ class RunSummary {
   void add_figures();
   void add_stated();
   void add_findings(const Findings& findings);
+  void add_crack_paths();
   struct BrokenNames {
     const char *count, *first, *in_statics;
   };
@@ -78,6 +79,8 @@ class RunSummary {
   const Model& model_;
   results::Summary summary_;
   std::uint64_t particle_updates_ = 0, zone_updates_ = 0;
+  std::uint64_t crack_paths_ = 0;
+  wire::CrackPath longest_path_;
   std::vector<std::pair<std::string, double>> figures_;  // of the participants
   std::vector<std::string> lines_, warnings_;            // the lines that print() writes
 };

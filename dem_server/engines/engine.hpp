@@ -13,6 +13,7 @@
 
 #include "dem_server/engines/answers.hpp"
 #include "dem_server/engines/crack.hpp"
+#include "dem_server/observe/crack_paths.hpp"
 #include "protocol/geometry/bounding_box.hpp"
 #include "protocol/participant/interface/interface_operator.hpp"
 #include "protocol/participant/step.hpp"
@@ -87,9 +88,10 @@ class Engine {
   // stage.
   virtual void exchange(state::Archive& archive) = 0;
 
-  virtual void snapshot(wire::Snapshot& snapshot) const = 0;  // observe/snapshot.hpp, with the peaks
-  virtual std::uint64_t fragments() const = 0;                // bodies that whole bonds hold together
-  virtual std::vector<Figure> figures() const = 0;            // for the summary of the run
+  virtual void snapshot(wire::Snapshot& snapshot) const = 0;         // observe/snapshot.hpp, with the peaks
+  virtual std::uint64_t fragments() const = 0;                       // bodies that whole bonds hold together
+  virtual std::vector<CrackPath> crack_paths() const { return {}; }  // as they are, the longest first
+  virtual std::vector<Figure> figures() const = 0;                   // for the summary of the run
 };
 
 }  // namespace adit::dem

@@ -57,4 +57,11 @@ std::vector<Figure> figures_of(const SpringBreaks& breaks) {
   return figures;
 }
 
+std::vector<Figure> figures_of(const WidestCrack& widest) {
+  std::vector<Figure> figures;
+  if (widest.width > 0)
+    add("largest_crack_width", "m", {widest.width, widest.time}, {widest.x, widest.y}, figures);
+  return figures;
+}
+
 }  // namespace adit::dem

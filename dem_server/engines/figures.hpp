@@ -8,6 +8,7 @@
 #include "dem_server/engines/answers.hpp"
 #include "dem_server/lining/envelope.hpp"
 #include "dem_server/lining/ovals.hpp"
+#include "dem_server/observe/widest_crack.hpp"
 
 namespace adit::dem {
 
@@ -29,5 +30,9 @@ struct SpringBreaks {
 
 // springs_broken, and where any is, first_broken_spring_time_s, …_x_m, …_y_m.
 std::vector<Figure> figures_of(const SpringBreaks& breaks);
+
+// largest_crack_width_m over all cracks between cells and all times, with its …_time_s, …_x_m and …_y_m. None
+// where none stood open.
+std::vector<Figure> figures_of(const WidestCrack& widest);
 
 }  // namespace adit::dem

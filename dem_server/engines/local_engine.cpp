@@ -7,22 +7,18 @@
 #include "dem_server/engines/figures.hpp"
 #include "dem_server/lining/read_lining.hpp"
 #include "dem_server/observe/branches.hpp"
+#include "dem_server/observe/cell_pieces.hpp"
 #include "dem_server/observe/fragments.hpp"
 #include "dem_server/observe/snapshot.hpp"
 
 namespace adit::dem {
-namespace {
-
-// Displacements count from here.
-void settle(Particles& p) {
-  p.settled_x = p.ux;
-  p.settled_y = p.uy;
-}
-
-}  // namespace
 
 LocalEngine::LocalEngine(const Model& model)
-    : density_(model.density), edges_(model.edges), held_x_(!model.walls.empty()), held_y_(held_x_) {
+    : group_names_(model.group_names),
+      density_(model.density),
+      edges_(model.edges),
+      held_x_(!model.walls.empty()),
+      held_y_(held_x_) {
   take_stage(model);
   for (const PrescribedMotion& motion : model.motions) {
     held_x_ = held_x_ || motion.component == Component::kX;
@@ -44,6 +40,13 @@ std::vector<double> LocalEngine::cell_areas() const {
   std::vector<double> areas;
   for (std::size_t i = 0; i < p.size(); ++i) areas.push_back(p.mass[i] / (p.weight[i] * density_[group_[i]]));
   return areas;
+}
+
+void LocalEngine::settle() {
+  Particles& p = particles();
+  p.settled_x = p.ux;
+  p.settled_y = p.uy;
+  settled_turn_.assign(turn().begin(), turn().end());
 }
 
 void LocalEngine::watch(const scene::Particles& scene) {
@@ -89,6 +92,7 @@ void LocalEngine::take_envelope(const protocol::Step& step) {
   std::vector<DiameterChange> diameters;
   for (const Oval& oval : lining_.ovals) diameters.push_back(oval.change(particles()));
   oval_envelope_.take(diameters, time);
+  widest_crack_.take(cracks(), time);
   if (!lining_.sections.cuts().empty()) envelope_.take(section_forces(*this, lining_.sections), time);
 }
 
@@ -155,12 +159,12 @@ void LocalEngine::start_over(const protocol::Drift& /*drift*/) {
   p.tie_y.clear();
   relaxation_.reset();
   travel_.reset();
-  if (!counts_from_stage_) settle(p);
+  if (!counts_from_stage_) settle();
 }
 
 void LocalEngine::count_displacements() {
   counts_from_stage_ = true;
-  settle(particles());
+  settle();
 }
 
 void LocalEngine::exchange(state::Archive& archive) {
@@ -171,6 +175,10 @@ void LocalEngine::exchange(state::Archive& archive) {
   envelope_.exchange(lining_.sections.cuts().size(), archive);
   oval_envelope_.exchange(lining_.ovals.size(), archive);
   joint_peaks_.exchange(joints().size(), archive);
+  if (!turn().empty()) {
+    archive.all_or_none("settled_turn", {&settled_turn_}, turn().size());
+    archive("widest_crack", widest_crack_);
+  }
   archive("peaks", peaks_, [this] { return protocol::PeakMotion(particles().size()); });
   archive("relaxation", relaxation_, [this] { return Relaxation(particles()); });
   archive("travel", travel_, [this] { return protocol::Travel(particles().ux, particles().uy); });
@@ -180,12 +188,15 @@ void LocalEngine::snapshot(wire::Snapshot& snapshot) const {
   write_snapshot(*this, snapshot);
   add_sections(*this, lining_.sections, envelope_, snapshot);
   add_joints(*this, joint_peaks_, snapshot);
+  add_cells(*this, snapshot);
+  add_cracks(*this, snapshot);
   if (peaks_) protocol::add_peak_fields(*peaks_, *snapshot.mutable_pieces(0)->mutable_point_fields());
 }
 
 std::vector<Figure> LocalEngine::figures() const {
   std::vector<Figure> figures = figures_of(lining_.sections, envelope_);
   for (const Figure& figure : figures_of(lining_.ovals, oval_envelope_)) figures.push_back(figure);
+  for (const Figure& figure : figures_of(widest_crack_)) figures.push_back(figure);
   return figures;
 }
 

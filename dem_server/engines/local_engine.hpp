@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "dem_server/coupling/coupling_points.hpp"
@@ -10,9 +11,11 @@
 #include "dem_server/engines/relaxation.hpp"
 #include "dem_server/lining/envelope.hpp"
 #include "dem_server/lining/lining.hpp"
+#include "dem_server/observe/crack_paths.hpp"
 #include "dem_server/observe/histories.hpp"
 #include "dem_server/observe/joint_peaks.hpp"
 #include "dem_server/observe/observable.hpp"
+#include "dem_server/observe/widest_crack.hpp"
 #include "dem_server/particles/energy.hpp"
 #include "protocol/participant/peak_motion.hpp"
 #include "protocol/participant/travel.hpp"
@@ -25,6 +28,8 @@ class LocalEngine : public Engine, public Observable {
   virtual Particles& particles() = 0;
   virtual std::size_t threads() const = 0;  // that share a step
   std::span<const std::uint32_t> group() const final { return group_; }
+  std::span<const std::string> group_names() const final { return group_names_; }
+  std::span<const double> settled_turn() const final { return settled_turn_; }
   std::vector<double> cell_areas() const final;
 
   void watch(const scene::Particles& scene) final;
@@ -46,6 +51,7 @@ class LocalEngine : public Engine, public Observable {
   void exchange(state::Archive& archive) override;
   void snapshot(wire::Snapshot& snapshot) const final;
   std::uint64_t fragments() const final;
+  std::vector<CrackPath> crack_paths() const final { return paths_of(cracks()).paths; }
   std::vector<Figure> figures() const override;
   std::span<const std::uint32_t> tied() const { return coupling_.particles(); }
 
@@ -74,10 +80,14 @@ class LocalEngine : public Engine, public Observable {
 
  private:
   Unrest::Farthest farthest() const;
-  // The forces in all sections, the diameters of ovals and the motions of smooth joints enter their extremes.
+  // Displacements and turns count from here.
+  void settle();
+  // The forces in all sections, the diameters of ovals, the motions of smooth joints and the width of cracks
+  // enter their extremes.
   void take_envelope(const protocol::Step& step);
 
   std::vector<std::uint32_t> group_;
+  std::vector<std::string> group_names_;
   std::vector<double> density_;     // of each group
   std::size_t present_ = 0;         // particles that are there
   bool counts_from_stage_ = false;  // displacements do, not from the beginning of time
@@ -90,6 +100,8 @@ class LocalEngine : public Engine, public Observable {
   Envelope envelope_;  // of the sections of the lining
   OvalEnvelope oval_envelope_;
   JointPeaks joint_peaks_;
+  WidestCrack widest_crack_;
+  std::vector<double> settled_turn_;  // of cells [rad]
   Velocities before_;
   std::optional<protocol::PeakMotion> peaks_;  // once wanted
   std::optional<Relaxation> relaxation_;       // in statics

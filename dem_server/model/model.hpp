@@ -20,6 +20,7 @@
 #include "dem_server/model/calibration.hpp"
 #include "dem_server/model/group_pairs.hpp"
 #include "dem_server/packing/discs.hpp"
+#include "dem_server/packing/voronoi/voronoi_cells.hpp"
 #include "protocol/foundation/springs.hpp"
 #include "protocol/geometry/bounding_box.hpp"
 
@@ -135,6 +136,7 @@ struct Model {
   std::vector<double> mass;             // without weight [kg]
   std::vector<double> weight;           // energy weight of each disc
   std::vector<double> gyration_square;  // of each cell's area, about its nucleus [m^2]; empty: of discs
+  std::vector<CellOutline> outlines;    // of each cell; empty: of discs
   std::vector<std::uint32_t> id;        // of each disc: its place in the packing
   std::vector<std::uint32_t> group;     // of each disc, in group_names; 0 is the model's own
   std::vector<std::string> group_names;

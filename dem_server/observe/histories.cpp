@@ -44,14 +44,13 @@ std::uint32_t particle_at(const scene::Point& at, const std::string& path, const
   return particle;
 }
 
-Circle circle_of(const scene::History& history, const std::string& path, const Particles& p) {
+// `over`: what a circle is for.
+Circle circle_of(const scene::History& history, const std::string& path, const std::string& over,
+                 const Particles& p) {
   if (!history.has_at()) throw UserError(path + ".at", "is missing; give the circle's middle, {x: …, y: …}");
   if (!history.has_radius())
-    throw UserError(
-        path + ".radius",
-        fmt::format("is missing; {} of particles is a mean over a circle: give its radius, best ten of a "
-                    "particle's or more",
-                    protocol::name_of(history.quantity())));
+    throw UserError(path + ".radius", fmt::format("is missing; {} of particles is {}",
+                                                  protocol::name_of(history.quantity()), over));
   const Circle circle{history.at().x(), history.at().y(), history.radius()};
   std::size_t inside = 0;
   for (std::size_t i = 0; i < p.size(); ++i)
@@ -116,6 +115,12 @@ std::size_t oval_of(const scene::History& history, const std::string& path, cons
   for (const Oval& oval : ovals) names.push_back(oval.name());
   return number_of({"oval", "that of an oval", "particles.ovals"}, history.oval(), names, history.quantity(),
                    path);
+}
+
+std::size_t group_of(const scene::History& history, const std::string& path, const Observable& observed) {
+  const auto names = observed.group_names();
+  return number_of({"group", "that of the cracks in a group", "particles.groups"}, history.group(),
+                   {names.begin(), names.end()}, history.quantity(), path);
 }
 
 double component(const SectionForces& forces, scene::Quantity quantity) {
@@ -220,7 +225,9 @@ Histories::Histories(const scene::Particles& scene, const Observable& observed, 
           history.against = particle_at(given.relative_to(), path + ".relative_to", observed.particles());
         break;
       case Over::kCircle:
-        history.circle = circle_of(given, path, observed.particles());
+        history.circle =
+            circle_of(given, path, "a mean over a circle: give its radius, best ten of a particle's or more",
+                      observed.particles());
         break;
       case Over::kWall:
         history.named = wall_of(given, path, observed);
@@ -237,12 +244,24 @@ Histories::Histories(const scene::Particles& scene, const Observable& observed, 
       case Over::kOval:
         history.named = oval_of(given, path, lining.ovals);
         break;
+      case Over::kCracks:
+        if (observed.outlines().empty())
+          throw UserError(path + ".quantity",
+                          "is crack_width, but only cracks between `particles.cells` have a width; choose "
+                          "another quantity, or pack cells");
+        if (given.has_group())
+          history.named = group_of(given, path, observed);
+        else
+          history.circle =
+              circle_of(given, path, "the largest in a circle or a group: give its radius, or `group`",
+                        observed.particles());
+        break;
       case Over::kNothing:
         throw UserError(
             path + ".quantity",
             fmt::format("is {}, which particles do not have; choose a motion, a stress, a strain rate, "
                         "coordination or porosity, a force on a wall, in a section or of a spring, a motion "
-                        "of a joint, a diameter of an oval",
+                        "of a joint, a diameter of an oval, a width of cracks",
                         protocol::name_of(given.quantity())));
     }
     histories_.push_back(history);
@@ -262,6 +281,16 @@ double Histories::motion(const History& history, const MotionOf& of, const Parti
   return history.against ? here - of(particles, history.quantity, *history.against) : here;
 }
 
+// By their places at rest. A group has the cracks between two of its own cells.
+bool Histories::holds(const History& history, const ObservedCrack& crack, const Observable& observed) {
+  if (history.circle) {
+    const auto [x, y] = crack.middle();
+    return std::hypot(x - history.circle->x, y - history.circle->y) <= history.circle->radius;
+  }
+  const auto group = observed.group();
+  return group[crack.first] == history.named && group[crack.second] == history.named;
+}
+
 void Histories::remember(const Particles& particles) {
   for (History& history : histories_) history.velocity.remember(motion(history, velocity, particles));
 }
@@ -272,6 +301,7 @@ void Histories::read(const Observable& observed, const Lining& lining, const pro
   std::optional<CircleMeans> means;
   std::optional<std::vector<SectionForces>> sections;
   std::optional<Fragments> fragments;
+  std::optional<std::vector<ObservedCrack>> cracks;
   for (const History& history : histories_) {
     switch (history.quantity) {
       case scene::DISPLACEMENT_X:
@@ -313,9 +343,15 @@ void Histories::read(const Observable& observed, const Lining& lining, const pro
         if (!sections) sections = section_forces(observed, lining.sections);
         values.push_back(component((*sections)[history.named], history.quantity));
         break;
+      case scene::CRACK_WIDTH:
+        if (!cracks) cracks = observed.cracks();
+        values.push_back(0);
+        for (const ObservedCrack& crack : *cracks)
+          if (holds(history, crack, observed)) values.back() = std::max(values.back(), crack.opening);
+        break;
       default:
         if (!means) means.emplace(observed);
-        values.push_back(means->value(history.quantity, history.circle));
+        values.push_back(means->value(history.quantity, *history.circle));
     }
   }
 }

@@ -1,5 +1,5 @@
 // Quantities over time: motions of the particles nearest to the scene's points, means over circles, forces on
-// walls, in sections and of springs, motions of joints, diameters of ovals.
+// walls, in sections and of springs, motions of joints, diameters of ovals, widths of cracks.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 namespace adit::dem {
 
 // Which of the scene's quantities particles have, and over what.
-enum class Over { kParticle, kCircle, kWall, kSection, kJoint, kSpring, kOval, kNothing };
+enum class Over { kParticle, kCircle, kWall, kSection, kJoint, kSpring, kOval, kCracks, kNothing };
 
 inline Over taken_over(scene::Quantity quantity) {
   if (protocol::is_motion(quantity)) return Over::kParticle;
@@ -48,6 +48,8 @@ inline Over taken_over(scene::Quantity quantity) {
     case scene::SMALLEST_DIAMETER_CHANGE:
     case scene::LARGEST_DIAMETER_DIRECTION:
       return Over::kOval;
+    case scene::CRACK_WIDTH:
+      return Over::kCracks;
     default:
       return Over::kNothing;
   }
@@ -57,8 +59,8 @@ class Histories {
  public:
   // Motions are of the nearest centre at rest, against that nearest to `relative_to` where the scene gives
   // one; of two equally near ones the first. protocol::UserError for a place farther than a diameter from all
-  // of them, for circles without radius or particles, for walls, sections, joints, springs and ovals that do
-  // not exist, and for quantities that are none of these.
+  // of them, for circles without radius or particles, for walls, sections, joints, springs, ovals and groups
+  // that do not exist, for cracks where there are no cells, and for quantities that are none of these.
   Histories(const scene::Particles& scene, const Observable& observed, const Lining& lining);
 
   // The velocities of these particles await the correction by another model after every step.
@@ -84,12 +86,13 @@ class Histories {
     std::optional<std::uint32_t> against{};  // the particle that it counts against
     bool tied = false;
     protocol::HalfStepVelocity velocity{};  // its component
-    Circle circle{};
-    std::size_t named = 0;  // the wall, section, joint, spring or oval
+    std::optional<Circle> circle{};         // cracks: else in the group
+    std::size_t named = 0;                  // the wall, section, joint, spring, oval or group
   };
   // A component of a particle's motion.
   using MotionOf = double(const Particles& particles, scene::Quantity quantity, std::uint32_t particle);
   static double motion(const History& history, const MotionOf& of, const Particles& particles);
+  static bool holds(const History& history, const ObservedCrack& crack, const Observable& observed);
 
   std::vector<History> histories_;
 };

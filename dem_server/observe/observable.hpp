@@ -2,6 +2,7 @@
 // through it and never change it.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -11,6 +12,7 @@
 
 #include "dem_server/laws/bond_state.hpp"
 #include "dem_server/laws/pair_kinematics.hpp"
+#include "dem_server/packing/voronoi/voronoi_cells.hpp"
 #include "dem_server/particles/particles.hpp"
 
 namespace adit::dem {
@@ -60,6 +62,18 @@ struct WallTouch {
   double x, y, fx, fy;
 };
 
+// A facet between two cells that has cracked; its ends lie in the body at rest [m]. How wide it stands open
+// at its wider end, and how far it has slipped [m]: half of its length at most, beyond which its faces have
+// left each other.
+struct ObservedCrack {
+  std::uint32_t first, second;
+  double x_1, y_1, x_2, y_2;
+  double opening, slip;
+  BondState mode;
+  double length() const { return std::hypot(x_2 - x_1, y_2 - y_1); }
+  PlaneVector middle() const { return {(x_1 + x_2) / 2, (y_1 + y_2) / 2}; }
+};
+
 struct WallForce {
   std::string name;
   double x, y;  // of the particles on it [N]
@@ -72,6 +86,7 @@ class Observable {
   virtual ~Observable() = default;
   virtual const Particles& particles() const = 0;
   virtual std::span<const std::uint32_t> group() const = 0;  // of each particle
+  virtual std::span<const std::string> group_names() const = 0;
   // The share of the solid's area that each particle stands for [m^2].
   virtual std::vector<double> cell_areas() const = 0;
 
@@ -81,6 +96,13 @@ class Observable {
   virtual void see_bonds(std::span<const std::uint32_t> bonds, const SeePair& see) const = 0;
   // Particles that touch and were never joined.
   virtual void for_each_contact(const SeePair& see) const = 0;
+
+  // Of cells; empty where particles are discs. Their turns since rest, and those at which displacements begin
+  // to count [rad]; the latter empty: 0.
+  virtual std::span<const CellOutline> outlines() const { return {}; }
+  virtual std::span<const double> turn() const { return {}; }
+  virtual std::span<const double> settled_turn() const { return {}; }
+  virtual std::vector<ObservedCrack> cracks() const { return {}; }
 
   virtual std::vector<JointForce> joints() const { return {}; }
   virtual std::vector<WallTouch> wall_touches() const { return {}; }

@@ -8,6 +8,14 @@
 
 namespace adit::dem {
 
+namespace {
+
+wire::Crack::Mode mode_of(BondState state) {
+  return state == BondState::kTensileCrack ? wire::Crack::TENSILE : wire::Crack::SHEAR;
+}
+
+}  // namespace
+
 void assign(google::protobuf::RepeatedField<double>& field, std::span<const double> values) {
   field.Assign(values.begin(), values.end());
 }
@@ -40,7 +48,7 @@ void report(const WaveSpeeds& speeds, wire::Model& to) {
 void report(const Crack& crack, std::uint64_t step, std::span<const std::string> group_names,
             wire::Crack& to) {
   to.set_step(step);
-  to.set_mode(crack.mode == BondState::kTensileCrack ? wire::Crack::TENSILE : wire::Crack::SHEAR);
+  to.set_mode(mode_of(crack.mode));
   to.set_x(crack.x);
   to.set_y(crack.y);
   to.set_length(crack.length);
@@ -49,6 +57,16 @@ void report(const Crack& crack, std::uint64_t step, std::span<const std::string>
   to.set_parent_b(crack.parent_b);
   const std::string &a = group_names[crack.group_a], &b = group_names[crack.group_b];
   to.set_group(crack.group_a == crack.group_b ? a : a + "-" + b);
+}
+
+void report(const CrackPath& path, wire::CrackPath& to) {
+  to.set_cracks(path.cracks);
+  to.set_mode(mode_of(path.mode));
+  to.set_length(path.length);
+  to.set_opening(path.opening);
+  to.set_slip(path.slip);
+  to.set_x(path.x);
+  to.set_y(path.y);
 }
 
 void report(const Strongest& strongest, std::uint64_t step, wire::BondForce& to) {

@@ -9,6 +9,7 @@
 #include "dem_server/engines/answers.hpp"
 #include "dem_server/engines/crack.hpp"
 #include "dem_server/model/weigh.hpp"
+#include "dem_server/observe/crack_paths.hpp"
 #include "dem_server/participant/wave_speeds.hpp"
 #include "protocol/messages/wire.pb.h"
 
@@ -26,5 +27,6 @@ void report(const Crack& crack, std::uint64_t step, std::span<const std::string>
             wire::Crack& to);
 void report(const Strongest& strongest, std::uint64_t step, wire::BondForce& to);
 void report(const Energies& energies, wire::Energies& to);
+void report(const CrackPath& path, wire::CrackPath& to);
 
 }  // namespace adit::dem

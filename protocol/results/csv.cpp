@@ -77,12 +77,31 @@ std::vector<std::string> crack_columns(bool regions) {
   return columns;
 }
 
+std::string_view name_of(wire::Crack::Mode mode) {
+  return mode == wire::Crack::TENSILE ? "tensile" : "shear";
+}
+
 void write_crack(CsvFile& file, double time, const wire::Crack& crack, const std::string& region) {
   file.cell(time).cell(std::uint64_t{crack.step()});
-  file.cell(std::string_view(crack.mode() == wire::Crack::TENSILE ? "tensile" : "shear"));
+  file.cell(name_of(crack.mode()));
   file.cell(crack.x()).cell(crack.y()).cell(crack.length()).cell(crack.orientation());
   file.cell(std::uint64_t{crack.parent_a()}).cell(std::uint64_t{crack.parent_b()});
   file.cell(std::string_view(crack.group())).cell(std::uint64_t{crack.stage()});
+  if (!region.empty()) file.cell(std::string_view(region));
+  file.end_row();
+}
+
+std::vector<std::string> crack_path_columns(bool regions) {
+  std::vector<std::string> columns = {"path",      "cracks", "mode", "length_m",
+                                      "opening_m", "slip_m", "x_m",  "y_m"};
+  if (regions) columns.emplace_back("region");
+  return columns;
+}
+
+void write_crack_path(CsvFile& file, std::uint64_t number, const wire::CrackPath& path,
+                      const std::string& region) {
+  file.cell(number).cell(std::uint64_t{path.cracks()}).cell(name_of(path.mode())).cell(path.length());
+  file.cell(path.opening()).cell(path.slip()).cell(path.x()).cell(path.y());
   if (!region.empty()) file.cell(std::string_view(region));
   file.end_row();
 }

@@ -47,11 +47,19 @@ class CsvFile {
   std::string line_;       // the unfinished row
 };
 
+// As tables and summaries write it.
+std::string_view name_of(wire::Crack::Mode mode);
+
 // The columns of cracks.csv; `regions`: with the region of particles, as there are several.
 std::vector<std::string> crack_columns(bool regions = false);
 
 // One row of cracks.csv: a bond that broke at `time` [s]; `region` is empty where the file has no such
 // column.
 void write_crack(CsvFile& file, double time, const wire::Crack& crack, const std::string& region = "");
+
+// The same of crack_paths.csv; paths are numbered from 1.
+std::vector<std::string> crack_path_columns(bool regions = false);
+void write_crack_path(CsvFile& file, std::uint64_t number, const wire::CrackPath& path,
+                      const std::string& region = "");
 
 }  // namespace adit::results

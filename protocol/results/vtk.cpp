@@ -23,9 +23,9 @@ static_assert(std::endian::native == std::endian::little, "the files state littl
 
 // VTK's names for the shapes of a piece.
 struct Format {
-  std::size_t points_per_cell;
-  std::string_view dataset;  // the element that holds the data
-  std::string_view cells;    // the element that holds the connectivity
+  std::size_t points_per_cell;  // 0: as the piece's corners say
+  std::string_view dataset;     // the element that holds the data
+  std::string_view cells;       // the element that holds the connectivity
   std::string_view cell_count;
   std::string_view ending;
 };
@@ -33,6 +33,7 @@ struct Format {
 constexpr Format kVertices{1, "PolyData", "Verts", "NumberOfVerts", ".vtp"};
 constexpr Format kLines{2, "PolyData", "Lines", "NumberOfLines", ".vtp"};
 constexpr Format kQuads{4, "UnstructuredGrid", "Cells", "NumberOfCells", ".vtu"};
+constexpr Format kPolygons{0, "PolyData", "Polys", "NumberOfPolys", ".vtp"};
 constexpr std::uint8_t kVtkQuad = 9;
 
 [[noreturn]] void refuse(const wire::Piece& piece, const std::string& reason) {
@@ -47,9 +48,17 @@ const Format& format_of(const wire::Piece& piece) {
       return kLines;
     case wire::Piece::QUADS:
       return kQuads;
+    case wire::Piece::POLYGONS:
+      return kPolygons;
     default:
-      refuse(piece, "its shape is none of vertices, lines and quads");
+      refuse(piece, "its shape is none of vertices, lines, quads and polygons");
   }
+}
+
+std::size_t cells_of(const wire::Piece& piece, const Format& format) {
+  return static_cast<std::size_t>(format.points_per_cell > 0
+                                      ? piece.connectivity_size() / static_cast<int>(format.points_per_cell)
+                                      : piece.corners_size());
 }
 
 constexpr std::size_t kLongestName = 200;  // the name of a file has room for 255
@@ -70,17 +79,30 @@ void check_fields(const wire::Piece& piece, const google::protobuf::RepeatedPtrF
   }
 }
 
+void check_sizes(const wire::Piece& piece, const Format& format) {
+  const std::size_t named = piece.connectivity_size(), each = format.points_per_cell;
+  if (each > 0 && named % each != 0)
+    refuse(piece, "its connectivity has " + std::to_string(named) + " point numbers, expected " +
+                      std::to_string(each) + " a cell");
+  if (each > 0) return;
+  std::uint64_t corners = 0;
+  for (const std::uint32_t of_one : piece.corners()) {
+    if (of_one < 3)
+      refuse(piece, "a polygon has " + std::to_string(of_one) + " corners, expected 3 at least");
+    corners += of_one;
+  }
+  if (corners != named)
+    refuse(piece, "its connectivity has " + std::to_string(named) + " point numbers, but its polygons have " +
+                      std::to_string(corners) + " corners");
+}
+
 void check(const wire::Piece& piece, const Format& format) {
   if (!is_name(piece.name(), kLongestName)) {
     throw std::runtime_error("a piece's name is not of letters, digits, _ and -, or too long");
   }
   if (piece.points_size() % 2 != 0) refuse(piece, "its points are not pairs of x and y");
   const std::size_t points = piece.points_size() / 2;
-  const std::size_t corners = piece.connectivity_size();
-  if (corners % format.points_per_cell != 0) {
-    refuse(piece, "its connectivity has " + std::to_string(corners) + " point numbers, expected " +
-                      std::to_string(format.points_per_cell) + " a cell");
-  }
+  check_sizes(piece, format);
   for (const std::uint32_t point : piece.connectivity()) {
     if (point >= points) {
       refuse(piece, "a cell names point " + std::to_string(point) + ", but there are " +
@@ -88,7 +110,7 @@ void check(const wire::Piece& piece, const Format& format) {
     }
   }
   check_fields(piece, piece.point_fields(), points, "points");
-  check_fields(piece, piece.cell_fields(), corners / format.points_per_cell, "cells");
+  check_fields(piece, piece.cell_fields(), cells_of(piece, format), "cells");
 }
 
 // A document on its way: it is handed on in pieces, because that of a large model would fill the memory.
@@ -183,13 +205,14 @@ void append_fields(Document& out, std::string_view element,
 }
 
 void append_cells(Document& out, const wire::Piece& piece, const Format& format) {
-  const auto corners = static_cast<std::size_t>(piece.connectivity_size());
-  const std::size_t cells = corners / format.points_per_cell;
+  const std::size_t cells = cells_of(piece, format);
   out << "<" << format.cells << ">\n";
-  append_array<std::int64_t>(out, "connectivity", 1, corners,
+  append_array<std::int64_t>(out, "connectivity", 1, static_cast<std::size_t>(piece.connectivity_size()),
                              [&](std::size_t i) { return piece.connectivity(static_cast<int>(i)); });
-  append_array<std::int64_t>(out, "offsets", 1, cells,
-                             [&](std::size_t cell) { return (cell + 1) * format.points_per_cell; });
+  std::size_t end = 0;
+  append_array<std::int64_t>(out, "offsets", 1, cells, [&](std::size_t cell) {
+    return end += format.points_per_cell > 0 ? format.points_per_cell : piece.corners(static_cast<int>(cell));
+  });
   if (piece.shape() == wire::Piece::QUADS)
     append_array<std::uint8_t>(out, "types", 1, cells, [](std::size_t) { return kVtkQuad; });
   out << "</" << format.cells << ">\n";
@@ -209,11 +232,10 @@ void write_document(const wire::Piece& piece, const Document::Sink& sink) {
   // What follows relies on the sizes, so they are checked first.
   const Format& format = format_of(piece);
   check(piece, format);
-  const std::size_t cells = static_cast<std::size_t>(piece.connectivity_size()) / format.points_per_cell;
   Document out(sink);
   out << document_start(format.dataset) << "<Piece NumberOfPoints=\""
       << std::to_string(piece.points_size() / 2) << "\" " << format.cell_count << "=\""
-      << std::to_string(cells) << "\">\n";
+      << std::to_string(cells_of(piece, format)) << "\">\n";
   append_fields(out, "PointData", piece.point_fields());
   append_fields(out, "CellData", piece.cell_fields());
   out << "<Points>\n";

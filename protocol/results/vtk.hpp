@@ -1,4 +1,4 @@
-// Fields as files that ParaView and VTK open: VTU for zones, VTP for particles and bonds, one PVD that
+// Fields as files that ParaView and VTK open: VTU for zones, VTP for particles, cells and bonds, one PVD that
 // names them all with their times. XML with inline base64 data: little-endian, 8-byte lengths, Float64
 // values to the last bit. Points and fields of two components get z = 0, because viewers know vectors of
 // three components only.
@@ -25,7 +25,7 @@ bool is_name(std::string_view text, std::size_t longest);
 // exist, names that no file and no attribute may have. Any value may be NaN.
 std::optional<std::string> wrong_with(const wire::Piece& piece);
 
-// The piece as a file: QUADS as an unstructured grid, VERTICES and LINES as poly data. Throws
+// The piece as a file: QUADS as an unstructured grid, VERTICES, LINES and POLYGONS as poly data. Throws
 // std::runtime_error for what is wrong with it.
 std::string vtk_document(const wire::Piece& piece);
 void write_piece(const std::filesystem::path& path, const wire::Piece& piece);

@@ -191,6 +191,8 @@ def _histories(row):
     if row["observe"] == "circles":
         found += [{"name": "ring", "quantity": quantity, "at": {"x": 3.2, "y": 1.5}, "radius": 0.6}
                   for quantity in ("stress_xx", "stress_yy", "stress_xy", "strain_rate_xx", "shear_strain_rate_xy", "coordination", "porosity")]
+        if row["packing"] == "cells":
+            found.append({"name": "ring", "quantity": "crack_width", "at": {"x": 3.2, "y": 1.5}, "radius": 0.6})
     if row["spring"] != "none":
         found.append({"name": "tie", "quantity": "spring_force", "spring": "tie"})
     if row["floor"] == "wall":

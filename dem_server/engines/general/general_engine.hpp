@@ -26,6 +26,9 @@ class GeneralEngine final : public LocalEngine {
   void for_each_bond(const SeePair& see) const override;
   void see_bonds(std::span<const std::uint32_t> bonds, const SeePair& see) const override;
   void for_each_contact(const SeePair& see) const override;
+  std::span<const CellOutline> outlines() const override { return model_.outlines; }
+  std::span<const double> turn() const override { return solver_.facets().set().turn; }
+  std::vector<ObservedCrack> cracks() const override;
   std::vector<JointForce> joints() const override;
   std::vector<WallTouch> wall_touches() const override;
   std::vector<SpringForce> springs() const override;

@@ -1,4 +1,5 @@
 // What observers see of the general engine (observe/observable.hpp).
+#include <algorithm>
 #include <cmath>
 
 #include "dem_server/engines/general/general_engine.hpp"
@@ -40,6 +41,22 @@ ObservedPair forces_of(std::uint32_t facet, const Solver& solver) {
           .slip = s.slip};
 }
 
+ObservedCrack crack_of(std::uint32_t facet, const Facets& facets, const Particles& particles) {
+  const Crack crack = facets.crack(facet, particles);
+  const FacetState state = facets.state(facet, particles);
+  const double half = crack.length / 2;
+  const double x = half * std::cos(crack.orientation), y = half * std::sin(crack.orientation);
+  return {facets.set().first[facet],
+          facets.set().second[facet],
+          crack.x - x,
+          crack.y - y,
+          crack.x + x,
+          crack.y + y,
+          std::min(state.opening, half),
+          std::clamp(state.slip, -half, half),
+          state.state};
+}
+
 }  // namespace
 
 // Facets come after the bonds of discs.
@@ -60,6 +77,17 @@ void GeneralEngine::for_each_contact(const SeePair& see) const {
     if (const ObservedPair contact = forces_of(k, solver_, solver_.contacts()); contact.touches) see(contact);
   for (const std::uint32_t k : solver_.facets().touching())
     if (const ObservedPair contact = forces_of(k, solver_); contact.normal < 0) see(contact);
+}
+
+std::vector<ObservedCrack> GeneralEngine::cracks() const {
+  std::vector<ObservedCrack> cracks;
+  const Facets& facets = solver_.facets();
+  const FacetSet& set = facets.set();
+  for (const auto& block : set.worn)
+    for (const WornFacet& worn : block)
+      if (worn.cracked && set.laws[set.law[worn.facet]].joined)
+        cracks.push_back(crack_of(worn.facet, facets, particles()));
+  return cracks;
 }
 
 std::vector<JointForce> GeneralEngine::joints() const {

@@ -146,7 +146,7 @@ void CellShapes::keep_only(const std::vector<bool>& keep) {
   std::uint32_t kept = 0;
   for (std::size_t i = 0; i < keep.size(); ++i)
     if (keep[i]) place[i] = kept++;
-  dem::keep_only(keep, area, polar_moment);
+  dem::keep_only(keep, area, polar_moment, outlines);
   std::erase_if(facets, [&](const Facet& f) { return place[f.first] == kGone || place[f.second] == kGone; });
   for (Facet& facet : facets) {
     facet.first = place[facet.first];
@@ -169,12 +169,14 @@ Placement place_cells(const scene::Particles& particles) {
   } catch (const std::invalid_argument& why) {
     throw UserError(path, why.what());
   }
+  auto outlines = outlines_of(cells);
   Discs discs{std::move(cells.x), std::move(cells.y), std::move(cells.radius)};
   return {.discs = std::move(discs),
           .mass = {},
           .extent = box,
           .number = {},
-          .cells = CellShapes{std::move(cells.area), std::move(cells.polar_moment), std::move(cells.facets)}};
+          .cells = CellShapes{std::move(cells.area), std::move(cells.polar_moment), std::move(outlines),
+                              std::move(cells.facets)}};
 }
 
 }  // namespace adit::dem

@@ -23,6 +23,7 @@ struct Reach {
 // Of cells of Voronoi, whose nuclei are the discs' centres.
 struct CellShapes {
   std::vector<double> area, polar_moment;  // about the nucleus [m^2], [m^4]
+  std::vector<CellOutline> outlines;
   std::vector<Facet> facets;
 
   void keep_only(const std::vector<bool>& keep);

@@ -81,6 +81,7 @@ void set_masses(const std::vector<Group>& groups, const Placement& placement, Mo
                  : placement.mass(model.density[group], model.discs.radius[i]);
   };
   if (cells) {
+    model.outlines = cells->outlines;
     for (const Group& group : groups)
       model.cell_elasticity.push_back(elasticity_of(group.material, group.plane));
     for (std::size_t i = 0; i < model.discs.size(); ++i)

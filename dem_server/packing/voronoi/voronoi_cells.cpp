@@ -156,6 +156,14 @@ void check(std::span<const Point> points, const BoundingBox& box) {
 
 }  // namespace
 
+std::vector<CellOutline> outlines_of(const VoronoiCells& cells) {
+  std::vector<CellOutline> outlines(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    for (std::uint32_t k = cells.corner_starts[i]; k < cells.corner_starts[i + 1]; ++k)
+      outlines[i].push_back({cells.corner_x[k] - cells.x[i], cells.corner_y[k] - cells.y[i]});
+  return outlines;
+}
+
 VoronoiCells voronoi_cells(std::span<const Point> points, const BoundingBox& box) {
   check(points, box);
   VoronoiCells cells;

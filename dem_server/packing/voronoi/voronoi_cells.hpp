@@ -27,6 +27,9 @@ struct OuterFace {
   double x_1, y_1, x_2, y_2;  // its ends, with the cell on the left [m]
 };
 
+// Corners of one cell about its nucleus, counter-clockwise [m].
+using CellOutline = std::vector<geometry::Point>;
+
 struct VoronoiCells {
   std::vector<double> x, y;          // nuclei [m]
   std::vector<double> area;          // [m^2]
@@ -43,6 +46,8 @@ struct VoronoiCells {
 
   std::size_t size() const { return x.size(); }
 };
+
+std::vector<CellOutline> outlines_of(const VoronoiCells& cells);
 
 // One cell for each point, in their order; no points give no cells. Throws std::invalid_argument if the box
 // has no area, if a point lies outside it, or if two points coincide within 2^-30 of the box's extent.

@@ -2,7 +2,7 @@
 import numpy as np
 
 from adit import Unusable
-from adit.plots import model_pictures
+from adit.plots import crack_pictures, model_pictures
 
 
 def common_instants(runs):
@@ -22,7 +22,7 @@ def with_bonds(runs):
 
 
 def side_by_side(runs, numbers):
-    """{"force_chains", "bonds": [a drawing for each run that has bonds]} at the instants of these numbers; nothing if a file is
+    """{"force_chains", "bonds", "cracks": [a drawing for each run that has them]} at the instants of these numbers; nothing if a file is
     damaged. All have one scale of widths and one of lengths, so that they can be compared."""
     pieces = [run.pieces_at(number) for run, number in zip(runs, numbers)]
     if not all("bonds" in each for each in pieces):
@@ -32,5 +32,6 @@ def side_by_side(runs, numbers):
     largest = max(np.nanmax(np.abs(each["bonds"]["normal_force_N"]), initial=0) for each in pieces)
     models = [(run, run.instants[number][0], each) for run, number, each in zip(runs, numbers, pieces)]
     drawn = {"force_chains": [model_pictures.force_chains(*each, bounds, largest or None) for each in models],
-             "bonds": [model_pictures.bonds(*each, bounds) for each in models]}
+             "bonds": [model_pictures.bonds(*each, bounds) for each in models],
+             "cracks": [crack_pictures.cracks(*each, bounds) for each in models]}
     return {view: shown for view, several in drawn.items() if (shown := [each for each in several if each])}

@@ -2,7 +2,7 @@
 
 For several runs it writes into the folder that contains all of them, or into DIR:
     report.html     a page: figures with differences and ratios, histories, spectra, envelopes and cracks in one picture each,
-                    force chains and bonds side by side at every instant that the runs share
+                    force chains, and bonds or cracks, side by side at every instant that the runs share
     comparison/     the same pictures as files, and figures.csv: every figure of summary.json that differs
 The first run is the reference. With --reference it compares each run with the reference.json of its case instead, prints a table,
 and ends with exit code 1 if a figure is not within its tolerance.

@@ -1,12 +1,13 @@
 """Fields in colours over the undeformed model: peaks over time; displacement, principal stress and yield state at an instant."""
 import numpy as np
-from matplotlib.collections import EllipseCollection, PolyCollection
+from matplotlib.collections import PolyCollection
 from matplotlib.patches import Patch
 
 from adit.plots import style
 from adit.plots.colour_scale import Scale, number
 from adit.plots.deformation import common_motion, heavy_cells, told
 from adit.plots.drawing import Colours, Drawing, Sheet, legend
+from adit.plots.particle_shapes import Shapes
 from adit.results.rounding import settled
 
 HALF_WEIGHT = 0.5  # particles with less weight: the zones below them are shown instead
@@ -33,7 +34,7 @@ def peaks(run, time, pieces):
         if shown:
             values = {kind: piece[field] / size for kind, piece in shown.items()}
             yield field.partition("_m_per")[0].removesuffix("_m").removesuffix("_Pa"), _coloured(
-                run, f"{what} until t = {style.instant(time)}", shown, values, unit, marked)
+                run, f"{what} until t = {style.instant(time)}", shown, pieces.get("cells"), values, unit, marked)
 
 
 def displacement(run, time, pieces):
@@ -43,7 +44,8 @@ def displacement(run, time, pieces):
         return None
     common = common_motion(shown)
     values = {kind: 1e3 * np.hypot(*(piece["displacement_m"][:, :2] - common).T) for kind, piece in shown.items()}
-    return _coloured(run, f"displacement at t = {style.instant(time)}{told(common)}", shown, values, "mm", np.abs)
+    return _coloured(run, f"displacement at t = {style.instant(time)}{told(common)}", shown, pieces.get("cells"), values, "mm",
+                     np.abs)
 
 
 def principal_stress(run, time, pieces):
@@ -57,8 +59,8 @@ def principal_stress(run, time, pieces):
         xx, yy, xy = piece["stress_Pa"].T
         values[kind] = ((xx + yy) / 2 + np.hypot((xx - yy) / 2, xy)) / 1e6
     near = [shown["particles"]] if "particles" in shown else None
-    return _coloured(run, f"largest principal stress (tension) at t = {style.instant(time)}", shown, values, "MPa", np.positive,
-                     near)
+    return _coloured(run, f"largest principal stress (tension) at t = {style.instant(time)}", shown, pieces.get("cells"), values,
+                     "MPa", np.positive, near)
 
 
 def _with_field(pieces, field):
@@ -91,8 +93,9 @@ def yield_state(run, time, pieces):
     return Drawing(run.name, f"what yields at t = {style.instant(time)}", Sheet(style.bounds_of(grid.points)), paint)
 
 
-def _coloured(run, what, pieces, values, unit, marked, near=None):
-    """`marked`: the largest of this function of the values is marked; `near`: the pieces whose extent is drawn, else all."""
+def _coloured(run, what, pieces, cells, values, unit, marked, near=None):
+    """`cells`: the polygons of the particles, None of discs; `marked`: the largest of this function of the values is marked; `near`: the
+    pieces whose extent is drawn, else all."""
     bounds = style.bounds_of(*(piece.points for piece in near or pieces.values()))
     what += style.cut(bounds, pieces)
     heavy = {kind: _heavy(piece, values[kind]) for kind, piece in pieces.items()}
@@ -106,7 +109,7 @@ def _coloured(run, what, pieces, values, unit, marked, near=None):
 
     def paint(axes, beside):
         for kind, piece in pieces.items():
-            drawn = _draw(axes, piece, values[kind], heavy[kind], scale)
+            drawn = _draw(axes, piece, cells, values[kind], heavy[kind], scale)
         bar = axes.figure.colorbar(drawn, extend=scale.extend(), cax=beside, label=colours.label)
         if scale.low == scale.high:
             bar.set_ticks([scale.low])
@@ -115,14 +118,11 @@ def _coloured(run, what, pieces, values, unit, marked, near=None):
     return Drawing(run.name, what, Sheet(bounds, has_bar=True), paint, notes, (colours,))
 
 
-def _draw(axes, piece, values, heavy, scale):
-    """Particles as discs, zones in the colours of their values, or of those at their corners with lines of equal values."""
+def _draw(axes, piece, cells, values, heavy, scale):
+    """Particles as they are, zones in the colours of their values, or of those at their corners with lines of equal values."""
     look = scale.look()
     if piece.is_cloud:
-        width = 2 * piece.field("radius_m")[heavy]
-        drawn = EllipseCollection(width, width, np.zeros_like(width), units="xy", offsets=piece.points[heavy],
-                                  offset_transform=axes.transData, array=values[heavy], ec="none", zorder=3, **look)
-        return axes.add_collection(drawn)
+        return Shapes(piece, cells).add(axes, heavy, array=values[heavy], ec="none", zorder=3, **look)
     if len(values) == len(piece.cells):
         return axes.add_collection(PolyCollection(piece.points[piece.cells[heavy]], array=values[heavy], ec="face", lw=0.2, **look))
     cells = piece.cells[heavy_cells(piece)]

@@ -1,7 +1,7 @@
 """Draws a run's pictures, or the models of a case in one picture.
 
 %(prog)s RUN_DIR
-    writes RUN_DIR/pictures/: deformed model, force chains, bonds, linings, displacement, principal stress and yield state at
+    writes RUN_DIR/pictures/: deformed model, force chains, bonds, cracks, linings, displacement, principal stress and yield state at
     the field times, eight of them or --all; histories, energy, peaks over time and spectra. A run of a whole tunnel gives
     envelopes along the axis and motion over time and distance.
 %(prog)s --model SCENE.yaml
@@ -13,14 +13,14 @@ import sys
 from pathlib import Path
 
 from adit import Run, programs
-from adit.plots import (colour_pictures, instants, lining_pictures, model_pictures, png, spectra_pictures, style, time_pictures,
+from adit.plots import (colour_pictures, crack_pictures, instants, lining_pictures, model_pictures, png, spectra_pictures, style, time_pictures,
                         tunnel_pictures)
 from adit.plots.cores import on_all_cores
 from adit.plots.deformation import scale_of_run
 from adit.plots.setup import sheets
 from adit.plots.setup.checked import Checked
 
-OF_AN_INSTANT = (model_pictures.force_chains, model_pictures.bonds, lining_pictures.lining_forces,
+OF_AN_INSTANT = (model_pictures.force_chains, model_pictures.bonds, crack_pictures.cracks, lining_pictures.lining_forces,
                  colour_pictures.displacement, colour_pictures.principal_stress, colour_pictures.yield_state)
 OVER_TIME = (time_pictures.histories, time_pictures.energy)
 

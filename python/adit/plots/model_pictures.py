@@ -1,12 +1,13 @@
 """Pictures of the model at an instant: deformed shape, force chains (Fig. 8), bonds and cracks (Fig. 9)."""
 import numpy as np
-from matplotlib.collections import EllipseCollection, LineCollection, PolyCollection
+from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Polygon
 
 from adit.plots import joints, particle_groups, style
 from adit.plots.deformation import common_motion, near, round_below, told
 from adit.plots.drawing import Drawing, Sheet, legend
+from adit.plots.particle_shapes import Shapes
 
 ZONE_FACE, ZONE_EDGE, DISC_FACE, DISC_EDGE = "#C6DBEF", style.BLUE, "#FDD9A0", "#A86400"
 OVERLAP_FACE = "#BDBDBD"
@@ -17,7 +18,7 @@ INTACT, TENSILE_CRACK, SHEAR_CRACK = 0, 1, 2
 
 
 def deformed(run, time, pieces, scale):
-    """The deformed model: zones as quadrilaterals, particles as discs of their size. `scale` of the displacements: that of
+    """The deformed model: zones as quadrilaterals, particles as they are. `scale` of the displacements: that of
     the run. The common motion of all points is subtracted and stated in the title."""
     models = {kind: pieces[kind] for kind in ("grid", "particles") if kind in pieces}
     if not models:
@@ -26,7 +27,8 @@ def deformed(run, time, pieces, scale):
     moved = {kind: piece.moved(scale, common) for kind, piece in models.items()}
     kept = {kind: near(models[kind], points, scale) for kind, points in moved.items()}
     bounds = style.bounds_of(*(p.points for p in models.values()), *(moved[kind][kept[kind]] for kind in models))
-    grid, discs = pieces.get("grid"), pieces.get("particles")
+    grid = pieces.get("grid")
+    shapes = Shapes(pieces["particles"], pieces.get("cells"), scale, common) if "particles" in pieces else None
 
     def paint(axes):
         handles = _shade_overlap(axes, run, grid, moved.get("grid"))
@@ -35,26 +37,22 @@ def deformed(run, time, pieces, scale):
             width = min(0.7, 0.06 * style.length_in_points(axes, np.ptp(grid.points[grid.cells], axis=1).max(axis=1)))
             _draw_zones(axes, grid, moved["grid"], fc="none", ec=ZONE_EDGE, lw=width, zorder=3)  # over the particles
             handles.append(Patch(fc=ZONE_FACE, ec=ZONE_EDGE, label="zones"))
-        if discs is not None:
-            handles += _draw_discs(axes, run, discs, moved["particles"], kept["particles"])
+        if shapes is not None:
+            handles += _draw_particles(axes, run, shapes, kept["particles"])
         return [legend(None, handles)]
 
     title = f"deformed model at t = {style.instant(time)}, displacements × {scale:,.0f}{told(common)}"
     return Drawing(run.name, title, Sheet(bounds), paint)
 
 
-def _draw_discs(axes, run, discs, moved, kept):
+def _draw_particles(axes, run, shapes, kept):
     """`kept`: which of them are not loose."""
-    there = discs.is_there()
-    size = 2 * discs.field("radius_m", np.zeros(len(there)))[there]
-    axes.add_collection(EllipseCollection(
-        size, size, np.zeros_like(size), units="xy", offsets=moved[there], offset_transform=axes.transData, fc=DISC_FACE,
-        ec=DISC_EDGE, lw=0.35, zorder=2))
-    handles = [Line2D([], [], ls="", marker="o", ms=6, mfc=DISC_FACE, mec=DISC_EDGE, label="particles")]
-    handles += particle_groups.draw(axes, _parts(run), discs, moved, ec=DISC_EDGE, lw=0.35, zorder=2)
-    far = int(np.sum(there & ~kept))
+    shapes.add(axes, shapes.there, fc=DISC_FACE, ec=DISC_EDGE, lw=0.35, zorder=2)
+    handles = [shapes.handle("particles", fc=DISC_FACE, ec=DISC_EDGE)]
+    handles += particle_groups.draw(axes, _parts(run), shapes, ec=DISC_EDGE, lw=0.35, zorder=2)
+    far = int(np.sum(shapes.there & ~kept))
     if far:
-        handles.append(Line2D([], [], ls="", label=f"{_count(far, 'loose particle')} may lie outside"))
+        handles.append(Line2D([], [], ls="", label=f"{count(far, 'loose particle')} may lie outside"))
     return handles
 
 
@@ -68,7 +66,7 @@ def force_chains(run, time, pieces, bounds=None, scale=None):
     largest = np.nanmax(np.abs(force))
 
     def paint(axes):
-        handles = _draw_surroundings(axes, run, pieces)
+        handles = draw_surroundings(axes, run, pieces)
         if largest > 0:
             handles += _draw_forces(axes, lines, force, scale or largest)
         return [legend(None, handles, ncol=3)]
@@ -83,7 +81,7 @@ def _draw_forces(axes, lines, force, scale):
     level = np.round(LEVELS * np.abs(force) / scale).astype(int)
     for k in range(1, LEVELS + 1):  # the largest on top; single lines of their own widths take long to draw
         for sign, color in ((1, style.RED), (-1, style.BLUE)):
-            _draw_lines(axes, lines[(level == k) & (sign * force > 0)], color, widest * k / LEVELS)
+            draw_lines(axes, lines[(level == k) & (sign * force > 0)], color, widest * k / LEVELS)
     top, sample = int(np.nanargmax(np.abs(force))), round_below(scale)
     x, y = lines[top].mean(axis=0)
     axes.plot(x, y, "o", ms=11, mfc="none", mec=style.BLACK, mew=1.1, zorder=5)
@@ -94,27 +92,28 @@ def _draw_forces(axes, lines, force, scale):
 
 
 def bonds(run, time, pieces, bounds=None):
-    """Intact bonds as thin lines; a crack, and a bond between two groups that broke, as a short line across the bond."""
+    """Intact bonds as thin lines; a crack, and a bond between two groups that broke, as a short line across the bond. None of
+    cells, whose cracks have a width (crack_pictures)."""
     piece = pieces.get("bonds")
-    if piece is None or len(piece.cells) == 0:
+    if piece is None or len(piece.cells) == 0 or "cells" in pieces:
         return None
     lines, state, bounds = piece.points[piece.cells], piece.field("state"), bounds or close_up(pieces)
     intact, between = state == INTACT, _between_groups(pieces)
     cracks = int(np.sum(~intact & ~between))
 
     def paint(axes):
-        handles = _draw_surroundings(axes, run, pieces)
-        _draw_lines(axes, lines[intact], style.GREY, 0.5)
-        handles.append(Line2D([], [], color=style.GREY, lw=0.8, label=_count(int(np.sum(intact)), "intact bond")))
+        handles = draw_surroundings(axes, run, pieces)
+        draw_lines(axes, lines[intact], style.GREY, 0.5)
+        handles.append(Line2D([], [], color=style.GREY, lw=0.8, label=count(int(np.sum(intact)), "intact bond")))
         for chosen, name, color in (((state == TENSILE_CRACK) & ~between, "tensile crack", style.RED),
                                     ((state == SHEAR_CRACK) & ~between, "shear crack", style.BLUE),
                                     (~intact & between, "debonded bond", style.ORANGE)):
             if chosen.any():
                 axes.add_collection(LineCollection(_across(lines[chosen]), lw=2.4, color=color, zorder=4))
-                handles.append(Line2D([], [], color=color, lw=2.4, label=_count(int(np.sum(chosen)), name)))
+                handles.append(Line2D([], [], color=color, lw=2.4, label=count(int(np.sum(chosen)), name)))
         return [legend(None, handles)]
 
-    title = f"{_count(cracks, 'crack') if cracks else 'no cracks'} at t = {style.instant(time)}{style.cut(bounds, pieces)}"
+    title = f"{count(cracks, 'crack') if cracks else 'no cracks'} at t = {style.instant(time)}{style.cut(bounds, pieces)}"
     return Drawing(run.name, title, Sheet(bounds), paint)
 
 
@@ -125,11 +124,11 @@ def _between_groups(pieces):
     return np.zeros(len(cells), bool) if group is None else group[cells[:, 0]] != group[cells[:, 1]]
 
 
-def _draw_lines(axes, lines, color, width):
+def draw_lines(axes, lines, color, width, zorder=2):
     """Many lines of one look, joined to paths with gaps."""
     for some in np.array_split(lines, 1 + len(lines) // LINES_OF_A_PATH) if len(lines) else ():
         x, y = np.insert(some, 2, np.nan, axis=1).reshape(-1, 2).T
-        axes.add_line(Line2D(x, y, color=color, lw=width, solid_capstyle="round"))
+        axes.add_line(Line2D(x, y, color=color, lw=width, solid_capstyle="round", zorder=zorder))
 
 
 def close_up(pieces):
@@ -137,7 +136,7 @@ def close_up(pieces):
     bonds, bounds = pieces["bonds"], style.bounds_of(*(p.points for p in pieces.values()))
     if not len(bonds.cells):
         return bounds
-    near = style.bounds_of(bonds.points[np.unique(bonds.cells)])
+    near = style.bounds_of(bonds.points[np.unique(bonds.cells)], *([pieces["cells"].points] if "cells" in pieces else ()))
     return near if _area(near) < CLOSE_UP * _area(bounds) else bounds
 
 
@@ -150,14 +149,15 @@ def _draw_zones(axes, grid, points, **look):
     axes.add_collection(PolyCollection(points[grid.cells], **look))
 
 
-def _draw_surroundings(axes, run, pieces):
+def draw_surroundings(axes, run, pieces):
     grid = pieces.get("grid")
     handles = _shade_overlap(axes, run, grid)
     if grid is not None:
         _draw_zones(axes, grid, grid.points, fc="none", ec="#BBCFE0", lw=0.6)
         handles.append(Patch(fc="white", ec="#BBCFE0", label="zones"))
     if "particles" in pieces:
-        handles += particle_groups.draw(axes, _parts(run), pieces["particles"], pieces["particles"].points, ec="none", alpha=0.55, zorder=0.5)
+        shapes = Shapes(pieces["particles"], pieces.get("cells"))
+        handles += particle_groups.draw(axes, _parts(run), shapes, ec="none", alpha=0.55, zorder=0.5)
     springs = pieces.get("springs")
     if springs is not None and len(springs.cells):
         axes.add_collection(LineCollection(springs.points[springs.cells], color=style.GREEN, lw=1.6, zorder=3))
@@ -209,5 +209,5 @@ def _kilonewton(force):
     return f"{kilo:,.0f} kN" if kilo >= 100 else f"{kilo:.3g} kN"
 
 
-def _count(number, noun):
+def count(number, noun):
     return f"{number:,} {noun}" + ("" if number == 1 else "s")

@@ -1,7 +1,5 @@
 """Groups of particles, such as a lining, told apart from the ground around them by their tone."""
 import numpy as np
-from matplotlib.collections import EllipseCollection
-from matplotlib.lines import Line2D
 
 from adit.plots import style
 
@@ -9,20 +7,18 @@ TONES = ("#CDBFE8", "#B9DFB2", "#F3BDB9")  # of the groups, in turn; the ground 
 NAMED = 4  # groups of one tone
 
 
-def draw(axes, models, discs, places, **look):
-    """Draws the particles of groups at these places; returns the handles of the legend. `models`: the parts of the scene."""
-    number = discs.field("group")
+def draw(axes, models, shapes, **look):
+    """Draws the particles of groups, of these Shapes; returns the handles of the legend. `models`: the parts of the scene."""
+    number = shapes.discs.field("group")
     if number is None:
         return []
-    there, size, handles = discs.is_there() & (number > 0), 2 * discs["radius_m"], []
+    there, handles = shapes.there & (number > 0), []
     for k, tone in enumerate(TONES):
         chosen = there & ((number - 1) % len(TONES) == k)
         if chosen.any():
-            axes.add_collection(EllipseCollection(size[chosen], size[chosen], np.zeros(chosen.sum()), units="xy", offsets=places[chosen],
-                                                  offset_transform=axes.transData, fc=tone, **look))
+            shapes.add(axes, chosen, fc=tone, **look)
             names = _names(models, np.unique(number[chosen]).astype(int))
-            handles.append(Line2D([], [], ls="", marker="o", ms=6, mfc=tone, mec=look["ec"], alpha=look.get("alpha"),
-                                  label=style.literal(f"particles: {names}")))
+            handles.append(shapes.handle(style.literal(f"particles: {names}"), fc=tone, ec=look["ec"], alpha=look.get("alpha")))
     return handles
 
 

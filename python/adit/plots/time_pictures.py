@@ -20,6 +20,7 @@ QUANTITIES = (
     (("moment_Nm",), "moment", (("N m/m", 1), ("kN m/m", 1e3), ("MN m/m", 1e6))),
     (("shear_N",), "shear force", (("N/m", 1), ("kN/m", 1e3), ("MN/m", 1e6))),
     (("opening_m", "offset_m"), "joint", (("µm", 1e-6), ("mm", 1e-3), ("m", 1))),
+    (("crack_width_m",), "crack width", (("mm", 1e-3),)),
     (("rotation_rad",), "joint rotation", (("10⁻⁶ rad", 1e-6), ("10⁻³ rad", 1e-3))),
     (("force_N", "fx_N", "fy_N"), "force", (("N", 1), ("kN", 1e3), ("MN", 1e6))),
     (("axial_force_N",), "axial force", (("N", 1), ("kN", 1e3), ("MN", 1e6))),

@@ -1,14 +1,14 @@
 """The model at chosen instants behind a slider: displacement, force chains, cracks, yield, stress, forces of linings."""
 from typing import NamedTuple
 
-from adit.plots import colour_pictures, lining_pictures, model_pictures, style
+from adit.plots import colour_pictures, crack_pictures, lining_pictures, model_pictures, style
 from adit.plots.cores import on_all_cores
 from adit.plots.deformation import largest_factor, scale_of_run
 from adit.plots.instants import MOST, spread
 from adit.report import pictures
 from adit.report.markup import Markup, section, tag
 
-VIEWS = (colour_pictures.displacement, model_pictures.force_chains, model_pictures.bonds, lining_pictures.lining_forces,
+VIEWS = (colour_pictures.displacement, model_pictures.force_chains, model_pictures.bonds, crack_pictures.cracks, lining_pictures.lining_forces,
          colour_pictures.principal_stress, colour_pictures.yield_state)  # beside the deformed model
 
 

@@ -53,7 +53,20 @@ def cracks(results):
     listed = table("Broken bonds in the order of time, from cracks.csv", heads, rows)
     every = len(found["time_s"])
     some = "The broken bond" if every == 1 else f"The first {len(rows)} of {every:,} broken bonds"
-    return section("cracks", "Cracks", told, details(some, listed))
+    return section("cracks", "Cracks", told, _paths(results), details(some, listed))
+
+
+def _paths(results):
+    """The longest of the paths to which cracks between cells join, where there are any."""
+    found = results.table("crack_paths.csv")
+    if found is None:
+        return None
+    names = [name for name in ("mode", "length_m", "opening_m", "slip_m", "x_m", "y_m", "region") if name in found]
+    every = len(found["path"])
+    rows = [(f"{found['path'][i]:.0f}", *(_said(name, found[name][i]) for name in names)) for i in range(min(LISTED, every))]
+    heads = ("path", "mode", "length", "widest opening", "largest slip", "widest at x", "widest at y", "region")[:1 + len(names)]
+    listed = table("Cracks that meet, joined to paths: at the end of the run, from crack_paths.csv", heads, rows)
+    return details("The crack path" if every == 1 else f"{len(rows)} of {every:,} crack paths", listed)
 
 
 def _first(s, count, first, what, where):

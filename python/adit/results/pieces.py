@@ -16,7 +16,8 @@ class Piece:
     """The fields of one kind at one instant, such as the grid or the bonds.
 
     points: their places [m] before any displacement, (n, 2)
-    cells: numbers of the points of each zone, bond or beam, (m, points of a cell); of particles, their own number
+    cells: numbers of the points of each zone, bond or beam, (m, points of a cell); of particles, their own number; of polygons
+        as many as the one with most corners has: the others repeat their last corner
     point_fields, cell_fields: Tables of values, (n,) or (n, 3), and (m,) or (m, 3)
     piece["stress_Pa"]: the field of the points or of the cells
     """
@@ -24,10 +25,9 @@ class Piece:
     def __init__(self, path):
         element = ElementTree.parse(path).getroot()[0].find("Piece")
         self.points = _array(element.find("Points")[0])[:, :2]
-        cells = next(e for e in (element.find(name) for name in ("Verts", "Lines", "Cells")) if e is not None)
+        cells = next(e for e in (element.find(name) for name in ("Verts", "Lines", "Polys", "Cells")) if e is not None)
         arrays = {a.get("Name"): _array(a) for a in cells}
-        count = len(arrays["offsets"])
-        self.cells = arrays["connectivity"].reshape(count, -1) if count else np.empty((0, 1), int)
+        self.cells = _cells(arrays["connectivity"], arrays["offsets"])
         self.point_fields, self.cell_fields = (
             Table({a.get("Name"): _array(a) for a in element.find(data)}, path) for data in ("PointData", "CellData"))
 
@@ -40,7 +40,8 @@ class Piece:
         whole = object.__new__(Piece)
         offsets = np.cumsum([0] + [len(piece.points) for piece in pieces])
         whole.points = np.concatenate([piece.points for piece in pieces])
-        whole.cells = np.concatenate([piece.cells + offset for piece, offset in zip(pieces, offsets)])
+        most = max(piece.cells.shape[1] for piece in pieces)
+        whole.cells = np.concatenate([_with_corners(most, piece.cells) + offset for piece, offset in zip(pieces, offsets)])
         for fields in ("point_fields", "cell_fields"):
             shared = [name for name in getattr(first, fields) if all(name in getattr(p, fields) for p in pieces)]
             joined = {name: np.concatenate([getattr(p, fields)[name] for p in pieces]) for name in shared}
@@ -80,6 +81,22 @@ class Fields(dict):
 
     def __missing__(self, kind):
         raise Unusable(f"the fields have no `{kind}`; {nearest(kind, self)}")
+
+
+def _cells(connectivity, offsets):
+    """(cells, points of a cell); `offsets`: where each cell ends."""
+    counts = np.diff(offsets, prepend=0)
+    if not len(counts):
+        return np.empty((0, 1), int)
+    if counts.min() == counts.max():
+        return connectivity.reshape(len(counts), -1)
+    corner = np.minimum(np.arange(counts.max()), counts[:, None] - 1)
+    return connectivity[(offsets - counts)[:, None] + corner]
+
+
+def _with_corners(most, cells):
+    """The cells with so many corners, of which the last is repeated."""
+    return np.pad(cells, ((0, 0), (0, most - cells.shape[1])), mode="edge")
 
 
 def _array(element):

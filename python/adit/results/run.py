@@ -83,6 +83,11 @@ class Run:
         """The Table of broken bonds in the order of time; only runs with particles have one."""
         return self.table("cracks.csv")
 
+    @cached_property
+    def crack_paths(self):
+        """The Table of cracks between cells, joined to paths where they meet, the longest first; only runs with such cracks have one."""
+        return self.table("crack_paths.csv")
+
     def debonded(self, broken):
         """Whether each bond of the Table of broken bonds joined two groups; the others are cracks inside one body."""
         groups = {name for key, names in self.summary.items() if key.endswith("_groups") for name in names}

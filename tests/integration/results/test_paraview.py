@@ -12,7 +12,7 @@ import numpy
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
-from programs import ADIT, CASE, PATIENCE_S, ProgramTest
+from programs import ADIT, CASE, PATIENCE_S, SOURCE, ProgramTest
 
 READERS = {".vtu": vtk.vtkXMLUnstructuredGridReader, ".vtp": vtk.vtkXMLPolyDataReader}
 
@@ -87,6 +87,18 @@ class ParaView(ProgramTest):
         for (_, array), (low, high) in zip(coloured, limits):
             self.assertAlmostEqual(high / largest[array], 1, delta=1e-12)
             self.assertEqual(low, 0 if array == "displacement_m" else -high)
+
+    def test_cells_are_shown_as_polygons_and_their_cracks_by_their_opening(self):
+        run = self.run_scene(SOURCE / "cases" / "laboratory" / "compression.yaml", "--set", "time.duration=14 ms", "--set",
+                             "output.field_times=[14 ms]")
+        simple, files = asked(self.state_of(run)), parts(run / "fields" / "fields.pvd")
+        self.assertEqual([call.kwargs["registrationName"] for call in simple.ExtractBlock.call_args_list], ["bonds", "cells", "cracks"])
+        self.assertEqual(read(files["cells"]).GetNumberOfPolys(), self.summary(run)["particles"])
+        cracks = read(files["cracks"])
+        self.assertEqual(cracks.GetNumberOfLines(), self.summary(run)["crack_count"])
+        self.assertEqual(simple.ColorBy.call_args_list[2].args[1], ("CELLS", "opening_m"))
+        limits = simple.GetColorTransferFunction().RescaleTransferFunction.call_args_list[2].args
+        self.assertEqual(limits, (0, vtk_to_numpy(cracks.GetCellData().GetArray("opening_m")).max()))
 
     def test_the_displacement_is_seen_and_not_out_of_proportion(self):
         run = self.coupled()

@@ -94,6 +94,17 @@ particles:
 output: {peaks: {}, field_times: [0.1 s]}
 """
 
+# Cells that have turned under their weight before time begins, and are crushed.
+CELLS = """
+extends: %s/laboratory/compression.yaml
+time: {duration: 15 ms}
+statics: {unbalanced_ratio: 1e-3}
+particles:
+  body_loads: [{acceleration: {y: -10 m/s^2}}]
+  histories: [{name: all, quantity: crack_width, at: {x: 50 mm, y: 100 mm}, radius: 200 mm}]
+output: {peaks: {}, field_times: [14 ms]}
+"""
+
 # A ring of segments in particles, installed in a stage, in zones with a larger step.
 RING = """
 material: {young_modulus: 163 MPa, poisson_ratio: 0.2, density: 1.8 t/m^3}
@@ -136,6 +147,7 @@ SCENES = {
     "ground in large strain": (GROUND % ("true", "damping: {local: {alpha: 0.1}}"), ()),
     "beam on a foundation": (BEDDED % CASES, ()),
     "grains": (GRAINS, ()),
+    "cells": (CELLS % CASES, ()),
     "ring of segments": (RING, ()),
     "regions": (CASES / "cavern" / "crown_invert.yaml", ("--set", "time.duration=50 ms", "--set", "output.field_times=[10 ms]")),
 }

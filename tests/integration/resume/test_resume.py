@@ -59,6 +59,9 @@ class Resume(ResumeTest):
     def test_grains(self):
         self.assert_goes_on("grains")
 
+    def test_cells(self):
+        self.assert_goes_on("cells")
+
     def test_ring_of_segments(self):
         self.assert_goes_on("ring of segments")
 

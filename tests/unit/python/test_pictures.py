@@ -12,6 +12,7 @@ from adit.plots import (colour_pictures, deformation, lining_pictures, model_pic
                         time_pictures)
 from adit.plots.colour_scale import Scale
 from adit.plots.drawing import Drawing, Panels, legend
+from adit.plots.particle_shapes import Shapes
 from adit.plots.setup import conditions, sheets
 from adit.plots.setup.checked import Member
 from adit.report import around, computed, model, overview, pictures, response
@@ -264,7 +265,7 @@ class Models(PictureTest):
         discs = cloud([(0, 0), (1, 0), (2, 0)], np.zeros((3, 2)))
         discs.cells = discs.cells[1:]
         _, axes = style.plt.subplots()
-        sheets._draw_particles(axes, Member("", "particles", {}, {}), discs)
+        sheets._draw_particles(axes, Member("", "particles", {}, {}), Shapes(discs))
         self.assertEqual(axes.collections[0].get_offsets().tolist(), [[1, 0], [2, 0]])
 
     def test_edges_that_move_as_a_body_are_drawn_as_moved(self):
@@ -385,7 +386,7 @@ class Pages(PictureTest):
         table = Table({name: np.array(values) for name, values in {
             "time_s": [0.5, 1.0, 2.0], "mode": ["shear", "tensile", "shear"], "x_m": [1.0, 2, 3], "y_m": [4.0, 5, 6],
             "group": ["lining-ground", "lining", "lining-ground"]}.items()}, "cracks.csv")
-        told = response.cracks(types.SimpleNamespace(table=lambda name: table, summary={
+        told = response.cracks(types.SimpleNamespace(table={"cracks.csv": table}.get, summary={
             "crack_count": 1, "first_crack_time_s": 1.0, "first_crack_x_m": 2.0, "first_crack_y_m": 5.0,
             "debonded_count": 2, "first_debonding_time_s": 0.5, "first_debonding_x_m": 1.0, "first_debonding_y_m": 4.0}))
         self.assertIn("The only crack inside one body broke at 1 s", told)

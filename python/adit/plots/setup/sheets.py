@@ -1,11 +1,12 @@
 """Pictures of a model before it runs: materials, groups, joints, supports, boundaries, loads, probes, overlap."""
 import numpy as np
-from matplotlib.collections import EllipseCollection, PolyCollection
+from matplotlib.collections import PolyCollection
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from adit.plots import style
 from adit.plots.drawing import Drawing, Sheet, legend
+from adit.plots.particle_shapes import Shapes
 from adit.plots.setup import conditions, supports
 from adit.plots.setup.labels import add_labels
 from adit.plots.setup.checked import in_stages
@@ -40,9 +41,11 @@ def _sheet(checked, pieces, bounds, title, elsewhere):
     def paint(axes):
         handles = []
         for member in members:
-            draw = _draw_zones if member.is_grid else _draw_particles
-            if member.piece in pieces:
-                handles += draw(axes, member, pieces[member.piece])
+            if member.piece not in pieces:
+                continue
+            piece = pieces[member.piece]
+            handles += (_draw_zones(axes, member, piece) if member.is_grid else
+                        _draw_particles(axes, member, Shapes(piece, pieces.get(member.called("cells")))))
         handles += _shade_overlap(axes, pieces)
         handles += supports.draw(axes, members, pieces)
         drawn, notes = conditions.draw(axes, members, pieces, span)
@@ -65,18 +68,14 @@ def _draw_zones(axes, member, grid):
     return handles
 
 
-def _draw_particles(axes, member, discs):
-    there = discs.is_there()
-    number = member.particle_groups(discs)
-    size = 2 * discs.field("radius_m", np.zeros(len(discs.points)))
+def _draw_particles(axes, member, shapes):
+    number = member.particle_groups(shapes.discs)
     handles = []
-    for k in np.unique(number[there]):
-        chosen, face = there & (number == k), PARTICLES[(k + member.first_colour) % len(PARTICLES)]
-        axes.add_collection(EllipseCollection(
-            size[chosen], size[chosen], np.zeros(chosen.sum()), units="xy", offsets=discs.points[chosen],
-            offset_transform=axes.transData, fc=face, ec="none", zorder=2))
-        handles.append(Line2D([], [], ls="", marker="o", ms=7, mfc=face, mec="none",
-                              label=f"particles: {style.literal(member.group(k))}{in_stages([{'stage': member.stage_of_group(k)}])}"))
+    for k in np.unique(number[shapes.there]):
+        face = PARTICLES[(k + member.first_colour) % len(PARTICLES)]
+        shapes.add(axes, shapes.there & (number == k), fc=face, ec="none", zorder=2)
+        name = f"particles: {style.literal(member.group(k))}{in_stages([{'stage': member.stage_of_group(k)}])}"
+        handles.append(shapes.handle(name, size=7, fc=face, ec="none"))
     return handles
 
 

@@ -80,6 +80,10 @@ TEST(Answers, Relaxation) {
 TEST(Answers, Bye) {
   expect_sound("bye", "figures { name: 'oval_lining_m' value: nan }");
   expect_refused("bye", "cpu_seconds: -1", "cpu_seconds is -1");
+  expect_sound("bye", "crack_paths { cracks: 2 length: 1 opening: 0 slip: 0 x: -1 }");
+  for (const std::string figure : {"length", "opening", "slip"})
+    expect_refused("bye", "crack_paths { " + figure + ": -1 }", figure + " is -1");
+  expect_refused("bye", "crack_paths { opening: nan }", "crack_paths[0].opening is nan");
 }
 
 }  // namespace

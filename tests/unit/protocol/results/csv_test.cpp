@@ -119,5 +119,24 @@ TEST(Csv, CrackRowHoldsTheWholeRecord) {
             "0.0298,2980,shear,9.875,0.25,0.125,-0.5,696,18446744073709551615,particles-lining,2,cavern\n");
 }
 
+// crack_paths.csv holds the whole record of a path.
+TEST(Csv, CrackPathRowHoldsTheWholeRecord) {
+  const ScratchFolder folder;
+  CsvFile file(folder / "a.csv", crack_path_columns()), regions(folder / "b.csv", crack_path_columns(true));
+  wire::CrackPath path;
+  path.set_cracks(12);
+  path.set_mode(wire::Crack::SHEAR);
+  path.set_length(1.5);
+  path.set_opening(0.001);
+  path.set_slip(0.002);
+  path.set_x(-3.25);
+  path.set_y(8);
+  write_crack_path(file, 1, path);
+  write_crack_path(regions, 2, path, "cavern");
+  const std::string columns = "path,cracks,mode,length_m,opening_m,slip_m,x_m,y_m";
+  EXPECT_EQ(content_of(folder / "a.csv"), columns + "\n1,12,shear,1.5,0.001,0.002,-3.25,8\n");
+  EXPECT_EQ(content_of(folder / "b.csv"), columns + ",region\n2,12,shear,1.5,0.001,0.002,-3.25,8,cavern\n");
+}
+
 }  // namespace
 }  // namespace adit::results::csv_test

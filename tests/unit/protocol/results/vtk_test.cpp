@@ -101,6 +101,12 @@ wire::Piece make_piece(wire::Piece::Shape shape, std::uint32_t points_per_cell, 
   return piece;
 }
 
+wire::Piece make_polygons() {
+  wire::Piece piece = make_piece(wire::Piece::POLYGONS, 4, 23, 12);
+  for (std::uint32_t i = 0; i < 12; ++i) piece.add_corners(3 + i % 3);
+  return piece;
+}
+
 TEST(Vtk, ReadsBackZonesToTheBit) {
   const ScratchFolder folder;
   const wire::Piece piece = make_piece(wire::Piece::QUADS, 4, 23, 11);
@@ -120,6 +126,24 @@ TEST(Vtk, ReadsBackBondsToTheBit) {
   const wire::Piece piece = make_piece(wire::Piece::LINES, 2, 19, 30);
   write_piece(folder / "a.vtp", piece);
   EXPECT_EQ(read_by_vtk(folder / "a.vtp"), expected_of(piece, 3, 2));
+}
+
+// Of 3, 4, 5, 3 … corners, which VTK tells as triangles, quads and polygons.
+TEST(Vtk, ReadsBackCellsToTheBit) {
+  const ScratchFolder folder;
+  wire::Piece piece = make_polygons();
+  write_piece(folder / "a.vtp", piece);
+  std::ostringstream cells;
+  int next = 0;
+  for (const std::uint32_t corners : piece.corners()) {
+    cells << "cell " << (corners == 3 ? 5 : corners == 4 ? 9 : 7);
+    for (std::uint32_t k = 0; k < corners; ++k) cells << ' ' << piece.connectivity(next++);
+    cells << '\n';
+  }
+  piece.clear_connectivity();  // the cells are told here
+  std::string expected = expected_of(piece, 7, 1);
+  expected.pop_back();
+  EXPECT_EQ(read_by_vtk(folder / "a.vtp"), expected + cells.str());
 }
 
 // A particle region whose bonds have all vanished still gives a file that a viewer opens.
@@ -199,6 +223,33 @@ TEST_P(MalformedPiece, IsRefusedWithItsReason) {
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "a.vtu"));
 }
+
+class MalformedPolygons : public ::testing::TestWithParam<Malformed> {};
+
+TEST_P(MalformedPolygons, AreRefusedWithTheirReason) {
+  wire::Piece piece = make_polygons();
+  ASSERT_EQ(wrong_with(piece), std::nullopt);
+  GetParam().spoil(piece);
+  EXPECT_THAT(wrong_with(piece).value_or("accepted"), ::testing::HasSubstr(GetParam().message));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Vtk, MalformedPolygons,
+    ::testing::Values(Malformed{"TwoCorners", [](wire::Piece& p) { p.set_corners(0, 2); },
+                                "a polygon has 2 corners, expected 3 at least"},
+                      Malformed{"OneMore", [](wire::Piece& p) { p.set_corners(0, 4); },
+                                "48 point numbers, but its polygons have 49 corners"},
+                      Malformed{"SumThatOverflows",
+                                [](wire::Piece& p) {
+                                  p.add_corners(0x80000000U);
+                                  p.add_corners(0x80000000U);
+                                },
+                                "but its polygons have 4294967344 corners"},
+                      Malformed{
+                          "ShortCellField",
+                          [](wire::Piece& p) { p.mutable_cell_fields(1)->mutable_values()->RemoveLast(); },
+                          "weight has 11 values, expected 1 for each of 12 cells"}),
+    [](const auto& info) { return std::string(info.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(
     Vtk, MalformedPiece,
