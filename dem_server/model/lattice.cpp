@@ -25,7 +25,6 @@ std::optional<std::string> why_laws_differ(const Model& model) {
   for (const Bond& bond : model.bonds) {
     if (bond.law == Bond::Law::kParallelBond) return "parallel bonds join particles";
     if (bond.law == Bond::Law::kSmoothJoint) return "smooth joints join particles";
-    if (bond.law == Bond::Law::kFacet) return "facets join cells";
     ContactBond law = model.contact_bonds[bond.number],
                 first = model.contact_bonds[model.bonds.front().number];
     law.factors = first.factors;  // rows may differ by factors
@@ -66,6 +65,7 @@ void sort_by_rows(Model& model) {
 std::optional<std::string> why_no_lattice(const Model& model) {
   const auto& radius = model.discs.radius;
   if (model.bonds.empty()) return "no bond joins particles";
+  if (!model.facets.empty()) return "facets join cells";
   if (std::ranges::any_of(radius, [&](double r) { return r != radius.front(); }))
     return "the particles differ in size";
   if (const auto differ = why_laws_differ(model)) return differ;

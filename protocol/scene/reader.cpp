@@ -9,6 +9,7 @@
 #include "protocol/scene/fields/check_rules.hpp"
 #include "protocol/scene/fields/path.hpp"
 #include "protocol/scene/file_content.hpp"
+#include "protocol/scene/fill_in_concrete.hpp"
 #include "protocol/scene/yaml/message_reader.hpp"
 #include "protocol/text.hpp"
 
@@ -117,6 +118,7 @@ SceneFile read_scene(const std::string& path, std::span<const Override> sets) {
   read_message(file.tree, "", file.scene);
   if (file.scene.name().empty()) file.scene.set_name(fs::path(path).stem().string());
   try {
+    fill_in_concrete(file.scene);
     check_rules(file.scene);
   } catch (const UserError& error) {
     throw UserError("", describe(file, error));

@@ -34,14 +34,21 @@ bool same(const CellFace& a, const CellFace& b) {
   return line.closed == other.closed && std::ranges::equal(line.corners, other.corners, equal);
 }
 
-// The lines of a scene, each once, as far as they lie in the box.
+// The lines of a scene, each once, as far as they lie in the box. Throws UserError below the path of a line
+// that cells cannot follow.
 class Faces {
  public:
-  explicit Faces(const geometry::BoundingBox& box) : box_(box) {}
+  Faces(const geometry::BoundingBox& box, double size) : box_(box), size_(size) {}
 
   const std::vector<CellFace>& all() const { return faces_; }
 
-  void add_circle(const scene::Point& centre, double radius) { add(FaceCircle{point_of(centre), radius}); }
+  void add_circle(const scene::Point& centre, double radius, const std::string& path) {
+    if (radius < kSmallestCircle * size_)
+      throw UserError(path, fmt::format("is {} m, less than half of the size of a cell, {} m; give more, or "
+                                        "smaller cells",
+                                        radius, size_));
+    add(FaceCircle{point_of(centre), radius});
+  }
 
   void add_line(std::vector<Point> corners, bool closed = false) {
     add(FaceLine{std::move(corners), closed});
@@ -79,22 +86,24 @@ class Faces {
     constexpr double kOpen = std::numeric_limits<double>::infinity();
     add_sides(area.has_x_min() ? area.x_min() : -kOpen, area.has_x_max() ? area.x_max() : kOpen,
               area.has_y_min() ? area.y_min() : -kOpen, area.has_y_max() ? area.y_max() : kOpen);
-    if (area.has_circle()) add_circle(area.circle().centre(), area.circle().radius());
-    if (area.has_annulus()) add_annulus(area.annulus());
+    if (area.has_circle())
+      add_circle(area.circle().centre(), area.circle().radius(), path + ".circle.radius");
+    if (area.has_annulus()) add_annulus(area.annulus(), path + ".annulus");
     if (area.has_band()) {
       const auto four = geometry::read_band_corners(area.band(), path + ".band");
       add_line({four.begin(), four.end()}, true);
     }
     if (area.has_polygon()) {
+      geometry::read_polygon(area.polygon(), path + ".polygon");  // refuses outlines that cross themselves
       add_polygon(area.polygon().corners());
       for (const auto& hole : area.polygon().holes()) add_polygon(hole.corners());
     }
   }
 
   template <class Annulus>
-  void add_annulus(const Annulus& annulus) {
-    add_circle(annulus.centre(), annulus.inner_radius());
-    add_circle(annulus.centre(), annulus.outer_radius());
+  void add_annulus(const Annulus& annulus, const std::string& path) {
+    add_circle(annulus.centre(), annulus.inner_radius(), path + ".inner_radius");
+    add_circle(annulus.centre(), annulus.outer_radius(), path + ".outer_radius");
   }
 
  private:
@@ -104,18 +113,23 @@ class Faces {
   }
 
   geometry::BoundingBox box_;
+  double size_;  // of cells
   std::vector<CellFace> faces_;
 };
 
 std::vector<CellFace> faces_of(const scene::Particles& particles, const geometry::BoundingBox& box) {
-  Faces faces(box);
-  if (particles.has_ring()) faces.add_annulus(particles.ring());
+  Faces faces(box, particles.cells().size());
+  if (particles.has_ring()) faces.add_annulus(particles.ring(), "particles.ring");
   for (int k = 0; k < particles.groups_size(); ++k)
     faces.add_area(particles.groups(k).where(), fmt::format("particles.groups[{}].where", k));
   for (int k = 0; k < particles.excavations_size(); ++k)
     faces.add_area(particles.excavations(k).where(), fmt::format("particles.excavations[{}].where", k));
   faces.add_area(particles.within(), "particles.within");
-  for (const auto& joint : particles.joints()) faces.add_line({point_of(joint.from()), point_of(joint.to())});
+  for (int k = 0; k < particles.joints_size(); ++k) {
+    const auto& joint = particles.joints(k);
+    require_two_ends(joint.from(), joint.to(), fmt::format("particles.joints[{}]", k), "joint");
+    faces.add_line({point_of(joint.from()), point_of(joint.to())});
+  }
   return faces.all();
 }
 

@@ -86,6 +86,10 @@ BondType read_without_material(const scene::Bonds& bonds, const std::string& pat
 }  // namespace
 
 BondType read_bond_type(const scene::Bonds& bonds, const std::string& path, const BondSource& source) {
+  if (bonds.has_fracture())
+    throw UserError(path + ".fracture",
+                    "is given, but only facets between `cells` break by it; give tensile_strength and "
+                    "shear_strength, or pack `cells`");
   if (!bonds.strength_of_material()) return read_without_material(bonds, path, source);
   refuse_strengths_given_twice(bonds, path);
   return with_strength_of_material(read_without_material(bonds, path, source), path + ".strength_of_material",

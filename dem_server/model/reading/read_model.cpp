@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <set>
 
@@ -176,8 +177,18 @@ void warn_of_laws_of_zones(const scene::Scene& scene, Model& model) {
             "strength by Mohr and Coulomb")));
 }
 
-// What a laboratory would find, and cells that are too large to soften stably: a facet is as long a spring as
-// its cells are apart, and must not store more than it dissipates.
+// What a laboratory would find.
+std::string laboratory_strengths(const FacetLaw& law) {
+  const double sine = std::sin(std::atan(law.friction));
+  return fmt::format(
+      "a laboratory finds {:.4g} MPa in direct tension, {:.4g} MPa in unconfined compression, and {:.3g} of "
+      "a "
+      "confining pressure more",
+      law.tensile_strength / 1e6, compressive_strength(law) / 1e6, (1 + sine) / (1 - sine));
+}
+
+// Says what strengths cells have, and where they are too large to soften stably: a facet is as long a spring
+// as its cells are apart, and must not store more than it dissipates.
 void note_fracture(const scene::Particles& particles, const std::vector<Group>& groups, Model& model) {
   constexpr double kLargestShare = 0.25;
   if (!particles.has_cells()) return;
@@ -187,18 +198,16 @@ void note_fracture(const scene::Particles& particles, const std::vector<Group>& 
     if (!material.has_fracture() ||
         (&group != &groups.front() && &material == &groups.front().material.material))
       continue;
-    const FacetLaw law = fracture_of(material.fracture(), group.material.path + ".fracture");
+    const std::string path = group.material.path + ".fracture";
+    const FacetLaw law = fracture_of(material.fracture(), path);
+    model.notes.push_back(path + ": " + laboratory_strengths(law));
     const double length = elasticity_of(group.material, group.plane).stiffness * law.opening_energy /
                           (law.tensile_strength * law.tensile_strength);
-    model.notes.push_back(
-        fmt::format("{}.fracture: strength {:.4g} Pa in direct tension, {:.4g} Pa in unconfined compression",
-                    group.material.path, law.tensile_strength, compressive_strength(law)));
     if (size > kLargestShare * length)
-      model.notes.push_back(
-          protocol::as_warning(fmt::format("particles.cells.size: is {:.4g} m, too large for "
-                                           "fracture_energy: facets snap, and cracks dissipate more than "
-                                           "stated; give at most {:.3g} m",
-                                           size, kLargestShare * length)));
+      model.notes.push_back(protocol::as_warning(fmt::format(
+          "particles.cells.size: is {:.4g} m, more than a quarter of the length E' G_f / f_t^2 = {:.3g} m of "
+          "{}: facets snap, and cracks dissipate more than stated; give at most {:.3g} m",
+          size, length, path, kLargestShare * length)));
   }
 }
 

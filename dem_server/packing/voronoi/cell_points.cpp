@@ -17,7 +17,6 @@ namespace {
 
 // Shares of the size. The least distance gives cells with the mean area of hexagonal ones.
 constexpr double kLeastDistance = 0.777, kFromSides = 0.25;
-constexpr double kSmallestCircle = 0.5;
 
 bool is_finite(const geometry::Point& p) {
   return std::isfinite(p.x) && std::isfinite(p.y);

@@ -24,9 +24,10 @@ struct FaceLine {
   std::vector<geometry::Point> corners;  // at least two, none the same as the next one
   bool closed = false;                   // the last is joined with the first
 };
+inline constexpr double kSmallestCircle = 0.5;  // its radius over the packing's size
 struct FaceCircle {
   geometry::Point centre;
-  double radius;  // at least half the packing's size [m]
+  double radius;  // [m]
 };
 using CellFace = std::variant<FaceLine, FaceCircle>;
 

@@ -1,0 +1,91 @@
+#include "protocol/scene/fill_in_concrete.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "protocol/errors.hpp"
+#include "protocol/materials/concrete.hpp"
+#include "protocol/nearest_name.hpp"
+#include "protocol/scene/fields/path.hpp"
+#include "protocol/text.hpp"
+
+namespace adit::protocol {
+namespace {
+
+using google::protobuf::DynamicCastToGenerated;
+using google::protobuf::FieldDescriptor;
+using google::protobuf::Message;
+
+Concrete class_of(const scene::Material& material, const std::string& path) {
+  if (const auto concrete = concrete_of(material.concrete())) return *concrete;
+  throw UserError(
+      path, fmt::format("is {}, expected a class of EN 1992-1-1 (`C12/15` to `C90/105`) or of GB "
+                        "50010 (`C15` to `C80`){}",
+                        quote(material.concrete()), did_you_mean(material.concrete(), names_of_concrete())));
+}
+
+// What the class states of a material; not its compressive strength where that follows from a cohesion.
+scene::Material as_material(const Concrete& concrete, bool breaks, bool has_cohesion) {
+  scene::Material material;
+  material.set_young_modulus(concrete.young_modulus);
+  material.set_poisson_ratio(Concrete::kPoissonRatio);
+  material.set_density(Concrete::kDensity);
+  if (!breaks) return material;
+  material.mutable_fracture()->set_tensile_strength(concrete.tensile_strength);
+  material.mutable_fracture()->set_fracture_energy(concrete.fracture_energy);
+  if (!has_cohesion) material.mutable_fracture()->set_compressive_strength(concrete.compressive_strength);
+  return material;
+}
+
+void fill_in(scene::Material& material, const std::string& path, bool breaks) {
+  if (!material.has_concrete()) return;
+  const std::string here = member_path(path, "concrete");
+  scene::Material filled = as_material(class_of(material, here), breaks, material.fracture().has_cohesion());
+  material.clear_concrete();
+  filled.MergeFrom(material);
+  if (filled.SerializeAsString() == material.SerializeAsString())
+    throw UserError(here,
+                    "states nothing, because the material states all of its numbers itself; leave it out, or "
+                    "leave out the keys that it shall stand for");
+  material = std::move(filled);
+}
+
+// `breaks`: whether cells take the materials within.
+void fill_in_all(Message& message, const std::string& path, bool breaks) {
+  if (auto* material = DynamicCastToGenerated<scene::Material>(&message))
+    return fill_in(*material, path, breaks);
+  if (const auto* particles = DynamicCastToGenerated<scene::Particles>(&message))
+    breaks = particles->has_cells();
+  else if (DynamicCastToGenerated<scene::Continuum>(&message) ||
+           DynamicCastToGenerated<scene::LinedTunnel>(&message))
+    breaks = false;
+  const auto& get = *message.GetReflection();
+  std::vector<const FieldDescriptor*> fields;
+  get.ListFields(message, &fields);
+  for (const FieldDescriptor* field : fields) {
+    if (field->cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE) continue;
+    const std::string here = member_path(path, field->name());
+    if (!field->is_repeated())
+      fill_in_all(*get.MutableMessage(&message, field), here, breaks);
+    else
+      for (int i = 0; i < get.FieldSize(message, field); ++i)
+        fill_in_all(*get.MutableRepeatedMessage(&message, field, i),
+                    element_path(here, static_cast<std::size_t>(i)), breaks);
+  }
+}
+
+bool has_cells(const scene::Scene& scene) {
+  return scene.particles().has_cells() ||
+         std::ranges::any_of(scene.regions(), [](const auto& one) { return one.particles().has_cells(); });
+}
+
+}  // namespace
+
+void fill_in_concrete(scene::Scene& scene) {
+  fill_in_all(scene, "", has_cells(scene));
+}
+
+}  // namespace adit::protocol
