@@ -319,6 +319,17 @@ class WornStep {
     return {set_.share_1[k_] * first, set_.share_2[k_] * second};
   }
 
+  // s A / 2k for both cells. A closed point bears all of what is added, an open one as much as is whole of it.
+  Spread released(const WornFacet& worn) const {
+    double share = 0;
+    for (const WornFacet::End& end : worn.ends) {
+      const bool open = end.normal > 0 || end.lost_n > 0;
+      share += 0.5 * (worn.parted ? 1 : open ? 1 - end.point.whole : 0);
+    }
+    const double released = share * set_.length[k_] / (2 * stiffness_ * set_.weight[k_]);
+    return {set_.share_1[k_] * set_.share_1[k_] * released, set_.share_2[k_] * set_.share_2[k_] * released};
+  }
+
   bool parts(const WornFacet& worn) const {
     return worn.cracked && !worn.parted &&
            std::max(std::abs(motion_.jump_t), motion_.jump_n) > set_.length[k_] / 2;
@@ -432,7 +443,8 @@ class PatchStep {
     for (auto* column : {&work.jump_n, &work.jump_t, &work.turn, &work.nx, &work.ny, &work.cosine,
                          &work.spread_1, &work.spread_2})
       grow(*column, patch.size());
-    for (auto* column : {&work.as_first, &work.as_second, &work.pressure}) grow(*column, patch.places());
+    for (auto* column : {&work.as_first, &work.as_second, &work.pressure, &work.released})
+      grow(*column, patch.places());
     grow(work.cells, patch.places());
   }
 
@@ -460,7 +472,8 @@ class PatchStep {
     add_spreads(patch_.size(), patch_.first.data(), patch_.second.data(), work_.spread_1.data(),
                 work_.spread_2.data(), as_first, as_second);
     scale_sums(cells, patch_.bulk.data(), as_first, as_second, work_.pressure.data());
-    std::copy_n(work_.pressure.begin(), patch_.cells, set_.pressure.begin() + patch_.begin);
+    if (set_.any_worn) release();
+    std::copy_n(work_.pressure.begin(), patch_.cells, set_.pressure_now.begin() + patch_.begin);
   }
 
   // What the facets of the block do.
@@ -529,21 +542,35 @@ class PatchStep {
   // Spreads of the facets that are worn, of which a copy takes the step: it is taken again once the cells'
   // areas are known.
   void spread_worn() const {
+    std::fill_n(work_.released.begin(), patch_.places(), 0.0);
     const auto spread = [&](std::uint32_t place, WornFacet worn) {
       const WornStep step(worn.facet, motion_at(chunk_at(place, 1), 0), set_);
       step.find(worn);
       const auto [first, second] = step.spread(worn);
       work_.spread_1[place] = first;
       work_.spread_2[place] = second;
+      const auto [released_1, released_2] = step.released(worn);
+      work_.released[patch_.first[place]] += released_1;
+      work_.released[patch_.second[place]] += released_2;
     };
-    for (const WornFacet& worn : worn_)
-      spread(patch_.own_begin + (worn.facet - patch_.facets[patch_.own_begin]), worn);
     const auto spread_others = [&](std::uint32_t begin, std::uint32_t end) {
       for (std::uint32_t place = begin; place < end; ++place)
         if (const WornFacet* worn = set_.worn_facet(patch_.facets[place])) spread(place, *worn);
     };
     spread_others(0, patch_.own_begin);
+    for (const WornFacet& worn : worn_)
+      spread(patch_.own_begin + (worn.facet - patch_.facets[patch_.own_begin]), worn);
     spread_others(patch_.own_end, static_cast<std::uint32_t>(patch_.size()));
+  }
+
+  void release() const {
+    const auto release_at = [&](std::uint32_t place, std::uint32_t cell) {
+      const double part = patch_.bulk[place] * work_.released[place];
+      if (part > 0)
+        work_.pressure[place] = (work_.pressure[place] + part * set_.pressure[cell]) / (1 + part);
+    };
+    for (std::uint32_t place = 0; place < patch_.cells; ++place) release_at(place, patch_.begin + place);
+    for (std::uint32_t k = 0; k < patch_.reached.size(); ++k) release_at(kBlock + k, patch_.reached[k]);
   }
 
   void wear_at(const FacetChunk& chunk, std::uint32_t k, WornFacet& worn, ActionColumns& actions,

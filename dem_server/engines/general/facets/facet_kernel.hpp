@@ -23,7 +23,13 @@
 //
 // The strength sees k D with that traction and the one at rest, as if the jump were larger by them over k.
 // The elastic jump of a facet beyond its strength is what it then bears, less what was added, over k: an open
-// facet turns into a free face by itself. It takes the addition of the step before.
+// facet turns into a free face by itself. It takes the additions by the pressures p' of the step before. With
+// s, the share of an addition that a facet does not bear, p would be
+//   q_i = bulk_i (S_i - sum_f s A / 4k (p'_i + p'_j)),
+// which grows from step to step where lambda > E' / 2 and all facets of some cells are open. As neighbours
+// mostly swell alike, both parts are taken at once as those of the cell's own pressure:
+//   p_i = (q_i + g_i p'_i) / (1 + g_i),     g_i = bulk_i sum_f s A / 2k.
+// Differences between neighbours then fade from step to step, and what does not change is the same.
 //
 // A cracked facet whose faces have moved past each other by half of its length, or as far apart, has parted:
 // it bears nothing any more, and its cells touch as discs do.
@@ -60,6 +66,7 @@ struct FacetWork {
   // Of the cells: sums of A / h (r . De) over the facets whose first and whose second they are [m^2]; lambda
   // theta, weighted [Pa].
   std::vector<double> as_first, as_second, pressure;
+  std::vector<double> released;  // of worn facets: sums of s A / 2k [m^2/Pa]
   // Of the facets: FacetMotion, and A / h (r . De) for both cells.
   std::vector<double> jump_n, jump_t, turn, nx, ny, cosine, spread_1, spread_2;
 };

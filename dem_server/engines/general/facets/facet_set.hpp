@@ -52,8 +52,8 @@ struct FacetSet {
 
   // Of each cell: its turn since rest [rad], sin and 1 - cos of it; what a sum of its facets' spreads
   // (facet_kernel.hpp) gives of pressure, weighted [Pa/m^2], 0 where there is none of it; that pressure at
-  // the last step [Pa].
-  std::vector<double> turn, sine, versine, bulk, pressure;
+  // the last step, and what this step finds while others still read it [Pa].
+  std::vector<double> turn, sine, versine, bulk, pressure, pressure_now;
 
   std::size_t size() const { return first.size(); }
   std::size_t cells() const { return turn.size(); }

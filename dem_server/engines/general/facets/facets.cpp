@@ -59,7 +59,7 @@ FacetSet facets_of(const Model& model) {
   }
   if (set.size() == 0) return set;
   for (auto* column : {&set.start_n, &set.start_t, &set.start_turn}) column->assign(set.size(), 0.0);
-  for (auto* column : {&set.turn, &set.sine, &set.versine, &set.pressure})
+  for (auto* column : {&set.turn, &set.sine, &set.versine, &set.pressure, &set.pressure_now})
     column->assign(model.discs.size(), 0.0);
   set.worn.resize(blocks_of(set.cells()));
   set.worn_place.assign(set.size(), 0);
@@ -125,6 +125,7 @@ void Facets::add_forces(std::uint32_t block, std::size_t thread, bool relax, con
 void Facets::end_step() {
   cracked_.clear();
   internal_force_ = 0;
+  set_.pressure.swap(set_.pressure_now);
   for (std::uint32_t block = 0; block < results_.size(); ++block) {
     FacetResult& result = results_[block];
     set_.set_worn(block, std::move(result.worn));

@@ -256,6 +256,31 @@ TEST(FacetForces, KeepMomentum) {
   EXPECT_GT(cracked, 100u);
 }
 
+// Cells that a body falls apart into are free of pressure soon, whatever Poisson's ratio: open facets are free
+// faces.
+TEST(FacetForces, LeaveNoPressureInCellsThatNothingJoins) {
+  for (const double nu : {0.2, 0.3, 0.45}) {
+    auto scene = block_of_cells(1, 1, 0.1, nu, scene::PLANE_STRAIN);
+    auto& fracture = *scene.mutable_material()->mutable_fracture();
+    fracture.set_tensile_strength(1e5);
+    fracture.set_fracture_energy(0.1);
+    fracture.set_cohesion(1e6);
+    Model model = read_model(scene);
+    renumber(model);
+    Facets facets(model, 1);
+    protocol::Team team;
+    const double strain = 1e-3;
+    double first = 0;
+    for (int step = 0; step < 120; ++step) {
+      Particles p = strained(model, {strain, strain, 0});
+      facets.find_forces(0, p, team);
+      if (step == 0) first = std::ranges::max(facets.set().pressure);
+    }
+    EXPECT_GT(first, 1e5);
+    for (const double pressure : facets.set().pressure) EXPECT_NEAR(pressure, 0, 1e-6 * first);
+  }
+}
+
 // What observers find of single facets is what cells got in the step.
 TEST(FacetForces, OfSingleFacetsSumToThoseOfCells) {
   const Model model = brittle_block();
