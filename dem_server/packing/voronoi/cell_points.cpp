@@ -6,9 +6,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "dem_server/packing/voronoi/cover_face.hpp"
+#include "dem_server/packing/voronoi/cover_faces.hpp"
 #include "dem_server/packing/voronoi/face_nuclei.hpp"
 #include "dem_server/packing/voronoi/fill.hpp"
+#include "dem_server/packing/voronoi/junctions.hpp"
 #include "protocol/geometry/polygon.hpp"
 #include "protocol/motion/random.hpp"
 
@@ -57,10 +58,9 @@ geometry::BoundingBox inside_of(const CellPacking& wanted) {
 std::vector<geometry::Point> pack_cells(const CellPacking& wanted) {
   check(wanted);
   motion::Random random(wanted.seed);
-  const RoomBeside room(wanted);
-  std::vector<FaceCover> covers;
-  for (std::size_t k = 0; k < wanted.faces.size(); ++k)
-    covers.push_back(cover_face(wanted.faces[k], k, wanted.size, room, random));
+  CellPacking met = wanted;
+  met.faces = with_ends_on_faces(wanted.faces, wanted.size);
+  const auto covers = cover_faces(met.faces, wanted.size, RoomBeside(met), random);
   PointGrid nuclei(wanted.box, wanted.size);
   const auto discs = add_face_nuclei(covers, inside_of(wanted), nuclei);
   fill(inside_of(wanted), kLeastDistance * wanted.size, discs, random, nuclei);

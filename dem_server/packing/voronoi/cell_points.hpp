@@ -46,8 +46,14 @@ struct CellPacking {
 // 0.8 size of a corner, it is rounded off by chords, which start and end on the line. A circle becomes a
 // polygon of the same area. Faces that run beside each other, or beside a side of the box, are exact down to
 // a distance of size / 2: from 2 size down the nuclei move closer to them, and from 1.3 size down also to
-// each other. Where faces cross or meet, the face that is named first is exact; cells deviate from the others
-// there, and from all faces where these reach the sides of the box, by up to 1.5 size.
+// each other.
+//
+// Faces that cross or meet at 35 degrees or more are all exact there: the point is a corner of cells, from
+// which a facet leaves along each of them (junctions.hpp, vertex_angles.hpp). The open end of a line moves
+// onto such a face if it is less than size beyond it, or less than size / 4 short of it. Two junctions, or a
+// junction and a sharp corner, need 1.2 size between them. Elsewhere the face that is named first is exact,
+// and cells deviate from the other by up to 1.5 size; from both where they meet at less than 26 degrees. From
+// all faces they deviate as much where these reach the sides of the box. A piece that faces share is exact.
 //
 // Throws std::invalid_argument where the size is not positive, the box has no area, a face is not as stated
 // above or meets itself, or two faces are closer than about size / 2 beside each other but meet nowhere.

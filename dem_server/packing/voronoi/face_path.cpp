@@ -22,7 +22,7 @@ Path path_along(std::vector<Point> corners) {
   for (std::size_t k = 1; k < corners.size(); ++k)
     starts.push_back(starts.back() + distance_of(corners[k - 1], corners[k]));
   const double length = starts.back();
-  return {length, [corners = std::move(corners), starts = std::move(starts)](double s) {
+  return {length, corners.size() == 2, [corners = std::move(corners), starts = std::move(starts)](double s) {
             const auto after = std::upper_bound(starts.begin() + 1, starts.end() - 1, s) - starts.begin();
             const Point &a = corners[static_cast<std::size_t>(after - 1)],
                         &b = corners[static_cast<std::size_t>(after)];
@@ -32,13 +32,26 @@ Path path_along(std::vector<Point> corners) {
           }};
 }
 
-Path path_around(const FaceCircle& circle, double start) {
-  return {2 * std::numbers::pi * circle.radius, [circle, start](double s) {
+Path path_around(const FaceCircle& circle, double start, double length) {
+  return {length, false, [circle, start](double s) {
             const double angle = start + s / circle.radius;
             const Point out{std::cos(angle), std::sin(angle)};
             return Path::Place{
                 {circle.centre.x + circle.radius * out.x, circle.centre.y + circle.radius * out.y}, out};
           }};
+}
+
+std::vector<geometry::Side> pieces_of(const FaceLine& line) {
+  auto pieces = geometry::sides(line.corners);
+  if (!line.closed) pieces.pop_back();
+  return pieces;
+}
+
+double distance_between(const geometry::Side& side, const Point& point) {
+  const double x = side.to.x - side.from.x, y = side.to.y - side.from.y;
+  const double share = ((point.x - side.from.x) * x + (point.y - side.from.y) * y) / (x * x + y * y);
+  const double nearest = std::clamp(share, 0.0, 1.0);
+  return distance_of({side.from.x + nearest * x, side.from.y + nearest * y}, point);
 }
 
 std::vector<Point> opened(const FaceLine& line) {
@@ -67,17 +80,18 @@ std::vector<double> turns_of(const std::vector<Point>& corners, bool closed) {
 }
 
 std::vector<std::size_t> corners_with_discs(const std::vector<Point>& corners,
-                                            const std::vector<double>& turns, double size) {
+                                            const std::vector<double>& turns, const std::vector<bool>& fixed,
+                                            double size) {
   std::vector<std::size_t> kept{0};
   const std::size_t last = corners.size() - 1;
   double since = 0;
   for (std::size_t k = 1; k < last; ++k) {
     since += distance_of(corners[k - 1], corners[k]);
     double until = 0;
-    for (std::size_t j = k; j < last && until < kBetweenBends * size && (j == k || !is_sharp(turns[j])); ++j)
+    for (std::size_t j = k; j < last && until < kBetweenBends * size && (j == k || !fixed[j]); ++j)
       until += distance_of(corners[j], corners[j + 1]);
     const bool far = std::min(since, until) >= kBetweenBends * size;
-    if (!is_sharp(turns[k]) && (!far || turns[k] < kStraight)) continue;
+    if (!fixed[k] && (!far || turns[k] < kStraight)) continue;
     kept.push_back(k);
     since = 0;
   }

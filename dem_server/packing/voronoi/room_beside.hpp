@@ -27,9 +27,9 @@ class RoomBeside {
     FaceCircle circle;
     std::size_t face;
   };
-  bool faces_meet(std::size_t face, std::size_t other) const;
   void refuse_close(std::size_t face, std::size_t other) const;
 
+  std::vector<CellFace> faces_;
   std::vector<Piece> pieces_, sides_;
   std::vector<Circle> circles_;
   double size_;
