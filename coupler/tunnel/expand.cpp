@@ -42,8 +42,9 @@ void add_note_on_elastic_ground(const scene::LinedTunnel& tunnel, const std::vec
       "{}: the particles around it are elastic where {} has a law beyond elasticity; give the tunnel a "
       "`particles.material`{}",
       tunnel.name(), fmt::join(zones, ", "),
-      of_cells(tunnel) ? " with `fracture`"
-                       : ", or set `particles.bonds.strength_of_material` for a strength by Mohr and Coulomb"));
+      of_cells(tunnel)
+          ? " with `fracture`"
+          : ", or set `particles.bonds.strength_of_material` for a strength by Mohr and Coulomb"));
 }
 
 scene::Interface interface_around(const scene::LinedTunnel& tunnel, const Contour& contour) {

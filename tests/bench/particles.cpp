@@ -4,8 +4,9 @@
 //   particles KIND DISCS ROWS THREADS [FILE]
 //
 // KIND: lattice, the engine of equal discs with contact bonds; contact_bonds and parallel_bonds, the general
-// one; cells, the general one with cells joined over facets, which are its bonds; packing, the general one with discs of many sizes that press each other between walls, with friction
-// and without bonds, so that they stay in contact: FILE then gets a line for each disc, x y radius mass.
+// one; cells, the general one with cells joined over facets, which are its bonds; packing, the general one
+// with discs of many sizes that press each other between walls, with friction and without bonds, so that they
+// stay in contact: FILE then gets a line for each disc, x y radius mass.
 #include <malloc.h>
 
 #include <array>
@@ -48,8 +49,8 @@ constexpr double kBytesOfDisc = kLattice.bytes_of_particle + 8.0 * sizeof(double
 constexpr double kBytesOfShape = 2 * sizeof(std::uint32_t) + 2 * sizeof(double);
 constexpr Costs kContactBonds{kBytesOfDisc, kBytesOfShape + 2 * sizeof(double), 49 + 8 + 9};
 constexpr Costs kParallelBonds{kBytesOfDisc, kBytesOfShape + 6 * sizeof(double), 73 + 8 + 9};
-// Its place at rest is not asked for; turn, sine and versine, bulk and pressure, read and written. The facet's
-// cells, normal, half distance, skew, length and stiffness.
+// Its place at rest is not asked for; turn, sine and versine, bulk and pressure, read and written. The
+// facet's cells, normal, half distance, skew, length and stiffness.
 constexpr Costs kFacets{kBytesOfDisc + 6.0 * sizeof(double), 2 * sizeof(std::uint32_t) + 6 * sizeof(double),
                         75 + 60 + 8 + 9};
 constexpr Costs kContacts{kBytesOfDisc, kBytesOfShape + 2 * sizeof(double), 49 + 8 + 9};
@@ -256,8 +257,9 @@ int main(int argc, char** argv) {
                                            {"cells", kFacets},
                                            {"packing", kContacts}};
   if (!costs.contains(kind)) {
-    std::fprintf(stderr,
-                 "usage: particles lattice|contact_bonds|parallel_bonds|cells|packing DISCS ROWS THREADS [FILE]\n");
+    std::fprintf(
+        stderr,
+        "usage: particles lattice|contact_bonds|parallel_bonds|cells|packing DISCS ROWS THREADS [FILE]\n");
     return 2;
   }
   const auto number = [argv](int k) { return static_cast<std::uint32_t>(std::atoi(argv[k])); };

@@ -55,8 +55,8 @@ struct Spread {
 struct Turns {
   double dx, dy, sine_1, versine_1, sine_2, versine_2;
 };
-// In the frame of n at rest, r_i = (h, e) and r_j = (-h, e), and D = u_j - u_i + (R_j - 1) r_j - (R_i - 1) r_i,
-// R - 1 being the matrix of -versine, -sine, sine, -versine.
+// In the frame of n at rest, r_i = (h, e) and r_j = (-h, e), and D = u_j - u_i + (R_j - 1) r_j - (R_i - 1)
+// r_i, R - 1 being the matrix of -versine, -sine, sine, -versine.
 [[gnu::always_inline]] inline FacetMotion motion_of(double nx, double ny, double half_distance, double skew,
                                                     const Turns& of) {
   const double h = half_distance, e = 2 * h * skew;
@@ -138,9 +138,9 @@ ADIT_VECTOR_CLONES void find_jumps(std::uint32_t begin, std::uint32_t count, con
          *spread_1 = &work.spread_1[begin], *spread_2 = &work.spread_2[begin];
 #pragma GCC ivdep
   for (std::uint32_t k = 0; k < count; ++k) {
-    FacetMotion m = motion_of(
-        rest_nx[k], rest_ny[k], half[k], skew[k],
-        {of.dx[k], of.dy[k], of.sine_1[k], of.versine_1[k], of.sine_2[k], of.versine_2[k]});
+    FacetMotion m =
+        motion_of(rest_nx[k], rest_ny[k], half[k], skew[k],
+                  {of.dx[k], of.dy[k], of.sine_1[k], of.versine_1[k], of.sine_2[k], of.versine_2[k]});
     if constexpr (!kPlain) {
       m.jump_n -= start_n[k];
       m.jump_t -= start_t[k];
@@ -166,8 +166,8 @@ ADIT_VECTOR_CLONES void find_jumps(std::uint32_t begin, std::uint32_t count, con
   const double h = half_distance, e = 2 * h * skew;
   const double arm_n = cosine * h + sine * e + 0.5 * jump_n;  // of the second cell: -arm_n
   const double middle_t = cosine * e - sine * h, half_t = 0.5 * jump_t, by_shear = arm_n * shear;
-  return {normal * nx - shear * ny, normal * ny + shear * nx, by_shear - (middle_t + half_t) * normal + moment,
-          (middle_t - half_t) * normal + by_shear - moment};
+  return {normal * nx - shear * ny, normal * ny + shear * nx,
+          by_shear - (middle_t + half_t) * normal + moment, (middle_t - half_t) * normal + by_shear - moment};
 }
 
 inline constexpr double kBeyond = 1 + 1e-12;  // rounding of a traction that was scaled back
@@ -319,7 +319,8 @@ class WornStep {
     return {set_.share_1[k_] * first, set_.share_2[k_] * second};
   }
 
-  // s A / 2k for both cells. A closed point bears all of what is added, an open one as much as is whole of it.
+  // s A / 2k for both cells. A closed point bears all of what is added, an open one as much as is whole of
+  // it.
   Spread released(const WornFacet& worn) const {
     double share = 0;
     for (const WornFacet::End& end : worn.ends) {
@@ -566,8 +567,7 @@ class PatchStep {
   void release() const {
     const auto release_at = [&](std::uint32_t place, std::uint32_t cell) {
       const double part = patch_.bulk[place] * work_.released[place];
-      if (part > 0)
-        work_.pressure[place] = (work_.pressure[place] + part * set_.pressure[cell]) / (1 + part);
+      if (part > 0) work_.pressure[place] = (work_.pressure[place] + part * set_.pressure[cell]) / (1 + part);
     };
     for (std::uint32_t place = 0; place < patch_.cells; ++place) release_at(place, patch_.begin + place);
     for (std::uint32_t k = 0; k < patch_.reached.size(); ++k) release_at(kBlock + k, patch_.reached[k]);
@@ -617,9 +617,9 @@ class PatchStep {
   FacetChunk chunk_of(std::uint32_t count, const std::uint32_t* number, const std::uint32_t* first,
                       const std::uint32_t* second, ColumnAt at) const {
     const auto varied = [&](std::size_t c) { return patch_.plain ? nullptr : at(c); };
-    return {count,     number,     first,      second,     at(0),      at(1),      at(2),
-            at(3),     at(4),      at(5),      at(6),      at(7),      at(8),      at(9),
-            varied(10), varied(11), varied(12), varied(13), varied(14), varied(15), varied(16), varied(17)};
+    return {count,      number,     first,      second,     at(0),      at(1),     at(2),      at(3),
+            at(4),      at(5),      at(6),      at(7),      at(8),      at(9),     varied(10), varied(11),
+            varied(12), varied(13), varied(14), varied(15), varied(16), varied(17)};
   }
 
   const FacetPatch& patch_;

@@ -119,7 +119,8 @@ void Facets::turn(double dt, const protocol::IndexRange& cells, std::span<const 
 
 void Facets::add_forces(std::uint32_t block, std::size_t thread, bool relax, const Particles& p,
                         BlockDiscs& discs) {
-  if (!empty()) add_facet_forces(patches_[block], p.ux, p.uy, relax, set_, work_[thread], discs, results_[block]);
+  if (!empty())
+    add_facet_forces(patches_[block], p.ux, p.uy, relax, set_, work_[thread], discs, results_[block]);
 }
 
 void Facets::end_step() {
@@ -201,7 +202,8 @@ FacetState Facets::state(std::uint32_t k, const Particles& p) const {
   const double h = set_.half_distance[k];
   const PlaneVector at_rest = vector_of(set_.nx[k], set_.ny[k], h, 2 * h * set_.skew[k]),
                     turned = vector_of(1 - set_.versine[i], set_.sine[i], at_rest.x, at_rest.y),
-                    jump = vector_of(nx, ny, motion.jump_n + set_.start_n[k], motion.jump_t + set_.start_t[k]);
+                    jump =
+                        vector_of(nx, ny, motion.jump_n + set_.start_n[k], motion.jump_t + set_.start_t[k]);
   const double arm_x = turned.x + 0.5 * jump.x, arm_y = turned.y + 0.5 * jump.y;
   FacetState state{nx,
                    ny,

@@ -65,7 +65,7 @@ class Facets {
   // Sum of |force|, weighted, at the last step of statics [N].
   double internal_force() const { return internal_force_; }
   double strain_energy(const Particles& particles) const;  // weighted [J]
-  double fracture() const { return fracture_; }  // dissipated since the start, weighted [J]
+  double fracture() const { return fracture_; }            // dissipated since the start, weighted [J]
   void start_over() { fracture_ = 0; }
 
   // Takes the facets of another stage: those of the same two cells and law keep what they are, of which no

@@ -79,8 +79,8 @@ TEST(ExpandTunnels, ALiningInGround) {
   EXPECT_EQ(particles.joints_size() + particles.springs_size() + particles.excavations_size(), 0);
 }
 
-// Requirement: `size` makes the region of cells that end at the faces of the lining and of the region; nothing
-// of what a lattice needs is set.
+// Requirement: `size` makes the region of cells that end at the faces of the lining and of the region;
+// nothing of what a lattice needs is set.
 TEST(ExpandTunnels, ALiningOfCells) {
   const auto particles = particles_of(test::replaced(test::circular(), "radius: 0.05", "size: 0.12 seed: 3"));
   EXPECT_FALSE(particles.has_packing());

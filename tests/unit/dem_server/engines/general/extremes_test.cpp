@@ -90,7 +90,8 @@ TEST(DiscsExtremes, SizesOneToFifty) {
   for (int n = 0; n < 2000; ++n) {
     run.step();
     const DiscLedger ledger = run.solver.ledger();
-    ASSERT_NEAR(run.kinetic() + run.solver.strain_energy().sum() + ledger.friction + run.solver.time_step_share(run.solver.strain_energy().sum()),
+    ASSERT_NEAR(run.kinetic() + run.solver.strain_energy().sum() + ledger.friction +
+                    run.solver.time_step_share(run.solver.strain_energy().sum()),
                 start, 1e-9 * start);
     if (n % 100 != 0) continue;
     std::set<std::pair<std::uint32_t, std::uint32_t>> listed;
@@ -124,7 +125,8 @@ TEST(DiscsExtremes, StiffnessContrastOfAMillion) {
   for (std::size_t i = 0; i < p.size(); ++i) p.vx[i] = 1e-3 * std::sin(7.0 * static_cast<double>(i));
   run.step();
   const auto sum = [&run] {
-    return run.kinetic() + run.solver.strain_energy().sum() + run.solver.time_step_share(run.solver.strain_energy().sum());
+    return run.kinetic() + run.solver.strain_energy().sum() +
+           run.solver.time_step_share(run.solver.strain_energy().sum());
   };
   const double start = sum();
   double most = 0;
@@ -157,7 +159,8 @@ TEST(DiscsExtremes, AllBondsBreakAtOnce) {
     for (int n = 0; n < 500; ++n) {
       run.step();
       const double sum = run.kinetic() + run.solver.strain_energy().sum() + run.solver.ledger().friction +
-                         run.solver.ledger().released + run.solver.time_step_share(run.solver.strain_energy().sum());
+                         run.solver.ledger().released +
+                         run.solver.time_step_share(run.solver.strain_energy().sum());
       if (n == 0) start = sum;
       ASSERT_NEAR(sum, start, 1e-9 * start);
     }

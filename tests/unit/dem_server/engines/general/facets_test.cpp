@@ -183,7 +183,8 @@ TEST(FacetForces, OfLayersAreOneStress) {
       const std::uint32_t i = facets.set().first[k], j = facets.set().second[k];
       if (!in[i] || !in[j] || (p.x[i] < 1) == (p.x[j] < 1)) continue;
       ++seen;
-      EXPECT_NEAR(facets.action(k, p).x / (facets.set().length[k] * facets.set().nx[k]), stress, 0.02 * stress);
+      EXPECT_NEAR(facets.action(k, p).x / (facets.set().length[k] * facets.set().nx[k]), stress,
+                  0.02 * stress);
     }
     EXPECT_GT(seen, 5u);
   }
@@ -256,8 +257,8 @@ TEST(FacetForces, KeepMomentum) {
   EXPECT_GT(cracked, 100u);
 }
 
-// Cells that a body falls apart into are free of pressure soon, whatever Poisson's ratio: open facets are free
-// faces.
+// Cells that a body falls apart into are free of pressure soon, whatever Poisson's ratio: open facets are
+// free faces.
 TEST(FacetForces, LeaveNoPressureInCellsThatNothingJoins) {
   for (const double nu : {0.2, 0.3, 0.45}) {
     auto scene = block_of_cells(1, 1, 0.1, nu, scene::PLANE_STRAIN);

@@ -162,7 +162,8 @@ TEST(DiscsLaws, SmoothJointsSlideAlongTheirPlane) {
     const DiscLedger ledger = run.solver.ledger();
     friction = ledger.friction;
     largest = std::max(largest, std::abs(run.solver.joints().joints()[0].normal));
-    const double sum = run.kinetic() + run.solver.strain_energy().sum() + friction + run.solver.time_step_share(run.solver.strain_energy().sum());
+    const double sum = run.kinetic() + run.solver.strain_energy().sum() + friction +
+                       run.solver.time_step_share(run.solver.strain_energy().sum());
     if (n == 0) total = sum;
     ASSERT_NEAR(sum, total, 1e-9 * total);
   }

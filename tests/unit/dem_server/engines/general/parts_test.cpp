@@ -63,8 +63,9 @@ TEST(DiscsParts, EdgesSwallowAWave) {
   while (static_cast<double>(run.next) * run.dt * speed < 220 * 2 * kRadius) run.step();
   EXPECT_LT(energy(), 1e-4 * start);
   EXPECT_NEAR(run.solver.ledger().damping.edges, start, 1e-3 * start);
-  EXPECT_NEAR(energy() + run.solver.ledger().damping.edges + run.solver.time_step_share(run.solver.strain_energy().sum()), start,
-              1e-9 * start);
+  EXPECT_NEAR(energy() + run.solver.ledger().damping.edges +
+                  run.solver.time_step_share(run.solver.strain_energy().sum()),
+              start, 1e-9 * start);
 }
 
 // Viscous damping by the mass: a free disc slows as the scheme solves v' = -rate v, and stays stable at any
@@ -137,7 +138,8 @@ TEST(DiscsParts, WallsDoWork) {
   const double force = run.solver.walls().force(1).y;
   EXPECT_NEAR(force, 0.5e8 * 5e-4, 0.02 * force);
   EXPECT_NEAR(run.solver.walls().work(), force * force / 1e8, 0.05 * force * force / 1e8);
-  EXPECT_NEAR(run.kinetic() + run.solver.strain_energy().sum() + run.solver.time_step_share(run.solver.strain_energy().sum()),
+  EXPECT_NEAR(run.kinetic() + run.solver.strain_energy().sum() +
+                  run.solver.time_step_share(run.solver.strain_energy().sum()),
               run.solver.walls().work(), 1e-9 * run.solver.walls().work());
 }
 

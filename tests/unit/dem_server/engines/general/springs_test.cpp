@@ -100,7 +100,8 @@ TEST(Springs, BookTheEnergyOfTheirCurve) {
   test::Run run(model, 0.02 * critical_step(model));
   run.solver.particles().vx[1] = 0.5;
   const auto sum = [&run] {
-    return run.kinetic() + run.solver.strain_energy().sum() + run.solver.time_step_share(run.solver.strain_energy().sum());
+    return run.kinetic() + run.solver.strain_energy().sum() +
+           run.solver.time_step_share(run.solver.strain_energy().sum());
   };
   run.step();
   const double start = sum();
@@ -113,7 +114,8 @@ TEST(Springs, BookTheEnergyOfTheirCurve) {
     const bool over_corner = (before < 0) != (now < 0);
     corners += over_corner;
     const double allowed = over_corner ? change * (now - before) * (now - before) / 8 : 0;
-    ASSERT_LE(std::abs(run.solver.time_step_share(run.solver.strain_energy().sum()) - share), allowed + 1e-12 * start);
+    ASSERT_LE(std::abs(run.solver.time_step_share(run.solver.strain_energy().sum()) - share),
+              allowed + 1e-12 * start);
     ASSERT_NEAR(sum(), start, 1e-10 * start);
     share = run.solver.time_step_share(run.solver.strain_energy().sum());
   }
@@ -159,8 +161,9 @@ TEST(Springs, OfADirectionKeepMomenta) {
     run.step();
     largest = std::max(largest, std::abs(run.solver.springs().forces()[0]));
     EXPECT_NEAR(angular(), turning, 1e-12 * std::abs(turning) + 1e-12);
-    EXPECT_NEAR(run.kinetic() + run.solver.strain_energy().sum() + run.solver.time_step_share(run.solver.strain_energy().sum()), start,
-                1e-10 * start);
+    EXPECT_NEAR(run.kinetic() + run.solver.strain_energy().sum() +
+                    run.solver.time_step_share(run.solver.strain_energy().sum()),
+                start, 1e-10 * start);
   }
   EXPECT_EQ(p.vx[0], along_x);
   EXPECT_NEAR(p.mass[0] * p.vy[0] + p.mass[1] * p.vy[1], linear, 1e-12 * std::abs(linear));
