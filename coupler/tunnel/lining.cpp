@@ -77,6 +77,9 @@ void add_lining(const scene::LinedTunnel& tunnel, const Contour& contour, const 
   add_oval(tunnel, contour, particles);
   add_convergence(tunnel, contour, particles);
   add_lining_histories(particles);
+  if (of_cells(tunnel) &&
+      (tunnel.lining().material().has_fracture() || tunnel.lining().bonds().has_fracture()))
+    add(particles, tunnel.name(), scene::CRACK_WIDTH).set_group(tunnel.name());
 }
 
 // The particle on the inner side has its centre a radius or so outside it.

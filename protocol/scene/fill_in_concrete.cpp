@@ -53,14 +53,19 @@ void fill_in(scene::Material& material, const std::string& path, bool breaks) {
   material = std::move(filled);
 }
 
+bool of_cells(const scene::LinedTunnel& tunnel) {
+  return tunnel.particles().has_size();
+}
+
 // `breaks`: whether cells take the materials within.
 void fill_in_all(Message& message, const std::string& path, bool breaks) {
   if (auto* material = DynamicCastToGenerated<scene::Material>(&message))
     return fill_in(*material, path, breaks);
   if (const auto* particles = DynamicCastToGenerated<scene::Particles>(&message))
     breaks = particles->has_cells();
-  else if (DynamicCastToGenerated<scene::Continuum>(&message) ||
-           DynamicCastToGenerated<scene::LinedTunnel>(&message))
+  else if (const auto* tunnel = DynamicCastToGenerated<scene::LinedTunnel>(&message))
+    breaks = of_cells(*tunnel);
+  else if (DynamicCastToGenerated<scene::Continuum>(&message))
     breaks = false;
   const auto& get = *message.GetReflection();
   std::vector<const FieldDescriptor*> fields;
@@ -79,7 +84,8 @@ void fill_in_all(Message& message, const std::string& path, bool breaks) {
 
 bool has_cells(const scene::Scene& scene) {
   return scene.particles().has_cells() ||
-         std::ranges::any_of(scene.regions(), [](const auto& one) { return one.particles().has_cells(); });
+         std::ranges::any_of(scene.regions(), [](const auto& one) { return one.particles().has_cells(); }) ||
+         std::ranges::any_of(scene.tunnels(), of_cells);
 }
 
 }  // namespace

@@ -4,8 +4,8 @@ import unittest
 
 import numpy as np
 
-from adit.plots import crack_pictures, png, style
 from figures.computed import ComputedTest, told_report
+from adit.plots import crack_pictures, png, style
 
 WIDTH, HEIGHT, SIZE = 0.1, 0.2, 0.02  # [m]
 SPEED, DURATION = 0.04, 20e-3  # of the upper platen [m/s], [s]

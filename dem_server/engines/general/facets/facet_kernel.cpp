@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "dem_server/engines/general/facets/worn_step.hpp"
 #include "dem_server/engines/general/pairs/lanes.hpp"
 #include "protocol/kernels/sums.hpp"
 #include "protocol/threads/vector_clones.hpp"
@@ -41,38 +42,6 @@ ADIT_VECTOR_CLONES bool turn_slightly(double dt, std::uint32_t begin, std::uint3
 
 constexpr std::uint32_t kAtATime = 128;  // facets: what is known of them stays in the first cache
 using Column = std::array<double, kAtATime>;
-
-// The spreads of a facet's elastic jump in both cells.
-struct Spread {
-  double first, second;
-};
-[[gnu::always_inline]] inline Spread spread_of(double length, double skew, double n, double t) {
-  const double straight = 0.5 * length * n, across = length * skew * t;
-  return {straight + across, straight - across};
-}
-
-// Of two cells: the difference of the displacements [m], sines and versines.
-struct Turns {
-  double dx, dy, sine_1, versine_1, sine_2, versine_2;
-};
-// In the frame of n at rest, r_i = (h, e) and r_j = (-h, e), and D = u_j - u_i + (R_j - 1) r_j - (R_i - 1)
-// r_i, R - 1 being the matrix of -versine, -sine, sine, -versine.
-[[gnu::always_inline]] inline FacetMotion motion_of(double nx, double ny, double half_distance, double skew,
-                                                    const Turns& of) {
-  const double h = half_distance, e = 2 * h * skew;
-  const double s = of.sine_1 + of.sine_2, v = of.versine_1 + of.versine_2, c = 2 - v;
-  const double n = of.dx * nx + of.dy * ny + h * v + e * (of.sine_1 - of.sine_2);
-  const double t = of.dy * nx - of.dx * ny - h * s + e * (of.versine_1 - of.versine_2);
-  // The sum of both turned unit vectors is 2 cos(turn / 2) long.
-  const double square = c * c + s * s, inverse = 1 / std::sqrt(square);
-  const double mean_c = c * inverse, mean_s = s * inverse;
-  return {.jump_n = mean_c * n + mean_s * t,
-          .jump_t = mean_c * t - mean_s * n,
-          .turn = 2 * inverse * (of.sine_2 * (1 - of.versine_1) - of.sine_1 * (1 - of.versine_2)),
-          .nx = mean_c * nx - mean_s * ny,
-          .ny = mean_c * ny + mean_s * nx,
-          .cosine = 0.5 * square * inverse};
-}
 
 // Consecutive ones.
 ADIT_VECTOR_CLONES void look_up_cells(std::size_t begin, std::size_t count, const double* ux,
@@ -156,18 +125,6 @@ ADIT_VECTOR_CLONES void find_jumps(std::uint32_t begin, std::uint32_t count, con
     spread_1[k] = kPlain ? first : share_1[k] * first;
     spread_2[k] = kPlain ? second : share_2[k] * second;
   }
-}
-
-// What a facet's forces do in the frame of n: on lever arms to the middle between where both cells have
-// brought its middle.
-[[gnu::always_inline]] inline FacetAction action_of(double half_distance, double skew, double cosine,
-                                                    double sine, double jump_n, double jump_t, double normal,
-                                                    double shear, double moment, double nx, double ny) {
-  const double h = half_distance, e = 2 * h * skew;
-  const double arm_n = cosine * h + sine * e + 0.5 * jump_n;  // of the second cell: -arm_n
-  const double middle_t = cosine * e - sine * h, half_t = 0.5 * jump_t, by_shear = arm_n * shear;
-  return {normal * nx - shear * ny, normal * ny + shear * nx,
-          by_shear - (middle_t + half_t) * normal + moment, (middle_t - half_t) * normal + by_shear - moment};
 }
 
 inline constexpr double kBeyond = 1 + 1e-12;  // rounding of a traction that was scaled back
@@ -261,108 +218,6 @@ std::int64_t find_actions(const FacetChunk& of, const FacetPatch& patch, const F
                                     : find_elastic_actions<false, false>;
   return find(of, pressure, strengths.data(), out);
 }
-
-// The whole law of a facet that is worn.
-class WornStep {
- public:
-  WornStep(std::uint32_t facet, const FacetMotion& motion, const FacetSet& set)
-      : set_(set),
-        motion_(motion),
-        k_(facet),
-        law_(set.laws[set.law[facet]]),
-        stiffness_(set.stiffness[facet]) {}
-
-  // What the cells' areas add now, by their pressures.
-  void add(double pressure_1, double pressure_2, WornFacet& worn) const {
-    const double p_1 = set_.share_1[k_] * pressure_1, p_2 = set_.share_2[k_] * pressure_2,
-                 share = 1 / set_.weight[k_];
-    worn.added_n = 0.5 * share * (p_1 + p_2) + set_.rest_n[k_];
-    worn.added_t = share * set_.skew[k_] * (p_1 - p_2) + set_.rest_t[k_];
-  }
-
-  // Tractions at both points; returns what was dissipated [J].
-  double find(WornFacet& worn) const {
-    const double jump_n = motion_.jump_n + worn.added_n / stiffness_,
-                 jump_t = motion_.jump_t + worn.added_t / stiffness_;
-    const double half = set_.length[k_] / 2;
-    double dissipated = 0;
-    for (int e = 0; e < 2; ++e) {
-      WornFacet::End& end = worn.ends[e];
-      const double at = (e == 0 ? 1 : -1) * kFacetPoint * set_.length[k_];
-      const double n = jump_n - at * motion_.turn;
-      const auto [sigma, tau] =
-          worn.parted ? FacetTraction{0, 0} : facet_traction(law_, stiffness_, n, jump_t, end.point);
-      if (!worn.begun) {
-        end.normal = sigma;
-        end.shear = tau;
-      }
-      const double lost_n = n - sigma / stiffness_, lost_t = jump_t - tau / stiffness_;
-      // The work on what is lost, less what an open point stores of it because it unloads towards its origin.
-      dissipated +=
-          half * 0.5 *
-          ((end.normal + sigma) * (lost_n - end.lost_n) + (end.shear + tau) * (lost_t - end.lost_t) -
-           (std::max(sigma, 0.0) * lost_n - std::max(end.normal, 0.0) * end.lost_n));
-      end.normal = sigma;
-      end.shear = tau;
-      end.lost_n = lost_n;
-      end.lost_t = lost_t;
-    }
-    worn.begun = true;
-    return dissipated;
-  }
-
-  // As far as it is elastic, of tractions that are known.
-  Spread spread(const WornFacet& worn) const {
-    const double n = 0.5 * (worn.ends[0].normal + worn.ends[1].normal) - worn.added_n,
-                 t = 0.5 * (worn.ends[0].shear + worn.ends[1].shear) - worn.added_t;
-    const auto [first, second] = spread_of(set_.length[k_], set_.skew[k_], n / stiffness_, t / stiffness_);
-    return {set_.share_1[k_] * first, set_.share_2[k_] * second};
-  }
-
-  // s A / 2k for both cells. A closed point bears all of what is added, an open one as much as is whole of
-  // it.
-  Spread released(const WornFacet& worn) const {
-    double share = 0;
-    for (const WornFacet::End& end : worn.ends) {
-      const bool open = end.normal > 0 || end.lost_n > 0;
-      share += 0.5 * (worn.parted ? 1 : open ? 1 - end.point.whole : 0);
-    }
-    const double released = share * set_.length[k_] / (2 * stiffness_ * set_.weight[k_]);
-    return {set_.share_1[k_] * set_.share_1[k_] * released, set_.share_2[k_] * set_.share_2[k_] * released};
-  }
-
-  bool parts(const WornFacet& worn) const {
-    return worn.cracked && !worn.parted &&
-           std::max(std::abs(motion_.jump_t), motion_.jump_n) > set_.length[k_] / 2;
-  }
-
-  double normal(const WornFacet& worn) const {
-    return set_.length[k_] / 2 * (worn.ends[0].normal + worn.ends[1].normal);
-  }
-
-  FacetAction act(const WornFacet& worn) const {
-    const double length = set_.length[k_], half = length / 2;
-    return action(normal(worn), half * (worn.ends[0].shear + worn.ends[1].shear),
-                  half * kFacetPoint * length * (worn.ends[1].normal - worn.ends[0].normal));
-  }
-
-  // Of these forces and this moment, unweighted.
-  FacetAction action(double normal, double shear, double moment) const {
-    const FacetAction a =
-        action_of(set_.half_distance[k_], set_.skew[k_], motion_.cosine,
-                  0.5 * (motion_.turn + set_.start_turn[k_]), motion_.jump_n + set_.start_n[k_],
-                  motion_.jump_t + set_.start_t[k_], normal, shear, moment, motion_.nx, motion_.ny);
-    const double w = set_.weight[k_];
-    return {w * a.x, w * a.y, w * a.moment_1, w * a.moment_2};
-  }
-
- private:
-  const FacetSet& set_;
-  const FacetMotion motion_;
-  std::uint32_t k_;
-  const FacetLaw& law_;
-  double stiffness_;
-};
 
 bool cracks(const WornFacet& worn) {
   return !worn.cracked && std::min(worn.ends[0].point.wear, worn.ends[1].point.wear) >= kCracked;

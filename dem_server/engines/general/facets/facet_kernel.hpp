@@ -39,23 +39,12 @@
 #include <span>
 #include <vector>
 
+#include "dem_server/engines/general/facets/facet_motion.hpp"
 #include "dem_server/engines/general/facets/facet_patch.hpp"
 #include "dem_server/engines/general/facets/facet_set.hpp"
 #include "dem_server/engines/general/pairs/block_discs.hpp"
 
 namespace adit::dem {
-
-// How far a facet has come.
-struct FacetMotion {
-  double jump_n, jump_t;  // D [m]
-  double turn;            // 2 sin of half the turn of the second cell against the first
-  double nx, ny, cosine;  // n now; of half that turn
-};
-
-// What a facet does to its cells: the force on the first one [N] and the moments on both [N m], weighted.
-struct FacetAction {
-  double x, y, moment_1, moment_2;
-};
 
 // Room for a patch, of each thread; of no use between two patches.
 struct FacetWork {
@@ -91,7 +80,7 @@ void add_facet_forces(const FacetPatch& patch, std::span<const double> ux, std::
                       bool internal_force, FacetSet& set, FacetWork& work, BlockDiscs& discs,
                       FacetResult& result);
 
-// The same of a single facet, after a step.
+// The same of a single facet, after a step; actions are weighted.
 FacetMotion motion_of(std::uint32_t facet, std::span<const double> ux, std::span<const double> uy,
                       const FacetSet& set);
 FacetAction action_of(std::uint32_t facet, const FacetMotion& motion, const FacetSet& set);

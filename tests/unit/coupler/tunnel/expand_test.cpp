@@ -90,6 +90,13 @@ TEST(ExpandTunnels, ALiningOfCells) {
   EXPECT_GT(particles.cells().y_max(), -12 + 5.5 + 0.12);
   EXPECT_FALSE(particles.groups(0).has_bends_as_solid());
   EXPECT_FALSE(particles.remove_floaters());
+  EXPECT_NE(particles.histories(particles.histories_size() - 1).quantity(), scene::CRACK_WIDTH);
+  const auto breakable = particles_of(test::replaced(
+      test::circular("bonds { fracture { tensile_strength: 3e6 fracture_energy: 100 cohesion: 1e7 } }"),
+      "radius: 0.05", "size: 0.12"));
+  const scene::History& last = breakable.histories(breakable.histories_size() - 1);
+  EXPECT_EQ(last.quantity(), scene::CRACK_WIDTH);
+  EXPECT_EQ(last.group(), "tunnel");
   scene::Scene scene = test::scene_with({test::replaced(test::circular(), "radius: 0.05", "size: 0.12")});
   const dem::Model model = dem::read_model(expand_tunnels(scene).scene);
   double lining = 0;  // its area

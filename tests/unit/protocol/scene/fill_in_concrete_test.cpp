@@ -73,6 +73,20 @@ TEST(FillInConcrete, WorksInGroupsAndRegions) {
   EXPECT_EQ(scene.material().fracture().compressive_strength(), 28e6);
 }
 
+TEST(FillInConcrete, WorksInTunnels) {
+  const auto lining_of = [](const std::string& grains) {
+    return read("material: {concrete: C20/25}\n" + std::string(kGrid) +
+                "tunnels:\n  - centre: {x: 0, y: 0}\n    circle: {radius: 3}\n    lining: {thickness: 0.5, "
+                "material: {concrete: C50/60}}\n    particles: {ground: 2, overlap: 1, " +
+                grains + "}\n")
+        .tunnels(0)
+        .lining()
+        .material();
+  };
+  EXPECT_EQ(lining_of("size: 0.1").fracture().compressive_strength(), 58e6);
+  EXPECT_FALSE(lining_of("radius: 0.05").has_fracture());
+}
+
 TEST(FillInConcrete, RefusesClassesThatAreNotKnown) {
   EXPECT_EQ(complaint_about("time: {duration: 1}\nmaterial: {concrete: C30/35}\n"),
             "x.yaml:2:12: material.concrete: is `C30/35`, expected a class of EN 1992-1-1 (`C12/15` to "
