@@ -435,7 +435,8 @@ OF_GRAINS = {
     general: lambda row: row["engine"] == "automatic",
 }
 OF_TUNNELS = {
-    balanced: always, mirrored: lambda row: row["particles"] != "cells", moved: lambda row: row["particles"] != "cells" and not tunnels.is_idle(row), scaled: always, scaled_stress: always, reordered: always, said_apart: always,
+    balanced: always, mirrored: lambda row: row["particles"] != "cells", moved: lambda row: row["particles"] != "cells" and not tunnels.is_idle(row),
+    scaled: always, scaled_stress: always, reordered: always, said_apart: always,
     longer: always, threads: always, elsewhere: lambda row: row["tunnels"] == "one", observed: always, resumed: always, replayed: always,
     on_any_base: lambda row: row["rest"] in tunnels.STATICS and row["base"] != "held",
 }
