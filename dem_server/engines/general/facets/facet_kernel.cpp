@@ -251,23 +251,8 @@ ADIT_VECTOR_CLONES std::int64_t largest_size(const double* values, std::uint32_t
 }
 
 ADIT_VECTOR_CLONES void add_to_cells(const FacetChunk& f, const ActionColumns& actions, double* sums) {
-  constexpr std::size_t kOfCell = sizeof(DiscSums) / sizeof(double);
-  const std::uint32_t *first = f.first, *second = f.second, count = f.count;
-  for (std::uint32_t k = 0; k < count; k += 4) {
-    Four rows[4] = {four(&actions.x[k]), four(&actions.y[k]), four(&actions.moment_1[k]),
-                    four(&actions.moment_2[k])};
-    turn(rows);
-    const auto add = [&](std::uint32_t lane) __attribute__((always_inline)) {
-      double *of_first = sums + kOfCell * first[k + lane],
-             *of_second = sums + kOfCell * second[k + lane] + kOfCell / 2;
-      store(four(of_first) + rows[lane], of_first);
-      store(four(of_second) + rows[lane], of_second);
-    };
-    if (k + 4 <= count)
-      for (std::uint32_t lane = 0; lane < 4; ++lane) add(lane);
-    else
-      for (std::uint32_t lane = 0; lane < count - k; ++lane) add(lane);
-  }
+  add_to_sums<kDiscValues>(f.count, f.first, f.second, actions.x.data(), actions.y.data(),
+                           actions.moment_1.data(), actions.moment_2.data(), sums);
 }
 
 void add_spreads(std::size_t count, const std::uint32_t* first, const std::uint32_t* second,
@@ -391,7 +376,11 @@ class PatchStep {
     std::array<Column, 18> values;
   };
 
-  FacetMotion motion_at(const FacetChunk& f, std::uint32_t k) const {
+  FacetMotion motion_at(std::uint32_t place) const {
+    return {work_.jump_n[place], work_.jump_t[place], work_.turn[place],
+            work_.nx[place],     work_.ny[place],     work_.cosine[place]};
+  }
+  static FacetMotion motion_at(const FacetChunk& f, std::uint32_t k) {
     return {f.jump_n[k], f.jump_t[k], f.turn[k], f.nx[k], f.ny[k], f.cosine[k]};
   }
 
@@ -400,7 +389,7 @@ class PatchStep {
   void spread_worn() const {
     std::fill_n(work_.released.begin(), patch_.places(), 0.0);
     const auto spread = [&](std::uint32_t place, WornFacet worn) {
-      const WornStep step(worn.facet, motion_at(chunk_at(place, 1), 0), set_);
+      const WornStep step(worn.facet, motion_at(place), set_);
       step.find(worn);
       const auto [first, second] = step.spread(worn);
       work_.spread_1[place] = first;
@@ -449,8 +438,9 @@ class PatchStep {
   }
 
   FacetChunk chunk_at(std::uint32_t at, std::uint32_t count) const {
+    const auto all = columns();
     return chunk_of(count, &patch_.facets[at], &patch_.first[at], &patch_.second[at],
-                    [&](std::size_t c) { return columns()[c]->data() + at; });
+                    [&](std::size_t c) { return all[c]->data() + at; });
   }
 
   FacetChunk pack(std::span<const std::uint32_t> places, Packed& to) const {

@@ -33,6 +33,11 @@ void set_bulk(const Model& model, FacetSet& set) {
   }
 }
 
+BondState state_of(const WornFacet* worn) {
+  if (worn == nullptr || !worn->cracked) return BondState::kIntact;
+  return worn->opened ? BondState::kTensileCrack : BondState::kShearCrack;
+}
+
 }  // namespace
 
 FacetSet facets_of(const Model& model) {
@@ -175,8 +180,8 @@ Crack Facets::crack(std::uint32_t k, const Particles& p) const {
   const std::uint32_t i = set_.first[k], j = set_.second[k];
   const double nx = set_.nx[k], ny = set_.ny[k], h = set_.half_distance[k];
   const PlaneVector middle = vector_of(nx, ny, h, 2 * h * set_.skew[k]);
-  return {state(k, p).state,         p.x[i] + middle.x,          p.y[i] + middle.y,         set_.length[k],
-          crack_orientation(nx, ny), std::min(p.id[i], p.id[j]), std::max(p.id[i], p.id[j])};
+  return {state_of(set_.worn_facet(k)), p.x[i] + middle.x,          p.y[i] + middle.y,         set_.length[k],
+          crack_orientation(nx, ny),    std::min(p.id[i], p.id[j]), std::max(p.id[i], p.id[j])};
 }
 
 Strongest Facets::strongest(const Particles& p) const {
@@ -193,6 +198,7 @@ FacetAction Facets::action(std::uint32_t k, const Particles& p) const {
 }
 
 FacetState Facets::state(std::uint32_t k, const Particles& p) const {
+  const WornFacet* worn = set_.worn_facet(k);
   const FacetMotion motion = motion_of(k, p.ux, p.uy, set_);
   const FacetAction action = action_of(k, motion, set_);
   const double nx = motion.nx, ny = motion.ny, w = set_.weight[k];
@@ -214,14 +220,12 @@ FacetState Facets::state(std::uint32_t k, const Particles& p) const {
                    action.moment_1 / w - (arm_x * fy - arm_y * fx),
                    0,
                    0,
-                   BondState::kIntact};
-  const WornFacet* worn = set_.worn_facet(k);
-  if (!worn) return state;
+                   state_of(worn)};
+  if (worn == nullptr) return state;
   for (const WornFacet::End& end : worn->ends) {
     state.opening = std::max(state.opening, end.lost_n);
     if (std::abs(end.lost_t) > std::abs(state.slip)) state.slip = end.lost_t;
   }
-  if (worn->cracked) state.state = worn->opened ? BondState::kTensileCrack : BondState::kShearCrack;
   return state;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "dem_server/engines/general/pairs/lanes.hpp"
 #include "dem_server/engines/general/pairs/pairs.hpp"
 #include "dem_server/particles/particles.hpp"
 
@@ -24,6 +25,29 @@ struct alignas(64) DiscSums {
 };
 
 static_assert(sizeof(DiscMotion) == kDiscValues * sizeof(double) && sizeof(DiscSums) == sizeof(DiscMotion));
+
+// Adds what pairs or facets do to the sums of their discs, in their order: columns of the forces and moments
+// on the first disc and the moments on the second. `first` and `second` are places in the list of sums, in
+// units of `kUnit` values.
+template <std::uint32_t kUnit>
+[[gnu::always_inline]] inline void add_to_sums(std::uint32_t count, const std::uint32_t* first,
+                                               const std::uint32_t* second, const double* x, const double* y,
+                                               const double* moment_1, const double* moment_2, double* sums) {
+  for (std::uint32_t k = 0; k < count; k += 4) {
+    Four rows[4] = {four(x + k), four(y + k), four(moment_1 + k), four(moment_2 + k)};
+    turn(rows);
+    const auto add = [&](std::uint32_t lane) __attribute__((always_inline)) {
+      double *of_first = sums + std::size_t{kUnit} * first[k + lane],
+             *of_second = sums + std::size_t{kUnit} * second[k + lane] + kDiscValues / 2;
+      store(four(of_first) + rows[lane], of_first);
+      store(four(of_second) + rows[lane], of_second);
+    };
+    if (k + 4 <= count)
+      for (std::uint32_t lane = 0; lane < 4; ++lane) add(lane);
+    else
+      for (std::uint32_t lane = 0; lane < count - k; ++lane) add(lane);
+  }
+}
 
 class BlockDiscs {
  public:

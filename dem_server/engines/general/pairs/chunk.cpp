@@ -63,23 +63,9 @@ void look_up_masses(const Pairs::Chunk& chunk, const Pairs& pairs, const Particl
 
 ADIT_VECTOR_CLONES void add_to_discs(const Pairs::Chunk& chunk, const Pairs& pairs, const ChunkForces& forces,
                                      BlockDiscs& of_block) {
-  double* sums = of_block.sums();
-  const std::uint32_t *first = &pairs.first_place[chunk.begin], *second = &pairs.second_place[chunk.begin];
-  const std::uint32_t count = chunk.end - chunk.begin;
-  for (std::uint32_t k = 0; k < count; k += 4) {
-    Four rows[4] = {four(&forces.x[k]), four(&forces.y[k]), four(&forces.moment_1[k]),
-                    four(&forces.moment_2[k])};
-    turn(rows);
-    const auto add = [&](std::uint32_t lane) {
-      double *of_first = sums + first[k + lane], *of_second = sums + second[k + lane] + 4;
-      store(four(of_first) + rows[lane], of_first);
-      store(four(of_second) + rows[lane], of_second);
-    };
-    if (k + 4 <= count)
-      for (std::uint32_t lane = 0; lane < 4; ++lane) add(lane);
-    else
-      for (std::uint32_t lane = 0; lane < count - k; ++lane) add(lane);
-  }
+  add_to_sums<1>(chunk.end - chunk.begin, &pairs.first_place[chunk.begin], &pairs.second_place[chunk.begin],
+                 forces.x.data(), forces.y.data(), forces.moment_1.data(), forces.moment_2.data(),
+                 of_block.sums());
 }
 
 void look_up_laws(const Pairs::Chunk& chunk, std::span<const PairLaw> laws, const Pairs& pairs,
