@@ -94,6 +94,9 @@ Expansion expand_tunnels(const scene::Scene& given) {
       throw UserError(path + ".particles",
                       fmt::format("{}; give `size` for cells or `radius` for a lattice of discs",
                                   of_cells(tunnel) ? "has size and radius" : "needs size or radius"));
+    if (!of_cells(tunnel) && tunnel.particles().has_ground_size())
+      throw UserError(path + ".particles.ground_size",
+                      "is of cells, but `radius` asks for discs; give `size`");
     const Contour contour(tunnel, path);
     TunnelGround ground = ground_around(tunnel, contour, given.continuum());
     add_lining(tunnel, contour, path, ground.particles);

@@ -35,14 +35,20 @@ scene::HexagonalPacking packing_over(const geometry::BoundingBox& box, double ra
 }
 
 // The cells end at the outline of `within`, some way inside the box.
-scene::CellPacking cells_over(const geometry::BoundingBox& box, const scene::TunnelRegion& wanted) {
-  const double margin = 2 * wanted.size();
+scene::CellPacking cells_over(const geometry::BoundingBox& box, const scene::Area& lining,
+                              const scene::TunnelRegion& wanted) {
+  const double size = wanted.has_ground_size() ? wanted.ground_size() : wanted.size(), margin = 2 * size;
   scene::CellPacking cells;
   cells.set_x_min(box.x_min - margin);
   cells.set_x_max(box.x_max + margin);
   cells.set_y_min(box.y_min - margin);
   cells.set_y_max(box.y_max + margin);
-  cells.set_size(wanted.size());
+  cells.set_size(size);
+  if (size > wanted.size()) {
+    scene::FinerCells& finer = *cells.add_finer();
+    *finer.mutable_where() = lining;
+    finer.set_size(wanted.size());
+  }
   if (wanted.has_seed()) cells.set_seed(wanted.seed());
   return cells;
 }
@@ -114,7 +120,8 @@ TunnelGround ground_around(const scene::LinedTunnel& tunnel, const Contour& cont
   TunnelGround ground;
   scene::Particles& particles = ground.particles;
   if (of_cells(tunnel))
-    *particles.mutable_cells() = cells_over(contour.box(outer), wanted);
+    *particles.mutable_cells() =
+        cells_over(contour.box(outer), contour.between(0, tunnel.lining().thickness()), wanted);
   else
     *particles.mutable_packing() = packing_over(contour.box(outer), wanted.radius());
   *particles.mutable_within() = tunnel.stage() > 0 ? contour.inside(outer) : contour.between(0, outer);

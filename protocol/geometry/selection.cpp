@@ -1,6 +1,7 @@
 #include "protocol/geometry/selection.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "protocol/errors.hpp"
 #include "protocol/geometry/read_shape.hpp"
@@ -21,6 +22,19 @@ bool Places::hold(double x, double y) const {
          (!area_.has_y_min() || y >= area_.y_min() - tolerance_) &&
          (!area_.has_y_max() || y <= area_.y_max() + tolerance_) &&
          std::ranges::all_of(shapes_, [&](const auto& shape) { return shape->distance(x, y) <= tolerance_; });
+}
+
+double Places::distance(double x, double y) const {
+  double farthest = -std::numeric_limits<double>::infinity();
+  const auto take = [&](bool has, double distance) {
+    if (has) farthest = std::max(farthest, distance);
+  };
+  take(area_.has_x_min(), area_.x_min() - x);
+  take(area_.has_x_max(), x - area_.x_max());
+  take(area_.has_y_min(), area_.y_min() - y);
+  take(area_.has_y_max(), y - area_.y_max());
+  for (const auto& shape : shapes_) take(true, shape->distance(x, y));
+  return farthest;
 }
 
 std::vector<std::uint32_t> select(const scene::Area& area, std::span<const double> points, double tolerance,

@@ -21,6 +21,8 @@ class Places {
 
   // Whether (x, y) lies inside or on the boundary of every shape of the area.
   bool hold(double x, double y) const;
+  // From the farthest of the shapes, negative inside all of them; no point of the area is nearer [m].
+  double distance(double x, double y) const;
 
  private:
   scene::Area area_;

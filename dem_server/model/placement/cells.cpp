@@ -6,11 +6,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "dem_server/model/placement/scene_checks.hpp"
 #include "dem_server/packing/voronoi/cell_points.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/geometry/read_shape.hpp"
+#include "protocol/geometry/selection.hpp"
 #include "protocol/text.hpp"
 
 namespace adit::dem {
@@ -38,15 +40,16 @@ bool same(const CellFace& a, const CellFace& b) {
 // that cells cannot follow.
 class Faces {
  public:
-  Faces(const geometry::BoundingBox& box, double size) : box_(box), size_(size) {}
+  Faces(const geometry::BoundingBox& box, const CellSize& size) : box_(box), size_(size) {}
 
   const std::vector<CellFace>& all() const { return faces_; }
 
   void add_circle(const scene::Point& centre, double radius, const std::string& path) {
-    if (radius < kSmallestCircle * size_)
+    const double size = size_.at(point_of(centre));
+    if (radius < kSmallestCircle * size)
       throw UserError(path, fmt::format("is {} m, less than half of the size of a cell, {} m; give more, or "
                                         "smaller cells",
-                                        radius, size_));
+                                        radius, size));
     add(FaceCircle{point_of(centre), radius});
   }
 
@@ -113,12 +116,13 @@ class Faces {
   }
 
   geometry::BoundingBox box_;
-  double size_;  // of cells
+  const CellSize& size_;
   std::vector<CellFace> faces_;
 };
 
-std::vector<CellFace> faces_of(const scene::Particles& particles, const geometry::BoundingBox& box) {
-  Faces faces(box, particles.cells().size());
+std::vector<CellFace> faces_of(const scene::Particles& particles, const geometry::BoundingBox& box,
+                               const CellSize& size) {
+  Faces faces(box, size);
   if (particles.has_ring()) faces.add_annulus(particles.ring(), "particles.ring");
   for (int k = 0; k < particles.groups_size(); ++k)
     faces.add_area(particles.groups(k).where(), fmt::format("particles.groups[{}].where", k));
@@ -134,22 +138,43 @@ std::vector<CellFace> faces_of(const scene::Particles& particles, const geometry
 }
 
 // A lining of less than two cells would be a chain.
-void require_two_rows(double thickness, double size, const std::string& what) {
-  if (size > thickness / 2)
+template <class Annulus>
+void require_two_rows(const Annulus& lining, const CellSize& size, const std::string& what) {
+  constexpr int kPlaces = 36;
+  const double thickness = lining.outer_radius() - lining.inner_radius(),
+               radius = (lining.outer_radius() + lining.inner_radius()) / 2;
+  double largest = 0;
+  for (int k = 0; k < kPlaces; ++k) {
+    const double angle = 2 * std::numbers::pi * k / kPlaces;
+    largest = std::max(largest, size.at({lining.centre().x() + radius * std::cos(angle),
+                                         lining.centre().y() + radius * std::sin(angle)}));
+  }
+  if (largest > thickness / 2)
     throw UserError(
         "particles.cells.size",
-        fmt::format("is {} m, more than half of the thickness of {}, {:.4g} m; give at most {:.4g} m", size,
-                    what, thickness, thickness / 2));
+        fmt::format("is {} m, more than half of the thickness of {}, {:.4g} m; give at most {:.4g} m there",
+                    largest, what, thickness, thickness / 2));
 }
 
-void require_rows_in_linings(const scene::Particles& particles) {
-  const double size = particles.cells().size();
-  if (particles.has_ring())
-    require_two_rows(particles.ring().outer_radius() - particles.ring().inner_radius(), size, "the ring");
+void require_rows_in_linings(const scene::Particles& particles, const CellSize& size) {
+  if (particles.has_ring()) require_two_rows(particles.ring(), size, "the ring");
   for (const auto& group : particles.groups())
     if (group.where().has_annulus())
-      require_two_rows(group.where().annulus().outer_radius() - group.where().annulus().inner_radius(), size,
-                       "the group " + protocol::quote(group.name()));
+      require_two_rows(group.where().annulus(), size, "the group " + protocol::quote(group.name()));
+}
+
+// Summed over squares of the box.
+double expected_number(const geometry::BoundingBox& box, const CellSize& size) {
+  constexpr double kAreaOfCell = 0.8660254;  // over the square of the size
+  constexpr int kSquares = 128;              // along each side
+  const double width = (box.x_max - box.x_min) / kSquares, height = (box.y_max - box.y_min) / kSquares;
+  double number = 0;
+  for (int i = 0; i < kSquares; ++i)
+    for (int j = 0; j < kSquares; ++j) {
+      const double there = size.at({box.x_min + (i + 0.5) * width, box.y_min + (j + 0.5) * height});
+      number += width * height / (kAreaOfCell * there * there);
+    }
+  return number;
 }
 
 }  // namespace
@@ -168,18 +193,33 @@ void CellShapes::keep_only(const std::vector<bool>& keep) {
   }
 }
 
+CellSize size_of(const scene::CellPacking& cells, const std::string& path) {
+  std::vector<FinerPlace> finer;
+  for (int k = 0; k < cells.finer_size(); ++k) {
+    const scene::FinerCells& wanted = cells.finer(k);
+    const std::string at = fmt::format("{}.finer[{}]", path, k);
+    if (wanted.where().has_group())
+      throw UserError(at + ".where.group",
+                      "is given, but cells have no groups yet; state the place by shapes");
+    if (wanted.size() >= cells.size())
+      throw UserError(at + ".size", fmt::format("is {} m, but the other cells have {} m; give less",
+                                                wanted.size(), cells.size()));
+    const protocol::Places places(wanted.where(), at + ".where", 0);
+    finer.push_back({[places](const Point& p) { return places.distance(p.x, p.y); }, wanted.size()});
+  }
+  return {cells.size(), std::move(finer)};
+}
+
 Placement place_cells(const scene::Particles& particles) {
   const scene::CellPacking& wanted = particles.cells();
   const std::string path = "particles.cells";
   const geometry::BoundingBox box = box_of(wanted);
-  constexpr double kAreaOfCell = 0.8660254;  // over the square of the size
-  require_room_for(
-      (box.x_max - box.x_min) * (box.y_max - box.y_min) / (kAreaOfCell * wanted.size() * wanted.size()),
-      wanted.size(), path + ".size");
-  require_rows_in_linings(particles);
+  const CellSize size = size_of(wanted, path);
+  require_room_for(expected_number(box, size), size.least(), path + ".size");
+  require_rows_in_linings(particles, size);
   VoronoiCells cells;
   try {
-    cells = voronoi_cells(pack_cells({box, wanted.size(), faces_of(particles, box), wanted.seed()}), box);
+    cells = voronoi_cells(pack_cells({box, size, faces_of(particles, box, size), wanted.seed()}), box);
   } catch (const std::invalid_argument& why) {
     throw UserError(path, why.what());
   }

@@ -9,6 +9,7 @@
 
 #include "dem_server/model/initial_state/initial_state.hpp"
 #include "dem_server/model/lattice.hpp"
+#include "dem_server/model/placement/cells.hpp"
 #include "dem_server/model/placement/groups.hpp"
 #include "dem_server/model/placement/placement.hpp"
 #include "dem_server/model/placement/scene_checks.hpp"
@@ -187,13 +188,24 @@ std::string laboratory_strengths(const FacetLaw& law) {
       law.tensile_strength / 1e6, compressive_strength(law) / 1e6, (1 + sine) / (1 - sine));
 }
 
+// Of each group [m].
+std::vector<double> largest_cells(const scene::CellPacking& cells, std::size_t groups, const Model& model) {
+  const CellSize size = size_of(cells, "particles.cells");
+  std::vector<double> largest(groups, 0.0);
+  for (std::size_t i = 0; i < model.discs.size(); ++i)
+    largest[model.group[i]] =
+        std::max(largest[model.group[i]], size.at({model.discs.x[i], model.discs.y[i]}));
+  return largest;
+}
+
 // Says what strengths cells have, and where they are too large to soften stably: a facet is as long a spring
 // as its cells are apart, and must not store more than it dissipates.
 void note_fracture(const scene::Particles& particles, const std::vector<Group>& groups, Model& model) {
   constexpr double kLargestShare = 0.25;
   if (!particles.has_cells()) return;
-  const double size = particles.cells().size();
-  for (const Group& group : groups) {
+  const std::vector<double> sizes = largest_cells(particles.cells(), groups.size(), model);
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    const Group& group = groups[k];
     const scene::Material& material = group.material.material;
     if (!material.has_fracture() ||
         (&group != &groups.front() && &material == &groups.front().material.material))
@@ -203,11 +215,11 @@ void note_fracture(const scene::Particles& particles, const std::vector<Group>& 
     model.notes.push_back(path + ": " + laboratory_strengths(law));
     const double length = elasticity_of(group.material, group.plane).stiffness * law.opening_energy /
                           (law.tensile_strength * law.tensile_strength);
-    if (size > kLargestShare * length)
+    if (sizes[k] > kLargestShare * length)
       model.notes.push_back(protocol::as_warning(fmt::format(
           "particles.cells.size: is {:.4g} m, more than a quarter of the length E' G_f / f_t^2 = {:.3g} m of "
           "{}: facets snap, and cracks dissipate more than stated; give at most {:.3g} m",
-          size, length, path, kLargestShare * length)));
+          sizes[k], length, path, kLargestShare * length)));
   }
 }
 

@@ -7,13 +7,15 @@
 // centres; if no disc holds a nucleus, their facet is this chord and the centres are corners of cells. What
 // is left is filled by maximal Poisson-disc sampling (Ebeida et al. 2012, Comput. Graph. Forum 31, 785):
 // nuclei drawn at random with a least distance until there is room for none. Irregular cells have no planes
-// along which they could slide or crack more easily.
+// along which they could slide or crack more easily. Where sizes differ, all distances are those of the
+// place.
 #pragma once
 
 #include <cstdint>
 #include <variant>
 #include <vector>
 
+#include "dem_server/packing/voronoi/cell_size.hpp"
 #include "protocol/geometry/bounding_box.hpp"
 #include "protocol/geometry/shape.hpp"
 
@@ -33,7 +35,7 @@ using CellFace = std::variant<FaceLine, FaceCircle>;
 
 struct CellPacking {
   geometry::BoundingBox box;
-  double size;  // spacing of the hexagonal lattice whose cells have the same mean area, 0.866 size^2 [m]
+  CellSize size;
   std::vector<CellFace> faces;
   std::uint64_t seed = 1;
 };

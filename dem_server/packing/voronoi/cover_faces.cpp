@@ -35,7 +35,7 @@ struct CoveredPath {
 
 class Covering {
  public:
-  Covering(const std::vector<CellFace>& faces, double size, const RoomBeside& room);
+  Covering(const std::vector<CellFace>& faces, const CellSize& size, const RoomBeside& room);
 
   // In this order.
   void size_vertices();
@@ -64,7 +64,7 @@ class Covering {
   bool is_shared(std::size_t face, std::size_t path) const;
 
   const std::vector<CellFace>& faces_;
-  double size_;
+  const CellSize& size_;
   FaceNetwork network_;
   std::vector<double> radii_;                      // of the vertices' discs [m]
   std::vector<std::vector<bool>> with_one_;        // the sectors of each vertex that have one nucleus
@@ -74,7 +74,7 @@ class Covering {
   std::vector<FaceCover> covers_;                  // of each face
 };
 
-Covering::Covering(const std::vector<CellFace>& faces, double size, const RoomBeside& room)
+Covering::Covering(const std::vector<CellFace>& faces, const CellSize& size, const RoomBeside& room)
     : faces_(faces),
       size_(size),
       network_(connect_faces(faces, size)),
@@ -96,9 +96,10 @@ void Covering::set_pairs(const Vertex& vertex, double radius, const std::vector<
 void Covering::size_vertices() {
   for (const Vertex& vertex : network_.vertices) {
     std::vector<Point> directions;
+    const double size = size_.at(vertex.point);
     for (const Ray& ray : vertex.rays) {
       const Path& path = path_of(ray);
-      const double step = kStep * size_;
+      const double step = kStep * size;
       directions.push_back(unit(vertex.point, path.at(ray.begins ? step : path.length - step).point));
     }
     const auto sectors = sectors_between(directions);
@@ -106,13 +107,13 @@ void Covering::size_vertices() {
     const auto beside = angles_beside_rays(sectors, with_one_.back());
     const double least = least_between_nuclei(sectors, beside);
     const double full =
-        size_ * std::clamp(kBetweenNuclei / 2 / std::sin(least / 2), kLeastRadius, kMostRadius);
+        size * std::clamp(kBetweenNuclei / 2 / std::sin(least / 2), kLeastRadius, kMostRadius);
     double share = 1;
     for (std::size_t k = 0; k < vertex.rays.size(); ++k) {
       const Ray& ray = vertex.rays[k];
       const Path& path = path_of(ray);
       const DiscSpacing& spacing = spacings_[ray.face];
-      share = std::min({share, spacing.offset(path.at(ray.begins ? 0 : path.length)) / spacing.most_offset(),
+      share = std::min({share, spacing.offset(path.at(ray.begins ? 0 : path.length)) / (size / 2),
                         path.length / (kLeastOfPath * full * std::cos(beside[k]))});
     }
     radii_.push_back(share * full);
@@ -138,9 +139,7 @@ std::vector<double> Covering::between(std::size_t face, std::size_t number, moti
                                random);
   if (path.straight || places.size() < 2) return places;
   const double most = (to - from) / (2 * static_cast<double>(places.size()));
-  const auto half_spacing = [&](double place) {
-    return std::min(most, spacing.spacing(spacing.offset(path.at(place))) / 2);
-  };
+  const auto half_spacing = [&](double place) { return std::min(most, spacing.spacing(path.at(place)) / 2); };
   if (begin.at_vertex) places.front() = from + half_spacing(0);
   if (end.at_vertex) places.back() = to - half_spacing(path.length);
   return places;
@@ -258,7 +257,7 @@ bool Covering::is_shared(std::size_t face, std::size_t number) const {
   const Path& path = network_.routes[face].paths[number];
   for (std::size_t earlier = 0; earlier < face; ++earlier)
     if (std::ranges::all_of(std::array{0.4, 0.7}, [&](double share) {
-          return lies_on(faces_[earlier], path.at(share * path.length).point, kTheSamePoint * size_);
+          return lies_on(faces_[earlier], path.at(share * path.length).point, kTheSamePoint * size_.least());
         }))
       return true;
   return false;
@@ -293,8 +292,8 @@ std::vector<FaceCover> Covering::take_covers() {
 
 }  // namespace
 
-std::vector<FaceCover> cover_faces(const std::vector<CellFace>& faces, double size, const RoomBeside& room,
-                                   motion::Random& random) {
+std::vector<FaceCover> cover_faces(const std::vector<CellFace>& faces, const CellSize& size,
+                                   const RoomBeside& room, motion::Random& random) {
   Covering covering(faces, size, room);
   covering.size_vertices();
   for (std::size_t face = 0; face < faces.size(); ++face) {

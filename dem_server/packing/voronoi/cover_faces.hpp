@@ -15,7 +15,7 @@ namespace adit::dem {
 // Vertices are the junctions and the corners where a line turns by more than 30 degrees. A vertex has one
 // disc for all its faces, and the next discs along each of them pass through the two nuclei on the vertex's
 // disc that belong to this ray (vertex_angles.hpp).
-std::vector<FaceCover> cover_faces(const std::vector<CellFace>& faces, double size, const RoomBeside& room,
-                                   motion::Random& random);
+std::vector<FaceCover> cover_faces(const std::vector<CellFace>& faces, const CellSize& size,
+                                   const RoomBeside& room, motion::Random& random);
 
 }  // namespace adit::dem

@@ -40,7 +40,7 @@ void add_sharp_corners(const Route& route, std::size_t face, std::vector<Vertex>
 
 }  // namespace
 
-FaceNetwork connect_faces(const std::vector<CellFace>& faces, double size) {
+FaceNetwork connect_faces(const std::vector<CellFace>& faces, const CellSize& size) {
   const auto junctions = find_junctions(faces, size);
   std::vector<std::vector<Point>> of_face(faces.size());
   for (const auto& [point, branches] : junctions)

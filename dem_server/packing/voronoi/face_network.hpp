@@ -24,7 +24,7 @@ struct FaceNetwork {
   std::vector<Vertex> vertices;
 };
 
-FaceNetwork connect_faces(const std::vector<CellFace>& faces, double size);
+FaceNetwork connect_faces(const std::vector<CellFace>& faces, const CellSize& size);
 
 // The angles of a vertex's sectors, given the direction of each ray, counter-clockwise [rad].
 std::vector<double> sectors_between(const std::vector<geometry::Point>& directions);

@@ -8,7 +8,6 @@
 namespace adit::dem {
 namespace {
 
-using geometry::BoundingBox;
 using geometry::Point;
 
 constexpr double kTooClose = 0.8;  // of the nuclei's offset from the face
@@ -33,13 +32,9 @@ std::optional<Beside> cut(const CoverDisc& a, const CoverDisc& b) {
   return Beside{{Point{foot.x + out.x, foot.y + out.y}, Point{foot.x - out.x, foot.y - out.y}}, offset};
 }
 
-bool lies_in(const Point& p, const BoundingBox& box) {
-  return p.x >= box.x_min && p.x <= box.x_max && p.y >= box.y_min && p.y <= box.y_max;
-}
-
 class FaceNuclei {
  public:
-  FaceNuclei(const BoundingBox& inside, PointGrid& nuclei) : inside_(inside), nuclei_(nuclei) {}
+  FaceNuclei(const Margin& margin, PointGrid& nuclei) : margin_(margin), nuclei_(nuclei) {}
 
   void add(const FaceCover& cover) {
     const DiscField own(cover.discs);
@@ -64,7 +59,7 @@ class FaceNuclei {
  private:
   bool fits(const Beside& beside, const DiscField& own) const {
     return std::ranges::all_of(beside.nuclei, [&](const Point& p) {
-      return lies_in(p, inside_) && !own.hold(p) &&
+      return !margin_.holds(p) && !own.hold(p) &&
              std::ranges::none_of(fields_, [&](const DiscField& field) { return field.hold(p); }) &&
              !crowds(p, beside.offset);
     });
@@ -80,16 +75,16 @@ class FaceNuclei {
       if (!nuclei_.any_closer(p, same)) nuclei_.add(p);
   }
 
-  BoundingBox inside_;
+  const Margin& margin_;
   PointGrid& nuclei_;
   std::vector<DiscField> fields_;
 };
 
 }  // namespace
 
-std::vector<DiscField> add_face_nuclei(const std::vector<FaceCover>& covers, const BoundingBox& inside,
+std::vector<DiscField> add_face_nuclei(const std::vector<FaceCover>& covers, const Margin& margin,
                                        PointGrid& nuclei) {
-  FaceNuclei adding(inside, nuclei);
+  FaceNuclei adding(margin, nuclei);
   for (const auto& cover : covers) adding.add(cover);
   return adding.take_fields();
 }

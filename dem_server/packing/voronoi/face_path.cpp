@@ -81,16 +81,17 @@ std::vector<double> turns_of(const std::vector<Point>& corners, bool closed) {
 
 std::vector<std::size_t> corners_with_discs(const std::vector<Point>& corners,
                                             const std::vector<double>& turns, const std::vector<bool>& fixed,
-                                            double size) {
+                                            const CellSize& size) {
   std::vector<std::size_t> kept{0};
   const std::size_t last = corners.size() - 1;
   double since = 0;
   for (std::size_t k = 1; k < last; ++k) {
     since += distance_of(corners[k - 1], corners[k]);
+    const double least = kBetweenBends * size.at(corners[k]);
     double until = 0;
-    for (std::size_t j = k; j < last && until < kBetweenBends * size && (j == k || !fixed[j]); ++j)
+    for (std::size_t j = k; j < last && until < least && (j == k || !fixed[j]); ++j)
       until += distance_of(corners[j], corners[j + 1]);
-    const bool far = std::min(since, until) >= kBetweenBends * size;
+    const bool far = std::min(since, until) >= least;
     if (!fixed[k] && (!far || turns[k] < kStraight)) continue;
     kept.push_back(k);
     since = 0;

@@ -53,6 +53,6 @@ inline bool is_sharp(double turn) {
 // and are far enough from the last one and from the next one of these.
 std::vector<std::size_t> corners_with_discs(const std::vector<geometry::Point>& corners,
                                             const std::vector<double>& turns, const std::vector<bool>& fixed,
-                                            double size);
+                                            const CellSize& size);
 
 }  // namespace adit::dem

@@ -22,8 +22,8 @@ FaceLine with_corner_at(FaceLine line, const Point& point, double reach) {
   return line;
 }
 
-Route along_line(FaceLine line, const std::vector<Point>& junctions, double size) {
-  const double reach = kTheSamePoint * size;
+Route along_line(FaceLine line, const std::vector<Point>& junctions, const CellSize& size) {
+  const double reach = kTheSamePoint * size.least();
   for (const Point& point : junctions) line = with_corner_at(std::move(line), point, reach);
   const std::vector<Point> points = opened(line);
   const std::vector<double> turns = turns_of(points, line.closed);
@@ -61,7 +61,7 @@ Route around_circle(const FaceCircle& circle, std::vector<Point> junctions) {
 
 }  // namespace
 
-Route route_along(const CellFace& face, const std::vector<Point>& junctions, double size) {
+Route route_along(const CellFace& face, const std::vector<Point>& junctions, const CellSize& size) {
   if (const auto* line = std::get_if<FaceLine>(&face)) return along_line(*line, junctions, size);
   return around_circle(std::get<FaceCircle>(face), junctions);
 }

@@ -23,6 +23,6 @@ struct Route {
 
 // The route along a face with a corner at each of these points of it, its junctions, at each end, at each
 // sharp corner, and at other corners unless they are within 0.8 size of the last one or the next one.
-Route route_along(const CellFace& face, const std::vector<geometry::Point>& junctions, double size);
+Route route_along(const CellFace& face, const std::vector<geometry::Point>& junctions, const CellSize& size);
 
 }  // namespace adit::dem

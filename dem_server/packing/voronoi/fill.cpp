@@ -11,22 +11,29 @@ namespace {
 using geometry::BoundingBox;
 using geometry::Point;
 
-constexpr double kDarts = 0.6;  // thrown for each square before the squares are divided
-constexpr int kDivisions = 24;  // what is smaller is not seen as room
+constexpr double kLeastDistance = 0.777;  // of the size; cells then have the mean area of hexagonal ones
+constexpr double kDarts = 0.6;            // thrown for each square before the squares are divided
+constexpr int kDivisions = 24;            // what is smaller is not seen as room
 
 class Filling {
  public:
-  // A square is so small that one point in it leaves no room for another.
-  Filling(const BoundingBox& inside, double least, std::span<const DiscField> discs, motion::Random& random,
-          PointGrid& points)
-      : inside_(inside), least_(least), discs_(discs), random_(random), points_(points) {
-    const auto count = [least](double length) {
-      return static_cast<std::uint64_t>(std::max(1.0, std::ceil(length * std::numbers::sqrt2 / least)));
+  // At first a square is so small that one point in it leaves no room for another, where cells are largest.
+  Filling(const Margin& margin, const CellSize& size, std::span<const DiscField> discs,
+          motion::Random& random, PointGrid& points)
+      : margin_(margin),
+        inside_(margin.inside()),
+        size_(size),
+        discs_(discs),
+        random_(random),
+        points_(points) {
+    const auto count = [&size](double length) {
+      return static_cast<std::uint64_t>(
+          std::max(1.0, std::ceil(length * std::numbers::sqrt2 / (kLeastDistance * size.largest()))));
     };
-    const std::uint64_t columns = count(inside.x_max - inside.x_min),
-                        rows = count(inside.y_max - inside.y_min);
-    width_ = (inside.x_max - inside.x_min) / static_cast<double>(columns);
-    height_ = (inside.y_max - inside.y_min) / static_cast<double>(rows);
+    const std::uint64_t columns = count(inside_.x_max - inside_.x_min),
+                        rows = count(inside_.y_max - inside_.y_min);
+    width_ = (inside_.x_max - inside_.x_min) / static_cast<double>(columns);
+    height_ = (inside_.y_max - inside_.y_min) / static_cast<double>(rows);
     for (std::uint64_t j = 0; j < rows; ++j)
       for (std::uint64_t i = 0; i < columns; ++i) keep_if_open({i, j}, open_);
   }
@@ -42,6 +49,8 @@ class Filling {
                        inside_.y_min + (static_cast<double>(open_[hit].j) + share_y) * height_};
       if (!is_free(dart)) continue;
       points_.add(dart);
+      const Point middle = middle_of(open_[hit]);
+      if (!leaves_no_room(dart, middle, least_around(middle))) continue;
       open_[hit] = open_.back();
       open_.pop_back();
     }
@@ -63,26 +72,41 @@ class Filling {
   };
 
   bool is_free(const Point& p) const {
-    return !points_.any_closer(p, least_) &&
+    return !points_.any_closer(p, kLeastDistance * size_.at(p)) && !margin_.holds(p) &&
            std::ranges::none_of(discs_, [&](const DiscField& field) { return field.hold(p); });
   }
 
-  // A square is closed if one disc or the surroundings of one point hold it.
+  Point middle_of(const Square& square) const {
+    return {inside_.x_min + static_cast<double>(square.i) * width_ + width_ / 2,
+            inside_.y_min + static_cast<double>(square.j) * height_ + height_ / 2};
+  }
+  double half_diagonal() const { return std::hypot(width_, height_) / 2; }
+  // The distance that points of a square have at least from others.
+  double least_around(const Point& middle) const {
+    return kLeastDistance * size_.least_around(middle, half_diagonal());
+  }
+  // Whether the surroundings of a point hold all of the square.
+  bool leaves_no_room(const Point& p, const Point& middle, double least) const {
+    return std::hypot(std::abs(p.x - middle.x) + width_ / 2, std::abs(p.y - middle.y) + height_ / 2) < least;
+  }
+
+  // A square is closed if one disc, the surroundings of one point or the margin hold it.
   void keep_if_open(const Square& square, std::vector<Square>& squares) const {
+    const Point middle = middle_of(square);
+    const double least = least_around(middle);
+    if (points_.any_near(middle, least, [&](const Point& p) { return leaves_no_room(p, middle, least); }) ||
+        margin_.covers(middle, half_diagonal()))
+      return;
     const double x = inside_.x_min + static_cast<double>(square.i) * width_;
     const double y = inside_.y_min + static_cast<double>(square.j) * height_;
-    const Point middle{x + width_ / 2, y + height_ / 2};
-    const bool near_point = points_.any_near(middle, least_, [&](const Point& p) {
-      return std::hypot(std::abs(p.x - middle.x) + width_ / 2, std::abs(p.y - middle.y) + height_ / 2) <
-             least_;
-    });
     const BoundingBox box{x, x + width_, y, y + height_};
-    if (!near_point && std::ranges::none_of(discs_, [&](const DiscField& field) { return field.cover(box); }))
+    if (std::ranges::none_of(discs_, [&](const DiscField& field) { return field.cover(box); }))
       squares.push_back(square);
   }
 
+  const Margin& margin_;
   BoundingBox inside_;
-  double least_;
+  const CellSize& size_;
   std::span<const DiscField> discs_;
   motion::Random& random_;
   PointGrid& points_;
@@ -92,9 +116,9 @@ class Filling {
 
 }  // namespace
 
-void fill(const BoundingBox& inside, double least, std::span<const DiscField> discs, motion::Random& random,
-          PointGrid& points) {
-  Filling filling(inside, least, discs, random, points);
+void fill(const Margin& margin, const CellSize& size, std::span<const DiscField> discs,
+          motion::Random& random, PointGrid& points) {
+  Filling filling(margin, size, discs, random, points);
   for (int division = 0; division < kDivisions && filling.has_room(); ++division) {
     filling.throw_darts();
     filling.divide();

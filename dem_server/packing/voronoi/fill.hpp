@@ -4,15 +4,17 @@
 #include <span>
 
 #include "dem_server/packing/voronoi/cover_discs.hpp"
+#include "dem_server/packing/voronoi/margin.hpp"
 #include "dem_server/packing/voronoi/point_grid.hpp"
 #include "protocol/motion/random.hpp"
 
 namespace adit::dem {
 
-// Adds points of the box `inside` to those that are there, at least `least` [m] from every other and in none
-// of the discs. Maximal Poisson-disc sampling by Ebeida et al. 2012, Comput. Graph. Forum 31, 785: darts are
-// thrown at the squares that may still have room, and what remains of these is divided into quarters.
-void fill(const geometry::BoundingBox& inside, double least, std::span<const DiscField> discs,
+// Adds points outside the margin to those that are there, in none of the discs and so far from every other
+// that the cells have this size; where sizes differ, that of the point which comes later counts. Maximal
+// Poisson-disc sampling by Ebeida et al. 2012, Comput. Graph. Forum 31, 785: darts are thrown at the squares
+// that may still have room, and what remains of these is divided into quarters.
+void fill(const Margin& margin, const CellSize& size, std::span<const DiscField> discs,
           motion::Random& random, PointGrid& points);
 
 }  // namespace adit::dem

@@ -101,19 +101,20 @@ bool has_sharp_corner_near(const CellFace& face, const Point& point, double reac
 
 class Finding {
  public:
-  Finding(const std::vector<CellFace>& faces, double size)
-      : faces_(faces), reach_(kTheSamePoint * size), near_(kApart * size) {}
+  Finding(const std::vector<CellFace>& faces, const CellSize& size)
+      : faces_(faces), size_(size), reach_(kTheSamePoint * size.least()) {}
 
   void meet(std::size_t a, std::size_t b) {
     for (const Point& point : common_points(faces_[a], faces_[b], reach_)) {
       const auto nearest = std::ranges::min_element(
           junctions, {}, [&](const Junction& j) { return distance_of(j.point, point); });
-      const double apart = nearest == junctions.end() ? near_ : distance_of(nearest->point, point);
+      const double near = kApart * size_.at(point);
+      const double apart = nearest == junctions.end() ? near : distance_of(nearest->point, point);
       if (apart < reach_) {
         join(*nearest, a);
         join(*nearest, b);
-      } else if (apart >= near_ && !has_sharp_corner_near(faces_[a], point, reach_, near_) &&
-                 !has_sharp_corner_near(faces_[b], point, reach_, near_)) {
+      } else if (apart >= near && !has_sharp_corner_near(faces_[a], point, reach_, near) &&
+                 !has_sharp_corner_near(faces_[b], point, reach_, near)) {
         Junction junction{point, {}};
         join(junction, a);
         if (join(junction, b)) junctions.push_back(std::move(junction));
@@ -139,12 +140,13 @@ class Finding {
   }
 
   const std::vector<CellFace>& faces_;
-  double reach_, near_;
+  const CellSize& size_;
+  double reach_;
 };
 
 void move_end(Point& end, const Point& before, std::size_t face, const std::vector<CellFace>& faces,
-              double size) {
-  const double reach = kTheSamePoint * size;
+              const CellSize& sizes) {
+  const double reach = kTheSamePoint * sizes.least(), size = sizes.at(end);
   const Point out = unit(before, end);
   const double back = std::min(kOvershoot * size, distance_of(before, end) / 2), on = kUndershoot * size;
   const FaceLine about{
@@ -188,7 +190,7 @@ std::vector<Point> common_points(const CellFace& a, const CellFace& b, double re
   return points.all;
 }
 
-std::vector<CellFace> with_ends_on_faces(const std::vector<CellFace>& faces, double size) {
+std::vector<CellFace> with_ends_on_faces(const std::vector<CellFace>& faces, const CellSize& size) {
   std::vector<CellFace> moved = faces;
   for (std::size_t k = 0; k < faces.size(); ++k)
     if (auto* line = std::get_if<FaceLine>(&moved[k]); line != nullptr && !line->closed) {
@@ -199,7 +201,7 @@ std::vector<CellFace> with_ends_on_faces(const std::vector<CellFace>& faces, dou
   return moved;
 }
 
-std::vector<Junction> find_junctions(const std::vector<CellFace>& faces, double size) {
+std::vector<Junction> find_junctions(const std::vector<CellFace>& faces, const CellSize& size) {
   Finding finding(faces, size);
   for (std::size_t b = 0; b < faces.size(); ++b)
     for (std::size_t a = 0; a < b; ++a) finding.meet(a, b);

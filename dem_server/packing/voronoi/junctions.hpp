@@ -30,11 +30,11 @@ std::vector<geometry::Point> common_points(const CellFace& a, const CellFace& b,
 
 // The faces with the open ends of lines moved along the line to another face, if this is less than size / 4
 // beyond the end or less than size before it, and not beyond the middle of the line's last piece.
-std::vector<CellFace> with_ends_on_faces(const std::vector<CellFace>& faces, double size);
+std::vector<CellFace> with_ends_on_faces(const std::vector<CellFace>& faces, const CellSize& size);
 
 // The junctions whose faces can all be edges of cells. A branch at less than 35 degrees from one of a face
 // that is named earlier is left out; so is a junction nearer than 1.2 size to an earlier one, or to a corner
 // of its faces that turns by more than 30 degrees, and one that is left with a single face.
-std::vector<Junction> find_junctions(const std::vector<CellFace>& faces, double size);
+std::vector<Junction> find_junctions(const std::vector<CellFace>& faces, const CellSize& size);
 
 }  // namespace adit::dem

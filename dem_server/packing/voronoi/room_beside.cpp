@@ -57,22 +57,23 @@ RoomBeside::RoomBeside(const CellPacking& wanted) : faces_(wanted.faces), size_(
   for (std::size_t k = 0; k < 4; ++k) sides_.push_back({corners[k], corners[(k + 1) % 4], 0});
 }
 
-void RoomBeside::refuse_close(std::size_t face, std::size_t other) const {
-  if (!common_points(faces_[face], faces_[other], kTheSamePoint * size_).empty()) return;
+void RoomBeside::refuse_close(std::size_t face, std::size_t other, double size) const {
+  if (!common_points(faces_[face], faces_[other], kTheSamePoint * size_.least()).empty()) return;
   throw std::invalid_argument(
       fmt::format("faces {} and {} of a packing of cells are less than {:.4g} m apart, half the size of a "
                   "cell, but meet nowhere",
-                  std::min(face, other), std::max(face, other), size_ / 2));
+                  std::min(face, other), std::max(face, other), size / 2));
 }
 
 double RoomBeside::at(const Point& point, const Point& normal, std::size_t face) const {
+  const double size = size_.at(point);
   double room = std::numeric_limits<double>::infinity();
   for (const Point& ray : {normal, Point{-normal.x, -normal.y}}) {
     const auto take_from = [&](std::size_t other) {
       return [&, other](double distance, double cosine) {
-        if (distance < (other == face ? size_ / 4 : kTheSamePoint * size_)) return;
+        if (distance < (other == face ? size / 4 : kTheSamePoint * size)) return;
         if (other != face && cosine > std::cos(kLeastAngle) && cosine < kBeside) return;
-        if (distance < kClosest * size_ && cosine >= kBeside && other != face) refuse_close(face, other);
+        if (distance < kClosest * size && cosine >= kBeside && other != face) refuse_close(face, other, size);
         room = std::min(room, distance * 2 * cosine / (1 + cosine));  // twice that to the bisector
       };
     };

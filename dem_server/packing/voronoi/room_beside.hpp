@@ -27,12 +27,12 @@ class RoomBeside {
     FaceCircle circle;
     std::size_t face;
   };
-  void refuse_close(std::size_t face, std::size_t other) const;
+  void refuse_close(std::size_t face, std::size_t other, double size) const;
 
   std::vector<CellFace> faces_;
   std::vector<Piece> pieces_, sides_;
   std::vector<Circle> circles_;
-  double size_;
+  CellSize size_;
 };
 
 }  // namespace adit::dem

@@ -21,11 +21,12 @@ constexpr double kJitterOfFlatness = 0.45;  // the offset then varies alike wher
 // Where faces meet, smaller cells would not help.
 double DiscSpacing::offset(const Path::Place& place) const {
   const double of_room = kOffsetOfRoom * room_.at(place.point, place.normal, face_);
-  return of_room < kLeastOffset * size_ ? most_offset() : std::min(of_room, most_offset());
+  const double most = most_offset(place.point);
+  return of_room < 2 * kLeastOffset * most ? most : std::min(of_room, most);
 }
 
-double DiscSpacing::spacing(double offset) const {
-  return std::min(kSpacing * size_, kSpacingOfOffset * offset);
+double DiscSpacing::spacing(const Path::Place& place, double offset) const {
+  return std::min(kSpacing * size_.at(place.point), kSpacingOfOffset * offset);
 }
 
 // The number of spacings that have passed grows along the way as 1 / spacing; the places are where it passes
@@ -33,12 +34,15 @@ double DiscSpacing::spacing(double offset) const {
 std::vector<double> DiscSpacing::spread(const Path& path, const DiscSpan& span,
                                         motion::Random& random) const {
   const double length = span.to - span.from;
-  const auto steps = static_cast<std::size_t>(std::ceil(std::max(length / (kStepOfSum * size_), 1.0)));
+  const auto steps =
+      static_cast<std::size_t>(std::ceil(std::max(length / (kStepOfSum * size_.least()), 1.0)));
   const double step = length / static_cast<double>(steps);
-  std::vector<double> passed{0}, offsets;
+  std::vector<double> passed{0}, flatness;  // flatness: offset over spacing
   for (std::size_t k = 0; k < steps; ++k) {
-    offsets.push_back(offset(path.at(span.from + (static_cast<double>(k) + 0.5) * step)));
-    passed.push_back(passed.back() + step / spacing(offsets.back()));
+    const Path::Place place = path.at(span.from + (static_cast<double>(k) + 0.5) * step);
+    const double beside = offset(place), apart = spacing(place, beside);
+    flatness.push_back(beside / apart);
+    passed.push_back(passed.back() + step / apart);
   }
   const double whole = std::round(passed.back() - span.first - span.last) + 1;
   const auto count = static_cast<std::size_t>(std::max(whole, static_cast<double>(span.fewest)));
@@ -51,9 +55,9 @@ std::vector<double> DiscSpacing::spread(const Path& path, const DiscSpan& span,
   std::vector<double> places;
   for (std::size_t k = 0; k < count; ++k) {
     double number = stretch * (static_cast<double>(k) + span.first);
-    const double flat = offsets[step_at(number)], flatness = flat / spacing(flat);
+    const double flat = flatness[step_at(number)];
     const double shift =
-        stretch * std::min(kJitter, kJitterOfFlatness * flatness * flatness) * (2 * random.uniform() - 1);
+        stretch * std::min(kJitter, kJitterOfFlatness * flat * flat) * (2 * random.uniform() - 1);
     const bool fixed = (k == 0 && span.first_fixed) || (k + 1 == count && span.last_fixed);
     if (!fixed) number += shift;
     const std::size_t in = step_at(number);

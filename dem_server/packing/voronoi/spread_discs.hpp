@@ -19,21 +19,23 @@ struct DiscSpan {
 
 class DiscSpacing {
  public:
-  DiscSpacing(std::size_t face, double size, const RoomBeside& room)
+  DiscSpacing(std::size_t face, const CellSize& size, const RoomBeside& room)
       : face_(face), size_(size), room_(room) {}
 
   // Of the nuclei from the face: at most half the size, less where there is little room [m].
-  double most_offset() const { return size_ / 2; }
+  double most_offset(const geometry::Point& point) const { return size_.at(point) / 2; }
   double offset(const Path::Place& place) const;
-  // Of the discs beside which the nuclei have this offset [m].
-  double spacing(double offset) const;
+  // Of the discs there [m].
+  double spacing(const Path::Place& place) const { return spacing(place, offset(place)); }
 
   // Places along the path in the span, a spacing apart, each moved at random unless it is fixed.
   std::vector<double> spread(const Path& path, const DiscSpan& span, motion::Random& random) const;
 
  private:
+  double spacing(const Path::Place& place, double offset) const;
+
   std::size_t face_;
-  double size_;
+  const CellSize& size_;
   const RoomBeside& room_;
 };
 

@@ -17,6 +17,7 @@ struct Quantity {
   Dimension dimension;
   std::string_view name;
   std::string_view example;
+  std::string_view unit = {};  // in which only this quantity is written, of several with the dimension
 };
 
 constexpr Quantity kQuantities[] = {
@@ -31,6 +32,7 @@ constexpr Quantity kQuantities[] = {
     {{.length = -1, .mass = 1, .time = -2}, "a pressure", "30 GPa"},
     {{.length = 2, .mass = 1, .time = -2}, "an energy", "5 kJ"},
     {{.mass = 1, .time = -2}, "a stiffness", "30 GN/m"},
+    {{.mass = 1, .time = -2}, "an energy per area", "100 J/m^2", "J/m^2"},
     {{.length = -3, .mass = 1}, "a density", "2.5 t/m^3"},
     {{.time = -1}, "a frequency", "50 Hz"},
     {{.length = 1, .time = -1}, "a velocity", "20 mm/s"},
@@ -41,6 +43,11 @@ constexpr Quantity kQuantities[] = {
 const Quantity* find_quantity(const Dimension& dimension) {
   const auto* found = std::ranges::find(kQuantities, dimension, &Quantity::dimension);
   return found == std::end(kQuantities) ? nullptr : found;
+}
+
+const Quantity* find_quantity(std::string_view si_unit) {
+  const auto* found = std::ranges::find(kQuantities, si_unit, &Quantity::unit);
+  return found == std::end(kQuantities) ? find_quantity(parse_unit(si_unit).dimension) : found;
 }
 
 constexpr bool is_digit(char c) {
@@ -134,13 +141,13 @@ double parse_quantity(std::string_view text, std::string_view si_unit) {
 
 std::string quantity_name(std::string_view si_unit) {
   if (si_unit.empty()) return "a pure number";
-  const Quantity* quantity = find_quantity(parse_unit(si_unit).dimension);
+  const Quantity* quantity = find_quantity(si_unit);
   return quantity ? std::string(quantity->name) : "a quantity in " + std::string(si_unit);
 }
 
 std::string quantity_example(std::string_view si_unit) {
   if (si_unit.empty()) return "0.25";
-  const Quantity* quantity = find_quantity(parse_unit(si_unit).dimension);
+  const Quantity* quantity = find_quantity(si_unit);
   return quantity ? std::string(quantity->example) : "1 " + std::string(si_unit);
 }
 

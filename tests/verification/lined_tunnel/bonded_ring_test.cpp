@@ -196,13 +196,24 @@ TEST(BondedRing, IsTheAnnulusAndDiffersFromBeamsAsTheoryDoes) {
   expect_differences_of_theories(bonded, beams);
 }
 
+void expect_annulus(const scene::Scene& scene) {
+  Settled settled(scene);
+  const RingForces found = harmonics(piece_named(settled.stepper.snapshots()[1], "sections"));
+  expect_near(found, annulus().forces(), 0.02);
+  expect_ovaling(settled, 0.02);
+}
+
 TEST(BondedRing, OfThreeAndFourRowsOfCellsIsTheAnnulus) {
-  for (const double rows : {3, 4}) {
-    Settled settled(scene_of_cells(rows));
-    const RingForces found = harmonics(piece_named(settled.stepper.snapshots()[1], "sections"));
-    expect_near(found, annulus().forces(), 0.02);
-    expect_ovaling(settled, 0.02);
-  }
+  for (const double rows : {3, 4}) expect_annulus(scene_of_cells(rows));
+}
+
+// In ground whose cells grow to twice the size of the lining's.
+TEST(BondedRing, InCoarserGroundIsTheAnnulus) {
+  scene::Scene scene = scene_of_cells(2);
+  scene::FinerCells& finer = *scene.mutable_particles()->mutable_cells()->add_finer();
+  *finer.mutable_where() = scene.particles().groups(0).where();
+  finer.set_size(kThickness / 4);
+  expect_annulus(scene);
 }
 
 }  // namespace

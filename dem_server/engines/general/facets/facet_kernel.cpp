@@ -105,11 +105,10 @@ ADIT_VECTOR_CLONES void find_jumps(std::uint32_t begin, std::uint32_t count, con
   double *jump_n = &work.jump_n[begin], *jump_t = &work.jump_t[begin], *turn = &work.turn[begin],
          *nx = &work.nx[begin], *ny = &work.ny[begin], *cosine = &work.cosine[begin],
          *spread_1 = &work.spread_1[begin], *spread_2 = &work.spread_2[begin];
-#pragma GCC ivdep
-  for (std::uint32_t k = 0; k < count; ++k) {
-    FacetMotion m =
-        motion_of(rest_nx[k], rest_ny[k], half[k], skew[k],
-                  {of.dx[k], of.dy[k], of.sine_1[k], of.versine_1[k], of.sine_2[k], of.versine_2[k]});
+  const auto turns_at = [&](std::uint32_t k) __attribute__((always_inline)) {
+    return Turns{of.dx[k], of.dy[k], of.sine_1[k], of.versine_1[k], of.sine_2[k], of.versine_2[k]};
+  };
+  const auto keep = [&](std::uint32_t k, FacetMotion m) __attribute__((always_inline)) {
     if constexpr (!kPlain) {
       m.jump_n -= start_n[k];
       m.jump_t -= start_t[k];
@@ -124,7 +123,19 @@ ADIT_VECTOR_CLONES void find_jumps(std::uint32_t begin, std::uint32_t count, con
     const auto [first, second] = spread_of(length[k], skew[k], m.jump_n, m.jump_t);
     spread_1[k] = kPlain ? first : share_1[k] * first;
     spread_2[k] = kPlain ? second : share_2[k] * second;
+  };
+  std::int64_t far = 0;
+#pragma GCC ivdep
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const Turns turns = turns_at(k);
+    const double square = square_of_sum(turns);
+    far |= static_cast<std::int64_t>(is_far_turned(square));
+    keep(k, motion_of(rest_nx[k], rest_ny[k], half[k], skew[k], turns, square, inverse_if_near(square)));
   }
+  if (far == 0) return;
+  for (std::uint32_t k = 0; k < count; ++k)
+    if (const Turns turns = turns_at(k); is_far_turned(square_of_sum(turns)))
+      keep(k, motion_of(rest_nx[k], rest_ny[k], half[k], skew[k], turns));
 }
 
 inline constexpr double kBeyond = 1 + 1e-12;  // rounding of a traction that was scaled back

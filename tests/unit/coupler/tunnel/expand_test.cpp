@@ -105,6 +105,23 @@ TEST(ExpandTunnels, ALiningOfCells) {
   EXPECT_NEAR(lining, pi * (3.5 * 3.5 - 3 * 3), 1e-9);
 }
 
+// Requirement: the ground's cells may be larger than the lining's.
+TEST(ExpandTunnels, LargerCellsInTheGround) {
+  const auto wanted = test::replaced(test::circular(), "radius: 0.05", "size: 0.12 ground_size: 0.4");
+  const auto cells = particles_of(wanted).cells();
+  EXPECT_EQ(cells.size(), 0.4);
+  ASSERT_EQ(cells.finer_size(), 1);
+  EXPECT_EQ(cells.finer(0).size(), 0.12);
+  EXPECT_EQ(cells.finer(0).where().annulus().inner_radius(), 3);
+  EXPECT_EQ(cells.finer(0).where().annulus().outer_radius(), 3.5);
+  const auto number = [](const std::string& tunnel) {
+    return dem::read_model(expand_tunnels(test::scene_with({tunnel})).scene).discs.size();
+  };
+  EXPECT_LT(2 * number(wanted), number(test::replaced(test::circular(), "radius: 0.05", "size: 0.12")));
+  expect_refused(test::replaced(test::circular(), "radius: 0.05", "radius: 0.05 ground_size: 0.4"),
+                 "tunnels[0].particles.ground_size", "is of cells, but `radius` asks for discs; give `size`");
+}
+
 // Requirement: the overlap ends where the particles end, and leaves ground between itself and the lining.
 TEST(ExpandTunnels, TheOverlapLiesInTheOuterGround) {
   const Expansion expansion = expand_tunnels(test::scene_with({test::circular()}));

@@ -62,7 +62,8 @@ void set_lining(Annulus& annulus, double thickness) {
 INSTANTIATE_TEST_SUITE_P(
     OfFracture, CellErrors,
     testing::Values(
-        Case{"NoEnergy", "material.fracture.fracture_energy", "is 0 N/m, expected a stiffness above 0 N/m",
+        Case{"NoEnergy", "material.fracture.fracture_energy",
+             "is 0 J/m^2, expected an energy per area above 0 J/m^2",
              [](auto& s) { fracture(s).set_fracture_energy(0); }},
         Case{"NoTension", "material.fracture.tensile_strength", "is 0 Pa, expected a pressure above 0 Pa",
              [](auto& s) { fracture(s).set_tensile_strength(0); }},
@@ -110,6 +111,28 @@ INSTANTIATE_TEST_SUITE_P(
              [](auto& s) { set_lining(*add_group(s).mutable_where()->mutable_annulus(), 0.15); }},
         Case{"TooMany", "particles.cells.size", "can be computed on this machine",
              [](auto& s) { s.mutable_particles()->mutable_cells()->set_size(1e-7); }},
+        Case{"FinerIsCoarser", "particles.cells.finer[0].size",
+             "is 0.2 m, but the other cells have 0.1 m; give less",
+             [](auto& s) {
+               auto& finer = *s.mutable_particles()->mutable_cells()->add_finer();
+               finer.mutable_where()->set_x_min(1);
+               finer.set_size(0.2);
+             }},
+        Case{"FinerGroup", "particles.cells.finer[0].where.group", "state the place by shapes",
+             [](auto& s) {
+               auto& finer = *s.mutable_particles()->mutable_cells()->add_finer();
+               finer.mutable_where()->set_group("part");
+               finer.set_size(0.05);
+             }},
+        Case{"ThinPartOfALining", "particles.cells.size",
+             "more than half of the thickness of the ring, 0.15 m",
+             [](auto& s) {
+               auto& finer = *s.mutable_particles()->mutable_cells()->add_finer();
+               finer.mutable_where()->set_x_min(1.2);
+               finer.set_size(0.05);
+               set_lining(*s.mutable_particles()->mutable_ring(), 0.15);
+               s.mutable_particles()->mutable_ring()->set_segments(1);
+             }},
         Case{"CrossedOutline", "particles.groups[0].where.polygon.corners",
              "names a corner twice, or sides that cross",
              [](auto& s) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <functional>
@@ -169,6 +170,86 @@ TEST(CellPoints, NoRoomIsLeft) {
     }
 }
 
+// The length of the facets that lie on the line between two points.
+double length_on(const VoronoiCells& cells, const Point& a, const Point& b, double size) {
+  const double length = std::hypot(b.x - a.x, b.y - a.y);
+  const Point along{(b.x - a.x) / length, (b.y - a.y) / length};
+  double sum = 0;
+  for (const Facet& f : cells.facets) {
+    const auto aside = [&](double x, double y) {
+      return std::abs(along.x * (y - a.y) - along.y * (x - a.x));
+    };
+    const auto place = [&](double x, double y) {
+      return std::clamp(along.x * (x - a.x) + along.y * (y - a.y), 0.0, length);
+    };
+    if (std::max(aside(f.x_1, f.y_1), aside(f.x_2, f.y_2)) < 1e-9 * size)
+      sum += std::abs(place(f.x_2, f.y_2) - place(f.x_1, f.y_1));
+  }
+  return sum;
+}
+
+// Smaller cells in a ring, from which sizes grow to four times as much.
+CellPacking graded(double fine, double coarse, std::vector<CellFace> faces, std::uint64_t seed) {
+  const auto from_ring = [](const Point& p) { return std::abs(std::hypot(p.x, p.y) - 2.85) - 0.15; };
+  return {kBox, CellSize(coarse, {{from_ring, fine}}), std::move(faces), seed};
+}
+
+// In the ring, as far from it as cells have their largest size, and between, as many cells lie as the size of
+// each place asks for; and neighbours are alike.
+TEST(CellPoints, SizesGrowFromPlaceToPlace) {
+  constexpr int kRings = 4;
+  const auto ring_of = [](const Point& p) {
+    const double distance = std::abs(std::hypot(p.x, p.y) - 2.85) - 0.15;
+    return distance < 0.02 ? 0 : distance < 0.5 ? 1 : distance < 1.2 ? 2 : 3;
+  };
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const CellPacking wanted = graded(0.1, 0.4, {FaceCircle{{0, 0}, 2.7}, FaceCircle{{0, 0}, 3}}, seed);
+    const auto cells = cells_of(wanted);
+    std::array<double, kRings> found{}, asked{};
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const double size = wanted.size.at({cells.x[i], cells.y[i]});
+      const auto ring = static_cast<std::size_t>(ring_of({cells.x[i], cells.y[i]}));
+      found[ring] += cells.area[i];
+      asked[ring] += std::numbers::sqrt3 / 2 * size * size;
+    }
+    for (std::size_t ring = 0; ring < kRings; ++ring)
+      EXPECT_NEAR(found[ring], asked[ring], 0.06 * asked[ring]) << ring;
+    for (const Facet& f : cells.facets)
+      EXPECT_LT(std::abs(std::log(cells.area[f.first] / cells.area[f.second])), std::log(4.5));
+  }
+}
+
+// Faces are exact where sizes change along them, at their crossings and at the sides of the box.
+TEST(CellPoints, FacesAcrossSizesAreExact) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const geometry::Loop block{{-3.6, -3.4}, {3.5, -3.4}, {3.5, -0.7}, {-3.6, -0.7}};
+    const auto cells = cells_of(graded(0.1, 0.4,
+                                       {FaceCircle{{0, 0}, 2.7}, FaceCircle{{0, 0}, 3},
+                                        FaceLine{{{-3.8, -0.1}, {3.8, 1.9}}}, FaceLine{block, true}},
+                                       seed));
+    EXPECT_NEAR(area_in_circle(cells, 2.7), 2.7 * 2.7 * kPi, 1e-11) << seed;
+    EXPECT_NEAR(area_in_circle(cells, 3), 9 * kPi, 1e-11) << seed;
+    EXPECT_NEAR(area_in_loop(cells, block), 7.1 * 2.7, 1e-9) << seed;
+    EXPECT_NEAR(length_on(cells, {-3.7, -0.1 + 0.1 * 2 / 7.6}, {3.7, 1.9 - 0.1 * 2 / 7.6}, 0.1),
+                std::hypot(7.4, 7.4 * 2 / 7.6), 1e-9)
+        << seed;
+  }
+}
+
+// A finer place that reaches the sides is as fine there, and nuclei keep a quarter of the size from them.
+TEST(CellPoints, FinerPlacesMayReachTheSides) {
+  const auto right_half = [](const Point& p) { return -p.x; };
+  const CellPacking wanted{kBox, CellSize(0.5, {{right_half, 0.1}}), {}, 3};
+  const auto points = pack_cells(wanted);
+  double right = 0;
+  for (const Point& p : points) {
+    const double from_sides = 4 - std::max(std::abs(p.x), std::abs(p.y));
+    EXPECT_GE(from_sides, (1 - 1e-9) * wanted.size.at(p) / 4);
+    if (p.x > 0) ++right;
+  }
+  EXPECT_NEAR(32 / right, std::numbers::sqrt3 / 2 * 0.01, 0.02 * 0.01);
+}
+
 // The same seed gives the same nuclei, another seed others.
 TEST(CellPoints, DependOnTheSeedAlone) {
   CellPacking wanted{kBox, 0.2, {FaceCircle{{0, 0}, 3}}, 1};
@@ -201,24 +282,6 @@ TEST(CellPoints, FacesMayMeet) {
     wanted.faces.push_back(FaceLine{{{-2.98, 0}, {-2.98, 3}}});  // grazes the first circle
     EXPECT_GT(least_distance(pack_cells(wanted)), 0.015);
   }
-}
-
-// The length of the facets that lie on the line between two points.
-double length_on(const VoronoiCells& cells, const Point& a, const Point& b, double size) {
-  const double length = std::hypot(b.x - a.x, b.y - a.y);
-  const Point along{(b.x - a.x) / length, (b.y - a.y) / length};
-  double sum = 0;
-  for (const Facet& f : cells.facets) {
-    const auto aside = [&](double x, double y) {
-      return std::abs(along.x * (y - a.y) - along.y * (x - a.x));
-    };
-    const auto place = [&](double x, double y) {
-      return std::clamp(along.x * (x - a.x) + along.y * (y - a.y), 0.0, length);
-    };
-    if (std::max(aside(f.x_1, f.y_1), aside(f.x_2, f.y_2)) < 1e-9 * size)
-      sum += std::abs(place(f.x_2, f.y_2) - place(f.x_1, f.y_1));
-  }
-  return sum;
 }
 
 // The largest sum over a cell's facets of length / distance of the nuclei, over its area, in hexagonal cells:

@@ -64,8 +64,14 @@ class UniformStrain : public testing::TestWithParam<Case> {};
 // Facets carry the solid's stress times their normal, away from the border, and cells are in balance.
 TEST_P(UniformStrain, GivesTheStressOfTheSolid) {
   const auto [nu, plane] = GetParam();
-  for (const std::uint64_t seed : {1, 2, 3}) {
-    Model model = read_model(block_of_cells(1, 1, 0.1, nu, plane, seed));
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    auto scene = block_of_cells(1, 1, 0.1, nu, plane, seed);
+    if (seed == 4) {  // sizes that differ
+      auto& finer = *scene.mutable_particles()->mutable_cells()->add_finer();
+      finer.mutable_where()->set_x_max(0.2);
+      finer.set_size(0.03);
+    }
+    Model model = read_model(scene);
     renumber(model);
     const Strain strain{3e-9, -1e-9, 2e-9};
     Particles p = strained(model, strain);
