@@ -145,7 +145,7 @@ def _lining(row):
 
 
 def _region(row):
-    grains = {"size": 0.2} if row["particles"] == "cells" else {"radius": 0.08}
+    grains = {"size": 0.2, "ground_size": 0.3} if row["particles"] == "cells" else {"radius": 0.08}
     region = {**grains, "ground": 0.9, "overlap": 0.5, "bonds": {}}
     if row["ground"] == "stated":
         region["material"] = {**ROCK, "young_modulus": 1.02e9}

@@ -90,10 +90,15 @@ ADIT_VECTOR_CLONES void look_up(const std::uint32_t* first, const std::uint32_t*
   look_up_four(k, last_first.data(), last_second.data());
 }
 
+// A / h (r . De) of facets for both of their cells.
+struct SpreadColumns {
+  alignas(64) Column first, second;
+};
+
 // Of the places begin … begin + count - 1.
 template <bool kPlain>
 ADIT_VECTOR_CLONES void find_jumps(std::uint32_t begin, std::uint32_t count, const TurnColumns& of,
-                                   const FacetPatch& patch, FacetWork& work) {
+                                   const FacetPatch& patch, FacetWork& work, SpreadColumns& spreads) {
   const double *rest_nx = &patch.nx[begin], *rest_ny = &patch.ny[begin], *half = &patch.half_distance[begin],
                *skew = &patch.skew[begin], *length = &patch.length[begin];
   const auto column = [begin](const std::vector<double>& values) {
@@ -103,8 +108,7 @@ ADIT_VECTOR_CLONES void find_jumps(std::uint32_t begin, std::uint32_t count, con
                *start_turn = column(patch.start_turn), *share_1 = column(patch.share_1),
                *share_2 = column(patch.share_2);
   double *jump_n = &work.jump_n[begin], *jump_t = &work.jump_t[begin], *turn = &work.turn[begin],
-         *nx = &work.nx[begin], *ny = &work.ny[begin], *cosine = &work.cosine[begin],
-         *spread_1 = &work.spread_1[begin], *spread_2 = &work.spread_2[begin];
+         *nx = &work.nx[begin], *ny = &work.ny[begin], *cosine = &work.cosine[begin];
   const auto turns_at = [&](std::uint32_t k) __attribute__((always_inline)) {
     return Turns{of.dx[k], of.dy[k], of.sine_1[k], of.versine_1[k], of.sine_2[k], of.versine_2[k]};
   };
@@ -121,8 +125,8 @@ ADIT_VECTOR_CLONES void find_jumps(std::uint32_t begin, std::uint32_t count, con
     ny[k] = m.ny;
     cosine[k] = m.cosine;
     const auto [first, second] = spread_of(length[k], skew[k], m.jump_n, m.jump_t);
-    spread_1[k] = kPlain ? first : share_1[k] * first;
-    spread_2[k] = kPlain ? second : share_2[k] * second;
+    spreads.first[k] = kPlain ? first : share_1[k] * first;
+    spreads.second[k] = kPlain ? second : share_2[k] * second;
   };
   std::int64_t far = 0;
 #pragma GCC ivdep
@@ -267,10 +271,10 @@ ADIT_VECTOR_CLONES void add_to_cells(const FacetChunk& f, const ActionColumns& a
 }
 
 void add_spreads(std::size_t count, const std::uint32_t* first, const std::uint32_t* second,
-                 const double* spread_1, const double* spread_2, double* as_first, double* as_second) {
+                 const SpreadColumns& spreads, double* as_first, double* as_second) {
   for (std::size_t k = 0; k < count; ++k) {
-    as_first[first[k]] += spread_1[k];
-    as_second[second[k]] += spread_2[k];
+    as_first[first[k]] += spreads.first[k];
+    as_second[second[k]] += spreads.second[k];
   }
 }
 
@@ -292,38 +296,38 @@ class PatchStep {
     const auto grow = [](auto& values, std::size_t size) {
       if (values.size() < size) values.resize(size);
     };
-    for (auto* column : {&work.jump_n, &work.jump_t, &work.turn, &work.nx, &work.ny, &work.cosine,
-                         &work.spread_1, &work.spread_2})
+    for (auto* column : {&work.jump_n, &work.jump_t, &work.turn, &work.nx, &work.ny, &work.cosine})
       grow(*column, patch.size());
     for (auto* column : {&work.as_first, &work.as_second, &work.pressure, &work.released})
       grow(*column, patch.places());
     grow(work.cells, patch.places());
   }
 
+  // And what they give the areas of cells.
   void find_jumps(std::span<const double> ux, std::span<const double> uy) const {
     const double *sine = set_.sine.data(), *versine = set_.versine.data();
     look_up_cells(patch_.begin, patch_.cells, ux.data(), uy.data(), sine, versine, work_.cells.data());
     FacetWork::CellMotion* reached = &work_.cells[kBlock];
     for (const std::uint32_t i : patch_.reached) *reached++ = {ux[i], uy[i], sine[i], versine[i]};
+    for (auto* of_cells : {&work_.as_first, &work_.as_second, &work_.released})
+      std::fill_n(of_cells->begin(), patch_.places(), 0.0);
     TurnColumns turns;
+    SpreadColumns spreads;
     const auto find = patch_.plain ? dem::find_jumps<true> : dem::find_jumps<false>;
     for (std::uint32_t at = 0; at < patch_.size(); at += kAtATime) {
       const std::uint32_t count = count_at(at, patch_.size());
-      look_up(&patch_.first[at], &patch_.second[at], count, work_.cells.data(), turns);
-      find(at, count, turns, patch_, work_);
+      const std::uint32_t *first = &patch_.first[at], *second = &patch_.second[at];
+      look_up(first, second, count, work_.cells.data(), turns);
+      find(at, count, turns, patch_, work_, spreads);
+      if (set_.any_worn) spread_worn(at, count, spreads);
+      add_spreads(count, first, second, spreads, work_.as_first.data(), work_.as_second.data());
     }
-    if (set_.any_worn) spread_worn();
   }
 
   // Of the cells whose facets the patch has all: those of the block and their neighbours.
   void find_pressures() const {
-    const std::size_t cells = patch_.places();
-    double *as_first = work_.as_first.data(), *as_second = work_.as_second.data();
-    std::fill_n(as_first, cells, 0.0);
-    std::fill_n(as_second, cells, 0.0);
-    add_spreads(patch_.size(), patch_.first.data(), patch_.second.data(), work_.spread_1.data(),
-                work_.spread_2.data(), as_first, as_second);
-    scale_sums(cells, patch_.bulk.data(), as_first, as_second, work_.pressure.data());
+    scale_sums(patch_.places(), patch_.bulk.data(), work_.as_first.data(), work_.as_second.data(),
+               work_.pressure.data());
     if (set_.any_worn) release();
     std::copy_n(work_.pressure.begin(), patch_.cells, set_.pressure_now.begin() + patch_.begin);
   }
@@ -397,26 +401,21 @@ class PatchStep {
 
   // Spreads of the facets that are worn, of which a copy takes the step: it is taken again once the cells'
   // areas are known.
-  void spread_worn() const {
-    std::fill_n(work_.released.begin(), patch_.places(), 0.0);
-    const auto spread = [&](std::uint32_t place, WornFacet worn) {
-      const WornStep step(worn.facet, motion_at(place), set_);
+  void spread_worn(std::uint32_t begin, std::uint32_t count, SpreadColumns& spreads) const {
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const std::uint32_t place = begin + k, facet = patch_.facets[place];
+      const WornFacet* before = set_.worn_facet(facet);
+      if (!before) continue;
+      WornFacet worn = *before;
+      const WornStep step(facet, motion_at(place), set_);
       step.find(worn);
       const auto [first, second] = step.spread(worn);
-      work_.spread_1[place] = first;
-      work_.spread_2[place] = second;
+      spreads.first[k] = first;
+      spreads.second[k] = second;
       const auto [released_1, released_2] = step.released(worn);
       work_.released[patch_.first[place]] += released_1;
       work_.released[patch_.second[place]] += released_2;
-    };
-    const auto spread_others = [&](std::uint32_t begin, std::uint32_t end) {
-      for (std::uint32_t place = begin; place < end; ++place)
-        if (const WornFacet* worn = set_.worn_facet(patch_.facets[place])) spread(place, *worn);
-    };
-    spread_others(0, patch_.own_begin);
-    for (const WornFacet& worn : worn_)
-      spread(patch_.own_begin + (worn.facet - patch_.facets[patch_.own_begin]), worn);
-    spread_others(patch_.own_end, static_cast<std::uint32_t>(patch_.size()));
+    }
   }
 
   void release() const {

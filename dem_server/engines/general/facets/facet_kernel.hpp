@@ -56,8 +56,7 @@ struct FacetWork {
   // theta, weighted [Pa].
   std::vector<double> as_first, as_second, pressure;
   std::vector<double> released;  // of worn facets: sums of s A / 2k [m^2/Pa]
-  // Of the facets: FacetMotion, and A / h (r . De) for both cells.
-  std::vector<double> jump_n, jump_t, turn, nx, ny, cosine, spread_1, spread_2;
+  std::vector<double> jump_n, jump_t, turn, nx, ny, cosine;  // of the facets: FacetMotion
 };
 
 // What the facets of a block did in a step.

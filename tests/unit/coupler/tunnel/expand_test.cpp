@@ -118,8 +118,6 @@ TEST(ExpandTunnels, LargerCellsInTheGround) {
     return dem::read_model(expand_tunnels(test::scene_with({tunnel})).scene).discs.size();
   };
   EXPECT_LT(2 * number(wanted), number(test::replaced(test::circular(), "radius: 0.05", "size: 0.12")));
-  expect_refused(test::replaced(test::circular(), "radius: 0.05", "radius: 0.05 ground_size: 0.4"),
-                 "tunnels[0].particles.ground_size", "is of cells, but `radius` asks for discs; give `size`");
 }
 
 // Requirement: the overlap ends where the particles end, and leaves ground between itself and the lining.
@@ -349,6 +347,8 @@ TEST(ExpandTunnels, WhatCannotBeBuiltIsRefused) {
                  "needs size or radius; give `size` for cells");
   expect_refused(test::replaced(test::circular(), "radius: 0.05", "radius: 0.05 size: 0.1"),
                  "tunnels[0].particles", "has size and radius");
+  expect_refused(test::replaced(test::circular(), "radius: 0.05", "radius: 0.05 ground_size: 0.4"),
+                 "tunnels[0].particles.ground_size", "is of cells, but `radius` asks for discs; give `size`");
   expect_refused(test::circular("segments: 3 joints: 0.1"), "tunnels[0].lining.joints",
                  "is given beside `segments`");
   scene::Scene nowhere = test::scene_with({test::circular()});
