@@ -109,11 +109,11 @@ void add_cracks(const Observable& observed, wire::Snapshot& snapshot) {
       const PlaneVector a = motion.at(crack.first, x, y), b = motion.at(crack.second, x, y);
       points.add(x, y, {(a.x + b.x) / 2, (a.y + b.y) / 2});
     }
-    path.push_back(1 + paths.number[state.size()]);
+    path.push_back(paths.number[state.size()]);
     state.push_back(static_cast<double>(crack.mode));
     opening.push_back(crack.opening);
     slip.push_back(crack.slip);
-    debonded.push_back(observed.group()[crack.first] != observed.group()[crack.second] ? 1 : 0);
+    debonded.push_back(crack.debonded ? 1 : 0);
   }
   points.end();
   add_scalars(fields, "state", state);

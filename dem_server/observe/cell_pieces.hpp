@@ -12,8 +12,8 @@ namespace adit::dem {
 void add_cells(const Observable& observed, wire::Snapshot& snapshot);
 
 // Piece "cracks", where there are any: lines over their own two ends at rest, displacement_m as the mean of
-// both cells; state (1 tensile, 2 shear), opening_m, slip_m, path (from 1, the longest first:
-// crack_paths.hpp), debonded (1: between two groups, else 0).
+// both cells; state (1 tensile, 2 shear), opening_m, slip_m, path (from 1, the longest first,
+// 0: none; crack_paths.hpp), debonded (1: between two groups, else 0).
 void add_cracks(const Observable& observed, wire::Snapshot& snapshot);
 
 }  // namespace adit::dem

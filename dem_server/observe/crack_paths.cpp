@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <compare>
-#include <numeric>
 
 #include "dem_server/observe/fragments.hpp"
 
@@ -18,14 +17,15 @@ struct End {
   auto operator<=>(const End&) const = default;
 };
 
-// Cracks of which an end of one lies at an end of the other.
+// Cracks within groups of which an end of one lies at an end of the other.
 std::vector<Pair> meeting(std::span<const ObservedCrack> cracks) {
   std::vector<End> ends;
   double reach = 0;
   for (std::uint32_t k = 0; k < cracks.size(); ++k) {
+    reach += kMeet * cracks[k].length() / static_cast<double>(cracks.size());
+    if (cracks[k].debonded) continue;
     ends.push_back({cracks[k].x_1, cracks[k].y_1, k});
     ends.push_back({cracks[k].x_2, cracks[k].y_2, k});
-    reach += kMeet * cracks[k].length() / static_cast<double>(cracks.size());
   }
   std::ranges::sort(ends);
   std::vector<Pair> pairs;
@@ -59,16 +59,18 @@ void add(const ObservedCrack& crack, Sums& sums) {
 CrackPaths paths_of(std::span<const ObservedCrack> cracks) {
   const Fragments found = fragments_of(cracks.size(), meeting(cracks));
   std::vector<Sums> sums(found.count());
-  for (std::size_t k = 0; k < cracks.size(); ++k) add(cracks[k], sums[found.number[k]]);
-  std::vector<std::uint32_t> order(sums.size()), place(sums.size());
-  std::iota(order.begin(), order.end(), 0u);
+  for (std::size_t k = 0; k < cracks.size(); ++k)
+    if (!cracks[k].debonded) add(cracks[k], sums[found.number[k]]);
+  std::vector<std::uint32_t> order, number(sums.size(), 0);
+  for (std::uint32_t i = 0; i < sums.size(); ++i)
+    if (sums[i].path.cracks > 0) order.push_back(i);
   std::ranges::stable_sort(order, std::greater{}, [&](std::uint32_t i) { return sums[i].path.length; });
   CrackPaths all;
   for (const std::uint32_t i : order) {
-    place[i] = static_cast<std::uint32_t>(all.paths.size());
     all.paths.push_back(sums[i].path);
+    number[i] = static_cast<std::uint32_t>(all.paths.size());
   }
-  for (const std::uint32_t i : found.number) all.number.push_back(place[i]);
+  for (const std::uint32_t i : found.number) all.number.push_back(number[i]);
   return all;
 }
 

@@ -1,5 +1,6 @@
 // Cracks between cells that meet, joined to paths. Facets of Voronoi meet at the corners of their cells, so
-// that a fracture is a path of many facets; it may branch.
+// that a fracture is a path of many facets; it may branch. Where a group has debonded from another is no
+// path: it would join the cracks that end there.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +21,7 @@ struct CrackPath {
 };
 
 struct CrackPaths {
-  std::vector<std::uint32_t> number;  // of each crack: its path, from 0
+  std::vector<std::uint32_t> number;  // of each crack: its path, from 1; 0: it has debonded
   std::vector<CrackPath> paths;       // the longest first; of equal ones that of the first crack
 };
 

@@ -283,6 +283,7 @@ double Histories::motion(const History& history, const MotionOf& of, const Parti
 
 // By their places at rest. A group has the cracks between two of its own cells.
 bool Histories::holds(const History& history, const ObservedCrack& crack, const Observable& observed) {
+  if (crack.debonded) return false;
   if (history.circle) {
     const auto [x, y] = crack.middle();
     return std::hypot(x - history.circle->x, y - history.circle->y) <= history.circle->radius;

@@ -70,6 +70,7 @@ struct ObservedCrack {
   double x_1, y_1, x_2, y_2;
   double opening, slip;
   BondState mode;
+  bool debonded = false;  // its cells are of two groups
   double length() const { return std::hypot(x_2 - x_1, y_2 - y_1); }
   PlaneVector middle() const { return {(x_1 + x_2) / 2, (y_1 + y_2) / 2}; }
 };

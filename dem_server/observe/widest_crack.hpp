@@ -1,4 +1,4 @@
-// The largest opening of any crack between cells over the times that are looked at.
+// The largest opening of any crack between cells of a group over the times that are looked at.
 #pragma once
 
 #include <span>
@@ -13,7 +13,8 @@ struct WidestCrack {
   // At times [s] that ascend.
   void take(std::span<const ObservedCrack> cracks, double now) {
     for (const ObservedCrack& crack : cracks)
-      if (crack.opening > width) *this = {crack.opening, now, crack.middle().x, crack.middle().y};
+      if (!crack.debonded && crack.opening > width)
+        *this = {crack.opening, now, crack.middle().x, crack.middle().y};
   }
 };
 

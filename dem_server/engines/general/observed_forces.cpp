@@ -85,8 +85,10 @@ std::vector<ObservedCrack> GeneralEngine::cracks() const {
   const FacetSet& set = facets.set();
   for (const auto& block : set.worn)
     for (const WornFacet& worn : block)
-      if (worn.cracked && set.laws[set.law[worn.facet]].joined)
+      if (worn.cracked && set.laws[set.law[worn.facet]].joined) {
         cracks.push_back(crack_of(worn.facet, facets, particles()));
+        cracks.back().debonded = model_.group[cracks.back().first] != model_.group[cracks.back().second];
+      }
   return cracks;
 }
 

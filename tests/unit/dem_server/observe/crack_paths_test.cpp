@@ -21,7 +21,7 @@ std::vector<ObservedCrack> fork() {
 
 TEST(CrackPaths, JoinWhatMeetsAtItsEnds) {
   const CrackPaths found = paths_of(fork());
-  EXPECT_EQ(found.number, (std::vector<std::uint32_t>{2, 0, 0, 0, 0, 1}));
+  EXPECT_EQ(found.number, (std::vector<std::uint32_t>{3, 1, 1, 1, 1, 2}));
   ASSERT_EQ(found.paths.size(), 3u);
   const CrackPath& longest = found.paths[0];
   EXPECT_EQ(longest.cracks, 4u);
@@ -56,10 +56,21 @@ TEST(CrackPaths, DoNotDependOnTheOrderOfTheCracks) {
     ASSERT_EQ(found.paths.size(), 3u);
     for (std::size_t k = 0; k < cracks.size(); ++k) {
       const bool joined = cracks[k].second >= 2 && cracks[k].second <= 5;
-      EXPECT_EQ(found.number[k] == 0, joined) << cracks[k].second;
+      EXPECT_EQ(found.number[k] == 1, joined) << cracks[k].second;
     }
     EXPECT_EQ(found.paths[0].x, 1.5);
   }
+}
+
+// Where a lining has left the ground, all around, its cracks are apart all the same.
+TEST(CrackPaths, AreNotJoinedByWhatHasDebonded) {
+  std::vector<ObservedCrack> cracks = fork();
+  cracks[2].debonded = true;  // from (2, 0) to (1, 0)
+  const CrackPaths found = paths_of(cracks);
+  EXPECT_EQ(found.number, (std::vector<std::uint32_t>{4, 1, 0, 2, 1, 3}));
+  ASSERT_EQ(found.paths.size(), 4u);
+  EXPECT_NEAR(found.paths[0].length, 1.5, 1e-8);
+  EXPECT_EQ(found.paths[0].opening, 1e-3);
 }
 
 TEST(CrackPaths, AreNoneWithoutCracks) {
