@@ -8,7 +8,9 @@
 #include <limits>
 
 #include "dem_server/model/placement/scene_checks.hpp"
+#include "dem_server/model/placement/uncovered.hpp"
 #include "dem_server/packing/voronoi/cell_points.hpp"
+#include "dem_server/packing/voronoi/face_path.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/geometry/read_shape.hpp"
 #include "protocol/text.hpp"
@@ -32,6 +34,14 @@ bool same(const CellFace& a, const CellFace& b) {
   }
   const auto &line = std::get<FaceLine>(a), &other = std::get<FaceLine>(b);
   return line.closed == other.closed && std::ranges::equal(line.corners, other.corners, equal);
+}
+
+std::string group_where(int group) {
+  return fmt::format("particles.groups[{}].where", group);
+}
+
+std::string excavation_where(int excavation) {
+  return fmt::format("particles.excavations[{}].where", excavation);
 }
 
 // The lines of a scene, each once, as far as they lie in the box. Throws UserError below the path of a line
@@ -100,6 +110,15 @@ class Faces {
     }
   }
 
+  // The parts of lines that nothing covers, and circles.
+  void add_uncovered(const std::vector<CellFace>& outlines, const std::vector<Cover>& covers) {
+    for (const CellFace& outline : outlines)
+      if (const auto* line = std::get_if<FaceLine>(&outline))
+        for (FaceLine& part : uncovered(*line, covers, kTheSamePoint * size_)) add(std::move(part));
+      else
+        add(outline);
+  }
+
   template <class Annulus>
   void add_annulus(const Annulus& annulus, const std::string& path) {
     add_circle(annulus.centre(), annulus.inner_radius(), path + ".inner_radius");
@@ -117,13 +136,39 @@ class Faces {
   std::vector<CellFace> faces_;
 };
 
+// What takes the place of a group: the groups after it, and what is excavated later than it begins.
+std::vector<Cover> covers_of(int group, const scene::Particles& particles, const geometry::BoundingBox& box) {
+  const double size = particles.cells().size(), reach = kTheSamePoint * size;
+  std::vector<Cover> covers;
+  const auto add = [&](const scene::Area& area, const std::string& path) {
+    Faces outlines(box, size);
+    outlines.add_area(area, path);
+    covers.push_back({protocol::Places(area, path, -reach), outlines.all()});
+  };
+  for (int k = group + 1; k < particles.groups_size(); ++k)
+    if (particles.groups(k).has_where()) add(particles.groups(k).where(), group_where(k));
+  for (int k = 0; k < particles.excavations_size(); ++k)
+    if (particles.excavations(k).stage() > particles.groups(group).stage())
+      add(particles.excavations(k).where(), excavation_where(k));
+  return covers;
+}
+
+// Lines end where something else takes the place of their group. What takes the place comes first: it is
+// exact where both cannot be.
+void add_groups(const scene::Particles& particles, const geometry::BoundingBox& box, Faces& faces) {
+  for (int k = particles.groups_size() - 1; k >= 0; --k) {
+    Faces outlines(box, particles.cells().size());
+    outlines.add_area(particles.groups(k).where(), group_where(k));
+    faces.add_uncovered(outlines.all(), covers_of(k, particles, box));
+  }
+}
+
 std::vector<CellFace> faces_of(const scene::Particles& particles, const geometry::BoundingBox& box) {
   Faces faces(box, particles.cells().size());
   if (particles.has_ring()) faces.add_annulus(particles.ring(), "particles.ring");
-  for (int k = 0; k < particles.groups_size(); ++k)
-    faces.add_area(particles.groups(k).where(), fmt::format("particles.groups[{}].where", k));
+  add_groups(particles, box, faces);
   for (int k = 0; k < particles.excavations_size(); ++k)
-    faces.add_area(particles.excavations(k).where(), fmt::format("particles.excavations[{}].where", k));
+    faces.add_area(particles.excavations(k).where(), excavation_where(k));
   faces.add_area(particles.within(), "particles.within");
   for (int k = 0; k < particles.joints_size(); ++k) {
     const auto& joint = particles.joints(k);
