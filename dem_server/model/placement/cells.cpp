@@ -52,6 +52,11 @@ class Faces {
 
   const std::vector<CellFace>& all() const { return faces_; }
 
+  void add(const CellFace& face) {
+    if (std::ranges::none_of(faces_, [&](const CellFace& other) { return same(face, other); }))
+      faces_.push_back(face);
+  }
+
   void add_circle(const scene::Point& centre, double radius, const std::string& path) {
     if (radius < kSmallestCircle * size_)
       throw UserError(path, fmt::format("is {} m, less than half of the size of a cell, {} m; give more, or "
@@ -110,15 +115,6 @@ class Faces {
     }
   }
 
-  // The parts of lines that nothing covers, and circles.
-  void add_uncovered(const std::vector<CellFace>& outlines, const std::vector<Cover>& covers) {
-    for (const CellFace& outline : outlines)
-      if (const auto* line = std::get_if<FaceLine>(&outline))
-        for (FaceLine& part : uncovered(*line, covers, kTheSamePoint * size_)) add(std::move(part));
-      else
-        add(outline);
-  }
-
   template <class Annulus>
   void add_annulus(const Annulus& annulus, const std::string& path) {
     add_circle(annulus.centre(), annulus.inner_radius(), path + ".inner_radius");
@@ -126,11 +122,6 @@ class Faces {
   }
 
  private:
-  void add(const CellFace& face) {
-    if (std::ranges::none_of(faces_, [&](const CellFace& other) { return same(face, other); }))
-      faces_.push_back(face);
-  }
-
   geometry::BoundingBox box_;
   double size_;  // of cells
   std::vector<CellFace> faces_;
@@ -153,14 +144,26 @@ std::vector<Cover> covers_of(int group, const scene::Particles& particles, const
   return covers;
 }
 
-// Lines end where something else takes the place of their group. What takes the place comes first: it is
-// exact where both cannot be.
+// Lines end where something else takes the place of their group. What is left of them comes after whole
+// lines: where both cannot be exact, what takes the place is.
 void add_groups(const scene::Particles& particles, const geometry::BoundingBox& box, Faces& faces) {
-  for (int k = particles.groups_size() - 1; k >= 0; --k) {
-    Faces outlines(box, particles.cells().size());
+  const double size = particles.cells().size();
+  std::vector<FaceLine> remains;
+  for (int k = 0; k < particles.groups_size(); ++k) {
+    Faces outlines(box, size);
     outlines.add_area(particles.groups(k).where(), group_where(k));
-    faces.add_uncovered(outlines.all(), covers_of(k, particles, box));
+    const auto covers = covers_of(k, particles, box);
+    for (const CellFace& outline : outlines.all()) {
+      const auto* line = std::get_if<FaceLine>(&outline);
+      const auto parts =
+          line == nullptr ? std::vector<FaceLine>{} : uncovered(*line, covers, kTheSamePoint * size);
+      if (line == nullptr || (parts.size() == 1 && same(parts.front(), outline)))
+        faces.add(outline);
+      else
+        remains.insert(remains.end(), parts.begin(), parts.end());
+    }
   }
+  for (const FaceLine& line : remains) faces.add(line);
 }
 
 std::vector<CellFace> faces_of(const scene::Particles& particles, const geometry::BoundingBox& box) {
