@@ -14,7 +14,7 @@ FACTORS = {
     "plane": ["plane_strain", "plane_stress"],
     "shape": ["circle", "horseshoe", "box"],
     "particles": ["lattice", "cells"],
-    "lining": ["solid", "breakable", "segments", "bolts", "gasket", "keys", "neighbours"],
+    "lining": ["solid", "breakable", "concrete", "segments", "bolts", "gasket", "keys", "neighbours"],
     "to_ground": ["touches", "bonded"],
     "tunnels": ["one", "two"],
     "ground": ["one", "layers", "stated", "plastic", "gouge", "fault"],
@@ -58,6 +58,7 @@ def is_idle(row):
 
 ROCK = {"young_modulus": 1e9, "poisson_ratio": 0.2, "density": 2000.0}
 CONCRETE = {"young_modulus": 20e9, "poisson_ratio": 0.2, "density": 2500.0}
+CLASS = "C15"
 LOW, HIGH, WEST = -4.0, 4.0, -4.0
 APART = 6.5  # of the two tunnels
 
@@ -131,6 +132,8 @@ def _lining(row):
     kind = row["lining"]
     if kind == "breakable" and row["particles"] == "cells":
         lining["material"]["fracture"] = {"tensile_strength": 0.3e6, "fracture_energy": 20.0, "cohesion": 1e6}
+    elif kind == "concrete":
+        lining["material"] = {"concrete": CLASS, "density": 2500.0}
     elif kind == "breakable":
         lining["bonds"] = {"tensile_strength": 40e3, "shear_strength": 120e3}
     if kind in JOINTED:

@@ -9,7 +9,9 @@
 #include <numbers>
 
 #include "dem_server/model/placement/scene_checks.hpp"
+#include "dem_server/model/placement/uncovered.hpp"
 #include "dem_server/packing/voronoi/cell_points.hpp"
+#include "dem_server/packing/voronoi/face_path.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/geometry/read_shape.hpp"
 #include "protocol/geometry/selection.hpp"
@@ -36,6 +38,14 @@ bool same(const CellFace& a, const CellFace& b) {
   return line.closed == other.closed && std::ranges::equal(line.corners, other.corners, equal);
 }
 
+std::string group_where(int group) {
+  return fmt::format("particles.groups[{}].where", group);
+}
+
+std::string excavation_where(int excavation) {
+  return fmt::format("particles.excavations[{}].where", excavation);
+}
+
 // The lines of a scene, each once, as far as they lie in the box. Throws UserError below the path of a line
 // that cells cannot follow.
 class Faces {
@@ -43,6 +53,11 @@ class Faces {
   Faces(const geometry::BoundingBox& box, const CellSize& size) : box_(box), size_(size) {}
 
   const std::vector<CellFace>& all() const { return faces_; }
+
+  void add(const CellFace& face) {
+    if (std::ranges::none_of(faces_, [&](const CellFace& other) { return same(face, other); }))
+      faces_.push_back(face);
+  }
 
   void add_circle(const scene::Point& centre, double radius, const std::string& path) {
     const double size = size_.at(point_of(centre));
@@ -110,24 +125,58 @@ class Faces {
   }
 
  private:
-  void add(const CellFace& face) {
-    if (std::ranges::none_of(faces_, [&](const CellFace& other) { return same(face, other); }))
-      faces_.push_back(face);
-  }
-
   geometry::BoundingBox box_;
   const CellSize& size_;
   std::vector<CellFace> faces_;
 };
 
+// What takes the place of a group: the groups after it, and what is excavated later than it begins.
+std::vector<Cover> covers_of(int group, const scene::Particles& particles, const geometry::BoundingBox& box,
+                             const CellSize& size) {
+  const double reach = kTheSamePoint * size.least();
+  std::vector<Cover> covers;
+  const auto add = [&](const scene::Area& area, const std::string& path) {
+    Faces outlines(box, size);
+    outlines.add_area(area, path);
+    covers.push_back({protocol::Places(area, path, -reach), outlines.all()});
+  };
+  for (int k = group + 1; k < particles.groups_size(); ++k)
+    if (particles.groups(k).has_where()) add(particles.groups(k).where(), group_where(k));
+  for (int k = 0; k < particles.excavations_size(); ++k)
+    if (particles.excavations(k).stage() > particles.groups(group).stage())
+      add(particles.excavations(k).where(), excavation_where(k));
+  return covers;
+}
+
+// Lines end where something else takes the place of their group. What is left of them comes after whole
+// lines: where both cannot be exact, what takes the place is.
+void add_groups(const scene::Particles& particles, const geometry::BoundingBox& box, const CellSize& size,
+                Faces& faces) {
+  std::vector<FaceLine> remains;
+  for (int k = 0; k < particles.groups_size(); ++k) {
+    Faces outlines(box, size);
+    outlines.add_area(particles.groups(k).where(), group_where(k));
+    const auto covers = covers_of(k, particles, box, size);
+    for (const CellFace& outline : outlines.all()) {
+      const auto* line = std::get_if<FaceLine>(&outline);
+      const auto parts =
+          line == nullptr ? std::vector<FaceLine>{} : uncovered(*line, covers, kTheSamePoint * size.least());
+      if (line == nullptr || (parts.size() == 1 && same(parts.front(), outline)))
+        faces.add(outline);
+      else
+        remains.insert(remains.end(), parts.begin(), parts.end());
+    }
+  }
+  for (const FaceLine& line : remains) faces.add(line);
+}
+
 std::vector<CellFace> faces_of(const scene::Particles& particles, const geometry::BoundingBox& box,
                                const CellSize& size) {
   Faces faces(box, size);
   if (particles.has_ring()) faces.add_annulus(particles.ring(), "particles.ring");
-  for (int k = 0; k < particles.groups_size(); ++k)
-    faces.add_area(particles.groups(k).where(), fmt::format("particles.groups[{}].where", k));
+  add_groups(particles, box, size, faces);
   for (int k = 0; k < particles.excavations_size(); ++k)
-    faces.add_area(particles.excavations(k).where(), fmt::format("particles.excavations[{}].where", k));
+    faces.add_area(particles.excavations(k).where(), excavation_where(k));
   faces.add_area(particles.within(), "particles.within");
   for (int k = 0; k < particles.joints_size(); ++k) {
     const auto& joint = particles.joints(k);

@@ -1,4 +1,4 @@
-"""Measures what speed costs in accuracy: %(prog)s [cantilever|bar|longxi|qingcaosha|hzm|all]
+"""Measures what speed costs in accuracy: %(prog)s [cantilever|bar|longxi|longxi_cells|qingcaosha|hzm|all]
 
 cantilever, bar: variants of a coupled model, compared with the particles alone. longxi, qingcaosha, hzm: models of a tunnel from
 the cheapest to the finest, compared with the finest. Computes one after the other and writes runs/trade/CASE.csv (a row a
@@ -10,10 +10,10 @@ from pathlib import Path
 from adit import programs
 from adit.plots import style
 from adit.trade import front, measure, models, picture, table
-from adit.trade.tunnels import hzm, ladder, longxi, qingcaosha
+from adit.trade.tunnels import hzm, ladder, longxi, longxi_cells, qingcaosha
 from adit.trade.tunnels.picture import findings_over_cost
 
-TUNNELS = {"longxi": longxi, "qingcaosha": qingcaosha, "hzm": hzm}
+TUNNELS = {"longxi": longxi, "longxi_cells": longxi_cells, "qingcaosha": qingcaosha, "hzm": hzm}
 
 
 def study(model, out):

@@ -65,6 +65,13 @@ class Tunnels(ProgramTest):
         self.assertGreater(int(large["memory_bytes"]), int(small["memory_bytes"]))
         self.assertEqual({large[name] for name in large if name.endswith("error") and large[name]}, {"0.0"})
 
+    def test_regions_of_cells_grow_in_height_and_are_whole_before_the_offset(self):
+        low, tall = self.climb("longxi_cells").values()
+        # as many cells more as 0.866 size^2 go into 6 m of height and 64.6 m of length
+        self.assertAlmostEqual((int(tall["particles"]) - int(low["particles"])) * 0.866 * 0.386**2 / (6 * 64.6), 1, delta=0.03)
+        for row in (low, tall):
+            self.assertEqual(float(row["all"]), 0, "cracks")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -76,6 +76,11 @@ def region(length, height):
     box = {"x_min": -length, "x_max": length, "y_min": -height, "y_max": height}
     settings = [f"interface.overlap.around.box.{key}={value}" for key, value in box.items()]
     settings += [f"particles.packing.{key}={value + np.copysign(OVERLAP, value)}" for key, value in box.items()]
+    # the fault through the whole region: beyond its end the particles would be rock where the zones are gouge
+    end = f"{{x: {2 * height / np.tan(DIP)}, y: {2 * height}}}"
+    start = f"{{x: {-2 * height / np.tan(DIP)}, y: {-2 * height}}}"
+    settings += [f"particles.groups[2].where.band.{key}={at}" for key, at in (("from", start), ("to", end))]
+    settings += [f"particles.joints[0].from={start}", f"particles.joints[2].to={end}"]
     return settings + [f"particles.groups[{group}].where.{key}={np.copysign(length - 0.5, box[key])}"
                        for group in (3, 4) for key in ("x_min", "x_max")]
 

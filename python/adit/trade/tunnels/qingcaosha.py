@@ -28,6 +28,13 @@ COLUMN = [
 HINGES = "continuum.linings[0].joints=[" + ", ".join(
     f"{{angle: {angle} deg, rotational_stiffness: {NEIGHBOURS:g}}}" for angle in JOINTS) + "]"
 
+# The rungs of growing regions have discs: concrete with the strength of plain C55, and clay of the
+# right shear modulus, as discs cannot have its Poisson's ratio.
+DISCS = [
+    "tunnels[0].lining.material={young_modulus: 35.5 GPa, poisson_ratio: 0.2, density: 2.5 t/m^3, "
+    "mohr_coulomb: {cohesion: 6.5 MPa, friction_angle: 50 deg, tension: 2.74 MPa}}"]
+CLAY_OF_DISCS = "{young_modulus: 107.5 MPa, poisson_ratio: 0.2, density: 1.75 t/m^3}"
+
 QUANTITIES = [Quantity("strain", "strain of the ground [1/1000]", 1e3, ".2f"),
               Quantity("thrust", "thrust [kN]", 1e-3, ".0f"), Quantity("moment", "moment [kN m]", 1e-3, ".0f"),
               Quantity("largest moment", "largest moment [kN m]", 1e-3, ".0f"),
@@ -101,7 +108,8 @@ def coupled(rows, ground, settings):
     def compute(meter):
         radius = (OUTER - INNER) / (np.sqrt(3) * rows)
         run = meter.run("coupler", SECTION, "run", [
-            *settings, f"tunnels[0].particles.radius={radius:.5f} m", f"tunnels[0].particles.ground={ground} m"])
+            *settings, *DISCS, f"tunnels[0].particles={{radius: {radius:.5f} m, ground: {ground} m, overlap: 0.8 m, "
+            f"material: {CLAY_OF_DISCS}, damping: {{local: 0.02}}}}"])
         opening = max(values.max() for name, values in run.histories.items() if name.endswith("_opening_m"))
         return {"strain": free_strain(run), "opening": opening, "broken": run.summary["crack_count"],
                 "thrust": amplitude(run, "thrust_N"), "moment": amplitude(run, "moment_Nm"),
