@@ -10,7 +10,7 @@
 namespace adit::fuzz {
 
 inline const std::vector<std::string> kScenesOfGround = {"block", "ground"},
-                                      kScenesOfParticles = {"lattice", "grains", "ring"};
+                                      kScenesOfParticles = {"lattice", "grains", "ring", "cells"};
 
 // The first byte of the input chooses one of the scenes, the second is the step that follows; the rest is the
 // state, with the checksum that it has. Returns whether the participant took it and went on.
