@@ -1,6 +1,7 @@
-"""Specimens of concrete have in the laboratory the strengths that their material states."""
+"""Specimens of concrete have in the laboratory the strengths that their material states, and crack where theory says."""
 
 import csv
+import math
 import subprocess
 
 from programs import ADIT, SOURCE, ProgramTest
@@ -10,12 +11,15 @@ TENSILE, COMPRESSIVE, SLOPE = 2.5e6, 39e6, 1.698  # stated; (1 + sin 15 deg) / (
 
 
 class Laboratory(ProgramTest):
-    def test_strengths_are_those_stated(self):
-        done = subprocess.run([*ADIT, "run", CASE, "--of", "concrete", "--sizes", "10", "--seeds", "3", "--out", self.folder / "study"],
-                              capture_output=True, text=True)
+    def studied(self, of, table, *options):
+        """(rows of a table, what was printed)"""
+        done = subprocess.run([*ADIT, "run", CASE, "--of", of, *options, "--out", self.folder / "study"], capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
-        with open(self.folder / "study" / "strengths_concrete.csv", newline="") as file:
-            rows = list(csv.DictReader(file))
+        with open(self.folder / "study" / table, newline="") as file:
+            return list(csv.DictReader(file)), done.stdout
+
+    def test_strengths_are_those_stated(self):
+        rows, told = self.studied("concrete", "strengths_concrete.csv", "--sizes", "10", "--seeds", "3")
 
         def strengths(test):
             found = {row["seed"]: float(row["strength_Pa"]) for row in rows if row["test"] == test}
@@ -29,4 +33,12 @@ class Laboratory(ProgramTest):
         for strength in crushed:
             self.assertAlmostEqual(strength / COMPRESSIVE, 1, delta=0.05)
         self.assertAlmostEqual((sum(strengths("10000000.0")) - sum(crushed)) / 3 / 10e6 / SLOPE, 1, delta=0.15)
-        self.assertIn("1.698 stated", done.stdout)
+        self.assertIn("1.698 stated", told)
+
+    def test_a_crack_takes_the_path_of_fracture_mechanics(self):
+        """Within a cell in the mean over packings and orientations of the beam, and within one and a half in each."""
+        rows, _ = self.studied("mixed_mode", "mixed_mode.csv", "--sizes", "20", "--seeds", "2")
+        self.assertEqual([row["angle_deg"] for row in rows], ["0", "15", "30"] * 2)
+        found = [float(row["mean_distance_m"]) / float(row["size_m"]) for row in rows]
+        self.assertLess(math.sqrt(sum(value**2 for value in found) / len(found)), 1)
+        self.assertLess(max(found), 1.5)

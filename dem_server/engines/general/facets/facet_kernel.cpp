@@ -246,12 +246,15 @@ bool has_opened(const WornFacet& worn) {
 // A step of one that is worn; the result is told of it.
 void wear(const WornStep& step, double pressure_1, double pressure_2, const FacetSet& set, WornFacet& worn,
           FacetResult& result) {
+  const double before = worn.released();
   step.add(pressure_1, pressure_2, worn);
   if (step.parts(worn)) {
     worn.parted = true;
     result.parted.push_back(worn.facet);
   }
-  result.fracture += set.weight[worn.facet] * step.find(worn);
+  const double dissipated = step.find(worn);
+  result.fracture += set.weight[worn.facet] *
+                     (dissipated + step.uneven_energy(pressure_1, pressure_2, worn.released() - before));
   if (!cracks(worn)) return;
   worn.cracked = true;
   worn.opened = has_opened(worn);
@@ -329,7 +332,7 @@ class PatchStep {
     scale_sums(patch_.places(), patch_.bulk.data(), work_.as_first.data(), work_.as_second.data(),
                work_.pressure.data());
     if (set_.any_worn) release();
-    std::copy_n(work_.pressure.begin(), patch_.cells, set_.pressure_now.begin() + patch_.begin);
+    std::copy_n(work_.pressure.begin(), patch_.cells, set_.pressure.begin() + patch_.begin);
   }
 
   // What the facets of the block do.
@@ -419,12 +422,8 @@ class PatchStep {
   }
 
   void release() const {
-    const auto release_at = [&](std::uint32_t place, std::uint32_t cell) {
-      const double part = patch_.bulk[place] * work_.released[place];
-      if (part > 0) work_.pressure[place] = (work_.pressure[place] + part * set_.pressure[cell]) / (1 + part);
-    };
-    for (std::uint32_t place = 0; place < patch_.cells; ++place) release_at(place, patch_.begin + place);
-    for (std::uint32_t k = 0; k < patch_.reached.size(); ++k) release_at(kBlock + k, patch_.reached[k]);
+    for (std::size_t place = 0; place < patch_.places(); ++place)
+      work_.pressure[place] /= 1 + patch_.bulk[place] * work_.released[place];
   }
 
   void wear_at(const FacetChunk& chunk, std::uint32_t k, WornFacet& worn, ActionColumns& actions,

@@ -23,13 +23,13 @@
 //
 // The strength sees k D with that traction and the one at rest, as if the jump were larger by them over k.
 // The elastic jump of a facet beyond its strength is what it then bears, less what was added, over k: an open
-// facet turns into a free face by itself. It takes the additions by the pressures p' of the step before. With
-// s, the share of an addition that a facet does not bear, p would be
-//   q_i = bulk_i (S_i - sum_f s A / 4k (p'_i + p'_j)),
-// which grows from step to step where lambda > E' / 2 and all facets of some cells are open. As neighbours
-// mostly swell alike, both parts are taken at once as those of the cell's own pressure:
-//   p_i = (q_i + g_i p'_i) / (1 + g_i),     g_i = bulk_i sum_f s A / 2k.
-// Differences between neighbours then fade from step to step, and what does not change is the same.
+// facet turns into a free face by itself. Of an addition, an open point bears as much as is whole of it, and
+// a closed one all; with s, the share that a facet does not bear, and De without it,
+//   p_i = bulk_i S_i / (1 + g_i),     g_i = bulk_i sum_f s A / 2k,
+// where each cell takes for the part of others in the addition that of its own, as at a free face: neighbours
+// mostly swell alike. These are the gradient of sum p^2 (1 + g) / (2 bulk), so that cells with worn facets
+// make no energy. (The pressures of the step before in the place of p_j would be late by g steps, and a force
+// that is late drives what vibrates.)
 //
 // A cracked facet whose faces have moved past each other by half of its length, or as far apart, has parted:
 // it bears nothing any more, and its cells touch as discs do.

@@ -29,6 +29,15 @@ struct WornFacet {
     double lost_n = 0, lost_t = 0;  // jump that is not elastic [m]
   };
   std::array<End, 2> ends{};  // towards the left of n, towards the right
+
+  // s, the share that it does not bear of what the cells' pressures add: a closed point bears all, an open
+  // one as much as is whole of it.
+  double released() const {
+    if (parted) return 1;
+    double share = 0;
+    for (const End& end : ends) share += end.normal < 0 ? 0 : 0.5 * (1 - end.point.whole);
+    return share;
+  }
 };
 
 struct FacetSet {
@@ -52,8 +61,8 @@ struct FacetSet {
 
   // Of each cell: its turn since rest [rad], sin and 1 - cos of it; what a sum of its facets' spreads
   // (facet_kernel.hpp) gives of pressure, weighted [Pa/m^2], 0 where there is none of it; that pressure at
-  // the last step, and what this step finds while others still read it [Pa].
-  std::vector<double> turn, sine, versine, bulk, pressure, pressure_now;
+  // the last step [Pa].
+  std::vector<double> turn, sine, versine, bulk, pressure;
 
   std::size_t size() const { return first.size(); }
   std::size_t cells() const { return turn.size(); }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "dem_server/engines/general/facets/worn_step.hpp"
 #include "dem_server/laws/pair_kinematics.hpp"
 #include "dem_server/model/model.hpp"
 
@@ -64,7 +65,7 @@ FacetSet facets_of(const Model& model) {
   }
   if (set.size() == 0) return set;
   for (auto* column : {&set.start_n, &set.start_t, &set.start_turn}) column->assign(set.size(), 0.0);
-  for (auto* column : {&set.turn, &set.sine, &set.versine, &set.pressure, &set.pressure_now})
+  for (auto* column : {&set.turn, &set.sine, &set.versine, &set.pressure})
     column->assign(model.discs.size(), 0.0);
   set.worn.resize(blocks_of(set.cells()));
   set.worn_place.assign(set.size(), 0);
@@ -131,7 +132,6 @@ void Facets::add_forces(std::uint32_t block, std::size_t thread, bool relax, con
 void Facets::end_step() {
   cracked_.clear();
   internal_force_ = 0;
-  set_.pressure.swap(set_.pressure_now);
   for (std::uint32_t block = 0; block < results_.size(); ++block) {
     FacetResult& result = results_[block];
     set_.set_worn(block, std::move(result.worn));
@@ -253,6 +253,9 @@ double Facets::strain_energy(const Particles& p) const {
     const double n = half * (left.normal + right.normal) - worn->added_n / set_.stiffness[k],
                  t = half * (left.shear + right.shear) - worn->added_t / set_.stiffness[k];
     add(k, n, t, std::hypot(dn, dt), of_points);
+    const WornStep step(k, motion_of(k, p.ux, p.uy, set_), set_);
+    sum += set_.weight[k] *
+           step.uneven_energy(set_.pressure[set_.first[k]], set_.pressure[set_.second[k]], worn->released());
   }
   for (std::uint32_t i = 0; i < set_.cells(); ++i)
     if (set_.bulk[i] > 0) sum += 0.5 * set_.pressure[i] * set_.pressure[i] / set_.bulk[i];

@@ -58,23 +58,26 @@ class WornStep {
     return dissipated;
   }
 
-  // As far as it is elastic, of tractions that are known.
+  // As far as it is elastic, of tractions that are known, without what it does not bear of what is added.
   Spread spread(const WornFacet& worn) const {
-    const double n = 0.5 * (worn.ends[0].normal + worn.ends[1].normal) - worn.added_n,
+    const double bears = 1 - worn.released();
+    const double n = 0.5 * (worn.ends[0].normal + worn.ends[1].normal) - set_.rest_n[k_] -
+                     bears * (worn.added_n - set_.rest_n[k_]),
                  t = 0.5 * (worn.ends[0].shear + worn.ends[1].shear) - worn.added_t;
     const auto [first, second] = spread_of(set_.length[k_], set_.skew[k_], n / stiffness_, t / stiffness_);
     return {set_.share_1[k_] * first, set_.share_2[k_] * second};
   }
 
-  // s A / 2k for both cells. A closed point bears all of what is added, an open one as much as is whole of
-  // it.
+  // Stored by unlike pressures of the cells where this share of them is not borne (facet_kernel.hpp) [J/m].
+  double uneven_energy(double pressure_1, double pressure_2, double released) const {
+    const double difference =
+        (set_.share_1[k_] * pressure_1 - set_.share_2[k_] * pressure_2) / set_.weight[k_];
+    return set_.length[k_] * released * difference * difference / (8 * stiffness_);
+  }
+
+  // s A / 2k for both cells.
   Spread released(const WornFacet& worn) const {
-    double share = 0;
-    for (const WornFacet::End& end : worn.ends) {
-      const bool open = end.normal > 0 || end.lost_n > 0;
-      share += 0.5 * (worn.parted ? 1 : open ? 1 - end.point.whole : 0);
-    }
-    const double released = share * set_.length[k_] / (2 * stiffness_ * set_.weight[k_]);
+    const double released = worn.released() * set_.length[k_] / (2 * stiffness_ * set_.weight[k_]);
     return {set_.share_1[k_] * set_.share_1[k_] * released, set_.share_2[k_] * set_.share_2[k_] * released};
   }
 

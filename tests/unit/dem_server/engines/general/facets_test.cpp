@@ -358,5 +358,26 @@ TEST(FacetSteps, AreStableUpToTheCriticalOne) {
   }
 }
 
+// A body that is shaken to pieces, many of whose facets are half open, makes no energy by the pressures of
+// its cells; steps are long beside the time in which facets lose their strength.
+TEST(FacetSteps, MakeNoEnergyAsABodyFallsToPieces) {
+  for (const double nu : {0.2, 0.3, 0.45}) {
+    auto scene = block_of_cells(1, 0.5, 0.05, nu, scene::PLANE_STRAIN);
+    auto& fracture = *scene.mutable_material()->mutable_fracture();
+    fracture.set_tensile_strength(3e6);
+    fracture.set_fracture_energy(100);
+    fracture.set_compressive_strength(30e6);
+    Model model = read_model(scene);
+    renumber(model);
+    test::Run run(model, 0.3 * critical_step(model));
+    Particles& p = run.solver.particles();
+    for (std::size_t i = 0; i < p.size(); ++i) p.vx[i] = i % 2 == 0 ? 3 : -3;
+    const double start = kinetic(p);
+    run.steps(2000);
+    EXPECT_LT(kinetic(p), 0.8 * start);
+    EXPECT_LT(-run.solver.time_step_share(run.solver.strain_energy().sum()), 0.03 * start) << nu;
+  }
+}
+
 }  // namespace
 }  // namespace adit::dem::facets_test
