@@ -30,13 +30,13 @@ def cracks(run, time, pieces, bounds=None):
 
 
 def _told(piece):
-    inside = 0 if piece is None else int(np.sum(piece["debonded"] == 0))
-    widest = 0 if piece is None else np.max(piece["opening_m"])
-    return (count(inside, "crack") if inside else "no cracks") + (f", open by {1e3 * widest:.3g} mm at most," if widest > 0 else "")
+    within = [] if piece is None else piece["opening_m"][piece["debonded"] == 0]
+    widest = np.max(within, initial=0)
+    return (count(len(within), "crack") if len(within) else "no cracks") + (f", open by {1e3 * widest:.3g} mm at most," if widest > 0 else "")
 
 
 def _draw_cracks(axes, piece):
-    """Widest on top. Returns the handles of the legend: kinds, classes of width, the widest."""
+    """Widest on top. Returns the handles of the legend: kinds, classes of width, the widest within a group."""
     lines, state, debonded, opening = piece.points[piece.cells], piece["state"], piece["debonded"] == 1, 1e3 * piece["opening_m"]
     kinds = [(name, color, chosen) for name, color, chosen in (
         ("tensile crack", style.RED, (state == TENSILE_CRACK) & ~debonded), ("shear crack", style.BLUE, (state == SHEAR_CRACK) & ~debonded),
@@ -45,13 +45,15 @@ def _draw_cracks(axes, piece):
     for k in np.unique(width):
         for _, color, chosen in kinds:
             draw_lines(axes, lines[chosen & (width == k)], color, WIDTHS[k], zorder=4 + 0.1 * k)
-    top = int(np.argmax(opening))
+    handles = [*(Line2D([], [], color=color, lw=2, label=count(int(np.sum(chosen)), name)) for name, color, chosen in kinds),
+               *(Line2D([], [], color=style.GREY, lw=WIDTHS[k], label=_class(k)) for k in np.unique(width))]
+    if debonded.all():
+        return handles
+    top = int(np.argmax(np.where(debonded, -1, opening)))
     x, y = lines[top].mean(axis=0)
     axes.plot(x, y, "o", ms=11, mfc="none", mec=style.BLACK, mew=1.1, zorder=5)
-    return [*(Line2D([], [], color=color, lw=2, label=count(int(np.sum(chosen)), name)) for name, color, chosen in kinds),
-            *(Line2D([], [], color=style.GREY, lw=WIDTHS[k], label=_class(k)) for k in np.unique(width)),
-            Line2D([], [], ls="", marker="o", ms=9, mfc="none", mec=style.BLACK,
-                   label=f"widest: {opening[top]:.3g} mm at ({coordinate(x):z.3g}, {coordinate(y):z.3g}) m")]
+    return [*handles, Line2D([], [], ls="", marker="o", ms=9, mfc="none", mec=style.BLACK,
+                             label=f"widest: {opening[top]:.3g} mm at ({coordinate(x):z.3g}, {coordinate(y):z.3g}) m")]
 
 
 def _class(number):

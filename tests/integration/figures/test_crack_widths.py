@@ -11,6 +11,7 @@ WIDTH, HEIGHT, SIZE = 0.1, 0.2, 0.02  # [m]
 SPEED, DURATION = 0.04, 20e-3  # of the upper platen [m/s], [s]
 APART = SPEED * DURATION  # twenty times the width G_f / f_t by which the strength decays
 PLATENS = {"lower": {"y_max": 0.0}, "upper": {"y_min": HEIGHT}}
+GLUE = {"fracture": {"tensile_strength": 100e6, "fracture_energy": 1e6, "compressive_strength": 1e9}}
 SPECIMEN = {
     "plane": "plane_stress",
     "material": {"young_modulus": 30e9, "poisson_ratio": 0.2, "density": 2400.0,
@@ -18,8 +19,9 @@ SPECIMEN = {
     "time": {"duration": DURATION},
     "particles": {
         "cells": {"x_min": 0.0, "x_max": WIDTH, "y_min": -SIZE, "y_max": HEIGHT + SIZE, "size": SIZE},
-        "groups": [{"name": name, "where": where} for name, where in PLATENS.items()],
-        "motions": [{"where": where, "velocity": {"y": SPEED if name == "upper" else 0.0}} for name, where in PLATENS.items()],
+        "groups": [{"name": "body", "where": {"y_min": 0.0, "y_max": HEIGHT}}, *({"name": name, "where": where} for name, where in PLATENS.items())],
+        "between": [{"first": "body", "second": name, "bonds": GLUE} for name in PLATENS],
+        "motions": [{"where": where, "velocity": {"x": 0.0, "y": SPEED if name == "upper" else 0.0}} for name, where in PLATENS.items()],
         "damping": {"viscous": 200.0},
         "histories": [{"name": "all", "quantity": "crack_width", "at": {"x": WIDTH / 2, "y": HEIGHT / 2}, "radius": HEIGHT},
                       {"name": "upper", "quantity": "crack_width", "group": "upper"}]},
