@@ -94,6 +94,11 @@ Expansion expand_tunnels(const scene::Scene& given) {
       throw UserError(path + ".particles",
                       fmt::format("{}; give `size` for cells or `radius` for a lattice of discs",
                                   of_cells(tunnel) ? "has size and radius" : "needs size or radius"));
+    if (const double most = tunnel.lining().thickness() / 2;
+        of_cells(tunnel) && tunnel.particles().size() > most)
+      throw UserError(path + ".particles.size",
+                      fmt::format("is {} m, more than half of the lining's thickness; give at most {:.4g} m",
+                                  tunnel.particles().size(), most));
     if (!of_cells(tunnel) && tunnel.particles().has_ground_size())
       throw UserError(path + ".particles.ground_size",
                       "is of cells, but `radius` asks for discs; give `size`");

@@ -186,6 +186,10 @@ std::vector<CellFace> faces_of(const scene::Particles& particles, const geometry
   return faces.all();
 }
 
+std::string finer_path(const std::string& cells, int number) {
+  return fmt::format("{}.finer[{}]", cells, number);
+}
+
 // A lining of less than two cells would be a chain.
 template <class Annulus>
 void require_two_rows(const Annulus& lining, const CellSize& size, const std::string& what) {
@@ -210,6 +214,19 @@ void require_rows_in_linings(const scene::Particles& particles, const CellSize& 
   for (const auto& group : particles.groups())
     if (group.where().has_annulus())
       require_two_rows(group.where().annulus(), size, "the group " + protocol::quote(group.name()));
+}
+
+// A place that no cell is in or beside was not meant.
+void require_cells_in_finer(const scene::CellPacking& wanted, const VoronoiCells& cells,
+                            const std::string& path) {
+  for (int k = 0; k < wanted.finer_size(); ++k) {
+    const std::string at = finer_path(path, k) + ".where";
+    const protocol::Places places(wanted.finer(k).where(), at, 0);
+    bool any = false;
+    for (std::size_t i = 0; i < cells.size() && !any; ++i)
+      any = places.distance(cells.x[i], cells.y[i]) <= wanted.finer(k).size();
+    if (!any) protocol::refuse_empty(at, "cells");
+  }
 }
 
 // Summed over squares of the box.
@@ -246,7 +263,7 @@ CellSize size_of(const scene::CellPacking& cells, const std::string& path) {
   std::vector<FinerPlace> finer;
   for (int k = 0; k < cells.finer_size(); ++k) {
     const scene::FinerCells& wanted = cells.finer(k);
-    const std::string at = fmt::format("{}.finer[{}]", path, k);
+    const std::string at = finer_path(path, k);
     if (wanted.where().has_group())
       throw UserError(at + ".where.group",
                       "is given, but cells have no groups yet; state the place by shapes");
@@ -272,6 +289,7 @@ Placement place_cells(const scene::Particles& particles) {
   } catch (const std::invalid_argument& why) {
     throw UserError(path, why.what());
   }
+  require_cells_in_finer(wanted, cells, path);
   auto outlines = outlines_of(cells);
   Discs discs{std::move(cells.x), std::move(cells.y), std::move(cells.radius)};
   return {.discs = std::move(discs),

@@ -29,7 +29,7 @@ double most_particles() {
 void require_room_for(double particles, double radius, const std::string& path) {
   if (particles > most_particles())
     throw UserError(path, fmt::format("{} m gives {:.3g} particles, at most {:.3g} can be computed on this "
-                                      "machine; enlarge the radius",
+                                      "machine; enlarge it",
                                       radius, particles, most_particles()));
 }
 

@@ -55,7 +55,7 @@ struct FacetWork {
   // Of the cells: sums of A / h (r . De) over the facets whose first and whose second they are [m^2]; lambda
   // theta, weighted [Pa].
   std::vector<double> as_first, as_second, pressure;
-  std::vector<double> released;  // of worn facets: sums of s A / 2k [m^2/Pa]
+  std::vector<double> released;                              // of worn facets: sums of s A / 2k [m^2/Pa]
   std::vector<double> jump_n, jump_t, turn, nx, ny, cosine;  // of the facets: FacetMotion
 };
 

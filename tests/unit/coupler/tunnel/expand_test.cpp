@@ -349,6 +349,10 @@ TEST(ExpandTunnels, WhatCannotBeBuiltIsRefused) {
                  "tunnels[0].particles", "has size and radius");
   expect_refused(test::replaced(test::circular(), "radius: 0.05", "radius: 0.05 ground_size: 0.4"),
                  "tunnels[0].particles.ground_size", "is of cells, but `radius` asks for discs; give `size`");
+  expect_refused(test::replaced(test::replaced(test::circular(), "radius: 0.05", "size: 0.3"),
+                                "circle { radius: 3 }", "box { width: 6 height: 4 }"),
+                 "tunnels[0].particles.size",
+                 "is 0.3 m, more than half of the lining's thickness; give at most 0.25 m");
   expect_refused(test::circular("segments: 3 joints: 0.1"), "tunnels[0].lining.joints",
                  "is given beside `segments`");
   scene::Scene nowhere = test::scene_with({test::circular()});

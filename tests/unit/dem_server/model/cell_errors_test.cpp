@@ -118,6 +118,13 @@ INSTANTIATE_TEST_SUITE_P(
                finer.mutable_where()->set_x_min(1);
                finer.set_size(0.2);
              }},
+        Case{"FinerNowhere", "particles.cells.finer[0].where", "selects no cells; widen it",
+             [](auto& s) {
+               auto& finer = *s.mutable_particles()->mutable_cells()->add_finer();
+               finer.mutable_where()->set_x_min(1.5);
+               finer.mutable_where()->set_x_max(0.5);
+               finer.set_size(0.05);
+             }},
         Case{"FinerGroup", "particles.cells.finer[0].where.group", "state the place by shapes",
              [](auto& s) {
                auto& finer = *s.mutable_particles()->mutable_cells()->add_finer();

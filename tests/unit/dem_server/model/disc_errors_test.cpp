@@ -94,60 +94,58 @@ scene::SegmentRing& set_ring(scene::Particles& p, double inner, double outer) {
 
 INSTANTIATE_TEST_SUITE_P(
     Packing, DiscErrors,
-    testing::Values(Case{"NoParticles", "particles", "needs a scene with particles",
-                         square([](auto& s, auto&) { s.clear_particles(); })},
-                    Case{"NoPacking", "particles", "has no packings; give one of",
-                         square([](auto&, auto& p) { p.clear_square_packing(); })},
-                    Case{"TwoPackings", "particles", "has 2 packings; give one of",
-                         square([](auto&, auto& p) { p.mutable_placed()->set_path("discs.csv"); })},
-                    Case{"FlatBox", "particles.square_packing.y_max",
-                         "is 0 m, expected a length above `y_min` = 0 m",
-                         square([](auto&, auto& p) { p.mutable_square_packing()->set_y_max(0); })},
-                    Case{"NegativeRadius", "particles.square_packing.radius", "above 0",
-                         square([](auto&, auto& p) { p.mutable_square_packing()->set_radius(-1); })},
-                    Case{"TooLargeForItsBox", "particles.square_packing",
-                         "holds no particle; enlarge the box",
-                         square([](auto&, auto& p) { p.mutable_square_packing()->set_radius(3); })},
-                    Case{"TooMany", "particles.square_packing.radius", "enlarge the radius",
-                         square([](auto&, auto& p) { p.mutable_square_packing()->set_radius(1e-7); })},
-                    Case{"RandomTooMany", "particles.random_packing.radius_min", "enlarge the radius",
-                         random([](auto& r) {
-                           r.set_radius_min(1e-7);
-                           r.set_radius_max(2e-7);
-                         })},
-                    Case{"SizesExchanged", "particles.random_packing.radius_max",
-                         "is 0.01 m, expected a length of at least `radius_min` = 0.03 m",
-                         random([](auto& r) { r.set_radius_max(0.01); })},
-                    Case{"DiscsAsLargeAsTheBox", "particles.random_packing.radius_max", "at most a quarter",
-                         random([](auto& r) { r.set_radius_max(0.4); })},
-                    Case{"NoStress", "particles.random_packing.stress", "above 0",
-                         random([](auto& r) { r.set_stress(0); })},
-                    Case{"StressThatFlattens", "particles.random_packing.stress",
-                         "pressed flat; give at most", random([](auto& r) { r.set_stress(1e12); })},
-                    Case{"ImpossiblePorosity", "particles.random_packing.porosity",
-                         "choose one nearer to 0.16", random([](auto& r) { r.set_porosity(0.85); })},
-                    Case{"PorosityOfOne", "particles.random_packing.porosity", "above 0 and below 0.9",
-                         random([](auto& r) { r.set_porosity(1); })},
-                    Case{"WithinNothing", "particles.within", "selects no particles",
-                         square([](auto&, auto& p) { p.mutable_within()->set_x_min(9); })},
-                    Case{"RingOfNothing", "particles.ring", "leaves no particles",
-                         square([](auto&, auto& p) { set_ring(p, 30, 31); })},
-                    Case{"RingInsideOut", "particles.ring.outer_radius",
-                         "is 1 m, expected a length above `inner_radius` = 2 m",
-                         square([](auto&, auto& p) { set_ring(p, 2, 1); })},
-                    Case{"LiningThatSelectsItself", "particles.groups[0]",
-                         "are those of the ring; leave out `where`", square([](auto&, auto& p) {
-                           set_ring(p, 0.1, 1).set_within_ground(true);
-                           add_group(p, "lining");
-                         })},
-                    Case{"BoltBesideTheRing", "particles.ring.bolts", "within a diameter of (",
-                         square([](auto&, auto& p) {
-                           auto& bolts = *set_ring(p, 0.1, 4).mutable_bolts();
-                           bolts.set_length(50);
-                           bolts.set_stiffness(1);
-                         })},
-                    Case{"AllFloat", "particles.remove_floaters", "leaves no particles",
-                         square([](auto&, auto& p) { p.set_remove_floaters(true); })}),
+    testing::Values(
+        Case{"NoParticles", "particles", "needs a scene with particles",
+             square([](auto& s, auto&) { s.clear_particles(); })},
+        Case{"NoPacking", "particles", "has no packings; give one of",
+             square([](auto&, auto& p) { p.clear_square_packing(); })},
+        Case{"TwoPackings", "particles", "has 2 packings; give one of",
+             square([](auto&, auto& p) { p.mutable_placed()->set_path("discs.csv"); })},
+        Case{"FlatBox", "particles.square_packing.y_max", "is 0 m, expected a length above `y_min` = 0 m",
+             square([](auto&, auto& p) { p.mutable_square_packing()->set_y_max(0); })},
+        Case{"NegativeRadius", "particles.square_packing.radius", "above 0",
+             square([](auto&, auto& p) { p.mutable_square_packing()->set_radius(-1); })},
+        Case{"TooLargeForItsBox", "particles.square_packing", "holds no particle; enlarge the box",
+             square([](auto&, auto& p) { p.mutable_square_packing()->set_radius(3); })},
+        Case{"TooMany", "particles.square_packing.radius", "enlarge it",
+             square([](auto&, auto& p) { p.mutable_square_packing()->set_radius(1e-7); })},
+        Case{"RandomTooMany", "particles.random_packing.radius_min", "enlarge it", random([](auto& r) {
+               r.set_radius_min(1e-7);
+               r.set_radius_max(2e-7);
+             })},
+        Case{"SizesExchanged", "particles.random_packing.radius_max",
+             "is 0.01 m, expected a length of at least `radius_min` = 0.03 m",
+             random([](auto& r) { r.set_radius_max(0.01); })},
+        Case{"DiscsAsLargeAsTheBox", "particles.random_packing.radius_max", "at most a quarter",
+             random([](auto& r) { r.set_radius_max(0.4); })},
+        Case{"NoStress", "particles.random_packing.stress", "above 0",
+             random([](auto& r) { r.set_stress(0); })},
+        Case{"StressThatFlattens", "particles.random_packing.stress", "pressed flat; give at most",
+             random([](auto& r) { r.set_stress(1e12); })},
+        Case{"ImpossiblePorosity", "particles.random_packing.porosity", "choose one nearer to 0.16",
+             random([](auto& r) { r.set_porosity(0.85); })},
+        Case{"PorosityOfOne", "particles.random_packing.porosity", "above 0 and below 0.9",
+             random([](auto& r) { r.set_porosity(1); })},
+        Case{"WithinNothing", "particles.within", "selects no particles",
+             square([](auto&, auto& p) { p.mutable_within()->set_x_min(9); })},
+        Case{"RingOfNothing", "particles.ring", "leaves no particles",
+             square([](auto&, auto& p) { set_ring(p, 30, 31); })},
+        Case{"RingInsideOut", "particles.ring.outer_radius",
+             "is 1 m, expected a length above `inner_radius` = 2 m",
+             square([](auto&, auto& p) { set_ring(p, 2, 1); })},
+        Case{"LiningThatSelectsItself", "particles.groups[0]", "are those of the ring; leave out `where`",
+             square([](auto&, auto& p) {
+               set_ring(p, 0.1, 1).set_within_ground(true);
+               add_group(p, "lining");
+             })},
+        Case{"BoltBesideTheRing", "particles.ring.bolts", "within a diameter of (",
+             square([](auto&, auto& p) {
+               auto& bolts = *set_ring(p, 0.1, 4).mutable_bolts();
+               bolts.set_length(50);
+               bolts.set_stiffness(1);
+             })},
+        Case{"AllFloat", "particles.remove_floaters", "leaves no particles",
+             square([](auto&, auto& p) { p.set_remove_floaters(true); })}),
     adit::test::kRefusalName);
 
 INSTANTIATE_TEST_SUITE_P(

@@ -130,7 +130,7 @@ INSTANTIATE_TEST_SUITE_P(
                packing(s).set_x_max(1);
                packing(s).set_radius(0.5);
              }},
-        Case{"TooMany", "particles.packing.radius", "enlarge the radius",
+        Case{"TooMany", "particles.packing.radius", "enlarge it",
              [](auto& s) { packing(s).set_radius(1e-7); }},
         Case{"PlaneStressLimit", "material.poisson_ratio", "0.3333 in plane stress",
              [](auto& s) { s.mutable_material()->set_poisson_ratio(0.34); }},
