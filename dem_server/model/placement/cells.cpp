@@ -186,7 +186,7 @@ std::vector<CellFace> faces_of(const scene::Particles& particles, const geometry
   return faces.all();
 }
 
-std::string finer_path(const std::string& cells, int number) {
+std::string finer_path(const std::string& cells, std::size_t number) {
   return fmt::format("{}.finer[{}]", cells, number);
 }
 
@@ -217,15 +217,12 @@ void require_rows_in_linings(const scene::Particles& particles, const CellSize& 
 }
 
 // A place that no cell is in or beside was not meant.
-void require_cells_in_finer(const scene::CellPacking& wanted, const VoronoiCells& cells,
-                            const std::string& path) {
-  for (int k = 0; k < wanted.finer_size(); ++k) {
-    const std::string at = finer_path(path, k) + ".where";
-    const protocol::Places places(wanted.finer(k).where(), at, 0);
+void require_cells_in_finer(const CellSize& size, const VoronoiCells& cells, const std::string& path) {
+  for (std::size_t k = 0; k < size.finer().size(); ++k) {
+    const auto& [distance, finest] = size.finer()[k];
     bool any = false;
-    for (std::size_t i = 0; i < cells.size() && !any; ++i)
-      any = places.distance(cells.x[i], cells.y[i]) <= wanted.finer(k).size();
-    if (!any) protocol::refuse_empty(at, "cells");
+    for (std::size_t i = 0; i < cells.size() && !any; ++i) any = distance({cells.x[i], cells.y[i]}) <= finest;
+    if (!any) protocol::refuse_empty(finer_path(path, k) + ".where", "cells");
   }
 }
 
@@ -263,7 +260,7 @@ CellSize size_of(const scene::CellPacking& cells, const std::string& path) {
   std::vector<FinerPlace> finer;
   for (int k = 0; k < cells.finer_size(); ++k) {
     const scene::FinerCells& wanted = cells.finer(k);
-    const std::string at = finer_path(path, k);
+    const std::string at = finer_path(path, static_cast<std::size_t>(k));
     if (wanted.where().has_group())
       throw UserError(at + ".where.group",
                       "is given, but cells have no groups yet; state the place by shapes");
@@ -289,7 +286,7 @@ Placement place_cells(const scene::Particles& particles) {
   } catch (const std::invalid_argument& why) {
     throw UserError(path, why.what());
   }
-  require_cells_in_finer(wanted, cells, path);
+  require_cells_in_finer(size, cells, path);
   auto outlines = outlines_of(cells);
   Discs discs{std::move(cells.x), std::move(cells.y), std::move(cells.radius)};
   return {.discs = std::move(discs),

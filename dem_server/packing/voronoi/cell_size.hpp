@@ -26,6 +26,7 @@ class CellSize {
   double least_around(const geometry::Point& point, double distance) const;
   double least() const { return least_; }
   double largest() const { return largest_; }
+  const std::vector<FinerPlace>& finer() const { return finer_; }
 
  private:
   double largest_, least_ = largest_;

@@ -113,8 +113,9 @@ void Covering::size_vertices() {
       const Ray& ray = vertex.rays[k];
       const Path& path = path_of(ray);
       const DiscSpacing& spacing = spacings_[ray.face];
-      share = std::min({share, spacing.offset(path.at(ray.begins ? 0 : path.length)) / (size / 2),
-                        path.length / (kLeastOfPath * full * std::cos(beside[k]))});
+      share = std::min(
+          {share, spacing.offset(path.at(ray.begins ? 0 : path.length)) / spacing.most_offset(vertex.point),
+           path.length / (kLeastOfPath * full * std::cos(beside[k]))});
     }
     radii_.push_back(share * full);
     set_pairs(vertex, radii_.back(), beside);
