@@ -42,9 +42,17 @@ struct Grid {
   // are the same has a width all the same.
   std::vector<Corners> own_corners{};
   std::uint32_t column_points = 0;  // the last points
+  // Before them lie points that share the place of another (cut.hpp, linings with an interface): that one.
+  std::vector<std::uint32_t> double_of{};
 
   // Without the columns'.
   std::size_t own_points() const { return x.size() - column_points; }
+  // One at each place.
+  std::size_t places() const { return own_points() - double_of.size(); }
+  // The first point at the place of an own one.
+  std::uint32_t place(std::uint32_t point) const {
+    return point < places() || point >= own_points() ? point : double_of[point - places()];
+  }
   std::size_t own_zones() const { return zones.size() - own_corners.size(); }
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "fdm_server/grid/cut.hpp"
 #include "fdm_server/grid/edges.hpp"
 #include "fdm_server/output/zone_fit.hpp"
 #include "fdm_server/supports/curve.hpp"
@@ -19,7 +20,8 @@ GridSections::GridSections(const scene::Continuum& scene, const Grid& grid,
                            std::span<const std::uint32_t> zone_kinds, const DampingLaw& damping)
     : damping_(damping) {
   if (scene.sections().empty()) return;
-  const Edges edges = number_edges(grid);
+  const Grid whole = welded(grid);  // a section runs across interfaces
+  const Edges edges = number_edges(whole);
   for (int i = 0; i < scene.sections_size(); ++i) {
     const scene::GridSection& given = scene.sections(i);
     const std::string path = fmt::format("continuum.sections[{}]", i);
@@ -42,13 +44,13 @@ GridSections::GridSections(const scene::Continuum& scene, const Grid& grid,
     const auto left = [&](double x, double y) { return section.x * (y - from.y) - section.y * (x - from.x); };
 
     std::map<std::int32_t, double> places;  // of the section's points
-    for (const std::uint32_t point : trace(grid, edges, *polyline({from, to}), path).points)
+    for (const std::uint32_t point : trace(whole, edges, *polyline({from, to}), path).points)
       places.emplace(point, along(grid.x[point], grid.y[point]));
     for (std::uint32_t zone = 0; zone < grid.own_zones(); ++zone) {
       const auto [x, y] = centroid(corners(grid, zone));
       if (along(x, y) < 0 || along(x, y) > length) continue;
       for (std::size_t c = 0; c < 4; ++c)
-        if (const auto place = places.find(grid.zones[zone][c]); place != places.end()) {
+        if (const auto place = places.find(whole.zones[zone][c]); place != places.end()) {
           protocol::require(
               zone_kinds[zone] != kNoGround, path,
               fmt::format("runs beside the zone at ({:.6g}, {:.6g}) m, which is excavated; lay it through "

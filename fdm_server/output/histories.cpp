@@ -85,8 +85,8 @@ Histories::Histories(const scene::Continuum& scene, const Supports& supports, co
     const auto& history = scene.histories(i);
     const std::string path = fmt::format("continuum.histories[{}]", i);
     const bool motion = protocol::is_motion(history.quantity()), zones = is_of_zones(history.quantity()),
-               resultant = is_of_lining(history.quantity());
-    if (!motion && !zones && !resultant)
+               resultant = is_of_lining(history.quantity()), interface = is_of_interface(history.quantity());
+    if (!motion && !zones && !resultant && !interface)
       throw protocol::UserError(path + ".quantity",
                                 fmt::format("is {}, which only particles have; ask particles.histories",
                                             protocol::name_of(history.quantity())));
@@ -100,6 +100,10 @@ Histories::Histories(const scene::Continuum& scene, const Supports& supports, co
       throw protocol::UserError(path + ".at", "is missing; give the place, {x: …, y: …}");
     if (resultant) {
       probe.lining = resolve_lining_probe(history, supports, grid, path);
+      continue;
+    }
+    if (interface) {
+      probe.interface = resolve_interface_probe(history, supports, grid, path);
       continue;
     }
     const auto find = [&](const scene::Point& at, const std::string& key) {
@@ -153,7 +157,7 @@ void Histories::read(const Grid& grid, const Supports& supports, const Continuum
 
 double Histories::value(const Probe& probe, const Grid& grid, const Supports& supports,
                         const Continuum& continuum, const protocol::Step& step) const {
-  const auto& [quantity, motion, zones, tied, velocity, lining, section] = probe;
+  const auto& [quantity, motion, zones, tied, velocity, lining, section, interface] = probe;
   switch (quantity) {
     case scene::DISPLACEMENT_X:
       return at(motion, continuum.ux());
@@ -186,6 +190,11 @@ double Histories::value(const Probe& probe, const Grid& grid, const Supports& su
     case scene::SHEAR_FORCE:
       return lining ? fdm::value(*lining, supports, continuum.structures())
                     : resultant(sections_.of(continuum.zones(), section), quantity);
+    case scene::OPENING:
+    case scene::OFFSET:
+    case scene::NORMAL_STRESS:
+    case scene::SHEAR_STRESS:
+      return fdm::value(*interface, continuum.contacts());
     default:  // of the particles: refused before
       break;
   }

@@ -10,6 +10,7 @@
 #include "fdm_server/materials/damping_law.hpp"
 #include "fdm_server/output/damped_stress.hpp"
 #include "fdm_server/output/grid_sections.hpp"
+#include "fdm_server/output/interface_probe.hpp"
 #include "fdm_server/output/lining_probe.hpp"
 #include "fdm_server/output/zone_fit.hpp"
 #include "fdm_server/solver/continuum.hpp"
@@ -62,6 +63,7 @@ class Histories {
     protocol::HalfStepVelocity velocity{};  // its component
     std::optional<LiningProbe> lining{};    // of a lining's force
     std::size_t section{};                  // of a force without
+    std::optional<InterfaceProbe> interface {};
   };
   static double at(std::span<const PointShare> motion, std::span<const double> field);
   double value(const Probe& probe, const Grid& grid, const Supports& supports, const Continuum& continuum,

@@ -7,7 +7,7 @@
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/materials/damping_law.hpp"
 #include "fdm_server/materials/material.hpp"
-#include "fdm_server/structures/structures.hpp"
+#include "fdm_server/supports/supports.hpp"
 #include "fdm_server/zones/kernel/zone_kernel.hpp"
 
 namespace adit::fdm {
@@ -17,14 +17,18 @@ namespace adit::fdm {
 // element by k A over its mass, at most k / rho of the lightest ground.
 struct CriticalElement {
   double step;         // [s]
-  double static_step;  // the same in statics, where no damping acts and structures do not average
+  double static_step;  // the same in statics, where no damping acts, structures do not average and contacts
+                       // have masses of their own
   std::string name;
   std::array<double, 2> place;
 };
 
-// In time only structures that touch one of the points `known_early` count (solver/continuum.hpp).
+// In time only structures and contacts that touch one of these points count (solver/continuum.hpp).
+struct KnownEarly {
+  std::vector<bool> of_structures, of_contacts;
+};
 CriticalElement critical_element(ZoneKind kind, const Grid& grid, const Ground& ground,
-                                 const Structures& structures, const std::vector<bool>& known_early,
+                                 const Supports& supports, const KnownEarly& known_early,
                                  const DampingLaw& damping, double foundation_stiffness);
 
 // The critical step of every zone in statics [s], on such a foundation.

@@ -25,6 +25,7 @@
 #include "fdm_server/model/supports/meetings.hpp"
 #include "fdm_server/model/supports/supports.hpp"
 #include "fdm_server/participant/critical_element.hpp"
+#include "fdm_server/participant/interface_figures.hpp"
 #include "fdm_server/participant/lining_figures.hpp"
 #include "fdm_server/participant/snapshot.hpp"
 #include "fdm_server/solver/deformed_grid.hpp"
@@ -68,14 +69,14 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   require_statics_for_motions(scene_);
   grid_ = read_grid(scene_.continuum());
   setup_.ground.of_zone = materials_of_zones(scene_.continuum(), grid_);
-  const Supports supports = resolve_supports(scene_, grid_);
+  Grid grid = grid_;  // with what interfaces add
+  const Supports supports = resolve_supports(scene_, setup_.ground, {}, grid);
   damping_ = resolve_damping(scene_.continuum());
   base_acceleration_ = base_acceleration(scene_.continuum().base(), scene_.time().duration());
-  const CriticalElement critical =
-      critical_element(setup_.kind, grid_, setup_.ground, supports.structures,
-                       known_early(supports.structures, setup.alone()), damping_,
-                       foundation::largest_stiffness(scene_.continuum().foundations()) +
-                           spring_stiffness(scene_.continuum(), grid_, setup_.ground));
+  const CriticalElement critical = critical_element(
+      setup_.kind, grid, setup_.ground, supports, known_early(supports, grid, setup.alone()), damping_,
+      foundation::largest_stiffness(scene_.continuum().foundations()) +
+          spring_stiffness(scene_.continuum(), grid_, setup_.ground));
   critical_dt_ = critical.step;
   critical_static_dt_ = critical.static_step;
   if (!(critical_dt_ > 0) || !std::isfinite(critical_dt_))
@@ -94,7 +95,7 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   model.set_p_wave_speed(speeds.p);
   model.set_s_wave_speed(speeds.s);
   for (const std::string& note : base_acceleration_.notes) model.add_notes("base.acceleration: " + note);
-  for (const std::string& note : notes_on_meetings(supports, grid_)) model.add_notes(note);
+  for (const std::string& note : notes_on_meetings(supports, grid)) model.add_notes(note);
   if (const auto note = note_on_ratio(scene_.continuum(), damping_)) model.add_notes(*note);
   if (const auto note = note_on_stiffening(scene_.continuum(), damping_)) model.add_notes(*note);
   if (const auto note = note_on_shared_motion(damping_, base_acceleration_.motion)) model.add_notes(*note);
@@ -121,11 +122,16 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
 
 // Coupling points are not known yet, and foundations may hold any point. Local damping pushes on what turns
 // back in every step, as stiff structures would.
-std::vector<bool> FdmParticipant::known_early(const Structures& structures, bool alone) const {
-  const bool all = !alone || scene_.continuum().foundations_size() > 0 || damping_.local > 0;
-  if (all || (structures.beams().empty() && structures.bars().empty()))
-    return std::vector<bool>(grid_.x.size(), all);
-  return find_bearing_points(scene_.continuum(), base_acceleration_, grid_);
+// Contacts keep away from the interface (couple).
+KnownEarly FdmParticipant::known_early(const Supports& supports, const Grid& grid, bool alone) const {
+  const bool all = scene_.continuum().foundations_size() > 0 || damping_.local > 0;
+  const bool structures = !supports.structures.beams().empty() || !supports.structures.bars().empty();
+  if (all || (!structures && supports.contacts.empty())) {
+    const std::vector<bool> every(grid.x.size(), all);
+    return {every, every};
+  }
+  const auto bearing = find_bearing_points(scene_.continuum(), base_acceleration_, grid);
+  return {alone ? bearing : std::vector<bool>(grid.x.size(), true), bearing};
 }
 
 void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interface) {
@@ -138,7 +144,7 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
         "interface.overlap",
         "leaves no zone of the continuum, whose weight is 0 everywhere; let the block reach into the overlap "
         "and beyond it on the continuum's own side");
-  supports_ = resolve_supports(scene_, grid_);
+  supports_ = resolve_supports(scene_, setup_.ground, weights_, grid_);
   const auto& conditions = scene_.continuum();
   make_continuum();
   excavated_ = excavated_zones(scene_, grid_);
@@ -179,7 +185,7 @@ void FdmParticipant::make_continuum() {
   const auto masses = this->masses();
   continuum_ = std::make_unique<Continuum>(std::move(zones), masses, loads(masses), std::move(motions),
                                            threads_ > 0 ? threads_ : useful_threads(grid_.zones.size()),
-                                           supports_.structures);
+                                           supports_.structures, supports_.contacts);
   continuum_->set_dashpots(std::move(boundaries.dashpots),
                            scene_.has_statics() || scene_.has_initial_stress());
   continuum_->set_damping(damping_);
@@ -220,11 +226,17 @@ void FdmParticipant::scale_masses(bool scaled) {
   if (scaled && zone_steps_.empty())
     zone_steps_ = static_zone_steps(setup_.kind, grid_, setup_.ground,
                                     foundation::largest_stiffness(scene_.continuum().foundations()));
-  continuum_->set_masses(scaled ? scaled_masses() : masses(), scaled ? critical_static_dt_ : 0);
+  set_masses();
+}
+
+void FdmParticipant::set_masses() {
+  auto masses = scaled_ ? scaled_masses() : this->masses();
+  if (relaxes_) continuum_->contacts().add_masses(masses, critical_static_dt_);
+  continuum_->set_masses(masses, scaled_ ? critical_static_dt_ : 0);
 }
 
 void FdmParticipant::offer_grid_points(const wire::Weights& box, wire::Interface& interface) const {
-  for (std::size_t i = 0; i < grid_.own_points(); ++i) {
+  for (std::size_t i = 0; i < grid_.places(); ++i) {
     if (grid_.x[i] < box.x_min() || grid_.x[i] > box.x_max() || grid_.y[i] < box.y_min() ||
         grid_.y[i] > box.y_max())
       continue;
@@ -243,6 +255,7 @@ void FdmParticipant::couple(const wire::Couple& couple, wire::Operator& op) {
                               "model; leave one of the two out");
   operator_ = protocol::InterfaceOperator(interpolate(grid_, view(couple.points()), slivers_));
   require_interface_stays();
+  require_apart_from_contacts();
   continuum_->set_interface(operator_.points());
   operator_.fill(op);
   histories_->tie(operator_.points());
@@ -345,6 +358,7 @@ void FdmParticipant::excavate(std::uint32_t stage) {
   const auto masses = this->masses();
   continuum_->excavate(zones, masses, loads(masses), stage);
   scaled_ = false;
+  if (relaxes_) set_masses();  // of the contacts that stand now
   relaxation_.emplace(grid_, weights_);
   travel_.reset();
 }
@@ -364,6 +378,10 @@ void FdmParticipant::prepare(const Step& step, const wire::Advance& wanted) {
     throw protocol::UserError("time.dt", fmt::format("is {} s, above the continuum's critical step of {} s; "
                                                      "give at most that",
                                                      step.dt, critical));
+  if (step.relax != relaxes_) {
+    relaxes_ = step.relax;
+    if (!continuum_->contacts().empty()) set_masses();
+  }
   histories_->remember(*continuum_);
   if (wanted.want_energies()) continuum_->remember_velocities();
 }
@@ -380,7 +398,10 @@ void FdmParticipant::step_interior(const Step& step) {
     ++steps_done_;
     updates_ += zones_there_;
   }
-  if (!step.relax) peak_forces_.take(supports_.linings, continuum_->structures(), step.time());
+  if (!step.relax) {
+    peak_forces_.take(supports_.linings, continuum_->structures(), step.time());
+    contact_peaks_.take(continuum_->contacts(), step.time());
+  }
   if (step.number % kFiniteCheckInterval == 0) check_grid(step);
   if (setup_.ground.large_strain && !step.from_rest() && steps_done_ % kShapeCheckInterval == 0 &&
       !scene_.time().beyond_critical())
@@ -403,6 +424,19 @@ void FdmParticipant::require_interface_stays() const {
             "or bolts are attached at ({:g}, {:g}) m after stage 0, where the interface ties the grid; "
             "keep a zone between them and the overlap",
             grid_.x[*point], grid_.y[*point]));
+}
+
+// Which move by mean acceleration, and have other masses in statics than the coupler knows.
+void FdmParticipant::require_apart_from_contacts() const {
+  std::vector<bool> joined(grid_.x.size(), false);
+  continuum_->contacts().mark_points(joined);
+  for (const auto point : operator_.points())
+    if (joined[point])
+      throw protocol::UserError(
+          "continuum.interfaces",
+          fmt::format("meet at ({:g}, {:g}) m what the overlap ties; keep a zone between interfaces of the "
+                      "continuum or of its linings and the overlap",
+                      grid_.x[point], grid_.y[point]));
 }
 
 // A free field is ground that goes on as the side does: an opening there would go on, too.
@@ -476,6 +510,7 @@ void FdmParticipant::draw(wire::Snapshot& snapshot) {
   add_ground(grid_, setup_.ground, continuum_->zones(), weights_, *snapshot.mutable_pieces(0));
   if (peaks_) add_peaks(*peaks_, weights_, *snapshot.mutable_pieces(0));
   add_supports(grid_, *continuum_, supports_, peak_forces_, snapshot);
+  add_interfaces(grid_, *continuum_, supports_.interfaces, contact_peaks_, snapshot);
 }
 
 void FdmParticipant::exchange_solver(state::Archive& archive) {
@@ -484,17 +519,20 @@ void FdmParticipant::exchange_solver(state::Archive& archive) {
   if (archive.reads()) excavate(stage);  // builds what stands in this stage
   continuum_->exchange(archive);
   peak_forces_.exchange(supports_.linings, archive);
+  contact_peaks_.exchange(supports_.contacts.size(), archive);
   histories_->exchange(archive);
   archive("peaks", peaks_, [this] { return Peaks(grid_); });
   archive("relaxation", relaxation_, [this] { return Relaxation(grid_, weights_); });
   archive("travel", travel_, [this] { return protocol::Travel(continuum_->ux(), continuum_->uy()); });
   archive("steps_done", steps_done_);
   archive("updates", updates_);
+  archive("relaxes", relaxes_);
 }
 
 void FdmParticipant::finish(wire::Bye& bye) {
   bye.set_updates(updates_);
   add_figures(grid_, supports_.linings, peak_forces_, bye);
+  add_figures(grid_, supports_.interfaces, supports_.contacts, contact_peaks_, bye);
 }
 
 }  // namespace adit::fdm

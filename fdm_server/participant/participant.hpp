@@ -14,11 +14,13 @@
 #include <vector>
 
 #include "fdm_server/boundaries/free_field.hpp"
+#include "fdm_server/interfaces/contact_peaks.hpp"
 #include "fdm_server/model/conditions.hpp"
 #include "fdm_server/model/grid/excavation.hpp"
 #include "fdm_server/model/setup.hpp"
 #include "fdm_server/output/histories.hpp"
 #include "fdm_server/output/peaks.hpp"
+#include "fdm_server/participant/critical_element.hpp"
 #include "fdm_server/solver/relaxation.hpp"
 #include "fdm_server/supports/peak_forces.hpp"
 #include "fdm_server/supports/supports.hpp"
@@ -69,7 +71,7 @@ class FdmParticipant final : public protocol::SteppedParticipant {
 
   // The points whose forces are needed before all are known, so that structures there move explicitly
   // (solver/continuum.hpp).
-  std::vector<bool> known_early(const Structures& structures, bool alone) const;
+  KnownEarly known_early(const Supports& supports, const Grid& grid, bool alone) const;
   // Makes the continuum of what the weights leave of the grid, with the columns of its free field.
   void make_continuum();
   // Loads on the zones that are left; those of the base are the last.
@@ -79,9 +81,12 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   // the whole is above the largest of one of them (zones/critical_step.hpp).
   std::vector<double> scaled_masses() const;
   bool can_scale_masses() const;
+  // In statics contacts bring masses of their own, since they do not average there.
+  void set_masses();
   // The grid points inside the box that the weights came with.
   void offer_grid_points(const wire::Weights& box, wire::Interface& interface) const;
   void require_interface_stays() const;
+  void require_apart_from_contacts() const;
   void require_free_field_stays() const;
   // `why`: what the zone is for, and what to do.
   [[noreturn]] void refuse_excavation(std::size_t zone, std::string_view why) const;
@@ -113,9 +118,11 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   std::uint32_t stage_ = 0;         // reached
   std::vector<double> zone_steps_;  // critical, in statics [s], once they are needed
   bool scaled_ = false;             // masses, in statics
+  bool relaxes_ = false;            // the last step was one of statics
   std::unique_ptr<Continuum> continuum_;
   protocol::InterfaceOperator operator_;
   PeakForces peak_forces_;
+  ContactPeaks contact_peaks_;
   std::optional<Histories> histories_;
   std::optional<Peaks> peaks_;              // once wanted
   std::optional<Relaxation> relaxation_;    // in statics

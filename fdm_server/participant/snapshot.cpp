@@ -165,6 +165,38 @@ void add_supports(const Grid& grid, const Continuum& continuum, const Supports& 
   if (!supports.bolts.empty()) add_bolts(grid, continuum, supports.bolts, snapshot);
 }
 
+void add_interfaces(const Grid& grid, const Continuum& continuum, std::span<const Interface> interfaces,
+                    const ContactPeaks& peaks, wire::Snapshot& snapshot) {
+  if (interfaces.empty()) return;
+  const Contacts& contacts = continuum.contacts();
+  std::vector<Path> paths;
+  std::vector<std::uint32_t> rows;
+  std::vector<double> number;
+  for (const Interface& interface : interfaces) {
+    Path path{{}, interface.closed};
+    for (std::uint32_t i = interface.first; i < interface.first + interface.count; ++i) {
+      path.points.push_back(contacts.point(i));
+      rows.push_back(i);
+    }
+    number.insert(number.end(), interface.count - (interface.closed ? 0 : 1),
+                  static_cast<double>(paths.size()));
+    paths.push_back(std::move(path));
+  }
+  auto& piece = add_lines("interfaces", grid, continuum, paths, snapshot);
+  const auto add = [&](const std::string& name, const auto& value_of) {
+    std::ranges::transform(rows, new_field(*piece.mutable_point_fields(), name, 1, rows.size()), value_of);
+  };
+  add("normal_stress_Pa", [&](auto i) { return contacts.read(i).normal_stress; });
+  add("shear_stress_Pa", [&](auto i) { return contacts.read(i).shear_stress; });
+  add("opening_m", [&](auto i) { return contacts.read(i).opening; });
+  add("offset_m", [&](auto i) { return contacts.read(i).offset; });
+  if (!peaks.empty()) {
+    add("peak_offset_m", [&](auto i) { return peaks.offset()[i].value; });
+    add("peak_opening_m", [&](auto i) { return peaks.opening()[i].value; });
+  }
+  std::ranges::copy(number, new_field(*piece.mutable_cell_fields(), "interface", 1, number.size()));
+}
+
 void add_peaks(const Peaks& peaks, std::span<const double> weights, wire::Piece& piece) {
   protocol::add_peak_fields(peaks.motion(), *piece.mutable_point_fields());
   const auto add = [&](const std::string& name, std::span<const double> values) {

@@ -5,6 +5,8 @@
 #include <span>
 
 #include "fdm_server/grid/grid.hpp"
+#include "fdm_server/interfaces/contact_peaks.hpp"
+#include "fdm_server/interfaces/interface.hpp"
 #include "fdm_server/output/peaks.hpp"
 #include "fdm_server/solver/continuum.hpp"
 #include "fdm_server/supports/peak_forces.hpp"
@@ -31,6 +33,11 @@ void add_ground(const Grid& grid, const Ground& ground, const ZoneSet& zones, st
 // lining; "bolts" with displacement_m and, of one bolt, cell field thrust_N.
 void add_supports(const Grid& grid, const Continuum& continuum, const Supports& supports,
                   const PeakForces& peaks, wire::Snapshot& snapshot);
+// A piece of lines "interfaces", where there are any, one point a contact: point fields displacement_m of the
+// first face, normal_stress_Pa, shear_stress_Pa, opening_m, offset_m, and since time began peak_offset_m and
+// peak_opening_m; the interface's number as cell field interface.
+void add_interfaces(const Grid& grid, const Continuum& continuum, std::span<const Interface> interfaces,
+                    const ContactPeaks& peaks, wire::Snapshot& snapshot);
 // Adds the peaks to that piece: at points as of every model (peak_motion.hpp), in zones peak_shear_strain,
 // peak_largest_principal_stress_Pa and peak_smallest_principal_stress_Pa.
 void add_peaks(const Peaks& peaks, std::span<const double> weights, wire::Piece& piece);

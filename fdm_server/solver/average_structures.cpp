@@ -1,16 +1,68 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "fdm_server/solver/continuum.hpp"
 
 namespace adit::fdm {
 
 void Continuum::average_structures(const protocol::Step& step) {
-  if (!average_ || average_->dt() != step.dt) plan_average(step.dt);
   for (const auto& [freedom, motion] : driven_) {
     const Prescribed& driver = interior_.motions[motion];
     average_->prescribe(freedom, (driver.after - driver.before) / step.dt);
   }
-  average_->add_forces({points_[kFx].data(), points_[kFy].data(), structures_.couples().data()});
+  const Actions forces{points_[kFx].data(), points_[kFy].data(), structures_.couples().data()};
+  if (averaged_contacts_.empty())
+    average_->accelerate(forces);
+  else
+    average_contacts(step);
+  average_->add_forces(forces);
+}
+
+// What contacts bear depends on the acceleration (interfaces/contacts.hpp), and this on what they bear:
+// Newton's method. Where nothing changes between sticking, sliding and open, which is so for most contacts in
+// most steps, one trial finds it.
+void Continuum::average_contacts(const protocol::Step& step) {
+  constexpr int kMost = 60;
+  constexpr double kSame = 1e-10;  // of the largest force
+  const PointView points{points_[kVx].data(), points_[kVy].data(), points_[kFx].data(), points_[kFy].data()};
+  const Actions forces{points_[kFx].data(), points_[kFy].data(), structures_.couples().data()};
+  contacts_.move(averaged_contacts_, step.dt, step.from_rest(), points);
+  std::vector<std::array<double, 2>> leads;
+  std::vector<Contacts::Bearing> bearings;
+  for (const auto i : averaged_contacts_) {
+    leads.push_back(contacts_.lead(i));
+    bearings.push_back(contacts_.bear(i, leads.back()));
+  }
+  double missed_before = std::numeric_limits<double>::infinity();
+  bool half_way = false;
+  for (int trial = 0; trial < kMost; ++trial) {
+    for (std::size_t k = 0; k < leads.size(); ++k) {
+      const auto& [normal, shear, normal_share, shear_share] = bearings[k];
+      const std::size_t strain = first_contact_strain_ + 2 * k;
+      average_->resist(strain, normal_share);
+      average_->resist(strain + 1, shear_share);
+      average_->load(strain, normal - average_->resistance(strain) * leads[k][0]);
+      average_->load(strain + 1, shear - average_->resistance(strain + 1) * leads[k][1]);
+    }
+    average_->accelerate(forces);
+    double missed = 0, largest = 0;
+    for (std::size_t k = 0; k < leads.size(); ++k) {
+      const std::size_t strain = first_contact_strain_ + 2 * k;
+      std::array<double, 2> lead{average_->lead(strain), average_->lead(strain + 1)};
+      if (half_way) lead = {(leads[k][0] + lead[0]) / 2, (leads[k][1] + lead[1]) / 2};
+      const auto found = contacts_.bear(averaged_contacts_[k], lead);
+      missed = std::max({missed, std::abs(found.normal - average_->bears(strain)),
+                         std::abs(found.shear - average_->bears(strain + 1))});
+      largest = std::max({largest, std::abs(found.normal), std::abs(found.shear)});
+      leads[k] = lead;
+      bearings[k] = found;
+    }
+    if (missed <= kSame * largest) break;
+    half_way = missed > missed_before / 2;  // friction lags behind pressure, which may run in a circle
+    missed_before = missed;
+  }
+  for (std::size_t k = 0; k < leads.size(); ++k) contacts_.follow(averaged_contacts_[k], leads[k], points);
 }
 
 void Continuum::plan_average(double dt) {
@@ -19,8 +71,13 @@ void Continuum::plan_average(double dt) {
   for (const foundation::Springs& springs : interior_.foundations) springs.mark(known_early);
   Structures::Part averaged = interior_.structures;
   structures_.take(averaged, known_early);
+  averaged_contacts_ = interior_.contacts;
+  moving_contacts_ = contacts_.take(averaged_contacts_, known_early);
+  std::vector<StrainForm> strains = structures_.strains(averaged);
+  first_contact_strain_ = strains.size();
+  std::ranges::move(contacts_.strains(averaged_contacts_), std::back_inserter(strains));
 
-  average_.emplace(structures_.strains(averaged), dt, [this](const Freedom& freedom) {
+  average_.emplace(strains, first_contact_strain_, dt, [this](const Freedom& freedom) {
     switch (freedom.kind) {
       case Freedom::kX:
         return points_[kInverseMassX][freedom.number];

@@ -40,17 +40,20 @@ PrescribedMotion take(PrescribedMotion& motion, const std::vector<bool>& chosen)
 }  // namespace
 
 Continuum::Continuum(ZoneSet zones, std::span<const double> masses, std::vector<Load> loads,
-                     std::vector<PrescribedMotion> motions, std::size_t threads, Structures structures)
+                     std::vector<PrescribedMotion> motions, std::size_t threads, Structures structures,
+                     Contacts contacts)
     : zones_(std::move(zones)),
       structures_(std::move(structures)),
+      contacts_(std::move(contacts)),
       points_(masses.size()),
       team_(threads),
       structures_step_(structures_.critical_step()) {
   for (std::size_t i = 0; i < masses.size(); ++i) {
     points_[kMass][i] = masses[i];
-    points_[kInverseMassX][i] = points_[kInverseMassY][i] = 1 / masses[i];
+    points_[kInverseMassX][i] = points_[kInverseMassY][i] = masses[i] > 0 ? 1 / masses[i] : 0;
   }
   zones_.follow(points_[kUx].data(), points_[kUy].data());
+  contacts_.take_stress([this](std::uint32_t zone) { return zones_.stress(zone); });
   place(std::move(loads));
   for (auto& motion : motions) {
     for (const auto point : motion.points)
@@ -158,9 +161,12 @@ void Continuum::plan(const std::vector<bool>& chosen) {
     for (const auto& springs : part->foundations) springs.mark(pulled);
   }
   structures_.mark_points(pulled);
+  contacts_.mark_points(pulled);
   average_.reset();
   interior_.structures = structures_.standing();
   interface_.structures = structures_.take(interior_.structures, chosen);
+  interior_.contacts = contacts_.standing();
+  interface_.contacts = contacts_.take(interior_.contacts, chosen);
 
   interface_.points = protocol::index_ranges(chosen, true);
   interior_.points = protocol::index_ranges(chosen, false);
@@ -267,17 +273,21 @@ void Continuum::pull(Part& part, const protocol::Step& step) {
     tie_y_.assign(points_.size(), 0.0);
   }
   damps_ = step.local_damping > 0;
+  const bool average_here = &part == &interior_ && averages(step);
+  if (average_here && (!average_ || average_->dt() != step.dt)) plan_average(step.dt);
   const PointArrays points = arrays(step);
   damped_ += part.sweep.run(team_, zones_, step, points, damping_);
   if (damping_.acts()) damping_.add_viscous(part.kept, step, points);  // before any force but the zones'
   structures_.add_forces(part.structures, step.dt, {points.vx, points.vy, points.fx, points.fy});
+  contacts_.add_forces(average_here ? moving_contacts_ : part.contacts, step.dt,
+                       {points.vx, points.vy, points.fx, points.fy});
   apply_loads(part, step);
   for (foundation::Springs& springs : part.foundations) springs.pull(step, motion(springs));
   add_boundary_forces(part.dashpots, supports_, damping_.law(), step, zones_, points, boundary_work_);
   for (foundation::Springs& springs : part.foundations) springs.brake(step, motion(springs));
   if (damping_.acts()) damped_ += damping_.add_others(part.kept, step, points);
   find_motions(part, step);
-  if (&part == &interior_ && averages(step)) average_structures(step);
+  if (average_here) average_structures(step);
   find_reactions(part, step);
 }
 
@@ -372,9 +382,11 @@ double Continuum::twice_kinetic_energy_of_points(const protocol::Step& step) {
 Energies Continuum::energies(const protocol::Step& step) {
   const double twice = structures_.twice_kinetic_energy(step) + twice_kinetic_energy_of_average(step) +
                        twice_kinetic_energy_of_points(step);
-  Energies sum{twice / 2, zones_.strain_energy(team_) + structures_.strain_energy(),
+  Energies sum{twice / 2,
+               zones_.strain_energy(team_) + structures_.strain_energy() + contacts_.strain_energy(),
                external_work_ + steady_work() + boundary_work_.external,
-               zones_.dissipated() + structures_.dissipated() + boundary_work_.dissipated + damped_};
+               zones_.dissipated() + structures_.dissipated() + contacts_.dissipated() +
+                   boundary_work_.dissipated + damped_};
   for (const Part* part : {&interface_, &interior_})
     for (const foundation::Springs& springs : part->foundations) {
       sum.strain += springs.stored();
@@ -405,6 +417,7 @@ void Continuum::slow(double factor) {
 void Continuum::start_over() {
   stop();
   structures_.start_over();
+  contacts_.start_over();
   external_work_ = damped_ = 0;
   boundary_work_ = {};
   for (Part* part : {&interface_, &interior_})
@@ -413,12 +426,14 @@ void Continuum::start_over() {
 
 void Continuum::reset_displacements() {
   zones_.start_over();
+  contacts_.reset_offsets();
   for (const Field displacement : {kUx, kUy}) std::ranges::fill(points_[displacement], 0.0);
 }
 
 void Continuum::exchange(state::Archive& archive) {
   zones_.exchange(archive);
   structures_.exchange(archive);
+  contacts_.exchange(archive);
   points_.exchange(archive);
   damping_.exchange(archive);
   for (Part* part : {&interface_, &interior_}) {

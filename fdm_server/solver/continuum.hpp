@@ -10,9 +10,9 @@
 // stage as U (3 s^2 - 2 s^3), s being the share of these steps that is done: without a jump of velocity at
 // either end, and slowly beside the waves that cross the grid (protocol/ground/imposed.hpp).
 //
-// Structures that the step is too long for move by mean acceleration (structures/mean_acceleration.hpp), but
-// for beams and bars that touch a point of the interface, of dashpots or of foundations, whose forces are
-// needed before all are known.
+// Structures that the step is too long for, and contacts, move by mean acceleration
+// (structures/mean_acceleration.hpp), but for those that touch a point of the interface, of dashpots or of
+// foundations, whose forces are needed before all are known.
 //
 // Energies at step n: kinetic 1/2 sum m v(n-1/2) v(n+1/2), strain energy of the stresses; work of loads,
 // prescribed motions, boundaries and ground, and what dashpots, slip and damping dissipate, summed as
@@ -30,6 +30,7 @@
 #include <vector>
 
 #include "fdm_server/grid/field_arrays.hpp"
+#include "fdm_server/interfaces/contacts.hpp"
 #include "fdm_server/solver/damping.hpp"
 #include "fdm_server/solver/dashpots.hpp"
 #include "fdm_server/solver/loads.hpp"
@@ -51,10 +52,11 @@ struct Energies {
 
 class Continuum {
  public:
-  // `masses`: one weighted mass a point, with that of the structures [kg]. Results do not depend on the
-  // number of threads.
+  // `masses`: one weighted mass a point, with that of the structures [kg]; points without mass are held until
+  // they have one. Results do not depend on the number of threads.
   Continuum(ZoneSet zones, std::span<const double> masses, std::vector<Load> loads,
-            std::vector<PrescribedMotion> motions, std::size_t threads = 1, Structures structures = {});
+            std::vector<PrescribedMotion> motions, std::size_t threads = 1, Structures structures = {},
+            Contacts contacts = {});
 
   // Before the first step, and before the interface is set. At most one dashpot a point, columns before what
   // is linked to them; where they `support`, points that bear on them are in equilibrium at step 0, whatever
@@ -74,8 +76,8 @@ class Continuum {
     double held = 0;
   };
   // Takes zones away between two steps, at rest, with their stresses: `masses` and `loads` are those of what
-  // is left. Points without mass are held from then on. Structures of the stages up to `stage` stand from
-  // then on. The interface must not have any of their points.
+  // is left. Structures and contacts of the stages up to `stage` stand from then on. The interface must not
+  // have any of their points.
   void excavate(std::span<const Excavated> zones, std::span<const double> masses, std::vector<Load> loads,
                 std::uint32_t stage = 0);
 
@@ -128,6 +130,7 @@ class Continuum {
   std::span<const double> inverse_mass_y() const { return points_[kInverseMassY]; }
   const ZoneSet& zones() const { return zones_; }
   const Structures& structures() const { return structures_; }
+  const Contacts& contacts() const { return contacts_; }
   // Whether the structures move by mean acceleration in time steps so long [s].
   bool longer_than_structures(double dt) const { return dt > structures_step_; }
 
@@ -177,6 +180,7 @@ class Continuum {
   struct Part {
     Sweep sweep;
     Structures::Part structures;
+    Contacts::Part contacts;
     std::vector<protocol::IndexRange> points, kept;  // kept: for others than zones to pull on
     std::vector<Loading> loads;
     std::vector<Prescribed> motions;
@@ -200,9 +204,12 @@ class Continuum {
   void find_motions(Part& part, const protocol::Step& step);
   double velocity_in_statics(Prescribed& one, const protocol::Step& step) const;
   void find_reactions(Part& part, const protocol::Step& step);
-  bool averages(const protocol::Step& step) const { return !step.relax && longer_than_structures(step.dt); }
+  bool averages(const protocol::Step& step) const {
+    return !step.relax && (longer_than_structures(step.dt) || !contacts_.empty());
+  }
   void average_structures(const protocol::Step& step);
   void plan_average(double dt);
+  void average_contacts(const protocol::Step& step);
   double twice_kinetic_energy_of_points(const protocol::Step& step);
   double twice_kinetic_energy_of_average(const protocol::Step& step) const;
   void predict(const Part& part, const protocol::Step& step);
@@ -210,6 +217,7 @@ class Continuum {
 
   ZoneSet zones_;
   Structures structures_;
+  Contacts contacts_;
   FieldArrays<kFields> points_;
   protocol::Team team_;
   Part interface_, interior_;
@@ -222,6 +230,8 @@ class Continuum {
     std::size_t freedom, motion;
   };
   std::vector<Driven> driven_;
+  Contacts::Part averaged_contacts_, moving_contacts_;  // of the interior: by mean acceleration, explicitly
+  std::size_t first_contact_strain_ = 0;                // of those of the average
   Damping damping_{{}, 0};
   bool supports_ = false;
   BoundaryWork boundary_work_;

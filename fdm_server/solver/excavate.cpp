@@ -23,17 +23,25 @@ Load Continuum::held_forces(std::span<const Excavated> zones) {
       held.fy[i] += share * fy[i];
     }
   }
+  std::vector<double> share_of(zones_.count(), 0.0);
+  for (const Excavated& one : zones) share_of[one.zone] = one.held;
+  contacts_.add_held([&](std::uint32_t zone) { return share_of[zone]; }, held.fx, held.fy);
   return held;
 }
 
-// A component without inverse mass stays prescribed.
+// A component without inverse mass stays held, unless the point had no mass and no motion holds it.
 void Continuum::take_masses(std::span<const double> masses) {
   for (std::size_t i = 0; i < masses.size(); ++i) {
+    const bool had_mass = points_[kMass][i] > 0;
     points_[kMass][i] = masses[i];
     for (const Field inverse : {kInverseMassX, kInverseMassY})
-      if (points_[inverse][i] != 0) points_[inverse][i] = masses[i] > 0 ? 1 / masses[i] : 0;
+      if (points_[inverse][i] != 0 || !had_mass) points_[inverse][i] = masses[i] > 0 ? 1 / masses[i] : 0;
     if (masses[i] == 0) points_[kVx][i] = points_[kVy][i] = 0;
   }
+  for (const Part* part : {&interface_, &interior_})
+    for (const Prescribed& one : part->motions)
+      for (const auto point : one.motion.points)
+        points_[one.motion.axis == Axis::kX ? kInverseMassX : kInverseMassY][point] = 0;
 }
 
 void Continuum::set_masses(std::span<const double> masses, double structures_step) {
@@ -55,6 +63,7 @@ void Continuum::excavate(std::span<const Excavated> zones, std::span<const doubl
   }
   for (const Field steady : {kSteadyX, kSteadyY}) std::ranges::fill(points_[steady], 0.0);
   structures_.install(stage);
+  contacts_.install(stage, gone);
   stage_ = stage;
   step_of_stage_ = 0;
   if (std::ranges::any_of(zones, [](const Excavated& one) { return one.held > 0; })) add_steady(held);

@@ -6,9 +6,9 @@
 
 namespace adit::fdm {
 
-MeanAcceleration::MeanAcceleration(std::span<const StrainForm> strains, double dt,
+MeanAcceleration::MeanAcceleration(std::span<const StrainForm> strains, std::size_t structures, double dt,
                                    const std::function<double(const Freedom&)>& inverse_mass)
-    : dt_(dt) {
+    : dt_(dt), structures_(structures), load_(strains.size() - structures, 0.0) {
   std::map<Freedom, std::uint32_t> numbers;
   for (const StrainForm& strain : strains)
     for (const StrainForm::Share& share : strain.shares) numbers[share.of] = 0;
@@ -26,41 +26,90 @@ MeanAcceleration::MeanAcceleration(std::span<const StrainForm> strains, double d
   for (const StrainForm& strain : strains) {
     const auto begin = static_cast<std::uint32_t>(shares_.size());
     for (const auto& [freedom, factor] : strain.shares) shares_.push_back({numbers[freedom], factor});
-    forms_.push_back({dt * dt / 4 * strain.stiffness, begin, static_cast<std::uint32_t>(shares_.size())});
+    forms_.push_back({dt * dt / 4 * strain.stiffness, begin, static_cast<std::uint32_t>(shares_.size()), 0});
   }
   acceleration_.assign(freedoms_.size(), 0.0);
   force_ = acceleration_;
-  if (free_ > 0) factor(inverse_mass);
+  if (free_ == 0) return;
+  find_pattern(inverse_mass);
+  factor();
 }
 
-void MeanAcceleration::factor(const std::function<double(const Freedom&)>& inverse_mass) {
-  std::vector<Eigen::Triplet<double>> entries;
-  const auto add = [&](std::size_t row, std::size_t column, double value) {
-    entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
-  };
-  for (std::size_t i = 0; i < free_; ++i) add(i, i, 1 / inverse_mass(freedoms_[i]));
-  for (const Form& form : forms_)
+void MeanAcceleration::find_pattern(const std::function<double(const Freedom&)>& inverse_mass) {
+  const auto for_each_product = [&](const Form& form, const auto& take) {
     for (const Share& row : shares(form))
       for (const Share& column : shares(form))
         if (row.freedom < free_ && column.freedom < free_)
-          add(row.freedom, column.freedom, form.inertia * row.factor * column.factor);
+          take(static_cast<int>(row.freedom), static_cast<int>(column.freedom));
+  };
+  std::vector<Eigen::Triplet<double>> places;
+  for (std::size_t i = 0; i < free_; ++i) {
+    mass_.push_back(1 / inverse_mass(freedoms_[i]));
+    places.emplace_back(static_cast<int>(i), static_cast<int>(i), 0.0);
+  }
+  for (const Form& form : forms_)
+    for_each_product(form, [&](int row, int column) { places.emplace_back(row, column, 0.0); });
   const auto size = static_cast<Eigen::Index>(free_);
-  Eigen::SparseMatrix<double> matrix(size, size);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  factor_.compute(matrix);
+  matrix_.resize(size, size);
+  matrix_.setFromTriplets(places.begin(), places.end());
+  const auto place_of = [&](int row, int column) {
+    return static_cast<std::uint32_t>(&matrix_.coeffRef(row, column) - matrix_.valuePtr());
+  };
+  for (int i = 0; i < static_cast<int>(free_); ++i) diagonal_.push_back(place_of(i, i));
+  for (Form& form : forms_) {
+    form.entries = static_cast<std::uint32_t>(entries_.size());
+    for_each_product(form, [&](int row, int column) { entries_.push_back(place_of(row, column)); });
+  }
+  factor_.analyzePattern(matrix_);
+  ordered_.resize(size);
+}
+
+void MeanAcceleration::factor() {
+  double* values = matrix_.valuePtr();
+  std::fill_n(values, matrix_.nonZeros(), 0.0);
+  for (std::size_t i = 0; i < free_; ++i) values[diagonal_[i]] = mass_[i];
+  for (const Form& form : forms_) {
+    const std::uint32_t* entry = entries_.data() + form.entries;
+    for (const Share& row : shares(form))
+      for (const Share& column : shares(form))
+        if (row.freedom < free_ && column.freedom < free_)
+          values[*entry++] += form.inertia() * row.factor * column.factor;
+  }
+  factor_.factorize(matrix_);
   if (factor_.info() != Eigen::Success)
     throw std::logic_error(
         "the mass of linings and bolts with the stiffness of a step is not positive definite");
-  ordered_.resize(size);
+  changed_ = false;
+}
+
+void MeanAcceleration::resist(std::size_t strain, double share) {
+  Form& form = forms_[strain];
+  if (form.share == share) return;
+  form.share = share;
+  changed_ = true;
+}
+
+void MeanAcceleration::accelerate(const Actions& forces) {
+  std::ranges::fill(force_, 0.0);
+  std::fill_n(acceleration_.begin(), free_, 0.0);
+  if (free_ == 0) return;
+  if (free_ < freedoms_.size()) subtract_inertia(forms_);  // of what is prescribed
+  for (std::size_t k = 0; k < load_.size(); ++k)
+    for (const auto& [freedom, factor] : shares(forms_[structures_ + k]))
+      force_[freedom] -= load_[k] * factor;
+  if (changed_) factor();
+  solve(forces);
+}
+
+double MeanAcceleration::lead(std::size_t strain) const {
+  double sum = 0;
+  for (const auto& [freedom, factor] : shares(forms_[strain])) sum += factor * acceleration_[freedom];
+  return dt_ * dt_ / 4 * sum;
 }
 
 void MeanAcceleration::add_forces(const Actions& forces) {
   std::ranges::fill(force_, 0.0);
-  std::fill_n(acceleration_.begin(), free_, 0.0);
-  if (free_ < freedoms_.size()) subtract_inertia();  // of what is prescribed
-  if (free_ > 0) solve(forces);
-  std::ranges::fill(force_, 0.0);
-  subtract_inertia();
+  subtract_inertia(std::span(forms_).first(structures_));
   for (std::size_t i = 0; i < freedoms_.size(); ++i)
     forces[freedoms_[i].kind][freedoms_[i].number] += force_[i];
 }
@@ -76,11 +125,11 @@ void MeanAcceleration::solve(const Actions& forces) {
   for (std::size_t i = 0; i < free_; ++i) acceleration_[i] = ordered_[place[static_cast<Eigen::Index>(i)]];
 }
 
-void MeanAcceleration::subtract_inertia() {
-  for (const Form& form : forms_) {
+void MeanAcceleration::subtract_inertia(std::span<const Form> forms) {
+  for (const Form& form : forms) {
     double sum = 0;
     for (const auto& [freedom, factor] : shares(form)) sum += factor * acceleration_[freedom];
-    for (const auto& [freedom, factor] : shares(form)) force_[freedom] -= form.inertia * sum * factor;
+    for (const auto& [freedom, factor] : shares(form)) force_[freedom] -= form.inertia() * sum * factor;
   }
 }
 
@@ -93,7 +142,8 @@ double MeanAcceleration::rate(const Form& form, const Motions& motions) const {
 
 double MeanAcceleration::twice_kinetic_energy(const Motions& before, const Motions& after) const {
   double sum = 0;
-  for (const Form& form : forms_) sum += form.inertia * rate(form, before) * rate(form, after);
+  for (const Form& form : std::span(forms_).first(structures_))
+    sum += form.stiff * rate(form, before) * rate(form, after);
   return sum;
 }
 

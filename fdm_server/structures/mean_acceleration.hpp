@@ -1,5 +1,5 @@
-// Structures that are stiffer than the step allows: mean acceleration (Newmark 1959, beta = 1/4), beside the
-// central differences of the ground (Hughes and Liu 1978, J. Appl. Mech. 45).
+// Structures and contacts that are stiffer than the step allows: mean acceleration (Newmark 1959, beta =
+// 1/4), beside the central differences of the ground (Hughes and Liu 1978, J. Appl. Mech. 45).
 //
 // The structures act with the mean of their forces at three steps instead of those at step n,
 //   -K (u(n-1) + 2 u(n) + u(n+1))/4 = -K u(n) - dt^2/4 K a,   a = (v(n+1/2) - v(n-1/2))/dt,
@@ -13,6 +13,10 @@
 // Kinetic energy: 1/2 v(n-1/2) (M + dt^2/4 K) v(n+1/2) keeps the ledger of continuum.hpp to rounding.
 // Accuracy: a mode of frequency w turns with (2/dt) atan(w dt/2), slower by the share (w dt)^2/12: at the
 // ground's highest frequency, ten zones to the wave, by less than 1 %, as its zones are.
+//
+// The strains of contacts follow those of the structures. Their forces at the mean of the three steps are
+// known to their law only (solver/average_structures.cpp): here are loads, and of those that resist the
+// stiffness.
 #pragma once
 
 #include <Eigen/SparseCholesky>
@@ -26,8 +30,9 @@ namespace adit::fdm {
 
 class MeanAcceleration {
  public:
-  // `inverse_mass`: of a freedom [1/kg or 1/(kg m^2)]; 0 where its motion is prescribed.
-  MeanAcceleration(std::span<const StrainForm> strains, double dt,
+  // Of the strains the first `structures` are those of structures. `inverse_mass`: of a freedom [1/kg or
+  // 1/(kg m^2)]; 0 where its motion is prescribed.
+  MeanAcceleration(std::span<const StrainForm> strains, std::size_t structures, double dt,
                    const std::function<double(const Freedom&)>& inverse_mass);
 
   double dt() const { return dt_; }
@@ -35,10 +40,25 @@ class MeanAcceleration {
   std::span<const Freedom> prescribed() const { return std::span(freedoms_).subspan(free_); }
   void prescribe(std::size_t number, double acceleration) { acceleration_[free_ + number] = acceleration; }
 
-  // Adds -dt^2/4 K a to the forces, which hold all others.
+  // With which share of its stiffness a contact's strain is resisted, at first with all of it, and its force
+  // at step n without lead [N].
+  void resist(std::size_t strain, double share);
+  void load(std::size_t strain, double force) { load_[strain - structures_] = force; }
+
+  double resistance(std::size_t strain) const { return forms_[strain].inertia() / (dt_ * dt_ / 4); }  // [N/m]
+  // Load and resistance times lead, as accelerate() found it [N].
+  double bears(std::size_t strain) const {
+    return load_[strain - structures_] + resistance(strain) * lead(strain);
+  }
+
+  // Finds a from all other forces.
+  void accelerate(const Actions& forces);
+  // dt^2/4 of the acceleration of a strain: by how much its mean leads step n.
+  double lead(std::size_t strain) const;
+  // Adds -dt^2/4 K a of the structures to the forces.
   void add_forces(const Actions& forces);
 
-  // before . dt^2/4 K . after [J].
+  // before . dt^2/4 K . after of the structures [J].
   double twice_kinetic_energy(const Motions& before, const Motions& after) const;
 
  private:
@@ -47,25 +67,37 @@ class MeanAcceleration {
     double factor;
   };
   struct Form {
-    double inertia;            // dt^2/4 of the stiffness
+    double stiff;              // dt^2/4 of the stiffness
     std::uint32_t begin, end;  // of shares_
+    std::uint32_t entries;     // the first of entries_
+    double share = 1;
+
+    double inertia() const { return share * stiff; }
   };
   std::span<const Share> shares(const Form& form) const {
     return std::span(shares_).subspan(form.begin, form.end - form.begin);
   }
-  void factor(const std::function<double(const Freedom&)>& inverse_mass);
+  void find_pattern(const std::function<double(const Freedom&)>& inverse_mass);
+  void factor();
   double rate(const Form& form, const Motions& motions) const;
   void solve(const Actions& forces);  // for a of the free ones
-  // force -= dt^2/4 K a.
-  void subtract_inertia();
+  // force -= dt^2/4 K a, of these strains.
+  void subtract_inertia(std::span<const Form> forms);
 
   double dt_;
+  std::size_t structures_;         // strains
+  std::vector<double> load_;       // of contacts' strains
   std::vector<Freedom> freedoms_;  // the free ones first
   std::size_t free_ = 0;
   std::vector<Form> forms_;
   std::vector<Share> shares_;
   std::vector<double> acceleration_, force_;  // of freedoms_
+  Eigen::SparseMatrix<double> matrix_;        // M + dt^2/4 K of the free ones
+  std::vector<double> mass_;                  // of the free ones
+  // Where the products of two free shares of a form go, and M: places in the values of the matrix.
+  std::vector<std::uint32_t> entries_, diagonal_;
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor_;
+  bool changed_ = false;     // the matrix, since it was factored
   Eigen::VectorXd ordered_;  // the free ones in the order of the factor
 };
 

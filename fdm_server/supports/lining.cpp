@@ -66,8 +66,6 @@ Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structur
 
 namespace {
 
-constexpr double kCorner = 0.766;  // cosine of 40 degrees, by which a ring of nine beams turns at its nodes
-
 LiningForces mean(const LiningForces& a, const LiningForces& b) {
   return {0.5 * a.thrust + 0.5 * b.thrust, 0.5 * a.moment + 0.5 * b.moment, 0.5 * a.shear + 0.5 * b.shear};
 }

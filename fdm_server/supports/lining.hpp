@@ -18,6 +18,10 @@
 
 namespace adit::fdm {
 
+// Where a path turns by more than 40 degrees, as that of nine sides around a ring does, it has a corner: the
+// cosine.
+inline constexpr double kCorner = 0.766;
+
 // Grid points in order; the last is joined to the first where the path is closed.
 struct Path {
   std::vector<std::uint32_t> points;

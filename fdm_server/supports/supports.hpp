@@ -1,9 +1,11 @@
-// The linings and bolts that stand on the grid.
+// The linings and bolts that stand on the grid, and the interfaces through it and beside linings.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "fdm_server/interfaces/contacts.hpp"
+#include "fdm_server/interfaces/interface.hpp"
 #include "fdm_server/structures/structures.hpp"
 #include "fdm_server/supports/lining.hpp"
 
@@ -19,6 +21,8 @@ struct Supports {
   Structures structures{};
   std::vector<Lining> linings{};
   std::vector<BoltBars> bolts{};
+  Contacts contacts{};
+  std::vector<Interface> interfaces{};
 };
 
 }  // namespace adit::fdm

@@ -19,7 +19,8 @@ FACTORS = {
     "load": ["none", "edge", "point", "body"],
     "rest": ["none", "stressed", "kinetic", "local", "adaptive", "unscaled"],
     "hole": ["none", "never", "stage", "side", "two_stages", "released"],
-    "support": ["none", "lining", "jointed", "arcs", "bolt"],
+    "support": ["none", "lining", "jointed", "arcs", "bolt", "slipping"],
+    "bedding": ["none", "slips", "opens"],
     "foundation": ["none", "springs"],
     "large": ["no", "yes"],
     "inside": ["none", "strip", "ring", "both_ends", "grid"],
@@ -40,6 +41,8 @@ REFUSED = (
     + [({"plane": "plane_stress", "large": "yes"}, "plane strain")]
     + [({"large": "yes", "inside": inside}, "large_strain") for inside in ("strip", "ring", "both_ends", "grid")]
     + [({"solve": "lumped", "rest": rest}, "lumped") for rest in sorted(STATICS)]
+    + [({"large": "yes", "bedding": bedding}, "large_strain") for bedding in ("slips", "opens")]
+    + [({"large": "yes", "support": "slipping"}, "large_strain")]
     + [({"foundation": "springs", "hole": hole}, "foundations") for hole in sorted(STAGED)]
     + [({"sides": "free_field", "hole": "side"}, "free_field")]
 )
@@ -67,6 +70,9 @@ def meaningless(row):
     yield has("bonds") in ("smooth_joint", "spring", "wall") and has("inside", "strip") != "strip"
     yield has("packing") == "random" and has("bonds") in ("smooth_joint", "friction", "wall")
     yield has("packing") == "cells" and has("bonds") == "parallel"  # facets join cells instead
+    yield has("bedding", "none") != "none" and (has("grid", "block") not in ("block", "blocks") or has("inside") == "ring")
+    # A lining that slips needs ground on one side where it is installed.
+    yield has("support") == "slipping" and has("hole") not in (None, "never", "stage")
     # A wall bears no part of a stated stress.
     yield has("bonds") == "wall" and has("rest") == "stressed"
 
@@ -89,7 +95,7 @@ CENTRE = {"x": 0.0, "y": 2.0}
 def passes_thresholds(row):
     """Whether something yields, breaks, touches or is braked against the sign of its velocity, so that rounding decides in which step."""
     return (row["law"] not in ("elastic", "layers") or row["bonds"] not in ("contact", "spring") or row["packing"] == "random"
-            or row["support"] in ("jointed", "bolt") or row["foundation"] == "springs" or row["damping"] == "local")
+            or row["support"] in ("jointed", "bolt", "slipping") or row["bedding"] != "none" or row["foundation"] == "springs" or row["damping"] == "local")
 
 
 def output(row):
@@ -141,6 +147,7 @@ class Ground:
         continuum.update(self.hole())
         continuum.update(self.support())
         continuum.update(self.section())
+        continuum.update(self.bedding())
         if row["foundation"] == "springs":
             continuum["foundations"] = [{"where": {"x_max": -2.1}, "x": {"stiffness": 20e6, "dashpot": 1e4, "slip_stress": 30e3, "hardening": 0.1},
                                          "y": {"stiffness": 30e6}}]
@@ -261,7 +268,20 @@ class Ground:
             halves = [line((1, 2), (1, 3), (-1, 3), (-1, 2)), line((-1, 2), (-1, 1), (1, 1), (1, 2))]
         if kind == "arcs":
             return {"linings": [{"name": name, "along": half, **section} for name, half in zip(("upper", "lower"), halves)]}
+        if kind == "slipping":
+            section["interface"] = {"friction_angle": 0.4, "cohesion": 2e3}
+            if self.row["hole"] == "stage":
+                section["stage"] = 1
         return {"linings": [{"name": "lining", "along": whole, **section, **joint}]}
+
+    def bedding(self):
+        """A plane below the opening, from the left side, where there is one, to a tip in the ground."""
+        if self.row["bedding"] == "none":
+            return {}
+        law = {"slips": {"friction_angle": 0.3, "dilation_angle": 0.1, "cohesion": 5e3, "residual": {"cohesion": 0.0, "slip": 1e-3}},
+               "opens": {"friction_angle": 0.5, "cohesion": 20e3, "tension": 10e3, "normal_stiffness": 4e9, "shear_stiffness": 2e9}}[self.row["bedding"]]
+        points = [{"x": self.left if self.has_left() else -1.5, "y": 0.5}, {"x": 1.0, "y": 0.5}]
+        return {"interfaces": [{"name": "bedding", "along": {"line": {"points": points}}, "law": law}]}
 
     def has_section(self):
         return self.row["grid"] in ("block", "blocks", "mesh") and self.row["hole"] != "side"
@@ -278,6 +298,9 @@ class Ground:
                   for quantity in ("displacement_x", "acceleration_y")]
         if self.has_section():
             found += [{"name": "cut", "quantity": quantity, "section": "cut"} for quantity in ("thrust", "moment", "shear_force")]
+        between = [("bedding", {"x": 0.0, "y": 0.5})] * (self.row["bedding"] != "none") + [("lining", {"x": 0.0, "y": 3.0})] * (self.row["support"] == "slipping")
+        found += [{"name": name, "quantity": quantity, "interface": name, "at": dict(at)} for name, at in between
+                  for quantity in ("opening", "offset", "normal_stress", "shear_stress")]
         names = {"none": [], "bolt": [], "arcs": ["upper", "lower"]}.get(self.row["support"], ["lining"])
         at = {"lower": {"x": 0.0, "y": 1.0}}
         return found + [{"name": name, "quantity": quantity, "lining": name, "at": dict(at.get(name, {"x": 0.0, "y": 3.0}))}

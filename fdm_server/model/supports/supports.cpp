@@ -7,10 +7,14 @@
 #include <map>
 #include <memory>
 #include <numbers>
+#include <set>
 #include <utility>
 
 #include "fdm_server/grid/edges.hpp"
+#include "fdm_server/model/grid/excavation.hpp"
 #include "fdm_server/model/grid/selection.hpp"
+#include "fdm_server/model/interfaces/law.hpp"
+#include "fdm_server/model/interfaces/seams.hpp"
 #include "fdm_server/model/supports/meetings.hpp"
 #include "fdm_server/supports/curve.hpp"
 #include "fdm_server/supports/trace.hpp"
@@ -111,7 +115,7 @@ std::vector<LiningJoint> read_joints(const scene::Lining& lining, const Path& al
   return joints;
 }
 
-// Who lies on each edge.
+// Who lies on each side of a zone of the grid as it was before cuts.
 class Occupied {
  public:
   explicit Occupied(const Grid& grid) : grid_(grid) {}
@@ -128,6 +132,10 @@ class Occupied {
                       grid_.x[a], grid_.y[a], grid_.x[b], grid_.y[b], owner->second));
     }
   }
+  void take(Path along, const Grid& cut, const std::string& path) {
+    for (auto& point : along.points) point = cut.place(point);
+    take(along, path);
+  }
 
  private:
   const Grid& grid_;
@@ -140,7 +148,7 @@ void add_bolt(const scene::Bolt& bolt, const Grid& grid, const Edges& edges, con
           "is the same place as `from`; give the bolt a length");
   const auto line = polyline({{bolt.from().x(), bolt.from().y()}, {bolt.to().x(), bolt.to().y()}});
   const Path along = trace(grid, edges, *line, path);
-  occupied.take(along, path);
+  occupied.take(along, grid, path);
   auto& structures = supports.structures;
   const double area = bolt.area() / bolt.spacing();
   const BarSection section{bolt.young_modulus() * area, bolt.yield_force() / bolt.spacing(),
@@ -154,24 +162,152 @@ void add_bolt(const scene::Bolt& bolt, const Grid& grid, const Edges& edges, con
       {along, first, static_cast<std::uint32_t>(structures.bars().size()) - first, bolt.spacing()});
 }
 
+// The sides that two groups of zones share, with the second on the right.
+Path shared_sides(const scene::GroupPair& pair, const Grid& grid, const std::string& path) {
+  const auto zones = [&](const std::string& name, const std::string& key) {
+    scene::Area area;
+    area.set_group(name);
+    std::vector<bool> of_group(grid.zones.size(), false);
+    for (const auto zone : select_zones(grid, area, path + key)) of_group[zone] = true;
+    return of_group;
+  };
+  const auto left = zones(pair.left(), ".left"), right = zones(pair.right(), ".right");
+  std::map<std::pair<std::int32_t, std::int32_t>, bool> sides_of_left;
+  const auto for_each_side = [&](const std::vector<bool>& of_group, const auto& take) {
+    for (std::uint32_t z = 0; z < grid.zones.size(); ++z)
+      for (std::size_t c = 0; of_group[z] && c < 4; ++c)
+        take(grid.zones[z][c], grid.zones[z][(c + 1) % 4], z);
+  };
+  for_each_side(left, [&](auto from, auto to, auto) { sides_of_left[{from, to}] = true; });
+  std::vector<Edge> shared;
+  for_each_side(right, [&](auto from, auto to, auto zone) {
+    if (sides_of_left.contains({to, from})) shared.push_back({from, to, zone});
+  });
+  require(!shared.empty(), path,
+          fmt::format("names the groups `{}` and `{}`, which share no side of a zone; name two that touch",
+                      pair.left(), pair.right()));
+  return chain(grid, shared, path);
+}
+
+Path read_path(const scene::GridInterface& interface, const Grid& grid, const Edges& edges,
+               const std::string& path) {
+  require(interface.has_along() != interface.has_between(), path,
+          "needs one path; give either `along` or `between`");
+  return interface.has_between() ? shared_sides(interface.between(), grid, path + ".between")
+                                 : read_path(interface.along(), grid, edges, path + ".along");
+}
+
+// A free field goes on as the side does, whose points belong to one column.
+std::vector<bool> points_at_free_field(const scene::FreeField& free_field, const Grid& grid) {
+  const auto box = bounds(grid);
+  std::vector<bool> at(grid.x.size(), false);
+  for (std::size_t i = 0; i < at.size(); ++i)
+    at[i] = (free_field.left() && grid.x[i] <= box.x_min + tolerance(grid)) ||
+            (free_field.right() && grid.x[i] >= box.x_max - tolerance(grid));
+  return at;
+}
+
+// What runs along seams, in the order of the paths: all interfaces, then linings that have one.
+struct SeamPaths {
+  std::vector<Path> paths;
+  std::map<int, std::size_t> of_lining;  // their numbers
+};
+
+SeamPaths read_seams(const scene::Continuum& scene, const Grid& grid, const Edges& edges,
+                     Occupied& occupied) {
+  SeamPaths seams;
+  for (int i = 0; i < scene.interfaces_size(); ++i) {
+    const auto path = fmt::format("continuum.interfaces[{}]", i);
+    seams.paths.push_back(read_path(scene.interfaces(i), grid, edges, path));
+    occupied.take(seams.paths.back(), path);
+  }
+  for (int i = 0; i < scene.linings_size(); ++i) {
+    if (!scene.linings(i).has_interface()) continue;
+    const auto path = fmt::format("continuum.linings[{}]", i);
+    seams.of_lining[i] = seams.paths.size();
+    seams.paths.push_back(read_path(scene.linings(i).along(), grid, edges, path + ".along"));
+    occupied.take(seams.paths.back(), path);
+  }
+  require(seams.paths.empty() || !scene.large_strain(), "continuum.large_strain",
+          "moves points along interfaces to other partners, which is not computed; leave large_strain or the "
+          "interfaces out");
+  return seams;
+}
+
+// Of a lining: a copy of each point of its path; linings that meet in a point share it.
+Path own_points(const Path& path, std::map<std::uint32_t, std::uint32_t>& own, Grid& grid) {
+  Path copies = path;
+  for (auto& point : copies.points) {
+    const auto [copy, added] = own.try_emplace(point, static_cast<std::uint32_t>(grid.x.size()));
+    if (added) {
+      grid.x.push_back(grid.x[point]);
+      grid.y.push_back(grid.y[point]);
+      grid.double_of.push_back(point);
+    }
+    point = copy->second;
+  }
+  return copies;
+}
+
+// In stage 0 the grid is cut along the lining, which may stand in the middle of it. Later the zones on one
+// side are gone: until then they are joined to the others.
+void require_ground_on_one_side(const Path& along, std::uint32_t stage, const Seams& seams,
+                                std::span<const std::uint32_t> stages, const std::string& path) {
+  for (std::size_t k = 0; k + (along.closed ? 0 : 1) < along.points.size(); ++k) {
+    const auto beside = seams.beside(along, k);
+    const auto there = std::ranges::count_if(
+        beside, [&](auto zone) { return zone != kNoZone && (stages[zone] == 0 || stages[zone] > stage); });
+    require(there == 1, path + ".interface",
+            there == 0
+                ? "has no ground to bear on along a part of the lining; let a side of it be ground"
+                : "lies between zones on both sides of the lining in the stage in which it is installed; "
+                  "excavate one side by then, or install it in stage 0");
+  }
+}
+
 }  // namespace
 
-Supports resolve_supports(const scene::Scene& scene, const Grid& grid) {
+Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::span<const double> weights,
+                          Grid& grid) {
   const auto& linings = scene.continuum().linings();
   const auto& bolts = scene.continuum().bolts();
+  const auto& interfaces = scene.continuum().interfaces();
   Supports supports;
-  if (linings.empty() && bolts.empty()) return supports;
+  if (linings.empty() && bolts.empty() && interfaces.empty()) return supports;
+  const Grid whole = grid;
+  Occupied occupied(whole);
+  const SeamPaths seam_paths = read_seams(scene.continuum(), whole, number_edges(whole), occupied);
+  const Seams seams(seam_paths.paths, points_at_free_field(scene.continuum().free_field(), whole), ground,
+                    weights, grid);
   const Edges edges = number_edges(grid);
-  Occupied occupied(grid);
+
+  std::set<std::string> names;
+  for (int i = 0; i < interfaces.size(); ++i) {
+    const auto path = fmt::format("continuum.interfaces[{}]", i);
+    require(names.insert(interfaces[i].name()).second, path + ".name",
+            "`" + interfaces[i].name() + "` is taken by another interface; choose another one");
+    auto& joined = supports.interfaces.emplace_back(seams.join(seam_paths.paths[static_cast<std::size_t>(i)],
+                                                               read_law(interfaces[i].law(), path + ".law"),
+                                                               supports.contacts));
+    joined.name = interfaces[i].name();
+    require(joined.count > 0, path, "has zones on one side only; let it run inside the grid");
+  }
+
+  std::map<std::uint32_t, std::uint32_t> own;  // points of linings with interfaces
   std::vector<LiningPlan> plans;
   for (int i = 0; i < linings.size(); ++i) {
     const auto& lining = linings[i];
     const auto path = fmt::format("continuum.linings[{}]", i);
     require(std::ranges::find(plans, lining.name(), &LiningPlan::name) == plans.end(), path + ".name",
             "`" + lining.name() + "` is taken by another lining; choose another one");
+    require(!names.contains(lining.name()), path + ".name",
+            "`" + lining.name() + "` is taken by an interface; choose another one");
     const Section section = read_section(lining, scene.plane() == scene::PLANE_STRAIN, path);
-    const Path along = read_path(lining.along(), grid, edges, path + ".along");
-    occupied.take(along, path);
+    const auto on_seam = seam_paths.of_lining.find(i);
+    const Path along = on_seam != seam_paths.of_lining.end()
+                           ? own_points(seam_paths.paths[on_seam->second], own, grid)
+                           : read_path(lining.along(), grid, edges, path + ".along");
+    if (on_seam == seam_paths.of_lining.end()) occupied.take(along, grid, path);
     require_statics(lining.stage(), scene, path);
     plans.push_back({lining.name(), along, section, read_joints(lining, along, grid, path),
                      lining.first_end_fixed(), lining.last_end_fixed()});
@@ -181,6 +317,20 @@ Supports resolve_supports(const scene::Scene& scene, const Grid& grid) {
     supports.structures.set_stage(linings[i].stage());
     supports.linings.push_back(add_lining(plans[static_cast<std::size_t>(i)], grid, supports.structures));
   }
+  const auto stages =
+      seam_paths.of_lining.empty() ? std::vector<std::uint32_t>{} : excavated_zones(scene, grid).stage;
+  for (const auto& [i, number] : seam_paths.of_lining) {
+    const auto& lining = linings[i];
+    const auto path = fmt::format("continuum.linings[{}]", i);
+    if (lining.stage() > 0)
+      require_ground_on_one_side(seam_paths.paths[number], lining.stage(), seams, stages, path);
+    auto& joined = supports.interfaces.emplace_back(
+        seams.join(seam_paths.paths[number], plans[static_cast<std::size_t>(i)].path.points,
+                   read_law(lining.interface(), path + ".interface"), lining.stage(), supports.contacts));
+    joined.name = lining.name();
+  }
+  supports.contacts.install(0, std::vector<bool>(grid.zones.size(), false));
+
   for (int i = 0; i < bolts.size(); ++i) {
     const auto path = fmt::format("continuum.bolts[{}]", i);
     require_statics(bolts[i].stage(), scene, path);

@@ -1,4 +1,4 @@
-"""Thrust, moment and shear force of linings, drawn across them where they act."""
+"""What linings and interfaces bear, drawn across them where it acts."""
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.lines import Line2D
@@ -8,34 +8,47 @@ from adit.plots import style
 from adit.plots.drawing import Drawing, Panels, legend
 from adit.results.rounding import settled
 
-FORCES = (("thrust_N", "thrust N", "kN"), ("moment_Nm", "moment M", "kN m"), ("shear_N", "shear force Q", "kN"))
+# Fields with their names, units, and a unit in those of the field.
+FORCES = (("thrust_N", "thrust N", "kN", 1e3), ("moment_Nm", "moment M", "kN m", 1e3), ("shear_N", "shear force Q", "kN", 1e3))
+OF_INTERFACES = (("normal_stress_Pa", "normal stress", "kPa", 1e3), ("shear_stress_Pa", "shear stress", "kPa", 1e3),
+                 ("opening_m", "opening", "mm", 1e-3), ("offset_m", "offset", "mm", 1e-3))
 REACH = 0.3  # length at which the largest value is drawn, relative to the size of the lining
 
 
 def lining_forces(run, time, pieces):
     """One panel for each force. Positive values are drawn to the right of the lining's path; dashed lines are the least and
     the largest so far."""
-    linings = pieces.get("linings")
-    if linings is None or len(linings.cells) == 0:
+    return _across(run, pieces.get("linings"), FORCES, f"forces in the lining at t = {style.instant(time)}, per metre", [
+        Patch(fc=style.RED, alpha=0.5, label="positive: tension, or the right-hand side of the path stretched"),
+        Patch(fc=style.BLUE, alpha=0.5, label="negative"),
+        Line2D([], [], color=style.GREY, ls="--", label="least and largest so far")])
+
+
+def interfaces(run, time, pieces):
+    """One panel for each quantity of the interfaces, positive values to the right of the path."""
+    return _across(run, pieces.get("interfaces"), OF_INTERFACES, f"interfaces at t = {style.instant(time)}", [
+        Patch(fc=style.RED, alpha=0.5, label="positive: tension, or the left face moved along the path"),
+        Patch(fc=style.BLUE, alpha=0.5, label="negative")])
+
+
+def _across(run, lines, quantities, title, entries):
+    if lines is None or len(lines.cells) == 0:
         return None
-    size = max(np.ptp(linings.points, axis=0))
-    bounds = style.bounds_of(linings.points - REACH * size, linings.points + REACH * size)
-    normals = _right_normals(linings)
+    size = max(np.ptp(lines.points, axis=0))
+    bounds = style.bounds_of(lines.points - REACH * size, lines.points + REACH * size)
+    normals = _right_normals(lines)
 
     def paint(*panels):
-        for axes, (name, what, unit) in zip(panels, FORCES):
+        for axes, (name, what, unit, scale) in zip(panels, quantities):
             axes.set(xlim=bounds[:2], ylim=bounds[2:], aspect="equal", xlabel="x [m]")
-            _draw(axes, linings, normals, name, REACH * size)
-            axes.set_title(f"{what}: {_range(linings.field(name))} {unit}", loc="left")
+            _draw(axes, lines, normals, name, REACH * size)
+            axes.set_title(f"{what}: {_range(lines.field(name), scale)} {unit}", loc="left")
         panels[0].set_ylabel("y [m]")
-        return [legend(None, [
-            Patch(fc=style.RED, alpha=0.5, label="positive: tension, or the right-hand side of the path stretched"),
-            Patch(fc=style.BLUE, alpha=0.5, label="negative"),
-            Line2D([], [], color=style.GREY, ls="--", label="least and largest so far")], loc="lower center", ncol=3)]
+        return [legend(None, entries, loc="lower center", ncol=len(entries))]
 
-    layout = Panels(1, len(FORCES), (10.5, 4.6), title_above=True, dense=True,
+    layout = Panels(1, len(quantities), (3.5 * len(quantities), 4.6), title_above=True, dense=True,
                     margins={"left": 0.06, "right": 0.99, "top": 0.88, "bottom": 0.19, "wspace": 0.16})
-    return Drawing(run.name, f"forces in the lining at t = {style.instant(time)}, per metre", layout, paint)
+    return Drawing(run.name, title, layout, paint)
 
 
 def _draw(axes, linings, normals, name, reach):
@@ -66,6 +79,6 @@ def _right_normals(linings):
     return np.stack([mean[:, 1], -mean[:, 0]], axis=1)
 
 
-def _range(values):
-    low, high = (settled(end / 1e3, np.abs(values).max() / 1e3) for end in (values.min(), values.max()))
+def _range(values, scale=1e3):
+    low, high = (settled(end / scale, np.abs(values).max() / scale) for end in (values.min(), values.max()))
     return f"{low:,.4g} to {high:,.4g}"

@@ -61,7 +61,8 @@ const std::string kConcreteWall = "thickness: 0.3 young_modulus: 30e9 ";
 Supports with(const std::string& text, const Grid& grid) {
   const scene::Scene scene = parsed(text);
   protocol::check_rules(scene.continuum(), "continuum");
-  return resolve_supports(scene, grid);
+  Grid own = grid;
+  return resolve_supports(scene, Ground{}, {}, own);
 }
 std::vector<std::uint32_t> path_of(const std::string& along, const Grid& grid) {
   return with("linings { name: 'l' along { " + along + " } " + kConcreteWall + "}", grid)

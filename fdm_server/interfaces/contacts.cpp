@@ -1,0 +1,245 @@
+#include "fdm_server/interfaces/contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adit::fdm {
+
+std::uint32_t Contacts::add(const std::array<std::uint32_t, 2>& points, std::span<const Half> halves,
+                            const ContactLaw& law, std::uint32_t stage) {
+  contacts_.push_back({points, {halves.begin(), halves.end()}, 0, 0, 0, law, stage, {}});
+  return static_cast<std::uint32_t>(contacts_.size() - 1);
+}
+
+void Contacts::install(std::uint32_t stage, const std::vector<bool>& gone) {
+  const auto is_gone = [&](std::uint32_t zone) { return zone != kNoZone && gone[zone]; };
+  for (Contact& contact : contacts_) {
+    std::erase_if(contact.halves,
+                  [&](const Half& half) { return is_gone(half.first_zone) || is_gone(half.second_zone); });
+    double nx = 0, ny = 0;
+    if (contact.stage <= stage)
+      for (const Half& half : contact.halves) {
+        nx += half.nx;
+        ny += half.ny;
+      }
+    contact.length = std::hypot(nx, ny);
+    if (contact.length == 0) continue;
+    contact.nx = nx / contact.length;
+    contact.ny = ny / contact.length;
+  }
+}
+
+void Contacts::mark_points(std::vector<bool>& touched) const {
+  for (const Contact& contact : contacts_)
+    for (const auto point : contact.points) touched[point] = true;
+}
+
+Contacts::Part Contacts::standing() const {
+  Part part;
+  for (std::uint32_t i = 0; i < contacts_.size(); ++i)
+    if (contacts_[i].length > 0) part.push_back(i);
+  return part;
+}
+
+Contacts::Part Contacts::take(Part& part, const std::vector<bool>& chosen) const {
+  const auto counts = [&](std::uint32_t i) { return touches(contacts_[i], chosen); };
+  Part taken;
+  std::ranges::copy_if(part, std::back_inserter(taken), counts);
+  std::erase_if(part, counts);
+  return taken;
+}
+
+// A spring k between two masses m turns with 2k/m = 4/dt^2.
+void Contacts::add_masses(std::span<double> of_points, double step) const {
+  for (const Contact& contact : contacts_) {
+    const double stiffness = std::max(contact.law.normal, contact.law.shear) * contact.length;
+    for (const auto point : contact.points) of_points[point] += stiffness * step * step / 2;
+  }
+}
+
+Contacts::Stiffest Contacts::stiffest(std::span<const double> masses, const std::vector<bool>& chosen) const {
+  std::vector<double> stiffness(masses.size(), 0.0);
+  for (const Contact& contact : contacts_) {
+    double length = 0;
+    for (const Half& half : contact.halves) length += std::hypot(half.nx, half.ny);
+    for (const auto point : contact.points)
+      stiffness[point] += std::max(contact.law.normal, contact.law.shear) * length;
+  }
+  Stiffest found;
+  for (const Contact& contact : contacts_) {
+    if (!touches(contact, chosen)) continue;
+    double square = 0;
+    for (const auto point : contact.points) square += stiffness[point] / masses[point];
+    if (square > found.square) found = {square, contact.points[0]};
+  }
+  return found;
+}
+
+void Contacts::take_stress(const std::function<Stress(std::uint32_t zone)>& stress_of) {
+  for (Contact& contact : contacts_) {
+    if (contact.length == 0 || contact.halves[0].first_zone == kNoZone) continue;
+    const Half& half = contact.halves[0];
+    const Stress a = stress_of(half.first_zone), b = stress_of(half.second_zone);
+    const double xx = (a.xx + b.xx) / 2, yy = (a.yy + b.yy) / 2, xy = (a.xy + b.xy) / 2;
+    const double tx = xx * contact.nx + xy * contact.ny, ty = xy * contact.nx + yy * contact.ny;
+    contact.state.closure = (tx * contact.nx + ty * contact.ny) / contact.law.normal;
+    // The second face holds the first back along the tangent (ny, -nx) with -t.tangent.
+    contact.state.shear = tx * contact.ny - ty * contact.nx;
+  }
+}
+
+void Contacts::add_forces(const Part& part, double dt, const PointView& points) {
+  move(part, dt, false, points);
+  for (const auto i : part) {
+    Contact& contact = contacts_[i];
+    auto& [du, ds] = contact.motion;
+    const double normal = normal_stress(contact.law, contact.state), shear = contact.state.shear,
+                 stored = fdm::strain_energy(contact.law, contact.state);
+    fdm::move(contact.law, du, ds, contact.state);
+    contact.stress = {normal_stress(contact.law, contact.state), contact.state.shear};
+    dissipated_ +=
+        contact.length * ((normal + contact.stress[0]) / 2 * du + (shear + contact.stress[1]) / 2 * ds -
+                          (fdm::strain_energy(contact.law, contact.state) - stored));
+    contact.offset += ds;
+    pull(contact, points);
+  }
+}
+
+// Stresses pull the first face to the second.
+void Contacts::pull(const Contact& contact, const PointView& points) const {
+  const auto [normal, shear] = contact.stress;
+  const double nx = contact.nx, ny = contact.ny;
+  const double fx = contact.length * (normal * nx + shear * ny),
+               fy = contact.length * (normal * ny - shear * nx);
+  const auto [first, second] = contact.points;
+  points.fx[first] -= fx;
+  points.fy[first] -= fy;
+  points.fx[second] += fx;
+  points.fy[second] += fy;
+}
+
+// The tangent (ny, -nx) lies to the right of the normal.
+void Contacts::move(const Part& part, double dt, bool from_rest, const PointView& points) {
+  for (const auto i : part) {
+    Contact& contact = contacts_[i];
+    const auto [first, second] = contact.points;
+    const double dx = dt * (points.vx[first] - points.vx[second]),
+                 dy = dt * (points.vy[first] - points.vy[second]);
+    contact.from_rest = from_rest;
+    contact.motion = {0, 0};  // from rest nothing has moved
+    if (!from_rest) contact.motion = {dx * contact.nx + dy * contact.ny, dx * contact.ny - dy * contact.nx};
+  }
+}
+
+// dt v(n+1/2)/2 = dt v(n-1/2)/2 + dt^2 a/2; from rest dt^2 a/4.
+std::array<double, 2> Contacts::place_ahead(const Contact& contact, const std::array<double, 2>& lead) {
+  if (contact.from_rest) return lead;
+  return {contact.motion[0] / 2 + 2 * lead[0], contact.motion[1] / 2 + 2 * lead[1]};
+}
+
+Stroke Contacts::stroke(const Contact& contact, const std::array<double, 2>& lead, ContactState& state) {
+  const auto ahead = place_ahead(contact, lead);
+  Stroke stroke = fdm::move(contact.law, contact.motion[0] + ahead[0] - contact.ahead[0],
+                            contact.motion[1] + ahead[1] - contact.ahead[1], state);
+  if (contact.from_rest) {
+    stroke.normal = normal_stress(contact.law, state);
+    stroke.shear = state.shear;
+  }
+  return stroke;
+}
+
+Contacts::Bearing Contacts::bear(std::uint32_t i, const std::array<double, 2>& lead) const {
+  const Contact& contact = contacts_[i];
+  ContactState state = contact.state;
+  const Stroke ahead = stroke(contact, lead, state);
+  return {contact.length * ahead.normal, contact.length * ahead.shear, ahead.normal_stiffness,
+          ahead.shear_stiffness};
+}
+
+void Contacts::follow(std::uint32_t i, const std::array<double, 2>& lead, const PointView& points) {
+  Contact& contact = contacts_[i];
+  const Stroke done = stroke(contact, lead, contact.state);
+  if (!contact.from_rest) dissipated_ += contact.length * done.dissipated;
+  contact.stress = {done.normal, done.shear};
+  contact.offset += contact.motion[1];
+  contact.ahead = place_ahead(contact, lead);
+  contact.lead = lead;
+  pull(contact, points);
+}
+
+void Contacts::add_held(const std::function<double(std::uint32_t zone)>& share_of, std::span<double> fx,
+                        std::span<double> fy) const {
+  const auto share = [&](std::uint32_t zone) { return zone == kNoZone ? 0.0 : share_of(zone); };
+  for (const Contact& contact : contacts_) {
+    if (contact.length == 0) continue;
+    for (const Half& half : contact.halves) {
+      const double normal = normal_stress(contact.law, contact.state), shear = contact.state.shear;
+      const double x = normal * half.nx + shear * half.ny, y = normal * half.ny - shear * half.nx;
+      // What is taken away on one side goes on holding the other.
+      const double of_first = share(half.first_zone), of_second = share(half.second_zone);
+      fx[contact.points[1]] += of_first * x;
+      fy[contact.points[1]] += of_first * y;
+      fx[contact.points[0]] -= of_second * x;
+      fy[contact.points[0]] -= of_second * y;
+    }
+  }
+}
+
+std::vector<StrainForm> Contacts::strains(const Part& part) const {
+  std::vector<StrainForm> strains;
+  for (const auto i : part) {
+    const Contact& contact = contacts_[i];
+    const auto form = [&](double stiffness, double x, double y) {
+      const auto [first, second] = contact.points;
+      strains.push_back({stiffness * contact.length,
+                         {{{Freedom::kX, first}, x},
+                          {{Freedom::kY, first}, y},
+                          {{Freedom::kX, second}, -x},
+                          {{Freedom::kY, second}, -y}}});
+    };
+    form(contact.law.normal, contact.nx, contact.ny);
+    form(contact.law.shear, contact.ny, -contact.nx);
+  }
+  return strains;
+}
+
+double Contacts::dissipated() const {
+  double sum = dissipated_;
+  for (const Contact& contact : contacts_)
+    if (contact.state.status == ContactStatus::kSliding)
+      sum -= contact.length * contact.stress[1] * contact.ahead[1];
+  return sum;
+}
+
+double Contacts::strain_energy() const {
+  double sum = 0;
+  for (const auto& [points, halves, nx, ny, length, law, stage, state, offset, stress, lead, ahead, motion,
+                    rest] : contacts_)
+    sum += length * (fdm::strain_energy(law, state) - stress[0] * ahead[0] -
+                     (state.status == ContactStatus::kSliding ? 0 : stress[1] * ahead[1]));
+  return sum;
+}
+
+void Contacts::reset_offsets() {
+  for (Contact& contact : contacts_) contact.offset = 0;
+}
+
+void Contacts::exchange(state::Archive& archive) {
+  archive.members("contacts", std::span(contacts_), &Contact::state, &Contact::offset, &Contact::stress,
+                  &Contact::lead, &Contact::ahead);
+  archive("contacts_dissipated", dissipated_);
+}
+
+double Contacts::side(std::uint32_t contact) const {
+  double longest = 0;
+  for (const Half& half : contacts_[contact].halves) longest = std::max(longest, half.side);
+  return longest;
+}
+
+Contacts::Reading Contacts::read(std::uint32_t i) const {
+  const Contact& contact = contacts_[i];
+  if (contact.length == 0) return {};
+  return {contact.stress[0], contact.stress[1], std::max(0.0, opening(contact.state)), contact.offset};
+}
+
+}  // namespace adit::fdm

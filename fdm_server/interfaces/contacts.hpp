@@ -1,0 +1,141 @@
+// The contacts of a grid: pairs of faces that share a place, each between points of zones or linings, in
+// small strain.
+//
+// A contact is the sum of halves, the ends of sides at its place, each between two zones or between a lining
+// and a zone, because zones may be taken away later. Its normal is the mean of its halves', by length: on a
+// polygon that stands for a curve slip then neither opens nor closes the faces, while the normals of the
+// sides would lock it.
+//
+// Where they can, contacts move by mean acceleration (structures/mean_acceleration.hpp), so that their
+// stiffness does not shorten the step. Their law moves from half step to half step, from the mean of u(n-1)
+// and u(n) to that of u(n) and u(n+1), and its mean stresses of this stroke act at step n: for faces that
+// stick these are the mean of three steps, and faces that meet, slide and part make no energy. The end of the
+// stroke is ahead of u(n) by dt v(n+1/2)/2, which the acceleration decides; from rest, when v(-1/2) =
+// -v(1/2), the stroke begins where it ends, and the stresses are those of its end.
+//
+// Ledger (solver/continuum.hpp): as the work of step n is that of its stresses over the stroke, what is
+// stored at step n is what is stored at the end less the stresses times the way ahead; of faces that slide it
+// is what is dissipated that is less.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "fdm_server/interfaces/contact.hpp"
+#include "fdm_server/materials/plane_law.hpp"
+#include "fdm_server/structures/strain_form.hpp"
+#include "fdm_server/zones/kernel/zone_runs.hpp"
+#include "protocol/state/archive.hpp"
+
+namespace adit::fdm {
+
+inline constexpr std::uint32_t kNoZone = std::numeric_limits<std::uint32_t>::max();
+
+class Contacts {
+ public:
+  // Between zones, or a lining (kNoZone) and a zone. (nx, ny): the normal towards the first face times half
+  // the length of the side, weighted [m].
+  struct Half {
+    std::uint32_t first_zone, second_zone;
+    double nx, ny;
+    double side;  // its length [m]
+  };
+  // Adds a contact of these halves, at most two, between two points at one place, which stands from this
+  // stage on. Returns its number.
+  std::uint32_t add(const std::array<std::uint32_t, 2>& points, std::span<const Half> halves,
+                    const ContactLaw& law, std::uint32_t stage);
+
+  bool empty() const { return contacts_.empty(); }
+  std::size_t size() const { return contacts_.size(); }
+
+  // Contacts of the stages up to this one stand from now on; halves of zones that are gone fall away.
+  void install(std::uint32_t stage, const std::vector<bool>& gone);
+  void mark_points(std::vector<bool>& touched) const;
+  using Part = std::vector<std::uint32_t>;  // numbers
+  Part standing() const;
+  // Moves out of a part what touches a chosen point.
+  Part take(Part& part, const std::vector<bool>& chosen) const;
+
+  // Masses that make this step [s] the critical one of every contact that stands, for statics: no frequency
+  // of the whole is then above the largest of one element (zones/critical_step.hpp).
+  void add_masses(std::span<double> of_points, double step) const;
+  // A bound of the square of the frequencies [1/s^2] of contacts that touch a chosen point, whether they
+  // stand or not, between points of these masses; and the contact that it is of. By Gershgorin's circles: the
+  // sum over both points of the stiffness of all their contacts over the mass.
+  struct Stiffest {
+    double square = 0;
+    std::uint32_t point = 0;
+  };
+  Stiffest stiffest(std::span<const double> masses, const std::vector<bool>& chosen) const;
+
+  // The tractions at the start: of the mean stress of the zones on both sides. Linings start without.
+  void take_stress(const std::function<Stress(std::uint32_t zone)>& stress_of);
+
+  // Moves these contacts to the present places of their faces and adds their forces.
+  void add_forces(const Part& part, double dt, const PointView& points);
+  // The same in parts, for contacts by mean acceleration. The faces come to their places of this step:
+  void move(const Part& part, double dt, bool from_rest, const PointView& points);
+  // What a contact will bear if dt^2/4 times its relative acceleration are these leads along normal and
+  // tangent [m], and with which stiffness against them.
+  struct Bearing {
+    double normal, shear;                      // [N], tension positive
+    double normal_stiffness, shear_stiffness;  // shares of those of faces that stick
+  };
+  Bearing bear(std::uint32_t contact, const std::array<double, 2>& lead) const;
+  // The contact follows its law, and its forces are added.
+  void follow(std::uint32_t contact, const std::array<double, 2>& lead, const PointView& points);
+  // The leads of the last step.
+  const std::array<double, 2>& lead(std::uint32_t contact) const { return contacts_[contact].lead; }
+  // The forces of halves of the zones that have such a share to be held back, on their points.
+  void add_held(const std::function<double(std::uint32_t zone)>& share_of, std::span<double> fx,
+                std::span<double> fy) const;
+
+  // Two forms each, along the normal and along the tangent, of faces that stick.
+  std::vector<StrainForm> strains(const Part& part) const;
+  double strain_energy() const;
+  double dissipated() const;
+  // Displacements and dissipation count from now on.
+  void start_over() { dissipated_ = 0; }
+  void reset_offsets();
+  void exchange(state::Archive& archive);
+
+  // What acts between the faces of one that stands, and how they lie; zeros where it does not stand.
+  struct Reading {
+    double normal_stress, shear_stress;  // [Pa], tension positive
+    double opening, offset;              // [m]
+  };
+  Reading read(std::uint32_t contact) const;
+  std::uint32_t point(std::uint32_t contact) const { return contacts_[contact].points[0]; }
+  double side(std::uint32_t contact) const;  // length of the longest side at it [m]
+
+ private:
+  struct Contact {
+    std::array<std::uint32_t, 2> points;
+    std::vector<Half> halves;
+    double nx, ny, length;  // unit normal; length 0 where it does not stand
+    ContactLaw law;
+    std::uint32_t stage;
+    ContactState state;
+    double offset = 0;               // along the tangent, since displacements were 0 [m]
+    std::array<double, 2> stress{};  // at this step, along normal and tangent [Pa]
+    std::array<double, 2> lead{};    // [m]
+    std::array<double, 2> ahead{};   // the state's place, of that of the faces [m]
+    std::array<double, 2> motion{};  // of the faces in this step [m]
+    bool from_rest = false;          // this step
+  };
+  static std::array<double, 2> place_ahead(const Contact& contact, const std::array<double, 2>& lead);
+  static Stroke stroke(const Contact& contact, const std::array<double, 2>& lead, ContactState& state);
+  void pull(const Contact& contact, const PointView& points) const;
+  static bool touches(const Contact& contact, const std::vector<bool>& chosen) {
+    return chosen[contact.points[0]] || chosen[contact.points[1]];
+  }
+
+  std::vector<Contact> contacts_;
+  double dissipated_ = 0;  // up to the ends of the strokes [J]
+};
+
+}  // namespace adit::fdm

@@ -1,0 +1,60 @@
+// Paths along sides of zones on which the faces of zones, or of a lining and zones, do not share points: the
+// grid is cut there, and contacts join the faces.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "fdm_server/grid/cut.hpp"
+#include "fdm_server/grid/grid.hpp"
+#include "fdm_server/interfaces/contacts.hpp"
+#include "fdm_server/interfaces/interface.hpp"
+#include "fdm_server/materials/material.hpp"
+#include "fdm_server/supports/lining.hpp"
+
+namespace adit::fdm {
+
+class Seams {
+ public:
+  // Cuts the grid along these paths of its points. `weights`: of the zones, none: all 1. `kept`: points that
+  // stay whole.
+  Seams(std::span<const Path> paths, const std::vector<bool>& kept, const Ground& ground,
+        std::span<const double> weights, Grid& grid);
+
+  // The zones on the left and on the right of the k-th side of a path; kNoZone where there is none.
+  std::array<std::uint32_t, 2> beside(const Path& path, std::size_t k) const;
+
+  // Adds the contacts of the zones on the left of a path with those on its right.
+  Interface join(const Path& path, const ContactLaw& law, Contacts& contacts) const;
+  // Adds those of a lining with the zones on both its sides, from this stage on. `own`: its points in the
+  // order of the path.
+  Interface join(const Path& path, std::span<const std::uint32_t> own, const ContactLaw& law,
+                 std::uint32_t stage, Contacts& contacts) const;
+
+ private:
+  // What a side brings to a contact at one of its ends.
+  struct End {
+    std::array<std::uint32_t, 2> points;  // first, second
+    Contacts::Half half;
+  };
+  std::uint32_t copy(std::uint32_t point, std::uint32_t zone) const;
+  double weight(std::uint32_t zone) const { return weights_.empty() ? 1 : weights_[zone]; }
+  // (K + 4 G/3) over the zone's size across the side [Pa/m].
+  double stiffness_of(std::uint32_t zone, double side) const;
+  // `sense`: 1 where the first face lies on the left of the path, -1 on the right.
+  End end(const Path& path, std::size_t k, const std::array<std::uint32_t, 2>& points,
+          const std::array<std::uint32_t, 2>& zones, double sense) const;
+  Interface add(std::vector<End> ends, bool closed, const ContactLaw& law, std::uint32_t stage,
+                Contacts& contacts) const;
+
+  const Ground& ground_;
+  std::span<const double> weights_;
+  const Grid& grid_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> on_left_;  // zones of directed sides
+};
+
+}  // namespace adit::fdm
