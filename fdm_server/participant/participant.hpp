@@ -21,6 +21,7 @@
 #include "fdm_server/output/peaks.hpp"
 #include "fdm_server/solver/relaxation.hpp"
 #include "fdm_server/supports/peak_forces.hpp"
+#include "fdm_server/supports/peak_use.hpp"
 #include "fdm_server/supports/supports.hpp"
 #include "protocol/motion/excitation/ground_motion.hpp"
 #include "protocol/participant/interface/interface_operator.hpp"
@@ -116,6 +117,7 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   std::unique_ptr<Continuum> continuum_;
   protocol::InterfaceOperator operator_;
   PeakForces peak_forces_;
+  PeakUse peak_use_;
   std::optional<Histories> histories_;
   std::optional<Peaks> peaks_;              // once wanted
   std::optional<Relaxation> relaxation_;    // in statics

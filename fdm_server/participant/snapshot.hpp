@@ -8,6 +8,7 @@
 #include "fdm_server/output/peaks.hpp"
 #include "fdm_server/solver/continuum.hpp"
 #include "fdm_server/supports/peak_forces.hpp"
+#include "fdm_server/supports/peak_use.hpp"
 #include "fdm_server/supports/supports.hpp"
 #include "protocol/messages/wire.pb.h"
 
@@ -28,9 +29,12 @@ void add_ground(const Grid& grid, const Ground& ground, const ZoneSet& zones, st
 // Pieces of lines, where there are any: "linings" with point fields displacement_m, thrust_N, moment_Nm,
 // shear_N, their peaks since time began by sign, peak_largest_… and peak_least_…, with the thrust beside
 // those of the moment, thrust_at_peak_largest_moment_N and …_least_…, and the lining's number as cell field
-// lining; "bolts" with displacement_m and, of one bolt, cell field thrust_N.
+// lining; where a lining has a section of reinforced concrete, also the point fields utilisation,
+// shear_utilisation, curvature_per_m, steel_strain and crack_width_m with their peaks by size, peak_…, and
+// the ultimate moments at the present thrust, least_moment_capacity_Nm and largest_moment_capacity_Nm (0 in
+// elastic linings); "bolts" with displacement_m and, of one bolt, cell field thrust_N.
 void add_supports(const Grid& grid, const Continuum& continuum, const Supports& supports,
-                  const PeakForces& peaks, wire::Snapshot& snapshot);
+                  const PeakForces& peaks, const PeakUse& use, wire::Snapshot& snapshot);
 // Adds the peaks to that piece: at points as of every model (peak_motion.hpp), in zones peak_shear_strain,
 // peak_largest_principal_stress_Pa and peak_smallest_principal_stress_Pa.
 void add_peaks(const Peaks& peaks, std::span<const double> weights, wire::Piece& piece);

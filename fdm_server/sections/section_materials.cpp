@@ -56,15 +56,14 @@ SteelValues steel_values(const protocol::Steel& of, Values values) {
   return {of.young_modulus, yield, rise / of.young_modulus, of.design_strain};
 }
 
-ConcreteLaw concrete_law(const ConcreteValues& concrete, const SteelValues& steel, bool tension_stiffening,
+ConcreteLaw concrete_law(const ConcreteValues& concrete, double tension_end,
                          const ResidualTension& residual) {
   // The slope of eq. 3.14 at the origin.
-  const double modulus = 1.05 * concrete.young_modulus;
-  return {modulus,
+  return {1.05 * concrete.young_modulus,
           concrete.compressive,
           concrete.peak_strain,
-          tension_stiffening ? concrete.tensile : 0,
-          steel.yield / steel.young_modulus,
+          concrete.tensile,
+          tension_end,
           residual};
 }
 

@@ -34,9 +34,9 @@ struct SteelValues {
 };
 SteelValues steel_values(const protocol::Steel& of, Values values);
 
-// With tension stiffening concrete loses its tension between its cracking and the yield of the bars, whose
-// bond lets it carry; otherwise it carries none. `residual`: of fibres, by either model.
-ConcreteLaw concrete_law(const ConcreteValues& concrete, const SteelValues& steel, bool tension_stiffening,
+// Between its cracking and `tension_end`, a strain, concrete loses its tension: bars whose bond lets it carry
+// do so until they yield. `residual`: of fibres.
+ConcreteLaw concrete_law(const ConcreteValues& concrete, double tension_end,
                          const ResidualTension& residual = {});
 SteelLaw steel_law(const SteelValues& steel);
 CapacityMaterials capacity_materials(const ConcreteValues& concrete, const SteelValues& steel,

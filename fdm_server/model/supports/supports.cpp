@@ -12,6 +12,7 @@
 #include "fdm_server/grid/edges.hpp"
 #include "fdm_server/model/grid/selection.hpp"
 #include "fdm_server/model/supports/meetings.hpp"
+#include "fdm_server/model/supports/reinforced_section.hpp"
 #include "fdm_server/supports/curve.hpp"
 #include "fdm_server/supports/trace.hpp"
 #include "protocol/errors.hpp"
@@ -70,16 +71,32 @@ Path read_path(const scene::LiningPath& along, const Grid& grid, const Edges& ed
   throw protocol::UserError(path, "names no path; give `circle`, `line` or `wall`");
 }
 
-Section read_section(const scene::Lining& lining, bool plane_strain, const std::string& path) {
+Section read_elastic_section(const scene::Lining& lining, bool plane_strain, const std::string& path) {
   const bool both = lining.has_area() && lining.has_inertia(),
              any = lining.has_area() || lining.has_inertia();
-  require(lining.has_thickness() ? !any : both, path,
-          "needs a section: give either `thickness`, or both `area` and `inertia`");
+  require(
+      lining.has_thickness() ? !any : both, path,
+      "needs a section: give either `thickness`, or both `area` and `inertia`, or `section` of reinforced "
+      "concrete");
+  require(lining.has_young_modulus(), path + ".young_modulus",
+          "is missing; give it, such as `30 GPa`, or a `section` of reinforced concrete");
   const double area = both ? lining.area() : lining.thickness();
   const double inertia = both ? lining.inertia() : std::pow(lining.thickness(), 3) / 12;
   return make_section(
       lining_material(plane_strain, lining.young_modulus(), lining.poisson_ratio(), lining.density()), area,
       inertia, lining.shear_flexible());
+}
+
+std::shared_ptr<const LiningSection> read_section(const scene::Lining& lining, const std::string& path) {
+  if (!lining.has_section()) return nullptr;
+  const auto lone = [&](bool given, const char* key) {
+    require(!given, path + "." + key, "is given beside `section`, which states it; leave one out");
+  };
+  lone(lining.has_thickness(), "thickness");
+  lone(lining.has_area(), "area");
+  lone(lining.has_inertia(), "inertia");
+  lone(lining.has_young_modulus(), "young_modulus");
+  return read_reinforced_section(lining.section(), path + ".section");
 }
 
 geometry::Point place_of(const scene::LiningJoint& joint, const scene::LiningPath& along,
@@ -169,12 +186,15 @@ Supports resolve_supports(const scene::Scene& scene, const Grid& grid) {
     const auto path = fmt::format("continuum.linings[{}]", i);
     require(std::ranges::find(plans, lining.name(), &LiningPlan::name) == plans.end(), path + ".name",
             "`" + lining.name() + "` is taken by another lining; choose another one");
-    const Section section = read_section(lining, scene.plane() == scene::PLANE_STRAIN, path);
+    const auto section = read_section(lining, path);
+    const Section elastic = section
+                                ? elastic_section(*section, lining)
+                                : read_elastic_section(lining, scene.plane() == scene::PLANE_STRAIN, path);
     const Path along = read_path(lining.along(), grid, edges, path + ".along");
     occupied.take(along, path);
     require_statics(lining.stage(), scene, path);
-    plans.push_back({lining.name(), along, section, read_joints(lining, along, grid, path),
-                     lining.first_end_fixed(), lining.last_end_fixed()});
+    plans.push_back({lining.name(), along, elastic, read_joints(lining, along, grid, path),
+                     lining.first_end_fixed(), lining.last_end_fixed(), section});
   }
   require_clear_joints(plans, grid);
   for (int i = 0; i < linings.size(); ++i) {

@@ -23,7 +23,13 @@ TEST(CrackWidth, InTension) {
   EXPECT_NEAR(crack_width(kFace, 240e6, 1e-3, 1e-3), 0.2924 * 196.1 / 200e3, 0.0003e-3);
 }
 
-// Small stresses: at least 0.6 sigma_s/E_s. Bars far apart: 1.3 (h - x). Compression: none.
+// The less stretched face of a section all in tension: eps_1 is that of the other face, k_2 = 3/4.
+TEST(CrackWidth, AtTheLessStretchedFace) {
+  EXPECT_NEAR(crack_width(kFace, 240e6, 1e-3, 2e-3), (0.136 + 0.255 * 0.024 / 0.05219) * 196.1 / 200e3,
+              0.0003e-3);
+}
+
+// Small stresses: at least 0.6 sigma_s/E_s. Bars far apart: 1.3 (h - x). Compression, or no crack yet: none.
 TEST(CrackWidth, Limits) {
   EXPECT_NEAR(crack_width(kFace, 50e6, 2e-3, -1e-3), 0.2142 * 0.6 * 50 / 200e3, 0.0001e-3);
   CrackedFace sparse = kFace;
@@ -31,6 +37,7 @@ TEST(CrackWidth, Limits) {
   EXPECT_NEAR(crack_width(sparse, 400e6, 2e-3, -1e-3), 1.3 * 0.4 * 0.6 * 400 / 200e3, 0.3e-3);
   EXPECT_EQ(crack_width(kFace, -1e6, -1e-3, 1e-3), 0);
   EXPECT_EQ(crack_width(kFace, 1e6, -1e-3, -2e-3), 0);
+  EXPECT_EQ(crack_width(kFace, 10e6, 0.05e-3, -1e-3), 0);  // not cracked
 }
 
 }  // namespace
