@@ -82,7 +82,8 @@ struct Stroke {
 
 // Moves the first face by du and ds [m].
 inline Stroke move(const ContactLaw& law, double du, double ds, ContactState& state) {
-  const double sigma_before = normal_stress(law, state), stored_before = strain_energy(law, state);
+  const double sigma_before = normal_stress(law, state), shear_before = state.shear,
+               stored_before = strain_energy(law, state);
   const bool was_open = state.status == ContactStatus::kOpen;
   const ContactStrength now = strength(law, state);
   state.closure += du;
@@ -97,16 +98,16 @@ inline Stroke move(const ContactLaw& law, double du, double ds, ContactState& st
     const double from = std::min(sigma_before, now.tension), elastic = (now.tension - from) / law.normal;
     if (!was_open && elastic > 0) {
       stroke.normal = (from + now.tension) / 2 * elastic / du;
-      stroke.normal_stiffness = elastic / du * (elastic / du);
+      stroke.normal_stiffness = std::max(0.0, -2 * stroke.normal / (law.normal * du));
     }
   } else {
-    const double limit = std::max(0.0, now.cohesion - sigma * now.tan_friction);
-    const double from = std::clamp(state.shear, -limit, limit), trial = from + law.shear * ds;
+    const double trial = state.shear + law.shear * ds,
+                 limit = std::max(0.0, now.cohesion - sigma * now.tan_friction);
     const double slip = std::max(0.0, std::abs(trial) - limit) /
                         (law.shear + law.normal * now.tan_friction * now.tan_dilation);
     state.dilated += slip * now.tan_dilation;
     state.shear = trial - std::copysign(law.shear * slip, trial);
-    if (slip > 0) state.lost = std::min(1.0, state.lost + lost_by(law, slip));
+    state.lost = std::min(1.0, state.lost + (slip > 0 ? lost_by(law, slip) : 0));
     state.status = slip > 0 ? ContactStatus::kSliding : ContactStatus::kStuck;
     sigma = normal_stress(law, state);
     if (was_open) {
@@ -117,13 +118,13 @@ inline Stroke move(const ContactLaw& law, double du, double ds, ContactState& st
       stroke.normal = (sigma_before + sigma) / 2;
       stroke.normal_stiffness = 1;
     }
-    stroke.shear = (from + state.shear) / 2;
-    stroke.shear_stiffness = 1;
-    if (slip > 0) {
-      const double elastic = (state.shear - from) / law.shear;
-      stroke.shear = ((from + state.shear) / 2 * elastic + state.shear * (ds - elastic)) / ds;
-      stroke.shear_stiffness = elastic / ds * (elastic / ds);
-    }
+    // Stress beyond the present strength is lost at once.
+    const double bound = std::abs(state.shear),
+                 from = slip > 0 ? std::clamp(shear_before, -bound, bound) : shear_before;
+    const double elastic =
+        state.shear == from ? 0 : (state.shear - from) / (law.shear * ds);  // share of the way
+    stroke.shear = slip > 0 ? state.shear + (from - state.shear) / 2 * elastic : (from + state.shear) / 2;
+    stroke.shear_stiffness = slip > 0 ? elastic * elastic : 1;
   }
   stroke.dissipated = stroke.normal * du + stroke.shear * ds - (strain_energy(law, state) - stored_before);
   return stroke;

@@ -159,7 +159,14 @@ Contacts::Bearing Contacts::bear(std::uint32_t i, const std::array<double, 2>& l
 void Contacts::follow(std::uint32_t i, const std::array<double, 2>& lead, const PointView& points) {
   Contact& contact = contacts_[i];
   const Stroke done = stroke(contact, lead, contact.state);
-  if (!contact.from_rest) dissipated_ += contact.length * done.dissipated;
+  if (!contact.from_rest) {
+    // By how much the last stroke ended ahead of where the faces went, since its forces were found to a
+    // tolerance.
+    const double normal_miss = contact.ahead[0] - contact.motion[0] / 2,
+                 shear_miss = contact.ahead[1] - contact.motion[1] / 2;
+    dissipated_ += contact.length * (done.dissipated + (done.normal - contact.stress[0]) * normal_miss +
+                                     (done.shear - contact.stress[1]) * shear_miss);
+  }
   contact.stress = {done.normal, done.shear};
   contact.offset += contact.motion[1];
   contact.ahead = place_ahead(contact, lead);

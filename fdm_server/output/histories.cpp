@@ -92,7 +92,7 @@ Histories::Histories(const scene::Continuum& scene, const Supports& supports, co
                                             protocol::name_of(history.quantity())));
     protocol::require_relative_motion(history, path);
     Probe& probe = probes_.emplace_back(Probe{history.quantity()});
-    if (resultant && history.has_section()) {
+    if (resultant && history.has_section() && !is_of_reinforced_section(history.quantity())) {
       probe.section = sections_.number_of(history, path);
       continue;
     }
@@ -188,6 +188,8 @@ double Histories::value(const Probe& probe, const Grid& grid, const Supports& su
     case scene::THRUST:
     case scene::MOMENT:
     case scene::SHEAR_FORCE:
+    case scene::UTILISATION:
+    case scene::CURVATURE:
       return lining ? fdm::value(*lining, supports, continuum.structures())
                     : resultant(sections_.of(continuum.zones(), section), quantity);
     case scene::OPENING:

@@ -2,13 +2,19 @@
 
 #include <algorithm>
 
+#include "fdm_server/supports/section_use.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/nearest_name.hpp"
 
 namespace adit::fdm {
 
 bool is_of_lining(scene::Quantity quantity) {
-  return quantity == scene::THRUST || quantity == scene::MOMENT || quantity == scene::SHEAR_FORCE;
+  return quantity == scene::THRUST || quantity == scene::MOMENT || quantity == scene::SHEAR_FORCE ||
+         is_of_reinforced_section(quantity);
+}
+
+bool is_of_reinforced_section(scene::Quantity quantity) {
+  return quantity == scene::UTILISATION || quantity == scene::CURVATURE;
 }
 
 LiningProbe resolve_lining_probe(const scene::History& history, const Supports& supports, const Grid& grid,
@@ -24,13 +30,19 @@ LiningProbe resolve_lining_probe(const scene::History& history, const Supports& 
                                    protocol::did_you_mean(history.lining(), names)
                              : std::string("is missing; name the lining whose force is recorded"));
   }
+  protocol::require(found->section || !is_of_reinforced_section(history.quantity()), path + ".quantity",
+                    "is of sections of reinforced concrete, but lining `" + found->name +
+                        "` is elastic; give it a `section`");
   const geometry::Point place{history.at().x(), history.at().y()};
   return {history.quantity(), static_cast<std::size_t>(found - linings.begin()),
           nearest_node(place, found->path, grid, path + ".at")};
 }
 
 double value(const LiningProbe& probe, const Supports& supports, const Structures& structures) {
-  const auto [thrust, moment, shear] = forces_at(supports.linings[probe.lining], structures, probe.node);
+  const Lining& lining = supports.linings[probe.lining];
+  if (probe.quantity == scene::UTILISATION) return section_use(lining, structures, probe.node).utilisation;
+  if (probe.quantity == scene::CURVATURE) return section_use(lining, structures, probe.node).curvature;
+  const auto [thrust, moment, shear] = forces_at(lining, structures, probe.node);
   return probe.quantity == scene::THRUST ? thrust : probe.quantity == scene::MOMENT ? moment : shear;
 }
 

@@ -15,8 +15,10 @@ struct LiningProbe {
 };
 
 bool is_of_lining(scene::Quantity quantity);
+bool is_of_reinforced_section(scene::Quantity quantity);  // one of these
 
-// UserError at `path`, the history's, where it names no lining of the scene or a place off it.
+// UserError at `path`, the history's, where it names no lining of the scene, a place off it, or what an
+// elastic lining does not have.
 LiningProbe resolve_lining_probe(const scene::History& history, const Supports& supports, const Grid& grid,
                                  const std::string& path);
 

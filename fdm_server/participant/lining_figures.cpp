@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace adit::fdm {
 namespace {
@@ -39,9 +41,41 @@ class LiningPeaks {
   std::size_t first_;
 };
 
+// The peaks of a lining with a section, whose nodes begin at this row.
+template <class Add>
+void add_use(const Grid& grid, const Lining& lining, const PeakUse::Extremes& largest, std::size_t first,
+             Add&& add) {
+  const std::string name = "lining_" + lining.name + "_";
+  // Adds one of them with time and place; what there was then.
+  const auto add_largest = [&](const std::vector<PeakUse::Instant>& of, double SectionUse::*member,
+                               const std::string& which, const std::string& unit) {
+    const auto rows = std::span(of).subspan(first, lining.path.points.size());
+    const auto at = std::ranges::max_element(
+        rows, {}, [member](const PeakUse::Instant& instant) { return std::abs(instant.use.*member); });
+    const auto point = lining.path.points[static_cast<std::size_t>(at - rows.begin())];
+    add(name + which + unit, at->use.*member);
+    add(name + which + "_time_s", at->time);
+    add(name + which + "_x_m", grid.x[point]);
+    add(name + which + "_y_m", grid.y[point]);
+    return at->use.forces;
+  };
+  const LiningForces bent =
+      add_largest(largest.utilisation, &SectionUse::utilisation, "largest_utilisation", "");
+  add(name + "thrust_at_largest_utilisation_N", bent.thrust);
+  add(name + "moment_at_largest_utilisation_Nm", bent.moment);
+  const LiningForces sheared =
+      add_largest(largest.shear, &SectionUse::shear, "largest_shear_utilisation", "");
+  add(name + "shear_at_largest_shear_utilisation_N", sheared.shear);
+  add(name + "thrust_at_largest_shear_utilisation_N", sheared.thrust);
+  add_largest(largest.curvature, &SectionUse::curvature, "largest_curvature", "_per_m");
+  add_largest(largest.steel_strain, &SectionUse::steel_strain, "largest_steel_strain", "");
+  add_largest(largest.crack_width, &SectionUse::crack_width, "largest_crack_width", "_m");
+}
+
 }  // namespace
 
-void add_figures(const Grid& grid, std::span<const Lining> linings, const PeakForces& peaks, wire::Bye& bye) {
+void add_figures(const Grid& grid, std::span<const Lining> linings, const PeakForces& peaks,
+                 const PeakUse& use, wire::Bye& bye) {
   if (peaks.empty()) return;
   const auto add = [&bye](const std::string& name, double value) {
     wire::Figure& figure = *bye.add_figures();
@@ -57,6 +91,7 @@ void add_figures(const Grid& grid, std::span<const Lining> linings, const PeakFo
   for (const Lining& lining : linings) {
     const std::string name = "lining_" + lining.name + "_";
     const LiningPeaks of_lining(lining, row);
+    if (lining.section) add_use(grid, lining, use.largest(), row, add);
     row += lining.path.points.size();
     const auto add_thrust = [&](const std::string& which, const Place& place) {
       add(name + which + "_N", place.instant.thrust);

@@ -6,6 +6,7 @@
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/supports/lining.hpp"
 #include "fdm_server/supports/peak_forces.hpp"
+#include "fdm_server/supports/peak_use.hpp"
 #include "protocol/messages/wire.pb.h"
 
 namespace adit::fdm {
@@ -15,6 +16,11 @@ namespace adit::fdm {
 // and …_y_m, and what acted beside it there and then: lining_<name>_moment_at_largest_thrust_Nm,
 // _moment_at_least_thrust_Nm, _thrust_at_largest_moment_N. Of equal ones the first node's. None before the
 // first step.
-void add_figures(const Grid& grid, std::span<const Lining> linings, const PeakForces& peaks, wire::Bye& bye);
+// Of each lining with a section: …_largest_utilisation with …_thrust_at_largest_utilisation_N and
+// …_moment_at_largest_utilisation_Nm, …_largest_shear_utilisation with …_shear_at_largest_shear_utilisation_N
+// and …_thrust_at_largest_shear_utilisation_N, …_largest_curvature_per_m, …_largest_steel_strain and
+// …_largest_crack_width_m, by size, each with time and place.
+void add_figures(const Grid& grid, std::span<const Lining> linings, const PeakForces& peaks,
+                 const PeakUse& use, wire::Bye& bye);
 
 }  // namespace adit::fdm

@@ -401,6 +401,7 @@ void FdmParticipant::step_interior(const Step& step) {
   if (!step.relax) {
     peak_forces_.take(supports_.linings, continuum_->structures(), step.time());
     contact_peaks_.take(continuum_->contacts(), step.time());
+    peak_use_.take(supports_.linings, continuum_->structures(), step.time());
   }
   if (step.number % kFiniteCheckInterval == 0) check_grid(step);
   if (setup_.ground.large_strain && !step.from_rest() && steps_done_ % kShapeCheckInterval == 0 &&
@@ -509,7 +510,7 @@ void FdmParticipant::draw(wire::Snapshot& snapshot) {
   fill_snapshot(grid_, *continuum_, weights_, snapshot);
   add_ground(grid_, setup_.ground, continuum_->zones(), weights_, *snapshot.mutable_pieces(0));
   if (peaks_) add_peaks(*peaks_, weights_, *snapshot.mutable_pieces(0));
-  add_supports(grid_, *continuum_, supports_, peak_forces_, snapshot);
+  add_supports(grid_, *continuum_, supports_, peak_forces_, peak_use_, snapshot);
   add_interfaces(grid_, *continuum_, supports_.interfaces, contact_peaks_, snapshot);
 }
 
@@ -520,6 +521,7 @@ void FdmParticipant::exchange_solver(state::Archive& archive) {
   continuum_->exchange(archive);
   peak_forces_.exchange(supports_.linings, archive);
   contact_peaks_.exchange(supports_.contacts.size(), archive);
+  peak_use_.exchange(supports_.linings, archive);
   histories_->exchange(archive);
   archive("peaks", peaks_, [this] { return Peaks(grid_); });
   archive("relaxation", relaxation_, [this] { return Relaxation(grid_, weights_); });
@@ -531,7 +533,7 @@ void FdmParticipant::exchange_solver(state::Archive& archive) {
 
 void FdmParticipant::finish(wire::Bye& bye) {
   bye.set_updates(updates_);
-  add_figures(grid_, supports_.linings, peak_forces_, bye);
+  add_figures(grid_, supports_.linings, peak_forces_, peak_use_, bye);
   add_figures(grid_, supports_.interfaces, supports_.contacts, contact_peaks_, bye);
 }
 

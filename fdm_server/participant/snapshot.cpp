@@ -51,8 +51,44 @@ wire::Piece& add_lines(const std::string& name, const Grid& grid, const Continuu
   return piece;
 }
 
+// What reinforced sections have; 0 in linings without.
+void add_use(const Structures& structures, const std::vector<Lining>& linings, const PeakUse& peaks,
+             wire::Piece& piece) {
+  std::vector<SectionUse> now;
+  std::vector<double> least, largest;  // ultimate moments at the present thrust
+  for (const Lining& lining : linings)
+    for (std::size_t node = 0; node < lining.path.points.size(); ++node) {
+      now.push_back(lining.section ? section_use(lining, structures, node) : SectionUse{});
+      const auto ultimate = [&](Bending bending) {
+        return lining.section ? lining.section->capacity.moment(bending, now.back().forces.thrust) : 0;
+      };
+      least.push_back(ultimate(Bending::kInnerStretched));
+      largest.push_back(ultimate(Bending::kOuterStretched));
+    }
+  const auto add = [&](const std::string& name, const auto& rows, auto value) {
+    std::ranges::transform(rows, new_field(*piece.mutable_point_fields(), name, 1, rows.size()), value);
+  };
+  add("utilisation", now, std::mem_fn(&SectionUse::utilisation));
+  add("shear_utilisation", now, std::mem_fn(&SectionUse::shear));
+  add("curvature_per_m", now, std::mem_fn(&SectionUse::curvature));
+  add("steel_strain", now, std::mem_fn(&SectionUse::steel_strain));
+  add("crack_width_m", now, std::mem_fn(&SectionUse::crack_width));
+  add("least_moment_capacity_Nm", least, std::identity());
+  add("largest_moment_capacity_Nm", largest, std::identity());
+  if (peaks.empty()) return;
+  const auto add_peak = [&](const std::string& name, const std::vector<PeakUse::Instant>& at,
+                            double SectionUse::*of) {
+    add(name, at, [of](const PeakUse::Instant& instant) { return instant.use.*of; });
+  };
+  add_peak("peak_utilisation", peaks.largest().utilisation, &SectionUse::utilisation);
+  add_peak("peak_shear_utilisation", peaks.largest().shear, &SectionUse::shear);
+  add_peak("peak_curvature_per_m", peaks.largest().curvature, &SectionUse::curvature);
+  add_peak("peak_steel_strain", peaks.largest().steel_strain, &SectionUse::steel_strain);
+  add_peak("peak_crack_width_m", peaks.largest().crack_width, &SectionUse::crack_width);
+}
+
 void add_linings(const Grid& grid, const Continuum& continuum, const std::vector<Lining>& linings,
-                 const PeakForces& peaks, wire::Snapshot& snapshot) {
+                 const PeakForces& peaks, const PeakUse& use, wire::Snapshot& snapshot) {
   std::vector<Path> paths;
   std::vector<double> number, thrust, moment, shear;
   for (const Lining& lining : linings) {
@@ -89,6 +125,7 @@ void add_linings(const Grid& grid, const Continuum& continuum, const std::vector
     add_peaks("thrust_at_peak_least_moment_N", peaks.moment().least, &Instant::thrust);
   }
   std::ranges::copy(number, new_field(*piece.mutable_cell_fields(), "lining", 1, number.size()));
+  if (any_section(linings)) add_use(continuum.structures(), linings, use, piece);
 }
 
 void add_bolts(const Grid& grid, const Continuum& continuum, const std::vector<BoltBars>& bolts,
@@ -160,8 +197,8 @@ void add_ground(const Grid& grid, const Ground& ground, const ZoneSet& zones, st
 }
 
 void add_supports(const Grid& grid, const Continuum& continuum, const Supports& supports,
-                  const PeakForces& peaks, wire::Snapshot& snapshot) {
-  if (!supports.linings.empty()) add_linings(grid, continuum, supports.linings, peaks, snapshot);
+                  const PeakForces& peaks, const PeakUse& use, wire::Snapshot& snapshot) {
+  if (!supports.linings.empty()) add_linings(grid, continuum, supports.linings, peaks, use, snapshot);
   if (!supports.bolts.empty()) add_bolts(grid, continuum, supports.bolts, snapshot);
 }
 

@@ -10,6 +10,7 @@
 #include "fdm_server/output/peaks.hpp"
 #include "fdm_server/solver/continuum.hpp"
 #include "fdm_server/supports/peak_forces.hpp"
+#include "fdm_server/supports/peak_use.hpp"
 #include "fdm_server/supports/supports.hpp"
 #include "protocol/messages/wire.pb.h"
 
@@ -30,9 +31,12 @@ void add_ground(const Grid& grid, const Ground& ground, const ZoneSet& zones, st
 // Pieces of lines, where there are any: "linings" with point fields displacement_m, thrust_N, moment_Nm,
 // shear_N, their peaks since time began by sign, peak_largest_… and peak_least_…, with the thrust beside
 // those of the moment, thrust_at_peak_largest_moment_N and …_least_…, and the lining's number as cell field
-// lining; "bolts" with displacement_m and, of one bolt, cell field thrust_N.
+// lining; where a lining has a section of reinforced concrete, also the point fields utilisation,
+// shear_utilisation, curvature_per_m, steel_strain and crack_width_m with their peaks by size, peak_…, and
+// the ultimate moments at the present thrust, least_moment_capacity_Nm and largest_moment_capacity_Nm (0 in
+// elastic linings); "bolts" with displacement_m and, of one bolt, cell field thrust_N.
 void add_supports(const Grid& grid, const Continuum& continuum, const Supports& supports,
-                  const PeakForces& peaks, wire::Snapshot& snapshot);
+                  const PeakForces& peaks, const PeakUse& use, wire::Snapshot& snapshot);
 // A piece of lines "interfaces", where there are any, one point a contact: point fields displacement_m of the
 // first face, normal_stress_Pa, shear_stress_Pa, opening_m, offset_m, and since time began peak_offset_m and
 // peak_opening_m; the interface's number as cell field interface.

@@ -35,7 +35,7 @@ void Continuum::average_contacts(const protocol::Step& step) {
     bearings.push_back(contacts_.bear(i, leads.back()));
   }
   double missed_before = std::numeric_limits<double>::infinity();
-  bool half_way = false;
+  double part = 1;  // of the way to what is found: friction lags behind pressure, which may run in a circle
   for (int trial = 0; trial < kMost; ++trial) {
     for (std::size_t k = 0; k < leads.size(); ++k) {
       const auto& [normal, shear, normal_share, shear_share] = bearings[k];
@@ -50,7 +50,8 @@ void Continuum::average_contacts(const protocol::Step& step) {
     for (std::size_t k = 0; k < leads.size(); ++k) {
       const std::size_t strain = first_contact_strain_ + 2 * k;
       std::array<double, 2> lead{average_->lead(strain), average_->lead(strain + 1)};
-      if (half_way) lead = {(leads[k][0] + lead[0]) / 2, (leads[k][1] + lead[1]) / 2};
+      for (std::size_t along = 0; along < 2; ++along)
+        lead[along] = leads[k][along] + part * (lead[along] - leads[k][along]);
       const auto found = contacts_.bear(averaged_contacts_[k], lead);
       missed = std::max({missed, std::abs(found.normal - average_->bears(strain)),
                          std::abs(found.shear - average_->bears(strain + 1))});
@@ -59,7 +60,7 @@ void Continuum::average_contacts(const protocol::Step& step) {
       bearings[k] = found;
     }
     if (missed <= kSame * largest) break;
-    half_way = missed > missed_before / 2;  // friction lags behind pressure, which may run in a circle
+    if (missed > missed_before / 2) part = std::max(0.25, part / 2);
     missed_before = missed;
   }
   for (std::size_t k = 0; k < leads.size(); ++k) contacts_.follow(averaged_contacts_[k], leads[k], points);

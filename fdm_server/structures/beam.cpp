@@ -18,16 +18,21 @@ Beam::Beam(std::array<std::uint32_t, 2> points, std::array<std::uint32_t, 2> rot
       axial_(section.axial / chord.length),
       bending_(section.bending / chord.length),
       mass_(section.mass * chord.length / 2),
-      inertia_(3 * section.rotary * chord.length / 2) {
-  // An infinite shear stiffness gives phi = 0, the beam of Euler and Bernoulli.
-  const double phi = 12 * section.bending / (section.shear * chord.length * chord.length);
-  shear_ = 3 * bending_ / (1 + phi);
+      inertia_(3 * section.rotary * chord.length / 2),
+      // An infinite shear stiffness gives phi = 0, the beam of Euler and Bernoulli.
+      phi_(12 * section.bending / (section.shear * chord.length * chord.length)),
+      eccentricity_(section.eccentricity) {
+  shear_ = 3 * bending_ / (1 + phi_);
 }
 
 double Beam::critical_step() const {
   const double extension = 2 * axial_ / mass_, bending = 2 * bending_ / inertia_;
   const double shear = shear_ * (8 / (mass_ * chord_.length * chord_.length) + 2 / inertia_);
-  return 2 / std::sqrt(std::max({extension, bending, shear}));
+  // An eccentric elongation turns the ends, too.
+  const double turning = 2 * axial_ * eccentricity_ * eccentricity_ / inertia_;
+  const double half = (extension + turning + bending) / 2,
+               coupled = half + std::sqrt(half * half - extension * bending);
+  return 2 / std::sqrt(std::max({turning > 0 ? coupled : extension, bending, shear}));
 }
 
 std::array<StrainForm, 3> Beam::strains() const {
@@ -36,8 +41,12 @@ std::array<StrainForm, 3> Beam::strains() const {
   const auto [x, y, length] = chord_;
   const double lever = 2 / length;
   using enum Freedom::Kind;
-  return {StrainForm{axial_, {{{kX, p}, -x}, {{kY, p}, -y}, {{kX, q}, x}, {{kY, q}, y}}},
-          StrainForm{bending_, {{{kRotation, i}, -1}, {{kRotation, j}, 1}}},
+  StrainForm elongation{axial_, {{{kX, p}, -x}, {{kY, p}, -y}, {{kX, q}, x}, {{kY, q}, y}}};
+  if (eccentricity_ != 0) {
+    elongation.shares.push_back({{kRotation, i}, -eccentricity_});
+    elongation.shares.push_back({{kRotation, j}, eccentricity_});
+  }
+  return {elongation, StrainForm{bending_, {{{kRotation, i}, -1}, {{kRotation, j}, 1}}},
           StrainForm{shear_,
                      {{{kRotation, i}, 1},
                       {{kRotation, j}, 1},
@@ -47,17 +56,29 @@ std::array<StrainForm, 3> Beam::strains() const {
                       {{kY, q}, -lever * x}}}};
 }
 
-void Beam::add_forces(double dt, const PointView& points, const RotationView& rotations) {
+BeamStrains Beam::rates(const PointView& points, const RotationView& rotations) const {
   const auto [p, q] = points_;
   const auto [i, j] = rotations_;
   const double vx = points.vx[q] - points.vx[p], vy = points.vy[q] - points.vy[p];
   const double along = chord_.x * vx + chord_.y * vy, across = chord_.x * vy - chord_.y * vx;
   const double lever = 2 / chord_.length;
-  n_ += dt * axial_ * along;
-  b_ += dt * bending_ * (rotations.rate[j] - rotations.rate[i]);
-  s_ += dt * shear_ * (rotations.rate[i] + rotations.rate[j] - lever * across);
+  return {along, rotations.rate[j] - rotations.rate[i],
+          rotations.rate[i] + rotations.rate[j] - lever * across};
+}
 
-  const double q_force = -lever * s_;
+void Beam::add_forces(double dt, const PointView& points, const RotationView& rotations) {
+  const auto [e, b, a] = rates(points, rotations);
+  add_forces(BeamResultants{n_ + dt * axial_ * e, b_ + dt * bending_ * b, s_ + dt * shear_ * a}, points,
+             rotations);
+}
+
+void Beam::add_forces(const BeamResultants& forces, const PointView& points, const RotationView& rotations) {
+  n_ = forces.n;
+  b_ = forces.b;
+  s_ = forces.s;
+  const auto [p, q] = points_;
+  const auto [i, j] = rotations_;
+  const double q_force = -2 / chord_.length * s_;
   const double fx = chord_.x * n_ - chord_.y * q_force, fy = chord_.y * n_ + chord_.x * q_force;
   points.fx[p] += fx;
   points.fy[p] += fy;

@@ -22,6 +22,8 @@
 // omega_e^2 (1 + 12 r^2/l^2)/(1 + phi), r^2 = I/A: at most omega_e^2, because 12 EI/(G A_s l^2) >= 12 r^2/l^2
 // for every nu >= -1/2. So rotation never governs and the critical step is that of the axial wave, l/c;
 // without shear flexibility it is shorter by sqrt(1 + 12 r^2/l^2), which tells in beams shorter than thick.
+// Where the elastic centroid lies beside the axis, by z, the elongation there is e + z b, and the energy is
+// uncoupled in it, b and a; omega^2 of the first two is then the larger root of their two equations.
 // The price is three times the rotary inertia in waves: bending waves of wave number k are slower by the
 // share 3/2 (k r)^2 instead of 1/2 (k r)^2, by 1.2 % instead of 0.4 % where they are 20 times as long as the
 // lining is thick. Statics do not change.
@@ -44,6 +46,9 @@ struct Section {
   double shear;    // G A_s [N]; infinite: sections stay at right angles to the axis (Euler-Bernoulli)
   double mass;     // rho A [kg/m]
   double rotary;   // rho I [kg m]
+  // How far the elastic centroid lies to the right of the axis, of a section whose bars are not alike on both
+  // sides [m]; then E I is about the centroid.
+  double eccentricity = 0;
 };
 
 // A lining's material. In plane strain E / (1 - nu^2) replaces E, because the lining cannot strain along the
@@ -79,6 +84,14 @@ struct Chord {
 };
 Chord chord(double x1, double y1, double x2, double y2);
 
+// The three strains, or their rates; the forces that do work on them, N, B and S.
+struct BeamStrains {
+  double e, b, a;
+};
+struct BeamResultants {
+  double n, b, s;
+};
+
 struct BeamForces {
   double thrust;         // tension positive [N]
   double shear;          // Q [N]
@@ -96,10 +109,15 @@ class Beam {
   double end_mass() const { return mass_; }        // at either end [kg]
   double end_inertia() const { return inertia_; }  // J [kg m^2]
   double critical_step() const;                    // 2/omega of the free beam [s]
-  std::array<StrainForm, 3> strains() const;       // e, b, a
+  std::array<StrainForm, 3> strains() const;       // e of the elastic centroid, b, a
+  double shear_flexibility() const { return phi_; }
 
   // Adds the strain of dt times the velocities to the forces, and these to those of the points and rotations.
   void add_forces(double dt, const PointView& points, const RotationView& rotations);
+  // The same for a beam whose forces follow other laws (fibre_beam.hpp): its rates of strain, and the forces
+  // N, B, S to add.
+  BeamStrains rates(const PointView& points, const RotationView& rotations) const;
+  void add_forces(const BeamResultants& forces, const PointView& points, const RotationView& rotations);
 
   BeamForces forces() const;
   double strain_energy() const;
@@ -114,7 +132,7 @@ class Beam {
   std::array<std::uint32_t, 2> points_, rotations_;
   Chord chord_;
   double axial_, bending_, shear_;  // stiffness of e [N/m], of b and a [N m]
-  double mass_, inertia_;
+  double mass_, inertia_, phi_, eccentricity_;
   double n_ = 0, b_ = 0, s_ = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "protocol/participant/local_damping.hpp"
 
@@ -47,8 +48,11 @@ void Structures::hold(std::uint32_t rotation) {
   held_from_[rotation] = std::min(held_from_[rotation], adding_);
 }
 
-std::uint32_t Structures::add_beam(const Beam& beam) {
+std::uint32_t Structures::add_beam(const Beam& beam, std::shared_ptr<const FibreSection> fibres) {
   if (adding_ <= stage_) add_inertia(beam);
+  fibres_of_beam_.push_back(fibres ? static_cast<std::uint32_t>(fibre_beams_.size())
+                                   : std::numeric_limits<std::uint32_t>::max());
+  if (fibres) fibre_beams_.emplace_back(beam, std::move(fibres));
   beams_.push_back(beam);
   stage_of_beam_.push_back(adding_);
   return static_cast<std::uint32_t>(beams_.size() - 1);
@@ -179,7 +183,15 @@ std::vector<StrainForm> Structures::strains(const Part& part) const {
 
 void Structures::add_forces(const Part& part, double dt, const PointView& points) {
   const RotationView rotations{rate_.data(), couple_.data()};
-  for (const auto i : part.beams) beams_[i].add_forces(dt, points, rotations);
+  for (const auto i : part.beams) {
+    Beam& beam = beams_[i];
+    if (fibres_of_beam_[i] >= fibre_beams_.size()) {
+      beam.add_forces(dt, points, rotations);
+      continue;
+    }
+    const auto [e, b, a] = beam.rates(points, rotations);
+    beam.add_forces(fibre_beams_[fibres_of_beam_[i]].strain({dt * e, dt * b, dt * a}), points, rotations);
+  }
   for (const auto i : part.bars) dissipated_ += bars_[i].add_forces(dt, points);
   for (const auto i : part.joints) {
     auto& [first, second, spring, step] = joints_[i];
@@ -208,6 +220,7 @@ void Structures::start_over() {
   slow(0);
   std::ranges::fill(angle_, 0.0);
   dissipated_ = 0;
+  for (FibreBeam& beam : fibre_beams_) beam.forget_dissipation();
 }
 
 double Structures::twice_kinetic_energy(const protocol::Step& step) const {
@@ -226,9 +239,18 @@ double Structures::rotational_energy() const {
 
 double Structures::strain_energy() const {
   double sum = 0;
-  for (const auto& beam : beams_) sum += beam.strain_energy();
+  for (std::size_t i = 0; i < beams_.size(); ++i) {
+    const FibreBeam* fibre_beam = fibres(i);
+    sum += fibre_beam ? fibre_beam->stored() : beams_[i].strain_energy();
+  }
   for (const auto& bar : bars_) sum += bar.strain_energy();
   for (const auto& joint : joints_) sum += joint.spring.strain_energy();
+  return sum;
+}
+
+double Structures::dissipated() const {
+  double sum = dissipated_;
+  for (const FibreBeam& beam : fibre_beams_) sum += beam.dissipated();
   return sum;
 }
 

@@ -21,12 +21,14 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "fdm_server/structures/bar.hpp"
 #include "fdm_server/structures/beam.hpp"
+#include "fdm_server/structures/fibre_beam.hpp"
 #include "fdm_server/structures/yielding_spring.hpp"
 #include "protocol/participant/step.hpp"
 #include "protocol/state/archive.hpp"
@@ -43,8 +45,9 @@ class Structures {
   void hold(std::uint32_t rotation);
   // What is added from now on is installed in this stage, free of stress; 0: it was always there.
   void set_stage(std::uint32_t stage) { adding_ = stage; }
-  // Return the number of the beam, of the bar.
-  std::uint32_t add_beam(const Beam& beam);
+  // Return the number of the beam, of the bar. A beam with `fibres` follows these, from its elastic section
+  // on.
+  std::uint32_t add_beam(const Beam& beam, std::shared_ptr<const FibreSection> fibres = nullptr);
   std::uint32_t add_bar(const Bar& bar);
   // `dt`: a critical step of the lining's beams. Stiffness > 0 [N m/rad], yield moment [N m].
   void add_joint(std::uint32_t first, std::uint32_t second, double stiffness, double yield, double dt);
@@ -89,6 +92,7 @@ class Structures {
 
   void exchange(state::Archive& archive) {
     for (Beam& beam : beams_) beam.exchange(archive);
+    for (FibreBeam& beam : fibre_beams_) beam.exchange(archive);
     for (Bar& bar : bars_) bar.exchange(archive);
     for (Joint& joint : joints_) joint.spring.exchange(archive);
     archive("rotations_angle", std::span(angle_));
@@ -100,11 +104,15 @@ class Structures {
 
   // Twice the kinetic energy of the rotations at the last step, in the form of the leap-frog scheme [J].
   double twice_kinetic_energy(const protocol::Step& step) const;
-  double rotational_energy() const;                  // of the present rates [J]
-  double strain_energy() const;                      // [J]
-  double dissipated() const { return dissipated_; }  // by yield, since the start [J]
+  double rotational_energy() const;  // of the present rates [J]
+  double strain_energy() const;      // [J]
+  double dissipated() const;         // by yield and by fibres, since the start [J]
 
   std::span<const Beam> beams() const { return beams_; }
+  // Those of a beam, if it has any.
+  const FibreBeam* fibres(std::size_t beam) const {
+    return fibres_of_beam_[beam] < fibre_beams_.size() ? &fibre_beams_[fibres_of_beam_[beam]] : nullptr;
+  }
   std::span<const Bar> bars() const { return bars_; }
   std::span<const double> rotations() const { return angle_; }  // since the start [rad]
   // One value a rotation, for mean_acceleration.hpp: rates before and after the last step, couples of this
@@ -130,6 +138,8 @@ class Structures {
   bool held(std::uint32_t rotation) const { return held_from_[rotation] <= stage_; }
 
   std::vector<Beam> beams_;
+  std::vector<FibreBeam> fibre_beams_;
+  std::vector<std::uint32_t> fibres_of_beam_;  // of fibre_beams_; beyond them: the beam is elastic
   std::vector<Bar> bars_;
   std::vector<Joint> joints_;
   std::vector<std::uint32_t> stage_of_beam_, stage_of_bar_, stage_of_joint_;

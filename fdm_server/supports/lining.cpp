@@ -49,15 +49,15 @@ Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structur
   if (plan.last_held && !plan.path.closed) structures.hold(rotations.back()[0]);
 
   Lining lining{plan.name, plan.path, static_cast<std::uint32_t>(structures.beams().size()),
-                static_cast<std::uint32_t>(beams)};
+                static_cast<std::uint32_t>(beams), plan.section};
   double dt = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < beams; ++k) {
     const std::size_t next = (k + 1) % nodes;
     const auto p = points[k], q = points[next];
     const Beam beam({p, q}, {rotations[k][1], rotations[next][0]},
-                    chord(grid.x[p], grid.y[p], grid.x[q], grid.y[q]), plan.section);
+                    chord(grid.x[p], grid.y[p], grid.x[q], grid.y[q]), plan.elastic);
     dt = std::min(dt, beam.critical_step());
-    structures.add_beam(beam);
+    structures.add_beam(beam, plan.section ? plan.section->fibres : nullptr);
   }
   for (const auto& [node, stiffness, yield] : plan.joints)
     if (stiffness > 0) structures.add_joint(rotations[node][0], rotations[node][1], stiffness, yield, dt);

@@ -9,11 +9,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/structures/structures.hpp"
+#include "fdm_server/supports/lining_section.hpp"
 #include "protocol/geometry/shape.hpp"
 
 namespace adit::fdm {
@@ -37,15 +39,17 @@ struct LiningJoint {
 struct LiningPlan {
   std::string name;
   Path path;
-  Section section;
+  Section elastic;
   std::vector<LiningJoint> joints;
   bool first_held, last_held;  // whether the ends of an open lining cannot rotate, with all joined rigidly
+  std::shared_ptr<const LiningSection> section = nullptr;  // of reinforced concrete
 };
 
 struct Lining {
   std::string name;
   Path path;
-  std::uint32_t first_beam, beams;  // numbers in the structures
+  std::uint32_t first_beam, beams;                         // numbers in the structures
+  std::shared_ptr<const LiningSection> section = nullptr;  // none: elastic
 };
 
 // The node of a lining's path nearest to a place. UserError at `path`, the scene's field, where the place

@@ -26,21 +26,35 @@ constexpr Chinese kChinese[] = {
     {60, 38.5, 2.85, 36.0, 0.141}, {65, 41.5, 2.93, 36.5, 0.141}, {70, 44.5, 2.99, 37.0, 0.141},
     {75, 47.4, 3.05, 37.5, 0.141}, {80, 50.2, 3.11, 38.0, 0.141}};
 
+struct Strengths {
+  double compressive, tensile;  // [MPa]
+};
+
 // From MPa, and GPa of the modulus.
-Concrete concrete(double young_modulus, double compressive, double tensile) {
-  return {1e9 * young_modulus, 1e6 * compressive, 1e6 * tensile, 73 * std::pow(compressive, 0.18)};
+Concrete concrete(double young_modulus, const Strengths& mean, const Strengths& characteristic, int cube,
+                  Standard standard) {
+  return {1e9 * young_modulus,
+          1e6 * mean.compressive,
+          1e6 * mean.tensile,
+          73 * std::pow(mean.compressive, 0.18),
+          1e6 * characteristic.compressive,
+          1e6 * characteristic.tensile,
+          1e6 * cube,
+          standard};
 }
 
 Concrete means(const Eurocode& of) {
   const double mean = of.cylinder + 8;
   const double tensile =
       of.cylinder <= 50 ? 0.30 * std::pow(of.cylinder, 2.0 / 3) : 2.12 * std::log(1 + mean / 10);
-  return concrete(22 * std::pow(mean / 10, 0.3), mean, tensile);
+  return concrete(22 * std::pow(mean / 10, 0.3), {mean, tensile},
+                  {static_cast<double>(of.cylinder), 0.7 * tensile}, of.cube, Standard::kEurocode);
 }
 
 Concrete means(const Chinese& of) {
   const double characteristic = 1 - 1.645 * of.variation;  // over the mean
-  return concrete(of.young_modulus, of.compressive / characteristic, of.tensile / characteristic);
+  return concrete(of.young_modulus, {of.compressive / characteristic, of.tensile / characteristic},
+                  {of.compressive, of.tensile}, of.cube, Standard::kChinese);
 }
 
 template <class Visit>

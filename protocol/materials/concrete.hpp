@@ -8,6 +8,7 @@
 // 4.1.5. Its means are those of its annex C.2.1, by the coefficients of variation delta given there:
 //   f_cm = f_ck / (1 - 1.645 delta),   f_tm = f_tk / (1 - 1.645 delta).
 // These are values of the structure, 0.88 times those of specimens.
+// Characteristic strengths are f_ck, f_tk of those tables; of EN 1992-1-1 f_ctk,0.05 = 0.7 f_ctm.
 // Of both: the fracture energy 73 N/m f_cm^0.18 (fib Model Code 2010, eq. 5.1-9), Poisson's ratio 0.2, and
 // 2400 kg/m^3, without reinforcement.
 #pragma once
@@ -18,10 +19,15 @@
 
 namespace adit::protocol {
 
+enum class Standard { kEurocode, kChinese };
+
 struct Concrete {
-  double young_modulus;                                          // [Pa]
-  double compressive_strength, tensile_strength;                 // f_cm, f_ctm [Pa]
-  double fracture_energy;                                        // G_F [J/m^2]
+  double young_modulus;                                       // [Pa]
+  double compressive_strength, tensile_strength;              // f_cm, f_ctm [Pa]
+  double fracture_energy;                                     // G_F [J/m^2]
+  double characteristic_compressive, characteristic_tensile;  // f_ck, f_ctk [Pa]
+  double cube;                                                // f_ck,cube [Pa]
+  Standard standard;
   static constexpr double kPoissonRatio = 0.2, kDensity = 2400;  // [kg/m^3]
 };
 

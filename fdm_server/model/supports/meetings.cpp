@@ -82,8 +82,8 @@ std::vector<std::string> notes_on_meetings(const Supports& supports, const Grid&
   };
   std::map<std::uint32_t, Meeting> by_rotation;
   for (std::size_t k = 0; k < supports.linings.size(); ++k) {
-    const auto& [name, path, first, beams] = supports.linings[k];
-    for (const Beam& beam : supports.structures.beams().subspan(first, beams))
+    const Lining& lining = supports.linings[k];
+    for (const Beam& beam : supports.structures.beams().subspan(lining.first_beam, lining.beams))
       for (std::size_t end = 0; end < 2; ++end) {
         Meeting& meeting = by_rotation[beam.rotations()[end]];
         meeting.point = beam.points()[end];

@@ -16,6 +16,7 @@
 #include "fdm_server/model/interfaces/law.hpp"
 #include "fdm_server/model/interfaces/seams.hpp"
 #include "fdm_server/model/supports/meetings.hpp"
+#include "fdm_server/model/supports/reinforced_section.hpp"
 #include "fdm_server/supports/curve.hpp"
 #include "fdm_server/supports/trace.hpp"
 #include "protocol/errors.hpp"
@@ -74,16 +75,32 @@ Path read_path(const scene::LiningPath& along, const Grid& grid, const Edges& ed
   throw protocol::UserError(path, "names no path; give `circle`, `line` or `wall`");
 }
 
-Section read_section(const scene::Lining& lining, bool plane_strain, const std::string& path) {
+Section read_elastic_section(const scene::Lining& lining, bool plane_strain, const std::string& path) {
   const bool both = lining.has_area() && lining.has_inertia(),
              any = lining.has_area() || lining.has_inertia();
-  require(lining.has_thickness() ? !any : both, path,
-          "needs a section: give either `thickness`, or both `area` and `inertia`");
+  require(
+      lining.has_thickness() ? !any : both, path,
+      "needs a section: give either `thickness`, or both `area` and `inertia`, or `section` of reinforced "
+      "concrete");
+  require(lining.has_young_modulus(), path + ".young_modulus",
+          "is missing; give it, such as `30 GPa`, or a `section` of reinforced concrete");
   const double area = both ? lining.area() : lining.thickness();
   const double inertia = both ? lining.inertia() : std::pow(lining.thickness(), 3) / 12;
   return make_section(
       lining_material(plane_strain, lining.young_modulus(), lining.poisson_ratio(), lining.density()), area,
       inertia, lining.shear_flexible());
+}
+
+std::shared_ptr<const LiningSection> read_section(const scene::Lining& lining, const std::string& path) {
+  if (!lining.has_section()) return nullptr;
+  const auto lone = [&](bool given, const char* key) {
+    require(!given, path + "." + key, "is given beside `section`, which states it; leave one out");
+  };
+  lone(lining.has_thickness(), "thickness");
+  lone(lining.has_area(), "area");
+  lone(lining.has_inertia(), "inertia");
+  lone(lining.has_young_modulus(), "young_modulus");
+  return read_reinforced_section(lining.section(), path + ".section");
 }
 
 geometry::Point place_of(const scene::LiningJoint& joint, const scene::LiningPath& along,
@@ -164,6 +181,8 @@ void add_bolt(const scene::Bolt& bolt, const Grid& grid, const Edges& edges, con
 
 // The sides that two groups of zones share, with the second on the right.
 Path shared_sides(const scene::GroupPair& pair, const Grid& grid, const std::string& path) {
+  require(pair.left() != pair.right(), path + ".right",
+          "is `" + pair.right() + "`, as `left` is; name two groups that touch");
   const auto zones = [&](const std::string& name, const std::string& key) {
     scene::Area area;
     area.set_group(name);
@@ -302,15 +321,18 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
             "`" + lining.name() + "` is taken by another lining; choose another one");
     require(!names.contains(lining.name()), path + ".name",
             "`" + lining.name() + "` is taken by an interface; choose another one");
-    const Section section = read_section(lining, scene.plane() == scene::PLANE_STRAIN, path);
+    const auto section = read_section(lining, path);
+    const Section elastic = section
+                                ? elastic_section(*section, lining)
+                                : read_elastic_section(lining, scene.plane() == scene::PLANE_STRAIN, path);
     const auto on_seam = seam_paths.of_lining.find(i);
     const Path along = on_seam != seam_paths.of_lining.end()
                            ? own_points(seam_paths.paths[on_seam->second], own, grid)
                            : read_path(lining.along(), grid, edges, path + ".along");
     if (on_seam == seam_paths.of_lining.end()) occupied.take(along, grid, path);
     require_statics(lining.stage(), scene, path);
-    plans.push_back({lining.name(), along, section, read_joints(lining, along, grid, path),
-                     lining.first_end_fixed(), lining.last_end_fixed()});
+    plans.push_back({lining.name(), along, elastic, read_joints(lining, along, grid, path),
+                     lining.first_end_fixed(), lining.last_end_fixed(), section});
   }
   require_clear_joints(plans, grid);
   for (int i = 0; i < linings.size(); ++i) {

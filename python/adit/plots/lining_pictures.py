@@ -1,4 +1,4 @@
-"""What linings and interfaces bear, drawn across them where it acts."""
+"""What linings and interfaces bear, drawn across them where it acts; thrust and moment against the capacity."""
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.lines import Line2D
@@ -12,6 +12,7 @@ from adit.results.rounding import settled
 FORCES = (("thrust_N", "thrust N", "kN", 1e3), ("moment_Nm", "moment M", "kN m", 1e3), ("shear_N", "shear force Q", "kN", 1e3))
 OF_INTERFACES = (("normal_stress_Pa", "normal stress", "kPa", 1e3), ("shear_stress_Pa", "shear stress", "kPa", 1e3),
                  ("opening_m", "opening", "mm", 1e-3), ("offset_m", "offset", "mm", 1e-3))
+CAPACITY = ("thrust_N", "moment_Nm", "least_moment_capacity_Nm", "largest_moment_capacity_Nm")
 REACH = 0.3  # length at which the largest value is drawn, relative to the size of the lining
 
 
@@ -49,6 +50,41 @@ def _across(run, lines, quantities, title, entries):
     layout = Panels(1, len(quantities), (3.5 * len(quantities), 4.6), title_above=True, dense=True,
                     margins={"left": 0.06, "right": 0.99, "top": 0.88, "bottom": 0.19, "wspace": 0.16})
     return Drawing(run.name, title, layout, paint)
+
+
+def lining_capacity(run):
+    """Moment over thrust of the node with the largest utilisation, at the field times, for each lining with a section; its
+    capacity at the thrusts that its nodes had."""
+    pieces = [linings for number in range(len(run.instants)) if (linings := run.pieces_at(number).get("linings")) is not None]
+    if not pieces or (peaks := pieces[-1].field("peak_utilisation")) is None:
+        return None
+    owner = np.zeros(len(peaks), int)
+    owner[pieces[-1].cells] = pieces[-1].field("lining").astype(int)[:, None]
+    shown = [number for number in np.unique(owner) if peaks[owner == number].max() > 0]
+    if not shown:
+        return None
+
+    def paint(*panels):
+        for axes, number in zip(panels, shown):
+            nodes = np.flatnonzero(owner == number)
+            worst = nodes[peaks[nodes].argmax()]
+            over_time = {name: np.array([piece.field(name) for piece in pieces]) / 1e3 for name in CAPACITY}
+            order = np.argsort(over_time["thrust_N"][:, nodes], axis=None)
+            thrust = over_time["thrust_N"][:, nodes].ravel()[order]
+            for side in CAPACITY[2:]:
+                axes.plot(thrust, over_time[side][:, nodes].ravel()[order], color=style.BLACK, lw=1.2)
+            axes.plot(over_time["thrust_N"][:, worst], over_time["moment_Nm"][:, worst], color=style.RED, lw=0.9, marker=".", ms=3)
+            axes.axhline(0, color=style.GREY, lw=0.4, zorder=0)
+            x, y = pieces[-1].points[worst][:2]
+            axes.set_title(f"lining {number}, ({x:.4g}, {y:.4g}) m: {peaks[worst]:.3g} of its capacity", loc="left")
+            axes.set(xlabel="thrust N [kN], tension positive", ylabel="moment M [kN m]")
+        return [legend(None, [Line2D([], [], color=style.BLACK, label="capacity at the thrusts that occurred"),
+                              Line2D([], [], color=style.RED, marker=".", label="the node with the largest utilisation, at field times")],
+                       loc="lower center")]
+
+    layout = Panels(1, len(shown), (5.2 * len(shown) + 0.6, 4.4), title_above=True, dense=True,
+                    margins={"left": 0.14 / len(shown), "right": 0.98, "top": 0.86, "bottom": 0.28, "wspace": 0.25})
+    return Drawing(run.name, "thrust and moment against the capacity, per metre", layout, paint)
 
 
 def _draw(axes, linings, normals, name, reach):

@@ -19,6 +19,8 @@ QUANTITIES = (
     (("thrust_N",), "thrust", (("N/m", 1), ("kN/m", 1e3), ("MN/m", 1e6))),
     (("moment_Nm",), "moment", (("N m/m", 1), ("kN m/m", 1e3), ("MN m/m", 1e6))),
     (("shear_N",), "shear force", (("N/m", 1), ("kN/m", 1e3), ("MN/m", 1e6))),
+    (("utilisation",), "utilisation", (("-", 1),)),
+    (("curvature_per_m",), "curvature", (("10⁻³/m", 1e-3), ("1/m", 1))),
     (("opening_m", "offset_m"), "joint", (("µm", 1e-6), ("mm", 1e-3), ("m", 1))),
     (("crack_width_m",), "crack width", (("mm", 1e-3),)),
     (("rotation_rad",), "joint rotation", (("10⁻⁶ rad", 1e-6), ("10⁻³ rad", 1e-3))),

@@ -52,6 +52,15 @@ OF_A_LINING = (  # the same of each lining of a continuum, by its name before
     ("  at [ms]", "largest_moment_time_s", 1e-3, "{:z.2f}"),
     ("  at x [m]", "largest_moment_x_m", 1, "{:z.2f}"),
     ("  at y [m]", "largest_moment_y_m", 1, "{:z.2f}"),
+    ("largest utilisation, thrust and moment [%]", "largest_utilisation", 1e-2, "{:z.0f}"),
+    ("  thrust there [kN]", "thrust_at_largest_utilisation_N", 1e3, "{:z,.0f}"),
+    ("  moment there [kN m]", "moment_at_largest_utilisation_Nm", 1e3, "{:z,.0f}"),
+    ("  at [ms]", "largest_utilisation_time_s", 1e-3, "{:z.2f}"),
+    ("  at x [m]", "largest_utilisation_x_m", 1, "{:z.2f}"),
+    ("  at y [m]", "largest_utilisation_y_m", 1, "{:z.2f}"),
+    ("largest utilisation, shear [%]", "largest_shear_utilisation", 1e-2, "{:z.0f}"),
+    ("largest steel strain [10⁻³]", "largest_steel_strain", 1e-3, "{:z.2f}"),
+    ("largest crack width [mm]", "largest_crack_width_m", 1e-3, "{:z.2f}"),
 )
 PLACES = (("_time_s", ": time"), ("_x_m", ": x"), ("_y_m", ": y"), ("_chainage_m", ": chainage"))
 GAP = 0.01  # of the energy, above which the user guide calls for smaller steps

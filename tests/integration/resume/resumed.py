@@ -50,8 +50,13 @@ continuum:
   linings:
     - name: lining
       along: {circle: {centre: {x: 0 m, y: 0 m}, radius: 3 m}}
-      thickness: 40 cm
-      young_modulus: 30 GPa
+      section:
+        thickness: 40 cm
+        cover: 4 cm
+        concrete: {class: C20/25}
+        steel: {class: B500B}
+        inner: {diameter: 16 mm, spacing: 15 cm}
+        outer: {diameter: 12 mm, spacing: 15 cm}
       stage: 2
       joints: [{at: {x: 0 m, y: 3 m}, rotational_stiffness: 20 MN*m/rad, yield_moment: 20 kN*m}]
   bolts: [{from: {x: 3 m, y: 0 m}, to: {x: 7.87341 m, y: 0 m}, area: 5 cm^2, yield_force: 20 kN, stage: 2}]
@@ -61,6 +66,7 @@ continuum:
   histories:
     - {name: surface, quantity: acceleration_x, at: {x: 5 m, y: 20 m}}
     - {name: crown, quantity: moment, lining: lining, at: {x: 3 m, y: 0 m}}
+    - {name: crown, quantity: utilisation, lining: lining, at: {x: 3 m, y: 0 m}}
 output: {peaks: {}, spectra: [{history: surface}], field_times: [0.1 s]}
 """
 MAXWELL = "damping: {maxwell: {ratio: 0.005, low_frequency: 1 Hz, high_frequency: 30 Hz}}"

@@ -5,7 +5,8 @@ much compression along y; thrust and moment follow cos 2 theta of that frame, th
 
 Wang 1993 (Parsons Brinckerhoff monograph 7), as in Hashash et al. 2001; Penzien 2000 (Earthquake Eng. Struct. Dyn. 29). Their
 moment and Penzien's thrust simplify; `full_solution` does not: the plate with Airy's function (A + B/r^2) cos 2 theta on
-top of the far field, and Timoshenko's ring, joined without slip; derived in tests/verification/lined_tunnel/ovaling.hpp.
+top of the far field, and Timoshenko's ring, joined without slip or free to slip; derived in
+tests/verification/lined_tunnel/ovaling.hpp.
 """
 from dataclasses import dataclass
 
@@ -58,22 +59,27 @@ def penzien_moment(t):
     return 3 * t.bending / d * 4 * (1 - t.poisson) / (24 * t.bending * (3 - 4 * t.poisson) / (d**3 * t.shear_modulus) + 1)
 
 
-def full_solution(t):
-    """(thrust, moment, shear force) [N, N m, N per metre], largest around the ring, without sign."""
+def full_solution(t, slips=False):
+    """(thrust, moment, shear force) [N, N m, N per metre], largest around the ring, without sign. A ring that slips on the ground
+    has a motion of its own around the ring, and no shear stress there."""
     r, g, kappa = t.radius, t.shear_modulus, 3 - 4 * t.poisson
     turned = 4 * t.bending / (t.shear * r**2)
 
-    def forces(far, a, b):  # a = A/r^2, b = B/r^4
+    def forces(far, a, b, slip=0):  # a = A/r^2, b = B/r^4
         u = r * (far + (kappa + 1) * a + 2 * b) / (2 * g)
-        v = r * (-far - (kappa - 1) * a + 2 * b) / (2 * g)
+        v = r * (-far - (kappa - 1) * a + 2 * b + slip) / (2 * g)
         return t.axial * (u + 2 * v) / r, 4 * t.bending * (v + 2 * u) / (r**3 * (1 + turned))
 
-    def imbalance(far, a, b):  # of radial and tangential stress between ring and ground
-        thrust, shear = forces(far, a, b)
-        return np.array([(thrust + 2 * shear) / r - (far - 4 * a - 6 * b), (2 * thrust + shear) / r + far + 2 * a + 6 * b])
+    def imbalance(*of):  # of radial and tangential stress between ring and ground, and what slip leaves of the latter
+        far, a, b, _ = of
+        thrust, shear = forces(*of)
+        tangential = -far - 2 * a - 6 * b
+        return np.array([(thrust + 2 * shear) / r - (far - 4 * a - 6 * b), (2 * thrust + shear) / r - tangential, tangential])
 
-    a, b = np.linalg.solve(np.stack([imbalance(0, 1, 0), imbalance(0, 0, 1)], axis=1), -imbalance(g, 0, 0))
-    thrust, shear = forces(g, a, b)
+    count = 3 if slips else 2
+    slopes = np.stack([imbalance(0, *one)[:count] for one in np.eye(3)[:count]], axis=1)
+    found = np.linalg.solve(slopes, -imbalance(g, 0, 0, 0)[:count])
+    thrust, shear = forces(g, *found)
     return abs(thrust), abs(shear * r / 2), abs(shear)
 
 

@@ -129,6 +129,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"history_off_the_lining",
              kLining + "histories { name: 'a' quantity: THRUST at { x: 3 y: 0.5 } lining: 'top' }",
              "continuum.histories[0].at", "m from the lining's nearest node"},
+        Case{"utilisation_of_an_elastic_lining",
+             kLining + "histories { name: 'a' quantity: UTILISATION at { x: 3 y: 1 } lining: 'top' }",
+             "continuum.histories[0].quantity", "but lining `top` is elastic; give it a `section`"},
         Case{"history_outside", "histories { name: 'a' quantity: VELOCITY_X at { x: 9 y: 0 } }",
              "continuum.histories[0].at",
              "is (9, 0) m, where the continuum has no zone; the nearest grid point of ground that stays is "

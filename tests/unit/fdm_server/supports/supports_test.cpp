@@ -348,6 +348,14 @@ const std::string kBolt = "bolts { from { x: 1 y: 1 } to { x: 1 y: 3 } ";
 INSTANTIATE_TEST_SUITE_P(
     Scenes, SupportsError,
     testing::Values(
+        Case{"no_young_modulus", lining(kLine, "thickness: 0.3 "), "continuum.linings[0].young_modulus",
+             "is missing; give it, such as `30 GPa`, or a `section` of reinforced concrete"},
+        Case{
+            "thickness_beside_section",
+            lining(kLine,
+                   "thickness: 0.3 section { thickness: 0.3 cover: 0.04 concrete { class: 'C30/37' } steel { "
+                   "class: 'B500B' } outer { diameter: 0.02 spacing: 0.2 } } "),
+            "continuum.linings[0].thickness", "is given beside `section`, which states it"},
         Case{"circle_on_a_block", lining("circle { centre { x: 3 y: 1.5 } radius: 1.2 }"),
              "continuum.linings[0].along.circle", "has no sides of zones along it at (4.2, 1.5) m"},
         Case{"line_leaves_the_points",

@@ -1,0 +1,111 @@
+#include "fdm_server/sections/capacity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "fdm_server/sections/axial_strain.hpp"
+
+namespace adit::fdm {
+namespace {
+
+constexpr std::size_t kCapacityLayers = 200;
+constexpr int kPointsOfPivot = 48;
+
+}  // namespace
+
+Capacity::Capacity(const SectionShape& shape, const CapacityMaterials& materials)
+    : shape_(shape), materials_(materials), layers_(concrete_layers(shape, kCapacityLayers)) {
+  for (const Bending bending : {Bending::kOuterStretched, Bending::kInnerStretched}) {
+    std::vector<SectionForces> side;
+    for (int pivot = 0; pivot < 3; ++pivot)
+      for (int i = 0; i < kPointsOfPivot; ++i) {
+        // Closer towards the end of a pivot, where the strains are those at which steel yields.
+        const double left = 1 - static_cast<double>(i) / kPointsOfPivot;
+        side.push_back(limit(bending, pivot + 1 - left * left * left));
+      }
+    side.push_back(limit(bending, 3));
+    // Around: from tension to compression with a positive moment, and back with a negative one.
+    if (bending == Bending::kInnerStretched) std::ranges::reverse(side);
+    diagram_.insert(diagram_.end(), side.begin(), side.end());
+  }
+  for (const SectionForces& point : diagram_) {
+    thrust_scale_ = std::max(thrust_scale_, std::abs(point.thrust));
+    moment_scale_ = std::max(moment_scale_, std::abs(point.moment));
+  }
+  std::ranges::sort(diagram_, {}, [this](const SectionForces& point) { return direction(point); });
+  for (const SectionForces& point : diagram_) directions_.push_back(direction(point));
+}
+
+SectionForces Capacity::forces(double strain, double curvature) const {
+  SectionForces sum{};
+  const auto add = [&sum](double force, double position) {
+    sum.thrust += force;
+    sum.moment += force * position;
+  };
+  for (const auto& [z, area] : layers_) {
+    const double local = strain + curvature * z;
+    add(area * (local > 0 ? materials_.residual.stress(local) : materials_.concrete.stress(local)), z);
+  }
+  for (const auto& [z, area, diameter] : shape_.bars) {
+    const double elastic = materials_.steel_modulus * (strain + curvature * z);
+    add(area * std::clamp(elastic, -materials_.steel_yield, materials_.steel_yield), z);
+  }
+  return sum;
+}
+
+SectionForces Capacity::limit(Bending bending, double pivot) const {
+  const double outwards = bending == Bending::kOuterStretched ? 1 : -1, h = shape_.thickness;
+  double depth = h, limit = materials_.residual.end_strain;  // of the pivot A
+  if (!shape_.bars.empty()) {
+    depth = 0;
+    limit = materials_.steel_limit;
+    for (const BarLayer& bars : shape_.bars) depth = std::max(depth, h / 2 + outwards * bars.position);
+  }
+  const double crushing = materials_.concrete.ultimate_strain, peak = materials_.concrete.peak_strain;
+  double face = -crushing, gradient = 0;  // the strain at the compressed face, and over the depth
+  if (pivot < 1) {
+    face = limit - pivot * (limit + crushing);
+    gradient = (limit - face) / depth;
+  } else if (pivot < 2) {
+    const double last = -crushing * (1 - depth / h);  // the far face has no strain
+    gradient = (limit + (pivot - 1) * (last - limit) - face) / depth;
+  } else {
+    const double fixed = (1 - peak / crushing) * h, far = -(pivot - 2) * peak;
+    gradient = (far + peak) / (h - fixed);
+    face = -peak - gradient * fixed;
+  }
+  return forces(face + gradient * h / 2, outwards * gradient);
+}
+
+double Capacity::moment(Bending bending, double thrust) const {
+  double low = 0, high = 3;  // the thrust falls
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (limit(bending, middle).thrust > thrust ? low : high) = middle;
+  }
+  return limit(bending, high).moment;
+}
+
+double Capacity::moment_at_curvature(double thrust, double curvature) const {
+  const double strain =
+      axial_strain([&](double trial) { return forces(trial, curvature).thrust; }, thrust, 0);
+  return forces(strain, curvature).moment;
+}
+
+double Capacity::direction(const SectionForces& forces) const {
+  return std::atan2(forces.moment / moment_scale_, forces.thrust / thrust_scale_);
+}
+
+double Capacity::utilisation(const SectionForces& of) const {
+  if (of.thrust == 0 && of.moment == 0) return 0;
+  const auto next =
+      static_cast<std::size_t>(std::ranges::upper_bound(directions_, direction(of)) - directions_.begin()) %
+      diagram_.size();
+  const SectionForces& a = diagram_[(next + diagram_.size() - 1) % diagram_.size()];
+  const SectionForces& b = diagram_[next];
+  const double thrust = b.thrust - a.thrust, moment = b.moment - a.moment;
+  return (of.thrust * moment - of.moment * thrust) / (a.thrust * moment - a.moment * thrust);
+}
+
+}  // namespace adit::fdm

@@ -1,0 +1,60 @@
+// A section of fibres over time: layers of concrete and of bars, each with its law and what it remembers.
+//
+// The elastic section has the slopes of the laws at the origin (steel replaces concrete): its axial and
+// bending stiffness about its own centroid. No tangent of the section exceeds them.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "fdm_server/sections/concrete_law.hpp"
+#include "fdm_server/sections/section_shape.hpp"
+#include "fdm_server/sections/steel_law.hpp"
+#include "protocol/state/archive.hpp"
+
+namespace adit::fdm {
+
+// What all sections of a lining share.
+class FibreSection {
+ public:
+  FibreSection(const SectionShape& shape, const ConcreteLaw& concrete, const SteelLaw& steel,
+               std::size_t layers = 30);
+
+  const SectionShape& shape() const { return shape_; }
+  const ConcreteLaw& concrete() const { return concrete_; }
+  const SteelLaw& steel() const { return steel_; }
+  const std::vector<ConcreteLayer>& layers() const { return layers_; }
+  double centroid() const { return centroid_; }  // z [m]
+  double axial() const { return axial_; }        // E A [N]
+  double bending() const { return bending_; }    // E I about the centroid [N m^2]
+
+ private:
+  SectionShape shape_;
+  ConcreteLaw concrete_;
+  SteelLaw steel_;
+  std::vector<ConcreteLayer> layers_;
+  double centroid_, axial_, bending_;
+};
+
+// The fibres of one section.
+class FibreStates {
+ public:
+  explicit FibreStates(const FibreSection& section);
+
+  // Takes the fibres to eps(z) = strain + curvature z.
+  SectionForces strain_to(const FibreSection& section, double strain, double curvature);
+  double stored(const FibreSection& section) const;  // [J/m]
+  // Of the bars: the largest by size, with its sign.
+  double steel_strain(const FibreSection& section) const;
+  double strain() const { return strain_; }
+  double curvature() const { return curvature_; }
+
+  void exchange(state::Archive& archive);
+
+ private:
+  double strain_ = 0, curvature_ = 0;
+  std::vector<ConcreteState> concrete_;
+  std::vector<SteelState> steel_;
+};
+
+}  // namespace adit::fdm

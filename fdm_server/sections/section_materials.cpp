@@ -1,0 +1,83 @@
+#include "fdm_server/sections/section_materials.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adit::fdm {
+namespace {
+
+using protocol::Standard;
+
+// EN 1992-1-1, table 3.1; of a mean strength.
+double strain_at_peak(double mean) {
+  return std::min(0.7 * std::pow(mean / 1e6, 0.31), 2.8) / 1000;
+}
+
+}  // namespace
+
+ConcreteValues concrete_values(const protocol::Concrete& of, Values values) {
+  const bool eurocode = of.standard == Standard::kEurocode;
+  const double peak = strain_at_peak(of.compressive_strength);
+  const auto diagram = [&](double strength) {
+    return eurocode ? eurocode_diagram(strength, of.characteristic_compressive / 1e6)
+                    : chinese_diagram(strength, of.cube / 1e6);
+  };
+  if (values == Values::kMean)
+    return {of.young_modulus,
+            of.compressive_strength,
+            of.tensile_strength,
+            peak,
+            diagram(of.compressive_strength),
+            of.compressive_strength,
+            1};
+  const double factor = eurocode ? 1.5 : 1.4, design = of.characteristic_compressive / factor;
+  return {eurocode ? of.young_modulus / 1.2 : of.young_modulus,
+          design,
+          of.characteristic_tensile / factor,
+          peak,
+          diagram(design),
+          of.characteristic_compressive,
+          factor};
+}
+
+ConcreteValues concrete_values(double young_modulus, double compressive, double tensile) {
+  return {young_modulus,
+          compressive,
+          tensile,
+          strain_at_peak(compressive),
+          eurocode_diagram(compressive, compressive / 1e6),
+          compressive,
+          1};
+}
+
+SteelValues steel_values(const protocol::Steel& of, Values values) {
+  const double yield = values == Values::kMean ? of.mean_yield : of.design_yield;
+  const double rise = (of.hardening - 1) * yield / (of.ultimate_strain - yield / of.young_modulus);
+  return {of.young_modulus, yield, rise / of.young_modulus, of.design_strain};
+}
+
+ConcreteLaw concrete_law(const ConcreteValues& concrete, double tension_end,
+                         const ResidualTension& residual) {
+  // The slope of eq. 3.14 at the origin.
+  return {1.05 * concrete.young_modulus,
+          concrete.compressive,
+          concrete.peak_strain,
+          concrete.tensile,
+          tension_end,
+          residual};
+}
+
+SteelLaw steel_law(const SteelValues& steel) {
+  return {steel.young_modulus, steel.yield, steel.hardening};
+}
+
+CapacityMaterials capacity_materials(const ConcreteValues& concrete, const SteelValues& steel,
+                                     const ResidualTension& residual) {
+  return {concrete.diagram, steel.young_modulus, steel.yield, steel.limit_strain, residual};
+}
+
+ShearMaterials shear_materials(const ConcreteValues& concrete, const SteelValues& steel, double stirrups) {
+  return {concrete.cylinder, concrete.partial_factor, concrete.compressive, steel.yield, stirrups};
+}
+
+}  // namespace adit::fdm

@@ -1,0 +1,20 @@
+// The reinforced section of a lining: its fibres and what it resists.
+#pragma once
+
+#include <memory>
+
+#include "fdm_server/sections/capacity.hpp"
+#include "fdm_server/sections/fibre_section.hpp"
+#include "fdm_server/sections/shear_capacity.hpp"
+
+namespace adit::fdm {
+
+struct LiningSection {
+  std::shared_ptr<const FibreSection> fibres;
+  Capacity capacity;
+  ShearMaterials shear;
+  // For the width of cracks: of the bars [m]; E_cm, f_ctm [Pa].
+  double cover, concrete_modulus, tensile_strength;
+};
+
+}  // namespace adit::fdm

@@ -1,0 +1,23 @@
+// How far a lining's reinforced sections are used at a node.
+#pragma once
+
+#include <cstddef>
+
+#include "fdm_server/supports/lining.hpp"
+
+namespace adit::fdm {
+
+struct SectionUse {
+  LiningForces forces;  // those for which the utilisation is larger, where the node is a corner
+  double utilisation;   // of thrust and moment (capacity.hpp)
+  double shear;         // shear force over what the section resists with this thrust
+  double curvature;     // [1/m]; the larger by size of the beams that meet
+  double steel_strain;  // likewise, of all bars at the nearest sections
+  double crack_width;   // [m], the largest by the present strains (crack_width.hpp)
+};
+
+// Of a lining that has a section. Thrust, moment and shear force are those at the node, curvatures those of
+// the ends of its beams, strains those at the nearest sections of fibres.
+SectionUse section_use(const Lining& lining, const Structures& structures, std::size_t node);
+
+}  // namespace adit::fdm

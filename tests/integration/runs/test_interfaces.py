@@ -1,0 +1,181 @@
+"""Interfaces in zones and between a lining and the ground, against closed forms."""
+
+import json
+import math
+import unittest
+
+import numpy as np
+
+from figures.computed import ComputedTest
+
+from adit import Run
+from adit.cases.tunnels import lined_tunnel
+from programs import SOURCE, coupler
+
+GRAVITY = 9.81
+ROCK = {"young_modulus": 10e9, "poisson_ratio": 0.0, "density": 2500.0}
+DAMPED = {"maxwell": {"ratio": 0.05, "low_frequency": 20.0, "high_frequency": 1000.0}}
+
+
+def rectangle(name, x, y, zones):
+    return {"name": name, "rectangle": {"x_min": x[0], "x_max": x[1], "y_min": y[0], "y_max": y[1]},
+            "along": {"zones": zones[0]}, "across": {"zones": zones[1]}}
+
+
+class Incline(ComputedTest):
+    """A block on its base, under gravity whose part along the base grows beyond friction at once."""
+
+    def slide(self, law, along=7.0, damping=DAMPED):
+        continuum = {
+            "blocks": [rectangle("base", (0.0, 4.0), (-1.0, 0.0), (8, 2)), rectangle("block", (0.0, 4.0), (0.0, 2.0), (8, 4))],
+            "motions": [{"where": {"y_max": -1.0}, "velocity": {"x": 0.0, "y": 0.0}}],
+            "body_loads": [{"acceleration": {"x": along, "y": -GRAVITY}}],
+            "interfaces": [{"name": "foot", "between": {"left": "block", "right": "base"}, "law": law}],
+            "histories": [{"name": "block", "quantity": "velocity_x", "at": {"x": 2.0, "y": 1.0}}]
+            + [{"name": "foot", "quantity": quantity, "interface": "foot", "at": {"x": 2.0, "y": 0.0}}
+               for quantity in ("offset", "opening", "normal_stress", "shear_stress")],
+            **({"damping": damping} if damping else {})}
+        run = self.computed({"material": ROCK, "time": {"duration": 0.4}, "continuum": continuum,
+                             "initial_stress": {"yy": -2 * 2500 * GRAVITY, "yy_per_metre": 2500 * GRAVITY}})
+        self.assertLess(run.summary["max_energy_drift"], 1e-10)
+        return run
+
+    def test_a_block_slides_as_friction_lets_it(self):
+        h = self.slide({"friction_angle": math.radians(30)}).histories
+        late = self.time > 0.2
+        acceleration = np.polyfit(self.time[late], h["block_vx_m_per_s"][late], 1)[0]
+        self.assertAlmostEqual(acceleration / (7 - GRAVITY * math.tan(math.radians(30))), 1, delta=1e-3)
+        # From then on the distance is that of this acceleration and the velocity reached.
+        t, velocity, offset = (values[late] - values[late][0] for values in (self.time, h["block_vx_m_per_s"], h["foot_offset_m"]))
+        expected = h["block_vx_m_per_s"][late][0] * t[-1] + acceleration * t[-1]**2 / 2
+        self.assertAlmostEqual(offset[-1] / expected, 1, delta=1e-3)
+        np.testing.assert_allclose(h["foot_shear_stress_Pa"][late], -h["foot_normal_stress_Pa"][late] * math.tan(math.radians(30)), rtol=1e-3)
+
+    def test_a_block_below_its_friction_stays(self):
+        # A load that comes at once counts twice, and friction bears 2.5 times the load.
+        h = self.slide({"friction_angle": math.radians(60)}).histories
+        self.assertLess(abs(h["block_vx_m_per_s"][-1]), 1e-3)  # what is left of its vibration
+        self.assertLess(abs(h["foot_offset_m"]).max(), 1e-4)
+
+    def test_energy_is_kept_while_faces_chatter(self):
+        self.slide({"friction_angle": math.radians(30)}, damping=None)
+
+    def test_cohesion_that_slips_away_lets_the_block_go(self):
+        # Friction alone does not hold it, cohesion does until it has slipped.
+        held = self.slide({"friction_angle": math.radians(30), "cohesion": 80e3}).histories
+        self.assertLess(abs(held["foot_offset_m"]).max(), 1e-4)
+        freed = self.slide({"friction_angle": math.radians(30), "cohesion": 20e3, "residual": {"cohesion": 0.0, "slip": 1e-5}}).histories
+        self.assertGreater(freed["foot_offset_m"][-1], 0.01)
+
+
+class Wave(ComputedTest):
+    def test_a_part_flies_off_with_the_momentum_of_the_pulse(self):
+        """A pressure pulse runs along a bar, is thrown back by the free end as tension and opens an interface as far from the
+        end as half the pulse is long: what lies beyond has taken the whole impulse."""
+        speed, end, length = math.sqrt(10e9 / 2500), 40.0, 8.0
+        duration, stress = length / speed, 1e6
+        run = self.computed({
+            "material": ROCK, "time": {"duration": 1.3 * end / speed, "dt_factor": 0.5},
+            "continuum": {
+                "block": {"x_min": 0.0, "x_max": end, "y_min": 0.0, "y_max": 0.5, "zones_x": 160, "zones_y": 2},
+                "edge_loads": [{"where": {"x_max": 0.0}, "force": {"x": stress * 0.5},
+                                "time": {"sine": {"frequency": 1 / (2 * duration), "end": duration}}}],
+                "interfaces": [{"name": "joint", "along": {"line": {"points": [{"x": end - length / 2, "y": 0.0}, {"x": end - length / 2, "y": 0.5}]}},
+                                "law": {"friction_angle": 0.5}}],
+                "histories": [{"name": f"part_{k}", "quantity": "velocity_x", "at": {"x": end - length / 2 + 0.25 * k + 0.125, "y": 0.25}} for k in range(16)]
+                + [{"name": "joint", "quantity": quantity, "interface": "joint", "at": {"x": end - length / 2, "y": 0.25}}
+                   for quantity in ("opening", "normal_stress")]}})
+        self.assertLess(run.summary["max_energy_drift"], 1e-10)
+        h = run.histories
+        impulse = stress * 2 / math.pi * duration
+        mean = np.mean([h[f"part_{k}_vx_m_per_s"] for k in range(16)], axis=0)
+        self.assertAlmostEqual(mean[-1] / (impulse / (2500 * length / 2)), 1, delta=0.01)
+        opened = self.time[np.argmax(h["joint_opening_m"] > 1e-6)]
+        self.assertAlmostEqual(opened * speed, end + length / 2, delta=0.5)  # when the end of the pulse has passed
+        self.assertAlmostEqual(h["joint_normal_stress_Pa"].min() / -stress, 1, delta=0.02)
+        # The faces met nothing again and rubbed nowhere.
+        self.assertLess(abs(h["continuum_dissipated_J"][-1]), 1e-3 * h["continuum_external_work_J"][-1])
+
+
+class Ring(ComputedTest):
+    def ovalled(self, interface, fine=False):
+        side, around, across, ratio = (120.0, 128, 64, 1.055) if fine else (60.0, 64, 26, 1.09)
+        half, force = side / 2, 50e3 * side
+        lining = {"name": "lining", "along": {"circle": {"centre": {"x": 0.0, "y": 0.0}, "radius": 3.0}}, "thickness": 0.25,
+                  "young_modulus": 30e9, **interface}
+        run = self.computed({"extends": str(SOURCE / "cases/lined_tunnel/ovaling.yaml"), "continuum": {
+            "linings": [lining],
+            "blocks": [{"ring": {"centre": {"x": 0.0, "y": 0.0}, "inner_radius": 3.0, "outer_side": side}, "along": {"zones": around},
+                        "across": {"zones": across, "ratio": ratio}}],
+            "edge_loads": [{"where": {key: at}, "force": {axis: sign * force}} for key, at, axis, sign in
+                           (("y_min", half, "x", 1), ("y_max", -half, "x", -1), ("x_min", half, "y", 1), ("x_max", -half, "y", -1))],
+            "motions": [{"where": {"x_max": -half, "y_max": -half}, "velocity": {"x": 0.0, "y": 0.0}},
+                        {"where": {"x_min": half, "y_max": -half}, "velocity": {"y": 0.0}}]}})
+        angle, *forces = lined_tunnel.around(run)
+        waves = (np.cos, np.cos, np.sin)
+        strain, tunnel = lined_tunnel.far_strain(run), lined_tunnel.Tunnel.of(run)
+        return tunnel, [abs(2 * np.mean(force * wave(2 * np.radians(angle - 45)))) / strain for force, wave in zip(forces, waves)]
+
+    def test_a_ring_that_slips_bears_what_the_closed_form_says(self):
+        tunnel, found = self.ovalled({"interface": {"tension": 1e9}}, fine=True)  # which never parts
+        np.testing.assert_allclose(found, lined_tunnel.full_solution(tunnel, slips=True), rtol=0.01)
+        self.assertAlmostEqual(found[1] / lined_tunnel.wang_moment(tunnel), 1, delta=0.01)
+        self.assertAlmostEqual(found[0] * tunnel.radius / lined_tunnel.wang_moment(tunnel), 1, delta=0.01)  # Wang: N = M/r
+
+    def test_friction_lies_between_full_slip_and_none(self):
+        tied, glued, rough, smooth = (self.ovalled(interface)[1][0] for interface in (
+            {}, {"interface": {"cohesion": 1e9, "tension": 1e9}}, {"interface": {"cohesion": 50e3, "tension": 1e9}}, {"interface": {"tension": 1e9}}))
+        self.assertAlmostEqual(glued / tied, 1, delta=1e-3)
+        self.assertLess(smooth, 0.5 * rough)
+        self.assertLess(rough, 0.8 * glued)
+
+
+class Refused(ComputedTest):
+    def refused(self, change, sentence):
+        scene = {"material": ROCK, "time": {"duration": 0.01}, "continuum": {
+            "blocks": [rectangle("lower", (0.0, 4.0), (0.0, 1.0), (8, 2)), rectangle("upper", (0.0, 4.0), (1.0, 2.0), (8, 2))],
+            "interfaces": [{"name": "plane", "between": {"left": "upper", "right": "lower"}, "law": {"friction_angle": 0.5}}]}}
+        change(scene["continuum"])
+        result = self.coupler_refuses(scene)
+        self.assertIn(sentence, result)
+
+    def coupler_refuses(self, scene):
+        result = coupler("run", self.scene(json.dumps(scene)), "--out", self.folder / "refused")
+        self.assertEqual(result.returncode, 2, result.stderr)
+        return result.stderr
+
+    def test_what_cannot_be_is_said_in_one_sentence(self):
+        def line(*points):
+            return {"line": {"points": [{"x": float(x), "y": float(y)} for x, y in points]}}
+
+        def with_interface(**keys):
+            return lambda continuum: continuum["interfaces"][0].update(keys)
+
+        def along(path):
+            def change(continuum):
+                del continuum["interfaces"][0]["between"]
+                continuum["interfaces"][0]["along"] = path
+            return change
+
+        def lining(**keys):
+            return lambda continuum: continuum.update(linings=[{"name": "wall", "along": line((0, 1.5), (4, 1.5)), "thickness": 0.2,
+                                                                "young_modulus": 30e9, "interface": {}, **keys}])
+        for change, sentence in (
+                (along(line((0, 0.7), (4, 0.7))), "has no sides of zones along it"),
+                (along(line((0, 2), (4, 2))), "has zones on one side only"),
+                (with_interface(between={"left": "upper", "right": "upper"}), "name two groups that touch"),
+                (with_interface(along=line((0, 1), (4, 1))), "give either `along` or `between`"),
+                (with_interface(law={"friction_angle": 0.3, "dilation_angle": 0.4}), "larger than the friction angle"),
+                (with_interface(law={"friction_angle": 0.3, "cohesion": 1e3, "tension": 1e6}), "above cohesion / tan(friction_angle)"),
+                (with_interface(law={"cohesion": 1e3, "residual": {"cohesion": 2e3}}), "before it slips"),
+                (lambda continuum: continuum.update(large_strain=True), "leave large_strain or the interfaces out"),
+                (lining(name="plane"), "is taken by an interface"),
+                (lining(along=line((0, 1), (4, 1))), "is already; let only one of them run there"),
+                (lambda continuum: continuum.update(histories=[{"name": "at", "quantity": "offset", "interface": "plain", "at": {"x": 1.0, "y": 1.0}}]),
+                 "no interface of the continuum or of its linings has this name")):
+            with self.subTest(sentence):
+                self.refused(change, sentence)
+
+
+if __name__ == "__main__":
+    unittest.main()
