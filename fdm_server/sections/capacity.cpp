@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 
 #include "fdm_server/sections/axial_strain.hpp"
 
@@ -10,24 +11,25 @@ namespace adit::fdm {
 namespace {
 
 constexpr std::size_t kCapacityLayers = 200;
-constexpr int kPointsOfPivot = 48;
+constexpr int kPointsOfPivot = 48, kHalvings = 16;
 
 }  // namespace
 
 Capacity::Capacity(const SectionShape& shape, const CapacityMaterials& materials)
     : shape_(shape), materials_(materials), layers_(concrete_layers(shape, kCapacityLayers)) {
+  for (int pivot = 0; pivot < 3; ++pivot)
+    for (int i = 0; i < kPointsOfPivot; ++i) {
+      // Closer towards the end of a pivot, where the strains are those at which steel yields.
+      const double left = 1 - static_cast<double>(i) / kPointsOfPivot;
+      pivots_.push_back(pivot + 1 - left * left * left);
+    }
+  pivots_.push_back(3);
   for (const Bending bending : {Bending::kOuterStretched, Bending::kInnerStretched}) {
-    std::vector<SectionForces> side;
-    for (int pivot = 0; pivot < 3; ++pivot)
-      for (int i = 0; i < kPointsOfPivot; ++i) {
-        // Closer towards the end of a pivot, where the strains are those at which steel yields.
-        const double left = 1 - static_cast<double>(i) / kPointsOfPivot;
-        side.push_back(limit(bending, pivot + 1 - left * left * left));
-      }
-    side.push_back(limit(bending, 3));
-    // Around: from tension to compression with a positive moment, and back with a negative one.
-    if (bending == Bending::kInnerStretched) std::ranges::reverse(side);
-    diagram_.insert(diagram_.end(), side.begin(), side.end());
+    std::vector<double>& thrusts = thrusts_[bending == Bending::kInnerStretched];
+    for (const double pivot : pivots_) {
+      diagram_.push_back(limit(bending, pivot));
+      thrusts.push_back(diagram_.back().thrust);
+    }
   }
   for (const SectionForces& point : diagram_) {
     thrust_scale_ = std::max(thrust_scale_, std::abs(point.thrust));
@@ -79,8 +81,11 @@ SectionForces Capacity::limit(Bending bending, double pivot) const {
 }
 
 double Capacity::moment(Bending bending, double thrust) const {
-  double low = 0, high = 3;  // the thrust falls
-  for (int i = 0; i < 60; ++i) {
+  const std::vector<double>& thrusts = thrusts_[bending == Bending::kInnerStretched];
+  const auto next = std::ranges::lower_bound(thrusts, thrust, std::greater()) - thrusts.begin();
+  const auto last = std::min<std::size_t>(static_cast<std::size_t>(next), pivots_.size() - 1);
+  double low = pivots_[last > 0 ? last - 1 : 0], high = pivots_[last];
+  for (int i = 0; i < kHalvings; ++i) {
     const double middle = (low + high) / 2;
     (limit(bending, middle).thrust > thrust ? low : high) = middle;
   }

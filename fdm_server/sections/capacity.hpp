@@ -9,6 +9,7 @@
 // Without bars, pivot A is the tensioned face at the end strain of the fibres.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "fdm_server/sections/concrete_law.hpp"
@@ -54,7 +55,9 @@ class Capacity {
   CapacityMaterials materials_;
   std::vector<ConcreteLayer> layers_;
   std::vector<SectionForces> diagram_;
-  std::vector<double> directions_;  // of the diagram's points, ascending [rad]
+  std::vector<double> pivots_;                  // of the diagram's points, from 0 to 3
+  std::array<std::vector<double>, 2> thrusts_;  // of these, by Bending; they fall
+  std::vector<double> directions_;              // of the diagram's points, ascending [rad]
   double thrust_scale_ = 1, moment_scale_ = 1;
 };
 

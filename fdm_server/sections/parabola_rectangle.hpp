@@ -25,8 +25,9 @@ struct ParabolaRectangle {
   // Beyond the ultimate strain it stays, because the strain limits are the section's (capacity.hpp).
   double stress(double strain) const {
     if (strain >= 0) return 0;
-    const double share = std::min(-strain / peak_strain, 1.0);
-    return -strength * (1 - std::pow(1 - share, exponent));
+    const double left = 1 + strain / peak_strain;
+    if (left <= 0) return -strength;
+    return -strength * (1 - (exponent == 2 ? left * left : std::pow(left, exponent)));
   }
 };
 
