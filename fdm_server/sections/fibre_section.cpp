@@ -7,7 +7,18 @@ namespace adit::fdm {
 
 FibreSection::FibreSection(const SectionShape& shape, const ConcreteLaw& concrete, const SteelLaw& steel,
                            std::size_t layers)
-    : shape_(shape), concrete_(concrete), steel_(steel), layers_(concrete_layers(shape, layers)) {
+    : shape_(shape),
+      concrete_(concrete),
+      plain_(concrete),
+      near_bars_(layers, false),
+      steel_(steel),
+      layers_(concrete_layers(shape, layers)) {
+  plain_.tensile_end = 0;
+  for (std::size_t i = 0; i < layers; ++i)
+    for (const BarLayer& bars : shape.bars) {
+      const double side = bars.position < 0 ? -1 : 1, face = shape.thickness / 2;
+      if (face - side * layers_[i].position <= 2.5 * (face - side * bars.position)) near_bars_[i] = true;
+    }
   double first = 0, second = 0;
   axial_ = 0;
   const auto add = [&](double modulus, double area, double position) {
@@ -22,7 +33,7 @@ FibreSection::FibreSection(const SectionShape& shape, const ConcreteLaw& concret
 }
 
 FibreStates::FibreStates(const FibreSection& section)
-    : concrete_(section.layers().size(), virgin(section.concrete())), steel_(section.shape().bars.size()) {}
+    : concrete_(section.layers().size(), virgin(section.concrete(0))), steel_(section.shape().bars.size()) {}
 
 SectionForces FibreStates::strain_to(const FibreSection& section, double strain, double curvature) {
   strain_ = strain;
@@ -30,7 +41,7 @@ SectionForces FibreStates::strain_to(const FibreSection& section, double strain,
   SectionForces forces{};
   for (std::size_t i = 0; i < concrete_.size(); ++i) {
     const auto [z, area] = section.layers()[i];
-    fdm::strain_to(section.concrete(), strain + curvature * z, concrete_[i]);
+    fdm::strain_to(section.concrete(i), strain + curvature * z, concrete_[i]);
     const double force = area * concrete_[i].stress;
     forces.thrust += force;
     forces.moment += force * z;

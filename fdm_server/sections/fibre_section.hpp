@@ -2,6 +2,11 @@
 //
 // The elastic section has the slopes of the laws at the origin (steel replaces concrete): its axial and
 // bending stiffness about its own centroid. No tangent of the section exceeds them.
+//
+// Bars let cracked concrete carry tension where their bond reaches: up to 2.5 times their distance from the
+// nearer face, the effective area of EN 1992-1-1:2004, 7.3.2 (3). Elsewhere concrete that has cracked keeps
+// the residual stress of fibres only: a thick wall with few bars would else bear its cracking moment for
+// ever.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +26,7 @@ class FibreSection {
                std::size_t layers = 30);
 
   const SectionShape& shape() const { return shape_; }
-  const ConcreteLaw& concrete() const { return concrete_; }
+  const ConcreteLaw& concrete(std::size_t layer) const { return near_bars_[layer] ? concrete_ : plain_; }
   const SteelLaw& steel() const { return steel_; }
   const std::vector<ConcreteLayer>& layers() const { return layers_; }
   double centroid() const { return centroid_; }  // z [m]
@@ -30,7 +35,8 @@ class FibreSection {
 
  private:
   SectionShape shape_;
-  ConcreteLaw concrete_;
+  ConcreteLaw concrete_, plain_;
+  std::vector<bool> near_bars_;  // each layer
   SteelLaw steel_;
   std::vector<ConcreteLayer> layers_;
   double centroid_, axial_, bending_;

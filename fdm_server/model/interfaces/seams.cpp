@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace adit::fdm {
 namespace {
@@ -20,21 +21,24 @@ double dot(const Contacts::Half& a, const Contacts::Half& b) {
 
 }  // namespace
 
-Seams::Seams(std::span<const Path> paths, const std::vector<bool>& kept, const Ground& ground,
+Seams::Seams(std::span<const Seam> seams, const std::vector<bool>& kept, const Ground& ground,
              std::span<const double> weights, Grid& grid)
     : ground_(ground), weights_(weights), grid_(grid) {
-  std::vector<Side> all;
-  for (const Path& path : paths)
-    for (std::size_t k = 0; k < sides(path); ++k) all.push_back(side(path, k));
-  if (all.empty()) return;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, bool> wanted;
-  for (const auto& [a, b] : all) wanted[{a, b}] = wanted[{b, a}] = true;
+  std::vector<Side> cuts;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> wanted;
+  for (const auto& [path, cuts_here] : seams)
+    for (std::size_t k = 0; k < sides(path); ++k) {
+      const auto [a, b] = side(path, k);
+      wanted.insert({{a, b}, {b, a}});
+      if (cuts_here) cuts.push_back({a, b});
+    }
+  if (wanted.empty()) return;
   for (std::uint32_t z = 0; z < grid.zones.size(); ++z)
     for (std::size_t c = 0; c < 4; ++c) {
       const std::pair<std::uint32_t, std::uint32_t> directed(grid.zones[z][c], grid.zones[z][(c + 1) % 4]);
       if (wanted.contains(directed)) on_left_[directed] = z;
     }
-  cut(grid, all, kept);
+  cut(grid, cuts, kept);
 }
 
 std::array<std::uint32_t, 2> Seams::beside(const Path& path, std::size_t k) const {

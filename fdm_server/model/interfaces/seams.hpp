@@ -20,9 +20,14 @@ namespace adit::fdm {
 
 class Seams {
  public:
-  // Cuts the grid along these paths of its points. `weights`: of the zones, none: all 1. `kept`: points that
-  // stay whole.
-  Seams(std::span<const Path> paths, const std::vector<bool>& kept, const Ground& ground,
+  // A path of the grid's points, and whether it parts the zones beside it from the beginning. A lining that
+  // is installed later finds one side excavated.
+  struct Seam {
+    Path path;
+    bool cuts;
+  };
+  // Cuts the grid. `weights`: of the zones, none: all 1. `kept`: points that stay whole.
+  Seams(std::span<const Seam> seams, const std::vector<bool>& kept, const Ground& ground,
         std::span<const double> weights, Grid& grid);
 
   // The zones on the left and on the right of the k-th side of a path; kNoZone where there is none.

@@ -226,31 +226,33 @@ std::vector<bool> points_at_free_field(const scene::FreeField& free_field, const
   return at;
 }
 
-// What runs along seams, in the order of the paths: all interfaces, then linings that have one.
+// All interfaces, then linings that have one.
 struct SeamPaths {
-  std::vector<Path> paths;
+  std::vector<Seams::Seam> seams;
   std::map<int, std::size_t> of_lining;  // their numbers
 };
 
 SeamPaths read_seams(const scene::Continuum& scene, const Grid& grid, const Edges& edges,
                      Occupied& occupied) {
-  SeamPaths seams;
+  SeamPaths found;
+  auto& seams = found.seams;
   for (int i = 0; i < scene.interfaces_size(); ++i) {
     const auto path = fmt::format("continuum.interfaces[{}]", i);
-    seams.paths.push_back(read_path(scene.interfaces(i), grid, edges, path));
-    occupied.take(seams.paths.back(), path);
+    seams.push_back({read_path(scene.interfaces(i), grid, edges, path), true});
+    occupied.take(seams.back().path, path);
   }
   for (int i = 0; i < scene.linings_size(); ++i) {
     if (!scene.linings(i).has_interface()) continue;
     const auto path = fmt::format("continuum.linings[{}]", i);
-    seams.of_lining[i] = seams.paths.size();
-    seams.paths.push_back(read_path(scene.linings(i).along(), grid, edges, path + ".along"));
-    occupied.take(seams.paths.back(), path);
+    found.of_lining[i] = seams.size();
+    seams.push_back(
+        {read_path(scene.linings(i).along(), grid, edges, path + ".along"), scene.linings(i).stage() == 0});
+    occupied.take(seams.back().path, path);
   }
-  require(seams.paths.empty() || !scene.large_strain(), "continuum.large_strain",
+  require(seams.empty() || !scene.large_strain(), "continuum.large_strain",
           "moves points along interfaces to other partners, which is not computed; leave large_strain or the "
           "interfaces out");
-  return seams;
+  return found;
 }
 
 // Of a lining: a copy of each point of its path; linings that meet in a point share it.
@@ -296,7 +298,7 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
   const Grid whole = grid;
   Occupied occupied(whole);
   const SeamPaths seam_paths = read_seams(scene.continuum(), whole, number_edges(whole), occupied);
-  const Seams seams(seam_paths.paths, points_at_free_field(scene.continuum().free_field(), whole), ground,
+  const Seams seams(seam_paths.seams, points_at_free_field(scene.continuum().free_field(), whole), ground,
                     weights, grid);
   const Edges edges = number_edges(grid);
 
@@ -305,9 +307,9 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
     const auto path = fmt::format("continuum.interfaces[{}]", i);
     require(names.insert(interfaces[i].name()).second, path + ".name",
             "`" + interfaces[i].name() + "` is taken by another interface; choose another one");
-    auto& joined = supports.interfaces.emplace_back(seams.join(seam_paths.paths[static_cast<std::size_t>(i)],
-                                                               read_law(interfaces[i].law(), path + ".law"),
-                                                               supports.contacts));
+    auto& joined = supports.interfaces.emplace_back(
+        seams.join(seam_paths.seams[static_cast<std::size_t>(i)].path,
+                   read_law(interfaces[i].law(), path + ".law"), supports.contacts));
     joined.name = interfaces[i].name();
     require(joined.count > 0, path, "has zones on one side only; let it run inside the grid");
   }
@@ -327,7 +329,7 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
                                 : read_elastic_section(lining, scene.plane() == scene::PLANE_STRAIN, path);
     const auto on_seam = seam_paths.of_lining.find(i);
     const Path along = on_seam != seam_paths.of_lining.end()
-                           ? own_points(seam_paths.paths[on_seam->second], own, grid)
+                           ? own_points(seam_paths.seams[on_seam->second].path, own, grid)
                            : read_path(lining.along(), grid, edges, path + ".along");
     if (on_seam == seam_paths.of_lining.end()) occupied.take(along, grid, path);
     require_statics(lining.stage(), scene, path);
@@ -345,9 +347,9 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
     const auto& lining = linings[i];
     const auto path = fmt::format("continuum.linings[{}]", i);
     if (lining.stage() > 0)
-      require_ground_on_one_side(seam_paths.paths[number], lining.stage(), seams, stages, path);
+      require_ground_on_one_side(seam_paths.seams[number].path, lining.stage(), seams, stages, path);
     auto& joined = supports.interfaces.emplace_back(
-        seams.join(seam_paths.paths[number], plans[static_cast<std::size_t>(i)].path.points,
+        seams.join(seam_paths.seams[number].path, plans[static_cast<std::size_t>(i)].path.points,
                    read_law(lining.interface(), path + ".interface"), lining.stage(), supports.contacts));
     joined.name = lining.name();
   }

@@ -107,7 +107,7 @@ def _draw(axes, linings, normals, name, reach):
 def _right_normals(linings):
     """The unit normal at each node, perpendicular to the mean direction of the beams that meet there."""
     along = linings.points[linings.cells[:, 1]] - linings.points[linings.cells[:, 0]]
-    along /= np.hypot(*along.T)[:, None]
+    along /= np.maximum(np.hypot(*along.T), 1e-12)[:, None]  # two contacts of a corner share their place
     mean = np.zeros_like(linings.points)
     for end in (0, 1):
         np.add.at(mean, linings.cells[:, end], along)

@@ -8,7 +8,6 @@ import numpy as np
 
 from figures.computed import ComputedTest
 
-from adit import Run
 from adit.cases.tunnels import lined_tunnel
 from programs import SOURCE, coupler
 
@@ -128,6 +127,34 @@ class Ring(ComputedTest):
         self.assertAlmostEqual(glued / tied, 1, delta=1e-3)
         self.assertLess(smooth, 0.5 * rough)
         self.assertLess(rough, 0.8 * glued)
+
+
+class Staged(ComputedTest):
+    def crown(self, interface):
+        """Thrust and moment of a box at rest that was installed when half of the ground's forces were released."""
+        corners = ((2, -8), (2, -4), (-2, -4), (-2, -8), (2, -8))
+        lining = {"name": "box", "along": {"line": {"points": [{"x": float(x), "y": float(y)} for x, y in corners]}}, "thickness": 0.4,
+                  "young_modulus": 30e9, "stage": 2, **interface}
+        run = self.computed({
+            "material": {"young_modulus": 100e6, "poisson_ratio": 0.3, "density": 2000.0}, "time": {"duration": 0.002},
+            "statics": {"unbalanced_ratio": 1e-5}, "initial_stress": {"layers": [{"bottom": -16.0, "density": 2000.0, "k0": 0.5}]},
+            "continuum": {
+                "block": {"x_min": -12.0, "x_max": 12.0, "y_min": -16.0, "y_max": 0.0, "zones_x": 24, "zones_y": 16},
+                "body_loads": [{"acceleration": {"y": -GRAVITY}}],
+                "motions": [{"where": {"y_max": -16.0}, "velocity": {"x": 0.0, "y": 0.0}}]
+                + [{"where": {key: at}, "velocity": {"x": 0.0}} for key, at in (("x_max", -12.0), ("x_min", 12.0))],
+                "excavations": [{"where": {"x_min": -2.0, "x_max": 2.0, "y_min": -8.0, "y_max": -4.0}, "stage": 1, "released": 0.5}],
+                "linings": [lining],
+                "histories": [{"name": place, "quantity": quantity, "lining": "box", "at": {"x": x, "y": y}}
+                              for place, x, y in (("roof", 0.0, -4.0), ("wall", 2.0, -6.0)) for quantity in ("thrust", "moment")]}})
+        return np.array([run.histories[name][0] for name in run.histories if name.startswith(("roof", "wall"))])
+
+    def test_a_lining_that_sticks_bears_what_a_tied_one_does(self):
+        tied, stuck = self.crown({}), self.crown({"interface": {"cohesion": 1e9, "tension": 1e9}})
+        # The springs are as soft as a tenth of a zone of 1 m.
+        np.testing.assert_allclose(stuck, tied, rtol=0.02, atol=0.02 * abs(tied[1::2]).max())
+        # By hand: half of the overburden, 80 kPa at the roof, over half the span and a little more beside.
+        self.assertTrue(60e3 < -tied[2] < 160e3, tied)
 
 
 class Refused(ComputedTest):

@@ -91,8 +91,8 @@ TEST(LiningLedger, DampingOfTheGroundLeavesTheLiningsStep) {
       Continuum continuum = ground.continuum();
       const Ground one{{Material{2000, 2e9, 0.3}}, std::vector<std::uint32_t>(ground.grid.zones.size(), 0)};
       const CriticalElement critical =
-          critical_element(ZoneKind::kAssumedStrain, ground.grid, one, ground.structures,
-                           std::vector<bool>(ground.grid.x.size(), known_early), law, 0);
+          critical_element(ZoneKind::kAssumedStrain, ground.grid, one, Supports{ground.structures},
+                           {std::vector<bool>(ground.grid.x.size(), known_early), {}}, law, 0);
       const double zones =
                        critical_step(law, critical_step(ZoneKind::kAssumedStrain, ground.grid, kLaw, 2000)),
                    beams = ground.structures.critical_step();

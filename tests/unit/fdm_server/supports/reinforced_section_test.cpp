@@ -42,7 +42,7 @@ TEST(ReinforcedSection, ValuesAreChosen) {
   const auto mean = read_reinforced_section(section(kWall + kClasses + kBars + "values: MEAN"), "");
   const auto design = read_reinforced_section(section(kWall + kClasses + kBars + "values: DESIGN"), "");
   EXPECT_NEAR(design->capacity.largest_thrust() / mean->capacity.largest_thrust(), 500 / 1.15 / 550, 1e-3);
-  EXPECT_NEAR(design->fibres->concrete().strength / mean->fibres->concrete().strength, 20.0 / 38, 1e-3);
+  EXPECT_NEAR(design->fibres->concrete(0).strength / mean->fibres->concrete(0).strength, 20.0 / 38, 1e-3);
 }
 
 using adit::test::RefusedText;
