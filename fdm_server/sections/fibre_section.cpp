@@ -13,7 +13,9 @@ FibreSection::FibreSection(const SectionShape& shape, const ConcreteLaw& concret
       near_bars_(layers, false),
       steel_(steel),
       layers_(concrete_layers(shape, layers)) {
-  plain_.tensile_end = 0;
+  constexpr double kOpen = 1e-4;  // crack that bears nothing [m]
+  if (concrete.tensile_strength > 0)
+    plain_.tensile_end = concrete.tensile_strength / concrete.modulus + kOpen / shape.thickness;
   for (std::size_t i = 0; i < layers; ++i)
     for (const BarLayer& bars : shape.bars) {
       const double side = bars.position < 0 ? -1 : 1, face = shape.thickness / 2;

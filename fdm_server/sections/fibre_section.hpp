@@ -4,9 +4,9 @@
 // bending stiffness about its own centroid. No tangent of the section exceeds them.
 //
 // Bars let cracked concrete carry tension where their bond reaches: up to 2.5 times their distance from the
-// nearer face, the effective area of EN 1992-1-1:2004, 7.3.2 (3). Elsewhere concrete that has cracked keeps
-// the residual stress of fibres only: a thick wall with few bars would else bear its cracking moment for
-// ever.
+// nearer face, the effective area of EN 1992-1-1:2004, 7.3.2 (3). Elsewhere a crack opens by itself, in a
+// length as large as the thickness, and bears nothing beyond 0.1 mm, about 2 G_F/f_t (fib Model Code
+// 2010, 5.1.5.2): a thick wall with few bars would else bear its cracking moment until they yield.
 #pragma once
 
 #include <cstddef>
