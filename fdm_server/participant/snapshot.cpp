@@ -55,12 +55,14 @@ wire::Piece& add_lines(const std::string& name, const Grid& grid, const Continuu
 void add_use(const Structures& structures, const std::vector<Lining>& linings, const PeakUse& peaks,
              wire::Piece& piece) {
   std::vector<SectionUse> now;
-  std::vector<double> least, largest;  // ultimate moments at the present thrust
+  std::vector<double> least, largest;  // ultimate moments at the thrust that the piece shows
   for (const Lining& lining : linings)
     for (std::size_t node = 0; node < lining.path.points.size(); ++node) {
       now.push_back(lining.section ? section_use(lining, structures, node) : SectionUse{});
       const auto ultimate = [&](Bending bending) {
-        return lining.section ? lining.section->capacity.moment(bending, now.back().forces.thrust) : 0;
+        return lining.section
+                   ? lining.section->capacity.moment(bending, forces_at(lining, structures, node).thrust)
+                   : 0;
       };
       least.push_back(ultimate(Bending::kInnerStretched));
       largest.push_back(ultimate(Bending::kOuterStretched));
