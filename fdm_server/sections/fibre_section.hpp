@@ -18,7 +18,7 @@ namespace adit::fdm {
 class FibreSection {
  public:
   FibreSection(const SectionShape& shape, const ConcreteLaw& concrete, const SteelLaw& steel,
-               std::size_t layers = 30);
+               std::size_t layers = 40);
 
   const SectionShape& shape() const { return shape_; }
   const ConcreteLaw& concrete() const { return concrete_; }
