@@ -23,7 +23,7 @@ namespace adit::fdm {
 class FibreSection {
  public:
   FibreSection(const SectionShape& shape, const ConcreteLaw& concrete, const SteelLaw& steel,
-               std::size_t layers = 30);
+               std::size_t layers = 40);
 
   const SectionShape& shape() const { return shape_; }
   const ConcreteLaw& concrete(std::size_t layer) const { return near_bars_[layer] ? concrete_ : plain_; }

@@ -9,10 +9,12 @@ std::vector<ConcreteLayer> concrete_layers(const SectionShape& shape, std::size_
   std::vector<ConcreteLayer> layers;
   for (std::size_t i = 0; i < count; ++i)
     layers.push_back({(static_cast<double>(i) + 0.5) * step - shape.thickness / 2, shape.width * step});
-  for (const BarLayer& bars : shape.bars) {
-    const double from_inside = (bars.position + shape.thickness / 2) / step;
-    layers[std::min(static_cast<std::size_t>(from_inside), count - 1)].area -= bars.area;
-  }
+  for (const BarLayer& bars : shape.bars)
+    for (ConcreteLayer& layer : layers) {
+      const double low = std::max(layer.position - step / 2, bars.position - bars.diameter / 2),
+                   high = std::min(layer.position + step / 2, bars.position + bars.diameter / 2);
+      if (high > low) layer.area -= bars.area * (high - low) / bars.diameter;
+    }
   return layers;
 }
 
