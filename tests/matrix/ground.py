@@ -19,8 +19,7 @@ FACTORS = {
     "load": ["none", "edge", "point", "body"],
     "rest": ["none", "stressed", "kinetic", "local", "adaptive", "unscaled"],
     "hole": ["none", "never", "stage", "side", "two_stages", "released"],
-    "support": ["none", "lining", "jointed", "arcs", "bolt", "slipping"],
-    "bedding": ["none", "slips", "opens"],
+    "support": ["none", "lining", "jointed", "arcs", "bolt"],
     "foundation": ["none", "springs"],
     "large": ["no", "yes"],
     "inside": ["none", "strip", "ring", "both_ends", "grid"],
@@ -32,6 +31,16 @@ FACTORS = {
     "output": ["histories", "all"],
 }
 
+# Ground with interfaces: planes that slip and open, linings that slip.
+WITH_INTERFACES = {
+    **{name: values[:1] for name, values in FACTORS.items()},
+    **{name: FACTORS[name] for name in ("plane", "zone", "sides", "direction", "load", "rows", "output")},
+    "damping": ["none", "rayleigh", "maxwell"],
+    "grid": ["block", "blocks"], "law": ["elastic", "mohr_coulomb", "reversals"], "base": ["held", "rigid", "compliant"],
+    "motion": ["none", "record", "ricker", "velocity"], "rest": ["none", "stressed", "kinetic", "adaptive"], "hole": ["none", "never", "stage"],
+    "support": ["none", "lining", "slipping"], "bedding": ["none", "slips", "opens"], "inside": ["none", "strip"],
+}
+
 STATICS = {"kinetic", "local", "adaptive", "unscaled"}
 STAGED = {"stage", "side", "two_stages", "released"}
 
@@ -41,8 +50,6 @@ REFUSED = (
     + [({"plane": "plane_stress", "large": "yes"}, "plane strain")]
     + [({"large": "yes", "inside": inside}, "large_strain") for inside in ("strip", "ring", "both_ends", "grid")]
     + [({"solve": "lumped", "rest": rest}, "lumped") for rest in sorted(STATICS)]
-    + [({"large": "yes", "bedding": bedding}, "large_strain") for bedding in ("slips", "opens")]
-    + [({"large": "yes", "support": "slipping"}, "large_strain")]
     + [({"foundation": "springs", "hole": hole}, "foundations") for hole in sorted(STAGED)]
     + [({"sides": "free_field", "hole": "side"}, "free_field")]
 )
@@ -95,7 +102,7 @@ CENTRE = {"x": 0.0, "y": 2.0}
 def passes_thresholds(row):
     """Whether something yields, breaks, touches or is braked against the sign of its velocity, so that rounding decides in which step."""
     return (row["law"] not in ("elastic", "layers") or row["bonds"] not in ("contact", "spring") or row["packing"] == "random"
-            or row["support"] in ("jointed", "bolt", "slipping") or row["bedding"] != "none" or row["foundation"] == "springs" or row["damping"] == "local")
+            or row["support"] in ("jointed", "bolt", "slipping") or row.get("bedding", "none") != "none" or row["foundation"] == "springs" or row["damping"] == "local")
 
 
 def output(row):
@@ -276,7 +283,7 @@ class Ground:
 
     def bedding(self):
         """A plane below the opening, from the left side, where there is one, to a tip in the ground."""
-        if self.row["bedding"] == "none":
+        if self.row.get("bedding", "none") == "none":
             return {}
         law = {"slips": {"friction_angle": 0.3, "dilation_angle": 0.1, "cohesion": 5e3, "residual": {"cohesion": 0.0, "slip": 1e-3}},
                "opens": {"friction_angle": 0.5, "cohesion": 20e3, "tension": 10e3, "normal_stiffness": 4e9, "shear_stiffness": 2e9}}[self.row["bedding"]]
@@ -298,7 +305,7 @@ class Ground:
                   for quantity in ("displacement_x", "acceleration_y")]
         if self.has_section():
             found += [{"name": "cut", "quantity": quantity, "section": "cut"} for quantity in ("thrust", "moment", "shear_force")]
-        between = [("bedding", {"x": 0.0, "y": 0.5})] * (self.row["bedding"] != "none") + [("lining", {"x": 0.0, "y": 3.0})] * (self.row["support"] == "slipping")
+        between = [("bedding", {"x": 0.0, "y": 0.5})] * (self.row.get("bedding", "none") != "none") + [("lining", {"x": 0.0, "y": 3.0})] * (self.row["support"] == "slipping")
         found += [{"name": name, "quantity": quantity, "interface": name, "at": dict(at)} for name, at in between
                   for quantity in ("opening", "offset", "normal_stress", "shear_stress")]
         names = {"none": [], "bolt": [], "arcs": ["upper", "lower"]}.get(self.row["support"], ["lining"])

@@ -302,7 +302,7 @@ def doubled(world, row, scene, folder, base):
 
 def is_linear(row):
     return (row["law"] in ("elastic", "layers") and row["bonds"] in ("contact",) and row["support"] in ("none", "lining", "arcs") and row["foundation"] == "none"
-            and row["large"] == "no" and row["packing"] != "random" and row["bedding"] == "none")
+            and row["large"] == "no" and row["packing"] != "random" and row.get("bedding", "none") == "none")
 
 
 def superposed(world, row, scene, folder, base):
