@@ -13,7 +13,7 @@ using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
 // A zone at a point, with the points before and after it around the zone.
 struct ZoneAtPoint {
-  std::uint32_t zone, corner, before, after;
+  std::uint32_t zone, before, after;
 };
 
 // Numbers of the sets of zones around a point that sides without a cut join, each set by its first zone.
@@ -47,7 +47,7 @@ void cut(Grid& grid, std::span<const Side> sides, const std::vector<bool>& kept)
   for (std::uint32_t z = 0; z < grid.zones.size(); ++z)
     for (std::uint32_t c = 0; c < 4; ++c)
       if (const auto found = around.find(static_cast<std::uint32_t>(grid.zones[z][c])); found != around.end())
-        found->second.push_back({z, c, static_cast<std::uint32_t>(grid.zones[z][(c + 3) % 4]),
+        found->second.push_back({z, static_cast<std::uint32_t>(grid.zones[z][(c + 3) % 4]),
                                  static_cast<std::uint32_t>(grid.zones[z][(c + 1) % 4])});
 
   std::map<Pair, std::int32_t> own;  // the new point of a zone in the place of an old one

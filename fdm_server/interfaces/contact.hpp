@@ -14,8 +14,9 @@
 // also where the faces meet, part or begin to slide on the way: with e the elastic part of the way w,
 //   meeting:  sigma^2/2k_n / du,   parting:  (T^2 - sigma^2)/2k_n / du,
 //   sliding:  ((tau+^2 - tau-^2)/2k_s + tau+ l)/ds,
-// each with the slope k/2 (e/w)^2 against the end of the stroke, between those of faces that rest and slide.
-// So a stroke of any length makes no energy (a discrete gradient; Gonzalez 1996, J. Nonlinear Sci. 6).
+// with the slopes k/2 (1 - (1 - e/w)^2), -(mean)/du where that resists, and k/2 (e/w)^2 against the end of
+// the stroke; faces that rest have k/2. So a stroke of any length makes no energy (a discrete gradient;
+// Gonzalez 1996, J. Nonlinear Sci. 6).
 #pragma once
 
 #include <algorithm>

@@ -5,16 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "fdm_server/participant/figures.hpp"
+
 namespace adit::fdm {
 
 void add_figures(const Grid& grid, std::span<const Interface> interfaces, const Contacts& contacts,
                  const ContactPeaks& peaks, wire::Bye& bye) {
   if (peaks.empty()) return;
-  const auto add = [&bye](const std::string& name, double value) {
-    wire::Figure& figure = *bye.add_figures();
-    figure.set_name(name);
-    figure.set_value(value);
-  };
+  Figures figures(grid, bye);
   for (const auto& [name, first, count, closed] : interfaces) {
     const auto add_largest = [&](const std::string& what, const std::string& unit,
                                  const std::vector<ContactPeaks::Peak>& of) {
@@ -23,10 +21,8 @@ void add_figures(const Grid& grid, std::span<const Interface> interfaces, const 
           std::ranges::max_element(rows, {}, [](const auto& peak) { return std::abs(peak.value); });
       const auto point = contacts.point(first + static_cast<std::uint32_t>(largest - rows.begin()));
       const std::string figure = "interface_" + name + "_largest_" + what;
-      add(figure + unit, largest->value);
-      add(figure + "_time_s", largest->time);
-      add(figure + "_x_m", grid.x[point]);
-      add(figure + "_y_m", grid.y[point]);
+      figures.add(figure + unit, largest->value);
+      figures.add_when_and_where(figure, largest->time, point);
     };
     add_largest("offset", "_m", peaks.offset());
     add_largest("opening", "_m", peaks.opening());

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "fdm_server/participant/figures.hpp"
+
 namespace adit::fdm {
 namespace {
 
@@ -42,9 +44,7 @@ class LiningPeaks {
 };
 
 // The peaks of a lining with a section, whose nodes begin at this row.
-template <class Add>
-void add_use(const Grid& grid, const Lining& lining, const PeakUse::Extremes& largest, std::size_t first,
-             Add&& add) {
+void add_use(const Lining& lining, const PeakUse::Extremes& largest, std::size_t first, Figures& figures) {
   const std::string name = "lining_" + lining.name + "_";
   // Adds one of them with time and place; what there was then.
   const auto add_largest = [&](const std::vector<PeakUse::Instant>& of, double SectionUse::*member,
@@ -53,20 +53,18 @@ void add_use(const Grid& grid, const Lining& lining, const PeakUse::Extremes& la
     const auto at = std::ranges::max_element(
         rows, {}, [member](const PeakUse::Instant& instant) { return std::abs(instant.use.*member); });
     const auto point = lining.path.points[static_cast<std::size_t>(at - rows.begin())];
-    add(name + which + unit, at->use.*member);
-    add(name + which + "_time_s", at->time);
-    add(name + which + "_x_m", grid.x[point]);
-    add(name + which + "_y_m", grid.y[point]);
+    figures.add(name + which + unit, at->use.*member);
+    figures.add_when_and_where(name + which, at->time, point);
     return at->use.forces;
   };
   const LiningForces bent =
       add_largest(largest.utilisation, &SectionUse::utilisation, "largest_utilisation", "");
-  add(name + "thrust_at_largest_utilisation_N", bent.thrust);
-  add(name + "moment_at_largest_utilisation_Nm", bent.moment);
+  figures.add(name + "thrust_at_largest_utilisation_N", bent.thrust);
+  figures.add(name + "moment_at_largest_utilisation_Nm", bent.moment);
   const LiningForces sheared =
       add_largest(largest.shear, &SectionUse::shear, "largest_shear_utilisation", "");
-  add(name + "shear_at_largest_shear_utilisation_N", sheared.shear);
-  add(name + "thrust_at_largest_shear_utilisation_N", sheared.thrust);
+  figures.add(name + "shear_at_largest_shear_utilisation_N", sheared.shear);
+  figures.add(name + "thrust_at_largest_shear_utilisation_N", sheared.thrust);
   add_largest(largest.curvature, &SectionUse::curvature, "largest_curvature", "_per_m");
   add_largest(largest.steel_strain, &SectionUse::steel_strain, "largest_steel_strain", "");
   add_largest(largest.crack_width, &SectionUse::crack_width, "largest_crack_width", "_m");
@@ -77,35 +75,26 @@ void add_use(const Grid& grid, const Lining& lining, const PeakUse::Extremes& la
 void add_figures(const Grid& grid, std::span<const Lining> linings, const PeakForces& peaks,
                  const PeakUse& use, wire::Bye& bye) {
   if (peaks.empty()) return;
-  const auto add = [&bye](const std::string& name, double value) {
-    wire::Figure& figure = *bye.add_figures();
-    figure.set_name(name);
-    figure.set_value(value);
-  };
-  const auto add_when_and_where = [&](const std::string& name, const Place& place) {
-    add(name + "_time_s", place.instant.time);
-    add(name + "_x_m", grid.x[place.point]);
-    add(name + "_y_m", grid.y[place.point]);
-  };
+  Figures figures(grid, bye);
   std::size_t row = 0;
   for (const Lining& lining : linings) {
     const std::string name = "lining_" + lining.name + "_";
     const LiningPeaks of_lining(lining, row);
-    if (lining.section) add_use(grid, lining, use.largest(), row, add);
+    if (lining.section) add_use(lining, use.largest(), row, figures);
     row += lining.path.points.size();
     const auto add_thrust = [&](const std::string& which, const Place& place) {
-      add(name + which + "_N", place.instant.thrust);
-      add_when_and_where(name + which, place);
-      add(name + "moment_at_" + which + "_Nm", place.instant.moment);
+      figures.add(name + which + "_N", place.instant.thrust);
+      figures.add_when_and_where(name + which, place.instant.time, place.point);
+      figures.add(name + "moment_at_" + which + "_Nm", place.instant.moment);
     };
     add_thrust("largest_thrust", of_lining.largest(peaks.thrust(), &Instant::thrust));
     add_thrust("least_thrust", of_lining.least(peaks.thrust(), &Instant::thrust));
     const Place most = of_lining.largest(peaks.moment(), &Instant::moment),
                 least = of_lining.least(peaks.moment(), &Instant::moment);
     const Place& bent = -least.instant.moment > most.instant.moment ? least : most;
-    add(name + "largest_moment_Nm", bent.instant.moment);
-    add_when_and_where(name + "largest_moment", bent);
-    add(name + "thrust_at_largest_moment_N", bent.instant.thrust);
+    figures.add(name + "largest_moment_Nm", bent.instant.moment);
+    figures.add_when_and_where(name + "largest_moment", bent.instant.time, bent.point);
+    figures.add(name + "thrust_at_largest_moment_N", bent.instant.thrust);
   }
 }
 

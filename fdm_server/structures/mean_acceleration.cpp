@@ -78,7 +78,7 @@ void MeanAcceleration::factor() {
   factor_.factorize(matrix_);
   if (factor_.info() != Eigen::Success)
     throw std::logic_error(
-        "the mass of linings and bolts with the stiffness of a step is not positive definite");
+        "the mass of linings, bolts and interfaces with the stiffness of a step is not positive definite");
   changed_ = false;
 }
 
@@ -102,9 +102,7 @@ void MeanAcceleration::accelerate(const Actions& forces) {
 }
 
 double MeanAcceleration::lead(std::size_t strain) const {
-  double sum = 0;
-  for (const auto& [freedom, factor] : shares(forms_[strain])) sum += factor * acceleration_[freedom];
-  return dt_ * dt_ / 4 * sum;
+  return dt_ * dt_ / 4 * acceleration_of(forms_[strain]);
 }
 
 void MeanAcceleration::add_forces(const Actions& forces) {
@@ -127,10 +125,16 @@ void MeanAcceleration::solve(const Actions& forces) {
 
 void MeanAcceleration::subtract_inertia(std::span<const Form> forms) {
   for (const Form& form : forms) {
-    double sum = 0;
-    for (const auto& [freedom, factor] : shares(form)) sum += factor * acceleration_[freedom];
-    for (const auto& [freedom, factor] : shares(form)) force_[freedom] -= form.inertia() * sum * factor;
+    const double acceleration = acceleration_of(form);
+    for (const auto& [freedom, factor] : shares(form))
+      force_[freedom] -= form.inertia() * acceleration * factor;
   }
+}
+
+double MeanAcceleration::acceleration_of(const Form& form) const {
+  double sum = 0;
+  for (const auto& [freedom, factor] : shares(form)) sum += factor * acceleration_[freedom];
+  return sum;
 }
 
 double MeanAcceleration::rate(const Form& form, const Motions& motions) const {

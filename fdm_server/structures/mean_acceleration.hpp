@@ -79,6 +79,7 @@ class MeanAcceleration {
   }
   void find_pattern(const std::function<double(const Freedom&)>& inverse_mass);
   void factor();
+  double acceleration_of(const Form& form) const;
   double rate(const Form& form, const Motions& motions) const;
   void solve(const Actions& forces);  // for a of the free ones
   // force -= dt^2/4 K a, of these strains.

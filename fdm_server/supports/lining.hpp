@@ -28,6 +28,11 @@ inline constexpr double kCorner = 0.766;
 struct Path {
   std::vector<std::uint32_t> points;
   bool closed;
+
+  std::size_t sides() const { return points.size() - (closed ? 0 : 1); }
+  std::array<std::uint32_t, 2> side(std::size_t k) const {
+    return {points[k], points[(k + 1) % points.size()]};
+  }
 };
 
 struct LiningJoint {

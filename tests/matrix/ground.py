@@ -31,9 +31,10 @@ FACTORS = {
     "output": ["histories", "all"],
 }
 
+PLAIN = {name: values[:1] for name, values in FACTORS.items()}
 # Ground with interfaces: planes that slip and open, linings that slip.
 WITH_INTERFACES = {
-    **{name: values[:1] for name, values in FACTORS.items()},
+    **PLAIN,
     **{name: FACTORS[name] for name in ("plane", "zone", "sides", "direction", "load", "rows", "output")},
     "damping": ["none", "rayleigh", "maxwell"],
     "grid": ["block", "blocks"], "law": ["elastic", "mohr_coulomb", "reversals"], "base": ["held", "rigid", "compliant"],
@@ -282,12 +283,12 @@ class Ground:
         return {"linings": [{"name": "lining", "along": whole, **section, **joint}]}
 
     def bedding(self):
-        """A plane below the opening, from the left side, where there is one, to a tip in the ground."""
+        """A plane below the opening, from the left side to a tip in the ground."""
         if self.row.get("bedding", "none") == "none":
             return {}
         law = {"slips": {"friction_angle": 0.3, "dilation_angle": 0.1, "cohesion": 5e3, "residual": {"cohesion": 0.0, "slip": 1e-3}},
                "opens": {"friction_angle": 0.5, "cohesion": 20e3, "tension": 10e3, "normal_stiffness": 4e9, "shear_stiffness": 2e9}}[self.row["bedding"]]
-        points = [{"x": self.left if self.has_left() else -1.5, "y": 0.5}, {"x": 1.0, "y": 0.5}]
+        points = [{"x": self.left, "y": 0.5}, {"x": 1.0, "y": 0.5}]
         return {"interfaces": [{"name": "bedding", "along": {"line": {"points": points}}, "law": law}]}
 
     def has_section(self):

@@ -7,14 +7,6 @@
 namespace adit::fdm {
 namespace {
 
-std::size_t sides(const Path& path) {
-  return path.points.size() - (path.closed ? 0 : 1);
-}
-
-Side side(const Path& path, std::size_t k) {
-  return {path.points[k], path.points[(k + 1) % path.points.size()]};
-}
-
 double dot(const Contacts::Half& a, const Contacts::Half& b) {
   return (a.nx * b.nx + a.ny * b.ny) / (std::hypot(a.nx, a.ny) * std::hypot(b.nx, b.ny));
 }
@@ -27,8 +19,8 @@ Seams::Seams(std::span<const Seam> seams, const std::vector<bool>& kept, const G
   std::vector<Side> cuts;
   std::set<std::pair<std::uint32_t, std::uint32_t>> wanted;
   for (const auto& [path, cuts_here] : seams)
-    for (std::size_t k = 0; k < sides(path); ++k) {
-      const auto [a, b] = side(path, k);
+    for (std::size_t k = 0; k < path.sides(); ++k) {
+      const auto [a, b] = path.side(k);
       wanted.insert({{a, b}, {b, a}});
       if (cuts_here) cuts.push_back({a, b});
     }
@@ -42,7 +34,7 @@ Seams::Seams(std::span<const Seam> seams, const std::vector<bool>& kept, const G
 }
 
 std::array<std::uint32_t, 2> Seams::beside(const Path& path, std::size_t k) const {
-  const auto [a, b] = side(path, k);
+  const auto [a, b] = path.side(k);
   const auto zone = [this](std::uint32_t from, std::uint32_t to) {
     const auto found = on_left_.find({from, to});
     return found == on_left_.end() ? kNoZone : found->second;
@@ -63,7 +55,7 @@ double Seams::stiffness_of(std::uint32_t zone, double side) const {
 
 Seams::End Seams::end(const Path& path, std::size_t k, const std::array<std::uint32_t, 2>& points,
                       const std::array<std::uint32_t, 2>& zones, double sense) const {
-  const auto [a, b] = side(path, k);
+  const auto [a, b] = path.side(k);
   const double w = zones[0] == kNoZone ? weight(zones[1]) : (weight(zones[0]) + weight(zones[1])) / 2;
   const double dx = grid_.x[b] - grid_.x[a], dy = grid_.y[b] - grid_.y[a], share = sense * w / 2;
   return {points, {zones[0], zones[1], -share * dy, share * dx, std::hypot(dx, dy)}};
@@ -71,10 +63,10 @@ Seams::End Seams::end(const Path& path, std::size_t k, const std::array<std::uin
 
 Interface Seams::join(const Path& path, const ContactLaw& law, Contacts& contacts) const {
   std::vector<End> ends;
-  for (std::size_t k = 0; k < sides(path); ++k) {
+  for (std::size_t k = 0; k < path.sides(); ++k) {
     const auto [left, right] = beside(path, k);
     if (left == kNoZone || right == kNoZone) continue;
-    for (const auto point : side(path, k))
+    for (const auto point : path.side(k))
       ends.push_back(end(path, k, {copy(point, left), copy(point, right)}, {left, right}, 1));
   }
   return add(std::move(ends), path.closed, law, 0, contacts);
@@ -85,7 +77,7 @@ Interface Seams::join(const Path& path, std::span<const std::uint32_t> own, cons
   Interface joined{{}, 0, 0, path.closed};
   for (const std::size_t on : {0, 1}) {
     std::vector<End> ends;
-    for (std::size_t k = 0; k < sides(path); ++k) {
+    for (std::size_t k = 0; k < path.sides(); ++k) {
       const auto zone = beside(path, k)[on];
       if (zone == kNoZone) continue;
       for (const std::size_t node : {k, (k + 1) % path.points.size()})

@@ -132,15 +132,14 @@ std::vector<LiningJoint> read_joints(const scene::Lining& lining, const Path& al
   return joints;
 }
 
-// Who lies on each side of a zone of the grid as it was before cuts.
+// Who lies on each side of a zone, by the points of the grid before cuts, which keep their numbers.
 class Occupied {
  public:
   explicit Occupied(const Grid& grid) : grid_(grid) {}
 
   void take(const Path& along, const std::string& path) {
-    const auto& points = along.points;
-    for (std::size_t k = 0; k + (along.closed ? 0 : 1) < points.size(); ++k) {
-      const auto a = points[k], b = points[(k + 1) % points.size()];
+    for (std::size_t k = 0; k < along.sides(); ++k) {
+      const auto [a, b] = along.side(k);
       const auto [owner, free] = owners_.try_emplace(std::minmax(a, b), path);
       require(
           free, path,
@@ -274,7 +273,7 @@ Path own_points(const Path& path, std::map<std::uint32_t, std::uint32_t>& own, G
 // side are gone: until then they are joined to the others.
 void require_ground_on_one_side(const Path& along, std::uint32_t stage, const Seams& seams,
                                 std::span<const std::uint32_t> stages, const std::string& path) {
-  for (std::size_t k = 0; k + (along.closed ? 0 : 1) < along.points.size(); ++k) {
+  for (std::size_t k = 0; k < along.sides(); ++k) {
     const auto beside = seams.beside(along, k);
     const auto there = std::ranges::count_if(
         beside, [&](auto zone) { return zone != kNoZone && (stages[zone] == 0 || stages[zone] > stage); });
@@ -295,12 +294,12 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
   const auto& interfaces = scene.continuum().interfaces();
   Supports supports;
   if (linings.empty() && bolts.empty() && interfaces.empty()) return supports;
-  const Grid whole = grid;
-  Occupied occupied(whole);
-  const SeamPaths seam_paths = read_seams(scene.continuum(), whole, number_edges(whole), occupied);
-  const Seams seams(seam_paths.seams, points_at_free_field(scene.continuum().free_field(), whole), ground,
+  Occupied occupied(grid);
+  Edges edges = number_edges(grid);
+  const SeamPaths seam_paths = read_seams(scene.continuum(), grid, edges, occupied);
+  const Seams seams(seam_paths.seams, points_at_free_field(scene.continuum().free_field(), grid), ground,
                     weights, grid);
-  const Edges edges = number_edges(grid);
+  if (!grid.double_of.empty()) edges = number_edges(grid);
 
   std::set<std::string> names;
   for (int i = 0; i < interfaces.size(); ++i) {

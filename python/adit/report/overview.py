@@ -4,23 +4,26 @@ import re
 from adit.report.markup import bullets, section, table, tag
 from adit.report.quantities import figure, quantity, sentence
 
+
+def _where(key):
+    return ("  at x [m]", f"{key}_x_m", 1, "{:z.2f}"), ("  at y [m]", f"{key}_y_m", 1, "{:z.2f}")
+
+
+def _when_and_where(key):
+    return ("  at [ms]", f"{key}_time_s", 1e-3, "{:z.2f}"), *_where(key)
+
+
 ROWS = (  # of the main figures: what, key of summary.json, divisor, format
     ("peak bond force [kN]", "peak_bond_force_N", 1e3, "{:z,.0f}"),
-    ("  at [ms]", "peak_bond_force_time_s", 1e-3, "{:z.2f}"),
-    ("  at x [m]", "peak_bond_force_x_m", 1, "{:z.2f}"),
-    ("  at y [m]", "peak_bond_force_y_m", 1, "{:z.2f}"),
+    *_when_and_where("peak_bond_force"),
     ("first crack at [ms]", "first_crack_time_s", 1e-3, "{:z.2f}"),
-    ("  at x [m]", "first_crack_x_m", 1, "{:z.2f}"),
-    ("  at y [m]", "first_crack_y_m", 1, "{:z.2f}"),
+    *_where("first_crack"),
     ("cracks", "crack_count", 1, "{:z.0f}"),
     ("first debonding at [ms]", "first_debonding_time_s", 1e-3, "{:z.2f}"),
-    ("  at x [m]", "first_debonding_x_m", 1, "{:z.2f}"),
-    ("  at y [m]", "first_debonding_y_m", 1, "{:z.2f}"),
+    *_where("first_debonding"),
     ("debonded bonds", "debonded_count", 1, "{:z.0f}"),
     ("widest crack [mm]", "largest_crack_width_m", 1e-3, "{:z.3f}"),
-    ("  at [ms]", "largest_crack_width_time_s", 1e-3, "{:z.2f}"),
-    ("  at x [m]", "largest_crack_width_x_m", 1, "{:z.2f}"),
-    ("  at y [m]", "largest_crack_width_y_m", 1, "{:z.2f}"),
+    *_when_and_where("largest_crack_width"),
     ("crack paths", "crack_path_count", 1, "{:z.0f}"),
     ("longest crack path [m]", "longest_crack_path_m", 1, "{:z.3f}"),
     ("  open at the end by [mm]", "longest_crack_path_opening_m", 1e-3, "{:z.3f}"),
@@ -49,15 +52,11 @@ OF_A_LINING = (  # the same of each lining of a continuum, by its name before
     ("  moment there [kN m]", "moment_at_largest_thrust_Nm", 1e3, "{:z,.0f}"),
     ("largest moment, per metre [kN m]", "largest_moment_Nm", 1e3, "{:z,.0f}"),
     ("  thrust there [kN]", "thrust_at_largest_moment_N", 1e3, "{:z,.0f}"),
-    ("  at [ms]", "largest_moment_time_s", 1e-3, "{:z.2f}"),
-    ("  at x [m]", "largest_moment_x_m", 1, "{:z.2f}"),
-    ("  at y [m]", "largest_moment_y_m", 1, "{:z.2f}"),
+    *_when_and_where("largest_moment"),
     ("largest utilisation, thrust and moment [%]", "largest_utilisation", 1e-2, "{:z.0f}"),
     ("  thrust there [kN]", "thrust_at_largest_utilisation_N", 1e3, "{:z,.0f}"),
     ("  moment there [kN m]", "moment_at_largest_utilisation_Nm", 1e3, "{:z,.0f}"),
-    ("  at [ms]", "largest_utilisation_time_s", 1e-3, "{:z.2f}"),
-    ("  at x [m]", "largest_utilisation_x_m", 1, "{:z.2f}"),
-    ("  at y [m]", "largest_utilisation_y_m", 1, "{:z.2f}"),
+    *_when_and_where("largest_utilisation"),
     ("largest utilisation, shear [%]", "largest_shear_utilisation", 1e-2, "{:z.0f}"),
     ("largest steel strain [10⁻³]", "largest_steel_strain", 1e-3, "{:z.2f}"),
     ("largest crack width [mm]", "largest_crack_width_m", 1e-3, "{:z.2f}"),
