@@ -149,7 +149,8 @@ int main(int argc, char** argv) {
   }
   using namespace adit;
   const std::filesystem::path folder = argv[1];
-  for (const char* scene : {"block", "ground", "lattice", "grains", "ring", "cells", "coupled", "at_rest"})
+  for (const char* scene :
+       {"block", "ground", "slipping", "lattice", "grains", "ring", "cells", "coupled", "at_rest"})
     fuzz::run_noted(scene, folder);
   fuzz::write_states<fdm::FdmParticipant>(fuzz::kScenesOfGround, folder / "fdm_state");
   fuzz::write_states<dem::DemParticipant>(fuzz::kScenesOfParticles, folder / "dem_state");

@@ -9,7 +9,7 @@
 
 namespace adit::fuzz {
 
-inline const std::vector<std::string> kScenesOfGround = {"block", "ground"},
+inline const std::vector<std::string> kScenesOfGround = {"block", "ground", "slipping"},
                                       kScenesOfParticles = {"lattice", "grains", "ring", "cells"};
 
 // The first byte of the input chooses one of the scenes, the second is the step that follows; the rest is the
