@@ -20,23 +20,19 @@ void DashpotSet::add_quiet(const EdgeSet& edges, std::size_t e, const ImpedanceO
   for (const EdgeShare& share : edges.shares(e)) {
     const Impedance given = impedance(share.zone);
     const Impedance wanted{normal ? given.normal : 0, shear ? given.shear : 0};
-    at(share.point).damping += share.length * dashpots(edges[e], wanted);
+    add(at(share.point), {share.zone, share.length * dashpots(edges[e], wanted)});
   }
 }
 
 void DashpotSet::add_springs(const EdgeSet& edges, std::size_t e, const ImpedanceOf& impedance,
                              double source_distance) {
   for (const EdgeShare& share : edges.shares(e))
-    at(share.point).spring +=
-        share.length * springs(edges[e], impedance(share.zone).modulus, source_distance);
+    add(at(share.point),
+        {share.zone, {}, share.length * springs(edges[e], impedance(share.zone).modulus, source_distance)});
 }
 
 void DashpotSet::hold(const EdgeSet& edges, std::size_t e, bool x, bool y) {
-  for (const EdgeShare& share : edges.shares(e)) {
-    Dashpot& held = at(share.point);
-    held.hold_x = held.hold_x || x;
-    held.hold_y = held.hold_y || y;
-  }
+  for (const EdgeShare& share : edges.shares(e)) add(at(share.point), {share.zone, {}, {}, x, y});
 }
 
 void DashpotSet::add_free_field(const FreeFieldColumn& column, const ImpedanceOf& impedance) {
@@ -49,7 +45,7 @@ void DashpotSet::add_free_field(const FreeFieldColumn& column, const ImpedanceOf
       Dashpot& point = at(column.side[end]);
       if (!point.field) point.field.emplace();
       FreeFieldLink& link = *point.field;
-      point.damping += half;
+      add(point, {edge.zone, half});
       link.damping += half;
       link.column_point = column.point(end);
       const std::size_t from = end == k ? 1 : 0;  // the zone lies above its lower end

@@ -107,6 +107,24 @@ Symmetric& Symmetric::operator+=(const Symmetric& other) {
   return *this;
 }
 
+void add(Dashpot& dashpot, const DashpotShare& share) {
+  dashpot.shares.push_back(share);
+  dashpot.damping += share.damping;
+  dashpot.spring += share.spring;
+  dashpot.hold_x = dashpot.hold_x || share.hold_x;
+  dashpot.hold_y = dashpot.hold_y || share.hold_y;
+}
+
+void leave_out(const std::vector<bool>& gone, std::span<Dashpot> dashpots) {
+  for (Dashpot& dashpot : dashpots) {
+    const auto shares = std::exchange(dashpot.shares, {});
+    dashpot.damping = dashpot.spring = {};
+    dashpot.hold_x = dashpot.hold_y = false;
+    for (const DashpotShare& share : shares)
+      if (!gone[share.zone]) add(dashpot, share);
+  }
+}
+
 void add_boundary_forces(std::span<Dashpot> dashpots, bool supports, const DampingLaw& damping,
                          const protocol::Step& step, const ZoneSet& zones, const PointArrays& points,
                          BoundaryWork& work) {

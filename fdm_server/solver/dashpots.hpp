@@ -45,6 +45,7 @@ struct Symmetric {
   double xx = 0, xy = 0, yy = 0;
 
   Symmetric& operator+=(const Symmetric& other);
+  bool operator==(const Symmetric&) const = default;
 };
 
 struct Vector {
@@ -61,9 +62,17 @@ struct FreeFieldLink {
   std::array<double, 2> lengths{};
 };
 
+// What the edge of one zone brings to one of its points.
+struct DashpotShare {
+  std::uint32_t zone;
+  Symmetric damping{}, spring{};
+  bool hold_x = false, hold_y = false;
+};
+
 struct Dashpot {
   std::uint32_t point;
-  Symmetric damping;                    // all dashpots of the point [N s/m]
+  std::vector<DashpotShare> shares{};
+  Symmetric damping{};                  // all dashpots of the point [N s/m]
   Symmetric spring{};                   // all its springs [N/m]
   bool hold_x = false, hold_y = false;  // in statics
   std::optional<FreeFieldLink> field{};
@@ -78,6 +87,9 @@ struct Dashpot {
   Vector drag{};                      // of the dashpots
 };
 
+void add(Dashpot& dashpot, const DashpotShare& share);
+// The edges of zones that are gone absorb and hold nothing any more. What supports the point stays.
+void leave_out(const std::vector<bool>& gone, std::span<Dashpot> dashpots);
 // The dashpots of a point but for those against its column.
 Symmetric of_ground(const Dashpot& dashpot);
 Vector operator*(const Symmetric& c, const Vector& v);

@@ -59,6 +59,7 @@ void Continuum::excavate(std::span<const Excavated> zones, std::span<const doubl
   set_masses(masses, 0);
   for (Part* part : {&interface_, &interior_}) {
     part->loads.clear();
+    leave_out(gone, part->dashpots);
     for (auto& one : part->motions) one.mass = prescribed(one.motion).mass;
   }
   for (const Field steady : {kSteadyX, kSteadyY}) std::ranges::fill(points_[steady], 0.0);

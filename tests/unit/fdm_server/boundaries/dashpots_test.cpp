@@ -35,5 +35,20 @@ TEST(Dashpots, SolveTheirImplicitEquation) {
     }
 }
 
+// Requirement: when the zones behind some edges of a point are gone, its dashpots, springs and held
+// components are those of the other edges.
+TEST(Dashpots, GoWithTheZonesBehindThem) {
+  const DashpotShare stays{0, {3, 1.5, 2}, {1, 0, 1}, true, false}, goes{1, {5, 0, 4}, {7, 0, 2}, true, true};
+  Dashpot dashpot{.point = 0}, alone{.point = 0};
+  add(dashpot, goes);
+  add(dashpot, stays);
+  add(alone, stays);
+  leave_out({false, true}, {&dashpot, 1});
+  EXPECT_EQ(dashpot.damping, alone.damping);
+  EXPECT_EQ(dashpot.spring, alone.spring);
+  EXPECT_TRUE(dashpot.hold_x);
+  EXPECT_FALSE(dashpot.hold_y);
+}
+
 }  // namespace
 }  // namespace adit::fdm::test::dashpots_test
