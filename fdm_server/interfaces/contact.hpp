@@ -14,9 +14,9 @@
 // also where the faces meet, part or begin to slide on the way: with e the elastic part of the way w,
 //   meeting:  sigma^2/2k_n / du,   parting:  (T^2 - sigma^2)/2k_n / du,
 //   sliding:  ((tau+^2 - tau-^2)/2k_s + tau+ l)/ds,
-// with the slopes k/2 (1 - (1 - e/w)^2), -(mean)/du where that resists, and k/2 (e/w)^2 against the end of
-// the stroke; faces that rest have k/2. So a stroke of any length makes no energy (a discrete gradient;
-// Gonzalez 1996, J. Nonlinear Sci. 6).
+// with the slopes k/2 (1 - (1 - e/w)^2), -(mean)/du where that resists, and k/2 (e/w)^2 + (1 - e/w) dtau+/ds
+// against the end of the stroke; faces that rest have k/2. So a stroke of any length makes no energy (a
+// discrete gradient; Gonzalez 1996, J. Nonlinear Sci. 6).
 #pragma once
 
 #include <algorithm>
@@ -76,59 +76,98 @@ inline double lost_by(const ContactLaw& law, double way) {
 }
 
 struct Stroke {
-  double normal, shear;                      // mean stresses [Pa]
-  double normal_stiffness, shear_stiffness;  // twice the slopes of these, as shares of k_n and k_s
-  double dissipated;                         // [J/m^2]
+  double du, ds;         // [m]
+  double normal, shear;  // mean stresses [Pa]
+  struct Slopes {
+    double by_normal, by_shear;  // against the end of the stroke, along the normal and the tangent [Pa/m]
+  };
+  Slopes normal_slopes, shear_slopes;  // of the mean stresses
 };
+
+// The faces part by du, from this stress.
+inline Stroke part(const ContactLaw& law, double tension, double sigma_before, double du,
+                   ContactState& state) {
+  const bool was_open = state.status == ContactStatus::kOpen;
+  state.status = ContactStatus::kOpen;
+  state.shear = 0;
+  state.parted = true;
+  state.lost = std::max(state.lost, std::min(1.0, lost_by(law, state.closure - state.dilated)));
+  Stroke stroke{};
+  // Slip may have left less than the faces bore.
+  const double from = std::min(sigma_before, tension), elastic = (tension - from) / law.normal;
+  if (was_open || elastic == 0) return stroke;
+  stroke.normal = (from + tension) / 2 * elastic / du;
+  stroke.normal_slopes.by_normal = std::max(0.0, -stroke.normal / du);
+  return stroke;
+}
+
+// The faces meet or go on touching: they stick or slide by ds.
+inline Stroke touch(const ContactLaw& law, const ContactStrength& now, double sigma_before, double du,
+                    double ds, ContactState& state) {
+  const bool was_open = state.status == ContactStatus::kOpen;
+  const double shear_before = state.shear, trial = shear_before + law.shear * ds,
+               pressed = law.normal * (state.closure - state.dilated),
+               limit = std::max(0.0, now.cohesion - pressed * now.tan_friction);
+  Stroke stroke{};
+  Stroke::Slopes of_sigma{law.normal, 0};
+  if (std::abs(trial) <= limit) {
+    state.shear = trial;
+    state.status = ContactStatus::kStuck;
+    stroke.shear = (shear_before + trial) / 2;
+    stroke.shear_slopes = {0, law.shear / 2};
+  } else {
+    const double flow = law.shear + law.normal * now.tan_friction * now.tan_dilation,
+                 slip = (std::abs(trial) - limit) / flow;
+    const Stroke::Slopes of_slip{limit > 0 ? law.normal * now.tan_friction / flow : 0,
+                                 std::copysign(law.shear / flow, trial)};
+    of_sigma = {law.normal * (1 - now.tan_dilation * of_slip.by_normal),
+                -law.normal * now.tan_dilation * of_slip.by_shear};
+    state.dilated += slip * now.tan_dilation;
+    state.shear = trial - std::copysign(law.shear * slip, trial);
+    state.lost = std::min(1.0, state.lost + lost_by(law, slip));
+    state.status = ContactStatus::kSliding;
+    // Stress beyond the present strength is lost at once.
+    const double bound = std::abs(state.shear), from = std::clamp(shear_before, -bound, bound);
+    const double elastic = state.shear == from ? 0 : (state.shear - from) / (law.shear * ds);
+    const double at_end = law.shear * std::copysign(1 - elastic, trial);
+    stroke.shear = state.shear + (from - state.shear) / 2 * elastic;
+    stroke.shear_slopes = {
+        -at_end * of_slip.by_normal,
+        law.shear * (1 - elastic) - at_end * of_slip.by_shear + law.shear * elastic * elastic / 2};
+  }
+  const double sigma = normal_stress(law, state);
+  if (was_open && law.normal * du < sigma) {  // they meet on the way
+    const double elastic = sigma / (law.normal * du);
+    stroke.normal = sigma / 2 * elastic;
+    stroke.normal_slopes = {elastic * of_sigma.by_normal - law.normal * elastic * elastic / 2,
+                            elastic * of_sigma.by_shear};
+  } else {
+    stroke.normal = ((was_open ? 0 : sigma_before) + sigma) / 2;
+    stroke.normal_slopes = {of_sigma.by_normal / 2, of_sigma.by_shear / 2};
+  }
+  return stroke;
+}
 
 // Moves the first face by du and ds [m].
 inline Stroke move(const ContactLaw& law, double du, double ds, ContactState& state) {
-  const double sigma_before = normal_stress(law, state), shear_before = state.shear,
-               stored_before = strain_energy(law, state);
   const bool was_open = state.status == ContactStatus::kOpen;
+  const double sigma_before = normal_stress(law, state);
   const ContactStrength now = strength(law, state);
+  const double tension = was_open ? 0 : now.tension;
   state.closure += du;
-  double sigma = law.normal * (state.closure - state.dilated);
-  Stroke stroke{};
-  if (sigma > (was_open ? 0 : now.tension)) {
-    state.status = ContactStatus::kOpen;
-    state.shear = 0;
-    state.parted = true;
-    state.lost = std::max(state.lost, std::min(1.0, lost_by(law, state.closure - state.dilated)));
-    // Slip may have left less than the faces bore.
-    const double from = std::min(sigma_before, now.tension), elastic = (now.tension - from) / law.normal;
-    if (!was_open && elastic > 0) {
-      stroke.normal = (from + now.tension) / 2 * elastic / du;
-      stroke.normal_stiffness = std::max(0.0, -2 * stroke.normal / (law.normal * du));
-    }
-  } else {
-    const double trial = state.shear + law.shear * ds,
-                 limit = std::max(0.0, now.cohesion - sigma * now.tan_friction);
-    const double slip = std::max(0.0, std::abs(trial) - limit) /
-                        (law.shear + law.normal * now.tan_friction * now.tan_dilation);
-    state.dilated += slip * now.tan_dilation;
-    state.shear = trial - std::copysign(law.shear * slip, trial);
-    state.lost = std::min(1.0, state.lost + (slip > 0 ? lost_by(law, slip) : 0));
-    state.status = slip > 0 ? ContactStatus::kSliding : ContactStatus::kStuck;
-    sigma = normal_stress(law, state);
-    if (was_open) {
-      const double elastic = du < 0 ? std::min(1.0, sigma / (law.normal * du)) : 0;  // share of the way
-      stroke.normal = sigma / 2 * elastic;
-      stroke.normal_stiffness = 1 - (1 - elastic) * (1 - elastic);
-    } else {
-      stroke.normal = (sigma_before + sigma) / 2;
-      stroke.normal_stiffness = 1;
-    }
-    // Stress beyond the present strength is lost at once.
-    const double bound = std::abs(state.shear),
-                 from = slip > 0 ? std::clamp(shear_before, -bound, bound) : shear_before;
-    const double elastic =
-        state.shear == from ? 0 : (state.shear - from) / (law.shear * ds);  // share of the way
-    stroke.shear = slip > 0 ? state.shear + (from - state.shear) / 2 * elastic : (from + state.shear) / 2;
-    stroke.shear_stiffness = slip > 0 ? elastic * elastic : 1;
-  }
-  stroke.dissipated = stroke.normal * du + stroke.shear * ds - (strain_energy(law, state) - stored_before);
+  Stroke stroke = law.normal * (state.closure - state.dilated) > tension
+                      ? part(law, tension, sigma_before, du, state)
+                      : touch(law, now, sigma_before, du, ds, state);
+  stroke.du = du;
+  stroke.ds = ds;
   return stroke;
+}
+
+// By a stroke between these states [J/m^2].
+inline double dissipated(const ContactLaw& law, const ContactState& before, const Stroke& stroke,
+                         const ContactState& after) {
+  return stroke.normal * stroke.du + stroke.shear * stroke.ds -
+         (strain_energy(law, after) - strain_energy(law, before));
 }
 
 }  // namespace adit::fdm

@@ -92,14 +92,15 @@ void Contacts::add_forces(const Part& part, double dt, const PointView& points) 
   move(part, dt, false, points);
   for (const auto i : part) {
     Contact& contact = contacts_[i];
-    auto& [du, ds] = contact.motion;
-    const double normal = normal_stress(contact.law, contact.state), shear = contact.state.shear,
-                 stored = fdm::strain_energy(contact.law, contact.state);
-    fdm::move(contact.law, du, ds, contact.state);
+    const auto [du, ds] = contact.motion;
+    const ContactState before = contact.state;
+    Stroke stroke = fdm::move(contact.law, du, ds, contact.state);
+    const double normal_before = normal_stress(contact.law, before);
     contact.stress = {normal_stress(contact.law, contact.state), contact.state.shear};
-    dissipated_ +=
-        contact.length * ((normal + contact.stress[0]) / 2 * du + (shear + contact.stress[1]) / 2 * ds -
-                          (fdm::strain_energy(contact.law, contact.state) - stored));
+    // The forces of both ends of the step do the work.
+    stroke.normal = (normal_before + contact.stress[0]) / 2;
+    stroke.shear = (before.shear + contact.stress[1]) / 2;
+    dissipated_ += contact.length * fdm::dissipated(contact.law, before, stroke, contact.state);
     contact.offset += ds;
     pull(contact, points);
   }
@@ -118,17 +119,18 @@ void Contacts::pull(const Contact& contact, const PointView& points) const {
   points.fy[second] += fy;
 }
 
-// The tangent (ny, -nx) lies to the right of the normal.
 void Contacts::move(const Part& part, double dt, bool from_rest, const PointView& points) {
-  for (const auto i : part) {
-    Contact& contact = contacts_[i];
-    const auto [first, second] = contact.points;
-    const double dx = dt * (points.vx[first] - points.vx[second]),
-                 dy = dt * (points.vy[first] - points.vy[second]);
-    contact.from_rest = from_rest;
-    contact.motion = {0, 0};  // from rest nothing has moved
-    if (!from_rest) contact.motion = {dx * contact.nx + dy * contact.ny, dx * contact.ny - dy * contact.nx};
-  }
+  for (const auto i : part) move(contacts_[i], dt, from_rest, points);
+}
+
+// The tangent (ny, -nx) lies to the right of the normal.
+void Contacts::move(Contact& contact, double dt, bool from_rest, const PointView& points) {
+  const auto [first, second] = contact.points;
+  const double dx = dt * (points.vx[first] - points.vx[second]),
+               dy = dt * (points.vy[first] - points.vy[second]);
+  contact.from_rest = from_rest;
+  contact.motion = {0, 0};  // from rest nothing has moved
+  if (!from_rest) contact.motion = {dx * contact.nx + dy * contact.ny, dx * contact.ny - dy * contact.nx};
 }
 
 // dt v(n+1/2)/2 = dt v(n-1/2)/2 + dt^2 a/2; from rest dt^2 a/4.
@@ -137,36 +139,108 @@ std::array<double, 2> Contacts::place_ahead(const Contact& contact, const std::a
   return {contact.motion[0] / 2 + 2 * lead[0], contact.motion[1] / 2 + 2 * lead[1]};
 }
 
-Stroke Contacts::stroke(const Contact& contact, const std::array<double, 2>& lead, ContactState& state) {
+Contacts::Trial Contacts::attempt(const Contact& contact, const std::array<double, 2>& lead) {
   const auto ahead = place_ahead(contact, lead);
-  Stroke stroke = fdm::move(contact.law, contact.motion[0] + ahead[0] - contact.ahead[0],
-                            contact.motion[1] + ahead[1] - contact.ahead[1], state);
+  Trial trial{contact.state, {}};
+  trial.stroke = fdm::move(contact.law, contact.motion[0] + ahead[0] - contact.ahead[0],
+                           contact.motion[1] + ahead[1] - contact.ahead[1], trial.state);
   if (contact.from_rest) {
-    stroke.normal = normal_stress(contact.law, state);
-    stroke.shear = state.shear;
+    trial.stroke.normal = normal_stress(contact.law, trial.state);
+    trial.stroke.shear = trial.state.shear;
   }
-  return stroke;
+  return trial;
 }
 
 Contacts::Bearing Contacts::bear(std::uint32_t i, const std::array<double, 2>& lead) const {
-  const Contact& contact = contacts_[i];
-  ContactState state = contact.state;
-  const Stroke ahead = stroke(contact, lead, state);
-  return {contact.length * ahead.normal, contact.length * ahead.shear, ahead.normal_stiffness,
-          ahead.shear_stiffness};
+  return bearing(contacts_[i], attempt(contacts_[i], lead).stroke);
+}
+
+// The end of the stroke moves by twice the lead; from rest by the lead, but its stresses have twice the
+// slopes of the means.
+Contacts::Bearing Contacts::bearing(const Contact& contact, const Stroke& stroke) {
+  const double length = contact.length, by_lead = 2 * length;
+  const auto& [by_normal, by_shear] = stroke.normal_slopes;
+  const auto& [shear_by_normal, shear_by_shear] = stroke.shear_slopes;
+  return {length * stroke.normal,
+          length * stroke.shear,
+          {by_lead * by_normal, by_lead * by_shear},
+          {by_lead * shear_by_normal, by_lead * shear_by_shear}};
+}
+
+void Contacts::settle_pairs(const Part& part, const protocol::Step& step,
+                            std::span<const double> inverse_masses, const PointView& points) {
+  const double quarter = step.dt * step.dt / 4;
+  for (const auto i : part) {
+    Contact& contact = contacts_[i];
+    move(contact, step.dt, step.from_rest(), points);
+    const auto [first, second] = contact.points;
+    const double w1 = inverse_masses[first], w2 = inverse_masses[second];
+    const double ax = w1 * points.fx[first] - w2 * points.fx[second],
+                 ay = w1 * points.fy[first] - w2 * points.fy[second];
+    settle(contact, quarter * (w1 + w2),
+           {quarter * (ax * contact.nx + ay * contact.ny), quarter * (ax * contact.ny - ay * contact.nx)},
+           points);
+  }
+}
+
+// q + c B(q) = free, where faces slide with a matrix that is not symmetric. Where statuses change, the way is
+// shortened, because it may run in a circle between them.
+void Contacts::settle(Contact& contact, double c, const std::array<double, 2>& free,
+                      const PointView& points) {
+  constexpr int kMost = 60;
+  constexpr double kSame = 1e-12;  // of the terms
+  std::array<double, 2> lead = contact.lead;
+  double missed_before = std::numeric_limits<double>::infinity(), part_of_way = 1;
+  Trial trial = attempt(contact, lead);
+  for (int number = 0; number < kMost; ++number) {
+    const auto [normal, shear, of_normal, of_shear] = bearing(contact, trial.stroke);
+    const double r = free[0] - c * normal - lead[0], s = free[1] - c * shear - lead[1];
+    const double missed = std::max(std::abs(r), std::abs(s));
+    const double largest =
+        std::max({c * std::abs(normal), c * std::abs(shear), std::abs(free[0]), std::abs(free[1])});
+    if (missed <= kSame * largest) break;
+    if (missed > missed_before / 2) part_of_way = std::max(0.25, part_of_way / 2);
+    missed_before = missed;
+    const double rr = 1 + c * of_normal.by_normal, rs = c * of_normal.by_shear, sr = c * of_shear.by_normal,
+                 ss = 1 + c * of_shear.by_shear;
+    const double way = part_of_way / (rr * ss - rs * sr);
+    lead[0] += way * (ss * r - rs * s);
+    lead[1] += way * (rr * s - sr * r);
+    trial = attempt(contact, lead);
+  }
+  follow(contact, lead, trial, points);
+}
+
+Contacts::Part Contacts::take_pairs(Part& part, const std::vector<bool>& chosen) const {
+  std::vector<std::uint32_t> uses(chosen.begin(), chosen.end());
+  for (const auto i : part)
+    for (const auto point : contacts_[i].points) ++uses[point];
+  const auto alone = [&](std::uint32_t i) {
+    return std::ranges::all_of(contacts_[i].points, [&](auto point) { return uses[point] == 1; });
+  };
+  Part taken;
+  std::ranges::copy_if(part, std::back_inserter(taken), alone);
+  std::erase_if(part, alone);
+  return taken;
 }
 
 void Contacts::follow(std::uint32_t i, const std::array<double, 2>& lead, const PointView& points) {
-  Contact& contact = contacts_[i];
-  const Stroke done = stroke(contact, lead, contact.state);
+  follow(contacts_[i], lead, attempt(contacts_[i], lead), points);
+}
+
+void Contacts::follow(Contact& contact, const std::array<double, 2>& lead, const Trial& trial,
+                      const PointView& points) {
+  const auto& [state, done] = trial;
   if (!contact.from_rest) {
     // By how much the last stroke ended ahead of where the faces went, since its forces were found to a
     // tolerance.
     const double normal_miss = contact.ahead[0] - contact.motion[0] / 2,
                  shear_miss = contact.ahead[1] - contact.motion[1] / 2;
-    dissipated_ += contact.length * (done.dissipated + (done.normal - contact.stress[0]) * normal_miss +
+    dissipated_ += contact.length * (fdm::dissipated(contact.law, contact.state, done, state) +
+                                     (done.normal - contact.stress[0]) * normal_miss +
                                      (done.shear - contact.stress[1]) * shear_miss);
   }
+  contact.state = state;
   contact.stress = {done.normal, done.shear};
   contact.offset += contact.motion[1];
   contact.ahead = place_ahead(contact, lead);

@@ -11,7 +11,12 @@
 // and u(n) to that of u(n) and u(n+1), and its mean stresses of this stroke act at step n: for faces that
 // stick these are the mean of three steps, and faces that meet, slide and part make no energy. The end of the
 // stroke is ahead of u(n) by dt v(n+1/2)/2, which the acceleration decides; from rest, when v(-1/2) =
-// -v(1/2), the stroke begins where it ends, and the stresses are those of its end.
+// -v(1/2), the stroke begins where it ends, and the stresses are those of its end. What a contact bears
+// depends on the acceleration, and this on what it bears. Newton's method finds both: for a pair of points
+// that has no other such contact by itself,
+//   q + c B(q) = c f,   c = dt^2/4 (1/m_1 + 1/m_2),
+// with the lead q = dt^2/4 a, what the contact bears, B, and f/m the acceleration without it; for all others
+// together (solver/average_structures.cpp).
 //
 // Ledger (solver/continuum.hpp): as the work of step n is that of its stresses over the stroke, what is
 // stored at step n is what is stored at the end less the stresses times the way ahead; of faces that slide it
@@ -29,6 +34,7 @@
 #include "fdm_server/materials/plane_law.hpp"
 #include "fdm_server/structures/strain_form.hpp"
 #include "fdm_server/zones/kernel/zone_runs.hpp"
+#include "protocol/participant/step.hpp"
 #include "protocol/state/archive.hpp"
 
 namespace adit::fdm {
@@ -80,14 +86,20 @@ class Contacts {
   // The same in parts, for contacts by mean acceleration. The faces come to their places of this step:
   void move(const Part& part, double dt, bool from_rest, const PointView& points);
   // What a contact will bear if dt^2/4 times its relative acceleration are these leads along normal and
-  // tangent [m], and with which stiffness against them.
+  // tangent [m], and its slopes.
   struct Bearing {
-    double normal, shear;                      // [N], tension positive
-    double normal_stiffness, shear_stiffness;  // shares of those of faces that stick
+    double normal, shear;                        // [N], tension positive
+    Stroke::Slopes normal_slopes, shear_slopes;  // against leads [N/m]
   };
   Bearing bear(std::uint32_t contact, const std::array<double, 2>& lead) const;
   // The contact follows its law, and its forces are added.
   void follow(std::uint32_t contact, const std::array<double, 2>& lead, const PointView& points);
+  // Both for contacts whose points nothing else by mean acceleration acts on, from the other forces and the
+  // points' inverse masses, which are those of x and y alike.
+  void settle_pairs(const Part& part, const protocol::Step& step, std::span<const double> inverse_masses,
+                    const PointView& points);
+  // Moves out of a part the contacts whose points no other one of it touches, nor what chose a point.
+  Part take_pairs(Part& part, const std::vector<bool>& chosen) const;
   // The leads of the last step.
   const std::array<double, 2>& lead(std::uint32_t contact) const { return contacts_[contact].lead; }
   // The forces of halves of the zones that have such a share to be held back, on their points.
@@ -128,7 +140,16 @@ class Contacts {
     bool from_rest = false;          // this step
   };
   static std::array<double, 2> place_ahead(const Contact& contact, const std::array<double, 2>& lead);
-  static Stroke stroke(const Contact& contact, const std::array<double, 2>& lead, ContactState& state);
+  struct Trial {
+    ContactState state;  // at the end of the stroke
+    Stroke stroke;
+  };
+  static void move(Contact& contact, double dt, bool from_rest, const PointView& points);
+  static Trial attempt(const Contact& contact, const std::array<double, 2>& lead);
+  static Bearing bearing(const Contact& contact, const Stroke& stroke);
+  void settle(Contact& contact, double c, const std::array<double, 2>& free, const PointView& points);
+  void follow(Contact& contact, const std::array<double, 2>& lead, const Trial& trial,
+              const PointView& points);
   void pull(const Contact& contact, const PointView& points) const;
   static bool touches(const Contact& contact, const std::vector<bool>& chosen) {
     return chosen[contact.points[0]] || chosen[contact.points[1]];

@@ -12,22 +12,23 @@ void Continuum::average_structures(const protocol::Step& step) {
     average_->prescribe(freedom, (driver.after - driver.before) / step.dt);
   }
   const Actions forces{points_[kFx].data(), points_[kFy].data(), structures_.couples().data()};
+  const PointView points{points_[kVx].data(), points_[kVy].data(), points_[kFx].data(), points_[kFy].data()};
+  contacts_.settle_pairs(contact_pairs_, step, points_[kInverseMassX], points);
+  contacts_.move(averaged_contacts_, step.dt, step.from_rest(), points);
   if (averaged_contacts_.empty())
     average_->accelerate(forces);
   else
-    average_contacts(step);
+    average_contacts(points);
   average_->add_forces(forces);
 }
 
-// What contacts bear depends on the acceleration (interfaces/contacts.hpp), and this on what they bear:
-// Newton's method. Where nothing changes between sticking, sliding and open, which is so for most contacts in
+// Newton's method for contacts that share points with others or with structures (interfaces/contacts.hpp).
+// Where nothing changes between sticking, sliding and open, which is so for most contacts in
 // most steps, one trial finds it.
-void Continuum::average_contacts(const protocol::Step& step) {
+void Continuum::average_contacts(const PointView& points) {
   constexpr int kMost = 60;
   constexpr double kSame = 1e-10;  // of the largest force
-  const PointView points{points_[kVx].data(), points_[kVy].data(), points_[kFx].data(), points_[kFy].data()};
   const Actions forces{points_[kFx].data(), points_[kFy].data(), structures_.couples().data()};
-  contacts_.move(averaged_contacts_, step.dt, step.from_rest(), points);
   std::vector<std::array<double, 2>> leads;
   std::vector<Contacts::Bearing> bearings;
   for (const auto i : averaged_contacts_) {
@@ -38,10 +39,10 @@ void Continuum::average_contacts(const protocol::Step& step) {
   double part = 1;  // of the way to what is found: friction lags behind pressure, which may run in a circle
   for (int trial = 0; trial < kMost; ++trial) {
     for (std::size_t k = 0; k < leads.size(); ++k) {
-      const auto& [normal, shear, normal_share, shear_share] = bearings[k];
+      const auto& [normal, shear, of_normal, of_shear] = bearings[k];
       const std::size_t strain = first_contact_strain_ + 2 * k;
-      average_->resist(strain, normal_share);
-      average_->resist(strain + 1, shear_share);
+      average_->resist(strain, of_normal.by_normal);
+      average_->resist(strain + 1, of_shear.by_shear);
       average_->load(strain, normal - average_->resistance(strain) * leads[k][0]);
       average_->load(strain + 1, shear - average_->resistance(strain + 1) * leads[k][1]);
     }
@@ -75,6 +76,13 @@ void Continuum::plan_average(double dt) {
   averaged_contacts_ = interior_.contacts;
   moving_contacts_ = contacts_.take(averaged_contacts_, known_early);
   std::vector<StrainForm> strains = structures_.strains(averaged);
+  std::vector<bool> shared(points_.size(), false);
+  for (const StrainForm& strain : strains)
+    for (const auto& [of, factor] : strain.shares)
+      if (of.kind != Freedom::kRotation) shared[of.number] = true;
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (points_[kInverseMassX][i] == 0 || points_[kInverseMassY][i] == 0) shared[i] = true;
+  contact_pairs_ = contacts_.take_pairs(averaged_contacts_, shared);
   first_contact_strain_ = strains.size();
   std::ranges::move(contacts_.strains(averaged_contacts_), std::back_inserter(strains));
 

@@ -73,7 +73,7 @@ void MeanAcceleration::factor() {
     for (const Share& row : shares(form))
       for (const Share& column : shares(form))
         if (row.freedom < free_ && column.freedom < free_)
-          values[*entry++] += form.inertia() * row.factor * column.factor;
+          values[*entry++] += form.stiff * row.factor * column.factor;
   }
   factor_.factorize(matrix_);
   if (factor_.info() != Eigen::Success)
@@ -82,10 +82,11 @@ void MeanAcceleration::factor() {
   changed_ = false;
 }
 
-void MeanAcceleration::resist(std::size_t strain, double share) {
+void MeanAcceleration::resist(std::size_t strain, double stiffness) {
   Form& form = forms_[strain];
-  if (form.share == share) return;
-  form.share = share;
+  const double stiff = dt_ * dt_ / 4 * stiffness;
+  if (form.stiff == stiff) return;
+  form.stiff = stiff;
   changed_ = true;
 }
 
@@ -126,8 +127,7 @@ void MeanAcceleration::solve(const Actions& forces) {
 void MeanAcceleration::subtract_inertia(std::span<const Form> forms) {
   for (const Form& form : forms) {
     const double acceleration = acceleration_of(form);
-    for (const auto& [freedom, factor] : shares(form))
-      force_[freedom] -= form.inertia() * acceleration * factor;
+    for (const auto& [freedom, factor] : shares(form)) force_[freedom] -= form.stiff * acceleration * factor;
   }
 }
 

@@ -40,12 +40,12 @@ class MeanAcceleration {
   std::span<const Freedom> prescribed() const { return std::span(freedoms_).subspan(free_); }
   void prescribe(std::size_t number, double acceleration) { acceleration_[free_ + number] = acceleration; }
 
-  // With which share of its stiffness a contact's strain is resisted, at first with all of it, and its force
-  // at step n without lead [N].
-  void resist(std::size_t strain, double share);
+  // With which stiffness a contact's strain is resisted, at first that of its form [N/m], and its force at
+  // step n without lead [N].
+  void resist(std::size_t strain, double stiffness);
   void load(std::size_t strain, double force) { load_[strain - structures_] = force; }
 
-  double resistance(std::size_t strain) const { return forms_[strain].inertia() / (dt_ * dt_ / 4); }  // [N/m]
+  double resistance(std::size_t strain) const { return forms_[strain].stiff / (dt_ * dt_ / 4); }  // [N/m]
   // Load and resistance times lead, as accelerate() found it [N].
   double bears(std::size_t strain) const {
     return load_[strain - structures_] + resistance(strain) * lead(strain);
@@ -70,9 +70,6 @@ class MeanAcceleration {
     double stiff;              // dt^2/4 of the stiffness
     std::uint32_t begin, end;  // of shares_
     std::uint32_t entries;     // the first of entries_
-    double share = 1;
-
-    double inertia() const { return share * stiff; }
   };
   std::span<const Share> shares(const Form& form) const {
     return std::span(shares_).subspan(form.begin, form.end - form.begin);
