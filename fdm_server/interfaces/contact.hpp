@@ -108,32 +108,36 @@ inline Stroke touch(const ContactLaw& law, const ContactStrength& now, double si
   const double shear_before = state.shear, trial = shear_before + law.shear * ds,
                pressed = law.normal * (state.closure - state.dilated),
                limit = std::max(0.0, now.cohesion - pressed * now.tan_friction);
+  const double limit_by_normal = limit > 0 ? -law.normal * now.tan_friction : 0;
   Stroke stroke{};
   Stroke::Slopes of_sigma{law.normal, 0};
+  // Stress beyond the present strength is lost at once.
   if (std::abs(trial) <= limit) {
+    const double from = std::clamp(shear_before, -limit, limit), from_by_normal = from == shear_before ? 0
+                                                                                  : from > 0
+                                                                                      ? limit_by_normal
+                                                                                      : -limit_by_normal;
     state.shear = trial;
     state.status = ContactStatus::kStuck;
-    stroke.shear = (shear_before + trial) / 2;
-    stroke.shear_slopes = {0, law.shear / 2};
+    stroke.shear = (from + trial) / 2;
+    stroke.shear_slopes = {from_by_normal / 2, law.shear / 2};
   } else {
     const double flow = law.shear + law.normal * now.tan_friction * now.tan_dilation,
                  slip = (std::abs(trial) - limit) / flow;
-    const Stroke::Slopes of_slip{limit > 0 ? law.normal * now.tan_friction / flow : 0,
-                                 std::copysign(law.shear / flow, trial)};
+    const Stroke::Slopes of_slip{-limit_by_normal / flow, std::copysign(law.shear / flow, trial)};
     of_sigma = {law.normal * (1 - now.tan_dilation * of_slip.by_normal),
                 -law.normal * now.tan_dilation * of_slip.by_shear};
     state.dilated += slip * now.tan_dilation;
     state.shear = trial - std::copysign(law.shear * slip, trial);
     state.lost = std::min(1.0, state.lost + lost_by(law, slip));
     state.status = ContactStatus::kSliding;
-    // Stress beyond the present strength is lost at once.
     const double bound = std::abs(state.shear), from = std::clamp(shear_before, -bound, bound);
     const double elastic = state.shear == from ? 0 : (state.shear - from) / (law.shear * ds);
-    const double at_end = law.shear * std::copysign(1 - elastic, trial);
+    const double at_end = from == shear_before ? 1 - elastic : 1 - 2 * elastic;  // a bound moves both
+    const double by_slip = -at_end * std::copysign(law.shear, trial);
     stroke.shear = state.shear + (from - state.shear) / 2 * elastic;
-    stroke.shear_slopes = {
-        -at_end * of_slip.by_normal,
-        law.shear * (1 - elastic) - at_end * of_slip.by_shear + law.shear * elastic * elastic / 2};
+    stroke.shear_slopes = {by_slip * of_slip.by_normal,
+                           law.shear * (at_end + elastic * elastic / 2) + by_slip * of_slip.by_shear};
   }
   const double sigma = normal_stress(law, state);
   if (was_open && law.normal * du < sigma) {  // they meet on the way

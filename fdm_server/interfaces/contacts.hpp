@@ -16,7 +16,7 @@
 // that has no other such contact by itself,
 //   q + c B(q) = c f,   c = dt^2/4 (1/m_1 + 1/m_2),
 // with the lead q = dt^2/4 a, what the contact bears, B, and f/m the acceleration without it; for all others
-// together (solver/average_structures.cpp).
+// together (solver/contact_balance.hpp).
 //
 // Ledger (solver/continuum.hpp): as the work of step n is that of its stresses over the stroke, what is
 // stored at step n is what is stored at the end less the stresses times the way ahead; of faces that slide it

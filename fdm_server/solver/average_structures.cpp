@@ -1,7 +1,6 @@
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
+#include "fdm_server/solver/contact_balance.hpp"
 #include "fdm_server/solver/continuum.hpp"
 
 namespace adit::fdm {
@@ -14,57 +13,15 @@ void Continuum::average_structures(const protocol::Step& step) {
   const Actions forces{points_[kFx].data(), points_[kFy].data(), structures_.couples().data()};
   const PointView points{points_[kVx].data(), points_[kVy].data(), points_[kFx].data(), points_[kFy].data()};
   contacts_.settle_pairs(contact_pairs_, step, points_[kInverseMassX], points);
-  contacts_.move(averaged_contacts_, step.dt, step.from_rest(), points);
-  if (averaged_contacts_.empty())
+  if (averaged_contacts_.empty()) {
     average_->accelerate(forces);
-  else
-    average_contacts(points);
+  } else {
+    contacts_.move(averaged_contacts_, step.dt, step.from_rest(), points);
+    const auto leads =
+        ContactBalance(contacts_, averaged_contacts_, first_contact_strain_, *average_).find(forces);
+    for (std::size_t k = 0; k < leads.size(); ++k) contacts_.follow(averaged_contacts_[k], leads[k], points);
+  }
   average_->add_forces(forces);
-}
-
-// Newton's method for contacts that share points with others or with structures (interfaces/contacts.hpp).
-// Where nothing changes between sticking, sliding and open, which is so for most contacts in
-// most steps, one trial finds it.
-void Continuum::average_contacts(const PointView& points) {
-  constexpr int kMost = 60;
-  constexpr double kSame = 1e-10;  // of the largest force
-  const Actions forces{points_[kFx].data(), points_[kFy].data(), structures_.couples().data()};
-  std::vector<std::array<double, 2>> leads;
-  std::vector<Contacts::Bearing> bearings;
-  for (const auto i : averaged_contacts_) {
-    leads.push_back(contacts_.lead(i));
-    bearings.push_back(contacts_.bear(i, leads.back()));
-  }
-  double missed_before = std::numeric_limits<double>::infinity();
-  double part = 1;  // of the way to what is found: friction lags behind pressure, which may run in a circle
-  for (int trial = 0; trial < kMost; ++trial) {
-    for (std::size_t k = 0; k < leads.size(); ++k) {
-      const auto& [normal, shear, of_normal, of_shear] = bearings[k];
-      const std::size_t strain = first_contact_strain_ + 2 * k;
-      average_->resist(strain, of_normal.by_normal);
-      average_->resist(strain + 1, of_shear.by_shear);
-      average_->load(strain, normal - average_->resistance(strain) * leads[k][0]);
-      average_->load(strain + 1, shear - average_->resistance(strain + 1) * leads[k][1]);
-    }
-    average_->accelerate(forces);
-    double missed = 0, largest = 0;
-    for (std::size_t k = 0; k < leads.size(); ++k) {
-      const std::size_t strain = first_contact_strain_ + 2 * k;
-      std::array<double, 2> lead{average_->lead(strain), average_->lead(strain + 1)};
-      for (std::size_t along = 0; along < 2; ++along)
-        lead[along] = leads[k][along] + part * (lead[along] - leads[k][along]);
-      const auto found = contacts_.bear(averaged_contacts_[k], lead);
-      missed = std::max({missed, std::abs(found.normal - average_->bears(strain)),
-                         std::abs(found.shear - average_->bears(strain + 1))});
-      largest = std::max({largest, std::abs(found.normal), std::abs(found.shear)});
-      leads[k] = lead;
-      bearings[k] = found;
-    }
-    if (missed <= kSame * largest) break;
-    if (missed > missed_before / 2) part = std::max(0.25, part / 2);
-    missed_before = missed;
-  }
-  for (std::size_t k = 0; k < leads.size(); ++k) contacts_.follow(averaged_contacts_[k], leads[k], points);
 }
 
 void Continuum::plan_average(double dt) {

@@ -209,7 +209,6 @@ class Continuum {
   }
   void average_structures(const protocol::Step& step);
   void plan_average(double dt);
-  void average_contacts(const PointView& points);
   double twice_kinetic_energy_of_points(const protocol::Step& step);
   double twice_kinetic_energy_of_average(const protocol::Step& step) const;
   void predict(const Part& part, const protocol::Step& step);
@@ -232,7 +231,7 @@ class Continuum {
   std::vector<Driven> driven_;
   // Of the interior: by mean acceleration, in pairs of points and together, and explicitly.
   Contacts::Part contact_pairs_, averaged_contacts_, moving_contacts_;
-  std::size_t first_contact_strain_ = 0;                // of those of the average
+  std::size_t first_contact_strain_ = 0;  // of those of the average
   Damping damping_{{}, 0};
   bool supports_ = false;
   BoundaryWork boundary_work_;

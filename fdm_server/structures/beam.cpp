@@ -18,10 +18,11 @@ Beam::Beam(std::array<std::uint32_t, 2> points, std::array<std::uint32_t, 2> rot
       axial_(section.axial / chord.length),
       bending_(section.bending / chord.length),
       mass_(section.mass * chord.length / 2),
-      inertia_(3 * section.rotary * chord.length / 2),
+      inertia_(3 * section.rotary * chord.length / 2 + mass_ * section.offset * section.offset),
       // An infinite shear stiffness gives phi = 0, the beam of Euler and Bernoulli.
       phi_(12 * section.bending / (section.shear * chord.length * chord.length)),
-      eccentricity_(section.eccentricity) {
+      eccentricity_(section.eccentricity + section.offset),
+      offset_(section.offset) {
   shear_ = 3 * bending_ / (1 + phi_);
 }
 
@@ -62,8 +63,8 @@ BeamStrains Beam::rates(const PointView& points, const RotationView& rotations) 
   const double vx = points.vx[q] - points.vx[p], vy = points.vy[q] - points.vy[p];
   const double along = chord_.x * vx + chord_.y * vy, across = chord_.x * vy - chord_.y * vx;
   const double lever = 2 / chord_.length;
-  return {along, rotations.rate[j] - rotations.rate[i],
-          rotations.rate[i] + rotations.rate[j] - lever * across};
+  const double bending = rotations.rate[j] - rotations.rate[i];
+  return {along + offset_ * bending, bending, rotations.rate[i] + rotations.rate[j] - lever * across};
 }
 
 void Beam::add_forces(double dt, const PointView& points, const RotationView& rotations) {
@@ -84,8 +85,9 @@ void Beam::add_forces(const BeamResultants& forces, const PointView& points, con
   points.fy[p] += fy;
   points.fx[q] -= fx;
   points.fy[q] -= fy;
-  rotations.couple[i] += b_ - s_;
-  rotations.couple[j] -= b_ + s_;
+  const double about_points = b_ + offset_ * n_;
+  rotations.couple[i] += about_points - s_;
+  rotations.couple[j] -= about_points + s_;
 }
 
 BeamForces Beam::forces() const {

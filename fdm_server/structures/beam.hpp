@@ -24,6 +24,8 @@
 // without shear flexibility it is shorter by sqrt(1 + 12 r^2/l^2), which tells in beams shorter than thick.
 // Where the elastic centroid lies beside the axis, by z, the elongation there is e + z b, and the energy is
 // uncoupled in it, b and a; omega^2 of the first two is then the larger root of their two equations.
+// Where the axis lies beside the path, by d, its elongation is e + d b of the points; the mass there brings
+// d^2 times itself to J.
 // The price is three times the rotary inertia in waves: bending waves of wave number k are slower by the
 // share 3/2 (k r)^2 instead of 1/2 (k r)^2, by 1.2 % instead of 0.4 % where they are 20 times as long as the
 // lining is thick. Statics do not change.
@@ -49,6 +51,7 @@ struct Section {
   // How far the elastic centroid lies to the right of the axis, of a section whose bars are not alike on both
   // sides [m]; then E I is about the centroid.
   double eccentricity = 0;
+  double offset = 0;  // how far the axis lies to the right of the path [m]
 };
 
 // A lining's material. In plane strain E / (1 - nu^2) replaces E, because the lining cannot strain along the
@@ -132,7 +135,7 @@ class Beam {
   std::array<std::uint32_t, 2> points_, rotations_;
   Chord chord_;
   double axial_, bending_, shear_;  // stiffness of e [N/m], of b and a [N m]
-  double mass_, inertia_, phi_, eccentricity_;
+  double mass_, inertia_, phi_, eccentricity_, offset_;
   double n_ = 0, b_ = 0, s_ = 0;
 };
 

@@ -68,26 +68,46 @@ void MeanAcceleration::factor() {
   double* values = matrix_.valuePtr();
   std::fill_n(values, matrix_.nonZeros(), 0.0);
   for (std::size_t i = 0; i < free_; ++i) values[diagonal_[i]] = mass_[i];
-  for (const Form& form : forms_) {
+  skew_ = false;
+  for (std::size_t k = 0; k < forms_.size(); ++k) {
+    const Form& form = forms_[k];
+    // The other strain of a contact is of the same freedoms, in the same order.
+    const bool coupled = form.across != 0;
+    const auto other = coupled ? shares(forms_[structures_ + ((k - structures_) ^ 1)]) : shares(form);
+    skew_ = skew_ || coupled;
     const std::uint32_t* entry = entries_.data() + form.entries;
     for (const Share& row : shares(form))
-      for (const Share& column : shares(form))
-        if (row.freedom < free_ && column.freedom < free_)
-          values[*entry++] += form.stiff * row.factor * column.factor;
+      for (std::size_t c = 0; c < other.size(); ++c) {
+        const Share& column = shares(form)[c];
+        if (row.freedom >= free_ || column.freedom >= free_) continue;
+        values[*entry++] += row.factor * (form.stiff * column.factor + form.across * other[c].factor);
+      }
   }
-  factor_.factorize(matrix_);
-  if (factor_.info() != Eigen::Success)
+  if (skew_) {
+    if (!skew_analyzed_) {
+      skew_factor_.setPivotThreshold(0);  // else rows of unlike units would be compared
+      skew_factor_.analyzePattern(matrix_);
+    }
+    skew_analyzed_ = true;
+    skew_factor_.factorize(matrix_);
+  } else {
+    factor_.factorize(matrix_);
+  }
+  if ((skew_ ? skew_factor_.info() : factor_.info()) != Eigen::Success)
     throw std::logic_error(
-        "the mass of linings, bolts and interfaces with the stiffness of a step is not positive definite");
+        "the mass of linings, bolts and interfaces with the stiffness of a step cannot be factored");
   changed_ = false;
 }
 
-void MeanAcceleration::resist(std::size_t strain, double stiffness) {
-  Form& form = forms_[strain];
-  const double stiff = dt_ * dt_ / 4 * stiffness;
-  if (form.stiff == stiff) return;
-  form.stiff = stiff;
-  changed_ = true;
+void MeanAcceleration::bear(std::size_t strain, const Bears& contact) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    Form& form = forms_[strain + k];
+    const double stiff = dt_ * dt_ / 4 * contact.along[k], across = dt_ * dt_ / 4 * contact.across[k];
+    changed_ = changed_ || form.stiff != stiff || form.across != across;
+    form.stiff = stiff;
+    form.across = across;
+    load_[strain + k - structures_] = contact.load[k];
+  }
 }
 
 void MeanAcceleration::accelerate(const Actions& forces) {
@@ -115,6 +135,13 @@ void MeanAcceleration::add_forces(const Actions& forces) {
 
 // The solver's own solve() takes memory at every call.
 void MeanAcceleration::solve(const Actions& forces) {
+  if (skew_) {
+    for (std::size_t i = 0; i < free_; ++i)
+      ordered_[static_cast<Eigen::Index>(i)] = forces[freedoms_[i].kind][freedoms_[i].number] + force_[i];
+    ordered_ = skew_factor_.solve(ordered_).eval();
+    std::copy_n(ordered_.data(), free_, acceleration_.begin());
+    return;
+  }
   const auto& place = factor_.permutationP().indices();
   for (std::size_t i = 0; i < free_; ++i)
     ordered_[place[static_cast<Eigen::Index>(i)]] =

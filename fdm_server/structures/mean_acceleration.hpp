@@ -15,11 +15,13 @@
 // ground's highest frequency, ten zones to the wave, by less than 1 %, as its zones are.
 //
 // The strains of contacts follow those of the structures. Their forces at the mean of the three steps are
-// known to their law only (solver/average_structures.cpp): here are loads, and of those that resist the
+// known to their law only (solver/contact_balance.hpp): here are loads, and of those that resist the
 // stiffness.
 #pragma once
 
 #include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
+#include <array>
 #include <functional>
 #include <span>
 #include <vector>
@@ -40,16 +42,18 @@ class MeanAcceleration {
   std::span<const Freedom> prescribed() const { return std::span(freedoms_).subspan(free_); }
   void prescribe(std::size_t number, double acceleration) { acceleration_[free_ + number] = acceleration; }
 
-  // With which stiffness a contact's strain is resisted, at first that of its form [N/m], and its force at
-  // step n without lead [N].
-  void resist(std::size_t strain, double stiffness);
-  void load(std::size_t strain, double force) { load_[strain - structures_] = force; }
+  // What a contact bears along its two strains, the first of them the `strain`: forces at step n without
+  // lead [N], and stiffnesses against the leads, along itself and along the other [N/m]; at first those of
+  // the forms. Sliding faces have matrices that are not symmetric.
+  struct Bears {
+    std::array<double, 2> load, along, across;
 
-  double resistance(std::size_t strain) const { return forms_[strain].stiff / (dt_ * dt_ / 4); }  // [N/m]
-  // Load and resistance times lead, as accelerate() found it [N].
-  double bears(std::size_t strain) const {
-    return load_[strain - structures_] + resistance(strain) * lead(strain);
-  }
+    std::array<double, 2> at(const std::array<double, 2>& lead) const {
+      return {load[0] + along[0] * lead[0] + across[0] * lead[1],
+              load[1] + along[1] * lead[1] + across[1] * lead[0]};
+    }
+  };
+  void bear(std::size_t strain, const Bears& contact);
 
   // Finds a from all other forces.
   void accelerate(const Actions& forces);
@@ -70,6 +74,7 @@ class MeanAcceleration {
     double stiff;              // dt^2/4 of the stiffness
     std::uint32_t begin, end;  // of shares_
     std::uint32_t entries;     // the first of entries_
+    double across = 0;         // dt^2/4 of the stiffness against the other strain of a contact
   };
   std::span<const Share> shares(const Form& form) const {
     return std::span(shares_).subspan(form.begin, form.end - form.begin);
@@ -95,6 +100,8 @@ class MeanAcceleration {
   // Where the products of two free shares of a form go, and M: places in the values of the matrix.
   std::vector<std::uint32_t> entries_, diagonal_;
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor_;
+  Eigen::SparseLU<Eigen::SparseMatrix<double>> skew_factor_;  // of a matrix that is not symmetric
+  bool skew_ = false, skew_analyzed_ = false;
   bool changed_ = false;     // the matrix, since it was factored
   Eigen::VectorXd ordered_;  // the free ones in the order of the factor
 };

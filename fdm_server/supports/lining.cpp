@@ -48,8 +48,12 @@ Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structur
   if (plan.first_held && !plan.path.closed) structures.hold(rotations.front()[1]);
   if (plan.last_held && !plan.path.closed) structures.hold(rotations.back()[0]);
 
-  Lining lining{plan.name, plan.path, static_cast<std::uint32_t>(structures.beams().size()),
-                static_cast<std::uint32_t>(beams), plan.section};
+  Lining lining{plan.name,
+                plan.path,
+                static_cast<std::uint32_t>(structures.beams().size()),
+                static_cast<std::uint32_t>(beams),
+                plan.section,
+                plan.bonded_to};
   double dt = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < beams; ++k) {
     const std::size_t next = (k + 1) % nodes;

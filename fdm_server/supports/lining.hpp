@@ -48,6 +48,7 @@ struct LiningPlan {
   std::vector<LiningJoint> joints;
   bool first_held, last_held;  // whether the ends of an open lining cannot rotate, with all joined rigidly
   std::shared_ptr<const LiningSection> section = nullptr;  // of reinforced concrete
+  std::string bonded_to = {};                              // the lining below, whose points it has
 };
 
 struct Lining {
@@ -55,6 +56,7 @@ struct Lining {
   Path path;
   std::uint32_t first_beam, beams;                         // numbers in the structures
   std::shared_ptr<const LiningSection> section = nullptr;  // none: elastic
+  std::string bonded_to = {};
 };
 
 // The node of a lining's path nearest to a place. UserError at `path`, the scene's field, where the place

@@ -39,7 +39,7 @@ WITH_INTERFACES = {
     "damping": ["none", "rayleigh", "maxwell"],
     "grid": ["block", "blocks"], "law": ["elastic", "mohr_coulomb", "reversals"], "base": ["held", "rigid", "compliant"],
     "motion": ["none", "record", "ricker", "velocity"], "rest": ["none", "stressed", "kinetic", "adaptive"], "hole": ["none", "never", "stage"],
-    "support": ["none", "lining", "slipping"], "bedding": ["none", "slips", "opens"], "inside": ["none", "strip"],
+    "support": ["none", "lining", "slipping", "bonded", "layered"], "bedding": ["none", "slips", "opens"], "inside": ["none", "strip"],
 }
 
 STATICS = {"kinetic", "local", "adaptive", "unscaled"}
@@ -103,7 +103,7 @@ CENTRE = {"x": 0.0, "y": 2.0}
 def passes_thresholds(row):
     """Whether something yields, breaks, touches or is braked against the sign of its velocity, so that rounding decides in which step."""
     return (row["law"] not in ("elastic", "layers") or row["bonds"] not in ("contact", "spring") or row["packing"] == "random"
-            or row["support"] in ("jointed", "bolt", "slipping") or row.get("bedding", "none") != "none" or row["foundation"] == "springs" or row["damping"] == "local")
+            or row["support"] in ("jointed", "bolt", "slipping", "layered") or row.get("bedding", "none") != "none" or row["foundation"] == "springs" or row["damping"] == "local")
 
 
 def output(row):
@@ -280,7 +280,11 @@ class Ground:
             section["interface"] = {"friction_angle": 0.4, "cohesion": 2e3}
             if self.row["hole"] == "stage":
                 section["stage"] = 1
-        return {"linings": [{"name": "lining", "along": whole, **section, **joint}]}
+        second = {"name": "second", "on": "lining", "thickness": 0.1, "young_modulus": 30e9,
+                  **({"stage": 1} if self.row["hole"] == "stage" else stage),
+                  **({"interface": {"friction_angle": 0.3}} if kind == "layered" else {})}
+        layers = [second] if kind in ("bonded", "layered") else []
+        return {"linings": [{"name": "lining", "along": whole, **section, **joint}, *layers]}
 
     def bedding(self):
         """A plane below the opening, from the left side to a tip in the ground."""

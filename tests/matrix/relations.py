@@ -301,8 +301,9 @@ def doubled(world, row, scene, folder, base):
 
 
 def is_linear(row):
-    return (row["law"] in ("elastic", "layers") and row["bonds"] in ("contact",) and row["support"] in ("none", "lining", "arcs") and row["foundation"] == "none"
-            and row["large"] == "no" and row["packing"] != "random" and row.get("bedding", "none") == "none")
+    """Contacts of particles turn with them: what they do is linear in small motions only."""
+    return (row.get("inside", "none") in ("none", "grid") and row["law"] in ("elastic", "layers") and row["support"] in ("none", "lining", "arcs", "bonded") and row["foundation"] == "none"
+            and row["large"] == "no" and row.get("bedding", "none") == "none")
 
 
 def superposed(world, row, scene, folder, base):

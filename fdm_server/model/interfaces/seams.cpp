@@ -7,6 +7,8 @@
 namespace adit::fdm {
 namespace {
 
+constexpr double kStiffer = 10;  // than the zones beside, so that the faces do not soften the ground
+
 double dot(const Contacts::Half& a, const Contacts::Half& b) {
   return (a.nx * b.nx + a.ny * b.ny) / (std::hypot(a.nx, a.ny) * std::hypot(b.nx, b.ny));
 }
@@ -91,6 +93,23 @@ Interface Seams::join(const Path& path, std::span<const std::uint32_t> own, cons
   return joined;
 }
 
+Interface Seams::join(const Path& path, std::span<const std::uint32_t> below,
+                      std::span<const std::uint32_t> layer, const ContactLaw& law, std::uint32_t stage,
+                      Contacts& contacts) const {
+  std::vector<End> ends;
+  double stiffness = 0;
+  for (std::size_t k = 0; k < path.sides(); ++k) {
+    End between = end(path, k, {}, {kNoZone, kNoZone}, 1);
+    for (const auto zone : beside(path, k))
+      if (zone != kNoZone) stiffness = std::max(stiffness, kStiffer * stiffness_of(zone, between.half.side));
+    for (const std::size_t node : {k, (k + 1) % path.points.size()}) {
+      between.points = {layer[node], below[node]};
+      ends.push_back(between);
+    }
+  }
+  return add(std::move(ends), path.closed, with_stiffness(law, stiffness), stage, contacts);
+}
+
 // Ends at one place that join the same points make one contact, unless the path has a corner there.
 Interface Seams::add(std::vector<End> ends, bool closed, const ContactLaw& law, std::uint32_t stage,
                      Contacts& contacts) const {
@@ -110,7 +129,6 @@ Interface Seams::add(std::vector<End> ends, bool closed, const ContactLaw& law, 
       for (const auto zone : {half.first_zone, half.second_zone})
         if (zone != kNoZone) stiffness = std::max(stiffness, stiffness_of(zone, half.side));
     }
-    constexpr double kStiffer = 10;  // than the zones beside, so that the faces do not soften the ground
     const auto number =
         contacts.add(ends[i - 1].points, halves, with_stiffness(law, kStiffer * stiffness), stage);
     if (joined.count++ == 0) joined.first = number;

@@ -40,6 +40,10 @@ class Seams {
   Interface join(const Path& path, std::span<const std::uint32_t> own, const ContactLaw& law,
                  std::uint32_t stage, Contacts& contacts) const;
 
+  // Adds those of a layer with the lining below, on its left. `below`, `layer`: their points along the path.
+  Interface join(const Path& path, std::span<const std::uint32_t> below, std::span<const std::uint32_t> layer,
+                 const ContactLaw& law, std::uint32_t stage, Contacts& contacts) const;
+
  private:
   // What a side brings to a contact at one of its ends.
   struct End {
@@ -47,7 +51,7 @@ class Seams {
     Contacts::Half half;
   };
   std::uint32_t copy(std::uint32_t point, std::uint32_t zone) const;
-  double weight(std::uint32_t zone) const { return weights_.empty() ? 1 : weights_[zone]; }
+  double weight(std::uint32_t zone) const { return zone == kNoZone || weights_.empty() ? 1 : weights_[zone]; }
   // (K + 4 G/3) over the zone's size across the side [Pa/m].
   double stiffness_of(std::uint32_t zone, double side) const;
   // `sense`: 1 where the first face lies on the left of the path, -1 on the right.

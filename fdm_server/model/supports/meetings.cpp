@@ -81,8 +81,14 @@ std::vector<std::string> notes_on_meetings(const Supports& supports, const Grid&
     std::set<std::size_t> linings;
   };
   std::map<std::uint32_t, Meeting> by_rotation;
+  std::vector<std::string> notes;
   for (std::size_t k = 0; k < supports.linings.size(); ++k) {
     const Lining& lining = supports.linings[k];
+    if (!lining.bonded_to.empty()) {
+      notes.push_back(fmt::format("the lining `{}` is bonded to `{}` and bends with it as one section",
+                                  lining.name, lining.bonded_to));
+      continue;
+    }
     for (const Beam& beam : supports.structures.beams().subspan(lining.first_beam, lining.beams))
       for (std::size_t end = 0; end < 2; ++end) {
         Meeting& meeting = by_rotation[beam.rotations()[end]];
@@ -93,7 +99,6 @@ std::vector<std::string> notes_on_meetings(const Supports& supports, const Grid&
   std::map<std::set<std::size_t>, std::vector<std::string>> places;
   for (const auto& [rotation, meeting] : by_rotation)
     if (meeting.linings.size() > 1) places[meeting.linings].push_back(place(grid, meeting.point));
-  std::vector<std::string> notes;
   for (const auto& [linings, where] : places) {
     std::vector<std::string> names;
     for (const auto k : linings) names.push_back("`" + supports.linings[k].name + "`");

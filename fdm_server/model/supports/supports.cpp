@@ -15,6 +15,7 @@
 #include "fdm_server/model/grid/selection.hpp"
 #include "fdm_server/model/interfaces/law.hpp"
 #include "fdm_server/model/interfaces/seams.hpp"
+#include "fdm_server/model/supports/layers.hpp"
 #include "fdm_server/model/supports/meetings.hpp"
 #include "fdm_server/model/supports/reinforced_section.hpp"
 #include "fdm_server/supports/curve.hpp"
@@ -231,8 +232,19 @@ struct SeamPaths {
   std::map<int, std::size_t> of_lining;  // their numbers
 };
 
-SeamPaths read_seams(const scene::Continuum& scene, const Grid& grid, const Edges& edges,
-                     Occupied& occupied) {
+// A layer follows the lining below unless it has a path of its own.
+Path path_of(int lining, const scene::Continuum& scene, const std::vector<int>& below, const Grid& grid,
+             const Edges& edges) {
+  const int on = below[static_cast<std::size_t>(lining)];
+  if (on >= 0 && !scene.linings(lining).has_along()) return path_of(on, scene, below, grid, edges);
+  const auto path = fmt::format("continuum.linings[{}]", lining);
+  require(scene.linings(lining).has_along(), path,
+          "has no path; give `along`, or `on` with the lining that it lies on");
+  return read_path(scene.linings(lining).along(), grid, edges, path + ".along");
+}
+
+SeamPaths read_seams(const scene::Continuum& scene, const std::vector<int>& below, const Grid& grid,
+                     const Edges& edges, Occupied& occupied) {
   SeamPaths found;
   auto& seams = found.seams;
   for (int i = 0; i < scene.interfaces_size(); ++i) {
@@ -242,11 +254,10 @@ SeamPaths read_seams(const scene::Continuum& scene, const Grid& grid, const Edge
   }
   for (int i = 0; i < scene.linings_size(); ++i) {
     if (!scene.linings(i).has_interface()) continue;
-    const auto path = fmt::format("continuum.linings[{}]", i);
+    const bool on_ground = !scene.linings(i).has_on();
     found.of_lining[i] = seams.size();
-    seams.push_back(
-        {read_path(scene.linings(i).along(), grid, edges, path + ".along"), scene.linings(i).stage() == 0});
-    occupied.take(seams.back().path, path);
+    seams.push_back({path_of(i, scene, below, grid, edges), on_ground && scene.linings(i).stage() == 0});
+    if (on_ground) occupied.take(seams.back().path, fmt::format("continuum.linings[{}]", i));
   }
   require(seams.empty() || !scene.large_strain(), "continuum.large_strain",
           "moves points along interfaces to other partners, which is not computed; leave large_strain or the "
@@ -262,7 +273,7 @@ Path own_points(const Path& path, std::map<std::uint32_t, std::uint32_t>& own, G
     if (added) {
       grid.x.push_back(grid.x[point]);
       grid.y.push_back(grid.y[point]);
-      grid.double_of.push_back(point);
+      grid.double_of.push_back(grid.place(point));
     }
     point = copy->second;
   }
@@ -296,7 +307,8 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
   if (linings.empty() && bolts.empty() && interfaces.empty()) return supports;
   Occupied occupied(grid);
   Edges edges = number_edges(grid);
-  const SeamPaths seam_paths = read_seams(scene.continuum(), grid, edges, occupied);
+  const std::vector<int> below = read_layers(linings);
+  const SeamPaths seam_paths = read_seams(scene.continuum(), below, grid, edges, occupied);
   const Seams seams(seam_paths.seams, points_at_free_field(scene.continuum().free_field(), grid), ground,
                     weights, grid);
   if (!grid.double_of.empty()) edges = number_edges(grid);
@@ -313,27 +325,40 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
     require(joined.count > 0, path, "has zones on one side only; let it run inside the grid");
   }
 
-  std::map<std::uint32_t, std::uint32_t> own;  // points of linings with interfaces
-  std::vector<LiningPlan> plans;
-  for (int i = 0; i < linings.size(); ++i) {
+  for (int i = 0; i < linings.size(); ++i)
+    require(names.insert(linings[i].name()).second, fmt::format("continuum.linings[{}].name", i),
+            "`" + linings[i].name() + "` is taken by another lining or an interface; choose another one");
+  std::map<std::uint32_t, std::uint32_t> own;  // points of linings with interfaces to the ground
+  std::map<std::uint32_t, std::uint32_t> of_layers;
+  std::vector<LiningPlan> plans(static_cast<std::size_t>(linings.size()));
+  for (const std::size_t number : from_the_ground(below)) {
+    const auto i = static_cast<int>(number);
     const auto& lining = linings[i];
     const auto path = fmt::format("continuum.linings[{}]", i);
-    require(std::ranges::find(plans, lining.name(), &LiningPlan::name) == plans.end(), path + ".name",
-            "`" + lining.name() + "` is taken by another lining; choose another one");
-    require(!names.contains(lining.name()), path + ".name",
-            "`" + lining.name() + "` is taken by an interface; choose another one");
     const auto section = read_section(lining, path);
-    const Section elastic = section
-                                ? elastic_section(*section, lining)
-                                : read_elastic_section(lining, scene.plane() == scene::PLANE_STRAIN, path);
+    Section elastic = section ? elastic_section(*section, lining)
+                              : read_elastic_section(lining, scene.plane() == scene::PLANE_STRAIN, path);
     const auto on_seam = seam_paths.of_lining.find(i);
-    const Path along = on_seam != seam_paths.of_lining.end()
-                           ? own_points(seam_paths.seams[on_seam->second].path, own, grid)
-                           : read_path(lining.along(), grid, edges, path + ".along");
-    if (on_seam == seam_paths.of_lining.end()) occupied.take(along, grid, path);
+    Path along = on_seam != seam_paths.of_lining.end() ? seam_paths.seams[on_seam->second].path
+                                                       : path_of(i, scene.continuum(), below, grid, edges);
+    if (below[number] >= 0) {
+      const LiningPlan& first = plans[static_cast<std::size_t>(below[number])];
+      along = on_points_of(first, along, grid, path + ".along");
+      if (!lining.has_interface())
+        elastic.offset = first.elastic.offset - between_axes(linings[below[number]], lining, path);
+    } else if (!lining.has_interface()) {
+      occupied.take(along, grid, path);
+    }
+    if (lining.has_interface()) along = own_points(along, below[number] >= 0 ? of_layers : own, grid);
     require_statics(lining.stage(), scene, path);
-    plans.push_back({lining.name(), along, elastic, read_joints(lining, along, grid, path),
-                     lining.first_end_fixed(), lining.last_end_fixed(), section});
+    plans[number] = {lining.name(),
+                     along,
+                     elastic,
+                     read_joints(lining, along, grid, path),
+                     lining.first_end_fixed(),
+                     lining.last_end_fixed(),
+                     section,
+                     below[number] >= 0 && !lining.has_interface() ? lining.on() : ""};
   }
   require_clear_joints(plans, grid);
   for (int i = 0; i < linings.size(); ++i) {
@@ -344,13 +369,19 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
       seam_paths.of_lining.empty() ? std::vector<std::uint32_t>{} : excavated_zones(scene, grid).stage;
   for (const auto& [i, number] : seam_paths.of_lining) {
     const auto& lining = linings[i];
+    const Path& along = seam_paths.seams[number].path;
     const auto path = fmt::format("continuum.linings[{}]", i);
-    if (lining.stage() > 0)
-      require_ground_on_one_side(seam_paths.seams[number].path, lining.stage(), seams, stages, path);
-    auto& joined = supports.interfaces.emplace_back(
-        seams.join(seam_paths.seams[number].path, plans[static_cast<std::size_t>(i)].path.points,
-                   read_law(lining.interface(), path + ".interface"), lining.stage(), supports.contacts));
+    const ContactLaw law = read_law(lining.interface(), path + ".interface");
+    const auto& own_path = plans[static_cast<std::size_t>(i)].path.points;
+    const int on = below[static_cast<std::size_t>(i)];
+    if (on < 0 && lining.stage() > 0) require_ground_on_one_side(along, lining.stage(), seams, stages, path);
+    Interface joined =
+        on < 0
+            ? seams.join(along, own_path, law, lining.stage(), supports.contacts)
+            : seams.join(along, on_points_of(plans[static_cast<std::size_t>(on)], along, grid, path).points,
+                         own_path, law, lining.stage(), supports.contacts);
     joined.name = lining.name();
+    supports.interfaces.push_back(std::move(joined));
   }
   supports.contacts.install(0, std::vector<bool>(grid.zones.size(), false));
 

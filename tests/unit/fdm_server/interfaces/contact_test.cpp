@@ -106,6 +106,32 @@ TEST(Contact, KnowsItsSlopes) {
       }
 }
 
+// Newton's method finds a stroke whose forces depend continuously on where it ends: without cohesion and
+// tension nothing is lost at once (faces that dilate press on each other as soon as they touch).
+TEST(Contact, BearsContinuously) {
+  std::mt19937 random(2);
+  std::normal_distribution<double> way(0, 1e-4);
+  const ContactLaw it = law({0, 0.5, 0, 0});
+  ContactState state;
+  for (int i = 0; i < 300; ++i) {
+    const double du[] = {way(random), way(random)}, ds[] = {way(random), way(random)};
+    constexpr int kParts = 2000;
+    Stroke before{};
+    for (int k = 0; k <= kParts; ++k) {
+      const double t = static_cast<double>(k) / kParts;
+      ContactState moved = state;
+      const Stroke stroke = move(it, du[0] + t * (du[1] - du[0]), ds[0] + t * (ds[1] - ds[0]), moved);
+      const double little = 5 * kNormal * (std::abs(du[1] - du[0]) + std::abs(ds[1] - ds[0])) / kParts;
+      if (k > 0) {
+        ASSERT_NEAR(stroke.normal, before.normal, little) << i << " at " << t;
+        ASSERT_NEAR(stroke.shear, before.shear, little) << i << " at " << t;
+      }
+      before = stroke;
+    }
+    move(it, du[0], ds[0], state);
+  }
+}
+
 // Slip at constant pressure: the shear stress is c + p tan(phi), and the faces open by slip tan(psi).
 TEST(Contact, DilatesByItsAngle) {
   const ContactLaw it = law({1e4, 0.6, 0.2, 0});
