@@ -309,12 +309,17 @@ void FdmParticipant::tell_travel(wire::Relaxation& answer) {
 
 std::string FdmParticipant::name_of(std::uint32_t point) const {
   if (point >= grid_.own_points()) return "the free field";
-  for (std::size_t i = 0; i < supports_.linings.size(); ++i) {
-    const Lining& lining = supports_.linings[i];
-    const bool stands = scene_.continuum().linings(static_cast<int>(i)).stage() <= stage_;
-    if (stands && std::ranges::find(lining.path.points, point) != lining.path.points.end())
-      return "lining " + lining.name;
-  }
+  const auto found = [&](const std::vector<Lining>& chains, const auto& stated) {
+    for (std::size_t i = 0; i < chains.size(); ++i)
+      if (stated[static_cast<int>(i)].stage() <= stage_ &&
+          std::ranges::find(chains[i].path.points, point) != chains[i].path.points.end())
+        return chains[i].name;
+    return std::string();
+  };
+  if (const auto name = found(supports_.linings, scene_.continuum().linings()); !name.empty())
+    return "lining " + name;
+  if (const auto name = found(supports_.members, scene_.continuum().members()); !name.empty())
+    return "member " + name;
   for (const Group& group : grid_.groups)
     for (const std::uint32_t zone : group.zones)
       if (weights_[zone] > 0 && std::ranges::find(grid_.zones[zone], point) != grid_.zones[zone].end())
@@ -402,6 +407,8 @@ void FdmParticipant::step_interior(const Step& step) {
     peak_forces_.take(supports_.linings, continuum_->structures(), step.time());
     contact_peaks_.take(continuum_->contacts(), step.time());
     peak_use_.take(supports_.linings, continuum_->structures(), step.time());
+    member_forces_.take(supports_.members, continuum_->structures(), step.time());
+    member_use_.take(supports_.members, continuum_->structures(), step.time());
   }
   if (step.number % kFiniteCheckInterval == 0) check_grid(step);
   if (setup_.ground.large_strain && !step.from_rest() && steps_done_ % kShapeCheckInterval == 0 &&
@@ -422,7 +429,7 @@ void FdmParticipant::require_interface_stays() const {
     throw protocol::UserError(
         "continuum.linings",
         fmt::format(
-            "or bolts are attached at ({:g}, {:g}) m after stage 0, where the interface ties the grid; "
+            "members or bolts are attached at ({:g}, {:g}) m after stage 0, where the interface ties the grid; "
             "keep a zone between them and the overlap",
             grid_.x[*point], grid_.y[*point]));
 }
@@ -510,7 +517,8 @@ void FdmParticipant::draw(wire::Snapshot& snapshot) {
   fill_snapshot(grid_, *continuum_, weights_, snapshot);
   add_ground(grid_, setup_.ground, continuum_->zones(), weights_, *snapshot.mutable_pieces(0));
   if (peaks_) add_peaks(*peaks_, weights_, *snapshot.mutable_pieces(0));
-  add_supports(grid_, *continuum_, supports_, peak_forces_, peak_use_, snapshot);
+  add_supports(grid_, *continuum_, supports_, {peak_forces_, peak_use_}, {member_forces_, member_use_},
+               snapshot);
   add_interfaces(grid_, *continuum_, supports_.interfaces, contact_peaks_, snapshot);
 }
 
@@ -522,6 +530,8 @@ void FdmParticipant::exchange_solver(state::Archive& archive) {
   peak_forces_.exchange(supports_.linings, archive);
   contact_peaks_.exchange(supports_.contacts.size(), archive);
   peak_use_.exchange(supports_.linings, archive);
+  member_forces_.exchange(supports_.members, archive);
+  member_use_.exchange(supports_.members, archive);
   histories_->exchange(archive);
   archive("peaks", peaks_, [this] { return Peaks(grid_); });
   archive("relaxation", relaxation_, [this] { return Relaxation(grid_, weights_); });
@@ -533,7 +543,10 @@ void FdmParticipant::exchange_solver(state::Archive& archive) {
 
 void FdmParticipant::finish(wire::Bye& bye) {
   bye.set_updates(updates_);
-  add_figures(grid_, supports_.linings, peak_forces_, peak_use_, bye);
+  add_figures(grid_, "lining", supports_.linings, peak_forces_, peak_use_, bye);
+  add_figures(grid_, "member", supports_.members, member_forces_, member_use_, bye);
+  if (!supports_.members.empty())
+    add_failures(grid_, supports_.members, continuum_->structures(), bye);
   add_figures(grid_, supports_.interfaces, supports_.contacts, contact_peaks_, bye);
 }
 

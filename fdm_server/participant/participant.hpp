@@ -122,9 +122,9 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   bool relaxes_ = false;            // the last step was one of statics
   std::unique_ptr<Continuum> continuum_;
   protocol::InterfaceOperator operator_;
-  PeakForces peak_forces_;
+  PeakForces peak_forces_, member_forces_;  // of linings, of members
   ContactPeaks contact_peaks_;
-  PeakUse peak_use_;
+  PeakUse peak_use_, member_use_;
   std::optional<Histories> histories_;
   std::optional<Peaks> peaks_;              // once wanted
   std::optional<Relaxation> relaxation_;    // in statics

@@ -18,7 +18,7 @@ QUANTITIES = (
     (("exx", "eyy", "gxy"), "strain", (("10⁻⁶", 1e-6), ("10⁻³", 1e-3))),
     (("thrust_N",), "thrust", (("N/m", 1), ("kN/m", 1e3), ("MN/m", 1e6))),
     (("moment_Nm",), "moment", (("N m/m", 1), ("kN m/m", 1e3), ("MN m/m", 1e6))),
-    (("shear_N",), "shear force", (("N/m", 1), ("kN/m", 1e3), ("MN/m", 1e6))),
+    (("shear_N", "shear_strength_N"), "shear force", (("N/m", 1), ("kN/m", 1e3), ("MN/m", 1e6))),
     (("utilisation",), "utilisation", (("-", 1),)),
     (("curvature_per_m",), "curvature", (("10⁻³/m", 1e-3), ("1/m", 1))),
     (("opening_m", "offset_m"), "joint", (("µm", 1e-6), ("mm", 1e-3), ("m", 1))),

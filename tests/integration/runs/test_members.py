@@ -1,0 +1,129 @@
+"""Members between linings: columns and frames against closed forms, per member and over the plane."""
+
+import json
+import math
+import unittest
+
+import numpy as np
+
+from figures.computed import ComputedTest
+
+from programs import coupler
+
+HEIGHT, SPACING, WIDTH, DEPTH, YOUNG, NU = 3.0, 3.5, 1.0, 0.4, 30e9, 0.2
+AREA, INERTIA = WIDTH * DEPTH, WIDTH * DEPTH**3 / 12
+SOFT = {"young_modulus": 1e3, "poisson_ratio": 0.0, "density": 10.0}  # ground that bears nothing
+
+
+def line(*points):
+    return {"line": {"points": [{"x": float(x), "y": float(y)} for x, y in points]}}
+
+
+def column(**keys):
+    return {"name": "column", "from": {"x": 0.0, "y": 0.0}, "to": {"x": 0.0, "y": HEIGHT}, "spacing": SPACING, "width": WIDTH,
+            "thickness": DEPTH, "young_modulus": YOUNG, "poisson_ratio": NU, **keys}
+
+
+def stub(name, y):
+    """A beam at the end of the column that does not turn."""
+    return {"name": name, "along": line((0, y), (0.5, y)), "thickness": 0.5, "young_modulus": YOUNG, "first_end_fixed": True}
+
+
+def moved(displacement, **keys):
+    """A column between two stubs in soft ground, of which the upper one moves by this in half a second."""
+    times = [0.5 * k / 40 for k in range(41)]
+    return {"material": SOFT, "time": {"duration": 0.55, "dt": 1e-4}, "continuum": {
+        "block": {"x_min": -0.5, "x_max": 0.5, "y_min": 0.0, "y_max": HEIGHT, "zones_x": 2, "zones_y": 3},
+        "linings": [stub("floor", 0.0), stub("roof", HEIGHT)],
+        "members": [column(**keys)],
+        "motions": [{"where": {"y_max": 0.0}, "velocity": {"x": 0.0, "y": 0.0}},
+                    {"where": {"y_min": HEIGHT}, "velocity": displacement,
+                     "time": {"table": {"time": times + [1.0], "value": [math.pi * math.sin(2 * math.pi * t) for t in times] + [0.0]}}}],
+        "histories": [{"name": "foot", "quantity": quantity, "member": "column", "at": {"x": 0.0, "y": 0.0}}
+                      for quantity in ("thrust", "moment", "shear_force")]
+        + [{"name": "top", "quantity": quantity, "at": {"x": 0.0, "y": HEIGHT}} for quantity in ("displacement_x", "displacement_y")]},
+        "output": {"history_interval": 1e-3}}
+
+
+class Column(ComputedTest):
+    SHEAR = 12 * YOUNG * INERTIA / (5 / 6 * YOUNG / (2 * (1 + NU)) * AREA * HEIGHT**2)  # phi of Timoshenko's column
+
+    def foot(self, displacement, **keys):
+        """At the end: how far the top has moved; thrust, moment and shear force at the foot; the work done on the plane."""
+        h = self.computed(moved(displacement, **keys)).histories
+        late = self.time > 0.51
+        return [np.mean(h[name][late]) for name in ("top_ux_m", "top_uy_m", "foot_thrust_N", "foot_moment_Nm", "foot_shear_N",
+                                                    "continuum_external_work_J")]
+
+    def test_a_clamped_column_is_as_stiff_as_its_closed_form(self):
+        moved, _, thrust, moment, shear, work = self.foot({"x": 1e-3})
+        stiffness = 12 * YOUNG * INERTIA / HEIGHT**3 / (1 + self.SHEAR)
+        self.assertAlmostEqual(abs(shear) / (stiffness * moved), 1, delta=1e-4)
+        self.assertAlmostEqual(abs(moment) / (stiffness * moved * HEIGHT / 2), 1, delta=1e-4)
+        # The plane has one column in each spacing.
+        self.assertAlmostEqual(work / (stiffness * moved**2 / 2 / SPACING), 1, delta=1e-3)
+
+    def test_a_column_hinged_at_an_end_or_at_both(self):
+        moved, _, _, moment, shear, _ = self.foot({"x": 1e-3}, last_end_hinged=True)
+        stiffness = 3 * YOUNG * INERTIA / HEIGHT**3 / (1 + self.SHEAR / 4)
+        self.assertAlmostEqual(abs(shear) / (stiffness * moved), 1, delta=1e-4)
+        self.assertAlmostEqual(abs(moment) / (stiffness * moved * HEIGHT), 1, delta=1e-4)
+        *_, free, _ = self.foot({"x": 1e-3}, first_end_hinged=True, last_end_hinged=True)
+        self.assertLess(abs(free), 1e-3 * abs(shear))
+
+    def test_thrust_is_that_of_one_column(self):
+        _, moved, thrust, *_ = self.foot({"y": 1e-3})
+        self.assertAlmostEqual(thrust / (YOUNG * AREA / HEIGHT * moved), 1, delta=1e-4)
+        # A wall as wide as its spacing cannot strain across the plane.
+        _, moved, wall, *_ = self.foot({"y": 1e-3}, spacing=WIDTH)
+        self.assertAlmostEqual(wall / (YOUNG / (1 - NU**2) * AREA / HEIGHT * moved), 1, delta=1e-4)
+
+    def test_thrust_bends_a_leaning_column(self):
+        """Clamped at both ends and leaning by d under a compression P, with k^2 = P/EI: the force across it is
+        H = P d/((2/k) tan(k h/2) - h), the moments at its ends are (H h + P d)/2 (Timoshenko and Gere 1961, 1.11)."""
+        euler = math.pi**2 * YOUNG * 0.05**3 / 12 / HEIGHT**2  # clamped, it buckles at four times this
+        lean, _, thrust, moment, *_ = self.foot({"x": 0.01, "y": -2 * euler * HEIGHT / (YOUNG * 0.05)}, thickness=0.05, shear_flexible=False)
+        k = math.sqrt(-thrust / (YOUNG * 0.05**3 / 12))
+        across = -thrust * lean / (2 * math.tan(k * HEIGHT / 2) / k - HEIGHT)
+        self.assertGreater(-thrust, euler)
+        self.assertLess(across, 0)  # beyond the load at which it sways by itself
+        self.assertAlmostEqual(abs(moment) / abs((across * HEIGHT - thrust * lean) / 2), 1, delta=2e-3)
+
+
+class Refused(ComputedTest):
+    def test_what_cannot_be_is_said_in_one_sentence(self):
+        section = {"thickness": 0.4, "cover": 0.04, "concrete": {"class": "C30/37"}, "steel": {"class": "B500B"},
+                   "inner": {"diameter": 0.02, "spacing": 0.1}, "outer": {"diameter": 0.02, "spacing": 0.1}}
+
+        def of_section(**keys):
+            stated = column(section=section, **keys)
+            del stated["thickness"], stated["young_modulus"]
+            return stated
+        unstated = column()
+        del unstated["thickness"]
+        for member, sentence in (
+                (column(to={"x": 0.1, "y": 2.6}), "continuum.members[0].to: is (0.1, 2.6) m, where the member meets nothing"),
+                (column(to={"x": 0.0, "y": 0.0}), "is the same place as `from`; give the member a length"),
+                (column(width=4.0), "is 4 m, more than the spacing of 3.5 m; give at most that"),
+                (column(name="roof"), "is taken by another part of the model"),
+                (column(failure={}), "needs the strength of a `section` of reinforced concrete"),
+                (column(section=section), "is given beside `section`, which states it; leave one out"),
+                (column(area=0.4), "needs a section: give either `thickness`, or both `area` and `inertia`"),
+                (unstated, "needs a section: give either `thickness`, or both `area` and `inertia`"),
+                (column(stage=1), "stages begin when the ground is at rest"),
+                (column(elements=0), "elements")):
+            with self.subTest(sentence):
+                scene = moved({"x": 1e-3})
+                scene["continuum"]["members"] = [member]
+                result = coupler("run", self.scene(json.dumps(scene)), "--out", self.folder / "refused")
+                self.assertEqual(result.returncode, 2, result.stderr)
+                self.assertIn(sentence, result.stderr)
+                self.assertEqual(result.stderr.strip().count("\n"), 0, result.stderr)
+        scene = moved({"x": 1e-3})
+        scene["continuum"]["histories"] = [{"name": "at", "quantity": "thrust", "member": "colum", "at": {"x": 0.0, "y": 0.0}}]
+        result = coupler("run", self.scene(json.dumps(scene)), "--out", self.folder / "refused")
+        self.assertIn("no member of the continuum has this name; did you mean `column`", result.stderr.replace(" — ", "; "))
+
+
+if __name__ == "__main__":
+    unittest.main()
