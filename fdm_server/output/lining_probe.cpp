@@ -14,8 +14,7 @@ bool is_of_lining(scene::Quantity quantity) {
 }
 
 bool is_of_reinforced_section(scene::Quantity quantity) {
-  return quantity == scene::UTILISATION || quantity == scene::CURVATURE ||
-         quantity == scene::SHEAR_STRENGTH;
+  return quantity == scene::UTILISATION || quantity == scene::CURVATURE || quantity == scene::SHEAR_STRENGTH;
 }
 
 LiningProbe resolve_lining_probe(const scene::History& history, const Supports& supports, const Grid& grid,

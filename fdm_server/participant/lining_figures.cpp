@@ -106,7 +106,8 @@ void add_failures(const Grid& grid, std::span<const Lining> members, const Struc
     const std::string name = "member_" + member.name + "_";
     const auto [shear, axial, crushed] = structures.members()[*member.member].failed();
     double first = -1;
-    for (const auto& [which, time] : {std::pair{"shear_failed", shear}, {"axial_failed", axial}, {"crushed", crushed}}) {
+    for (const auto& [which, time] :
+         {std::pair{"shear_failed", shear}, {"axial_failed", axial}, {"crushed", crushed}}) {
       if (time < 0) continue;
       figures.add(name + which + "_time_s", time);
       if (first < 0 || time < first) first = time;

@@ -72,7 +72,7 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   Grid grid = grid_;  // with what interfaces add
   const Supports supports = resolve_supports(scene_, setup_.ground, {}, grid);
   damping_ = resolve_damping(scene_.continuum());
-  base_acceleration_ = base_acceleration(scene_.continuum().base(), scene_.time().duration());
+  base_accelerations_ = base_accelerations(scene_.continuum().base(), scene_.time().duration());
   const CriticalElement critical = critical_element(
       setup_.kind, grid, setup_.ground, supports, known_early(supports, grid, setup.alone()), damping_,
       foundation::largest_stiffness(scene_.continuum().foundations()) +
@@ -94,17 +94,20 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   const WaveSpeeds speeds = wave_speeds(setup_.ground);
   model.set_p_wave_speed(speeds.p);
   model.set_s_wave_speed(speeds.s);
-  for (const std::string& note : base_acceleration_.notes) model.add_notes("base.acceleration: " + note);
+  for (const std::string& note : base_accelerations_.along.notes)
+    model.add_notes("base.acceleration: " + note);
+  for (const std::string& note : base_accelerations_.across.notes) model.add_notes("base.across: " + note);
   for (const std::string& note : notes_on_meetings(supports, grid)) model.add_notes(note);
   if (const auto note = note_on_ratio(scene_.continuum(), damping_)) model.add_notes(*note);
   if (const auto note = note_on_stiffening(scene_.continuum(), damping_)) model.add_notes(*note);
-  if (const auto note = note_on_shared_motion(damping_, base_acceleration_.motion)) model.add_notes(*note);
+  if (const auto note = note_on_shared_motion(damping_, base_accelerations_.along.motion))
+    model.add_notes(*note);
   if (const auto warning = warn_of_imbalance(scene_, grid_, setup_.ground)) model.add_notes(*warning);
   for (const std::string& note : notes_on_strength(setup_.ground)) model.add_notes(note);
   for (const std::string& note : notes_on_loops(scene_, setup_.ground)) model.add_notes(note);
   const Resolution resolution = fdm::resolution(grid_, setup_.ground);
   model.set_highest_frequency(resolution.frequency);
-  if (const auto note = note_on_resolution(resolution, scene_.continuum(), base_acceleration_.motion))
+  if (const auto note = note_on_resolution(resolution, scene_.continuum(), base_accelerations_.along.motion))
     model.add_notes(*note);
   const auto box = bounds(grid_);
   model.set_x_min(box.x_min);
@@ -130,7 +133,7 @@ KnownEarly FdmParticipant::known_early(const Supports& supports, const Grid& gri
     const std::vector<bool> every(grid.x.size(), all);
     return {every, every};
   }
-  const auto bearing = find_bearing_points(scene_.continuum(), base_acceleration_, grid);
+  const auto bearing = find_bearing_points(scene_.continuum(), base_accelerations_, grid);
   return {alone ? bearing : std::vector<bool>(grid.x.size(), true), bearing};
 }
 
@@ -170,7 +173,7 @@ void FdmParticipant::make_continuum() {
   for (auto& motion : motions)
     for (const auto& column : columns_) extend_to_column(column, motion.points);
   auto boundaries = resolve_boundaries(
-      conditions, base_acceleration_, grid_, edges, columns_,
+      conditions, base_accelerations_, grid_, edges, columns_,
       [this](std::uint32_t zone) {
         const Ground& ground = setup_.ground;
         const Material& material = ground.materials[ground.of_zone[zone]];
@@ -426,12 +429,11 @@ void FdmParticipant::require_interface_stays() const {
         std::ranges::any_of(grid_.zones[z], [&](auto point) { return coupled[point]; }))
       refuse_excavation(z, "which the interface ties; keep a zone between excavations and overlap");
   if (const auto point = supports_.structures.later_point(coupled))
-    throw protocol::UserError(
-        "continuum.linings",
-        fmt::format(
-            "members or bolts are attached at ({:g}, {:g}) m after stage 0, where the interface ties the grid; "
-            "keep a zone between them and the overlap",
-            grid_.x[*point], grid_.y[*point]));
+    throw protocol::UserError("continuum.linings",
+                              fmt::format("members or bolts are attached at ({:g}, {:g}) m after stage 0, "
+                                          "where the interface ties the grid; "
+                                          "keep a zone between them and the overlap",
+                                          grid_.x[*point], grid_.y[*point]));
 }
 
 // Which move by mean acceleration, and have other masses in statics than the coupler knows.
@@ -545,8 +547,7 @@ void FdmParticipant::finish(wire::Bye& bye) {
   bye.set_updates(updates_);
   add_figures(grid_, "lining", supports_.linings, peak_forces_, peak_use_, bye);
   add_figures(grid_, "member", supports_.members, member_forces_, member_use_, bye);
-  if (!supports_.members.empty())
-    add_failures(grid_, supports_.members, continuum_->structures(), bye);
+  if (!supports_.members.empty()) add_failures(grid_, supports_.members, continuum_->structures(), bye);
   add_figures(grid_, supports_.interfaces, supports_.contacts, contact_peaks_, bye);
 }
 

@@ -34,7 +34,8 @@ void add_ground(const Grid& grid, const Ground& ground, const ZoneSet& zones, st
 // lining; where a lining has a section of reinforced concrete, also the point fields utilisation,
 // shear_utilisation, curvature_per_m, steel_strain and crack_width_m with their peaks by size, peak_…, and
 // the ultimate moments at the present thrust, least_moment_capacity_Nm and largest_moment_capacity_Nm (0 in
-// elastic linings); "members" with the same of one member, and cell field member; "bolts" with displacement_m and, of one bolt, cell field thrust_N.
+// elastic linings); "members" with the same of one member, and cell field member; "bolts" with displacement_m
+// and, of one bolt, cell field thrust_N.
 struct ChainPeaks {
   const PeakForces& forces;
   const PeakUse& use;

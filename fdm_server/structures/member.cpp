@@ -42,7 +42,8 @@ double drift(std::span<const Beam> beams, std::span<const MemberBeam> member_bea
 
 double axial_failure_drift(const MemberStrength& strength, double thrust) {
   const double tangent = std::tan(65 * std::numbers::pi / 180), compression = std::max(-thrust, 0.0);
-  const double stirrups = strength.shear.stirrup_area * strength.shear.stirrup_yield * strength.core * tangent;
+  const double stirrups =
+      strength.shear.stirrup_area * strength.shear.stirrup_yield * strength.core * tangent;
   return 0.04 * (1 + tangent * tangent) /
          (tangent + (compression > 0 ? compression / stirrups : 0.0));  // without stirrups at once
 }

@@ -65,8 +65,8 @@ class Member {
   std::uint32_t first_, count_;
   MemberStrength strength_;
   Times failed_{};
-  std::uint32_t sliding_ = 0;                // its number among them, once it has failed in shear
-  double shear_strength_ = 0, left_ = 0;     // V, what is left of it [N]
+  std::uint32_t sliding_ = 0;             // its number among them, once it has failed in shear
+  double shear_strength_ = 0, left_ = 0;  // V, what is left of it [N]
 };
 
 }  // namespace adit::fdm

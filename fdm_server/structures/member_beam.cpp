@@ -27,7 +27,8 @@ std::vector<StrainForm> MemberBeam::strains(const Beam& beam) {
   const auto [p, q] = beam.points();
   const auto [x, y, length] = beam.chord();
   using enum Freedom::Kind;
-  strains.push_back({kAcross * of_beam[0].stiffness, {{{kX, p}, y}, {{kY, p}, -x}, {{kX, q}, -y}, {{kY, q}, x}}});
+  strains.push_back(
+      {kAcross * of_beam[0].stiffness, {{{kX, p}, y}, {{kY, p}, -x}, {{kX, q}, -y}, {{kY, q}, x}}});
   return strains;
 }
 

@@ -1,10 +1,11 @@
 // A beam of a member: it follows its present chord (second order), may slide in shear and may be lost.
 //
-// Strains e, b, a and forces N, B, S are those of beam.hpp, counted from the chord as it lies: with its length
-// L and its turn psi since it was installed (Crisfield 1991, Non-linear Finite Element Analysis 1, 7.3),
+// Strains e, b, a and forces N, B, S are those of beam.hpp, counted from the chord as it lies: with its
+// length L and its turn psi since it was installed (Crisfield 1991, Non-linear Finite Element Analysis
+// 1, 7.3),
 //   e = L - l + l (a^2/(40 (1 + phi)^2) + b^2/24),   b = theta_2 - theta_1,   a = theta_1 + theta_2 - 2 psi.
-// The last part of e is the mean of (w' - psi)^2/2 over the bent beam, so that thrust changes the stiffness of
-// a beam between its ends, too. From the energy of these strains the ends get N along the chord and
+// The last part of e is the mean of (w' - psi)^2/2 over the bent beam, so that thrust changes the stiffness
+// of a beam between its ends, too. From the energy of these strains the ends get N along the chord and
 //   B + N l b/12,   S + N l a/(20 (1 + phi)^2),
 // and with this S the shear force -2 S/L. A column of eight beams buckles under Euler's load (P-delta).
 //
@@ -16,11 +17,11 @@
 // holds what the mean of forces misses of the curved path, l dN dpsi^2/4 a step and the like: it falls with
 // dt^2.
 //
-// Mean acceleration and critical step need stiffnesses that bound the tangent's (mean_acceleration.hpp). While
-// the chord has turned by at most kTurn, (e + psi w)^2 <= (1 + r) e^2 + (1 + 1/r) psi^2 w^2 with w the motion
-// of one end across the other, and likewise for a; a thrust in tension adds N w^2/L. Hence the strains have
-// (1 + r) of their stiffness, and w one of kAcross E A/l: for r = 1/4 and kTurn = 0.075 that leaves 2e-3 of
-// axial strain in tension.
+// Mean acceleration and critical step need stiffnesses that bound the tangent's (mean_acceleration.hpp).
+// While the chord has turned by at most kTurn, (e + psi w)^2 <= (1 + r) e^2 + (1 + 1/r) psi^2 w^2 with w the
+// motion of one end across the other, and likewise for a; a thrust in tension adds N w^2/L. Hence the strains
+// have (1 + r) of their stiffness, and w one of kAcross E A/l: for r = 1/4 and kTurn = 0.075 that leaves 2e-3
+// of axial strain in tension.
 #pragma once
 
 #include <memory>

@@ -48,8 +48,12 @@ Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structur
   if (plan.first_held && !plan.path.closed) structures.hold(rotations.front()[1]);
   if (plan.last_held && !plan.path.closed) structures.hold(rotations.back()[0]);
 
-  Lining lining{plan.name, plan.path, static_cast<std::uint32_t>(structures.beams().size()),
-                static_cast<std::uint32_t>(beams), plan.section, plan.spacing.value_or(1)};
+  Lining lining{plan.name,
+                plan.path,
+                static_cast<std::uint32_t>(structures.beams().size()),
+                static_cast<std::uint32_t>(beams),
+                plan.section,
+                plan.spacing.value_or(1)};
   double dt = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < beams; ++k) {
     const std::size_t next = (k + 1) % nodes;
@@ -60,8 +64,7 @@ Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structur
     const auto fibres = plan.section ? plan.section->fibres : nullptr;
     plan.spacing ? structures.add_member_beam(beam, fibres) : structures.add_beam(beam, fibres);
   }
-  if (plan.strength)
-    lining.member = structures.add_member(lining.first_beam, lining.beams, *plan.strength);
+  if (plan.strength) lining.member = structures.add_member(lining.first_beam, lining.beams, *plan.strength);
   for (const auto& [node, stiffness, yield] : plan.joints)
     if (stiffness > 0) structures.add_joint(rotations[node][0], rotations[node][1], stiffness, yield, dt);
   return lining;

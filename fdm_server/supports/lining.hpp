@@ -75,8 +75,9 @@ struct LiningForces {
   double thrust, moment, shear;  // [N], [N m], [N], signs as in beam.hpp
 };
 
-// What is carried at a node, in all of the lining's spacing: the mean of the beams on its two sides, or, at a corner, each of the two. Their
-// thrusts have no common direction there: the mean of wall and roof is neither's.
+// What is carried at a node, in all of the lining's spacing: the mean of the beams on its two sides, or, at a
+// corner, each of the two. Their thrusts have no common direction there: the mean of wall and roof is
+// neither's.
 struct NodeForces {
   std::array<LiningForces, 2> forces;
   std::size_t count;

@@ -52,7 +52,8 @@ double shear_strength(const Lining& lining, const Structures& structures, std::s
   return shear_strength(lining, forces_at(lining, structures, node));
 }
 
-double moment_capacity(const Lining& lining, const Structures& structures, std::size_t node, Bending bending) {
+double moment_capacity(const Lining& lining, const Structures& structures, std::size_t node,
+                       Bending bending) {
   const double thrust = forces_at(lining, structures, node).thrust / lining.spacing;
   return lining.spacing * lining.section->capacity.moment(bending, thrust);
 }
@@ -69,8 +70,7 @@ SectionUse section_use(const Lining& lining, const Structures& structures, std::
       use.utilisation = utilisation;
       use.forces = forces[side];
     }
-    use.shear =
-        std::max(use.shear, std::abs(shear) / std::max(shear_strength(lining, forces[side]), 1.0));
+    use.shear = std::max(use.shear, std::abs(shear) / std::max(shear_strength(lining, forces[side]), 1.0));
   }
   const auto take = [&](std::size_t beam, std::size_t end) {
     const FibreBeam& fibres = *structures.fibres(lining.first_beam + beam);

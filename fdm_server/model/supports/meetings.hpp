@@ -1,4 +1,5 @@
-// Linings and members that meet in a grid point: what joins them there (supports/lining.hpp), and what the user is told.
+// Linings and members that meet in a grid point: what joins them there (supports/lining.hpp), and what the
+// user is told.
 #pragma once
 
 #include <span>

@@ -53,9 +53,10 @@ class Ends {
     const Point place{grid_.x[point], grid_.y[point]};
     const auto next = nearest(of_grid_, place).point;
     throw protocol::UserError(
-        path, fmt::format("is ({:.6g}, {:.6g}) m, where the member meets nothing; put it at a node of a lining, "
-                          "an end of another member, or a grid point, such as ({:.6g}, {:.6g}) m",
-                          place.x, place.y, grid_.x[next], grid_.y[next]));
+        path,
+        fmt::format("is ({:.6g}, {:.6g}) m, where the member meets nothing; put it at a node of a lining, "
+                    "an end of another member, or a grid point, such as ({:.6g}, {:.6g}) m",
+                    place.x, place.y, grid_.x[next], grid_.y[next]));
   }
 
  private:

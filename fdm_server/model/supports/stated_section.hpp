@@ -18,7 +18,8 @@ template <class Stated>
 Section read_elastic_section(const Stated& stated, double width, double in_each_metre, bool continues,
                              const std::string& path) {
   using protocol::require;
-  const bool both = stated.has_area() && stated.has_inertia(), any = stated.has_area() || stated.has_inertia();
+  const bool both = stated.has_area() && stated.has_inertia(),
+             any = stated.has_area() || stated.has_inertia();
   require(
       stated.has_thickness() ? !any : both, path,
       "needs a section: give either `thickness`, or both `area` and `inertia`, or `section` of reinforced "

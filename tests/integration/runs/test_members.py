@@ -90,6 +90,92 @@ class Column(ComputedTest):
         self.assertAlmostEqual(abs(moment) / abs((across * HEIGHT - thrust * lean) / 2), 1, delta=2e-3)
 
 
+class Frame(ComputedTest):
+    """A portal of two columns under a heavy beam, on ground that is shaken; ground that bears nothing is around it."""
+
+    SECTION = {"thickness": 0.3, "cover": 0.04, "concrete": {"class": "C25/30"}, "steel": {"class": "B500B"},
+               "inner": {"diameter": 0.025, "spacing": 0.1}, "outer": {"diameter": 0.025, "spacing": 0.1}}
+
+    def shaken(self, acceleration=4.0, mirrored=False, failure=None, duration=1.2, **keys):
+        sign = -1.0 if mirrored else 1.0
+
+        def place(x, y):
+            return {"x": sign * x, "y": y}
+
+        def standing(name, x):
+            stated = {"name": name, "from": place(x, 0.0), "to": place(x, HEIGHT), "spacing": 4.0, "width": 0.5, "section": self.SECTION,
+                      "elements": 6, **keys}
+            return {**stated, "failure": failure} if failure is not None else stated
+
+        velocity = {"x": sign * acceleration / (2 * math.pi * 2.5)}
+        return self.computed({"material": SOFT, "time": {"duration": duration, "dt": 1e-4}, "continuum": {
+            "block": {"x_min": -3.0, "x_max": 3.0, "y_min": 0.0, "y_max": HEIGHT, "zones_x": 6, "zones_y": 3},
+            "linings": [{"name": "floor", "along": line((-3, 0), (3, 0)), "thickness": 1.0, "young_modulus": YOUNG}],
+            "members": [standing("west", -2.0), standing("east", 2.0),
+                        {"name": "beam", "from": place(-2.0, HEIGHT), "to": place(2.0, HEIGHT), "spacing": 4.0, "thickness": 0.8,
+                         "width": 0.5, "young_modulus": YOUNG, "density": 60e3}],
+            "body_loads": [{"acceleration": {"y": -9.81}, "time": {"table": {"time": [0.0, 0.2], "value": [0.0, 1.0]}}}],
+            "motions": [{"where": {"y_max": 0.0}, "velocity": {"y": 0.0}},
+                        {"where": {"y_max": 0.0}, "velocity": velocity, "time": {"sine": {"frequency": 2.5}}}],
+            "histories": [{"name": name, "quantity": quantity, "member": name, "at": place(x, 0.0)}
+                          for name, x in (("west", -2.0), ("east", 2.0))
+                          for quantity in ("thrust", "moment", "shear_force", "shear_strength", "utilisation")]
+            + [{"name": "top", "quantity": "displacement_x", "at": place(0.0, HEIGHT), "relative_to": place(0.0, 0.0)}]},
+            "output": {"history_interval": 1e-3}})
+
+    def test_energy_is_kept_while_columns_yield(self):
+        run = self.shaken(acceleration=12.0)
+        self.assertLess(run.summary["max_energy_drift"], 1e-10)
+        h = run.histories
+        self.assertGreater(max(h["west_utilisation"].max(), h["east_utilisation"].max()), 0.9)
+        self.assertGreater(h["continuum_dissipated_J"][-1], 0)
+        self.assertNotIn("member_west_failed_time_s", run.summary)
+
+    def test_the_mirrored_frame_bears_the_same(self):
+        one, other = (self.shaken(mirrored=mirrored, duration=0.5).histories for mirrored in (False, True))
+        for name in ("west", "east"):
+            for force, sign in (("thrust_N", 1), ("moment_Nm", -1), ("shear_N", -1), ("shear_strength_N", 1)):
+                size = abs(one[f"{name}_{force}"]).max()
+                np.testing.assert_allclose(other[f"{name}_{force}"], sign * one[f"{name}_{force}"], rtol=0, atol=1e-6 * size)
+
+    def test_a_column_that_fails_in_shear_slides_and_is_lost(self):
+        run = self.shaken(acceleration=9.0, failure={"residual": 0.2, "sliding": 0.01})
+        self.assertLess(run.summary["max_energy_drift"], 1e-10)
+        summary, h = run.summary, run.histories
+        failed = [name for name in ("west", "east") if f"member_{name}_shear_failed_time_s" in summary]
+        self.assertTrue(failed)
+        for name in failed:
+            when = summary[f"member_{name}_shear_failed_time_s"]
+            self.assertEqual(summary[f"member_{name}_failed_time_s"], when)
+            before, after = self.time < when, self.time > when + 2e-3
+            # It never bears more than its section resists, and from then on no more than what is left of it.
+            shear, strength = abs(h[f"{name}_shear_N"]), h[f"{name}_shear_strength_N"]
+            self.assertLess((shear[before] / strength[before]).max(), 1.02)
+            self.assertTrue((np.diff(strength[after]) <= 0).all())
+            lost = summary.get(f"member_{name}_axial_failed_time_s")
+            self.assertIsNotNone(lost)
+            self.assertGreaterEqual(lost, when)
+            gone = self.time > lost + 1e-3
+            self.assertEqual(abs(strength[gone]).max(), 0)
+
+
+class Fall(ComputedTest):
+    def test_a_frame_that_falls_freely_bears_nothing(self):
+        """Ground with a lining on it and a column in it, held by nothing, under gravity."""
+        run = self.computed({"material": {**SOFT, "young_modulus": 1e6}, "time": {"duration": 0.2, "dt": 1e-4}, "continuum": {
+            "block": {"x_min": -1.0, "x_max": 1.0, "y_min": 0.0, "y_max": HEIGHT, "zones_x": 2, "zones_y": 3},
+            "linings": [{"name": "floor", "along": line((-1, 0), (1, 0)), "thickness": 0.5, "young_modulus": YOUNG}],
+            "members": [column()],
+            "body_loads": [{"acceleration": {"x": 2.0, "y": -9.81}}],
+            "histories": [{"name": "column", "quantity": quantity, "member": "column", "at": {"x": 0.0, "y": 1.5}}
+                          for quantity in ("thrust", "moment", "shear_force")]
+            + [{"name": "top", "quantity": "displacement_y", "at": {"x": 0.0, "y": HEIGHT}}]}})
+        h, weight = run.histories, 2500 * AREA * HEIGHT * 9.81
+        self.assertAlmostEqual(h["top_uy_m"][-1] / (-9.81 * 0.2**2 / 2), 1, delta=1e-9)
+        for name in ("thrust_N", "moment_Nm", "shear_N"):
+            self.assertLess(abs(h[f"column_{name}"]).max(), 1e-9 * weight)
+
+
 class Refused(ComputedTest):
     def test_what_cannot_be_is_said_in_one_sentence(self):
         section = {"thickness": 0.4, "cover": 0.04, "concrete": {"class": "C30/37"}, "steel": {"class": "B500B"},

@@ -69,8 +69,7 @@ double buckling_load(const std::vector<std::size_t>& free, double guess) {
   double low = 0.5 * guess, high = 2 * guess;
   EXPECT_GT(least_stiffness(-low, free), 0);
   EXPECT_LT(least_stiffness(-high, free), 0);
-  for (int i = 0; i < 40; ++i)
-    (least_stiffness(-(low + high) / 2, free) > 0 ? low : high) = (low + high) / 2;
+  for (int i = 0; i < 40; ++i) (least_stiffness(-(low + high) / 2, free) > 0 ? low : high) = (low + high) / 2;
   return low;
 }
 
@@ -83,7 +82,8 @@ std::vector<std::size_t> all_but(std::initializer_list<std::size_t> held) {
 
 // Eight beams buckle under Euler's loads within 1 %; tension stiffens them.
 TEST(MemberBeam, BucklesUnderEulersLoad) {
-  const double euler = kPi * kPi * kConcrete / (1 - kNu * kNu) * std::pow(kThin, 3) / 12 / (kLength * kLength);
+  const double euler =
+      kPi * kPi * kConcrete / (1 - kNu * kNu) * std::pow(kThin, 3) / 12 / (kLength * kLength);
   const auto pinned = all_but({0, 8}), fixed = all_but({0, 8, 9, 17}), cantilever = all_but({0, 9});
   EXPECT_NEAR(buckling_load(pinned, euler) / euler, 1, 2e-3);
   EXPECT_NEAR(buckling_load(fixed, 4 * euler) / (4 * euler), 1, 5e-3);
@@ -135,7 +135,9 @@ TEST(MemberBeam, IsTheElasticBeamAtFirst) {
 TEST(MemberBeam, MissesOfTheWorkWhatFallsWithTheSquareOfTheStep) {
   const auto missed = [](int steps) {
     Chain chain(1, wall(0.4));
-    const auto at = [](double t) { return std::array{2e-4 * std::sin(3 * t), 0.05 * std::sin(5 * t), 0.02 * std::sin(4 * t)}; };
+    const auto at = [](double t) {
+      return std::array{2e-4 * std::sin(3 * t), 0.05 * std::sin(5 * t), 0.02 * std::sin(4 * t)};
+    };
     for (int n = 0; n < steps; ++n) {
       const auto before = at(static_cast<double>(n) / steps), after = at((n + 1.0) / steps);
       chain.vx[1] = after[0] - before[0];
@@ -180,8 +182,8 @@ TEST(MemberBeam, ALostBeamGivesUpItsEnergy) {
   EXPECT_EQ(chain.beams[0].forces().thrust, 0);
 }
 
-// Elwood and Moehle's drift at axial failure, by hand: 1.0 MN on stirrups of 150 mm^2 every 0.3 m, 300 MPa, in a
-// core of 0.32 m: tan 65 = 2.1445, A f d tan/s = 102.9 kN.
+// Elwood and Moehle's drift at axial failure, by hand: 1.0 MN on stirrups of 150 mm^2 every 0.3 m, 300 MPa,
+// in a core of 0.32 m: tan 65 = 2.1445, A f d tan/s = 102.9 kN.
 TEST(MemberFailure, DriftAtAxialFailureIsElwoodAndMoehles) {
   const MemberStrength strength{{30e6, 1, 30e6, 300e6, 150e-6 / 0.3}, 0, 0.02, 0.32};
   EXPECT_NEAR(axial_failure_drift(strength, -1e6), 0.04 * 5.5989 / (2.1445 + 1e6 / 102.94e3), 1e-5);
