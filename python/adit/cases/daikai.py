@@ -1,4 +1,4 @@
-"""Daikai station: how far its box racks beside the free field, by Wang's relation and as computed."""
+"""Daikai station: how far its box racks beside the free field, by Wang's relation and as computed; what its columns bear until they fail."""
 import numpy as np
 
 POISSON = 0.2  # of concrete
@@ -78,3 +78,38 @@ def racking_ratio(run):
     """Racking of the box over that of the free field: the slope of one over the other."""
     box, field = (run.histories[f"{name}_ux_m"] - run.histories[f"{name}_ux_m"][0] for name in ("racking", "free_field"))
     return (box @ field) / (field @ field)
+
+
+def site_modulus(scene, top, bottom):
+    """The shear modulus [Pa] with which the layers between two heights are sheared by one stress together."""
+    sheared = 0
+    for area in scene["continuum"]["materials"]:
+        low, high = max(area["where"].get("y_min", bottom), bottom), min(area["where"].get("y_max", top), top)
+        material = area["material"]
+        sheared += max(high - low, 0) * 2 * (1 + material["poisson_ratio"]) / material["young_modulus"]
+    return (top - bottom) / sheared
+
+
+def wang_of(scene, width=16.3, top=-5.2, bottom=-11.545):
+    """What Wang's relation gives for the elastic station."""
+    return wang(site_modulus(scene, top, bottom), width, top - bottom, racking_stiffness(scene))
+
+
+def column_rows(run):
+    """Yields (what, value, unit) of the column until it fails."""
+    h, time = run.histories, run.histories["time_s"]
+    failed = run.number("member_column_failed_time_s")
+    before = time < (np.inf if failed is None else failed)
+    drift = h["racking_ux_m"] - h["racking_ux_m"][0]
+    shear = abs(h["foot_shear_N"])
+    yield "thrust at rest", h["top_thrust_N"][0] / 1e3, "kN"
+    yield "least and largest thrust", (h["top_thrust_N"][before].min() / 1e3, h["top_thrust_N"][before].max() / 1e3), "kN"
+    yield "largest shear force", shear[before].max() / 1e3, "kN"
+    yield "its largest share in the strength", 100 * (abs(h["top_shear_N"]) / h["top_shear_strength_N"].clip(1))[before].max(), "%"
+    yield "largest moment", abs(h["foot_moment_Nm"][before]).max() / 1e3, "kN m"
+    yield "largest utilisation by thrust and moment", 100 * h["top_utilisation"][before].max(), "%"
+    yield "largest racking of the box until then", 1e3 * abs(drift[before]).max(), "mm"
+    yield "of the free field", 1e3 * abs(h["free_field_ux_m"] - h["free_field_ux_m"][0])[before].max(), "mm"
+    for key, way in (("shear_failed", "fails in shear"), ("axial_failed", "is lost under its thrust"), ("crushed", "is crushed")):
+        if (when := run.number(f"member_column_{key}_time_s")) is not None:
+            yield way, when, "s"

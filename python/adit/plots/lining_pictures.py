@@ -41,7 +41,8 @@ def _across(run, lines, quantities, title, entries):
     if lines is None or len(lines.cells) == 0:
         return None
     size = max(np.ptp(lines.points, axis=0))
-    bounds = style.bounds_of(lines.points - REACH * size, lines.points + REACH * size)
+    aside = np.array([max(size - np.ptp(lines.points[:, 0]), 0) / 2, 0])  # beside a column, for titles
+    bounds = style.bounds_of(lines.points - REACH * size - aside, lines.points + REACH * size + aside)
     normals = _right_normals(lines)
 
     def paint(*panels):

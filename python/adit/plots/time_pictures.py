@@ -65,12 +65,23 @@ def _rows(heights, height, **margins):
 
 def quantities_of(run):
     """{quantity: (its units, [(column, values)])} of the histories of the scene."""
-    found = {}
+    found, members = {}, _histories_of_members(run)
     for endings, quantity, units in QUANTITIES:
-        lines = [(name, values) for name, values in run.histories.items() if _ending(name) in endings]
-        if lines and len(run.histories["time_s"]):
-            found[quantity] = units, found.get(quantity, (units, []))[1] + lines
+        for name, values in run.histories.items() if len(run.histories["time_s"]) else ():
+            if (ending := _ending(name)) not in endings:
+                continue
+            if ending.endswith(("_N", "_Nm")) and name.removesuffix(f"_{ending}") in members:
+                of, scale = f"{quantity}, members", tuple((unit.removesuffix("/m"), size) for unit, size in units)
+            else:
+                of, scale = quantity, units
+            found.setdefault(of, (scale, []))[1].append((name, values))
     return found
+
+
+def _histories_of_members(run):
+    """Their names: forces are those of one member, not per metre."""
+    models = run.models if run.has("scene.yaml") else []
+    return {history["name"] for _, model in models for history in model.get("histories", []) if "member" in history}
 
 
 def _ending(name):
