@@ -95,6 +95,8 @@ def said(column):
     if column == "max_bond_force_N":
         return "largest bond force"
     ending = _ending(column)
+    if ending == "shear_strength_N":
+        return f"{column.removesuffix('_' + ending)}, shear strength"
     first, *others = ending.split("_")
     return f"{column.removesuffix('_' + ending)}, {others[0] if others and others[0] in ('lateral', 'vertical') else first}"
 
