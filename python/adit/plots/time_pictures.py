@@ -80,8 +80,7 @@ def quantities_of(run):
 
 def _histories_of_members(run):
     """Their names: forces are those of one member, not per metre."""
-    models = run.models if run.has("scene.yaml") else []
-    return {history["name"] for _, model in models for history in model.get("histories", []) if "member" in history}
+    return {history["name"] for _, model in run.models for history in model.get("histories", []) if "member" in history}
 
 
 def _ending(name):
