@@ -19,7 +19,7 @@ FACTORS = {
     "load": ["none", "edge", "point", "body"],
     "rest": ["none", "stressed", "kinetic", "local", "adaptive", "unscaled"],
     "hole": ["none", "never", "stage", "side", "two_stages", "released"],
-    "support": ["none", "lining", "jointed", "arcs", "bolt"],
+    "support": ["none", "lining", "jointed", "arcs", "bolt", "propped"],
     "foundation": ["none", "springs"],
     "large": ["no", "yes"],
     "inside": ["none", "strip", "ring", "both_ends", "grid"],
@@ -280,7 +280,12 @@ class Ground:
             section["interface"] = {"friction_angle": 0.4, "cohesion": 2e3}
             if self.row["hole"] == "stage":
                 section["stage"] = 1
-        return {"linings": [{"name": "lining", "along": whole, **section, **joint}]}
+        lining = {"linings": [{"name": "lining", "along": whole, **section, **joint}]}
+        if kind == "propped":
+            prop = {"name": "prop", "from": {"x": 0.0, "y": 1.0}, "to": {"x": 0.0, "y": 3.0}, "spacing": 2.0, "width": 0.5, "elements": 3,
+                    "last_end_hinged": True, **section}
+            return {**lining, "members": [prop]}
+        return lining
 
     def bedding(self):
         """A plane below the opening, from the left side to a tip in the ground."""
@@ -311,6 +316,8 @@ class Ground:
                   for quantity in ("opening", "offset", "normal_stress", "shear_stress")]
         names = {"none": [], "bolt": [], "arcs": ["upper", "lower"]}.get(self.row["support"], ["lining"])
         at = {"lower": {"x": 0.0, "y": 1.0}}
+        if self.row["support"] == "propped":
+            found += [{"name": "prop", "quantity": quantity, "member": "prop", "at": {"x": 0.0, "y": 1.0}} for quantity in ("thrust", "moment")]
         return found + [{"name": name, "quantity": quantity, "lining": name, "at": dict(at.get(name, {"x": 0.0, "y": 3.0}))}
                         for name in names for quantity in ("thrust", "moment")]
 

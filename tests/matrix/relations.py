@@ -193,7 +193,7 @@ def reordered(world, row, scene, folder, base):
     closely(tolerance(world, row), scene, folder, base, runs.run(turn(scene), folder / "turned", changes.Same()), changes.Same())
 
 
-ORDERLESS = {"blocks", "materials", "excavations", "linings", "bolts", "histories", "motions", "body_loads", "edge_loads", "loads", "quiet", "interfaces", "regions", "walls",
+ORDERLESS = {"blocks", "materials", "excavations", "linings", "members", "bolts", "histories", "motions", "body_loads", "edge_loads", "loads", "quiet", "interfaces", "regions", "walls",
              "springs", "between"}
 
 
