@@ -115,15 +115,15 @@ class Frame(ComputedTest):
     SECTION = {"thickness": 0.3, "cover": 0.04, "concrete": {"class": "C25/30"}, "steel": {"class": "B500B"},
                "inner": {"diameter": 0.025, "spacing": 0.1}, "outer": {"diameter": 0.025, "spacing": 0.1}}
 
-    def shaken(self, acceleration=4.0, mirrored=False, failure=None, duration=1.2, **keys):
+    def shaken(self, acceleration=4.0, mirrored=False, failure=None, duration=1.2, elastic=False):
         sign = -1.0 if mirrored else 1.0
 
         def place(x, y):
             return {"x": sign * x, "y": y}
 
         def standing(name, x):
-            stated = {"name": name, "from": place(x, 0.0), "to": place(x, HEIGHT), "spacing": 4.0, "width": 0.5, "section": self.SECTION,
-                      "elements": 6, **keys}
+            section = {"thickness": 0.3, "young_modulus": YOUNG} if elastic else {"section": self.SECTION}
+            stated = {"name": name, "from": place(x, 0.0), "to": place(x, HEIGHT), "spacing": 4.0, "width": 0.5, "elements": 6, **section}
             return {**stated, "failure": failure} if failure is not None else stated
 
         velocity = {"x": sign * acceleration / (2 * math.pi * 2.5)}
@@ -138,7 +138,7 @@ class Frame(ComputedTest):
                         {"where": {"y_max": 0.0}, "velocity": velocity, "time": {"sine": {"frequency": 2.5}}}],
             "histories": [{"name": name, "quantity": quantity, "member": name, "at": place(x, 0.0)}
                           for name, x in (("west", -2.0), ("east", 2.0))
-                          for quantity in ("thrust", "moment", "shear_force", "shear_strength", "utilisation")]
+                          for quantity in ("thrust", "moment", "shear_force") + (() if elastic else ("shear_strength", "utilisation"))]
             + [{"name": "top", "quantity": "displacement_x", "at": place(0.0, HEIGHT), "relative_to": place(0.0, 0.0)}]},
             "output": {"history_interval": 1e-3}})
 
@@ -149,6 +149,13 @@ class Frame(ComputedTest):
         self.assertGreater(max(h["west_utilisation"].max(), h["east_utilisation"].max()), 0.9)
         self.assertGreater(h["continuum_dissipated_J"][-1], 0)
         self.assertNotIn("member_west_failed_time_s", run.summary)
+
+    def test_an_elastic_frame_dissipates_nothing(self):
+        """What the ledger misses of paths that curve, as columns lean under their thrust by 0.03, is next to nothing."""
+        h = self.shaken(elastic=True).histories
+        self.assertGreater(abs(h["top_ux_m"]).max(), 0.02 * HEIGHT)
+        peak = (h["continuum_kinetic_J"] + h["continuum_strain_J"]).max()
+        self.assertLess(abs(h["continuum_dissipated_J"]).max(), 1e-7 * peak)
 
     def test_the_mirrored_frame_bears_the_same(self):
         one, other = (self.shaken(mirrored=mirrored, duration=0.5).histories for mirrored in (False, True))

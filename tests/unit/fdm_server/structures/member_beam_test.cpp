@@ -6,6 +6,7 @@
 
 #include "fdm_server/structures/member.hpp"
 #include "fdm_server/structures/member_beam.hpp"
+#include "fdm_server/supports/lining.hpp"
 #include "tests/unit/fdm_server/structures/frames.hpp"
 
 namespace adit::fdm::test::member_beam_test {
@@ -180,6 +181,42 @@ TEST(MemberBeam, ALostBeamGivesUpItsEnergy) {
   EXPECT_NEAR(chain.members[0].dissipated(), work, 1e-12 * work);
   EXPECT_EQ(chain.fy[1], 0);
   EXPECT_EQ(chain.beams[0].forces().thrust, 0);
+}
+
+// Steps of six critical ones are stable from a rough start while one end moves across the other, by 0.07 of
+// the length, and the ledger closes.
+TEST(MemberBeam, IsStableInLongSteps) {
+  constexpr double kRough = 0.02, kTurned = 0.07;  // [m/s], of the length
+  Grid grid = line(kLength, 8);
+  Path path{{}, false};
+  for (std::uint32_t i = 0; i < grid.x.size(); ++i) path.points.push_back(i);
+  Structures structures;
+  LiningPlan plan{"member", path, wall(0.4), {}, false, false};
+  plan.spacing = 1;
+  add_lining(plan, grid, structures);
+  std::vector<double> masses(grid.x.size(), 0.0);
+  structures.add_masses(masses);
+  const double dt = 6 * structures.critical_step();
+  constexpr std::uint64_t kSteps = 20000;
+  const double across = kTurned * kLength / (kSteps * dt);
+  Continuum continuum = beams_alone(
+      grid, structures, masses, {},
+      {fixed({0}, Axis::kX), fixed({0}, Axis::kY), PrescribedMotion{{8}, Axis::kY, across, constant}});
+  continuum.step({0, dt});
+  for (std::size_t i = 1; i < grid.x.size(); ++i) {
+    continuum.vx()[i] = kRough * std::sin(7.0 * static_cast<double>(i * i));
+    if (i < 8) continuum.vy()[i] = kRough * std::cos(5.0 * static_cast<double>(i * i));
+  }
+  Energies first{}, now{};
+  continuum.step({1, dt}, &first);
+  const double start = first.kinetic + first.strain;
+  for (std::uint64_t n = 2; n <= kSteps; ++n) {
+    continuum.step({n, dt}, &now);
+    ASSERT_LE(now.kinetic + now.strain, 1.5 * start) << n;
+  }
+  EXPECT_NEAR(now.kinetic + now.strain + now.dissipated - now.external_work,
+              first.kinetic + first.strain + first.dissipated - first.external_work, 1e-10 * start);
+  EXPECT_NEAR(continuum.uy()[8], kTurned * kLength, 0.01 * kLength);
 }
 
 // Elwood and Moehle's drift at axial failure, by hand: 1.0 MN on stirrups of 150 mm^2 every 0.3 m, 300 MPa,
