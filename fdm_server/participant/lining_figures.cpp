@@ -1,5 +1,7 @@
 #include "fdm_server/participant/lining_figures.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -78,7 +80,7 @@ void add_figures(const Grid& grid, const std::string& kind, std::span<const Lini
   Figures figures(grid, bye);
   std::size_t row = 0;
   for (const Lining& lining : chains) {
-    const std::string name = kind + "_" + lining.name + "_";
+    const std::string name = fmt::format("{}_{}_", kind, lining.name);
     const LiningPeaks of_lining(lining, row);
     if (lining.section) add_use(name, lining, use.largest(), row, figures);
     row += lining.path.points.size();
