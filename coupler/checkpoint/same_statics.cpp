@@ -47,7 +47,8 @@ bool may_differ(std::string_view path) {
   const std::string_view first = path.substr(0, path.find('.'));
   if (path.starts_with("time.substeps")) return false;
   return std::ranges::find(kFree, first) != kFree.end() ||
-         path.find("base.acceleration") != std::string_view::npos;
+         path.find("base.acceleration") != std::string_view::npos ||
+         path.find("base.across") != std::string_view::npos;
 }
 
 }  // namespace

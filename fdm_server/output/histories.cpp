@@ -190,6 +190,7 @@ double Histories::value(const Probe& probe, const Grid& grid, const Supports& su
     case scene::SHEAR_FORCE:
     case scene::UTILISATION:
     case scene::CURVATURE:
+    case scene::SHEAR_STRENGTH:
       return lining ? fdm::value(*lining, supports, continuum.structures())
                     : resultant(sections_.of(continuum.zones(), section), quantity);
     case scene::OPENING:

@@ -14,34 +14,41 @@ bool is_of_lining(scene::Quantity quantity) {
 }
 
 bool is_of_reinforced_section(scene::Quantity quantity) {
-  return quantity == scene::UTILISATION || quantity == scene::CURVATURE;
+  return quantity == scene::UTILISATION || quantity == scene::CURVATURE || quantity == scene::SHEAR_STRENGTH;
 }
 
 LiningProbe resolve_lining_probe(const scene::History& history, const Supports& supports, const Grid& grid,
                                  const std::string& path) {
-  const auto& linings = supports.linings;
-  const auto found = std::ranges::find(linings, history.lining(), &Lining::name);
-  if (found == linings.end()) {
+  protocol::require(!history.has_lining() || !history.has_member(), path + ".member",
+                    "is given beside `lining`; name one of them");
+  const bool of_member = history.has_member();
+  const auto& chains = of_member ? supports.members : supports.linings;
+  const std::string kind = of_member ? "member" : "lining",
+                    name = of_member ? history.member() : history.lining();
+  const auto found = std::ranges::find(chains, name, &Lining::name);
+  if (found == chains.end()) {
     std::vector<std::string> names;
-    for (const Lining& lining : linings) names.push_back(lining.name);
+    for (const Lining& chain : chains) names.push_back(chain.name);
     throw protocol::UserError(
-        path + ".lining",
-        history.has_lining() ? "is `" + history.lining() + "`, but no lining of the continuum has this name" +
-                                   protocol::did_you_mean(history.lining(), names)
-                             : std::string("is missing; name the lining whose force is recorded"));
+        path + "." + kind,
+        of_member || history.has_lining()
+            ? "is `" + name + "`, but no " + kind + " of the continuum has this name" +
+                  protocol::did_you_mean(name, names)
+            : std::string("is missing; name the lining or `member` whose force is recorded"));
   }
   protocol::require(found->section || !is_of_reinforced_section(history.quantity()), path + ".quantity",
-                    "is of sections of reinforced concrete, but lining `" + found->name +
+                    "is of sections of reinforced concrete, but " + kind + " `" + found->name +
                         "` is elastic; give it a `section`");
   const geometry::Point place{history.at().x(), history.at().y()};
-  return {history.quantity(), static_cast<std::size_t>(found - linings.begin()),
+  return {history.quantity(), of_member, static_cast<std::size_t>(found - chains.begin()),
           nearest_node(place, found->path, grid, path + ".at")};
 }
 
 double value(const LiningProbe& probe, const Supports& supports, const Structures& structures) {
-  const Lining& lining = supports.linings[probe.lining];
+  const Lining& lining = (probe.of_member ? supports.members : supports.linings)[probe.number];
   if (probe.quantity == scene::UTILISATION) return section_use(lining, structures, probe.node).utilisation;
   if (probe.quantity == scene::CURVATURE) return section_use(lining, structures, probe.node).curvature;
+  if (probe.quantity == scene::SHEAR_STRENGTH) return shear_strength(lining, structures, probe.node);
   const auto [thrust, moment, shear] = forces_at(lining, structures, probe.node);
   return probe.quantity == scene::THRUST ? thrust : probe.quantity == scene::MOMENT ? moment : shear;
 }

@@ -1,4 +1,4 @@
-// A force of a lining at one place, for histories.
+// A force of a lining or member at one place, for histories.
 #pragma once
 
 #include <string>
@@ -11,14 +11,15 @@ namespace adit::fdm {
 
 struct LiningProbe {
   scene::Quantity quantity;
-  std::size_t lining, node;
+  bool of_member;  // instead of a lining
+  std::size_t number, node;
 };
 
 bool is_of_lining(scene::Quantity quantity);
 bool is_of_reinforced_section(scene::Quantity quantity);  // one of these
 
-// UserError at `path`, the history's, where it names no lining of the scene, a place off it, or what an
-// elastic lining does not have.
+// UserError at `path`, the history's, where it names no lining or member of the scene, a place off it, or
+// what an elastic one does not have.
 LiningProbe resolve_lining_probe(const scene::History& history, const Supports& supports, const Grid& grid,
                                  const std::string& path);
 

@@ -1,5 +1,7 @@
 #include "fdm_server/participant/lining_figures.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -43,9 +45,9 @@ class LiningPeaks {
   std::size_t first_;
 };
 
-// The peaks of a lining with a section, whose nodes begin at this row.
-void add_use(const Lining& lining, const PeakUse::Extremes& largest, std::size_t first, Figures& figures) {
-  const std::string name = "lining_" + lining.name + "_";
+// The peaks of a lining with a section, whose nodes begin at this row; `name`: what its figures begin with.
+void add_use(const std::string& name, const Lining& lining, const PeakUse::Extremes& largest,
+             std::size_t first, Figures& figures) {
   // Adds one of them with time and place; what there was then.
   const auto add_largest = [&](const std::vector<PeakUse::Instant>& of, double SectionUse::*member,
                                const std::string& which, const std::string& unit) {
@@ -72,15 +74,15 @@ void add_use(const Lining& lining, const PeakUse::Extremes& largest, std::size_t
 
 }  // namespace
 
-void add_figures(const Grid& grid, std::span<const Lining> linings, const PeakForces& peaks,
-                 const PeakUse& use, wire::Bye& bye) {
+void add_figures(const Grid& grid, const std::string& kind, std::span<const Lining> chains,
+                 const PeakForces& peaks, const PeakUse& use, wire::Bye& bye) {
   if (peaks.empty()) return;
   Figures figures(grid, bye);
   std::size_t row = 0;
-  for (const Lining& lining : linings) {
-    const std::string name = "lining_" + lining.name + "_";
+  for (const Lining& lining : chains) {
+    const std::string name = fmt::format("{}_{}_", kind, lining.name);
     const LiningPeaks of_lining(lining, row);
-    if (lining.section) add_use(lining, use.largest(), row, figures);
+    if (lining.section) add_use(name, lining, use.largest(), row, figures);
     row += lining.path.points.size();
     const auto add_thrust = [&](const std::string& which, const Place& place) {
       figures.add(name + which + "_N", place.instant.thrust);
@@ -95,6 +97,24 @@ void add_figures(const Grid& grid, std::span<const Lining> linings, const PeakFo
     figures.add(name + "largest_moment_Nm", bent.instant.moment);
     figures.add_when_and_where(name + "largest_moment", bent.instant.time, bent.point);
     figures.add(name + "thrust_at_largest_moment_N", bent.instant.thrust);
+  }
+}
+
+void add_failures(const Grid& grid, std::span<const Lining> members, const Structures& structures,
+                  wire::Bye& bye) {
+  Figures figures(grid, bye);
+  for (const Lining& member : members) {
+    if (!member.member) continue;
+    const std::string name = "member_" + member.name + "_";
+    const auto [shear, axial, crushed] = structures.members()[*member.member].failed();
+    double first = -1;
+    for (const auto& [which, time] :
+         {std::pair{"shear_failed", shear}, {"axial_failed", axial}, {"crushed", crushed}}) {
+      if (time < 0) continue;
+      figures.add(name + which + "_time_s", time);
+      if (first < 0 || time < first) first = time;
+    }
+    if (first >= 0) figures.add(name + "failed_time_s", first);
   }
 }
 

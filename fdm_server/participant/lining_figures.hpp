@@ -1,7 +1,8 @@
-// What the linings bore, for the summary of the run.
+// What linings and members bore, for the summary of the run.
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/supports/lining.hpp"
@@ -20,7 +21,12 @@ namespace adit::fdm {
 // …_moment_at_largest_utilisation_Nm, …_largest_shear_utilisation with …_shear_at_largest_shear_utilisation_N
 // and …_thrust_at_largest_shear_utilisation_N, …_largest_curvature_per_m, …_largest_steel_strain and
 // …_largest_crack_width_m, by size, each with time and place.
-void add_figures(const Grid& grid, std::span<const Lining> linings, const PeakForces& peaks,
-                 const PeakUse& use, wire::Bye& bye);
+// Members have the same, as member_<name>_….
+void add_figures(const Grid& grid, const std::string& kind, std::span<const Lining> chains,
+                 const PeakForces& peaks, const PeakUse& use, wire::Bye& bye);
+// When members failed: member_<name>_shear_failed_time_s, _axial_failed_time_s, _crushed_time_s, and
+// _failed_time_s of the first; none that did not happen.
+void add_failures(const Grid& grid, std::span<const Lining> members, const Structures& structures,
+                  wire::Bye& bye);
 
 }  // namespace adit::fdm

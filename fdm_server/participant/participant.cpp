@@ -72,7 +72,7 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   Grid grid = grid_;  // with what interfaces add
   const Supports supports = resolve_supports(scene_, setup_.ground, {}, grid);
   damping_ = resolve_damping(scene_.continuum());
-  base_acceleration_ = base_acceleration(scene_.continuum().base(), scene_.time().duration());
+  base_accelerations_ = base_accelerations(scene_.continuum().base(), scene_.time().duration());
   const CriticalElement critical = critical_element(
       setup_.kind, grid, setup_.ground, supports, known_early(supports, grid, setup.alone()), damping_,
       foundation::largest_stiffness(scene_.continuum().foundations()) +
@@ -94,17 +94,20 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   const WaveSpeeds speeds = wave_speeds(setup_.ground);
   model.set_p_wave_speed(speeds.p);
   model.set_s_wave_speed(speeds.s);
-  for (const std::string& note : base_acceleration_.notes) model.add_notes("base.acceleration: " + note);
+  for (const std::string& note : base_accelerations_.along.notes)
+    model.add_notes("base.acceleration: " + note);
+  for (const std::string& note : base_accelerations_.across.notes) model.add_notes("base.across: " + note);
   for (const std::string& note : notes_on_meetings(supports, grid)) model.add_notes(note);
   if (const auto note = note_on_ratio(scene_.continuum(), damping_)) model.add_notes(*note);
   if (const auto note = note_on_stiffening(scene_.continuum(), damping_)) model.add_notes(*note);
-  if (const auto note = note_on_shared_motion(damping_, base_acceleration_.motion)) model.add_notes(*note);
+  if (const auto note = note_on_shared_motion(damping_, base_accelerations_.along.motion))
+    model.add_notes(*note);
   if (const auto warning = warn_of_imbalance(scene_, grid_, setup_.ground)) model.add_notes(*warning);
   for (const std::string& note : notes_on_strength(setup_.ground)) model.add_notes(note);
   for (const std::string& note : notes_on_loops(scene_, setup_.ground)) model.add_notes(note);
   const Resolution resolution = fdm::resolution(grid_, setup_.ground);
   model.set_highest_frequency(resolution.frequency);
-  if (const auto note = note_on_resolution(resolution, scene_.continuum(), base_acceleration_.motion))
+  if (const auto note = note_on_resolution(resolution, scene_.continuum(), base_accelerations_.along.motion))
     model.add_notes(*note);
   const auto box = bounds(grid_);
   model.set_x_min(box.x_min);
@@ -130,7 +133,7 @@ KnownEarly FdmParticipant::known_early(const Supports& supports, const Grid& gri
     const std::vector<bool> every(grid.x.size(), all);
     return {every, every};
   }
-  const auto bearing = find_bearing_points(scene_.continuum(), base_acceleration_, grid);
+  const auto bearing = find_bearing_points(scene_.continuum(), base_accelerations_, grid);
   return {alone ? bearing : std::vector<bool>(grid.x.size(), true), bearing};
 }
 
@@ -170,7 +173,7 @@ void FdmParticipant::make_continuum() {
   for (auto& motion : motions)
     for (const auto& column : columns_) extend_to_column(column, motion.points);
   auto boundaries = resolve_boundaries(
-      conditions, base_acceleration_, grid_, edges, columns_,
+      conditions, base_accelerations_, grid_, edges, columns_,
       [this](std::uint32_t zone) {
         const Ground& ground = setup_.ground;
         const Material& material = ground.materials[ground.of_zone[zone]];
@@ -309,12 +312,17 @@ void FdmParticipant::tell_travel(wire::Relaxation& answer) {
 
 std::string FdmParticipant::name_of(std::uint32_t point) const {
   if (point >= grid_.own_points()) return "the free field";
-  for (std::size_t i = 0; i < supports_.linings.size(); ++i) {
-    const Lining& lining = supports_.linings[i];
-    const bool stands = scene_.continuum().linings(static_cast<int>(i)).stage() <= stage_;
-    if (stands && std::ranges::find(lining.path.points, point) != lining.path.points.end())
-      return "lining " + lining.name;
-  }
+  const auto found = [&](const std::vector<Lining>& chains, const auto& stated) {
+    for (std::size_t i = 0; i < chains.size(); ++i)
+      if (stated[static_cast<int>(i)].stage() <= stage_ &&
+          std::ranges::find(chains[i].path.points, point) != chains[i].path.points.end())
+        return chains[i].name;
+    return std::string();
+  };
+  if (const auto name = found(supports_.linings, scene_.continuum().linings()); !name.empty())
+    return "lining " + name;
+  if (const auto name = found(supports_.members, scene_.continuum().members()); !name.empty())
+    return "member " + name;
   for (const Group& group : grid_.groups)
     for (const std::uint32_t zone : group.zones)
       if (weights_[zone] > 0 && std::ranges::find(grid_.zones[zone], point) != grid_.zones[zone].end())
@@ -402,6 +410,8 @@ void FdmParticipant::step_interior(const Step& step) {
     peak_forces_.take(supports_.linings, continuum_->structures(), step.time());
     contact_peaks_.take(continuum_->contacts(), step.time());
     peak_use_.take(supports_.linings, continuum_->structures(), step.time());
+    member_forces_.take(supports_.members, continuum_->structures(), step.time());
+    member_use_.take(supports_.members, continuum_->structures(), step.time());
   }
   if (step.number % kFiniteCheckInterval == 0) check_grid(step);
   if (setup_.ground.large_strain && !step.from_rest() && steps_done_ % kShapeCheckInterval == 0 &&
@@ -419,12 +429,11 @@ void FdmParticipant::require_interface_stays() const {
         std::ranges::any_of(grid_.zones[z], [&](auto point) { return coupled[point]; }))
       refuse_excavation(z, "which the interface ties; keep a zone between excavations and overlap");
   if (const auto point = supports_.structures.later_point(coupled))
-    throw protocol::UserError(
-        "continuum.linings",
-        fmt::format(
-            "or bolts are attached at ({:g}, {:g}) m after stage 0, where the interface ties the grid; "
-            "keep a zone between them and the overlap",
-            grid_.x[*point], grid_.y[*point]));
+    throw protocol::UserError("continuum.linings",
+                              fmt::format("members or bolts are attached at ({:g}, {:g}) m after stage 0, "
+                                          "where the interface ties the grid; "
+                                          "keep a zone between them and the overlap",
+                                          grid_.x[*point], grid_.y[*point]));
 }
 
 // Which move by mean acceleration, and have other masses in statics than the coupler knows.
@@ -510,7 +519,8 @@ void FdmParticipant::draw(wire::Snapshot& snapshot) {
   fill_snapshot(grid_, *continuum_, weights_, snapshot);
   add_ground(grid_, setup_.ground, continuum_->zones(), weights_, *snapshot.mutable_pieces(0));
   if (peaks_) add_peaks(*peaks_, weights_, *snapshot.mutable_pieces(0));
-  add_supports(grid_, *continuum_, supports_, peak_forces_, peak_use_, snapshot);
+  add_supports(grid_, *continuum_, supports_, {peak_forces_, peak_use_}, {member_forces_, member_use_},
+               snapshot);
   add_interfaces(grid_, *continuum_, supports_.interfaces, contact_peaks_, snapshot);
 }
 
@@ -522,6 +532,8 @@ void FdmParticipant::exchange_solver(state::Archive& archive) {
   peak_forces_.exchange(supports_.linings, archive);
   contact_peaks_.exchange(supports_.contacts.size(), archive);
   peak_use_.exchange(supports_.linings, archive);
+  member_forces_.exchange(supports_.members, archive);
+  member_use_.exchange(supports_.members, archive);
   histories_->exchange(archive);
   archive("peaks", peaks_, [this] { return Peaks(grid_); });
   archive("relaxation", relaxation_, [this] { return Relaxation(grid_, weights_); });
@@ -533,7 +545,9 @@ void FdmParticipant::exchange_solver(state::Archive& archive) {
 
 void FdmParticipant::finish(wire::Bye& bye) {
   bye.set_updates(updates_);
-  add_figures(grid_, supports_.linings, peak_forces_, peak_use_, bye);
+  add_figures(grid_, "lining", supports_.linings, peak_forces_, peak_use_, bye);
+  add_figures(grid_, "member", supports_.members, member_forces_, member_use_, bye);
+  if (!supports_.members.empty()) add_failures(grid_, supports_.members, continuum_->structures(), bye);
   add_figures(grid_, supports_.interfaces, supports_.contacts, contact_peaks_, bye);
 }
 

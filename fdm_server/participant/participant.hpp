@@ -15,6 +15,7 @@
 
 #include "fdm_server/boundaries/free_field.hpp"
 #include "fdm_server/interfaces/contact_peaks.hpp"
+#include "fdm_server/model/boundaries/base_motion.hpp"
 #include "fdm_server/model/conditions.hpp"
 #include "fdm_server/model/grid/excavation.hpp"
 #include "fdm_server/model/setup.hpp"
@@ -25,7 +26,6 @@
 #include "fdm_server/supports/peak_forces.hpp"
 #include "fdm_server/supports/peak_use.hpp"
 #include "fdm_server/supports/supports.hpp"
-#include "protocol/motion/excitation/ground_motion.hpp"
 #include "protocol/participant/interface/interface_operator.hpp"
 #include "protocol/participant/step.hpp"
 #include "protocol/participant/stepped_participant.hpp"
@@ -113,7 +113,7 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   std::vector<Corners> slivers_;  // zones that an overlap leaves next to nothing of (samples.hpp)
   Supports supports_;
   std::vector<FreeFieldColumn> columns_;
-  motion::UsedMotion base_acceleration_;
+  BaseAccelerations base_accelerations_;
   std::vector<Load> base_loads_;
   ExcavatedZones excavated_;
   std::uint32_t stage_ = 0;         // reached
@@ -122,9 +122,9 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   bool relaxes_ = false;            // the last step was one of statics
   std::unique_ptr<Continuum> continuum_;
   protocol::InterfaceOperator operator_;
-  PeakForces peak_forces_;
+  PeakForces peak_forces_, member_forces_;  // of linings, of members
   ContactPeaks contact_peaks_;
-  PeakUse peak_use_;
+  PeakUse peak_use_, member_use_;
   std::optional<Histories> histories_;
   std::optional<Peaks> peaks_;              // once wanted
   std::optional<Relaxation> relaxation_;    // in statics

@@ -52,7 +52,7 @@ wire::Piece& add_lines(const std::string& name, const Grid& grid, const Continuu
 }
 
 // What reinforced sections have; 0 in linings without.
-void add_use(const Structures& structures, const std::vector<Lining>& linings, const PeakUse& peaks,
+void add_use(const Structures& structures, std::span<const Lining> linings, const PeakUse& peaks,
              wire::Piece& piece) {
   std::vector<SectionUse> now;
   std::vector<double> least, largest;  // ultimate moments at the thrust that the piece shows
@@ -60,9 +60,7 @@ void add_use(const Structures& structures, const std::vector<Lining>& linings, c
     for (std::size_t node = 0; node < lining.path.points.size(); ++node) {
       now.push_back(lining.section ? section_use(lining, structures, node) : SectionUse{});
       const auto ultimate = [&](Bending bending) {
-        return lining.section
-                   ? lining.section->capacity.moment(bending, forces_at(lining, structures, node).thrust)
-                   : 0;
+        return lining.section ? moment_capacity(lining, structures, node, bending) : 0;
       };
       least.push_back(ultimate(Bending::kInnerStretched));
       largest.push_back(ultimate(Bending::kOuterStretched));
@@ -89,8 +87,11 @@ void add_use(const Structures& structures, const std::vector<Lining>& linings, c
   add_peak("peak_crack_width_m", peaks.largest().crack_width, &SectionUse::crack_width);
 }
 
-void add_linings(const Grid& grid, const Continuum& continuum, const std::vector<Lining>& linings,
-                 const PeakForces& peaks, const PeakUse& use, wire::Snapshot& snapshot) {
+// `kind`: "lining" or "member".
+void add_chains(const std::string& kind, const Grid& grid, const Continuum& continuum,
+                std::span<const Lining> linings, const ChainPeaks& of_chains, wire::Snapshot& snapshot) {
+  if (linings.empty()) return;
+  const auto& [peaks, use] = of_chains;
   std::vector<Path> paths;
   std::vector<double> number, thrust, moment, shear;
   for (const Lining& lining : linings) {
@@ -103,7 +104,7 @@ void add_linings(const Grid& grid, const Continuum& continuum, const std::vector
       shear.push_back(forces.shear);
     }
   }
-  auto& piece = add_lines("linings", grid, continuum, paths, snapshot);
+  auto& piece = add_lines(kind + "s", grid, continuum, paths, snapshot);
   const auto add = [&](const std::string& name, const std::vector<double>& values) {
     std::ranges::copy(values, new_field(*piece.mutable_point_fields(), name, 1, values.size()));
   };
@@ -126,7 +127,7 @@ void add_linings(const Grid& grid, const Continuum& continuum, const std::vector
     add_peaks("thrust_at_peak_largest_moment_N", peaks.moment().largest, &Instant::thrust);
     add_peaks("thrust_at_peak_least_moment_N", peaks.moment().least, &Instant::thrust);
   }
-  std::ranges::copy(number, new_field(*piece.mutable_cell_fields(), "lining", 1, number.size()));
+  std::ranges::copy(number, new_field(*piece.mutable_cell_fields(), kind, 1, number.size()));
   if (any_section(linings)) add_use(continuum.structures(), linings, use, piece);
 }
 
@@ -199,8 +200,9 @@ void add_ground(const Grid& grid, const Ground& ground, const ZoneSet& zones, st
 }
 
 void add_supports(const Grid& grid, const Continuum& continuum, const Supports& supports,
-                  const PeakForces& peaks, const PeakUse& use, wire::Snapshot& snapshot) {
-  if (!supports.linings.empty()) add_linings(grid, continuum, supports.linings, peaks, use, snapshot);
+                  const ChainPeaks& of_linings, const ChainPeaks& of_members, wire::Snapshot& snapshot) {
+  add_chains("lining", grid, continuum, supports.linings, of_linings, snapshot);
+  add_chains("member", grid, continuum, supports.members, of_members, snapshot);
   if (!supports.bolts.empty()) add_bolts(grid, continuum, supports.bolts, snapshot);
 }
 

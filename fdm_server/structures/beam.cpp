@@ -73,14 +73,19 @@ void Beam::add_forces(double dt, const PointView& points, const RotationView& ro
              rotations);
 }
 
-void Beam::add_forces(const BeamResultants& forces, const PointView& points, const RotationView& rotations) {
+BeamResultants Beam::elastic(const BeamResultants& before, const BeamStrains& step) const {
+  return {before.n + axial_ * step.e, before.b + bending_ * step.b, before.s + shear_ * step.a};
+}
+
+void Beam::add_forces(const BeamResultants& forces, const Chord& along, const PointView& points,
+                      const RotationView& rotations) {
   n_ = forces.n;
   b_ = forces.b;
   s_ = forces.s;
   const auto [p, q] = points_;
   const auto [i, j] = rotations_;
-  const double q_force = -2 / chord_.length * s_;
-  const double fx = chord_.x * n_ - chord_.y * q_force, fy = chord_.y * n_ + chord_.x * q_force;
+  const double q_force = -2 / along.length * s_;
+  const double fx = along.x * n_ - along.y * q_force, fy = along.y * n_ + along.x * q_force;
   points.fx[p] += fx;
   points.fy[p] += fy;
   points.fx[q] -= fx;
@@ -94,8 +99,9 @@ BeamForces Beam::forces() const {
   return {n_, -2 / chord_.length * s_, b_ - s_, b_ + s_};
 }
 
-double Beam::strain_energy() const {
-  return (n_ * n_ / axial_ + b_ * b_ / bending_ + s_ * s_ / shear_) / 2;
+double Beam::elastic_energy(const BeamResultants& forces) const {
+  const auto& [n, b, s] = forces;
+  return (n * n / axial_ + b * b / bending_ + s * s / shear_) / 2;
 }
 
 }  // namespace adit::fdm

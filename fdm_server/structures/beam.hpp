@@ -118,12 +118,19 @@ class Beam {
   // Adds the strain of dt times the velocities to the forces, and these to those of the points and rotations.
   void add_forces(double dt, const PointView& points, const RotationView& rotations);
   // The same for a beam whose forces follow other laws (fibre_beam.hpp): its rates of strain, and the forces
-  // N, B, S to add.
+  // N, B, S to add, along its chord or this one.
   BeamStrains rates(const PointView& points, const RotationView& rotations) const;
-  void add_forces(const BeamResultants& forces, const PointView& points, const RotationView& rotations);
+  void add_forces(const BeamResultants& forces, const PointView& points, const RotationView& rotations) {
+    add_forces(forces, chord_, points, rotations);
+  }
+  void add_forces(const BeamResultants& forces, const Chord& along, const PointView& points,
+                  const RotationView& rotations);
+  // What it bears after these strains, and what it stores then [J].
+  BeamResultants elastic(const BeamResultants& before, const BeamStrains& step) const;
+  double elastic_energy(const BeamResultants& forces) const;
 
   BeamForces forces() const;
-  double strain_energy() const;
+  double strain_energy() const { return elastic_energy({n_, b_, s_}); }
 
   void exchange(state::Archive& archive) {
     archive("beam_n", n_);

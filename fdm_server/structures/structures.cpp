@@ -9,6 +9,8 @@
 namespace adit::fdm {
 namespace {
 
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
 std::vector<std::uint32_t> installed(std::span<const std::uint32_t> stages, std::uint32_t stage) {
   std::vector<std::uint32_t> numbers;
   for (std::uint32_t i = 0; i < stages.size(); ++i)
@@ -49,13 +51,35 @@ void Structures::hold(std::uint32_t rotation) {
 }
 
 std::uint32_t Structures::add_beam(const Beam& beam, std::shared_ptr<const FibreSection> fibres) {
-  if (adding_ <= stage_) add_inertia(beam);
-  fibres_of_beam_.push_back(fibres ? static_cast<std::uint32_t>(fibre_beams_.size())
-                                   : std::numeric_limits<std::uint32_t>::max());
-  if (fibres) fibre_beams_.emplace_back(beam, std::move(fibres));
+  const bool has = fibres != nullptr;
+  if (has) fibre_beams_.emplace_back(beam, std::move(fibres));
+  return add(beam, has ? static_cast<std::uint32_t>(fibre_beams_.size() - 1) : kNone, kNone);
+}
+
+std::uint32_t Structures::add_member_beam(const Beam& beam, std::shared_ptr<const FibreSection> fibres) {
+  member_beams_.emplace_back(beam, std::move(fibres));
+  return add(beam, kNone, static_cast<std::uint32_t>(member_beams_.size() - 1));
+}
+
+std::uint32_t Structures::add(const Beam& beam, std::uint32_t fibres, std::uint32_t member_beam) {
   beams_.push_back(beam);
+  fibres_of_beam_.push_back(fibres);
+  member_beam_of_beam_.push_back(member_beam);
   stage_of_beam_.push_back(adding_);
-  return static_cast<std::uint32_t>(beams_.size() - 1);
+  const auto number = static_cast<std::uint32_t>(beams_.size() - 1);
+  if (adding_ <= stage_) add_inertia_of_beam(number);
+  return number;
+}
+
+std::uint32_t Structures::add_member(std::uint32_t first_beam, std::uint32_t beams,
+                                     const MemberStrength& strength) {
+  members_.emplace_back(first_beam, beams, strength);
+  return static_cast<std::uint32_t>(members_.size() - 1);
+}
+
+const FibreBeam* Structures::fibres(std::size_t beam) const {
+  if (member_beam_of_beam_[beam] != kNone) return member_beams_[member_beam_of_beam_[beam]].fibres();
+  return fibres_of_beam_[beam] != kNone ? &fibre_beams_[fibres_of_beam_[beam]] : nullptr;
 }
 
 std::uint32_t Structures::add_bar(const Bar& bar) {
@@ -75,9 +99,14 @@ double Structures::scale(double critical_step) const {
   return scaled_step_ > 0 ? (scaled_step_ / critical_step) * (scaled_step_ / critical_step) : 1;
 }
 
-void Structures::add_inertia(const Beam& beam) {
-  for (const auto rotation : beam.rotations())
-    inertia_[rotation] += scale(beam.critical_step()) * beam.end_inertia();
+double Structures::critical_step(std::size_t beam) const {
+  return member_beam_of_beam_[beam] != kNone ? MemberBeam::critical_step(beams_[beam])
+                                             : beams_[beam].critical_step();
+}
+
+void Structures::add_inertia_of_beam(std::size_t beam) {
+  for (const auto rotation : beams_[beam].rotations())
+    inertia_[rotation] += scale(critical_step(beam)) * beams_[beam].end_inertia();
 }
 
 void Structures::add_inertia(const Joint& joint) {
@@ -97,14 +126,14 @@ void Structures::install(std::uint32_t stage) {
 
 void Structures::find_inertias() {
   std::ranges::fill(inertia_, 0.0);
-  for (const auto i : installed(stage_of_beam_, stage_)) add_inertia(beams_[i]);
+  for (const auto i : installed(stage_of_beam_, stage_)) add_inertia_of_beam(i);
   for (const auto i : installed(stage_of_joint_, stage_)) add_inertia(joints_[i]);
 }
 
 void Structures::add_masses(std::span<double> of_points, std::uint32_t stage) const {
   for (const auto i : installed(stage_of_beam_, stage))
     for (const auto point : beams_[i].points())
-      of_points[point] += scale(beams_[i].critical_step()) * beams_[i].end_mass();
+      of_points[point] += scale(critical_step(i)) * beams_[i].end_mass();
   for (const auto i : installed(stage_of_bar_, stage))
     for (const auto point : bars_[i].points())
       of_points[point] += scale(bars_[i].critical_step()) * bars_[i].end_mass();
@@ -141,13 +170,12 @@ template <class Test>
 Structures::Critical Structures::smallest(Test&& counts) const {
   // All stages count, because the step of a run stays the same when more is installed.
   Critical smallest;
-  const auto search = [&](const auto& elements, const char* kind) {
-    for (const auto& element : elements)
-      if (const double step = element.critical_step(); step < smallest.step && counts(element))
-        smallest = {step, kind, {element.points()[0], element.points()[1]}};
+  const auto compare = [&](const auto& element, double step, const char* kind) {
+    if (step < smallest.step && counts(element))
+      smallest = {step, kind, {element.points()[0], element.points()[1]}};
   };
-  search(beams_, "beam");
-  search(bars_, "bolt");
+  for (std::size_t i = 0; i < beams_.size(); ++i) compare(beams_[i], critical_step(i), "beam");
+  for (const Bar& bar : bars_) compare(bar, bar.critical_step(), "bolt");
   return smallest;
 }
 
@@ -155,7 +183,10 @@ Structures::Part Structures::standing() const {
   Part part{installed(stage_of_beam_, stage_),
             installed(stage_of_bar_, stage_),
             installed(stage_of_joint_, stage_),
+            {},
             {}};
+  for (std::uint32_t i = 0; i < members_.size(); ++i)
+    if (stage_of_beam_[members_[i].first_beam()] <= stage_) part.members.push_back(i);
   for (std::uint32_t i = 0; i < inertia_.size(); ++i)
     if (inertia_[i] > 0) part.rotations.push_back(i);
   return part;
@@ -165,13 +196,19 @@ Structures::Part Structures::take(Part& part, const std::vector<bool>& chosen) c
   return {take_if(part.beams, [&](auto i) { return touches(beams_[i], chosen); }),
           take_if(part.bars, [&](auto i) { return touches(bars_[i], chosen); }),
           take_if(part.joints, [&](auto i) { return chosen[point_[joints_[i].first]]; }),
-          take_if(part.rotations, [&](auto i) { return chosen[point_[i]]; })};
+          take_if(part.rotations, [&](auto i) { return chosen[point_[i]]; }),
+          take_if(part.members, [&](auto i) {
+            return touches(beams_[members_[i].first_beam() + members_[i].count() - 1], chosen);
+          })};
 }
 
 std::vector<StrainForm> Structures::strains(const Part& part) const {
   std::vector<StrainForm> strains;
   for (const auto i : part.beams)
-    for (StrainForm& strain : beams_[i].strains()) strains.push_back(std::move(strain));
+    if (member_beam_of_beam_[i] != kNone)
+      std::ranges::move(MemberBeam::strains(beams_[i]), std::back_inserter(strains));
+    else
+      std::ranges::move(beams_[i].strains(), std::back_inserter(strains));
   for (const auto i : part.bars) strains.push_back(bars_[i].strain());
   for (const auto i : part.joints) {
     const auto& [first, second, spring, step] = joints_[i];
@@ -185,12 +222,14 @@ void Structures::add_forces(const Part& part, double dt, const PointView& points
   const RotationView rotations{rate_.data(), couple_.data()};
   for (const auto i : part.beams) {
     Beam& beam = beams_[i];
-    if (fibres_of_beam_[i] >= fibre_beams_.size()) {
+    if (member_beam_of_beam_[i] != kNone) {
+      member_beams_[member_beam_of_beam_[i]].add_forces(beam, dt, points, rotations);
+    } else if (fibres_of_beam_[i] != kNone) {
+      const auto [e, b, a] = beam.rates(points, rotations);
+      beam.add_forces(fibre_beams_[fibres_of_beam_[i]].strain({dt * e, dt * b, dt * a}), points, rotations);
+    } else {
       beam.add_forces(dt, points, rotations);
-      continue;
     }
-    const auto [e, b, a] = beam.rates(points, rotations);
-    beam.add_forces(fibre_beams_[fibres_of_beam_[i]].strain({dt * e, dt * b, dt * a}), points, rotations);
   }
   for (const auto i : part.bars) dissipated_ += bars_[i].add_forces(dt, points);
   for (const auto i : part.joints) {
@@ -210,6 +249,12 @@ void Structures::move_and_predict(const Part& part, const protocol::Step& step) 
     // Ready for the next step, whose forces are added one by one.
     couple_[i] = 0;
   }
+  if (step.relax) return;
+  for (const auto i : part.members) {
+    const auto first = members_[i].first_beam(), count = members_[i].count();
+    members_[i].look(std::span(beams_).subspan(first, count),
+                     std::span(member_beams_).subspan(member_beam_of_beam_[first], count), step.time());
+  }
 }
 
 void Structures::slow(double factor) {
@@ -221,6 +266,7 @@ void Structures::start_over() {
   std::ranges::fill(angle_, 0.0);
   dissipated_ = 0;
   for (FibreBeam& beam : fibre_beams_) beam.forget_dissipation();
+  for (MemberBeam& beam : member_beams_) beam.forget_dissipation();
 }
 
 double Structures::twice_kinetic_energy(const protocol::Step& step) const {
@@ -240,8 +286,12 @@ double Structures::rotational_energy() const {
 double Structures::strain_energy() const {
   double sum = 0;
   for (std::size_t i = 0; i < beams_.size(); ++i) {
-    const FibreBeam* fibre_beam = fibres(i);
-    sum += fibre_beam ? fibre_beam->stored() : beams_[i].strain_energy();
+    if (member_beam_of_beam_[i] != kNone)
+      sum += member_beams_[member_beam_of_beam_[i]].stored();
+    else if (fibres_of_beam_[i] != kNone)
+      sum += fibre_beams_[fibres_of_beam_[i]].stored();
+    else
+      sum += beams_[i].strain_energy();
   }
   for (const auto& bar : bars_) sum += bar.strain_energy();
   for (const auto& joint : joints_) sum += joint.spring.strain_energy();
@@ -251,6 +301,7 @@ double Structures::strain_energy() const {
 double Structures::dissipated() const {
   double sum = dissipated_;
   for (const FibreBeam& beam : fibre_beams_) sum += beam.dissipated();
+  for (const MemberBeam& beam : member_beams_) sum += beam.dissipated();
   return sum;
 }
 

@@ -14,6 +14,8 @@
 //
 // Statics may scale all masses and inertias of an element so that any step is its critical one, as for zones.
 //
+// Beams of members follow their chords and may fail (member_beam.hpp, member.hpp).
+//
 // No energy weights: where an overlap thins the ground, the lining stays whole.
 #pragma once
 
@@ -29,6 +31,8 @@
 #include "fdm_server/structures/bar.hpp"
 #include "fdm_server/structures/beam.hpp"
 #include "fdm_server/structures/fibre_beam.hpp"
+#include "fdm_server/structures/member.hpp"
+#include "fdm_server/structures/member_beam.hpp"
 #include "fdm_server/structures/yielding_spring.hpp"
 #include "protocol/participant/step.hpp"
 #include "protocol/state/archive.hpp"
@@ -48,6 +52,11 @@ class Structures {
   // Return the number of the beam, of the bar. A beam with `fibres` follows these, from its elastic section
   // on.
   std::uint32_t add_beam(const Beam& beam, std::shared_ptr<const FibreSection> fibres = nullptr);
+  // One that follows its chord.
+  std::uint32_t add_member_beam(const Beam& beam, std::shared_ptr<const FibreSection> fibres = nullptr);
+  // Lets so many of them, which have fibres, fail together, from the first on; returns the number of the
+  // member.
+  std::uint32_t add_member(std::uint32_t first_beam, std::uint32_t beams, const MemberStrength& strength);
   std::uint32_t add_bar(const Bar& bar);
   // `dt`: a critical step of the lining's beams. Stiffness > 0 [N m/rad], yield moment [N m].
   void add_joint(std::uint32_t first, std::uint32_t second, double stiffness, double yield, double dt);
@@ -76,16 +85,18 @@ class Structures {
 
   // Numbers of the elements that are computed together.
   struct Part {
-    std::vector<std::uint32_t> beams, bars, joints, rotations;
+    std::vector<std::uint32_t> beams, bars, joints, rotations, members;
   };
   Part standing() const;  // all that is installed
-  // Moves out of a part what touches a chosen point; of the rotations those at chosen points.
+  // Moves out of a part what touches a chosen point; of the rotations those at chosen points. Members that
+  // may fail are one with their last beam.
   Part take(Part& part, const std::vector<bool>& chosen) const;
 
   // Of beams, bars and joints, as if nothing yielded.
   std::vector<StrainForm> strains(const Part& part) const;
 
   void add_forces(const Part& part, double dt, const PointView& points);
+  // Members fail in time, not in statics.
   void move_and_predict(const Part& part, const protocol::Step& step);
   void slow(double factor);  // multiplies the rates
   void start_over();         // rates and rotations become 0, and what was dissipated
@@ -93,6 +104,8 @@ class Structures {
   void exchange(state::Archive& archive) {
     for (Beam& beam : beams_) beam.exchange(archive);
     for (FibreBeam& beam : fibre_beams_) beam.exchange(archive);
+    for (MemberBeam& beam : member_beams_) beam.exchange(archive);
+    for (Member& member : members_) member.exchange(archive);
     for (Bar& bar : bars_) bar.exchange(archive);
     for (Joint& joint : joints_) joint.spring.exchange(archive);
     archive("rotations_angle", std::span(angle_));
@@ -106,13 +119,12 @@ class Structures {
   double twice_kinetic_energy(const protocol::Step& step) const;
   double rotational_energy() const;  // of the present rates [J]
   double strain_energy() const;      // [J]
-  double dissipated() const;         // by yield and by fibres, since the start [J]
+  double dissipated() const;         // by yield, fibres and members, since the start [J]
 
   std::span<const Beam> beams() const { return beams_; }
   // Those of a beam, if it has any.
-  const FibreBeam* fibres(std::size_t beam) const {
-    return fibres_of_beam_[beam] < fibre_beams_.size() ? &fibre_beams_[fibres_of_beam_[beam]] : nullptr;
-  }
+  const FibreBeam* fibres(std::size_t beam) const;
+  std::span<const Member> members() const { return members_; }
   std::span<const Bar> bars() const { return bars_; }
   std::span<const double> rotations() const { return angle_; }  // since the start [rad]
   // One value a rotation, for mean_acceleration.hpp: rates before and after the last step, couples of this
@@ -132,14 +144,20 @@ class Structures {
   Critical smallest(Test&& counts) const;
   // Of a mass, for an element of this critical step.
   double scale(double critical_step) const;
-  void add_inertia(const Beam& beam);
+  // Of a beam, as it may be.
+  double critical_step(std::size_t beam) const;
+  std::uint32_t add(const Beam& beam, std::uint32_t fibres, std::uint32_t member_beam);
+  void add_inertia_of_beam(std::size_t beam);
   void add_inertia(const Joint& joint);
   void find_inertias();  // of what stands
   bool held(std::uint32_t rotation) const { return held_from_[rotation] <= stage_; }
 
   std::vector<Beam> beams_;
   std::vector<FibreBeam> fibre_beams_;
-  std::vector<std::uint32_t> fibres_of_beam_;  // of fibre_beams_; beyond them: the beam is elastic
+  std::vector<MemberBeam> member_beams_;
+  std::vector<Member> members_;
+  // Of each beam, of fibre_beams_, of member_beams_; beyond them: it has none.
+  std::vector<std::uint32_t> fibres_of_beam_, member_beam_of_beam_;
   std::vector<Bar> bars_;
   std::vector<Joint> joints_;
   std::vector<std::uint32_t> stage_of_beam_, stage_of_bar_, stage_of_joint_;

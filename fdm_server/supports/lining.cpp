@@ -53,7 +53,8 @@ Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structur
                 static_cast<std::uint32_t>(structures.beams().size()),
                 static_cast<std::uint32_t>(beams),
                 plan.section,
-                plan.bonded_to};
+                plan.bonded_to,
+                plan.spacing.value_or(1)};
   double dt = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < beams; ++k) {
     const std::size_t next = (k + 1) % nodes;
@@ -61,8 +62,10 @@ Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structur
     const Beam beam({p, q}, {rotations[k][1], rotations[next][0]},
                     chord(grid.x[p], grid.y[p], grid.x[q], grid.y[q]), plan.elastic);
     dt = std::min(dt, beam.critical_step());
-    structures.add_beam(beam, plan.section ? plan.section->fibres : nullptr);
+    const auto fibres = plan.section ? plan.section->fibres : nullptr;
+    plan.spacing ? structures.add_member_beam(beam, fibres) : structures.add_beam(beam, fibres);
   }
+  if (plan.strength) lining.member = structures.add_member(lining.first_beam, lining.beams, *plan.strength);
   for (const auto& [node, stiffness, yield] : plan.joints)
     if (stiffness > 0) structures.add_joint(rotations[node][0], rotations[node][1], stiffness, yield, dt);
   return lining;
@@ -81,8 +84,9 @@ NodeForces all_forces_at(const Lining& lining, const Structures& structures, std
   const Beam& before = beams[(node + beams.size() - 1) % beams.size()];
   const Beam& after = beams[node % beams.size()];
   const BeamForces of_before = before.forces(), of_after = after.forces();
-  const LiningForces first{of_before.thrust, of_before.second, of_before.shear},
-      second{of_after.thrust, of_after.first, of_after.shear};
+  const double all = lining.spacing;
+  const LiningForces first{all * of_before.thrust, all * of_before.second, all * of_before.shear},
+      second{all * of_after.thrust, all * of_after.first, all * of_after.shear};
   if (!lining.path.closed && node == 0) return {{second}, 1};
   if (!lining.path.closed && node == beams.size()) return {{first}, 1};
   if (before.chord().x * after.chord().x + before.chord().y * after.chord().y < kCorner)

@@ -1,4 +1,4 @@
-// A lining: a chain of beams along grid points, open or closed, with joints at some of them.
+// A lining, or a member: a chain of beams along grid points, open or closed, with joints at some of them.
 //
 // Beams that meet in a grid point turn together there, of one lining or of several. A joint within a lining
 // stands between its two beams; what else ends there must be hinged to it. A joint at an end of a lining
@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,9 @@ struct LiningPlan {
   bool first_held, last_held;  // whether the ends of an open lining cannot rotate, with all joined rigidly
   std::shared_ptr<const LiningSection> section = nullptr;  // of reinforced concrete
   std::string bonded_to = {};                              // the lining below, whose points it has
+  // Of a member: the distance to the next one across the plane [m]; how it may fail.
+  std::optional<double> spacing{};
+  std::optional<MemberStrength> strength{};
 };
 
 struct Lining {
@@ -57,6 +61,8 @@ struct Lining {
   std::uint32_t first_beam, beams;                         // numbers in the structures
   std::shared_ptr<const LiningSection> section = nullptr;  // none: elastic
   std::string bonded_to = {};
+  double spacing = 1;                     // results are those of so much of the plane [m]
+  std::optional<std::uint32_t> member{};  // its number in the structures, if it may fail
 };
 
 // The node of a lining's path nearest to a place. UserError at `path`, the scene's field, where the place
@@ -71,8 +77,9 @@ struct LiningForces {
   double thrust, moment, shear;  // [N], [N m], [N], signs as in beam.hpp
 };
 
-// What is carried at a node: the mean of the beams on its two sides, or, at a corner, each of the two. Their
-// thrusts have no common direction there: the mean of wall and roof is neither's.
+// What is carried at a node, in all of the lining's spacing: the mean of the beams on its two sides, or, at a
+// corner, each of the two. Their thrusts have no common direction there: the mean of wall and roof is
+// neither's.
 struct NodeForces {
   std::array<LiningForces, 2> forces;
   std::size_t count;

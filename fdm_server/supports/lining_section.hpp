@@ -1,4 +1,4 @@
-// The reinforced section of a lining: its fibres and what it resists.
+// The reinforced section of a lining or member: its fibres and what it resists, in a metre of the plane.
 #pragma once
 
 #include <memory>

@@ -37,7 +37,26 @@ double widest_crack(const LiningSection& section, const FibreStates& states) {
   return widest;
 }
 
+double shear_strength(const Lining& lining, const LiningForces& forces) {
+  const LiningSection& section = *lining.section;
+  const Bending bending = forces.moment >= 0 ? Bending::kOuterStretched : Bending::kInnerStretched;
+  return lining.spacing *
+         shear_capacity(section.fibres->shape(), section.shear, bending, forces.thrust / lining.spacing);
+}
+
 }  // namespace
+
+double shear_strength(const Lining& lining, const Structures& structures, std::size_t node) {
+  if (lining.member)
+    if (const auto left = structures.members()[*lining.member].left()) return lining.spacing * *left;
+  return shear_strength(lining, forces_at(lining, structures, node));
+}
+
+double moment_capacity(const Lining& lining, const Structures& structures, std::size_t node,
+                       Bending bending) {
+  const double thrust = forces_at(lining, structures, node).thrust / lining.spacing;
+  return lining.spacing * lining.section->capacity.moment(bending, thrust);
+}
 
 SectionUse section_use(const Lining& lining, const Structures& structures, std::size_t node) {
   const LiningSection& section = *lining.section;
@@ -45,14 +64,13 @@ SectionUse section_use(const Lining& lining, const Structures& structures, std::
   const auto [forces, count] = all_forces_at(lining, structures, node);
   for (std::size_t side = 0; side < count; ++side) {
     const auto& [thrust, moment, shear] = forces[side];
-    const double utilisation = section.capacity.utilisation({thrust, moment});
+    const double utilisation =
+        section.capacity.utilisation({thrust / lining.spacing, moment / lining.spacing});
     if (side == 0 || utilisation > use.utilisation) {
       use.utilisation = utilisation;
       use.forces = forces[side];
     }
-    const Bending bending = moment >= 0 ? Bending::kOuterStretched : Bending::kInnerStretched;
-    const double resists = shear_capacity(section.fibres->shape(), section.shear, bending, thrust);
-    use.shear = std::max(use.shear, std::abs(shear) / std::max(resists, 1.0));
+    use.shear = std::max(use.shear, std::abs(shear) / std::max(shear_strength(lining, forces[side]), 1.0));
   }
   const auto take = [&](std::size_t beam, std::size_t end) {
     const FibreBeam& fibres = *structures.fibres(lining.first_beam + beam);

@@ -19,5 +19,10 @@ struct SectionUse {
 // Of a lining that has a section. Thrust, moment and shear force are those at the node, curvatures those of
 // the ends of its beams, strains those at the nearest sections of fibres.
 SectionUse section_use(const Lining& lining, const Structures& structures, std::size_t node);
+// The shear force that its section resists with the thrust there, or what is left of it where the member has
+// failed [N].
+double shear_strength(const Lining& lining, const Structures& structures, std::size_t node);
+// The ultimate moment with the thrust there [N m].
+double moment_capacity(const Lining& lining, const Structures& structures, std::size_t node, Bending bending);
 
 }  // namespace adit::fdm

@@ -1,4 +1,4 @@
-// The linings and bolts that stand on the grid, and the interfaces through it and beside linings.
+// The linings, members and bolts that stand on the grid, and the interfaces through it and beside linings.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +20,7 @@ struct BoltBars {
 struct Supports {
   Structures structures{};
   std::vector<Lining> linings{};
+  std::vector<Lining> members{};  // chains of beams of their own
   std::vector<BoltBars> bolts{};
   Contacts contacts{};
   std::vector<Interface> interfaces{};

@@ -38,6 +38,7 @@ std::set<std::uint32_t> stages_of(const scene::Continuum& continuum) {
   std::set<std::uint32_t> stages = stages_of_excavations(continuum);
   add(continuum.linings(), stages);
   add(continuum.bolts(), stages);
+  add(continuum.members(), stages);
   add(continuum.motions(), stages);
   return stages;
 }

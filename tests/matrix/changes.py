@@ -69,6 +69,8 @@ class Mirrored(Same):
             value["angle"] = PI - value["angle"]
         if name == "Lining":
             value = _swapped(value, "first_end_fixed", "last_end_fixed")
+        if name == "Member":  # its right stays its right
+            value = _swapped(_swapped(value, "from", "to"), "first_end_hinged", "last_end_hinged")
         if name == "ParticleJoint":  # the same face stays the far one, on the left
             value = _swapped(value, "from", "to")
         if name == "Base" and value.get("direction", "x") == "x":
@@ -196,4 +198,4 @@ class Scaled(Same):
 
     def factor(self, column):
         unit = schema.column_unit(column)
-        return 1 / self.times(unit, unit in self.IN_PLANE)
+        return 1 / self.times(unit, unit in self.IN_PLANE and not column.startswith("prop_"))  # forces of one member

@@ -19,7 +19,7 @@ FACTORS = {
     "load": ["none", "edge", "point", "body"],
     "rest": ["none", "stressed", "kinetic", "local", "adaptive", "unscaled"],
     "hole": ["none", "never", "stage", "side", "two_stages", "released"],
-    "support": ["none", "lining", "jointed", "arcs", "bolt"],
+    "support": ["none", "lining", "jointed", "arcs", "bolt", "propped"],
     "foundation": ["none", "springs"],
     "large": ["no", "yes"],
     "inside": ["none", "strip", "ring", "both_ends", "grid"],
@@ -284,7 +284,12 @@ class Ground:
                   **({"stage": 1} if self.row["hole"] == "stage" else stage),
                   **({"interface": {"friction_angle": 0.3}} if kind == "layered" else {})}
         layers = [second] if kind in ("bonded", "layered") else []
-        return {"linings": [{"name": "lining", "along": whole, **section, **joint}, *layers]}
+        lining = {"linings": [{"name": "lining", "along": whole, **section, **joint}, *layers]}
+        if kind == "propped":
+            prop = {"name": "prop", "from": {"x": 0.0, "y": 1.0}, "to": {"x": 0.0, "y": 3.0}, "spacing": 2.0, "width": 0.5, "elements": 3,
+                    "last_end_hinged": True, **section}
+            return {**lining, "members": [prop]}
+        return lining
 
     def bedding(self):
         """A plane below the opening, from the left side to a tip in the ground."""
@@ -315,6 +320,8 @@ class Ground:
                   for quantity in ("opening", "offset", "normal_stress", "shear_stress")]
         names = {"none": [], "bolt": [], "arcs": ["upper", "lower"]}.get(self.row["support"], ["lining"])
         at = {"lower": {"x": 0.0, "y": 1.0}}
+        if self.row["support"] == "propped":
+            found += [{"name": "prop", "quantity": quantity, "member": "prop", "at": {"x": 0.0, "y": 1.0}} for quantity in ("thrust", "moment")]
         return found + [{"name": name, "quantity": quantity, "lining": name, "at": dict(at.get(name, {"x": 0.0, "y": 3.0}))}
                         for name in names for quantity in ("thrust", "moment")]
 

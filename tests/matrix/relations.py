@@ -193,8 +193,8 @@ def reordered(world, row, scene, folder, base):
     closely(tolerance(world, row), scene, folder, base, runs.run(turn(scene), folder / "turned", changes.Same()), changes.Same())
 
 
-ORDERLESS = {"blocks", "materials", "excavations", "linings", "bolts", "histories", "motions", "body_loads", "edge_loads", "loads", "quiet", "interfaces", "regions", "walls",
-             "springs", "between"}
+ORDERLESS = {"blocks", "materials", "excavations", "linings", "members", "bolts", "histories", "motions", "body_loads", "edge_loads", "loads", "quiet",
+             "interfaces", "regions", "walls", "springs", "between"}
 
 
 def said_apart(world, row, scene, folder, base):

@@ -9,9 +9,9 @@
 
 #include "fdm_server/boundaries/dashpot_set.hpp"
 #include "fdm_server/boundaries/edge_set.hpp"
+#include "fdm_server/model/boundaries/base_motion.hpp"
 #include "fdm_server/solver/loads.hpp"
 #include "protocol/messages/scene.pb.h"
-#include "protocol/motion/excitation/ground_motion.hpp"
 
 namespace adit::fdm {
 
@@ -21,8 +21,8 @@ struct BaseActions {
   std::vector<PrescribedMotion> motions;
 };
 
-// `acceleration` is that of the base (base_motion.hpp).
-BaseActions resolve_base(const scene::Base& base, const motion::UsedMotion& acceleration, EdgeSet& edges,
+// `accelerations` are those of the base.
+BaseActions resolve_base(const scene::Base& base, const BaseAccelerations& accelerations, EdgeSet& edges,
                          const ImpedanceOf& impedance, DashpotSet& dashpots);
 
 }  // namespace adit::fdm

@@ -36,9 +36,16 @@ std::vector<TimeFactor> shaken(const scene::Base& base, std::span<const double> 
 
 }  // namespace
 
-motion::UsedMotion base_acceleration(const scene::Base& base, double duration) {
-  if (!base.has_acceleration()) return {};
-  return motion::ground_motion(base.acceleration(), kBasePath + ".acceleration", duration);
+BaseAccelerations base_accelerations(const scene::Base& base, double duration) {
+  BaseAccelerations found;
+  if (base.has_acceleration())
+    found.along = motion::ground_motion(base.acceleration(), kBasePath + ".acceleration", duration);
+  if (base.has_across()) {
+    protocol::require(base.has_acceleration(), kBasePath + ".across",
+                      "goes beside `acceleration` only; give the motion along the direction so, too");
+    found.across = motion::ground_motion(base.across(), kBasePath + ".across", duration);
+  }
+  return found;
 }
 
 std::vector<TimeFactor> base_histories(const scene::Base& base, std::span<const double> places,

@@ -13,9 +13,14 @@ namespace adit::fdm {
 
 inline const std::string kBasePath = "continuum.base";  // in the scene
 
-// The base's `acceleration` for a run of this duration [s]; no values if it moves in another way. UserError
-// with the scene's path, such as for a record that is shorter.
-motion::UsedMotion base_acceleration(const scene::Base& base, double duration);
+// Along the base's direction and across it; no values where it does not move so, or moves in another way.
+struct BaseAccelerations {
+  motion::UsedMotion along, across;
+};
+
+// The base's `acceleration` and `across` for a run of this duration [s]. UserError with the scene's path,
+// such as for a record that is shorter.
+BaseAccelerations base_accelerations(const scene::Base& base, double duration);
 
 // Velocity [m/s], or stress [Pa], of the base at any time: one for each of the ascending places [m], or one
 // for all of them. UserError with the scene's path.

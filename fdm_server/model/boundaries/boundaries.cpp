@@ -84,7 +84,7 @@ std::vector<FreeFieldColumn> add_columns(const scene::Continuum& scene, std::spa
   return columns;
 }
 
-Boundaries resolve_boundaries(const scene::Continuum& scene, const motion::UsedMotion& acceleration,
+Boundaries resolve_boundaries(const scene::Continuum& scene, const BaseAccelerations& accelerations,
                               const Grid& grid, std::span<const BoundaryEdge> outline,
                               std::span<const FreeFieldColumn> columns, const ImpedanceOf& impedance,
                               std::span<const PrescribedMotion> motions) {
@@ -101,7 +101,7 @@ Boundaries resolve_boundaries(const scene::Continuum& scene, const motion::UsedM
     quieten(scene.quiet(i), fmt::format("continuum.quiet[{}]", i), edges, impedance, motions, dashpots);
   BaseActions actions;
   if (scene.has_base()) {
-    actions = resolve_base(scene.base(), acceleration, edges, impedance, dashpots);
+    actions = resolve_base(scene.base(), accelerations, edges, impedance, dashpots);
     if (scene.base().kind() == scene::Base::COMPLIANT)
       for (const std::size_t e : actions.edges)
         require_yielding(motions, edges[e], scene.base().direction() == scene::Base::X ? Axis::kX : Axis::kY,
@@ -129,7 +129,7 @@ double spring_stiffness(const scene::Continuum& scene, const Grid& grid, const G
   return stiffness.empty() ? 0 : std::ranges::max(stiffness);
 }
 
-std::vector<bool> find_bearing_points(const scene::Continuum& scene, const motion::UsedMotion& acceleration,
+std::vector<bool> find_bearing_points(const scene::Continuum& scene, const BaseAccelerations& accelerations,
                                       const Grid& grid) {
   const auto edges = outline(grid);
   Grid with_columns = grid;
@@ -137,7 +137,7 @@ std::vector<bool> find_bearing_points(const scene::Continuum& scene, const motio
   const auto unit = [](std::uint32_t) { return Impedance{1, 1}; };
   std::vector<bool> bears(grid.x.size(), false);
   for (const Dashpot& dashpot :
-       resolve_boundaries(scene, acceleration, with_columns, edges, columns, unit, {}).dashpots)
+       resolve_boundaries(scene, accelerations, with_columns, edges, columns, unit, {}).dashpots)
     if (dashpot.point < bears.size()) bears[dashpot.point] = true;
   return bears;
 }

@@ -7,10 +7,10 @@
 #include "fdm_server/boundaries/edge_set.hpp"
 #include "fdm_server/boundaries/free_field.hpp"
 #include "fdm_server/materials/material.hpp"
+#include "fdm_server/model/boundaries/base_motion.hpp"
 #include "fdm_server/solver/dashpots.hpp"
 #include "fdm_server/solver/loads.hpp"
 #include "protocol/messages/scene.pb.h"
-#include "protocol/motion/excitation/ground_motion.hpp"
 
 namespace adit::fdm {
 
@@ -25,9 +25,9 @@ struct Boundaries {
 };
 
 // On what is left of the grid. An edge has one condition at most; a column ends as the grid does beside it.
-// `acceleration` is that of the base (base_motion.hpp). No component is prescribed by the base and by one of
-// `motions`.
-Boundaries resolve_boundaries(const scene::Continuum& scene, const motion::UsedMotion& acceleration,
+// `accelerations` are those of the base (base_motion.hpp). No component is prescribed by the base and by one
+// of `motions`.
+Boundaries resolve_boundaries(const scene::Continuum& scene, const BaseAccelerations& accelerations,
                               const Grid& grid, std::span<const BoundaryEdge> outline,
                               std::span<const FreeFieldColumn> columns, const ImpedanceOf& impedance,
                               std::span<const PrescribedMotion> motions);
@@ -37,7 +37,7 @@ Boundaries resolve_boundaries(const scene::Continuum& scene, const motion::UsedM
 double spring_stiffness(const scene::Continuum& scene, const Grid& grid, const Ground& ground);
 
 // Whether each point will bear on dashpots, of a grid that has no columns yet.
-std::vector<bool> find_bearing_points(const scene::Continuum& scene, const motion::UsedMotion& acceleration,
+std::vector<bool> find_bearing_points(const scene::Continuum& scene, const BaseAccelerations& accelerations,
                                       const Grid& grid);
 
 }  // namespace adit::fdm

@@ -22,8 +22,9 @@ struct Passage {
   bool hinged() const { return ends && joint && joint->stiffness == 0; }
 };
 
-std::map<std::uint32_t, std::vector<Passage>> passages(std::span<const LiningPlan> plans) {
-  std::map<std::uint32_t, std::vector<Passage>> found;
+using Passages = std::map<std::uint32_t, std::vector<Passage>>;  // by points
+
+void add_passages(std::span<const LiningPlan> plans, Passages& found) {
   for (const LiningPlan& plan : plans) {
     const auto& [points, closed] = plan.path;
     for (std::size_t node = 0; node < points.size(); ++node) {
@@ -33,7 +34,6 @@ std::map<std::uint32_t, std::vector<Passage>> passages(std::span<const LiningPla
       found[points[node]].push_back(passage);
     }
   }
-  return found;
 }
 
 std::string place(const Grid& grid, std::uint32_t point) {
@@ -49,8 +49,11 @@ std::string listed(std::vector<std::string> words) {
 
 }  // namespace
 
-void require_clear_joints(std::span<const LiningPlan> plans, const Grid& grid) {
-  const auto all = passages(plans);
+void require_clear_joints(std::span<const LiningPlan> plans, std::span<const LiningPlan> members,
+                          const Grid& grid) {
+  Passages all;
+  add_passages(plans, all);
+  add_passages(members, all);
   for (std::size_t i = 0; i < plans.size(); ++i)
     for (std::size_t j = 0; j < plans[i].joints.size(); ++j) {
       const auto& [points, closed] = plans[i].path;
@@ -78,31 +81,44 @@ void require_clear_joints(std::span<const LiningPlan> plans, const Grid& grid) {
 std::vector<std::string> notes_on_meetings(const Supports& supports, const Grid& grid) {
   struct Meeting {
     std::uint32_t point;
-    std::set<std::size_t> linings;
+    std::set<std::size_t> chains;
   };
+  std::vector<const Lining*> chains;
+  for (const auto* list : {&supports.linings, &supports.members})
+    for (const Lining& chain : *list) chains.push_back(&chain);
+  const auto is_member = [&](std::size_t k) { return k >= supports.linings.size(); };
   std::map<std::uint32_t, Meeting> by_rotation;
   std::vector<std::string> notes;
-  for (std::size_t k = 0; k < supports.linings.size(); ++k) {
-    const Lining& lining = supports.linings[k];
-    if (!lining.bonded_to.empty()) {
+  for (std::size_t k = 0; k < chains.size(); ++k) {
+    if (!chains[k]->bonded_to.empty()) {
       notes.push_back(fmt::format("the lining `{}` is bonded to `{}` and bends with it as one section",
-                                  lining.name, lining.bonded_to));
+                                  chains[k]->name, chains[k]->bonded_to));
       continue;
     }
-    for (const Beam& beam : supports.structures.beams().subspan(lining.first_beam, lining.beams))
+    for (const Beam& beam : supports.structures.beams().subspan(chains[k]->first_beam, chains[k]->beams))
       for (std::size_t end = 0; end < 2; ++end) {
         Meeting& meeting = by_rotation[beam.rotations()[end]];
         meeting.point = beam.points()[end];
-        meeting.linings.insert(k);
+        meeting.chains.insert(k);
       }
   }
   std::map<std::set<std::size_t>, std::vector<std::string>> places;
-  for (const auto& [rotation, meeting] : by_rotation)
-    if (meeting.linings.size() > 1) places[meeting.linings].push_back(place(grid, meeting.point));
-  for (const auto& [linings, where] : places) {
+  for (const auto& [rotation, meeting] : by_rotation) {
+    const std::size_t last = *meeting.chains.rbegin();
+    const auto& ends = chains[last]->path.points;
+    const bool free_end = meeting.chains.size() == 1 && is_member(last) &&
+                          (meeting.point == ends.front() || meeting.point == ends.back());
+    if (meeting.chains.size() > 1 || free_end) places[meeting.chains].push_back(place(grid, meeting.point));
+  }
+  for (const auto& [met, where] : places) {
     std::vector<std::string> names;
-    for (const auto k : linings) names.push_back("`" + supports.linings[k].name + "`");
-    notes.push_back(fmt::format("the linings {} are joined rigidly at {} m", listed(names), listed(where)));
+    for (const auto k : met) names.push_back((is_member(k) ? "member `" : "`") + chains[k]->name + "`");
+    if (met.size() == 1)
+      notes.push_back(fmt::format("{} turns freely at {} m", names.front(), listed(where)));
+    else
+      notes.push_back(fmt::format("{}{} are joined rigidly at {} m",
+                                  is_member(*met.rbegin()) ? "" : "the linings ", listed(names),
+                                  listed(where)));
   }
   return notes;
 }

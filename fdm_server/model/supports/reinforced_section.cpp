@@ -138,8 +138,10 @@ double stirrups_of(const scene::ReinforcedSection& section) {
 }  // namespace
 
 std::shared_ptr<const LiningSection> read_reinforced_section(const scene::ReinforcedSection& section,
-                                                             const std::string& path) {
-  const SectionShape shape = read_shape(section, path);
+                                                             double width, const std::string& path) {
+  SectionShape shape = read_shape(section, path);
+  shape.width = width;
+  for (BarLayer& bars : shape.bars) bars.area *= width;
   require_one_kind_of_values(section, path);
   const ConcreteValues concrete = read_concrete(section, path + ".concrete");
   const bool barred = section.has_steel();
@@ -154,14 +156,8 @@ std::shared_ptr<const LiningSection> read_reinforced_section(const scene::Reinfo
   return std::make_shared<const LiningSection>(
       LiningSection{std::make_shared<const FibreSection>(shape, law, steel_law(steel)),
                     Capacity(shape, capacity_materials(concrete, steel, residual)),
-                    shear_materials(concrete, steel, stirrups_of(section)), section.cover(),
+                    shear_materials(concrete, steel, width * stirrups_of(section)), section.cover(),
                     concrete.young_modulus, concrete.tensile});
-}
-
-Section elastic_section(const LiningSection& section, const scene::Lining& lining) {
-  const LiningMaterial material =
-      lining_material(false, section.concrete_modulus, lining.poisson_ratio(), lining.density());
-  return elastic_section(*section.fibres, material.shear, material.density, lining.shear_flexible());
 }
 
 }  // namespace adit::fdm

@@ -6,16 +6,13 @@
 #include <memory>
 #include <string>
 
-#include "fdm_server/structures/beam.hpp"
 #include "fdm_server/supports/lining_section.hpp"
 #include "protocol/messages/scene.pb.h"
 
 namespace adit::fdm {
 
+// So wide in each metre of the plane [m].
 std::shared_ptr<const LiningSection> read_reinforced_section(const scene::ReinforcedSection& section,
-                                                             const std::string& path);
-
-// Its beams at first.
-Section elastic_section(const LiningSection& section, const scene::Lining& lining);
+                                                             double width, const std::string& path);
 
 }  // namespace adit::fdm

@@ -17,7 +17,8 @@
 #include "fdm_server/model/interfaces/seams.hpp"
 #include "fdm_server/model/supports/layers.hpp"
 #include "fdm_server/model/supports/meetings.hpp"
-#include "fdm_server/model/supports/reinforced_section.hpp"
+#include "fdm_server/model/supports/members.hpp"
+#include "fdm_server/model/supports/stated_section.hpp"
 #include "fdm_server/supports/curve.hpp"
 #include "fdm_server/supports/trace.hpp"
 #include "protocol/errors.hpp"
@@ -74,34 +75,6 @@ Path read_path(const scene::LiningPath& along, const Grid& grid, const Edges& ed
       break;
   }
   throw protocol::UserError(path, "names no path; give `circle`, `line` or `wall`");
-}
-
-Section read_elastic_section(const scene::Lining& lining, bool plane_strain, const std::string& path) {
-  const bool both = lining.has_area() && lining.has_inertia(),
-             any = lining.has_area() || lining.has_inertia();
-  require(
-      lining.has_thickness() ? !any : both, path,
-      "needs a section: give either `thickness`, or both `area` and `inertia`, or `section` of reinforced "
-      "concrete");
-  require(lining.has_young_modulus(), path + ".young_modulus",
-          "is missing; give it, such as `30 GPa`, or a `section` of reinforced concrete");
-  const double area = both ? lining.area() : lining.thickness();
-  const double inertia = both ? lining.inertia() : std::pow(lining.thickness(), 3) / 12;
-  return make_section(
-      lining_material(plane_strain, lining.young_modulus(), lining.poisson_ratio(), lining.density()), area,
-      inertia, lining.shear_flexible());
-}
-
-std::shared_ptr<const LiningSection> read_section(const scene::Lining& lining, const std::string& path) {
-  if (!lining.has_section()) return nullptr;
-  const auto lone = [&](bool given, const char* key) {
-    require(!given, path + "." + key, "is given beside `section`, which states it; leave one out");
-  };
-  lone(lining.has_thickness(), "thickness");
-  lone(lining.has_area(), "area");
-  lone(lining.has_inertia(), "inertia");
-  lone(lining.has_young_modulus(), "young_modulus");
-  return read_reinforced_section(lining.section(), path + ".section");
 }
 
 geometry::Point place_of(const scene::LiningJoint& joint, const scene::LiningPath& along,
@@ -304,7 +277,8 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
   const auto& bolts = scene.continuum().bolts();
   const auto& interfaces = scene.continuum().interfaces();
   Supports supports;
-  if (linings.empty() && bolts.empty() && interfaces.empty()) return supports;
+  if (linings.empty() && bolts.empty() && interfaces.empty() && scene.continuum().members().empty())
+    return supports;
   Occupied occupied(grid);
   Edges edges = number_edges(grid);
   const std::vector<int> below = read_layers(linings);
@@ -335,9 +309,10 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
     const auto i = static_cast<int>(number);
     const auto& lining = linings[i];
     const auto path = fmt::format("continuum.linings[{}]", i);
-    const auto section = read_section(lining, path);
-    Section elastic = section ? elastic_section(*section, lining)
-                              : read_elastic_section(lining, scene.plane() == scene::PLANE_STRAIN, path);
+    const auto section = read_section(lining, 1, path);
+    Section elastic = section
+                          ? elastic_section(*section, lining)
+                          : read_elastic_section(lining, 1, 1, scene.plane() == scene::PLANE_STRAIN, path);
     const auto on_seam = seam_paths.of_lining.find(i);
     Path along = on_seam != seam_paths.of_lining.end() ? seam_paths.seams[on_seam->second].path
                                                        : path_of(i, scene.continuum(), below, grid, edges);
@@ -360,10 +335,15 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
                      section,
                      below[number] >= 0 && !lining.has_interface() ? lining.on() : ""};
   }
-  require_clear_joints(plans, grid);
+  const std::vector<LiningPlan> members = plan_members(scene, plans, names, grid);
+  require_clear_joints(plans, members, grid);
   for (int i = 0; i < linings.size(); ++i) {
     supports.structures.set_stage(linings[i].stage());
     supports.linings.push_back(add_lining(plans[static_cast<std::size_t>(i)], grid, supports.structures));
+  }
+  for (int i = 0; i < scene.continuum().members_size(); ++i) {
+    supports.structures.set_stage(scene.continuum().members(i).stage());
+    supports.members.push_back(add_lining(members[static_cast<std::size_t>(i)], grid, supports.structures));
   }
   const auto stages =
       seam_paths.of_lining.empty() ? std::vector<std::uint32_t>{} : excavated_zones(scene, grid).stage;

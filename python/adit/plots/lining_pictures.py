@@ -1,4 +1,4 @@
-"""What linings and interfaces bear, drawn across them where it acts; thrust and moment against the capacity."""
+"""What linings, members and interfaces bear, drawn across them where it acts; thrust and moment against the capacity."""
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.lines import Line2D
@@ -13,16 +13,21 @@ FORCES = (("thrust_N", "thrust N", "kN", 1e3), ("moment_Nm", "moment M", "kN m",
 OF_INTERFACES = (("normal_stress_Pa", "normal stress", "kPa", 1e3), ("shear_stress_Pa", "shear stress", "kPa", 1e3),
                  ("opening_m", "opening", "mm", 1e-3), ("offset_m", "offset", "mm", 1e-3))
 CAPACITY = ("thrust_N", "moment_Nm", "least_moment_capacity_Nm", "largest_moment_capacity_Nm")
+OF_FORCES = (Patch(fc=style.RED, alpha=0.5, label="positive: tension, or the right-hand side of the path stretched"),
+             Patch(fc=style.BLUE, alpha=0.5, label="negative"),
+             Line2D([], [], color=style.GREY, ls="--", label="least and largest so far"))
 REACH = 0.3  # length at which the largest value is drawn, relative to the size of the lining
 
 
 def lining_forces(run, time, pieces):
     """One panel for each force. Positive values are drawn to the right of the lining's path; dashed lines are the least and
     the largest so far."""
-    return _across(run, pieces.get("linings"), FORCES, f"forces in the lining at t = {style.instant(time)}, per metre", [
-        Patch(fc=style.RED, alpha=0.5, label="positive: tension, or the right-hand side of the path stretched"),
-        Patch(fc=style.BLUE, alpha=0.5, label="negative"),
-        Line2D([], [], color=style.GREY, ls="--", label="least and largest so far")])
+    return _across(run, pieces.get("linings"), FORCES, f"forces in the lining at t = {style.instant(time)}, per metre", OF_FORCES)
+
+
+def member_forces(run, time, pieces):
+    """The same of members, each with its own."""
+    return _across(run, pieces.get("members"), FORCES, f"forces in the members at t = {style.instant(time)}, of one each", OF_FORCES)
 
 
 def interfaces(run, time, pieces):
@@ -36,7 +41,8 @@ def _across(run, lines, quantities, title, entries):
     if lines is None or len(lines.cells) == 0:
         return None
     size = max(np.ptp(lines.points, axis=0))
-    bounds = style.bounds_of(lines.points - REACH * size, lines.points + REACH * size)
+    aside = np.array([max(size - np.ptp(lines.points[:, 0]), 0) / 2, 0])  # beside a column, for titles
+    bounds = style.bounds_of(lines.points - REACH * size - aside, lines.points + REACH * size + aside)
     normals = _right_normals(lines)
 
     def paint(*panels):
@@ -55,11 +61,20 @@ def _across(run, lines, quantities, title, entries):
 def lining_capacity(run):
     """Moment over thrust of the node with the largest utilisation, at the field times, for each lining with a section; its
     capacity at the thrusts that its nodes had."""
-    pieces = [linings for number in range(len(run.instants)) if (linings := run.pieces_at(number).get("linings")) is not None]
+    return _capacity(run, "lining", "per metre")
+
+
+def member_capacity(run):
+    """The same of members."""
+    return _capacity(run, "member", "of one member")
+
+
+def _capacity(run, kind, whose):
+    pieces = [found for number in range(len(run.instants)) if (found := run.pieces_at(number).get(f"{kind}s")) is not None]
     if not pieces or (peaks := pieces[-1].field("peak_utilisation")) is None:
         return None
     owner = np.zeros(len(peaks), int)
-    owner[pieces[-1].cells] = pieces[-1].field("lining").astype(int)[:, None]
+    owner[pieces[-1].cells] = pieces[-1].field(kind).astype(int)[:, None]
     shown = [number for number in np.unique(owner) if peaks[owner == number].max() > 0]
     if not shown:
         return None
@@ -76,7 +91,7 @@ def lining_capacity(run):
             axes.plot(over_time["thrust_N"][:, worst], over_time["moment_Nm"][:, worst], color=style.RED, lw=0.9, marker=".", ms=3)
             axes.axhline(0, color=style.GREY, lw=0.4, zorder=0)
             x, y = pieces[-1].points[worst][:2]
-            axes.set_title(f"lining {number}, ({x:.4g}, {y:.4g}) m: {peaks[worst]:.3g} of its capacity", loc="left")
+            axes.set_title(f"{kind} {number}, ({x:.4g}, {y:.4g}) m: {peaks[worst]:.3g} of its capacity", loc="left")
             axes.set(xlabel="thrust N [kN], tension positive", ylabel="moment M [kN m]")
         return [legend(None, [Line2D([], [], color=style.BLACK, label="capacity at the thrusts that occurred"),
                               Line2D([], [], color=style.RED, marker=".", label="the node with the largest utilisation, at field times")],
@@ -84,7 +99,7 @@ def lining_capacity(run):
 
     layout = Panels(1, len(shown), (5.2 * len(shown) + 0.6, 4.4), title_above=True, dense=True,
                     margins={"left": 0.14 / len(shown), "right": 0.98, "top": 0.86, "bottom": 0.28, "wspace": 0.25})
-    return Drawing(run.name, "thrust and moment against the capacity, per metre", layout, paint)
+    return Drawing(run.name, f"thrust and moment against the capacity, {whose}", layout, paint)
 
 
 def _draw(axes, linings, normals, name, reach):

@@ -18,7 +18,7 @@ QUANTITIES = (
     (("exx", "eyy", "gxy"), "strain", (("10⁻⁶", 1e-6), ("10⁻³", 1e-3))),
     (("thrust_N",), "thrust", (("N/m", 1), ("kN/m", 1e3), ("MN/m", 1e6))),
     (("moment_Nm",), "moment", (("N m/m", 1), ("kN m/m", 1e3), ("MN m/m", 1e6))),
-    (("shear_N",), "shear force", (("N/m", 1), ("kN/m", 1e3), ("MN/m", 1e6))),
+    (("shear_N", "shear_strength_N"), "shear force", (("N/m", 1), ("kN/m", 1e3), ("MN/m", 1e6))),
     (("utilisation",), "utilisation", (("-", 1),)),
     (("curvature_per_m",), "curvature", (("10⁻³/m", 1e-3), ("1/m", 1))),
     (("opening_m", "offset_m"), "joint", (("µm", 1e-6), ("mm", 1e-3), ("m", 1))),
@@ -65,12 +65,22 @@ def _rows(heights, height, **margins):
 
 def quantities_of(run):
     """{quantity: (its units, [(column, values)])} of the histories of the scene."""
-    found = {}
+    found, members = {}, _histories_of_members(run)
     for endings, quantity, units in QUANTITIES:
-        lines = [(name, values) for name, values in run.histories.items() if _ending(name) in endings]
-        if lines and len(run.histories["time_s"]):
-            found[quantity] = units, found.get(quantity, (units, []))[1] + lines
+        for name, values in run.histories.items() if len(run.histories["time_s"]) else ():
+            if (ending := _ending(name)) not in endings:
+                continue
+            if ending.endswith(("_N", "_Nm")) and name.removesuffix(f"_{ending}") in members:
+                of, scale = f"{quantity}, members", tuple((unit.removesuffix("/m"), size) for unit, size in units)
+            else:
+                of, scale = quantity, units
+            found.setdefault(of, (scale, []))[1].append((name, values))
     return found
+
+
+def _histories_of_members(run):
+    """Their names: forces are those of one member, not per metre."""
+    return {history["name"] for _, model in run.models for history in model.get("histories", []) if "member" in history}
 
 
 def _ending(name):
@@ -84,6 +94,8 @@ def said(column):
     if column == "max_bond_force_N":
         return "largest bond force"
     ending = _ending(column)
+    if ending == "shear_strength_N":
+        return f"{column.removesuffix('_' + ending)}, shear strength"
     first, *others = ending.split("_")
     return f"{column.removesuffix('_' + ending)}, {others[0] if others and others[0] in ('lateral', 'vertical') else first}"
 

@@ -3,7 +3,7 @@ from adit.report.markup import table
 from adit.report.model import where
 from adit.report.quantities import digits, quantity
 
-INSTALLED = (("linings", "lining"), ("bolts", "bolt"), ("groups", "group of particles"), ("joints", "joint"), ("springs", "spring"))
+INSTALLED = (("linings", "lining"), ("members", "member"), ("bolts", "bolt"), ("groups", "group of particles"), ("joints", "joint"), ("springs", "spring"))
 NAMED = 3  # parts of one kind in a stage; more are counted
 
 

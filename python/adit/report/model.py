@@ -92,17 +92,17 @@ def where(area):
 
 
 def _parts(results):
-    """Joints, springs, linings and bolts by name."""
+    """Joints, springs, linings, members and bolts by name."""
     rows = []
     for name, model in results.models:
-        for kind, one in (("joints", "joint"), ("springs", "spring"), ("linings", "lining"), ("bolts", "bolts")):
+        for kind, one in (("joints", "joint"), ("springs", "spring"), ("linings", "lining"), ("members", "member"), ("bolts", "bolts")):
             rows += [(part.get("name") or f"{one} {i + 1}", f"{one} of the {name}", _properties(part))
                      for i, part in enumerate(model.get(kind, []))]
     tunnel = results.scene.get("simplified", {}).get("tunnel", {})
     rows += [(group.get("name", "joints"), f"joints of the tunnel, {_chainages(group)}", _properties(group))
              for group in tunnel.get("joints", [])]
-    listed = table("Joints, springs, linings and bolts, from scene.yaml", ("name", "kind", "properties"), rows)
-    return details(f"{len(rows)} joints, springs, linings and bolts", listed) if len(rows) > MANY else listed
+    listed = table("Joints, springs, linings, members and bolts, from scene.yaml", ("name", "kind", "properties"), rows)
+    return details(f"{len(rows)} joints, springs, linings, members and bolts", listed) if len(rows) > MANY else listed
 
 
 def _chainages(group):

@@ -60,6 +60,9 @@ OF_A_LINING = (  # the same of each lining of a continuum, by its name before
     ("largest utilisation, shear [%]", "largest_shear_utilisation", 1e-2, "{:z.0f}"),
     ("largest steel strain [10⁻³]", "largest_steel_strain", 1e-3, "{:z.2f}"),
     ("largest crack width [mm]", "largest_crack_width_m", 1e-3, "{:z.2f}"),
+    ("failed in shear at [s]", "shear_failed_time_s", 1, "{:.3f}"),
+    ("failed under its thrust at [s]", "axial_failed_time_s", 1, "{:.3f}"),
+    ("crushed at [s]", "crushed_time_s", 1, "{:.3f}"),
 )
 PLACES = (("_time_s", ": time"), ("_x_m", ": x"), ("_y_m", ": y"), ("_chainage_m", ": chainage"))
 GAP = 0.01  # of the energy, above which the user guide calls for smaller steps
@@ -132,14 +135,22 @@ def lines(runs):
 
 
 def _rows(runs):
-    """ROWS, and OF_A_LINING for each lining of the runs before what follows the forces of sections."""
+    """ROWS, and OF_A_LINING for each lining and member of the runs before what follows the forces of sections."""
     last = "_largest_moment_Nm"
     linings = dict.fromkeys(key.removesuffix(last) for run in runs for key in run.summary
-                            if re.fullmatch(rf"(.+_)?lining_.+{last}", key))
+                            if re.fullmatch(rf"(.+_)?(lining|member)_.+{last}", key))
     after = next(i for i, row in enumerate(ROWS) if row[1] == "ovals_largest_diameter_change_m")
-    of_linings = [(what if what.startswith(" ") else f"{lining.replace('lining_', 'lining ', 1)}: {what}", f"{lining}_{key}", *shown)
-                  for lining in linings for what, key, *shown in OF_A_LINING]
+    of_linings = [row for lining in linings for row in _of_a_lining(lining)]
     return [*ROWS[:after], *of_linings, *ROWS[after:]]
+
+
+def _of_a_lining(name):
+    """The rows of `lining_<name>` or `member_<name>`."""
+    kind, _, called = re.search("(lining|member)_.*", name).group().partition("_")
+    region = name.removesuffix(f"{kind}_{called}")
+    for what, key, *shown in OF_A_LINING:
+        words = what.replace("per metre", "of one") if kind == "member" else what
+        yield words if words.startswith(" ") else f"{region}{kind} {called}: {words}", f"{name}_{key}", *shown
 
 
 def _column(run, rows):

@@ -59,6 +59,21 @@ continuum:
         outer: {diameter: 12 mm, spacing: 15 cm}
       stage: 2
       joints: [{at: {x: 0 m, y: 3 m}, rotational_stiffness: 20 MN*m/rad, yield_moment: 20 kN*m}]
+  members:
+    - name: strut
+      from: {x: -3 m, y: 0 m}
+      to: {x: 3 m, y: 0 m}
+      spacing: 4 m
+      width: 40 cm
+      section:
+        thickness: 20 cm
+        cover: 3 cm
+        concrete: {class: C20/25}
+        steel: {class: B500B}
+        inner: {diameter: 16 mm, spacing: 15 cm}
+        outer: {diameter: 16 mm, spacing: 15 cm}
+      stage: 2
+      failure: {residual: 0.2}
   bolts: [{from: {x: 3 m, y: 0 m}, to: {x: 7.87341 m, y: 0 m}, area: 5 cm^2, yield_force: 20 kN, stage: 2}]
   free_field: {left: true, right: true}
   base: {kind: compliant, acceleration: {ricker: {frequency: 10 Hz, time: 0.1 s}, peak: 0.8 g}}
@@ -67,6 +82,7 @@ continuum:
     - {name: surface, quantity: acceleration_x, at: {x: 5 m, y: 20 m}}
     - {name: crown, quantity: moment, lining: lining, at: {x: 3 m, y: 0 m}}
     - {name: crown, quantity: utilisation, lining: lining, at: {x: 3 m, y: 0 m}}
+    - {name: strut, quantity: shear_strength, member: strut, at: {x: -3 m, y: 0 m}}
 output: {peaks: {}, spectra: [{history: surface}], field_times: [0.1 s]}
 """
 MAXWELL = "damping: {maxwell: {ratio: 0.005, low_frequency: 1 Hz, high_frequency: 30 Hz}}"

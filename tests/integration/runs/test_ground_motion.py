@@ -10,6 +10,8 @@ import numpy as np
 
 from programs import ProgramTest, coupler
 
+from adit import Run
+
 RECORDS = pathlib.Path(os.environ.get("ADIT_RECORDS", ""))
 
 SCENE = """\
@@ -26,6 +28,26 @@ continuum:
 """
 
 
+# Ground that goes on as it is: its surface moves as the outcrop does, after the way of the wave.
+BOTH = """\
+material: {young_modulus: 200 MPa, poisson_ratio: 0.25, density: 2 t/m^3}
+time: {duration: 1 s}
+continuum:
+  block: {x_min: 0 m, x_max: 2 m, y_min: -20 m, y_max: 0 m, zones_x: 1, zones_y: 40}
+  free_field: {left: true, right: true}
+  base:
+    kind: %s
+    acceleration: {ricker: {frequency: 4 Hz, time: 0.4 s}, peak: 0.2 g}
+    across: {ricker: {frequency: 5 Hz, time: 0.3 s}, peak: 0.1 g}
+  histories:
+    - {name: surface, quantity: acceleration_x, at: {x: 1 m, y: 0 m}}
+    - {name: surface, quantity: acceleration_y, at: {x: 1 m, y: 0 m}}
+    - {name: base, quantity: acceleration_x, at: {x: 1 m, y: -20 m}}
+    - {name: base, quantity: acceleration_y, at: {x: 1 m, y: -20 m}}
+output: {history_interval: 1 ms}
+"""
+
+
 class GroundMotion(ProgramTest):
     def record(self, name="record.csv", step=0.01, rows=101):
         lines = [f"{i * step:.3f},{math.sin(40 * i * step):.6f}" for i in range(rows)]
@@ -37,6 +59,29 @@ class GroundMotion(ProgramTest):
         self.assert_one_line(result.stderr)
         self.assertFalse((self.folder / "run" / "summary.json").exists())
         return result.stderr
+
+    @staticmethod
+    def ricker(frequency, time, peak, t):
+        a = (math.pi * frequency * (t - time)) ** 2
+        return peak * 9.80665 * (1 - 2 * a) * np.exp(-a)
+
+    def test_motions_along_and_across_arrive_with_their_waves(self):
+        run = Run(self.run_scene(self.scene(BOTH % "compliant")))
+        h, t = run.histories, run.histories["time_s"]
+        shear, bulk = 200e6 / 2.5, 200e6 / (3 * 0.5)
+        for axis, modulus, motion in (("x", shear, (4, 0.4, 0.2)), ("y", bulk + 4 / 3 * shear, (5, 0.3, 0.1))):
+            way = 20 / math.sqrt(modulus / 2000)
+            np.testing.assert_allclose(h[f"surface_a{axis}_m_per_s2"], self.ricker(*motion, t - way), rtol=0, atol=0.02 * motion[2] * 9.81)
+        self.assertLess(run.summary["max_energy_drift"], 1e-10)
+
+    def test_a_rigid_base_moves_along_and_across(self):
+        h = Run(self.run_scene(self.scene(BOTH % "rigid"))).histories
+        for axis, motion in (("x", (4, 0.4, 0.2)), ("y", (5, 0.3, 0.1))):
+            np.testing.assert_allclose(h[f"base_a{axis}_m_per_s2"], self.ricker(*motion, h["time_s"]), rtol=0, atol=0.02 * motion[2] * 9.81)
+
+    def test_a_motion_across_needs_one_along(self):
+        scene = (BOTH % "compliant").replace("acceleration: {ricker: {frequency: 4 Hz, time: 0.4 s}, peak: 0.2 g}", "velocity: {amplitude: 1 m/s}")
+        self.assertIn("continuum.base.across: goes beside `acceleration` only", self.refusal(self.scene(scene)))
 
     def test_scene_of_the_results_reads_back_to_the_same_run(self):
         self.record()

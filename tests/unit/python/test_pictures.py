@@ -304,7 +304,7 @@ class Spectra(PictureTest):
 class Times(PictureTest):
     def run_with(self, columns, end):
         time = np.linspace(0, end, 200)
-        return types.SimpleNamespace(name="ring", histories={"time_s": time} | {name: np.sin(k + time) for k, name in enumerate(columns)})
+        return types.SimpleNamespace(name="ring", models=[], histories={"time_s": time} | {name: np.sin(k + time) for k, name in enumerate(columns)})
 
     def test_legends_of_panels_do_not_print_over_each_other(self):
         names = [f"place_{k}_{ending}" for ending in ("ux_m", "vx_m_per_s", "sxx_Pa") for k in range(15)]

@@ -1,4 +1,5 @@
-"""Linings by their names and stages, bolts and springs."""
+"""Linings and members by their names and stages, bolts and springs."""
+import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 
@@ -6,15 +7,19 @@ from adit.plots import style
 from adit.plots.setup.checked import in_stages
 
 LININGS = (style.BLACK, "#7A3E9D", "#6B6B6B", "#14665A")  # in turn
-MOST = 8  # linings of a model that are named one by one
+MEMBERS = ("#1B7837", "#2166AC", "#B2182B")
+MOST = 8  # linings or members of a model that are named one by one
 BARS = {"bolts": "#8C510A", "springs": "#C2185B"}
 
 
 def draw(axes, members, pieces):
     """Draws the supports of all models; returns the handles of the legend."""
     handles = []
-    for member in members:
-        handles += _draw_linings(axes, member.model.get("linings", []), pieces.get(member.called("linings")), len(handles))
+    for kind, colours in (("lining", LININGS), ("member", MEMBERS)):
+        before = len(handles)
+        for member in members:
+            handles += _draw_chains(axes, kind, member.model.get(f"{kind}s", []), pieces.get(member.called(f"{kind}s")),
+                                    np.roll(colours, before - len(handles)))
     for kind, color in BARS.items():
         of_kind = [(member.model.get(kind, []), pieces[member.called(kind)]) for member in members if member.called(kind) in pieces]
         lines = [line for _, piece in of_kind for line in piece.points[piece.cells]]
@@ -24,15 +29,15 @@ def draw(axes, members, pieces):
     return handles
 
 
-def _draw_linings(axes, stated, piece, first_colour):
+def _draw_chains(axes, kind, stated, piece, colours):
     if piece is None or not len(piece.cells):
         return []
-    lines, number = piece.points[piece.cells], piece.field("lining")
+    lines, number = piece.points[piece.cells], piece.field(kind)
     if number is None or len(stated) > MOST:
-        return [_draw(axes, lines, LININGS[0], 3.0, f"linings{in_stages(stated)}")]
-    return [_draw(axes, lines[number == k], LININGS[(first_colour + k) % len(LININGS)], 3.0,
-                  style.literal(f"lining {lining['name']}{in_stages([lining])}"))
-            for k, lining in enumerate(stated) if (number == k).any()]
+        return [_draw(axes, lines, colours[0], 3.0, f"{kind}s{in_stages(stated)}")]
+    return [_draw(axes, lines[number == k], colours[k % len(colours)], 3.0,
+                  style.literal(f"{kind} {part['name']}{in_stages([part])}"))
+            for k, part in enumerate(stated) if (number == k).any()]
 
 
 def _draw(axes, lines, color, width, label):
