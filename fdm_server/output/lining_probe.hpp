@@ -1,6 +1,7 @@
 // A force of a lining at one place, for histories.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "fdm_server/grid/grid.hpp"
@@ -12,13 +13,15 @@ namespace adit::fdm {
 struct LiningProbe {
   scene::Quantity quantity;
   std::size_t lining, node;
+  std::optional<LiningJoint> joint{};  // at the node, of what joints do
 };
 
 bool is_of_lining(scene::Quantity quantity);
 bool is_of_reinforced_section(scene::Quantity quantity);  // one of these
+bool is_of_segments(scene::Quantity quantity);            // likewise
 
-// UserError at `path`, the history's, where it names no lining of the scene, a place off it, or what an
-// elastic lining does not have.
+// UserError at `path`, the history's, where it names no lining of the scene, a place off it or off its
+// joints, or what an elastic lining or a joint without bolts, gasket or water does not have.
 LiningProbe resolve_lining_probe(const scene::History& history, const Supports& supports, const Grid& grid,
                                  const std::string& path);
 

@@ -89,8 +89,30 @@ void add_use(const Structures& structures, const std::vector<Lining>& linings, c
   add_peak("peak_crack_width_m", peaks.largest().crack_width, &SectionUse::crack_width);
 }
 
+// What joints of segments do; 0 at nodes without.
+void add_joints(const Structures& structures, const std::vector<Lining>& linings, const PeakJoints& peaks,
+                wire::Piece& piece) {
+  std::vector<std::size_t> first_node{0};
+  for (const Lining& lining : linings) first_node.push_back(first_node.back() + lining.path.points.size());
+  const auto add = [&](const std::string& name, const auto& value) {
+    double* values = new_field(*piece.mutable_point_fields(), name, 1, first_node.back());
+    for_each_segment_joint(linings, [&](const Lining& lining, const LiningJoint& joint, std::size_t number) {
+      const auto row = first_node[static_cast<std::size_t>(&lining - linings.data())] + joint.node;
+      values[row] = value(joint_use(lining, structures, joint), number);
+    });
+  };
+  add("outer_opening_m", [](const JointUse& use, std::size_t) { return use.outer_opening; });
+  add("inner_opening_m", [](const JointUse& use, std::size_t) { return use.inner_opening; });
+  add("joint_rotation_rad", [](const JointUse& use, std::size_t) { return use.rotation; });
+  if (!peaks.empty())
+    add("peak_joint_opening_m", [&](const JointUse&, std::size_t number) {
+      return peaks.extremes().opening[number].use.largest_opening();
+    });
+}
+
 void add_linings(const Grid& grid, const Continuum& continuum, const std::vector<Lining>& linings,
-                 const PeakForces& peaks, const PeakUse& use, wire::Snapshot& snapshot) {
+                 const SupportPeaks& of, wire::Snapshot& snapshot) {
+  const PeakForces& peaks = of.forces;
   std::vector<Path> paths;
   std::vector<double> number, thrust, moment, shear;
   for (const Lining& lining : linings) {
@@ -127,7 +149,8 @@ void add_linings(const Grid& grid, const Continuum& continuum, const std::vector
     add_peaks("thrust_at_peak_least_moment_N", peaks.moment().least, &Instant::thrust);
   }
   std::ranges::copy(number, new_field(*piece.mutable_cell_fields(), "lining", 1, number.size()));
-  if (any_section(linings)) add_use(continuum.structures(), linings, use, piece);
+  if (any_section(linings)) add_use(continuum.structures(), linings, of.use, piece);
+  if (any_segments(linings)) add_joints(continuum.structures(), linings, of.joints, piece);
 }
 
 void add_bolts(const Grid& grid, const Continuum& continuum, const std::vector<BoltBars>& bolts,
@@ -199,8 +222,8 @@ void add_ground(const Grid& grid, const Ground& ground, const ZoneSet& zones, st
 }
 
 void add_supports(const Grid& grid, const Continuum& continuum, const Supports& supports,
-                  const PeakForces& peaks, const PeakUse& use, wire::Snapshot& snapshot) {
-  if (!supports.linings.empty()) add_linings(grid, continuum, supports.linings, peaks, use, snapshot);
+                  const SupportPeaks& peaks, wire::Snapshot& snapshot) {
+  if (!supports.linings.empty()) add_linings(grid, continuum, supports.linings, peaks, snapshot);
   if (!supports.bolts.empty()) add_bolts(grid, continuum, supports.bolts, snapshot);
 }
 

@@ -68,32 +68,39 @@ BeamStrains Beam::rates(const PointView& points, const RotationView& rotations) 
 
 void Beam::add_forces(double dt, const PointView& points, const RotationView& rotations) {
   const auto [e, b, a] = rates(points, rotations);
-  add_forces(BeamResultants{n_ + dt * axial_ * e, b_ + dt * bending_ * b, s_ + dt * shear_ * a}, points,
-             rotations);
+  const auto& [thrust, couple, skew] = forces_;
+  add_forces(BeamResultants{thrust + dt * axial_ * e, couple + dt * bending_ * b, skew + dt * shear_ * a},
+             points, rotations);
+}
+
+BeamResultants Beam::resists(const BeamStrains& strains) const {
+  const double thrust = axial_ * (strains.e + eccentricity_ * strains.b);
+  return {thrust, bending_ * strains.b + eccentricity_ * thrust, shear_ * strains.a};
 }
 
 void Beam::add_forces(const BeamResultants& forces, const PointView& points, const RotationView& rotations) {
-  n_ = forces.n;
-  b_ = forces.b;
-  s_ = forces.s;
+  forces_ = forces;
+  const auto [n, b, s] = forces_;
   const auto [p, q] = points_;
   const auto [i, j] = rotations_;
-  const double q_force = -2 / chord_.length * s_;
-  const double fx = chord_.x * n_ - chord_.y * q_force, fy = chord_.y * n_ + chord_.x * q_force;
+  const double q_force = -2 / chord_.length * s;
+  const double fx = chord_.x * n - chord_.y * q_force, fy = chord_.y * n + chord_.x * q_force;
   points.fx[p] += fx;
   points.fy[p] += fy;
   points.fx[q] -= fx;
   points.fy[q] -= fy;
-  rotations.couple[i] += b_ - s_;
-  rotations.couple[j] -= b_ + s_;
+  rotations.couple[i] += b - s;
+  rotations.couple[j] -= b + s;
 }
 
 BeamForces Beam::forces() const {
-  return {n_, -2 / chord_.length * s_, b_ - s_, b_ + s_};
+  const auto [n, b, s] = forces_;
+  return {n, -2 / chord_.length * s, b - s, b + s};
 }
 
 double Beam::strain_energy() const {
-  return (n_ * n_ / axial_ + b_ * b_ / bending_ + s_ * s_ / shear_) / 2;
+  const auto [n, b, s] = forces_;
+  return (n * n / axial_ + b * b / bending_ + s * s / shear_) / 2;
 }
 
 }  // namespace adit::fdm

@@ -91,6 +91,9 @@ struct BeamStrains {
 struct BeamResultants {
   double n, b, s;
 };
+inline BeamResultants operator+(const BeamResultants& a, const BeamResultants& b) {
+  return {a.n + b.n, a.b + b.b, a.s + b.s};
+}
 
 struct BeamForces {
   double thrust;         // tension positive [N]
@@ -118,14 +121,17 @@ class Beam {
   // N, B, S to add.
   BeamStrains rates(const PointView& points, const RotationView& rotations) const;
   void add_forces(const BeamResultants& forces, const PointView& points, const RotationView& rotations);
+  const BeamResultants& resultants() const { return forces_; }
+  // What these strains add to them in the elastic beam.
+  BeamResultants resists(const BeamStrains& strains) const;
 
   BeamForces forces() const;
   double strain_energy() const;
 
   void exchange(state::Archive& archive) {
-    archive("beam_n", n_);
-    archive("beam_b", b_);
-    archive("beam_s", s_);
+    archive("beam_n", forces_.n);
+    archive("beam_b", forces_.b);
+    archive("beam_s", forces_.s);
   }
 
  private:
@@ -133,7 +139,7 @@ class Beam {
   Chord chord_;
   double axial_, bending_, shear_;  // stiffness of e [N/m], of b and a [N m]
   double mass_, inertia_, phi_, eccentricity_;
-  double n_ = 0, b_ = 0, s_ = 0;
+  BeamResultants forces_{};
 };
 
 }  // namespace adit::fdm

@@ -50,8 +50,9 @@ void Structures::hold(std::uint32_t rotation) {
 
 std::uint32_t Structures::add_beam(const Beam& beam, std::shared_ptr<const FibreSection> fibres) {
   if (adding_ <= stage_) add_inertia(beam);
-  fibres_of_beam_.push_back(fibres ? static_cast<std::uint32_t>(fibre_beams_.size())
-                                   : std::numeric_limits<std::uint32_t>::max());
+  constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
+  fibres_of_beam_.push_back(fibres ? static_cast<std::uint32_t>(fibre_beams_.size()) : kNone);
+  segment_joint_of_beam_.push_back(kNone);
   if (fibres) fibre_beams_.emplace_back(beam, std::move(fibres));
   beams_.push_back(beam);
   stage_of_beam_.push_back(adding_);
@@ -62,6 +63,11 @@ std::uint32_t Structures::add_bar(const Bar& bar) {
   bars_.push_back(bar);
   stage_of_bar_.push_back(adding_);
   return static_cast<std::uint32_t>(bars_.size() - 1);
+}
+
+void Structures::add_segment_joint(std::uint32_t beam, std::size_t end, std::shared_ptr<const JointLaw> law) {
+  segment_joint_of_beam_[beam] = static_cast<std::uint32_t>(segment_joints_.size());
+  segment_joints_.emplace_back(std::move(law), beams_[beam], end);
 }
 
 void Structures::add_joint(std::uint32_t first, std::uint32_t second, double stiffness, double yield,
@@ -181,17 +187,25 @@ std::vector<StrainForm> Structures::strains(const Part& part) const {
   return strains;
 }
 
-void Structures::add_forces(const Part& part, double dt, const PointView& points) {
+void Structures::add_forces_of_beam(std::uint32_t number, double dt, const PointView& points) {
   const RotationView rotations{rate_.data(), couple_.data()};
-  for (const auto i : part.beams) {
-    Beam& beam = beams_[i];
-    if (fibres_of_beam_[i] >= fibre_beams_.size()) {
-      beam.add_forces(dt, points, rotations);
-      continue;
-    }
-    const auto [e, b, a] = beam.rates(points, rotations);
-    beam.add_forces(fibre_beams_[fibres_of_beam_[i]].strain({dt * e, dt * b, dt * a}), points, rotations);
+  Beam& beam = beams_[number];
+  const std::uint32_t fibres = fibres_of_beam_[number], joint = segment_joint_of_beam_[number];
+  const bool has_fibres = fibres < fibre_beams_.size(), has_joint = joint < segment_joints_.size();
+  if (!has_fibres && !has_joint) {
+    beam.add_forces(dt, points, rotations);
+    return;
   }
+  const auto [e, b, a] = beam.rates(points, rotations);
+  BeamStrains step{dt * e, dt * b, dt * a};
+  if (has_joint) step = segment_joints_[joint].strain(beam, step);
+  beam.add_forces(has_fibres ? fibre_beams_[fibres].strain(step) : beam.resultants() + beam.resists(step),
+                  points, rotations);
+  if (has_joint) segment_joints_[joint].book(beam);
+}
+
+void Structures::add_forces(const Part& part, double dt, const PointView& points) {
+  for (const auto i : part.beams) add_forces_of_beam(i, dt, points);
   for (const auto i : part.bars) dissipated_ += bars_[i].add_forces(dt, points);
   for (const auto i : part.joints) {
     auto& [first, second, spring, step] = joints_[i];
@@ -221,6 +235,7 @@ void Structures::start_over() {
   std::ranges::fill(angle_, 0.0);
   dissipated_ = 0;
   for (FibreBeam& beam : fibre_beams_) beam.forget_dissipation();
+  for (SegmentJoint& joint : segment_joints_) joint.forget_dissipation();
 }
 
 double Structures::twice_kinetic_energy(const protocol::Step& step) const {
@@ -245,12 +260,14 @@ double Structures::strain_energy() const {
   }
   for (const auto& bar : bars_) sum += bar.strain_energy();
   for (const auto& joint : joints_) sum += joint.spring.strain_energy();
+  for (const SegmentJoint& joint : segment_joints_) sum += joint.stored();
   return sum;
 }
 
 double Structures::dissipated() const {
   double sum = dissipated_;
   for (const FibreBeam& beam : fibre_beams_) sum += beam.dissipated();
+  for (const SegmentJoint& joint : segment_joints_) sum += joint.dissipated();
   return sum;
 }
 

@@ -3,7 +3,8 @@
 // Beams that meet in a grid point turn together there, of one lining or of several. A joint within a lining
 // stands between its two beams; what else ends there must be hinged to it. A joint at an end of a lining
 // stands between this end and all that meets there without a joint, or has one of its own: two joints act
-// one after the other.
+// one after the other. A joint of segments is within a lining, or at an end that cannot rotate, of which a
+// plane of symmetry shows one half.
 #pragma once
 
 #include <array>
@@ -39,6 +40,8 @@ struct LiningJoint {
   std::size_t node;  // place in the path
   double stiffness;  // [N m/rad], 0: a hinge
   double yield;      // moment [N m]
+  // Of segments, which part; then there is no spring.
+  std::shared_ptr<const JointLaw> segments = nullptr;
 };
 
 struct LiningPlan {
@@ -55,6 +58,7 @@ struct Lining {
   Path path;
   std::uint32_t first_beam, beams;                         // numbers in the structures
   std::shared_ptr<const LiningSection> section = nullptr;  // none: elastic
+  std::vector<LiningJoint> joints{};
 };
 
 // The node of a lining's path nearest to a place. UserError at `path`, the scene's field, where the place
@@ -64,6 +68,12 @@ std::size_t nearest_node(const geometry::Point& place, const Path& lining, const
 
 // Joins the lining to those that were added before; the order does not matter.
 Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structures);
+
+// The beams at a node, by their numbers in the structures: that which ends there, then that which begins.
+struct BeamEnd {
+  std::size_t beam, end;  // 0: the first end
+};
+std::vector<BeamEnd> beams_at(const Lining& lining, std::size_t node);
 
 struct LiningForces {
   double thrust, moment, shear;  // [N], [N m], [N], signs as in beam.hpp
