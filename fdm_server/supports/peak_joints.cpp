@@ -30,6 +30,7 @@ void PeakJoints::take(std::span<const Lining> linings, const Structures& structu
 void PeakJoints::exchange(std::span<const Lining> linings, state::Archive& archive) {
   std::size_t joints = 0;
   for_each_segment_joint(linings, [&](const Lining&, const LiningJoint&, std::size_t) { ++joints; });
+  if (joints == 0) return;
   archive.all_or_none("lining_peak_joints",
                       {&extremes_.opening, &extremes_.rotation, &extremes_.bolt_force, &extremes_.tightness},
                       joints);

@@ -45,7 +45,7 @@ def lining_joints(run, time, pieces):
             axes.add_collection(LineCollection(np.stack([lines.points, ends], axis=1)[joints], color=colour, lw=5, alpha=0.7))
         for joint in joints:
             side, opening = (1, outer[joint]) if outer[joint] >= inner[joint] else (-1, inner[joint])
-            x, y = lines.points[joint] + side * size * (REACH * max(opening, 0) / largest + 0.07) * normals[joint]
+            x, y = lines.points[joint] + side * size * (REACH * max(opening, 0) / largest + 0.1) * normals[joint]
             axes.text(x, y, f"{opening / 1e-3:.2f}", ha="center", va="center", fontsize=8.5)
         return [legend(None, [Line2D([], [], color=style.RED, lw=5, alpha=0.7, label="outer face"),
                               Line2D([], [], color=style.BLUE, lw=5, alpha=0.7, label="inner face")], loc="lower center", ncol=2)]
