@@ -12,7 +12,6 @@
 
 #include "dem_server/laws/contact_bond.hpp"
 #include "dem_server/laws/facet.hpp"
-#include "dem_server/laws/force_curve.hpp"
 #include "dem_server/laws/linear_contact.hpp"
 #include "dem_server/laws/pair_kinematics.hpp"
 #include "dem_server/laws/parallel_bond.hpp"
@@ -23,6 +22,7 @@
 #include "dem_server/packing/voronoi/voronoi_cells.hpp"
 #include "protocol/foundation/springs.hpp"
 #include "protocol/geometry/bounding_box.hpp"
+#include "protocol/springs/force_curve.hpp"
 
 namespace adit::dem {
 
@@ -77,10 +77,11 @@ struct Spring {
   bool tension_only;
   double pretension, strength;  // [N]
   std::string name = {};
-  double clearance = 0;                          // [m]
-  std::optional<PlaneVector> direction = {};     // unit vector; along the line of centres where absent
-  std::shared_ptr<const ForceCurve> curve = {};  // where given, in place of pretension and stiffness
-  std::uint32_t stage = 0;                       // with which it is installed
+  double clearance = 0;                       // [m]
+  std::optional<PlaneVector> direction = {};  // unit vector; along the line of centres where absent
+  std::shared_ptr<const protocol::ForceCurve> curve =
+      {};                   // where given, in place of pretension and stiffness
+  std::uint32_t stage = 0;  // with which it is installed
 };
 
 // Forces -c_n v.n and -c_s v.t on the disc that leave the model through a side.

@@ -92,7 +92,8 @@ Histories::Histories(const scene::Continuum& scene, const Supports& supports, co
                                             protocol::name_of(history.quantity())));
     protocol::require_relative_motion(history, path);
     Probe& probe = probes_.emplace_back(Probe{history.quantity()});
-    if (resultant && history.has_section() && !is_of_reinforced_section(history.quantity())) {
+    if (resultant && history.has_section() && !is_of_reinforced_section(history.quantity()) &&
+        !is_of_segments(history.quantity())) {
       probe.section = sections_.number_of(history, path);
       continue;
     }
@@ -191,6 +192,12 @@ double Histories::value(const Probe& probe, const Grid& grid, const Supports& su
     case scene::UTILISATION:
     case scene::CURVATURE:
     case scene::SHEAR_STRENGTH:
+    case scene::ROTATION:
+    case scene::OUTER_OPENING:
+    case scene::INNER_OPENING:
+    case scene::GASKET_OPENING:
+    case scene::TIGHTNESS:
+    case scene::BOLT_FORCE:
       return lining ? fdm::value(*lining, supports, continuum.structures())
                     : resultant(sections_.of(continuum.zones(), section), quantity);
     case scene::OPENING:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fdm_server/supports/joint_use.hpp"
 #include "fdm_server/supports/section_use.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/nearest_name.hpp"
@@ -10,12 +11,57 @@ namespace adit::fdm {
 
 bool is_of_lining(scene::Quantity quantity) {
   return quantity == scene::THRUST || quantity == scene::MOMENT || quantity == scene::SHEAR_FORCE ||
-         is_of_reinforced_section(quantity);
+         is_of_reinforced_section(quantity) || is_of_segments(quantity);
 }
 
 bool is_of_reinforced_section(scene::Quantity quantity) {
   return quantity == scene::UTILISATION || quantity == scene::CURVATURE || quantity == scene::SHEAR_STRENGTH;
 }
+
+bool is_of_segments(scene::Quantity quantity) {
+  return quantity == scene::ROTATION || quantity == scene::OUTER_OPENING ||
+         quantity == scene::INNER_OPENING || quantity == scene::GASKET_OPENING ||
+         quantity == scene::TIGHTNESS || quantity == scene::BOLT_FORCE;
+}
+
+namespace {
+
+LiningJoint joint_at(std::size_t node, const Lining& lining, scene::Quantity quantity,
+                     const std::string& path) {
+  const auto joint = std::ranges::find(lining.joints, node, &LiningJoint::node);
+  protocol::require(joint != lining.joints.end() && joint->segments, path + ".at",
+                    "lies where lining `" + lining.name +
+                        "` has no joint of segments (`contact`); give the place of one of its joints");
+  const JointLaw& law = *joint->segments;
+  const auto needs = [&](scene::Quantity of, bool there, const std::string& what) {
+    protocol::require(quantity != of || there, path + ".quantity",
+                      "is of " + what + ", which the joint at this place of lining `" + lining.name +
+                          "` does not have; add it, or ask for another quantity");
+  };
+  needs(scene::BOLT_FORCE, !law.bolts.empty(), "bolts");
+  needs(scene::GASKET_OPENING, law.gasket.has_value(), "a gasket");
+  needs(scene::TIGHTNESS, law.gasket && law.gasket->water_force > 0, "a gasket against water");
+  return *joint;
+}
+
+double value_of_joint(scene::Quantity quantity, const JointUse& use) {
+  switch (quantity) {
+    case scene::OUTER_OPENING:
+      return use.outer_opening;
+    case scene::INNER_OPENING:
+      return use.inner_opening;
+    case scene::GASKET_OPENING:
+      return use.gasket_opening;
+    case scene::TIGHTNESS:
+      return use.tightness;
+    case scene::BOLT_FORCE:
+      return use.bolt_force;
+    default:
+      return use.rotation;
+  }
+}
+
+}  // namespace
 
 LiningProbe resolve_lining_probe(const scene::History& history, const Supports& supports, const Grid& grid,
                                  const std::string& path) {
@@ -40,12 +86,16 @@ LiningProbe resolve_lining_probe(const scene::History& history, const Supports& 
                     "is of sections of reinforced concrete, but " + kind + " `" + found->name +
                         "` is elastic; give it a `section`");
   const geometry::Point place{history.at().x(), history.at().y()};
-  return {history.quantity(), of_member, static_cast<std::size_t>(found - chains.begin()),
-          nearest_node(place, found->path, grid, path + ".at")};
+  LiningProbe probe{history.quantity(), of_member, static_cast<std::size_t>(found - chains.begin()),
+                    nearest_node(place, found->path, grid, path + ".at")};
+  if (is_of_segments(history.quantity()))
+    probe.joint = joint_at(probe.node, *found, history.quantity(), path);
+  return probe;
 }
 
 double value(const LiningProbe& probe, const Supports& supports, const Structures& structures) {
   const Lining& lining = (probe.of_member ? supports.members : supports.linings)[probe.number];
+  if (probe.joint) return value_of_joint(probe.quantity, joint_use(lining, structures, *probe.joint));
   if (probe.quantity == scene::UTILISATION) return section_use(lining, structures, probe.node).utilisation;
   if (probe.quantity == scene::CURVATURE) return section_use(lining, structures, probe.node).curvature;
   if (probe.quantity == scene::SHEAR_STRENGTH) return shear_strength(lining, structures, probe.node);

@@ -1,6 +1,7 @@
 // A force of a lining or member at one place, for histories.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "fdm_server/grid/grid.hpp"
@@ -13,13 +14,15 @@ struct LiningProbe {
   scene::Quantity quantity;
   bool of_member;  // instead of a lining
   std::size_t number, node;
+  std::optional<LiningJoint> joint{};  // at the node, of what joints do
 };
 
 bool is_of_lining(scene::Quantity quantity);
 bool is_of_reinforced_section(scene::Quantity quantity);  // one of these
+bool is_of_segments(scene::Quantity quantity);            // likewise
 
-// UserError at `path`, the history's, where it names no lining or member of the scene, a place off it, or
-// what an elastic one does not have.
+// UserError at `path`, the history's, where it names no lining or member of the scene, a place off it or off
+// its joints, or what an elastic one or a joint without bolts, gasket or water does not have.
 LiningProbe resolve_lining_probe(const scene::History& history, const Supports& supports, const Grid& grid,
                                  const std::string& path);
 

@@ -26,6 +26,7 @@
 #include "fdm_server/model/supports/supports.hpp"
 #include "fdm_server/participant/critical_element.hpp"
 #include "fdm_server/participant/interface_figures.hpp"
+#include "fdm_server/participant/joint_figures.hpp"
 #include "fdm_server/participant/lining_figures.hpp"
 #include "fdm_server/participant/snapshot.hpp"
 #include "fdm_server/solver/deformed_grid.hpp"
@@ -412,6 +413,7 @@ void FdmParticipant::step_interior(const Step& step) {
     peak_use_.take(supports_.linings, continuum_->structures(), step.time());
     member_forces_.take(supports_.members, continuum_->structures(), step.time());
     member_use_.take(supports_.members, continuum_->structures(), step.time());
+    peak_joints_.take(supports_.linings, continuum_->structures(), step.time());
   }
   if (step.number % kFiniteCheckInterval == 0) check_grid(step);
   if (setup_.ground.large_strain && !step.from_rest() && steps_done_ % kShapeCheckInterval == 0 &&
@@ -519,8 +521,8 @@ void FdmParticipant::draw(wire::Snapshot& snapshot) {
   fill_snapshot(grid_, *continuum_, weights_, snapshot);
   add_ground(grid_, setup_.ground, continuum_->zones(), weights_, *snapshot.mutable_pieces(0));
   if (peaks_) add_peaks(*peaks_, weights_, *snapshot.mutable_pieces(0));
-  add_supports(grid_, *continuum_, supports_, {peak_forces_, peak_use_}, {member_forces_, member_use_},
-               snapshot);
+  add_supports(grid_, *continuum_, supports_, {peak_forces_, peak_use_, peak_joints_},
+               {member_forces_, member_use_, PeakJoints{}}, snapshot);
   add_interfaces(grid_, *continuum_, supports_.interfaces, contact_peaks_, snapshot);
 }
 
@@ -534,6 +536,7 @@ void FdmParticipant::exchange_solver(state::Archive& archive) {
   peak_use_.exchange(supports_.linings, archive);
   member_forces_.exchange(supports_.members, archive);
   member_use_.exchange(supports_.members, archive);
+  peak_joints_.exchange(supports_.linings, archive);
   histories_->exchange(archive);
   archive("peaks", peaks_, [this] { return Peaks(grid_); });
   archive("relaxation", relaxation_, [this] { return Relaxation(grid_, weights_); });
@@ -547,6 +550,7 @@ void FdmParticipant::finish(wire::Bye& bye) {
   bye.set_updates(updates_);
   add_figures(grid_, "lining", supports_.linings, peak_forces_, peak_use_, bye);
   add_figures(grid_, "member", supports_.members, member_forces_, member_use_, bye);
+  add_figures(grid_, supports_.linings, peak_joints_, bye);
   if (!supports_.members.empty()) add_failures(grid_, supports_.members, continuum_->structures(), bye);
   add_figures(grid_, supports_.interfaces, supports_.contacts, contact_peaks_, bye);
 }

@@ -24,6 +24,7 @@
 #include "fdm_server/participant/critical_element.hpp"
 #include "fdm_server/solver/relaxation.hpp"
 #include "fdm_server/supports/peak_forces.hpp"
+#include "fdm_server/supports/peak_joints.hpp"
 #include "fdm_server/supports/peak_use.hpp"
 #include "fdm_server/supports/supports.hpp"
 #include "protocol/participant/interface/interface_operator.hpp"
@@ -125,6 +126,7 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   PeakForces peak_forces_, member_forces_;  // of linings, of members
   ContactPeaks contact_peaks_;
   PeakUse peak_use_, member_use_;
+  PeakJoints peak_joints_;
   std::optional<Histories> histories_;
   std::optional<Peaks> peaks_;              // once wanted
   std::optional<Relaxation> relaxation_;    // in statics

@@ -87,11 +87,32 @@ void add_use(const Structures& structures, std::span<const Lining> linings, cons
   add_peak("peak_crack_width_m", peaks.largest().crack_width, &SectionUse::crack_width);
 }
 
+// What joints of segments do; 0 at nodes without.
+void add_joints(const Structures& structures, std::span<const Lining> linings, const PeakJoints& peaks,
+                wire::Piece& piece) {
+  std::vector<std::size_t> first_node{0};
+  for (const Lining& lining : linings) first_node.push_back(first_node.back() + lining.path.points.size());
+  const auto add = [&](const std::string& name, const auto& value) {
+    double* values = new_field(*piece.mutable_point_fields(), name, 1, first_node.back());
+    for_each_segment_joint(linings, [&](const Lining& lining, const LiningJoint& joint, std::size_t number) {
+      const auto row = first_node[static_cast<std::size_t>(&lining - linings.data())] + joint.node;
+      values[row] = value(joint_use(lining, structures, joint), number);
+    });
+  };
+  add("outer_opening_m", [](const JointUse& use, std::size_t) { return use.outer_opening; });
+  add("inner_opening_m", [](const JointUse& use, std::size_t) { return use.inner_opening; });
+  add("joint_rotation_rad", [](const JointUse& use, std::size_t) { return use.rotation; });
+  if (!peaks.empty())
+    add("peak_joint_opening_m", [&](const JointUse&, std::size_t number) {
+      return peaks.extremes().opening[number].use.largest_opening();
+    });
+}
+
 // `kind`: "lining" or "member".
 void add_chains(const std::string& kind, const Grid& grid, const Continuum& continuum,
                 std::span<const Lining> linings, const ChainPeaks& of_chains, wire::Snapshot& snapshot) {
   if (linings.empty()) return;
-  const auto& [peaks, use] = of_chains;
+  const auto& [peaks, use, joints] = of_chains;
   std::vector<Path> paths;
   std::vector<double> number, thrust, moment, shear;
   for (const Lining& lining : linings) {
@@ -129,6 +150,7 @@ void add_chains(const std::string& kind, const Grid& grid, const Continuum& cont
   }
   std::ranges::copy(number, new_field(*piece.mutable_cell_fields(), kind, 1, number.size()));
   if (any_section(linings)) add_use(continuum.structures(), linings, use, piece);
+  if (any_segments(linings)) add_joints(continuum.structures(), linings, joints, piece);
 }
 
 void add_bolts(const Grid& grid, const Continuum& continuum, const std::vector<BoltBars>& bolts,

@@ -10,6 +10,7 @@
 #include "fdm_server/output/peaks.hpp"
 #include "fdm_server/solver/continuum.hpp"
 #include "fdm_server/supports/peak_forces.hpp"
+#include "fdm_server/supports/peak_joints.hpp"
 #include "fdm_server/supports/peak_use.hpp"
 #include "fdm_server/supports/supports.hpp"
 #include "protocol/messages/wire.pb.h"
@@ -34,11 +35,14 @@ void add_ground(const Grid& grid, const Ground& ground, const ZoneSet& zones, st
 // lining; where a lining has a section of reinforced concrete, also the point fields utilisation,
 // shear_utilisation, curvature_per_m, steel_strain and crack_width_m with their peaks by size, peak_…, and
 // the ultimate moments at the present thrust, least_moment_capacity_Nm and largest_moment_capacity_Nm (0 in
-// elastic linings); "members" with the same of one member, and cell field member; "bolts" with displacement_m
+// elastic linings); where a lining has joints of segments, outer_opening_m, inner_opening_m and
+// joint_rotation_rad, and the largest opening of either face since time began, peak_joint_opening_m (0 at
+// other nodes); "members" with the same of one member, and cell field member; "bolts" with displacement_m
 // and, of one bolt, cell field thrust_N.
 struct ChainPeaks {
   const PeakForces& forces;
   const PeakUse& use;
+  const PeakJoints& joints;
 };
 void add_supports(const Grid& grid, const Continuum& continuum, const Supports& supports,
                   const ChainPeaks& of_linings, const ChainPeaks& of_members, wire::Snapshot& snapshot);

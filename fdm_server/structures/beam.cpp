@@ -69,34 +69,35 @@ BeamStrains Beam::rates(const PointView& points, const RotationView& rotations) 
 
 void Beam::add_forces(double dt, const PointView& points, const RotationView& rotations) {
   const auto [e, b, a] = rates(points, rotations);
-  add_forces(BeamResultants{n_ + dt * axial_ * e, b_ + dt * bending_ * b, s_ + dt * shear_ * a}, points,
-             rotations);
+  const auto& [thrust, couple, skew] = forces_;
+  add_forces(BeamResultants{thrust + dt * axial_ * e, couple + dt * bending_ * b, skew + dt * shear_ * a},
+             points, rotations);
 }
 
-BeamResultants Beam::elastic(const BeamResultants& before, const BeamStrains& step) const {
-  return {before.n + axial_ * step.e, before.b + bending_ * step.b, before.s + shear_ * step.a};
+BeamResultants Beam::resists(const BeamStrains& strains) const {
+  return {axial_ * strains.e, bending_ * strains.b, shear_ * strains.a};
 }
 
 void Beam::add_forces(const BeamResultants& forces, const Chord& along, const PointView& points,
                       const RotationView& rotations) {
-  n_ = forces.n;
-  b_ = forces.b;
-  s_ = forces.s;
+  forces_ = forces;
+  const auto [n, b, s] = forces_;
   const auto [p, q] = points_;
   const auto [i, j] = rotations_;
-  const double q_force = -2 / along.length * s_;
-  const double fx = along.x * n_ - along.y * q_force, fy = along.y * n_ + along.x * q_force;
+  const double q_force = -2 / along.length * s;
+  const double fx = along.x * n - along.y * q_force, fy = along.y * n + along.x * q_force;
   points.fx[p] += fx;
   points.fy[p] += fy;
   points.fx[q] -= fx;
   points.fy[q] -= fy;
-  const double about_points = b_ + offset_ * n_;
-  rotations.couple[i] += about_points - s_;
-  rotations.couple[j] -= about_points + s_;
+  const double about_points = b + offset_ * n;
+  rotations.couple[i] += about_points - s;
+  rotations.couple[j] -= about_points + s;
 }
 
 BeamForces Beam::forces() const {
-  return {n_, -2 / chord_.length * s_, b_ - s_, b_ + s_};
+  const auto [n, b, s] = forces_;
+  return {n, -2 / chord_.length * s, b - s, b + s};
 }
 
 double Beam::elastic_energy(const BeamResultants& forces) const {

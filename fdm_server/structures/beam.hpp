@@ -94,6 +94,9 @@ struct BeamStrains {
 struct BeamResultants {
   double n, b, s;
 };
+inline BeamResultants operator+(const BeamResultants& a, const BeamResultants& b) {
+  return {a.n + b.n, a.b + b.b, a.s + b.s};
+}
 
 struct BeamForces {
   double thrust;         // tension positive [N]
@@ -125,17 +128,18 @@ class Beam {
   }
   void add_forces(const BeamResultants& forces, const Chord& along, const PointView& points,
                   const RotationView& rotations);
-  // What it bears after these strains, and what it stores then [J].
-  BeamResultants elastic(const BeamResultants& before, const BeamStrains& step) const;
+  const BeamResultants& resultants() const { return forces_; }
+  // What these strains add to them in the elastic beam, and what it stores with such forces [J].
+  BeamResultants resists(const BeamStrains& strains) const;
   double elastic_energy(const BeamResultants& forces) const;
 
   BeamForces forces() const;
-  double strain_energy() const { return elastic_energy({n_, b_, s_}); }
+  double strain_energy() const { return elastic_energy(forces_); }
 
   void exchange(state::Archive& archive) {
-    archive("beam_n", n_);
-    archive("beam_b", b_);
-    archive("beam_s", s_);
+    archive("beam_n", forces_.n);
+    archive("beam_b", forces_.b);
+    archive("beam_s", forces_.s);
   }
 
  private:
@@ -143,7 +147,7 @@ class Beam {
   Chord chord_;
   double axial_, bending_, shear_;  // stiffness of e [N/m], of b and a [N m]
   double mass_, inertia_, phi_, eccentricity_, offset_;
-  double n_ = 0, b_ = 0, s_ = 0;
+  BeamResultants forces_{};
 };
 
 }  // namespace adit::fdm

@@ -73,7 +73,7 @@ BeamResultants MemberBeam::respond(const Beam& beam, const BeamStrains& step) {
   if (fibres_) {
     within_ = fibres_->strain(step);
   } else {
-    within_ = beam.elastic(within_, step);
+    within_ = within_ + beam.resists(step);
     elastic_energy_ = beam.elastic_energy(within_);
   }
   const auto& [n, b, s] = within_;

@@ -65,6 +65,7 @@ std::uint32_t Structures::add(const Beam& beam, std::uint32_t fibres, std::uint3
   beams_.push_back(beam);
   fibres_of_beam_.push_back(fibres);
   member_beam_of_beam_.push_back(member_beam);
+  segment_joint_of_beam_.push_back(kNone);
   stage_of_beam_.push_back(adding_);
   const auto number = static_cast<std::uint32_t>(beams_.size() - 1);
   if (adding_ <= stage_) add_inertia_of_beam(number);
@@ -86,6 +87,11 @@ std::uint32_t Structures::add_bar(const Bar& bar) {
   bars_.push_back(bar);
   stage_of_bar_.push_back(adding_);
   return static_cast<std::uint32_t>(bars_.size() - 1);
+}
+
+void Structures::add_segment_joint(std::uint32_t beam, std::size_t end, std::shared_ptr<const JointLaw> law) {
+  segment_joint_of_beam_[beam] = static_cast<std::uint32_t>(segment_joints_.size());
+  segment_joints_.emplace_back(std::move(law), beams_[beam], end);
 }
 
 void Structures::add_joint(std::uint32_t first, std::uint32_t second, double stiffness, double yield,
@@ -218,19 +224,30 @@ std::vector<StrainForm> Structures::strains(const Part& part) const {
   return strains;
 }
 
-void Structures::add_forces(const Part& part, double dt, const PointView& points) {
+void Structures::add_forces_of_beam(std::uint32_t number, double dt, const PointView& points) {
   const RotationView rotations{rate_.data(), couple_.data()};
-  for (const auto i : part.beams) {
-    Beam& beam = beams_[i];
-    if (member_beam_of_beam_[i] != kNone) {
-      member_beams_[member_beam_of_beam_[i]].add_forces(beam, dt, points, rotations);
-    } else if (fibres_of_beam_[i] != kNone) {
-      const auto [e, b, a] = beam.rates(points, rotations);
-      beam.add_forces(fibre_beams_[fibres_of_beam_[i]].strain({dt * e, dt * b, dt * a}), points, rotations);
-    } else {
-      beam.add_forces(dt, points, rotations);
-    }
+  Beam& beam = beams_[number];
+  const std::uint32_t member = member_beam_of_beam_[number], fibres = fibres_of_beam_[number],
+                      joint = segment_joint_of_beam_[number];
+  if (member != kNone) {
+    member_beams_[member].add_forces(beam, dt, points, rotations);
+    return;
   }
+  if (fibres == kNone && joint == kNone) {
+    beam.add_forces(dt, points, rotations);
+    return;
+  }
+  const auto [e, b, a] = beam.rates(points, rotations);
+  BeamStrains step{dt * e, dt * b, dt * a};
+  if (joint != kNone) step = segment_joints_[joint].strain(beam, step);
+  beam.add_forces(
+      fibres != kNone ? fibre_beams_[fibres].strain(step) : beam.resultants() + beam.resists(step), points,
+      rotations);
+  if (joint != kNone) segment_joints_[joint].book(beam);
+}
+
+void Structures::add_forces(const Part& part, double dt, const PointView& points) {
+  for (const auto i : part.beams) add_forces_of_beam(i, dt, points);
   for (const auto i : part.bars) dissipated_ += bars_[i].add_forces(dt, points);
   for (const auto i : part.joints) {
     auto& [first, second, spring, step] = joints_[i];
@@ -267,6 +284,7 @@ void Structures::start_over() {
   dissipated_ = 0;
   for (FibreBeam& beam : fibre_beams_) beam.forget_dissipation();
   for (MemberBeam& beam : member_beams_) beam.forget_dissipation();
+  for (SegmentJoint& joint : segment_joints_) joint.forget_dissipation();
 }
 
 double Structures::twice_kinetic_energy(const protocol::Step& step) const {
@@ -295,6 +313,7 @@ double Structures::strain_energy() const {
   }
   for (const auto& bar : bars_) sum += bar.strain_energy();
   for (const auto& joint : joints_) sum += joint.spring.strain_energy();
+  for (const SegmentJoint& joint : segment_joints_) sum += joint.stored();
   return sum;
 }
 
@@ -302,6 +321,7 @@ double Structures::dissipated() const {
   double sum = dissipated_;
   for (const FibreBeam& beam : fibre_beams_) sum += beam.dissipated();
   for (const MemberBeam& beam : member_beams_) sum += beam.dissipated();
+  for (const SegmentJoint& joint : segment_joints_) sum += joint.dissipated();
   return sum;
 }
 

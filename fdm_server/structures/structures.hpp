@@ -5,7 +5,8 @@
 // joints which stand; what is installed later goes on from the angle that it finds, free of stress.
 // A joint is a spring between the rotations of two beams at one point; without a spring they are hinged.
 // It brings rotary inertia of its own, J = k dt^2/2 on either side, so that its frequency 2k/J is that of the
-// lining's beams, 4/dt^2: stiff joints do not shorten the step.
+// lining's beams, 4/dt^2: stiff joints do not shorten the step. The faces of segments are in the beams
+// instead (segment_joint.hpp).
 //
 // Critical step: where it is shorter than the run's, mean_acceleration.hpp makes up for it; else all beams,
 // bars, joints and zones bring their own masses to the points and rotations, hence M = sum M_e as K = sum
@@ -33,6 +34,7 @@
 #include "fdm_server/structures/fibre_beam.hpp"
 #include "fdm_server/structures/member.hpp"
 #include "fdm_server/structures/member_beam.hpp"
+#include "fdm_server/structures/segment_joint.hpp"
 #include "fdm_server/structures/yielding_spring.hpp"
 #include "protocol/participant/step.hpp"
 #include "protocol/state/archive.hpp"
@@ -58,6 +60,8 @@ class Structures {
   // member.
   std::uint32_t add_member(std::uint32_t first_beam, std::uint32_t beams, const MemberStrength& strength);
   std::uint32_t add_bar(const Bar& bar);
+  // Half of a joint of segments in this end of a beam, which has none in the other; it is installed with it.
+  void add_segment_joint(std::uint32_t beam, std::size_t end, std::shared_ptr<const JointLaw> law);
   // `dt`: a critical step of the lining's beams. Stiffness > 0 [N m/rad], yield moment [N m].
   void add_joint(std::uint32_t first, std::uint32_t second, double stiffness, double yield, double dt);
   // From now on masses and inertias are those that make this step [s] the critical one of every element; 0:
@@ -106,6 +110,7 @@ class Structures {
     for (FibreBeam& beam : fibre_beams_) beam.exchange(archive);
     for (MemberBeam& beam : member_beams_) beam.exchange(archive);
     for (Member& member : members_) member.exchange(archive);
+    for (SegmentJoint& joint : segment_joints_) joint.exchange(archive);
     for (Bar& bar : bars_) bar.exchange(archive);
     for (Joint& joint : joints_) joint.spring.exchange(archive);
     archive("rotations_angle", std::span(angle_));
@@ -125,6 +130,12 @@ class Structures {
   // Those of a beam, if it has any.
   const FibreBeam* fibres(std::size_t beam) const;
   std::span<const Member> members() const { return members_; }
+  // That in an end of a beam, if there is one.
+  const SegmentJoint* segment_joint(std::size_t beam) const {
+    return segment_joint_of_beam_[beam] < segment_joints_.size()
+               ? &segment_joints_[segment_joint_of_beam_[beam]]
+               : nullptr;
+  }
   std::span<const Bar> bars() const { return bars_; }
   std::span<const double> rotations() const { return angle_; }  // since the start [rad]
   // One value a rotation, for mean_acceleration.hpp: rates before and after the last step, couples of this
@@ -150,14 +161,16 @@ class Structures {
   void add_inertia_of_beam(std::size_t beam);
   void add_inertia(const Joint& joint);
   void find_inertias();  // of what stands
+  void add_forces_of_beam(std::uint32_t number, double dt, const PointView& points);
   bool held(std::uint32_t rotation) const { return held_from_[rotation] <= stage_; }
 
   std::vector<Beam> beams_;
   std::vector<FibreBeam> fibre_beams_;
   std::vector<MemberBeam> member_beams_;
   std::vector<Member> members_;
-  // Of each beam, of fibre_beams_, of member_beams_; beyond them: it has none.
-  std::vector<std::uint32_t> fibres_of_beam_, member_beam_of_beam_;
+  std::vector<SegmentJoint> segment_joints_;
+  // Of each beam, of fibre_beams_, of member_beams_, of segment_joints_; beyond them: it has none.
+  std::vector<std::uint32_t> fibres_of_beam_, member_beam_of_beam_, segment_joint_of_beam_;
   std::vector<Bar> bars_;
   std::vector<Joint> joints_;
   std::vector<std::uint32_t> stage_of_beam_, stage_of_bar_, stage_of_joint_;

@@ -42,9 +42,10 @@ Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structur
     rotations.push_back({shared, shared});
   }
   for (const auto& joint : plan.joints)
-    // Across a joint beams share the point but not the rotation: the beam that begins there gets its own, at
+    // Across a spring beams share the point but not the rotation: the beam that begins there gets its own, at
     // the last end the one that ends there.
-    rotations[joint.node][beams == joint.node ? 0 : 1] = structures.add_rotation(points[joint.node]);
+    if (!joint.segments)
+      rotations[joint.node][beams == joint.node ? 0 : 1] = structures.add_rotation(points[joint.node]);
   if (plan.first_held && !plan.path.closed) structures.hold(rotations.front()[1]);
   if (plan.last_held && !plan.path.closed) structures.hold(rotations.back()[0]);
 
@@ -54,7 +55,8 @@ Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structur
                 static_cast<std::uint32_t>(beams),
                 plan.section,
                 plan.bonded_to,
-                plan.spacing.value_or(1)};
+                plan.spacing.value_or(1),
+                plan.joints};
   double dt = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < beams; ++k) {
     const std::size_t next = (k + 1) % nodes;
@@ -66,9 +68,22 @@ Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structur
     plan.spacing ? structures.add_member_beam(beam, fibres) : structures.add_beam(beam, fibres);
   }
   if (plan.strength) lining.member = structures.add_member(lining.first_beam, lining.beams, *plan.strength);
-  for (const auto& [node, stiffness, yield] : plan.joints)
-    if (stiffness > 0) structures.add_joint(rotations[node][0], rotations[node][1], stiffness, yield, dt);
+  for (const auto& [node, stiffness, yield, segments] : plan.joints) {
+    if (segments)
+      for (const auto& [beam, end] : beams_at(lining, node))
+        structures.add_segment_joint(static_cast<std::uint32_t>(beam), end, segments);
+    else if (stiffness > 0)
+      structures.add_joint(rotations[node][0], rotations[node][1], stiffness, yield, dt);
+  }
   return lining;
+}
+
+std::vector<BeamEnd> beams_at(const Lining& lining, std::size_t node) {
+  const std::size_t beams = lining.beams;
+  std::vector<BeamEnd> found;
+  if (lining.path.closed || node > 0) found.push_back({lining.first_beam + (node + beams - 1) % beams, 1});
+  if (lining.path.closed || node < beams) found.push_back({lining.first_beam + node, 0});
+  return found;
 }
 
 namespace {

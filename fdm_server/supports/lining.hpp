@@ -3,7 +3,8 @@
 // Beams that meet in a grid point turn together there, of one lining or of several. A joint within a lining
 // stands between its two beams; what else ends there must be hinged to it. A joint at an end of a lining
 // stands between this end and all that meets there without a joint, or has one of its own: two joints act
-// one after the other.
+// one after the other. A joint of segments is within a lining, or at an end that cannot rotate, of which a
+// plane of symmetry shows one half.
 #pragma once
 
 #include <array>
@@ -40,6 +41,8 @@ struct LiningJoint {
   std::size_t node;  // place in the path
   double stiffness;  // [N m/rad], 0: a hinge
   double yield;      // moment [N m]
+  // Of segments, which part; then there is no spring.
+  std::shared_ptr<const JointLaw> segments = nullptr;
 };
 
 struct LiningPlan {
@@ -61,7 +64,8 @@ struct Lining {
   std::uint32_t first_beam, beams;                         // numbers in the structures
   std::shared_ptr<const LiningSection> section = nullptr;  // none: elastic
   std::string bonded_to = {};
-  double spacing = 1;                     // results are those of so much of the plane [m]
+  double spacing = 1;  // results are those of so much of the plane [m]
+  std::vector<LiningJoint> joints{};
   std::optional<std::uint32_t> member{};  // its number in the structures, if it may fail
 };
 
@@ -72,6 +76,12 @@ std::size_t nearest_node(const geometry::Point& place, const Path& lining, const
 
 // Joins the lining to those that were added before; the order does not matter.
 Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structures);
+
+// The beams at a node, by their numbers in the structures: that which ends there, then that which begins.
+struct BeamEnd {
+  std::size_t beam, end;  // 0: the first end
+};
+std::vector<BeamEnd> beams_at(const Lining& lining, std::size_t node);
 
 struct LiningForces {
   double thrust, moment, shear;  // [N], [N m], [N], signs as in beam.hpp

@@ -19,7 +19,7 @@ FACTORS = {
     "load": ["none", "edge", "point", "body"],
     "rest": ["none", "stressed", "kinetic", "local", "adaptive", "unscaled"],
     "hole": ["none", "never", "stage", "side", "two_stages", "released"],
-    "support": ["none", "lining", "jointed", "arcs", "bolt", "propped"],
+    "support": ["none", "lining", "jointed", "segments", "arcs", "bolt", "propped"],
     "foundation": ["none", "springs"],
     "large": ["no", "yes"],
     "inside": ["none", "strip", "ring", "both_ends", "grid"],
@@ -265,7 +265,11 @@ class Ground:
             return {"bolts": [{"from": from_, "to": to, "area": 5e-4, "spacing": 1.0, "young_modulus": 200e9, "density": 7800.0,
                                "yield_force": 50e3, **stage}]}
         section = {"thickness": 0.2, "young_modulus": 20e9, "density": 2500.0, **stage}
-        joint = {"joints": [{"at": {"x": 0.0, "y": 3.0}, "rotational_stiffness": 5e6, "yield_moment": 3e3}]} if kind == "jointed" else {}
+        joint = {"jointed": {"joints": [{"at": {"x": 0.0, "y": 3.0}, "rotational_stiffness": 5e6, "yield_moment": 3e3}]},
+                 "segments": {"joints": [{"at": {"x": 0.0, "y": 3.0}, "contact": {"height": 0.12},
+                                          "bolts": [{"stiffness": 50e6, "pretension": 20e3, "yield_force": 40e3, "position": -0.02}],
+                                          "gasket": {"force": {"opening": [-1e-3, 0.0, 4e-3], "force": [-20e3, -5e3, 0.0]}, "position": 0.08,
+                                                     "width": 0.03, "water_pressure": 100e3}}]}}.get(kind, {})
         if self.row["grid"] == "ring":
             whole = {"circle": {"centre": dict(CENTRE), "radius": 1.0}}
             halves = [{"circle": {**whole["circle"], "from": 0.0, "to": math.pi}}, {"circle": {**whole["circle"], "from": math.pi, "to": 2 * math.pi}}]
@@ -322,6 +326,9 @@ class Ground:
         at = {"lower": {"x": 0.0, "y": 1.0}}
         if self.row["support"] == "propped":
             found += [{"name": "prop", "quantity": quantity, "member": "prop", "at": {"x": 0.0, "y": 1.0}} for quantity in ("thrust", "moment")]
+        if self.row["support"] == "segments":
+            found += [{"name": "joint", "quantity": quantity, "lining": "lining", "at": {"x": 0.0, "y": 3.0}}
+                      for quantity in ("outer_opening", "inner_opening", "gasket_opening", "tightness", "bolt_force")]
         return found + [{"name": name, "quantity": quantity, "lining": name, "at": dict(at.get(name, {"x": 0.0, "y": 3.0}))}
                         for name in names for quantity in ("thrust", "moment")]
 

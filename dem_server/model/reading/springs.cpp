@@ -58,8 +58,8 @@ void read_law(const scene::ParticleSpring& given, const std::string& path, Sprin
         throw UserError(path + key,
                         "is given beside `curve`, which says the force at every opening; leave it out");
     const auto& [opening, force] = std::pair(given.curve().opening(), given.curve().force());
-    spring.curve = std::make_shared<ForceCurve>(std::vector<double>(opening.begin(), opening.end()),
-                                                std::vector<double>(force.begin(), force.end()));
+    spring.curve = std::make_shared<protocol::ForceCurve>(std::vector<double>(opening.begin(), opening.end()),
+                                                          std::vector<double>(force.begin(), force.end()));
     spring.stiffness = spring.curve->steepest();
     if (spring.stiffness == 0)
       throw UserError(path + ".curve.force", "is the same at every opening; give a force that depends on it");

@@ -19,7 +19,7 @@ struct Passage {
   bool ends;                         // there, with one beam instead of two
   std::optional<LiningJoint> joint;  // there
 
-  bool hinged() const { return ends && joint && joint->stiffness == 0; }
+  bool hinged() const { return ends && joint && joint->stiffness == 0 && !joint->segments; }
 };
 
 using Passages = std::map<std::uint32_t, std::vector<Passage>>;  // by points
@@ -61,7 +61,13 @@ void require_clear_joints(std::span<const LiningPlan> plans, std::span<const Lin
       const auto path = fmt::format("continuum.linings[{}].joints[{}]", i, j);
       const auto& here = all.at(points[node]);
       if (!closed && (node == 0 || node + 1 == points.size())) {
-        if (here.size() == 1)
+        if (plans[i].joints[j].segments) {
+          if (here.size() > 1)
+            throw protocol::UserError(
+                path,
+                "is of segments (`contact`), but lies at an end of the lining, where others meet it; put it "
+                "inside the lining, or join them by a spring or hinge");
+        } else if (here.size() == 1)
           throw protocol::UserError(
               path,
               "lies at an end of the lining, where no other lining is; leave it out, or put it where "

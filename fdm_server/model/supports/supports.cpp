@@ -18,6 +18,7 @@
 #include "fdm_server/model/supports/layers.hpp"
 #include "fdm_server/model/supports/meetings.hpp"
 #include "fdm_server/model/supports/members.hpp"
+#include "fdm_server/model/supports/segments.hpp"
 #include "fdm_server/model/supports/stated_section.hpp"
 #include "fdm_server/supports/curve.hpp"
 #include "fdm_server/supports/trace.hpp"
@@ -89,11 +90,12 @@ geometry::Point place_of(const scene::LiningJoint& joint, const scene::LiningPat
 }
 
 std::vector<LiningJoint> read_joints(const scene::Lining& lining, const Path& along, const Grid& grid,
-                                     const std::string& path) {
+                                     const LiningSection* section, const std::string& path) {
   std::vector<LiningJoint> joints;
   for (int i = 0; i < lining.joints_size(); ++i) {
     const auto& joint = lining.joints(i);
     const auto here = fmt::format("{}.joints[{}]", path, i);
+    const auto segments = read_segments(lining, joint, section, here);
     require(
         !joint.has_yield_moment() || joint.rotational_stiffness() > 0, here + ".yield_moment",
         "is given to a hinge, which carries no moment; give its rotational_stiffness too, or leave it out");
@@ -101,8 +103,9 @@ std::vector<LiningJoint> read_joints(const scene::Lining& lining, const Path& al
     for (std::size_t other = 0; other < joints.size(); ++other)
       require(joints[other].node != node, here,
               fmt::format("lies at the same node as joints[{}]; leave one out, or use shorter zones", other));
-    joints.push_back({node, joint.rotational_stiffness(), joint.yield_moment()});
+    joints.push_back({node, joint.rotational_stiffness(), joint.yield_moment(), segments});
   }
+  require_segments_fit(lining, joints, along, path);
   return joints;
 }
 
@@ -329,7 +332,7 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
     plans[number] = {lining.name(),
                      along,
                      elastic,
-                     read_joints(lining, along, grid, path),
+                     read_joints(lining, along, grid, section.get(), path),
                      lining.first_end_fixed(),
                      lining.last_end_fixed(),
                      section,

@@ -30,6 +30,35 @@ def member_forces(run, time, pieces):
     return _across(run, pieces.get("members"), FORCES, f"forces in the members at t = {style.instant(time)}, of one each", OF_FORCES)
 
 
+def lining_joints(run, time, pieces):
+    """The openings of the joints of segments: a bar outwards, to the right of the path, for the outer face, one inwards for the
+    inner face, with the larger of both in mm."""
+    lines = pieces.get("linings")
+    if lines is None or (outer := lines.field("outer_opening_m")) is None:
+        return None
+    inner, size = lines.field("inner_opening_m"), max(np.ptp(lines.points, axis=0))
+    normals = _right_normals(lines)
+    joints = np.flatnonzero(np.maximum(np.abs(outer), np.abs(inner)) > 0)
+    largest = max(outer.max(), inner.max(), 1e-12)
+    bounds = style.bounds_of(lines.points - 1.5 * REACH * size, lines.points + 1.5 * REACH * size)
+
+    def paint(axes):
+        axes.set(xlim=bounds[:2], ylim=bounds[2:], aspect="equal", xlabel="x [m]", ylabel="y [m]")
+        axes.add_collection(LineCollection(lines.points[lines.cells], color=style.BLACK, lw=1.8))
+        for side, opening, colour in ((1, outer, style.RED), (-1, inner, style.BLUE)):
+            ends = lines.points + side * normals * (REACH * size * np.maximum(opening, 0) / largest)[:, None]
+            axes.add_collection(LineCollection(np.stack([lines.points, ends], axis=1)[joints], color=colour, lw=5, alpha=0.7))
+        for joint in joints:
+            side, opening = (1, outer[joint]) if outer[joint] >= inner[joint] else (-1, inner[joint])
+            x, y = lines.points[joint] + side * size * (REACH * max(opening, 0) / largest + 0.1) * normals[joint]
+            axes.text(x, y, f"{opening / 1e-3:.2f}", ha="center", va="center", fontsize=8.5)
+        return [legend(None, [Line2D([], [], color=style.RED, lw=5, alpha=0.7, label="outer face"),
+                              Line2D([], [], color=style.BLUE, lw=5, alpha=0.7, label="inner face")], loc="lower center", ncol=2)]
+
+    return Drawing(run.name, f"openings of the joints at t = {style.instant(time)}, in mm",
+                   Panels(1, 1, (5.2, 5.4), title_above=True, dense=True, margins={"left": 0.12, "right": 0.97, "top": 0.9, "bottom": 0.18}), paint)
+
+
 def interfaces(run, time, pieces):
     """One panel for each quantity of the interfaces, positive values to the right of the path."""
     return _across(run, pieces.get("interfaces"), OF_INTERFACES, f"interfaces at t = {style.instant(time)}", [

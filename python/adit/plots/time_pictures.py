@@ -22,6 +22,7 @@ QUANTITIES = (
     (("utilisation",), "utilisation", (("-", 1),)),
     (("curvature_per_m",), "curvature", (("10⁻³/m", 1e-3), ("1/m", 1))),
     (("opening_m", "offset_m"), "joint", (("µm", 1e-6), ("mm", 1e-3), ("m", 1))),
+    (("tightness",), "tightness of gaskets", (("-", 1),)),
     (("crack_width_m",), "crack width", (("mm", 1e-3),)),
     (("rotation_rad",), "joint rotation", (("10⁻⁶ rad", 1e-6), ("10⁻³ rad", 1e-3))),
     (("force_N", "fx_N", "fy_N"), "force", (("N", 1), ("kN", 1e3), ("MN", 1e6))),

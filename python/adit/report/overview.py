@@ -63,6 +63,13 @@ OF_A_LINING = (  # the same of each lining of a continuum, by its name before
     ("failed in shear at [s]", "shear_failed_time_s", 1, "{:.3f}"),
     ("failed under its thrust at [s]", "axial_failed_time_s", 1, "{:.3f}"),
     ("crushed at [s]", "crushed_time_s", 1, "{:.3f}"),
+    ("largest opening of a joint [mm]", "largest_joint_opening_m", 1e-3, "{:z.2f}"),
+    ("  thrust there [kN]", "thrust_at_largest_joint_opening_N", 1e3, "{:z,.0f}"),
+    ("  moment there [kN m]", "moment_at_largest_joint_opening_Nm", 1e3, "{:z,.0f}"),
+    *_when_and_where("largest_joint_opening"),
+    ("largest rotation of a joint [mrad]", "largest_joint_rotation_rad", 1e-3, "{:z.2f}"),
+    ("largest force of a bolt [kN]", "largest_bolt_force_N", 1e3, "{:z,.0f}"),
+    ("least tightness of a gasket", "least_tightness", 1, "{:z.2f}"),
 )
 PLACES = (("_time_s", ": time"), ("_x_m", ": x"), ("_y_m", ": y"), ("_chainage_m", ": chainage"))
 GAP = 0.01  # of the energy, above which the user guide calls for smaller steps

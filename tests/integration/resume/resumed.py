@@ -58,7 +58,12 @@ continuum:
         inner: {diameter: 16 mm, spacing: 15 cm}
         outer: {diameter: 12 mm, spacing: 15 cm}
       stage: 2
-      joints: [{at: {x: 0 m, y: 3 m}, rotational_stiffness: 20 MN*m/rad, yield_moment: 20 kN*m}]
+      joints:
+        - {at: {x: 0 m, y: 3 m}, rotational_stiffness: 20 MN*m/rad, yield_moment: 20 kN*m}
+        - at: {x: 0 m, y: -3 m}
+          contact: {height: 20 cm}
+          bolts: [{stiffness: 40 MN/m, pretension: 30 kN, yield_force: 40 kN, position: -2 cm}]
+          gasket: {force: {opening: [-1 mm, 0 mm, 4 mm], force: [-40 kN, -10 kN, 0 N]}, position: 15 cm, width: 3 cm, water_pressure: 100 kPa}
   members:
     - name: strut
       from: {x: -3 m, y: 0 m}
@@ -83,6 +88,8 @@ continuum:
     - {name: crown, quantity: moment, lining: lining, at: {x: 3 m, y: 0 m}}
     - {name: crown, quantity: utilisation, lining: lining, at: {x: 3 m, y: 0 m}}
     - {name: strut, quantity: shear_strength, member: strut, at: {x: -3 m, y: 0 m}}
+    - {name: joint, quantity: outer_opening, lining: lining, at: {x: 0 m, y: -3 m}}
+    - {name: joint, quantity: bolt_force, lining: lining, at: {x: 0 m, y: -3 m}}
 output: {peaks: {}, spectra: [{history: surface}], field_times: [0.1 s]}
 """
 MAXWELL = "damping: {maxwell: {ratio: 0.005, low_frequency: 1 Hz, high_frequency: 30 Hz}}"

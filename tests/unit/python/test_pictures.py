@@ -374,6 +374,19 @@ class Pages(PictureTest):
         radii = [np.hypot(*line.get_paths()[0].vertices.T).max() for line in drawn[-2:]]
         np.testing.assert_allclose(radii, [1 - 2 * lining_pictures.REACH * part for part in (1, 2 / 9)])
 
+    def test_joints_are_drawn_as_wide_as_they_stand_open(self):
+        """Outwards where the outer face opens, inwards where the inner one does, the largest as far as forces reach."""
+        angle = np.radians(range(0, 360, 45))
+        points = np.column_stack([np.cos(angle), np.sin(angle)])
+        outer, inner = np.zeros(8), np.zeros(8)
+        outer[[0, 2]], inner[[0, 2]] = (2e-3, -1e-4), (-1e-3, 1e-3)
+        ring = piece(points, [(k, (k + 1) % 8) for k in range(8)], {"outer_opening_m": outer, "inner_opening_m": inner}, {})
+        axes = png.figure(lining_pictures.lining_joints(run_named("ring"), 1.0, {"linings": ring})).axes[0]
+        reach = 2 * lining_pictures.REACH
+        for drawn, radii in zip(axes.collections[1:], ([1 + reach, 1], [1, 1 - reach / 2])):
+            np.testing.assert_allclose([np.hypot(*path.vertices[1]) for path in drawn.get_paths()], radii)
+        self.assertEqual([text.get_text() for text in axes.texts], ["2.00", "1.00"])
+
     def test_pages_say_of_dashed_lines_what_the_legend_says(self):
         beam = piece([(0, 0), (1, 0)], [(0, 1)], {name: np.zeros(2) for name, *_ in lining_pictures.FORCES})
         figure = png.figure(lining_pictures.lining_forces(run_named("ring"), 1.0, {"linings": beam}))

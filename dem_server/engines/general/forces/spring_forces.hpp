@@ -6,8 +6,8 @@
 //   r = (v2 - v1) - (arm_1 w1 + arm_2 w2) t,    t the left normal of the line of centres,
 // and its force turns the discs by its lever arms, so that angular momentum is kept.
 //
-// Force by opening: N = N0 + k e, where wanted at least 0; or a curve (laws/force_curve.hpp). The clearance
-// is taken off e first, on either side.
+// Force by opening: N = N0 + k e, where wanted at least 0; or a curve (protocol/springs/force_curve.hpp). The
+// clearance is taken off e first, on either side.
 #pragma once
 
 #include <span>

@@ -45,6 +45,8 @@ std::string material(const std::string& e, const std::string& nu, const std::str
 const std::string kLining =
     "linings { name: 'top' along { line { points { x: 0 y: 1 } points { x: 6 y: 1 } } } thickness: 0.5 "
     "young_modulus: 30e9 } ";
+const std::string kSegments =
+    kLining.substr(0, kLining.size() - 2) + "joints { at { x: 3 y: 1 } contact { height: 0.4 } } } ";
 const std::string kZones = "zones_x: 4 zones_y: 2", kNowhere = "where { x_min: 7 } ";
 
 INSTANTIATE_TEST_SUITE_P(
@@ -132,6 +134,16 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"utilisation_of_an_elastic_lining",
              kLining + "histories { name: 'a' quantity: UTILISATION at { x: 3 y: 1 } lining: 'top' }",
              "continuum.histories[0].quantity", "but lining `top` is elastic; give it a `section`"},
+        Case{"rotation_without_a_joint",
+             kLining + "histories { name: 'a' quantity: ROTATION at { x: 3 y: 1 } lining: 'top' }",
+             "continuum.histories[0].at", "where lining `top` has no joint of segments (`contact`)"},
+        Case{"tightness_without_a_gasket",
+             kSegments + "histories { name: 'a' quantity: TIGHTNESS at { x: 3 y: 1 } lining: 'top' }",
+             "continuum.histories[0].quantity",
+             "is of a gasket against water, which the joint at this place"},
+        Case{"force_without_bolts",
+             kSegments + "histories { name: 'a' quantity: BOLT_FORCE at { x: 3 y: 1 } lining: 'top' }",
+             "continuum.histories[0].quantity", "is of bolts, which the joint at this place of lining `top`"},
         Case{"history_outside", "histories { name: 'a' quantity: VELOCITY_X at { x: 9 y: 0 } }",
              "continuum.histories[0].at",
              "is (9, 0) m, where the continuum has no zone; the nearest grid point of ground that stays is "

@@ -406,6 +406,30 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"joint_at_an_end", lining(kLine, kConcreteWall + "joints { at { x: 4 y: 1 } } "),
              "continuum.linings[0].joints[0]",
              "at an end of the lining, where no other lining is; leave it out"},
+        Case{
+            "segments_at_an_end",
+            lining(kLine, kConcreteWall + "joints { at { x: 4 y: 1 } contact { height: 0.1 } } "),
+            "continuum.linings[0].joints[0]",
+            "is of segments (`contact`), but lies at an end of the lining, where none follows; leave it out"},
+        Case{"segments_where_others_meet",
+             lining(kLine, kConcreteWall +
+                               "first_end_fixed: true joints { at { x: 1 y: 1 } contact { height: 0.1 } } ") +
+                 "linings { name: 'm' along { line { points { x: 1 y: 1 } points { x: 1 y: 3 } } } " +
+                 kConcreteWall + "}",
+             "continuum.linings[0].joints[0]", "where others meet it; put it inside the lining"},
+        Case{
+            "segments_of_one_beam",
+            lining(kLine, kConcreteWall +
+                              "joints { at { x: 2 y: 1 } contact { height: 0.1 } } joints { at { x: 3 y: 1 } "
+                              "contact { height: 0.1 } } "),
+            "continuum.linings[0].joints[1]",
+            "is one beam from joints[0], but segments are at least two beams long; use shorter zones"},
+        Case{"ring_segments_of_one_beam",
+             lining(kCircle,
+                    kConcreteWall +
+                        "joints { angle: 0 contact { height: 0.1 } } joints { angle: -0.785 contact { "
+                        "height: 0.1 } } "),
+             "continuum.linings[0].joints[1]", "is one beam from joints[0]"},
         Case{"joint_where_another_is_joined",
              lining(kLine, kConcreteWall + "joints { at { x: 2 y: 1 } } ") + kColumn + "}",
              "continuum.linings[0].joints[0]",

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace adit::dem {
+namespace adit::protocol {
 
 class ForceCurve {
  public:
@@ -17,12 +17,13 @@ class ForceCurve {
   ForceCurve(std::vector<double> opening, std::vector<double> force);
 
   double force(double opening) const;   // [N]
+  double slope(double opening) const;   // of the force [N/m]
   double energy(double opening) const;  // [J]
   double steepest() const;              // the largest |slope| [N/m]
 
  private:
   std::size_t segment(double opening) const;  // of two points that follow one another
-  double slope(std::size_t segment) const;
+  double slope_of(std::size_t segment) const;
   double integral(double opening) const;  // from the first point
   double without_force() const;           // the nearest to 0
 
@@ -30,4 +31,4 @@ class ForceCurve {
   double datum_;  // integral at the place without force [J]
 };
 
-}  // namespace adit::dem
+}  // namespace adit::protocol

@@ -1,4 +1,4 @@
-#include "dem_server/laws/force_curve.hpp"
+#include "protocol/springs/force_curve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace adit::dem {
+namespace adit::protocol {
 
 ForceCurve::ForceCurve(std::vector<double> opening, std::vector<double> force)
     : opening_(std::move(opening)), force_(std::move(force)), datum_(integral(without_force())) {}
@@ -16,13 +16,17 @@ std::size_t ForceCurve::segment(double opening) const {
   return static_cast<std::size_t>(above - opening_.begin()) - 1;
 }
 
-double ForceCurve::slope(std::size_t k) const {
+double ForceCurve::slope_of(std::size_t k) const {
   return (force_[k + 1] - force_[k]) / (opening_[k + 1] - opening_[k]);
 }
 
 double ForceCurve::force(double opening) const {
   const std::size_t k = segment(opening);
-  return force_[k] + slope(k) * (opening - opening_[k]);
+  return force_[k] + slope_of(k) * (opening - opening_[k]);
+}
+
+double ForceCurve::slope(double opening) const {
+  return slope_of(segment(opening));
 }
 
 double ForceCurve::energy(double opening) const {
@@ -46,11 +50,11 @@ double ForceCurve::without_force() const {
   for (std::size_t k = 0; k < segments; ++k) {
     const double begin = k == 0 ? -std::numeric_limits<double>::infinity() : opening_[k];
     const double end = k + 1 == segments ? std::numeric_limits<double>::infinity() : opening_[k + 1];
-    if (slope(k) == 0) {
+    if (slope_of(k) == 0) {
       if (force_[k] == 0) offer(std::clamp(0.0, begin, end));
       continue;
     }
-    const double zero = opening_[k] - force_[k] / slope(k);
+    const double zero = opening_[k] - force_[k] / slope_of(k);
     if (zero >= begin && zero <= end) offer(zero);
   }
   return std::isfinite(nearest) ? nearest : 0;
@@ -58,8 +62,8 @@ double ForceCurve::without_force() const {
 
 double ForceCurve::steepest() const {
   double steepest = 0;
-  for (std::size_t k = 0; k + 1 < opening_.size(); ++k) steepest = std::max(steepest, std::abs(slope(k)));
+  for (std::size_t k = 0; k + 1 < opening_.size(); ++k) steepest = std::max(steepest, std::abs(slope_of(k)));
   return steepest;
 }
 
-}  // namespace adit::dem
+}  // namespace adit::protocol
