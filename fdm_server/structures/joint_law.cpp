@@ -75,22 +75,24 @@ double JointLaw::stored(const JointOpening& opening, std::span<const double> sla
 JointOpening JointLaw::solve(const JointOpening& opening, std::span<const double> slack,
                              const Eigen::Matrix2d& k, const JointForces& load) const {
   constexpr int kMostSteps = 100;
-  constexpr double kSmallest = 1e-3;  // part of a step
-  constexpr double kSame = 1e-26;     // of the energy that the forces have in the springs
+  constexpr double kSmallest = 1e-3;                  // part of a step
+  constexpr double kSame = 1e-26, kRounding = 1e-20;  // of the energy that the forces have in the springs
   const Eigen::Matrix2d flexibility = k.inverse();
   const auto mismatch = [&](const JointOpening& moved) -> JointForces {
     return load - forces(opening + moved, slack) - k * moved;
   };
   const auto energy = [&](const JointForces& missed) { return missed.dot(flexibility * missed); };
-  const double enough = kSame * (energy(load) + energy(forces(opening, slack)));
+  const JointForces before = forces(opening, slack);
+  const double whole = energy(load) + energy(before);
   JointOpening moved = JointOpening::Zero();
-  JointForces missed = mismatch(moved);
-  for (int step = 0; step < kMostSteps && energy(missed) > enough; ++step) {
+  JointForces missed = load - before;
+  for (int step = 0; step < kMostSteps && energy(missed) > kSame * whole; ++step) {
     const Eigen::Matrix2d tangent = stiffness(opening + moved, slack) + k;
     const JointOpening way = tangent.inverse() * missed;
+    const double smallest = energy(missed) > kRounding * whole ? kSmallest : 1;
     double part = 1;
     JointForces left = mismatch(moved + way);
-    while (energy(left) >= energy(missed) && part > kSmallest) {
+    while (energy(left) >= energy(missed) && part > smallest) {
       part /= 2;
       left = mismatch(moved + part * way);
     }
