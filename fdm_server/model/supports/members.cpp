@@ -16,7 +16,8 @@ namespace {
 using geometry::Point;
 using protocol::require;
 
-// The points that a member may end at. Where several lie at one place, that of a lining or member.
+// The points that a member may end at. Where several lie at one place, that of the first lining, then of a
+// member.
 class Ends {
  public:
   Ends(std::span<const LiningPlan> linings, Grid& grid) : grid_(grid) {

@@ -14,7 +14,8 @@
 
 namespace adit::fdm {
 
-// As the scene lists them. Adds their own points to the grid, and their names to those that are taken.
+// As the scene lists them. Where several linings lie at one place, a member ends at the first. Adds their own
+// points to the grid, and their names to those that are taken.
 std::vector<LiningPlan> plan_members(const scene::Scene& scene, std::span<const LiningPlan> linings,
                                      std::set<std::string>& names, Grid& grid);
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <numbers>
+#include <ranges>
 #include <set>
 #include <utility>
 
@@ -338,7 +339,9 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
                      section,
                      below[number] >= 0 && !lining.has_interface() ? lining.on() : ""};
   }
-  const std::vector<LiningPlan> members = plan_members(scene, plans, names, grid);
+  std::vector<LiningPlan> from_inside;  // members stand on the last layer
+  for (const auto number : from_the_ground(below) | std::views::reverse) from_inside.push_back(plans[number]);
+  const std::vector<LiningPlan> members = plan_members(scene, from_inside, names, grid);
   require_clear_joints(plans, members, grid);
   for (int i = 0; i < linings.size(); ++i) {
     supports.structures.set_stage(linings[i].stage());

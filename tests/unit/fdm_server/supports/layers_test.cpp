@@ -53,6 +53,15 @@ TEST(Layers, WithAnInterfaceHaveTheirOwnPoints) {
     EXPECT_FALSE(std::ranges::count(supports.linings[0].path.points, point));
 }
 
+// A column stands on the last layer.
+TEST(Layers, BearMembers) {
+  const Supports supports = resolved(
+      lining("second", "on: 'first' interface { friction_angle: 0.5 }") + kFirst +
+      "members { name: 'column' from { x: 3 y: 1 } to { x: 3 y: 2 } spacing: 4 width: 0.5 thickness: 0.5 "
+      "young_modulus: 30e9 }");
+  EXPECT_EQ(supports.members[0].path.points.front(), supports.linings[0].path.points[3]);
+}
+
 class RefusedLayers : public testing::TestWithParam<RefusedText> {};
 
 TEST_P(RefusedLayers, InOneSentence) {
