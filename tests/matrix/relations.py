@@ -302,8 +302,8 @@ def doubled(world, row, scene, folder, base):
 
 def is_linear(row):
     """Contacts of particles turn with them: what they do is linear in small motions only."""
-    return (row.get("inside", "none") in ("none", "grid") and row["law"] in ("elastic", "layers") and row["support"] in ("none", "lining", "arcs", "bonded") and row["foundation"] == "none"
-            and row["large"] == "no" and row.get("bedding", "none") == "none")
+    return (row.get("inside", "none") in ("none", "grid") and row["law"] in ("elastic", "layers")
+            and row["support"] in ("none", "lining", "arcs", "bonded") and row["foundation"] == "none" and row["large"] == "no" and row.get("bedding", "none") == "none")
 
 
 def superposed(world, row, scene, folder, base):

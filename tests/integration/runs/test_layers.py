@@ -59,7 +59,8 @@ class Layers(ProgramTest):
         np.testing.assert_allclose(thrusts, axial * (places - centre) * curvature, rtol=1e-5)
 
     def test_layers_that_slip_bend_by_themselves(self):
-        thrusts, moments = self.forces(lambda scene: scene.replace("on: shotcrete", "on: shotcrete\n      first_end_fixed: true\n      interface: {tension: 1 GPa, normal_stiffness: 10 GPa/m}"))
+        slip = "on: shotcrete\n      first_end_fixed: true\n      interface: {tension: 1 GPa, normal_stiffness: 10 GPa/m}"
+        thrusts, moments = self.forces(lambda scene: scene.replace("on: shotcrete", slip))
         bending = YOUNG * THICKNESS**3 / 12
         np.testing.assert_allclose(moments, -FORCE * (HEIGHT - BEAM) * bending / bending.sum(), rtol=0.01)
         np.testing.assert_allclose(thrusts, 0, atol=1)
