@@ -4,10 +4,10 @@
 //
 // Of the strains of beam.hpp the half takes d/2, d = (delta, phi) the growth of the joint's opening as it
 // sees it:
-//   e' = e - delta/2,   b' = b - phi/2,   a' = a -+ (-phi/2)      - at the first end, + at the second,
-// are left to the beam, whose forces at the end are N and M = B -+ S. Faces do not slide on one another. d is
-// what makes the forces of the joint equal to those of the beam, were it elastic in this step: with K its
-// stiffness against delta and phi, and F_0 what it would bear without d,
+//   e' = e - delta/2,   b' = b - phi/2,   a' = a + phi/2 at the first end, a - phi/2 at the second
+// are left to the beam, whose forces there are N and M = B - S, M = B + S. Faces do not slide on one another.
+// d is what makes the forces of the joint equal to those of the beam, were it elastic in this step: with K
+// its stiffness against delta and phi, and F_0 what it would bear without d,
 //   F_joint(u + d) + K d/2 = F_0.
 // An elastic beam is then in equilibrium with its joint. What a beam of fibres misses, the next step finds,
 // because F_0 goes on from the forces that the beam has. In series a joint only makes a beam softer: the
@@ -18,9 +18,9 @@
 // step would make energy of it and heat the lining. What a half took up beyond what it stores and its bolts
 // dissipate is its spare, and no step may bring it below 0. Where one would, the half creeps instead, with
 //   F_joint(u + d) + (1 + c) K d/2 = F_0,
-// the least c with which it does not; it may rest. So a half never gives more than it got, whatever
-// the step, and since the beam's own energy bounds its force, so does the energy of all: motion is stable up
-// to the critical step of the beam. Smooth motion is left alone, because its misses come back.
+// the least c with which it does not; it may rest. So a half in an elastic beam never gives more than it got,
+// whatever the step; and the beam's own energy bounds its forces: motion is stable up to the critical step of
+// the beam. Smooth motion hardly notices, because its misses are small and come back.
 // Dissipated since the start: the work on the half less what it stores.
 #pragma once
 

@@ -70,9 +70,8 @@ std::shared_ptr<const JointLaw> read_segments(const scene::Lining& lining, const
   require(contact.height() <= thickness, path + ".contact.height",
           fmt::format("is {:.4g} m, more than the lining's thickness of {:.4g} m; give at most that",
                       contact.height(), thickness));
-  JointLaw law{{contact.height(), contact.has_young_modulus() ? contact.young_modulus()
-                                  : section                   ? section->concrete_modulus
-                                                              : lining.young_modulus()}};
+  const double of_lining = section != nullptr ? section->concrete_modulus : lining.young_modulus();
+  JointLaw law{{contact.height(), contact.has_young_modulus() ? contact.young_modulus() : of_lining}};
   law.edge = edge;
   for (int i = 0; i < joint.bolts_size(); ++i)
     law.bolts.push_back(read_bolts(joint.bolts(i), edge, fmt::format("{}.bolts[{}]", path, i)));
