@@ -196,7 +196,7 @@ class Refused(ComputedTest):
                 (with_interface(law={"friction_angle": 0.3, "cohesion": 1e3, "tension": 1e6}), "above cohesion / tan(friction_angle)"),
                 (with_interface(law={"cohesion": 1e3, "residual": {"cohesion": 2e3}}), "before it slips"),
                 (lambda continuum: continuum.update(large_strain=True), "leave large_strain or the interfaces out"),
-                (lining(name="plane"), "is taken by an interface"),
+                (lining(name="plane"), "is taken by another lining or an interface"),
                 (lining(along=line((0, 1), (4, 1))), "is already; let only one of them run there"),
                 (lambda continuum: continuum.update(histories=[{"name": "at", "quantity": "offset", "interface": "plain", "at": {"x": 1.0, "y": 1.0}}]),
                  "no interface of the continuum or of its linings has this name")):
