@@ -184,31 +184,44 @@ void Contacts::settle_pairs(const Part& part, const protocol::Step& step,
 }
 
 // q + c B(q) = free, where faces slide with a matrix that is not symmetric. Where statuses change, the way is
-// shortened, because it may run in a circle between them.
+// shortened until less is missed than before, as in solver/contact_balance.hpp.
 void Contacts::settle(Contact& contact, double c, const std::array<double, 2>& free,
                       const PointView& points) {
   constexpr int kMost = 60;
   constexpr double kSame = 1e-12;  // of the terms
-  std::array<double, 2> lead = contact.lead;
-  double missed_before = std::numeric_limits<double>::infinity(), part_of_way = 1;
-  Trial trial = attempt(contact, lead);
+  constexpr double kShortest = 1.0 / 64;
+  struct Place {
+    std::array<double, 2> lead;
+    Trial trial;
+    Bearing bears;
+    double r, s;  // what is missed along both
+    double missed() const { return std::max(std::abs(r), std::abs(s)); }
+  };
+  const auto at = [&](const std::array<double, 2>& lead) {
+    const Trial trial = attempt(contact, lead);
+    const Bearing bears = bearing(contact, trial.stroke);
+    return Place{lead, trial, bears, free[0] - c * bears.normal - lead[0],
+                 free[1] - c * bears.shear - lead[1]};
+  };
+  Place place = at(contact.lead);
   for (int number = 0; number < kMost; ++number) {
-    const auto [normal, shear, of_normal, of_shear] = bearing(contact, trial.stroke);
-    const double r = free[0] - c * normal - lead[0], s = free[1] - c * shear - lead[1];
-    const double missed = std::max(std::abs(r), std::abs(s));
+    const auto& [lead, trial, bears, r, s] = place;
+    const auto& [normal, shear, of_normal, of_shear] = bears;
     const double largest =
         std::max({c * std::abs(normal), c * std::abs(shear), std::abs(free[0]), std::abs(free[1])});
-    if (missed <= kSame * largest) break;
-    if (missed > missed_before / 2) part_of_way = std::max(0.25, part_of_way / 2);
-    missed_before = missed;
+    if (place.missed() <= kSame * largest) break;
     const double rr = 1 + c * of_normal.by_normal, rs = c * of_normal.by_shear, sr = c * of_shear.by_normal,
                  ss = 1 + c * of_shear.by_shear;
-    const double way = part_of_way / (rr * ss - rs * sr);
-    lead[0] += way * (ss * r - rs * s);
-    lead[1] += way * (rr * s - sr * r);
-    trial = attempt(contact, lead);
+    const auto go = [&](double part) {
+      const double way = part / (rr * ss - rs * sr);
+      return at({lead[0] + way * (ss * r - rs * s), lead[1] + way * (rr * s - sr * r)});
+    };
+    Place there = go(1);
+    for (double part = 0.5; there.missed() >= place.missed() && part >= kShortest; part /= 2)
+      there = go(part);
+    place = there;
   }
-  follow(contact, lead, trial, points);
+  follow(contact, place.lead, place.trial, points);
 }
 
 Contacts::Part Contacts::take_pairs(Part& part, const std::vector<bool>& chosen) const {
