@@ -84,7 +84,7 @@ BeamResultants MemberBeam::slide(const Beam& beam, BeamResultants forces) {
   const double most = strength_ * length_ / 2;
   if (std::abs(forces.s) <= most) return forces;
   const double passes = std::copysign(most, forces.s);
-  pending_ = (forces.s - passes) / beam.strains()[2].stiffness;
+  pending_ = (forces.s - passes) / beam.resists({0, 0, 1}).s;
   slip_ += std::abs(pending_) * length_ / 2;
   forces.s = passes;
   return forces;

@@ -11,7 +11,6 @@
 
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/supports/lining.hpp"
-#include "protocol/messages/grid.pb.h"
 #include "protocol/messages/scene.pb.h"
 
 namespace adit::fdm {

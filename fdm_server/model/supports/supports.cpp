@@ -309,7 +309,8 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
   std::map<std::uint32_t, std::uint32_t> own;  // points of linings with interfaces to the ground
   std::map<std::uint32_t, std::uint32_t> of_layers;
   std::vector<LiningPlan> plans(static_cast<std::size_t>(linings.size()));
-  for (const std::size_t number : from_the_ground(below)) {
+  const std::vector<std::size_t> order = from_the_ground(below);
+  for (const std::size_t number : order) {
     const auto i = static_cast<int>(number);
     const auto& lining = linings[i];
     const auto path = fmt::format("continuum.linings[{}]", i);
@@ -340,7 +341,7 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
                      below[number] >= 0 && !lining.has_interface() ? lining.on() : ""};
   }
   std::vector<LiningPlan> from_inside;  // members stand on the last layer
-  for (const auto number : from_the_ground(below) | std::views::reverse) from_inside.push_back(plans[number]);
+  for (const auto number : order | std::views::reverse) from_inside.push_back(plans[number]);
   const std::vector<LiningPlan> members = plan_members(scene, from_inside, names, grid);
   require_clear_joints(plans, members, grid);
   for (int i = 0; i < linings.size(); ++i) {
