@@ -410,6 +410,32 @@ void warn_of_teeth(const scene::Particles& particles, const Joined& joined,
   }
 }
 
+// Whether a bond holds both of its discs from spinning by itself, with more than a hundredth of its
+// stiffness.
+bool resists_spin(const Model& model, const Bond& bond) {
+  if (bond.law == Bond::Law::kSmoothJoint) return false;
+  if (bond.law != Bond::Law::kContactBond) return true;
+  const auto [normal, shear] = model.contact_bonds[bond.number].stiffness;
+  return shear > normal / 100;
+}
+
+// The force of a smooth joint does not act along the line of its discs' centres, and turns them. Discs that
+// spin freely roll out of its way.
+void warn_of_rolling(const Model& model, std::vector<std::string>& warnings) {
+  std::vector<bool> held(model.discs.size());
+  for (const Bond& bond : model.bonds)
+    if (resists_spin(model, bond)) held[bond.first] = held[bond.second] = true;
+  const auto rolls = [&](const Bond& bond) {
+    return bond.law == Bond::Law::kSmoothJoint && !(held[bond.first] && held[bond.second]);
+  };
+  if (const auto count = std::ranges::count_if(model.bonds, rolls))
+    warnings.push_back(fmt::format(
+        "{} bonds of smooth joints lie between discs that no other bond keeps from spinning, so that they "
+        "roll on one another and bear little; a lattice has no shear stiffness if Poisson's ratio is 0.25 in "
+        "plane strain or 1/3 in plane stress: choose a smaller one, parallel bonds, or cells",
+        count));
+}
+
 }  // namespace
 
 Joined join(const scene::Particles& particles, const std::vector<Group>& groups, const Placement& placement,
@@ -421,10 +447,11 @@ Joined join(const scene::Particles& particles, const std::vector<Group>& groups,
 }
 
 std::vector<std::string> join_warnings(const scene::Particles& particles, const Joined& joined,
-                                       const Reach& reach) {
+                                       const Reach& reach, const Model& model) {
   std::vector<std::string> warnings;
   warn_of_near_pairs(joined, reach, warnings);
   warn_of_teeth(particles, joined, warnings);
+  warn_of_rolling(model, warnings);
   return warnings;
 }
 

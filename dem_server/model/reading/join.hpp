@@ -27,8 +27,9 @@ Joined join(const scene::Particles& particles, const std::vector<Group>& groups,
 // What is likely to be wrong with the bonds of a model.
 // One sentence each, where
 // - many pairs are left without a bond by a gap that the rounding of their places may have opened;
-// - rows of particles interlock across an open joint, which then does not slide as a plane.
+// - rows of particles interlock across an open joint, which then does not slide as a plane,
+// - discs at a smooth joint are free to spin, and roll instead of bearing its pressure.
 std::vector<std::string> join_warnings(const scene::Particles& particles, const Joined& joined,
-                                       const Reach& reach);
+                                       const Reach& reach, const Model& model);
 
 }  // namespace adit::dem

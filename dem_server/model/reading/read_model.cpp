@@ -263,7 +263,7 @@ Model read_model(const scene::Scene& scene, const protocol::Progress& progress, 
   note_fracture(particles, groups, model);
   note_no_bonds(particles, model);
   warn_of_laws_of_zones(scene, model);
-  for (const std::string& warning : join_warnings(particles, joined, placement.reach))
+  for (const std::string& warning : join_warnings(particles, joined, placement.reach, model))
     model.notes.push_back(protocol::as_warning(warning));
   model.walls = read_walls(particles, groups.front());
   model.springs = read_springs(particles, model.discs);

@@ -7,9 +7,7 @@ import unittest
 import numpy as np
 
 from figures.computed import ComputedTest
-
-from adit.cases.tunnels import lined_tunnel
-from programs import SOURCE, coupler
+from programs import coupler
 
 GRAVITY = 9.81
 ROCK = {"young_modulus": 10e9, "poisson_ratio": 0.0, "density": 2500.0}
@@ -96,39 +94,6 @@ class Wave(ComputedTest):
         self.assertLess(abs(h["continuum_dissipated_J"][-1]), 1e-3 * h["continuum_external_work_J"][-1])
 
 
-class Ring(ComputedTest):
-    def ovalled(self, interface, fine=False):
-        side, around, across, ratio = (120.0, 128, 64, 1.055) if fine else (60.0, 64, 26, 1.09)
-        half, force = side / 2, 50e3 * side
-        lining = {"name": "lining", "along": {"circle": {"centre": {"x": 0.0, "y": 0.0}, "radius": 3.0}}, "thickness": 0.25,
-                  "young_modulus": 30e9, **interface}
-        run = self.computed({"extends": str(SOURCE / "cases/lined_tunnel/ovaling.yaml"), "continuum": {
-            "linings": [lining],
-            "blocks": [{"ring": {"centre": {"x": 0.0, "y": 0.0}, "inner_radius": 3.0, "outer_side": side}, "along": {"zones": around},
-                        "across": {"zones": across, "ratio": ratio}}],
-            "edge_loads": [{"where": {key: at}, "force": {axis: sign * force}} for key, at, axis, sign in
-                           (("y_min", half, "x", 1), ("y_max", -half, "x", -1), ("x_min", half, "y", 1), ("x_max", -half, "y", -1))],
-            "motions": [{"where": {"x_max": -half, "y_max": -half}, "velocity": {"x": 0.0, "y": 0.0}},
-                        {"where": {"x_min": half, "y_max": -half}, "velocity": {"y": 0.0}}]}})
-        angle, *forces = lined_tunnel.around(run)
-        waves = (np.cos, np.cos, np.sin)
-        strain, tunnel = lined_tunnel.far_strain(run), lined_tunnel.Tunnel.of(run)
-        return tunnel, [abs(2 * np.mean(force * wave(2 * np.radians(angle - 45)))) / strain for force, wave in zip(forces, waves)]
-
-    def test_a_ring_that_slips_bears_what_the_closed_form_says(self):
-        tunnel, found = self.ovalled({"interface": {"tension": 1e9}}, fine=True)  # which never parts
-        np.testing.assert_allclose(found, lined_tunnel.full_solution(tunnel, slips=True), rtol=0.01)
-        self.assertAlmostEqual(found[1] / lined_tunnel.wang_moment(tunnel), 1, delta=0.01)
-        self.assertAlmostEqual(found[0] * tunnel.radius / lined_tunnel.wang_moment(tunnel), 1, delta=0.01)  # Wang: N = M/r
-
-    def test_friction_lies_between_full_slip_and_none(self):
-        tied, glued, rough, smooth = (self.ovalled(interface)[1][0] for interface in (
-            {}, {"interface": {"cohesion": 1e9, "tension": 1e9}}, {"interface": {"cohesion": 50e3, "tension": 1e9}}, {"interface": {"tension": 1e9}}))
-        self.assertAlmostEqual(glued / tied, 1, delta=1e-3)
-        self.assertLess(smooth, 0.5 * rough)
-        self.assertLess(rough, 0.8 * glued)
-
-
 class Staged(ComputedTest):
     def crown(self, interface):
         """Thrust and moment of a box at rest that was installed when half of the ground's forces were released."""
@@ -155,6 +120,69 @@ class Staged(ComputedTest):
         np.testing.assert_allclose(stuck, tied, rtol=0.02, atol=0.02 * abs(tied[1::2]).max())
         # By hand: half of the overburden, 80 kPa at the roof, over half the span and a little more beside.
         self.assertTrue(60e3 < -tied[2] < 160e3, tied)
+
+
+class Fault(ComputedTest):
+    """A block between four smooth platens, shortened across an inclined fault with friction: as an interface of zones, and as a
+    smooth joint of particles."""
+
+    SIDE, FROM, TO, SHORTENED, FRICTION, DURATION = 2.0, (0.5, 0.0), (1.5, 2.0), 2e-3, 0.3, 0.05
+    STIFFNESS = {"normal_stiffness": 200e9, "shear_stiffness": 80e9}
+    SCENE = {"material": {**ROCK, "poisson_ratio": 0.2}, "time": {"duration": DURATION}}
+
+    def platen(self):
+        """Velocity that shortens the block."""
+        return {"y": -self.SHORTENED * math.pi / 2 / self.DURATION}, {"sine": {"frequency": 1 / (2 * self.DURATION), "end": self.DURATION}}
+
+    def of_zones(self):
+        """(offset of the fault in the mean, thrust under the upper platen)."""
+        point = self.point
+        velocity, time = self.platen()
+        run = self.computed({**self.SCENE, "continuum": {
+            "blocks": [{"name": name, "quadrilateral": {"corners": [point(*corner) for corner in corners]}, "along": {"zones": 10}, "across": {"zones": 20}}
+                       for name, corners in (("left", ((0, 0), self.FROM, self.TO, (0, self.SIDE))),
+                                             ("right", (self.FROM, (self.SIDE, 0), (self.SIDE, self.SIDE), self.TO)))],
+            "motions": [{"where": {"y_min": self.SIDE}, "velocity": velocity, "time": time}, {"where": {"y_max": 0.0}, "velocity": {"y": 0.0}},
+                        {"where": {"x_max": 0.0}, "velocity": {"x": 0.0}}, {"where": {"x_min": self.SIDE}, "velocity": {"x": 0.0}}],
+            "interfaces": [{"name": "fault", "along": {"line": {"points": [point(*self.FROM), point(*self.TO)]}},
+                            "law": {**self.STIFFNESS, "friction_angle": math.atan(self.FRICTION)}}],
+            "sections": [{"name": "upper", "from": point(0, 1.9), "to": point(self.SIDE, 1.9)}],
+            "histories": [{"name": "upper", "quantity": "thrust", "section": "upper"}],
+            "damping": {"maxwell": {"ratio": 0.05, "low_frequency": 100.0, "high_frequency": 2000.0}}}})
+        fault = run.fields()["interfaces"]
+        order = np.argsort(fault.points[:, 1])
+        mean = np.trapz(fault.field("offset_m")[order], fault.points[order, 1]) / self.SIDE
+        return mean, -run.histories["upper_thrust_N"][-1]
+
+    def of_particles(self):
+        rows = 30
+        radius = self.SIDE / ((rows - 1) * math.sqrt(3) + 2)
+        width = 2 * radius * round(self.SIDE / (2 * radius))  # of whole discs, 1 % from that of the zones
+        velocity, time = self.platen()
+        far, point = 2 * self.SIDE, self.point
+        run = self.computed({**self.SCENE, "particles": {
+            "packing": {"x_min": 0.0, "x_max": width + 1e-9, "y_min": 0.0, "y_max": self.SIDE + 1e-9, "radius": radius}, "bonds": {},
+            "contacts": {"normal_stiffness": 100e9, "shear_stiffness": 1.0, "friction": 0.0},
+            "joints": [{"name": "fault", "from": point(*self.FROM), "to": point(*self.TO), "smooth": {**self.STIFFNESS, "friction": self.FRICTION}}],
+            "walls": [{"name": "upper", "from": point(-far, self.SIDE), "to": point(far, self.SIDE), "velocity": {**velocity, "time": time}},
+                      {"name": "lower", "from": point(-far, 0), "to": point(far, 0)},
+                      {"name": "left", "from": point(0, -far), "to": point(0, far)},
+                      {"name": "right", "from": point(width, -far), "to": point(width, far)}],
+            "damping": {"local": 0.3},
+            "histories": [{"name": "upper", "quantity": "force_y", "wall": "upper"}, {"name": "fault", "quantity": "offset", "joint": "fault"}]}})
+        return run.histories["fault_offset_m"][-1], run.histories["upper_fy_N"][-1]
+
+    @staticmethod
+    def point(x, y):
+        return {"x": float(x), "y": float(y)}
+
+    def test_a_fault_slips_in_zones_as_a_smooth_joint_does_in_particles(self):
+        zones, particles = self.of_zones(), self.of_particles()
+        np.testing.assert_allclose(zones, particles, rtol=0.05)
+        # Without the fault the platen would bear M times the shortening over the height; slip takes some of it away.
+        whole = ROCK["young_modulus"] * (1 - 0.2) / (1.2 * 0.6) * self.SHORTENED
+        self.assertTrue(0.85 * whole < zones[1] < 0.98 * whole, zones)
+        self.assertLess(zones[0], -0.1 * self.SHORTENED)  # the left face moves down the fault
 
 
 class Refused(ComputedTest):

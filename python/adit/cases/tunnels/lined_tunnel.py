@@ -59,15 +59,17 @@ def penzien_moment(t):
     return 3 * t.bending / d * 4 * (1 - t.poisson) / (24 * t.bending * (3 - 4 * t.poisson) / (d**3 * t.shear_modulus) + 1)
 
 
-def full_solution(t, slips=False):
+def full_solution(t, slips=False, excavated=False):
     """(thrust, moment, shear force) [N, N m, N per metre], largest around the ring, without sign. A ring that slips on the ground
-    has a motion of its own around the ring, and no shear stress there."""
+    has a motion of its own around the ring, and no shear stress there. `excavated`: the ground is stressed first, and the ring
+    stands before the opening takes the stress away, so that it follows the motion from then on only."""
     r, g, kappa = t.radius, t.shear_modulus, 3 - 4 * t.poisson
+    before = 0 if excavated else 1
     turned = 4 * t.bending / (t.shear * r**2)
 
     def forces(far, a, b, slip=0):  # a = A/r^2, b = B/r^4
-        u = r * (far + (kappa + 1) * a + 2 * b) / (2 * g)
-        v = r * (-far - (kappa - 1) * a + 2 * b + slip) / (2 * g)
+        u = r * (before * far + (kappa + 1) * a + 2 * b) / (2 * g)
+        v = r * (-before * far - (kappa - 1) * a + 2 * b + slip) / (2 * g)
         return t.axial * (u + 2 * v) / r, 4 * t.bending * (v + 2 * u) / (r**3 * (1 + turned))
 
     def imbalance(*of):  # of radial and tangential stress between ring and ground, and what slip leaves of the latter

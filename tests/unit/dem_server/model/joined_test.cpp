@@ -145,5 +145,29 @@ TEST(Joined, OpenJointsThroughRows) {
   EXPECT_THAT(with_joint(11, -1, 11.2, 1, true), IsEmpty());
 }
 
+// Requirement: a warning says that discs which spin freely roll at a smooth joint, whose forces they do not
+// bear: those of a lattice without shear stiffness, unless other bonds hold them.
+TEST(Joined, SmoothJointsBetweenDiscsThatRoll) {
+  const auto with_ratio = [](double poisson_ratio, bool parallel) {
+    auto scene = lattice();
+    scene.set_plane(scene::PLANE_STRAIN);
+    scene.mutable_material()->set_poisson_ratio(poisson_ratio);
+    if (parallel) {
+      auto& bonds = *scene.mutable_particles()->mutable_bonds()->mutable_parallel();
+      bonds.set_normal_stiffness(1e12);
+      bonds.set_shear_stiffness(1e11);
+    }
+    auto& joint = *scene.mutable_particles()->add_joints();
+    test::set(*joint.mutable_from(), 9, 0.3);
+    test::set(*joint.mutable_to(), 13, 0.36);
+    joint.mutable_smooth()->set_normal_stiffness(1e9);
+    joint.mutable_smooth()->set_shear_stiffness(1e9);
+    return warnings(read_model(scene));
+  };
+  EXPECT_THAT(with_ratio(0.25, false), ElementsAre(HasSubstr("roll on one another")));
+  EXPECT_THAT(with_ratio(0.2, false), IsEmpty());
+  EXPECT_THAT(with_ratio(0.25, true), IsEmpty());
+}
+
 }  // namespace
 }  // namespace adit::dem::joined_test
