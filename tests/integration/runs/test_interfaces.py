@@ -122,6 +122,42 @@ class Staged(ComputedTest):
         self.assertTrue(60e3 < -tied[2] < 160e3, tied)
 
 
+class Joint(ComputedTest):
+    def test_a_joint_that_sticks_yields_as_goodman_says(self):
+        """Goodman, Taylor and Brekke 1968: a joint closes and slips by the stresses over its stiffnesses, which adds to the
+        compliance of the block. In a block loaded along its height the stress is the same everywhere."""
+        pressure, slope = 1e6, 0.5
+        along_x, along_y = np.array([1, slope]) / math.hypot(1, slope)
+
+        def points(*places):
+            return [{"x": float(x), "y": float(y)} for x, y in places]
+
+        lower, upper = ((0, 0), (2, 0), (2, 1.5), (0, 0.5)), ((0, 0.5), (2, 1.5), (2, 2), (0, 2))
+        stiffness = {"normal_stiffness": 200e9, "shear_stiffness": 80e9}
+        run = self.computed({
+            "material": {**ROCK, "poisson_ratio": 0.2}, "time": {"duration": 0.4},
+            "continuum": {
+                "damping": {"maxwell": {"ratio": 0.05, "low_frequency": 100.0, "high_frequency": 2000.0}},
+                "blocks": [{"name": name, "quadrilateral": {"corners": points(*corners)}, "along": {"zones": 12}, "across": {"zones": 6}}
+                           for name, corners in (("lower", lower), ("upper", upper))],
+                "motions": [{"where": {"y_max": 0.0}, "velocity": {"y": 0.0}}, {"where": {"x_max": 0.0, "y_max": 0.0}, "velocity": {"x": 0.0}}],
+                "edge_loads": [{"where": {"y_min": 2.0}, "force": {"y": -pressure * 2}, "time": {"sine": {"frequency": 0.625}}}],
+                "interfaces": [{"name": "joint", "between": {"left": "upper", "right": "lower"}, "law": {**stiffness, "cohesion": 1e9}}],
+                "histories": [{"name": "joint", "quantity": quantity, "interface": "joint", "at": {"x": 1.0, "y": 1.0}}
+                              for quantity in ("offset", "normal_stress", "shear_stress")]
+                + [{"name": "top", "quantity": quantity, "at": {"x": 0.0, "y": 2.0}} for quantity in ("displacement_x", "displacement_y")]}})
+        found = {name: values[-1] for name, values in run.histories.items()}
+        normal, shear = -pressure * along_x**2, -pressure * along_x * along_y  # of the upper face along the path
+        self.assertAlmostEqual(found["joint_normal_stress_Pa"] / normal, 1, delta=1e-4)
+        self.assertAlmostEqual(abs(found["joint_shear_stress_Pa"] / shear), 1, delta=1e-4)
+        closing, slip = -normal / stiffness["normal_stiffness"], -shear / stiffness["shear_stiffness"]
+        self.assertAlmostEqual(abs(found["joint_offset_m"]) / slip, 1, delta=1e-4)
+        # The load comes slowly; what is left of its inertia is 0.1 % of the way aside.
+        shortening = pressure * 2 * (1 - 0.2**2) / ROCK["young_modulus"]
+        self.assertAlmostEqual(-found["top_uy_m"] / (shortening + closing * along_x + slip * along_y), 1, delta=1e-4)
+        self.assertAlmostEqual(found["top_ux_m"] / (closing * along_y - slip * along_x), 1, delta=2e-3)
+
+
 class Fault(ComputedTest):
     """A block between four smooth platens, shortened across an inclined fault with friction: as an interface of zones, and as a
     smooth joint of particles."""
@@ -136,12 +172,9 @@ class Fault(ComputedTest):
 
     def of_zones(self):
         """(offset of the fault in the mean, thrust under the upper platen)."""
-        point = self.point
-        velocity, time = self.platen()
+        point, (velocity, time) = self.point, self.platen()
         run = self.computed({**self.SCENE, "continuum": {
-            "blocks": [{"name": name, "quadrilateral": {"corners": [point(*corner) for corner in corners]}, "along": {"zones": 10}, "across": {"zones": 20}}
-                       for name, corners in (("left", ((0, 0), self.FROM, self.TO, (0, self.SIDE))),
-                                             ("right", (self.FROM, (self.SIDE, 0), (self.SIDE, self.SIDE), self.TO)))],
+            "blocks": self.blocks(),
             "motions": [{"where": {"y_min": self.SIDE}, "velocity": velocity, "time": time}, {"where": {"y_max": 0.0}, "velocity": {"y": 0.0}},
                         {"where": {"x_max": 0.0}, "velocity": {"x": 0.0}}, {"where": {"x_min": self.SIDE}, "velocity": {"x": 0.0}}],
             "interfaces": [{"name": "fault", "along": {"line": {"points": [point(*self.FROM), point(*self.TO)]}},
@@ -171,6 +204,11 @@ class Fault(ComputedTest):
             "damping": {"local": 0.3},
             "histories": [{"name": "upper", "quantity": "force_y", "wall": "upper"}, {"name": "fault", "quantity": "offset", "joint": "fault"}]}})
         return run.histories["fault_offset_m"][-1], run.histories["upper_fy_N"][-1]
+
+    def blocks(self):
+        corners = ((0, 0), self.FROM, self.TO, (0, self.SIDE)), (self.FROM, (self.SIDE, 0), (self.SIDE, self.SIDE), self.TO)
+        return [{"name": name, "quadrilateral": {"corners": [self.point(*corner) for corner in of]}, "along": {"zones": 10}, "across": {"zones": 20}}
+                for name, of in zip(("left", "right"), corners)]
 
     @staticmethod
     def point(x, y):
