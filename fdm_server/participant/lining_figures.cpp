@@ -100,6 +100,18 @@ void add_figures(const Grid& grid, const std::string& kind, std::span<const Lini
   }
 }
 
+void add_figures(std::span<const Lining> linings, const PeakShapes& shapes, wire::Bye& bye) {
+  for (std::size_t i = 0; i < linings.size(); ++i) {
+    const auto peak = shapes.of(i);
+    if (!peak) continue;
+    const std::string name =
+        fmt::format("lining_{}_largest_{}", linings[i].name, shapes.ovals(i) ? "ovaling" : "racking");
+    add_figure(name + "_m", peak->size, bye);
+    add_figure(name + "_time_s", peak->time, bye);
+    if (shapes.ovals(i)) add_figure(name + "_angle_rad", peak->angle, bye);
+  }
+}
+
 void add_failures(const Grid& grid, std::span<const Lining> members, const Structures& structures,
                   wire::Bye& bye) {
   Figures figures(grid, bye);

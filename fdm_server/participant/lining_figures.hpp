@@ -7,6 +7,7 @@
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/supports/lining.hpp"
 #include "fdm_server/supports/peak_forces.hpp"
+#include "fdm_server/supports/peak_shapes.hpp"
 #include "fdm_server/supports/peak_use.hpp"
 #include "protocol/messages/wire.pb.h"
 
@@ -24,6 +25,9 @@ namespace adit::fdm {
 // Members have the same, as member_<name>_….
 void add_figures(const Grid& grid, const std::string& kind, std::span<const Lining> chains,
                  const PeakForces& peaks, const PeakUse& use, wire::Bye& bye);
+// How far each closed lining was pushed out of shape, with …_time_s: lining_<name>_largest_ovaling_m of a
+// circle, with …_angle_rad; lining_<name>_largest_racking_m of any other.
+void add_figures(std::span<const Lining> linings, const PeakShapes& shapes, wire::Bye& bye);
 // When members failed: member_<name>_shear_failed_time_s, _axial_failed_time_s, _crushed_time_s, and
 // _failed_time_s of the first; none that did not happen.
 void add_failures(const Grid& grid, std::span<const Lining> members, const Structures& structures,

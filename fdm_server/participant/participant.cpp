@@ -153,6 +153,7 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   make_continuum();
   excavated_ = excavated_zones(scene_, grid_);
   require_free_field_stays();
+  peak_shapes_.emplace(grid_, supports_.linings);
   histories_.emplace(conditions, supports_, grid_, zone_kinds(), damping_);
   if (!weights.weights().empty()) offer_grid_points(weights, interface);
   interface.set_zones(grid_.zones.size());
@@ -414,6 +415,7 @@ void FdmParticipant::step_interior(const Step& step) {
     member_forces_.take(supports_.members, continuum_->structures(), step.time());
     member_use_.take(supports_.members, continuum_->structures(), step.time());
     peak_joints_.take(supports_.linings, continuum_->structures(), step.time());
+    peak_shapes_->take(continuum_->ux(), continuum_->uy(), step.time());
   }
   if (step.number % kFiniteCheckInterval == 0) check_grid(step);
   if (setup_.ground.large_strain && !step.from_rest() && steps_done_ % kShapeCheckInterval == 0 &&
@@ -537,6 +539,7 @@ void FdmParticipant::exchange_solver(state::Archive& archive) {
   member_forces_.exchange(supports_.members, archive);
   member_use_.exchange(supports_.members, archive);
   peak_joints_.exchange(supports_.linings, archive);
+  peak_shapes_->exchange(archive);
   histories_->exchange(archive);
   archive("peaks", peaks_, [this] { return Peaks(grid_); });
   archive("relaxation", relaxation_, [this] { return Relaxation(grid_, weights_); });
@@ -551,6 +554,7 @@ void FdmParticipant::finish(wire::Bye& bye) {
   add_figures(grid_, "lining", supports_.linings, peak_forces_, peak_use_, bye);
   add_figures(grid_, "member", supports_.members, member_forces_, member_use_, bye);
   add_figures(grid_, supports_.linings, peak_joints_, bye);
+  add_figures(supports_.linings, *peak_shapes_, bye);
   if (!supports_.members.empty()) add_failures(grid_, supports_.members, continuum_->structures(), bye);
   add_figures(grid_, supports_.interfaces, supports_.contacts, contact_peaks_, bye);
 }

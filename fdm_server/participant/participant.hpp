@@ -25,6 +25,7 @@
 #include "fdm_server/solver/relaxation.hpp"
 #include "fdm_server/supports/peak_forces.hpp"
 #include "fdm_server/supports/peak_joints.hpp"
+#include "fdm_server/supports/peak_shapes.hpp"
 #include "fdm_server/supports/peak_use.hpp"
 #include "fdm_server/supports/supports.hpp"
 #include "protocol/participant/interface/interface_operator.hpp"
@@ -127,6 +128,7 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   ContactPeaks contact_peaks_;
   PeakUse peak_use_, member_use_;
   PeakJoints peak_joints_;
+  std::optional<PeakShapes> peak_shapes_;  // of linings, once set up
   std::optional<Histories> histories_;
   std::optional<Peaks> peaks_;              // once wanted
   std::optional<Relaxation> relaxation_;    // in statics

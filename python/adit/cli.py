@@ -15,6 +15,7 @@ COMMANDS = {  # name: (module with main(words), what it does)
     "plot": ("adit.plots.command", "draws the pictures of a run; plot --model SCENE.yaml draws a model before it runs"),
     "report": ("adit.report.command", "writes the report of a run again"),
     "compare": ("adit.compare.command", "compares runs: figures, histories, spectra, cracks, envelopes, force chains"),
+    "table": ("adit.table.command", "writes the forces of a lining or member along its path, at a time of the fields, as CSV"),
     "paraview": ("adit.paraview.command", "writes a state by which ParaView shows a run"),
     "calibrate": ("adit.calibrate.command", "finds micro-properties of bonded discs for a given rock"),
     "trade": ("adit.trade.command", "measures what speed costs in accuracy"),
@@ -47,6 +48,9 @@ def run(name, words):
     module = COMMANDS[name][0]
     try:
         importlib.import_module(module).main(words) if module else run_coupler(name, words)
+    except BrokenPipeError:  # who read has enough, as `head`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return
     except OSError as error:
         reason = f"{error.filename}: {error.strerror}" if error.filename else str(error)
     except Unusable as error:

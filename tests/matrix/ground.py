@@ -39,7 +39,7 @@ WITH_INTERFACES = {
     "damping": ["none", "rayleigh", "maxwell"],
     "grid": ["block", "blocks"], "law": ["elastic", "mohr_coulomb", "reversals"], "base": ["held", "rigid", "compliant"],
     "motion": ["none", "record", "ricker", "velocity"], "rest": ["none", "stressed", "kinetic", "adaptive"], "hole": ["none", "never", "stage"],
-    "support": ["none", "lining", "slipping", "bonded", "layered"], "bedding": ["none", "slips", "opens"], "inside": ["none", "strip"],
+    "support": ["none", "lining", "slipping", "bonded", "layered", "reinforced"], "bedding": ["none", "slips", "opens"], "inside": ["none", "strip"],
 }
 
 STATICS = {"kinetic", "local", "adaptive", "unscaled"}
@@ -80,7 +80,7 @@ def meaningless(row):
     yield has("packing") == "cells" and has("bonds") == "parallel"  # facets join cells instead
     yield has("bedding", "none") != "none" and (has("grid", "block") not in ("block", "blocks") or has("inside") == "ring")
     # A lining that slips needs ground on one side where it is installed.
-    yield has("support") == "slipping" and has("hole") not in (None, "never", "stage")
+    yield has("support") in ("slipping", "reinforced") and has("hole") not in (None, "never", "stage")
     # A wall bears no part of a stated stress.
     yield has("bonds") == "wall" and has("rest") == "stressed"
 
@@ -103,7 +103,7 @@ CENTRE = {"x": 0.0, "y": 2.0}
 def passes_thresholds(row):
     """Whether something yields, breaks, touches or is braked against the sign of its velocity, so that rounding decides in which step."""
     return (row["law"] not in ("elastic", "layers") or row["bonds"] not in ("contact", "spring") or row["packing"] == "random"
-            or row["support"] in ("jointed", "bolt", "slipping", "layered") or row.get("bedding", "none") != "none" or row["foundation"] == "springs" or row["damping"] == "local")
+            or row["support"] in ("jointed", "bolt", "slipping", "layered", "reinforced") or row.get("bedding", "none") != "none" or row["foundation"] == "springs" or row["damping"] == "local")
 
 
 def output(row):
@@ -280,7 +280,11 @@ class Ground:
             halves = [line((1, 2), (1, 3), (-1, 3), (-1, 2)), line((-1, 2), (-1, 1), (1, 1), (1, 2))]
         if kind == "arcs":
             return {"linings": [{"name": name, "along": half, **section} for name, half in zip(("upper", "lower"), halves)]}
-        if kind == "slipping":
+        if kind == "reinforced":  # and slipping, with bars that differ on both sides
+            section = {**stage, "section": {
+                "thickness": 0.2, "cover": 0.03, "concrete": {"class": "C20/25"}, "steel": {"class": "B500B"},
+                "inner": {"diameter": 0.012, "spacing": 0.2}, "outer": {"diameter": 0.008, "spacing": 0.2}}}
+        if kind in ("slipping", "reinforced"):
             section["interface"] = {"friction_angle": 0.4, "cohesion": 2e3}
             if self.row["hole"] == "stage":
                 section["stage"] = 1
@@ -319,11 +323,13 @@ class Ground:
                   for quantity in ("displacement_x", "acceleration_y")]
         if self.has_section():
             found += [{"name": "cut", "quantity": quantity, "section": "cut"} for quantity in ("thrust", "moment", "shear_force")]
-        between = [("bedding", {"x": 0.0, "y": 0.5})] * (self.row.get("bedding", "none") != "none") + [("lining", {"x": 0.0, "y": 3.0})] * (self.row["support"] == "slipping")
+        between = [("bedding", {"x": 0.0, "y": 0.5})] * (self.row.get("bedding", "none") != "none") + [("lining", {"x": 0.0, "y": 3.0})] * (self.row["support"] in ("slipping", "reinforced"))
         found += [{"name": name, "quantity": quantity, "interface": name, "at": dict(at)} for name, at in between
                   for quantity in ("opening", "offset", "normal_stress", "shear_stress")]
         names = {"none": [], "bolt": [], "arcs": ["upper", "lower"]}.get(self.row["support"], ["lining"])
         at = {"lower": {"x": 0.0, "y": 1.0}}
+        if self.row["support"] == "reinforced":
+            found += [{"name": "lining", "quantity": quantity, "lining": "lining", "at": {"x": 0.0, "y": 3.0}} for quantity in ("utilisation", "curvature")]
         if self.row["support"] == "propped":
             found += [{"name": "prop", "quantity": quantity, "member": "prop", "at": {"x": 0.0, "y": 1.0}} for quantity in ("thrust", "moment")]
         if self.row["support"] == "segments":

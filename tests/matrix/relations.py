@@ -177,8 +177,8 @@ def _scaled(change, scene, folder, base):
 
 
 def can_be_scaled(row):
-    # A synthetic motion follows a spectrum over periods in seconds.
-    return row["motion"] != "synthetic"
+    # A synthetic motion follows a spectrum over periods in seconds; classes of concrete and steel have their strengths.
+    return row["motion"] != "synthetic" and row["support"] != "reinforced"
 
 
 def reordered(world, row, scene, folder, base):

@@ -6,6 +6,7 @@ from matplotlib.patches import Patch
 
 from adit.plots import style
 from adit.plots.drawing import Drawing, Panels, legend
+from adit.results.chains import chains
 from adit.results.rounding import settled
 
 # Fields with their names, units, and a unit in those of the field.
@@ -21,13 +22,28 @@ REACH = 0.3  # length at which the largest value is drawn, relative to the size 
 
 def lining_forces(run, time, pieces):
     """One panel for each force. Positive values are drawn to the right of the lining's path; dashed lines are the least and
-    the largest so far."""
-    return _across(run, pieces.get("linings"), FORCES, f"forces in the lining at t = {style.instant(time)}, per metre", OF_FORCES)
+    the largest so far. Layers have a row each, from the ground inwards."""
+    return _across(run, pieces.get("linings"), FORCES, f"forces in the lining at t = {style.instant(time)}, per metre", OF_FORCES, _layers)
 
 
 def member_forces(run, time, pieces):
     """The same of members, each with its own."""
     return _across(run, pieces.get("members"), FORCES, f"forces in the members at t = {style.instant(time)}, of one each", OF_FORCES)
+
+
+def _layers(run, linings):
+    """[(names, whether each beam is one of theirs)] of linings that lie on the ground, on these, and so on."""
+    below = {lining["name"]: lining.get("on") for _, model in run.models for lining in model.get("linings", [])}
+
+    def depth(name):
+        return 1 + depth(below[name]) if below.get(name) else 0
+
+    found = {}
+    for name, nodes in chains(run, linings):
+        names, shown = found.setdefault(depth(name), ([], np.zeros(len(linings.cells), bool)))
+        names.append(name)
+        shown |= np.isin(linings.cells[:, 0], nodes)
+    return [(", ".join(names), shown) for _, (names, shown) in sorted(found.items())]
 
 
 def lining_joints(run, time, pieces):
@@ -66,24 +82,30 @@ def interfaces(run, time, pieces):
         Patch(fc=style.BLUE, alpha=0.5, label="negative")])
 
 
-def _across(run, lines, quantities, title, entries):
+def _across(run, lines, quantities, title, entries, rows_of=lambda run, lines: [("", np.full(len(lines.cells), True))]):
     if lines is None or len(lines.cells) == 0:
         return None
     size = max(np.ptp(lines.points, axis=0))
     aside = np.array([max(size - np.ptp(lines.points[:, 0]), 0) / 2, 0])  # beside a column, for titles
     bounds = style.bounds_of(lines.points - REACH * size - aside, lines.points + REACH * size + aside)
-    normals = _right_normals(lines)
+    normals, rows = _right_normals(lines), rows_of(run, lines)
 
     def paint(*panels):
-        for axes, (name, what, unit, scale) in zip(panels, quantities):
-            axes.set(xlim=bounds[:2], ylim=bounds[2:], aspect="equal", xlabel="x [m]")
-            _draw(axes, lines, normals, name, REACH * size)
-            axes.set_title(f"{what}: {_range(lines.field(name), scale)} {unit}", loc="left")
-        panels[0].set_ylabel("y [m]")
+        of_panels = [(*row, *quantity) for row in rows for quantity in quantities]
+        for axes, (of, shown, name, what, unit, scale) in zip(panels, of_panels):
+            axes.set(xlim=bounds[:2], ylim=bounds[2:], aspect="equal")
+            _draw(axes, lines, shown, normals, name, REACH * size)
+            values = _range(lines.field(name)[np.unique(lines.cells[shown])], scale)
+            axes.set_title(f"{what}: {values} {unit}", loc="left")
+        for axes, (of, _) in zip(panels[::len(quantities)], rows):
+            axes.set_ylabel(f"{of}\ny [m]" if len(rows) > 1 else "y [m]")
+        for axes in panels[-len(quantities):]:
+            axes.set_xlabel("x [m]")
         return [legend(None, entries, loc="lower center", ncol=len(entries))]
 
-    layout = Panels(1, len(quantities), (3.5 * len(quantities), 4.6), title_above=True, dense=True,
-                    margins={"left": 0.06, "right": 0.99, "top": 0.88, "bottom": 0.19, "wspace": 0.16})
+    height = 1.4 + 3.2 * len(rows)
+    layout = Panels(len(rows), len(quantities), (3.5 * len(quantities), height), title_above=True, dense=True,
+                    margins={"left": 0.06, "right": 0.99, "top": 1 - 0.55 / height, "bottom": 0.87 / height, "wspace": 0.16})
     return Drawing(run.name, title, layout, paint)
 
 
@@ -102,17 +124,14 @@ def _capacity(run, kind, whose):
     pieces = [found for number in range(len(run.instants)) if (found := run.pieces_at(number).get(f"{kind}s")) is not None]
     if not pieces or (peaks := pieces[-1].field("peak_utilisation")) is None:
         return None
-    owner = np.zeros(len(peaks), int)
-    owner[pieces[-1].cells] = pieces[-1].field(kind).astype(int)[:, None]
-    shown = [number for number in np.unique(owner) if peaks[owner == number].max() > 0]
+    shown = [(name, nodes) for name, nodes in chains(run, pieces[-1], kind) if peaks[nodes].max() > 0]
     if not shown:
         return None
 
     def paint(*panels):
-        for axes, number in zip(panels, shown):
-            nodes = np.flatnonzero(owner == number)
+        for axes, (name, nodes) in zip(panels, shown):
             worst = nodes[peaks[nodes].argmax()]
-            over_time = {name: np.array([piece.field(name) for piece in pieces]) / 1e3 for name in CAPACITY}
+            over_time = {field: np.array([piece.field(field) for piece in pieces]) / 1e3 for field in CAPACITY}
             order = np.argsort(over_time["thrust_N"][:, nodes], axis=None)
             thrust = over_time["thrust_N"][:, nodes].ravel()[order]
             for side in CAPACITY[2:]:
@@ -120,7 +139,7 @@ def _capacity(run, kind, whose):
             axes.plot(over_time["thrust_N"][:, worst], over_time["moment_Nm"][:, worst], color=style.RED, lw=0.9, marker=".", ms=3)
             axes.axhline(0, color=style.GREY, lw=0.4, zorder=0)
             x, y = pieces[-1].points[worst][:2]
-            axes.set_title(f"{kind} {number}, ({x:.4g}, {y:.4g}) m: {peaks[worst]:.3g} of its capacity", loc="left")
+            axes.set_title(f"{name}, ({x:.4g}, {y:.4g}) m: {peaks[worst]:.3g} of its capacity", loc="left")
             axes.set(xlabel="thrust N [kN], tension positive", ylabel="moment M [kN m]")
         return [legend(None, [Line2D([], [], color=style.BLACK, label="capacity at the thrusts that occurred"),
                               Line2D([], [], color=style.RED, marker=".", label="the node with the largest utilisation, at field times")],
@@ -131,21 +150,22 @@ def _capacity(run, kind, whose):
     return Drawing(run.name, f"thrust and moment against the capacity, {whose}", layout, paint)
 
 
-def _draw(axes, linings, normals, name, reach):
-    values = linings.field(name)
+def _draw(axes, linings, shown, normals, name, reach):
+    """Draws a quantity across the shown beams, as large as in all of them together."""
+    values, cells = linings.field(name), linings.cells[shown]
     peaks = [peak for end in ("least", "largest") if (peak := linings.field(f"peak_{end}_{name}")) is not None]
     largest = np.abs([values, *peaks]).max()
     offset = normals * (reach * values / largest if largest > 0 else 0 * values)[:, None]
-    ends = linings.points[linings.cells]
-    moved = (linings.points + offset)[linings.cells]
-    positive = values[linings.cells].mean(axis=1) >= 0
+    ends = linings.points[cells]
+    moved = (linings.points + offset)[cells]
+    positive = values[cells].mean(axis=1) >= 0
     axes.add_collection(PolyCollection(
         np.concatenate([ends, moved[:, ::-1]], axis=1), fc=np.where(positive, style.RED, style.BLUE), alpha=0.5, lw=0))
     axes.add_collection(LineCollection(moved, color=style.BLACK, lw=0.7))
     axes.add_collection(LineCollection(ends, color=style.BLACK, lw=1.8))
     for peak in peaks if largest > 0 else ():
         outline = linings.points + normals * (reach * peak / largest)[:, None]
-        axes.add_collection(LineCollection(outline[linings.cells], color=style.GREY, lw=0.9, ls="--"))
+        axes.add_collection(LineCollection(outline[cells], color=style.GREY, lw=0.9, ls="--"))
 
 
 def _right_normals(linings):

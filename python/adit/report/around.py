@@ -5,6 +5,7 @@ import numpy as np
 
 from adit.plots import style
 from adit.plots.drawing import Drawing, Panels, legend
+from adit.results.chains import angles, chains
 
 FORCES = (("thrust_N", "thrust N", "kN/m"), ("moment_Nm", "moment M", "kN m/m"), ("shear_N", "shear force Q", "kN/m"))
 
@@ -19,7 +20,7 @@ def largest(results):
     """Yields (which ring or lining, angles [°], [largest magnitudes of each of FORCES over time]) of all of a run."""
     for ring, angle, least, greatest in _section_envelopes(results):
         yield ring, angle, _magnitudes(least, greatest)
-    for which, angle, least, greatest in _lining_envelopes(results.last_pieces.get("linings")):
+    for which, angle, least, greatest in _lining_envelopes(results, results.last_pieces.get("linings")):
         yield which, angle, _magnitudes(least, greatest)
 
 
@@ -41,23 +42,20 @@ def columns(results):
     return {f"{section['name']}_{force}" for ring in _rings(results).values() for section in ring for force, *_ in FORCES}
 
 
-def of_linings(linings):
+def of_linings(run, linings):
     """Yields a drawing for each lining: its least and greatest forces so far, around its middle."""
-    for which, angle, least, greatest in _lining_envelopes(linings):
+    for which, angle, least, greatest in _lining_envelopes(run, linings):
         yield _drawn(f"envelopes around {which}", angle, least, greatest)
 
 
-def _lining_envelopes(linings):
+def _lining_envelopes(run, linings):
     if linings is None or len(linings.cells) == 0 or linings.field("peak_largest_thrust_N") is None:
         return
-    number = linings.field("lining", np.zeros(len(linings.cells)))
-    for k in np.unique(number):
-        nodes = np.unique(linings.cells[number == k])
+    for name, nodes in chains(run, linings):
         order, angle = _around(linings.points[nodes])
         least, greatest = ([linings.field(f"peak_{end}_{force}")[nodes][order] / 1e3 for force, *_ in FORCES]
                            for end in ("least", "largest"))
-        which = f"lining {k + 1:.0f}" if len(np.unique(number)) > 1 else "the lining"
-        yield which, angle, least, greatest
+        yield f"lining {name}", angle, least, greatest
 
 
 def _rings(results):
@@ -72,9 +70,8 @@ def _rings(results):
 
 
 def _around(points):
-    """The order of points by their angle [°] about their middle, from x, counter-clockwise; and these angles."""
-    x, y = (points - points.mean(axis=0)).T
-    angle = np.degrees(np.arctan2(y, x)) % 360
+    """The order of points by their angle [°] about their middle; and these angles."""
+    angle = angles(points)
     order = np.argsort(angle)
     return order, angle[order]
 

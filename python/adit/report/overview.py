@@ -53,6 +53,8 @@ OF_A_LINING = (  # the same of each lining of a continuum, by its name before
     ("largest moment, per metre [kN m]", "largest_moment_Nm", 1e3, "{:z,.0f}"),
     ("  thrust there [kN]", "thrust_at_largest_moment_N", 1e3, "{:z,.0f}"),
     *_when_and_where("largest_moment"),
+    ("largest ovaling: change of a diameter [mm]", "largest_ovaling_m", 1e-3, "{:z.2f}"),
+    ("largest racking: top against bottom [mm]", "largest_racking_m", 1e-3, "{:z.2f}"),
     ("largest utilisation, thrust and moment [%]", "largest_utilisation", 1e-2, "{:z.0f}"),
     ("  thrust there [kN]", "thrust_at_largest_utilisation_N", 1e3, "{:z,.0f}"),
     ("  moment there [kN m]", "moment_at_largest_utilisation_Nm", 1e3, "{:z,.0f}"),

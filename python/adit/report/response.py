@@ -34,7 +34,7 @@ def envelopes(results):
                      pictures.figure(tunnel_pictures.time_distance(results))]
         except Unusable as reason:
             results.faults.append(str(reason))
-    linings = around.of_linings(results.last_pieces.get("linings"))
+    linings = around.of_linings(results, results.last_pieces.get("linings"))
     drawn += [pictures.figure(each) for each in (*around.of_sections(results), *linings)]
     return section("envelopes", "Envelopes", drawn)
 

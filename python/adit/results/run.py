@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import yaml
 
+from adit.results import chains
 from adit.results.files import Unusable, nearest, read
 from adit.results.pieces import Fields, Piece, read_collection
 from adit.results.tables import Table, read_table
@@ -126,6 +127,15 @@ class Run:
         linings, bolts, springs, … Pieces of several regions are joined."""
         return self.pieces_at(self.instant_at(time))
 
+    def lining(self, name, time=None):
+        """The Table of a lining at a time [s] of `times`, the last where none is given: x_m, y_m, angle_deg about its middle, and
+        the fields of its nodes along its path, such as thrust_N, moment_Nm, peak_least_thrust_N."""
+        return chains.table(self, name, time)
+
+    def member(self, name, time=None):
+        """The same of a member: a column, strut, slab or wall."""
+        return chains.table(self, name, time, "member")
+
     def snapshots(self):
         """Yields (time [s], fields) of all instants."""
         for number, (time, _) in enumerate(self.instants):
@@ -188,7 +198,12 @@ def _over_time(path):
 
 
 class SceneLoader(yaml.SafeLoader):
-    """Reads 3e+10 as a number, as YAML 1.2 does and PyYAML does not."""
+    """Reads 3e+10 as a number, and `on`, `off`, `yes` and `no` as texts, as YAML 1.2 does and PyYAML does not."""
+
+    yaml_implicit_resolvers = {
+        letter: [(tag, pattern) for tag, pattern in resolvers if tag != "tag:yaml.org,2002:bool"]
+        for letter, resolvers in yaml.SafeLoader.yaml_implicit_resolvers.items()}
 
 
 SceneLoader.add_implicit_resolver("tag:yaml.org,2002:float", re.compile(r"[-+]?\d+(\.\d*)?e[-+]?\d+$"), list("-+0123456789"))
+SceneLoader.add_implicit_resolver("tag:yaml.org,2002:bool", re.compile(r"(true|True|TRUE|false|False|FALSE)$"), list("tTfF"))

@@ -88,7 +88,7 @@ class Installed(ProgramTest):
     def test_unknown_commands_end_with_the_list_of_commands(self):
         done = subprocess.run([self.prefix / "bin" / "adit", "draw"], capture_output=True, text=True)
         self.assertEqual(done.returncode, 2)
-        for command in ("run", "plot", "report", "compare", "paraview", "calibrate", "cluster", "trade"):
+        for command in ("run", "plot", "report", "compare", "table", "paraview", "calibrate", "cluster", "trade"):
             self.assertRegex(done.stderr, rf"\n  {command} ")
 
     def test_links_of_the_readme_lead_to_installed_files(self):

@@ -1,12 +1,16 @@
 """Linings that lie on others: bonded they bend as one section, with an interface each by itself."""
 
+import csv
+import io
+import subprocess
 import unittest
 
 import numpy as np
 
-from programs import ProgramTest
+from programs import ADIT, PATIENCE_S, ProgramTest
 
-from adit import Run
+from adit import Run, Unusable
+from adit.plots import lining_pictures, png
 
 HEIGHT, BEAM, FORCE = 3.0, 0.25, 40e3  # per metre
 THICKNESS, YOUNG = np.array([0.3, 0.2]), np.array([20e9, 30e9])
@@ -64,6 +68,26 @@ class Layers(ProgramTest):
         bending = YOUNG * THICKNESS**3 / 12
         np.testing.assert_allclose(moments, -FORCE * (HEIGHT - BEAM) * bending / bending.sum(), rtol=0.01)
         np.testing.assert_allclose(thrusts, 0, atol=1)
+
+    def test_layers_are_drawn_and_listed_by_their_names(self):
+        run = Run(self.run_scene(self.scene(SCENE)))
+        time, pieces = run.times[-1], run.fields()
+        panels = png.figure(lining_pictures.lining_forces(run, time, pieces)).axes
+        self.assertEqual([axes.get_ylabel().split("\n")[0] for axes in panels[::3]], ["shotcrete", "concrete"])
+        fields, nodes = pieces["linings"], round(HEIGHT / BEAM) + 1
+        for number, name in enumerate(("shotcrete", "concrete")):
+            own = run.lining(name)
+            np.testing.assert_array_equal(own["moment_Nm"], fields["moment_Nm"][number * nodes:][:nodes])
+            np.testing.assert_allclose(own["y_m"], np.linspace(0, HEIGHT, nodes), atol=1e-12)
+            told = subprocess.run([*ADIT, "table", run.folder, name, "--time", f"{time}"], capture_output=True, text=True, timeout=PATIENCE_S)
+            rows = list(csv.DictReader(io.StringIO(told.stdout)))
+            for column in ("angle_deg", "thrust_N", "peak_largest_moment_Nm"):
+                np.testing.assert_allclose([float(row[column]) for row in rows], own[column], rtol=1e-8)
+        with self.assertRaisesRegex(Unusable, "no lining `concret`.*concrete"):
+            run.lining("concret")
+        told = subprocess.run([*ADIT, "table", run.folder, "roof"], capture_output=True, text=True, timeout=PATIENCE_S)
+        self.assertEqual(told.returncode, 2)
+        self.assertIn("has no lining or member `roof`", told.stderr)
 
 
 if __name__ == "__main__":

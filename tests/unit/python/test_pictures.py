@@ -367,7 +367,7 @@ class Pages(PictureTest):
         fields = {f"{when}{force}": np.full(8, value) for force, _, _ in around.FORCES
                   for when, value in (("", -3e3), ("peak_least_", -9e3), ("peak_largest_", -2e3))}
         ring = piece(points, [(k, (k + 1) % 8) for k in range(8)], fields, {"lining": np.zeros(8)})
-        envelopes, _ = pictures.painted(next(around.of_linings(ring)))
+        envelopes, _ = pictures.painted(next(around.of_linings(run_named("ring"), ring)))
         least, greatest = (envelopes.axes[0].get_lines()[k].get_ydata() for k in (0, 1))
         np.testing.assert_allclose((least, greatest), ([-9] * 8, [-2] * 8))
         drawn = png.figure(lining_pictures.lining_forces(run_named("ring"), 1.0, {"linings": ring})).axes[0].collections
