@@ -132,12 +132,14 @@ inline Stroke touch(const ContactLaw& law, const ContactStrength& now, double si
     state.lost = std::min(1.0, state.lost + lost_by(law, slip));
     state.status = ContactStatus::kSliding;
     const double bound = std::abs(state.shear), from = std::clamp(shear_before, -bound, bound);
-    const double elastic = state.shear == from ? 0 : (state.shear - from) / (law.shear * ds);
-    const double at_end = from == shear_before ? 1 - elastic : 1 - 2 * elastic;  // a bound moves both
+    // The elastic part of the way; what lies beyond the strength at first is lost without a way.
+    const double elastic = state.shear == from ? 0 : (state.shear - shear_before) / (law.shear * ds);
+    const double half = (from - state.shear) / 2, by_way = elastic == 0 ? 0 : half / (law.shear * ds);
+    const double at_end = 1 - (from == shear_before ? elastic / 2 : elastic) + by_way;  // a bound moves both
     const double by_slip = -at_end * std::copysign(law.shear, trial);
-    stroke.shear = state.shear + (from - state.shear) / 2 * elastic;
+    stroke.shear = state.shear + half * elastic;
     stroke.shear_slopes = {by_slip * of_slip.by_normal,
-                           law.shear * (at_end + elastic * elastic / 2) + by_slip * of_slip.by_shear};
+                           law.shear * (at_end - by_way * elastic) + by_slip * of_slip.by_shear};
   }
   const double sigma = normal_stress(law, state);
   if (was_open && law.normal * du < sigma) {  // they meet on the way
@@ -146,7 +148,7 @@ inline Stroke touch(const ContactLaw& law, const ContactStrength& now, double si
     stroke.normal_slopes = {elastic * of_sigma.by_normal - law.normal * elastic * elastic / 2,
                             elastic * of_sigma.by_shear};
   } else {
-    stroke.normal = ((was_open ? 0 : sigma_before) + sigma) / 2;
+    stroke.normal = ((was_open ? 0 : std::min(sigma_before, now.tension)) + sigma) / 2;
     stroke.normal_slopes = {of_sigma.by_normal / 2, of_sigma.by_shear / 2};
   }
   return stroke;

@@ -82,19 +82,23 @@ TEST(Contact, BearsTheMeanOfItsWay) {
 // The slope of the means against the end of the stroke, by which Newton's method finds them.
 TEST(Contact, KnowsItsSlopes) {
   const ContactLaw it = law({1e4, 0.4, 0.3, 2e4});
-  const auto mean = [&](double start, double du, double ds) {
+  const auto mean = [&](double start, double du, double ds, double sheared = 3e-6) {
     ContactState state;
-    move(it, start, 3e-6, state);
+    move(it, start, sheared, state);
     if (start > 0) state.closure = start;  // open by so much
     return move(it, du, ds, state);
   };
   constexpr double kLittle = 1e-10;
-  for (const double start : {-2e-5, 2e-5})
-    for (const double du : {-5e-5, -1e-6, 4e-5})
-      for (const double ds : {0.0, 1e-6, 3e-5, 2e-4, -6e-5}) {
-        const Stroke here = mean(start, du, ds);
-        const auto [left, right] = std::pair(mean(start, du - kLittle, ds), mean(start, du + kLittle, ds));
-        const auto [back, ahead] = std::pair(mean(start, du, ds - kLittle), mean(start, du, ds + kLittle));
+  const std::array<std::array<double, 2>, 3> starts{{{-2e-5, 3e-6}, {2e-5, 3e-6}, {-6e-5, 2e-5}}};
+  for (const auto& [start, sheared] : starts)
+    for (const double du : {-5e-5, -1e-6, 4e-5, 5.5e-5})
+      for (const double ds : {0.0, 1e-6, 3e-5, 2e-4, -3e-5, -6e-5}) {
+        const auto at = [&, start = start, sheared = sheared](double more_du, double more_ds) {
+          return mean(start, du + more_du, ds + more_ds, sheared);
+        };
+        const Stroke here = at(0, 0);
+        const auto [left, right] = std::pair(at(-kLittle, 0), at(kLittle, 0));
+        const auto [back, ahead] = std::pair(at(0, -kLittle), at(0, kLittle));
         const auto expect = [&](double found, double from, double to, const char* which) {
           const double slope = (to - from) / (2 * kLittle);
           EXPECT_NEAR(found / kNormal, slope / kNormal, 1e-4) << which << start << ' ' << du << ' ' << ds;
@@ -129,6 +133,31 @@ TEST(Contact, BearsContinuously) {
       before = stroke;
     }
     move(it, du[0], ds[0], state);
+  }
+}
+
+// The same where the pressure falls below what the shear stress needs, and the slip turns back: the mean
+// falls without a jump from what is left of the strength to its opposite, and what was lost is dissipated.
+TEST(Contact, TurnsBackContinuouslyFromBeyondItsStrength) {
+  const ContactLaw it = law({0, 0.5, 0, 0});
+  ContactState loaded;
+  move(it, -1e-4, 0, loaded);
+  move(it, 0, 0.95 * 0.5 * kNormal * 1e-4 / kShear, loaded);
+  for (const double du : {2e-5, 6e-5, 9e-5}) {
+    constexpr int kParts = 4000;
+    constexpr double kWay = -4e-4;
+    double before = 0;
+    for (int k = 0; k <= kParts; ++k) {
+      const double ds = kWay * k / kParts;
+      ContactState moved = loaded;
+      const Stroke stroke = move(it, du, ds, moved);
+      if (k > 0) {
+        ASSERT_NEAR(stroke.shear, before, 2 * kShear * -kWay / kParts) << du << ' ' << ds;
+      }
+      ASSERT_GE(dissipated(it, loaded, stroke, moved), -1e-12) << du << ' ' << ds;
+      before = stroke.shear;
+    }
+    EXPECT_LT(before, 0);
   }
 }
 
