@@ -32,6 +32,8 @@ constexpr double kStepShare = 0.95;
 // each other in the overlap, by as much of their settlement as is still to come. Strengths forgive a fiftieth
 // of it.
 constexpr double kOnePaceAbove = 0.02;
+// Stops in succession after three steps, until one of them waits.
+constexpr std::uint64_t kReturns = 10;
 // Steps that imposed displacements may be late by, because a stop takes a step of them away.
 constexpr std::uint64_t kStopsAtTheEnd = 10;
 // Steps before a model that nothing holds is told: by then it has moved.
@@ -134,6 +136,7 @@ class Statics::Relaxer {
   bool step();
   void take(const Unrest& unrest);
   void brake(const Unrest& unrest);
+  bool stops(bool peaked);
   void pace(bool near_rest);
   void weigh();
   std::string place() const;
@@ -163,6 +166,7 @@ class Statics::Relaxer {
   Stall stall_;
   Moved moved_;                   // as told last, in this stage
   std::uint64_t free_steps_ = 0;  // since the last stop
+  std::uint64_t returns_ = 0;     // stops in succession after three steps
 };
 
 void Statics::Relaxer::run(const BetweenSteps& between_steps) {
@@ -256,12 +260,28 @@ void Statics::Relaxer::brake(const Unrest& unrest) {
   how_.stop = false;
   if (how_.local_damping > 0) return;
   const double left = 1 - how_.slowing;
-  how_.stop = unrest.kinetic_energy < left * left * kinetic_energy_;
+  how_.stop = stops(unrest.kinetic_energy < left * left * kinetic_energy_);
   if (how_.stop) ++rest_.stops;
   free_steps_ = how_.stop ? 0 : free_steps_ + 1;
   kinetic_energy_ = how_.stop ? 0 : unrest.kinetic_energy;
   how_.slowing =
       damping_ == scene::Statics::ADAPTIVE ? kSlowing / (kSlowing + static_cast<double>(free_steps_)) : 0;
+}
+
+// Motions of three steps a period are where they began when the third step ends. Where most of what moves has
+// this period, stops every three steps would take nothing away: in their turn one comes a step later.
+bool Statics::Relaxer::stops(bool peaked) {
+  if (free_steps_ == 3 && returns_ == kReturns) {
+    returns_ = 0;
+    return true;
+  }
+  if (!peaked || free_steps_ != 2) {
+    if (peaked) returns_ = 0;
+    return peaked;
+  }
+  if (returns_ == kReturns) return false;
+  ++returns_;
+  return true;
 }
 
 std::string Statics::Relaxer::place() const {
@@ -324,6 +344,7 @@ void Statics::Relaxer::exchange(state::Archive& archive) {
   archive("moved_of", moved_.of);
   archive("moved_what", moved_.what);
   archive("free_steps", free_steps_);
+  archive("returns", returns_);
   archive("imposing_steps", imposing_steps_);
   if (archive.reads() && begun_) weigh();
 }

@@ -7,7 +7,8 @@
 //   have come to rest;
 // - kinetic damping (Cundall 1976; Barnes 1999): whenever the kinetic energy of the whole model has passed a
 //   peak, all velocities are set to 0, before they move anything. A step's delay would leave the fastest
-//   motions, which pass their peak every third step, undamped;
+//   motions, which pass their peak every third step, undamped; and so would stops every third step those of
+//   that period, so that one in eleven waits a step;
 // - adaptive damping (Nesterov 1983; O'Donoghue & Candès 2015), where the scene states it: the n-th step
 //   after a stop takes 3 / (3 + n) of all velocities, and all stop when the forces take kinetic energy away.
 // Neither alters the constraint or the weighted overlap, so that what is at rest stays at rest when time
