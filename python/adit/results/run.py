@@ -188,7 +188,10 @@ def _over_time(path):
 
 
 class SceneLoader(yaml.SafeLoader):
-    """Reads 3e+10 as a number, as YAML 1.2 does and PyYAML does not."""
+    """Reads 3e+10 as a number and `on` as a word, as YAML 1.2 does and PyYAML does not."""
 
 
+BOOL = "tag:yaml.org,2002:bool"
+SceneLoader.yaml_implicit_resolvers = {first: [one for one in resolvers if one[0] != BOOL] for first, resolvers in yaml.SafeLoader.yaml_implicit_resolvers.items()}
+SceneLoader.add_implicit_resolver(BOOL, re.compile(r"(true|false)$"), list("tf"))
 SceneLoader.add_implicit_resolver("tag:yaml.org,2002:float", re.compile(r"[-+]?\d+(\.\d*)?e[-+]?\d+$"), list("-+0123456789"))
