@@ -59,15 +59,22 @@ geometry::BoundingBox Contour::box(double offset) const {
           centre_.y + above_ + offset};
 }
 
+Point Contour::on_arc(double angle, double offset) const {
+  const double radius = radius_ + offset;
+  return {centre_.x + radius * std::cos(angle), centre_.y + radius * std::sin(angle)};
+}
+
+Point Contour::wall_end(int right, int up, double offset) const {
+  const auto [x_min, x_max, y_min, y_max] = box(offset);
+  return {right > 0 ? x_max : x_min, up > 0 ? y_max : up < 0 ? y_min : centre_.y};
+}
+
 // Of a horseshoe or a box, counter-clockwise from the lower right.
 std::vector<Point> Contour::corners(double offset) const {
   const auto [left, right, lower, upper] = box(offset);
   if (radius_ == 0) return {{right, lower}, {right, upper}, {left, upper}, {left, lower}};
   std::vector<Point> corners{{right, lower}};
-  for (int k = 0; k <= kArchSides; ++k) {
-    const double angle = pi * k / kArchSides, radius = radius_ + offset;
-    corners.push_back({centre_.x + radius * std::cos(angle), centre_.y + radius * std::sin(angle)});
-  }
+  for (int k = 0; k <= kArchSides; ++k) corners.push_back(on_arc(pi * k / kArchSides, offset));
   corners.push_back({left, lower});
   return corners;
 }
@@ -107,8 +114,7 @@ scene::Area Contour::between(double inner_offset, double outer_offset) const {
 }
 
 Contour::Cut Contour::cut_at_angle(double angle) const {
-  const double nx = std::cos(angle), ny = std::sin(angle);
-  return {{centre_.x + radius_ * nx, centre_.y + radius_ * ny}, nx, ny};
+  return {on_arc(angle, 0), std::cos(angle), std::sin(angle)};
 }
 
 // The inner side runs up the right wall from the height of the centre, over the arch or the roof, down the

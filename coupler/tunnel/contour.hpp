@@ -16,7 +16,12 @@ class Contour {
   // horseshoe that is no higher than its arch.
   Contour(const scene::LinedTunnel& tunnel, const std::string& path);
 
+  const geometry::Point& centre() const { return centre_; }
   geometry::BoundingBox box(double offset) const;
+  // On the circle or the arch, at an angle from x.
+  geometry::Point on_arc(double angle, double offset) const;
+  // An end of a wall: `right` 1 or -1; `up` -1 at the floor, 1 at the roof, 0 at the height of the centre.
+  geometry::Point wall_end(int right, int up, double offset) const;
   scene::Shape shape(double offset) const;
   scene::Area inside(double offset) const;
   scene::Area between(double inner_offset, double outer_offset) const;

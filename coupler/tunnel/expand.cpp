@@ -2,10 +2,13 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "coupler/tunnel/contour.hpp"
+#include "coupler/tunnel/grid_tunnels.hpp"
+#include "coupler/tunnel/layers.hpp"
 #include "coupler/tunnel/lining.hpp"
 #include "coupler/tunnel/parts.hpp"
 #include "coupler/tunnel/region.hpp"
@@ -79,6 +82,43 @@ std::string add_as_region(const std::string& name, const scene::Particles& parti
   return region_path + ".particles";
 }
 
+bool is_of_particles(const scene::LinedTunnel& tunnel) {
+  return tunnel.lining().as() == scene::TunnelLining::PARTICLES;
+}
+
+void require_grains(const scene::LinedTunnel& tunnel, const std::string& path) {
+  if (tunnel.particles().has_size() == tunnel.particles().has_radius())
+    throw UserError(path + ".particles",
+                    fmt::format("{}; give `size` for cells or `radius` for a lattice of discs",
+                                of_cells(tunnel) ? "has size and radius" : "needs size or radius"));
+  if (const double most = tunnel.lining().thickness() / 2;
+      of_cells(tunnel) && tunnel.particles().size() > most)
+    throw UserError(path + ".particles.size",
+                    fmt::format("is {} m, more than half of the lining's thickness; give at most {:.4g} m",
+                                tunnel.particles().size(), most));
+  if (!of_cells(tunnel) && tunnel.particles().has_ground_size())
+    throw UserError(path + ".particles.ground_size", "is of cells, but `radius` asks for discs; give `size`");
+}
+
+// `alone`: whether they become the `particles` of the scene.
+void add_particles(const scene::LinedTunnel& tunnel, const std::string& path,
+                   const scene::Continuum& continuum, bool alone, Expansion& expansion) {
+  layers_of(tunnel, path);
+  require_grains(tunnel, path);
+  const Contour contour(tunnel, path);
+  TunnelGround ground = ground_around(tunnel, contour, continuum);
+  add_lining(tunnel, contour, path, ground.particles);
+  const scene::Interface interface = interface_around(tunnel, contour);
+  const std::string part = alone ? add_as_particles(ground.particles, interface, path, expansion)
+                                 : add_as_region(tunnel.name(), ground.particles, interface, path, expansion);
+  for (std::size_t group = 0; group < ground.zones.size(); ++group)
+    expansion.origins.insert(expansion.origins.begin(),
+                             {fmt::format("{}.groups[{}]", part, group), path,
+                              fmt::format("continuum.materials[{}]", ground.zones[group])});
+  add_note_on_rows(tunnel, expansion.notes);
+  add_note_on_elastic_ground(tunnel, ground.elastic, expansion.notes);
+}
+
 }  // namespace
 
 Expansion expand_tunnels(const scene::Scene& given) {
@@ -86,36 +126,12 @@ Expansion expand_tunnels(const scene::Scene& given) {
   expansion.scene.clear_tunnels();
   if (given.tunnels_size() > 0 && !given.has_continuum())
     throw UserError("tunnels", "lie in no ground; give the scene a `continuum` around them");
-  const bool alone = given.tunnels_size() == 1 && !given.has_particles() && !given.has_interface();
-  for (int k = 0; k < given.tunnels_size(); ++k) {
-    const auto& tunnel = given.tunnels(k);
-    const std::string path = fmt::format("tunnels[{}]", k);
-    if (tunnel.particles().has_size() == tunnel.particles().has_radius())
-      throw UserError(path + ".particles",
-                      fmt::format("{}; give `size` for cells or `radius` for a lattice of discs",
-                                  of_cells(tunnel) ? "has size and radius" : "needs size or radius"));
-    if (const double most = tunnel.lining().thickness() / 2;
-        of_cells(tunnel) && tunnel.particles().size() > most)
-      throw UserError(path + ".particles.size",
-                      fmt::format("is {} m, more than half of the lining's thickness; give at most {:.4g} m",
-                                  tunnel.particles().size(), most));
-    if (!of_cells(tunnel) && tunnel.particles().has_ground_size())
-      throw UserError(path + ".particles.ground_size",
-                      "is of cells, but `radius` asks for discs; give `size`");
-    const Contour contour(tunnel, path);
-    TunnelGround ground = ground_around(tunnel, contour, given.continuum());
-    add_lining(tunnel, contour, path, ground.particles);
-    const scene::Interface interface = interface_around(tunnel, contour);
-    const std::string part = alone
-                                 ? add_as_particles(ground.particles, interface, path, expansion)
-                                 : add_as_region(tunnel.name(), ground.particles, interface, path, expansion);
-    for (std::size_t group = 0; group < ground.zones.size(); ++group)
-      expansion.origins.insert(expansion.origins.begin(),
-                               {fmt::format("{}.groups[{}]", part, group), path,
-                                fmt::format("continuum.materials[{}]", ground.zones[group])});
-    add_note_on_rows(tunnel, expansion.notes);
-    add_note_on_elastic_ground(tunnel, ground.elastic, expansion.notes);
-  }
+  const auto of_particles = std::ranges::count_if(given.tunnels(), is_of_particles);
+  const bool alone = of_particles == 1 && !given.has_particles() && !given.has_interface();
+  for (int k = 0; k < given.tunnels_size(); ++k)
+    if (is_of_particles(given.tunnels(k)))
+      add_particles(given.tunnels(k), fmt::format("tunnels[{}]", k), given.continuum(), alone, expansion);
+  add_grid_tunnels(given, expansion);
   return expansion;
 }
 

@@ -1,6 +1,7 @@
 // Tunnels as engineers state them (tunnel.proto), expanded to the scene as the programs compute it.
 //
-// Each tunnel becomes a particle region: a hexagonal lattice around it, its lining as a group that touches
+// Linings of beams and zones become parts of the continuum (grid_tunnels.hpp). Each tunnel with a lining of
+// particles becomes a particle region: a hexagonal lattice around it, its lining as a group that touches
 // the ground, joints, springs, sections and histories named `<tunnel>_joint_1` …, and an overlap around it
 // with the solve `split`. One tunnel becomes `particles` and `interface`; several, or one beside these,
 // become `regions` and `interfaces`. A tunnel that was always there is a hole in its particles; the continuum

@@ -15,33 +15,6 @@ namespace {
 using geometry::Point;
 using protocol::UserError;
 
-// Angles of the joints, from x.
-std::vector<double> joint_angles(const scene::TunnelLining& lining) {
-  if (lining.joints_size() > 0) return {lining.joints().begin(), lining.joints().end()};
-  std::vector<double> angles;
-  if (lining.segments() < 2) return angles;
-  for (std::uint32_t k = 0; k < lining.segments(); ++k)
-    angles.push_back(lining.first_joint() + k * 2 * std::numbers::pi / lining.segments());
-  return angles;
-}
-
-void require_joints_possible(const scene::LinedTunnel& tunnel, const std::string& path) {
-  const scene::TunnelLining& lining = tunnel.lining();
-  const std::string at = path + ".lining.";
-  if (lining.joints_size() > 0 && (lining.has_segments() || lining.has_first_joint()))
-    throw UserError(at + "joints",
-                    "is given beside `segments` or `first_joint`; give equal segments or angles");
-  const bool jointed = !joint_angles(lining).empty();
-  if (jointed && !tunnel.has_circle())
-    throw UserError(at + (lining.joints_size() > 0 ? "joints" : "segments"),
-                    "is given, but only the lining of a circle has segments; leave it out");
-  for (const auto& [given, field] :
-       {std::pair{lining.has_bolts(), "bolts"}, std::pair{lining.has_gasket(), "gasket"},
-        std::pair{lining.has_keys(), "keys"}, std::pair{lining.has_neighbours(), "neighbours"}})
-    if (given && !jointed)
-      throw UserError(at + field, "is given, but the lining has no joints; give `segments` or `joints`");
-}
-
 // Springs across a joint, by their names.
 class Joint {
  public:
@@ -126,6 +99,33 @@ class Joint {
 };
 
 }  // namespace
+
+std::vector<double> joint_angles(const scene::TunnelLining& lining) {
+  if (lining.joints_size() > 0) return {lining.joints().begin(), lining.joints().end()};
+  std::vector<double> angles;
+  if (lining.segments() < 2) return angles;
+  for (std::uint32_t k = 0; k < lining.segments(); ++k)
+    angles.push_back(lining.first_joint() + k * 2 * std::numbers::pi / lining.segments());
+  return angles;
+}
+
+void require_joints_possible(const scene::LinedTunnel& tunnel, const std::string& path) {
+  const scene::TunnelLining& lining = tunnel.lining();
+  const std::string at = path + ".lining.";
+  if (lining.joints_size() > 0 && (lining.has_segments() || lining.has_first_joint()))
+    throw UserError(at + "joints",
+                    "is given beside `segments` or `first_joint`; give equal segments or angles");
+  const bool jointed = !joint_angles(lining).empty();
+  if (jointed && !tunnel.has_circle())
+    throw UserError(at + (lining.joints_size() > 0 ? "joints" : "segments"),
+                    "is given, but only the lining of a circle has segments; leave it out");
+  for (const auto& [given, field] :
+       {std::pair{lining.has_bolts(), "bolts"}, std::pair{lining.has_gasket(), "gasket"},
+        std::pair{lining.has_keys(), "keys"}, std::pair{lining.has_neighbours(), "neighbours"},
+        std::pair{lining.has_contact(), "contact"}})
+    if (given && !jointed)
+      throw UserError(at + field, "is given, but the lining has no joints; give `segments` or `joints`");
+}
 
 void add_joints(const scene::LinedTunnel& tunnel, const Contour& contour, const std::string& path,
                 scene::Particles& particles) {

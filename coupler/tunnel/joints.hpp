@@ -3,13 +3,17 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "coupler/tunnel/contour.hpp"
 
 namespace adit::coupler {
 
+std::vector<double> joint_angles(const scene::TunnelLining& lining);  // from x [rad]
+
 // `path`: of the tunnel in the scene. Throws protocol::UserError for joints in a lining that is no circle,
 // and for what crosses joints in a lining without any.
+void require_joints_possible(const scene::LinedTunnel& tunnel, const std::string& path);
 void add_joints(const scene::LinedTunnel& tunnel, const Contour& contour, const std::string& path,
                 scene::Particles& particles);
 

@@ -82,20 +82,21 @@ void add_lining(const scene::LinedTunnel& tunnel, const Contour& contour, const 
     add(particles, tunnel.name(), scene::CRACK_WIDTH).set_group(tunnel.name());
 }
 
+std::array<std::pair<const char*, geometry::Point>, 4> convergence_places(const Contour& contour,
+                                                                          double offset) {
+  const auto box = contour.box(offset);
+  const auto [x, y] = contour.centre();
+  return {{{"crown", {x, box.y_max}},
+           {"invert", {x, box.y_min}},
+           {"left", {box.x_min, y}},
+           {"right", {box.x_max, y}}}};
+}
+
 // The particle on the inner side has its centre a radius or so outside it.
 void add_convergence(const scene::LinedTunnel& tunnel, const Contour& contour, scene::Particles& particles) {
-  const auto box = contour.box(grain_radius(tunnel));
-  const double x = tunnel.centre().x(), y = tunnel.centre().y();
-  const std::pair<const char*, geometry::Point> places[] = {{"crown", {x, box.y_max}},
-                                                            {"invert", {x, box.y_min}},
-                                                            {"left", {box.x_min, y}},
-                                                            {"right", {box.x_max, y}}};
-  for (const auto& [part, place] : places)
-    for (const scene::Quantity quantity : {scene::DISPLACEMENT_X, scene::DISPLACEMENT_Y}) {
-      auto& at = *add(particles, tunnel.name() + "_" + part, quantity).mutable_at();
-      at.set_x(place.x);
-      at.set_y(place.y);
-    }
+  for (const auto& [part, place] : convergence_places(contour, grain_radius(tunnel)))
+    for (const scene::Quantity quantity : {scene::DISPLACEMENT_X, scene::DISPLACEMENT_Y})
+      *add(particles, tunnel.name() + "_" + part, quantity).mutable_at() = point(place);
 }
 
 void add_lining_histories(scene::Particles& particles) {

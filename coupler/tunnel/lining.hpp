@@ -1,7 +1,9 @@
 // The lining of a tunnel in its particles.
 #pragma once
 
+#include <array>
 #include <string>
+#include <utility>
 
 #include "coupler/tunnel/contour.hpp"
 
@@ -12,6 +14,10 @@ namespace adit::coupler {
 // cannot have (joints.hpp).
 void add_lining(const scene::LinedTunnel& tunnel, const Contour& contour, const std::string& path,
                 scene::Particles& particles);
+
+// Crown, invert, left and right of an outline.
+std::array<std::pair<const char*, geometry::Point>, 4> convergence_places(const Contour& contour,
+                                                                          double offset);
 
 // Displacements of the inner side: `<tunnel>_crown`, `_invert`, `_left`, `_right`.
 void add_convergence(const scene::LinedTunnel& tunnel, const Contour& contour, scene::Particles& particles);

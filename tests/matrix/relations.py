@@ -254,8 +254,10 @@ def threads(world, row, scene, folder, base):
 
 def elsewhere(world, row, scene, folder, base):
     """By TCP, with servers that have served other runs: to the last bit."""
-    own = [(model, name) for model, name in (("continuum", "fdm"), ("particles", "dem")) if model in scene or "tunnels" in scene]
-    options = [option for _, name in own for option in (f"--{name}", runs.address(name))]
+    tunnels = scene.get("tunnels", [])
+    has = {"fdm": "continuum" in scene or tunnels, "dem": "particles" in scene or any("particles" in tunnel for tunnel in tunnels)}
+    own = [name for name, wanted in has.items() if wanted]
+    options = [option for name in own for option in (f"--{name}", runs.address(name))]
     same(base, runs.run(scene, folder, changes.Same(), *options))
 
 
@@ -460,6 +462,11 @@ OF_TUNNELS = {
     reordered: always, said_apart: always,
     longer: always, threads: always, elsewhere: lambda row: row["tunnels"] == "one", observed: always, resumed: always, replayed: always,
     on_any_base: lambda row: row["rest"] in tunnels.STATICS and row["base"] != "held",
+}
+OF_GRID_TUNNELS = {
+    **{relation: OF_TUNNELS[relation] for relation in (balanced, reordered, said_apart, longer, threads, observed, resumed, replayed, on_any_base)},
+    mirrored: always, moved: lambda row: not tunnels.is_idle(row), scaled: always, elsewhere: always,
+    scaled_stress: lambda row: row["lining"] != "reinforced",  # whose density is not stated
 }
 
 

@@ -1,6 +1,7 @@
 """The matrix of features of lined tunnels: shapes, linings and their joints, ground in layers and with faults, stages, shaking.
 
-The tunnel is 2 m wide around the origin, in ground 8 m wide and high; a second one may stand east of it. A scene takes half a second
+The tunnel is 2 m wide around the origin, in ground 8 m wide and high; a second one may stand east of it. Its lining is of particles, or,
+as `IN_GRID` says, of beams or zones. A scene takes half a second
 to compute.
 """
 import math
@@ -29,6 +30,12 @@ FACTORS = {
     "output": ["histories", "all"],
 }
 
+# Linings of beams and zones, whose grid follows the opening.
+IN_GRID = {
+    **FACTORS, "as": ["beam", "zones"], "particles": ["none"], "to_ground": ["touches"], "damping": ["none"], "substeps": ["1"],
+    "lining": ["solid", "slips", "layers", "segments", "reinforced"], "ground": ["one", "layers", "plastic"],
+}
+
 STATICS = {"kinetic", "local", "adaptive"}
 JOINTED = {"segments", "bolts", "gasket", "keys", "neighbours"}
 
@@ -36,6 +43,8 @@ JOINTED = {"segments", "bolts", "gasket", "keys", "neighbours"}
 REFUSED = (
     [({"shape": shape, "lining": "segments"}, "segments") for shape in ("horseshoe", "box")]
     + [({"plane": "plane_stress", "ground": "plastic"}, "plane strain")]
+    + [({"as": "zones", "stage": stage}, "cannot be installed") for stage in ("stage", "released")]
+    + [({"as": "zones", "lining": "segments"}, "segments")]
 )
 
 
@@ -109,7 +118,7 @@ def _east(row):
 # Of the ground around the lining ------------------------------------------------------------------------------------------------
 
 def _tunnels(row):
-    first = {"name": "west", "centre": {"x": 0.0, "y": 0.0}, row["shape"]: _SIZES[row["shape"]], "lining": _lining(row), "particles": _region(row), "sections": 4}
+    first = {"name": "west", "centre": {"x": 0.0, "y": 0.0}, row["shape"]: _SIZES[row["shape"]], **_inside(row), "sections": 4}
     if row["stage"] != "always":
         first["stage"] = 1
     if row["stage"] == "released":
@@ -117,12 +126,34 @@ def _tunnels(row):
     found = [first]
     if row["tunnels"] == "two":
         plain = {**row, "lining": "solid", "ground": row["ground"] if row["ground"] in ("layers", "plastic") else "one"}
-        found.append({"name": "east", "centre": {"x": APART, "y": 0.0}, "circle": {"radius": 1.0}, "lining": _lining(plain), "particles": _region(plain), "sections": 4})
+        found.append({"name": "east", "centre": {"x": APART, "y": 0.0}, "circle": {"radius": 1.0}, **_inside(plain), "sections": 4})
     return found
 
 
 # Of a horseshoe, four equal parts of the contour begin at the springlines, the crown and the invert, which mirror each other.
 _SIZES = {"circle": {"radius": 1.0}, "horseshoe": {"width": 2.0, "height": math.pi / 2}, "box": {"width": 2.0, "height": 2.0}}
+
+
+def _inside(row):
+    return {"lining": _lining_in_grid(row)} if "as" in row else {"lining": _lining(row), "particles": _region(row)}
+
+
+# Numbers in place of classes and defaults, which no change of scale would reach.
+_SECTION = {"thickness": 0.4, "cover": 0.04, "concrete": {"young_modulus": 20e9, "compressive_strength": 30e6, "tensile_strength": 0.0, "tension_stiffening": False},
+            "steel": {"young_modulus": 200e9, "yield_strength": 400e6}, "inner": {"diameter": 0.016, "spacing": 0.15}, "outer": {"diameter": 0.016, "spacing": 0.15}}
+
+
+def _lining_in_grid(row):
+    solid = {"thickness": 0.4, "material": dict(CONCRETE)}
+    return {"as": row["as"], **{
+        "solid": solid,
+        "slips": {**solid, "interface": {"friction_angle": 0.5, "cohesion": 20e3}},
+        "layers": {"layers": [{"name": "first", "thickness": 0.2, "material": dict(CONCRETE)},
+                              {"name": "second", "thickness": 0.3, "material": dict(CONCRETE), "interface": {"friction_angle": 0.2}}]},
+        "segments": {**solid, "segments": 4, "first_joint": math.pi / 4, "contact": {"height": 0.2},
+                     "bolts": {"length": 0.4, "stiffness": 1e8, "strength": 1e5}},
+        "reinforced": {"section": dict(_SECTION)},
+    }[row["lining"]]}
 
 
 def _lining(row):

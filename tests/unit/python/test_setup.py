@@ -74,6 +74,19 @@ class Setup(PictureTest):
         self.assertEqual([each.get_label() for each in handles], ["lining roof, stage 3", "lining floor", "bolts, stages 2 and 5", "springs"])
         self.assertEqual(len({each.get_color() for each in handles}), 4)
 
+    def test_layers_show_beside_those_below_and_interfaces_of_zones_have_their_own_line(self):
+        beams = piece([(0, 0), (1, 0), (1, 0), (0, 0)], [(0, 1), (2, 3)], {}, {"lining": np.array([0, 1])})
+        faces = piece([(0, 1), (1, 1), (0, 0)], [(0, 1), (1, 2)], {}, {"interface": np.array([0.0, 1.0])})
+        member = Member("", "continuum", {"linings": [{"name": "shotcrete", "stage": 2}, {"name": "concrete", "on": "shotcrete", "section": {}, "interface": {}, "stage": 3}],
+                                          "interfaces": [{"name": "fault"}]}, {})
+        _, axes = style.plt.subplots()
+        handles = supports.draw(axes, [member], {"linings": beams, "interfaces": faces})
+        self.assertEqual([each.get_label() for each in handles],
+                         ["lining shotcrete, stage 2", "lining concrete, reinforced, slips on shotcrete, stage 3", "interface fault"])
+        widths = [each.get_linewidth() for each in handles]
+        self.assertGreater(widths[0], widths[1])  # the one below is wider, and lies below
+        self.assertEqual([len(each.get_segments()) for each in axes.collections], [1, 1, 1])  # of the interfaces, the one that is not the lining's
+
     def test_groups_of_several_regions_have_colours_of_their_own(self):
         regions = [{"name": name, "particles": {"groups": [{"name": "lining"}]}} for name in ("west", "east")]
         members = Checked.members(types.SimpleNamespace(scene={"continuum": {}, "regions": regions}))

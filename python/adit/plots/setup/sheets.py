@@ -95,11 +95,12 @@ def _shade_overlap(axes, pieces):
 
 
 def _draw_probes(axes, members, bounds, elsewhere):
-    """A dot for each place of a history, with the names of the histories there."""
+    """A dot for each place of a history, with the names of the histories there; the sections all around a lining go without."""
     names = {}
     for member in members:
         for history in member.model.get("histories", []):
-            if "at" in history:
+            of_section = history["name"].startswith(f"{history.get('lining')}_section_")
+            if "at" in history and not of_section:
                 at = history["at"]["x"], history["at"]["y"]
                 names.setdefault(at, {})[history["name"]] = True
     if not names:

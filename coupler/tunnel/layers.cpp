@@ -1,0 +1,159 @@
+#include "coupler/tunnel/layers.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <utility>
+
+#include "coupler/tunnel/joints.hpp"
+#include "coupler/tunnel/parts.hpp"
+#include "protocol/errors.hpp"
+#include "protocol/materials/concrete.hpp"
+
+namespace adit::coupler {
+namespace {
+
+using protocol::require;
+using protocol::UserError;
+
+// Elastic, with the weight that linings have if nothing else is stated.
+scene::Material material_of(const scene::SectionConcrete& concrete, const std::string& path) {
+  scene::Material material;
+  if (concrete.has_young_modulus()) {
+    material.set_young_modulus(concrete.young_modulus());
+  } else {
+    const auto known = protocol::concrete_of(concrete.class_());
+    require(known.has_value(), path,
+            concrete.has_class_() ? fmt::format("has the class `{}`, which is not known; give one of EN "
+                                                "1992-1-1 (`C30/37`) or of GB 50010 (`C30`)",
+                                                concrete.class_())
+                                  : "has neither `class` nor `young_modulus`; give one");
+    material.set_young_modulus(known->young_modulus);
+  }
+  const scene::Lining lining;
+  material.set_poisson_ratio(lining.poisson_ratio());
+  material.set_density(lining.density());
+  return material;
+}
+
+// The lining itself, or one of its layers.
+template <class Stated>
+LiningLayer read_layer(const Stated& stated, const std::string& path, std::string name, std::uint32_t stage) {
+  LiningLayer layer{path, std::move(name), 0, {}, nullptr, nullptr, stage};
+  if (stated.has_interface()) layer.interface = &stated.interface();
+  if (!stated.has_section()) {
+    require(stated.has_thickness() && stated.has_material(), path,
+            fmt::format("has no {}; give `thickness` and `material`, or a `section`",
+                        stated.has_thickness() ? "material" : "thickness"));
+    layer.thickness = stated.thickness();
+    layer.material = stated.material();
+    return layer;
+  }
+  for (const auto& [given, key] :
+       {std::pair{stated.has_thickness(), ".thickness"}, std::pair{stated.has_material(), ".material"}})
+    require(!given, path + key, "is given beside `section`, which states it; leave one out");
+  layer.section = &stated.section();
+  layer.thickness = stated.section().thickness();
+  layer.material = material_of(stated.section().concrete(), path + ".section.concrete");
+  return layer;
+}
+
+std::vector<LiningLayer> read_layers(const scene::LinedTunnel& tunnel, const std::string& path) {
+  const scene::TunnelLining& lining = tunnel.lining();
+  const std::string here = path + ".lining";
+  std::uint32_t stage = stage_of_lining(tunnel);
+  if (lining.layers().empty()) return {read_layer(lining, here, tunnel.name(), stage)};
+  for (const auto& [given, key] :
+       {std::pair{lining.has_thickness(), ".thickness"}, std::pair{lining.has_material(), ".material"},
+        std::pair{lining.has_section(), ".section"}, std::pair{lining.has_interface(), ".interface"}})
+    require(!given, here + key, "is given beside `layers`, each of which states its own; leave one out");
+  std::vector<LiningLayer> layers;
+  for (int i = 0; i < lining.layers_size(); ++i) {
+    const scene::TunnelLayer& layer = lining.layers(i);
+    if (layer.has_stage()) stage = layer.stage();
+    layers.push_back(read_layer(layer, fmt::format("{}.layers[{}]", here, i),
+                                fmt::format("{}_{}", tunnel.name(), layer.name()), stage));
+    if (stage > 0) ++stage;
+  }
+  return layers;
+}
+
+// Keys that speak of one model of linings alone.
+struct OwnKey {
+  bool given;
+  const char *key, *instead;
+};
+
+template <class Keys>
+void refuse(const Keys& keys, const std::string& path, const char* model) {
+  for (const auto& [given, key, instead] : keys)
+    require(!given, path + key,
+            fmt::format("is given, but the lining is of {}; leave it out{}", model, instead));
+}
+
+void require_of_particles(const scene::LinedTunnel& tunnel, const std::string& path) {
+  const scene::TunnelLining& lining = tunnel.lining();
+  require(tunnel.has_particles(), path,
+          "has a lining of particles, but no `particles`; state them, or give `lining.as: beam`");
+  refuse(
+      std::initializer_list<OwnKey>{
+          {tunnel.has_zones(), ".zones", ""},
+          {lining.has_interface(), ".lining.interface", ", or give `friction` or `to_ground`"},
+          {lining.layers_size() > 0, ".lining.layers", ", or give `as: beam` or `as: zones`"},
+          // Bars of a section would be placed here; until then its concrete alone would mislead.
+          {lining.has_section(), ".lining.section", ", and give `thickness` and `material`"},
+          {lining.has_contact(), ".lining.contact", ", or give `as: beam`"}},
+      path, "particles");
+}
+
+void require_in_grid(const scene::LinedTunnel& tunnel, const std::string& path, const char* model) {
+  const scene::TunnelLining& lining = tunnel.lining();
+  refuse(
+      std::initializer_list<OwnKey>{
+          {tunnel.has_particles(), ".particles", ", or give `lining.as: particles`"},
+          {lining.has_bonds(), ".lining.bonds", ", or give `as: particles`"},
+          {lining.has_keys(), ".lining.keys", ", or give `as: particles`"},
+          {lining.has_neighbours(), ".lining.neighbours", ", or give `as: particles`"},
+          {lining.has_friction(), ".lining.friction", ", or give an `interface`"},
+          {lining.has_to_ground(), ".lining.to_ground", "; without `interface` it is tied to the ground"}},
+      path, model);
+}
+
+void require_of_beams(const scene::LinedTunnel& tunnel, const std::vector<LiningLayer>& layers,
+                      const std::string& path) {
+  require_in_grid(tunnel, path, "beams");
+  for (const LiningLayer& layer : layers) {
+    const scene::Material& material = layer.material;
+    require(!material.has_mohr_coulomb() && !material.has_hysteretic() && !material.has_weak_plane() &&
+                !material.has_fracture(),
+            layer.path + ".material",
+            "has a law beyond elasticity, but the lining is of beams; give a `section` of reinforced "
+            "concrete, or the elastic constants alone");
+  }
+  require_joints_possible(tunnel, path);
+  require(layers.size() == 1 || joint_angles(tunnel.lining()).empty(), path + ".lining.layers",
+          "are given beside joints of segments, which belong to a lining of one layer; leave one out");
+}
+
+void require_of_zones(const scene::LinedTunnel& tunnel, const std::vector<LiningLayer>& layers,
+                      const std::string& path) {
+  require_in_grid(tunnel, path, "zones");
+  require(joint_angles(tunnel.lining()).empty(), path + ".lining",
+          "has joints of segments, which zones do not have; give `as: beam` or `as: particles`");
+  for (const LiningLayer& layer : layers)
+    require(layer.stage == 0, layer.path,
+            fmt::format("is installed in stage {}, but zones cannot be installed; give `as: beam`, or leave "
+                        "the stages out for a tunnel that was always there",
+                        layer.stage));
+}
+
+}  // namespace
+
+std::vector<LiningLayer> layers_of(const scene::LinedTunnel& tunnel, const std::string& path) {
+  if (tunnel.lining().as() == scene::TunnelLining::PARTICLES) require_of_particles(tunnel, path);
+  std::vector<LiningLayer> layers = read_layers(tunnel, path);
+  if (tunnel.lining().as() == scene::TunnelLining::BEAM) require_of_beams(tunnel, layers, path);
+  if (tunnel.lining().as() == scene::TunnelLining::ZONES) require_of_zones(tunnel, layers, path);
+  return layers;
+}
+
+}  // namespace adit::coupler
