@@ -126,8 +126,9 @@ TEST(GridTunnels, SeveralTunnelsInOneOfTheBlocks) {
   EXPECT_EQ(expansion.scene.continuum().linings_size(), 2);
   EXPECT_FALSE(expansion.scene.has_particles());
   EXPECT_EQ(expansion.at_tunnel({"continuum.linings[1].young_modulus", "is 0"}).path(), "tunnels[1]");
-  EXPECT_EQ(expansion.at_tunnel({"continuum.blocks[" + std::to_string(blocks.size() - 1) + "]", "is flat"}).path(),
-            "tunnels[1]");
+  EXPECT_EQ(
+      expansion.at_tunnel({"continuum.blocks[" + std::to_string(blocks.size() - 1) + "]", "is flat"}).path(),
+      "tunnels[1]");
   EXPECT_EQ(expansion.at_tunnel({"continuum.blocks[1].along", "is 0"}).path(), "continuum.blocks[1].along");
 }
 
