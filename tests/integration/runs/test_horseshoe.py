@@ -28,8 +28,9 @@ class Horseshoe(ProgramTest):
         weight = 0.4 * 2500 * 9.81 * (np.pi * 4.2 + 2 * 3.7) / 2  # of either half of the arch and its wall
         self.assertLess(abs(thrusts("concrete", 0)).max(), 1.5 * weight)
         # The pulse passes into the concrete across the membrane, which slips.
-        self.assertGreater(abs(thrusts("concrete", -1)).max(), 3 * abs(thrusts("concrete", 0)).max())
-        self.assertGreater(run.summary["interface_tunnel_concrete_largest_offset_m"], run.summary["interface_tunnel_shotcrete_largest_offset_m"])
+        self.assertGreater(abs(thrusts("concrete", -1)).max(), 1.5 * abs(thrusts("concrete", 0)).max())
+        membrane, rock = (abs(run.summary[f"interface_tunnel_{layer}_largest_offset_m"]) for layer in ("concrete", "shotcrete"))
+        self.assertGreater(membrane, 2 * rock)
 
 
 if __name__ == "__main__":
