@@ -105,7 +105,7 @@ def _across(run, lines, quantities, title, entries, rows_of=lambda run, lines: [
 
     height = 1.4 + 3.2 * len(rows)
     layout = Panels(len(rows), len(quantities), (3.5 * len(quantities), height), title_above=True, dense=True,
-                    margins={"left": 0.06, "right": 0.99, "top": 1 - 0.55 / height, "bottom": 0.87 / height, "wspace": 0.16})
+                    margins={"left": 0.06 if len(rows) == 1 else 0.08, "right": 0.99, "top": 1 - 0.55 / height, "bottom": 0.87 / height, "wspace": 0.16})
     return Drawing(run.name, title, layout, paint)
 
 
