@@ -123,8 +123,9 @@ void add_particles(const scene::LinedTunnel& tunnel, const std::string& path,
 
 Expansion expand_tunnels(const scene::Scene& given) {
   Expansion expansion{given, {}, {}};
+  if (given.tunnels().empty()) return expansion;
   expansion.scene.clear_tunnels();
-  if (given.tunnels_size() > 0 && !given.has_continuum())
+  if (!given.has_continuum())
     throw UserError("tunnels", "lie in no ground; give the scene a `continuum` around them");
   const auto of_particles = std::ranges::count_if(given.tunnels(), is_of_particles);
   const bool alone = of_particles == 1 && !given.has_particles() && !given.has_interface();

@@ -44,6 +44,12 @@ TEST(ExpandTunnels, ASceneWithoutTunnelsStaysAsItIs) {
 }
 
 // Requirement: what the zones around compute and the tunnel's particles do not is told.
+TEST(ExpandTunnels, ParticlesAloneGetNoContinuum) {
+  scene::Scene scene;
+  scene.mutable_particles();
+  EXPECT_EQ(expand_tunnels(scene).scene.SerializeAsString(), scene.SerializeAsString());
+}
+
 TEST(ExpandTunnels, TellsWhereItsGroundIsElasticBesideZonesThatYield) {
   scene::Scene scene = test::scene_with({test::circular("")});
   const auto told = Contains(HasSubstr("elastic where continuum.material has a law"));
