@@ -103,7 +103,8 @@ CENTRE = {"x": 0.0, "y": 2.0}
 def passes_thresholds(row):
     """Whether something yields, breaks, touches or is braked against the sign of its velocity, so that rounding decides in which step."""
     return (row["law"] not in ("elastic", "layers") or row["bonds"] not in ("contact", "spring") or row["packing"] == "random"
-            or row["support"] in ("jointed", "bolt", "slipping", "layered", "reinforced") or row.get("bedding", "none") != "none" or row["foundation"] == "springs" or row["damping"] == "local")
+            or row["support"] in ("jointed", "bolt", "slipping", "layered", "reinforced") or row.get("bedding", "none") != "none"
+            or row["foundation"] == "springs" or row["damping"] == "local")
 
 
 def output(row):
@@ -323,7 +324,8 @@ class Ground:
                   for quantity in ("displacement_x", "acceleration_y")]
         if self.has_section():
             found += [{"name": "cut", "quantity": quantity, "section": "cut"} for quantity in ("thrust", "moment", "shear_force")]
-        between = [("bedding", {"x": 0.0, "y": 0.5})] * (self.row.get("bedding", "none") != "none") + [("lining", {"x": 0.0, "y": 3.0})] * (self.row["support"] in ("slipping", "reinforced"))
+        between = [("bedding", {"x": 0.0, "y": 0.5})] * (self.row.get("bedding", "none") != "none")
+        between += [("lining", {"x": 0.0, "y": 3.0})] * (self.row["support"] in ("slipping", "reinforced"))
         found += [{"name": name, "quantity": quantity, "interface": name, "at": dict(at)} for name, at in between
                   for quantity in ("opening", "offset", "normal_stress", "shear_stress")]
         names = {"none": [], "bolt": [], "arcs": ["upper", "lower"]}.get(self.row["support"], ["lining"])
