@@ -207,10 +207,8 @@ class GridTunnel {
   void add_forces_of(const std::string& lining, scene::Continuum& continuum, const Opening& opening) const {
     const auto nodes = opening.nodes(ground_begins());
     for_each_section([&](const std::string& section, const Contour::Cut& cut) {
-      for (const scene::Quantity quantity : {scene::THRUST, scene::MOMENT, scene::SHEAR_FORCE}) {
-        auto& history = *continuum.add_histories();
-        history.set_name(lining + "_" + section);
-        history.set_quantity(quantity);
+      for (const scene::Quantity force : kForces) {
+        auto& history = add_history(continuum, lining + "_" + section, force);
         history.set_lining(lining);
         *history.mutable_at() = point(nodes[nearest(nodes, cut.at(ground_begins()))]);
       }
@@ -226,12 +224,8 @@ class GridTunnel {
       section.set_name(layer.name + "_" + name);
       *section.mutable_from() = point(within[node]);
       *section.mutable_to() = point(outside[node]);
-      for (const scene::Quantity quantity : {scene::THRUST, scene::MOMENT, scene::SHEAR_FORCE}) {
-        auto& history = *continuum.add_histories();
-        history.set_name(section.name());
-        history.set_quantity(quantity);
-        history.set_section(section.name());
-      }
+      for (const scene::Quantity force : kForces)
+        add_history(continuum, section.name(), force).set_section(section.name());
     });
   }
 
@@ -239,12 +233,9 @@ class GridTunnel {
     const double offset = of_beams() ? ground_begins() : 0;
     const auto nodes = opening.nodes(offset);
     for (const auto& [part, place] : convergence_places(contour_, offset))
-      for (const scene::Quantity quantity : {scene::DISPLACEMENT_X, scene::DISPLACEMENT_Y}) {
-        auto& history = *continuum.add_histories();
-        history.set_name(tunnel_.name() + "_" + part);
-        history.set_quantity(quantity);
-        *history.mutable_at() = point(nodes[nearest(nodes, place)]);
-      }
+      for (const scene::Quantity quantity : {scene::DISPLACEMENT_X, scene::DISPLACEMENT_Y})
+        *add_history(continuum, tunnel_.name() + "_" + part, quantity).mutable_at() =
+            point(nodes[nearest(nodes, place)]);
   }
 
   const scene::LinedTunnel& tunnel_;

@@ -60,13 +60,6 @@ void add_oval(const scene::LinedTunnel& tunnel, const Contour& contour, scene::P
   *oval.mutable_annulus() = contour.between(0, tunnel.lining().thickness()).annulus();
 }
 
-scene::History& add(scene::Particles& particles, const std::string& name, scene::Quantity quantity) {
-  auto& history = *particles.add_histories();
-  history.set_name(name);
-  history.set_quantity(quantity);
-  return history;
-}
-
 }  // namespace
 
 void add_lining(const scene::LinedTunnel& tunnel, const Contour& contour, const std::string& path,
@@ -79,7 +72,7 @@ void add_lining(const scene::LinedTunnel& tunnel, const Contour& contour, const 
   add_lining_histories(particles);
   if (of_cells(tunnel) &&
       (tunnel.lining().material().has_fracture() || tunnel.lining().bonds().has_fracture()))
-    add(particles, tunnel.name(), scene::CRACK_WIDTH).set_group(tunnel.name());
+    add_history(particles, tunnel.name(), scene::CRACK_WIDTH).set_group(tunnel.name());
 }
 
 std::array<std::pair<const char*, geometry::Point>, 4> convergence_places(const Contour& contour,
@@ -96,23 +89,24 @@ std::array<std::pair<const char*, geometry::Point>, 4> convergence_places(const 
 void add_convergence(const scene::LinedTunnel& tunnel, const Contour& contour, scene::Particles& particles) {
   for (const auto& [part, place] : convergence_places(contour, grain_radius(tunnel)))
     for (const scene::Quantity quantity : {scene::DISPLACEMENT_X, scene::DISPLACEMENT_Y})
-      *add(particles, tunnel.name() + "_" + part, quantity).mutable_at() = point(place);
+      *add_history(particles, tunnel.name() + "_" + part, quantity).mutable_at() = point(place);
 }
 
 void add_lining_histories(scene::Particles& particles) {
   for (const auto& joint : particles.joints())
     if (joint.has_name())
       for (const scene::Quantity quantity : {scene::OPENING, scene::OFFSET, scene::ROTATION})
-        add(particles, joint.name(), quantity).set_joint(joint.name());
+        add_history(particles, joint.name(), quantity).set_joint(joint.name());
   for (const auto& spring : particles.springs())
-    if (spring.has_name()) add(particles, spring.name(), scene::SPRING_FORCE).set_spring(spring.name());
+    if (spring.has_name())
+      add_history(particles, spring.name(), scene::SPRING_FORCE).set_spring(spring.name());
   for (const auto& oval : particles.ovals())
     for (const scene::Quantity quantity :
          {scene::LARGEST_DIAMETER_CHANGE, scene::SMALLEST_DIAMETER_CHANGE, scene::LARGEST_DIAMETER_DIRECTION})
-      add(particles, oval.name(), quantity).set_oval(oval.name());
+      add_history(particles, oval.name(), quantity).set_oval(oval.name());
   for (const auto& section : particles.sections())
-    for (const scene::Quantity quantity : {scene::THRUST, scene::MOMENT, scene::SHEAR_FORCE})
-      add(particles, section.name(), quantity).set_section(section.name());
+    for (const scene::Quantity force : kForces)
+      add_history(particles, section.name(), force).set_section(section.name());
 }
 
 }  // namespace adit::coupler

@@ -36,6 +36,18 @@ inline std::string part_name(const scene::LinedTunnel& tunnel, const char* part,
   return fmt::format("{}_{}_{}", tunnel.name(), part, number);
 }
 
+// Of a section.
+inline constexpr scene::Quantity kForces[] = {scene::THRUST, scene::MOMENT, scene::SHEAR_FORCE};
+
+// Of particles or of a continuum.
+template <class Model>
+scene::History& add_history(Model& model, const std::string& name, scene::Quantity quantity) {
+  auto& history = *model.add_histories();
+  history.set_name(name);
+  history.set_quantity(quantity);
+  return history;
+}
+
 // 0: it was always there.
 inline std::uint32_t stage_of_lining(const scene::LinedTunnel& tunnel) {
   return tunnel.stage() > 0 ? tunnel.stage() + 1 : 0;

@@ -422,6 +422,7 @@ bool resists_spin(const Model& model, const Bond& bond) {
 // The force of a smooth joint does not act along the line of its discs' centres, and turns them. Discs that
 // spin freely roll out of its way.
 void warn_of_rolling(const Model& model, std::vector<std::string>& warnings) {
+  if (model.smooth_joints.empty()) return;
   std::vector<bool> held(model.discs.size());
   for (const Bond& bond : model.bonds)
     if (resists_spin(model, bond)) held[bond.first] = held[bond.second] = true;

@@ -24,9 +24,8 @@ def angles(points):
     return np.degrees(np.arctan2(y, x)) % 360
 
 
-def table(run, name, time, kind="lining"):
-    """The Table of one of them at a time [s] of the fields: place, angle and all fields of its nodes along its path."""
-    piece = run.fields(time)[f"{kind}s"]
+def table(run, piece, name, kind="lining"):
+    """The Table of one of them in a piece: place, angle and all fields of its nodes along its path."""
     found = dict(chains(run, piece, kind))
     if name not in found:
         raise Unusable(f"{run.folder} has no {kind} `{name}`; {nearest(name, found)}")

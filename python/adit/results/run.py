@@ -130,11 +130,11 @@ class Run:
     def lining(self, name, time=None):
         """The Table of a lining at a time [s] of `times`, the last where none is given: x_m, y_m, angle_deg about its middle, and
         the fields of its nodes along its path, such as thrust_N, moment_Nm, peak_least_thrust_N."""
-        return chains.table(self, name, time)
+        return chains.table(self, self.fields(time)["linings"], name)
 
     def member(self, name, time=None):
         """The same of a member: a column, strut, slab or wall."""
-        return chains.table(self, name, time, "member")
+        return chains.table(self, self.fields(time)["members"], name, "member")
 
     def snapshots(self):
         """Yields (time [s], fields) of all instants."""

@@ -16,12 +16,13 @@ from adit.results.files import nearest
 
 def rows(run, name, time=None):
     """The header and the rows of the lining or member of this name."""
-    known = {each: kind for kind in ("lining", "member") for each in chains.names(run, kind)}
+    pieces = run.fields(time)
+    known = {each: kind for kind in ("lining", "member") if f"{kind}s" in pieces for each, _ in chains.chains(run, pieces[f"{kind}s"], kind)}
     if name not in known:
         raise Unusable(f"{run.folder} has no lining or member `{name}`; {nearest(name, known)}" if known
                        else f"{run.folder} has no linings and no members.")
-    table = chains.table(run, name, time, known[name])
-    columns = {field: values for field, values in table.items() if values.ndim == 1 and field not in ("lining", "member")}
+    table = chains.table(run, pieces[f"{known[name]}s"], name, known[name])
+    columns = {field: values for field, values in table.items() if values.ndim == 1}
     return list(columns), zip(*columns.values())
 
 

@@ -91,12 +91,8 @@ class Excavated(ComputedTest):
         return lined_tunnel.Tunnel.of(run), np.abs(found)
 
     def full_solution(self, tunnel, slips):
-        """The stress far away is a mean pressure p and a shear; under p the ground moves by p' r/2G, where p' is what it loses,
-        and the ring by N r/EA."""
-        mean = self.PRESSURE * (1 + self.RATIO) / 2 * tunnel.radius
-        sheared = np.array(lined_tunnel.full_solution(tunnel, slips=slips, excavated=True))
-        return np.array([mean / (1 + 2 * tunnel.shear_modulus * tunnel.radius / tunnel.axial),
-                         *sheared * (1 - self.RATIO) / 2 * self.PRESSURE / tunnel.shear_modulus])
+        mean, shear = (self.PRESSURE * (1 + sign * self.RATIO) / 2 for sign in (1, -1))
+        return lined_tunnel.excavation_forces(tunnel, mean, shear, slips)
 
     def einstein_schwartz(self, t, slips):
         """Mean thrust and amplitudes of thrust and moment; c, f: their ratios of compressibility and flexibility."""

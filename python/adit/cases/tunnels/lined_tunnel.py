@@ -25,12 +25,16 @@ class Tunnel:
     @classmethod
     def of(cls, run):
         """The tunnel in the scene of a run."""
-        ground, lining = run.scene["material"], run.scene["continuum"]["linings"][0]
+        lining = run.scene["continuum"]["linings"][0]
+        return cls.ring(run.scene["material"], lining, lining["along"]["circle"]["radius"])
+
+    @classmethod
+    def ring(cls, ground, lining, radius):
+        """A ring whose axis has this radius [m]; `ground`, `lining`: their elastic constants, and the thickness, as in a scene."""
         young, ratio, thickness = lining["young_modulus"], lining.get("poisson_ratio", 0.2), lining["thickness"]
         plane = young / (1 - ratio**2)
-        return cls(ground["young_modulus"] / (2 * (1 + ground["poisson_ratio"])), ground["poisson_ratio"],
-                   lining["along"]["circle"]["radius"], plane * thickness, plane * thickness**3 / 12,
-                   young / (2 * (1 + ratio)) * thickness * 5 / 6)
+        return cls(ground["young_modulus"] / (2 * (1 + ground["poisson_ratio"])), ground["poisson_ratio"], radius, plane * thickness,
+                   plane * thickness**3 / 12, young / (2 * (1 + ratio)) * thickness * 5 / 6)
 
     @property
     def compressibility(self):
@@ -83,6 +87,14 @@ def full_solution(t, slips=False, excavated=False):
     found = np.linalg.solve(slopes, -imbalance(g, 0, 0, 0)[:count])
     thrust, shear = forces(g, *found)
     return abs(thrust), abs(shear * r / 2), abs(shear)
+
+
+def excavation_forces(t, mean, shear, slips=False):
+    """[mean thrust, amplitudes of thrust, moment and shear force], without sign, of a ring that stands before the opening takes away
+    the stress: a pressure `mean` and a shear stress `shear` [Pa]. Under the pressure p that the ring leaves to bear, the ground
+    moves by (mean - p) r/2G, and the ring by p r^2/EA."""
+    thrust = mean * t.radius / (1 + 2 * t.shear_modulus * t.radius / t.axial)
+    return np.array([thrust, *np.array(full_solution(t, slips, excavated=True)) * shear / t.shear_modulus])
 
 
 def around(run):

@@ -17,9 +17,9 @@ def of_beams(run):
     return tuple(amplitude(np.radians(degrees), values) for values in (thrust, moment))
 
 
-def around(run, force):
-    """(angles of the sections of particles, a force in them: a row for each time)."""
-    columns = [name for name in run.histories if name.startswith("ring_section_") and name.endswith(force)]
+def around(run, force, lining="ring"):
+    """(angles of the sections of a lining of `tunnels`, a force in them: a row for each time)."""
+    columns = [name for name in run.histories if name.startswith(f"{lining}_section_") and name.endswith(force)]
     return 2 * np.pi * np.arange(len(columns)) / len(columns), np.array([run.histories[name] for name in columns]).T
 
 
