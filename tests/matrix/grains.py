@@ -169,7 +169,7 @@ def _add_load(row, model):
 def _add_rest(row, model):
     if row["rest"] in STATICS:
         model["body_loads"] = model.get("body_loads", []) + [{"acceleration": {"y": -4.0}}]
-    hole = {"x_min": 1.5, "x_max": 2.5, "y_min": 1.0, "y_max": 2.0}
+    hole = {"x_min": 1.5, "x_max": 2.5, "y_min": 1.0, "y_max": 2.05}  # as high as a group beside
     if row["hole"] != "none":
         model["excavations"] = [{"where": hole, **({"stage": 1} if row["hole"] == "stage" else {})}]
 
