@@ -75,15 +75,14 @@ INSTANTIATE_TEST_SUITE_P(
              [](auto& s) {
                for (auto& point : *bar(s).mutable_along()->mutable_line()->mutable_points()) point.set_y(5);
              }},
-        Case{
-            "OutOfTheParticles", "particles.bars[0].along",
-            "leaves the particles at (0.5, 0.2) m for 1 m; end the bar there, or lead it through particles",
-            [](auto& s) {
-              auto& line = *bar(s).mutable_along()->mutable_line();
-              line.clear_points();
-              for (const auto& [x, y] : {std::pair{0.5, 0.05}, {0.5, 0.6}, {0.7, 0.6}, {0.7, 0.05}})
-                test::set(*line.add_points(), x, y);
-            }},
+        Case{"OutOfTheParticles", "particles.bars[0].along",
+             "leaves the particles at (0.5, 0.2) m for 1 m; end the bar there, or lead it through particles",
+             [](auto& s) {
+               auto& line = *bar(s).mutable_along()->mutable_line();
+               line.clear_points();
+               for (const auto& [x, y] : {std::pair{0.5, 0.05}, {0.5, 0.6}, {0.7, 0.6}, {0.7, 0.05}})
+                 test::set(*line.add_points(), x, y);
+             }},
         Case{"BackOverItself", "particles.bars[0].along.line.points",
              "cross, touch or run back over one another",
              [](auto& s) { test::set(*bar(s).mutable_along()->mutable_line()->add_points(), 0.5, 0.1); }},
