@@ -191,6 +191,7 @@ void Bars::start_over() {
 }
 
 void Bars::exchange(state::Archive& archive) {
+  if (empty()) return;
   for (OneBar& bar : bars_) {
     bar.chain.exchange(archive);
     archive("bar_installed", bar.installed);
