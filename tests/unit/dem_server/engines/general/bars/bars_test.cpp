@@ -245,6 +245,24 @@ TEST(Bars, OfALaterStageBeginFreeOfStress) {
   EXPECT_NEAR(bars.chain(0).stress(12), from_rest.chain(0).stress(12), 1e-9 * 90e6);
 }
 
+// Histories ask for a place on a bar.
+TEST(Bars, HistoriesNeedABarAtTheirPlace) {
+  auto scene = test::barred_member();
+  auto& history = *scene.mutable_particles()->add_histories();
+  history.set_name("bar");
+  history.set_quantity(scene::BAR_SLIP);
+  const auto refuses = [&](const std::string& path, const std::string& message) {
+    GeneralEngine engine(read_model(scene), 1);
+    adit::test::expect_refusal([&] { engine.watch(scene.particles()); }, "particles.histories[0]." + path,
+                               message);
+  };
+  refuses("at", "is missing; give the place on the bar");
+  test::set(*history.mutable_at(), 0.5, 0.2);
+  refuses("at", "is (0.5, 0.2) m, but the nearest bar is");
+  scene.mutable_particles()->clear_bars();
+  refuses("quantity", "is bar_slip, but the scene has no bar; add it to particles.bars");
+}
+
 // Bars end before the overlap, where particles have a part of their weight only.
 TEST(Bars, ThatReachIntoTheOverlapAreRefused) {
   const Model model = barred();
