@@ -9,7 +9,7 @@ namespace {
 
 void add(const std::string& name, const std::string& unit, const Extreme& extreme,
          const geometry::Point& place, std::vector<Figure>& figures) {
-  figures.push_back({name + "_" + unit, extreme.value});
+  figures.push_back({unit.empty() ? name : name + "_" + unit, extreme.value});
   figures.push_back({name + "_time_s", extreme.time});
   figures.push_back({name + "_x_m", place.x});
   figures.push_back({name + "_y_m", place.y});
@@ -61,6 +61,18 @@ std::vector<Figure> figures_of(const WidestCrack& widest) {
   std::vector<Figure> figures;
   if (widest.width > 0)
     add("largest_crack_width", "m", {widest.width, widest.time}, {widest.x, widest.y}, figures);
+  return figures;
+}
+
+std::vector<Figure> figures_of(const BarPeaks& peaks) {
+  std::vector<Figure> figures;
+  const auto add_peak = [&](const std::string& name, const std::string& unit, const BarPeaks::Peak& peak) {
+    add("bars_largest_" + name, unit, {peak.value, peak.time}, {peak.x, peak.y}, figures);
+  };
+  add_peak("stress", "Pa", peaks.stress);
+  add_peak("force", "N", peaks.force);
+  add_peak("strain", "", peaks.strain);
+  add_peak("slip", "m", peaks.slip);
   return figures;
 }
 

@@ -8,6 +8,7 @@
 #include "dem_server/engines/answers.hpp"
 #include "dem_server/lining/envelope.hpp"
 #include "dem_server/lining/ovals.hpp"
+#include "dem_server/observe/bar_peaks.hpp"
 #include "dem_server/observe/widest_crack.hpp"
 
 namespace adit::dem {
@@ -34,5 +35,9 @@ std::vector<Figure> figures_of(const SpringBreaks& breaks);
 // largest_crack_width_m over all cracks between cells and all times, with its …_time_s, …_x_m and …_y_m. None
 // where none stood open.
 std::vector<Figure> figures_of(const WidestCrack& widest);
+
+// bars_largest_stress_Pa, bars_largest_force_N, bars_largest_strain and bars_largest_slip_m, by size and with
+// their signs, each with its …_time_s, …_x_m and …_y_m.
+std::vector<Figure> figures_of(const BarPeaks& peaks);
 
 }  // namespace adit::dem

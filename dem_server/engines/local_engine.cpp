@@ -93,6 +93,7 @@ void LocalEngine::take_envelope(const protocol::Step& step) {
   for (const Oval& oval : lining_.ovals) diameters.push_back(oval.change(particles()));
   oval_envelope_.take(diameters, time);
   widest_crack_.take(cracks(), time);
+  bar_peaks_.take(bars(), time);
   if (!lining_.sections.cuts().empty()) envelope_.take(section_forces(*this, lining_.sections), time);
 }
 
@@ -179,6 +180,7 @@ void LocalEngine::exchange(state::Archive& archive) {
     archive.all_or_none("settled_turn", {&settled_turn_}, turn().size());
     archive("widest_crack", widest_crack_);
   }
+  if (!bars().empty()) archive("bar_peaks", bar_peaks_);
   archive("peaks", peaks_, [this] { return protocol::PeakMotion(particles().size()); });
   archive("relaxation", relaxation_, [this] { return Relaxation(particles()); });
   archive("travel", travel_, [this] { return protocol::Travel(particles().ux, particles().uy); });
@@ -190,6 +192,7 @@ void LocalEngine::snapshot(wire::Snapshot& snapshot) const {
   add_joints(*this, joint_peaks_, snapshot);
   add_cells(*this, snapshot);
   add_cracks(*this, snapshot);
+  add_bars(*this, snapshot);
   if (peaks_) protocol::add_peak_fields(*peaks_, *snapshot.mutable_pieces(0)->mutable_point_fields());
 }
 
@@ -197,6 +200,8 @@ std::vector<Figure> LocalEngine::figures() const {
   std::vector<Figure> figures = figures_of(lining_.sections, envelope_);
   for (const Figure& figure : figures_of(lining_.ovals, oval_envelope_)) figures.push_back(figure);
   for (const Figure& figure : figures_of(widest_crack_)) figures.push_back(figure);
+  if (!bars().empty())
+    for (const Figure& figure : figures_of(bar_peaks_)) figures.push_back(figure);
   return figures;
 }
 

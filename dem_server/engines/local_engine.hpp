@@ -11,6 +11,7 @@
 #include "dem_server/engines/relaxation.hpp"
 #include "dem_server/lining/envelope.hpp"
 #include "dem_server/lining/lining.hpp"
+#include "dem_server/observe/bar_peaks.hpp"
 #include "dem_server/observe/crack_paths.hpp"
 #include "dem_server/observe/histories.hpp"
 #include "dem_server/observe/joint_peaks.hpp"
@@ -82,8 +83,8 @@ class LocalEngine : public Engine, public Observable {
   Unrest::Farthest farthest() const;
   // Displacements and turns count from here.
   void settle();
-  // The forces in all sections, the diameters of ovals, the motions of smooth joints and the width of cracks
-  // enter their extremes.
+  // The forces in all sections, the diameters of ovals, the motions of smooth joints, the width of cracks and
+  // the forces of bars enter their extremes.
   void take_envelope(const protocol::Step& step);
 
   std::vector<std::uint32_t> group_;
@@ -101,6 +102,7 @@ class LocalEngine : public Engine, public Observable {
   OvalEnvelope oval_envelope_;
   JointPeaks joint_peaks_;
   WidestCrack widest_crack_;
+  BarPeaks bar_peaks_;
   std::vector<double> settled_turn_;  // of cells [rad]
   Velocities before_;
   std::optional<protocol::PeakMotion> peaks_;  // once wanted

@@ -9,8 +9,8 @@
 // the particle in A, c the place where the two meet, and m the moment of a bond. On a particle at x_A with
 // the lever arm c - x_A the pair has the moment (c - x_A) x f + m (laws/pair_kinematics.hpp), which together
 // with (x_A - O) x f gives that term. So F and M_O are the resultants of a beam theory exactly, whatever is
-// cut: intact and broken bonds, contacts, smooth joints, springs. A particle on the cut belongs to A by one
-// half, so that a lattice whose row lies on the cut has the forces of its mirror image.
+// cut: intact and broken bonds, contacts, smooth joints, springs, bars. A particle on the cut belongs to A by
+// one half, so that a lattice whose row lies on the cut has the forces of its mirror image.
 //
 // With e the unit vector of the cut from the inner to the outer side at rest, t its left normal, and O the
 // middle of the cut as it has moved with the particles beside it (median of the displacements of the

@@ -88,6 +88,7 @@ std::optional<std::string> why_more_than_lattice(const Model& model) {
   }
   if (!model.walls.empty()) return "there are walls";
   if (!model.springs.empty()) return "there are springs or bolts";
+  if (!model.bars.empty()) return "there are bars";
   if (!model.edges.empty()) return "there are quiet edges";
   if (!model.foundations.empty()) return "there is a foundation";
   if (model.local_damping > 0 || model.viscous_damping > 0) return "damping is asked for";

@@ -16,6 +16,7 @@
 #include "dem_server/laws/pair_kinematics.hpp"
 #include "dem_server/laws/parallel_bond.hpp"
 #include "dem_server/laws/smooth_joint.hpp"
+#include "dem_server/model/bars.hpp"
 #include "dem_server/model/calibration.hpp"
 #include "dem_server/model/group_pairs.hpp"
 #include "dem_server/packing/discs.hpp"
@@ -163,6 +164,7 @@ struct Model {
   bool stress_balances = false;
   std::vector<MovingWall> walls;
   std::vector<Spring> springs;
+  std::vector<Bar> bars;
   std::vector<EdgeDashpot> edges;
   std::vector<Load> loads;  // forces, then accelerations
   std::vector<PrescribedMotion> motions;

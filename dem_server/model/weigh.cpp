@@ -1,5 +1,7 @@
 #include "dem_server/model/weigh.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -9,6 +11,7 @@
 
 #include "dem_server/model/at_stage.hpp"
 #include "dem_server/model/bond_springs.hpp"
+#include "protocol/errors.hpp"
 #include "protocol/geometry/selection.hpp"
 
 namespace adit::dem {
@@ -73,6 +76,22 @@ void weigh_stages(Model& model, const Stays& stays) {
   }
 }
 
+// Of weights beyond the overlap.
+constexpr double kRounding = 1e-9;
+
+// A bar bears in one model: particles hold it with their whole weight.
+void place_bars(const std::vector<std::uint32_t>& place, std::span<const double> weights, Model& model) {
+  for (Bar& bar : model.bars)
+    for (BarNode& node : bar.nodes) {
+      protocol::require(
+          weights[node.disc] > 1 - kRounding, bar.path + ".along",
+          fmt::format("lies in the overlap with the continuum, at ({:.6g}, {:.6g}) m; end the bar where the "
+                      "particles have their whole weight",
+                      node.x, node.y));
+      node.disc = place[node.disc];
+    }
+}
+
 }  // namespace
 
 Model weigh(const Model& whole, const SampledWeights& weights) {
@@ -100,6 +119,7 @@ Model weigh(const Model& whole, const SampledWeights& weights) {
   weigh_stages(model, stays);
   std::erase_if(model.touching, [&](TouchingPair& pair) { return !stays(pair); });
   std::erase_if(model.springs, [&](Spring& spring) { return !stays(spring); });
+  place_bars(place, weights.centres, model);
   std::erase_if(model.edges, [&](EdgeDashpot& edge) {
     const bool gone = place[edge.disc] == kVanished;
     edge.disc = place[edge.disc];

@@ -31,6 +31,10 @@ Branch branch_of(const Particles& p, const SpringForce& spring) {
   return b;
 }
 
+PlaneVector force_of(const ObservedBar& bar) {
+  return vector_of(bar.nx, bar.ny, bar.pull, bar.dowel);
+}
+
 // Discs where they are now.
 struct PlacesNow {
   std::vector<double> x, y;
@@ -92,6 +96,10 @@ std::vector<Branch> branches_of(const Observable& observed) {
   observed.for_each_contact(add);
   for (const JointForce& j : observed.joints()) found.push_back(between(p, j.first, j.second, j.fx, j.fy));
   for (const SpringForce& spring : observed.springs()) found.push_back(branch_of(p, spring));
+  for (const ObservedBar& bar : observed.bars()) {
+    const auto [fx, fy] = force_of(bar);
+    found.push_back(between(p, bar.first, bar.second, fx, fy));
+  }
   for (const auto& [i, x, y, fx, fy] : observed.wall_touches())
     found.push_back({p.x[i] + p.ux[i], p.y[i] + p.uy[i], x, y, fx, fy});
   return found;
@@ -117,6 +125,10 @@ std::vector<PairForce> pair_forces_of(const Observable& observed, std::span<cons
   for (const SpringForce& spring : observed.springs()) {
     const Branch b = branch_of(observed.particles(), spring);
     add(spring.first, spring.second, b.fx, b.fy, 0);
+  }
+  for (const ObservedBar& bar : observed.bars()) {
+    const auto [fx, fy] = force_of(bar);
+    found.push_back({bar.first, bar.second, bar.middle_x, bar.middle_y, fx, fy, 0});
   }
   return found;
 }

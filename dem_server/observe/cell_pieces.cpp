@@ -123,4 +123,32 @@ void add_cracks(const Observable& observed, wire::Snapshot& snapshot) {
   add_scalars(fields, "debonded", debonded);
 }
 
+void add_bars(const Observable& observed, wire::Snapshot& snapshot) {
+  const auto bars = observed.bars();
+  if (bars.empty()) return;
+  wire::Piece& piece = begin_piece("bars", wire::Piece::LINES, snapshot);
+  const CellMotion motion(observed);
+  Points points(piece);
+  Fields& fields = *piece.mutable_cell_fields();
+  std::vector<double> number, stress, strain, force, dowel, slip;
+  for (const ObservedBar& bar : bars) {
+    if (!bar.whole) continue;
+    points.add(bar.x_1, bar.y_1, motion.at(bar.first, bar.x_1, bar.y_1));
+    points.add(bar.x_2, bar.y_2, motion.at(bar.second, bar.x_2, bar.y_2));
+    number.push_back(bar.bar);
+    stress.push_back(bar.stress);
+    strain.push_back(bar.strain);
+    force.push_back(bar.pull);
+    dowel.push_back(bar.dowel);
+    slip.push_back((bar.slip_1 + bar.slip_2) / 2);
+  }
+  points.end();
+  add_scalars(fields, "bar", number);
+  add_scalars(fields, "stress_Pa", stress);
+  add_scalars(fields, "strain", strain);
+  add_scalars(fields, "force_N", force);
+  add_scalars(fields, "dowel_force_N", dowel);
+  add_scalars(fields, "slip_m", slip);
+}
+
 }  // namespace adit::dem

@@ -1,4 +1,4 @@
-// Cells and their cracks as pieces of a snapshot (wire.proto); none where particles are discs.
+// Cells, their cracks, and bars as pieces of a snapshot (wire.proto); of discs only the bars.
 #pragma once
 
 #include "dem_server/observe/observable.hpp"
@@ -15,5 +15,10 @@ void add_cells(const Observable& observed, wire::Snapshot& snapshot);
 // both cells; state (1 tensile, 2 shear), opening_m, slip_m, path (from 1, the longest first,
 // 0: none; crack_paths.hpp), debonded (1: between two groups, else 0).
 void add_cracks(const Observable& observed, wire::Snapshot& snapshot);
+
+// Piece "bars", where there are any: an element each between its ends at rest, displacement_m as for cracks
+// of its particle; bar (its number in the scene), stress_Pa, strain, force_N, dowel_force_N, slip_m (mean of
+// both ends).
+void add_bars(const Observable& observed, wire::Snapshot& snapshot);
 
 }  // namespace adit::dem

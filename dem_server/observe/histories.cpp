@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <tuple>
 
 #include "dem_server/observe/branches.hpp"
 #include "dem_server/observe/fragments.hpp"
@@ -121,6 +122,29 @@ std::size_t group_of(const scene::History& history, const std::string& path, con
   const auto names = observed.group_names();
   return number_of({"group", "that of the cracks in a group", "particles.groups"}, history.group(),
                    {names.begin(), names.end()}, history.quantity(), path);
+}
+
+// The element of a bar whose middle is nearest, and whether its second end is the nearer one.
+std::pair<std::size_t, bool> bar_at(const scene::History& history, const std::string& path,
+                                    const Observable& observed) {
+  const std::vector<ObservedBar> bars = observed.bars();
+  if (bars.empty())
+    throw UserError(path + ".quantity",
+                    fmt::format("is {}, but the scene has no bar; add it to particles.bars",
+                                protocol::name_of(history.quantity())));
+  const double x = history.at().x(), y = history.at().y();
+  const auto nearest_bar = std::ranges::min_element(bars, {}, [&](const ObservedBar& bar) {
+    return std::hypot((bar.x_1 + bar.x_2) / 2 - x, (bar.y_1 + bar.y_2) / 2 - y);
+  });
+  const double first = std::hypot(nearest_bar->x_1 - x, nearest_bar->y_1 - y),
+               second = std::hypot(nearest_bar->x_2 - x, nearest_bar->y_2 - y);
+  const double length = std::hypot(nearest_bar->x_2 - nearest_bar->x_1, nearest_bar->y_2 - nearest_bar->y_1);
+  if (std::min(first, second) > length)
+    throw UserError(path + ".at",
+                    fmt::format("is ({:g}, {:g}) m, but the nearest bar is {:g} m away; choose a "
+                                "place on it",
+                                x, y, std::min(first, second)));
+  return {nearest_bar - bars.begin(), second < first};
 }
 
 double component(const SectionForces& forces, scene::Quantity quantity) {
@@ -256,12 +280,17 @@ Histories::Histories(const scene::Particles& scene, const Observable& observed, 
               circle_of(given, path, "the largest in a circle or a group: give its radius, or `group`",
                         observed.particles());
         break;
+      case Over::kBar:
+        if (!given.has_at())
+          throw UserError(path + ".at", "is missing; give the place on the bar, {x: …, y: …}");
+        std::tie(history.named, history.second) = bar_at(given, path, observed);
+        break;
       case Over::kNothing:
         throw UserError(
             path + ".quantity",
             fmt::format("is {}, which particles do not have; choose a motion, a stress, a strain rate, "
                         "coordination or porosity, a force on a wall, in a section or of a spring, a motion "
-                        "of a joint, a diameter of an oval, a width of cracks",
+                        "of a joint, a diameter of an oval, a width of cracks, the stress or slip of a bar",
                         protocol::name_of(given.quantity())));
     }
     histories_.push_back(history);
@@ -303,6 +332,7 @@ void Histories::read(const Observable& observed, const Lining& lining, const pro
   std::optional<std::vector<SectionForces>> sections;
   std::optional<Fragments> fragments;
   std::optional<std::vector<ObservedCrack>> cracks;
+  std::optional<std::vector<ObservedBar>> bars;
   for (const History& history : histories_) {
     switch (history.quantity) {
       case scene::DISPLACEMENT_X:
@@ -349,6 +379,14 @@ void Histories::read(const Observable& observed, const Lining& lining, const pro
         values.push_back(0);
         for (const ObservedCrack& crack : *cracks)
           if (holds(history, crack, observed)) values.back() = std::max(values.back(), crack.opening);
+        break;
+      case scene::BAR_STRESS:
+        if (!bars) bars = observed.bars();
+        values.push_back((*bars)[history.named].stress);
+        break;
+      case scene::BAR_SLIP:
+        if (!bars) bars = observed.bars();
+        values.push_back(history.second ? (*bars)[history.named].slip_2 : (*bars)[history.named].slip_1);
         break;
       default:
         if (!means) means.emplace(observed);

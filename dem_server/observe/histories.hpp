@@ -1,5 +1,6 @@
 // Quantities over time: motions of the particles nearest to the scene's points, means over circles, forces on
-// walls, in sections and of springs, motions of joints, diameters of ovals, widths of cracks.
+// walls, in sections and of springs, motions of joints, diameters of ovals, widths of cracks, stress and slip
+// of bars.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,7 @@
 namespace adit::dem {
 
 // Which of the scene's quantities particles have, and over what.
-enum class Over { kParticle, kCircle, kWall, kSection, kJoint, kSpring, kOval, kCracks, kNothing };
+enum class Over { kParticle, kCircle, kWall, kSection, kJoint, kSpring, kOval, kCracks, kBar, kNothing };
 
 inline Over taken_over(scene::Quantity quantity) {
   if (protocol::is_motion(quantity)) return Over::kParticle;
@@ -50,6 +51,9 @@ inline Over taken_over(scene::Quantity quantity) {
       return Over::kOval;
     case scene::CRACK_WIDTH:
       return Over::kCracks;
+    case scene::BAR_STRESS:
+    case scene::BAR_SLIP:
+      return Over::kBar;
     default:
       return Over::kNothing;
   }
@@ -87,7 +91,8 @@ class Histories {
     bool tied = false;
     protocol::HalfStepVelocity velocity{};  // its component
     std::optional<Circle> circle{};         // cracks: else in the group
-    std::size_t named = 0;                  // the wall, section, joint, spring, oval or group
+    std::size_t named = 0;  // the wall, section, joint, spring, oval, group or element of a bar
+    bool second = false;    // of a bar: which end of the element
   };
   // A component of a particle's motion.
   using MotionOf = double(const Particles& particles, scene::Quantity quantity, std::uint32_t particle);

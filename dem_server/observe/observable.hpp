@@ -56,6 +56,21 @@ struct SpringForce {
   std::string name;                      // empty: none
 };
 
+// An element of a bar between two particles: its ends at rest [m], and what it does now. Its force on the
+// first particle acts in the middle between both ends, the pull along n, the unit vector from one end to the
+// other, the dowel's force along the left normal; strain and stress of the bar, its slips in the particles
+// along the path.
+struct ObservedBar {
+  std::uint32_t bar;
+  bool whole;  // installed, and both particles are there
+  std::uint32_t first, second;
+  double x_1, y_1, x_2, y_2;
+  double nx, ny, middle_x, middle_y;      // now [m]
+  double pull, dowel;                     // [N]
+  double stress, strain;                  // [Pa]
+  double slip_1, slip_2, bond_1, bond_2;  // [m], bond stresses [Pa]
+};
+
 // The force of a wall on a particle [N] where it touches it [m].
 struct WallTouch {
   std::uint32_t particle;
@@ -109,6 +124,8 @@ class Observable {
   virtual std::vector<WallTouch> wall_touches() const { return {}; }
   virtual std::vector<SpringForce> springs() const { return {}; }
   virtual std::vector<WallForce> walls() const { return {}; }
+  // All elements, bar by bar along their paths.
+  virtual std::vector<ObservedBar> bars() const { return {}; }
 };
 
 }  // namespace adit::dem

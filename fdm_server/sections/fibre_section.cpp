@@ -50,7 +50,7 @@ SectionForces FibreStates::strain_to(const FibreSection& section, double strain,
   }
   for (std::size_t i = 0; i < steel_.size(); ++i) {
     const auto& [z, area, diameter] = section.shape().bars[i];
-    fdm::strain_to(section.steel(), strain + curvature * z, steel_[i]);
+    protocol::strain_to(section.steel(), strain + curvature * z, steel_[i]);
     const double force = area * steel_[i].stress;
     forces.thrust += force;
     forces.moment += force * z;
@@ -63,7 +63,7 @@ double FibreStates::stored(const FibreSection& section) const {
   for (std::size_t i = 0; i < concrete_.size(); ++i)
     sum += section.layers()[i].area * fdm::stored(concrete_[i]);
   for (std::size_t i = 0; i < steel_.size(); ++i)
-    sum += section.shape().bars[i].area * fdm::stored(section.steel(), steel_[i]);
+    sum += section.shape().bars[i].area * protocol::stored(section.steel(), steel_[i]);
   return sum;
 }
 

@@ -14,10 +14,13 @@
 
 #include "fdm_server/sections/concrete_law.hpp"
 #include "fdm_server/sections/section_shape.hpp"
-#include "fdm_server/sections/steel_law.hpp"
+#include "protocol/materials/steel_law.hpp"
 #include "protocol/state/archive.hpp"
 
 namespace adit::fdm {
+
+using protocol::SteelLaw;
+using protocol::SteelState;
 
 // What all sections of a lining share.
 class FibreSection {

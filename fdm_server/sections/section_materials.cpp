@@ -50,12 +50,6 @@ ConcreteValues concrete_values(double young_modulus, double compressive, double 
           1};
 }
 
-SteelValues steel_values(const protocol::Steel& of, Values values) {
-  const double yield = values == Values::kMean ? of.mean_yield : of.design_yield;
-  const double rise = (of.hardening - 1) * yield / (of.ultimate_strain - yield / of.young_modulus);
-  return {of.young_modulus, yield, rise / of.young_modulus, of.design_strain};
-}
-
 ConcreteLaw concrete_law(const ConcreteValues& concrete, double tension_end,
                          const ResidualTension& residual) {
   // The slope of eq. 3.14 at the origin.
@@ -65,10 +59,6 @@ ConcreteLaw concrete_law(const ConcreteValues& concrete, double tension_end,
           concrete.tensile,
           tension_end,
           residual};
-}
-
-SteelLaw steel_law(const SteelValues& steel) {
-  return {steel.young_modulus, steel.yield, steel.hardening};
 }
 
 CapacityMaterials capacity_materials(const ConcreteValues& concrete, const SteelValues& steel,

@@ -10,13 +10,16 @@
 #include "fdm_server/sections/concrete_law.hpp"
 #include "fdm_server/sections/fibre_concrete.hpp"
 #include "fdm_server/sections/shear_capacity.hpp"
-#include "fdm_server/sections/steel_law.hpp"
 #include "protocol/materials/concrete.hpp"
-#include "protocol/materials/steel.hpp"
+#include "protocol/materials/read_steel.hpp"
 
 namespace adit::fdm {
 
-enum class Values { kMean, kDesign };
+using protocol::steel_law;
+using protocol::steel_values;
+using protocol::SteelLaw;
+using protocol::SteelValues;
+using protocol::Values;
 
 struct ConcreteValues {
   double young_modulus, compressive, tensile;  // [Pa]
@@ -27,18 +30,10 @@ struct ConcreteValues {
 ConcreteValues concrete_values(const protocol::Concrete& of, Values values);
 ConcreteValues concrete_values(double young_modulus, double compressive, double tensile);
 
-struct SteelValues {
-  double young_modulus, yield;  // [Pa]
-  double hardening;             // slope after yield over the modulus
-  double limit_strain;          // eps_ud
-};
-SteelValues steel_values(const protocol::Steel& of, Values values);
-
 // Between its cracking and `tension_end`, a strain, concrete loses its tension: bars whose bond lets it carry
 // do so until they yield. `residual`: of fibres.
 ConcreteLaw concrete_law(const ConcreteValues& concrete, double tension_end,
                          const ResidualTension& residual = {});
-SteelLaw steel_law(const SteelValues& steel);
 CapacityMaterials capacity_materials(const ConcreteValues& concrete, const SteelValues& steel,
                                      const ResidualTension& residual = {});
 // `stirrups`: A_sw/s over the section's width.

@@ -31,6 +31,7 @@ std::set<std::uint32_t> stages_of(const scene::Particles& particles) {
   add(particles.groups(), stages);
   add(particles.joints(), stages);
   add(particles.springs(), stages);
+  add(particles.bars(), stages);
   return stages;
 }
 

@@ -94,7 +94,7 @@ class Mirrored(Same):
 
     def factor(self, column):
         what = schema.quantity(column)
-        odd = what[:2] in ("ux", "vx", "ax", "fx") or what.startswith(("sxy", "gxy", "shear", "offset", "rotation"))
+        odd = what[:2] in ("ux", "vx", "ax", "fx") or what.startswith(("sxy", "gxy", "shear", "offset", "rotation", "bar_slip"))
         return -1.0 if odd else 1.0
 
 

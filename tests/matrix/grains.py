@@ -14,7 +14,7 @@ FACTORS = {
     "bonds": ["contact", "breakable", "friction", "parallel", "grains"],
     "line": ["none", "weak", "open", "smooth"],
     "groups": ["none", "soft", "later", "apart"],
-    "spring": ["none", "linear", "tension", "curve", "across"],
+    "spring": ["none", "linear", "tension", "curve", "across", "bar"],
     "floor": ["held", "wall", "quiet"],
     "foundation": ["none", "springs"],
     "damping": ["none", "local", "viscous"],
@@ -49,7 +49,7 @@ def meaningless(row):
 
 def passes_thresholds(row):
     """Whether something breaks, slides, touches or is braked against the sign of its velocity, so that rounding decides in which step."""
-    return row["bonds"] != "contact" or row["packing"] in ("random", "cells") or row["line"] != "none" or row["spring"] in ("tension", "curve") or (
+    return row["bonds"] != "contact" or row["packing"] in ("random", "cells") or row["line"] != "none" or row["spring"] in ("tension", "curve", "bar") or (
         row["floor"] == "wall" or row["load"] == "wall" or row["foundation"] == "springs" or row["groups"] == "apart" or row["damping"] == "local")
 
 
@@ -146,6 +146,9 @@ def _add_spring(row, model):
     law = {"linear": {"stiffness": 2e8, "tension_only": False}, "tension": {"stiffness": 2e8, "pretension": 1e3},
            "curve": {"curve": {"opening": [-1e-3, 0.0, 1e-3], "force": [-50e3, 0.0, 20e3]}},
            "across": {"stiffness": 2e8, "tension_only": False, "clearance": 1e-5, "direction": {"x": 0.0, "y": 1.0}}}.get(row["spring"])
+    if row["spring"] == "bar":
+        model["bars"] = [{"along": {"line": {"points": [{"x": 0.4, "y": 1.56}, {"x": 3.6, "y": 1.56}]}}, "diameter": 16e-3, "area": 1e-3,
+                          "steel": {"yield_strength": 5e6, "hardening": 0.01}, "concrete_strength": 30e6}]
     if law:
         model["springs"] = [{"name": "tie", "from": {"x": 1.06, "y": 1.06}, "to": {"x": 1.06, "y": 1.94}, **law}]
 
@@ -166,7 +169,7 @@ def _add_load(row, model):
 def _add_rest(row, model):
     if row["rest"] in STATICS:
         model["body_loads"] = model.get("body_loads", []) + [{"acceleration": {"y": -4.0}}]
-    hole = {"x_min": 1.5, "x_max": 2.5, "y_min": 1.0, "y_max": 2.0}
+    hole = {"x_min": 1.5, "x_max": 2.5, "y_min": 1.0, "y_max": 2.05}  # as high as a group beside
     if row["hole"] != "none":
         model["excavations"] = [{"where": hole, **({"stage": 1} if row["hole"] == "stage" else {})}]
 
@@ -193,7 +196,9 @@ def _histories(row):
                   for quantity in ("stress_xx", "stress_yy", "stress_xy", "strain_rate_xx", "shear_strain_rate_xy", "coordination", "porosity")]
         if row["packing"] == "cells":
             found.append({"name": "ring", "quantity": "crack_width", "at": {"x": 3.2, "y": 1.5}, "radius": 0.6})
-    if row["spring"] != "none":
+    if row["spring"] == "bar":
+        found += [{"name": "bar", "quantity": quantity, "at": {"x": 1.0, "y": 1.56}} for quantity in ("bar_stress", "bar_slip")]
+    elif row["spring"] != "none":
         found.append({"name": "tie", "quantity": "spring_force", "spring": "tie"})
     if row["floor"] == "wall":
         found += [{"name": "floor", "quantity": quantity, "wall": "floor"} for quantity in ("force_x", "force_y")]

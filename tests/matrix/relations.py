@@ -452,7 +452,9 @@ OF_GROUND = {
 OF_GRAINS = {
     balanced: always, mirrored: lambda row: row["packing"] not in ("random", "cells"),
     turned: lambda row: row["packing"] == "placed" and row["floor"] != "quiet" and row["rest"] != "stressed",
-    moved: lambda row: row["packing"] not in ("random", "cells") and not grains.is_idle(row), scaled: always, scaled_stress: always, reordered: always, said_apart: always,
+    moved: lambda row: row["packing"] not in ("random", "cells") and not grains.is_idle(row),
+    # Bond and dowels of bars follow formulas of the strength in MPa.
+    scaled: lambda row: row["spring"] != "bar", scaled_stress: lambda row: row["spring"] != "bar", reordered: always, said_apart: always,
     longer: always, threads: always, elsewhere: always, observed: always, resumed: always, replayed: always,
     general: lambda row: row["engine"] == "automatic",
 }

@@ -81,6 +81,20 @@ Element element_of(const Model& model, const Spring& spring) {
   return {"spring", i, j, spring.stiffness, spring.stiffness, 0, arm_1, length - arm_1};
 }
 
+// Along and across each element; slip in the bond only softens it.
+void add_elements(const Model& model, const Bar& bar, std::vector<Element>& elements) {
+  const auto arm = [&](const BarNode& node) {
+    return std::hypot(node.x - model.discs.x[node.disc], node.y - model.discs.y[node.disc]);
+  };
+  for (std::size_t k = 0; k < bar.elements(); ++k) {
+    const BarNode &a = bar.nodes[k], &b = bar.nodes[bar.after(k)];
+    if (!model.is_there(a.disc) || !model.is_there(b.disc)) continue;
+    const double length = std::hypot(b.x - a.x, b.y - a.y), half = length / 2;
+    elements.push_back({"bar", a.disc, b.disc, 0, bar.steel.modulus * bar.area / length, 0, arm(a), arm(b)});
+    elements.push_back({"bar", a.disc, b.disc, 0, a.dowel_stiffness, 0, arm(a) + half, arm(b) + half});
+  }
+}
+
 // Its discs may meet others: it breaks, or slides until they part.
 bool lets_go(const Model& model, const Bond& bond) {
   return bond.law == Bond::Law::kSmoothJoint || is_breakable(model, bond);
@@ -172,6 +186,7 @@ std::vector<Element> Touching::elements(double dt) const {
   for (const Bond& bond : model_.bonds)
     elements.push_back(bond.law == Bond::Law::kFacet ? facet_of(model_, bond) : element_of(model_, bond, dt));
   for (const Spring& spring : model_.springs) elements.push_back(element_of(model_, spring));
+  for (const Bar& bar : model_.bars) add_elements(model_, bar, elements);
   return elements;
 }
 

@@ -2,9 +2,9 @@
 // breaks.
 //
 // Springs. The highest frequency of an assembly is at most that of its worst element (Irons), however the
-// discs' masses m and moments of inertia J are shared between the elements. Every bond, joint, spring and
-// contact gets of its discs the share of its stiffness, k = max(kn, ks) for the mass and r = ks arm^2 + km
-// for the inertia. Alone, it then has
+// discs' masses m and moments of inertia J are shared between the elements. Every bond, joint, spring, bar
+// element and contact gets of its discs the share of its stiffness, k = max(kn, ks) for the mass and r = ks
+// arm^2 + km for the inertia. Alone, it then has
 //   stretching:  omega^2 = kn (A_1 + A_2),   A = (sum of the disc's k) / (k m),
 //   slipping and turning: the larger eigenvalue of their two springs, coupled where the discs differ.
 //

@@ -157,9 +157,9 @@ Energies GeneralEngine::energies(const protocol::Step& step) {
                     .strain = strain.sum() + solver_.foundation_energy(),
                     .external_work = loads + body_loads + motions + walls + ledger.support + ledger.ground,
                     .released = ledger.released,
-                    .dissipated = ledger.friction + solver_.facets().fracture() + ledger.dashpots +
-                                  ledger.damping.local + ledger.damping.viscous + ledger.damping.edges +
-                                  ledger.foundations,
+                    .dissipated = ledger.friction + solver_.facets().fracture() +
+                                  solver_.bars().dissipated() + ledger.dashpots + ledger.damping.local +
+                                  ledger.damping.viscous + ledger.damping.edges + ledger.foundations,
                     .shares = {{"contacts", strain.pairs.contacts},
                                {"contact_bonds", strain.pairs.contact_bonds},
                                {"parallel_bonds", strain.pairs.parallel_bonds},
@@ -181,6 +181,12 @@ Energies GeneralEngine::energies(const protocol::Step& step) {
   if (!solver_.facets().empty()) {
     energies.shares.push_back({"facets", strain.facets});
     energies.shares.push_back({"fracture", solver_.facets().fracture()});
+  }
+  if (const Bars& bars = solver_.bars(); !bars.empty()) {
+    energies.shares.push_back({"bars", strain.bars});
+    energies.shares.push_back({"bar_yield", bars.yielded()});
+    energies.shares.push_back({"bar_slip", bars.slipped()});
+    energies.shares.push_back({"bar_dowels", bars.dowels()});
   }
   return energies;
 }

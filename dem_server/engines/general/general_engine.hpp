@@ -33,6 +33,7 @@ class GeneralEngine final : public LocalEngine {
   std::vector<WallTouch> wall_touches() const override;
   std::vector<SpringForce> springs() const override;
   std::vector<WallForce> walls() const override;
+  std::vector<ObservedBar> bars() const override;
 
   Counts counts() const override {
     return {solver_.particles().size(), model_.bonds.size() - solver_.facets().touching().size()};

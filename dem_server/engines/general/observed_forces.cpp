@@ -127,6 +127,41 @@ std::vector<SpringForce> GeneralEngine::springs() const {
   return springs;
 }
 
+std::vector<ObservedBar> GeneralEngine::bars() const {
+  std::vector<ObservedBar> observed;
+  const Bars& bars = solver_.bars();
+  for (std::uint32_t b = 0; b < bars.size(); ++b) {
+    const BarChain& chain = bars.chain(b);
+    const Bar& bar = chain.bar();
+    for (std::size_t k = 0; k < bar.elements(); ++k) {
+      const std::size_t after = bar.after(k);
+      const BarNode &one = bar.nodes[k], &other = bar.nodes[after];
+      const BarElement e = bars.element(b, k, particles());
+      observed.push_back({b,
+                          bars.installed(b) && chain.whole(k),
+                          e.first,
+                          e.second,
+                          one.x,
+                          one.y,
+                          other.x,
+                          other.y,
+                          e.nx,
+                          e.ny,
+                          (e.x_1 + e.x_2) / 2,
+                          (e.y_1 + e.y_2) / 2,
+                          e.pull,
+                          e.dowel,
+                          chain.stress(k),
+                          chain.strain(k),
+                          chain.slip(k),
+                          chain.slip(after),
+                          chain.bond_stress(k),
+                          chain.bond_stress(after)});
+    }
+  }
+  return observed;
+}
+
 std::vector<WallForce> GeneralEngine::walls() const {
   std::vector<WallForce> walls;
   for (const MovingWall& wall : solver_.walls().walls()) {

@@ -102,6 +102,8 @@ void renumber(Model& model) {
     spring.first = place[spring.first];
     spring.second = place[spring.second];
   }
+  for (Bar& bar : model.bars)
+    for (BarNode& node : bar.nodes) node.disc = place[node.disc];
   for (EdgeDashpot& edge : model.edges) edge.disc = place[edge.disc];
   const auto take_all = [&place](auto& conditions) {
     for (auto& condition : conditions) {

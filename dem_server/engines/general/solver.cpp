@@ -54,6 +54,7 @@ std::vector<foundation::Springs> foundations_of(const Model& model) {
 Solver::Solver(const Model& model, std::size_t threads)
     : particles_(at_rest(model)),
       springs_(model.springs),
+      bars_(model.bars, particles_),
       foundations_(foundations_of(model)),
       local_damping_(model.local_damping),
       viscous_damping_(model.viscous_damping),
@@ -104,6 +105,7 @@ void Solver::step(const protocol::Step& step, Loads& loads, PrescribedMotions& m
   neighbours_.part(facets_.parted_now());
   joints_.add_forces(dt, particles_);
   springs_.add_forces(dt, particles_);
+  bars_.add_forces(dt, particles_);
   walls_.add_forces(step, particles_);
   gather(dt);
   loads.apply(step, particles_);
@@ -127,6 +129,8 @@ void Solver::plan(const protocol::Step& step, const Loads& loads, const Prescrib
     for (const std::uint32_t i : pairs->reached) kept[i] = true;
   for (const Joints::Joint& joint : joints_.joints()) kept[joint.first] = kept[joint.second] = true;
   for (const Spring& spring : springs_.springs()) kept[spring.first] = kept[spring.second] = true;
+  for (std::size_t k = 0; k < bars_.size(); ++k)
+    for (const BarNode& node : bars_.chain(k).bar().nodes) kept[node.disc] = true;
   for (const WallContacts::Touch& touch : walls_.touches()) kept[touch.disc] = true;
   for (const EdgeDashpot& edge : edges_) kept[edge.disc] = true;
   for (const Held& held : held_) kept[held.disc] = true;
@@ -189,7 +193,7 @@ void Solver::sweep(const protocol::Step& step) {
   });
 }
 
-// What joints, springs and walls do counts among the work of pairs.
+// What joints, springs, bars and walls do counts among the work of pairs.
 void Solver::gather(double dt) {
   team_->run(results_.size(), [&](std::size_t b, std::size_t) {
     const auto block = static_cast<std::uint32_t>(b);
@@ -281,6 +285,7 @@ void Solver::start_over(const protocol::Drift& drift) {
   ledger_ = {};
   walls_.start_over();
   springs_.start_over();
+  bars_.start_over();
   for (foundation::Springs& springs : foundations_) springs.start_over();
   joints_.start_over();
   facets_.start_over();
@@ -296,6 +301,7 @@ void Solver::exchange(state::Archive& archive) {
   facets_.exchange(archive);
   if (archive.reads()) neighbours_.part(facets_.parted());
   springs_.exchange(archive);
+  bars_.exchange(archive);
   for (foundation::Springs& springs : foundations_) springs.exchange(archive);
   walls_.exchange(archive);
   damping_.exchange(archive);
@@ -337,7 +343,8 @@ Stored Solver::stored() const {
 }
 
 Solver::StrainEnergy Solver::strain_energy() const {
-  return {stored(), facets_.strain_energy(particles_), joints_.strain_energy(), springs_.strain_energy()};
+  return {stored(), facets_.strain_energy(particles_), joints_.strain_energy(), springs_.strain_energy(),
+          bars_.strain_energy()};
 }
 
 double Solver::foundation_energy() const {
@@ -362,6 +369,7 @@ double Solver::internal_force() const {
   for (const Joints::Joint& joint : joints_.joints())
     sum += joint.weight * std::hypot(joint.normal, joint.springs.shear);
   for (const double force : springs_.forces()) sum += std::abs(force);
+  sum += bars_.internal_force();
   for (const WallContacts::Touch& touch : walls_.touches()) sum += std::hypot(touch.normal, touch.shear);
   return sum;
 }
@@ -381,7 +389,7 @@ DiscLedger Solver::ledger() const {
 double Solver::time_step_share(double strain_energy) const {
   const DiscLedger sum = ledger();
   return -sum.pairs + walls_.work() - (strain_energy - strain_at_start_) - sum.friction - sum.dashpots -
-         sum.released - facets_.fracture();
+         sum.released - facets_.fracture() - bars_.dissipated();
 }
 
 }  // namespace adit::dem

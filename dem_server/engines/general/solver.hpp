@@ -1,7 +1,7 @@
 // Discs of any size under all their laws, step by step: leap-frog, displacements at n, velocities at n + 1/2.
 //
-// A step moves the discs, sums the forces of bonds, contacts, joints, springs and walls, adds loads, and
-// kicks: discs on which only pairs pull at once, block by block, the others at the end (swept_discs.hpp).
+// A step moves the discs, sums the forces of bonds, contacts, joints, springs, bars and walls, adds loads,
+// and kicks: discs on which only pairs pull at once, block by block, the others at the end (swept_discs.hpp).
 // Blocks of discs are shared by threads (pairs.hpp); results do not depend on their number.
 //
 // Energies are accounted in the form that the scheme keeps, T(n) = 1/2 sum m v(n-1/2) v(n+1/2): every force
@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "dem_server/engines/answers.hpp"
+#include "dem_server/engines/general/bars/bars.hpp"
 #include "dem_server/engines/general/facets/facets.hpp"
 #include "dem_server/engines/general/forces/damping.hpp"
 #include "dem_server/engines/general/forces/joints.hpp"
@@ -37,7 +38,7 @@
 
 namespace adit::dem {
 
-// Since the start [J]. `pairs`: work of all pairs, facets, joints, springs and walls on the discs.
+// Since the start [J]. `pairs`: work of all pairs, facets, joints, springs, bars and walls on the discs.
 struct DiscLedger {
   double pairs = 0, friction = 0, dashpots = 0, released = 0;
   Damping::Loss damping;
@@ -77,6 +78,7 @@ class Solver {
   Neighbours& neighbours() { return neighbours_; }
   const WallContacts& walls() const { return walls_; }
   const SpringForces& springs() const { return springs_; }
+  const Bars& bars() const { return bars_; }
   const Joints& joints() const { return joints_; }
   const Facets& facets() const { return facets_; }
   std::span<const PairLaw> laws() const { return laws_; }
@@ -95,8 +97,8 @@ class Solver {
   // Strain energy [J], of pairs with walls' contacts among the contacts; foundations are not among them.
   struct StrainEnergy {
     Stored pairs;
-    double facets, joints, springs;
-    double sum() const { return pairs.sum() + facets + joints + springs; }
+    double facets, joints, springs, bars;
+    double sum() const { return pairs.sum() + facets + joints + springs + bars; }
   };
   StrainEnergy strain_energy() const;
   double foundation_energy() const;  // stored in their springs
@@ -137,6 +139,7 @@ class Solver {
   Joints joints_;
   Facets facets_;
   SpringForces springs_;
+  Bars bars_;
   std::vector<foundation::Springs> foundations_;
   WallContacts walls_;
   Damping damping_;

@@ -13,6 +13,7 @@
 #include "dem_server/model/placement/groups.hpp"
 #include "dem_server/model/placement/placement.hpp"
 #include "dem_server/model/placement/scene_checks.hpp"
+#include "dem_server/model/reading/bars.hpp"
 #include "dem_server/model/reading/conditions.hpp"
 #include "dem_server/model/reading/edges.hpp"
 #include "dem_server/model/reading/join.hpp"
@@ -267,6 +268,7 @@ Model read_model(const scene::Scene& scene, const protocol::Progress& progress, 
     model.notes.push_back(protocol::as_warning(warning));
   model.walls = read_walls(particles, groups.front());
   model.springs = read_springs(particles, model.discs);
+  model.bars = read_bars(particles, groups, model);
   model.edges = read_edges(particles, groups, placement, model.group);
   model.loads = read_loads(particles, placement);
   model.motions = read_motions(particles, placement);

@@ -41,6 +41,7 @@ void require_statics(const scene::Scene& scene) {
   require("groups", particles.groups());
   require("joints", particles.joints());
   require("springs", particles.springs());
+  require("bars", particles.bars());
 }
 
 // Sets which discs are there, and what those that vanish leave behind.

@@ -8,26 +8,14 @@
 
 #include "fdm_server/sections/section_materials.hpp"
 #include "protocol/errors.hpp"
-#include "protocol/nearest_name.hpp"
+#include "protocol/materials/class_named.hpp"
+#include "protocol/materials/read_steel.hpp"
 
 namespace adit::fdm {
 namespace {
 
+using protocol::class_named;
 using protocol::require;
-
-template <class Class>
-Class class_named(const std::string& name, std::optional<Class> (*find)(const std::string&),
-                  const std::vector<std::string>& names, const std::string& standards,
-                  const std::string& path) {
-  const auto found = find(name);
-  require(found.has_value(), path + ".class",
-          "is `" + name + "`, expected a class of " + standards + protocol::did_you_mean(name, names));
-  return *found;
-}
-
-Values values_of(const scene::ReinforcedSection& section) {
-  return section.values() == scene::ReinforcedSection::DESIGN ? Values::kDesign : Values::kMean;
-}
 
 ConcreteValues read_concrete(const scene::ReinforcedSection& section, const std::string& path) {
   const auto& concrete = section.concrete();
@@ -42,7 +30,7 @@ ConcreteValues read_concrete(const scene::ReinforcedSection& section, const std:
     return concrete_values(
         class_named(concrete.class_(), protocol::concrete_of, protocol::names_of_concrete(),
                     "EN 1992-1-1 (`C30/37`) or of GB 50010 (`C30`)", path),
-        values_of(section));
+        protocol::values_of(section.values()));
   const ConcreteValues values =
       concrete_values(concrete.young_modulus(), concrete.compressive_strength(), concrete.tensile_strength());
   const double least = values.compressive / (1.05 * values.peak_strain);
@@ -51,19 +39,6 @@ ConcreteValues read_concrete(const scene::ReinforcedSection& section, const std:
                       "1992-1-1, eq. 3.14, reaches it only above {:.4g} Pa; give more, or less strength",
                       values.young_modulus, values.compressive, least));
   return values;
-}
-
-SteelValues read_steel(const scene::ReinforcedSection& section, const std::string& path) {
-  const auto& steel = section.steel();
-  const bool any = steel.has_young_modulus() || steel.has_hardening() || steel.has_ultimate_strain();
-  require(steel.has_class_() ? !any && !steel.has_yield_strength() : steel.has_yield_strength(), path,
-          "needs its strength once: give either `class`, or `yield_strength` with what else differs from its "
-          "default");
-  if (steel.has_class_())
-    return steel_values(class_named(steel.class_(), protocol::steel_of, protocol::names_of_steel(),
-                                    "EN 1992-1-1 (`B500B`) or of GB 50010 (`HRB400`)", path),
-                        values_of(section));
-  return {steel.young_modulus(), steel.yield_strength(), steel.hardening(), steel.ultimate_strain()};
 }
 
 void require_one_kind_of_values(const scene::ReinforcedSection& section, const std::string& path) {
@@ -149,7 +124,8 @@ std::shared_ptr<const LiningSection> read_reinforced_section(const scene::Reinfo
           "stand in a section without bars along it, which cannot hold them; give `inner` and `outer`");
   // Without bars nothing of it is used.
   const SteelValues steel =
-      barred ? read_steel(section, path + ".steel") : SteelValues{200e9, 500e6, 0, 0.045};
+      barred ? protocol::read_steel(section.steel(), protocol::values_of(section.values()), path + ".steel")
+             : SteelValues{200e9, 500e6, 0, 0.045};
   const ResidualTension residual = read_fibres(section);
   ConcreteLaw law = concrete_law(concrete, barred ? steel.yield / steel.young_modulus : 0, residual);
   if (!section.concrete().tension_stiffening()) law.tensile_strength = 0;

@@ -14,7 +14,7 @@ from adit import Run, programs
 from adit.plots.deformation import scale_of_run
 
 SHOWN = {"grid": "displacement_m", "particles": "displacement_m", "cells": "displacement_m", "cracks": "opening_m",
-         "linings": "thrust_N", "springs": "force_N", "bonds": "normal_force_N"}  # kind: the array of its colours
+         "linings": "thrust_N", "springs": "force_N", "bars": "stress_Pa", "bonds": "normal_force_N"}  # kind: the array of its colours
 TEMPLATE = Template((Path(__file__).parent / "state.py.in").read_text())
 
 

@@ -162,7 +162,20 @@ def draw_surroundings(axes, run, pieces):
     if springs is not None and len(springs.cells):
         axes.add_collection(LineCollection(springs.points[springs.cells], color=style.GREEN, lw=1.6, zorder=3))
         handles.append(Line2D([], [], color=style.GREEN, lw=1.6, label="springs"))
-    return handles + joints.draw(axes, _parts(run))
+    return handles + _draw_bars(axes, pieces.get("bars")) + joints.draw(axes, _parts(run))
+
+
+def _draw_bars(axes, bars):
+    """Reinforcing bars, coloured by their stress."""
+    if bars is None or not len(bars.cells):
+        return []
+    stress = bars.field("stress_Pa") / 1e6
+    largest = max(np.abs(stress).max(), 1e-9)
+    lines = LineCollection(bars.points[bars.cells], array=stress, cmap="coolwarm", lw=2.2, zorder=3.5)
+    lines.set_clim(-largest, largest)
+    axes.add_collection(lines)
+    shown = [(lines.cmap(0.5 + value / (2 * largest)), value) for value in (stress.min(), stress.max())]
+    return [Line2D([], [], color=color, lw=2.2, label=f"bars, {value:.0f} MPa") for color, value in shown]
 
 
 def _parts(run):

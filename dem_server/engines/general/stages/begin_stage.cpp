@@ -61,6 +61,7 @@ void Solver::begin_stage(std::uint32_t before, const ParticleStage& stage, const
   neighbours_.part(facets_.parted());
   walls_.list(particles_);
   springs_.begin_stage(before, stage.number, particles_);
+  bars_.begin_stage(before, stage.number, particles_);
   renew_damping();
   planned_ = false;
 }

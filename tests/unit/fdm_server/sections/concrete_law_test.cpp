@@ -7,10 +7,13 @@
 #include <random>
 
 #include "fdm_server/sections/fibre_concrete.hpp"
-#include "fdm_server/sections/steel_law.hpp"
+#include "protocol/materials/steel_law.hpp"
 
 namespace adit::fdm::test::concrete_law_test {
 namespace {
+
+using protocol::SteelLaw;
+using protocol::SteelState;
 
 // C30/37.
 const ConcreteLaw kLaw{1.05 * 32.8e9, 38e6, 2.16e-3, 2.9e6, 2.75e-3};

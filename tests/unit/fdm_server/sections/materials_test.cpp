@@ -62,7 +62,7 @@ TEST(SectionMaterials, HardeningReachesTheTensileStrength) {
   for (const auto& [name, ratio, strain] :
        {std::tuple{"B500A", 1.05, 0.025}, {"B500B", 1.08, 0.05}, {"B500C", 1.15, 0.075}}) {
     const SteelValues of = steel(name, Values::kDesign);
-    SteelState bar;
+    protocol::SteelState bar;
     strain_to(steel_law(of), strain, bar);
     EXPECT_NEAR(bar.stress, ratio * of.yield, 1e-3 * of.yield) << name;
   }

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace adit::fdm {
+namespace adit::protocol {
 
 struct SteelLaw {
   double modulus;    // E [Pa]
@@ -37,4 +37,4 @@ inline double stored(const SteelLaw& law, const SteelState& state) {  // [J/m^3]
   return (state.stress * state.stress / law.modulus + (h > 0 ? state.back * state.back / h : 0)) / 2;
 }
 
-}  // namespace adit::fdm
+}  // namespace adit::protocol
