@@ -10,6 +10,7 @@
 
 #include "coupler/check/warnings.hpp"
 #include "coupler/checkpoint/transfer.hpp"
+#include "coupler/output/capacities.hpp"
 #include "coupler/output/motion_outputs.hpp"
 #include "coupler/output/recorder.hpp"
 #include "coupler/output/schedule.hpp"
@@ -130,6 +131,7 @@ Run::Run(const scene::Scene& scene, std::vector<Participant> participants, const
       summary_(labels, model_),
       reserve_(directory) {
   schedule_.compare(model_);
+  if (begin_ == Begin::kAnew) write_capacities(scene, directory_ / "capacities.csv");
   for (const std::string& warning : warnings_before(model_)) summary_.warn(warning);
   if (scene.has_statics()) state_.statics = &statics_.emplace(model_, stepper_);
   if (!from) return;

@@ -113,6 +113,25 @@ scene::Area Contour::between(double inner_offset, double outer_offset) const {
   return area;
 }
 
+scene::BarPath Contour::around(double offset) const {
+  scene::BarPath path;
+  if (is_circle_) {
+    set(*path.mutable_circle()->mutable_centre(), centre_);
+    path.mutable_circle()->set_radius(radius_ + offset);
+  } else {
+    std::vector<Point> line = corners(offset);
+    line.push_back(line.front());
+    add(*path.mutable_line()->mutable_points(), line);
+  }
+  return path;
+}
+
+double Contour::length() const {
+  if (is_circle_) return 2 * pi * radius_;
+  const bool arched = radius_ > 0;
+  return 2 * ((arched ? 0 : above_) + below_) + (arched ? pi * radius_ : 2 * half_width_) + 2 * half_width_;
+}
+
 Contour::Cut Contour::cut_at_angle(double angle) const {
   return {on_arc(angle, 0), std::cos(angle), std::sin(angle)};
 }
@@ -124,7 +143,7 @@ Contour::Cut Contour::cut(double share) const {
   const auto [left, right, lower, upper] = box(0);
   const bool arched = radius_ > 0;
   const double wall = arched ? 0 : above_, top = arched ? pi * radius_ : 2 * half_width_;
-  double along = share * (2 * (wall + below_) + top + 2 * half_width_);
+  double along = share * length();
   if (along < wall) return {{right, centre_.y + along}, 1, 0};
   along -= wall;
   if (along < top) {

@@ -24,6 +24,7 @@ class Contour {
   geometry::Point wall_end(int right, int up, double offset) const;
   scene::Shape shape(double offset) const;
   scene::Area inside(double offset) const;
+  scene::BarPath around(double offset) const;  // the whole line
   scene::Area between(double inner_offset, double outer_offset) const;
 
   // A straight cut across the lining, at right angles to its inner side.
@@ -32,7 +33,8 @@ class Contour {
     double nx, ny;          // unit vector outwards
     geometry::Point at(double offset) const { return {place.x + offset * nx, place.y + offset * ny}; }
   };
-  // At a share of the inner side's length, counter-clockwise from the height of the centre on the right.
+  double length() const;  // of the inner side [m]
+  // At a share of it, counter-clockwise from the height of the centre on the right.
   Cut cut(double share) const;
   // At an angle from x around the centre of a circle.
   Cut cut_at_angle(double angle) const;

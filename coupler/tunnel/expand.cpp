@@ -100,10 +100,18 @@ void require_grains(const scene::LinedTunnel& tunnel, const std::string& path) {
     throw UserError(path + ".particles.ground_size", "is of cells, but `radius` asks for discs; give `size`");
 }
 
+// With what its section states.
+scene::LinedTunnel with_section_read(scene::LinedTunnel tunnel, const std::string& path) {
+  const LiningLayer layer = layers_of(tunnel, path).front();
+  tunnel.mutable_lining()->set_thickness(layer.thickness);
+  *tunnel.mutable_lining()->mutable_material() = layer.material;
+  return tunnel;
+}
+
 // `alone`: whether they become the `particles` of the scene.
-void add_particles(const scene::LinedTunnel& tunnel, const std::string& path,
+void add_particles(const scene::LinedTunnel& given, const std::string& path,
                    const scene::Continuum& continuum, bool alone, Expansion& expansion) {
-  layers_of(tunnel, path);
+  const scene::LinedTunnel tunnel = with_section_read(given, path);
   require_grains(tunnel, path);
   const Contour contour(tunnel, path);
   TunnelGround ground = ground_around(tunnel, contour, continuum);

@@ -159,7 +159,7 @@ class GridTunnel {
       if (layer.interface != nullptr) *lining.mutable_interface() = *layer.interface;
       if (layer.stage > 0) lining.set_stage(layer.stage);
       add_joints_of_segments(lining, layer.thickness);
-      add_forces_of(lining.name(), continuum, opening);
+      add_histories_of(layer, continuum, opening);
     }
   }
 
@@ -204,12 +204,12 @@ class GridTunnel {
       work(fmt::format("section_{}", k + 1), contour_.cut(static_cast<double>(k) / tunnel_.sections()));
   }
 
-  void add_forces_of(const std::string& lining, scene::Continuum& continuum, const Opening& opening) const {
+  void add_histories_of(const LiningLayer& layer, scene::Continuum& continuum, const Opening& opening) const {
     const auto nodes = opening.nodes(ground_begins());
     for_each_section([&](const std::string& section, const Contour::Cut& cut) {
-      for (const scene::Quantity force : kForces) {
-        auto& history = add_history(continuum, lining + "_" + section, force);
-        history.set_lining(lining);
+      for (const scene::Quantity quantity : quantities_of_sections(layer.section != nullptr)) {
+        auto& history = add_history(continuum, layer.name + "_" + section, quantity);
+        history.set_lining(layer.name);
         *history.mutable_at() = point(nodes[nearest(nodes, cut.at(ground_begins()))]);
       }
     });
@@ -224,8 +224,9 @@ class GridTunnel {
       section.set_name(layer.name + "_" + name);
       *section.mutable_from() = point(within[node]);
       *section.mutable_to() = point(outside[node]);
-      for (const scene::Quantity force : kForces)
-        add_history(continuum, section.name(), force).set_section(section.name());
+      if (layer.section != nullptr) *section.mutable_section() = *layer.section;
+      for (const scene::Quantity quantity : quantities_of_sections(layer.section != nullptr))
+        add_history(continuum, section.name(), quantity).set_section(section.name());
     });
   }
 

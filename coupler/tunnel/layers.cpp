@@ -7,7 +7,8 @@
 #include "coupler/tunnel/joints.hpp"
 #include "coupler/tunnel/parts.hpp"
 #include "protocol/errors.hpp"
-#include "protocol/materials/concrete.hpp"
+#include "protocol/materials/read_concrete.hpp"
+#include "protocol/sections/read_section.hpp"
 
 namespace adit::coupler {
 namespace {
@@ -15,29 +16,28 @@ namespace {
 using protocol::require;
 using protocol::UserError;
 
-// Elastic, with the weight that linings have if nothing else is stated.
-scene::Material material_of(const scene::SectionConcrete& concrete, const std::string& path) {
+// Of the section's concrete: its stiffness, with the weight that linings have if nothing else is stated, and
+// for particles how it breaks.
+scene::Material material_of(const scene::ReinforcedSection& section, bool breaks, const std::string& path) {
+  const auto [young_modulus, compressive, tensile, factor] =
+      protocol::read_concrete(section.concrete(), protocol::values_of(section.values()), path + ".concrete");
   scene::Material material;
-  if (concrete.has_young_modulus()) {
-    material.set_young_modulus(concrete.young_modulus());
-  } else {
-    const auto known = protocol::concrete_of(concrete.class_());
-    require(known.has_value(), path,
-            concrete.has_class_() ? fmt::format("has the class `{}`, which is not known; give one of EN "
-                                                "1992-1-1 (`C30/37`) or of GB 50010 (`C30`)",
-                                                concrete.class_())
-                                  : "has neither `class` nor `young_modulus`; give one");
-    material.set_young_modulus(known->young_modulus);
-  }
+  material.set_young_modulus(young_modulus);
   const scene::Lining lining;
   material.set_poisson_ratio(lining.poisson_ratio());
   material.set_density(lining.density());
+  if (!breaks) return material;
+  scene::Fracture& fracture = *material.mutable_fracture();
+  fracture.set_tensile_strength(tensile);
+  fracture.set_compressive_strength(compressive);
+  fracture.set_fracture_energy(protocol::fracture_energy(compressive));
   return material;
 }
 
 // The lining itself, or one of its layers.
 template <class Stated>
-LiningLayer read_layer(const Stated& stated, const std::string& path, std::string name, std::uint32_t stage) {
+LiningLayer read_layer(const Stated& stated, bool breaks, const std::string& path, std::string name,
+                       std::uint32_t stage) {
   LiningLayer layer{path, std::move(name), 0, {}, nullptr, nullptr, stage};
   if (stated.has_interface()) layer.interface = &stated.interface();
   if (!stated.has_section()) {
@@ -53,7 +53,7 @@ LiningLayer read_layer(const Stated& stated, const std::string& path, std::strin
     require(!given, path + key, "is given beside `section`, which states it; leave one out");
   layer.section = &stated.section();
   layer.thickness = stated.section().thickness();
-  layer.material = material_of(stated.section().concrete(), path + ".section.concrete");
+  layer.material = material_of(stated.section(), breaks, path + ".section");
   return layer;
 }
 
@@ -61,7 +61,8 @@ std::vector<LiningLayer> read_layers(const scene::LinedTunnel& tunnel, const std
   const scene::TunnelLining& lining = tunnel.lining();
   const std::string here = path + ".lining";
   std::uint32_t stage = stage_of_lining(tunnel);
-  if (lining.layers().empty()) return {read_layer(lining, here, tunnel.name(), stage)};
+  if (lining.layers().empty())
+    return {read_layer(lining, of_cells(tunnel) && !lining.section().elastic(), here, tunnel.name(), stage)};
   for (const auto& [given, key] :
        {std::pair{lining.has_thickness(), ".thickness"}, std::pair{lining.has_material(), ".material"},
         std::pair{lining.has_section(), ".section"}, std::pair{lining.has_interface(), ".interface"}})
@@ -70,7 +71,7 @@ std::vector<LiningLayer> read_layers(const scene::LinedTunnel& tunnel, const std
   for (int i = 0; i < lining.layers_size(); ++i) {
     const scene::TunnelLayer& layer = lining.layers(i);
     if (layer.has_stage()) stage = layer.stage();
-    layers.push_back(read_layer(layer, fmt::format("{}.layers[{}]", here, i),
+    layers.push_back(read_layer(layer, false, fmt::format("{}.layers[{}]", here, i),
                                 fmt::format("{}_{}", tunnel.name(), layer.name()), stage));
     if (stage > 0) ++stage;
   }
@@ -99,10 +100,21 @@ void require_of_particles(const scene::LinedTunnel& tunnel, const std::string& p
           {tunnel.has_zones(), ".zones", ""},
           {lining.has_interface(), ".lining.interface", ", or give `friction` or `to_ground`"},
           {lining.layers_size() > 0, ".lining.layers", ", or give `as: beam` or `as: zones`"},
-          // Bars of a section would be placed here; until then its concrete alone would mislead.
-          {lining.has_section(), ".lining.section", ", and give `thickness` and `material`"},
           {lining.has_contact(), ".lining.contact", ", or give `as: beam`"}},
       path, "particles");
+  if (!lining.has_section()) return;
+  const std::string at = path + ".lining.section";
+  require(of_cells(tunnel), at,
+          "states how concrete breaks, which a lattice of discs does not follow; give `particles.size` for "
+          "cells, or `thickness`, `material` and `bonds`");
+  sections::read_section(lining.section(), 1, at);
+  require(!lining.has_bonds(), path + ".lining.bonds",
+          "is given beside `section`, whose concrete states how it breaks; leave one out");
+  require(!lining.section().concrete().has_fibres(), at + ".concrete.fibres",
+          "is given, but the lining is of particles, which break as plain concrete; give `as: beam`");
+  require(
+      !lining.section().concrete().has_tension_stiffening(), at + ".concrete.tension_stiffening",
+      "is given, but the lining is of particles, where it follows from the bond of the bars; leave it out");
 }
 
 void require_in_grid(const scene::LinedTunnel& tunnel, const std::string& path, const char* model) {

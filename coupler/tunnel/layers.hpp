@@ -13,7 +13,7 @@ struct LiningLayer {
   std::string path;                         // in the scene
   std::string name;                         // the tunnel's, or with several layers `<tunnel>_<layer>`
   double thickness;                         // [m]
-  scene::Material material;                 // with a section, that of its concrete
+  scene::Material material;                 // with a section, of its concrete; of cells with `fracture`
   const scene::ReinforcedSection* section;  // none: nullptr; belongs to the tunnel
   const scene::InterfaceLaw* interface;     // to what lies outside it; likewise
   std::uint32_t stage;

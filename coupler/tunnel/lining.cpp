@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "coupler/tunnel/bars.hpp"
 #include "coupler/tunnel/joints.hpp"
 #include "coupler/tunnel/parts.hpp"
 
@@ -49,6 +50,7 @@ void add_sections(const scene::LinedTunnel& tunnel, const Contour& contour, scen
     section.set_name(part_name(tunnel, "section", k + 1));
     *section.mutable_from() = point(cut.at(-beyond));
     *section.mutable_to() = point(cut.at(tunnel.lining().thickness() + beyond));
+    if (tunnel.lining().has_section()) *section.mutable_section() = tunnel.lining().section();
   }
 }
 
@@ -66,6 +68,7 @@ void add_lining(const scene::LinedTunnel& tunnel, const Contour& contour, const 
                 scene::Particles& particles) {
   add_group(tunnel, contour, particles);
   add_joints(tunnel, contour, path, particles);
+  add_bars(tunnel, contour, path, particles);
   add_sections(tunnel, contour, particles);
   add_oval(tunnel, contour, particles);
   add_convergence(tunnel, contour, particles);
@@ -105,8 +108,8 @@ void add_lining_histories(scene::Particles& particles) {
          {scene::LARGEST_DIAMETER_CHANGE, scene::SMALLEST_DIAMETER_CHANGE, scene::LARGEST_DIAMETER_DIRECTION})
       add_history(particles, oval.name(), quantity).set_oval(oval.name());
   for (const auto& section : particles.sections())
-    for (const scene::Quantity force : kForces)
-      add_history(particles, section.name(), force).set_section(section.name());
+    for (const scene::Quantity quantity : quantities_of_sections(section.has_section()))
+      add_history(particles, section.name(), quantity).set_section(section.name());
 }
 
 }  // namespace adit::coupler

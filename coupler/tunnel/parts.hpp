@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "protocol/geometry/shape.hpp"
 #include "protocol/messages/scene.pb.h"
@@ -36,8 +37,12 @@ inline std::string part_name(const scene::LinedTunnel& tunnel, const char* part,
   return fmt::format("{}_{}_{}", tunnel.name(), part, number);
 }
 
-// Of a section.
-inline constexpr scene::Quantity kForces[] = {scene::THRUST, scene::MOMENT, scene::SHEAR_FORCE};
+// `resists`: whether it has a strength.
+inline std::vector<scene::Quantity> quantities_of_sections(bool resists) {
+  std::vector<scene::Quantity> quantities{scene::THRUST, scene::MOMENT, scene::SHEAR_FORCE};
+  if (resists) quantities.insert(quantities.end(), {scene::UTILISATION, scene::SHEAR_STRENGTH});
+  return quantities;
+}
 
 // Of particles or of a continuum.
 template <class Model>

@@ -32,6 +32,33 @@ std::vector<Figure> figures_of(const Sections& sections, const Envelope& envelop
   return figures;
 }
 
+std::vector<Figure> figures_of(const Sections& sections, const UsePeaks& peaks) {
+  std::vector<Figure> figures;
+  if (peaks.utilisation().empty()) return figures;
+  struct Largest {
+    const UsePeaks::Instant& instant;
+    const Cut& cut;
+  };
+  const auto add_largest = [&](const char* name, std::span<const UsePeaks::Instant> of) {
+    const auto most = std::ranges::max_element(of, {}, &UsePeaks::Instant::value);
+    const auto number = static_cast<std::size_t>(most - of.begin());
+    add(std::string("sections_largest_") + name, "", {most->value, most->time}, sections.middle(number),
+        figures);
+    return Largest{*most, sections.cuts()[number]};
+  };
+  const SectionForces bent = add_largest("utilisation", peaks.utilisation()).instant.forces;
+  figures.push_back({"sections_thrust_at_largest_utilisation_N", bent.thrust});
+  figures.push_back({"sections_moment_at_largest_utilisation_Nm", bent.moment});
+  const SectionForces sheared = add_largest("shear_utilisation", peaks.shear()).instant.forces;
+  figures.push_back({"sections_shear_at_largest_shear_utilisation_N", sheared.shear});
+  figures.push_back({"sections_thrust_at_largest_shear_utilisation_N", sheared.thrust});
+  const Largest ratio = add_largest("moment_ratio", peaks.moment_ratio());
+  if (ratio.cut.strength)
+    figures.push_back({"sections_damage_state", static_cast<double>(sections::damage_state(
+                                                    *ratio.cut.strength, ratio.instant.value))});
+  return figures;
+}
+
 std::vector<Figure> figures_of(std::span<const Oval> ovals, const OvalEnvelope& envelope) {
   std::vector<Figure> figures;
   if (envelope.largest().empty()) return figures;

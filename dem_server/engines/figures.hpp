@@ -8,6 +8,7 @@
 #include "dem_server/engines/answers.hpp"
 #include "dem_server/lining/envelope.hpp"
 #include "dem_server/lining/ovals.hpp"
+#include "dem_server/lining/use_peaks.hpp"
 #include "dem_server/observe/bar_peaks.hpp"
 #include "dem_server/observe/widest_crack.hpp"
 
@@ -17,6 +18,13 @@ namespace adit::dem {
 // and times, each with its …_time_s and the middle of its section, …_x_m and …_y_m. None where there are no
 // sections.
 std::vector<Figure> figures_of(const Sections& sections, const Envelope& envelope);
+
+// sections_largest_utilisation with sections_thrust_at_largest_utilisation_N and
+// sections_moment_at_largest_utilisation_Nm, and sections_largest_shear_utilisation with
+// sections_shear_at_largest_shear_utilisation_N and sections_thrust_at_largest_shear_utilisation_N, and
+// sections_largest_moment_ratio with sections_damage_state: over all sections with a strength, with time and
+// place. None where there are no such sections.
+std::vector<Figure> figures_of(const Sections& sections, const UsePeaks& peaks);
 
 // ovals_largest_diameter_change_m and ovals_smallest_diameter_change_m: over all ovals and times, each with
 // its …_time_s, the direction of that diameter, …_direction_rad, and the middle of its oval, …_x_m and …_y_m.

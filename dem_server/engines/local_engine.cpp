@@ -94,7 +94,10 @@ void LocalEngine::take_envelope(const protocol::Step& step) {
   oval_envelope_.take(diameters, time);
   widest_crack_.take(cracks(), time);
   bar_peaks_.take(bars(), time);
-  if (!lining_.sections.cuts().empty()) envelope_.take(section_forces(*this, lining_.sections), time);
+  if (lining_.sections.cuts().empty()) return;
+  const auto forces = section_forces(*this, lining_.sections);
+  envelope_.take(forces, time);
+  use_peaks_.take(lining_.sections.cuts(), forces, time);
 }
 
 void LocalEngine::take_peaks(const protocol::Step& step) {
@@ -174,6 +177,7 @@ void LocalEngine::exchange(state::Archive& archive) {
   archive("kick", kick_);
   if (histories_) histories_->exchange(archive);
   envelope_.exchange(lining_.sections.cuts().size(), archive);
+  if (any_strength(lining_.sections.cuts())) use_peaks_.exchange(lining_.sections.cuts().size(), archive);
   oval_envelope_.exchange(lining_.ovals.size(), archive);
   joint_peaks_.exchange(joints().size(), archive);
   if (!turn().empty()) {
@@ -188,7 +192,7 @@ void LocalEngine::exchange(state::Archive& archive) {
 
 void LocalEngine::snapshot(wire::Snapshot& snapshot) const {
   write_snapshot(*this, snapshot);
-  add_sections(*this, lining_.sections, envelope_, snapshot);
+  add_sections(*this, lining_.sections, envelope_, use_peaks_, snapshot);
   add_joints(*this, joint_peaks_, snapshot);
   add_cells(*this, snapshot);
   add_cracks(*this, snapshot);
@@ -198,6 +202,7 @@ void LocalEngine::snapshot(wire::Snapshot& snapshot) const {
 
 std::vector<Figure> LocalEngine::figures() const {
   std::vector<Figure> figures = figures_of(lining_.sections, envelope_);
+  for (const Figure& figure : figures_of(lining_.sections, use_peaks_)) figures.push_back(figure);
   for (const Figure& figure : figures_of(lining_.ovals, oval_envelope_)) figures.push_back(figure);
   for (const Figure& figure : figures_of(widest_crack_)) figures.push_back(figure);
   if (!bars().empty())

@@ -11,6 +11,7 @@
 #include "dem_server/engines/relaxation.hpp"
 #include "dem_server/lining/envelope.hpp"
 #include "dem_server/lining/lining.hpp"
+#include "dem_server/lining/use_peaks.hpp"
 #include "dem_server/observe/bar_peaks.hpp"
 #include "dem_server/observe/crack_paths.hpp"
 #include "dem_server/observe/histories.hpp"
@@ -99,6 +100,7 @@ class LocalEngine : public Engine, public Observable {
   Lining lining_;
   std::optional<Histories> histories_;
   Envelope envelope_;  // of the sections of the lining
+  UsePeaks use_peaks_;
   OvalEnvelope oval_envelope_;
   JointPeaks joint_peaks_;
   WidestCrack widest_crack_;

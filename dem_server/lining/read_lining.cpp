@@ -9,6 +9,7 @@
 #include "dem_server/model/placement/joint_lines.hpp"
 #include "dem_server/model/placement/scene_checks.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/sections/read_section.hpp"
 #include "protocol/text.hpp"
 
 namespace adit::dem {
@@ -38,10 +39,13 @@ std::vector<Cut> read_cuts(const scene::Particles& scene) {
   for (int k = 0; k < scene.sections_size(); ++k) {
     const auto& section = scene.sections(k);
     const std::string path = path_of("sections", k);
-    const Cut cut{section.name(), place(section.from()), place(section.to())};
+    Cut cut{section.name(), place(section.from()), place(section.to())};
+    if (section.has_section())
+      cut.strength = std::make_shared<const sections::Strength>(
+          sections::strength_of(sections::read_section(section.section(), 1, path + ".section")));
     require_two_ends(section.from(), section.to(), path, "section");
     if (std::ranges::find(cuts, cut.name, &Cut::name) != cuts.end()) refuse_name(path, cut.name, "section");
-    cuts.push_back(cut);
+    cuts.push_back(std::move(cut));
   }
   return cuts;
 }

@@ -42,7 +42,7 @@ Sections::Sections(std::vector<Cut> cuts, const Particles& p, std::span<const Pa
 }
 
 geometry::Point Sections::middle(std::size_t cut) const {
-  const auto& [name, from, to] = cuts_[cut];
+  const auto& [name, from, to, strength] = cuts_[cut];
   return {(from.x + to.x) / 2, (from.y + to.y) / 2};
 }
 

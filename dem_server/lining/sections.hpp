@@ -25,6 +25,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,6 +33,7 @@
 #include "dem_server/packing/discs.hpp"
 #include "dem_server/particles/particles.hpp"
 #include "protocol/geometry/shape.hpp"
+#include "protocol/sections/strength.hpp"
 
 namespace adit::dem {
 
@@ -50,6 +52,7 @@ struct SectionForces {
 struct Cut {
   std::string name;
   geometry::Point from, to;  // inner and outer side, at rest [m]
+  std::shared_ptr<const sections::Strength> strength = nullptr;
 };
 
 class Sections {

@@ -11,6 +11,7 @@
 #include <string>
 #include <tuple>
 
+#include "dem_server/lining/use_peaks.hpp"
 #include "dem_server/observe/branches.hpp"
 #include "dem_server/observe/fragments.hpp"
 #include "protocol/errors.hpp"
@@ -89,11 +90,22 @@ std::size_t wall_of(const scene::History& history, const std::string& path, cons
                    history.quantity(), path);
 }
 
+bool of_strength(scene::Quantity quantity) {
+  return quantity == scene::UTILISATION || quantity == scene::SHEAR_STRENGTH;
+}
+
 std::size_t section_of(const scene::History& history, const std::string& path, const Sections& sections) {
   std::vector<std::string> names;
   for (const Cut& cut : sections.cuts()) names.push_back(cut.name);
-  return number_of({"section", "a force in a section", "particles.sections"}, history.section(), names,
-                   history.quantity(), path);
+  const std::size_t number = number_of({"section", "a force in a section", "particles.sections"},
+                                       history.section(), names, history.quantity(), path);
+  if (of_strength(history.quantity()) && !sections.cuts()[number].strength)
+    throw UserError(
+        path + ".section",
+        fmt::format("is {}, whose strength is not stated, but the quantity is {}; give "
+                    "particles.sections[{}] a `section`",
+                    protocol::quote(history.section()), protocol::name_of(history.quantity()), number));
+  return number;
 }
 
 std::size_t joint_of(const scene::History& history, const std::string& path,
@@ -329,7 +341,7 @@ void Histories::read(const Observable& observed, const Lining& lining, const pro
                      std::vector<double>& values) const {
   const Particles& p = observed.particles();
   std::optional<CircleMeans> means;
-  std::optional<std::vector<SectionForces>> sections;
+  std::optional<std::vector<SectionForces>> forces;  // in sections
   std::optional<Fragments> fragments;
   std::optional<std::vector<ObservedCrack>> cracks;
   std::optional<std::vector<ObservedBar>> bars;
@@ -371,9 +383,16 @@ void Histories::read(const Observable& observed, const Lining& lining, const pro
       case scene::THRUST:
       case scene::MOMENT:
       case scene::SHEAR_FORCE:
-        if (!sections) sections = section_forces(observed, lining.sections);
-        values.push_back(component((*sections)[history.named], history.quantity));
+        if (!forces) forces = section_forces(observed, lining.sections);
+        values.push_back(component((*forces)[history.named], history.quantity));
         break;
+      case scene::UTILISATION:
+      case scene::SHEAR_STRENGTH: {
+        if (!forces) forces = section_forces(observed, lining.sections);
+        const sections::Use use = use_of(lining.sections.cuts()[history.named], (*forces)[history.named]);
+        values.push_back(history.quantity == scene::UTILISATION ? use.utilisation : use.shear_strength);
+        break;
+      }
       case scene::CRACK_WIDTH:
         if (!cracks) cracks = observed.cracks();
         values.push_back(0);

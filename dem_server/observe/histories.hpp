@@ -38,6 +38,8 @@ inline Over taken_over(scene::Quantity quantity) {
     case scene::THRUST:
     case scene::MOMENT:
     case scene::SHEAR_FORCE:
+    case scene::UTILISATION:
+    case scene::SHEAR_STRENGTH:
       return Over::kSection;
     case scene::OPENING:
     case scene::OFFSET:

@@ -106,6 +106,29 @@ void add_envelope(const Envelope& envelope, Fields& fields) {
   }
 }
 
+void add_use(std::span<const Cut> cuts, std::span<const SectionForces> forces, const UsePeaks& peaks,
+             Fields& fields) {
+  if (!any_strength(cuts)) return;
+  std::vector<double> utilisation, shear, moment_ratio;
+  for (std::size_t k = 0; k < cuts.size(); ++k) {
+    const sections::Use use = use_of(cuts[k], forces[k]);
+    utilisation.push_back(use.utilisation);
+    shear.push_back(use.shear);
+    moment_ratio.push_back(use.moment_ratio);
+  }
+  add_scalars(fields, "utilisation", utilisation);
+  add_scalars(fields, "shear_utilisation", shear);
+  add_scalars(fields, "moment_ratio", moment_ratio);
+  const auto add_peak = [&](const char* name, std::span<const UsePeaks::Instant> instants) {
+    std::vector<double> values;
+    for (const UsePeaks::Instant& instant : instants) values.push_back(instant.value);
+    if (!values.empty()) add_scalars(fields, name, values);
+  };
+  add_peak("peak_utilisation", peaks.utilisation());
+  add_peak("peak_shear_utilisation", peaks.shear());
+  add_peak("peak_moment_ratio", peaks.moment_ratio());
+}
+
 }  // namespace
 
 google::protobuf::RepeatedField<double>& add_field(Fields& fields, const std::string& name,
@@ -151,7 +174,7 @@ void write_snapshot(const Observable& observed, wire::Snapshot& snapshot) {
 }
 
 void add_sections(const Observable& observed, const Sections& sections, const Envelope& envelope,
-                  wire::Snapshot& snapshot) {
+                  const UsePeaks& peaks, wire::Snapshot& snapshot) {
   const auto forces = section_forces(observed, sections);
   if (forces.empty()) return;
   wire::Piece& piece = *snapshot.add_pieces();
@@ -175,6 +198,7 @@ void add_sections(const Observable& observed, const Sections& sections, const En
   add_scalars(fields, "moment_Nm", moment);
   add_scalars(fields, "shear_N", shear);
   add_envelope(envelope, fields);
+  add_use(sections.cuts(), forces, peaks, fields);
 }
 
 void add_joints(const Observable& observed, const JointPeaks& peaks, wire::Snapshot& snapshot) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dem_server/lining/envelope.hpp"
+#include "dem_server/lining/use_peaks.hpp"
 #include "dem_server/observe/joint_peaks.hpp"
 #include "dem_server/particles/particles.hpp"
 #include "protocol/messages/wire.pb.h"
@@ -41,9 +42,10 @@ wire::Piece& add_piece(const std::string& name, wire::Piece::Shape shape, const 
 void write_snapshot(const Observable& observed, wire::Snapshot& snapshot);
 
 // Piece "sections", where there are any, at their middles: displacement_m, thrust_N, moment_Nm, shear_N, and
-// of each largest_… and smallest_… over the times that were looked at.
+// of each largest_… and smallest_… over the times that were looked at. Where any has a strength also
+// utilisation, shear_utilisation, moment_ratio and the largest, peak_…; 0 of those without.
 void add_sections(const Observable& observed, const Sections& sections, const Envelope& envelope,
-                  wire::Snapshot& snapshot);
+                  const UsePeaks& peaks, wire::Snapshot& snapshot);
 
 // Piece "joints", where there are smooth joints, between their particles: normal_force_N, shear_force_N,
 // slip_m, opening_m, and peak_slip_m, peak_opening_m over the times that were looked at.

@@ -13,6 +13,8 @@
 #include "fdm_server/supports/trace.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/nearest_name.hpp"
+#include "protocol/participant/history.hpp"
+#include "protocol/sections/read_section.hpp"
 
 namespace adit::fdm {
 
@@ -37,6 +39,9 @@ GridSections::GridSections(const scene::Continuum& scene, const Grid& grid,
     section.name = given.name();
     section.x = (to.x - from.x) / length;
     section.y = (to.y - from.y) / length;
+    if (given.has_section())
+      section.strength = std::make_shared<const sections::Strength>(
+          sections::strength_of(sections::read_section(given.section(), 1, path + ".section")));
     // From `from`, along the section and to its left [m].
     const auto along = [&](double x, double y) {
       return section.x * (x - from.x) + section.y * (y - from.y);
@@ -68,7 +73,15 @@ GridSections::GridSections(const scene::Continuum& scene, const Grid& grid,
 
 std::size_t GridSections::number_of(const scene::History& history, const std::string& path) const {
   const auto found = std::ranges::find(sections_, history.section(), &Section::name);
-  if (found != sections_.end()) return static_cast<std::size_t>(found - sections_.begin());
+  if (found != sections_.end()) {
+    const auto number = static_cast<std::size_t>(found - sections_.begin());
+    const bool use = history.quantity() == scene::UTILISATION || history.quantity() == scene::SHEAR_STRENGTH;
+    protocol::require(!use || found->strength, path + ".section",
+                      fmt::format("is `{}`, whose strength is not stated, but the quantity is {}; give "
+                                  "continuum.sections[{}] a `section`",
+                                  history.section(), protocol::name_of(history.quantity()), number));
+    return number;
+  }
   std::vector<std::string> names;
   for (const Section& section : sections_) names.push_back(section.name);
   throw protocol::UserError(path + ".section", "is `" + history.section() +
@@ -105,6 +118,11 @@ LiningForces GridSections::of(const ZoneSet& zones, std::size_t number) const {
   const LiningForces sum = undamped(zones, section);
   return {sum.thrust + section.thrust.added(), sum.moment + section.moment.added(),
           sum.shear + section.shear.added()};
+}
+
+sections::Use GridSections::use(const ZoneSet& zones, std::size_t number) const {
+  const auto [thrust, moment, shear] = of(zones, number);
+  return sections::use_of(*sections_[number].strength, {thrust, moment}, shear);
 }
 
 void GridSections::exchange(state::Archive& archive) {

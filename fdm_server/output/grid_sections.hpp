@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@
 #include "fdm_server/zones/zone_set.hpp"
 #include "protocol/messages/scene.pb.h"
 #include "protocol/participant/step.hpp"
+#include "protocol/sections/strength.hpp"
 #include "protocol/state/archive.hpp"
 
 namespace adit::fdm {
@@ -33,13 +35,15 @@ class GridSections {
                const DampingLaw& damping);
 
   // The number of the section that a history names. protocol::UserError at `path`, the history's, where there
-  // is none.
+  // is none, and where it asks for the use of a section without strength.
   std::size_t number_of(const scene::History& history, const std::string& path) const;
 
   // After every step, once the zones have their stress of it: what damping adds (damped_stress.hpp).
   void follow(const ZoneSet& zones, const protocol::Step& step);
   // Signs as in GridSection of structures.proto.
   LiningForces of(const ZoneSet& zones, std::size_t section) const;
+  // Of a section whose strength is stated.
+  sections::Use use(const ZoneSet& zones, std::size_t section) const;
 
   void exchange(state::Archive& archive);
 
@@ -55,6 +59,7 @@ class GridSections {
     double x, y;  // its direction
     std::vector<Corner> corners;
     DampedValue thrust{}, moment{}, shear{};
+    std::shared_ptr<const sections::Strength> strength;
   };
   static LiningForces undamped(const ZoneSet& zones, const Section& section);
 

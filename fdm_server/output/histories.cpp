@@ -92,7 +92,7 @@ Histories::Histories(const scene::Continuum& scene, const Supports& supports, co
                                             protocol::name_of(history.quantity())));
     protocol::require_relative_motion(history, path);
     Probe& probe = probes_.emplace_back(Probe{history.quantity()});
-    if (resultant && history.has_section() && !is_of_reinforced_section(history.quantity()) &&
+    if (resultant && history.has_section() && history.quantity() != scene::CURVATURE &&
         !is_of_segments(history.quantity())) {
       probe.section = sections_.number_of(history, path);
       continue;
@@ -198,8 +198,10 @@ double Histories::value(const Probe& probe, const Grid& grid, const Supports& su
     case scene::GASKET_OPENING:
     case scene::TIGHTNESS:
     case scene::BOLT_FORCE:
-      return lining ? fdm::value(*lining, supports, continuum.structures())
-                    : resultant(sections_.of(continuum.zones(), section), quantity);
+      if (lining) return fdm::value(*lining, supports, continuum.structures());
+      if (quantity == scene::UTILISATION) return sections_.use(continuum.zones(), section).utilisation;
+      if (quantity == scene::SHEAR_STRENGTH) return sections_.use(continuum.zones(), section).shear_strength;
+      return resultant(sections_.of(continuum.zones(), section), quantity);
     case scene::OPENING:
     case scene::OFFSET:
     case scene::NORMAL_STRESS:

@@ -57,19 +57,25 @@ void add_use(const std::string& name, const Lining& lining, const PeakUse::Extre
     const auto point = lining.path.points[static_cast<std::size_t>(at - rows.begin())];
     figures.add(name + which + unit, at->use.*member);
     figures.add_when_and_where(name + which, at->time, point);
-    return at->use.forces;
+    return at->use;
   };
   const LiningForces bent =
-      add_largest(largest.utilisation, &SectionUse::utilisation, "largest_utilisation", "");
+      add_largest(largest.utilisation, &SectionUse::utilisation, "largest_utilisation", "").forces;
   figures.add(name + "thrust_at_largest_utilisation_N", bent.thrust);
   figures.add(name + "moment_at_largest_utilisation_Nm", bent.moment);
   const LiningForces sheared =
-      add_largest(largest.shear, &SectionUse::shear, "largest_shear_utilisation", "");
+      add_largest(largest.shear, &SectionUse::shear, "largest_shear_utilisation", "").forces;
   figures.add(name + "shear_at_largest_shear_utilisation_N", sheared.shear);
   figures.add(name + "thrust_at_largest_shear_utilisation_N", sheared.thrust);
+  const double ratio =
+      add_largest(largest.moment_ratio, &SectionUse::moment_ratio, "largest_moment_ratio", "").moment_ratio;
+  figures.add(name + "damage_state",
+              static_cast<double>(sections::damage_state(lining.section->strength, ratio)));
+  if (lining.section->elastic) return;
   add_largest(largest.curvature, &SectionUse::curvature, "largest_curvature", "_per_m");
   add_largest(largest.steel_strain, &SectionUse::steel_strain, "largest_steel_strain", "");
   add_largest(largest.crack_width, &SectionUse::crack_width, "largest_crack_width", "_m");
+  add_largest(largest.hinge_rotation, &SectionUse::hinge_rotation, "largest_hinge_rotation", "_rad");
 }
 
 }  // namespace

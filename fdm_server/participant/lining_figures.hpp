@@ -20,8 +20,9 @@ namespace adit::fdm {
 // first step.
 // Of each lining with a section: …_largest_utilisation with …_thrust_at_largest_utilisation_N and
 // …_moment_at_largest_utilisation_Nm, …_largest_shear_utilisation with …_shear_at_largest_shear_utilisation_N
-// and …_thrust_at_largest_shear_utilisation_N, …_largest_curvature_per_m, …_largest_steel_strain and
-// …_largest_crack_width_m, by size, each with time and place.
+// and …_thrust_at_largest_shear_utilisation_N, and …_largest_moment_ratio with …_damage_state, each with time
+// and place; where it does not stay elastic …_largest_curvature_per_m, …_largest_steel_strain,
+// …_largest_crack_width_m and …_largest_hinge_rotation_rad, by size.
 // Members have the same, as member_<name>_….
 void add_figures(const Grid& grid, const std::string& kind, std::span<const Lining> chains,
                  const PeakForces& peaks, const PeakUse& use, wire::Bye& bye);

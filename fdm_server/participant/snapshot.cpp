@@ -56,15 +56,18 @@ void add_use(const Structures& structures, std::span<const Lining> linings, cons
              wire::Piece& piece) {
   std::vector<SectionUse> now;
   std::vector<double> least, largest;  // ultimate moments at the thrust that the piece shows
-  for (const Lining& lining : linings)
-    for (std::size_t node = 0; node < lining.path.points.size(); ++node) {
-      now.push_back(lining.section ? section_use(lining, structures, node) : SectionUse{});
-      const auto ultimate = [&](Bending bending) {
+  for (const Lining& lining : linings) {
+    std::vector<SectionUse> uses = section_uses(lining, structures);
+    uses.resize(lining.path.points.size(), SectionUse{});
+    now.insert(now.end(), uses.begin(), uses.end());
+    for (std::size_t node = 0; node < uses.size(); ++node) {
+      const auto ultimate = [&](sections::Bending bending) {
         return lining.section ? moment_capacity(lining, structures, node, bending) : 0;
       };
-      least.push_back(ultimate(Bending::kInnerStretched));
-      largest.push_back(ultimate(Bending::kOuterStretched));
+      least.push_back(ultimate(sections::Bending::kInnerStretched));
+      largest.push_back(ultimate(sections::Bending::kOuterStretched));
     }
+  }
   const auto add = [&](const std::string& name, const auto& rows, auto value) {
     std::ranges::transform(rows, new_field(*piece.mutable_point_fields(), name, 1, rows.size()), value);
   };
@@ -73,6 +76,8 @@ void add_use(const Structures& structures, std::span<const Lining> linings, cons
   add("curvature_per_m", now, std::mem_fn(&SectionUse::curvature));
   add("steel_strain", now, std::mem_fn(&SectionUse::steel_strain));
   add("crack_width_m", now, std::mem_fn(&SectionUse::crack_width));
+  add("moment_ratio", now, std::mem_fn(&SectionUse::moment_ratio));
+  add("hinge_rotation_rad", now, std::mem_fn(&SectionUse::hinge_rotation));
   add("least_moment_capacity_Nm", least, std::identity());
   add("largest_moment_capacity_Nm", largest, std::identity());
   if (peaks.empty()) return;
@@ -85,6 +90,8 @@ void add_use(const Structures& structures, std::span<const Lining> linings, cons
   add_peak("peak_curvature_per_m", peaks.largest().curvature, &SectionUse::curvature);
   add_peak("peak_steel_strain", peaks.largest().steel_strain, &SectionUse::steel_strain);
   add_peak("peak_crack_width_m", peaks.largest().crack_width, &SectionUse::crack_width);
+  add_peak("peak_moment_ratio", peaks.largest().moment_ratio, &SectionUse::moment_ratio);
+  add_peak("peak_hinge_rotation_rad", peaks.largest().hinge_rotation, &SectionUse::hinge_rotation);
 }
 
 // What joints of segments do; 0 at nodes without.

@@ -33,12 +33,12 @@ void add_ground(const Grid& grid, const Ground& ground, const ZoneSet& zones, st
 // shear_N, their peaks since time began by sign, peak_largest_… and peak_least_…, with the thrust beside
 // those of the moment, thrust_at_peak_largest_moment_N and …_least_…, and the lining's number as cell field
 // lining; where a lining has a section of reinforced concrete, also the point fields utilisation,
-// shear_utilisation, curvature_per_m, steel_strain and crack_width_m with their peaks by size, peak_…, and
-// the ultimate moments at the present thrust, least_moment_capacity_Nm and largest_moment_capacity_Nm (0 in
-// elastic linings); where a lining has joints of segments, outer_opening_m, inner_opening_m and
-// joint_rotation_rad, and the largest opening of either face since time began, peak_joint_opening_m (0 at
-// other nodes); "members" with the same of one member, and cell field member; "bolts" with displacement_m
-// and, of one bolt, cell field thrust_N.
+// shear_utilisation, moment_ratio, curvature_per_m, steel_strain, crack_width_m and hinge_rotation_rad with
+// their peaks by size, peak_…, and the ultimate moments at the present thrust, least_moment_capacity_Nm and
+// largest_moment_capacity_Nm (0 in elastic linings); where a lining has joints of segments, outer_opening_m,
+// inner_opening_m and joint_rotation_rad, and the largest opening of either face since time began,
+// peak_joint_opening_m (0 at other nodes); "members" with the same of one member, and cell field member;
+// "bolts" with displacement_m and, of one bolt, cell field thrust_N.
 struct ChainPeaks {
   const PeakForces& forces;
   const PeakUse& use;

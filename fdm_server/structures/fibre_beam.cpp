@@ -12,7 +12,7 @@ using std::numbers::sqrt3;
 
 }  // namespace
 
-Section elastic_section(const FibreSection& section, double shear_modulus, double density,
+Section elastic_section(const sections::FibreSection& section, double shear_modulus, double density,
                         bool shear_flexible) {
   const auto& [thickness, width, bars] = section.shape();
   Section elastic = make_section({0, shear_modulus, density}, thickness * width,
@@ -23,11 +23,11 @@ Section elastic_section(const FibreSection& section, double shear_modulus, doubl
   return elastic;
 }
 
-FibreBeam::FibreBeam(const Beam& beam, std::shared_ptr<const FibreSection> section)
+FibreBeam::FibreBeam(const Beam& beam, std::shared_ptr<const sections::FibreSection> section)
     : section_(std::move(section)),
       length_(beam.chord().length),
       phi_(beam.shear_flexibility()),
-      states_{FibreStates(*section_), FibreStates(*section_)} {}
+      states_{sections::FibreStates(*section_), sections::FibreStates(*section_)} {}
 
 BeamResultants FibreBeam::strain(const BeamStrains& step) {
   const double bending = 3 * section_->bending() / length_;  // dS_b/da_b of the elastic beam
@@ -39,7 +39,7 @@ BeamResultants FibreBeam::strain(const BeamStrains& step) {
   sheared_ += step.a * phi_ / (1 + phi_) - correction;
   difference_ -= thrusts_ / (2 * section_->axial());
 
-  std::array<SectionForces, 2> at{};  // about the centroid
+  std::array<sections::SectionForces, 2> at{};  // about the centroid
   for (std::size_t k = 0; k < 2; ++k) {
     const double side = k == 0 ? -1 : 1, curvature = turn_ / length_ + side * inv_sqrt3 * 3 * bent_ / length_,
                  strain = elongation_ / length_ + side * difference_;
@@ -68,7 +68,7 @@ double FibreBeam::curvature(std::size_t end) const {
 }
 
 void FibreBeam::exchange(state::Archive& archive) {
-  for (FibreStates& states : states_) states.exchange(archive);
+  for (sections::FibreStates& states : states_) states.exchange(archive);
   archive("fibre_beam_elongation", elongation_);
   archive("fibre_beam_turn", turn_);
   archive("fibre_beam_bent", bent_);

@@ -25,19 +25,19 @@
 #include <array>
 #include <memory>
 
-#include "fdm_server/sections/fibre_section.hpp"
 #include "fdm_server/structures/beam.hpp"
+#include "protocol/sections/fibre_section.hpp"
 #include "protocol/state/archive.hpp"
 
 namespace adit::fdm {
 
 // The section that the elastic beam has at first.
-Section elastic_section(const FibreSection& section, double shear_modulus, double density,
+Section elastic_section(const sections::FibreSection& section, double shear_modulus, double density,
                         bool shear_flexible);
 
 class FibreBeam {
  public:
-  FibreBeam(const Beam& beam, std::shared_ptr<const FibreSection> section);
+  FibreBeam(const Beam& beam, std::shared_ptr<const sections::FibreSection> section);
 
   // Adds a step's strains; the forces of the ends.
   BeamResultants strain(const BeamStrains& step);
@@ -46,17 +46,17 @@ class FibreBeam {
   double dissipated() const { return work_ - stored(); }
   void forget_dissipation() { work_ = stored(); }
 
-  const FibreSection& section() const { return *section_; }
+  const sections::FibreSection& section() const { return *section_; }
   // The section near the first end, near the second; curvatures at the ends.
-  const FibreStates& states(std::size_t end) const { return states_[end]; }
+  const sections::FibreStates& states(std::size_t end) const { return states_[end]; }
   double curvature(std::size_t end) const;
 
   void exchange(state::Archive& archive);
 
  private:
-  std::shared_ptr<const FibreSection> section_;
+  std::shared_ptr<const sections::FibreSection> section_;
   double length_, phi_;
-  std::array<FibreStates, 2> states_;
+  std::array<sections::FibreStates, 2> states_;
   double elongation_ = 0, turn_ = 0;   // e at the centroid, b
   double bent_ = 0, sheared_ = 0;      // a_b, a_s
   double difference_ = 0;              // eta

@@ -8,20 +8,19 @@ namespace adit::fdm {
 namespace {
 
 // Of a beam, by the sense in which its larger moment bends it.
-double strength_in_shear(const MemberStrength& strength, const Beam& beam, const FibreSection& section) {
+double strength_in_shear(const MemberStrength& strength, const Beam& beam,
+                         const sections::FibreSection& section) {
   const BeamForces forces = beam.forces();
   const double moment = std::abs(forces.first) > std::abs(forces.second) ? forces.first : forces.second;
-  return shear_capacity(section.shape(), strength.shear,
-                        moment >= 0 ? Bending::kOuterStretched : Bending::kInnerStretched, forces.thrust);
+  return sections::shear_capacity(
+      section.shape(), strength.shear,
+      moment >= 0 ? sections::Bending::kOuterStretched : sections::Bending::kInnerStretched, forces.thrust);
 }
 
 bool crushed(const FibreBeam& fibres) {
-  const FibreSection& section = fibres.section();
-  const ConcreteLaw& concrete = section.concrete(0);
-  const double end = concrete.modulus * concrete.peak_strain * concrete.peak_strain / concrete.strength;
   return std::ranges::any_of(std::array{0, 1}, [&](std::size_t side) {
-    const FibreStates& states = fibres.states(side);
-    return states.strain() + std::abs(states.curvature()) * section.shape().thickness / 2 < -end;
+    const sections::FibreStates& states = fibres.states(side);
+    return fibres.section().crushed(states.strain(), states.curvature());
   });
 }
 

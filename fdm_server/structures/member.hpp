@@ -16,16 +16,16 @@
 #include <optional>
 #include <span>
 
-#include "fdm_server/sections/shear_capacity.hpp"
 #include "fdm_server/structures/beam.hpp"
 #include "fdm_server/structures/member_beam.hpp"
+#include "protocol/sections/shear_capacity.hpp"
 #include "protocol/state/archive.hpp"
 
 namespace adit::fdm {
 
 // Per metre of thickness of the plane, as the section's shape.
 struct MemberStrength {
-  ShearMaterials shear;
+  sections::ShearMaterials shear;
   double residual, sliding;  // r, d_r [m]
   double core;               // d_c [m]
 };

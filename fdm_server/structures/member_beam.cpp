@@ -12,7 +12,7 @@ constexpr double kAcross = (1 + 1 / (kReserve - 1)) * kTurn * kTurn + 2e-3;
 
 }  // namespace
 
-MemberBeam::MemberBeam(const Beam& beam, std::shared_ptr<const FibreSection> section)
+MemberBeam::MemberBeam(const Beam& beam, std::shared_ptr<const sections::FibreSection> section)
     : length_(beam.chord().length),
       share_(std::pow(1 + beam.shear_flexibility(), -2)),
       chord_(beam.chord()),

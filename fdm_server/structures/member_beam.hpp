@@ -36,7 +36,7 @@ namespace adit::fdm {
 
 class MemberBeam {
  public:
-  explicit MemberBeam(const Beam& beam, std::shared_ptr<const FibreSection> section = nullptr);
+  explicit MemberBeam(const Beam& beam, std::shared_ptr<const sections::FibreSection> section = nullptr);
 
   // Those that bound the present stiffness of this beam.
   static std::vector<StrainForm> strains(const Beam& beam);

@@ -50,13 +50,14 @@ void Structures::hold(std::uint32_t rotation) {
   held_from_[rotation] = std::min(held_from_[rotation], adding_);
 }
 
-std::uint32_t Structures::add_beam(const Beam& beam, std::shared_ptr<const FibreSection> fibres) {
+std::uint32_t Structures::add_beam(const Beam& beam, std::shared_ptr<const sections::FibreSection> fibres) {
   const bool has = fibres != nullptr;
   if (has) fibre_beams_.emplace_back(beam, std::move(fibres));
   return add(beam, has ? static_cast<std::uint32_t>(fibre_beams_.size() - 1) : kNone, kNone);
 }
 
-std::uint32_t Structures::add_member_beam(const Beam& beam, std::shared_ptr<const FibreSection> fibres) {
+std::uint32_t Structures::add_member_beam(const Beam& beam,
+                                          std::shared_ptr<const sections::FibreSection> fibres) {
   member_beams_.emplace_back(beam, std::move(fibres));
   return add(beam, kNone, static_cast<std::uint32_t>(member_beams_.size() - 1));
 }

@@ -53,9 +53,10 @@ class Structures {
   void set_stage(std::uint32_t stage) { adding_ = stage; }
   // Return the number of the beam, of the bar. A beam with `fibres` follows these, from its elastic section
   // on.
-  std::uint32_t add_beam(const Beam& beam, std::shared_ptr<const FibreSection> fibres = nullptr);
+  std::uint32_t add_beam(const Beam& beam, std::shared_ptr<const sections::FibreSection> fibres = nullptr);
   // One that follows its chord.
-  std::uint32_t add_member_beam(const Beam& beam, std::shared_ptr<const FibreSection> fibres = nullptr);
+  std::uint32_t add_member_beam(const Beam& beam,
+                                std::shared_ptr<const sections::FibreSection> fibres = nullptr);
   // Lets so many of them, which have fibres, fail together, from the first on; returns the number of the
   // member.
   std::uint32_t add_member(std::uint32_t first_beam, std::uint32_t beams, const MemberStrength& strength);

@@ -64,7 +64,7 @@ Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structur
     const Beam beam({p, q}, {rotations[k][1], rotations[next][0]},
                     chord(grid.x[p], grid.y[p], grid.x[q], grid.y[q]), plan.elastic);
     dt = std::min(dt, beam.critical_step());
-    const auto fibres = plan.section ? plan.section->fibres : nullptr;
+    const auto fibres = plan.section && !plan.section->elastic ? plan.section->fibres : nullptr;
     plan.spacing ? structures.add_member_beam(beam, fibres) : structures.add_beam(beam, fibres);
   }
   if (plan.strength) lining.member = structures.add_member(lining.first_beam, lining.beams, *plan.strength);

@@ -3,16 +3,15 @@
 
 #include <memory>
 
-#include "fdm_server/sections/capacity.hpp"
-#include "fdm_server/sections/fibre_section.hpp"
-#include "fdm_server/sections/shear_capacity.hpp"
+#include "protocol/sections/fibre_section.hpp"
+#include "protocol/sections/strength.hpp"
 
 namespace adit::fdm {
 
 struct LiningSection {
-  std::shared_ptr<const FibreSection> fibres;
-  Capacity capacity;
-  ShearMaterials shear;
+  std::shared_ptr<const sections::FibreSection> fibres;
+  bool elastic;  // fibres only state the stiffness
+  sections::Strength strength;
   // For the width of cracks: of the bars [m]; E_cm, f_ctm [Pa].
   double cover, concrete_modulus, tensile_strength;
 };

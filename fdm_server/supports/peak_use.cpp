@@ -22,23 +22,28 @@ bool any_section(std::span<const Lining> linings) {
 void PeakUse::take(std::span<const Lining> linings, const Structures& structures, double time) {
   if (!any_section(linings)) return;
   std::size_t row = 0;
-  for (const Lining& lining : linings)
-    for (std::size_t node = 0; node < lining.path.points.size(); ++node, ++row) {
-      const Instant now{lining.section ? section_use(lining, structures, node) : SectionUse{}, time};
+  for (const Lining& lining : linings) {
+    std::vector<SectionUse> uses = section_uses(lining, structures);
+    uses.resize(lining.path.points.size(), SectionUse{});
+    for (std::size_t node = 0; node < uses.size(); ++node, ++row) {
+      const Instant now{uses[node], time};
       take_larger(now, &SectionUse::utilisation, row, largest_.utilisation);
       take_larger(now, &SectionUse::shear, row, largest_.shear);
+      take_larger(now, &SectionUse::moment_ratio, row, largest_.moment_ratio);
       take_larger(now, &SectionUse::curvature, row, largest_.curvature);
       take_larger(now, &SectionUse::steel_strain, row, largest_.steel_strain);
       take_larger(now, &SectionUse::crack_width, row, largest_.crack_width);
+      take_larger(now, &SectionUse::hinge_rotation, row, largest_.hinge_rotation);
     }
+  }
 }
 
 void PeakUse::exchange(std::span<const Lining> linings, state::Archive& archive) {
   std::size_t nodes = 0;
   for (const Lining& lining : linings) nodes += lining.path.points.size();
   archive.all_or_none("lining_peak_use",
-                      {&largest_.utilisation, &largest_.shear, &largest_.curvature, &largest_.steel_strain,
-                       &largest_.crack_width},
+                      {&largest_.utilisation, &largest_.shear, &largest_.moment_ratio, &largest_.curvature,
+                       &largest_.steel_strain, &largest_.crack_width, &largest_.hinge_rotation},
                       nodes);
 }
 

@@ -18,7 +18,8 @@ class PeakUse {
   // The instants when one of these was the largest, by size, one a node, lining after lining; empty before
   // the first step. Nodes of linings without a section have no use.
   struct Extremes {
-    std::vector<Instant> utilisation, shear, curvature, steel_strain, crack_width;
+    std::vector<Instant> utilisation, shear, moment_ratio, curvature, steel_strain, crack_width,
+        hinge_rotation;
   };
 
   // Takes the peaks of a step whose forces are known.

@@ -36,7 +36,7 @@ Concrete concrete(double young_modulus, const Strengths& mean, const Strengths& 
   return {1e9 * young_modulus,
           1e6 * mean.compressive,
           1e6 * mean.tensile,
-          73 * std::pow(mean.compressive, 0.18),
+          fracture_energy(1e6 * mean.compressive),
           1e6 * characteristic.compressive,
           1e6 * characteristic.tensile,
           1e6 * cube,
@@ -71,6 +71,10 @@ std::optional<Concrete> concrete_of(const std::string& name) {
     if (one.name() == name) found = means(one);
   });
   return found;
+}
+
+double fracture_energy(double compressive_strength) {
+  return 73 * std::pow(compressive_strength / 1e6, 0.18);
 }
 
 std::vector<std::string> names_of_concrete() {

@@ -34,6 +34,9 @@ struct Concrete {
 // Nothing where no standard has a class of this name.
 std::optional<Concrete> concrete_of(const std::string& name);
 
+// G_F [J/m^2] of a mean compressive strength [Pa].
+double fracture_energy(double compressive_strength);
+
 // Of all classes.
 std::vector<std::string> names_of_concrete();
 

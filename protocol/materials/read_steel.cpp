@@ -1,5 +1,7 @@
 #include "protocol/materials/read_steel.hpp"
 
+#include <fmt/format.h>
+
 #include "protocol/materials/class_named.hpp"
 
 namespace adit::protocol {
@@ -15,11 +17,20 @@ SteelValues read_steel(const scene::SectionSteel& steel, Values values, const st
   require(steel.has_class_() ? !any && !steel.has_yield_strength() : steel.has_yield_strength(), path,
           "needs its strength once: give either `class`, or `yield_strength` with what else differs from its "
           "default");
-  if (steel.has_class_())
-    return steel_values(class_named(steel.class_(), steel_of, names_of_steel(),
-                                    "EN 1992-1-1 (`B500B`) or of GB 50010 (`HRB400`)", path),
-                        values);
-  return {steel.young_modulus(), steel.yield_strength(), steel.hardening(), steel.ultimate_strain()};
+  SteelValues read =
+      steel.has_class_()
+          ? steel_values(class_named(steel.class_(), steel_of, names_of_steel(),
+                                     "EN 1992-1-1 (`B500B`) or of GB 50010 (`HRB400`)", path + ".class"),
+                         values)
+          : SteelValues{steel.young_modulus(), steel.yield_strength(), steel.hardening(),
+                        steel.ultimate_strain()};
+  if (steel.law() == scene::SectionSteel::MENEGOTTO_PINTO) read.curve = SteelCurve::kMenegottoPinto;
+  if (!steel.has_rupture_strain()) return read;
+  read.rupture = steel.rupture_strain();
+  const double yields = read.yield / read.young_modulus;
+  require(read.rupture > yields, path + ".rupture_strain",
+          fmt::format("is {:.4g}, but bars yield at {:.4g} only; give more", read.rupture, yields));
+  return read;
 }
 
 }  // namespace adit::protocol

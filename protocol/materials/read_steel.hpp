@@ -4,30 +4,29 @@
 // 1992-1-1:2004, 3.2.7) and those of GB 50010. Numbers are taken as they are.
 #pragma once
 
+#include <limits>
 #include <string>
 
 #include "protocol/materials/steel.hpp"
 #include "protocol/materials/steel_law.hpp"
-#include "protocol/messages/structures.pb.h"
+#include "protocol/materials/values.hpp"
+#include "protocol/messages/reinforced_section.pb.h"
 
 namespace adit::protocol {
-
-enum class Values { kMean, kDesign };
-inline Values values_of(scene::ReinforcedSection::Values values) {
-  return values == scene::ReinforcedSection::DESIGN ? Values::kDesign : Values::kMean;
-}
 
 struct SteelValues {
   double young_modulus, yield;  // [Pa]
   double hardening;             // slope after yield over the modulus
   double limit_strain;          // eps_ud
+  SteelCurve curve = SteelCurve::kBilinear;
+  double rupture = std::numeric_limits<double>::infinity();  // tensile strain
 };
 SteelValues steel_values(const Steel& of, Values values);
 // UserError at `path` where its strength is stated twice or not at all.
 SteelValues read_steel(const scene::SectionSteel& steel, Values values, const std::string& path);
 
 inline SteelLaw steel_law(const SteelValues& steel) {
-  return {steel.young_modulus, steel.yield, steel.hardening};
+  return {steel.young_modulus, steel.yield, steel.hardening, steel.curve, steel.rupture};
 }
 
 }  // namespace adit::protocol

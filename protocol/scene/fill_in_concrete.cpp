@@ -1,16 +1,12 @@
 #include "protocol/scene/fill_in_concrete.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <string>
 #include <vector>
 
 #include "protocol/errors.hpp"
-#include "protocol/materials/concrete.hpp"
-#include "protocol/nearest_name.hpp"
+#include "protocol/materials/read_concrete.hpp"
 #include "protocol/scene/fields/path.hpp"
-#include "protocol/text.hpp"
 
 namespace adit::protocol {
 namespace {
@@ -18,14 +14,6 @@ namespace {
 using google::protobuf::DynamicCastToGenerated;
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
-
-Concrete class_of(const scene::Material& material, const std::string& path) {
-  if (const auto concrete = concrete_of(material.concrete())) return *concrete;
-  throw UserError(
-      path, fmt::format("is {}, expected a class of EN 1992-1-1 (`C12/15` to `C90/105`) or of GB "
-                        "50010 (`C15` to `C80`){}",
-                        quote(material.concrete()), did_you_mean(material.concrete(), names_of_concrete())));
-}
 
 // What the class states of a material; not its compressive strength where that follows from a cohesion.
 scene::Material as_material(const Concrete& concrete, bool breaks, bool has_cohesion) {
@@ -43,7 +31,8 @@ scene::Material as_material(const Concrete& concrete, bool breaks, bool has_cohe
 void fill_in(scene::Material& material, const std::string& path, bool breaks) {
   if (!material.has_concrete()) return;
   const std::string here = member_path(path, "concrete");
-  scene::Material filled = as_material(class_of(material, here), breaks, material.fracture().has_cohesion());
+  scene::Material filled =
+      as_material(concrete_named(material.concrete(), here), breaks, material.fracture().has_cohesion());
   material.clear_concrete();
   filled.MergeFrom(material);
   if (filled.SerializeAsString() == material.SerializeAsString())

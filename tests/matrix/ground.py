@@ -283,7 +283,8 @@ class Ground:
             return {"linings": [{"name": name, "along": half, **section} for name, half in zip(("upper", "lower"), halves)]}
         if kind == "reinforced":  # and slipping, with bars that differ on both sides
             section = {**stage, "section": {
-                "thickness": 0.2, "cover": 0.03, "concrete": {"class": "C20/25"}, "steel": {"class": "B500B"},
+                "thickness": 0.2, "cover": 0.03, "concrete": {"class": "C20/25"}, "steel": {"class": "B500B", "law": "menegotto_pinto", "rupture_strain": 0.05},
+                "stirrups": {"diameter": 0.006, "spacing": 0.1, "spacing_across": 0.2, "confinement": 0.5},
                 "inner": {"diameter": 0.012, "spacing": 0.2}, "outer": {"diameter": 0.008, "spacing": 0.2}}}
         if kind in ("slipping", "reinforced"):
             section["interface"] = {"friction_angle": 0.4, "cohesion": 2e3}

@@ -460,7 +460,9 @@ OF_GRAINS = {
 }
 OF_TUNNELS = {
     balanced: always, mirrored: lambda row: row["particles"] != "cells", moved: lambda row: row["particles"] != "cells" and not tunnels.is_idle(row),
-    scaled: lambda row: row["lining"] != "concrete", scaled_stress: lambda row: row["lining"] != "concrete", by_numbers: lambda row: row["lining"] == "concrete",
+    # Bond, dowels and fracture energy of a section follow formulas of the strength in MPa.
+    scaled: lambda row: row["lining"] not in ("concrete", "reinforced"), scaled_stress: lambda row: row["lining"] not in ("concrete", "reinforced"),
+    by_numbers: lambda row: row["lining"] == "concrete",
     reordered: always, said_apart: always,
     longer: always, threads: always, elsewhere: lambda row: row["tunnels"] == "one", observed: always, resumed: always, replayed: always,
     on_any_base: lambda row: row["rest"] in tunnels.STATICS and row["base"] != "held",

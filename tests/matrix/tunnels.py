@@ -15,7 +15,7 @@ FACTORS = {
     "plane": ["plane_strain", "plane_stress"],
     "shape": ["circle", "horseshoe", "box"],
     "particles": ["lattice", "cells"],
-    "lining": ["solid", "breakable", "concrete", "segments", "bolts", "gasket", "keys", "neighbours"],
+    "lining": ["solid", "breakable", "concrete", "reinforced", "segments", "bolts", "gasket", "keys", "neighbours"],
     "to_ground": ["touches", "bonded"],
     "tunnels": ["one", "two"],
     "ground": ["one", "layers", "stated", "plastic", "gouge", "fault"],
@@ -43,6 +43,7 @@ JOINTED = {"segments", "bolts", "gasket", "keys", "neighbours"}
 REFUSED = (
     [({"shape": shape, "lining": "segments"}, "segments") for shape in ("horseshoe", "box")]
     + [({"plane": "plane_stress", "ground": "plastic"}, "plane strain")]
+    + [({"particles": "lattice", "lining": "reinforced"}, "lattice of discs")]
     + [({"as": "zones", "stage": stage}, "cannot be installed") for stage in ("stage", "released")]
     + [({"as": "zones", "lining": "segments"}, "segments")]
 )
@@ -140,7 +141,8 @@ def _inside(row):
 
 # Numbers in place of classes and defaults, which no change of scale would reach.
 _SECTION = {"thickness": 0.4, "cover": 0.04, "concrete": {"young_modulus": 20e9, "compressive_strength": 30e6, "tensile_strength": 0.0, "tension_stiffening": False},
-            "steel": {"young_modulus": 200e9, "yield_strength": 400e6}, "inner": {"diameter": 0.016, "spacing": 0.15}, "outer": {"diameter": 0.016, "spacing": 0.15}}
+            "steel": {"young_modulus": 200e9, "yield_strength": 400e6, "hardening": 0.01, "law": "menegotto_pinto"},
+            "stirrups": {"diameter": 0.01, "spacing": 0.2, "spacing_across": 0.3, "confinement": 0.6}, "inner": {"diameter": 0.016, "spacing": 0.15}, "outer": {"diameter": 0.016, "spacing": 0.15}}
 
 
 def _lining_in_grid(row):
@@ -156,7 +158,16 @@ def _lining_in_grid(row):
     }[row["lining"]]}
 
 
+def _section_of_cells():
+    section = {**_SECTION, "thickness": 0.42}
+    section["concrete"] = {key: value for key, value in section["concrete"].items() if key != "tension_stiffening"}
+    section["concrete"]["tensile_strength"] = 1e6
+    return section
+
+
 def _lining(row):
+    if row["lining"] == "reinforced":
+        return {"section": _section_of_cells(), **({"to_ground": {}} if row["to_ground"] == "bonded" else {})}
     lining = {"thickness": 0.42, "material": dict(CONCRETE)}
     if row["to_ground"] == "bonded":
         lining["to_ground"] = {}

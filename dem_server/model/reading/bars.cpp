@@ -46,6 +46,8 @@ BarLine read_line(const scene::LinePath& line, const std::string& path) {
   for (const auto& point : line.points()) read.points.push_back({point.x(), point.y()});
   require(length_of(read.points) > 0 && geometry::is_simple_line(read.points), path + ".points",
           "cross, touch or run back over one another; give a line that passes every place once");
+  const Point &first = read.points.front(), &last = read.points.back();
+  read.closed = first.x == last.x && first.y == last.y;
   return read;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -99,7 +100,9 @@ std::optional<MemberStrength> read_failure(const scene::Member& member, const Li
   if (!member.has_failure()) return std::nullopt;
   require(section != nullptr, path + ".failure",
           "needs the strength of a `section` of reinforced concrete; give one, or leave the failure out");
-  return MemberStrength{section->shear, member.failure().residual(), member.failure().sliding(),
+  require(!section->elastic, path + ".failure",
+          "is given, but the `section` is `elastic`; leave one of them out");
+  return MemberStrength{section->strength.shear, member.failure().residual(), member.failure().sliding(),
                         section->fibres->shape().thickness - 2 * section->cover};
 }
 
@@ -108,7 +111,8 @@ LiningPlan plan_member(const scene::Member& member, bool plane_strain, Ends& end
   const double spacing = member.spacing(), width = member.has_width() ? member.width() : spacing;
   require(width <= spacing, path + ".width",
           fmt::format("is {:.6g} m, more than the spacing of {:.6g} m; give at most that", width, spacing));
-  const auto section = read_section(member, width / spacing, path);
+  const double core = width < spacing ? std::max(0.0, 1 - 2 * member.section().cover() / width) : 1;
+  const auto section = read_section(member, width / spacing, core, path);
   const Section elastic = section ? elastic_section(*section, member)
                                   : read_elastic_section(member, width / spacing, 1 / spacing,
                                                          plane_strain && width == spacing, path);

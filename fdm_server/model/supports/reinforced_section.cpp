@@ -1,139 +1,26 @@
 #include "fdm_server/model/supports/reinforced_section.hpp"
 
-#include <fmt/format.h>
+#include <optional>
 
-#include <algorithm>
-#include <numbers>
-#include <vector>
-
-#include "fdm_server/sections/section_materials.hpp"
-#include "protocol/errors.hpp"
-#include "protocol/materials/class_named.hpp"
-#include "protocol/materials/read_steel.hpp"
+#include "protocol/sections/read_section.hpp"
 
 namespace adit::fdm {
-namespace {
-
-using protocol::class_named;
-using protocol::require;
-
-ConcreteValues read_concrete(const scene::ReinforcedSection& section, const std::string& path) {
-  const auto& concrete = section.concrete();
-  const bool any =
-      concrete.has_young_modulus() || concrete.has_compressive_strength() || concrete.has_tensile_strength();
-  const bool all =
-      concrete.has_young_modulus() && concrete.has_compressive_strength() && concrete.has_tensile_strength();
-  require(concrete.has_class_() ? !any : all, path,
-          "needs its strength once: give either `class`, or `young_modulus`, `compressive_strength` and "
-          "`tensile_strength`");
-  if (concrete.has_class_())
-    return concrete_values(
-        class_named(concrete.class_(), protocol::concrete_of, protocol::names_of_concrete(),
-                    "EN 1992-1-1 (`C30/37`) or of GB 50010 (`C30`)", path),
-        protocol::values_of(section.values()));
-  const ConcreteValues values =
-      concrete_values(concrete.young_modulus(), concrete.compressive_strength(), concrete.tensile_strength());
-  const double least = values.compressive / (1.05 * values.peak_strain);
-  require(values.young_modulus > least, path + ".young_modulus",
-          fmt::format("is {:.4g} Pa, too small for a compressive strength of {:.4g} Pa: the curve of EN "
-                      "1992-1-1, eq. 3.14, reaches it only above {:.4g} Pa; give more, or less strength",
-                      values.young_modulus, values.compressive, least));
-  return values;
-}
-
-void require_one_kind_of_values(const scene::ReinforcedSection& section, const std::string& path) {
-  const bool class_of_concrete = section.concrete().has_class_();
-  if (section.has_steel())
-    require(
-        class_of_concrete == section.steel().has_class_(), path,
-        fmt::format("gives its {} by class and its {} by numbers, which may be other values than the mean or "
-                    "design values of the class; give both by class, or both by numbers",
-                    class_of_concrete ? "concrete" : "steel", class_of_concrete ? "steel" : "concrete"));
-  require(
-      !section.has_values() || class_of_concrete, path + ".values",
-      "chooses among the values of classes, but the materials are given by numbers, which are used as they "
-      "are; leave it out, or give classes");
-}
-
-// `outwards`: -1 for the inner face, 1 for the outer one.
-BarLayer read_bars(const scene::SectionBars& bars, const scene::ReinforcedSection& section, double outwards,
-                   const std::string& path) {
-  require(bars.has_spacing() != bars.has_area(), path,
-          "needs its steel once: give either `spacing` or `area`");
-  const double diameter = bars.diameter(), one = std::numbers::pi / 4 * diameter * diameter,
-               area = bars.has_area() ? bars.area() : one / bars.spacing(), spacing = one / area;
-  require(spacing >= 2 * diameter, bars.has_area() ? path + ".area" : path + ".spacing",
-          fmt::format(
-              "puts bars of {:.4g} m at {:.4g} m, closer than their diameter to one another (EN 1992-1-1, "
-              "8.2); give fewer or thinner bars",
-              diameter, spacing));
-  require(section.has_cover(), path, "has bars, but the section has no `cover`; give it");
-  const double depth = section.cover() + diameter / 2;
-  require(
-      section.cover() + diameter <= section.thickness(), path,
-      fmt::format("lies outside the section: bars of {:.4g} m under a cover of {:.4g} m need more than its "
-                  "thickness of {:.4g} m; give less cover",
-                  diameter, section.cover(), section.thickness()));
-  return {outwards * (section.thickness() / 2 - depth), area, diameter};
-}
-
-SectionShape read_shape(const scene::ReinforcedSection& section, const std::string& path) {
-  SectionShape shape{section.thickness(), 1, {}};
-  if (section.has_inner()) shape.bars.push_back(read_bars(section.inner(), section, -1, path + ".inner"));
-  if (section.has_outer()) shape.bars.push_back(read_bars(section.outer(), section, 1, path + ".outer"));
-  require(shape.bars.empty() == !section.has_steel(), path + ".steel",
-          shape.bars.empty() ? "is given, but there are no bars; give `inner`, `outer` or both"
-                             : "is missing, but there are bars; give its `class`");
-  require(
-      shape.bars.size() < 2 ||
-          2 * section.cover() + shape.bars[0].diameter + shape.bars[1].diameter <= section.thickness(),
-      path + ".cover",
-      fmt::format("is {:.4g} m, with which the bars of both faces meet in the middle of {:.4g} m; give less",
-                  section.cover(), section.thickness()));
-  require(!shape.bars.empty() || section.concrete().has_fibres(), path,
-          "has neither bars nor fibres, and plain concrete resists no moment without thrust; give `inner`, "
-          "`outer` or `concrete.fibres`, or a lining of `thickness` and `young_modulus`");
-  return shape;
-}
-
-ResidualTension read_fibres(const scene::ReinforcedSection& section) {
-  if (!section.concrete().has_fibres()) return {};
-  const auto& fibres = section.concrete().fibres();
-  const ResidualStrengths of{fibres.residual_strength_1(), fibres.residual_strength_3()};
-  return fibres.model() == scene::SectionFibres::RIGID_PLASTIC ? rigid_plastic_model(of, section.thickness())
-                                                               : linear_model(of, section.thickness());
-}
-
-double stirrups_of(const scene::ReinforcedSection& section) {
-  if (!section.has_stirrups()) return 0;
-  const auto& of = section.stirrups();
-  return std::numbers::pi / 4 * of.diameter() * of.diameter() / (of.spacing() * of.spacing_across());
-}
-
-}  // namespace
 
 std::shared_ptr<const LiningSection> read_reinforced_section(const scene::ReinforcedSection& section,
-                                                             double width, const std::string& path) {
-  SectionShape shape = read_shape(section, path);
-  shape.width = width;
-  for (BarLayer& bars : shape.bars) bars.area *= width;
-  require_one_kind_of_values(section, path);
-  const ConcreteValues concrete = read_concrete(section, path + ".concrete");
-  const bool barred = section.has_steel();
-  require(barred || !section.has_stirrups(), path + ".stirrups",
-          "stand in a section without bars along it, which cannot hold them; give `inner` and `outer`");
-  // Without bars nothing of it is used.
-  const SteelValues steel =
-      barred ? protocol::read_steel(section.steel(), protocol::values_of(section.values()), path + ".steel")
-             : SteelValues{200e9, 500e6, 0, 0.045};
-  const ResidualTension residual = read_fibres(section);
-  ConcreteLaw law = concrete_law(concrete, barred ? steel.yield / steel.young_modulus : 0, residual);
+                                                             double width, double core,
+                                                             const std::string& path) {
+  const sections::StatedSection read = sections::read_section(section, width, path);
+  const auto& [shape, concrete, steel, residual, stirrups, confined, states] = read;
+  const double yields = shape.bars.empty() ? 0 : steel.yield / steel.young_modulus;
+  sections::ConcreteLaw law = sections::concrete_law(concrete, yields, residual);
+  if (section.elastic()) law.modulus = concrete.young_modulus;
   if (!section.concrete().tension_stiffening()) law.tensile_strength = 0;
-  return std::make_shared<const LiningSection>(
-      LiningSection{std::make_shared<const FibreSection>(shape, law, steel_law(steel)),
-                    Capacity(shape, capacity_materials(concrete, steel, residual)),
-                    shear_materials(concrete, steel, width * stirrups_of(section)), section.cover(),
-                    concrete.young_modulus, concrete.tensile});
+  std::optional<sections::ConfinedCore> within;
+  if (confined)
+    within = {sections::confined(law, steel, *confined), shape.thickness - 2 * section.cover(), core};
+  return std::make_shared<const LiningSection>(LiningSection{
+      std::make_shared<const sections::FibreSection>(shape, law, steel_law(steel), within), section.elastic(),
+      sections::strength_of(read), section.cover(), concrete.young_modulus, concrete.tensile});
 }
 
 }  // namespace adit::fdm

@@ -11,8 +11,9 @@
 
 namespace adit::fdm {
 
-// So wide in each metre of the plane [m].
+// So wide in each metre of the plane [m]; `core`: the share of it inside the cover of its sides.
 std::shared_ptr<const LiningSection> read_reinforced_section(const scene::ReinforcedSection& section,
-                                                             double width, const std::string& path);
+                                                             double width, double core,
+                                                             const std::string& path);
 
 }  // namespace adit::fdm

@@ -34,9 +34,9 @@ Section read_elastic_section(const Stated& stated, double width, double in_each_
       inertia, stated.shear_flexible());
 }
 
-// The reinforced one, if it has one.
+// The reinforced one, if it has one. `core`: the share of its width inside the cover of its sides.
 template <class Stated>
-std::shared_ptr<const LiningSection> read_section(const Stated& stated, double width,
+std::shared_ptr<const LiningSection> read_section(const Stated& stated, double width, double core,
                                                   const std::string& path) {
   if (!stated.has_section()) return nullptr;
   const auto lone = [&](bool given, const char* key) {
@@ -46,7 +46,7 @@ std::shared_ptr<const LiningSection> read_section(const Stated& stated, double w
   lone(stated.has_area(), "area");
   lone(stated.has_inertia(), "inertia");
   lone(stated.has_young_modulus(), "young_modulus");
-  return read_reinforced_section(stated.section(), width, path + ".section");
+  return read_reinforced_section(stated.section(), width, core, path + ".section");
 }
 
 // Its beams at first.

@@ -314,7 +314,7 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
     const auto i = static_cast<int>(number);
     const auto& lining = linings[i];
     const auto path = fmt::format("continuum.linings[{}]", i);
-    const auto section = read_section(lining, 1, path);
+    const auto section = read_section(lining, 1, 1, path);
     Section elastic = section
                           ? elastic_section(*section, lining)
                           : read_elastic_section(lining, 1, 1, scene.plane() == scene::PLANE_STRAIN, path);

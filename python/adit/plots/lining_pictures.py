@@ -13,7 +13,6 @@ from adit.results.rounding import settled
 FORCES = (("thrust_N", "thrust N", "kN", 1e3), ("moment_Nm", "moment M", "kN m", 1e3), ("shear_N", "shear force Q", "kN", 1e3))
 OF_INTERFACES = (("normal_stress_Pa", "normal stress", "kPa", 1e3), ("shear_stress_Pa", "shear stress", "kPa", 1e3),
                  ("opening_m", "opening", "mm", 1e-3), ("offset_m", "offset", "mm", 1e-3))
-CAPACITY = ("thrust_N", "moment_Nm", "least_moment_capacity_Nm", "largest_moment_capacity_Nm")
 OF_FORCES = (Patch(fc=style.RED, alpha=0.5, label="positive: tension, or the right-hand side of the path stretched"),
              Patch(fc=style.BLUE, alpha=0.5, label="negative"),
              Line2D([], [], color=style.GREY, ls="--", label="least and largest so far"))
@@ -110,43 +109,54 @@ def _across(run, lines, quantities, title, entries, rows_of=lambda run, lines: [
 
 
 def lining_capacity(run):
-    """Moment over thrust of the node with the largest utilisation, at the field times, for each lining with a section; its
-    capacity at the thrusts that its nodes had."""
-    return _capacity(run, "lining", "per metre")
+    """Thrust and moment of the node with the largest utilisation, at the field times, for each lining with a section, and its
+    capacity."""
+    return _capacity(run, "lining", "per metre", lambda piece: chains(run, piece))
 
 
 def member_capacity(run):
     """The same of members."""
-    return _capacity(run, "member", "of one member")
+    return _capacity(run, "member", "of one member", lambda piece: chains(run, piece, "member"))
 
 
-def _capacity(run, kind, whose):
+def section_capacity(run):
+    """The same of that cut through a lining of particles which is used most."""
+    named = [section["name"] for _, model in run.models if "continuum" not in model for section in model.get("sections", [])]
+
+    def worst(piece):
+        node = piece.field("peak_utilisation").argmax()
+        return [(named[node], np.array([node]))] if len(named) == len(piece.points) else []
+
+    return _capacity(run, "section", "per metre", worst)
+
+
+def _capacity(run, kind, whose, chains_of):
     pieces = [found for number in range(len(run.instants)) if (found := run.pieces_at(number).get(f"{kind}s")) is not None]
     if not pieces or (peaks := pieces[-1].field("peak_utilisation")) is None:
         return None
-    shown = [(name, nodes) for name, nodes in chains(run, pieces[-1], kind) if peaks[nodes].max() > 0]
+    shown = [(name, nodes) for name, nodes in chains_of(pieces[-1]) if peaks[nodes].max() > 0]
     if not shown:
         return None
+    limits = run.capacities
 
     def paint(*panels):
         for axes, (name, nodes) in zip(panels, shown):
             worst = nodes[peaks[nodes].argmax()]
-            over_time = {field: np.array([piece.field(field) for piece in pieces]) / 1e3 for field in CAPACITY}
-            order = np.argsort(over_time["thrust_N"][:, nodes], axis=None)
-            thrust = over_time["thrust_N"][:, nodes].ravel()[order]
-            for side in CAPACITY[2:]:
-                axes.plot(thrust, over_time[side][:, nodes].ravel()[order], color=style.BLACK, lw=1.2)
-            axes.plot(over_time["thrust_N"][:, worst], over_time["moment_Nm"][:, worst], color=style.RED, lw=0.9, marker=".", ms=3)
+            thrust, moment = (np.array([piece.field(field)[worst] for piece in pieces]) / 1e3 for field in ("thrust_N", "moment_Nm"))
+            if (kind, name) in limits:
+                axes.fill(*(limits[kind, name].T / 1e3), fc="none", ec=style.BLACK, lw=1.2)
+            axes.plot(thrust, moment, color=style.RED, lw=0.9, marker=".", ms=3)
             axes.axhline(0, color=style.GREY, lw=0.4, zorder=0)
+            axes.axvline(0, color=style.GREY, lw=0.4, zorder=0)
             x, y = pieces[-1].points[worst][:2]
             axes.set_title(f"{name}, ({x:.4g}, {y:.4g}) m: {peaks[worst]:.3g} of its capacity", loc="left")
             axes.set(xlabel="thrust N [kN], tension positive", ylabel="moment M [kN m]")
-        return [legend(None, [Line2D([], [], color=style.BLACK, label="capacity at the thrusts that occurred"),
-                              Line2D([], [], color=style.RED, marker=".", label="the node with the largest utilisation, at field times")],
-                       loc="lower center")]
+        return [legend(None, [Line2D([], [], color=style.BLACK, label="capacity"),
+                              Line2D([], [], color=style.RED, marker=".", label="where it is used most, at field times")],
+                       loc="lower center", ncol=2)]
 
     layout = Panels(1, len(shown), (5.2 * len(shown) + 0.6, 4.4), title_above=True, dense=True,
-                    margins={"left": 0.14 / len(shown), "right": 0.98, "top": 0.86, "bottom": 0.28, "wspace": 0.25})
+                    margins={"left": 0.14 / len(shown), "right": 0.98, "top": 0.87, "bottom": 0.21, "wspace": 0.25})
     return Drawing(run.name, f"thrust and moment against the capacity, {whose}", layout, paint)
 
 

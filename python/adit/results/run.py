@@ -89,6 +89,17 @@ class Run:
         """The Table of cracks between cells, joined to paths where they meet, the longest first; only runs with such cracks have one."""
         return self.table("crack_paths.csv")
 
+    @cached_property
+    def capacities(self):
+        """{(kind, name): array of thrust [N] and moment [Nm]} of linings, members and sections of reinforced concrete: the limit
+        states in order around the origin; per metre, of a member for the whole of it."""
+        if not self.has("capacities.csv"):
+            return {}
+        rows = self.table("capacities.csv")
+        states = np.column_stack((rows["thrust_N"], rows["moment_Nm"]))
+        of = list(zip(rows["kind"].astype(str), rows["name"].astype(str)))
+        return {each: states[[other == each for other in of]] for each in dict.fromkeys(of)}
+
     def debonded(self, broken):
         """Whether each bond of the Table of broken bonds joined two groups; the others are cracks inside one body."""
         groups = {name for key, names in self.summary.items() if key.endswith("_groups") for name in names}

@@ -116,6 +116,60 @@ class Column(ProgramTest):
         self.assertGreater(summary["dissipated_energy_J"] if "dissipated_energy_J" in summary else 1, 0)
         self.assertAlmostEqual(summary["lining_column_largest_utilisation"], rows["base_utilisation"].max(), delta=0.02)
         self.assertEqual((summary["lining_column_largest_utilisation_x_m"], summary["lining_column_largest_utilisation_y_m"]), (0, 0))
+        with self.subTest("plastic hinge"):
+            self.tells_its_hinge(run)
+        with self.subTest("capacities"):
+            self.lies_within_its_capacity(run)
+
+    def tells_its_hinge(self, run):
+        """What the tip moves beyond yield is the rotation of the hinge at the base times the height above its middle."""
+        rows, rotation = run.histories, run.summary["lining_column_largest_hinge_rotation_rad"]
+        self.assertLess(rotation, 0)  # the inner side is stretched
+        # At the end the column is unloaded to a fraction of its peak: what is left of the drift is plastic, but for
+        # what the rest of the moment bends.
+        left = rows["base_moment_Nm"][-1] / rows["base_moment_Nm"].min()
+        elastic = left * np.interp(1, rows["base_moment_Nm"] / rows["base_moment_Nm"].min(), rows["tip_ux_m"])
+        self.assertLess(abs(-rotation * (HEIGHT - BEAM / 4) / (rows["tip_ux_m"][-1] - elastic) - 1), 0.15)
+
+    def lies_within_its_capacity(self, run):
+        """Utilisation is the distance from the origin over that of the polygon of capacities.csv."""
+        thrust, moment = run.capacities["lining", "column"].T
+        rows = run.histories
+        some = np.abs(rows["base_moment_Nm"]) > 1e4
+        n, m, used = rows["base_thrust_N"][some], rows["base_moment_Nm"][some], rows["base_utilisation"][some]
+        scale = np.array([np.ptp(thrust), np.ptp(moment)])
+        corners = np.column_stack((thrust, moment)) / scale
+        sides = np.roll(corners, -1, axis=0) - corners
+        for point, utilisation in list(zip(np.column_stack((n, m)) / scale, used))[::20]:
+            # corner + t side = point / u
+            with np.errstate(divide="ignore", invalid="ignore"):
+                t = (point[0] * corners[:, 1] - point[1] * corners[:, 0]) / (point[1] * sides[:, 0] - point[0] * sides[:, 1])
+            meets = corners + t[:, None] * sides
+            ahead = (t >= 0) & (t <= 1) & ((meets * point).sum(axis=1) > 0)
+            reach = np.linalg.norm(meets[ahead], axis=1).min()
+            self.assertAlmostEqual(np.linalg.norm(point) / reach, utilisation, delta=1e-3)
+
+
+class Elastic(ProgramTest):
+    def test_moments_beyond_the_capacity_tell_the_state_of_damage(self):
+        """An elastic column bends as 3 E I / H^2; its moment over the capacity passes the ratios of the states of damage."""
+        scene = SCENE.replace("      section:\n", "      section:\n        elastic: true\n        damage_states: [0.5, 1, 2]\n").replace(f"{-LOAD} N", "-1 N")
+        run = Run(self.run_scene(self.scene(scene)))
+        rows, summary = run.histories, run.summary
+        concrete, bars = 22e9 * 3.8**0.3, np.pi / 4 * DIAMETER**2 / SPACING
+        arm = THICKNESS / 2 - COVER - DIAMETER / 2
+        stiffness = concrete * THICKNESS**3 / 12 + 2 * (Section.steel - concrete) * bars * arm**2
+        shear = 5 / 6 * THICKNESS * concrete / 2.4
+        moment = rows["tip_ux_m"] / (HEIGHT**2 / (3 * stiffness) + 1 / shear)
+        moved = rows["tip_ux_m"] > 1e-2
+        self.assertLess(abs(-rows["base_moment_Nm"][moved] / moment[moved] - 1).max(), 0.02)
+        thrust, limit = run.capacities["lining", "column"].T
+        ultimate = np.interp(0, np.sort(thrust[limit < 0]), limit[limit < 0][thrust[limit < 0].argsort()])
+        ratio = (rows["base_moment_Nm"] / ultimate).max()
+        self.assertGreater(ratio, 2)
+        self.assertAlmostEqual(summary["lining_column_largest_moment_ratio"], ratio, delta=0.01 * ratio)
+        self.assertEqual(summary["lining_column_damage_state"], 3)
+        self.assertNotIn("lining_column_largest_hinge_rotation_rad", summary)
 
 
 if __name__ == "__main__":

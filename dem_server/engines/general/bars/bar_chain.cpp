@@ -56,10 +56,10 @@ double BarChain::find(std::span<const double> growths, bool elastic) {
     const std::size_t after = bar_.after(k);
     next_strain_[k] = (growths[k] + next_slip_[after] - next_slip_[k]) / length_[k];
     next_steel_[k] = steel_[k];
-    strain_to(bar_.steel, next_strain_[k], next_steel_[k]);
-    const bool yields = next_steel_[k].plastic != steel_[k].plastic && !elastic;
-    const double share = yields ? std::max(bar_.steel.hardening, kLeastStiffness) : 1;
-    const double stiffness = share * bar_.steel.modulus * bar_.area / length_[k];
+    const double slope = strain_to(bar_.steel, next_strain_[k], next_steel_[k]);
+    const double modulus =
+        elastic ? bar_.steel.modulus : std::max(slope, kLeastStiffness * bar_.steel.modulus);
+    const double stiffness = modulus * bar_.area / length_[k];
     const double force = bar_.area * next_steel_[k].stress;
     unbalanced_[k] -= force;
     unbalanced_[after] += force;
@@ -75,6 +75,7 @@ double BarChain::find(std::span<const double> growths, bool elastic) {
 
 void BarChain::stretch(std::span<const double> growths) {
   weaken();
+  break_steel();
   next_slip_ = slip_;
   double unbalanced = find(growths, false);
   for (int round = 0; round < kRounds && unbalanced > kBalanced; ++round)
@@ -118,6 +119,12 @@ void BarChain::weaken() {
   }
   for (std::size_t k = 0; k < slip_.size(); ++k)
     bond_law_[k].strength = bar_.nodes[k].bond.strength * bond_after_yield(beyond[k]);
+}
+
+// Elements that were strained too far before this step.
+void BarChain::break_steel() {
+  for (std::size_t k = 0; k < strain_.size(); ++k)
+    if (whole_[k]) break_beyond(bar_.steel, strain_[k], steel_[k]);
 }
 
 // Losses are the trapezoids of the ledger, less what is stored.

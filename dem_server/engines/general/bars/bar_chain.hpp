@@ -64,6 +64,7 @@ class BarChain {
   double find(std::span<const double> growths, bool elastic);
   double approach(std::span<const double> growths, bool elastic);
   void weaken();
+  void break_steel();
   void take();
 
   Bar bar_;

@@ -3,7 +3,7 @@
 // A node lies at a place P of its particle and moves and turns with it. Between two nodes P_1 and P_2, L_0
 // apart at rest, d = P_2 - P_1 now, the bar (bar_chain.hpp) pulls both along d with N; its growth is g = |d|
 // - L_0. Across, it is a dowel: with a the turn of d since rest less the mean of the particles' turns,
-//   D = L_0 a,   V = K (D - D_p),   |V| <= V_u sqrt(1 - (sigma / f_y)^2)   (Vintzeleou & Tassios 1987),
+//   D = L_0 a,   V = K (D - D_p),   |V| <= V_u sqrt(1 - (sigma / f_y)^2),
 // D being the shift of the two particles' faces in the middle between the nodes. V does work on D: the force
 // V L_0 / |d| on P_1 along the left normal of d, the opposite on P_2, and the moment V L_0 / 2 on both
 // particles. So neither linear nor angular momentum is lost, and a motion as of one body makes no force.

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -109,6 +110,52 @@ TEST(ExpandTunnels, ALiningOfCells) {
   for (std::uint32_t i = 0; i < model.discs.size(); ++i)
     if (model.group[i] == 1) lining += model.cell_area(i);
   EXPECT_NEAR(lining, pi * (3.5 * 3.5 - 3 * 3), 1e-9);
+}
+
+// Requirement: the section of a lining of cells states its thickness and how its concrete breaks, and places
+// its bars under their cover at either face and its stirrups between the covers, no farther apart than
+// stated; cuts compare their forces with it.
+TEST(ExpandTunnels, ASectionOfCells) {
+  const std::string section =
+      "section { thickness: 0.5 cover: 0.05 concrete { class: 'C30/37' } steel { class: 'B500B' } inner { "
+      "diameter: 0.02 spacing: 0.1 } outer { diameter: 0.016 spacing: 0.2 } stirrups { diameter: 0.01 "
+      "spacing: 0.3 "
+      "spacing_across: 0.4 } }";
+  const auto of_cells = [&](const std::string& shape, const std::string& more) {
+    return particles_of("centre { x: 1 y: -12 } " + shape + " lining { " + section + more +
+                        " } particles { size: 0.12 ground: 2 overlap: 1 } stage: 1 sections: 4");
+  };
+  const auto particles = of_cells("circle { radius: 3 }", "");
+  const auto& group = particles.groups(particles.groups_size() - 1);
+  EXPECT_EQ(group.where().annulus().outer_radius(), 3.5);
+  EXPECT_NEAR(group.material().young_modulus(), 32.8e9, 0.1e9);
+  EXPECT_EQ(group.material().fracture().compressive_strength(), 38e6);
+  EXPECT_NEAR(group.material().fracture().tensile_strength(), 2.9e6, 0.01e6);
+  EXPECT_NEAR(group.material().fracture().fracture_energy(), 73 * std::pow(38, 0.18), 1e-9);
+  ASSERT_EQ(particles.bars_size(), 2 + 63);  // 6 pi / 0.3 m
+  EXPECT_NEAR(particles.bars(0).along().circle().radius(), 3 + 0.05 + 0.01, 1e-12);
+  EXPECT_NEAR(particles.bars(1).along().circle().radius(), 3.5 - 0.05 - 0.008, 1e-12);
+  EXPECT_NEAR(particles.bars(0).area(), pi / 4 * 0.0004 / 0.1, 1e-12);
+  for (const auto& bar : particles.bars()) EXPECT_EQ(bar.stage(), 2U);
+  const auto& stirrup = particles.bars(2).along().line();
+  EXPECT_NEAR(std::hypot(stirrup.points(0).x() - 1, stirrup.points(0).y() + 12), 3.05, 1e-12);
+  EXPECT_NEAR(std::hypot(stirrup.points(1).x() - 1, stirrup.points(1).y() + 12), 3.45, 1e-12);
+  EXPECT_NEAR(particles.bars(2).area(), pi / 4 * 0.0001 / 0.4, 1e-12);
+  EXPECT_EQ(particles.sections(3).section().outer().spacing(), 0.2);
+  const auto use = std::ranges::count(particles.histories(), scene::UTILISATION, &scene::History::quantity);
+  EXPECT_EQ(use, 4);
+
+  const auto segments = of_cells("circle { radius: 3 }", " segments: 3");
+  ASSERT_EQ(segments.bars_size(), 2 * 3 + 3 * 21);
+  const auto& arc = segments.bars(0).along().circle();
+  EXPECT_NEAR((arc.to() - arc.from()) * arc.radius(), 2 * pi / 3 * 3.06 - 2 * 0.05, 1e-9);
+
+  const auto box = of_cells("box { width: 5 height: 4 }", "");
+  const auto& line = box.bars(0).along().line();
+  ASSERT_EQ(line.points_size(), 5);
+  EXPECT_EQ(line.points(0).x(), line.points(4).x());
+  EXPECT_NEAR(line.points(0).x(), 1 + 2.5 + 0.06, 1e-12);
+  EXPECT_EQ(box.bars_size(), 2 + 60);
 }
 
 // Requirement: the ground's cells may be larger than the lining's.

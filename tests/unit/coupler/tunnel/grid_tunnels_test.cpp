@@ -278,7 +278,8 @@ TEST(GridTunnels, WhatOtherModelsOfLiningsHaveIsRefused) {
   expect_refused(tunnel(kCircle, kConcrete + "layers { name: 'a' }", particles), "tunnels[0].lining.layers",
                  "or give `as: beam`");
   expect_refused(tunnel(kCircle, "section { thickness: 0.3 concrete { class: 'C30/37' } }", particles),
-                 "tunnels[0].lining.section", "the lining is of particles");
+                 "tunnels[0].lining.section",
+                 "which a lattice of discs does not follow; give `particles.size`");
   expect_refused(tunnel(kCircle, kConcrete, particles + "zones { around: 1 }"), "tunnels[0].zones",
                  "the lining is of particles");
 }
@@ -298,11 +299,29 @@ TEST(GridTunnels, LiningsStatedTwiceOrNotAtAllAreRefused) {
                                      "} layers { name: 'b' " + kConcrete + "}"),
                  "tunnels[0].lining.layers", "are given beside joints of segments");
   expect_refused(tunnel(kCircle, "as: ZONES section { thickness: 0.3 concrete { class: 'C31' } }"),
-                 "tunnels[0].lining.section.concrete", "has the class `C31`");
+                 "tunnels[0].lining.section.concrete.class", "is `C31`, expected a class of EN 1992-1-1");
   expect_refused(tunnel(kCircle, "as: ZONES section { thickness: 0.3 concrete { } }"),
-                 "tunnels[0].lining.section.concrete", "has neither `class` nor `young_modulus`");
+                 "tunnels[0].lining.section.concrete", "needs its strength once");
   expect_refused(tunnel(kCircle, "as: BEAM contact { height: 0.1 } " + kConcrete),
                  "tunnels[0].lining.contact", "has no joints");
+}
+
+// Requirement: what cells do not have of a section is refused.
+TEST(GridTunnels, SectionsOfCells) {
+  const std::string cells = "particles { size: 0.1 ground: 2 overlap: 1 }",
+                    bars = "cover: 0.04 steel { class: 'B500B' } inner { diameter: 0.012 spacing: 0.1 } ";
+  const auto expect = [&](const std::string& section, const std::string& path, const std::string& message) {
+    expect_refused(tunnel(kCircle, "section { thickness: 0.3 " + section, cells), "tunnels[0].lining" + path,
+                   message);
+  };
+  expect(bars + "concrete { class: 'C30/37' tension_stiffening: false } }",
+         ".section.concrete.tension_stiffening", "where it follows from the bond of the bars");
+  expect(bars + "concrete { class: 'C30/37' fibres { residual_strength_1: 3e6 residual_strength_3: 2e6 } } }",
+         ".section.concrete.fibres", "which break as plain concrete");
+  expect(bars + "concrete { class: 'C30/37' } } bonds { strength_of_material: true }", ".bonds",
+         "is given beside `section`");
+  expect("steel { class: 'B500B' } inner { diameter: 0.012 spacing: 0.1 } concrete { class: 'C30/37' } }",
+         ".section.inner", "has bars, but the section has no `cover`");
 }
 
 // Requirement: a tunnel needs equal zones around it, and room for those that follow it.

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <memory>
 
-#include "fdm_server/sections/moment_curvature.hpp"
-#include "fdm_server/sections/section_materials.hpp"
 #include "fdm_server/zones/critical_step.hpp"
+#include "protocol/sections/moment_curvature.hpp"
+#include "protocol/sections/section_materials.hpp"
 #include "tests/unit/fdm_server/grid/grids.hpp"
 #include "tests/unit/fdm_server/structures/frames.hpp"
 
@@ -21,14 +21,20 @@ constexpr double kThickness = 0.3;
 
 // C30/37 and B500B by mean values; more bars outside than inside.
 std::shared_ptr<const LiningSection> section() {
-  const SectionShape shape{kThickness, 1, {{-0.1, 1005e-6, 0.016}, {0.1, 2010e-6, 0.016}}};
-  const ConcreteValues concrete = concrete_values(*protocol::concrete_of("C30/37"), Values::kMean);
-  const SteelValues steel = steel_values(*protocol::steel_of("B500B"), Values::kMean);
+  const sections::SectionShape shape{kThickness, 1, {{-0.1, 1005e-6, 0.016}, {0.1, 2010e-6, 0.016}}};
+  const auto concrete = sections::concrete_values(*protocol::concrete_of("C30/37"), protocol::Values::kMean);
+  const auto steel = protocol::steel_values(*protocol::steel_of("B500B"), protocol::Values::kMean);
+  const auto law = sections::concrete_law(concrete, steel.yield / steel.young_modulus);
   return std::make_shared<const LiningSection>(
-      LiningSection{std::make_shared<const FibreSection>(
-                        shape, concrete_law(concrete, steel.yield / steel.young_modulus), steel_law(steel)),
-                    Capacity(shape, capacity_materials(concrete, steel)), shear_materials(concrete, steel, 0),
-                    0.04, concrete.young_modulus, concrete.tensile});
+      LiningSection{std::make_shared<const sections::FibreSection>(shape, law, steel_law(steel)),
+                    false,
+                    {shape,
+                     sections::Capacity(shape, sections::capacity_materials(concrete, steel)),
+                     sections::shear_materials(concrete, steel, 0),
+                     {}},
+                    0.04,
+                    concrete.young_modulus,
+                    concrete.tensile});
 }
 
 Section elastic(const LiningSection& of) {
@@ -49,7 +55,7 @@ BeamResultants without_thrust(FibreBeam& beam, double length, const BeamStrains&
 // Requirement: small strains give the forces of the elastic beam with its eccentric centroid.
 TEST(FibreBeam, IsElasticAtFirst) {
   const auto of = section();
-  const FibreSection& fibres = *of->fibres;
+  const sections::FibreSection& fibres = *of->fibres;
   for (const double length : {0.3, 2.0}) {
     const Beam elastic_beam = beam_of(*of, length);
     FibreBeam beam(elastic_beam, of->fibres);
@@ -80,7 +86,7 @@ TEST(FibreBeam, BendsAsItsSection) {
     FibreBeam beam(beam_of(*of, length), of->fibres);
     std::vector<double> curvatures;
     for (int i = 1; i <= 20; ++i) curvatures.push_back(sign * 1e-3 * i);
-    for (const CurvaturePoint& point : moment_curvature(*of->fibres, 0, curvatures)) {
+    for (const sections::CurvaturePoint& point : moment_curvature(*of->fibres, 0, curvatures)) {
       const BeamResultants forces = without_thrust(beam, length, {0, sign * 1e-3 * length, 0});
       EXPECT_NEAR(forces.b, point.moment, 0.01 * std::abs(point.moment)) << point.curvature;
       EXPECT_NEAR(forces.s, 0, 1e-6 * std::abs(forces.b));
@@ -98,8 +104,8 @@ TEST(FibreBeam, ShearFollowsTheMoments) {
     BeamResultants forces{};
     // To a curvature of about 0.08/m at the sections, where the weaker side has reached its ultimate moment.
     for (int i = 0; i < 500; ++i) forces = without_thrust(beam, length, {0, 0, 0.045 * length / 500});
-    const double inner = of->capacity.moment(Bending::kInnerStretched, 0),
-                 outer = of->capacity.moment(Bending::kOuterStretched, 0);
+    const double inner = of->strength.capacity.moment(sections::Bending::kInnerStretched, 0),
+                 outer = of->strength.capacity.moment(sections::Bending::kOuterStretched, 0);
     // M = B -+ S/sqrt 3 at the two sections.
     EXPECT_NEAR(forces.b + forces.s / std::sqrt(3.0), outer, 0.02 * outer);
     EXPECT_NEAR(forces.b - forces.s / std::sqrt(3.0), inner, 0.02 * -inner);

@@ -25,23 +25,24 @@ scene::ReinforcedSection section(const std::string& text) {
 // Requirement: the cover counts from either face to the surface of the bars; outer bars are at the right of
 // the path; an area per metre stands for a spacing.
 TEST(ReinforcedSection, BarsLieUnderTheirCover) {
-  const auto read = read_reinforced_section(section(kWall + kClasses + kBars), 1, "");
+  const auto read = read_reinforced_section(section(kWall + kClasses + kBars), 1, 1, "");
   const auto& bars = read->fibres->shape().bars;
   ASSERT_EQ(bars.size(), 2U);
   EXPECT_NEAR(bars[0].position, -(0.15 - 0.04 - 0.006), 1e-12);
   EXPECT_NEAR(bars[0].area, 1131e-6, 1e-6);
   EXPECT_NEAR(bars[1].position, 0.15 - 0.04 - 0.008, 1e-12);
   EXPECT_NEAR(bars[1].area, 1005e-6, 1e-6);
-  const auto by_area =
-      read_reinforced_section(section(kWall + kClasses + "outer { diameter: 0.016 area: 1005e-6 }"), 1, "");
+  const auto by_area = read_reinforced_section(
+      section(kWall + kClasses + "outer { diameter: 0.016 area: 1005e-6 }"), 1, 1, "");
   EXPECT_NEAR(by_area->fibres->shape().bars[0].area, 1005e-6, 1e-12);
 }
 
 // Requirement: design values give less than mean values, by about the partial factors.
 TEST(ReinforcedSection, ValuesAreChosen) {
-  const auto mean = read_reinforced_section(section(kWall + kClasses + kBars + "values: MEAN"), 1, "");
-  const auto design = read_reinforced_section(section(kWall + kClasses + kBars + "values: DESIGN"), 1, "");
-  EXPECT_NEAR(design->capacity.largest_thrust() / mean->capacity.largest_thrust(), 500 / 1.15 / 550, 1e-3);
+  const auto mean = read_reinforced_section(section(kWall + kClasses + kBars + "values: MEAN"), 1, 1, "");
+  const auto design = read_reinforced_section(section(kWall + kClasses + kBars + "values: DESIGN"), 1, 1, "");
+  EXPECT_NEAR(design->strength.capacity.largest_thrust() / mean->strength.capacity.largest_thrust(),
+              500 / 1.15 / 550, 1e-3);
   EXPECT_NEAR(design->fibres->concrete(0).strength / mean->fibres->concrete(0).strength, 20.0 / 38, 1e-3);
 }
 
@@ -51,8 +52,8 @@ class Refused : public testing::TestWithParam<RefusedText> {};
 
 TEST_P(Refused, InOneSentence) {
   const auto& [name, text, path, message] = GetParam();
-  adit::test::expect_refusal([&text = text] { read_reinforced_section(section(text), 1, "section"); }, path,
-                             message);
+  adit::test::expect_refusal([&text = text] { read_reinforced_section(section(text), 1, 1, "section"); },
+                             path, message);
 }
 
 INSTANTIATE_TEST_SUITE_P(
