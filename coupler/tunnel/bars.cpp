@@ -12,7 +12,39 @@
 namespace adit::coupler {
 namespace {
 
+using geometry::Point;
 using std::numbers::pi;
+
+// The parts of a closed line from one corner to the next, each longer by `beyond` at both ends [m].
+std::vector<scene::LinePath> between_corners(const scene::LinePath& line, double beyond) {
+  constexpr double kCorner = 0.766;  // cosine of the turn
+  std::vector<Point> points;
+  for (const auto& place : line.points()) points.push_back({place.x(), place.y()});
+  points.pop_back();  // the first one again
+  const std::size_t count = points.size();
+  const auto way = [&](std::size_t from) {
+    const Point &a = points[from % count], &b = points[(from + 1) % count];
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    return Point{(b.x - a.x) / length, (b.y - a.y) / length};
+  };
+  std::vector<std::size_t> corners;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Point before = way(k + count - 1), after = way(k);
+    if (before.x * after.x + before.y * after.y < kCorner) corners.push_back(k);
+  }
+  std::vector<scene::LinePath> pieces;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::size_t first = corners[i], last = i + 1 < corners.size() ? corners[i + 1] : corners[0] + count;
+    scene::LinePath& piece = pieces.emplace_back();
+    for (std::size_t k = first; k <= last; ++k) {
+      Point place = points[k % count];
+      if (k == first) place = {place.x - beyond * way(first).x, place.y - beyond * way(first).y};
+      if (k == last) place = {place.x + beyond * way(last - 1).x, place.y + beyond * way(last - 1).y};
+      *piece.add_points() = point(place);
+    }
+  }
+  return pieces;
+}
 
 class Reinforcement {
  public:
@@ -28,16 +60,17 @@ class Reinforcement {
     if (!joints_.empty()) joints_.push_back(joints_.front() + 2 * pi);
   }
 
-  // Along the lining, `offset` outside its inner side.
+  // Along the lining, `offset` outside its inner side. Those of the inner face run straight through a corner
+  // to the cover of the other side: bent around it they would pull the concrete off.
   void add_along(const sections::BarLayer& layer, double offset) {
-    if (joints_.empty()) *add(layer.diameter, layer.area).mutable_along() = contour_.around(offset);
-    for (std::size_t k = 0; k + 1 < joints_.size(); ++k) {
-      scene::BarPath path = contour_.around(offset);
-      const double end = section_.cover() / path.circle().radius();
-      path.mutable_circle()->set_from(joints_[k] + end);
-      path.mutable_circle()->set_to(joints_[k + 1] - end);
-      *add(layer.diameter, layer.area).mutable_along() = path;
+    if (!joints_.empty()) return add_in_segments(layer, offset);
+    const scene::BarPath whole = contour_.around(offset);
+    if (whole.has_circle() || layer.position > 0) {
+      *add(layer.diameter, layer.area).mutable_along() = whole;
+      return;
     }
+    for (const auto& piece : between_corners(whole.line(), section_.thickness() - offset - section_.cover()))
+      *add(layer.diameter, layer.area).mutable_along()->mutable_line() = piece;
   }
 
   // Between the covers, evenly spread over the lining or each segment, at most `spacing` apart at its inner
@@ -63,6 +96,16 @@ class Reinforcement {
   }
 
  private:
+  void add_in_segments(const sections::BarLayer& layer, double offset) {
+    for (std::size_t k = 0; k + 1 < joints_.size(); ++k) {
+      scene::BarPath path = contour_.around(offset);
+      const double end = section_.cover() / path.circle().radius();
+      path.mutable_circle()->set_from(joints_[k] + end);
+      path.mutable_circle()->set_to(joints_[k + 1] - end);
+      *add(layer.diameter, layer.area).mutable_along() = path;
+    }
+  }
+
   scene::ParticleBar& add(double diameter, double area) {
     scene::ParticleBar& bar = *particles_.add_bars();
     bar.set_diameter(diameter);

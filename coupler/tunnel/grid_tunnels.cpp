@@ -207,7 +207,7 @@ class GridTunnel {
   void add_histories_of(const LiningLayer& layer, scene::Continuum& continuum, const Opening& opening) const {
     const auto nodes = opening.nodes(ground_begins());
     for_each_section([&](const std::string& section, const Contour::Cut& cut) {
-      for (const scene::Quantity quantity : quantities_of_sections(layer.section != nullptr)) {
+      for (const scene::Quantity quantity : quantities_of_sections(resists(layer.section))) {
         auto& history = add_history(continuum, layer.name + "_" + section, quantity);
         history.set_lining(layer.name);
         *history.mutable_at() = point(nodes[nearest(nodes, cut.at(ground_begins()))]);
@@ -224,8 +224,8 @@ class GridTunnel {
       section.set_name(layer.name + "_" + name);
       *section.mutable_from() = point(within[node]);
       *section.mutable_to() = point(outside[node]);
-      if (layer.section != nullptr) *section.mutable_section() = *layer.section;
-      for (const scene::Quantity quantity : quantities_of_sections(layer.section != nullptr))
+      if (resists(layer.section)) *section.mutable_section() = *layer.section;
+      for (const scene::Quantity quantity : quantities_of_sections(resists(layer.section)))
         add_history(continuum, section.name(), quantity).set_section(section.name());
     });
   }

@@ -160,6 +160,10 @@ void require_of_zones(const scene::LinedTunnel& tunnel, const std::vector<Lining
 
 }  // namespace
 
+bool resists(const scene::ReinforcedSection* section) {
+  return section != nullptr && (section->has_steel() || section->concrete().has_fibres());
+}
+
 std::vector<LiningLayer> layers_of(const scene::LinedTunnel& tunnel, const std::string& path) {
   if (tunnel.lining().as() == scene::TunnelLining::PARTICLES) require_of_particles(tunnel, path);
   std::vector<LiningLayer> layers = read_layers(tunnel, path);

@@ -19,6 +19,9 @@ struct LiningLayer {
   std::uint32_t stage;
 };
 
+// Whether thrust and moment can be compared with it: plain concrete of zones has a stiffness only.
+bool resists(const scene::ReinforcedSection* section);
+
 // One for a lining without `layers`. Throws protocol::UserError where a layer is stated twice or not at all,
 // and for what linings of this model cannot have. `path`: of the tunnel.
 std::vector<LiningLayer> layers_of(const scene::LinedTunnel& tunnel, const std::string& path);

@@ -151,11 +151,16 @@ TEST(ExpandTunnels, ASectionOfCells) {
   EXPECT_NEAR((arc.to() - arc.from()) * arc.radius(), 2 * pi / 3 * 3.06 - 2 * 0.05, 1e-9);
 
   const auto box = of_cells("box { width: 5 height: 4 }", "");
-  const auto& line = box.bars(0).along().line();
-  ASSERT_EQ(line.points_size(), 5);
-  EXPECT_EQ(line.points(0).x(), line.points(4).x());
-  EXPECT_NEAR(line.points(0).x(), 1 + 2.5 + 0.06, 1e-12);
-  EXPECT_EQ(box.bars_size(), 2 + 60);
+  ASSERT_EQ(box.bars_size(), 4 + 1 + 60);  // inner bars run straight to the other side's cover
+  const auto& wall = box.bars(0).along().line();
+  ASSERT_EQ(wall.points_size(), 2);
+  EXPECT_NEAR(wall.points(0).x(), 1 + 2.5 + 0.06, 1e-12);
+  EXPECT_NEAR(wall.points(0).y(), -12 - 2 - 0.5 + 0.05, 1e-12);
+  EXPECT_NEAR(wall.points(1).y(), -12 + 2 + 0.5 - 0.05, 1e-12);
+  const auto& outer = box.bars(4).along().line();
+  ASSERT_EQ(outer.points_size(), 5);
+  EXPECT_EQ(outer.points(0).x(), outer.points(4).x());
+  EXPECT_EQ(of_cells("horseshoe { width: 5 height: 4.5 }", "").bars(2).along().line().points_size(), 52);
 }
 
 // Requirement: the ground's cells may be larger than the lining's.
