@@ -105,7 +105,7 @@ void Solver::step(const protocol::Step& step, Loads& loads, PrescribedMotions& m
   neighbours_.part(facets_.parted_now());
   joints_.add_forces(dt, particles_);
   springs_.add_forces(dt, particles_);
-  bars_.add_forces(dt, particles_);
+  bars_.add_forces(dt, *team_, particles_);
   walls_.add_forces(step, particles_);
   gather(dt);
   loads.apply(step, particles_);

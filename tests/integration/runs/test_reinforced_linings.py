@@ -125,11 +125,10 @@ class Column(ProgramTest):
         """What the tip moves beyond yield is the rotation of the hinge at the base times the height above its middle."""
         rows, rotation = run.histories, run.summary["lining_column_largest_hinge_rotation_rad"]
         self.assertLess(rotation, 0)  # the inner side is stretched
-        # At the end the column is unloaded to a fraction of its peak: what is left of the drift is plastic, but for
-        # what the rest of the moment bends.
-        left = rows["base_moment_Nm"][-1] / rows["base_moment_Nm"].min()
-        elastic = left * np.interp(1, rows["base_moment_Nm"] / rows["base_moment_Nm"].min(), rows["tip_ux_m"])
-        self.assertLess(abs(-rotation * (HEIGHT - BEAM / 4) / (rows["tip_ux_m"][-1] - elastic) - 1), 0.15)
+        # At the end the column is unloaded to a fraction of its peak, at which it bends elastically by as much as on its way there.
+        moment, top = -rows["base_moment_Nm"], rows["base_moment_Nm"].argmin()
+        elastic = np.interp(moment[-1], moment[:top], rows["tip_ux_m"][:top])
+        self.assertLess(abs(-rotation * (HEIGHT - BEAM / 4) / (rows["tip_ux_m"][-1] - elastic) - 1), 0.1)
 
     def lies_within_its_capacity(self, run):
         """Utilisation is the distance from the origin over that of the polygon of capacities.csv."""
@@ -142,8 +141,9 @@ class Column(ProgramTest):
         sides = np.roll(corners, -1, axis=0) - corners
         for point, utilisation in list(zip(np.column_stack((n, m)) / scale, used))[::20]:
             # corner + t side = point / u
-            with np.errstate(divide="ignore", invalid="ignore"):
+            with np.errstate(divide="ignore", invalid="ignore"):  # of sides in its direction
                 t = (point[0] * corners[:, 1] - point[1] * corners[:, 0]) / (point[1] * sides[:, 0] - point[0] * sides[:, 1])
+            t = np.where(np.isfinite(t), t, -1)
             meets = corners + t[:, None] * sides
             ahead = (t >= 0) & (t <= 1) & ((meets * point).sum(axis=1) > 0)
             reach = np.linalg.norm(meets[ahead], axis=1).min()

@@ -118,7 +118,7 @@ void BarChain::weaken() {
     for (const std::size_t node : {k, bar_.after(k)}) beyond[node] = std::max(beyond[node], share);
   }
   for (std::size_t k = 0; k < slip_.size(); ++k)
-    bond_law_[k].strength = bar_.nodes[k].bond.strength * bond_after_yield(beyond[k]);
+    bond_law_[k].strength = bar_.nodes[k].bond.strength * (beyond[k] > 0 ? bond_after_yield(beyond[k]) : 1);
 }
 
 // Elements that were strained too far before this step.

@@ -3,39 +3,24 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem_server/laws/pair_kinematics.hpp"
-
 namespace adit::dem {
-namespace {
 
 // A node on its particle: the lever arm from the centre now, and how far it has moved since rest [m].
-struct NodeMotion {
+struct Bars::NodeMotion {
   PlaneVector arm, moved;
 };
 
-NodeMotion motion_of(const BarNode& node, double turn, const Particles& p) {
+Bars::NodeMotion Bars::motion_of(const BarNode& node, double turn, const Particles& p) {
   const double x = node.x - p.x[node.disc], y = node.y - p.y[node.disc];
   const double sine = std::sin(turn), half = std::sin(turn / 2), versine = 2 * half * half;
   const PlaneVector swung{-versine * x - sine * y, sine * x - versine * y};
   return {{x + swung.x, y + swung.y}, {p.ux[node.disc] + swung.x, p.uy[node.disc] + swung.y}};
 }
 
-}  // namespace
-
-struct Bars::Shape {
-  std::uint32_t first, second;
-  PlaneVector arm_1, arm_2;
-  double x_1, y_1;        // of the first node now [m]
-  double dx, dy, length;  // d, |d|
-  double rest_length;     // L_0
-  double growth, shift;   // g, D
-};
-
-Bars::Shape Bars::shape_of(const OneBar& bar, std::size_t k, const Particles& p) {
+Bars::Shape Bars::shape_of(const OneBar& bar, std::size_t k, const NodeMotion& one, const NodeMotion& other) {
   const Bar& model = bar.chain.bar();
   const std::size_t after = model.after(k);
   const BarNode &a = model.nodes[k], &b = model.nodes[after];
-  const NodeMotion one = motion_of(a, bar.turn[k], p), other = motion_of(b, bar.turn[after], p);
   const double rest_x = b.x - a.x, rest_y = b.y - a.y, rest = bar.chain.rest_lengths()[k];
   const double ux = other.moved.x - one.moved.x, uy = other.moved.y - one.moved.y;
   const double dx = rest_x + ux, dy = rest_y + uy, length = std::hypot(dx, dy);
@@ -54,11 +39,23 @@ Bars::Shape Bars::shape_of(const OneBar& bar, std::size_t k, const Particles& p)
           rest * std::remainder(swing - (bar.turn[k] + bar.turn[after]) / 2, 2 * std::numbers::pi)};
 }
 
+Bars::Shape Bars::shape_of(const OneBar& bar, std::size_t k, const Particles& p) {
+  const Bar& model = bar.chain.bar();
+  const std::size_t after = model.after(k);
+  return shape_of(bar, k, motion_of(model.nodes[k], bar.turn[k], p),
+                  motion_of(model.nodes[after], bar.turn[after], p));
+}
+
 Bars::Bars(const std::vector<Bar>& bars, const Particles& particles) {
   for (const Bar& bar : bars)
-    bars_.push_back({BarChain(bar), bar.stage == 0, std::vector<double>(bar.nodes.size(), 0.0),
-                     std::vector<Dowel>(bar.elements()), std::vector<Installed>(bar.elements()),
-                     std::vector<double>(bar.elements(), 0.0)});
+    bars_.push_back({BarChain(bar),
+                     bar.stage == 0,
+                     std::vector<double>(bar.nodes.size(), 0.0),
+                     std::vector<Dowel>(bar.elements()),
+                     std::vector<Installed>(bar.elements()),
+                     0,
+                     std::vector<double>(bar.elements(), 0.0),
+                     {}});
   begin_stage(0, 0, particles);
 }
 
@@ -90,28 +87,33 @@ void Bars::let_go(const Particles& p, OneBar& bar) {
   }
 }
 
-void Bars::turn(double dt, const Particles& p) {
-  for (OneBar& bar : bars_)
-    for (std::size_t k = 0; k < bar.turn.size(); ++k)
-      bar.turn[k] += dt * p.spin[bar.chain.bar().nodes[k].disc];
+void Bars::add_forces(double dt, protocol::Team& team, Particles& p) {
+  if (empty()) return;
+  team.run(bars_.size(), [&](std::size_t number, std::size_t) { follow(dt, p, bars_[number]); });
+  for (const OneBar& bar : bars_) {
+    if (!bar.installed) continue;
+    for (std::size_t k = 0; k < bar.shapes.size(); ++k)
+      if (bar.chain.whole(k)) pull(bar.shapes[k], bar.chain.force(k), bar.dowels[k].force, p);
+  }
 }
 
-void Bars::add_forces(double dt, Particles& p) {
-  turn(dt, p);
-  for (OneBar& bar : bars_) {
-    if (!bar.installed) continue;
-    std::vector<Shape> shapes;
-    for (std::size_t k = 0; k < bar.growths.size(); ++k) {
-      shapes.push_back(shape_of(bar, k, p));
-      bar.growths[k] = shapes[k].growth - bar.begun[k].growth;
-    }
-    bar.chain.stretch(bar.growths);
-    for (std::size_t k = 0; k < bar.growths.size(); ++k) {
-      if (!bar.chain.whole(k)) continue;
-      shear(k, shapes[k].shift - bar.begun[k].shift, bar);
-      pull(shapes[k], bar.chain.force(k), bar.dowels[k].force, p);
-    }
+void Bars::follow(double dt, const Particles& p, OneBar& bar) {
+  const Bar& model = bar.chain.bar();
+  std::vector<NodeMotion> motions;
+  motions.reserve(model.nodes.size());
+  for (std::size_t k = 0; k < model.nodes.size(); ++k) {
+    bar.turn[k] += dt * p.spin[model.nodes[k].disc];
+    motions.push_back(motion_of(model.nodes[k], bar.turn[k], p));
   }
+  if (!bar.installed) return;
+  bar.shapes.clear();
+  for (std::size_t k = 0; k < model.elements(); ++k) {
+    bar.shapes.push_back(shape_of(bar, k, motions[k], motions[model.after(k)]));
+    bar.growths[k] = bar.shapes[k].growth - bar.begun[k].growth;
+  }
+  bar.chain.stretch(bar.growths);
+  for (std::size_t k = 0; k < model.elements(); ++k)
+    if (bar.chain.whole(k)) shear(k, bar.shapes[k].shift - bar.begun[k].shift, bar);
 }
 
 void Bars::shear(std::size_t k, double shift, OneBar& bar) {
@@ -124,7 +126,7 @@ void Bars::shear(std::size_t k, double shift, OneBar& bar) {
   if (std::abs(now.force) > strength) {
     now.force = std::copysign(strength, now.force);
     now.plastic = shift - now.force / node.dowel_stiffness;
-    lost_by_dowels_ += (bar.dowels[k].force + now.force) / 2 * (now.plastic - bar.dowels[k].plastic);
+    bar.lost_by_dowels += (bar.dowels[k].force + now.force) / 2 * (now.plastic - bar.dowels[k].plastic);
   }
   bar.dowels[k] = now;
 }
@@ -185,9 +187,17 @@ double Bars::slipped() const {
   return sum;
 }
 
+double Bars::dowels() const {
+  double sum = 0;
+  for (const OneBar& bar : bars_) sum += bar.lost_by_dowels;
+  return sum;
+}
+
 void Bars::start_over() {
-  for (OneBar& bar : bars_) bar.chain.start_over();
-  lost_by_dowels_ = 0;
+  for (OneBar& bar : bars_) {
+    bar.chain.start_over();
+    bar.lost_by_dowels = 0;
+  }
 }
 
 void Bars::exchange(state::Archive& archive) {
@@ -198,8 +208,8 @@ void Bars::exchange(state::Archive& archive) {
     archive("bar_turns", std::span(bar.turn));
     archive("bar_dowels", std::span(bar.dowels));
     archive("bar_begun", std::span(bar.begun));
+    archive("bar_dowel_losses", bar.lost_by_dowels);
   }
-  archive("bar_dowel_losses", lost_by_dowels_);
 }
 
 }  // namespace adit::dem

@@ -13,7 +13,9 @@
 #include <vector>
 
 #include "dem_server/engines/general/bars/bar_chain.hpp"
+#include "dem_server/laws/pair_kinematics.hpp"
 #include "dem_server/particles/particles.hpp"
+#include "protocol/threads/team.hpp"
 
 namespace adit::dem {
 
@@ -32,7 +34,8 @@ class Bars {
 
   // As of springs (forces/spring_forces.hpp).
   void begin_stage(std::uint32_t before, std::uint32_t stage, const Particles& particles);
-  void add_forces(double dt, Particles& particles);
+  // The team finds what each bar bears, which depends on no other.
+  void add_forces(double dt, protocol::Team& team, Particles& particles);
 
   bool empty() const { return bars_.empty(); }
   std::size_t size() const { return bars_.size(); }
@@ -44,7 +47,7 @@ class Bars {
   double strain_energy() const;   // [J]
   double yielded() const;         // taken by yielding since the start [J]
   double slipped() const;         // by bond
-  double dowels() const { return lost_by_dowels_; }
+  double dowels() const;
   double dissipated() const { return yielded() + slipped() + dowels(); }
   void start_over();
 
@@ -53,6 +56,14 @@ class Bars {
  private:
   struct Dowel {
     double shift = 0, plastic = 0, force = 0;  // D, D_p [m], V [N]
+  };
+  struct Shape {
+    std::uint32_t first, second;
+    PlaneVector arm_1, arm_2;
+    double x_1, y_1;        // of the first node now [m]
+    double dx, dy, length;  // d, |d|
+    double rest_length;     // L_0
+    double growth, shift;   // g, D
   };
   struct Installed {
     double growth = 0, shift = 0;  // since rest, with which it began [m]
@@ -63,18 +74,23 @@ class Bars {
     std::vector<double> turn;  // of each node's particle since rest [rad]
     std::vector<Dowel> dowels;
     std::vector<Installed> begun;
-    std::vector<double> growths;  // in work
+    double lost_by_dowels = 0;
+    // In work.
+    std::vector<double> growths;
+    std::vector<Shape> shapes;
   };
-  struct Shape;
+  struct NodeMotion;
+  static NodeMotion motion_of(const BarNode& node, double turn, const Particles& particles);
+  static Shape shape_of(const OneBar& bar, std::size_t element, const NodeMotion& first,
+                        const NodeMotion& second);
   static Shape shape_of(const OneBar& bar, std::size_t element, const Particles& particles);
   static void install(const Particles& particles, OneBar& bar);
   static void let_go(const Particles& particles, OneBar& bar);
-  void turn(double dt, const Particles& particles);
-  void shear(std::size_t element, double shift, OneBar& bar);
+  static void follow(double dt, const Particles& particles, OneBar& bar);
+  static void shear(std::size_t element, double shift, OneBar& bar);
   static void pull(const Shape& shape, double force, double dowel, Particles& particles);
 
   std::vector<OneBar> bars_;
-  double lost_by_dowels_ = 0;
 };
 
 }  // namespace adit::dem

@@ -19,6 +19,11 @@
 namespace adit::dem::bars_test {
 namespace {
 
+protocol::Team& team() {
+  static protocol::Team two(2);
+  return two;
+}
+
 Model barred(double tension = 2.9e6) {
   auto scene = test::barred_member();
   scene.mutable_material()->mutable_fracture()->set_tensile_strength(tension);
@@ -72,7 +77,7 @@ TEST(Bars, DoNotFeelRigidMotions) {
     p.uy[i] = std::sin(turn) * p.x[i] + std::cos(turn) * p.y[i] - p.y[i] - 1;
     p.spin[i] = turn;
   }
-  bars.add_forces(1, p);
+  bars.add_forces(1, team(), p);
   for (std::size_t i = 0; i < p.size(); ++i) {
     EXPECT_NEAR(p.fx[i], 0, 1e-3);
     EXPECT_NEAR(p.fy[i], 0, 1e-3);
@@ -94,7 +99,7 @@ TEST(Bars, KeepMomentum) {
       p.spin[i] = 10 * small(random);
       p.fx[i] = p.fy[i] = p.moment[i] = 0;
     }
-    bars.add_forces(1, p);
+    bars.add_forces(1, team(), p);
     double x = 0, y = 0, moment = 0, size = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
       x += p.fx[i];
@@ -129,7 +134,7 @@ TEST(Bars, KeepTheirLedger) {
       p.uy[i] += p.vy[i];
       p.fx[i] = p.fy[i] = p.moment[i] = 0;
     }
-    bars.add_forces(1, p);
+    bars.add_forces(1, team(), p);
     for (std::size_t i = 0; i < p.size(); ++i)
       work -= (p.vx[i] * (before.fx[i] + p.fx[i]) + p.vy[i] * (before.fy[i] + p.fy[i]) +
                p.spin[i] * (before.moment[i] + p.moment[i])) /
@@ -216,7 +221,7 @@ TEST(Bars, EndWhereParticlesWereTakenAway) {
   p.mass[gone] = 0;
   bars.begin_stage(0, 1, p);
   for (std::size_t i = 0; i < p.size(); ++i) p.ux[i] = 1e-3 * p.x[i];
-  bars.add_forces(0, p);
+  bars.add_forces(0, team(), p);
   EXPECT_EQ(p.fx[gone], 0);
   EXPECT_EQ(bars.chain(0).force(4), 0);
   EXPECT_EQ(bars.chain(0).force(5), 0);
@@ -230,17 +235,17 @@ TEST(Bars, OfALaterStageBeginFreeOfStress) {
   Particles p = at_rest(model);
   Bars bars(model.bars, p);
   for (std::size_t i = 0; i < p.size(); ++i) p.ux[i] = 1e-3 * p.x[i];
-  bars.add_forces(0, p);
+  bars.add_forces(0, team(), p);
   EXPECT_EQ(bars.strain_energy(), 0);
   bars.begin_stage(1, 2, p);
-  bars.add_forces(0, p);
+  bars.add_forces(0, team(), p);
   EXPECT_NEAR(bars.strain_energy(), 0, 1e-12);
   for (std::size_t i = 0; i < p.size(); ++i) p.ux[i] = 1.5e-3 * p.x[i];
-  bars.add_forces(0, p);
+  bars.add_forces(0, team(), p);
   model.bars[0].stage = 0;
   Bars from_rest(model.bars, p);
   for (std::size_t i = 0; i < p.size(); ++i) p.ux[i] = 0.5e-3 * p.x[i];
-  from_rest.add_forces(0, p);
+  from_rest.add_forces(0, team(), p);
   EXPECT_GT(from_rest.chain(0).stress(12), 90e6);
   EXPECT_NEAR(bars.chain(0).stress(12), from_rest.chain(0).stress(12), 1e-9 * 90e6);
 }
