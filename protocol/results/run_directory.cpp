@@ -14,10 +14,11 @@ namespace {
 namespace fs = std::filesystem;
 
 // All files that a run of `coupler` or `simplified` and its pictures leave.
-constexpr std::array<std::string_view, 19> kResults = {"summary.json",
+constexpr std::array<std::string_view, 20> kResults = {"summary.json",
                                                        "histories.csv",
                                                        "energies.csv",
                                                        "cracks.csv",
+                                                       "capacities.csv",
                                                        "crack_paths.csv",
                                                        "scene.yaml",
                                                        "scene_as_written.yaml",

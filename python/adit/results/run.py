@@ -43,6 +43,12 @@ class Run:
         """The scene as it was computed, as mappings and lists in SI units."""
         return self._read("scene.yaml", lambda path: _mapping(yaml.load(path.read_text(), SceneLoader)))
 
+    @cached_property
+    def scene_as_written(self):
+        """The scene as it was before its `tunnels` became grids, linings and particles."""
+        name = "scene_as_written.yaml"
+        return self._read(name, lambda path: _mapping(yaml.load(path.read_text(), SceneLoader))) if self.has(name) else self.scene
+
     @property
     def duration(self):
         """The duration [s] of the scene."""

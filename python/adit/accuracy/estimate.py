@@ -1,0 +1,33 @@
+"""The error that is left in a result, from its changes as lengths are halved again and again (Roache 1994, J. Fluids Eng. 116).
+
+Where a result q approaches its limit as h^p, its error on the finest of two lengths is (q_1 - q_2)/(2^p - 1). Two changes tell an
+order p = log2((q_1 - q_2)/(q_2 - q_3)), but not whether it lasts: it is taken no higher than 1. Of three the smaller of two orders is
+taken, no higher than 2, that of the zones. Roache's factor of 1.25 covers what is left. One change tells no order: his factor is then 3,
+of the change itself. Changes of different signs have none: the larger one may come again. Those that hardly shrink count as of the
+least order that is taken.
+"""
+import math
+from dataclasses import dataclass
+
+FACTOR, OF_ONE = 1.25, 3.0
+LEAST, OF_TWO, MOST = 0.2, 1.0, 2.0  # orders
+
+
+@dataclass(frozen=True)
+class Error:
+    """`size` in the unit of the result; `order`: as observed, None where there is none."""
+    size: float
+    order: float | None = None
+
+
+def error_of(changes):
+    """Of the finest value, after one change at least, the first one first."""
+    last = abs(changes[-1])
+    if len(changes) == 1:
+        return Error(OF_ONE * last)
+    if changes[-2] * changes[-1] <= 0:
+        return Error(FACTOR * max(last, abs(changes[-2])))
+    orders = [math.log2(before / after) if before * after > 0 else LEAST for before, after in list(zip(changes, changes[1:]))[-2:]]
+    order = min(orders)
+    taken = min(max(order, LEAST), OF_TWO if len(orders) == 1 else MOST)
+    return Error(FACTOR * last / (2**taken - 1), order if order > LEAST else None)
