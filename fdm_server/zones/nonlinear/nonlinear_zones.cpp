@@ -155,6 +155,21 @@ void NonlinearZones::set_stress_zz(std::size_t zone, double zz) {
   for (std::size_t k = 0; k < 4; ++k) law_->set_stress(zone, k, stress_at(zone, k));
 }
 
+// Of all stresses of the points with these generalized ones, Q_x = sum A (t g_x + s g_y) and Q_y = sum A (s
+// g_x - t g_y) (sampling_shape.hpp), those with the least energy: t and s of a strain of the pattern.
+void NonlinearZones::set_borne(std::size_t zone, const BorneStress& borne) {
+  set_stress(zone, borne.mean);
+  const auto& points = shapes_[shape_of_[zone]].points;
+  double size = 0;
+  for (const SamplingPoint& point : points) size += point.area * (point.gx * point.gx + point.gy * point.gy);
+  const double qx = borne.pattern_x / size, qy = borne.pattern_y / size;
+  for (std::size_t k = 0; k < 4; ++k) {
+    stresses_[kDifference + k][zone] += points[k].gx * qx - points[k].gy * qy;
+    stresses_[kShearStress + k][zone] += points[k].gy * qx + points[k].gx * qy;
+  }
+  set_stress_zz(zone, borne.across);
+}
+
 void NonlinearZones::follow(const double* ux, const double* uy) {
   ux_ = ux;
   uy_ = uy;
@@ -266,6 +281,7 @@ ZoneForces NonlinearZones::forces(std::size_t zone) const {
 }
 
 double NonlinearZones::field(std::size_t zone, ZoneField field) const {
+  if (weights_[zone] == 0) return 0;
   if (field == ZoneField::kStressZz) return stresses_[kAcross][zone] / stretch(zone);
   const auto& shape = shapes_[shape_of_[zone]];
   double strain = 0;
