@@ -67,8 +67,8 @@ void ZoneSet::add_parts(ZoneKind kind, const Grid& grid, const Ground& ground,
     if (numbers.empty()) continue;
     std::vector<double> own_weights;
     for (const auto z : numbers) own_weights.push_back(weights[z]);
-    add_part(make_kernel(kind, some_zones(grid, numbers), ground, ground.materials[m], own_weights),
-             std::move(numbers));
+    auto kernel = make_kernel(kind, some_zones(grid, numbers), ground, ground.materials[m], own_weights);
+    add_part(std::move(kernel), std::move(numbers));
   }
 }
 
