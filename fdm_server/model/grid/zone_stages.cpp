@@ -21,9 +21,22 @@ struct Stated {
   explicit Stated(std::size_t zones) : released(zones), material(zones) {}
 };
 
+void refuse_later_zones(const scene::Continuum& scene) {
+  const auto later = [](const auto& one) { return one.stage() > 0; };
+  const auto refuse = [](const char* what) {
+    throw protocol::UserError("continuum.foundations",
+                              fmt::format("are given beside {} of later stages, but foundations hold what is "
+                                          "there from the beginning; leave one of them out",
+                                          what));
+  };
+  if (std::ranges::any_of(scene.excavations(), later)) refuse("excavations");
+  if (std::ranges::any_of(scene.materials(), later)) refuse("materials");
+}
+
 std::map<std::uint32_t, Stated> read_stages(const scene::Scene& scene, const Grid& grid) {
   std::map<std::uint32_t, Stated> stages;
   const auto& continuum = scene.continuum();
+  if (continuum.foundations_size() > 0) refuse_later_zones(continuum);
   const std::size_t zones = grid.zones.size();
   for (int i = 0; i < continuum.materials_size(); ++i) {
     const std::uint32_t stage = continuum.materials(i).stage();
