@@ -95,6 +95,7 @@ StatedGround::StatedGround(const scene::Scene& part, std::string path) : part_(p
 void StatedGround::add_zones() {
   own_ = ground_of_zones(part_, path_, 0);
   for (int k = 0; k < part_.continuum().materials_size(); ++k) {
+    if (part_.continuum().materials(k).stage() > 0) continue;  // never where models meet
     const auto areas = by_place(part_.continuum().materials(k).where(), part_.continuum());
     known_ = known_ && areas;
     for (const auto& area : areas.value_or(std::vector<scene::Area>{}))

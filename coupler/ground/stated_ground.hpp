@@ -36,7 +36,7 @@ class StatedGround {
   // Whether the scene alone tells the place of each of its materials.
   bool is_known() const { return known_; }
 
-  // At a place [m], where is_known(). The groups of all stages count.
+  // At a place [m], where is_known(). Zones are as they are at first; the groups of all stages count.
   Ground at(double x, double y) const;
 
  private:

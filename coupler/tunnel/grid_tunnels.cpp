@@ -70,7 +70,7 @@ class GridTunnel {
       }
     };
     add(opening.surroundings(ground_begins()), group);
-    if (tunnel_.stage() > 0) add(opening.inside(ground_begins()), opening_name());
+    if (tunnel_.stage() > 0) add(opening.inside(of_beams() ? ground_begins() : 0), opening_name());
     if (!of_beams())
       for_each_layer([&](const LiningLayer& layer, double inner, double outer) {
         add(opening.ring(inner, outer, zones_across(layer, opening.side(inner))), layer.name);
@@ -79,7 +79,7 @@ class GridTunnel {
   }
 
   void add_to(scene::Continuum& continuum, const Opening& opening) const {
-    if (tunnel_.stage() > 0) add_excavation(continuum);
+    if (tunnel_.stage() > 0) add_excavation(continuum, opening_name());
     if (of_beams())
       add_beams(continuum, opening);
     else
@@ -132,9 +132,9 @@ class GridTunnel {
     }
   }
 
-  void add_excavation(scene::Continuum& continuum) const {
+  void add_excavation(scene::Continuum& continuum, const std::string& group) const {
     auto& excavation = *continuum.add_excavations();
-    excavation.mutable_where()->set_group(opening_name());
+    excavation.mutable_where()->set_group(group);
     excavation.set_stage(tunnel_.stage());
     if (tunnel_.has_released()) excavation.set_released(tunnel_.released());
   }
@@ -184,9 +184,11 @@ class GridTunnel {
 
   void add_zones(scene::Continuum& continuum, const Opening& opening) const {
     for_each_layer([&](const LiningLayer& layer, double inner, double outer) {
+      if (layer.stage > 0) add_excavation(continuum, layer.name);
       auto& area = *continuum.add_materials();
       area.mutable_where()->set_group(layer.name);
       *area.mutable_material() = layer.material;
+      if (layer.stage > 0) area.set_stage(layer.stage);
       if (layer.interface != nullptr) {
         auto& interface = *continuum.add_interfaces();
         interface.set_name(layer.name);

@@ -151,11 +151,18 @@ void require_of_zones(const scene::LinedTunnel& tunnel, const std::vector<Lining
   require_in_grid(tunnel, path, "zones");
   require(joint_angles(tunnel.lining()).empty(), path + ".lining",
           "has joints of segments, which zones do not have; give `as: beam` or `as: particles`");
-  for (const LiningLayer& layer : layers)
-    require(layer.stage == 0, layer.path,
-            fmt::format("is installed in stage {}, but zones cannot be installed; give `as: beam`, or leave "
-                        "the stages out for a tunnel that was always there",
-                        layer.stage));
+  std::uint32_t before = tunnel.stage();
+  for (const LiningLayer& layer : layers) {
+    require(layer.stage >= before, layer.path + ".stage",
+            fmt::format("is {}, but what lies outside the layer comes in stage {}; give at least that",
+                        layer.stage, before));
+    before = layer.stage;
+    require(layer.stage == 0 || layer.interface == nullptr, layer.path + ".interface",
+            fmt::format(
+                "is given, but zones that come into being in stage {} are tied to what lies outside them; "
+                "leave it out, or give `as: beam`",
+                layer.stage));
+  }
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "coupler/tunnel/region.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,6 +9,7 @@
 
 #include "coupler/ground/stated_ground.hpp"
 #include "coupler/tunnel/parts.hpp"
+#include "protocol/errors.hpp"
 #include "protocol/geometry/selection.hpp"
 
 namespace adit::coupler {
@@ -102,6 +105,11 @@ void take_over_materials(const scene::LinedTunnel& tunnel, const Contour& contou
       const protocol::Places inside(area, path + ".where", -kNearestCentre * radius);
       if (std::ranges::none_of(ground, [&](const auto& place) { return inside.hold(place.x, place.y); }))
         continue;
+      protocol::require(
+          zones.stage() == 0, path + ".stage",
+          fmt::format("is {}, but the area reaches into the particles of tunnel `{}`, which keep "
+                      "their material; keep it out of them, or give stage 0",
+                      zones.stage(), tunnel.name()));
       auto& group = *particles.add_groups();
       group.set_name(part_name(tunnel, "ground", static_cast<std::size_t>(particles.groups_size())));
       *group.mutable_where() = area;

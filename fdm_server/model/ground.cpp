@@ -223,9 +223,10 @@ std::vector<std::string> notes_on_loops(const scene::Scene& scene, const Ground&
 std::vector<std::uint32_t> materials_of_zones(const scene::Continuum& scene, const Grid& grid) {
   std::vector<std::uint32_t> numbers(grid.zones.size(), 0);
   for (int i = 0; i < scene.materials_size(); ++i)
-    for (const auto zone :
-         select_zones(grid, scene.materials(i).where(), fmt::format("continuum.materials[{}].where", i)))
-      numbers[zone] = static_cast<std::uint32_t>(i) + 1;
+    if (scene.materials(i).stage() == 0)
+      for (const auto zone :
+           select_zones(grid, scene.materials(i).where(), fmt::format("continuum.materials[{}].where", i)))
+        numbers[zone] = static_cast<std::uint32_t>(i) + 1;
   return numbers;
 }
 

@@ -23,8 +23,8 @@ std::vector<std::string> notes_on_strength(const Ground& ground);
 // place.
 std::vector<std::string> notes_on_loops(const scene::Scene& scene, const Ground& ground);
 
-// Number of the material of each zone: that of the last area that holds its centre. UserError for an area
-// that holds none.
+// Number of the material of each zone at first: that of the last area of stage 0 that holds its centre.
+// UserError for an area that holds none.
 std::vector<std::uint32_t> materials_of_zones(const scene::Continuum& scene, const Grid& grid);
 
 // Removes the zones of weight 0.

@@ -16,8 +16,8 @@
 #include "fdm_server/model/boundaries/boundaries.hpp"
 #include "fdm_server/model/boundaries/foundations.hpp"
 #include "fdm_server/model/damping.hpp"
-#include "fdm_server/model/grid/excavation.hpp"
 #include "fdm_server/model/grid/read_grid.hpp"
+#include "fdm_server/model/grid/zone_stages.hpp"
 #include "fdm_server/model/ground.hpp"
 #include "fdm_server/model/initial_stress.hpp"
 #include "fdm_server/model/motions.hpp"
@@ -74,10 +74,22 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   const Supports supports = resolve_supports(scene_, setup_.ground, {}, grid);
   damping_ = resolve_damping(scene_.continuum());
   base_accelerations_ = base_accelerations(scene_.continuum().base(), scene_.time().duration());
-  const CriticalElement critical = critical_element(
-      setup_.kind, grid, setup_.ground, supports, known_early(supports, grid, setup.alone()), damping_,
-      foundation::largest_stiffness(scene_.continuum().foundations()) +
-          spring_stiffness(scene_.continuum(), grid_, setup_.ground));
+  const KnownEarly early = known_early(supports, grid, setup.alone());
+  const auto critical_in = [&](const Ground& ground) {
+    return critical_element(setup_.kind, grid, ground, supports, early, damping_,
+                            foundation::largest_stiffness(scene_.continuum().foundations()) +
+                                spring_stiffness(scene_.continuum(), grid_, ground));
+  };
+  Ground last = setup_.ground;  // of time; of statics each stage's counts
+  CriticalElement critical = critical_in(last);
+  const ZoneStages changes(scene_, grid_, last.of_zone);
+  for (const auto& [number, stage] : changes.stages()) {
+    if (stage.renewed.empty()) continue;
+    renew(stage, last.of_zone);
+    const double before = critical.static_step;
+    critical = critical_in(last);
+    critical.static_step = std::min(before, critical.static_step);
+  }
   critical_dt_ = critical.step;
   critical_static_dt_ = critical.static_step;
   if (!(critical_dt_ > 0) || !std::isfinite(critical_dt_))
@@ -92,7 +104,7 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   model.set_critical_element(critical.name);
   model.set_critical_x(critical.place[0]);
   model.set_critical_y(critical.place[1]);
-  const WaveSpeeds speeds = wave_speeds(setup_.ground);
+  const WaveSpeeds speeds = wave_speeds(last);
   model.set_p_wave_speed(speeds.p);
   model.set_s_wave_speed(speeds.s);
   for (const std::string& note : base_accelerations_.along.notes)
@@ -106,7 +118,7 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   if (const auto warning = warn_of_imbalance(scene_, grid_, setup_.ground)) model.add_notes(*warning);
   for (const std::string& note : notes_on_strength(setup_.ground)) model.add_notes(note);
   for (const std::string& note : notes_on_loops(scene_, setup_.ground)) model.add_notes(note);
-  const Resolution resolution = fdm::resolution(grid_, setup_.ground);
+  const Resolution resolution = fdm::resolution(grid_, last);
   model.set_highest_frequency(resolution.frequency);
   if (const auto note = note_on_resolution(resolution, scene_.continuum(), base_accelerations_.along.motion))
     model.add_notes(*note);
@@ -151,8 +163,10 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   supports_ = resolve_supports(scene_, setup_.ground, weights_, grid_);
   const auto& conditions = scene_.continuum();
   make_continuum();
-  excavated_ = excavated_zones(scene_, grid_);
+  zone_stages_ = ZoneStages(scene_, grid_, setup_.ground.of_zone);
   require_free_field_stays();
+  require_renewed_apart();
+  if (zone_stages_.stages().contains(0)) begin_stage(0);
   peak_shapes_.emplace(grid_, supports_.linings);
   histories_.emplace(conditions, supports_, grid_, zone_kinds(), damping_);
   if (!weights.weights().empty()) offer_grid_points(weights, interface);
@@ -184,6 +198,9 @@ void FdmParticipant::make_continuum() {
       motions);
   std::ranges::move(boundaries.motions, std::back_inserter(motions));
   base_loads_ = std::move(boundaries.loads);
+  absorbing_.assign(grid_.zones.size(), false);
+  for (const Dashpot& dashpot : boundaries.dashpots)
+    for (const DashpotShare& share : dashpot.shares) absorbing_[share.zone] = true;
 
   ZoneSet zones(setup_.kind, grid_, setup_.ground, weights_);
   if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), grid_, zones);
@@ -355,24 +372,6 @@ void FdmParticipant::start_over(const protocol::Drift& drift) {
   if (!counted.stage_given || stage_ < counted.stage) continuum_->reset_displacements();
 }
 
-void FdmParticipant::excavate(std::uint32_t stage) {
-  if (stage <= stage_) return;
-  std::vector<Continuum::Excavated> zones;
-  for (std::uint32_t z = 0; z < grid_.zones.size(); ++z)
-    if (excavated_.stage[z] > stage_ && excavated_.stage[z] <= stage)
-      zones.push_back({z, excavated_.held[z]});
-  for (const auto& excavated : zones) weights_[excavated.zone] = 0;
-  zones_there_ -= zones.size();
-  if (protocol::counted_from(scene_.statics()).begins(stage_, stage)) continuum_->reset_displacements();
-  stage_ = stage;
-  const auto masses = this->masses();
-  continuum_->excavate(zones, masses, loads(masses), stage);
-  scaled_ = false;
-  if (relaxes_) set_masses();  // of the contacts that stand now
-  relaxation_.emplace(grid_, weights_);
-  travel_.reset();
-}
-
 void FdmParticipant::remember_for_peaks() {
   if (!peaks_) peaks_.emplace(grid_);
   peaks_->remember(*continuum_);
@@ -422,60 +421,6 @@ void FdmParticipant::step_interior(const Step& step) {
       !scene_.time().beyond_critical())
     require_stable_shapes(setup_.kind, grid_, setup_.ground, step.relax ? DampingLaw{} : damping_, weights_,
                           *continuum_, step);
-}
-
-// The coupler knows the masses at the coupling points once and for all.
-void FdmParticipant::require_interface_stays() const {
-  std::vector<bool> coupled(grid_.x.size(), false);
-  for (const auto point : operator_.points()) coupled[point] = true;
-  for (std::size_t z = 0; z < grid_.zones.size(); ++z)
-    if (excavated_.stage[z] > 0 &&
-        std::ranges::any_of(grid_.zones[z], [&](auto point) { return coupled[point]; }))
-      refuse_excavation(z, "which the interface ties; keep a zone between excavations and overlap");
-  if (const auto point = supports_.structures.later_point(coupled))
-    throw protocol::UserError("continuum.linings",
-                              fmt::format("members or bolts are attached at ({:g}, {:g}) m after stage 0, "
-                                          "where the interface ties the grid; "
-                                          "keep a zone between them and the overlap",
-                                          grid_.x[*point], grid_.y[*point]));
-}
-
-// Which move by mean acceleration, and have other masses in statics than the coupler knows.
-void FdmParticipant::require_apart_from_contacts() const {
-  std::vector<bool> joined(grid_.x.size(), false);
-  continuum_->contacts().mark_points(joined);
-  for (const auto point : operator_.points())
-    if (joined[point])
-      throw protocol::UserError(
-          "continuum.interfaces",
-          fmt::format("meet at ({:g}, {:g}) m what the overlap ties; keep a zone between interfaces of the "
-                      "continuum or of its linings and the overlap",
-                      grid_.x[point], grid_.y[point]));
-}
-
-// A free field is ground that goes on as the side does: an opening there would go on, too.
-void FdmParticipant::require_free_field_stays() const {
-  for (const FreeFieldColumn& column : columns_)
-    for (const BoundaryEdge& edge : column.edges)
-      if (excavated_.stage[edge.zone] > 0)
-        refuse_excavation(
-            edge.zone,
-            "beside the column of continuum.free_field; keep a zone between excavations and this "
-            "side, or leave the free field out there");
-}
-
-void FdmParticipant::refuse_excavation(std::size_t zone, std::string_view why) const {
-  const auto [x, y] = centroid(corners(grid_, zone));
-  throw protocol::UserError(
-      "continuum.excavations",
-      fmt::format("take away the zone at ({:g}, {:g}) m in stage {}, {}", x, y, excavated_.stage[zone], why));
-}
-
-std::vector<std::uint32_t> FdmParticipant::zone_kinds() const {
-  std::vector<std::uint32_t> kinds(grid_.zones.size(), kNoGround);
-  for (std::size_t z = 0; z < grid_.own_zones(); ++z)
-    if (excavated_.stage[z] == 0) kinds[z] = setup_.ground.of_zone[z];
-  return kinds;
 }
 
 void FdmParticipant::check_interface(const Step& step) const {

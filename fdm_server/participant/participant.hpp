@@ -17,7 +17,7 @@
 #include "fdm_server/interfaces/contact_peaks.hpp"
 #include "fdm_server/model/boundaries/base_motion.hpp"
 #include "fdm_server/model/conditions.hpp"
-#include "fdm_server/model/grid/excavation.hpp"
+#include "fdm_server/model/grid/zone_stages.hpp"
 #include "fdm_server/model/setup.hpp"
 #include "fdm_server/output/histories.hpp"
 #include "fdm_server/output/peaks.hpp"
@@ -56,8 +56,7 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   double kinetic_energy() const override;
   void stop() override { slow(0); }
   void slow(double factor) override;
-  // Takes away the zones of the stages after the present one up to this one, and installs their linings and
-  // bolts.
+  // Passes the stages after the present one up to this one.
   void excavate(std::uint32_t stage) override;
   void scale_masses(bool scaled) override;
   void start_over(const protocol::Drift& drift) override;
@@ -77,6 +76,8 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   KnownEarly known_early(const Supports& supports, const Grid& grid, bool alone) const;
   // Makes the continuum of what the weights leave of the grid, with the columns of its free field.
   void make_continuum();
+  // Takes away its zones, changes and adds others, installs its linings and bolts.
+  void begin_stage(std::uint32_t stage);
   // Loads on the zones that are left; those of the base are the last.
   std::vector<Load> loads(std::span<const double> masses) const;
   std::vector<double> masses() const;  // of the points, with those of the structures
@@ -91,13 +92,18 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   void require_interface_stays() const;
   void require_apart_from_contacts() const;
   void require_free_field_stays() const;
-  // `why`: what the zone is for, and what to do.
-  [[noreturn]] void refuse_excavation(std::size_t zone, std::string_view why) const;
+  void require_renewed_apart() const;
+  // Refuses a scene that takes away, or changes, a zone for which `is_tied` holds. `why`: to what, and what
+  // to do.
+  template <class Test>
+  void refuse_excavated(const Test& is_tied, std::string_view why) const;
+  template <class Test>
+  void refuse_renewed(const Test& is_tied, std::string_view why) const;
   // The farthest point of this stage of statics.
   void tell_travel(wire::Relaxation& answer);
   // What a point belongs to, as in "lining roof", empty where it has no name.
   std::string name_of(std::uint32_t point) const;
-  // The material of each zone; none where time finds no ground (columns, what was taken away).
+  // The material of each zone in time; none where it finds no ground (columns, what was taken away).
   std::vector<std::uint32_t> zone_kinds() const;
   // Throw Unstable. Every step looks at the interface and at the energies that are wanted, every hundredth at
   // the whole grid.
@@ -117,7 +123,8 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   std::vector<FreeFieldColumn> columns_;
   BaseAccelerations base_accelerations_;
   std::vector<Load> base_loads_;
-  ExcavatedZones excavated_;
+  ZoneStages zone_stages_;
+  std::vector<bool> absorbing_;     // zones with dashpots of boundaries
   std::uint32_t stage_ = 0;         // reached
   std::vector<double> zone_steps_;  // critical, in statics [s], once they are needed
   bool scaled_ = false;             // masses, in statics

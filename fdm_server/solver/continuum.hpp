@@ -81,6 +81,11 @@ class Continuum {
   void excavate(std::span<const Excavated> zones, std::span<const double> masses, std::vector<Load> loads,
                 std::uint32_t stage = 0);
 
+  // Then, in the same stage: these zones of the grid get the materials of the ground, or come into being
+  // there free of stress (zones/zone_set.hpp). Points that had no mass before begin their motion where the
+  // grid has them.
+  void renew(ZoneKind kind, const Grid& grid, const Ground& ground, std::span<const std::uint32_t> zones);
+
   // At rest: from now on these are the points' masses, and those of the structures make this step the
   // critical one of each of them (structures.hpp; 0: they are true). Loads stay.
   void set_masses(std::span<const double> masses, double structures_step);

@@ -29,7 +29,8 @@ Load Continuum::held_forces(std::span<const Excavated> zones) {
   return held;
 }
 
-// A component without inverse mass stays held, unless the point had no mass and no motion holds it.
+// A component without inverse mass stays held, unless the point had no mass and no motion holds it. What a
+// point was moved before it lost its mass is no motion of what it belongs to now.
 void Continuum::take_masses(std::span<const double> masses) {
   for (std::size_t i = 0; i < masses.size(); ++i) {
     const bool had_mass = points_[kMass][i] > 0;
@@ -37,6 +38,7 @@ void Continuum::take_masses(std::span<const double> masses) {
     for (const Field inverse : {kInverseMassX, kInverseMassY})
       if (points_[inverse][i] != 0 || !had_mass) points_[inverse][i] = masses[i] > 0 ? 1 / masses[i] : 0;
     if (masses[i] == 0) points_[kVx][i] = points_[kVy][i] = 0;
+    if (!had_mass) points_[kUx][i] = points_[kUy][i] = 0;
   }
   for (const Part* part : {&interface_, &interior_})
     for (const Prescribed& one : part->motions)
@@ -69,6 +71,12 @@ void Continuum::excavate(std::span<const Excavated> zones, std::span<const doubl
   step_of_stage_ = 0;
   if (std::ranges::any_of(zones, [](const Excavated& one) { return one.held > 0; })) add_steady(held);
   place(std::move(loads));
+  plan(of_interface());
+}
+
+void Continuum::renew(ZoneKind kind, const Grid& grid, const Ground& ground,
+                      std::span<const std::uint32_t> zones) {
+  zones_.renew(kind, grid, ground, zones, points_[kUx].data(), points_[kUy].data());
   plan(of_interface());
 }
 

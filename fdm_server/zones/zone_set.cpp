@@ -7,6 +7,7 @@
 #include "fdm_server/zones/batch/zone_kernels.hpp"
 #include "fdm_server/zones/elastic/elastic_zones.hpp"
 #include "fdm_server/zones/nonlinear/nonlinear_zones.hpp"
+#include "fdm_server/zones/shape/hourglass.hpp"
 #include "protocol/kernels/sums.hpp"
 
 namespace adit::fdm {
@@ -20,34 +21,34 @@ std::unique_ptr<ZoneKernel> make_kernel(ZoneKind kind, const Grid& grid, const G
   return std::make_unique<NonlinearZones>(kind, grid, material, weights, ground.large_strain);
 }
 
-}  // namespace
+std::vector<std::uint32_t> numbers_of(const Ground& ground, std::size_t material,
+                                      const std::vector<bool>& chosen) {
+  std::vector<std::uint32_t> numbers;
+  for (std::size_t z = 0; z < chosen.size(); ++z)
+    if (chosen[z] && ground.of_zone[z] == material) numbers.push_back(static_cast<std::uint32_t>(z));
+  return numbers;
+}
 
-Grid zones_of_material(const Grid& grid, const Ground& ground, std::size_t material) {
+Grid some_zones(const Grid& grid, std::span<const std::uint32_t> numbers) {
   Grid some{grid.x, grid.y, {}};
-  const std::size_t first_own = grid.zones.size() - grid.own_corners.size();
-  for (std::size_t z = 0; z < grid.zones.size(); ++z) {
-    if (ground.of_zone[z] != material) continue;
+  for (const auto z : numbers) {
     some.zones.push_back(grid.zones[z]);
-    if (z >= first_own) some.own_corners.push_back(grid.own_corners[z - first_own]);
+    if (z >= grid.own_zones()) some.own_corners.push_back(grid.own_corners[z - grid.own_zones()]);
   }
   return some;
 }
 
+}  // namespace
+
+Grid zones_of_material(const Grid& grid, const Ground& ground, std::size_t material) {
+  return some_zones(grid, numbers_of(ground, material, std::vector<bool>(grid.zones.size(), true)));
+}
+
 ZoneSet::ZoneSet(ZoneKind kind, const Grid& grid, const Ground& ground, std::span<const double> weights)
     : places_(grid.zones.size()) {
-  for (std::size_t m = 0; m < ground.materials.size(); ++m) {
-    std::vector<double> own_weights;
-    std::vector<std::uint32_t> numbers;
-    for (std::size_t z = 0; z < grid.zones.size(); ++z) {
-      if (ground.of_zone[z] != m) continue;
-      own_weights.push_back(weights[z]);
-      numbers.push_back(static_cast<std::uint32_t>(z));
-    }
-    if (numbers.empty()) continue;
-    add_part(make_kernel(kind, zones_of_material(grid, ground, m), ground, ground.materials[m], own_weights),
-             std::move(numbers));
-  }
+  add_parts(kind, grid, ground, weights, std::vector<bool>(grid.zones.size(), true));
   collect_runs();
+  collect_pieces();
 }
 
 ZoneSet::ZoneSet(ZoneKind kind, const Grid& grid, const PlaneLaw& law, std::span<const double> weights)
@@ -56,16 +57,25 @@ ZoneSet::ZoneSet(ZoneKind kind, const Grid& grid, const PlaneLaw& law, std::span
   std::iota(numbers.begin(), numbers.end(), 0u);
   add_part(std::make_unique<ElasticZones>(kind, grid, law, weights), std::move(numbers));
   collect_runs();
+  collect_pieces();
+}
+
+void ZoneSet::add_parts(ZoneKind kind, const Grid& grid, const Ground& ground,
+                        std::span<const double> weights, const std::vector<bool>& chosen) {
+  for (std::size_t m = 0; m < ground.materials.size(); ++m) {
+    std::vector<std::uint32_t> numbers = numbers_of(ground, m, chosen);
+    if (numbers.empty()) continue;
+    std::vector<double> own_weights;
+    for (const auto z : numbers) own_weights.push_back(weights[z]);
+    auto kernel = make_kernel(kind, some_zones(grid, numbers), ground, ground.materials[m], own_weights);
+    add_part(std::move(kernel), std::move(numbers));
+  }
 }
 
 void ZoneSet::add_part(std::unique_ptr<ZoneKernel> kernel, std::vector<std::uint32_t> numbers) {
   const auto part = static_cast<std::uint32_t>(parts_.size());
   for (std::size_t z = 0; z < numbers.size(); ++z)
     places_[numbers[z]] = {part, static_cast<std::uint32_t>(z)};
-  constexpr std::uint32_t kPiece = 2048;
-  const auto count = static_cast<std::uint32_t>(numbers.size());
-  for (std::uint32_t begin = 0; begin < count; begin += kPiece)
-    pieces_.push_back({part, {begin, std::min(begin + kPiece, count)}});
   parts_.push_back({std::move(kernel), std::move(numbers)});
 }
 
@@ -80,6 +90,22 @@ void ZoneSet::collect_runs() {
   std::ranges::sort(order, {}, &std::pair<std::uint32_t, ZoneRun>::first);
   runs_.clear();
   for (const auto& [first, run] : order) runs_.push_back(run);
+}
+
+// Without what another part has now.
+void ZoneSet::collect_pieces() {
+  constexpr std::uint32_t kPiece = 2048;
+  pieces_.clear();
+  for (std::uint32_t part = 0; part < parts_.size(); ++part) {
+    const auto& numbers = parts_[part].numbers;
+    protocol::for_each_range(
+        static_cast<std::uint32_t>(numbers.size()),
+        [&](std::uint32_t z) { return places_[numbers[z]].part == part; },
+        [&](const protocol::IndexRange& range, bool here) {
+          for (std::uint32_t begin = range.begin; here && begin < range.end; begin += kPiece)
+            pieces_.push_back({part, {begin, std::min(begin + kPiece, range.end)}});
+        });
+  }
 }
 
 void ZoneSet::follow(const double* ux, const double* uy) {
@@ -121,6 +147,35 @@ void ZoneSet::set_stress_zz(std::size_t zone, double zz) {
 void ZoneSet::remove(const std::vector<bool>& gone) {
   for (auto& part : parts_) part.kernel->remove(part.own(gone));
   collect_runs();
+}
+
+// The mean stress does not act along the pattern.
+BorneStress ZoneSet::borne(std::size_t zone) const {
+  BorneStress borne{stress(zone), field(zone, ZoneField::kStressZz)};
+  const ZoneForces pull = forces(zone);
+  for (std::size_t c = 0; c < 4; ++c) {
+    borne.pattern_x -= kHourglass[c] * pull.x[c];
+    borne.pattern_y -= kHourglass[c] * pull.y[c];
+  }
+  return borne;
+}
+
+void ZoneSet::renew(ZoneKind kind, const Grid& grid, const Ground& ground,
+                    std::span<const std::uint32_t> zones, const double* ux, const double* uy) {
+  std::vector<BorneStress> before;
+  std::vector<bool> renewed(count(), false);
+  for (const auto zone : zones) {
+    before.push_back(borne(zone));
+    renewed[zone] = true;
+  }
+  for (auto& part : parts_) part.kernel->remove(part.own(renewed));
+  const std::size_t first_new = parts_.size();
+  add_parts(kind, grid, ground, std::vector<double>(count(), 1.0), renewed);
+  for (Part& part : std::span(parts_).subspan(first_new)) part.kernel->follow(ux, uy);
+  for (std::size_t i = 0; i < zones.size(); ++i)
+    parts_[places_[zones[i]].part].kernel->set_borne(places_[zones[i]].zone, before[i]);
+  collect_runs();
+  collect_pieces();
 }
 
 void ZoneSet::start_over() {

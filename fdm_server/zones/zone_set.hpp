@@ -33,6 +33,10 @@ class ZoneSet {
   void set_stress(std::size_t zone, const Stress& stress);
   void set_stress_zz(std::size_t zone, double zz);
   void remove(const std::vector<bool>& gone);
+  // These zones, ascending and of weight 1, are of the ground's materials from now on, in small strain: where
+  // the points are now, those that are there bear what they bore, those that were taken away nothing.
+  void renew(ZoneKind kind, const Grid& grid, const Ground& ground, std::span<const std::uint32_t> zones,
+             const double* ux, const double* uy);
   void start_over();
   void exchange(state::Archive& archive) {
     for (Part& part : parts_) part.kernel->exchange(archive);
@@ -63,7 +67,12 @@ class ZoneSet {
     std::vector<bool> own(const std::vector<bool>& zones) const;
   };
   void add_part(std::unique_ptr<ZoneKernel> kernel, std::vector<std::uint32_t> numbers);
+  // A part for each material of the chosen zones.
+  void add_parts(ZoneKind kind, const Grid& grid, const Ground& ground, std::span<const double> weights,
+                 const std::vector<bool>& chosen);
+  BorneStress borne(std::size_t zone) const;
   void collect_runs();
+  void collect_pieces();
   struct Piece {
     std::uint32_t part;
     protocol::IndexRange zones;  // numbers in the part
@@ -82,7 +91,7 @@ class ZoneSet {
 
   std::vector<Part> parts_;
   std::vector<Piece> pieces_;  // all zones, each piece worth a thread's call
-  std::vector<Place> places_;  // of each zone
+  std::vector<Place> places_;  // of each zone, in the part that has it now
   std::vector<ZoneRun> runs_;
 };
 

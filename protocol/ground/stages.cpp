@@ -41,6 +41,7 @@ std::set<std::uint32_t> stages_of(const scene::Continuum& continuum) {
   add(continuum.bolts(), stages);
   add(continuum.members(), stages);
   add(continuum.motions(), stages);
+  add(continuum.materials(), stages);
   return stages;
 }
 

@@ -9,8 +9,8 @@
 
 namespace adit::protocol {
 
-// Stage 0, each in which something is excavated, begins or is installed or moved, and each in which what an
-// excavation has held is let go.
+// Stage 0, each in which something is excavated, begins, is installed, changed or moved, and each in which
+// what an excavation has held is let go.
 std::set<std::uint32_t> stages_of(const scene::Particles& particles);
 std::set<std::uint32_t> stages_of(const scene::Continuum& continuum);
 std::set<std::uint32_t> stages_of(const scene::Scene& scene);  // of all models

@@ -2,24 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string>
 
 #include "fdm_server/model/grid/selection.hpp"
-#include "protocol/errors.hpp"
 #include "protocol/foundation/read.hpp"
 
 namespace adit::fdm {
 namespace {
-
-void refuse_later_excavations(const scene::Continuum& scene) {
-  const auto later = [](const scene::Excavation& one) { return one.stage() > 0; };
-  if (std::ranges::any_of(scene.excavations(), later))
-    throw protocol::UserError(
-        "continuum.foundations",
-        "are given beside excavations of later stages, but foundations hold what is there "
-        "from the beginning; leave one of them out");
-}
 
 std::vector<foundation::HeldPoint> held_points(const Grid& grid, const scene::Area& where,
                                                std::span<const double> weights, const std::string& path) {
@@ -35,7 +24,6 @@ std::vector<foundation::HeldPoint> held_points(const Grid& grid, const scene::Ar
 
 std::vector<foundation::Springs> resolve_foundations(const scene::Continuum& scene, const Grid& grid,
                                                      std::span<const double> weights) {
-  if (scene.foundations_size() > 0) refuse_later_excavations(scene);
   std::vector<foundation::Springs> springs;
   for (int i = 0; i < scene.foundations_size(); ++i) {
     const scene::Foundation& given = scene.foundations(i);

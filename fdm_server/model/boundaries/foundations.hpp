@@ -10,8 +10,8 @@
 
 namespace adit::fdm {
 
-// A quarter of the weighted area of each held zone acts on each of its points. No zone may be excavated in a
-// later stage, because its springs would stay.
+// A quarter of the weighted area of each held zone acts on each of its points. Its springs stay, so that
+// zones must not change in later stages (grid/zone_stages.hpp).
 std::vector<foundation::Springs> resolve_foundations(const scene::Continuum& scene, const Grid& grid,
                                                      std::span<const double> weights);
 

@@ -53,7 +53,7 @@ std::vector<std::uint32_t> select_points(const Grid& grid, const scene::Area& ar
   return chosen;
 }
 
-std::vector<std::uint32_t> select_zones(const Grid& grid, const scene::Area& area, const std::string& path) {
+std::vector<std::uint32_t> zones_in(const Grid& grid, const scene::Area& area, const std::string& path) {
   const protocol::Places places(area, path, tolerance(grid));
   std::vector<std::uint32_t> chosen;
   const auto consider = [&](std::uint32_t zone) {
@@ -64,6 +64,11 @@ std::vector<std::uint32_t> select_zones(const Grid& grid, const scene::Area& are
     std::ranges::for_each(find_group(grid, area.group(), path).zones, consider);
   else
     for (std::uint32_t zone = 0; zone < grid.zones.size() - grid.own_corners.size(); ++zone) consider(zone);
+  return chosen;
+}
+
+std::vector<std::uint32_t> select_zones(const Grid& grid, const scene::Area& area, const std::string& path) {
+  std::vector<std::uint32_t> chosen = zones_in(grid, area, path);
   if (chosen.empty()) protocol::refuse_empty(path, "zones");
   return chosen;
 }

@@ -14,7 +14,8 @@ namespace adit::fdm {
 // Ascending. Of a group: the points of its zones and edges.
 std::vector<std::uint32_t> select_points(const Grid& grid, const scene::Area& area, const std::string& path);
 
-// Zones whose centroids the area holds, ascending.
+// Zones whose centroids the area holds, ascending; with zones_in() there may be none.
+std::vector<std::uint32_t> zones_in(const Grid& grid, const scene::Area& area, const std::string& path);
 std::vector<std::uint32_t> select_zones(const Grid& grid, const scene::Area& area, const std::string& path);
 
 // Edges of the grid's boundary whose two ends the area holds. Of a group: its own edges, or the sides of its

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "fdm_server/grid/edges.hpp"
-#include "fdm_server/model/grid/excavation.hpp"
 #include "fdm_server/model/grid/selection.hpp"
+#include "fdm_server/model/grid/zone_stages.hpp"
 #include "fdm_server/model/interfaces/law.hpp"
 #include "fdm_server/model/interfaces/seams.hpp"
 #include "fdm_server/model/supports/layers.hpp"
@@ -259,14 +259,14 @@ Path own_points(const Path& path, std::map<std::uint32_t, std::uint32_t>& own, G
 
 // In stage 0 the grid is cut along the lining, which may stand in the middle of it. Later the zones on one
 // side are gone: until then they are joined to the others.
-void require_ground_on_one_side(const Path& along, std::uint32_t stage, const Seams& seams,
-                                std::span<const std::uint32_t> stages, const std::string& path) {
+void require_ground_on_one_side(const Path& along, const Seams& seams, const std::vector<bool>& there,
+                                const std::string& path) {
   for (std::size_t k = 0; k < along.sides(); ++k) {
     const auto beside = seams.beside(along, k);
-    const auto there = std::ranges::count_if(
-        beside, [&](auto zone) { return zone != kNoZone && (stages[zone] == 0 || stages[zone] > stage); });
-    require(there == 1, path + ".interface",
-            there == 0
+    const auto count =
+        std::ranges::count_if(beside, [&](auto zone) { return zone != kNoZone && there[zone]; });
+    require(count == 1, path + ".interface",
+            count == 0
                 ? "has no ground to bear on along a part of the lining; let a side of it be ground"
                 : "lies between zones on both sides of the lining in the stage in which it is installed; "
                   "excavate one side by then, or install it in stage 0");
@@ -352,8 +352,7 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
     supports.structures.set_stage(scene.continuum().members(i).stage());
     supports.members.push_back(add_lining(members[static_cast<std::size_t>(i)], grid, supports.structures));
   }
-  const auto stages =
-      seam_paths.of_lining.empty() ? std::vector<std::uint32_t>{} : excavated_zones(scene, grid).stage;
+  const auto stages = seam_paths.of_lining.empty() ? ZoneStages() : ZoneStages(scene, grid, ground.of_zone);
   for (const auto& [i, number] : seam_paths.of_lining) {
     const auto& lining = linings[i];
     const Path& along = seam_paths.seams[number].path;
@@ -361,7 +360,8 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
     const ContactLaw law = read_law(lining.interface(), path + ".interface");
     const auto& own_path = plans[static_cast<std::size_t>(i)].path.points;
     const int on = below[static_cast<std::size_t>(i)];
-    if (on < 0 && lining.stage() > 0) require_ground_on_one_side(along, lining.stage(), seams, stages, path);
+    if (on < 0 && lining.stage() > 0)
+      require_ground_on_one_side(along, seams, stages.there(lining.stage()), path);
     Interface joined =
         on < 0
             ? seams.join(along, own_path, law, lining.stage(), supports.contacts)

@@ -141,6 +141,14 @@ void ElasticZones::set_stress(std::size_t zone, const Stress& stress) {
   for (std::size_t c = 0; c < kComponents; ++c) initial()[c][zone] = uniform[c];
 }
 
+void ElasticZones::set_borne(std::size_t zone, const BorneStress& borne) {
+  const auto [xx, yy, xy] = borne.mean;
+  const State wanted{(xx + yy) / 2, (xx - yy) / 2, xy, borne.pattern_x, borne.pattern_y};
+  const ZoneRun& run = run_of(zone);
+  const State now = state(run, static_cast<std::uint32_t>(zone) - run.first);
+  for (std::size_t c = 0; c < kComponents; ++c) initial()[c][zone] += wanted[c] - now[c];
+}
+
 void ElasticZones::remove(const std::vector<bool>& gone) {
   runs_ = without(runs_, gone);
   for (std::size_t z = 0; z < gone.size(); ++z)

@@ -35,6 +35,8 @@ class ElasticZones final : public ZoneKernel {
   using ZoneKernel::add_forces;
   void add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) override;
   void set_stress(std::size_t zone, const Stress& stress) override;
+  // Across the plane it keeps the stress of its law.
+  void set_borne(std::size_t zone, const BorneStress& borne) override;
   void remove(const std::vector<bool>& gone) override;
   void start_over() override;
   void exchange(state::Archive& archive) override {

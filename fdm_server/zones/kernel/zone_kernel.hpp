@@ -29,6 +29,14 @@ struct PlaneStresses {
   alignas(64) std::array<double, kBatch> mean, difference, shear;
 };
 
+// What a zone bears, unweighted, so that it pulls on its corners as another zone of its shape does: mean
+// stress and stress across the plane [Pa], generalized stresses of the pattern (shape/hourglass.hpp) [N].
+struct BorneStress {
+  Stress mean{};
+  double across = 0;
+  double pattern_x = 0, pattern_y = 0;
+};
+
 class ZoneKernel {
  public:
   virtual ~ZoneKernel() = default;
@@ -46,6 +54,8 @@ class ZoneKernel {
   virtual void set_stress(std::size_t zone, const Stress& stress) = 0;
   // Then another stress across the plane, where the material has one of its own.
   virtual void set_stress_zz(std::size_t /*zone*/, double /*zz*/) {}
+  // Where the points are now, the zone bears this. What its law remembers begins anew.
+  virtual void set_borne(std::size_t zone, const BorneStress& borne) = 0;
   // Takes the zones whose flag is set away, from runs() too: their energy and stress are 0 from then on.
   virtual void remove(const std::vector<bool>& gone) = 0;
   // The displacements are about to become 0; stresses stay.
@@ -63,6 +73,7 @@ class ZoneKernel {
   virtual ZoneForces forces(std::size_t zone) const = 0;
   // Stresses of some zones, at most kBatch. Several threads may ask at once.
   virtual void find_stresses(const protocol::IndexRange& zones, PlaneStresses& stresses) const = 0;
+  // 0 of a zone that was taken away.
   virtual double field(std::size_t zone, ZoneField field) const = 0;
 };
 

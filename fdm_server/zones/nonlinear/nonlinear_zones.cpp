@@ -155,6 +155,28 @@ void NonlinearZones::set_stress_zz(std::size_t zone, double zz) {
   for (std::size_t k = 0; k < 4; ++k) law_->set_stress(zone, k, stress_at(zone, k));
 }
 
+// Of all stresses of the points with these generalized ones, those with the least energy: t = g_x q_x - g_y
+// q_y and, where the pattern has a shear strain, s = g_y q_x + g_x q_y (sampling_shape.hpp), so that
+//   Q_x = sum A (t g_x + s g_y),   Q_y = sum A (s g_x - t g_y).
+void NonlinearZones::set_borne(std::size_t zone, const BorneStress& borne) {
+  set_stress(zone, borne.mean);
+  const double sheared = kind_ == ZoneKind::kMixedDiscretization ? 1 : 0;
+  const auto& points = shapes_[shape_of_[zone]].points;
+  double xx = 0, yy = 0, xy = 0;  // Q by q
+  for (const auto& [area, gx, gy] : points) {
+    xx += area * (gx * gx + sheared * gy * gy);
+    yy += area * (gy * gy + sheared * gx * gx);
+    xy -= area * (1 - sheared) * gx * gy;
+  }
+  const double size = xx * yy - xy * xy, qx = (yy * borne.pattern_x - xy * borne.pattern_y) / size,
+               qy = (xx * borne.pattern_y - xy * borne.pattern_x) / size;
+  for (std::size_t k = 0; k < 4; ++k) {
+    stresses_[kDifference + k][zone] += points[k].gx * qx - points[k].gy * qy;
+    stresses_[kShearStress + k][zone] += sheared * (points[k].gy * qx + points[k].gx * qy);
+  }
+  set_stress_zz(zone, borne.across);
+}
+
 void NonlinearZones::follow(const double* ux, const double* uy) {
   ux_ = ux;
   uy_ = uy;
@@ -266,6 +288,7 @@ ZoneForces NonlinearZones::forces(std::size_t zone) const {
 }
 
 double NonlinearZones::field(std::size_t zone, ZoneField field) const {
+  if (weights_[zone] == 0) return 0;
   if (field == ZoneField::kStressZz) return stresses_[kAcross][zone] / stretch(zone);
   const auto& shape = shapes_[shape_of_[zone]];
   double strain = 0;

@@ -46,6 +46,8 @@ class NonlinearZones final : public ZoneKernel {
   void add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) override;
   void set_stress(std::size_t zone, const Stress& stress) override;
   void set_stress_zz(std::size_t zone, double zz) override;
+  // In small strain.
+  void set_borne(std::size_t zone, const BorneStress& borne) override;
   void remove(const std::vector<bool>& gone) override;
   void start_over() override;
   void exchange(state::Archive& archive) override;

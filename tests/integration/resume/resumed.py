@@ -94,6 +94,45 @@ output: {peaks: {}, spectra: [{history: surface}], field_times: [0.1 s]}
 """
 MAXWELL = "damping: {maxwell: {ratio: 0.005, low_frequency: 1 Hz, high_frequency: 30 Hz}}"
 
+# Ground that is grouted, excavated, lined by zones in two layers and covered by a fill, under several laws.
+FILLED = """
+material: {young_modulus: 200 MPa, poisson_ratio: 0.3, density: 2 t/m^3}
+time: {duration: 0.1 s}
+statics: {unbalanced_ratio: 2e-4, count_from_stage: 1}
+initial_stress: {yy: 0 Pa, yy_per_metre: 20 kPa/m, xx: 0 Pa, xx_per_metre: 10 kPa/m}
+tunnels:
+  - name: tube
+    centre: {x: 0 m, y: -10 m}
+    circle: {radius: 2.4 m}
+    stage: 2
+    released: 0.4
+    lining:
+      as: zones
+      layers:
+        - {name: outer, thickness: 30 cm, material: {young_modulus: 2 GPa, poisson_ratio: 0.2, density: 2.4 t/m^3}}
+        - {name: inner, thickness: 40 cm, material: {young_modulus: 4 GPa, poisson_ratio: 0.2, density: 2.4 t/m^3}}
+continuum:
+  block: {x_min: -12 m, x_max: 12 m, y_min: -20 m, y_max: 4 m, zones_x: 32, zones_y: 32}
+  excavations: [{where: {y_min: 0 m}}]
+  materials:
+    - where: {y_max: -4 m, x_min: -11 m, x_max: 11 m}
+      material: {young_modulus: 200 MPa, poisson_ratio: 0.3, density: 2 t/m^3, mohr_coulomb: {cohesion: 80 kPa, friction_angle: 25 deg}}
+    - where: {x_min: -6 m, x_max: 6 m, y_min: -16 m, y_max: -4 m}
+      material: {young_modulus: 600 MPa, poisson_ratio: 0.25, density: 2.1 t/m^3, hysteretic: {hyperbola: {reference_strain: 1e-3}}}
+      stage: 1
+    - where: {x_min: -3 m, x_max: 3 m, y_min: 0 m, y_max: 2 m}
+      material: {young_modulus: 50 MPa, poisson_ratio: 0.3, density: 1.8 t/m^3}
+      stage: 5
+  body_loads: [{acceleration: {y: -10 m/s^2}}]
+  free_field: {left: true, right: true}
+  base: {kind: compliant, acceleration: {ricker: {frequency: 10 Hz, time: 0.05 s}, peak: 0.8 g}}
+  damping: {maxwell: {ratio: 0.01, low_frequency: 1 Hz, high_frequency: 30 Hz}}
+  histories:
+    - {name: surface, quantity: acceleration_x, at: {x: 5 m, y: 0 m}}
+    - {name: fill, quantity: acceleration_x, at: {x: 0 m, y: 1 m}}
+output: {peaks: {}, field_times: [50 ms]}
+"""
+
 # Ground beside a beam of particles and zones that slips along it, and two steps in one.
 BEDDED = """
 extends: %s/cantilever/coupled.yaml
@@ -174,6 +213,7 @@ SCENES = {
     "lattice that cracks": (CASES / "cantilever" / "coupled.yaml", ("--set", "output.peaks={}", "--set", "time.dt_factor=0.1")),
     "ground that yields": (GROUND % ("false", MAXWELL), ()),
     "ground in large strain": (GROUND % ("true", "damping: {local: {alpha: 0.1}}"), ()),
+    "ground that is filled": (FILLED, ()),
     "beam on a foundation": (BEDDED % CASES, ()),
     "grains": (GRAINS, ()),
     "cells": (CELLS % CASES, ()),

@@ -53,6 +53,9 @@ class Resume(ResumeTest):
     def test_ground_in_large_strain(self):
         self.assert_goes_on("ground in large strain")
 
+    def test_ground_that_is_filled(self):
+        self.assert_goes_on("ground that is filled")
+
     def test_beam_on_a_foundation(self):
         self.assert_goes_on("beam on a foundation")
 

@@ -42,8 +42,9 @@ def of_zones(run, inner, outer):
     return np.mean(stress) * thickness, slope * thickness**3 / 12
 
 
-def annulus(ring, ground, inner, outer, shear):
-    """(thrust, moment) of an elastic annulus bonded to infinite ground under a shear stress [Pa] far away.
+def annulus(ring, ground, inner, outer, shear, excavated=False):
+    """(thrust, moment) of an elastic annulus bonded to infinite ground under a shear stress [Pa] far away, or, if `excavated`, that
+    stands before the opening takes this stress away, so that the ground is strained by the opening alone.
 
     `ring`, `ground`: (Young's modulus, Poisson's ratio). Michell's solution; tests/verification/lined_tunnel/bonded_annulus.hpp
     derives it.
@@ -57,14 +58,25 @@ def annulus(ring, ground, inner, outer, shear):
     face = terms(outer, ring[1])
     face[2:] *= stiffness[1] / stiffness[0]
     beyond = terms(outer, ground[1])
+    far = beyond[:, 0] * ([1, 1, 0, 0] if excavated else 1)
     c = np.linalg.solve(np.block([[terms(inner, ring[1])[:2], np.zeros((2, 2))], [face, -beyond[:, 2:]]]),
-                        np.concatenate([np.zeros(2), -shear / 2 * beyond[:, 0]]))
+                        np.concatenate([np.zeros(2), -shear / 2 * far]))
 
     def hoop(r):  # integrals of s_t and of s_t r
         return np.array([2 * c[0] * r + 4 * c[1] * r**3 - 2 * c[2] / r**3, c[0] * r**2 + 3 * c[1] * r**4 - 3 * c[2] / r**2])
 
     thrust, about_centre = hoop(outer) - hoop(inner)
     return thrust, about_centre - (inner + outer) / 2 * thrust
+
+
+def excavated_annulus(ring, ground, inner, outer, mean, shear):
+    """[mean thrust, amplitudes of thrust and moment], without sign, of the annulus that stands before the opening takes away a
+    pressure `mean` and a shear stress `shear` [Pa]. The pressure p that it bears follows from Lame's tube: the ground moves by
+    (mean - p) b/2G."""
+    shear_moduli = [young / (2 * (1 + ratio)) for young, ratio in (ring, ground)]
+    tube = ((1 - 2 * ring[1]) * outer**2 + inner**2) / (outer**2 - inner**2)
+    pressure = mean / (1 + shear_moduli[1] / shear_moduli[0] * tube)
+    return np.array([pressure * outer, *np.abs(annulus(ring, ground, inner, outer, shear, excavated=True))])
 
 
 def closed_forms(beams, inner, outer):
