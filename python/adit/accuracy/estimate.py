@@ -4,13 +4,13 @@ Where a result q approaches its limit as h^p, its error on the finest of two len
 order p = log2((q_1 - q_2)/(q_2 - q_3)), but not whether it lasts: it is taken no higher than 1. Of three the smaller of two orders is
 taken, no higher than 2, that of the zones. Roache's factor of 1.25 covers what is left. One change tells no order: his factor is then 3,
 of the change itself. Changes of different signs have none: the larger one may come again. Those that hardly shrink count as of the
-least order that is taken.
+least order that is taken; a change smaller than an eighth of the one before is so by chance and counts as an eighth.
 """
 import math
 from dataclasses import dataclass
 
 FACTOR, OF_ONE = 1.25, 3.0
-LEAST, OF_TWO, MOST = 0.2, 1.0, 2.0  # orders
+LEAST, OF_TWO, MOST, CHANCE = 0.2, 1.0, 2.0, 3.0  # orders
 
 
 @dataclass(frozen=True)
@@ -29,5 +29,6 @@ def error_of(changes):
         return Error(FACTOR * max(last, abs(changes[-2])))
     orders = [math.log2(before / after) if before * after > 0 else LEAST for before, after in list(zip(changes, changes[1:]))[-2:]]
     order = min(orders)
+    last = max(last, abs(changes[-2]) / 2**CHANCE)
     taken = min(max(order, LEAST), OF_TWO if len(orders) == 1 else MOST)
     return Error(FACTOR * last / (2**taken - 1), order if order > LEAST else None)

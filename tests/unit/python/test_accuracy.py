@@ -40,6 +40,9 @@ class Errors(unittest.TestCase):
             self.assertAlmostEqual(error.size, 1.25 * max(map(abs, given)))
         self.assertEqual(error_of([0.0, 0.0]).size, 0)
 
+    def test_a_small_change_after_a_large_one_is_chance(self):
+        self.assertAlmostEqual(error_of([0.08, 1e-6]).size, 1.25 * 0.01)
+
     def test_changes_that_do_not_shrink_leave_much(self):
         for given in ([0.1, 0.1], [-0.1, -0.2], [0.1, 0.095]):
             error = error_of(given)
