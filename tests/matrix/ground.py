@@ -266,7 +266,7 @@ class Ground:
             return []
         lower = {**({"group": "core"} if self.row["grid"] in ("blocks", "ring") else HOLE), "y_max": 2.0}
         plastic = {"mohr_coulomb": {"cohesion": 80e3, "friction_angle": 0.4}} if self.row["plane"] == "plane_strain" else {}
-        return [{"where": {"x_min": -2.1, "x_max": -1.0, "y_min": 1.0, "y_max": 3.0}, "stage": 1, "material": {**ROCK, "young_modulus": 1.5e9, **plastic}},
+        return [{"where": {"x_min": -1.6, "x_max": -1.0, "y_min": 1.0, "y_max": 3.0}, "stage": 1, "material": {**ROCK, "young_modulus": 1.5e9, **plastic}},
                 {"where": lower, "stage": 2, "material": {**ROCK, "young_modulus": 0.6e9, "density": 1500.0}}]
 
     def support(self):
