@@ -65,7 +65,8 @@ class Conditions(ReportTest):
 
     def test_of_a_staged_run(self):
         excavations = [{"where": {"group": "tunnel", "y_min": 0}, "stage": 1, "released": 0.6}, {"where": {"group": "tunnel"}, "stage": 3}]
-        ground = {"excavations": excavations, "materials": [{"where": {"y_max": 2}}, {"where": {"group": "fill"}, "stage": 3}], "linings": [{"name": "crown", "stage": 2}], "bolts": [{"stage": 2}] * 4,
+        ground = {"excavations": excavations, "materials": [{"where": {"y_max": 2}}, {"where": {"group": "fill"}, "stage": 3}],
+                  "linings": [{"name": "crown", "stage": 2}], "bolts": [{"stage": 2}] * 4,
                   "body_loads": [{"acceleration": {"y": -9.81}}],
                   "damping": {"rayleigh": {"ratio": 0.02, "low_frequency": 1, "high_frequency": 8}},
                   "base": {"kind": "compliant", "acceleration": {**MOTION, "low_corner": 0.2, "high_corner": 10, "taper": 0.5, "from": 1.85}}}
