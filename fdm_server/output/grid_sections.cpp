@@ -54,13 +54,16 @@ GridSections::GridSections(const scene::Continuum& scene, const Grid& grid,
     for (std::uint32_t zone = 0; zone < grid.own_zones(); ++zone) {
       const auto [x, y] = centroid(corners(grid, zone));
       if (along(x, y) < 0 || along(x, y) > length) continue;
+      const auto on_section =
+          std::ranges::count_if(whole.zones[zone], [&](auto point) { return places.contains(point); });
+      protocol::require(
+          on_section < 2 || zone_kinds[zone] != kNoGround, path,
+          fmt::format("runs beside the zone at ({:.6g}, {:.6g}) m, which is excavated; lay it through "
+                      "ground that stays",
+                      x, y));
+      if (zone_kinds[zone] == kNoGround) continue;  // at most it lies off an end
       for (std::size_t c = 0; c < 4; ++c)
         if (const auto place = places.find(whole.zones[zone][c]); place != places.end()) {
-          protocol::require(
-              zone_kinds[zone] != kNoGround, path,
-              fmt::format("runs beside the zone at ({:.6g}, {:.6g}) m, which is excavated; lay it through "
-                          "ground that stays",
-                          x, y));
           section.corners.push_back({zone, c, left(x, y) < 0 ? 0.5 : -0.5, place->second - length / 2});
         }
     }

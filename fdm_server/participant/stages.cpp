@@ -109,7 +109,8 @@ void FdmParticipant::require_renewed_apart() const {
         return std::ranges::any_of(grid_.zones[zone], [&](auto point) { return joined[point]; });
       },
       "at an interface, keeps its material; keep a zone between this area and interfaces, or give stage 0");
-  refuse_renewed([&](std::uint32_t zone) { return weights_[zone] < 1; },
+  constexpr double kWhole = 1 - 1e-9;  // to the rounding of weights
+  refuse_renewed([&](std::uint32_t zone) { return weights_[zone] < kWhole; },
                  "in the overlap with another model, keeps its material; keep this area out of the overlap");
 }
 

@@ -18,7 +18,7 @@ FACTORS = {
     "direction": ["x", "y"],
     "load": ["none", "edge", "point", "body"],
     "rest": ["none", "stressed", "kinetic", "local", "adaptive", "unscaled"],
-    "hole": ["none", "never", "stage", "side", "two_stages", "released"],
+    "hole": ["none", "never", "stage", "side", "two_stages", "released", "filled"],
     "support": ["none", "lining", "jointed", "segments", "arcs", "bolt", "propped"],
     "foundation": ["none", "springs"],
     "large": ["no", "yes"],
@@ -43,7 +43,7 @@ WITH_INTERFACES = {
 }
 
 STATICS = {"kinetic", "local", "adaptive", "unscaled"}
-STAGED = {"stage", "side", "two_stages", "released"}
+STAGED = {"stage", "side", "two_stages", "released", "filled"}
 
 # What the programs refuse, and a word of the refusal.
 REFUSED = (
@@ -53,6 +53,7 @@ REFUSED = (
     + [({"solve": "lumped", "rest": rest}, "lumped") for rest in sorted(STATICS)]
     + [({"foundation": "springs", "hole": hole}, "foundations") for hole in sorted(STAGED)]
     + [({"sides": "free_field", "hole": "side"}, "free_field")]
+    + [({"large": "yes", "hole": "filled"}, "small strain")]
 )
 
 
@@ -154,6 +155,7 @@ class Ground:
         continuum.update(self.base())
         continuum.update(self.loads())
         continuum.update(self.hole())
+        continuum["materials"] = continuum.get("materials", []) + self.later_materials()
         continuum.update(self.support())
         continuum.update(self.section())
         continuum.update(self.bedding())
@@ -255,7 +257,17 @@ class Ground:
             "side": {"excavations": [{"where": {"x_max": -3.0, "y_min": 1.0, "y_max": 3.0}, "stage": 1}]},
             "two_stages": {"excavations": [{"where": upper, "stage": 1}, {"where": whole, "stage": 2}]},
             "released": {"excavations": [{"where": whole, "stage": 1, "released": 0.4}]},
+            "filled": {"excavations": [{"where": whole, "stage": 1, "released": 0.4}]},
         }[self.row["hole"]]
+
+    def later_materials(self):
+        """Ground beside the hole is grouted before it is excavated, and its lower half is filled."""
+        if self.row["hole"] != "filled":
+            return []
+        lower = {**({"group": "core"} if self.row["grid"] in ("blocks", "ring") else HOLE), "y_max": 2.0}
+        plastic = {"mohr_coulomb": {"cohesion": 80e3, "friction_angle": 0.4}} if self.row["plane"] == "plane_strain" else {}
+        return [{"where": {"x_min": -1.6, "x_max": -1.0, "y_min": 1.0, "y_max": 3.0}, "stage": 1, "material": {**ROCK, "young_modulus": 1.5e9, **plastic}},
+                {"where": lower, "stage": 2, "material": {**ROCK, "young_modulus": 0.6e9, "density": 1500.0}}]
 
     def support(self):
         kind, stage = self.row["support"], {"stage": 2} if self.row["hole"] in ("released", "two_stages") else {}

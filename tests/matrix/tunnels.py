@@ -44,7 +44,7 @@ REFUSED = (
     [({"shape": shape, "lining": "segments"}, "segments") for shape in ("horseshoe", "box")]
     + [({"plane": "plane_stress", "ground": "plastic"}, "plane strain")]
     + [({"particles": "lattice", "lining": "reinforced"}, "lattice of discs")]
-    + [({"as": "zones", "stage": stage}, "cannot be installed") for stage in ("stage", "released")]
+    + [({"as": "zones", "lining": lining, "stage": stage}, "tied to what lies outside") for lining in ("slips", "layers") for stage in ("stage", "released")]
     + [({"as": "zones", "lining": "segments"}, "segments")]
 )
 

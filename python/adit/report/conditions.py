@@ -54,7 +54,7 @@ def _body_loads(results):
 
 
 def _stages(results):
-    """A row for each stage: what is dug, with the share of the forces that it releases, and what is installed."""
+    """A row for each stage: what is dug, with the share of the forces that it releases, what changes, and what is installed."""
     found = {}
     for name, model in results.models:
         for each in model.get("excavations", []):
@@ -63,6 +63,9 @@ def _stages(results):
             found.setdefault(each.get("stage", 0), []).append(told)
             if each.get("stage", 0) and share < 1:
                 found.setdefault(each["stage"] + 1, []).append(f"the rest of stage {each['stage']} released")
+        for each in model.get("materials", []):
+            if each.get("stage", 0):
+                found.setdefault(each["stage"], []).append(f"changed or filled: {where(each['where'])} of the {name}")
         for kind, one in INSTALLED:
             of_kind = {}
             for part in model.get(kind, []):

@@ -3,7 +3,7 @@ import numpy as np
 
 from adit import Unusable
 from adit.plots.setup import sheets
-from adit.plots.setup.checked import LAWS, Checked
+from adit.plots.setup.checked import LAWS, Checked, in_stages
 from adit.report import pictures
 from adit.report.markup import details, section, table, tag
 from adit.report.quantities import figure, quantity
@@ -64,7 +64,7 @@ def _materials(results):
     for name, model in results.models:
         own = model.get("material") or results.scene.get("material")
         rows += [_material(name, own, model.get("bonds"))] if own else []
-        rows += [_material(f"{name}, {where(area.get('where'))}", area["material"]) for area in model.get("materials", [])]
+        rows += [_material(f"{name}, {where(area.get('where'))}{in_stages([area])}", area["material"]) for area in model.get("materials", [])]
         rows += [_material(f"{name}, group {group['name']}", group.get("material") or own, group.get("bonds"))
                  for group in model.get("groups", []) if group.get("material") or own]
     return table("Materials, from scene.yaml", ("where", "elastic constants", "law and strength"), rows)

@@ -1,6 +1,5 @@
 """Zones that get another material, or come into being, in later stages: stresses and displacements of columns by hand."""
 
-import json
 import unittest
 
 import numpy as np
@@ -51,19 +50,21 @@ class Columns(ComputedTest):
         np.testing.assert_allclose(self.found("syy_Pa", "grouted", "ground", "fill"), expected, rtol=1e-6)
 
     def test_a_fill_settles_with_what_it_lies_on_and_by_its_own_weight(self):
-        """The same on places that were never ground, in two layers: each is strained by its own weight and by what comes later."""
-        for first in (0, 1):
-            with self.subTest(excavated_in_stage=first):
-                told = column([{"where": ABOVE, "stage": first}], [area(2, LIGHT, GROUND, 8.0), area(3, LIGHT, 8.0, HEIGHT)])
-                told["statics"]["count_from_stage"] = first or 2
+        """In two layers, on places that were never ground or that were excavated at once or in parts: each layer is strained by its own
+        weight and by what comes later, and moves from where it was placed."""
+        top = {"y_min": 8.0}
+        for dug in ([(0, ABOVE)], [(1, ABOVE)], [(1, top), (2, ABOVE)]):
+            with self.subTest(dug=dug):
+                told = column([{"where": where, "stage": stage} for stage, where in dug], [area(3, LIGHT, GROUND, 8.0), area(4, LIGHT, 8.0, HEIGHT)])
+                told["statics"]["count_from_stage"] = dug[0][0] or 3
                 self.computed(told)
                 layer = 2.0 * GRAVITY * LIGHT["density"]
                 ground, fill = GROUND / confined({"young_modulus": YOUNG}), 2.0 / confined(LIGHT)
-                swelling = 4.0 * GRAVITY * DENSITY * ground if first else 0.0
-                top = swelling - 2 * layer * ground
+                swelling = 4.0 * GRAVITY * DENSITY * ground if dug[0][0] else 0.0
+                surface = swelling - 2 * layer * ground
                 middle = -2 * layer * ground - (layer / 2 + layer) * fill
                 upper = -layer * ground - layer * fill - layer / 2 * fill
-                np.testing.assert_allclose(self.found("uy_m", "top", "middle", "upper"), [top, middle, upper], rtol=1e-6, atol=1e-9)
+                np.testing.assert_allclose(self.found("uy_m", "top", "middle", "upper"), [surface, middle, upper], rtol=1e-6, atol=1e-9)
 
     def test_grouted_ground_stays_where_it_is_and_is_stiffer_from_then_on(self):
         """Nothing moves when zones under stress change; a fill then finds the new modulus, whichever law has it."""

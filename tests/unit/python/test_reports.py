@@ -65,7 +65,8 @@ class Conditions(ReportTest):
 
     def test_of_a_staged_run(self):
         excavations = [{"where": {"group": "tunnel", "y_min": 0}, "stage": 1, "released": 0.6}, {"where": {"group": "tunnel"}, "stage": 3}]
-        ground = {"excavations": excavations, "linings": [{"name": "crown", "stage": 2}], "bolts": [{"stage": 2}] * 4,
+        ground = {"excavations": excavations, "materials": [{"where": {"y_max": 2}}, {"where": {"group": "fill"}, "stage": 3}],
+                  "linings": [{"name": "crown", "stage": 2}], "bolts": [{"stage": 2}] * 4,
                   "body_loads": [{"acceleration": {"y": -9.81}}],
                   "damping": {"rayleigh": {"ratio": 0.02, "low_frequency": 1, "high_frequency": 8}},
                   "base": {"kind": "compliant", "acceleration": {**MOTION, "low_corner": 0.2, "high_corner": 10, "taper": 0.5, "from": 1.85}}}
@@ -79,7 +80,7 @@ class Conditions(ReportTest):
             "body load of the continuum and the particles": "y = −9.81 m/s²",
             "stage 1": "excavated: group tunnel, y_min = 0 m of the continuum, 60 % of the forces released",
             "stage 2": "the rest of stage 1 released; installed: lining crown of the continuum; installed: 4 bolts of the continuum",
-            "stage 3": "excavated: group tunnel of the continuum, 100 % of the forces released",
+            "stage 3": "excavated: group tunnel of the continuum, 100 % of the forces released; changed or filled: group fill of the continuum",
             "statics before time begins": "until the mean unbalanced force is 1 × 10⁻⁴ of the mean internal force; 9.5 × 10⁻⁵ reached in "
                                           "1,234 steps; adaptive damping; displacements and cracks count from stage 1",
             "damping of the continuum": "Rayleigh, 2 % at 1 Hz and 8 Hz", "damping of the particles": "local, 0.1 of the unbalanced force",

@@ -51,6 +51,15 @@ class Setup(PictureTest):
         self.assertEqual([sum(hatched(figure, hatch)) for hatch in ("////", "xx")], [8, 8])
         self.assertFalse(any("not drawn" in each for each in legend))
 
+    def test_zones_that_change_have_their_last_material(self):
+        """In the order of the stages, and without places that are no ground at first."""
+        grid = block(4, group=np.ones(16), material=np.zeros(16))
+        areas = [{"where": {"y_max": 2}, "stage": 5, "material": {"young_modulus": 3e9}}, {"where": {"x_max": 2}, "stage": 2, "material": {"young_modulus": 2e9}},
+                 {"where": {"y_min": 9}, "stage": 3, "material": {"young_modulus": 4e9}}]
+        figure, legend = self.drawn({"grid": grid}, Member("", "continuum", {"material": {"young_modulus": 1e9}, "materials": areas}, {}))
+        self.assertEqual([each for each in legend if "zones" in each], ["zones: E = 1 GPa", "zones: E = 2 GPa, stage 2", "zones: E = 3 GPa, stage 5"])
+        self.assertEqual([len(drawn.get_paths()) for drawn in figure.axes[0].collections[:3]], [16, 8, 8])
+
     def test_what_is_dug_from_particles_and_the_lining_that_is_installed_there(self):
         tunnel = {"circle": {"centre": {"x": 1, "y": 1}, "radius": 0.6}}
         ring = {"annulus": {"centre": {"x": 1, "y": 1}, "inner_radius": 0.4, "outer_radius": 0.6}}

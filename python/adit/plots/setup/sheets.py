@@ -8,6 +8,7 @@ from adit.plots import style
 from adit.plots.drawing import Drawing, Sheet, legend
 from adit.plots.particle_shapes import Shapes
 from adit.plots.setup import conditions, supports
+from adit.plots.setup.areas import zones_in
 from adit.plots.setup.labels import add_labels
 from adit.plots.setup.checked import in_stages
 
@@ -65,6 +66,21 @@ def _draw_zones(axes, member, grid):
                                            lw=lines or 0.2, zorder=1))
         if style.shown(axes, corners[number == k]).any():
             handles.append(Patch(fc=face, ec="#8AA0B5", lw=0.5, label=f"zones: {style.literal(member.material(k))}"))
+    return handles + _draw_later_zones(axes, member, grid)
+
+
+def _draw_later_zones(axes, member, grid):
+    """Over those that are there at first, the zones that change in later stages, with the last material that each gets."""
+    areas = [(area["stage"], k, area) for k, area in enumerate(member.model.get("materials", []), 1) if area.get("stage")]
+    groups = member.zone_groups(grid) if areas else {}
+    handles = []
+    for _, k, area in sorted(areas, key=lambda each: each[:2]):
+        corners = zones_in(area["where"], grid, groups)
+        if not len(corners):  # places that are no ground at first
+            continue
+        look = {"fc": ZONES[(k + member.first_colour) % len(ZONES)], "ec": "#8AA0B5", "ls": "--"}
+        axes.add_collection(PolyCollection(corners, lw=0.25, zorder=1.2, **look))
+        handles.append(Patch(lw=0.5, label=f"zones: {style.literal(member.material(k))}{in_stages([area])}", **look))
     return handles
 
 

@@ -470,6 +470,16 @@ TEST(ExpandTunnels, GroundThatBondsCannotHave) {
                                   HasSubstr("or state the ground by `particles.material` of the tunnel")));
 }
 
+// Requirement: particles keep their material, so that zones whose place they take must, too.
+TEST(ExpandTunnels, GroundThatChangesInAStage) {
+  scene::Scene scene = layered("y_min: -10", test::circular());
+  scene.mutable_continuum()->mutable_materials(0)->set_stage(1);
+  test::expect_refusal([&] { expand_tunnels(scene); }, "continuum.materials[0].stage",
+                       "is 1, but the area reaches into the particles of tunnel");
+  scene.mutable_continuum()->mutable_materials(0)->mutable_where()->set_y_min(-6);
+  EXPECT_EQ(expand_tunnels(scene).scene.particles().groups_size(), 1);
+}
+
 // Requirement: every particle of the ground has the material of the zone at its place, thin layers included
 // as far as particles can show them.
 TEST(ExpandTunnels, EveryParticleHasTheGroundOfItsPlace) {

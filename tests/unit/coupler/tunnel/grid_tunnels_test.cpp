@@ -61,7 +61,6 @@ TEST(GridTunnels, TheGridFollowsEachShape) {
       for (const char* as : {"as: BEAM ", "as: ZONES "})
         for (const std::string stage : {"", "stage: 1"}) {
           const bool beams = as[4] == 'B';
-          if (!beams && !stage.empty()) continue;
           SCOPED_TRACE(shape + centre + as + stage);
           const scene::Scene scene = expanded({tunnel(shape, as + kConcrete, stage, centre)});
           const fdm::Grid grid = fdm::read_grid(scene.continuum());
@@ -229,6 +228,41 @@ TEST(GridTunnels, LayersOfZones) {
   test::local_model(scene);
 }
 
+// Requirement: a tunnel that is excavated takes the ground in the places of its layers with its opening; each
+// layer comes into being in its stage, in the places of which all are filled before.
+TEST(GridTunnels, LayersOfZonesInStages) {
+  const std::string layers = "as: ZONES layers { name: 'outer' " + kConcrete +
+                             " } layers { name: 'inner' stage: 5 " + kConcrete + " }";
+  const scene::Scene scene = expanded({tunnel(kCircle, layers, "stage: 2 released: 0.4")});
+  const auto& continuum = scene.continuum();
+  ASSERT_EQ(continuum.excavations_size(), 3);
+  std::vector<std::string> groups;
+  for (const auto& excavation : continuum.excavations()) {
+    EXPECT_EQ(excavation.stage(), 2u);
+    EXPECT_EQ(excavation.released(), 0.4);
+    groups.push_back(excavation.where().group());
+  }
+  EXPECT_THAT(groups, ElementsAre("tunnel_opening", "tunnel_outer", "tunnel_inner"));
+  ASSERT_EQ(continuum.materials_size(), 2);
+  EXPECT_EQ(continuum.materials(0).stage(), 3u);
+  EXPECT_EQ(continuum.materials(1).stage(), 5u);
+  EXPECT_NEAR(area_of(fdm::read_grid(continuum)), 40 * 32, 1e-9);
+  test::local_model(scene);
+}
+
+// Requirement: a layer that is cast in a tunnel that was always there leaves its place free until then.
+TEST(GridTunnels, ALayerOfZonesInATunnelThatWasAlwaysThere) {
+  const scene::Scene scene =
+      expanded({tunnel(kCircle, "as: ZONES layers { name: 'outer' " + kConcrete +
+                                    " } layers { name: 'inner' stage: 1 " + kConcrete + " }")});
+  const auto& continuum = scene.continuum();
+  ASSERT_EQ(continuum.excavations_size(), 1);
+  EXPECT_EQ(continuum.excavations(0).where().group(), "tunnel_inner");
+  EXPECT_EQ(continuum.excavations(0).stage(), 0u);
+  EXPECT_EQ(continuum.materials(1).stage(), 1u);
+  test::local_model(scene);
+}
+
 // Requirement: forces are recorded where those of particles are, with the same names.
 TEST(GridTunnels, HistoriesOfForcesAndConvergence) {
   const auto histories = expanded({tunnel(kCircle, "as: BEAM " + kConcrete, "name: 'tube' sections: 4")})
@@ -262,8 +296,12 @@ TEST(GridTunnels, WhatOtherModelsOfLiningsHaveIsRefused) {
                  "without `interface` it is tied");
   expect_refused(tunnel(kCircle, zones + "segments: 4"), "tunnels[0].lining",
                  "has joints of segments, which zones do not have");
-  expect_refused(tunnel(kCircle, zones, "stage: 1"), "tunnels[0].lining",
-                 "is installed in stage 2, but zones cannot be installed; give `as: beam`");
+  expect_refused(tunnel(kCircle, zones + "interface { friction_angle: 0.5 } ", "stage: 1"),
+                 "tunnels[0].lining.interface",
+                 "is given, but zones that come into being in stage 2 are tied to what lies outside them");
+  expect_refused(tunnel(kCircle, "as: ZONES layers { name: 'a' stage: 3 " + kConcrete + " }", "stage: 4"),
+                 "tunnels[0].lining.layers[0].stage",
+                 "is 3, but what lies outside the layer comes in stage 4; give at least that");
   expect_refused(tunnel(kBox, beam + "segments: 4"), "tunnels[0].lining.segments",
                  "only the lining of a circle has segments");
   expect_refused(tunnel(kCircle,

@@ -24,10 +24,10 @@ scene::Scene parse(const std::string& text) {
 TEST(Stages, AreThoseInWhichAModelChanges) {
   EXPECT_THAT(stages_of(parse("")), ElementsAre(0));
   EXPECT_THAT(stages_of(parse("continuum { excavations { stage: 2 } linings { stage: 4 } bolts { stage: 6 } "
-                              "motions { stage: 5 } } "
+                              "motions { stage: 5 } materials { stage: 7 } } "
                               "particles { excavations { stage: 1 } groups { stage: 3 } } "
                               "regions { particles { joints { stage: 8 } springs { stage: 9 } } }")),
-              ElementsAre(0, 1, 2, 3, 4, 5, 6, 8, 9));
+              ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8, 9));
 }
 
 // What is held at first is let go in the stage that follows; what is there from the beginning is not.
