@@ -140,9 +140,11 @@ def _inside(row):
 
 
 # Numbers in place of classes and defaults, which no change of scale would reach.
-_SECTION = {"thickness": 0.4, "cover": 0.04, "concrete": {"young_modulus": 20e9, "compressive_strength": 30e6, "tensile_strength": 0.0, "tension_stiffening": False},
+_SECTION = {"thickness": 0.4, "cover": 0.04,
+            "concrete": {"young_modulus": 20e9, "compressive_strength": 30e6, "tensile_strength": 0.0, "tension_stiffening": False},
             "steel": {"young_modulus": 200e9, "yield_strength": 400e6, "hardening": 0.01, "law": "menegotto_pinto"},
-            "stirrups": {"diameter": 0.01, "spacing": 0.2, "spacing_across": 0.3, "confinement": 0.6}, "inner": {"diameter": 0.016, "spacing": 0.15}, "outer": {"diameter": 0.016, "spacing": 0.15}}
+            "stirrups": {"diameter": 0.01, "spacing": 0.2, "spacing_across": 0.3, "confinement": 0.6},
+            "inner": {"diameter": 0.016, "spacing": 0.15}, "outer": {"diameter": 0.016, "spacing": 0.15}}
 
 
 def _lining_in_grid(row):

@@ -3,7 +3,7 @@ import itertools
 import math
 import unittest
 
-from adit.accuracy.dimensions import Dimension, dimensions_of, name_of
+from adit.accuracy.dimensions import dimensions_of, name_of
 from adit.accuracy.estimate import error_of
 from adit.accuracy.search import Computed, Search
 
