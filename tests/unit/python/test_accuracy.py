@@ -33,6 +33,11 @@ class Errors(unittest.TestCase):
         self.assertAlmostEqual(error.size, 1.25 * (values[-1] - 1))
         self.assertAlmostEqual(error_of(changes(values[:3])).size, 3 * 1.25 * (values[2] - 1))  # which two do not
 
+    def test_a_change_before_the_order_shows_does_not_spoil_it(self):
+        error = error_of([0.002, 0.011, 0.003])
+        self.assertAlmostEqual(error.size, 1.25 * 0.003)
+        self.assertAlmostEqual(error.order, math.log2(11 / 3))
+
     def test_what_has_no_order_keeps_its_larger_change(self):
         for given in ([0.2, -0.1], [-0.1, 0.3], [0.2, 0.0]):
             error = error_of(given)
