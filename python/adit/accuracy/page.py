@@ -36,10 +36,9 @@ def verdict(search, reached):
         known = f"± {_percent(search.interval(question), value)} %" + (f", without the error of the {' and '.join(unknown)}" if unknown else "")
         yield f"{question} = {value:.5g} {known}"
     spent = sum(run.seconds for run in search.runs)
-    yield f"accuracy asked for {'is reached' if reached else 'is not reached within the budget'}: {len(search.runs)} runs, {spent:.3g} s"
-    dimension = search.next() or search.worst()
-    pairs = search.pairs[dimension]
-    if not reached:
-        yield f"next would be finer {dimension}, about {search.next_seconds:.3g} s" if search.next_seconds else ""
-    elif pairs and all(run.levels[dimension] <= 0 for run in search.runs):
+    outcome = "is reached" if reached else "is not reached within the budget" if search.next_seconds else "is not reached, because the scene cannot be made finer"
+    yield f"accuracy asked for {outcome}: {len(search.runs)} runs, {spent:.3g} s"
+    if not reached and search.next_seconds:
+        yield f"next would be finer {search.next()}, about {search.next_seconds:.3g} s"
+    elif reached and all(level <= 0 for run in search.runs for level in run.levels.values()):
         yield "the scene as stated is fine enough"

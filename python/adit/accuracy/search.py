@@ -32,7 +32,7 @@ class Search:
     runs: list = field(default_factory=list)
     best: Computed = None
     pairs: dict = field(default_factory=dict)  # of each dimension: [(coarser, finer)] that differ in it alone, as it is halved
-    next_seconds: float = 0.0  # what the step that was left out would have cost
+    next_seconds: float = 0.0  # what the step that was left out would cost; 0: it cannot be computed
 
     def run(self, stated):
         """Whether the accuracy was reached, from the run of the scene as stated."""
@@ -85,6 +85,7 @@ class Search:
             return False
         finer = self._computed(self.best.levels | {dimension: self.best.levels[dimension] + 1})
         if finer is None:
+            self.next_seconds = 0.0
             return False
         pairs.append((self.best, finer))
         self.best = finer
