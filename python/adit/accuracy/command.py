@@ -1,4 +1,4 @@
-"""`adit run SCENE --within 5% --of KEY`: as accurate as is asked."""
+"""`adit run SCENE --within 5% --figure KEY`: as accurate as is asked."""
 import os
 import re
 import time
@@ -58,7 +58,7 @@ class Runs:
         missing = [question for question in self.questions if answer(run, question) is None]
         if missing:
             known = [*(key for key, value in run.summary.items() if type(value) in (int, float)), *run.histories]
-            raise Unusable(f"--of {missing[0]} is no figure of {run.folder / 'summary.json'} and no column of its histories; {nearest(missing[0], known)}")
+            raise Unusable(f"--figure {missing[0]} is no figure of {run.folder / 'summary.json'} and no column of its histories; {nearest(missing[0], known)}")
         self.dimensions = {each.name: each for each in dimensions_of(run.scene_as_written)}
         if not self.dimensions:
             raise Unusable(f"{os.path.relpath(self.scene)} has neither zones nor particles whose number could be changed; compute it by other means.")
@@ -96,18 +96,18 @@ class Runs:
 
 def run(scene, options, others):
     """Computes, tells and writes; returns (exit code, the folder of the finest run)."""
-    if not options.of:
-        raise Unusable("--within asks for an accuracy, but of nothing; name figures of summary.json, as in --of lining_ring_largest_thrust_N.")
+    if not options.figure:
+        raise Unusable("--within asks for an accuracy, but of nothing; name figures of summary.json, as in --figure lining_ring_largest_thrust_N.")
     within, budget = share_of(options.within), seconds_of(options.budget)
     children.end_with_this_process()
     out = options.out or programs.RUNS / scene.parent.name / f"{scene.stem}_accuracy"
     out.mkdir(parents=True, exist_ok=True)
     print(f"run: {os.path.relpath(scene)} within {100 * within:g} %", flush=True)
-    runs = Runs(scene, options.of, out, others)
+    runs = Runs(scene, options.figure, out, others)
     begun = time.monotonic()
     stated = runs.stated()
     search = Search(runs.compute, list(runs.dimensions), within, budget)
-    first = Computed(dict.fromkeys(runs.dimensions, 0), {question: answer(stated, question) for question in options.of}, time.monotonic() - begun)
+    first = Computed(dict.fromkeys(runs.dimensions, 0), {question: answer(stated, question) for question in options.figure}, time.monotonic() - begun)
     reached = search.run(first)
     write_csv(out / "accuracy.csv", csv_rows(search))
     (out / "accuracy.md").write_text("\n".join(markdown(search)) + "\n", encoding="utf-8")

@@ -30,8 +30,8 @@ def main(words):
                         help="compute a scene with each of the values and compare the runs, in runs/CASE/SCENE_variants/; several "
                         "--vary make every combination, keys of one --vary change together: --vary 'time.dt_factor=0.2,0.5' "
                         "--vary 'continuum.block.zones_x,continuum.block.zones_y=8:4,16:8'")
-    parser.add_argument("--within", metavar="SHARE", help="refine a scene until the figures named by --of are as accurate, as in --within 5%%")
-    parser.add_argument("--of", action="append", metavar="KEY", help="a figure of summary.json whose accuracy is asked for; several --of name several")
+    parser.add_argument("--within", metavar="SHARE", help="refine a scene until the figures named by --figure are as accurate, as in --within 5%%")
+    parser.add_argument("--figure", action="append", metavar="KEY", help="a figure of summary.json whose accuracy is asked for; several --figure name several")
     parser.add_argument("--budget", metavar="TIME", default="20min", help="for --within: begin no run that would end later than this (%(default)s)")
     for name in ("--fdm", "--dem"):
         parser.add_argument(name, metavar="COMMAND | ADDRESS",
@@ -52,8 +52,8 @@ def run(options, others):
     programs.bring_up_to_date(*sorted({name for solver in solvers for name in NEEDED[solver]}))
     if len(scenes) > 1 and options.vary:
         raise Unusable(f"--vary needs one scene, and {given} holds {len(scenes)}.")
-    if options.of and not options.within:
-        raise Unusable("--of names figures of which no accuracy is asked for; add --within, such as --within 5%.")
+    if options.figure and not options.within:
+        raise Unusable("--figure names figures of which no accuracy is asked for; add --within, such as --within 5%.")
     if options.within:
         return as_accurate(scenes, solvers, options, others + servers_of(options))
     if options.vary:

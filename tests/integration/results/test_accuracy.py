@@ -29,7 +29,7 @@ class Within(ProgramTest):
         return subprocess.run([*ADIT, "run", scene, "--out", self.folder / "out", "--no-pictures", *words], capture_output=True, text=True, timeout=300)
 
     def test_far_finer_results_lie_inside(self):
-        done = self.asked("--within", "3%", "--of", THRUST, "--of", MOMENT, "--budget", "4min")
+        done = self.asked("--within", "3%", "--figure", THRUST, "--figure", MOMENT, "--budget", "4min")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertIn("is reached", done.stdout)
         with open(self.folder / "out" / "accuracy.csv", newline="") as file:
@@ -45,15 +45,15 @@ class Within(ProgramTest):
             self.assertLess(abs(truth[question] / value - 1), interval, question)
 
     def test_what_was_reached_is_told_where_the_budget_ends(self):
-        done = self.asked("--within", "0.01%", "--of", THRUST, "--budget", "1s")
+        done = self.asked("--within", "0.01%", "--figure", THRUST, "--budget", "1s")
         self.assertEqual(done.returncode, 6, done.stdout + done.stderr)
         self.assertIn("is not reached within the budget", done.stdout)
         self.assertIn(f"{THRUST} = ", done.stdout)
 
     def test_what_cannot_be_asked_is_said_in_one_sentence(self):
-        for words, message in ((("--within", "3%"), "but of nothing; name figures"), (("--within", "3", "--of", THRUST), "is no share between 0 and 1"),
-                               (("--within", "3%", "--of", THRUST, "--budget", "soon"), "is no time"),
-                               (("--within", "3%", "--of", "lining_tunnel_largest_thrust"), "did you mean `lining_tunnel_largest_thrust_N`?")):
+        for words, message in ((("--within", "3%"), "but of nothing; name figures"), (("--within", "3", "--figure", THRUST), "is no share between 0 and 1"),
+                               (("--within", "3%", "--figure", THRUST, "--budget", "soon"), "is no time"),
+                               (("--within", "3%", "--figure", "lining_tunnel_largest_thrust"), "did you mean `lining_tunnel_largest_thrust_N`?")):
             with self.subTest(words):
                 done = self.asked(*words)
                 self.assertEqual(done.returncode, 2, done.stdout)
