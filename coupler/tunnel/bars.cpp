@@ -7,6 +7,7 @@
 
 #include "coupler/tunnel/joints.hpp"
 #include "coupler/tunnel/parts.hpp"
+#include "protocol/sections/bars_area.hpp"
 #include "protocol/sections/read_section.hpp"
 
 namespace adit::coupler {
@@ -76,7 +77,7 @@ class Reinforcement {
   // Between the covers, evenly spread over the lining or each segment, at most `spacing` apart at its inner
   // side.
   void add_stirrups(const scene::SectionStirrups& stirrups) {
-    const double one = pi / 4 * stirrups.diameter() * stirrups.diameter();
+    const double one = sections::bar_area(stirrups.diameter());
     const auto places = [&](double length) {
       return static_cast<int>(std::ceil(length / stirrups.spacing()));
     };

@@ -90,21 +90,13 @@ std::size_t wall_of(const scene::History& history, const std::string& path, cons
                    history.quantity(), path);
 }
 
-bool of_strength(scene::Quantity quantity) {
-  return quantity == scene::UTILISATION || quantity == scene::SHEAR_STRENGTH;
-}
-
 std::size_t section_of(const scene::History& history, const std::string& path, const Sections& sections) {
   std::vector<std::string> names;
   for (const Cut& cut : sections.cuts()) names.push_back(cut.name);
   const std::size_t number = number_of({"section", "a force in a section", "particles.sections"},
                                        history.section(), names, history.quantity(), path);
-  if (of_strength(history.quantity()) && !sections.cuts()[number].strength)
-    throw UserError(
-        path + ".section",
-        fmt::format("is {}, whose strength is not stated, but the quantity is {}; give "
-                    "particles.sections[{}] a `section`",
-                    protocol::quote(history.section()), protocol::name_of(history.quantity()), number));
+  protocol::require_strength(history, sections.cuts()[number].strength != nullptr,
+                             fmt::format("particles.sections[{}]", number), path);
   return number;
 }
 

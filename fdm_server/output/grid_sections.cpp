@@ -78,11 +78,8 @@ std::size_t GridSections::number_of(const scene::History& history, const std::st
   const auto found = std::ranges::find(sections_, history.section(), &Section::name);
   if (found != sections_.end()) {
     const auto number = static_cast<std::size_t>(found - sections_.begin());
-    const bool use = history.quantity() == scene::UTILISATION || history.quantity() == scene::SHEAR_STRENGTH;
-    protocol::require(!use || found->strength, path + ".section",
-                      fmt::format("is `{}`, whose strength is not stated, but the quantity is {}; give "
-                                  "continuum.sections[{}] a `section`",
-                                  history.section(), protocol::name_of(history.quantity()), number));
+    protocol::require_strength(history, found->strength != nullptr,
+                               fmt::format("continuum.sections[{}]", number), path);
     return number;
   }
   std::vector<std::string> names;

@@ -57,8 +57,7 @@ void add_use(const Structures& structures, std::span<const Lining> linings, cons
   std::vector<SectionUse> now;
   std::vector<double> least, largest;  // ultimate moments at the thrust that the piece shows
   for (const Lining& lining : linings) {
-    std::vector<SectionUse> uses = section_uses(lining, structures);
-    uses.resize(lining.path.points.size(), SectionUse{});
+    const std::vector<SectionUse> uses = section_uses(lining, structures);
     now.insert(now.end(), uses.begin(), uses.end());
     for (std::size_t node = 0; node < uses.size(); ++node) {
       const auto ultimate = [&](sections::Bending bending) {

@@ -23,8 +23,7 @@ void PeakUse::take(std::span<const Lining> linings, const Structures& structures
   if (!any_section(linings)) return;
   std::size_t row = 0;
   for (const Lining& lining : linings) {
-    std::vector<SectionUse> uses = section_uses(lining, structures);
-    uses.resize(lining.path.points.size(), SectionUse{});
+    const std::vector<SectionUse> uses = section_uses(lining, structures);
     for (std::size_t node = 0; node < uses.size(); ++node, ++row) {
       const Instant now{uses[node], time};
       take_larger(now, &SectionUse::utilisation, row, largest_.utilisation);

@@ -121,10 +121,9 @@ SectionUse section_use(const Lining& lining, const Structures& structures, std::
 }
 
 std::vector<SectionUse> section_uses(const Lining& lining, const Structures& structures) {
-  std::vector<SectionUse> uses;
+  std::vector<SectionUse> uses(lining.path.points.size(), SectionUse{});
   if (!lining.section) return uses;
-  for (std::size_t node = 0; node < lining.path.points.size(); ++node)
-    uses.push_back(section_use(lining, structures, node));
+  for (std::size_t node = 0; node < uses.size(); ++node) uses[node] = section_use(lining, structures, node);
   if (lining.section->elastic) return uses;
   const std::vector<double> hinges = hinge_rotations(lining, structures);
   for (std::size_t node = 0; node < uses.size(); ++node) uses[node].hinge_rotation = hinges[node];

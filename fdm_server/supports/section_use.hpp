@@ -27,7 +27,7 @@ struct SectionUse {
 // Of a lining that has a section. Thrust, moment and shear force are those at the node, curvatures those of
 // the ends of its beams, strains those at the nearest sections of fibres.
 SectionUse section_use(const Lining& lining, const Structures& structures, std::size_t node);
-// Of all its nodes; none of a lining without a section.
+// Of all its nodes; 0 of a lining without a section.
 std::vector<SectionUse> section_uses(const Lining& lining, const Structures& structures);
 // The shear force that its section resists with the thrust there, or what is left of it where the member has
 // failed [N].

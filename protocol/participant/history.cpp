@@ -36,4 +36,12 @@ void require_relative_motion(const scene::History& history, const std::string& p
                                                "against another place; leave it out");
 }
 
+void require_strength(const scene::History& history, bool stated, const std::string& section,
+                      const std::string& path) {
+  const bool use = history.quantity() == scene::UTILISATION || history.quantity() == scene::SHEAR_STRENGTH;
+  require(!use || stated, path + ".section",
+          "is " + quote(history.section()) + ", whose strength is not stated, but the quantity is " +
+              name_of(history.quantity()) + "; give " + section + " a `section`");
+}
+
 }  // namespace adit::protocol

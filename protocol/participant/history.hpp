@@ -20,6 +20,11 @@ bool is_motion(scene::Quantity quantity);
 // UserError at `path`, the history's, for a `relative_to` beside anything but a motion.
 void require_relative_motion(const scene::History& history, const std::string& path);
 
+// UserError below `path`, the history's, where it asks for the use of a section whose strength is not stated.
+// `section`: its path in the scene.
+void require_strength(const scene::History& history, bool stated, const std::string& section,
+                      const std::string& path);
+
 // One velocity component at half steps, as histories need it at step n: v(n-1/2), which is final, and
 //   a(n) = (v(n+1/2) - v(n-1/2)) / dt,
 // or a(n-1) where v(n+1/2) still awaits the correction by another model. From rest, v(1/2) came of half a

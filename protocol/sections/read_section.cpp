@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 #include <vector>
 
 #include "protocol/errors.hpp"
+#include "protocol/sections/bars_area.hpp"
 
 namespace adit::sections {
 namespace {
@@ -47,10 +47,7 @@ void require_one_kind_of_values(const scene::ReinforcedSection& section, const s
 // `outwards`: -1 for the inner face, 1 for the outer one.
 BarLayer read_bars(const scene::SectionBars& bars, const scene::ReinforcedSection& section, double outwards,
                    const std::string& path) {
-  require(bars.has_spacing() != bars.has_area(), path,
-          "needs its steel once: give either `spacing` or `area`");
-  const double diameter = bars.diameter(), one = std::numbers::pi / 4 * diameter * diameter,
-               area = bars.has_area() ? bars.area() : one / bars.spacing(), spacing = one / area;
+  const double diameter = bars.diameter(), area = bars_area(bars, path), spacing = bar_area(diameter) / area;
   require(spacing >= 2 * diameter, bars.has_area() ? path + ".area" : path + ".spacing",
           fmt::format(
               "puts bars of {:.4g} m at {:.4g} m, closer than their diameter to one another (EN 1992-1-1, "
@@ -96,7 +93,7 @@ ResidualTension read_fibres(const scene::ReinforcedSection& section) {
 double stirrups_of(const scene::ReinforcedSection& section) {
   if (!section.has_stirrups()) return 0;
   const auto& of = section.stirrups();
-  return std::numbers::pi / 4 * of.diameter() * of.diameter() / (of.spacing() * of.spacing_across());
+  return bar_area(of.diameter()) / (of.spacing() * of.spacing_across());
 }
 
 }  // namespace

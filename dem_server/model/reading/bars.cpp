@@ -8,8 +8,9 @@
 #include "dem_server/model/placement/crossed.hpp"
 #include "dem_server/model/solid/facets_of_material.hpp"
 #include "protocol/errors.hpp"
-#include "protocol/geometry/polygon.hpp"
+#include "protocol/geometry/read_path.hpp"
 #include "protocol/materials/read_steel.hpp"
+#include "protocol/sections/bars_area.hpp"
 
 namespace adit::dem {
 namespace {
@@ -24,12 +25,7 @@ struct BarLine {
 
 BarLine read_circle(const scene::RoundPath& circle, const std::string& path) {
   constexpr double kTurn = 2 * std::numbers::pi, kPiece = kTurn / 1440;
-  require(circle.has_from() == circle.has_to(), path,
-          "names one end of an arc; give `from` and `to`, or neither for a whole circle");
-  require(!circle.has_from() || (circle.to() > circle.from() && circle.to() - circle.from() <= kTurn),
-          path + ".to",
-          fmt::format("is {} rad, but must be larger than `from` = {} rad, by at most a full turn",
-                      circle.to(), circle.from()));
+  geometry::require_arc(circle, path);
   const double turn = circle.has_from() ? circle.to() - circle.from() : kTurn;
   const int pieces = std::max(1, static_cast<int>(std::ceil(turn / kPiece)));
   BarLine line{.points = {}, .closed = !circle.has_from()};
@@ -44,8 +40,7 @@ BarLine read_circle(const scene::RoundPath& circle, const std::string& path) {
 BarLine read_line(const scene::LinePath& line, const std::string& path) {
   BarLine read;
   for (const auto& point : line.points()) read.points.push_back({point.x(), point.y()});
-  require(length_of(read.points) > 0 && geometry::is_simple_line(read.points), path + ".points",
-          "cross, touch or run back over one another; give a line that passes every place once");
+  geometry::require_simple(read.points, path);
   const Point &first = read.points.front(), &last = read.points.back();
   read.closed = first.x == last.x && first.y == last.y;
   return read;
@@ -122,7 +117,7 @@ BarBondLaw bond_of(const scene::BarBond& bond, double concrete) {
 }
 
 void set_dowel(const Bar& bar, double concrete, BarNode& node) {
-  const double d = bar.diameter, one = std::numbers::pi / 4 * d * d, bars = bar.area / one;
+  const double d = bar.diameter, bars = bar.area / sections::bar_area(d);
   const double bending = bar.steel.modulus * std::numbers::pi / 64 * d * d * d * d;
   const double foundation = 127e9 * std::sqrt(concrete / 1e6) / std::pow(1000 * d, 2.0 / 3);  // [Pa/m]
   node.dowel_stiffness = bars * bending * std::pow(foundation * d / (4 * bending), 0.75);
@@ -131,9 +126,7 @@ void set_dowel(const Bar& bar, double concrete, BarNode& node) {
 
 Bar read_bar(const scene::ParticleBar& given, const std::vector<Group>& groups, const Model& model,
              const std::string& path) {
-  require(given.has_spacing() != given.has_area(), path,
-          "needs its steel once: give either `spacing` or `area`");
-  const double one = std::numbers::pi / 4 * given.diameter() * given.diameter();
+  const double area = sections::bars_area(given, path);
   require(!given.has_values() || given.steel().has_class_(), path + ".values",
           "chooses among the values of a class of steel, but the steel is given by numbers; leave it out");
   const protocol::SteelValues steel =
@@ -147,14 +140,9 @@ Bar read_bar(const scene::ParticleBar& given, const std::vector<Group>& groups, 
           fmt::format("passes through {} particles, and a bar is held by {} and more; lead it through them",
                       held.size(), fewest));
   require_inside(all, line, model, path + ".along");
-  Bar bar{{},
-          line.closed,
-          protocol::steel_law(steel),
-          steel.limit_strain,
-          given.has_area() ? given.area() : one / given.spacing(),
-          given.diameter(),
-          given.stage(),
-          path};
+  Bar bar{
+      {},  line.closed, protocol::steel_law(steel), steel.limit_strain, area, given.diameter(), given.stage(),
+      path};
   const std::vector<double> lengths = bonded_lengths(all, held, line);
   for (std::size_t k = 0; k < held.size(); ++k) {
     const Point place = place_on(line.points, held[k].middle());

@@ -24,7 +24,7 @@
 #include "fdm_server/supports/curve.hpp"
 #include "fdm_server/supports/trace.hpp"
 #include "protocol/errors.hpp"
-#include "protocol/geometry/polygon.hpp"
+#include "protocol/geometry/read_path.hpp"
 
 namespace adit::fdm {
 namespace {
@@ -33,21 +33,8 @@ using protocol::require;
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
-void require_statics(std::uint32_t stage, const scene::Scene& scene, const std::string& path) {
-  require(
-      stage == 0 || scene.has_statics(), path + ".stage",
-      fmt::format("is {}, but stages begin when the ground is at rest, and the scene has no statics; give "
-                  "`statics: {{unbalanced_ratio: 1e-5}}`, or stage 0",
-                  stage));
-}
-
 std::unique_ptr<Curve> read_circle(const scene::RoundPath& circle, const std::string& path) {
-  require(circle.has_from() == circle.has_to(), path,
-          "names one end of an arc; give `from` and `to`, or neither for a whole circle");
-  require(!circle.has_from() || (circle.to() > circle.from() && circle.to() - circle.from() <= kTurn),
-          path + ".to",
-          fmt::format("is {} rad, but must be larger than `from` = {} rad, by at most a full turn",
-                      circle.to(), circle.from()));
+  geometry::require_arc(circle, path);
   return arc({circle.centre().x(), circle.centre().y()}, circle.radius(), circle.from(),
              circle.has_from() ? circle.to() : kTurn);
 }
@@ -59,8 +46,7 @@ std::unique_ptr<Curve> read_line(const scene::LinePath& line, const std::string&
             fmt::format("names ({}, {}) m twice in succession; leave one out", point.x(), point.y()));
     points.push_back({point.x(), point.y()});
   }
-  require(geometry::is_simple_line(points), path + ".points",
-          "cross, touch or run back over one another; give a line that passes every place once");
+  geometry::require_simple(points, path);
   return polyline(std::move(points));
 }
 
@@ -330,7 +316,7 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
       occupied.take(along, grid, path);
     }
     if (lining.has_interface()) along = own_points(along, below[number] >= 0 ? of_layers : own, grid);
-    require_statics(lining.stage(), scene, path);
+    protocol::require_statics(scene, lining.stage(), path);
     plans[number] = {lining.name(),
                      along,
                      elastic,
@@ -374,7 +360,7 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
 
   for (int i = 0; i < bolts.size(); ++i) {
     const auto path = fmt::format("continuum.bolts[{}]", i);
-    require_statics(bolts[i].stage(), scene, path);
+    protocol::require_statics(scene, bolts[i].stage(), path);
     supports.structures.set_stage(bolts[i].stage());
     add_bolt(bolts[i], grid, edges, path, occupied, supports);
   }

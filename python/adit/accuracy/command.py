@@ -19,8 +19,8 @@ UNITS = {"": 1, "s": 1, "min": 60, "h": 3600}
 
 def share_of(text):
     """0.05 of `5%` or `0.05`."""
-    found = re.fullmatch(r"\s*([0-9.]+)\s*(%?)\s*", text)
-    value = float(found[1]) / (100 if found[2] else 1) if found and re.fullmatch(r"\d*\.?\d+|\d+\.", found[1]) else 0
+    found = re.fullmatch(r"\s*(\d*\.?\d+|\d+\.)\s*(%?)\s*", text)
+    value = float(found[1]) / (100 if found[2] else 1) if found else 0
     if not 0 < value < 1:
         raise Unusable(f"--within {text} is no share between 0 and 1; write for example --within 5%.")
     return value

@@ -5,11 +5,6 @@
 
 namespace adit::dem {
 
-// A node on its particle: the lever arm from the centre now, and how far it has moved since rest [m].
-struct Bars::NodeMotion {
-  PlaneVector arm, moved;
-};
-
 Bars::NodeMotion Bars::motion_of(const BarNode& node, double turn, const Particles& p) {
   const double x = node.x - p.x[node.disc], y = node.y - p.y[node.disc];
   const double sine = std::sin(turn), half = std::sin(turn / 2), versine = 2 * half * half;
@@ -55,6 +50,7 @@ Bars::Bars(const std::vector<Bar>& bars, const Particles& particles) {
                      std::vector<Installed>(bar.elements()),
                      0,
                      std::vector<double>(bar.elements(), 0.0),
+                     {},
                      {}});
   begin_stage(0, 0, particles);
 }
@@ -99,16 +95,15 @@ void Bars::add_forces(double dt, protocol::Team& team, Particles& p) {
 
 void Bars::follow(double dt, const Particles& p, OneBar& bar) {
   const Bar& model = bar.chain.bar();
-  std::vector<NodeMotion> motions;
-  motions.reserve(model.nodes.size());
+  bar.motions.clear();
   for (std::size_t k = 0; k < model.nodes.size(); ++k) {
     bar.turn[k] += dt * p.spin[model.nodes[k].disc];
-    motions.push_back(motion_of(model.nodes[k], bar.turn[k], p));
+    bar.motions.push_back(motion_of(model.nodes[k], bar.turn[k], p));
   }
   if (!bar.installed) return;
   bar.shapes.clear();
   for (std::size_t k = 0; k < model.elements(); ++k) {
-    bar.shapes.push_back(shape_of(bar, k, motions[k], motions[model.after(k)]));
+    bar.shapes.push_back(shape_of(bar, k, bar.motions[k], bar.motions[model.after(k)]));
     bar.growths[k] = bar.shapes[k].growth - bar.begun[k].growth;
   }
   bar.chain.stretch(bar.growths);

@@ -57,6 +57,10 @@ class Bars {
   struct Dowel {
     double shift = 0, plastic = 0, force = 0;  // D, D_p [m], V [N]
   };
+  // A node on its particle: the lever arm from the centre now, and how far it has moved since rest [m].
+  struct NodeMotion {
+    PlaneVector arm, moved;
+  };
   struct Shape {
     std::uint32_t first, second;
     PlaneVector arm_1, arm_2;
@@ -77,9 +81,9 @@ class Bars {
     double lost_by_dowels = 0;
     // In work.
     std::vector<double> growths;
+    std::vector<NodeMotion> motions;
     std::vector<Shape> shapes;
   };
-  struct NodeMotion;
   static NodeMotion motion_of(const BarNode& node, double turn, const Particles& particles);
   static Shape shape_of(const OneBar& bar, std::size_t element, const NodeMotion& first,
                         const NodeMotion& second);
