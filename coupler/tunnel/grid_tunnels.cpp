@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -140,6 +141,7 @@ class GridTunnel {
   }
 
   void add_beams(scene::Continuum& continuum, const Opening& opening) const {
+    const scene::TunnelLining& wanted = tunnel_.lining();
     for (std::size_t k = 0; k < layers_.size(); ++k) {
       const LiningLayer& layer = layers_[k];
       auto& lining = *continuum.add_linings();
@@ -158,14 +160,37 @@ class GridTunnel {
       lining.set_density(layer.material.density());
       if (layer.interface != nullptr) *lining.mutable_interface() = *layer.interface;
       if (layer.stage > 0) lining.set_stage(layer.stage);
-      add_joints_of_segments(lining, layer.thickness);
-      add_histories_of(layer, continuum, opening);
+      if (wanted.has_second_ring()) add_second_ring(lining, layer, continuum, opening);
+      add_joints_of_segments(joint_angles(wanted), layer.thickness, lining);
+      add_histories_of(layer, layer.name, continuum, opening);
     }
   }
 
-  void add_joints_of_segments(scene::Lining& lining, double thickness) const {
+  // Like the first one but for its joints.
+  void add_second_ring(const scene::Lining& first, const LiningLayer& layer, scene::Continuum& continuum,
+                       const Opening& opening) const {
+    const scene::SecondRing& wanted = tunnel_.lining().second_ring();
+    scene::Lining ring = first;
+    ring.set_name(first.name() + "_second");
+    ring.clear_along();
+    add_joints_of_segments(joint_angles(tunnel_.lining(), wanted), layer.thickness, ring);
+    scene::RingBeside& beside = *ring.mutable_beside();
+    beside.set_lining(first.name());
+    beside.set_ring_width(wanted.width());
+    for (std::uint32_t k = 0; k < wanted.dowels(); ++k) {
+      scene::RingDowel& dowel = *beside.add_dowels();
+      dowel.set_angle(wanted.first_dowel() + k * 2 * std::numbers::pi / wanted.dowels());
+      dowel.set_stiffness(wanted.dowel_stiffness());
+      if (wanted.has_dowel_strength()) dowel.set_strength(wanted.dowel_strength());
+    }
+    *continuum.add_linings() = ring;
+    add_histories_of(layer, ring.name(), continuum, opening);
+  }
+
+  void add_joints_of_segments(const std::vector<double>& angles, double thickness,
+                              scene::Lining& lining) const {
     const scene::TunnelLining& wanted = tunnel_.lining();
-    for (const double angle : joint_angles(wanted)) {
+    for (const double angle : angles) {
       scene::LiningJoint& joint = *lining.add_joints();
       joint.set_angle(angle);
       *joint.mutable_contact() = wanted.contact();
@@ -206,12 +231,13 @@ class GridTunnel {
       work(fmt::format("section_{}", k + 1), contour_.cut(static_cast<double>(k) / tunnel_.sections()));
   }
 
-  void add_histories_of(const LiningLayer& layer, scene::Continuum& continuum, const Opening& opening) const {
+  void add_histories_of(const LiningLayer& layer, const std::string& lining, scene::Continuum& continuum,
+                        const Opening& opening) const {
     const auto nodes = opening.nodes(ground_begins());
     for_each_section([&](const std::string& section, const Contour::Cut& cut) {
       for (const scene::Quantity quantity : quantities_of_sections(resists(layer.section))) {
-        auto& history = add_history(continuum, layer.name + "_" + section, quantity);
-        history.set_lining(layer.name);
+        auto& history = add_history(continuum, lining + "_" + section, quantity);
+        history.set_lining(lining);
         *history.mutable_at() = point(nodes[nearest(nodes, cut.at(ground_begins()))]);
       }
     });

@@ -100,13 +100,26 @@ class Joint {
 
 }  // namespace
 
-std::vector<double> joint_angles(const scene::TunnelLining& lining) {
-  if (lining.joints_size() > 0) return {lining.joints().begin(), lining.joints().end()};
+namespace {
+
+template <class Stated>
+std::vector<double> angles_of(const Stated& ring, std::uint32_t segments) {
+  if (ring.joints_size() > 0) return {ring.joints().begin(), ring.joints().end()};
   std::vector<double> angles;
-  if (lining.segments() < 2) return angles;
-  for (std::uint32_t k = 0; k < lining.segments(); ++k)
-    angles.push_back(lining.first_joint() + k * 2 * std::numbers::pi / lining.segments());
+  if (segments < 2) return angles;
+  for (std::uint32_t k = 0; k < segments; ++k)
+    angles.push_back(ring.first_joint() + k * 2 * std::numbers::pi / segments);
   return angles;
+}
+
+}  // namespace
+
+std::vector<double> joint_angles(const scene::TunnelLining& lining) {
+  return angles_of(lining, lining.segments());
+}
+
+std::vector<double> joint_angles(const scene::TunnelLining& lining, const scene::SecondRing& ring) {
+  return angles_of(ring, lining.segments());
 }
 
 void require_joints_possible(const scene::LinedTunnel& tunnel, const std::string& path) {
@@ -122,9 +135,24 @@ void require_joints_possible(const scene::LinedTunnel& tunnel, const std::string
   for (const auto& [given, field] :
        {std::pair{lining.has_bolts(), "bolts"}, std::pair{lining.has_gasket(), "gasket"},
         std::pair{lining.has_keys(), "keys"}, std::pair{lining.has_neighbours(), "neighbours"},
-        std::pair{lining.has_contact(), "contact"}})
+        std::pair{lining.has_contact(), "contact"}, std::pair{lining.has_second_ring(), "second_ring"}})
     if (given && !jointed)
       throw UserError(at + field, "is given, but the lining has no joints; give `segments` or `joints`");
+}
+
+void require_second_ring_possible(const scene::TunnelLining& lining, const std::string& path) {
+  if (!lining.has_second_ring()) return;
+  const scene::SecondRing& ring = lining.second_ring();
+  const std::string at = path + ".lining.second_ring";
+  protocol::require(lining.has_interface(), at,
+                    "is given, but the lining is tied to the ground, so that its rings cannot move apart; "
+                    "give `lining.interface`");
+  protocol::require(ring.joints_size() == 0 || !ring.has_first_joint(), at + ".joints",
+                    "is given beside `first_joint`; give equal segments or angles");
+  protocol::require(ring.joints_size() > 0 || lining.segments() > 1, at + ".joints",
+                    "is missing; give the angles of its joints, as those of the first ring");
+  protocol::require(ring.dowels() == 0 || ring.has_dowel_stiffness(), at + ".dowel_stiffness",
+                    "is missing; give the stiffness of one of the dowels");
 }
 
 void add_joints(const scene::LinedTunnel& tunnel, const Contour& contour, const std::string& path,

@@ -100,7 +100,8 @@ void require_of_particles(const scene::LinedTunnel& tunnel, const std::string& p
           {tunnel.has_zones(), ".zones", ""},
           {lining.has_interface(), ".lining.interface", ", or give `friction` or `to_ground`"},
           {lining.layers_size() > 0, ".lining.layers", ", or give `as: beam` or `as: zones`"},
-          {lining.has_contact(), ".lining.contact", ", or give `as: beam`"}},
+          {lining.has_contact(), ".lining.contact", ", or give `as: beam`"},
+          {lining.has_second_ring(), ".lining.second_ring", ", or give `as: beam`"}},
       path, "particles");
   if (!lining.has_section()) return;
   const std::string at = path + ".lining.section";
@@ -142,6 +143,7 @@ void require_of_beams(const scene::LinedTunnel& tunnel, const std::vector<Lining
             "concrete, or the elastic constants alone");
   }
   require_joints_possible(tunnel, path);
+  require_second_ring_possible(tunnel.lining(), path);
   require(layers.size() == 1 || joint_angles(tunnel.lining()).empty(), path + ".lining.layers",
           "are given beside joints of segments, which belong to a lining of one layer; leave one out");
 }
@@ -149,7 +151,7 @@ void require_of_beams(const scene::LinedTunnel& tunnel, const std::vector<Lining
 void require_of_zones(const scene::LinedTunnel& tunnel, const std::vector<LiningLayer>& layers,
                       const std::string& path) {
   require_in_grid(tunnel, path, "zones");
-  require(joint_angles(tunnel.lining()).empty(), path + ".lining",
+  require(joint_angles(tunnel.lining()).empty() && !tunnel.lining().has_second_ring(), path + ".lining",
           "has joints of segments, which zones do not have; give `as: beam` or `as: particles`");
   std::uint32_t before = tunnel.stage();
   for (const LiningLayer& layer : layers) {

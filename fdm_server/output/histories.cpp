@@ -93,7 +93,7 @@ Histories::Histories(const scene::Continuum& scene, const Supports& supports, co
     protocol::require_relative_motion(history, path);
     Probe& probe = probes_.emplace_back(Probe{history.quantity()});
     if (resultant && history.has_section() && history.quantity() != scene::CURVATURE &&
-        !is_of_segments(history.quantity())) {
+        !is_of_segments(history.quantity()) && !is_of_dowels(history.quantity())) {
       probe.section = sections_.number_of(history, path);
       continue;
     }
@@ -198,6 +198,8 @@ double Histories::value(const Probe& probe, const Grid& grid, const Supports& su
     case scene::GASKET_OPENING:
     case scene::TIGHTNESS:
     case scene::BOLT_FORCE:
+    case scene::DOWEL_FORCE:
+    case scene::RING_OFFSET:
       if (lining) return fdm::value(*lining, supports, continuum.structures());
       if (quantity == scene::UTILISATION) return sections_.use(continuum.zones(), section).utilisation;
       if (quantity == scene::SHEAR_STRENGTH) return sections_.use(continuum.zones(), section).shear_strength;

@@ -1,6 +1,7 @@
 #include "fdm_server/output/lining_probe.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "fdm_server/supports/joint_use.hpp"
 #include "fdm_server/supports/section_use.hpp"
@@ -11,7 +12,7 @@ namespace adit::fdm {
 
 bool is_of_lining(scene::Quantity quantity) {
   return quantity == scene::THRUST || quantity == scene::MOMENT || quantity == scene::SHEAR_FORCE ||
-         is_of_reinforced_section(quantity) || is_of_segments(quantity);
+         is_of_reinforced_section(quantity) || is_of_segments(quantity) || is_of_dowels(quantity);
 }
 
 bool is_of_reinforced_section(scene::Quantity quantity) {
@@ -22,6 +23,10 @@ bool is_of_segments(scene::Quantity quantity) {
   return quantity == scene::ROTATION || quantity == scene::OUTER_OPENING ||
          quantity == scene::INNER_OPENING || quantity == scene::GASKET_OPENING ||
          quantity == scene::TIGHTNESS || quantity == scene::BOLT_FORCE;
+}
+
+bool is_of_dowels(scene::Quantity quantity) {
+  return quantity == scene::DOWEL_FORCE || quantity == scene::RING_OFFSET;
 }
 
 namespace {
@@ -42,6 +47,23 @@ LiningJoint joint_at(std::size_t node, const Lining& lining, scene::Quantity qua
   needs(scene::GASKET_OPENING, law.gasket.has_value(), "a gasket");
   needs(scene::TIGHTNESS, law.gasket && law.gasket->water_force > 0, "a gasket against water");
   return *joint;
+}
+
+std::uint32_t dowel_at(const geometry::Point& place, const Lining& lining, const Grid& grid,
+                       const std::string& path) {
+  protocol::require(
+      !lining.dowels.empty(), path + ".lining",
+      "is `" + lining.name + "`, which has no dowels to a ring beside it; name the lining that has `beside`");
+  const auto away = [&](std::size_t node) {
+    const auto point = lining.path.points[node];
+    return std::hypot(grid.x[point] - place.x, grid.y[point] - place.y);
+  };
+  const auto nearest = std::ranges::min_element(lining.dowels, {}, away) - lining.dowels.begin();
+  return lining.first_dowel + static_cast<std::uint32_t>(nearest);
+}
+
+double value_of_dowel(scene::Quantity quantity, const Lining& lining, const Dowel& dowel) {
+  return quantity == scene::RING_OFFSET ? dowel.offset() : lining.ring_width * dowel.force();
 }
 
 double value_of_joint(scene::Quantity quantity, const JointUse& use) {
@@ -90,12 +112,14 @@ LiningProbe resolve_lining_probe(const scene::History& history, const Supports& 
                     nearest_node(place, found->path, grid, path + ".at")};
   if (is_of_segments(history.quantity()))
     probe.joint = joint_at(probe.node, *found, history.quantity(), path);
+  if (is_of_dowels(history.quantity())) probe.dowel = dowel_at(place, *found, grid, path);
   return probe;
 }
 
 double value(const LiningProbe& probe, const Supports& supports, const Structures& structures) {
   const Lining& lining = (probe.of_member ? supports.members : supports.linings)[probe.number];
   if (probe.joint) return value_of_joint(probe.quantity, joint_use(lining, structures, *probe.joint));
+  if (probe.dowel) return value_of_dowel(probe.quantity, lining, structures.dowels()[*probe.dowel]);
   if (probe.quantity == scene::UTILISATION) return section_use(lining, structures, probe.node).utilisation;
   if (probe.quantity == scene::CURVATURE) return section_use(lining, structures, probe.node).curvature;
   if (probe.quantity == scene::SHEAR_STRENGTH) return shear_strength(lining, structures, probe.node);

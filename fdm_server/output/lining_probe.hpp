@@ -14,15 +14,18 @@ struct LiningProbe {
   scene::Quantity quantity;
   bool of_member;  // instead of a lining
   std::size_t number, node;
-  std::optional<LiningJoint> joint{};  // at the node, of what joints do
+  std::optional<LiningJoint> joint{};    // at the node, of what joints do
+  std::optional<std::uint32_t> dowel{};  // its number in the structures
 };
 
 bool is_of_lining(scene::Quantity quantity);
 bool is_of_reinforced_section(scene::Quantity quantity);  // one of these
 bool is_of_segments(scene::Quantity quantity);            // likewise
+bool is_of_dowels(scene::Quantity quantity);              // likewise
 
 // UserError at `path`, the history's, where it names no lining or member of the scene, a place off it or off
-// its joints, or what an elastic one or a joint without bolts, gasket or water does not have.
+// its joints, or what an elastic one, a joint without bolts, gasket or water, or a ring without dowels does
+// not have.
 LiningProbe resolve_lining_probe(const scene::History& history, const Supports& supports, const Grid& grid,
                                  const std::string& path);
 

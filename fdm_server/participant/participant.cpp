@@ -25,6 +25,7 @@
 #include "fdm_server/model/supports/meetings.hpp"
 #include "fdm_server/model/supports/supports.hpp"
 #include "fdm_server/participant/critical_element.hpp"
+#include "fdm_server/participant/dowel_figures.hpp"
 #include "fdm_server/participant/interface_figures.hpp"
 #include "fdm_server/participant/joint_figures.hpp"
 #include "fdm_server/participant/lining_figures.hpp"
@@ -253,7 +254,10 @@ void FdmParticipant::scale_masses(bool scaled) {
 
 void FdmParticipant::set_masses() {
   auto masses = scaled_ ? scaled_masses() : this->masses();
-  if (relaxes_) continuum_->contacts().add_masses(masses, critical_static_dt_);
+  if (relaxes_) {
+    continuum_->contacts().add_masses(masses, critical_static_dt_);
+    continuum_->structures().add_masses_of_dowels(masses, critical_static_dt_);
+  }
   continuum_->set_masses(masses, scaled_ ? critical_static_dt_ : 0);
 }
 
@@ -414,6 +418,7 @@ void FdmParticipant::step_interior(const Step& step) {
     member_forces_.take(supports_.members, continuum_->structures(), step.time());
     member_use_.take(supports_.members, continuum_->structures(), step.time());
     peak_joints_.take(supports_.linings, continuum_->structures(), step.time());
+    peak_dowels_.take(continuum_->structures().dowels(), step.time());
     peak_shapes_->take(continuum_->ux(), continuum_->uy(), step.time());
   }
   if (step.number % kFiniteCheckInterval == 0) check_grid(step);
@@ -484,6 +489,7 @@ void FdmParticipant::exchange_solver(state::Archive& archive) {
   member_forces_.exchange(supports_.members, archive);
   member_use_.exchange(supports_.members, archive);
   peak_joints_.exchange(supports_.linings, archive);
+  peak_dowels_.exchange(supports_.structures.dowels().size(), archive);
   peak_shapes_->exchange(archive);
   histories_->exchange(archive);
   archive("peaks", peaks_, [this] { return Peaks(grid_); });
@@ -499,6 +505,7 @@ void FdmParticipant::finish(wire::Bye& bye) {
   add_figures(grid_, "lining", supports_.linings, peak_forces_, peak_use_, bye);
   add_figures(grid_, "member", supports_.members, member_forces_, member_use_, bye);
   add_figures(grid_, supports_.linings, peak_joints_, bye);
+  add_figures(grid_, supports_.linings, peak_dowels_, bye);
   add_figures(supports_.linings, *peak_shapes_, bye);
   if (!supports_.members.empty()) add_failures(grid_, supports_.members, continuum_->structures(), bye);
   add_figures(grid_, supports_.interfaces, supports_.contacts, contact_peaks_, bye);

@@ -23,6 +23,7 @@
 #include "fdm_server/output/peaks.hpp"
 #include "fdm_server/participant/critical_element.hpp"
 #include "fdm_server/solver/relaxation.hpp"
+#include "fdm_server/supports/peak_dowels.hpp"
 #include "fdm_server/supports/peak_forces.hpp"
 #include "fdm_server/supports/peak_joints.hpp"
 #include "fdm_server/supports/peak_shapes.hpp"
@@ -135,6 +136,7 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   ContactPeaks contact_peaks_;
   PeakUse peak_use_, member_use_;
   PeakJoints peak_joints_;
+  PeakDowels peak_dowels_;
   std::optional<PeakShapes> peak_shapes_;  // of linings, once set up
   std::optional<Histories> histories_;
   std::optional<Peaks> peaks_;              // once wanted

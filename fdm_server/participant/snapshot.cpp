@@ -114,6 +114,23 @@ void add_joints(const Structures& structures, std::span<const Lining> linings, c
     });
 }
 
+// What dowels between rings do, at the nodes of the ring that lies beside the other; 0 at nodes without.
+void add_dowels(const Structures& structures, std::span<const Lining> linings, wire::Piece& piece) {
+  std::size_t nodes = 0;
+  for (const Lining& lining : linings) nodes += lining.path.points.size();
+  double* forces = new_field(*piece.mutable_point_fields(), "dowel_force_N", 1, nodes);
+  double* offsets = new_field(*piece.mutable_point_fields(), "ring_offset_m", 1, nodes);
+  std::size_t first_node = 0;
+  for (const Lining& lining : linings) {
+    for (std::size_t k = 0; k < lining.dowels.size(); ++k) {
+      const Dowel& dowel = structures.dowels()[lining.first_dowel + k];
+      forces[first_node + lining.dowels[k]] = lining.ring_width * dowel.force();
+      offsets[first_node + lining.dowels[k]] = dowel.offset();
+    }
+    first_node += lining.path.points.size();
+  }
+}
+
 // `kind`: "lining" or "member".
 void add_chains(const std::string& kind, const Grid& grid, const Continuum& continuum,
                 std::span<const Lining> linings, const ChainPeaks& of_chains, wire::Snapshot& snapshot) {
@@ -156,6 +173,8 @@ void add_chains(const std::string& kind, const Grid& grid, const Continuum& cont
   }
   std::ranges::copy(number, new_field(*piece.mutable_cell_fields(), kind, 1, number.size()));
   if (any_section(linings)) add_use(continuum.structures(), linings, use, piece);
+  if (std::ranges::any_of(linings, [](const Lining& lining) { return !lining.dowels.empty(); }))
+    add_dowels(continuum.structures(), linings, piece);
   if (any_segments(linings)) add_joints(continuum.structures(), linings, joints, piece);
 }
 

@@ -90,6 +90,12 @@ std::uint32_t Structures::add_bar(const Bar& bar) {
   return static_cast<std::uint32_t>(bars_.size() - 1);
 }
 
+std::uint32_t Structures::add_dowel(const Dowel& dowel) {
+  dowels_.push_back(dowel);
+  stage_of_dowel_.push_back(adding_);
+  return static_cast<std::uint32_t>(dowels_.size() - 1);
+}
+
 void Structures::add_segment_joint(std::uint32_t beam, std::size_t end, std::shared_ptr<const JointLaw> law) {
   segment_joint_of_beam_[beam] = static_cast<std::uint32_t>(segment_joints_.size());
   segment_joints_.emplace_back(std::move(law), beams_[beam], end);
@@ -146,6 +152,11 @@ void Structures::add_masses(std::span<double> of_points, std::uint32_t stage) co
       of_points[point] += scale(bars_[i].critical_step()) * bars_[i].end_mass();
 }
 
+void Structures::add_masses_of_dowels(std::span<double> of_points, double step) const {
+  for (const auto i : installed(stage_of_dowel_, stage_))
+    for (const auto point : dowels_[i].points()) of_points[point] += dowels_[i].end_mass(step);
+}
+
 void Structures::mark_points(std::vector<bool>& touched) const {
   for (const auto& beam : beams_)
     for (const auto point : beam.points()) touched[point] = true;
@@ -191,7 +202,8 @@ Structures::Part Structures::standing() const {
             installed(stage_of_bar_, stage_),
             installed(stage_of_joint_, stage_),
             {},
-            {}};
+            {},
+            installed(stage_of_dowel_, stage_)};
   for (std::uint32_t i = 0; i < members_.size(); ++i)
     if (stage_of_beam_[members_[i].first_beam()] <= stage_) part.members.push_back(i);
   for (std::uint32_t i = 0; i < inertia_.size(); ++i)
@@ -204,9 +216,11 @@ Structures::Part Structures::take(Part& part, const std::vector<bool>& chosen) c
           take_if(part.bars, [&](auto i) { return touches(bars_[i], chosen); }),
           take_if(part.joints, [&](auto i) { return chosen[point_[joints_[i].first]]; }),
           take_if(part.rotations, [&](auto i) { return chosen[point_[i]]; }),
-          take_if(part.members, [&](auto i) {
-            return touches(beams_[members_[i].first_beam() + members_[i].count() - 1], chosen);
-          })};
+          take_if(part.members,
+                  [&](auto i) {
+                    return touches(beams_[members_[i].first_beam() + members_[i].count() - 1], chosen);
+                  }),
+          take_if(part.dowels, [&](auto i) { return touches(dowels_[i], chosen); })};
 }
 
 std::vector<StrainForm> Structures::strains(const Part& part) const {
@@ -222,6 +236,7 @@ std::vector<StrainForm> Structures::strains(const Part& part) const {
     strains.push_back(
         {spring.stiffness(), {{{Freedom::kRotation, first}, -1}, {{Freedom::kRotation, second}, 1}}});
   }
+  for (const auto i : part.dowels) std::ranges::move(dowels_[i].strains(), std::back_inserter(strains));
   return strains;
 }
 
@@ -250,6 +265,7 @@ void Structures::add_forces_of_beam(std::uint32_t number, double dt, const Point
 void Structures::add_forces(const Part& part, double dt, const PointView& points) {
   for (const auto i : part.beams) add_forces_of_beam(i, dt, points);
   for (const auto i : part.bars) dissipated_ += bars_[i].add_forces(dt, points);
+  for (const auto i : part.dowels) dissipated_ += dowels_[i].add_forces(dt, points);
   for (const auto i : part.joints) {
     auto& [first, second, spring, step] = joints_[i];
     dissipated_ += spring.strain(dt * (rate_[second] - rate_[first]));
@@ -314,6 +330,7 @@ double Structures::strain_energy() const {
   }
   for (const auto& bar : bars_) sum += bar.strain_energy();
   for (const auto& joint : joints_) sum += joint.spring.strain_energy();
+  for (const auto& dowel : dowels_) sum += dowel.strain_energy();
   for (const SegmentJoint& joint : segment_joints_) sum += joint.stored();
   return sum;
 }

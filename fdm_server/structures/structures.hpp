@@ -1,4 +1,5 @@
-// Linings and bolts of a grid: beams and bars between its points, the beams' rotations, joints between them.
+// Linings and bolts of a grid: beams and bars between its points, the beams' rotations, joints between them,
+// dowels from one ring to the next.
 //
 // Translations are the points', rotations move here, by the same central differences (continuum.hpp).
 // Beams that are joined rigidly at a point share one rotation there. Its inertia is that of the beams and
@@ -31,6 +32,7 @@
 
 #include "fdm_server/structures/bar.hpp"
 #include "fdm_server/structures/beam.hpp"
+#include "fdm_server/structures/dowel.hpp"
 #include "fdm_server/structures/fibre_beam.hpp"
 #include "fdm_server/structures/member.hpp"
 #include "fdm_server/structures/member_beam.hpp"
@@ -51,8 +53,8 @@ class Structures {
   void hold(std::uint32_t rotation);
   // What is added from now on is installed in this stage, free of stress; 0: it was always there.
   void set_stage(std::uint32_t stage) { adding_ = stage; }
-  // Return the number of the beam, of the bar. A beam with `fibres` follows these, from its elastic section
-  // on.
+  // Return the number of the beam, of the bar or dowel. A beam with `fibres` follows these, from its elastic
+  // section on.
   std::uint32_t add_beam(const Beam& beam, std::shared_ptr<const sections::FibreSection> fibres = nullptr);
   // One that follows its chord.
   std::uint32_t add_member_beam(const Beam& beam,
@@ -65,12 +67,15 @@ class Structures {
   void add_segment_joint(std::uint32_t beam, std::size_t end, std::shared_ptr<const JointLaw> law);
   // `dt`: a critical step of the lining's beams. Stiffness > 0 [N m/rad], yield moment [N m].
   void add_joint(std::uint32_t first, std::uint32_t second, double stiffness, double yield, double dt);
+  std::uint32_t add_dowel(const Dowel& dowel);
   // From now on masses and inertias are those that make this step [s] the critical one of every element; 0:
   // the true ones.
   void scale_masses(double step);
 
   // Masses of the structures that stand in this stage.
   void add_masses(std::span<double> of_points, std::uint32_t stage = 0) const;
+  // Those that make this step [s] the critical one of every dowel that stands, for statics.
+  void add_masses_of_dowels(std::span<double> of_points, double step) const;
   void mark_points(std::vector<bool>& touched) const;
   // A chosen point to which something is attached after stage 0, if any.
   std::optional<std::uint32_t> later_point(const std::vector<bool>& chosen) const;
@@ -90,14 +95,14 @@ class Structures {
 
   // Numbers of the elements that are computed together.
   struct Part {
-    std::vector<std::uint32_t> beams, bars, joints, rotations, members;
+    std::vector<std::uint32_t> beams, bars, joints, rotations, members, dowels;
   };
   Part standing() const;  // all that is installed
   // Moves out of a part what touches a chosen point; of the rotations those at chosen points. Members that
   // may fail are one with their last beam.
   Part take(Part& part, const std::vector<bool>& chosen) const;
 
-  // Of beams, bars and joints, as if nothing yielded.
+  // Of beams, bars, joints and dowels, as if nothing yielded.
   std::vector<StrainForm> strains(const Part& part) const;
 
   void add_forces(const Part& part, double dt, const PointView& points);
@@ -114,6 +119,7 @@ class Structures {
     for (SegmentJoint& joint : segment_joints_) joint.exchange(archive);
     for (Bar& bar : bars_) bar.exchange(archive);
     for (Joint& joint : joints_) joint.spring.exchange(archive);
+    for (Dowel& dowel : dowels_) dowel.exchange(archive);
     archive("rotations_angle", std::span(angle_));
     archive("rotations_rate", std::span(rate_));
     archive("rotations_rate_before", std::span(rate_before_));
@@ -138,6 +144,7 @@ class Structures {
                : nullptr;
   }
   std::span<const Bar> bars() const { return bars_; }
+  std::span<const Dowel> dowels() const { return dowels_; }
   std::span<const double> rotations() const { return angle_; }  // since the start [rad]
   // One value a rotation, for mean_acceleration.hpp: rates before and after the last step, couples of this
   // one, 1/inertia or 0 where held.
@@ -174,7 +181,8 @@ class Structures {
   std::vector<std::uint32_t> fibres_of_beam_, member_beam_of_beam_, segment_joint_of_beam_;
   std::vector<Bar> bars_;
   std::vector<Joint> joints_;
-  std::vector<std::uint32_t> stage_of_beam_, stage_of_bar_, stage_of_joint_;
+  std::vector<Dowel> dowels_;
+  std::vector<std::uint32_t> stage_of_beam_, stage_of_bar_, stage_of_joint_, stage_of_dowel_;
   std::map<std::uint32_t, std::uint32_t> shared_;  // rotations, by their points
   // one a rotation
   std::vector<std::uint32_t> point_, held_from_;                       // the stage from which it is held

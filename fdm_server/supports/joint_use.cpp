@@ -22,8 +22,8 @@ JointUse joint_use(const Lining& lining, const Structures& structures, const Lin
                   law.bolts[k].force(opening_at(half.opening(), law.bolts[k].position), half.slack()[k]);
   }
   JointUse use{};
-  use.thrust = forces[0];
-  use.moment = forces[1];
+  use.thrust = lining.spacing * forces[0];
+  use.moment = lining.spacing * forces[1];
   use.rotation = opening[1];
   use.outer_opening = opening_at(opening, law.edge);
   use.inner_opening = opening_at(opening, -law.edge);

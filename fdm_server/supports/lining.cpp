@@ -55,7 +55,7 @@ Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structur
                 static_cast<std::uint32_t>(beams),
                 plan.section,
                 plan.bonded_to,
-                plan.spacing.value_or(1),
+                plan.spacing,
                 plan.joints};
   double dt = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < beams; ++k) {
@@ -65,7 +65,7 @@ Lining add_lining(const LiningPlan& plan, const Grid& grid, Structures& structur
                     chord(grid.x[p], grid.y[p], grid.x[q], grid.y[q]), plan.elastic);
     dt = std::min(dt, beam.critical_step());
     const auto fibres = plan.section && !plan.section->elastic ? plan.section->fibres : nullptr;
-    plan.spacing ? structures.add_member_beam(beam, fibres) : structures.add_beam(beam, fibres);
+    plan.follows_chord ? structures.add_member_beam(beam, fibres) : structures.add_beam(beam, fibres);
   }
   if (plan.strength) lining.member = structures.add_member(lining.first_beam, lining.beams, *plan.strength);
   for (const auto& [node, stiffness, yield, segments] : plan.joints) {

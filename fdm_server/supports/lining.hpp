@@ -45,6 +45,12 @@ struct LiningJoint {
   std::shared_ptr<const JointLaw> segments = nullptr;
 };
 
+// From a node of a ring to that of the ring beside it.
+struct RingDowel {
+  std::size_t node;            // place in the path
+  double stiffness, strength;  // of one dowel [N/m], [N]
+};
+
 struct LiningPlan {
   std::string name;
   Path path;
@@ -53,9 +59,10 @@ struct LiningPlan {
   bool first_held, last_held;  // whether the ends of an open lining cannot rotate, with all joined rigidly
   std::shared_ptr<const LiningSection> section = nullptr;  // of reinforced concrete
   std::string bonded_to = {};                              // the lining below, whose points it has
-  // Of a member: the distance to the next one across the plane [m]; how it may fail.
-  std::optional<double> spacing{};
-  std::optional<MemberStrength> strength{};
+  double spacing = 1;                                      // as of a lining
+  bool follows_chord = false;                              // as members do
+  std::optional<MemberStrength> strength{};                // if it may fail
+  std::vector<RingDowel> dowels{};                         // to the ring beside it
 };
 
 struct Lining {
@@ -64,9 +71,15 @@ struct Lining {
   std::uint32_t first_beam, beams;                         // numbers in the structures
   std::shared_ptr<const LiningSection> section = nullptr;  // none: elastic
   std::string bonded_to = {};
-  double spacing = 1;  // results are those of so much of the plane [m]
+  // Results are those of so much of the plane [m]: of a member, of a ring that has a half of each metre.
+  double spacing = 1;
   std::vector<LiningJoint> joints{};
   std::optional<std::uint32_t> member{};  // its number in the structures, if it may fail
+  // To the ring beside it: their nodes, the number of the first in the structures, and how wide a ring is: a
+  // dowel's force times this is that of one dowel [m].
+  std::vector<std::size_t> dowels{};
+  std::uint32_t first_dowel = 0;
+  double ring_width = 0;
 };
 
 // The node of a lining's path nearest to a place. UserError at `path`, the scene's field, where the place

@@ -192,8 +192,8 @@ class Scaled(Same):
         return factor / self.by[0] if in_plane else factor
 
     def number(self, name, key, unit, value):
-        # A bolt is one of many at a distance, which is scaled, too.
-        in_plane = (unit in self.IN_PLANE and name != "Bolt") or (name == "Lining" and key in ("area", "inertia")) or name == "FoundationSpring"
+        # A bolt or dowel is one of many at a distance, which is scaled, too.
+        in_plane = (unit in self.IN_PLANE and name not in ("Bolt", "SecondRing")) or (name == "Lining" and key in ("area", "inertia")) or name == "FoundationSpring"
         return value * self.times(unit, in_plane)
 
     def factor(self, column):

@@ -33,7 +33,7 @@ FACTORS = {
 # Linings of beams and zones, whose grid follows the opening.
 IN_GRID = {
     **FACTORS, "as": ["beam", "zones"], "particles": ["none"], "to_ground": ["touches"], "damping": ["none"], "substeps": ["1"],
-    "lining": ["solid", "slips", "layers", "segments", "reinforced"], "ground": ["one", "layers", "plastic"],
+    "lining": ["solid", "slips", "layers", "segments", "rings", "reinforced"], "ground": ["one", "layers", "plastic"],
 }
 
 STATICS = {"kinetic", "local", "adaptive"}
@@ -41,11 +41,11 @@ JOINTED = {"segments", "bolts", "gasket", "keys", "neighbours"}
 
 # What the programs refuse, and a word of the refusal.
 REFUSED = (
-    [({"shape": shape, "lining": "segments"}, "segments") for shape in ("horseshoe", "box")]
+    [({"shape": shape, "lining": lining}, "segments") for shape in ("horseshoe", "box") for lining in ("segments", "rings")]
     + [({"plane": "plane_stress", "ground": "plastic"}, "plane strain")]
     + [({"particles": "lattice", "lining": "reinforced"}, "lattice of discs")]
     + [({"as": "zones", "lining": lining, "stage": stage}, "tied to what lies outside") for lining in ("slips", "layers") for stage in ("stage", "released")]
-    + [({"as": "zones", "lining": "segments"}, "segments")]
+    + [({"as": "zones", "lining": lining}, "segments") for lining in ("segments", "rings")]
 )
 
 
@@ -91,8 +91,9 @@ class Mirrored(changes.Mirrored):
 
     def message(self, name, value):
         value = super().message(name, value)
-        if name == "TunnelLining" and "first_joint" in value:
-            value["first_joint"] = changes.PI - value["first_joint"]
+        for angle in ("first_joint", "first_dowel"):
+            if name in ("TunnelLining", "SecondRing") and angle in value:
+                value[angle] = changes.PI - value[angle]
         return value
 
     def column(self, name):
@@ -149,13 +150,17 @@ _SECTION = {"thickness": 0.4, "cover": 0.04,
 
 def _lining_in_grid(row):
     solid = {"thickness": 0.4, "material": dict(CONCRETE)}
+    slips = {**solid, "interface": {"friction_angle": 0.5, "cohesion": 20e3}}
+    segments = {"segments": 4, "first_joint": math.pi / 4, "contact": {"height": 0.2},
+                "bolts": {"length": 0.4, "stiffness": 1e8, "strength": 1e5}}
     return {"as": row["as"], **{
         "solid": solid,
-        "slips": {**solid, "interface": {"friction_angle": 0.5, "cohesion": 20e3}},
+        "slips": slips,
         "layers": {"layers": [{"name": "first", "thickness": 0.2, "material": dict(CONCRETE)},
                               {"name": "second", "thickness": 0.3, "material": dict(CONCRETE), "interface": {"friction_angle": 0.2}}]},
-        "segments": {**solid, "segments": 4, "first_joint": math.pi / 4, "contact": {"height": 0.2},
-                     "bolts": {"length": 0.4, "stiffness": 1e8, "strength": 1e5}},
+        "segments": {**solid, **segments},
+        "rings": {**slips, **segments, "second_ring": {"first_joint": 0.0, "width": 1.2, "dowels": 8, "first_dowel": math.pi / 8,
+                                                       "dowel_stiffness": 1e8, "dowel_strength": 20e3}},
         "reinforced": {"section": dict(_SECTION)},
     }[row["lining"]]}
 

@@ -59,8 +59,8 @@ Seams::End Seams::end(const Path& path, std::size_t k, const std::array<std::uin
                       const std::array<std::uint32_t, 2>& zones, double sense) const {
   const auto [a, b] = path.side(k);
   const double w = zones[0] == kNoZone ? weight(zones[1]) : (weight(zones[0]) + weight(zones[1])) / 2;
-  const double dx = grid_.x[b] - grid_.x[a], dy = grid_.y[b] - grid_.y[a], share = sense * w / 2;
-  return {points, {zones[0], zones[1], -share * dy, share * dx, std::hypot(dx, dy)}};
+  const double dx = grid_.x[b] - grid_.x[a], dy = grid_.y[b] - grid_.y[a], half = sense * w / 2;
+  return {points, {zones[0], zones[1], -half * dy, half * dx, std::hypot(dx, dy)}};
 }
 
 Interface Seams::join(const Path& path, const ContactLaw& law, Contacts& contacts) const {
@@ -75,7 +75,7 @@ Interface Seams::join(const Path& path, const ContactLaw& law, Contacts& contact
 }
 
 Interface Seams::join(const Path& path, std::span<const std::uint32_t> own, const ContactLaw& law,
-                      std::uint32_t stage, Contacts& contacts) const {
+                      double share, std::uint32_t stage, Contacts& contacts) const {
   Interface joined{{}, 0, 0, path.closed};
   for (const std::size_t on : {0, 1}) {
     std::vector<End> ends;
@@ -83,8 +83,8 @@ Interface Seams::join(const Path& path, std::span<const std::uint32_t> own, cons
       const auto zone = beside(path, k)[on];
       if (zone == kNoZone) continue;
       for (const std::size_t node : {k, (k + 1) % path.points.size()})
-        ends.push_back(
-            end(path, k, {own[node], copy(path.points[node], zone)}, {kNoZone, zone}, on == 0 ? -1 : 1));
+        ends.push_back(end(path, k, {own[node], copy(path.points[node], zone)}, {kNoZone, zone},
+                           on == 0 ? -share : share));
     }
     const Interface one = add(std::move(ends), path.closed, law, stage, contacts);
     if (joined.count == 0) joined.first = one.first;

@@ -36,8 +36,8 @@ class Seams {
   // Adds the contacts of the zones on the left of a path with those on its right.
   Interface join(const Path& path, const ContactLaw& law, Contacts& contacts) const;
   // Adds those of a lining with the zones on both its sides, from this stage on. `own`: its points in the
-  // order of the path.
-  Interface join(const Path& path, std::span<const std::uint32_t> own, const ContactLaw& law,
+  // order of the path. `share`: how much of each metre of the plane it has.
+  Interface join(const Path& path, std::span<const std::uint32_t> own, const ContactLaw& law, double share,
                  std::uint32_t stage, Contacts& contacts) const;
 
   // Adds those of a layer with the lining below, on its left. `below`, `layer`: their points along the path.
@@ -54,7 +54,8 @@ class Seams {
   double weight(std::uint32_t zone) const { return zone == kNoZone || weights_.empty() ? 1 : weights_[zone]; }
   // (K + 4 G/3) over the zone's size across the side [Pa/m].
   double stiffness_of(std::uint32_t zone, double side) const;
-  // `sense`: 1 where the first face lies on the left of the path, -1 on the right.
+  // `sense`: positive where the first face lies on the left of the path, negative on the right; its size is
+  // the share of each metre of the plane in which the faces touch.
   End end(const Path& path, std::size_t k, const std::array<std::uint32_t, 2>& points,
           const std::array<std::uint32_t, 2>& zones, double sense) const;
   Interface add(std::vector<End> ends, bool closed, const ContactLaw& law, std::uint32_t stage,

@@ -120,6 +120,7 @@ LiningPlan plan_member(const scene::Member& member, bool plane_strain, Ends& end
   if (member.first_end_hinged()) plan.joints.push_back({0, 0, 0});
   if (member.last_end_hinged()) plan.joints.push_back({member.elements(), 0, 0});
   plan.spacing = spacing;
+  plan.follows_chord = true;
   plan.strength = read_failure(member, section.get(), path);
   return plan;
 }

@@ -28,36 +28,39 @@ void require_inside(double position, double edge, const std::string& path) {
                   position, edge));
 }
 
-JointBolts read_bolts(const scene::JointBolts& bolts, double edge, const std::string& path) {
+JointBolts read_bolts(const scene::JointBolts& bolts, double edge, double share, const std::string& path) {
   require_inside(bolts.position(), edge, path + ".position");
   require(bolts.pretension() <= bolts.yield_force(), path + ".pretension",
           fmt::format("is {:.4g} N, more than the yield force of {:.4g} N; give less", bolts.pretension(),
                       bolts.yield_force()));
-  const double spacing = bolts.spacing();
+  const double spacing = bolts.spacing() / share;
   return {bolts.stiffness() / spacing, bolts.pretension() / spacing, bolts.yield_force() / spacing,
           bolts.position(), spacing};
 }
 
-JointGasket read_gasket(const scene::JointGasket& gasket, double edge, const std::string& path) {
+JointGasket read_gasket(const scene::JointGasket& gasket, double edge, double share,
+                        const std::string& path) {
   require_inside(gasket.position(), edge, path + ".position");
   std::vector<double> opening(gasket.force().opening().begin(), gasket.force().opening().end()),
       force(gasket.force().force().begin(), gasket.force().force().end());
   require(std::ranges::is_sorted(force) && force.back() == 0, path + ".force.force",
           "must rise to 0 where the gasket lets go, because it presses, compression is negative, and it "
           "presses less as the joint opens; list the forces so");
+  for (double& one : force) one *= share;
   // The first slope goes on, the last one does not: a gasket does not pull.
   opening.push_back(opening.back() + 1);
   force.push_back(0);
   require(gasket.has_width() == gasket.has_water_pressure(), path,
           "needs both for its tightness: give `width` and `water_pressure`, or neither");
   return {protocol::ForceCurve(std::move(opening), std::move(force)), gasket.position(),
-          gasket.width() * gasket.water_pressure()};
+          share * gasket.width() * gasket.water_pressure()};
 }
 
 }  // namespace
 
 std::shared_ptr<const JointLaw> read_segments(const scene::Lining& lining, const scene::LiningJoint& joint,
-                                              const LiningSection* section, const std::string& path) {
+                                              const LiningSection* section, double share,
+                                              const std::string& path) {
   if (!joint.has_contact()) {
     require(joint.bolts().empty() && !joint.has_gasket(), path,
             "has bolts or a gasket, but no faces between which they act; give `contact`, too");
@@ -71,11 +74,12 @@ std::shared_ptr<const JointLaw> read_segments(const scene::Lining& lining, const
           fmt::format("is {:.4g} m, more than the lining's thickness of {:.4g} m; give at most that",
                       contact.height(), thickness));
   const double of_lining = section != nullptr ? section->concrete_modulus : lining.young_modulus();
-  JointLaw law{{contact.height(), contact.has_young_modulus() ? contact.young_modulus() : of_lining}};
+  JointLaw law{
+      {contact.height(), share * (contact.has_young_modulus() ? contact.young_modulus() : of_lining)}};
   law.edge = edge;
   for (int i = 0; i < joint.bolts_size(); ++i)
-    law.bolts.push_back(read_bolts(joint.bolts(i), edge, fmt::format("{}.bolts[{}]", path, i)));
-  if (joint.has_gasket()) law.gasket = read_gasket(joint.gasket(), edge, path + ".gasket");
+    law.bolts.push_back(read_bolts(joint.bolts(i), edge, share, fmt::format("{}.bolts[{}]", path, i)));
+  if (joint.has_gasket()) law.gasket = read_gasket(joint.gasket(), edge, share, path + ".gasket");
   require(law.installed().has_value(), path + ".bolts",
           fmt::format("have a pretension beside the contact of the faces, which reaches {:.4g} m from the "
                       "axis to either side, and nothing balances it; move them, or leave it out",

@@ -13,9 +13,11 @@
 
 namespace adit::fdm {
 
-// None for a joint without `contact`. `section`: the lining's, if it is of reinforced concrete.
+// None for a joint without `contact`. `section`: the lining's, if it is of reinforced concrete. `share`: how
+// much of each metre of the plane the lining has.
 std::shared_ptr<const JointLaw> read_segments(const scene::Lining& lining, const scene::LiningJoint& joint,
-                                              const LiningSection* section, const std::string& path);
+                                              const LiningSection* section, double share,
+                                              const std::string& path);
 
 // `path`: of the lining. Segments are at least two beams long, and end inside the lining or in a plane of
 // symmetry.

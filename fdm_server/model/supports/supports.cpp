@@ -19,6 +19,8 @@
 #include "fdm_server/model/supports/layers.hpp"
 #include "fdm_server/model/supports/meetings.hpp"
 #include "fdm_server/model/supports/members.hpp"
+#include "fdm_server/model/supports/place_on_path.hpp"
+#include "fdm_server/model/supports/rings.hpp"
 #include "fdm_server/model/supports/segments.hpp"
 #include "fdm_server/model/supports/stated_section.hpp"
 #include "fdm_server/supports/curve.hpp"
@@ -65,34 +67,25 @@ Path read_path(const scene::LiningPath& along, const Grid& grid, const Edges& ed
   throw protocol::UserError(path, "names no path; give `circle`, `line` or `wall`");
 }
 
-geometry::Point place_of(const scene::LiningJoint& joint, const scene::LiningPath& along,
-                         const std::string& path) {
-  require(joint.has_at() != joint.has_angle(), path, "needs one place: give either `at` or `angle`");
-  if (joint.has_at()) return {joint.at().x(), joint.at().y()};
-  require(along.has_circle(), path + ".angle",
-          "counts around a circle, but the lining follows none; give `at` instead");
-  const auto& circle = along.circle();
-  return {circle.centre().x() + circle.radius() * std::cos(joint.angle()),
-          circle.centre().y() + circle.radius() * std::sin(joint.angle())};
-}
-
-std::vector<LiningJoint> read_joints(const scene::Lining& lining, const Path& along, const Grid& grid,
-                                     const LiningSection* section, const std::string& path) {
+// `share`: how much of each metre of the plane the lining has, of which `nodes` are the path.
+std::vector<LiningJoint> read_joints(const scene::Lining& lining, const scene::LiningPath& along,
+                                     const Path& nodes, const Grid& grid, const LiningSection* section,
+                                     double share, const std::string& path) {
   std::vector<LiningJoint> joints;
   for (int i = 0; i < lining.joints_size(); ++i) {
     const auto& joint = lining.joints(i);
     const auto here = fmt::format("{}.joints[{}]", path, i);
-    const auto segments = read_segments(lining, joint, section, here);
+    const auto segments = read_segments(lining, joint, section, share, here);
     require(
         !joint.has_yield_moment() || joint.rotational_stiffness() > 0, here + ".yield_moment",
         "is given to a hinge, which carries no moment; give its rotational_stiffness too, or leave it out");
-    const auto node = nearest_node(place_of(joint, lining.along(), here), along, grid, here);
+    const auto node = nearest_node(place_of(joint, along, here), nodes, grid, here);
     for (std::size_t other = 0; other < joints.size(); ++other)
       require(joints[other].node != node, here,
               fmt::format("lies at the same node as joints[{}]; leave one out, or use shorter zones", other));
-    joints.push_back({node, joint.rotational_stiffness(), joint.yield_moment(), segments});
+    joints.push_back({node, share * joint.rotational_stiffness(), share * joint.yield_moment(), segments});
   }
-  require_segments_fit(lining, joints, along, path);
+  require_segments_fit(lining, joints, nodes, path);
   return joints;
 }
 
@@ -195,19 +188,23 @@ struct SeamPaths {
   std::map<int, std::size_t> of_lining;  // their numbers
 };
 
-// A layer follows the lining below unless it has a path of its own.
-Path path_of(int lining, const scene::Continuum& scene, const std::vector<int>& below, const Grid& grid,
-             const Edges& edges) {
-  const int on = below[static_cast<std::size_t>(lining)];
-  if (on >= 0 && !scene.linings(lining).has_along()) return path_of(on, scene, below, grid, edges);
-  const auto path = fmt::format("continuum.linings[{}]", lining);
-  require(scene.linings(lining).has_along(), path,
-          "has no path; give `along`, or `on` with the lining that it lies on");
-  return read_path(scene.linings(lining).along(), grid, edges, path + ".along");
+// The lining whose stated path a lining follows: without one of its own, that on or beside which it lies.
+int leader(int lining, const scene::Continuum& scene, const std::vector<int>& below, const Rings& rings) {
+  if (scene.linings(lining).has_along()) return lining;
+  const auto number = static_cast<std::size_t>(lining);
+  const int next = std::max(below[number], rings.beside()[number]);
+  require(next >= 0, fmt::format("continuum.linings[{}]", lining),
+          "has no path; give `along`, or the lining that it lies `on`");
+  return leader(next, scene, below, rings);
 }
 
-SeamPaths read_seams(const scene::Continuum& scene, const std::vector<int>& below, const Grid& grid,
-                     const Edges& edges, Occupied& occupied) {
+Path path_of(int leader, const scene::Continuum& scene, const Grid& grid, const Edges& edges) {
+  return read_path(scene.linings(leader).along(), grid, edges,
+                   fmt::format("continuum.linings[{}].along", leader));
+}
+
+SeamPaths read_seams(const scene::Continuum& scene, const std::vector<int>& leaders, const Rings& rings,
+                     const Grid& grid, const Edges& edges, Occupied& occupied) {
   SeamPaths found;
   auto& seams = found.seams;
   for (int i = 0; i < scene.interfaces_size(); ++i) {
@@ -217,9 +214,10 @@ SeamPaths read_seams(const scene::Continuum& scene, const std::vector<int>& belo
   }
   for (int i = 0; i < scene.linings_size(); ++i) {
     if (!scene.linings(i).has_interface()) continue;
-    const bool on_ground = !scene.linings(i).has_on();
+    const bool on_ground = !scene.linings(i).has_on() && !rings.is_second(i);
     found.of_lining[i] = seams.size();
-    seams.push_back({path_of(i, scene, below, grid, edges), on_ground && scene.linings(i).stage() == 0});
+    seams.push_back({path_of(leaders[static_cast<std::size_t>(i)], scene, grid, edges),
+                     on_ground && scene.linings(i).stage() == 0});
     if (on_ground) occupied.take(seams.back().path, fmt::format("continuum.linings[{}]", i));
   }
   require(seams.empty() || !scene.large_strain(), "continuum.large_strain",
@@ -272,7 +270,10 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
   Occupied occupied(grid);
   Edges edges = number_edges(grid);
   const std::vector<int> below = read_layers(linings);
-  const SeamPaths seam_paths = read_seams(scene.continuum(), below, grid, edges, occupied);
+  const Rings rings(linings);
+  std::vector<int> leaders;
+  for (int i = 0; i < linings.size(); ++i) leaders.push_back(leader(i, scene.continuum(), below, rings));
+  const SeamPaths seam_paths = read_seams(scene.continuum(), leaders, rings, grid, edges, occupied);
   const Seams seams(seam_paths.seams, points_at_free_field(scene.continuum().free_field(), grid), ground,
                     weights, grid);
   if (!grid.double_of.empty()) edges = number_edges(grid);
@@ -292,21 +293,23 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
   for (int i = 0; i < linings.size(); ++i)
     require(names.insert(linings[i].name()).second, fmt::format("continuum.linings[{}].name", i),
             "`" + linings[i].name() + "` is taken by another lining or an interface; choose another one");
-  std::map<std::uint32_t, std::uint32_t> own;  // points of linings with interfaces to the ground
-  std::map<std::uint32_t, std::uint32_t> of_layers;
+  // Points of linings with interfaces to the ground, of rings beside them, of layers.
+  std::map<std::uint32_t, std::uint32_t> own, of_second_rings, of_layers;
   std::vector<LiningPlan> plans(static_cast<std::size_t>(linings.size()));
   const std::vector<std::size_t> order = from_the_ground(below);
   for (const std::size_t number : order) {
     const auto i = static_cast<int>(number);
     const auto& lining = linings[i];
     const auto path = fmt::format("continuum.linings[{}]", i);
-    const auto section = read_section(lining, 1, 1, path);
-    Section elastic = section
-                          ? elastic_section(*section, lining)
-                          : read_elastic_section(lining, 1, 1, scene.plane() == scene::PLANE_STRAIN, path);
+    const double share = rings.share(i);
+    const auto section = read_section(lining, share, 1, path);
+    Section elastic =
+        section ? elastic_section(*section, lining)
+                : read_elastic_section(lining, share, share, scene.plane() == scene::PLANE_STRAIN, path);
     const auto on_seam = seam_paths.of_lining.find(i);
-    Path along = on_seam != seam_paths.of_lining.end() ? seam_paths.seams[on_seam->second].path
-                                                       : path_of(i, scene.continuum(), below, grid, edges);
+    Path along = on_seam != seam_paths.of_lining.end()
+                     ? seam_paths.seams[on_seam->second].path
+                     : path_of(leaders[number], scene.continuum(), grid, edges);
     if (below[number] >= 0) {
       const LiningPlan& first = plans[static_cast<std::size_t>(below[number])];
       along = on_points_of(first, along, grid, path + ".along");
@@ -315,25 +318,34 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
     } else if (!lining.has_interface()) {
       occupied.take(along, grid, path);
     }
-    if (lining.has_interface()) along = own_points(along, below[number] >= 0 ? of_layers : own, grid);
+    if (lining.has_interface())
+      along = own_points(along,
+                         below[number] >= 0   ? of_layers
+                         : rings.is_second(i) ? of_second_rings
+                                              : own,
+                         grid);
     protocol::require_statics(scene, lining.stage(), path);
-    plans[number] = {lining.name(),
-                     along,
-                     elastic,
-                     read_joints(lining, along, grid, section.get(), path),
-                     lining.first_end_fixed(),
-                     lining.last_end_fixed(),
-                     section,
-                     below[number] >= 0 && !lining.has_interface() ? lining.on() : ""};
+    plans[number] = {
+        lining.name(),
+        along,
+        elastic,
+        read_joints(lining, linings[leaders[number]].along(), along, grid, section.get(), share, path),
+        lining.first_end_fixed(),
+        lining.last_end_fixed(),
+        section,
+        below[number] >= 0 && !lining.has_interface() ? lining.on() : "",
+        1 / share};
   }
   std::vector<LiningPlan> from_inside;  // members stand on the last layer
   for (const auto number : order | std::views::reverse) from_inside.push_back(plans[number]);
   const std::vector<LiningPlan> members = plan_members(scene, from_inside, names, grid);
+  rings.require_free_of_members(plans, members);
   require_clear_joints(plans, members, grid);
   for (int i = 0; i < linings.size(); ++i) {
     supports.structures.set_stage(linings[i].stage());
     supports.linings.push_back(add_lining(plans[static_cast<std::size_t>(i)], grid, supports.structures));
   }
+  rings.add_dowels(linings, plans, grid, supports);
   for (int i = 0; i < scene.continuum().members_size(); ++i) {
     supports.structures.set_stage(scene.continuum().members(i).stage());
     supports.members.push_back(add_lining(members[static_cast<std::size_t>(i)], grid, supports.structures));
@@ -350,7 +362,7 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
       require_ground_on_one_side(along, seams, stages.there(lining.stage()), path);
     Interface joined =
         on < 0
-            ? seams.join(along, own_path, law, lining.stage(), supports.contacts)
+            ? seams.join(along, own_path, law, rings.share(i), lining.stage(), supports.contacts)
             : seams.join(along, on_points_of(plans[static_cast<std::size_t>(on)], along, grid, path).points,
                          own_path, law, lining.stage(), supports.contacts);
     joined.name = lining.name();

@@ -82,6 +82,8 @@ OF_A_LINING = (  # the same of each lining of a continuum, by its name before
     *_when_and_where("largest_joint_opening"),
     ("largest rotation of a joint [mrad]", "largest_joint_rotation_rad", 1e-3, "{:z.2f}"),
     ("largest force of a bolt [kN]", "largest_bolt_force_N", 1e3, "{:z,.0f}"),
+    ("largest force of a dowel between rings [kN]", "largest_dowel_force_N", 1e3, "{:z,.0f}"),
+    ("largest offset of the rings at a dowel [mm]", "largest_ring_offset_m", 1e-3, "{:z.2f}"),
     ("least tightness of a gasket", "least_tightness", 1, "{:z.2f}"),
 )
 PLACES = (("_time_s", ": time"), ("_x_m", ": x"), ("_y_m", ": y"), ("_chainage_m", ": chainage"))

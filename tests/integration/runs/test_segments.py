@@ -1,4 +1,5 @@
-"""Linings of segments: a joint against the closed form of Janssen, and a shaken ring whose joints open and close."""
+"""Linings of segments: a joint against the closed form of Janssen, a shaken ring whose joints open and close, and dowels to the
+ring beside it."""
 
 import math
 import unittest
@@ -70,6 +71,45 @@ class Beam(ComputedTest):
             self.assertAlmostEqual(run.summary["lining_beam_largest_joint_opening_m"], found["joint_outer_opening_m"], delta=1e-3 * found["joint_outer_opening_m"])
 
 
+class RingsBeside(ComputedTest):
+    """Two straight strips on ground too soft to help, each with half of the plane. The first is hinged in the middle and so bears
+    nothing; the second bears what acts on the first through the dowels. A third of the load acts on the ground, which is glued to
+    the first, one on the first and one on the second, because their points lie at one place."""
+
+    LOAD, STIFFNESS, WIDTH = 40e3, 50e6, 1.5
+    GLUE = {"normal_stiffness": 1e12, "shear_stiffness": 1e12, "cohesion": 1e12, "tension": 1e12, "friction_angle": 0.5}
+    LOOSE = {"normal_stiffness": 10.0, "shear_stiffness": 10.0}
+
+    def test_dowels_carry_the_load_of_a_hinged_ring_to_the_one_beside_it(self):
+        run = self.computed({
+            "material": {"young_modulus": 1e3, "poisson_ratio": 0.2, "density": 2000.0},
+            "time": {"duration": 1e-3},
+            "statics": {"unbalanced_ratio": 1e-6},
+            "continuum": {
+                "block": {"x_min": 0, "x_max": SPAN, "y_min": 0, "y_max": 0.2, "zones_x": 16, "zones_y": 1},
+                "motions": [{"where": near(0, 0), "velocity": point(0, 0)}, {"where": near(SPAN, 0), "velocity": {"y": 0}}],
+                "point_loads": [{"where": near(SPAN / 2, 0), "force": {"y": -self.LOAD}}],
+                "linings": [
+                    {"name": "first", "along": {"line": {"points": [point(0, 0), point(SPAN, 0)]}}, **LINING, "interface": self.GLUE,
+                     "joints": [{"at": point(SPAN / 2, 0)}]},
+                    {"name": "second", **LINING, "interface": self.LOOSE,
+                     "beside": {"lining": "first", "ring_width": self.WIDTH,
+                                "dowels": [{"at": point(SPAN / 2, 0), "stiffness": self.STIFFNESS}]}}],
+                "histories": [{"name": "dowel", "quantity": quantity, "lining": "second", "at": point(SPAN / 2, 0)}
+                              for quantity in ("dowel_force", "ring_offset")]
+                + [{"name": name, "quantity": "moment", "lining": name, "at": point(SPAN / 2, 0)} for name in ("first", "second")],
+            }})
+        found = {name: values[-1] for name, values in run.histories.items()}
+        # In each metre of the plane are 1/WIDTH dowels, and half a metre of each strip.
+        carried = 2 / 3 * self.LOAD * self.WIDTH
+        self.assertAlmostEqual(found["dowel_dowel_force_N"] / carried, 1, delta=1e-5)
+        self.assertAlmostEqual(found["dowel_ring_offset_m"] * self.STIFFNESS / carried, 1, delta=1e-5)
+        self.assertAlmostEqual(found["second_moment_Nm"] / (self.LOAD * SPAN / 4 / 0.5), 1, delta=1e-5)
+        self.assertLess(abs(found["first_moment_Nm"]), 1e-6 * self.LOAD * SPAN)
+        self.assertAlmostEqual(run.summary["lining_second_largest_dowel_force_N"] / carried, 1, delta=1e-5)
+        self.assertAlmostEqual(run.summary["lining_second_largest_dowel_force_x_m"], SPAN / 2, delta=1e-9)
+
+
 class Ring(ComputedTest):
     """Six segments, installed in soft ground that is shaken later, in steps of the ground."""
 
@@ -77,9 +117,15 @@ class Ring(ComputedTest):
     BOLTS = [{"stiffness": 60e6, "pretension": 80e3, "yield_force": 120e3, "spacing": 0.75}]
     GASKET = {"force": {"opening": [-1e-3, 0.0, 6e-3], "force": [-60e3, -30e3, 0.0]}, "position": 0.12, "width": 0.03, "water_pressure": 300e3}
 
-    def shaken(self, quantities, **parts):
+    def shaken(self, quantities, interface=None, second=None, **parts):
+        """`second`: the angle by which the joints of a ring beside this one are turned, and its dowels."""
         ring, density, gravity = {"centre": point(0, 0)}, 1900.0, 10.0
         places = [point(3 * math.cos(angle), 3 * math.sin(angle)) for angle in self.ANGLES]
+        lining = {**LINING, "stage": 2, **({"interface": interface} if interface else {})}
+
+        def joints(turned):
+            return [{"angle": angle + turned, "contact": {"height": HEIGHT}, **parts} for angle in self.ANGLES]
+
         vertical = {"yy": -12 * density * gravity, "yy_per_metre": density * gravity}
         run = self.computed({
             "material": {"young_modulus": 40e6, "poisson_ratio": 0.35, "density": density},
@@ -93,8 +139,9 @@ class Ring(ComputedTest):
                     {"name": "ground", "ring": {**ring, "inner_radius": 3.0, "outer_side": 24.0}, "along": {"zones": 48}, "across": {"zones": 10, "ratio": 1.15}}],
                 "body_loads": [{"acceleration": {"y": -gravity}}],
                 "excavations": [{"where": {"group": "core"}, "stage": 1, "released": 0.3}],
-                "linings": [{"name": "ring", "along": {"circle": {**ring, "radius": 3.0}}, **LINING, "stage": 2,
-                             "joints": [{"angle": angle, "contact": {"height": HEIGHT}, **parts} for angle in self.ANGLES]}],
+                "linings": [{"name": "ring", "along": {"circle": {**ring, "radius": 3.0}}, **lining, "joints": joints(0)},
+                            *([{"name": "second", **lining, "joints": joints(second[0]),
+                                "beside": {"lining": "ring", "ring_width": 1.5, "dowels": second[1]}}] if second else [])],
                 "free_field": {"left": True, "right": True},
                 "base": {"kind": "compliant", "acceleration": {"ricker": {"frequency": 4.0, "time": 0.3}, "peak": 5.0}},
                 "histories": [{"name": f"j{k}", "quantity": quantity, "lining": "ring", "at": place}
@@ -142,6 +189,34 @@ class Ring(ComputedTest):
         axis = opening - (self.rows("outer_opening_m") - opening) * 0.12 / (THICKNESS / 2 - 0.12)
         grown = (force[:, 1:] - force[:, :-1]) / 60e6
         np.testing.assert_allclose(grown, np.diff(axis), atol=1e-12)
+
+    ROUGH = {"friction_angle": math.radians(25), "cohesion": 10e3}
+
+    def dowels(self, **given):
+        return [{"angle": math.radians(7.5 * k), "stiffness": 2e9, **given} for k in range(48)]
+
+    def test_rings_with_joints_in_the_same_places_are_one_ring(self):
+        quantities = ("thrust", "moment", "rotation", "outer_opening", "tightness", "bolt_force")
+        parts = {"interface": self.ROUGH, "bolts": self.BOLTS, "gasket": self.GASKET}
+        alone = self.shaken(quantities, **parts)
+        both = self.shaken(quantities, second=(0, self.dowels()), **parts)
+        for name, values in alone.histories.items():
+            if name[0] == "j":
+                np.testing.assert_allclose(both.histories[name], values, atol=1e-7 * abs(values).max(), err_msg=name)
+        self.assertLess(both.summary["lining_second_largest_dowel_force_N"], 1e-6 * abs(alone.summary["lining_ring_least_thrust_N"]))
+
+    def test_dowels_between_staggered_rings_relieve_the_joints_and_yield(self):
+        rotations, moments = [], []
+        for dowels in ([], self.dowels(), self.dowels(strength=30e3)):
+            run = self.shaken(("rotation", "moment"), interface=self.ROUGH, second=(math.radians(30), dowels))
+            rotations.append(abs(run.summary["lining_ring_largest_joint_rotation_rad"]))
+            moments.append(abs(run.summary["lining_second_largest_moment_Nm"]))
+        # The segments beside a joint bear a part of the moment that it does not.
+        self.assertLess(rotations[1], 0.7 * rotations[0])
+        self.assertGreater(moments[1], 1.1 * moments[0])
+        self.assertTrue(rotations[1] < rotations[2] < rotations[0], rotations)
+        self.assertAlmostEqual(run.summary["lining_second_largest_dowel_force_N"], 30e3, delta=1e-6)
+        self.assertGreater(run.summary["lining_second_largest_ring_offset_m"], 30e3 / 2e9)
 
 
 if __name__ == "__main__":

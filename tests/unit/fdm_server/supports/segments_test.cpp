@@ -14,11 +14,11 @@ const std::string kContact = "contact { height: 0.2 } ";
 const std::string kCurve = "force { opening: [-1e-3, 0, 4e-3] force: [-60e3, -20e3, 0] } ";
 
 std::shared_ptr<const JointLaw> segments(const std::string& joint,
-                                         const std::string& more = "thickness: 0.35 ") {
+                                         const std::string& more = "thickness: 0.35 ", double share = 1) {
   scene::Lining lining;
   EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(
       more + "young_modulus: 35e9 joints { " + joint + "}", &lining));
-  return read_segments(lining, lining.joints(0), nullptr, "joint");
+  return read_segments(lining, lining.joints(0), nullptr, share, "joint");
 }
 
 // The faces have the modulus of the lining, bolts are per metre, and openings are told at the lining's faces.
@@ -33,6 +33,19 @@ TEST(Segments, AreReadWithTheirDefaults) {
   EXPECT_EQ(segments("contact { height: 0.2 young_modulus: 30e9 } ")->faces.young, 30e9);
   // A rectangle of the same area and inertia.
   EXPECT_NEAR(segments(kContact, "area: 0.3 inertia: 2.25e-3 ")->edge, 0.15, 1e-12);
+}
+
+// All that a joint does is in proportion to its share of the plane.
+TEST(Segments, HaveTheirShareOfThePlane) {
+  const std::string joint = kContact + "bolts { stiffness: 60e6 pretension: 30e3 spacing: 1.5 } gasket { " +
+                            "position: 0.1 width: 0.03 water_pressure: 1e5 " + kCurve + "} ";
+  const std::string lining = "thickness: 0.35 ";
+  const auto whole = segments(joint, lining), half = segments(joint, lining, 0.5);
+  const JointOpening opening{1e-4, 2e-3};
+  const std::vector<double> slack{0};
+  EXPECT_LE((half->forces(opening, slack) - whole->forces(opening, slack) / 2).norm(),
+            1e-12 * whole->forces(opening, slack).norm());
+  EXPECT_EQ(half->gasket->water_force, whole->gasket->water_force / 2);
 }
 
 // A gasket presses beyond its curve with the first slope, and does not pull where it let go.
