@@ -21,7 +21,7 @@ REACH = 0.3  # length at which the largest value is drawn, relative to the size 
 
 def lining_forces(run, time, pieces):
     """One panel for each force. Positive values are drawn to the right of the lining's path; dashed lines are the least and
-    the largest so far. Layers have a row each, from the ground inwards."""
+    the largest so far. Layers have a row each, from the ground inwards, and so have rings beside others."""
     return _across(run, pieces.get("linings"), FORCES, f"forces in the lining at t = {style.instant(time)}, per metre", OF_FORCES, _layers)
 
 
@@ -31,15 +31,16 @@ def member_forces(run, time, pieces):
 
 
 def _layers(run, linings):
-    """[(names, whether each beam is one of theirs)] of linings that lie on the ground, on these, and so on."""
-    below = {lining["name"]: lining.get("on") for _, model in run.models for lining in model.get("linings", [])}
+    """[(names, whether each beam is one of theirs)] of linings that lie on the ground, on these, and so on; of rings beside them."""
+    stated = {lining["name"]: lining for _, model in run.models for lining in model.get("linings", [])}
 
     def depth(name):
-        return 1 + depth(below[name]) if below.get(name) else 0
+        return 1 + depth(stated[name]["on"]) if "on" in stated.get(name, {}) else 0
 
     found = {}
     for name, nodes in chains(run, linings):
-        names, shown = found.setdefault(depth(name), ([], np.zeros(len(linings.cells), bool)))
+        row = depth(name), "beside" in stated.get(name, {})
+        names, shown = found.setdefault(row, ([], np.zeros(len(linings.cells), bool)))
         names.append(name)
         shown |= np.isin(linings.cells[:, 0], nodes)
     return [(", ".join(names), shown) for _, (names, shown) in sorted(found.items())]
