@@ -23,6 +23,9 @@ std::vector<std::array<double, 2>> ContactBalance::find(const Actions& forces) {
   constexpr int kMost = 60;
   constexpr double kSame = 1e-10;  // of the largest force
   constexpr double kShortest = 1.0 / 64;
+  constexpr int kPatience = 3;  // trials that do not halve what is missed: rounding is left
+  double halved = std::numeric_limits<double>::infinity();
+  int in_vain = 0;
   double missed_before = std::numeric_limits<double>::infinity();
   for (int trial = 0; trial < kMost; ++trial) {
     take_tangents();
@@ -32,6 +35,12 @@ std::vector<std::array<double, 2>> ContactBalance::find(const Actions& forces) {
     for (double way = 0.5; missed >= missed_before && way >= kShortest; way /= 2) missed = go(way, there);
     at_ = std::move(there);
     if (missed <= kSame * largest()) break;
+    if (missed < halved / 2) {
+      halved = missed;
+      in_vain = 0;
+    } else if (++in_vain == kPatience) {
+      break;
+    }
     missed_before = missed;
   }
   std::vector<std::array<double, 2>> leads;

@@ -83,17 +83,14 @@ void MeanAcceleration::factor() {
         values[*entry++] += row.factor * (form.stiff * column.factor + form.across * other[c].factor);
       }
   }
+  bool factored = false;
   if (skew_) {
-    if (!skew_analyzed_) {
-      skew_factor_.setPivotThreshold(0);  // else rows of unlike units would be compared
-      skew_factor_.analyzePattern(matrix_);
-    }
-    skew_analyzed_ = true;
-    skew_factor_.factorize(matrix_);
+    factored = skew_factor_.factor(matrix_);
   } else {
     factor_.factorize(matrix_);
+    factored = factor_.info() == Eigen::Success;
   }
-  if ((skew_ ? skew_factor_.info() : factor_.info()) != Eigen::Success)
+  if (!factored)
     throw std::logic_error(
         "the mass of linings, bolts and interfaces with the stiffness of a step cannot be factored");
   changed_ = false;
@@ -138,7 +135,7 @@ void MeanAcceleration::solve(const Actions& forces) {
   if (skew_) {
     for (std::size_t i = 0; i < free_; ++i)
       ordered_[static_cast<Eigen::Index>(i)] = forces[freedoms_[i].kind][freedoms_[i].number] + force_[i];
-    ordered_ = skew_factor_.solve(ordered_).eval();
+    skew_factor_.solve(ordered_);
     std::copy_n(ordered_.data(), free_, acceleration_.begin());
     return;
   }

@@ -20,12 +20,12 @@
 #pragma once
 
 #include <Eigen/SparseCholesky>
-#include <Eigen/SparseLU>
 #include <array>
 #include <functional>
 #include <span>
 #include <vector>
 
+#include "fdm_server/structures/skew_factor.hpp"
 #include "fdm_server/structures/strain_form.hpp"
 
 namespace adit::fdm {
@@ -100,8 +100,8 @@ class MeanAcceleration {
   // Where the products of two free shares of a form go, and M: places in the values of the matrix.
   std::vector<std::uint32_t> entries_, diagonal_;
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor_;
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> skew_factor_;  // of a matrix that is not symmetric
-  bool skew_ = false, skew_analyzed_ = false;
+  SkewFactor skew_factor_;  // of a matrix that is not symmetric
+  bool skew_ = false;
   bool changed_ = false;     // the matrix, since it was factored
   Eigen::VectorXd ordered_;  // the free ones in the order of the factor
 };

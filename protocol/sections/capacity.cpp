@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 
 #include "protocol/sections/axial_strain.hpp"
 
@@ -11,25 +12,30 @@ namespace adit::sections {
 namespace {
 
 constexpr std::size_t kCapacityLayers = 200;
-constexpr int kPointsOfPivot = 48, kHalvings = 16;
+constexpr int kPointsOfPivot = 48;
+constexpr int kFiner = 8;  // limit states in each step of the diagram
+
+// From 0 to 3, closer towards the end of each pivot, where the strains are those at which steel yields.
+std::vector<double> spread(int points_of_pivot) {
+  std::vector<double> pivots;
+  for (int pivot = 0; pivot < 3; ++pivot)
+    for (int i = 0; i < points_of_pivot; ++i) {
+      const double left = 1 - static_cast<double>(i) / points_of_pivot;
+      pivots.push_back(pivot + 1 - left * left * left);
+    }
+  pivots.push_back(3);
+  return pivots;
+}
 
 }  // namespace
 
 Capacity::Capacity(const SectionShape& shape, const CapacityMaterials& materials)
     : shape_(shape), materials_(materials), layers_(concrete_layers(shape, kCapacityLayers)) {
-  for (int pivot = 0; pivot < 3; ++pivot)
-    for (int i = 0; i < kPointsOfPivot; ++i) {
-      // Closer towards the end of a pivot, where the strains are those at which steel yields.
-      const double left = 1 - static_cast<double>(i) / kPointsOfPivot;
-      pivots_.push_back(pivot + 1 - left * left * left);
-    }
-  pivots_.push_back(3);
+  const std::vector<double> pivots = spread(kFiner * kPointsOfPivot);
   for (const Bending bending : {Bending::kOuterStretched, Bending::kInnerStretched}) {
-    std::vector<double>& thrusts = thrusts_[bending == Bending::kInnerStretched];
-    for (const double pivot : pivots_) {
-      diagram_.push_back(limit(bending, pivot));
-      thrusts.push_back(diagram_.back().thrust);
-    }
+    std::vector<SectionForces>& limits = limits_[bending == Bending::kInnerStretched];
+    for (const double pivot : pivots) limits.push_back(limit(bending, pivot));
+    for (std::size_t i = 0; i < limits.size(); i += kFiner) diagram_.push_back(limits[i]);
   }
   for (const SectionForces& point : diagram_) {
     thrust_scale_ = std::max(thrust_scale_, std::abs(point.thrust));
@@ -81,15 +87,13 @@ SectionForces Capacity::limit(Bending bending, double pivot) const {
 }
 
 double Capacity::moment(Bending bending, double thrust) const {
-  const std::vector<double>& thrusts = thrusts_[bending == Bending::kInnerStretched];
-  const auto next = std::ranges::lower_bound(thrusts, thrust, std::greater()) - thrusts.begin();
-  const auto last = std::min<std::size_t>(static_cast<std::size_t>(next), pivots_.size() - 1);
-  double low = pivots_[last > 0 ? last - 1 : 0], high = pivots_[last];
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = (low + high) / 2;
-    (limit(bending, middle).thrust > thrust ? low : high) = middle;
-  }
-  return limit(bending, high).moment;
+  const std::vector<SectionForces>& limits = limits_[bending == Bending::kInnerStretched];
+  const auto next = std::ranges::lower_bound(limits, thrust, std::greater(), &SectionForces::thrust);
+  if (next == limits.begin()) return limits.front().moment;
+  if (next == limits.end()) return limits.back().moment;
+  const SectionForces &before = *std::prev(next), &after = *next;
+  const double way = (thrust - before.thrust) / (after.thrust - before.thrust);
+  return before.moment + way * (after.moment - before.moment);
 }
 
 double Capacity::moment_at_curvature(double thrust, double curvature) const {

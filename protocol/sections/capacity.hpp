@@ -54,10 +54,11 @@ class Capacity {
   SectionShape shape_;
   CapacityMaterials materials_;
   std::vector<ConcreteLayer> layers_;
+  // Limit states from pure tension to pure compression, by Bending: so many that the moment between two of
+  // them is linear in the thrust to 1e-5 of the largest.
+  std::array<std::vector<SectionForces>, 2> limits_;
   std::vector<SectionForces> diagram_;
-  std::vector<double> pivots_;                  // of the diagram's points, from 0 to 3
-  std::array<std::vector<double>, 2> thrusts_;  // of these, by Bending; they fall
-  std::vector<double> directions_;              // of the diagram's points, ascending [rad]
+  std::vector<double> directions_;  // of the diagram's points, ascending [rad]
   double thrust_scale_ = 1, moment_scale_ = 1;
 };
 
