@@ -43,14 +43,18 @@ def _draw_chains(axes, kind, stated, piece, colours):
 
 
 def _layers_on(name, stated):
-    """How many layers lie on a lining, one on another."""
-    return max((1 + _layers_on(part["name"], stated) for part in stated if part.get("on") == name), default=0)
+    """How many layers lie on a lining, one on another; a ring beside another one counts as one."""
+    def below(part):
+        return part.get("on", part.get("beside", {}).get("lining"))
+    return max((1 + _layers_on(part["name"], stated) for part in stated if below(part) == name), default=0)
 
 
 def _label(kind, part):
     what = [f"{kind} {part['name']}"]
     if "section" in part:
         what.append("reinforced")
+    if "beside" in part:
+        what.append(f"beside {part['beside']['lining']}")
     if "interface" in part:
         what.append(f"slips on {part.get('on', 'the ground')}")
     return style.literal(", ".join(what) + in_stages([part]))
