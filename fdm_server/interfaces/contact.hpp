@@ -14,9 +14,11 @@
 // also where the faces meet, part or begin to slide on the way: with e the elastic part of the way w,
 //   meeting:  sigma^2/2k_n / du,   parting:  (T^2 - sigma^2)/2k_n / du,
 //   sliding:  ((tau+^2 - tau-^2)/2k_s + tau+ l)/ds,
-// with the slopes k/2 (1 - (1 - e/w)^2), -(mean)/du where that resists, and k/2 (e/w)^2 + (1 - e/w) dtau+/ds
-// against the end of the stroke; faces that rest have k/2. So a stroke of any length makes no energy (a
-// discrete gradient; Gonzalez 1996, J. Nonlinear Sci. 6).
+// the last over the share of the way in which they touch. So they depend continuously on the end of the
+// stroke, but for faces that dilate, which press on each other as soon as they touch. They have the slopes
+// k/2 (1 - (1 - e/w)^2), -(mean)/du where that resists, and k/2 (e/w)^2 + (1 - e/w) dtau+/ds against the end
+// of the stroke; faces that rest have k/2. So a stroke of any length makes no energy (a discrete gradient;
+// Gonzalez 1996, J. Nonlinear Sci. 6).
 #pragma once
 
 #include <algorithm>
@@ -84,29 +86,16 @@ struct Stroke {
   Slopes normal_slopes, shear_slopes;  // of the mean stresses
 };
 
-// The faces part by du, from this stress.
-inline Stroke part(const ContactLaw& law, double tension, double sigma_before, double du,
-                   ContactState& state) {
-  const bool was_open = state.status == ContactStatus::kOpen;
-  state.status = ContactStatus::kOpen;
-  state.shear = 0;
-  state.parted = true;
-  state.lost = std::max(state.lost, std::min(1.0, lost_by(law, state.closure - state.dilated)));
-  Stroke stroke{};
-  // Slip may have left less than the faces bore.
-  const double from = std::min(sigma_before, tension), elastic = (tension - from) / law.normal;
-  if (was_open || elastic == 0) return stroke;
-  stroke.normal = (from + tension) / 2 * elastic / du;
-  stroke.normal_slopes.by_normal = std::max(0.0, -stroke.normal / du);
-  return stroke;
-}
-
 // The faces meet or go on touching: they stick or slide by ds.
 inline Stroke touch(const ContactLaw& law, const ContactStrength& now, double sigma_before, double du,
                     double ds, ContactState& state) {
   const bool was_open = state.status == ContactStatus::kOpen;
-  const double shear_before = state.shear, trial = shear_before + law.shear * ds,
-               pressed = law.normal * (state.closure - state.dilated),
+  const double shear_before = state.shear, pressed = law.normal * (state.closure - state.dilated);
+  // The share of the way in which they touch, and how it grows with du.
+  const bool meet = was_open && du < 0;
+  const double share = meet ? std::min(1.0, pressed / (law.normal * du)) : 1,
+               share_by_du = meet ? (1 - share) / du : 0, touching = share * ds;
+  const double trial = shear_before + law.shear * touching,
                limit = std::max(0.0, now.cohesion - pressed * now.tan_friction);
   const double limit_by_normal = limit > 0 ? -law.normal * now.tan_friction : 0;
   Stroke stroke{};
@@ -133,14 +122,22 @@ inline Stroke touch(const ContactLaw& law, const ContactStrength& now, double si
     state.status = ContactStatus::kSliding;
     const double bound = std::abs(state.shear), from = std::clamp(shear_before, -bound, bound);
     // The elastic part of the way; what lies beyond the strength at first is lost without a way.
-    const double elastic = state.shear == from ? 0 : (state.shear - shear_before) / (law.shear * ds);
-    const double half = (from - state.shear) / 2, by_way = elastic == 0 ? 0 : half / (law.shear * ds);
+    const double elastic = state.shear == from ? 0 : (state.shear - shear_before) / (law.shear * touching);
+    const double half = (from - state.shear) / 2, by_way = elastic == 0 ? 0 : half / (law.shear * touching);
     const double at_end = 1 - (from == shear_before ? elastic / 2 : elastic) + by_way;  // a bound moves both
     const double by_slip = -at_end * std::copysign(law.shear, trial);
     stroke.shear = state.shear + half * elastic;
     stroke.shear_slopes = {by_slip * of_slip.by_normal,
                            law.shear * (at_end - by_way * elastic) + by_slip * of_slip.by_shear};
   }
+  const auto by_whole_way = [&](Stroke::Slopes& of) {
+    of = {of.by_normal + of.by_shear * ds * share_by_du, share * of.by_shear};
+  };
+  by_whole_way(of_sigma);
+  by_whole_way(stroke.shear_slopes);
+  stroke.shear_slopes = {share * stroke.shear_slopes.by_normal + share_by_du * stroke.shear,
+                         share * stroke.shear_slopes.by_shear};
+  stroke.shear *= share;
   const double sigma = normal_stress(law, state);
   if (was_open && law.normal * du < sigma) {  // they meet on the way
     const double elastic = sigma / (law.normal * du);
@@ -154,6 +151,35 @@ inline Stroke touch(const ContactLaw& law, const ContactStrength& now, double si
   return stroke;
 }
 
+// The faces part: on the way (du, ds) their stress reaches the tensile strength.
+inline Stroke part(const ContactLaw& law, const ContactStrength& now, double sigma_before, double du,
+                   double ds, ContactState& state) {
+  const bool was_open = state.status == ContactStatus::kOpen;
+  const double tension = was_open ? 0 : now.tension;
+  // As they part, where dilation, which would press them, does not count.
+  ContactState parting = state;
+  parting.closure = state.dilated + tension / law.normal;
+  state.status = ContactStatus::kOpen;
+  state.shear = 0;
+  state.parted = true;
+  state.lost = std::max(state.lost, std::min(1.0, lost_by(law, state.closure - state.dilated)));
+  Stroke stroke{};
+  // Slip may have left less than the faces bore.
+  const double from = std::min(sigma_before, tension), elastic = (tension - from) / law.normal;
+  if (was_open || elastic == 0) return stroke;
+  stroke.normal = (from + tension) / 2 * elastic / du;
+  stroke.normal_slopes.by_normal = std::max(0.0, -stroke.normal / du);
+  ContactStrength plain = now;
+  plain.tan_dilation = 0;
+  const double share = elastic / du;  // of the way, in which they touch
+  const Stroke touching = touch(law, plain, sigma_before, elastic, share * ds, parting);
+  const double by_way = touching.shear_slopes.by_shear;
+  stroke.shear = share * touching.shear;
+  stroke.shear_slopes = {-share / du * (touching.shear + share * ds * by_way), share * share * by_way};
+  state.lost = std::max(state.lost, parting.lost);
+  return stroke;
+}
+
 // Moves the first face by du and ds [m].
 inline Stroke move(const ContactLaw& law, double du, double ds, ContactState& state) {
   const bool was_open = state.status == ContactStatus::kOpen;
@@ -162,7 +188,7 @@ inline Stroke move(const ContactLaw& law, double du, double ds, ContactState& st
   const double tension = was_open ? 0 : now.tension;
   state.closure += du;
   Stroke stroke = law.normal * (state.closure - state.dilated) > tension
-                      ? part(law, tension, sigma_before, du, state)
+                      ? part(law, now, sigma_before, du, ds, state)
                       : touch(law, now, sigma_before, du, ds, state);
   stroke.du = du;
   stroke.ds = ds;

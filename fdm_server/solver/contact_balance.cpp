@@ -20,27 +20,23 @@ ContactBalance::ContactBalance(const Contacts& contacts, const Contacts::Part& p
 }
 
 std::vector<std::array<double, 2>> ContactBalance::find(const Actions& forces) {
-  constexpr int kMost = 60;
-  constexpr double kSame = 1e-10;  // of the largest force
+  constexpr int kNewton = 6, kMost = 300;  // trials
+  constexpr double kSame = 1e-10;          // of the largest force
   constexpr double kShortest = 1.0 / 64;
-  constexpr int kPatience = 3;  // trials that do not halve what is missed: rounding is left
-  double halved = std::numeric_limits<double>::infinity();
-  int in_vain = 0;
+  // Contacts may bear next to nothing of what acts, as before a wave arrives.
+  constexpr double kRounding = 1e-14;
+  const double rounding = kRounding * average_.largest(forces);
   double missed_before = std::numeric_limits<double>::infinity();
   for (int trial = 0; trial < kMost; ++trial) {
-    take_tangents();
+    const bool newton = trial < kNewton;
+    newton ? take_tangents() : take_stiffest();
     average_.accelerate(forces);
     std::vector<Tried> there(at_.size());
     double missed = go(1, there);
-    for (double way = 0.5; missed >= missed_before && way >= kShortest; way /= 2) missed = go(way, there);
+    if (newton)
+      for (double way = 0.5; missed >= missed_before && way >= kShortest; way /= 2) missed = go(way, there);
     at_ = std::move(there);
-    if (missed <= kSame * largest()) break;
-    if (missed < halved / 2) {
-      halved = missed;
-      in_vain = 0;
-    } else if (++in_vain == kPatience) {
-      break;
-    }
+    if (missed <= std::max(kSame * largest(), rounding)) break;
     missed_before = missed;
   }
   std::vector<std::array<double, 2>> leads;
@@ -48,15 +44,24 @@ std::vector<std::array<double, 2>> ContactBalance::find(const Actions& forces) {
   return leads;
 }
 
+void ContactBalance::take(std::size_t k, MeanAcceleration::Bears tangent) {
+  const auto by_lead = tangent.at(at_[k].lead), bears = at_[k].bears();
+  tangent.load = {bears[0] - by_lead[0], bears[1] - by_lead[1]};
+  tangents_[k] = tangent;
+  average_.bear(first_strain_ + 2 * k, tangent);
+}
+
 void ContactBalance::take_tangents() {
   for (std::size_t k = 0; k < at_.size(); ++k) {
     const auto& [normal, shear, of_normal, of_shear] = at_[k].bearing;
-    MeanAcceleration::Bears& tangent = tangents_[k];
-    tangent = {{0, 0}, {of_normal.by_normal, of_shear.by_shear}, {of_normal.by_shear, of_shear.by_normal}};
-    const auto by_lead = tangent.at(at_[k].lead);
-    tangent.load = {normal - by_lead[0], shear - by_lead[1]};
-    average_.bear(first_strain_ + 2 * k, tangent);
+    take(k, {{0, 0}, {of_normal.by_normal, of_shear.by_shear}, {of_normal.by_shear, of_shear.by_normal}});
   }
+}
+
+void ContactBalance::take_stiffest() {
+  const std::vector<StrainForm> strains = contacts_.strains(part_);
+  for (std::size_t k = 0; k < at_.size(); ++k)
+    take(k, {{0, 0}, {strains[2 * k].stiffness, strains[2 * k + 1].stiffness}, {0, 0}});
 }
 
 ContactBalance::Tried ContactBalance::go(std::size_t k, double way) const {

@@ -4,8 +4,10 @@
 // Newton's method: the structures and the tangents of all contacts give accelerations, these give leads, and
 // these what the contacts bear. Where nothing changes between sticking, sliding and open, which is so for
 // most contacts in most steps, one trial finds it. Where statuses change, the way to what a trial finds is
-// shortened until less is missed than before. At the part t of it, contacts have been missed by (1 - t) of
-// what was missed and of what they bore, and t of what the tangents say, less what they bear there.
+// shortened until less is missed than before. Where that goes round in circles, the slopes of faces that
+// stick take the place of the tangents: none is larger, so that each trial misses less, if only by a share.
+// At the part t of it, contacts have been missed by (1 - t) of what was missed and of what they bore, and t
+// of what the tangents say, less what they bear there.
 #pragma once
 
 #include <array>
@@ -33,7 +35,10 @@ class ContactBalance {
 
     std::array<double, 2> bears() const { return {bearing.normal, bearing.shear}; }
   };
+  // Their present slopes, or those of faces that stick.
   void take_tangents();
+  void take_stiffest();
+  void take(std::size_t k, MeanAcceleration::Bears tangent);
   // A contact at this part of the way to the leads that the accelerations give.
   Tried go(std::size_t k, double way) const;
   // Goes there with all contacts, and returns the most that is missed.

@@ -1,6 +1,7 @@
 #include "fdm_server/structures/mean_acceleration.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 
@@ -105,6 +106,13 @@ void MeanAcceleration::bear(std::size_t strain, const Bears& contact) {
     form.across = across;
     load_[strain + k - structures_] = contact.load[k];
   }
+}
+
+double MeanAcceleration::largest(const Actions& forces) const {
+  double largest = 0;
+  for (const Freedom& freedom : freedoms_)
+    largest = std::max(largest, std::abs(forces[freedom.kind][freedom.number]));
+  return largest;
 }
 
 void MeanAcceleration::accelerate(const Actions& forces) {

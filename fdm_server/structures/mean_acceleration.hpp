@@ -55,6 +55,8 @@ class MeanAcceleration {
   };
   void bear(std::size_t strain, const Bears& contact);
 
+  // The largest of these that acts on a freedom, by size [N], [N m].
+  double largest(const Actions& forces) const;
   // Finds a from all other forces.
   void accelerate(const Actions& forces);
   // dt^2/4 of the acceleration of a strain: by how much its mean leads step n.
