@@ -46,6 +46,7 @@ struct Options : protocol::SceneCommandLine {
   using SceneCommandLine::SceneCommandLine;
   ServerChoice servers;
   bool which = false;     // asks for the program that computes the scene
+  bool print = false;     // asks for the scene as it was read
   std::string from;       // folder of a run or a checkpoint, from whose state at rest the run begins
   std::string record;     // file of what is said to the servers
   std::string results;    // of the run that goes on, or one of its checkpoints
@@ -181,6 +182,14 @@ void check_scene(const Options& options, const protocol::SceneFile&, const Expan
   protocol::print(fmt::format("{} can be computed\n", options.scene));
 }
 
+void refuse_accuracy_of_nothing(const adit::scene::Scene& scene) {
+  if (scene.has_accuracy() && scene.questions_size() == 0)
+    throw protocol::UserError(
+        "accuracy",
+        "asks for an accuracy, but of nothing; name figures of summary.json or columns of "
+        "histories.csv in `questions`, such as [lining_tunnel_largest_thrust_N]");
+}
+
 void add_trust(CLI::App& command, TrustFiles& trust) {
   command.add_option("--tls", trust.tls,
                      "folder of this machine's certificate, as `adit certificates` makes it: servers that "
@@ -260,6 +269,9 @@ int main(int argc, char** argv) {
   options.check->add_flag(
       "--which", options.which,
       "print the program that computes the scene, coupler or simplified, and look no further");
+  options.check->add_flag(
+      "--print", options.print,
+      "print the scene as it is read, with all bases and settings, in SI units, and look no further");
   CLI::App* goes_on = options.app.add_subcommand("resume", "goes on with a run that was stopped or killed");
   goes_on->add_option("results", options.results, "folder of its results, or one of its checkpoints")
       ->required();
@@ -277,7 +289,9 @@ int main(int argc, char** argv) {
                                 [&](const protocol::SceneFile& file) { resume(options, file); });
   const auto& work = options.run->parsed() ? run_scene : check_scene;
   return protocol::with_scene(options.scene, options.sets, [&](const protocol::SceneFile& file) {
+    refuse_accuracy_of_nothing(file.scene);
     if (options.which) return protocol::print(file.scene.has_simplified() ? "simplified\n" : "coupler\n");
+    if (options.print) return protocol::print(protocol::to_yaml(file.scene));
     const Expansion expansion = expand_tunnels(file.scene);
     try {
       work(options, file, expansion);

@@ -1,9 +1,12 @@
 #include "coupler/check/check.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <chrono>
 
 #include "coupler/check/expectations.hpp"
 #include "coupler/check/pace.hpp"
+#include "coupler/check/text.hpp"
 #include "coupler/check/volume.hpp"
 #include "coupler/check/warnings.hpp"
 #include "coupler/output/motion_outputs.hpp"
@@ -23,6 +26,15 @@ void write_undeformed(Model& model, const std::string& scene_yaml, const std::fi
   results::replace_file(directory / "scene.yaml", scene_yaml);
   results::Collection fields(directory / "fields");
   write_fields(model, 0, take_snapshots(model.participants), fields);
+}
+
+void print_accuracy(const scene::Scene& scene) {
+  if (!scene.has_accuracy()) return;
+  print_line("accuracy",
+             fmt::format("adit run refines the scene until {} answers are within {:g} %, for at most {}; "
+                         "coupler run computes it once",
+                         scene.questions_size(), 100 * scene.accuracy().within(),
+                         clock_time(scene.accuracy().budget())));
 }
 
 }  // namespace
@@ -48,6 +60,7 @@ void check(const scene::Scene& scene, std::vector<Participant> participants, con
   Volume volume;
   if (pace.stable()) volume = measure_volume(model, schedule, stepper.snapshots());
   print_expectations(model, schedule, pace, volume);
+  print_accuracy(scene);
   print_notes_and_warnings(model, pace);
   if (pace.stable()) finish(model.participants);
 }

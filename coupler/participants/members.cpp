@@ -146,6 +146,8 @@ scene::Scene part_of(const scene::Scene& scene, const Member& member) {
   part.clear_interface();
   part.clear_interfaces();
   part.clear_output();
+  part.clear_questions();
+  part.clear_accuracy();
   if (member.role == Role::kContinuum)
     *part.mutable_continuum() = continuum_of(scene, member);
   else

@@ -38,6 +38,8 @@ std::string scene_hash(const scene::Scene& scene) {
   computed.clear_name();
   computed.clear_extends();
   computed.clear_description();
+  computed.clear_questions();
+  computed.clear_accuracy();
   forget_file_names(computed);
   return hash_of_bytes(serialize(computed));
 }

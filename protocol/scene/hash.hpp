@@ -8,8 +8,8 @@
 
 namespace adit::protocol {
 
-// 16 hexadecimal digits: the 64-bit FNV-1a hash of the serialized scene without name, base, description and
-// the paths of meshes, which change nothing of what is computed. The same on every machine.
+// 16 hexadecimal digits: the 64-bit FNV-1a hash of the serialized scene without name, base, description,
+// questions and the paths of meshes, which change nothing of what is computed. The same on every machine.
 std::string scene_hash(const scene::Scene& scene);
 
 // The same hash of any bytes.

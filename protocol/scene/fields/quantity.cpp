@@ -132,7 +132,8 @@ double parse_quantity(std::string_view text, std::string_view si_unit) {
     throw UserError("", quote(text) + " is not a number; " + expectation(si_unit));
   if (unit_text.empty()) return scale(number, 0);
   const Unit unit = parse_unit(unit_text);
-  if (si_unit.empty() || unit.dimension != parse_unit(si_unit).dimension)
+  // A pure number may be a share in percent; other products without a dimension, such as m/m, are mistakes.
+  if (si_unit.empty() ? unit_text != "%" : unit.dimension != parse_unit(si_unit).dimension)
     refuse_dimension(text, unit, si_unit);
   const double value = scale(number, unit.decimals) * unit.factor;
   if (!std::isfinite(value)) throw UserError("", quote(text) + " is beyond the range of numbers");

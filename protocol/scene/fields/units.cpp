@@ -37,6 +37,7 @@ constexpr Symbol kSymbols[] = {
     {"bar", {{.length = -1, .mass = 1, .time = -2}, 5}, false},
     {"deg", {{.angle = 1}, 0, std::numbers::pi / 180}, false},
     {"g", {{.length = 1, .time = -2}, 0, 9.80665}, false},
+    {"%", {{}, -2}, false},
 };
 
 // Other spellings of symbols, as records and tables have them.

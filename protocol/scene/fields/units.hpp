@@ -2,7 +2,7 @@
 // by `*`, `/` or a blank and read from left to right (kN/m/s = kN m^-1 s^-1):
 // The power may also stand behind `**` or alone (m/s**2, m/s2). Symbols:
 //   m s N Pa J Hz rad gal   with the prefixes T G M k d c m u (also µ) n
-//   kg t min h bar deg g    without prefixes; g is the standard gravity 9.80665 m/s^2, so that 0.3 g is an
+//   kg t min h bar deg g %  without prefixes; g is the standard gravity 9.80665 m/s^2, so that 0.3 g is an
 //                           acceleration; masses are written in kg and t
 // `sec`, `msec` and `gals` are other spellings. The angle is a dimension of its own: 50 Hz is not an angular
 // velocity, and 5 rad/s is not a frequency.

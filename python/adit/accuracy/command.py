@@ -1,19 +1,20 @@
-"""`adit run SCENE --within 5% --figure KEY`: as accurate as is asked."""
+"""`adit run SCENE` of a scene with `accuracy`, or with `--within 5% --figure KEY`: as accurate as is asked."""
 import os
 import re
-import time
 
-import numpy as np
-
-from adit import Run, programs
-from adit.accuracy.dimensions import dimensions_of, name_of
+from adit import programs
+from adit.accuracy import dimensions
+from adit.accuracy.choices import Choices, softens
 from adit.accuracy.page import csv_rows, markdown, verdict
-from adit.accuracy.search import Computed, Search
-from adit.results.files import Unusable, nearest
+from adit.accuracy.runs import Runs
+from adit.accuracy.search import Search, coarsest
+from adit.results.files import Unusable
 from adit.runs import children
 from adit.trade.table import write_csv
 
 NOT_REACHED = 6  # exit code
+BUDGET = 1200.0  # [s]
+LOWEST = -3  # level of the first model
 UNITS = {"": 1, "s": 1, "min": 60, "h": 3600}
 
 
@@ -34,82 +35,44 @@ def seconds_of(text):
     return float(found[1]) * UNITS[found[2]]
 
 
-def answer(run, question):
-    """A figure of the summary, or the largest value by size of a column of the histories, with its sign; None where there is neither."""
-    value = run.summary.get(question)
-    if value is None and question in run.histories:
-        column = run.histories[question]
-        value = column[np.abs(column).argmax()]
-    return float(value) if value is not None and not isinstance(value, (str, list, bool)) else None
+def asked_of(read, options):
+    """(questions, within, budget [s]) of the command line, or of the scene where it does not say; None where neither asks for an
+    accuracy."""
+    within = share_of(options.within) if options.within else read.get("accuracy", {}).get("within")
+    questions = options.figure or read.get("questions", [])
+    if within is None:
+        return None
+    if not questions:
+        raise Unusable("--within asks for an accuracy, but of nothing; name figures of summary.json, as in --figure "
+                       "lining_ring_largest_thrust_N, or `questions` in the scene.")
+    return questions, within, budget_of(read, options)
 
 
-class Runs:
-    """Computes the scene at levels of its dimensions, each run in a folder of its own below `out`."""
-
-    def __init__(self, scene, questions, out, others):
-        self.scene, self.questions, self.out, self.others = scene, questions, out, others
-        self.dimensions = {}
-
-    def stated(self):
-        """The scene as it is stated; finds its dimensions."""
-        run = self._run("stated", {})
-        if isinstance(run, str):
-            raise Unusable(f"{os.path.relpath(self.scene)} failed: {run}")
-        missing = [question for question in self.questions if answer(run, question) is None]
-        if missing:
-            known = [*(key for key, value in run.summary.items() if type(value) in (int, float)), *run.histories]
-            raise Unusable(f"--figure {missing[0]} is no figure of {run.folder / 'summary.json'} and no column of its histories; {nearest(missing[0], known)}")
-        self.dimensions = {each.name: each for each in dimensions_of(run.scene_as_written)}
-        if not self.dimensions:
-            raise Unusable(f"{os.path.relpath(self.scene)} has neither zones nor particles whose number could be changed; compute it by other means.")
-        return run
-
-    def compute(self, levels):
-        """A Computed at these levels, or None where the scene cannot be made so."""
-        settings = {}
-        for name, level in levels.items():
-            changed = self.dimensions[name].settings(level) if level else {}
-            if changed is None:
-                return None
-            settings |= changed
-        name = name_of(levels)
-        begun = time.monotonic()
-        run = self._run(name, settings)
-        took = time.monotonic() - begun
-        if isinstance(run, str):
-            print(f"  {name}: {run}", flush=True)
-            return None
-        values = {question: answer(run, question) for question in self.questions}
-        if None in values.values():
-            print(f"  {name}: has no {next(key for key, value in values.items() if value is None)}", flush=True)
-            return None
-        print(f"  {name}: " + ", ".join(f"{key} = {value:.5g}" for key, value in values.items()) + f", {took:.3g} s", flush=True)
-        return Computed(levels, values, took)
-
-    def _run(self, name, settings):
-        """The Run, or why there is none."""
-        folder = self.out / name
-        sets = [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
-        code, said = children.run([programs.program("coupler"), "run", self.scene, "--out", folder, *sets, *self.others])
-        return Run(folder) if code == 0 else f"exit code {code}: {(said.strip() or 'it said nothing').splitlines()[-1]}"
+def budget_of(read, options):
+    """[s] of the command line, or of the scene where it does not say."""
+    return seconds_of(options.budget) if options.budget else read.get("accuracy", {}).get("budget", BUDGET)
 
 
-def run(scene, options, others):
+def run(scene, read, asked, options, others):
     """Computes, tells and writes; returns (exit code, the folder of the finest run)."""
-    if not options.figure:
-        raise Unusable("--within asks for an accuracy, but of nothing; name figures of summary.json, as in --figure lining_ring_largest_thrust_N.")
-    within, budget = share_of(options.within), seconds_of(options.budget)
+    questions, within, budget = asked
     children.end_with_this_process()
     out = options.out or programs.RUNS / scene.parent.name / f"{scene.stem}_accuracy"
     out.mkdir(parents=True, exist_ok=True)
     print(f"run: {os.path.relpath(scene)} within {100 * within:g} %", flush=True)
-    runs = Runs(scene, options.figure, out, others)
-    begun = time.monotonic()
-    stated = runs.stated()
-    search = Search(runs.compute, list(runs.dimensions), within, budget)
-    first = Computed(dict.fromkeys(runs.dimensions, 0), {question: answer(stated, question) for question in options.figure}, time.monotonic() - begun)
+    refining = dimensions.refining(read)
+    if not refining:
+        raise Unusable(f"{os.path.relpath(scene)} has neither zones nor particles whose number could be changed; compute it by other means.")
+    runs = Runs(scene, read, questions, out, others, within)
+    names, nearer = [each.name for each in refining], dimensions.rest(read)
+    first = coarsest(lambda levels: runs.compute(refining, levels), names, LOWEST)
+    if first is None:
+        raise runs.failed()
+    search = Search(lambda levels: runs.compute([*refining, *nearer], levels), names, within, budget, rest="".join(each.name for each in nearer))
     reached = search.run(first)
+    choices = Choices(runs, refining, dimensions.choices(read), first, within, localizes=softens(read))
+    choices.compute(budget - sum(run.seconds for run in search.runs))
     write_csv(out / "accuracy.csv", csv_rows(search))
-    (out / "accuracy.md").write_text("\n".join(markdown(search)) + "\n", encoding="utf-8")
-    print(*verdict(search, reached), f"\naccuracy           {out / 'accuracy.md'}, accuracy.csv", sep="\n")
-    return (0 if reached else NOT_REACHED), out / name_of(search.best.levels)
+    (out / "accuracy.md").write_text("\n".join([*markdown(search), "", *choices.sentences()]) + "\n", encoding="utf-8")
+    print(*verdict(search, reached, runs.scatter), *choices.sentences(), f"\naccuracy           {out / 'accuracy.md'}, accuracy.csv", sep="\n")
+    return (0 if reached else NOT_REACHED), out / dimensions.name_of(search.best.levels)

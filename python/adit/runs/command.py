@@ -30,9 +30,9 @@ def main(words):
                         help="compute a scene with each of the values and compare the runs, in runs/CASE/SCENE_variants/; several "
                         "--vary make every combination, keys of one --vary change together: --vary 'time.dt_factor=0.2,0.5' "
                         "--vary 'continuum.block.zones_x,continuum.block.zones_y=8:4,16:8'")
-    parser.add_argument("--within", metavar="SHARE", help="refine a scene until the figures named by --figure are as accurate, as in --within 5%%")
+    parser.add_argument("--within", metavar="SHARE", help="refine a scene until the figures named by --figure, or its `questions`, are as accurate, as in --within 5%%")
     parser.add_argument("--figure", action="append", metavar="KEY", help="a figure of summary.json whose accuracy is asked for; several --figure name several")
-    parser.add_argument("--budget", metavar="TIME", default="20min", help="for --within: begin no run that would end later than this (%(default)s)")
+    parser.add_argument("--budget", metavar="TIME", help="for --within: begin no run that would end later than this [default: that of the scene, or 20min]")
     for name in ("--fdm", "--dem"):
         parser.add_argument(name, metavar="COMMAND | ADDRESS",
                             help="start this server and stop it, as in --dem 'mpirun -np 2 adit_lammps', or join the one that listens there")
@@ -52,10 +52,12 @@ def run(options, others):
     programs.bring_up_to_date(*sorted({name for solver in solvers for name in NEEDED[solver]}))
     if len(scenes) > 1 and options.vary:
         raise Unusable(f"--vary needs one scene, and {given} holds {len(scenes)}.")
-    if options.figure and not options.within:
-        raise Unusable("--figure names figures of which no accuracy is asked for; add --within, such as --within 5%.")
-    if options.within:
-        return as_accurate(scenes, solvers, options, others + servers_of(options))
+    if len(scenes) == 1 and solvers[0] == "coupler" and not options.vary or options.within:
+        code = as_accurate(scenes, solvers, options, others + servers_of(options))
+        if code is not None:
+            return code
+    if options.figure or options.budget:
+        raise Unusable("--figure and --budget belong to an accuracy, and none is asked for; add --within, such as --within 5%.")
     if options.vary:
         return variants.compute_all(programs.program(solvers[0]), scenes[0], options, others + servers_of(options))
     with contextlib.ExitStack() as servers:
@@ -77,11 +79,16 @@ def run(options, others):
 
 
 def as_accurate(scenes, solvers, options, others):
-    from adit.accuracy import command as accuracy
+    """The exit code; None where neither the command nor the scene asks for an accuracy."""
+    from adit.accuracy import command as accuracy, scene
 
     if len(scenes) > 1 or solvers[0] != "coupler" or options.vary:
         raise Unusable("--within needs one scene of zones or particles, and no --vary; name one.")
-    code, folder = accuracy.run(scenes[0], options, others)
+    read = scene.read(scenes[0], others)
+    asked = accuracy.asked_of(read, options)
+    if asked is None:
+        return None
+    code, folder = accuracy.run(scenes[0], read, asked, options, others)
     draw(folder, options, with_pictures=True)
     print(f"\nResults: {folder}/")
     return code

@@ -3,9 +3,13 @@ import itertools
 import math
 import unittest
 
-from adit.accuracy.dimensions import dimensions_of, name_of
+from adit.accuracy.choices import Choices, softens
+from adit.accuracy.dimensions import Dimension, choices, name_of, refining, rest
 from adit.accuracy.estimate import error_of
-from adit.accuracy.search import Computed, Search
+from adit.accuracy.runs import Computed
+from adit.accuracy.scatter import Scatter
+from adit.accuracy.search import Search, coarsest
+from adit.trade.own.rungs import Ladder
 
 
 def changes(values):
@@ -19,7 +23,7 @@ class Errors(unittest.TestCase):
         for (p, q), b in [((0.5, 1), 0.0), *mixed]:
             values = [1 + 0.1 * h**p + 0.1 * b * h**q for h in (1, 1 / 2, 1 / 4)]
             error = error_of(changes(values))
-            self.assertGreaterEqual(error.size * 1.0001, abs(values[-1] - 1), (p, q, b))
+            self.assertGreaterEqual(error.size * 1.0001, abs(values[-1] + error.shift - 1), (p, q, b))
             self.assertLess(error.size, 12 * abs(values[-1] - 1), (p, q, b))
 
     def test_the_order_is_found(self):
@@ -28,55 +32,99 @@ class Errors(unittest.TestCase):
 
     def test_three_changes_tell_a_high_order_that_lasts(self):
         values = [1 + 0.1 * h**2 for h in (1, 1 / 2, 1 / 4, 1 / 8)]
-        error = error_of(changes(values))
+        error, left = error_of(changes(values)), values[-1] - 1
         self.assertAlmostEqual(error.order, 2)
-        self.assertAlmostEqual(error.size, 1.25 * (values[-1] - 1))
-        self.assertAlmostEqual(error_of(changes(values[:3])).size, 3 * 1.25 * (values[2] - 1))  # which two do not
+        self.assertAlmostEqual(error.size, 0.75 * left)
+        self.assertAlmostEqual(error.shift, -0.5 * left)
+        self.assertAlmostEqual(error_of(changes(values[:3])).size, 3 * 0.75 * (values[2] - 1))  # which two do not
 
     def test_a_change_before_the_order_shows_does_not_spoil_it(self):
         error = error_of([0.002, 0.011, 0.003])
-        self.assertAlmostEqual(error.size, 1.25 * 0.003)
+        self.assertAlmostEqual(error.size, 0.75 * 0.003)
         self.assertAlmostEqual(error.order, math.log2(11 / 3))
 
     def test_what_has_no_order_keeps_its_larger_change(self):
-        for given in ([0.2, -0.1], [-0.1, 0.3], [0.2, 0.0]):
+        for given in ([0.2, -0.1], [0.2, 0.0]):
             error = error_of(given)
             self.assertIsNone(error.order)
-            self.assertAlmostEqual(error.size, 1.25 * max(map(abs, given)))
+            self.assertAlmostEqual(error.size, 1.25 * 0.2)
+            self.assertEqual(error.shift, 0)
         self.assertEqual(error_of([0.0, 0.0]).size, 0)
 
+    def test_changes_that_turn_and_grow_tell_no_more_than_one(self):
+        self.assertAlmostEqual(error_of([-0.1, 0.3]).size, 0.9)
+
     def test_a_small_change_after_a_large_one_is_chance(self):
-        self.assertAlmostEqual(error_of([0.08, 1e-6]).size, 1.25 * 0.01)
+        error = error_of([0.08, 1e-6])
+        self.assertAlmostEqual(error.size, 1.25 * 0.02)
+        self.assertIsNone(error.order)
+
+    def test_the_smaller_of_two_orders_is_taken(self):
+        error = error_of([0.05 * 2**0.5, 0.05, 0.02])
+        self.assertAlmostEqual(error.size, 0.75 * 0.02 / (2**0.5 - 1))
 
     def test_changes_that_do_not_shrink_leave_much(self):
         for given in ([0.1, 0.1], [-0.1, -0.2], [0.1, 0.095]):
             error = error_of(given)
             self.assertIsNone(error.order)
+            self.assertEqual(error.shift, 0)
             self.assertGreater(error.size, 8 * abs(given[-1]))
 
     def test_one_change_counts_three_times(self):
         self.assertAlmostEqual(error_of([-0.1]).size, 0.3)
 
 
-SCENE = {"continuum": {"block": {"x_min": 0.0, "zones_x": 8, "zones_y": 4}, "damping": {"zones": 3}},
-         "particles": {"cells": {"size": 0.1, "finer": [{"where": {"circle": {"radius": 2.0}}, "size": 0.05}]}},
-         "tunnels": [{"circle": {"radius": 3.0}, "particles": {"size": 0.2, "ground": 2.0}}],
-         "regions": [{"name": "east", "continuum": {"blocks": [{"zones_x": 6, "zones_y": 2}]}}]}
+SCENE = {"time": {"duration": 1.0, "dt_factor": 0.6, "substeps": 4},
+         "continuum": {"block": {"x_min": 0.0, "zones_x": 8, "zones_y": 4}, "damping": {"zones": 3}},
+         "particles": {"cells": {"size": 1, "seed": 7, "finer": [{"where": {"circle": {"radius": 2.0}}, "size": 0.05}]}},
+         "interface": {"overlap": {"particles_begin": {"x": 4}, "continuum_ends": {"x": 6}}},
+         "tunnels": [{"circle": {"radius": 3.0}, "lining": {"as": "particles"}, "particles": {"size": 0.2, "ground": 2.0, "overlap": 1.0}}],
+         "regions": [{"name": "east", "continuum": {"blocks": [{"along": {"zones": 6, "ratio": 1.21}, "across": {"zones": 2}}]}}]}
 
 
 class Dimensions(unittest.TestCase):
     def test_zones_and_particles_are_found_wherever_they_are_stated(self):
-        zones, particles = dimensions_of(SCENE)
-        self.assertEqual(zones.values, {"continuum.block.zones_x": 8, "continuum.block.zones_y": 4, "regions[0].continuum.blocks[0].zones_x": 6,
-                                        "regions[0].continuum.blocks[0].zones_y": 2})
-        self.assertEqual(particles.values, {"particles.cells.size": 0.1, "particles.cells.finer[0].size": 0.05, "tunnels[0].particles.size": 0.2})
+        zones, particles = refining(SCENE)
+        self.assertEqual(zones.values, {"continuum.block.zones_x": 8, "continuum.block.zones_y": 4, "regions[0].continuum.blocks[0].along.zones": 6,
+                                        "regions[0].continuum.blocks[0].across.zones": 2})
+        self.assertEqual(particles.values, {"particles.cells.size": 1, "particles.cells.finer[0].size": 0.05, "tunnels[0].particles.size": 0.2})
 
     def test_levels_halve_and_double(self):
-        zones, particles = dimensions_of(SCENE)
-        self.assertEqual(zones.settings(-1)["regions[0].continuum.blocks[0].zones_x"], "3")
-        self.assertIsNone(zones.settings(-2))  # 6 cannot be halved twice
+        zones, particles = refining(SCENE)
+        self.assertEqual(zones.settings(-1)["regions[0].continuum.blocks[0].along.zones"], "3")
+        self.assertEqual(zones.settings(-2)["regions[0].continuum.blocks[0].along.zones"], "2")  # 6 cannot be halved twice
         self.assertEqual(zones.settings(2)["continuum.block.zones_x"], "32")
         self.assertEqual(particles.settings(1)["particles.cells.finer[0].size"], "0.025")
+        self.assertEqual(particles.settings(1)["particles.cells.size"], "0.5")  # a length, though written as a whole number
+
+    def test_finer_zones_lie_within_the_coarser_where_sizes_grow(self):
+        """Two zones of ratio r' have the sizes of one of ratio r where r' is its root."""
+        ratio = float(refining(SCENE)[0].settings(1)["regions[0].continuum.blocks[0].along.ratio"])
+        self.assertAlmostEqual((ratio**2 + ratio**3) / (1 + ratio), 1.21)
+
+    def test_choices_are_those_that_the_scene_has(self):
+        found = {each.name: each for each in choices(SCENE)}
+        self.assertEqual(list(found), ["step", "substeps", "overlap", "reach", "lining"])
+        self.assertEqual(found["step"].settings(1), {"time.dt_factor": "0.3"})
+        self.assertIsNone(found["step"].settings(-1))  # beyond the critical one
+        self.assertEqual(found["substeps"].settings(1), {"time.substeps": "2"})
+        self.assertEqual(found["overlap"].settings(1), {"tunnels[0].particles.overlap": "2", "interface.overlap.continuum_ends.x": "8"})
+        self.assertEqual(found["reach"].settings(-1), {"tunnels[0].particles.ground": "1"})
+        self.assertEqual(found["lining"].settings(-2), {"tunnels[0].lining.as": "beam", "tunnels[0].particles": "null"})
+        self.assertEqual([each.name for each in choices({"time": {"dt": 1e-3}})], [])
+
+    def test_a_scene_with_statics_may_come_nearer_to_rest_and_by_another_way(self):
+        nearer, = rest({"time": {}, "statics": {"unbalanced_ratio": 8e-5}})
+        self.assertEqual(nearer.settings(1), {"statics.unbalanced_ratio": "1e-05"})
+        self.assertEqual(rest(SCENE), [])
+        for stated, other in (({}, "adaptive"), ({"damping": "adaptive"}, "kinetic")):
+            way, = (each for each in choices({"time": {}, "statics": stated}) if each.name == "damping")
+            self.assertEqual(way.settings(1), {"statics.damping": other})
+
+    def test_particles_are_not_made_up_for_a_lining_that_has_none(self):
+        lining, = (each for each in choices({"tunnels": [{"lining": {"as": "beam"}}]}) if each.name == "lining")
+        self.assertEqual(lining.settings(1), {"tunnels[0].lining.as": "zones"})
+        self.assertIsNone(lining.settings(2))
 
     def test_runs_are_named_by_what_differs(self):
         self.assertEqual(name_of({"zones": 1, "particles": 0}), "zones_x2")
@@ -84,22 +132,44 @@ class Dimensions(unittest.TestCase):
         self.assertEqual(name_of({"zones": 0}), "stated")
 
 
-class Model:
-    """A result with an error of second order by zones and of first order by particles; `least`: the coarsest level that can be computed."""
+class Scatters(unittest.TestCase):
+    def test_packings_have_other_seeds_until_their_results_are_found_alike(self):
+        scatter = Scatter(SCENE, 0.01)
+        others = scatter.others(cracked=False)
+        self.assertEqual([each["particles.cells.seed"] for each in others], ["8", "9", "10", "11"])
+        self.assertEqual([each["tunnels[0].particles.seed"] for each in others], ["2", "3", "4", "5"])
+        self.assertFalse(scatter.counts({"q": [1.0, 1.001, 1.002, 0.999, 1.0]}, cracked=False))
+        self.assertEqual(scatter.others(cracked=False), [])
+        self.assertEqual(len(scatter.others(cracked=True)), 4)  # which may scatter all the same
+        self.assertTrue(scatter.counts({"q": [1.0, 1.3, 1.1, 0.9, 1.0]}, cracked=True))
+        self.assertEqual(len(scatter.others(cracked=True)), 4)
 
-    def __init__(self, zones, particles, least=-5, most=9):
-        self.zones, self.particles, self.least, self.most, self.asked = zones, particles, least, most, []
+    def test_what_cracks_without_seeds_differs_in_the_last_digits_of_its_step(self):
+        scatter = Scatter({"time": {"dt": 1e-3}}, 0.01)
+        self.assertEqual(scatter.others(cracked=False), [])
+        steps = [float(each["time.dt"]) for each in scatter.others(cracked=True)]
+        self.assertEqual(len({1e-3, *steps}), 5)
+        self.assertTrue(all(abs(step / 1e-3 - 1) < 1e-11 for step in steps))
+
+
+class Model:
+    """A result with an error of second order by zones and of first order by particles; `most`: the finest level that can be computed;
+    `spread`: of its five runs, relative."""
+
+    def __init__(self, zones, particles, most=9, spread=0.0):
+        self.zones, self.particles, self.most, self.spread, self.asked = zones, particles, most, spread, []
 
     def __call__(self, levels):
-        if not all(self.least <= level <= self.most for level in levels.values()):
+        if not all(level <= self.most for level in levels.values()):
             return None
         self.asked.append(dict(levels))
         value = 1 + self.zones / 4**levels["zones"] + self.particles / 2**levels["particles"]
-        return Computed(dict(levels), {"q": value}, 8.0**levels["zones"] + 8.0**levels["particles"])
+        ranges = {"q": (value * (1 - self.spread), value * (1 + self.spread))}
+        return Computed(dict(levels), {"q": value}, 8.0**levels["zones"] + 8.0**levels["particles"], ranges)
 
-    def searched(self, within, budget=math.inf):
+    def searched(self, within, budget=math.inf, lowest=-3):
         search = Search(self, ["zones", "particles"], within, budget)
-        return search, search.run(self({"zones": 0, "particles": 0}))
+        return search, search.run(self({"zones": lowest, "particles": lowest}))
 
 
 class Searches(unittest.TestCase):
@@ -107,21 +177,27 @@ class Searches(unittest.TestCase):
         model = Model(zones=0.001, particles=0.1)
         search, reached = model.searched(0.03)
         self.assertTrue(reached)
-        self.assertEqual(search.best.levels["zones"], 0)
+        self.assertEqual(search.best.levels["zones"], -1)
         self.assertGreaterEqual(search.best.levels["particles"], 2)
-        self.assertGreaterEqual(search.interval("q"), abs(search.best.values["q"] - 1))
-        self.assertLessEqual(search.interval("q"), 0.03 * search.best.values["q"])
+        self.assertGreaterEqual(search.interval("q"), abs(search.value("q") - 1))
+        self.assertLessEqual(search.interval("q"), 0.03 * search.value("q"))
 
-    def test_a_scene_that_is_fine_enough_is_computed_coarser_only(self):
+    def test_a_scene_that_is_finer_than_it_must_be_is_computed_coarser_only(self):
         model = Model(zones=0.001, particles=0.001)
         search, reached = model.searched(0.05)
         self.assertTrue(reached)
-        self.assertTrue(all(level <= 0 for levels in model.asked for level in levels.values()))
+        self.assertTrue(all(level < 0 for levels in model.asked for level in levels.values()))
 
-    def test_where_nothing_coarser_can_be_it_is_made_finer(self):
-        search, reached = Model(zones=0.01, particles=0.01, least=0).searched(0.1)
+    def test_two_changes_of_each_dimension_are_the_least(self):
+        search, reached = Model(zones=0.0, particles=0.0).searched(0.1, lowest=0)
         self.assertTrue(reached)
         self.assertEqual(search.best.levels, {"zones": 2, "particles": 2})
+
+    def test_the_coarsest_model_is_the_first_that_can_be_computed(self):
+        model = Model(zones=0.1, particles=0.1)
+        found = coarsest(lambda levels: model(levels) if levels["zones"] > -2 else None, ["zones", "particles"], -3)
+        self.assertEqual(found.levels, {"zones": -1, "particles": -1})
+        self.assertIsNone(coarsest(lambda levels: None, ["zones"], -3))
 
     def test_the_budget_is_kept(self):
         search, reached = Model(zones=0.1, particles=0.1).searched(1e-4, budget=100)
@@ -129,10 +205,88 @@ class Searches(unittest.TestCase):
         self.assertLess(sum(run.seconds for run in search.runs), 100)
         self.assertGreater(sum(run.seconds for run in search.runs) + search.next_seconds, 100)
 
+    def test_no_answer_is_told_more_accurately_than_the_model_is_at_rest(self):
+        model = Model(zones=0.0, particles=0.0)
+
+        def resting(levels):
+            found = model({name: levels[name] for name in ("zones", "particles")})
+            found.values["q"] += 0.01 * levels.get("rest", 0)
+            return found
+
+        search = Search(resting, ["zones", "particles"], 0.05, math.inf, rest="rest")
+        self.assertTrue(search.run(resting({"zones": -3, "particles": -3})))
+        self.assertAlmostEqual(search.interval("q"), 3 * 0.01)  # one change counts three times
+        search = Search(resting, ["zones", "particles"], 0.01, 1e3, rest="rest")
+        self.assertFalse(search.run(resting({"zones": -3, "particles": -3})))
+
     def test_what_cannot_be_finer_ends_the_search(self):
         search, reached = Model(zones=0.1, particles=0.1, most=1).searched(1e-4)
         self.assertFalse(reached)
         self.assertLessEqual(max(search.best.levels.values()), 1)
+
+    def test_zones_wait_for_the_particles_that_they_must_not_outrun(self):
+        model = Model(zones=0.1, particles=0.001)
+        search = Search(lambda levels: model(levels) if levels["zones"] <= levels["particles"] else None, ["zones", "particles"], 0.02, 1e9)
+        self.assertTrue(search.run(model({"zones": -3, "particles": -3})))
+        self.assertGreaterEqual(search.best.levels["particles"], search.best.levels["zones"])
+
+    def test_a_scatter_counts_and_no_refinement_chases_it(self):
+        search, reached = Model(zones=0.001, particles=0.001, spread=0.02).searched(0.05)
+        self.assertTrue(reached)
+        self.assertGreaterEqual(search.interval("q"), 0.02)
+        search, reached = Model(zones=0.001, particles=0.001, spread=0.08).searched(0.05)
+        self.assertFalse(reached)
+        self.assertTrue(search.scatters("q"))
+        self.assertEqual(search.best.levels, {"zones": -1, "particles": -1})
+
+
+class Ladders(unittest.TestCase):
+    def climbed(self, budget=math.inf):
+        model = Model(zones=0.04, particles=0.02)
+        zones, particles = (Dimension(name, {name: 8.0}, power, ("finer", "coarser")) for name, power in (("zones", 1), ("particles", -1)))
+        ladder = Ladder(lambda levels: model({"zones": 0, "particles": 0} | levels), [zones, particles], [], budget)
+        self.assertTrue(ladder.climb())
+        return ladder
+
+    def test_each_dimension_is_changed_by_itself_and_has_its_order(self):
+        ladder = self.climbed()
+        self.assertEqual([name_of(rung.levels) for rung in ladder.rungs], [
+            "stated", "zones_x0.25", "zones_x0.5", "zones_x2", "particles_x0.25", "particles_x0.5", "particles_x2", "zones_x2,particles_x2"])
+        self.assertAlmostEqual(ladder.order("zones", "q"), 2)
+        self.assertAlmostEqual(ladder.order("particles", "q"), 1)
+        self.assertEqual(ladder.finest.levels, {"zones": 1, "particles": 1})
+        self.assertAlmostEqual(ladder.difference(ladder.rungs[0], "q"), 1.06 / 1.02 - 1)
+
+    def test_models_beyond_the_budget_are_named(self):
+        ladder = self.climbed(budget=10)
+        self.assertLess(sum(rung.computed.seconds for rung in ladder.rungs), 10)
+        self.assertIn("zones_x2,particles_x2", ladder.left_out)
+        self.assertEqual(ladder.finest.levels, {})
+
+
+class Told(unittest.TestCase):
+    def test_ground_that_softens_is_named(self):
+        material = {"mohr_coulomb": {"cohesion": 1e3, "softening": [{"plastic_shear_strain": 0.02}]}}
+        self.assertTrue(softens({"continuum": {"materials": [{"material": material}]}}))
+        self.assertFalse(softens(SCENE))
+
+    def test_choices_that_no_refinement_removes_are_named(self):
+        """Of two choices, one changes the result by 4 % and one by less than half of the accuracy asked for."""
+        first = Computed({"zones": -1}, {"q": -1.0}, 1.0)
+        changed = {"overlap": -1.04, "step": -1.001}
+
+        class Computing:
+            def compute(self, dimensions, levels):
+                return Computed(levels, {"q": changed[dimensions[-1].name]}, 1.0)
+
+        found = [Dimension(name, {name: 1.0}, 1, ("twice as wide", "half as wide")) for name in changed]
+        told = Choices(Computing(), [], found, first, 0.05)
+        told.compute(100)
+        sentence, = told.sentences()
+        self.assertIn("q depends on the overlap: twice as wide changes it by -4 %", sentence)
+        told = Choices(Computing(), [], found, first, 0.05)
+        told.compute(1)
+        self.assertEqual(list(told.sentences()), [])
 
 
 if __name__ == "__main__":

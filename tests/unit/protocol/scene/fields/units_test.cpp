@@ -43,6 +43,15 @@ TEST(Quantity, DecimalUnitsGiveTheSameDoubleAsSi) {
   EXPECT_EQ(parse_quantity("3 bar", "Pa"), 3e5);
 }
 
+// Shares may be written in percent, with the double of the number written out; nothing else may.
+TEST(Quantity, SharesMayBeInPercent) {
+  EXPECT_EQ(parse_quantity("5 %", ""), 0.05);
+  EXPECT_EQ(parse_quantity("0.1%", ""), 0.001);
+  EXPECT_EQ(complaint("5 %", "rad"), "`5 %` is written with a unit; an angle such as `30 deg` is expected");
+  EXPECT_EQ(complaint("5 %/%", ""),
+            "`5 %/%` is written with a unit; a pure number such as `0.25` is expected");
+}
+
 // Powers and symbols as tables and headers of records have them.
 TEST(Quantity, OtherSpellingsAreTheSameUnits) {
   for (const auto* text : {"-9.81 m/s2", "-9.81 m/s**2", "-9.81 m s-2", "-9.81 m/sec2", "-981 Gal",
@@ -93,7 +102,7 @@ TEST(Quantity, AngularVelocityIsNoFrequency) {
 
 TEST(Quantity, UnknownUnitsGetTheNearestOne) {
   EXPECT_EQ(complaint("30 gpa", "Pa"), "unit `gpa` is unknown; did you mean `GPa`?");
-  EXPECT_EQ(complaint("30 %", ""), "unit `%` is unknown");
+  EXPECT_EQ(complaint("30 ?", ""), "unit `?` is unknown");
   EXPECT_THAT(complaint("30 mg", "kg"), ::testing::StartsWith("unit `mg` is unknown"));
   EXPECT_THAT(complaint("0x10", "m"), ::testing::StartsWith("unit `x10` is unknown"));
   EXPECT_THAT(complaint("3 m/", "m"), ::testing::HasSubstr("is incomplete"));
