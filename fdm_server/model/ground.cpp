@@ -9,6 +9,7 @@
 
 #include "fdm_server/model/grid/selection.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/materials/fracture.hpp"
 
 namespace adit::fdm {
 namespace {
@@ -115,10 +116,13 @@ void read_hysteretic(const scene::Hysteretic& scene, const std::string& path, Ma
   material.reversals = std::move(backbone);
 }
 
+YieldCone read_fracture(const scene::Fracture& scene, const std::string& path) {
+  return MohrCoulomb({protocol::cohesion_of(scene, path), scene.friction_angle(), 0, scene.tensile_strength()})
+      .cone(0);
+}
+
 Material read_material(const scene::Material& scene, const scene::Scene& whole, const std::string& path) {
   Material material{scene.density(), scene.young_modulus(), scene.poisson_ratio()};
-  require(!scene.has_fracture() || path == "material", path + ".fracture",
-          "is given, but only facets between cells of particles break by it; give `mohr_coulomb` to zones");
   const bool reversals = scene.hysteretic().memory() == scene::Hysteretic::REVERSALS;
   require(
       !reversals || !(scene.has_mohr_coulomb() || scene.has_weak_plane()), path + ".hysteretic.memory",
@@ -133,6 +137,7 @@ Material read_material(const scene::Material& scene, const scene::Scene& whole, 
     material.weak_plane =
         WeakPlane(plane.dip_angle(), read_strength(plane, kNoStrength, path + ".weak_plane"));
   }
+  if (scene.has_fracture()) material.fracture = read_fracture(scene.fracture(), path + ".fracture");
   require(material.linear() || whole.plane() == scene::PLANE_STRAIN, path,
           "has a strength or a hysteretic curve, which is computed in plane strain only; write `plane: "
           "plane_strain`, "

@@ -25,6 +25,7 @@
 #include "fdm_server/model/supports/meetings.hpp"
 #include "fdm_server/model/supports/supports.hpp"
 #include "fdm_server/participant/critical_element.hpp"
+#include "fdm_server/participant/demand_figures.hpp"
 #include "fdm_server/participant/interface_figures.hpp"
 #include "fdm_server/participant/joint_figures.hpp"
 #include "fdm_server/participant/lining_figures.hpp"
@@ -168,7 +169,7 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   require_renewed_apart();
   if (zone_stages_.stages().contains(0)) begin_stage(0);
   peak_shapes_.emplace(grid_, supports_.linings);
-  histories_.emplace(conditions, supports_, grid_, zone_kinds(), damping_);
+  histories_.emplace(conditions, supports_, grid_, zone_kinds(), setup_.ground.materials, damping_);
   if (!weights.weights().empty()) offer_grid_points(weights, interface);
   interface.set_zones(grid_.zones.size());
   interface.set_grid_points(grid_.x.size());
@@ -373,7 +374,7 @@ void FdmParticipant::start_over(const protocol::Drift& drift) {
 }
 
 void FdmParticipant::remember_for_peaks() {
-  if (!peaks_) peaks_.emplace(grid_);
+  if (!peaks_) peaks_.emplace(grid_, setup_.ground.states_strength());
   peaks_->remember(*continuum_);
 }
 
@@ -486,7 +487,7 @@ void FdmParticipant::exchange_solver(state::Archive& archive) {
   peak_joints_.exchange(supports_.linings, archive);
   peak_shapes_->exchange(archive);
   histories_->exchange(archive);
-  archive("peaks", peaks_, [this] { return Peaks(grid_); });
+  archive("peaks", peaks_, [this] { return Peaks(grid_, setup_.ground.states_strength()); });
   archive("relaxation", relaxation_, [this] { return Relaxation(grid_, weights_); });
   archive("travel", travel_, [this] { return protocol::Travel(continuum_->ux(), continuum_->uy()); });
   archive("steps_done", steps_done_);
@@ -502,6 +503,7 @@ void FdmParticipant::finish(wire::Bye& bye) {
   add_figures(supports_.linings, *peak_shapes_, bye);
   if (!supports_.members.empty()) add_failures(grid_, supports_.members, continuum_->structures(), bye);
   add_figures(grid_, supports_.interfaces, supports_.contacts, contact_peaks_, bye);
+  if (peaks_) add_largest_demand(grid_, *peaks_, bye);
 }
 
 }  // namespace adit::fdm
