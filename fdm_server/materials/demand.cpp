@@ -20,7 +20,7 @@ double shear_share(double shear, double normal_friction, double cohesion) {
 }  // namespace
 
 double demand(const YieldCone& cone, const PointStress& stress) {
-  const double radius = std::hypot(stress.difference, stress.shear);
+  const double radius = std::sqrt(stress.difference * stress.difference + stress.shear * stress.shear);
   const double largest = std::max(stress.mean + radius, stress.across),
                smallest = std::min(stress.mean - radius, stress.across);
   return std::max(share(largest, cone.tension),
