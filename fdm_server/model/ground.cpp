@@ -1,6 +1,7 @@
 #include "fdm_server/model/ground.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <numeric>
@@ -200,6 +201,18 @@ std::vector<std::string> notes_on_strength(const Ground& ground) {
           name_of_material(m), end->stress * material.elasticity().shear / 1e3, 100 * end->strain));
   }
   return notes;
+}
+
+std::optional<std::string> note_on_fracture(const Ground& ground) {
+  std::vector<std::string> names;
+  for (std::size_t m = 0; m < ground.materials.size(); ++m)
+    if (const Material& material = ground.materials[m];
+        material.fracture && !material.mohr_coulomb && !material.weak_plane)
+      names.push_back(name_of_material(m));
+  if (names.empty()) return std::nullopt;
+  return fmt::format(
+      "fracture of {}: zones do not break by it; `demand` and `output.peaks` tell how near they come",
+      fmt::join(names, ", "));
 }
 
 std::vector<std::string> notes_on_loops(const scene::Scene& scene, const Ground& ground) {

@@ -118,6 +118,8 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
     model.add_notes(*note);
   if (const auto warning = warn_of_imbalance(scene_, grid_, setup_.ground)) model.add_notes(*warning);
   for (const std::string& note : notes_on_strength(setup_.ground)) model.add_notes(note);
+  if (setup.alone())
+    if (const auto note = note_on_fracture(setup_.ground)) model.add_notes(*note);
   for (const std::string& note : notes_on_loops(scene_, setup_.ground)) model.add_notes(note);
   const Resolution resolution = fdm::resolution(grid_, last);
   model.set_highest_frequency(resolution.frequency);
