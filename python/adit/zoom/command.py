@@ -18,7 +18,6 @@ from adit.zoom.places import conditioned, places
 from adit.zoom.scene import differences, require_breakable
 
 SHARE = 0.8  # of the strength
-CELL_AREA = 0.866  # of a cell, over its size squared
 
 
 def main(words):
@@ -54,12 +53,11 @@ def zoom(run, share, size, out):
         x, y = zones.centres[demand.argmax()]
         raise Unusable(f"{run.folder}: the zones that reach {share:g} of their strength, the worst at ({x:.4g}, {y:.4g}) m, all lie where the grid is "
                        "held, loaded or absorbs waves, or within four zones of it; move that edge farther away.")
-    changes, notes = differences(run, zones, found, size)
-    source = run.folder / ("scene_as_written.yaml" if run.has("scene_as_written.yaml") else "scene.yaml")
+    changes, counts, notes = differences(run, zones, found, size)
     out.parent.mkdir(parents=True, exist_ok=True)
-    text = yaml.safe_dump({"extends": os.path.relpath(source, out.parent)} | changes, sort_keys=False, default_flow_style=None, width=120)
+    text = yaml.safe_dump({"extends": os.path.relpath(run.folder / "scene.yaml", out.parent)} | changes, sort_keys=False, default_flow_style=None, width=120)
     out.write_text(f"# Particles where the demand reached {share:g}, by {programs.command('zoom')}.\n{text}", encoding="utf-8")
-    yield from told(zones, demand, grid["peak_demand_time_s"], found, changes)
+    yield from told(zones, demand, grid["peak_demand_time_s"], found, changes, counts)
     if staying.any():
         x, y = zones.centres[np.where(staying, demand, 0).argmax()]
         notes.append(f"{staying.sum()} zones near their strength, the worst at ({x:.4g}, {y:.4g}) m, stay zones: they lie where the grid is held, "
@@ -68,17 +66,13 @@ def zoom(run, share, size, out):
     yield f"scene              {out}"
 
 
-def told(zones, demand, times, found, changes):
+def told(zones, demand, times, found, changes, counts):
     """What each place is."""
     models = [region["particles"] for region in changes["regions"]] if "regions" in changes else [changes["particles"]]
-    corners = zones.points[zones.cells]
-    (x, y), (x_next, y_next) = corners.transpose(2, 0, 1), np.roll(corners, -1, axis=1).transpose(2, 0, 1)
-    areas = (x * y_next - x_next * y).sum(axis=1) / 2
-    for place, model in zip(found, models):
+    for place, model, count in zip(found, models, counts):
         worst = np.where(place.core, demand, 0).argmax()
         x, y = zones.centres[worst]
-        count = areas[place.filled].sum() / CELL_AREA / model["cells"]["size"]**2
-        finer = ", finer in parts" if "finer" in model["cells"] else ""
+        finer = ", finer in parts," if "finer" in model["cells"] else ""
         yield (f"particles          about {count:.0f} of {model['cells']['size']:.3g} m{finer} for {place.filled.sum()} zones around ({x:.4g}, {y:.4g}) m, "
                f"where the demand reaches {demand[worst]:.3g} at t = {times[worst]:.4g} s; overlap {place.width:.3g} m")
 

@@ -2,6 +2,7 @@
 import numpy as np
 
 STRAIGHT = 1e-9  # sine of the turn at a corner that is none
+NEAR = 1e-9  # of a zone's area, by which a place on its side may lie outside
 
 
 class Zones:
@@ -11,8 +12,10 @@ class Zones:
         self.points, self.cells = grid.points, grid.cells
         corners = self.points[self.cells]
         self.centres = corners.mean(axis=1)
-        self.longest = np.hypot(*(corners - np.roll(corners, -1, axis=1)).transpose(2, 0, 1)).max(axis=1)
-        self.shortest = np.hypot(*(corners - np.roll(corners, -1, axis=1)).transpose(2, 0, 1)).min(axis=1)
+        ends = np.roll(corners, -1, axis=1)
+        lengths = np.hypot(*(ends - corners).transpose(2, 0, 1))
+        self.shortest, self.longest = lengths.min(axis=1), lengths.max(axis=1)  # side of each [m]
+        self.areas = _cross(corners, ends).sum(axis=1) / 2  # [m^2]
         sides = np.sort(np.stack([self.cells, np.roll(self.cells, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
         _, numbers = np.unique(sides, axis=0, return_inverse=True)
         self.sides = numbers.reshape(-1, 4)  # of each zone
@@ -20,6 +23,11 @@ class Zones:
     def at(self, points):
         """The zones with any of these points, given by flags."""
         return points[self.cells].any(axis=1)
+
+    def holding(self, place):
+        """The zones within or on whose sides a place (2,) lies."""
+        corners = self.points[self.cells]
+        return (_cross(np.roll(corners, -1, axis=1) - corners, place - corners) >= -NEAR * self.areas[:, None]).all(axis=1)
 
     def grown(self, chosen, layers=1):
         """With so many layers of zones around."""
@@ -57,6 +65,10 @@ class Zones:
         return points[count > 1]
 
 
+def _cross(a, b):
+    return a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
+
+
 def _sharing(links, chosen):
     """The zones that have a link with a chosen one, which are among them."""
     linked = np.zeros(links.max() + 1, bool)
@@ -77,8 +89,7 @@ class Loop:
 
     def __init__(self, points):
         self.points = points
-        (x, y), (x_next, y_next) = points.T, np.roll(points, -1, axis=0).T
-        self.area = np.sum(x * y_next - x_next * y) / 2
+        self.area = _cross(points, np.roll(points, -1, axis=0)).sum() / 2
         self.outer = self.area > 0
 
 
@@ -122,7 +133,7 @@ def hull(points):
     def half(sequence):
         chain = []
         for point in sequence:
-            while len(chain) > 1 and np.cross(chain[-1] - chain[-2], point - chain[-1]) <= 0:
+            while len(chain) > 1 and _cross(chain[-1] - chain[-2], point - chain[-1]) <= 0:
                 chain.pop()
             chain.append(point)
         return chain[:-1]
@@ -141,10 +152,10 @@ def distances(points, loop):
 def _turn(points, before, here, after):
     """The angle to the left [rad]."""
     a, b = points[here] - points[before], points[after] - points[here]
-    return np.arctan2(np.cross(a, b), a @ b)
+    return np.arctan2(_cross(a, b), a @ b)
 
 
 def _corners(points):
     a, b = points - np.roll(points, 1, axis=0), np.roll(points, -1, axis=0) - points
-    sine = np.abs(np.cross(a, b)) / np.hypot(*a.T) / np.hypot(*b.T)
+    sine = np.abs(_cross(a, b)) / np.hypot(*a.T) / np.hypot(*b.T)
     return points[sine > STRAIGHT]

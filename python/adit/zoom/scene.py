@@ -2,9 +2,12 @@
 import numpy as np
 
 from adit.results.files import Unusable
-from adit.zoom.outlines import inside, loops
+from adit.zoom.outlines import loops
 
 CELLS_IN_ZONE = 2  # along a side, where no size is given
+SOFTENING = 0.25  # of the length E' G_f / f_t^2: larger facets snap (docs/cells.md)
+CELL_AREA = 0.866  # of a cell, over its size squared
+ALIKE = 0.8  # sizes from which on cells need not be finer in a part
 ROUND = 10  # digits of places
 KEPT = ("young_modulus", "poisson_ratio", "density", "fracture")  # of a material, by cells
 MOTIONS = ("displacement_x", "displacement_y", "velocity_x", "velocity_y", "acceleration_x", "acceleration_y")
@@ -13,52 +16,63 @@ CIRCLE = 3  # cells in the radius of a mean
 
 
 def differences(run, zones, found, size=None):
-    """(mapping of the differences, [notes]) for the Places found; `size` of the cells [m]."""
+    """(mapping of the differences, [number of cells of each place], [notes]) for the Places found; `size` of the cells [m], which follows
+    from zones and materials where it is None."""
     continuum, notes = run.scene["continuum"], []
     materials = [continuum.get("material", run.scene.get("material")), *(area["material"] for area in continuum.get("materials", []))]
     numbers = run.fields()["grid"]["material"].astype(int)
-    models, rings = [], []
+    models, rings, counts = [], [], []
     left = list(continuum.get("histories", []))
     for place in found:
-        cells = size or float(np.median(zones.longest[place.core])) / CELLS_IN_ZONE
-        model = _particles(zones, place, cells, numbers, materials)
+        model, count = _particles(zones, place, size, numbers, materials)
         if loads := continuum.get("body_loads"):
             model["body_loads"] = loads
-        moved = [(history, _as_of_particles(history, zones, place, cells, notes)) for history in left if _lies_in(history, zones, place)]
+        moved = [(history, _as_of_particles(history, zones, place, model["cells"]["size"], notes)) for history in left if _lies_in(history, zones, place)]
         if histories := [other for _, other in moved if other]:
             model["histories"] = histories
         left = [history for history in left if all(history is not other for other, _ in moved)]
         models.append(model)
+        counts.append(count)
         around = next(loop for loop in loops(zones, place.core) if loop.outer)
         rings.append({"overlap": {"around": {"polygon": {"corners": _corners(around)}}, "width": float(f"{place.width:.6g}")}, "solve": "split"})
     told = {"time": {"dt": None}} if "dt" in run.scene["time"] else {}
     if left != continuum.get("histories", []):
         told["continuum"] = {"histories": left}
     if len(models) == 1:
-        return told | {"particles": models[0], "interface": rings[0]}, notes
+        return told | {"particles": models[0], "interface": rings[0]}, counts, notes
     names = [f"place_{number}" for number in range(1, len(models) + 1)]
     return told | {"regions": [{"name": name, "particles": model} for name, model in zip(names, models)],
-                   "interfaces": [ring | {"inner": name} for name, ring in zip(names, rings)]}, notes
+                   "interfaces": [ring | {"inner": name} for name, ring in zip(names, rings)]}, counts, notes
 
 
 def _particles(zones, place, size, numbers, materials):
-    corners = zones.points[np.unique(zones.cells[place.filled])]
-    (x_min, y_min), (x_max, y_max) = corners.min(axis=0) - 2 * size, corners.max(axis=0) + 2 * size
+    """(the model, how many cells it will have)."""
     here, count = np.unique(numbers[place.filled], return_counts=True)
     most = here[count.argmax()]
-    packing = {"x_min": _told(x_min), "x_max": _told(x_max), "y_min": _told(y_min), "y_max": _told(y_max), "size": float(f"{size:.4g}")}
-    groups, finer = [], []
+    whole = size or _size(zones, place.filled & (numbers == most), materials[most])
+    groups, finer, sizes = [], [], np.full(len(numbers), whole)
     for number in here[here != most]:
         for piece in zones.pieces(place.filled & (numbers == number)):
             area = _area(zones, piece)
             groups.append({"name": f"ground_{len(groups) + 1}", "where": area, "material": _of_cells(materials[number])})
-            thin = float(np.median(zones.shortest[piece])) / CELLS_IN_ZONE
-            if thin < 0.8 * size:
-                finer.append({"where": area, "size": float(f"{thin:.4g}")})
-    if finer:
-        packing["finer"] = finer
-    model = {"cells": packing, "within": _area(zones, place.filled), "material": _of_cells(materials[most])}
-    return model | ({"groups": groups} if groups else {})
+            own = size or _size(zones, piece, materials[number])
+            if own < ALIKE * whole:
+                sizes[piece] = own
+                finer.append({"where": area, "size": own})
+    corners = zones.points[np.unique(zones.cells[place.filled])]
+    (x_min, y_min), (x_max, y_max) = corners.min(axis=0) - 2 * whole, corners.max(axis=0) + 2 * whole
+    packing = {"x_min": _told(x_min), "x_max": _told(x_max), "y_min": _told(y_min), "y_max": _told(y_max), "size": whole}
+    model = {"cells": packing | ({"finer": finer} if finer else {}), "within": _area(zones, place.filled), "material": _of_cells(materials[most])}
+    return model | ({"groups": groups} if groups else {}), float((zones.areas / sizes**2)[place.filled].sum() / CELL_AREA)
+
+
+def _size(zones, chosen, material):
+    """Of cells that waves and bending cross as they do the zones, and that soften stably [m]."""
+    size = float(np.median(zones.shortest[chosen])) / CELLS_IN_ZONE
+    if fracture := material.get("fracture"):
+        stiffness = material["young_modulus"] / (1 + material["poisson_ratio"])
+        size = min(size, SOFTENING * stiffness * fracture["fracture_energy"] / fracture["tensile_strength"] ** 2)
+    return float(f"{0.995 * size:.3g}")
 
 
 def _area(zones, chosen):
@@ -79,10 +93,12 @@ def _of_cells(material):
 
 
 def _lies_in(history, zones, place):
-    """Whether the continuum has no zone any more where the history is: within the core."""
+    """Whether the continuum has no zone any more where the history is: all zones that hold it are of the core."""
     at = history.get("at")
-    around = next(loop for loop in loops(zones, place.core) if loop.outer)
-    return at is not None and "lining" not in history and inside(around.points, np.array([[at["x"], at["y"]]]))[0]
+    if at is None or "lining" in history:
+        return False
+    holding = zones.holding(np.array([at["x"], at["y"]]))
+    return bool(holding.any() and place.core[holding].all())
 
 
 def _as_of_particles(history, zones, place, size, notes):
