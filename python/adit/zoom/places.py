@@ -1,9 +1,9 @@
 """Which zones become particles, and where the overlap around them ends.
 
-The core, of particles alone, has the zones whose demand reached the share, and as many layers around as the overlap is wide: what
-breaks moves load beside, and no crack shall reach the overlap. The overlap has LAYERS more; with fewer than two zones across it
-would carry waves badly. Both end on lines of the grid, and at free faces where the ground does. They keep away from where the grid is
-held, loaded or absorbs: these zones stay.
+The core, of particles alone, has the zones whose demand reached the share, and MARGIN layers around: what breaks moves load beside, and
+no crack shall reach the overlap. The overlap is ACROSS times as wide as the largest zones beside the core: with fewer than two zones
+it would carry waves badly. Both end at free faces where the ground does. They keep away from where the grid is held, loaded or absorbs:
+these zones stay.
 """
 from dataclasses import dataclass
 
@@ -12,7 +12,8 @@ import numpy as np
 from adit.plots.setup.areas import boundary, inside as in_area
 from adit.zoom.outlines import distances, hull, inside, loops
 
-LAYERS = 2  # of zones, in the overlap; and between it and what is near its strength
+ACROSS = 2  # zones over the width of an overlap
+MARGIN = 2  # layers of zones between it and what is near its strength
 
 
 @dataclass
@@ -44,17 +45,17 @@ def places(zones, near, kept):
     """([Place], flags of the zones near their strength that stay zones) of the zones that are `near` it, where the points `kept`
     belong to the continuum alone."""
     edge = zones.at(kept)
-    free = ~zones.grown(edge, LAYERS)  # for a core
-    core = zones.closed(zones.grown(near, LAYERS) & free, free)
+    free = ~zones.grown(edge, ACROSS)  # for a core
+    core = zones.closed(zones.grown(near, MARGIN) & free, free)
     while True:
-        parts = [(part, zones.pieces(core & part)) for part in zones.pieces(zones.grown(core, LAYERS) & ~edge, by_side=False)]
-        apart = [part for part, pieces in parts if len(pieces) > 1]
-        if not apart:
+        found = [_place(zones, piece, edge) for piece in zones.pieces(core)]
+        before = core
+        for part in zones.pieces(np.any([place.filled for place in found], axis=0), by_side=False) if found else ():
+            if sum((place.core & part).any() for place in found) > 1:
+                core = core | _joined(zones, core & part, part) & free
+        if (core == before).all():
             break
-        for part in apart:
-            core = core | _joined(zones, core & part, part) & free
         core = zones.closed(core, free)
-    found = [Place(core & part, part, _width(zones, core & part, part)) for part, pieces in parts if pieces]
     return sorted(found, key=lambda place: -place.core.sum()), near & ~core
 
 
@@ -64,11 +65,9 @@ def _joined(zones, pieces, part):
     return part if len(zones.pieces(between)) > 1 else between
 
 
-def _width(zones, core, filled):
-    """The distance from the core to where other zones begin beyond what is filled."""
-    beyond = zones.grown(filled) & ~filled
-    ends = np.intersect1d(zones.cells[beyond], zones.cells[filled])
-    if not len(ends):
-        return float(zones.longest[filled].max())
+def _place(zones, core, edge):
+    """With the zones that its overlap reaches, which are not those of the edge."""
     around = next(loop for loop in loops(zones, core) if loop.outer)
-    return float(distances(zones.points[ends], around).min())
+    begins = distances(zones.points, around)[zones.cells].min(axis=1)  # of each zone, from the core
+    width = min(ACROSS * np.sqrt(zones.areas[zones.grown(core) & ~core]).max(initial=0), begins[edge].min(initial=np.inf))
+    return Place(core, core | (begins < (1 - 1e-6) * width), float(width))
