@@ -4,7 +4,7 @@ import numpy as np
 from adit.results.files import Unusable
 from adit.zoom.outlines import loops
 
-CELLS_IN_ZONE = 2  # along a side, where no size is given
+CELLS_IN_ZONE = (2, 8)  # along a side, where no size is given: as few as soften stably
 SOFTENING = 0.25  # of the length E' G_f / f_t^2: larger facets snap (docs/cells.md)
 CELL_AREA = 0.866  # of a cell, over its size squared
 ALIKE = 0.8  # sizes from which on cells need not be finer in a part
@@ -67,12 +67,13 @@ def _particles(zones, place, size, numbers, materials):
 
 
 def _size(zones, chosen, material):
-    """Of cells that waves and bending cross as they do the zones, and that soften stably [m]."""
-    size = float(np.median(zones.shortest[chosen])) / CELLS_IN_ZONE
+    """Of cells that are smaller than the zones, and soften stably as far as that many zones' sides allow [m]."""
+    largest, least = (float(np.median(zones.shortest[chosen])) / count for count in CELLS_IN_ZONE)
+    size = largest
     if fracture := material.get("fracture"):
         stiffness = material["young_modulus"] / (1 + material["poisson_ratio"])
-        size = min(size, SOFTENING * stiffness * fracture["fracture_energy"] / fracture["tensile_strength"] ** 2)
-    return float(f"{0.995 * size:.3g}")
+        size = min(size, 0.995 * SOFTENING * stiffness * fracture["fracture_energy"] / fracture["tensile_strength"] ** 2)
+    return float(f"{max(size, least):.3g}")
 
 
 def _area(zones, chosen):
