@@ -25,20 +25,23 @@ class Place:
 
 
 def conditioned(continuum, grid):
-    """Flags of the points at which the grid is held, moved, loaded or absorbs waves."""
+    """Flags of the points at which the grid is held, moved, loaded or absorbs waves. Of areas that name a group of a mesh, whose edges only
+    the mesh knows, all of the boundary counts."""
     points = grid.points
     (left, lowest), right = points.min(axis=0), points[:, 0].max()
-    areas = [condition.get("where") for key in ("quiet", "motions", "edge_loads", "point_loads", "foundations")
-             for condition in continuum.get(key, [])]
-    areas += [area for side, area in (("left", {"x_max": left}), ("right", {"x_min": right})) if continuum.get("free_field", {}).get(side)]
+    at_points = [condition["where"] for key in ("motions", "point_loads", "foundations") for condition in continuum.get(key, [])]
+    at_edges = [condition["where"] for key in ("quiet", "edge_loads") for condition in continuum.get(key, [])]
+    at_edges += [area for side, area in (("left", {"x_max": left}), ("right", {"x_min": right})) if continuum.get("free_field", {}).get(side)]
     if "base" in continuum:
-        areas.append(continuum["base"].get("where", {"y_max": lowest}))
-    at_boundary = np.zeros(len(points), bool)
-    at_boundary[np.unique(boundary(grid))] = True
+        at_edges.append(continuum["base"].get("where", {"y_max": lowest}))
+    at_edges += [area for area in at_points if "group" in area]
+    ends = np.isin(np.arange(len(points)), boundary(grid))
     chosen = np.zeros(len(points), bool)
-    for area in areas:
-        chosen |= in_area(area, points)
-    return chosen & at_boundary
+    for area in at_points:
+        chosen |= in_area(area, points) & ("group" not in area)
+    for area in at_edges:
+        chosen |= in_area(area, points) & ends
+    return chosen
 
 
 def places(zones, near, kept):
