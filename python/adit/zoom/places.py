@@ -29,7 +29,7 @@ def conditioned(continuum, grid):
     the mesh knows, all of the boundary counts."""
     points = grid.points
     (left, lowest), right = points.min(axis=0), points[:, 0].max()
-    at_points = [condition["where"] for key in ("motions", "point_loads", "foundations") for condition in continuum.get(key, [])]
+    at_points = [condition.get("where", {}) for key in ("motions", "point_loads", "foundations") for condition in continuum.get(key, [])]
     at_edges = [condition["where"] for key in ("quiet", "edge_loads") for condition in continuum.get(key, [])]
     at_edges += [area for side, area in (("left", {"x_max": left}), ("right", {"x_min": right})) if continuum.get("free_field", {}).get(side)]
     if "base" in continuum:
