@@ -23,13 +23,13 @@ ObservedPair forces_of(std::uint32_t pair, const Solver& solver, const Pairs& pa
           solver.laws()[pairs.law[pair]].km > 0};
 }
 
-// At its two points, which are pressed or pulled apart by half of the moment each.
+// Of the larger of its two points, which bear half of the facet each and its moment together.
 std::optional<double> demand_of(std::uint32_t facet, const FacetState& state, const FacetSet& set) {
   const FacetLaw& law = set.laws[set.law[facet]];
   if (!law.breaks()) return std::nullopt;
   if (set.worn_facet(facet) != nullptr) return 1;
   const double length = set.length[facet], normal = state.normal / length, shear = state.shear / length;
-  const double bending = state.moment / (2 * kFacetPoint * length * length / 2);
+  const double bending = state.moment / (kFacetPoint * length * length);
   return std::max(facet_demand(law, {normal + bending, shear}), facet_demand(law, {normal - bending, shear}));
 }
 

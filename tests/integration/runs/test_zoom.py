@@ -108,6 +108,28 @@ class Zoom(ComputedTest):
         np.testing.assert_allclose(grid["peak_demand"][yielded], 1, atol=1e-6)
         self.assertTrue((grid["peak_demand"][~yielded] < 1).all())
 
+    # A stretched strip of cells at rest, one half of it twice as strong: facets across the stress use it all, other ones less.
+    def test_demand_of_cells(self):
+        stress, cells = 1e6, {"x_min": 0, "x_max": 4, "y_min": 0, "y_max": 2, "size": 0.1}
+        strip = {"material": ground(fracture=STRONG), "time": {"duration": 1e-3}, "initial_stress": {"xx": stress},
+                 "particles": {
+                     "cells": cells, "groups": [{"name": "strong", "where": {"x_min": 2}, "material": ground(fracture=STRONG | {"tensile_strength": 6e6})}],
+                     "motions": [{"where": area, "velocity": {"x": 0, "y": 0}} for area in ({"x_max": 0.2}, {"x_min": 3.8})],
+                     "histories": [{"name": name, "quantity": "demand", "group": name} for name in ("particles", "strong")]}}
+        histories = self.computed(strip).histories
+        for name, strength in (("particles", 3e6), ("strong", 6e6)):
+            self.assertAlmostEqual(histories[f"{name}_demand"][0], stress / strength, delta=0.01 * stress / strength)
+        strip["initial_stress"]["xx"] = 4e6
+        histories = self.computed(strip).histories
+        self.assertEqual(histories["particles_demand"][-1], 1)
+        self.assertLess(histories["strong_demand"][-1], 1)
+        for group, material, message in (("weak", ground(fracture=STRONG), "histories[0].group: is `weak`"),
+                                         ("particles", ground(), "histories[0].quantity: is demand, but nothing between the particles of group `particles` can break")):
+            refused = {**strip, "material": material, "particles": {"cells": cells, "histories": [{"name": "a", "quantity": "demand", "group": group}]}}
+            told = coupler("check", self.scene(json.dumps(refused)))
+            self.assertEqual(told.returncode, 2)
+            self.assertIn(message, told.stderr)
+
     def test_refusals(self):
         strong = ground(fracture=STRONG)
         for given, options, message in (
