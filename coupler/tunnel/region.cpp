@@ -115,7 +115,8 @@ void take_over_materials(const scene::LinedTunnel& tunnel, const Contour& contou
       auto& group = *particles.add_groups();
       group.set_name(part_name(tunnel, "ground", static_cast<std::size_t>(particles.groups_size())));
       *group.mutable_where() = area;
-      *group.mutable_material() = as_bonds_have_it(zones.material(), bonds, of_cells(tunnel), path, taken.elastic);
+      *group.mutable_material() =
+          as_bonds_have_it(zones.material(), bonds, of_cells(tunnel), path, taken.elastic);
       taken.zones.push_back(k);
     }
   }

@@ -144,10 +144,11 @@ std::size_t breakable_group_of(const scene::History& history, const std::string&
                                const Observable& observed) {
   const std::size_t group = group_of(history, "the largest in a group", path, observed);
   if (!demands(observed)[group])
-    throw UserError(path + ".quantity",
-                    fmt::format("is demand, but nothing between the particles of group `{}` can break that has "
-                                "a demand; pack `cells`, and give their material `fracture`",
-                                observed.group_names()[group]));
+    throw UserError(
+        path + ".quantity",
+        fmt::format("is demand, but nothing between the particles of group `{}` can break that has "
+                    "a demand; pack `cells`, and give their material `fracture`",
+                    observed.group_names()[group]));
   return group;
 }
 

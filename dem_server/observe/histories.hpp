@@ -1,6 +1,6 @@
 // Quantities over time: motions of the particles nearest to the scene's points, means over circles, forces on
-// walls, in sections and of springs, motions of joints, diameters of ovals, widths of cracks, demands on facets,
-// stress and slip of bars.
+// walls, in sections and of springs, motions of joints, diameters of ovals, widths of cracks, demands on
+// facets, stress and slip of bars.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,19 @@
 namespace adit::dem {
 
 // Which of the scene's quantities particles have, and over what.
-enum class Over { kParticle, kCircle, kWall, kSection, kJoint, kSpring, kOval, kCracks, kDemand, kBar, kNothing };
+enum class Over {
+  kParticle,
+  kCircle,
+  kWall,
+  kSection,
+  kJoint,
+  kSpring,
+  kOval,
+  kCracks,
+  kDemand,
+  kBar,
+  kNothing
+};
 
 inline Over taken_over(scene::Quantity quantity) {
   if (protocol::is_motion(quantity)) return Over::kParticle;

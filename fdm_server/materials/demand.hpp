@@ -5,8 +5,8 @@
 //   shear    r / (c cos phi - p sin phi) under a mean compression, p < 0,
 //            (r + p sin phi) / (c cos phi) under a mean tension.
 // Under compression this is the radius of Mohr's circle over the largest that the strength allows with the
-// same mean stress. Under tension the mean counts as load, so that the share stays finite and reaches 1 at the
-// apex of the cone. Both are 1 on the yield planes of mohr_coulomb.hpp, and between them only.
+// same mean stress. Under tension the mean counts as load, so that the share stays finite and reaches 1 at
+// the apex of the cone. Both are 1 on the yield planes of mohr_coulomb.hpp, and between them only.
 //
 // A weak plane likewise, with the traction on it, normal s_n and shear tau: the larger of s_n / t and
 //   |tau| / (c - s_n tan phi) for s_n < 0,   (|tau| + s_n tan phi) / c else.

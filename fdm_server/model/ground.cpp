@@ -118,7 +118,8 @@ void read_hysteretic(const scene::Hysteretic& scene, const std::string& path, Ma
 }
 
 YieldCone read_fracture(const scene::Fracture& scene, const std::string& path) {
-  return MohrCoulomb({protocol::cohesion_of(scene, path), scene.friction_angle(), 0, scene.tensile_strength()})
+  return MohrCoulomb(
+             {protocol::cohesion_of(scene, path), scene.friction_angle(), 0, scene.tensile_strength()})
       .cone(0);
 }
 

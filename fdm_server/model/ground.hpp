@@ -20,8 +20,8 @@ Ground read_ground(const scene::Scene& scene);
 // strain at which it is reached: one sentence for each material that has one.
 std::vector<std::string> notes_on_strength(const Ground& ground);
 
-// That zones do not break by `fracture`: one sentence that names the materials, where any states it and follows
-// no strength itself.
+// That zones do not break by `fracture`: one sentence that names the materials, where any states it and
+// follows no strength itself.
 std::optional<std::string> note_on_fracture(const Ground& ground);
 
 // Where loops dissipate less than the scene's table asks for, one sentence for each material: its worst

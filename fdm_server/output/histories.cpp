@@ -123,9 +123,10 @@ Histories::Histories(const scene::Continuum& scene, const Supports& supports, co
     const Place place = find(history.at(), ".at");
     if (zones) probe.zones = fit_around(grid, zone_kinds, place.zone, history.at().x(), history.at().y());
     if (demand && !materials[zone_kinds[place.zone]].states_strength())
-      throw protocol::UserError(path + ".quantity",
-                                "is demand, but the material there states no strength to compare with; give it "
-                                "`mohr_coulomb`, `weak_plane`, `fracture` or a class of `concrete`");
+      throw protocol::UserError(
+          path + ".quantity",
+          "is demand, but the material there states no strength to compare with; give it "
+          "`mohr_coulomb`, `weak_plane`, `fracture` or a class of `concrete`");
     if (demand) probe.zones = {{place.zone}, {1}};
     if (motion) add(place, 1);
     if (history.has_relative_to()) add(find(history.relative_to(), ".relative_to"), -1);

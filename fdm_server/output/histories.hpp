@@ -22,9 +22,9 @@ namespace adit::fdm {
 
 class Histories {
  public:
-  // `zone_kinds` as in zone_fit.hpp: numbers of `materials`; `damping` that of the ground. protocol::UserError
-  // for a place outside all zones of ground, or off the lining whose force is asked for, for a section that
-  // cannot be, and for the demand on a material without a strength.
+  // `zone_kinds` as in zone_fit.hpp: numbers of `materials`; `damping` that of the ground.
+  // protocol::UserError for a place outside all zones of ground, or off the lining whose force is asked for,
+  // for a section that cannot be, and for the demand on a material without a strength.
   Histories(const scene::Continuum& scene, const Supports& supports, const Grid& grid,
             std::span<const std::uint32_t> zone_kinds, std::span<const Material> materials,
             const DampingLaw& damping);

@@ -15,10 +15,11 @@ double cohesion_of(const scene::Fracture& fracture, const std::string& path) {
   const double cohesion = fracture.has_cohesion()
                               ? fracture.cohesion()
                               : fracture.compressive_strength() * (1 - std::sin(phi)) / (2 * std::cos(phi));
-  require(cohesion >= tensile, path + (fracture.has_cohesion() ? ".cohesion" : ".compressive_strength"),
-          fmt::format("is too small: it makes the cohesion {:.4g} Pa, below the tensile_strength of {:.4g} Pa; "
-                      "give more, as rock and concrete have",
-                      cohesion, tensile));
+  require(
+      cohesion >= tensile, path + (fracture.has_cohesion() ? ".cohesion" : ".compressive_strength"),
+      fmt::format("is too small: it makes the cohesion {:.4g} Pa, below the tensile_strength of {:.4g} Pa; "
+                  "give more, as rock and concrete have",
+                  cohesion, tensile));
   return cohesion;
 }
 

@@ -55,7 +55,8 @@ ElasticZones::ElasticZones(ZoneKind kind, const Grid& grid, const PlaneLaw& law,
   if (strength) {
     strength_.emplace(Strength{*strength, {}, {}});
     for (const auto& shape : layout.shapes) strength_->patterns.push_back(pattern_stresses(kind, shape, law));
-    for (const auto& run : runs_) strength_->pattern_of.insert(strength_->pattern_of.end(), run.count, run.shape);
+    for (const auto& run : runs_)
+      strength_->pattern_of.insert(strength_->pattern_of.end(), run.count, run.shape);
   }
   join_short_runs();
 }

@@ -28,8 +28,8 @@ ElasticShape elastic_shape(ZoneKind kind, const Corners& corners, const PlaneLaw
 
 class ElasticZones final : public ZoneKernel {
  public:
-  // `across`: the stress across the plane over sxx + syy, nu in plane strain. `strength`: that demand is measured
-  // by.
+  // `across`: the stress across the plane over sxx + syy, nu in plane strain. `strength`: that demand is
+  // measured by.
   ElasticZones(ZoneKind kind, const Grid& grid, const PlaneLaw& law, std::span<const double> weights,
                double across = 0, const std::optional<YieldCone>& strength = {});
   std::size_t count() const override { return weights_.size(); }

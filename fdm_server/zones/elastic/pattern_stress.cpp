@@ -6,7 +6,6 @@
 namespace adit::fdm {
 namespace {
 
-
 PatternStress bending_stress(double hx, double hy, double young) {
   const double x = young * hx / 2, y = young * hy / 2;
   return {{x, y}, {x, -y}, {0, 0}};

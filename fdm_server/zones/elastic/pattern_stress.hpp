@@ -1,5 +1,5 @@
-// What the hourglass pattern of an elastic zone adds to its mean stress, where it is largest: at the corners of
-// an assumed-strain zone, that is in the outermost fibre where it bends, and in the triangles of a
+// What the hourglass pattern of an elastic zone adds to its mean stress, where it is largest: at the corners
+// of an assumed-strain zone, that is in the outermost fibre where it bends, and in the triangles of a
 // mixed-discretization zone.
 //
 // The amplitudes follow from the generalized stresses, q = K^-1 Q (hourglass.hpp); the stress then from

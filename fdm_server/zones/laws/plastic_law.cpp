@@ -176,7 +176,8 @@ double PlasticLaw::demand(std::size_t zone, std::size_t point, const PointStress
   if (law_.has_plane) {
     const std::size_t first = zone - zone % kBatch;
     const DirectionView to = directions(first);
-    largest = std::max(largest, fdm::demand(law_.plane, {to.cosine[zone - first], to.sine[zone - first]}, stress));
+    largest =
+        std::max(largest, fdm::demand(law_.plane, {to.cosine[zone - first], to.sine[zone - first]}, stress));
   }
   return largest;
 }

@@ -18,6 +18,7 @@ from adit.zoom.places import conditioned, places
 from adit.zoom.scene import differences, require_breakable
 
 SHARE = 0.8  # of the strength
+STRUCTURES = ("linings", "members", "bolts", "interfaces")
 
 
 def main(words):
@@ -53,6 +54,7 @@ def zoom(run, share, size, out):
         x, y = zones.centres[demand.argmax()]
         raise Unusable(f"{run.folder}: the zones that reach {share:g} of their strength, the worst at ({x:.4g}, {y:.4g}) m, all lie where the grid is "
                        "held, loaded or absorbs waves, or within four zones of it; move that edge farther away.")
+    require_ground(run, zones, found)
     changes, counts, notes = differences(run, zones, found, size)
     out.parent.mkdir(parents=True, exist_ok=True)
     text = yaml.safe_dump({"extends": os.path.relpath(run.folder / "scene.yaml", out.parent)} | changes, sort_keys=False, default_flow_style=None, width=120)
@@ -86,6 +88,17 @@ def require_continuum(run):
     if any(excavation.get("stage", 0) for excavation in run.scene["continuum"].get("excavations", [])):
         raise Unusable(f"{run.folder}: zones are excavated in stages, which particles in their place would not be; begin with the opening "
                        "(stage 0), or give a tunnel `lining.as: particles`.")
+
+
+def require_ground(run, zones, found):
+    """Unusable where structures stand in what would become particles, which do not have them."""
+    fields = run.fields()
+    for kind in STRUCTURES:
+        for point in fields[kind].points if kind in fields else ():
+            holding = zones.holding(point)
+            if any((place.filled & holding).any() for place in found):
+                raise Unusable(f"{run.folder}: {kind} of the continuum stand at ({point[0]:.4g}, {point[1]:.4g}) m in a place that comes near its strength, and "
+                               "particles do not have them; give a tunnel `lining.as: zones` without an interface, or `lining.as: particles`.")
 
 
 def demand_of(run, grid):

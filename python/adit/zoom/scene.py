@@ -109,7 +109,7 @@ def _as_of_particles(history, zones, place, size, notes):
         return history
     if history["quantity"] in MEANS:
         return history | {"radius": float(f"{CIRCLE * size:.4g}")}
-    notes.append(f"the history `{history['name']}` of {history['quantity']} is left out: it lies among the particles, which do not have it")
+    notes.append(f"the history `{history['name']}` of {history['quantity']} is left out: it lies among the particles, which have none at a place")
     return None
 
 

@@ -142,6 +142,27 @@ class Zoom(ComputedTest):
                 self.computed(given)
                 self.assertIn(message, self.refusal(*options))
 
+    def test_places_with_structures(self):
+        given = scene(ground(fracture=STRONG))
+        del given["continuum"]["excavations"]
+        given["tunnels"] = [{"name": "tube", "centre": {"x": 0, "y": 0}, "circle": {"radius": 1}, "sections": 0,
+                             "lining": {"as": "beam", "thickness": 0.2, "material": ground(30e9)}}]
+        given["continuum"]["histories"] = []
+        self.computed(given)
+        self.assertIn("linings of the continuum stand at", self.refusal("--demand", 0.9 * self.run.summary["largest_demand"]))
+
+    def test_zones_excavated_in_stages(self):
+        given = scene(ground(fracture=STRONG)) | {"statics": {}}
+        given["continuum"]["excavations"][0]["stage"] = 1
+        self.computed(given)
+        self.assertIn("zones are excavated in stages, which particles in their place would not be", self.refusal())
+
+    def test_places_at_an_edge(self):
+        given = scene(ground(fracture=STRONG), ground(0.5e9, fracture=STRONG | {"tensile_strength": 1e5, "fracture_energy": 50, "compressive_strength": 1e6}))
+        given["continuum"]["materials"][0]["where"] = {"x_min": 0, "x_max": 2, "y_max": -5}
+        self.computed(given)
+        self.assertIn("all lie where the grid is held, loaded or absorbs waves", self.refusal("--demand", 0.9 * self.run.summary["largest_demand"]))
+
     def test_a_run_with_particles_already(self):
         self.computed(scene(ground(fracture=STRONG)))
         zoomed = self.written("--demand", 0.9 * self.run.summary["largest_demand"])

@@ -66,7 +66,8 @@ TEST(ExpandTunnels, TellsWhereItsGroundIsElasticBesideZonesThatYield) {
   EXPECT_THAT(expand_tunnels(scene).notes, Not(told));
 }
 
-// Requirement: cells in the place of zones break as the zones' material states; discs, which cannot, stay elastic.
+// Requirement: cells in the place of zones break as the zones' material states; discs, which cannot, stay
+// elastic.
 TEST(ExpandTunnels, CellsBreakAsTheZonesThatTheyReplaceState) {
   for (const bool cells : {true, false}) {
     scene::Scene scene = test::scene_with({test::circular("")});

@@ -18,8 +18,8 @@ YieldCone cone_of(const Strength& strength) {
   return MohrCoulomb(strength).cone(0);
 }
 
-// Uniaxial tension uses sigma / f_t and uniaxial compression sigma / f_c, f_c = 2 c cos phi / (1 - sin phi), at
-// half of the strength by the radii of two circles: r / (c cos phi + r sin phi).
+// Uniaxial tension uses sigma / f_t and uniaxial compression sigma / f_c, f_c = 2 c cos phi / (1 - sin phi),
+// at half of the strength by the radii of two circles: r / (c cos phi + r sin phi).
 TEST(Demand, IsTheShareOfTheUniaxialStrength) {
   const double c = 5e6, phi = 35 * kDegree, tension = 2e6;
   const YieldCone cone = cone_of({c, phi, 0, tension});
@@ -92,8 +92,7 @@ TEST(Demand, IsOneWhereTheGroundYields) {
 TEST(Demand, IsTheSameTurnedAndMirrored) {
   const Strength strength{1e6, 30 * kDegree, 0, 0.5e6};
   const YieldCone cone = cone_of(strength);
-  const SolidStress stress{-2e6, 0.3e6, -0.4e6, 0.6e6},
-      mirrored{stress.xx, stress.yy, stress.zz, -stress.xy};
+  const SolidStress stress{-2e6, 0.3e6, -0.4e6, 0.6e6}, mirrored{stress.xx, stress.yy, stress.zz, -stress.xy};
   const double here = demand(cone, point_stress(stress));
   EXPECT_NEAR(demand(cone, point_stress(mirrored)), here, 1e-12);
   const WeakPlane plane(0.3, strength), image(-0.3, strength);

@@ -71,7 +71,8 @@ TEST(NoteOnFracture, NamesWhatStaysElastic) {
         &scene));
     return note_on_fracture(read_ground(scene));
   };
-  EXPECT_THAT(note(fracture), testing::Optional(HasSubstr("fracture of the material: zones do not break by it")));
+  EXPECT_THAT(note(fracture),
+              testing::Optional(HasSubstr("fracture of the material: zones do not break by it")));
   EXPECT_EQ(note(""), std::nullopt);
 }
 

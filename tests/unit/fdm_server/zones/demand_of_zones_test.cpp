@@ -69,18 +69,20 @@ TEST(DemandOfZones, IsThatOfTheStressWhereItIsUniform) {
   EXPECT_EQ(without.demand(0), 0);
 }
 
-// Strained evenly until it yields, softens and is turned about: below 1 while it is elastic, 1 while it yields,
-// whatever strength is left.
+// Strained evenly until it yields, softens and is turned about: below 1 while it is elastic, 1 while it
+// yields, whatever strength is left.
 TEST(DemandOfZones, IsOneWhileTheyYield) {
   const Strength strong{60e3, 0.5, 0.1, 40e3}, weak{20e3, 0.4, 0, 5e3};
   const Grid grid = make_grid({0, 1, 0, 1, 2, 2});
   constexpr double kNoTension = std::numeric_limits<double>::infinity();
   const MohrCoulomb softening({{0, strong}, {0.1, weak}});
   for (const bool large_strain : {false, true})
-    for (const Material& material :
-         {Material{2000, 100e6, 0.3, softening}, Material{2000, 100e6, 0.3, MohrCoulomb({30e3, 0, 0, kNoTension})},
-          Material{.density = 2000, .young = 100e6, .poisson = 0.3, .weak_plane = WeakPlane(0.6, {20e3, 0.2, 0, 5e3})}})
-    {
+    for (const Material& material : {Material{2000, 100e6, 0.3, softening},
+                                     Material{2000, 100e6, 0.3, MohrCoulomb({30e3, 0, 0, kNoTension})},
+                                     Material{.density = 2000,
+                                     .young = 100e6,
+                                     .poisson = 0.3,
+                                     .weak_plane = WeakPlane(0.6, {20e3, 0.2, 0, 5e3})}}) {
       int elastic = 0, yielding = 0;
       for (const auto& [exx, eyy, gxy] : {std::array{0.0, -2e-5, 1e-5}, {2e-5, 0.0, 0.0}, {0.0, 0.0, 3e-5}}) {
         NonlinearZones zones(ZoneKind::kAssumedStrain, grid, material, ones(grid), large_strain);
