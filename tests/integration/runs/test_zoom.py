@@ -8,7 +8,7 @@ import unittest
 import numpy as np
 
 from figures.computed import ComputedTest
-from programs import ADIT, coupler
+from programs import ADIT, SOURCE, coupler
 
 from adit import Run
 
@@ -81,6 +81,17 @@ class Zoom(ComputedTest):
         zoomed = self.written("--demand", np.sort(demand)[-8])
         self.assertEqual([region["name"] for region in zoomed.scene["regions"]], ["place_1", "place_2"])
         self.assertLess(self.differ(zoomed, "surface_ux_m"), 0.02)
+
+    # The case: the layer and three places of the linings, in a scene that can be computed.
+    def test_case(self):
+        self.run = Run(self.run_scene(SOURCE / "cases" / "zoom" / "tunnels.yaml"))
+        told = self.zoom("--out", self.folder / "zoom.yaml")
+        self.assertEqual(told.returncode, 0, told.stderr)
+        self.assertEqual(told.stdout.count("particles  "), 4, told.stdout)
+        self.assertIn("(15.5, -31.5) m", told.stdout)
+        checked = coupler("check", self.folder / "zoom.yaml")
+        self.assertEqual(checked.returncode, 0, checked.stderr)
+        self.assertNotIn("warning", checked.stdout)
 
     def test_no_particles_are_needed(self):
         self.computed(scene(ground(fracture=STRONG)))
