@@ -49,7 +49,7 @@ def places(zones, near, kept):
     belong to the continuum alone."""
     edge = zones.at(kept)
     free = ~zones.grown(edge, ACROSS)  # for a core
-    core = zones.closed(zones.grown(near, MARGIN) & free, free)
+    core = zones.closed(zones.grown(near & free, MARGIN) & free, free)
     while True:
         found = [_place(zones, piece, edge) for piece in zones.pieces(core)]
         before = core
