@@ -97,7 +97,8 @@ TEST(FillInConcrete, RefusesClassesThatAreNotKnown) {
 TEST(FillInConcrete, RefusesAClassThatStatesNothing) {
   EXPECT_EQ(
       complaint_about("time: {duration: 1}\nmaterial: {young_modulus: 30 GPa, poisson_ratio: 0.2, density: "
-                      "2400, concrete: C30}\n"),
+                      "2400, concrete: C30}\n" +
+                      std::string(kDiscs)),
       "x.yaml:2:70: material.concrete: states nothing, because the material states all of its numbers "
       "itself; leave it out, or leave out the keys that it shall stand for");
 }
