@@ -101,13 +101,6 @@ std::vector<Member> members(const scene::Scene& scene) {
                       "is missing; write for example `material: {young_modulus: 30 GPa, poisson_ratio: 0.25, "
                       "density: 2.5 t/m^3}`");
   }
-  const bool zones_alone =
-      std::ranges::all_of(members, [](const Member& m) { return m.role == Role::kContinuum; });
-  if (zones_alone && scene.material().has_fracture())
-    throw UserError("material.fracture",
-                    "is given, but only facets between cells of particles break by it, and the scene has no "
-                    "particles; give "
-                    "`mohr_coulomb` to zones, or leave it out");
   return members;
 }
 

@@ -73,11 +73,13 @@ std::vector<geometry::Point> places_inside(const scene::Area& area, const geomet
 }
 
 // What bonds can stand for of the zones' material at this path: elastic, or a strength that they take from
-// it.
-scene::Material as_bonds_have_it(scene::Material material, const scene::Bonds& bonds, const std::string& path,
-                                 std::vector<std::string>& elastic) {
+// it; cells also break as it states.
+scene::Material as_bonds_have_it(scene::Material material, const scene::Bonds& bonds, bool cells,
+                                 const std::string& path, std::vector<std::string>& elastic) {
   const bool strength = material.has_mohr_coulomb() && !bonds.strength_of_material();
-  if (strength || material.has_hysteretic() || material.has_weak_plane()) elastic.push_back(path);
+  if (!cells) material.clear_fracture();
+  if ((strength && !material.has_fracture()) || material.has_hysteretic() || material.has_weak_plane())
+    elastic.push_back(path);
   material.clear_hysteretic();
   material.clear_weak_plane();
   if (strength) material.clear_mohr_coulomb();
@@ -91,7 +93,7 @@ void take_over_materials(const scene::LinedTunnel& tunnel, const Contour& contou
   const scene::Bonds& bonds = particles.bonds();
   if (continuum.has_material())
     *particles.mutable_material() =
-        as_bonds_have_it(continuum.material(), bonds, "continuum.material", taken.elastic);
+        as_bonds_have_it(continuum.material(), bonds, of_cells(tunnel), "continuum.material", taken.elastic);
   if (continuum.materials().empty()) return;
   const double lining = tunnel.lining().thickness(), outer = lining + tunnel.particles().ground();
   const double radius = grain_radius(tunnel);
@@ -113,7 +115,8 @@ void take_over_materials(const scene::LinedTunnel& tunnel, const Contour& contou
       auto& group = *particles.add_groups();
       group.set_name(part_name(tunnel, "ground", static_cast<std::size_t>(particles.groups_size())));
       *group.mutable_where() = area;
-      *group.mutable_material() = as_bonds_have_it(zones.material(), bonds, path, taken.elastic);
+      *group.mutable_material() =
+          as_bonds_have_it(zones.material(), bonds, of_cells(tunnel), path, taken.elastic);
       taken.zones.push_back(k);
     }
   }

@@ -122,10 +122,34 @@ std::size_t oval_of(const scene::History& history, const std::string& path, cons
                    path);
 }
 
-std::size_t group_of(const scene::History& history, const std::string& path, const Observable& observed) {
+std::size_t group_of(const scene::History& history, const std::string& what, const std::string& path,
+                     const Observable& observed) {
   const auto names = observed.group_names();
-  return number_of({"group", "that of the cracks in a group", "particles.groups"}, history.group(),
-                   {names.begin(), names.end()}, history.quantity(), path);
+  return number_of({"group", what, "particles.groups"}, history.group(), {names.begin(), names.end()},
+                   history.quantity(), path);
+}
+
+// The largest demand on the facets between two cells of each group; none where they cannot break.
+std::vector<std::optional<double>> demands(const Observable& observed) {
+  std::vector<std::optional<double>> largest(observed.group_names().size());
+  observed.for_each_bond([&, group = observed.group()](const ObservedPair& pair) {
+    if (!pair.demand || group[pair.first] != group[pair.second]) return;
+    std::optional<double>& of_group = largest[group[pair.first]];
+    of_group = std::max(of_group.value_or(0), *pair.demand);
+  });
+  return largest;
+}
+
+std::size_t breakable_group_of(const scene::History& history, const std::string& path,
+                               const Observable& observed) {
+  const std::size_t group = group_of(history, "the largest in a group", path, observed);
+  if (!demands(observed)[group])
+    throw UserError(
+        path + ".quantity",
+        fmt::format("is demand, but nothing between the particles of group `{}` can break that has "
+                    "a demand; pack `cells`, and give their material `fracture`",
+                    observed.group_names()[group]));
+  return group;
 }
 
 // The element of a bar whose middle is nearest, and whether its second end is the nearer one.
@@ -278,11 +302,14 @@ Histories::Histories(const scene::Particles& scene, const Observable& observed, 
                           "is crack_width, but only cracks between `particles.cells` have a width; choose "
                           "another quantity, or pack cells");
         if (given.has_group())
-          history.named = group_of(given, path, observed);
+          history.named = group_of(given, "that of the cracks in a group", path, observed);
         else
           history.circle =
               circle_of(given, path, "the largest in a circle or a group: give its radius, or `group`",
                         observed.particles());
+        break;
+      case Over::kDemand:
+        history.named = breakable_group_of(given, path, observed);
         break;
       case Over::kBar:
         if (!given.has_at())
@@ -337,6 +364,7 @@ void Histories::read(const Observable& observed, const Lining& lining, const pro
   std::optional<Fragments> fragments;
   std::optional<std::vector<ObservedCrack>> cracks;
   std::optional<std::vector<ObservedBar>> bars;
+  std::optional<std::vector<std::optional<double>>> largest_demands;
   for (const History& history : histories_) {
     switch (history.quantity) {
       case scene::DISPLACEMENT_X:
@@ -390,6 +418,10 @@ void Histories::read(const Observable& observed, const Lining& lining, const pro
         values.push_back(0);
         for (const ObservedCrack& crack : *cracks)
           if (holds(history, crack, observed)) values.back() = std::max(values.back(), crack.opening);
+        break;
+      case scene::DEMAND:
+        if (!largest_demands) largest_demands = demands(observed);
+        values.push_back((*largest_demands)[history.named].value_or(0));
         break;
       case scene::BAR_STRESS:
         if (!bars) bars = observed.bars();

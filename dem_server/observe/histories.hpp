@@ -1,6 +1,6 @@
 // Quantities over time: motions of the particles nearest to the scene's points, means over circles, forces on
-// walls, in sections and of springs, motions of joints, diameters of ovals, widths of cracks, stress and slip
-// of bars.
+// walls, in sections and of springs, motions of joints, diameters of ovals, widths of cracks, demands on
+// facets, stress and slip of bars.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,19 @@
 namespace adit::dem {
 
 // Which of the scene's quantities particles have, and over what.
-enum class Over { kParticle, kCircle, kWall, kSection, kJoint, kSpring, kOval, kCracks, kBar, kNothing };
+enum class Over {
+  kParticle,
+  kCircle,
+  kWall,
+  kSection,
+  kJoint,
+  kSpring,
+  kOval,
+  kCracks,
+  kDemand,
+  kBar,
+  kNothing
+};
 
 inline Over taken_over(scene::Quantity quantity) {
   if (protocol::is_motion(quantity)) return Over::kParticle;
@@ -53,6 +65,8 @@ inline Over taken_over(scene::Quantity quantity) {
       return Over::kOval;
     case scene::CRACK_WIDTH:
       return Over::kCracks;
+    case scene::DEMAND:
+      return Over::kDemand;
     case scene::BAR_STRESS:
     case scene::BAR_SLIP:
       return Over::kBar;
@@ -66,7 +80,8 @@ class Histories {
   // Motions are of the nearest centre at rest, against that nearest to `relative_to` where the scene gives
   // one; of two equally near ones the first. protocol::UserError for a place farther than a diameter from all
   // of them, for circles without radius or particles, for walls, sections, joints, springs, ovals and groups
-  // that do not exist, for cracks where there are no cells, and for quantities that are none of these.
+  // that do not exist, for cracks where there are no cells, for the demand on what cannot break, and for
+  // quantities that are none of these.
   Histories(const scene::Particles& scene, const Observable& observed, const Lining& lining);
 
   // The velocities of these particles await the correction by another model after every step.

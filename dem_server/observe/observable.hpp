@@ -30,6 +30,8 @@ struct ObservedPair {
   // Of a facet: where its force acts [m], how wide it stands open and how far it has slipped [m].
   std::optional<PlaneVector> place = {};
   double opening = 0, slip = 0;
+  // Of a facet that can break: the share of its strength that it uses, 1 once it has been beyond it.
+  std::optional<double> demand = {};
 };
 
 // A force [N] on what is at (x_1, y_1), by what is at (x_2, y_2) [m]: a centre or a point on a wall.

@@ -2,6 +2,7 @@
 // bound a hysteretic law with a memory of elements (zones/laws/limited_law.hpp).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -21,7 +22,9 @@ struct Material {
   std::optional<IwanElements> hysteretic = {};  // a memory of elements
   std::optional<Polyline> reversals = {};       // of reversals, with this backbone
   std::optional<WeakPlane> weak_plane = {};
+  std::optional<YieldCone> fracture = {};  // at which its cells would break; zones do not
 
+  bool states_strength() const { return mohr_coulomb || weak_plane || fracture; }
   bool linear() const { return !mohr_coulomb && !hysteretic && !reversals && !weak_plane; }
   Elasticity elasticity() const { return {young / (3 * (1 - 2 * poisson)), young / (2 * (1 + poisson))}; }
 };
@@ -37,6 +40,7 @@ struct Ground {
     return plane_stress ? fdm::plane_stress(material.young, material.poisson)
                         : plane_strain(material.young, material.poisson);
   }
+  bool states_strength() const { return std::ranges::any_of(materials, &Material::states_strength); }
   // Whether its zones' stress is a linear function of the displacements.
   bool is_elastic(const Material& material) const { return material.linear() && !large_strain; }
 };

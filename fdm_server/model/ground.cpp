@@ -1,6 +1,7 @@
 #include "fdm_server/model/ground.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <numeric>
@@ -9,6 +10,7 @@
 
 #include "fdm_server/model/grid/selection.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/materials/fracture.hpp"
 
 namespace adit::fdm {
 namespace {
@@ -115,10 +117,14 @@ void read_hysteretic(const scene::Hysteretic& scene, const std::string& path, Ma
   material.reversals = std::move(backbone);
 }
 
+YieldCone read_fracture(const scene::Fracture& scene, const std::string& path) {
+  return MohrCoulomb(
+             {protocol::cohesion_of(scene, path), scene.friction_angle(), 0, scene.tensile_strength()})
+      .cone(0);
+}
+
 Material read_material(const scene::Material& scene, const scene::Scene& whole, const std::string& path) {
   Material material{scene.density(), scene.young_modulus(), scene.poisson_ratio()};
-  require(!scene.has_fracture() || path == "material", path + ".fracture",
-          "is given, but only facets between cells of particles break by it; give `mohr_coulomb` to zones");
   const bool reversals = scene.hysteretic().memory() == scene::Hysteretic::REVERSALS;
   require(
       !reversals || !(scene.has_mohr_coulomb() || scene.has_weak_plane()), path + ".hysteretic.memory",
@@ -133,6 +139,7 @@ Material read_material(const scene::Material& scene, const scene::Scene& whole, 
     material.weak_plane =
         WeakPlane(plane.dip_angle(), read_strength(plane, kNoStrength, path + ".weak_plane"));
   }
+  if (scene.has_fracture()) material.fracture = read_fracture(scene.fracture(), path + ".fracture");
   require(material.linear() || whole.plane() == scene::PLANE_STRAIN, path,
           "has a strength or a hysteretic curve, which is computed in plane strain only; write `plane: "
           "plane_strain`, "
@@ -195,6 +202,18 @@ std::vector<std::string> notes_on_strength(const Ground& ground) {
           name_of_material(m), end->stress * material.elasticity().shear / 1e3, 100 * end->strain));
   }
   return notes;
+}
+
+std::optional<std::string> note_on_fracture(const Ground& ground) {
+  std::vector<std::string> names;
+  for (std::size_t m = 0; m < ground.materials.size(); ++m)
+    if (const Material& material = ground.materials[m];
+        material.fracture && !material.mohr_coulomb && !material.weak_plane)
+      names.push_back(name_of_material(m));
+  if (names.empty()) return std::nullopt;
+  return fmt::format(
+      "fracture of {}: zones do not break by it; `demand` and `output.peaks` tell how near they come",
+      fmt::join(names, ", "));
 }
 
 std::vector<std::string> notes_on_loops(const scene::Scene& scene, const Ground& ground) {

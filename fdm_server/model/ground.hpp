@@ -1,6 +1,7 @@
 // From the scene to the materials of the zones.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,6 +19,10 @@ Ground read_ground(const scene::Scene& scene);
 // The largest shear stress of each hysteretic curve, which is the strength that it implies, and the shear
 // strain at which it is reached: one sentence for each material that has one.
 std::vector<std::string> notes_on_strength(const Ground& ground);
+
+// That zones do not break by `fracture`: one sentence that names the materials, where any states it and
+// follows no strength itself.
+std::optional<std::string> note_on_fracture(const Ground& ground);
 
 // Where loops dissipate less than the scene's table asks for, one sentence for each material: its worst
 // place.

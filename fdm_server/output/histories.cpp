@@ -75,7 +75,8 @@ double resultant(const LiningForces& forces, scene::Quantity quantity) {
 }  // namespace
 
 Histories::Histories(const scene::Continuum& scene, const Supports& supports, const Grid& grid,
-                     std::span<const std::uint32_t> zone_kinds, const DampingLaw& damping)
+                     std::span<const std::uint32_t> zone_kinds, std::span<const Material> materials,
+                     const DampingLaw& damping)
     : sections_(scene, grid, zone_kinds, damping), stress_(damping, {}) {
   if (scene.histories().empty()) return;
   const ZoneLocator locator(grid);
@@ -85,8 +86,9 @@ Histories::Histories(const scene::Continuum& scene, const Supports& supports, co
     const auto& history = scene.histories(i);
     const std::string path = fmt::format("continuum.histories[{}]", i);
     const bool motion = protocol::is_motion(history.quantity()), zones = is_of_zones(history.quantity()),
-               resultant = is_of_lining(history.quantity()), interface = is_of_interface(history.quantity());
-    if (!motion && !zones && !resultant && !interface)
+               resultant = is_of_lining(history.quantity()), interface = is_of_interface(history.quantity()),
+               demand = history.quantity() == scene::DEMAND;
+    if (!motion && !zones && !resultant && !interface && !demand)
       throw protocol::UserError(path + ".quantity",
                                 fmt::format("is {}, which only particles have; ask particles.histories",
                                             protocol::name_of(history.quantity())));
@@ -120,6 +122,12 @@ Histories::Histories(const scene::Continuum& scene, const Supports& supports, co
     };
     const Place place = find(history.at(), ".at");
     if (zones) probe.zones = fit_around(grid, zone_kinds, place.zone, history.at().x(), history.at().y());
+    if (demand && !materials[zone_kinds[place.zone]].states_strength())
+      throw protocol::UserError(
+          path + ".quantity",
+          "is demand, but the material there states no strength to compare with; give it "
+          "`mohr_coulomb`, `weak_plane`, `fracture` or a class of `concrete`");
+    if (demand) probe.zones = {{place.zone}, {1}};
     if (motion) add(place, 1);
     if (history.has_relative_to()) add(find(history.relative_to(), ".relative_to"), -1);
   }
@@ -179,6 +187,8 @@ double Histories::value(const Probe& probe, const Grid& grid, const Supports& su
       });
     case scene::STRESS_ZZ:
       return sum(zones, [&](std::uint32_t z) { return continuum.zones().field(z, ZoneField::kStressZz); });
+    case scene::DEMAND:
+      return continuum.zones().demand(zones.zones.front());
     case scene::STRAIN_XX:
     case scene::STRAIN_YY:
     case scene::SHEAR_STRAIN_XY:

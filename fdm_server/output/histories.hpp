@@ -22,10 +22,12 @@ namespace adit::fdm {
 
 class Histories {
  public:
-  // `zone_kinds` as in zone_fit.hpp, `damping` that of the ground. protocol::UserError for a place outside
-  // all zones of ground, or off the lining whose force is asked for, and for a section that cannot be.
+  // `zone_kinds` as in zone_fit.hpp: numbers of `materials`; `damping` that of the ground.
+  // protocol::UserError for a place outside all zones of ground, or off the lining whose force is asked for,
+  // for a section that cannot be, and for the demand on a material without a strength.
   Histories(const scene::Continuum& scene, const Supports& supports, const Grid& grid,
-            std::span<const std::uint32_t> zone_kinds, const DampingLaw& damping);
+            std::span<const std::uint32_t> zone_kinds, std::span<const Material> materials,
+            const DampingLaw& damping);
 
   // The velocities of these points await the correction by another model after every step.
   void tie(std::span<const std::uint32_t> points);
@@ -58,7 +60,7 @@ class Histories {
   struct Probe {
     scene::Quantity quantity;
     std::vector<PointShare> motion{};
-    ZoneShares zones{};  // of stress and strain
+    ZoneShares zones{};  // of stress and strain; of a demand the one zone that it is of
     bool tied = false;
     protocol::HalfStepVelocity velocity{};  // its component
     std::optional<LiningProbe> lining{};    // of a lining's force

@@ -50,12 +50,14 @@ ADIT_VECTOR_CLONES void raise_principal(std::span<const std::uint32_t> numbers, 
 
 }  // namespace
 
-Peaks::Peaks(const Grid& grid)
+Peaks::Peaks(const Grid& grid, bool strength)
     : points_(grid.own_points()),
       motion_(points_),
       shear_strain_(grid.own_zones()),
       largest_principal_(grid.own_zones(), -std::numeric_limits<double>::infinity()),
-      smallest_principal_(grid.own_zones(), std::numeric_limits<double>::infinity()) {
+      smallest_principal_(grid.own_zones(), std::numeric_limits<double>::infinity()),
+      demand_(strength ? grid.own_zones() : 0),
+      demand_time_(demand_.size()) {
   for (std::size_t z = 0; z < grid.own_zones(); ++z) {
     const auto [x0, x1, y0, y1] = mean_gradient(corners(grid, z));
     const std::array gradient{x0, x1, y0, y1};
@@ -70,6 +72,14 @@ void Peaks::remember(const Continuum& continuum) {
   motion_.remember(velocities(continuum, points_));
 }
 
+void Peaks::raise_demand(std::size_t begin, std::size_t end, const ZoneSet& zones, double time) {
+  for (std::size_t z = begin; z < end; ++z)
+    if (const double demand = zones.demand(z); demand > demand_[z]) {
+      demand_[z] = demand;
+      demand_time_[z] = time;
+    }
+}
+
 void Peaks::take(Continuum& continuum, const protocol::Step& step) {
   const auto ux = continuum.ux(), uy = continuum.uy();
   motion_.take([&](std::size_t i) { return std::array{ux[i], uy[i]}; }, velocities(continuum, points_), step);
@@ -80,6 +90,8 @@ void Peaks::take(Continuum& continuum, const protocol::Step& step) {
         {corners_[0].data(), corners_[1].data(), corners_[2].data(), corners_[3].data()},
         {gradients_[0].data(), gradients_[1].data(), gradients_[2].data(), gradients_[3].data()}, ux, uy,
         shear_strain_.data());
+    raise_demand(demand_.size() * piece / pieces, demand_.size() * (piece + 1) / pieces, continuum.zones(),
+                 step.time());
   });
   continuum.zones().see_stresses(
       continuum.team(), [&](std::span<const std::uint32_t> numbers, const PlaneStresses& stresses) {

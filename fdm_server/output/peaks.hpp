@@ -16,8 +16,8 @@ namespace adit::fdm {
 
 class Peaks {
  public:
-  // Peaks of the grid without its free-field columns.
-  explicit Peaks(const Grid& grid);
+  // Peaks of the grid without its free-field columns; of the demand where materials state a strength.
+  Peaks(const Grid& grid, bool strength);
 
   // Before a step to look at, after the correction of the step before.
   void remember(const Continuum& continuum);
@@ -29,21 +29,28 @@ class Peaks {
   std::span<const double> shear_strain() const { return shear_strain_; }  // largest gamma since time began
   std::span<const double> largest_principal() const { return largest_principal_; }    // [Pa]
   std::span<const double> smallest_principal() const { return smallest_principal_; }  // [Pa]
+  // Largest share of its strength (materials/demand.hpp), and when the zone reached it [s]; empty without.
+  std::span<const double> demand() const { return demand_; }
+  std::span<const double> demand_time() const { return demand_time_; }
 
   void exchange(state::Archive& archive) {
     motion_.exchange(archive);
     archive("zone_peaks_shear_strain", std::span(shear_strain_));
     archive("zone_peaks_largest_principal", std::span(largest_principal_));
     archive("zone_peaks_smallest_principal", std::span(smallest_principal_));
+    archive("zone_peaks_demand", std::span(demand_));
+    archive("zone_peaks_demand_time", std::span(demand_time_));
   }
 
  private:
+  void raise_demand(std::size_t begin, std::size_t end, const ZoneSet& zones, double time);
+
   std::size_t points_;
   protocol::PeakMotion motion_;
   // Of each zone: numbers of its corners, mean gradient of the first two (hourglass.hpp).
   std::array<std::vector<std::int32_t>, 4> corners_;
   std::array<std::vector<double>, 4> gradients_;
-  std::vector<double> shear_strain_, largest_principal_, smallest_principal_;
+  std::vector<double> shear_strain_, largest_principal_, smallest_principal_, demand_, demand_time_;
 };
 
 }  // namespace adit::fdm

@@ -25,6 +25,7 @@
 #include "fdm_server/model/supports/meetings.hpp"
 #include "fdm_server/model/supports/supports.hpp"
 #include "fdm_server/participant/critical_element.hpp"
+#include "fdm_server/participant/demand_figures.hpp"
 #include "fdm_server/participant/dowel_figures.hpp"
 #include "fdm_server/participant/interface_figures.hpp"
 #include "fdm_server/participant/joint_figures.hpp"
@@ -118,6 +119,8 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
     model.add_notes(*note);
   if (const auto warning = warn_of_imbalance(scene_, grid_, setup_.ground)) model.add_notes(*warning);
   for (const std::string& note : notes_on_strength(setup_.ground)) model.add_notes(note);
+  if (setup.alone())
+    if (const auto note = note_on_fracture(setup_.ground)) model.add_notes(*note);
   for (const std::string& note : notes_on_loops(scene_, setup_.ground)) model.add_notes(note);
   const Resolution resolution = fdm::resolution(grid_, last);
   model.set_highest_frequency(resolution.frequency);
@@ -169,7 +172,7 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   require_renewed_apart();
   if (zone_stages_.stages().contains(0)) begin_stage(0);
   peak_shapes_.emplace(grid_, supports_.linings);
-  histories_.emplace(conditions, supports_, grid_, zone_kinds(), damping_);
+  histories_.emplace(conditions, supports_, grid_, zone_kinds(), setup_.ground.materials, damping_);
   if (!weights.weights().empty()) offer_grid_points(weights, interface);
   interface.set_zones(grid_.zones.size());
   interface.set_grid_points(grid_.x.size());
@@ -377,7 +380,7 @@ void FdmParticipant::start_over(const protocol::Drift& drift) {
 }
 
 void FdmParticipant::remember_for_peaks() {
-  if (!peaks_) peaks_.emplace(grid_);
+  if (!peaks_) peaks_.emplace(grid_, setup_.ground.states_strength());
   peaks_->remember(*continuum_);
 }
 
@@ -492,7 +495,7 @@ void FdmParticipant::exchange_solver(state::Archive& archive) {
   peak_dowels_.exchange(supports_.structures.dowels().size(), archive);
   peak_shapes_->exchange(archive);
   histories_->exchange(archive);
-  archive("peaks", peaks_, [this] { return Peaks(grid_); });
+  archive("peaks", peaks_, [this] { return Peaks(grid_, setup_.ground.states_strength()); });
   archive("relaxation", relaxation_, [this] { return Relaxation(grid_, weights_); });
   archive("travel", travel_, [this] { return protocol::Travel(continuum_->ux(), continuum_->uy()); });
   archive("steps_done", steps_done_);
@@ -509,6 +512,7 @@ void FdmParticipant::finish(wire::Bye& bye) {
   add_figures(supports_.linings, *peak_shapes_, bye);
   if (!supports_.members.empty()) add_failures(grid_, supports_.members, continuum_->structures(), bye);
   add_figures(grid_, supports_.interfaces, supports_.contacts, contact_peaks_, bye);
+  if (peaks_) add_largest_demand(grid_, *peaks_, bye);
 }
 
 }  // namespace adit::fdm

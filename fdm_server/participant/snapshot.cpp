@@ -241,6 +241,7 @@ void add_ground(const Grid& grid, const Ground& ground, const ZoneSet& zones, st
   };
   add("material", [&](std::size_t z) { return ground.of_zone[z]; });
   add("group", [&](std::size_t z) { return groups[z]; });
+  if (ground.states_strength()) add("demand", [&](std::size_t z) { return zones.demand(z); });
   if (std::ranges::all_of(ground.materials, &Material::linear)) return;
   add("yield_state", [&](std::size_t z) { return zones.field(z, ZoneField::kYieldState); });
   add("plastic_shear_strain", [&](std::size_t z) { return zones.field(z, ZoneField::kPlasticShearStrain); });
@@ -296,6 +297,9 @@ void add_peaks(const Peaks& peaks, std::span<const double> weights, wire::Piece&
   add("peak_shear_strain", peaks.shear_strain());
   add("peak_largest_principal_stress_Pa", peaks.largest_principal());
   add("peak_smallest_principal_stress_Pa", peaks.smallest_principal());
+  if (peaks.demand().empty()) return;
+  add("peak_demand", peaks.demand());
+  add("peak_demand_time_s", peaks.demand_time());
 }
 
 }  // namespace adit::fdm

@@ -24,8 +24,9 @@ void fill_snapshot(const Grid& grid, const Continuum& continuum, std::span<const
                    wire::Snapshot& snapshot);
 
 // Adds to that piece the cell fields material and group, numbers in the lists of the model (wire.proto), a
-// zone of several groups having the last one; where a material follows a law beyond elasticity, yield_state
-// (the bits of materials/solid.hpp) and plastic_shear_strain.
+// zone of several groups having the last one; where a material states a strength, demand
+// (materials/demand.hpp); where one follows a law beyond elasticity, yield_state (the bits of
+// materials/solid.hpp) and plastic_shear_strain.
 void add_ground(const Grid& grid, const Ground& ground, const ZoneSet& zones, std::span<const double> weights,
                 wire::Piece& piece);
 
@@ -52,7 +53,8 @@ void add_supports(const Grid& grid, const Continuum& continuum, const Supports& 
 void add_interfaces(const Grid& grid, const Continuum& continuum, std::span<const Interface> interfaces,
                     const ContactPeaks& peaks, wire::Snapshot& snapshot);
 // Adds the peaks to that piece: at points as of every model (peak_motion.hpp), in zones peak_shear_strain,
-// peak_largest_principal_stress_Pa and peak_smallest_principal_stress_Pa.
+// peak_largest_principal_stress_Pa and peak_smallest_principal_stress_Pa; where a material states a strength
+// peak_demand and peak_demand_time_s.
 void add_peaks(const Peaks& peaks, std::span<const double> weights, wire::Piece& piece);
 
 }  // namespace adit::fdm

@@ -17,7 +17,7 @@ std::unique_ptr<ZoneKernel> make_kernel(ZoneKind kind, const Grid& grid, const G
                                         const Material& material, std::span<const double> weights) {
   if (ground.is_elastic(material))
     return std::make_unique<ElasticZones>(kind, grid, ground.plane_law(material), weights,
-                                          ground.plane_stress ? 0 : material.poisson);
+                                          ground.plane_stress ? 0 : material.poisson, material.fracture);
   return std::make_unique<NonlinearZones>(kind, grid, material, weights, ground.large_strain);
 }
 
@@ -217,6 +217,10 @@ Stress ZoneSet::stress(std::size_t zone) const {
 
 ZoneForces ZoneSet::forces(std::size_t zone) const {
   return parts_[places_[zone].part].kernel->forces(places_[zone].zone);
+}
+
+double ZoneSet::demand(std::size_t zone) const {
+  return parts_[places_[zone].part].kernel->demand(places_[zone].zone);
 }
 
 double ZoneSet::field(std::size_t zone, ZoneField field) const {

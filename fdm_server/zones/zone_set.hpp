@@ -48,6 +48,7 @@ class ZoneSet {
   Stress stress(std::size_t zone) const;
   ZoneForces forces(std::size_t zone) const;
   double internal_force(protocol::Team& team, std::span<const double> sizes) const;
+  double demand(std::size_t zone) const;
   double field(std::size_t zone, ZoneField field) const;
   // The team calls see(numbers, stresses) for the stresses of these zones, batch by batch for all zones.
   template <class See>

@@ -46,16 +46,16 @@ bool of_cells(const scene::LinedTunnel& tunnel) {
   return tunnel.particles().has_size();
 }
 
-// `breaks`: whether cells take the materials within.
+// `breaks`: whether cells take the materials within, or zones, which tell how much of its strength they use.
 void fill_in_all(Message& message, const std::string& path, bool breaks) {
   if (auto* material = DynamicCastToGenerated<scene::Material>(&message))
     return fill_in(*material, path, breaks);
   if (const auto* particles = DynamicCastToGenerated<scene::Particles>(&message))
     breaks = particles->has_cells();
   else if (const auto* tunnel = DynamicCastToGenerated<scene::LinedTunnel>(&message))
-    breaks = of_cells(*tunnel);
+    breaks = of_cells(*tunnel) || tunnel->lining().as() == scene::TunnelLining::ZONES;
   else if (DynamicCastToGenerated<scene::Continuum>(&message))
-    breaks = false;
+    breaks = true;
   const auto& get = *message.GetReflection();
   std::vector<const FieldDescriptor*> fields;
   get.ListFields(message, &fields);
@@ -71,6 +71,12 @@ void fill_in_all(Message& message, const std::string& path, bool breaks) {
   }
 }
 
+bool has_particles(const scene::Scene& scene) {
+  return scene.has_particles() ||
+         std::ranges::any_of(scene.regions(), [](const auto& one) { return one.has_particles(); }) ||
+         std::ranges::any_of(scene.tunnels(), [](const auto& one) { return one.has_particles(); });
+}
+
 bool has_cells(const scene::Scene& scene) {
   return scene.particles().has_cells() ||
          std::ranges::any_of(scene.regions(), [](const auto& one) { return one.particles().has_cells(); }) ||
@@ -80,7 +86,7 @@ bool has_cells(const scene::Scene& scene) {
 }  // namespace
 
 void fill_in_concrete(scene::Scene& scene) {
-  fill_in_all(scene, "", has_cells(scene));
+  fill_in_all(scene, "", has_cells(scene) || !has_particles(scene));
 }
 
 }  // namespace adit::protocol

@@ -6,8 +6,8 @@
 namespace adit::protocol {
 
 // Replaces `concrete` of every material of the scene by the mean values of the class, as far as the material
-// does not state them; `fracture` only where cells take it. Throws UserError for a class that is not known,
-// or that would state nothing.
+// does not state them; `fracture` only where cells or zones take it. Throws UserError for a class that is not
+// known, or that would state nothing.
 void fill_in_concrete(scene::Scene& scene);
 
 }  // namespace adit::protocol

@@ -19,6 +19,7 @@ COMMANDS = {  # name: (module with main(words), what it does)
     "paraview": ("adit.paraview.command", "writes a state by which ParaView shows a run"),
     "calibrate": ("adit.calibrate.command", "finds micro-properties of bonded discs for a given rock"),
     "trade": ("adit.trade.command", "measures what speed costs in accuracy"),
+    "zoom": ("adit.zoom.command", "writes the coupled scene with particles where a run of a continuum came near its strength"),
     "cluster": ("adit.cluster.command", "writes a Slurm job that computes a scene on several nodes"),
     "certificates": ("adit.cluster.certificates", "makes certificates for servers and couplers on several machines"),
     "conformance": ("adit.conformance.command", "tests the protocol and the physics of a server of your own"),

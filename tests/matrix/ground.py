@@ -331,6 +331,8 @@ class Ground:
     def histories(self):
         quantities = ["displacement_x", "displacement_y", "velocity_x", "velocity_y", "acceleration_x", "acceleration_y", "stress_xx", "stress_yy",
                       "stress_xy", "stress_zz", "strain_xx", "strain_yy", "shear_strain_xy"]
+        if self.row["law"] in ("mohr_coulomb", "weak_plane", "limited"):
+            quantities.append("demand")
         found = [{"name": name, "quantity": quantity, "at": {"x": x, "y": y}}
                  for name, x, y in (("low", -1.72, 0.63), ("high", 1.61, 3.34)) for quantity in quantities]
         found += [{"name": "across", "quantity": quantity, "at": {"x": 1.61, "y": 3.34}, "relative_to": {"x": -1.72, "y": 0.63}}

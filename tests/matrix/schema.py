@@ -81,5 +81,5 @@ def column_unit(name):
 def quantity(column):
     """What a column of histories holds, without the name of its place: `top_ux_m` -> `ux_m`."""
     match = re.search(r"_([uva][xy]_m(?:_per_s2?)?|s(?:xx|yy|xy|zz)_Pa|exx|eyy|gxy|thrust_N|moment_Nm|shear_N|f[xy]_N|opening_m|offset_m|rotation_rad"
-                      r"|normal_stress_Pa|shear_stress_Pa|bar_stress_Pa|bar_slip_m|force_N|contacts|porosity|exx_per_s|eyy_per_s|gxy_per_s)$", column)
+                      r"|normal_stress_Pa|shear_stress_Pa|bar_stress_Pa|bar_slip_m|force_N|contacts|porosity|demand|exx_per_s|eyy_per_s|gxy_per_s)$", column)
     return match.group(1) if match else column

@@ -1,6 +1,7 @@
 // What observers see of the general engine (observe/observable.hpp).
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "dem_server/engines/general/general_engine.hpp"
 
@@ -22,6 +23,16 @@ ObservedPair forces_of(std::uint32_t pair, const Solver& solver, const Pairs& pa
           solver.laws()[pairs.law[pair]].km > 0};
 }
 
+// Of the larger of its two points, which bear half of the facet each and its moment together.
+std::optional<double> demand_of(std::uint32_t facet, const FacetState& state, const FacetSet& set) {
+  const FacetLaw& law = set.laws[set.law[facet]];
+  if (!law.breaks()) return std::nullopt;
+  if (set.worn_facet(facet) != nullptr) return 1;
+  const double length = set.length[facet], normal = state.normal / length, shear = state.shear / length;
+  const double bending = state.moment / (kFacetPoint * length * length);
+  return std::max(facet_demand(law, {normal + bending, shear}), facet_demand(law, {normal - bending, shear}));
+}
+
 ObservedPair forces_of(std::uint32_t facet, const Solver& solver) {
   const FacetSet& set = solver.facets().set();
   const FacetState s = solver.facets().state(facet, solver.particles());
@@ -38,7 +49,8 @@ ObservedPair forces_of(std::uint32_t facet, const Solver& solver) {
           .resists_turning = true,
           .place = PlaneVector{s.x, s.y},
           .opening = s.opening,
-          .slip = s.slip};
+          .slip = s.slip,
+          .demand = demand_of(facet, s, set)};
 }
 
 ObservedCrack crack_of(std::uint32_t facet, const Facets& facets, const Particles& particles) {

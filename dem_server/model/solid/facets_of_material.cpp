@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "protocol/errors.hpp"
+#include "protocol/materials/fracture.hpp"
 
 namespace adit::dem {
 
@@ -22,22 +23,12 @@ CellElasticity elasticity_of(const MaterialAt& at, Plane plane) {
 }
 
 FacetLaw fracture_of(const scene::Fracture& fracture, const std::string& path) {
-  if (fracture.has_compressive_strength() == fracture.has_cohesion())
-    throw UserError(path, "needs one of compressive_strength and cohesion; give exactly one");
-  const double phi = fracture.friction_angle(), ft = fracture.tensile_strength();
-  const double cohesion = fracture.has_cohesion()
-                              ? fracture.cohesion()
-                              : fracture.compressive_strength() * (1 - std::sin(phi)) / (2 * std::cos(phi));
-  if (!(cohesion >= ft))
-    throw UserError(
-        path + (fracture.has_cohesion() ? ".cohesion" : ".compressive_strength"),
-        fmt::format("is too small: it makes the cohesion {:.4g} Pa, below the tensile_strength of {:.4g} Pa; "
-                    "give more, as rock and concrete have",
-                    cohesion, ft));
+  const double phi = fracture.friction_angle();
+  const double cohesion = protocol::cohesion_of(fracture, path);
   if (fracture.residual_friction_angle() > phi)
     throw UserError(path + ".residual_friction_angle", "is above friction_angle; give at most that");
   const double opening = fracture.fracture_energy();
-  return {ft,
+  return {fracture.tensile_strength(),
           cohesion,
           std::tan(phi),
           std::tan(fracture.residual_friction_angle()),

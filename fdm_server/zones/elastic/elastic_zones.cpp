@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fdm_server/materials/demand.hpp"
 #include "fdm_server/zones/shape/assumed_strain.hpp"
 #include "fdm_server/zones/shape/mixed_discretization.hpp"
 #include "protocol/kernels/sums.hpp"
@@ -43,13 +44,20 @@ ElasticShape elastic_shape(ZoneKind kind, const Corners& c, const PlaneLaw& law)
 }
 
 ElasticZones::ElasticZones(ZoneKind kind, const Grid& grid, const PlaneLaw& law,
-                           std::span<const double> weights, double across)
+                           std::span<const double> weights, double across,
+                           const std::optional<YieldCone>& strength)
     : weights_(weights.begin(), weights.end()),
       weighted_(std::ranges::any_of(weights, [](double weight) { return weight != 1; })),
       across_(across) {
   auto layout = lay_out(grid);
   runs_ = std::move(layout.runs);
   for (const auto& shape : layout.shapes) shapes_.push_back(elastic_shape(kind, shape, law));
+  if (strength) {
+    strength_.emplace(Strength{*strength, {}, {}});
+    for (const auto& shape : layout.shapes) strength_->patterns.push_back(pattern_stresses(kind, shape, law));
+    for (const auto& run : runs_)
+      strength_->pattern_of.insert(strength_->pattern_of.end(), run.count, run.shape);
+  }
   join_short_runs();
 }
 
@@ -212,6 +220,23 @@ ZoneForces ElasticZones::forces(std::size_t zone) const {
   CornerForces forces;
   elastic_forces(alone, forces);
   return first_of(forces);
+}
+
+double ElasticZones::demand(std::size_t zone) const {
+  if (!strength_ || weights_[zone] == 0) return 0;
+  const auto& [cone, patterns, pattern_of] = *strength_;
+  const ZoneRun& run = run_of(zone);
+  const auto [mean, difference, shear, x, y] = state(run, static_cast<std::uint32_t>(zone) - run.first);
+  double largest = 0;
+  for (const PatternStress& pattern : patterns[pattern_of[zone]]) {
+    const auto with = [x = x, y = y](double middle, const std::array<double, 2>& added) {
+      return middle + added[0] * x + added[1] * y;
+    };
+    const double here = with(mean, pattern.mean);
+    largest = std::max(largest, fdm::demand(cone, {here, with(difference, pattern.difference),
+                                                   with(shear, pattern.shear), 2 * across_ * here}));
+  }
+  return largest;
 }
 
 double ElasticZones::field(std::size_t zone, ZoneField field) const {

@@ -13,7 +13,9 @@
 #include <vector>
 
 #include "fdm_server/grid/field_arrays.hpp"
+#include "fdm_server/materials/mohr_coulomb.hpp"
 #include "fdm_server/zones/elastic/elastic_forces.hpp"
+#include "fdm_server/zones/elastic/pattern_stress.hpp"
 #include "fdm_server/zones/kernel/zone_kernel.hpp"
 
 namespace adit::fdm {
@@ -26,9 +28,10 @@ ElasticShape elastic_shape(ZoneKind kind, const Corners& corners, const PlaneLaw
 
 class ElasticZones final : public ZoneKernel {
  public:
-  // `across`: the stress across the plane over sxx + syy, nu in plane strain.
+  // `across`: the stress across the plane over sxx + syy, nu in plane strain. `strength`: that demand is
+  // measured by.
   ElasticZones(ZoneKind kind, const Grid& grid, const PlaneLaw& law, std::span<const double> weights,
-               double across = 0);
+               double across = 0, const std::optional<YieldCone>& strength = {});
   std::size_t count() const override { return weights_.size(); }
   std::span<const ZoneRun> runs() const override { return runs_; }
   void follow(const double* ux, const double* uy) override;
@@ -47,6 +50,8 @@ class ElasticZones final : public ZoneKernel {
   Stress stress(std::size_t zone) const override;
   ZoneForces forces(std::size_t zone) const override;
   void find_stresses(const protocol::IndexRange& zones, PlaneStresses& stresses) const override;
+  // Of the largest stress in the zone (pattern_stress.hpp).
+  double demand(std::size_t zone) const override;
   double field(std::size_t zone, ZoneField field) const override;
 
  private:
@@ -62,6 +67,12 @@ class ElasticZones final : public ZoneKernel {
   State state(const ZoneRun& run, std::uint32_t k) const;
   FieldArrays<kComponents>& initial();
 
+  struct Strength {
+    YieldCone cone;
+    std::vector<std::array<PatternStress, 4>> patterns;  // of each shape of the grid
+    std::vector<std::uint32_t> pattern_of;               // of each zone
+  };
+
   std::vector<ElasticShape> shapes_;
   std::optional<FieldArrays<kCoefficients>> own_;  // of the zones in runs of many shapes
   std::vector<ZoneRun> runs_;
@@ -69,6 +80,7 @@ class ElasticZones final : public ZoneKernel {
   bool weighted_;                                    // any weight is not 1
   std::optional<FieldArrays<kComponents>> initial_;  // stresses at displacement 0
   double across_;
+  std::optional<Strength> strength_;
   const double *ux_ = nullptr, *uy_ = nullptr;
 };
 

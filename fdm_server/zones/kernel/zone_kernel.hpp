@@ -73,6 +73,10 @@ class ZoneKernel {
   virtual ZoneForces forces(std::size_t zone) const = 0;
   // Stresses of some zones, at most kBatch. Several threads may ask at once.
   virtual void find_stresses(const protocol::IndexRange& zones, PlaneStresses& stresses) const = 0;
+  // The largest share of the strengths of its material that the zone's stress uses (materials/demand.hpp),
+  // where it is sampled; 0 without a strength, and of a zone that was taken away. Several threads may ask at
+  // once.
+  virtual double demand(std::size_t zone) const = 0;
   // 0 of a zone that was taken away.
   virtual double field(std::size_t zone, ZoneField field) const = 0;
 };

@@ -50,6 +50,9 @@ class LimitedLaw final : public ZoneLaw {
   unsigned yields(std::size_t zone, std::size_t point) const override {
     return strength_.yields(zone, point);
   }
+  double demand(std::size_t zone, std::size_t point, const PointStress& stress) const override {
+    return strength_.demand(zone, point, stress);
+  }
 
  private:
   std::unique_ptr<ZoneLaw> chain_;

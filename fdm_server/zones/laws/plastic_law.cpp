@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "fdm_server/materials/admissible.hpp"
+#include "fdm_server/materials/demand.hpp"
 
 namespace adit::fdm {
 namespace {
@@ -166,6 +167,19 @@ void PlasticLaw::soften(std::size_t zone, std::size_t k) {
   cones[4 + k][zone] = sin_dilation;
   cones[8 + k][zone] = twice_c_cos;
   cones[12 + k][zone] = tension;
+}
+
+double PlasticLaw::demand(std::size_t zone, std::size_t point, const PointStress& stress) const {
+  double largest = 0;
+  if (material_.mohr_coulomb)
+    largest = fdm::demand(material_.mohr_coulomb->cone(strains_[point][zone]), stress);
+  if (law_.has_plane) {
+    const std::size_t first = zone - zone % kBatch;
+    const DirectionView to = directions(first);
+    largest =
+        std::max(largest, fdm::demand(law_.plane, {to.cosine[zone - first], to.sine[zone - first]}, stress));
+  }
+  return largest;
 }
 
 void PlasticLaw::turn(std::size_t first, std::uint32_t count, const HalfTurns& turns) {

@@ -27,6 +27,7 @@ class PlasticLaw final : public ZoneLaw {
   unsigned yields(std::size_t zone, std::size_t point) const override {
     return yields_[zone] >> (8 * point) & 0xFFu;
   }
+  double demand(std::size_t zone, std::size_t point, const PointStress& stress) const override;
 
  private:
   using Numbers = std::array<std::uint32_t, kBatch>;  // of zones in the batch

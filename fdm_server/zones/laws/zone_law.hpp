@@ -51,6 +51,10 @@ class ZoneLaw {
   }
   virtual double plastic_shear_strain(std::size_t /*zone*/, std::size_t /*point*/) const { return 0; }
   virtual unsigned yields(std::size_t /*zone*/, std::size_t /*point*/) const { return kElastic; }
+  // The share that a point's stress uses of the strength that is left (materials/demand.hpp); 0 without one.
+  virtual double demand(std::size_t /*zone*/, std::size_t /*point*/, const PointStress& /*stress*/) const {
+    return 0;
+  }
 
  protected:
   Elasticity elasticity_;

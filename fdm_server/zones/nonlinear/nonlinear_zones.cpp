@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "fdm_server/materials/demand.hpp"
 #include "protocol/kernels/sums.hpp"
 
 namespace adit::fdm {
@@ -17,7 +18,8 @@ NonlinearZones::NonlinearZones(ZoneKind kind, const Grid& grid, const Material& 
       weights_(weights.begin(), weights.end()),
       stresses_(weights.size()),
       dissipated_(weights.size(), 0.0),
-      law_(make_law(material, weights.size(), large_strain)) {
+      law_(make_law(material, weights.size(), large_strain)),
+      fracture_(material.fracture) {
   auto layout = lay_out(grid);
   runs_ = std::move(layout.runs);
   for (const auto& corners : layout.shapes) shapes_.push_back(sampling_shape(kind, corners, bending_factor_));
@@ -285,6 +287,17 @@ ZoneForces NonlinearZones::forces(std::size_t zone) const {
   CornerForces forces;
   find_forces(kind_, 1, undeformed, now, view(stresses_, zone), &whole, forces);
   return first_of(forces);
+}
+
+double NonlinearZones::demand(std::size_t zone) const {
+  if (weights_[zone] == 0) return 0;
+  double largest = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const PointStress stress = stress_at(zone, k);
+    largest = std::max(largest, law_->demand(zone, k, stress));
+    if (fracture_) largest = std::max(largest, fdm::demand(*fracture_, stress));
+  }
+  return largest;
 }
 
 double NonlinearZones::field(std::size_t zone, ZoneField field) const {

@@ -57,6 +57,8 @@ class NonlinearZones final : public ZoneKernel {
   void find_stresses(const protocol::IndexRange& zones, PlaneStresses& stresses) const override;
   Stress stress(std::size_t zone) const override;
   ZoneForces forces(std::size_t zone) const override;
+  // At the points where its law looks at the stress.
+  double demand(std::size_t zone) const override;
   double field(std::size_t zone, ZoneField field) const override;
 
  private:
@@ -88,6 +90,7 @@ class NonlinearZones final : public ZoneKernel {
   StressFields stresses_;
   std::vector<double> dissipated_;  // of each zone, unweighted
   std::unique_ptr<ZoneLaw> law_;
+  std::optional<YieldCone> fracture_;  // of cells of its material
 };
 
 }  // namespace adit::fdm

@@ -4,13 +4,14 @@
 #include <cmath>
 
 namespace adit::fdm {
+namespace {
 
-std::array<GaussPoint, 4> gauss_points(const Corners& c) {
+// At xi = +-at, eta = +-at.
+std::array<GaussPoint, 4> points_at(const Corners& c, double at) {
   constexpr std::array<double, 4> kXi{-1, 1, 1, -1}, kEta{-1, -1, 1, 1};
-  const double gauss = 1 / std::sqrt(3.0);
   std::array<GaussPoint, 4> points{};
   for (std::size_t point = 0; point < 4; ++point) {
-    const double xi = gauss * kXi[point], eta = gauss * kEta[point];
+    const double xi = at * kXi[point], eta = at * kEta[point];
     double x_xi = 0, x_eta = 0, y_xi = 0, y_eta = 0;
     for (std::size_t a = 0; a < 4; ++a) {
       const double n_xi = 0.25 * kXi[a] * (1 + kEta[a] * eta), n_eta = 0.25 * kEta[a] * (1 + kXi[a] * xi);
@@ -23,6 +24,16 @@ std::array<GaussPoint, 4> gauss_points(const Corners& c) {
     points[point] = {jacobian, (eta * y_eta - xi * y_xi) / jacobian, (xi * x_xi - eta * x_eta) / jacobian};
   }
   return points;
+}
+
+}  // namespace
+
+std::array<GaussPoint, 4> gauss_points(const Corners& corners) {
+  return points_at(corners, 1 / std::sqrt(3.0));
+}
+
+std::array<GaussPoint, 4> corner_points(const Corners& corners) {
+  return points_at(corners, 1);
 }
 
 HourglassStiffness assumed_strain_stiffness(const Corners& corners, const PlaneLaw& law) {

@@ -18,12 +18,15 @@
 
 namespace adit::fdm {
 
-// Gauss points of the zone, 2 x 2: exact on parallelograms.
+// A place in the zone, at the same distance from its middle as three others.
 struct GaussPoint {
-  double area;    // that it stands for, the Jacobian [m^2]
+  double area;    // the Jacobian; that a Gauss point stands for [m^2]
   double hx, hy;  // gradient of h [1/m]
 };
+// Gauss points of the zone, 2 x 2: exact on parallelograms.
 std::array<GaussPoint, 4> gauss_points(const Corners& corners);
+// Its corners.
+std::array<GaussPoint, 4> corner_points(const Corners& corners);
 
 HourglassStiffness assumed_strain_stiffness(const Corners& corners, const PlaneLaw& law);
 

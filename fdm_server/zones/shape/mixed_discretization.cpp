@@ -14,15 +14,24 @@ Triangles triangles(const Corners& c) {
   return result;
 }
 
-HourglassStiffness mixed_discretization_stiffness(const Corners& corners, const PlaneLaw& law) {
-  const auto [gradients, areas] = triangles(corners);
-  double stiffness = 0;
+std::array<std::array<double, 2>, 4> pattern_gradients(const Triangles& triangles) {
+  std::array<std::array<double, 2>, 4> gradients{};
   for (std::size_t k = 0; k < 4; ++k) {
     const auto [i, j, l] = kTriangles[k];
     const double h1 = kHourglass[j] - kHourglass[i], h2 = kHourglass[l] - kHourglass[i];
-    const double gx = gradients[k].x1 * h1 + gradients[k].x2 * h2,
-                 gy = gradients[k].y1 * h1 + gradients[k].y2 * h2;
-    stiffness += law.shear * areas[k] / 2 * (gx * gx + gy * gy);
+    const auto& [x1, x2, y1, y2] = triangles.gradients[k];
+    gradients[k] = {x1 * h1 + x2 * h2, y1 * h1 + y2 * h2};
+  }
+  return gradients;
+}
+
+HourglassStiffness mixed_discretization_stiffness(const Corners& corners, const PlaneLaw& law) {
+  const Triangles of_zone = triangles(corners);
+  const auto gradients = pattern_gradients(of_zone);
+  double stiffness = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto [gx, gy] = gradients[k];
+    stiffness += law.shear * of_zone.areas[k] / 2 * (gx * gx + gy * gy);
   }
   return {stiffness, stiffness, 0};
 }

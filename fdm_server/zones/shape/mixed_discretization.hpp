@@ -39,6 +39,8 @@ struct Triangles {
   std::array<double, 4> areas;  // [m^2]
 };
 Triangles triangles(const Corners& corners);
+// Of the pattern h in each triangle: d/dx, d/dy [1/m].
+std::array<std::array<double, 2>, 4> pattern_gradients(const Triangles& triangles);
 
 HourglassStiffness mixed_discretization_stiffness(const Corners& corners, const PlaneLaw& law);
 

@@ -18,7 +18,8 @@ PEAKS = {  # field: name, unit, size of the unit, function whose largest value i
     "peak_acceleration_m_per_s2": ("largest acceleration", "m/s²", 1, np.abs),
     "peak_shear_strain": ("largest shear strain", "10⁻³", 1e-3, np.abs),
     "peak_largest_principal_stress_Pa": ("largest principal stress (tension)", "MPa", 1e6, np.positive),
-    "peak_smallest_principal_stress_Pa": ("smallest principal stress (compression)", "MPa", 1e6, np.negative)}
+    "peak_smallest_principal_stress_Pa": ("smallest principal stress (compression)", "MPa", 1e6, np.negative),
+    "peak_demand": ("largest demand", "of the strength", 1, np.positive)}
 
 HYSTERETIC = 256
 # Bits of yield_state (fdm_server/materials/solid.hpp) of each kind, its name and colour; the first match counts.

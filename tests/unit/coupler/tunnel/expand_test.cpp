@@ -66,6 +66,22 @@ TEST(ExpandTunnels, TellsWhereItsGroundIsElasticBesideZonesThatYield) {
   EXPECT_THAT(expand_tunnels(scene).notes, Not(told));
 }
 
+// Requirement: cells in the place of zones break as the zones' material states; discs, which cannot, stay
+// elastic.
+TEST(ExpandTunnels, CellsBreakAsTheZonesThatTheyReplaceState) {
+  for (const bool cells : {true, false}) {
+    scene::Scene scene = test::scene_with({test::circular("")});
+    auto& particles = *scene.mutable_tunnels(0)->mutable_particles();
+    if (cells) {
+      particles.clear_radius();
+      particles.set_size(0.1);
+    }
+    *scene.mutable_continuum()->mutable_material() = scene.material();
+    scene.mutable_continuum()->mutable_material()->mutable_fracture()->set_tensile_strength(1e6);
+    EXPECT_EQ(expand_tunnels(scene).scene.particles().material().has_fracture(), cells);
+  }
+}
+
 // Requirement: the lining is a group that only touches the ground, under the gravity of the continuum.
 TEST(ExpandTunnels, ALiningInGround) {
   const auto particles = particles_of(test::circular("friction: 0.3"));

@@ -59,6 +59,23 @@ TEST(NotesOnStrength, TellTheLargestStressOfEveryCurve) {
                                        HasSubstr(" 18.2 kPa, at 0.5 % of"))));
 }
 
+// Zones that only state a fracture do not break: told of each material, not where a law yields instead.
+TEST(NoteOnFracture, NamesWhatStaysElastic) {
+  const std::string constants = "young_modulus: 104e6 poisson_ratio: 0.3 density: 1800 ",
+                    fracture = "fracture { tensile_strength: 1e6 fracture_energy: 50 cohesion: 3e6 } ";
+  const auto note = [&](const std::string& first) {
+    scene::Scene scene;
+    EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(
+        "material { " + constants + first + "} continuum { materials { material { " + constants + fracture +
+            "mohr_coulomb { cohesion: 1e5 } } } materials { material { " + constants + "} } }",
+        &scene));
+    return note_on_fracture(read_ground(scene));
+  };
+  EXPECT_THAT(note(fracture),
+              testing::Optional(HasSubstr("fracture of the material: zones do not break by it")));
+  EXPECT_EQ(note(""), std::nullopt);
+}
+
 // Rayleigh's ratio between two frequencies is 2 sqrt(f1 f2)/(f1 + f2) of the stated one: 0.8 of it at 2 Hz
 // from 1 to 4 Hz, 0.98 of it from 1 to 1.5 Hz, of which nothing is told.
 TEST(NoteOnRatio, TellsWhereRayleighsRatioFallsBetweenItsFrequencies) {

@@ -65,7 +65,7 @@ Errors errors(ZoneKind kind, std::uint32_t zones_y) {
         history.mutable_at()->set_x(x);
         history.mutable_at()->set_y(y);
       }
-  Histories histories(scene, {}, grid, one_kind(grid), DampingLaw{});
+  Histories histories(scene, {}, grid, one_kind(grid), {}, DampingLaw{});
   protocol::Step step{0, dt};
   while (static_cast<double>(step.number) < steps) {
     ++step.number;
@@ -193,14 +193,14 @@ TEST(Histories, AreOfGroundThatStays) {
   history.set_quantity(scene::STRESS_XX);
   history.mutable_at()->set_x(1);
   history.mutable_at()->set_y(0.5);
-  EXPECT_NO_THROW(Histories(scene, {}, grid, kinds, DampingLaw{}));
+  EXPECT_NO_THROW(Histories(scene, {}, grid, kinds, {}, DampingLaw{}));
   history.mutable_at()->set_x(0);
   adit::test::expect_refusal(
-      [&] { Histories(scene, {}, grid, kinds, DampingLaw{}); }, "continuum.histories[0].at",
+      [&] { Histories(scene, {}, grid, kinds, {}, DampingLaw{}); }, "continuum.histories[0].at",
       "is (0, 0.5) m, in a zone that continuum.excavations take away; the nearest grid "
       "point of ground that stays is (1, 0) m");
   history.mutable_at()->set_x(-2);
-  adit::test::expect_refusal([&] { Histories(scene, {}, grid, kinds, DampingLaw{}); },
+  adit::test::expect_refusal([&] { Histories(scene, {}, grid, kinds, {}, DampingLaw{}); },
                              "continuum.histories[0].at", "is (-2, 0.5) m, where the continuum has no zone");
 }
 

@@ -1,0 +1,1 @@
+"""Particles where a continuum comes near its strength."""
