@@ -8,6 +8,7 @@ namespace adit::fdm {
 std::uint32_t Contacts::add(const std::array<std::uint32_t, 2>& points, std::span<const Half> halves,
                             const ContactLaw& law, std::uint32_t stage) {
   contacts_.push_back({points, {halves.begin(), halves.end()}, 0, 0, 0, law, stage, {}});
+  contacts_.back().shares = {{{points[0], 1}, {points[1], -1}}};
   return static_cast<std::uint32_t>(contacts_.size() - 1);
 }
 
@@ -32,6 +33,9 @@ void Contacts::install(std::uint32_t stage, const std::vector<bool>& gone) {
 void Contacts::mark_points(std::vector<bool>& touched) const {
   for (const Contact& contact : contacts_)
     for (const auto point : contact.points) touched[point] = true;
+  for (const Face& guide : guides_)
+    for (std::uint32_t side = 0; side < guide.size(); ++side)
+      for (const auto point : guide.side(side)) touched[point] = true;
 }
 
 Contacts::Part Contacts::standing() const {
@@ -83,6 +87,7 @@ void Contacts::take_stress(const std::function<Stress(std::uint32_t zone)>& stre
     const double xx = (a.xx + b.xx) / 2, yy = (a.yy + b.yy) / 2, xy = (a.xy + b.xy) / 2;
     const double tx = xx * contact.nx + xy * contact.ny, ty = xy * contact.nx + yy * contact.ny;
     contact.state.closure = (tx * contact.nx + ty * contact.ny) / contact.law.normal;
+    if (contact.sliding) contact.sliding->preload = contact.state.closure;
     // The second face holds the first back along the tangent (ny, -nx) with -t.tangent.
     contact.state.shear = tx * contact.ny - ty * contact.nx;
   }
@@ -94,8 +99,12 @@ void Contacts::add_forces(const Part& part, double dt, const PointView& points) 
     Contact& contact = contacts_[i];
     const auto [du, ds] = contact.motion;
     const ContactState before = contact.state;
-    Stroke stroke = fdm::move(contact.law, du, ds, contact.state);
+    Stroke stroke{};
+    if (!contact.free()) stroke = fdm::move(contact.law, du, ds, contact.state);
     const double normal_before = normal_stress(contact.law, before);
+    if (contact.sliding)  // the forces of the step before were along its normal
+      dissipated_ -= contact.length * (contact.stress[0] * contact.sliding->turned[0] +
+                                       contact.stress[1] * contact.sliding->turned[1]);
     contact.stress = {normal_stress(contact.law, contact.state), contact.state.shear};
     // The forces of both ends of the step do the work.
     stroke.normal = (normal_before + contact.stress[0]) / 2;
@@ -112,25 +121,35 @@ void Contacts::pull(const Contact& contact, const PointView& points) const {
   const double nx = contact.nx, ny = contact.ny;
   const double fx = contact.length * (normal * nx + shear * ny),
                fy = contact.length * (normal * ny - shear * nx);
-  const auto [first, second] = contact.points;
-  points.fx[first] -= fx;
-  points.fy[first] -= fy;
-  points.fx[second] += fx;
-  points.fy[second] += fy;
+  for (const auto& [point, factor] : contact.shared()) {
+    points.fx[point] -= factor * fx;
+    points.fy[point] -= factor * fy;
+  }
 }
 
 void Contacts::move(const Part& part, double dt, bool from_rest, const PointView& points) {
   for (const auto i : part) move(contacts_[i], dt, from_rest, points);
 }
 
-// The tangent (ny, -nx) lies to the right of the normal.
 void Contacts::move(Contact& contact, double dt, bool from_rest, const PointView& points) {
-  const auto [first, second] = contact.points;
-  const double dx = dt * (points.vx[first] - points.vx[second]),
-               dy = dt * (points.vy[first] - points.vy[second]);
   contact.from_rest = from_rest;
   contact.motion = {0, 0};  // from rest nothing has moved
-  if (!from_rest) contact.motion = {dx * contact.nx + dy * contact.ny, dx * contact.ny - dy * contact.nx};
+  if (!from_rest) contact.motion = moved(contact, dt, points.vx, points.vy);
+  if (!contact.sliding) return;
+  contact.ahead[0] += contact.sliding->turned[0];
+  contact.ahead[1] += contact.sliding->turned[1];
+}
+
+// The tangent (ny, -nx) lies to the right of the normal.
+std::array<double, 2> Contacts::moved(const Contact& contact, double dt, const double* vx, const double* vy) {
+  double dx = 0, dy = 0;
+  for (const auto& [point, factor] : contact.shared()) {
+    dx += factor * vx[point];
+    dy += factor * vy[point];
+  }
+  dx *= dt;
+  dy *= dt;
+  return {dx * contact.nx + dy * contact.ny, dx * contact.ny - dy * contact.nx};
 }
 
 // dt v(n+1/2)/2 = dt v(n-1/2)/2 + dt^2 a/2; from rest dt^2 a/4.
@@ -142,6 +161,7 @@ std::array<double, 2> Contacts::place_ahead(const Contact& contact, const std::a
 Contacts::Trial Contacts::attempt(const Contact& contact, const std::array<double, 2>& lead) {
   const auto ahead = place_ahead(contact, lead);
   Trial trial{contact.state, {}};
+  if (contact.free()) return trial;
   trial.stroke = fdm::move(contact.law, contact.motion[0] + ahead[0] - contact.ahead[0],
                            contact.motion[1] + ahead[1] - contact.ahead[1], trial.state);
   if (contact.from_rest) {
@@ -229,7 +249,8 @@ Contacts::Part Contacts::take_pairs(Part& part, const std::vector<bool>& chosen)
   for (const auto i : part)
     for (const auto point : contacts_[i].points) ++uses[point];
   const auto alone = [&](std::uint32_t i) {
-    return std::ranges::all_of(contacts_[i].points, [&](auto point) { return uses[point] == 1; });
+    return !contacts_[i].sliding &&
+           std::ranges::all_of(contacts_[i].points, [&](auto point) { return uses[point] == 1; });
   };
   Part taken;
   std::ranges::copy_if(part, std::back_inserter(taken), alone);
@@ -284,12 +305,11 @@ std::vector<StrainForm> Contacts::strains(const Part& part) const {
   for (const auto i : part) {
     const Contact& contact = contacts_[i];
     const auto form = [&](double stiffness, double x, double y) {
-      const auto [first, second] = contact.points;
-      strains.push_back({stiffness * contact.length,
-                         {{{Freedom::kX, first}, x},
-                          {{Freedom::kY, first}, y},
-                          {{Freedom::kX, second}, -x},
-                          {{Freedom::kY, second}, -y}}});
+      StrainForm& strain = strains.emplace_back(StrainForm{stiffness * contact.length, {}});
+      for (const auto& [point, factor] : contact.shared()) {
+        strain.shares.push_back({{Freedom::kX, point}, factor * x});
+        strain.shares.push_back({{Freedom::kY, point}, factor * y});
+      }
     };
     form(contact.law.normal, contact.nx, contact.ny);
     form(contact.law.shear, contact.ny, -contact.nx);
@@ -307,10 +327,12 @@ double Contacts::dissipated() const {
 
 double Contacts::strain_energy() const {
   double sum = 0;
-  for (const auto& [points, halves, nx, ny, length, law, stage, state, offset, stress, lead, ahead, motion,
-                    rest] : contacts_)
-    sum += length * (fdm::strain_energy(law, state) - stress[0] * ahead[0] -
-                     (state.status == ContactStatus::kSliding ? 0 : stress[1] * ahead[1]));
+  for (const Contact& contact : contacts_) {
+    const auto& [normal, shear] = contact.stress;
+    const bool slides = contact.state.status == ContactStatus::kSliding;
+    sum += contact.length * (fdm::strain_energy(contact.law, contact.state) - normal * contact.ahead[0] -
+                             (slides ? 0 : shear * contact.ahead[1]));
+  }
   return sum;
 }
 
@@ -321,6 +343,7 @@ void Contacts::reset_offsets() {
 void Contacts::exchange(state::Archive& archive) {
   archive.members("contacts", std::span(contacts_), &Contact::state, &Contact::offset, &Contact::stress,
                   &Contact::lead, &Contact::ahead);
+  if (slides()) exchange_feet(archive);
   archive("contacts_dissipated", dissipated_);
 }
 

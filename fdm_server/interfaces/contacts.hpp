@@ -1,5 +1,5 @@
-// The contacts of a grid: pairs of faces that share a place, each between points of zones or linings, in
-// small strain.
+// The contacts of a grid: pairs of faces that share a place, each between points of zones or linings. In
+// small strain they keep their partners.
 //
 // A contact is the sum of halves, the ends of sides at its place, each between two zones or between a lining
 // and a zone, because zones may be taken away later. Its normal is the mean of its halves', by length: on a
@@ -21,6 +21,15 @@
 // Ledger (solver/continuum.hpp): as the work of step n is that of its stresses over the stroke, what is
 // stored at step n is what is stored at the end less the stresses times the way ahead; of faces that slide it
 // is what is dissipated that is less.
+//
+// In large strain a contact is between a point of one face and the side of the other, the guide, that lies
+// opposite now (face.hpp): with the share xi of the way along it, the motion is v - (1 - xi) v_a - xi v_b
+// along the present normal and tangent, and the forces are shared alike, so that they make no couple. Shares
+// and normal hold over the stroke of a step, whose work stays that of the stresses; from one step to the next
+// the way ahead turns with them, from B(n-1) dt v/2 to B(n) dt v/2. The closure is what strokes add up to. Of
+// open faces it is the gap between their present places, from what they bore at the start on, but never one
+// that has closed already: what differs ends with each opening. A point past the end of the guide is free,
+// and what it stored is dissipated. Lengths are those before deformation.
 #pragma once
 
 #include <array>
@@ -31,6 +40,7 @@
 #include <vector>
 
 #include "fdm_server/interfaces/contact.hpp"
+#include "fdm_server/interfaces/face.hpp"
 #include "fdm_server/materials/plane_law.hpp"
 #include "fdm_server/structures/strain_form.hpp"
 #include "fdm_server/zones/kernel/zone_runs.hpp"
@@ -54,6 +64,15 @@ class Contacts {
   // stage on. Returns its number.
   std::uint32_t add(const std::array<std::uint32_t, 2>& points, std::span<const Half> halves,
                     const ContactLaw& law, std::uint32_t stage);
+
+  // In large strain: the points of the contacts from the first on, of the first faces or of the second ones,
+  // slide along this guide, which has the first faces on its left. `x`, `y`: the grid's points [m].
+  void slide(std::uint32_t first, std::uint32_t count, bool of_first, Face guide, std::span<const double> x,
+             std::span<const double> y);
+  bool slides() const { return !guides_.empty(); }
+  // Brings shares, normals and gaps to the places of this step, before its forces.
+  void find_feet(const protocol::Step& step, std::span<const double> ux, std::span<const double> uy,
+                 std::span<const double> vx, std::span<const double> vy);
 
   bool empty() const { return contacts_.empty(); }
   std::size_t size() const { return contacts_.size(); }
@@ -121,10 +140,23 @@ class Contacts {
     double opening, offset;              // [m]
   };
   Reading read(std::uint32_t contact) const;
-  std::uint32_t point(std::uint32_t contact) const { return contacts_[contact].points[0]; }
+  std::uint32_t point(std::uint32_t contact) const {
+    const Contact& one = contacts_[contact];
+    return one.sliding ? one.sliding->point : one.points[0];
+  }
   double side(std::uint32_t contact) const;  // length of the longest side at it [m]
 
  private:
+  struct Share {  // of the motion of the first face against the second
+    std::uint32_t point;
+    double factor;
+  };
+  struct Sliding {
+    std::uint32_t guide, point;
+    double sense;                  // 1 where the point is of the first face, -1 of the second
+    std::array<double, 2> turned;  // the way ahead, by shares and normal of this step [m]
+    double preload;                // closure at the start, where the faces are drawn in touch [m]
+  };
   struct Contact {
     std::array<std::uint32_t, 2> points;
     std::vector<Half> halves;
@@ -138,7 +170,19 @@ class Contacts {
     std::array<double, 2> ahead{};   // the state's place, of that of the faces [m]
     std::array<double, 2> motion{};  // of the faces in this step [m]
     bool from_rest = false;          // this step
+    std::array<Share, 3> shares{};
+    std::uint32_t share_count = 2;  // 0: free
+    std::uint32_t side = 0;         // of the guide
+    double xi = 0;                  // the share of the way along it
+    std::optional<Sliding> sliding{};
+
+    std::span<const Share> shared() const { return std::span(shares).first(share_count); }
+    bool free() const { return share_count == 0; }
   };
+  static std::array<double, 2> moved(const Contact& contact, double dt, const double* vx, const double* vy);
+  void share(Contact& contact) const;  // by its side and xi
+  void release(Contact& contact);
+  void exchange_feet(state::Archive& archive);
   static std::array<double, 2> place_ahead(const Contact& contact, const std::array<double, 2>& lead);
   struct Trial {
     ContactState state;  // at the end of the stroke
@@ -151,12 +195,13 @@ class Contacts {
   void follow(Contact& contact, const std::array<double, 2>& lead, const Trial& trial,
               const PointView& points);
   void pull(const Contact& contact, const PointView& points) const;
-  static bool touches(const Contact& contact, const std::vector<bool>& chosen) {
-    return chosen[contact.points[0]] || chosen[contact.points[1]];
-  }
+  // Whether it has a chosen point, now or wherever it may slide.
+  bool touches(const Contact& contact, const std::vector<bool>& chosen) const;
 
   std::vector<Contact> contacts_;
-  double dissipated_ = 0;  // up to the ends of the strokes [J]
+  std::vector<Face> guides_;
+  std::vector<double> x_, y_;  // of the grid's points, in large strain [m]
+  double dissipated_ = 0;      // up to the ends of the strokes [J]
 };
 
 }  // namespace adit::fdm

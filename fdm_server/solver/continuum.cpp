@@ -274,9 +274,14 @@ void Continuum::pull(Part& part, const protocol::Step& step) {
   }
   damps_ = step.local_damping > 0;
   const bool average_here = &part == &interior_ && averages(step);
-  if (average_here && (!average_ || average_->dt() != step.dt)) plan_average(step.dt);
+  const bool slides = &part == &interior_ && contacts_.slides();
+  if (average_here && !slides && (!average_ || average_->dt() != step.dt)) plan_average(step.dt);
   const PointArrays points = arrays(step);
   damped_ += part.sweep.run(team_, zones_, step, points, damping_);
+  if (slides) {
+    contacts_.find_feet(step, points_[kUx], points_[kUy], points_[kVx], points_[kVy]);
+    if (average_here) plan_average(step.dt);  // with the partners of now
+  }
   if (damping_.acts()) damping_.add_viscous(part.kept, step, points);  // before any force but the zones'
   structures_.add_forces(part.structures, step.dt, {points.vx, points.vy, points.fx, points.fy});
   contacts_.add_forces(average_here ? moving_contacts_ : part.contacts, step.dt,

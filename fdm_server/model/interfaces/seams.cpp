@@ -63,7 +63,18 @@ Seams::End Seams::end(const Path& path, std::size_t k, const std::array<std::uin
   return {points, {zones[0], zones[1], -half * dy, half * dx, std::hypot(dx, dy)}};
 }
 
-Interface Seams::join(const Path& path, const ContactLaw& law, Contacts& contacts) const {
+std::vector<Side> Seams::face(const Path& path, std::size_t on) const {
+  std::vector<Side> sides;
+  for (std::size_t k = 0; k < path.sides(); ++k) {
+    const auto zone = beside(path, k)[on];
+    if (zone == kNoZone) continue;
+    const auto [a, b] = path.side(k);
+    sides.push_back({copy(a, zone), copy(b, zone)});
+  }
+  return sides;
+}
+
+Interface Seams::join(const Path& path, const ContactLaw& law, bool large_strain, Contacts& contacts) const {
   std::vector<End> ends;
   for (std::size_t k = 0; k < path.sides(); ++k) {
     const auto [left, right] = beside(path, k);
@@ -71,7 +82,14 @@ Interface Seams::join(const Path& path, const ContactLaw& law, Contacts& contact
     for (const auto point : path.side(k))
       ends.push_back(end(path, k, {copy(point, left), copy(point, right)}, {left, right}, 1));
   }
-  return add(std::move(ends), path.closed, law, 0, contacts);
+  const Interface joined = add(std::move(ends), path.closed, law, 0, contacts);
+  if (large_strain && joined.count > 0) {
+    auto left = face(path, 0), right = face(path, 1);
+    const bool of_left = left.size() <= right.size();
+    contacts.slide(joined.first, joined.count, of_left,
+                   Face(of_left ? std::move(right) : std::move(left), kCorner), grid_.x, grid_.y);
+  }
+  return joined;
 }
 
 Interface Seams::join(const Path& path, std::span<const std::uint32_t> own, const ContactLaw& law,

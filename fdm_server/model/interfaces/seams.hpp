@@ -33,8 +33,9 @@ class Seams {
   // The zones on the left and on the right of the k-th side of a path; kNoZone where there is none.
   std::array<std::uint32_t, 2> beside(const Path& path, std::size_t k) const;
 
-  // Adds the contacts of the zones on the left of a path with those on its right.
-  Interface join(const Path& path, const ContactLaw& law, Contacts& contacts) const;
+  // Adds the contacts of the zones on the left of a path with those on its right. In large strain the points
+  // of the face with fewer sides slide along the other one, which the left ones do if there are as many.
+  Interface join(const Path& path, const ContactLaw& law, bool large_strain, Contacts& contacts) const;
   // Adds those of a lining with the zones on both its sides, from this stage on. `own`: its points in the
   // order of the path. `share`: how much of each metre of the plane it has.
   Interface join(const Path& path, std::span<const std::uint32_t> own, const ContactLaw& law, double share,
@@ -51,6 +52,8 @@ class Seams {
     Contacts::Half half;
   };
   std::uint32_t copy(std::uint32_t point, std::uint32_t zone) const;
+  // The sides of the zones on the left (0) or right (1) of a path.
+  std::vector<Side> face(const Path& path, std::size_t on) const;
   double weight(std::uint32_t zone) const { return zone == kNoZone || weights_.empty() ? 1 : weights_[zone]; }
   // (K + 4 G/3) over the zone's size across the side [Pa/m].
   double stiffness_of(std::uint32_t zone, double side) const;

@@ -214,15 +214,18 @@ SeamPaths read_seams(const scene::Continuum& scene, const std::vector<int>& lead
   }
   for (int i = 0; i < scene.linings_size(); ++i) {
     if (!scene.linings(i).has_interface()) continue;
+    require(!scene.large_strain(), fmt::format("continuum.linings[{}].interface", i),
+            "keeps its partners, which `continuum.large_strain` moves away; leave one of the two out");
     const bool on_ground = !scene.linings(i).has_on() && !rings.is_second(i);
     found.of_lining[i] = seams.size();
     seams.push_back({path_of(leaders[static_cast<std::size_t>(i)], scene, grid, edges),
                      on_ground && scene.linings(i).stage() == 0});
     if (on_ground) occupied.take(seams.back().path, fmt::format("continuum.linings[{}]", i));
   }
-  require(seams.empty() || !scene.large_strain(), "continuum.large_strain",
-          "moves points along interfaces to other partners, which is not computed; leave large_strain or the "
-          "interfaces out");
+  require(scene.interfaces().empty() || scene.excavations().empty() || !scene.large_strain(),
+          "continuum.excavations",
+          "take zones away along which interfaces slide in large strain, which is not computed; leave "
+          "large_strain, the interfaces or the excavations out");
   return found;
 }
 
@@ -285,7 +288,7 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
             "`" + interfaces[i].name() + "` is taken by another interface; choose another one");
     auto& joined = supports.interfaces.emplace_back(
         seams.join(seam_paths.seams[static_cast<std::size_t>(i)].path,
-                   read_law(interfaces[i].law(), path + ".law"), supports.contacts));
+                   read_law(interfaces[i].law(), path + ".law"), ground.large_strain, supports.contacts));
     joined.name = interfaces[i].name();
     require(joined.count > 0, path, "has zones on one side only; let it run inside the grid");
   }
