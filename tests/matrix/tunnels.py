@@ -41,7 +41,7 @@ JOINTED = {"segments", "bolts", "gasket", "keys", "neighbours"}
 
 # What the programs refuse, and a word of the refusal.
 REFUSED = (
-    [({"shape": shape, "lining": lining}, "segments") for shape in ("horseshoe", "box") for lining in ("segments", "rings")]
+    [({"shape": shape, **lining}, "segments") for shape in ("horseshoe", "box") for lining in ({"lining": "segments"}, {"as": "beam", "lining": "rings"})]
     + [({"plane": "plane_stress", "ground": "plastic"}, "plane strain")]
     + [({"particles": "lattice", "lining": "reinforced"}, "lattice of discs")]
     + [({"as": "zones", "lining": lining, "stage": stage}, "tied to what lies outside") for lining in ("slips", "layers") for stage in ("stage", "released")]
