@@ -52,7 +52,9 @@ class Ground(ComputedTest):
             "yield_state": [0, 1 | 4], "plastic_shear_strain": [0, plastic[-1]],
             "peak_displacement_m": motion * END, "peak_velocity_m_per_s": motion, "peak_acceleration_m_per_s2": 2 * motion / STEP,
             "peak_shear_strain": strain[-1], "peak_largest_principal_stress_Pa": [G * strain[-1], cohesion],
-            "peak_smallest_principal_stress_Pa": [-G * strain[-1], -cohesion]}, tolerance=1e-6)
+            "peak_smallest_principal_stress_Pa": [-G * strain[-1], -cohesion],
+            # The left one states no strength; the right one is at its strength from its yield on.
+            "demand": [0, 1], "peak_demand": [0, 1], "peak_demand_time_s": [0, t[strain >= (1 - 1e-9) * limit][0]]}, tolerance=1e-6)
         self.assertEqual(self.run.summary["continuum_groups"], ["", "left", "right"])
         self.assertEqual(self.run.summary["continuum_materials"], ["material", "continuum.materials[0].material"])
         stored = G * strain**2 / 2 + stress**2 / 2 / G
