@@ -77,6 +77,9 @@ inline double lost_by(const ContactLaw& law, double way) {
   return law.residual_slip > 0 ? way / law.residual_slip : 1;
 }
 
+// Below this way faces have not moved: quotients of smaller ones are not numbers [m].
+inline constexpr double kNoWay = 1e-100;
+
 struct Stroke {
   double du, ds;         // [m]
   double normal, shear;  // mean stresses [Pa]
@@ -92,7 +95,7 @@ inline Stroke touch(const ContactLaw& law, const ContactStrength& now, double si
   const bool was_open = state.status == ContactStatus::kOpen;
   const double shear_before = state.shear, pressed = law.normal * (state.closure - state.dilated);
   // The share of the way in which they touch, and how it grows with du.
-  const bool meet = was_open && du < 0;
+  const bool meet = was_open && du < -kNoWay;
   const double share = meet ? std::min(1.0, pressed / (law.normal * du)) : 1,
                share_by_du = meet ? (1 - share) / du : 0, touching = share * ds;
   const double trial = shear_before + law.shear * touching,
@@ -117,7 +120,7 @@ inline Stroke touch(const ContactLaw& law, const ContactStrength& now, double si
     of_sigma = {law.normal * (1 - now.tan_dilation * of_slip.by_normal),
                 -law.normal * now.tan_dilation * of_slip.by_shear};
     state.dilated += slip * now.tan_dilation;
-    state.shear = trial - std::copysign(law.shear * slip, trial);
+    state.shear = std::copysign(std::max(0.0, std::abs(trial) - law.shear * slip), trial);
     state.lost = std::min(1.0, state.lost + lost_by(law, slip));
     state.status = ContactStatus::kSliding;
     const double bound = std::abs(state.shear), from = std::clamp(shear_before, -bound, bound);
@@ -168,6 +171,7 @@ inline Stroke part(const ContactLaw& law, const ContactStrength& now, double sig
   const double from = std::min(sigma_before, tension), elastic = (tension - from) / law.normal;
   if (was_open || elastic == 0) return stroke;
   stroke.normal = (from + tension) / 2 * elastic / du;
+  if (du < kNoWay) return stroke;
   stroke.normal_slopes.by_normal = std::max(0.0, -stroke.normal / du);
   ContactStrength plain = now;
   plain.tan_dilation = 0;

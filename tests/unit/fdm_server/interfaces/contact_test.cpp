@@ -39,6 +39,25 @@ TEST(Contact, NeverMakesEnergy) {
   }
 }
 
+// Whatever the size of a way, down to what numbers can tell: before a wave arrives only its rounding has.
+TEST(Contact, BearsANumber) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> exponent(-320, -3), factor(-1, 1);
+  const auto way = [&] { return factor(random) * std::pow(10, exponent(random)); };
+  for (const auto& it : {law({0, 0.05, 0, 0}), law({2e4, 0.5, 0.3, 1e4}), law({6e4, 0, 0, 3e4}, 0)})
+    for (int i = 0; i < 200000; ++i) {
+      ContactState state;
+      for (int before = 0; before < 3; ++before) move(it, way(), way(), state);
+      const double shear = std::abs(state.shear);
+      const double du = way(), ds = way();
+      const Stroke stroke = move(it, du, ds, state);
+      const double sum = stroke.normal_slopes.by_normal + stroke.normal_slopes.by_shear +
+                         stroke.shear_slopes.by_normal + stroke.shear_slopes.by_shear;
+      ASSERT_TRUE(std::isfinite(stroke.normal + stroke.shear + sum)) << du << ' ' << ds;
+      ASSERT_LE(std::abs(stroke.shear), shear + kShear * std::abs(ds) * (1 + 1e-9)) << du << ' ' << ds;
+    }
+}
+
 // Faces without friction that meet and part give back all that they took, in strokes of any length.
 TEST(Contact, GivesBackWhatItTook) {
   const ContactLaw smooth = law({0, 0, 0, 0});
