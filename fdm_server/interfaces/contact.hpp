@@ -196,6 +196,11 @@ inline Stroke move(const ContactLaw& law, double du, double ds, ContactState& st
                       : touch(law, now, sigma_before, du, ds, state);
   stroke.du = du;
   stroke.ds = ds;
+  // Where faces that hardly touch part or meet, stresses change steeply with the end of the stroke. Newton's
+  // method then takes slopes as they are elsewhere, or its matrix could be singular.
+  const double steepest = law.normal + law.shear;
+  for (double* slope : {&stroke.normal_slopes.by_normal, &stroke.shear_slopes.by_normal})
+    *slope = std::clamp(*slope, -steepest, steepest);
   return stroke;
 }
 
