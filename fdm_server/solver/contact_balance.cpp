@@ -59,9 +59,9 @@ void ContactBalance::take_tangents() {
 }
 
 void ContactBalance::take_stiffest() {
-  const std::vector<StrainForm> strains = contacts_.strains(part_);
+  if (strains_.empty()) strains_ = contacts_.strains(part_);
   for (std::size_t k = 0; k < at_.size(); ++k)
-    take(k, {{0, 0}, {strains[2 * k].stiffness, strains[2 * k + 1].stiffness}, {0, 0}});
+    take(k, {{0, 0}, {strains_[2 * k].stiffness, strains_[2 * k + 1].stiffness}, {0, 0}});
 }
 
 ContactBalance::Tried ContactBalance::go(std::size_t k, double way) const {

@@ -51,6 +51,7 @@ class ContactBalance {
   MeanAcceleration& average_;
   std::vector<Tried> at_;
   std::vector<MeanAcceleration::Bears> tangents_;
+  std::vector<StrainForm> strains_;  // of the contacts, once the slopes of faces that stick are asked for
 };
 
 }  // namespace adit::fdm

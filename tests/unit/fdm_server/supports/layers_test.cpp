@@ -5,11 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "fdm_server/model/supports/supports.hpp"
 #include "protocol/errors.hpp"
 #include "tests/support/refusals.hpp"
-#include "tests/unit/fdm_server/grid/grids.hpp"
 #include "tests/unit/fdm_server/scenes.hpp"
+#include "tests/unit/fdm_server/supports/resolved.hpp"
 
 namespace adit::fdm::test::layers_test {
 namespace {
@@ -23,15 +22,6 @@ std::string lining(const std::string& name, const std::string& more) {
 }
 
 const std::string kFirst = lining("first", "along { line { points { x: 0 y: 1 } points { x: 6 y: 1 } } }");
-
-Supports resolved(const std::string& continuum) {
-  scene::Scene scene;
-  EXPECT_TRUE(
-      google::protobuf::TextFormat::ParseFromString("continuum { " + continuum + " } statics {}", &scene));
-  Grid grid = make_grid({0, 6, 0, 3, 6, 3});
-  const Ground ground{{{2500, 25e9, 0.2}}, std::vector<std::uint32_t>(grid.zones.size(), 0)};
-  return resolve_supports(scene, ground, {}, grid);
-}
 
 // A part of the path below is enough, in any order of the scene; three layers lie one on another.
 TEST(Layers, FollowTheLiningBelow) {

@@ -7,10 +7,9 @@
 
 #include <cmath>
 
-#include "fdm_server/model/supports/supports.hpp"
 #include "tests/support/refusals.hpp"
-#include "tests/unit/fdm_server/grid/grids.hpp"
 #include "tests/unit/fdm_server/scenes.hpp"
+#include "tests/unit/fdm_server/supports/resolved.hpp"
 
 namespace adit::fdm::test::rings_test {
 namespace {
@@ -29,15 +28,6 @@ std::string first(const std::string& more = kFriction) {
 std::string second(const std::string& dowels = kDowel, const std::string& more = kFriction,
                    const std::string& name = "second", const std::string& beside = "first") {
   return lining(name, more + fmt::format("beside {{ lining: '{}' ring_width: 1.5 {} }}", beside, dowels));
-}
-
-Supports resolved(const std::string& continuum) {
-  scene::Scene scene;
-  EXPECT_TRUE(
-      google::protobuf::TextFormat::ParseFromString("continuum { " + continuum + " } statics {}", &scene));
-  Grid grid = make_grid({0, 6, 0, 3, 6, 3});
-  const Ground ground{{{2500, 25e9, 0.2}}, std::vector<std::uint32_t>(grid.zones.size(), 0)};
-  return resolve_supports(scene, ground, {}, grid);
 }
 
 // Both are half as stiff and heavy as one ring alone, results are those of two metres of the plane, and the
