@@ -92,7 +92,8 @@ void check(const wire::Relaxation& relaxation, const Answer& answer) {
 
 void check(const wire::Predicted& predicted, const Answer& answer) {
   answer.at_least_zero({{"predicted.compute_seconds", predicted.compute_seconds()},
-                        {"predicted.hidden_seconds", predicted.hidden_seconds()}});
+                        {"predicted.hidden_seconds", predicted.hidden_seconds()},
+                        {"predicted.demand", predicted.demand()}});
   for (const wire::BondForce& force : predicted.strongest())
     answer.at_least_zero({{"predicted.strongest.force", force.force()}});
   for (const wire::Crack& crack : predicted.cracks())

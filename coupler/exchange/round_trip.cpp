@@ -52,6 +52,7 @@ void receive_prediction(Participant& participant) {
   for (const wire::BondForce& force : predicted.strongest())
     if (force.force() > participant.strongest.force()) participant.strongest = force;
   std::copy(predicted.velocities().begin(), predicted.velocities().end(), participant.predicted.begin());
+  std::ranges::fill(participant.correction.impulses_from(participant.nodes_begin), 0.0);
 }
 
 void correct_velocities(Participant& participant) {

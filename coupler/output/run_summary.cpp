@@ -179,10 +179,38 @@ void RunSummary::add_outcome(const Stepper& stepper, const Findings& findings, s
   if (!error.empty()) summary_.set("error", error);
   add_findings(findings);
   add_ledger(stepper.ledger());
+  add_waiting(stepper);
   add_cost(stepper, steps, wall_s, stepping_s);
   add_figures();
   add_stated();
   add_warnings(findings);
+}
+
+void RunSummary::add_waiting(const Stepper& stepper) {
+  const CondensedRegions& regions = stepper.regions();
+  if (!regions.asked()) return;
+  summary_.set("particles_followed", regions.followings());
+  const auto& beginning = regions.beginning();
+  if (!beginning) {
+    lines_.push_back(fmt::format(
+        "particles          waited to the end: the demand stayed below that of `begin`, looked at {} times",
+        regions.followings()));
+    return;
+  }
+  const double time = static_cast<double>(beginning->step) * model_.dt;
+  summary_.set("particles_began_s", time);
+  summary_.set("particles_began_demand", beginning->demand);
+  summary_.set("particles_began_region", beginning->region);
+  if (!beginning->reason.empty()) {
+    summary_.set("particles_began_because", beginning->reason);
+    lines_.push_back(
+        fmt::format("particles          could not wait: {}: {}", beginning->region, beginning->reason));
+    return;
+  }
+  summary_.set("particles_began_energy_change", stepper.ledger().change());
+  lines_.push_back(fmt::format(
+      "particles          began at {:.4g} s, with a demand of {:.2g} in `{}`; the energy changed by {:.1e}",
+      time, beginning->demand, beginning->region, stepper.ledger().change()));
 }
 
 // Participants choose their names, so that one may be taken already.

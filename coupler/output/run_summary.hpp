@@ -74,6 +74,7 @@ class RunSummary {
   void add_event(const std::string& name, const Event& event, bool happened);
   void add_cost(const Stepper& stepper, std::uint64_t steps, double wall_s, double stepping_s);
   void add_ledger(const Ledger& ledger);
+  void add_waiting(const Stepper& stepper);  // of particles that begin later
   void add_warnings(const Findings& findings);
 
   const Model& model_;

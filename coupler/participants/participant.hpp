@@ -44,6 +44,8 @@ class Correction {
     pending_ = true;
     return impulses_;
   }
+  // Those of the coupling points from this one on.
+  std::span<double> impulses_from(std::size_t point) { return std::span(impulses_).subspan(2 * point); }
   // They are not to be sent.
   void withhold() { pending_ = false; }
   // Fills the field, unless they were sent or withheld.
@@ -79,8 +81,11 @@ struct Participant {
   std::optional<std::vector<std::string>> shares;  // names of the parts of its energies, once it told them
   std::string interface_path = "interface";        // in the scene, of its last interface
   std::vector<Segment> segments;                   // its coupling points
-  std::vector<double> places;                      // of these, x0 y0 x1 y1 … [m]
-  std::optional<Interpolation> interpolation;      // where it has any
+  // Where the coupling points begin that are points of its own and no interface ties: grid points around
+  // regions that wait (stepping/condensed_regions.hpp). Impulses on them last a step.
+  std::size_t nodes_begin = 0;
+  std::vector<double> places;                  // of all coupling points, x0 y0 x1 y1 … [m]
+  std::optional<Interpolation> interpolation;  // where it has any
 
   // Its own step over the model's. Velocities times it are those of the model's clock, and impulses at the
   // coupling points over it: with masses m / ratio² in one clock, the motion is the same. Statics use it

@@ -111,6 +111,38 @@ void check_overlaps(Model& model) {
   }
 }
 
+bool waits(const Model& model, std::size_t participant) {
+  const Member& member = model.participants[participant].member;
+  return member.role == Role::kParticles && part_of(model.scene, member).particles().has_begin();
+}
+
+// How far beside an overlap grid points move particles that wait: they are corners of zones that the overlap
+// cuts, which are not wider than it [m].
+double reach_of_waiting(const Model& model, std::size_t s) {
+  double reach = 0;
+  for (const Interface& interface : model.interfaces)
+    if (model.participants[s].member.role == Role::kContinuum &&
+        ((interface.outer == s && waits(model, interface.inner)) ||
+         (interface.inner == s && waits(model, interface.outer))))
+      reach = std::max(reach, interface.overlap.width());
+  return reach;
+}
+
+// The points of this grid, of those that it offered, that may move particles which wait.
+std::vector<double> nodes_around_waiting(const Model& model, std::size_t s) {
+  std::vector<double> nodes;
+  const double reach = reach_of_waiting(model, s);
+  const std::vector<double>& offered = model.participants[s].candidates;
+  for (std::size_t i = 0; reach > 0 && i < offered.size(); i += 2)
+    for (std::size_t k = 0; k < model.coupling_points.size(); k += 2)
+      if (std::hypot(offered[i] - model.coupling_points[k], offered[i + 1] - model.coupling_points[k + 1]) <=
+          1.5 * reach) {
+        nodes.insert(nodes.end(), {offered[i], offered[i + 1]});
+        break;
+      }
+  return nodes;
+}
+
 void share_energy(Model& model) {
   require_sample_points(model);
   check_overlaps(model);
@@ -129,10 +161,11 @@ void share_energy(Model& model) {
         floor = std::min(floor, interface.given.weight_floor());
     weights.set_floor(floor);
     const BoundingBox box = overlap_bounds(s, model.participants, model.interfaces);
-    weights.set_x_min(box.x_min);
-    weights.set_x_max(box.x_max);
-    weights.set_y_min(box.y_min);
-    weights.set_y_max(box.y_max);
+    const double beside = reach_of_waiting(model, s);
+    weights.set_x_min(box.x_min - beside);
+    weights.set_x_max(box.x_max + beside);
+    weights.set_y_min(box.y_min - beside);
+    weights.set_y_max(box.y_max + beside);
   }
   ask_all(model, wire::Frame::kInterface, "weighs its model");
   for (Participant& participant : model.participants) {
@@ -157,12 +190,15 @@ void couple(Model& model) {
       points.Add(model.coupling_points.begin() + 2 * static_cast<std::ptrdiff_t>(interface.begin),
                  model.coupling_points.begin() + 2 * static_cast<std::ptrdiff_t>(interface.end));
     }
+    participant.nodes_begin = static_cast<std::size_t>(points.size()) / 2;
+    const std::vector<double> nodes = nodes_around_waiting(model, s);
+    points.Add(nodes.begin(), nodes.end());
   }
   ask_all(model, wire::Frame::kOperator, "looks for its coupling points");
   for (Participant& participant : model.participants) {
     const auto& points = participant.request.couple().points();
     participant.places.assign(points.begin(), points.end());
-    const std::size_t count = participant.segments.back().begin + participant.segments.back().count;
+    const std::size_t count = participant.places.size() / 2;
     participant.interpolation =
         interpolation_of(participant.reply.operator_(), count, participant.connection->name());
     participant.correction = Correction(count);

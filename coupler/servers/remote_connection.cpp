@@ -21,12 +21,13 @@ constexpr std::uint64_t kMostBonds = 4;
 
 bool builds(wire::Frame::ContentCase request) {
   return request == wire::Frame::kSetup || request == wire::Frame::kWeights ||
-         request == wire::Frame::kCouple;
+         request == wire::Frame::kCouple || request == wire::Frame::kCondense;
 }
 
 }  // namespace
 
 void AnswerBounds::asked(const wire::Frame& request) {
+  if (request.has_condense()) masters_ = request.condense().masters();
   if (request.has_couple()) coupling_numbers_ = static_cast<std::uint64_t>(request.couple().points_size());
 }
 
@@ -43,6 +44,8 @@ std::uint64_t AnswerBounds::longest(wire::Frame::ContentCase request) const {
       return kMaxRunBytes + protocol::kInterfaceBytes * samples_;
     case wire::Frame::kCouple:
       return kMaxRunBytes + kOperatorBytes * coupling_numbers_;
+    case wire::Frame::kCondense:
+      return kMaxRunBytes + protocol::condensed_bytes(masters_);
     case wire::Frame::kAdvance:
       return kMaxRunBytes + sizeof(double) * coupling_numbers_ + kCrackBytes * bonds_;
     case wire::Frame::kSnapshotRequest:

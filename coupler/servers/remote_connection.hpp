@@ -28,6 +28,7 @@ class AnswerBounds {
   std::uint64_t samples_ = 0;           // points of the model
   std::uint64_t bonds_ = 0;             // that may break in a step
   std::uint64_t coupling_numbers_ = 0;  // that state its coupling points
+  std::uint64_t masters_ = 0;           // to which it is condensed
 };
 
 // Each answer has a longest wait and a greatest length, by what was asked: a model may take hours and

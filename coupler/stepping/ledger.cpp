@@ -87,6 +87,19 @@ void Ledger::take_energies(std::size_t s, const Participant& participant, double
   energies_[s] = energies_of(e, e.kinetic() + added, work + added - account.added_at_start);
 }
 
+void Ledger::begin(std::size_t s, const Participant& participant, double multiplier_work) {
+  if (!changes_) {
+    change_ = unexplained();
+    for (std::size_t k = 0; k < energies_.size(); ++k) balances_at_start_[k] -= energies_[k].balance();
+  }
+  changes_ = true;
+  Account& account = accounts_[s];
+  account.started = true;
+  account.multiplier_work = multiplier_work;
+  std::ranges::fill(account.impulses, 0.0);
+  std::ranges::copy(participant.predicted, account.velocities.begin());
+}
+
 void Ledger::compare() {
   double turnover = 0;
   for (std::size_t s = 0; s < energies_.size(); ++s) {
@@ -95,6 +108,11 @@ void Ledger::compare() {
   }
   if (!compared_) unexplained_at_start_ = unexplained();
   compared_ = true;
+  if (changes_) {  // what participants tell is counted from other places now
+    for (std::size_t s = 0; s < energies_.size(); ++s) balances_at_start_[s] += energies_[s].balance();
+    change_ = (unexplained() - change_) / std::max(peak_stored_, stored());
+    changes_ = false;
+  }
   if (first_turnover_ == 0) first_turnover_ = turnover;
   peak_turnover_ = std::max(peak_turnover_, turnover);
   peak_stored_ = std::max(peak_stored_, stored());
@@ -185,6 +203,8 @@ void Ledger::exchange(state::Archive& archive) {
   archive("ledger_peak_turnover", peak_turnover_);
   archive("ledger_peak_stored", peak_stored_);
   archive("ledger_peak_unexplained", peak_unexplained_);
+  archive("ledger_change", change_);
+  archive("ledger_changes", changes_);
   archive("ledger_largest_gap", largest_gap_);
   archive("ledger_largest_velocity", largest_velocity_);
 }

@@ -50,6 +50,11 @@ class Ledger {
   void take_energies(std::size_t s, const Participant& participant);
   // The same of one whose step is still in progress: its impulses so far have `added` to its energies [J].
   void take_energies(std::size_t s, const Participant& participant, double added);
+  // Those of one that waits, condensed.
+  void take_condensed(std::size_t s, const ParticipantEnergies& energies) { energies_[s] = energies; }
+  // It waits no longer: its velocities were predicted last, and this is the work done on it so far [J]. The
+  // next compare() tells what that changed.
+  void begin(std::size_t s, const Participant& participant, double multiplier_work);
   // After the energies of all participants: compares them with those of the start and of the peak.
   void compare();
 
@@ -68,6 +73,8 @@ class Ledger {
   // What the energies exceed the work by, relative to the largest stored energy so far, or to the rounding
   // energy where that is larger: nothing is known of a model that moves by rounding errors only.
   double excess() const;
+  // By which energy rose when particles that waited began, relative to the largest stored energy by then.
+  double change() const { return change_; }
   double kept() const;  // stored over external work; 1 where there was none
 
   // What the participants have lost that nobody booked, since the start: neither dissipated nor taken by
@@ -102,6 +109,8 @@ class Ledger {
   double first_turnover_ = 0;              // the first that is not 0
   double peak_turnover_ = 0;
   double peak_stored_ = 0, peak_unexplained_ = 0;
+  double change_ = 0;
+  bool changes_ = false;  // since the last compare(): change_ is the energy unexplained before [J]
   double largest_gap_ = 0, largest_velocity_ = 0;
 };
 

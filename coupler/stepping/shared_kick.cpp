@@ -40,6 +40,15 @@ void SharedKick::start(Wanted wanted) {
   if (wanted.energies) take_energies(1);
 }
 
+void SharedKick::take_over(const GridMotion& motion) {
+  w_ = motion.velocities;
+  q_ = motion.kicks;
+  for (std::size_t i = 0; i < w_.size(); ++i) {
+    y_[i] = w_[i] - q_[i] / 2;
+    total_[i] = lambda_[i] = 0;
+  }
+}
+
 void SharedKick::kick(std::uint64_t k, Wanted wanted) {
   ask(Role::kParticles, k, model_.dt / model_.substeps, wanted, &SharedKick::book);
   const Stopwatch solving(cost_.solve);

@@ -57,6 +57,9 @@ class SharedKick : public TimeScheme {
   // To the time of the grid's step n: the grid is at its step n, the particles at step n m.
   // Energies are those of that time.
   void step(std::uint64_t n, Wanted wanted) override;
+  // The grid's prediction is made to be X + ½ DT F_n/M, as if X were Y + ½ DT F_n/M with nothing left to
+  // give.
+  void take_over(const GridMotion& motion) override;
   void exchange(state::Archive& archive) override {
     archive("kick_w", std::span(w_));
     archive("kick_q", std::span(q_));

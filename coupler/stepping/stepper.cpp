@@ -1,5 +1,7 @@
 #include "coupler/stepping/stepper.hpp"
 
+#include <utility>
+
 #include "coupler/stepping/shared_kick.hpp"
 
 namespace adit::coupler {
@@ -13,6 +15,7 @@ class CommonStep : public TimeScheme {
   CommonStep(Model& model, RoundTrip& round_trip, Ledger& ledger);
 
   void step(std::uint64_t n, Wanted wanted) override;
+  void take_over(const GridMotion& /*motion*/) override {}
   void exchange(state::Archive& archive) override { archive("unbooked", unbooked_); }
 
  private:
@@ -59,7 +62,8 @@ void CommonStep::book(bool with_energies) {
 Stepper::Stepper(Model& model)
     : model_(model),
       ledger_(model.participants, rounding_energy(model.participants, model.dt / model.substeps)),
-      round_trip_(model, cost_) {
+      round_trip_(model, cost_),
+      regions_(model, ledger_, cost_) {
   if (model.substeps > 1)
     scheme_ = std::make_unique<SharedKick>(model, ledger_, cost_);
   else
@@ -69,6 +73,16 @@ Stepper::Stepper(Model& model)
 void Stepper::step(std::uint64_t n, Wanted wanted) {
   if (n == 0)  // time starts from rest: the last correction of statics would have no effect
     for (Participant& participant : model_.participants) participant.correction.withhold();
+  regions_.prepare();
+  if (regions_.wait()) {
+    if (const auto motion = regions_.step(n, wanted)) {
+      scheme_->take_over(*motion);
+      just_began_ = true;
+    }
+    return;
+  }
+  // The first step of the particles shows what their beginning did to the energy.
+  wanted.energies = wanted.energies || std::exchange(just_began_, false);
   scheme_->step(n, wanted);
 }
 

@@ -7,6 +7,7 @@
 
 #include "coupler/exchange/round_trip.hpp"
 #include "coupler/participants/set_up.hpp"
+#include "coupler/stepping/condensed_regions.hpp"
 #include "coupler/stepping/ledger.hpp"
 #include "protocol/state/archive.hpp"
 
@@ -19,6 +20,8 @@ class TimeScheme {
   virtual ~TimeScheme() = default;
   // To step n = 0, 1, 2 …
   virtual void step(std::uint64_t n, Wanted wanted) = 0;
+  // The particles waited until the last step, and begin with the next (condensed_regions.hpp).
+  virtual void take_over(const GridMotion& motion) = 0;
   // What passes from one step to the next, besides what the participants and the ledger know.
   virtual void exchange(state::Archive& archive) = 0;
 };
@@ -49,18 +52,23 @@ class Stepper {
   void exchange(state::Archive& archive) {
     ledger_.exchange(archive);
     archive("cost", cost_);
+    regions_.exchange(archive);
+    archive("just_began", just_began_);
     scheme_->exchange(archive);
   }
 
   // Complete up to the last step that wanted energies.
   const Ledger& ledger() const { return ledger_; }
   const StepCost& cost() const { return cost_; }
+  const CondensedRegions& regions() const { return regions_; }
 
  private:
   Model& model_;
   Ledger ledger_;
   StepCost cost_;
   RoundTrip round_trip_;
+  CondensedRegions regions_;
+  bool just_began_ = false;  // with the last step
   std::unique_ptr<TimeScheme> scheme_;
   wire::Advance request_;  // of statics
 };

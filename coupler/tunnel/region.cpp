@@ -148,6 +148,7 @@ TunnelGround ground_around(const scene::LinedTunnel& tunnel, const Contour& cont
   particles.mutable_groups()->MergeFrom(wanted.groups());
   *particles.mutable_joints() = wanted.joints();
   if (wanted.has_damping()) *particles.mutable_damping() = wanted.damping();
+  if (wanted.has_begin()) *particles.mutable_begin() = wanted.begin();
   for (const auto& load : continuum.body_loads())
     if (!load.has_where()) *particles.add_body_loads() = load;
   if (tunnel.stage() > 0) {

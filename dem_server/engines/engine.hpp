@@ -9,8 +9,11 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
+#include <variant>
 #include <vector>
 
+#include "dem_server/condensation/substructure.hpp"
 #include "dem_server/engines/answers.hpp"
 #include "dem_server/engines/crack.hpp"
 #include "dem_server/observe/crack_paths.hpp"
@@ -83,6 +86,24 @@ class Engine {
   // The first step that does not relax is next: displacements, energies and work count from here. What held
   // quiet edges holds them against this drift of the model beside.
   virtual void start_over(const protocol::Drift& drift) = 0;
+
+  // Condensation of an engine that can: at rest, or with nothing stored if a run is resumed that waited.
+  // `ties`: how the coupling points follow the masters. Returns why the particles cannot be condensed as they
+  // are.
+  virtual std::variant<Condensed, std::string> condense(const protocol::SparseRows& /*ties*/,
+                                                        std::size_t /*masters*/) {
+    return "this engine condenses none";
+  }
+  // The particles follow masters that have moved like this, `dt` [s] between both velocities: they get the
+  // velocities of half a step before, and by arrive() everything else, and those of half a step later.
+  virtual void follow(const MastersMotion& /*masters*/, double /*dt*/) {}
+  virtual void arrive(const protocol::Step& /*step*/) {}
+  // The first step follows that is no motion of masters.
+  virtual void go_on() {}
+  // Strain energy in the present state, weighted [J].
+  virtual double stored_strain() const { return 0; }
+  // The largest share of its strength that anything uses, 1 where it breaks, slides or opens.
+  virtual double demand() const { return 0; }
 
   // What changes from step to step (protocol/state/archive.hpp), of an engine that has reached the same
   // stage.

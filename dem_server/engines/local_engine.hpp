@@ -56,6 +56,7 @@ class LocalEngine : public Engine, public Observable {
   std::vector<CrackPath> crack_paths() const final { return paths_of(cracks()).paths; }
   std::vector<Figure> figures() const override;
   std::span<const std::uint32_t> tied() const { return coupling_.particles(); }
+  const protocol::InterfaceOperator& coupling() const { return coupling_.interpolation(); }
 
  protected:
   explicit LocalEngine(const Model& model);

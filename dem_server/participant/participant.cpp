@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "dem_server/condensation/require_linear.hpp"
 #include "dem_server/model/bond_springs.hpp"
 #include "dem_server/model/initial_state/initial_state.hpp"
 #include "dem_server/model/reading/read_model.hpp"
@@ -38,6 +39,7 @@ void tell(const Unrest::Farthest& farthest, std::span<const std::string> groups,
 void DemParticipant::set_up(const wire::Setup& setup, wire::Model& answer) {
   scene_ = setup.scene();
   model_ = read_model(scene_, progress(), engines_->threads());
+  if (scene_.particles().has_begin()) require_linear(model_);
   const std::string engine = engines_->choose(scene_, model_);
   engine_ = engines_->make(model_);
   spdlog::info("the engine of the particles is {}", engine);
@@ -147,9 +149,42 @@ void DemParticipant::prepare(const protocol::Step& step, const wire::Advance& wa
   engine_->prepare(wanted.want_energies());
 }
 
+void DemParticipant::condense_solver(const wire::Condense& request, wire::Condensed& answer) {
+  const protocol::SparseRows ties({request.row_starts().begin(), request.row_starts().end()},
+                                  {request.columns().begin(), request.columns().end()},
+                                  {request.values().begin(), request.values().end()});
+  const auto condensed = engine_->condense(ties, request.masters());
+  if (const auto* reason = std::get_if<std::string>(&condensed)) return answer.set_reason(*reason);
+  const auto& [stiffness, mass, force] = std::get<Condensed>(condensed);
+  for (Eigen::Index row = 0; row < stiffness.rows(); ++row)
+    for (Eigen::Index column = 0; column <= row; ++column) {
+      answer.add_stiffness(stiffness(row, column));
+      answer.add_mass(mass(row, column));
+    }
+  assign(*answer.mutable_force(), std::span(force.data(), static_cast<std::size_t>(force.size())));
+  answer.set_strain_energy(engine_->stored_strain());
+  answer.set_demand(engine_->demand());
+}
+
+void DemParticipant::follow(const protocol::Step& step, const wire::Following& masters) {
+  engine_->follow({protocol::view(masters.displacements()), protocol::view(masters.velocities_before()),
+                   protocol::view(masters.velocities())},
+                  step.dt);
+}
+
+double DemParticipant::arrive(const protocol::Step& step) {
+  engine_->arrive(step);
+  note_events(step);
+  return engine_->demand();
+}
+
 void DemParticipant::step_interior(const protocol::Step& step) {
   engine_->step_interior(step);
   if (!step.from_rest()) ++moves_;
+  note_events(step);
+}
+
+void DemParticipant::note_events(const protocol::Step& step) {
   // What breaks in statics is broken when time begins.
   const std::uint64_t number = step.relax ? 0 : step.number;
   for (const Crack& crack : engine_->broken()) {

@@ -33,6 +33,8 @@ class DemParticipant final : public protocol::SteppedParticipant {
 
  private:
   void balance_under_weights(std::span<const double> centres);
+  // What broke in a step, and the largest force, for the next answer.
+  void note_events(const protocol::Step& step);
 
   // The steps (stepped_participant.hpp).
   std::size_t coupling_points() const override { return coupling_points_; }
@@ -47,6 +49,10 @@ class DemParticipant final : public protocol::SteppedParticipant {
   void remember_for_peaks() override { engine_->remember_for_peaks(); }
   void take_peaks(const protocol::Step& step) override { engine_->take_peaks(step); }
   void prepare(const protocol::Step& step, const wire::Advance& wanted) override;
+  void condense_solver(const wire::Condense& request, wire::Condensed& condensed) override;
+  void follow(const protocol::Step& step, const wire::Following& masters) override;
+  double arrive(const protocol::Step& step) override;
+  void go_on() override { engine_->go_on(); }
   void step_interface(const protocol::Step& step) override { engine_->step_interface(step); }
   void step_interior(const protocol::Step& step) override;
   void read_velocities(std::span<double> velocities) const override { engine_->read_velocities(velocities); }

@@ -70,6 +70,10 @@ void Conversation::answer(const wire::Frame& request, wire::Frame& reply) {
       numbers_ = static_cast<std::uint64_t>(request.couple().points_size());
       stage_ = Stage::kRunning;
       break;
+    case wire::Frame::kCondense:
+      require(stage_ == Stage::kRunning, request);
+      participant_.condense(request.condense(), cleared(reply.mutable_condensed()));
+      break;
     case wire::Frame::kAdvance:
       require(ready && in_order(request.advance()), request);
       advance(request.advance(), cleared(reply.mutable_predicted()));
@@ -106,6 +110,7 @@ std::uint64_t Conversation::longest_request() const {
 }
 
 bool Conversation::in_order(const wire::Advance& request) const {
+  if (request.has_follow()) return request.step() >= (relaxing_ ? 0 : next_step_);
   if (!request.relax()) return request.step() == (relaxing_ ? 0 : next_step_);
   return request.step() == next_step_ && (relaxing_ || next_step_ == 0);
 }

@@ -31,6 +31,10 @@ class Participant {
   virtual void set_up(const wire::Setup& setup, wire::Model& model) = 0;
   virtual void weigh(const wire::Weights& weights, wire::Interface& interface) = 0;
   virtual void couple(const wire::Couple& couple, wire::Operator& op) = 0;
+  // Says why it cannot wait, unless it can.
+  virtual void condense(const wire::Condense& /*condense*/, wire::Condensed& condensed) {
+    condensed.set_reason("this model cannot wait");
+  }
   virtual void advance(const wire::Advance& advance, wire::Predicted& predicted) = 0;
   // The rest of the step answered last, before any other request. It reports in the next answer.
   virtual void complete() {}
@@ -55,7 +59,7 @@ using ParticipantFactory = std::function<std::unique_ptr<Participant>()>;
 
 // One run as seen by a participant: hands it the requests, and only in their order:
 //
-//   setup, weights, [couple], then any number of advance (steps 0, 1, 2 ...) and snapshot; where the first
+//   setup, weights, [couple], [condense], then any number of advance (steps 0, 1, 2 ...) and snapshot; where the first
 //   steps relax, they are numbered from 0, and those that follow from 0 again
 //   restore, in parts, before the first step; save, in parts, after any
 //   finish at any time after setup

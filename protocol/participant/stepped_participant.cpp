@@ -2,19 +2,40 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
+
 #include "protocol/errors.hpp"
 #include "protocol/messages/spans.hpp"
 
 namespace adit::protocol {
+namespace {
+
+// A matrix of so many rows, whose columns all occur.
+void require_rows(const wire::Condense& n, std::size_t rows) {
+  const auto& starts = n.row_starts();
+  const auto entries = static_cast<std::uint32_t>(n.columns_size());
+  if (static_cast<std::size_t>(starts.size()) != rows + 1 || starts[0] != 0 ||
+      !std::ranges::is_sorted(starts) || *starts.rbegin() != entries || n.values_size() != n.columns_size())
+    throw RequestError(
+        fmt::format("condense: its rows are not those of a matrix for {} coupling points", rows));
+  if (n.masters() == 0 || n.masters() > entries ||
+      std::ranges::any_of(n.columns(), [&](std::uint32_t column) { return column >= n.masters(); }))
+    throw RequestError(fmt::format("condense: {} masters do not fit its {} entries", n.masters(), entries));
+}
+
+}  // namespace
 
 void SteppedParticipant::advance(const wire::Advance& request, wire::Predicted& predicted) {
   check(request);
+  if (request.has_follow()) return follow_masters(request, predicted);
+  if (masters_ > 0) {
+    masters_ = 0;
+    go_on();
+  }
   correct_last_step(request.impulses());
   take_peaks_due();
-  if (last_.relax && !request.relax()) {
-    start_over({request.drift_x(), request.drift_y()});
-    scale_masses(scaled_ = false);
-  }
+  if (last_.relax && !request.relax()) begin_time({request.drift_x(), request.drift_y()});
   if (request.relax()) relax(request, *predicted.mutable_relaxation());
 
   const Step step{request.step(), request.dt(), request.relax(), request.stop(), request.local_damping()};
@@ -29,13 +50,51 @@ void SteppedParticipant::advance(const wire::Advance& request, wire::Predicted& 
   corrected_ = false;
   peaks_due_ = request.want_peaks();
   interior_left_ = !whole;
+  answer(step, request, predicted);
+  if (request.relax()) predicted.mutable_relaxation()->set_kinetic_energy(kinetic_energy());
+}
 
+void SteppedParticipant::answer(const Step& step, const wire::Advance& request, wire::Predicted& predicted) {
   predicted.set_step(step.number);
   read_velocities(resize(*predicted.mutable_velocities(), 2 * coupling_points()));
   read_events(predicted);
-  if (request.relax()) predicted.mutable_relaxation()->set_kinetic_energy(kinetic_energy());
   if (request.want_energies()) read_energies(step, *predicted.mutable_energies());
   if (request.want_histories()) read_histories(step, *predicted.mutable_histories());
+}
+
+void SteppedParticipant::begin_time(const Drift& drift) {
+  start_over(drift);
+  scale_masses(scaled_ = false);
+  last_ = {};
+}
+
+// The last impulses of statics would have no effect: time begins from rest.
+void SteppedParticipant::condense(const wire::Condense& request, wire::Condensed& condensed) {
+  require_rows(request, coupling_points());
+  if (last_.relax) begin_time({});
+  condense_solver(request, condensed);
+  masters_ = condensed.reason().empty() ? request.masters() : 0;
+}
+
+void SteppedParticipant::follow_masters(const wire::Advance& request, wire::Predicted& predicted) {
+  const wire::Following& masters = request.follow();
+  for (const auto* list : {&masters.displacements(), &masters.velocities_before(), &masters.velocities()})
+    if (masters_ == 0 || static_cast<std::size_t>(list->size()) != 2 * masters_)
+      throw RequestError(fmt::format("step {}: the motion of masters came with {} numbers for {} of them",
+                                     request.step(), list->size(), masters_));
+  if (!request.impulses().empty() || request.relax())
+    throw RequestError(fmt::format(
+        "step {}: a model that follows its masters gets no impulses, nor does it relax", request.step()));
+  take_peaks_due();
+  last_ = {request.step(), request.dt()};
+  started_ = corrected_ = true;
+  interior_left_ = false;
+  follow(last_, masters);
+  prepare(last_, request);
+  if (request.want_peaks()) remember_for_peaks();
+  peaks_due_ = request.want_peaks();
+  predicted.set_demand(arrive(last_));
+  answer(last_, request, predicted);
 }
 
 void SteppedParticipant::complete() {
@@ -61,6 +120,7 @@ void SteppedParticipant::exchange(state::Archive& archive) {
   archive("corrected", corrected_);
   archive("peaks_due", peaks_due_);
   archive("interior_left", interior_left_);
+  archive("masters", masters_);
   exchange_solver(archive);
   if (archive.reads()) scale_masses(scaled_);
 }

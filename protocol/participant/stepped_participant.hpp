@@ -12,6 +12,9 @@
 //      participant is coupled and nothing that is wanted needs the whole step
 //   7. the answer: read_velocities, and what else is wanted
 //
+// A step in which a condensed model follows its masters becomes follow, prepare, remember_for_peaks and arrive
+// in place of these.
+//
 // A correction arrives one message late, with the next step or with a snapshot: peaks wait for it.
 #pragma once
 
@@ -29,6 +32,7 @@ class SteppedParticipant : public Participant {
  public:
   // Step numbers are checked by the Conversation, all else of a request here.
   void advance(const wire::Advance& request, wire::Predicted& predicted) final;
+  void condense(const wire::Condense& request, wire::Condensed& condensed) final;
   void complete() final;
   void snapshot(const wire::SnapshotRequest& request, wire::Snapshot& snapshot) final;
   void exchange(state::Archive& archive) final;
@@ -61,6 +65,15 @@ class SteppedParticipant : public Participant {
   virtual void remember_for_peaks() {}
   virtual void take_peaks(const Step& /*step*/) {}
 
+  // A model that can wait, condensed (wire.proto, Condense and Following): says what it is to its masters; gets
+  // the velocities of half a step before, then everything of this step, demand included; goes on by itself.
+  virtual void condense_solver(const wire::Condense& /*request*/, wire::Condensed& condensed) {
+    condensed.set_reason("this model cannot wait");
+  }
+  virtual void follow(const Step& /*step*/, const wire::Following& /*masters*/) {}
+  virtual double arrive(const Step& /*step*/) { return 0; }
+  virtual void go_on() {}
+
   // Before the step: what its energies and histories need of the state before it.
   virtual void prepare(const Step& step, const wire::Advance& wanted) = 0;
   // Moves to `step`, finds its forces, predicts the velocities half a step later. The first half completes
@@ -86,6 +99,9 @@ class SteppedParticipant : public Participant {
   void correct_last_step(const google::protobuf::RepeatedField<double>& impulses);
   void take_peaks_due();
   void relax(const wire::Advance& request, wire::Relaxation& answer);
+  void begin_time(const Drift& drift);
+  void follow_masters(const wire::Advance& request, wire::Predicted& predicted);
+  void answer(const Step& step, const wire::Advance& request, wire::Predicted& predicted);
 
   Step last_{0, 0.0};
   bool scaled_ = false;         // masses, in statics
@@ -93,6 +109,7 @@ class SteppedParticipant : public Participant {
   bool corrected_ = false;      // it was
   bool peaks_due_ = false;      // it enters the peaks once it is corrected
   bool interior_left_ = false;  // it is not whole
+  std::size_t masters_ = 0;     // of a model that waits, condensed; 0: it does not
 };
 
 }  // namespace adit::protocol

@@ -56,6 +56,10 @@ inline constexpr std::uint64_t kMaxModelBytes = 4096ull << 20;
 inline constexpr std::uint64_t kInterfaceBytes = 64;
 inline constexpr std::uint64_t kSnapshotBytes = 1024;
 inline constexpr std::uint64_t kStateBytes = 2048;
+// Of a condensed model: the lower triangles of two matrices over x and y of its masters.
+constexpr std::uint64_t condensed_bytes(std::uint64_t masters) {
+  return 16 * masters * (2 * masters + 3);
+}
 constexpr std::uint64_t most_state_bytes(std::uint64_t samples) {
   return kMaxRunBytes + kStateBytes * samples;
 }

@@ -71,7 +71,7 @@ CoarseMass::Directions<Sides> CoarseMass::factor(const Interpolation& coarse,
       fixed.push_back(2 * j + direction);
   }
   Directions<Sides> result{
-      .factor = SymmetricFactor(assemble(coarse, fine_masses, diagonal, direction, rows, size)),
+      .factor = protocol::SymmetricFactor(assemble(coarse, fine_masses, diagonal, direction, rows, size)),
       .own = std::vector<std::size_t>(size),
       .fixed = std::move(fixed),
       .x = Eigen::Array<double, Sides, Eigen::Dynamic>(Sides, size)};

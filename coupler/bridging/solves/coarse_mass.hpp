@@ -11,7 +11,7 @@
 
 #include "coupler/bridging/interpolation.hpp"
 #include "coupler/bridging/solves/multipliers.hpp"
-#include "coupler/bridging/solves/symmetric_factor.hpp"
+#include "protocol/kernels/symmetric_factor.hpp"
 
 namespace adit::coupler {
 
@@ -33,7 +33,7 @@ class CoarseMass {
   // prescribed in one direction only.
   template <int Sides>
   struct Directions {
-    SymmetricFactor factor;
+    protocol::SymmetricFactor factor;
     std::vector<std::size_t> own;                   // for each place of the factor, its value in `own`
     std::vector<std::size_t> fixed;                 // the values in `own` whose solution is 0
     Eigen::Array<double, Sides, Eigen::Dynamic> x;  // right-hand sides, whose memory is reused

@@ -196,6 +196,7 @@ void GeneralEngine::exchange(state::Archive& archive) {
   solver_.exchange(archive);
   loads_.exchange(archive);
   motions_.exchange(archive);
+  exchange_waiting(archive);
   archive("lists_looked_at", lists_);
   archive("escaped", escaped_);
   archive("spring_breaks", spring_breaks_);

@@ -3,6 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "dem_server/engines/figures.hpp"
@@ -54,6 +58,13 @@ class GeneralEngine final : public LocalEngine {
   void stop() override;
   void begin_stage(std::uint32_t stage) override;
   void start_over(const protocol::Drift& drift) override;
+  std::variant<Condensed, std::string> condense(const protocol::SparseRows& ties,
+                                                std::size_t masters) override;
+  void follow(const MastersMotion& masters, double dt) override;
+  void arrive(const protocol::Step& step) override;
+  void go_on() override;
+  double stored_strain() const override { return solver_.strain_energy().sum(); }
+  double demand() const override;
   void exchange(state::Archive& archive) override;
 
  private:
@@ -63,6 +74,14 @@ class GeneralEngine final : public LocalEngine {
   std::size_t elements() const override {
     return solver_.bonds().size() + solver_.facets().size() + solver_.contacts().size();
   }
+
+  void exchange_mechanics(state::Archive& archive);
+  void exchange_waiting(state::Archive& archive);
+  void return_to_rest();
+  // Moves the particles from where they are [m], [rad], and finds their forces.
+  void displace(std::span<const double> motion);
+  std::vector<double> forces() const;
+  void set_velocities(std::span<const double> velocities);
 
   void require_finite(const protocol::Step& step) const;
   // Tells the user once of a particle that is far from where it stood.
@@ -79,6 +98,13 @@ class GeneralEngine final : public LocalEngine {
   bool escaped_ = false;
   std::uint32_t stage_ = 0;  // reached
   SpringBreaks spring_breaks_;
+  // Of particles that wait: the state from which they follow, how, and where they are to be.
+  struct Waiting {
+    state::Parts rest;
+    std::optional<Substructure> substructure = {};
+    ParticlesMotion motion = {};
+  };
+  std::optional<Waiting> waiting_;
 };
 
 }  // namespace adit::dem

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "dem_server/engines/general/build_arrays.hpp"
 #include "dem_server/particles/integrate.hpp"
@@ -119,6 +120,13 @@ void Solver::step(const protocol::Step& step, Loads& loads, PrescribedMotions& m
   motions.impose(step, particles_);
   walls_.drive(step);
   take_results(step.relax);
+}
+
+void Solver::displace(Loads& loads, PrescribedMotions& motions) {
+  Damping none;
+  std::swap(damping_, none);
+  step({.number = 1, .dt = 1, .relax = true}, loads, motions);
+  std::swap(damping_, none);
 }
 
 void Solver::plan(const protocol::Step& step, const Loads& loads, const PrescribedMotions& motions) {

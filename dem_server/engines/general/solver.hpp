@@ -55,6 +55,9 @@ class Solver {
   void tie(std::span<const std::uint32_t> discs);
   // One whole step.
   void step(const protocol::Step& step, Loads& loads, PrescribedMotions& motions);
+  // Moves the discs by what their velocities make of a second, all loads steady, and finds the forces there.
+  // Neither dashpots nor damping act; the velocities afterwards mean nothing.
+  void displace(Loads& loads, PrescribedMotions& motions);
   std::size_t threads() const { return team_->threads(); }
   void took(double seconds) { team_->took(seconds); }
   // The particles were stopped: so are the walls.

@@ -30,6 +30,8 @@ class InterfaceOperator {
   std::size_t rows() const { return n_.rows(); }
   std::span<const std::uint32_t> points() const { return points_; }  // that take part, ascending
 
+  const SparseRows& matrix() const { return n_; }  // its columns are places in points()
+
   // All of the message but the inverse masses, which belong to points() in their order.
   void fill(wire::Operator& op) const;
 

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace adit::coupler {
+namespace adit::protocol {
 
 class SymmetricFactor {
  public:
@@ -44,4 +44,4 @@ class SymmetricFactor {
   std::vector<int> places_;            // P
 };
 
-}  // namespace adit::coupler
+}  // namespace adit::protocol

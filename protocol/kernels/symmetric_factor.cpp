@@ -1,15 +1,15 @@
-#include "coupler/bridging/solves/symmetric_factor.hpp"
+#include "protocol/kernels/symmetric_factor.hpp"
 
 #include <stdexcept>
 
-namespace adit::coupler {
+namespace adit::protocol {
 
 SymmetricFactor::SymmetricFactor(const Eigen::SparseMatrix<double>& lower) {
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor(lower);
   pivots_ = factor.vectorD();
   // Eigen's L D L^T also factors indefinite matrices, so the signs of the pivots are checked here.
   if (factor.info() != Eigen::Success || (size() > 0 && !(pivots_.minCoeff() > 0)))
-    throw std::logic_error("a mass matrix of the interface is not positive definite");
+    throw std::logic_error("a matrix is not positive definite");
   lower_ = factor.matrixL().nestedExpression();
   const auto& places = factor.permutationP().indices();
   places_.assign(places.begin(), places.end());
@@ -20,4 +20,4 @@ std::size_t SymmetricFactor::bytes() const {
   return entries * (sizeof(double) + sizeof(int)) + rows * (sizeof(double) + 2 * sizeof(int));
 }
 
-}  // namespace adit::coupler
+}  // namespace adit::protocol

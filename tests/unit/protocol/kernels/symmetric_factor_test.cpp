@@ -1,13 +1,13 @@
 // Requirement: the factor solves what it factored, says what it holds in memory, and takes no matrix that is
 // not positive definite.
-#include "coupler/bridging/solves/symmetric_factor.hpp"
+#include "protocol/kernels/symmetric_factor.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <random>
 
-namespace adit::coupler::symmetric_factor_test {
+namespace adit::protocol::symmetric_factor_test {
 namespace {
 
 Eigen::SparseMatrix<double> lower_of(const Eigen::MatrixXd& matrix) {
@@ -54,4 +54,4 @@ TEST(SymmetricFactor, RefusesWhatIsNotPositiveDefinite) {
 }
 
 }  // namespace
-}  // namespace adit::coupler::symmetric_factor_test
+}  // namespace adit::protocol::symmetric_factor_test

@@ -1,0 +1,379 @@
+#include "coupler/stepping/condensed_regions.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "protocol/errors.hpp"
+#include "protocol/log/waiting.hpp"
+#include "protocol/messages/spans.hpp"
+
+namespace adit::coupler {
+namespace {
+
+constexpr double kSafety = 1.5;  // of the largest rate of the demand so far
+
+Eigen::Map<const Eigen::VectorXd> as_vector(const google::protobuf::RepeatedField<double>& values) {
+  return {values.data(), values.size()};
+}
+
+Eigen::MatrixXd from_lower(const google::protobuf::RepeatedField<double>& values, Eigen::Index size) {
+  Eigen::MatrixXd matrix(size, size);
+  int next = 0;
+  for (Eigen::Index row = 0; row < size; ++row)
+    for (Eigen::Index column = 0; column <= row; ++column)
+      matrix(row, column) = matrix(column, row) = values[next++];
+  return matrix;
+}
+
+void assign(google::protobuf::RepeatedField<double>& field, const Eigen::VectorXd& values) {
+  std::ranges::copy(values, protocol::resize(field, static_cast<std::size_t>(values.size())).begin());
+}
+
+}  // namespace
+
+CondensedRegions::CondensedRegions(Model& model, Ledger& ledger, StepCost& cost)
+    : model_(model), ledger_(ledger), cost_(cost) {
+  const Participant* other = nullptr;
+  for (std::size_t s = 0; s < model.participants.size(); ++s) {
+    const Participant& participant = model.participants[s];
+    if (participant.member.role != Role::kParticles) continue;
+    const scene::Particles particles = part_of(model.scene, participant.member).particles();
+    const std::string path = participant.member.path + ".begin";
+    if (!particles.has_begin()) {
+      other = &participant;
+      continue;
+    }
+    std::vector<const Interface*> joined;
+    for (const Interface& interface : model.interfaces)
+      if (interface.fine == s || interface.coarse == s) joined.push_back(&interface);
+    if (joined.size() != 1 || model.participants[joined[0]->coarse].member.role != Role::kContinuum)
+      throw protocol::UserError(path,
+                                "is for particles that one interface joins to a continuum; leave it out");
+    Region& region = regions_.emplace_back();
+    region.particles = s;
+    region.grid = joined[0]->coarse;
+    region.share = particles.begin().demand();
+  }
+  waits_ = !regions_.empty();
+  if (waits_ && other)
+    throw protocol::UserError(
+        other->member.path + ".begin",
+        "is missing, but other regions of the scene wait, and all begin at once; give it to all "
+        "of them, or to none");
+}
+
+// All are asked before the first answer is read.
+void CondensedRegions::condense() {
+  condensed_ = true;
+  for (Region& region : regions_) {
+    Participant& particles = model_.participants[region.particles];
+    const Participant& grid = model_.participants[region.grid];
+    std::map<std::uint32_t, std::uint32_t> number;  // of a master, by its number among the grid's own points
+    wire::Condense& request = *particles.request.mutable_condense();
+    request.Clear();
+    request.add_row_starts(0);
+    region.own.clear();
+    for (const Segment& segment : grid.segments)
+      for (const Segment& its : particles.segments)
+        if (its.global == segment.global)
+          for (std::size_t row = segment.begin; row < segment.begin + segment.count; ++row) {
+            const auto columns = grid.interpolation->columns(row);
+            for (std::size_t k = 0; k < columns.size(); ++k) {
+              const auto [found, added] =
+                  number.try_emplace(columns[k], static_cast<std::uint32_t>(number.size()));
+              if (added) region.own.push_back(columns[k]);
+              request.add_columns(found->second);
+              request.add_values(grid.interpolation->values(row)[k]);
+            }
+            request.add_row_starts(static_cast<std::uint32_t>(request.columns_size()));
+          }
+    request.set_masters(static_cast<std::uint32_t>(region.own.size()));
+    std::map<std::size_t, std::size_t> place;  // of a grid's own point, among its coupling points
+    for (std::size_t k = grid.nodes_begin; k < grid.places.size() / 2; ++k)
+      place[grid.interpolation->columns(k)[0]] = k;
+    region.place.clear();
+    for (const std::size_t own : region.own) {
+      if (!place.contains(own))
+        throw protocol::UserError(
+            particles.interface_path + ".overlap",
+            "is narrower than the zones that it cuts, so that the grid points which move the "
+            "waiting particles lie beyond its width; widen it to a zone or more");
+      region.place.push_back(place[own]);
+    }
+    require_own_points(region);
+    particles.drift.reset();
+    particles.connection->post(particles.request);
+  }
+  for (Region& region : regions_) {
+    Participant& particles = model_.participants[region.particles];
+    const protocol::Waiting waiting(fmt::format("{} condenses its model", particles.connection->name()),
+                                    [&] { return particles.connection->progress(); });
+    collect(particles, wire::Frame::kCondensed);
+    const wire::Condensed& told = particles.reply.condensed();
+    const bool near = told.demand() >= region.share;
+    if (waits_ && (near || !told.reason().empty()))
+      beginning_ = {
+          0, told.demand(), particles.member.name,
+          near ? fmt::format("{:.2g} of a strength is used at rest already", told.demand()) : told.reason()};
+    waits_ = waits_ && !beginning_;
+    if (waits_) read(region, told);
+  }
+}
+
+// Two regions that share a point of the grid would have to be solved for together.
+void CondensedRegions::require_own_points(const Region& region) const {
+  for (const Region& other : regions_) {
+    if (&other == &region) return;
+    if (other.grid == region.grid && std::ranges::any_of(region.own, [&](std::size_t own) {
+          return std::ranges::find(other.own, own) != other.own.end();
+        }))
+      throw protocol::UserError(
+          model_.participants[region.particles].interface_path + ".overlap",
+          fmt::format(
+              "lies in zones that the overlap of `{}` reaches too, and both regions wait; move them apart by "
+              "a zone, or leave out `begin`",
+              model_.participants[other.particles].member.name));
+  }
+}
+
+void CondensedRegions::read(Region& region, const wire::Condensed& told) {
+  const Participant& particles = model_.participants[region.particles];
+  const Participant& grid = model_.participants[region.grid];
+  const auto size = static_cast<Eigen::Index>(2 * region.own.size());
+  if (told.stiffness_size() != size * (size + 1) / 2 || told.mass_size() != told.stiffness_size() ||
+      told.force_size() != size)
+    throw protocol::PeerLost(
+        particles.connection->name(),
+        fmt::format("condensed its model to another number of points than {}", size / 2));
+  const double dt = model_.dt;
+  region.stiffness = from_lower(told.stiffness(), size);
+  region.inertia = from_lower(told.mass(), size) + 0.25 * dt * dt * region.stiffness;
+  region.force = as_vector(told.force());
+  region.strain_at_rest = told.strain_energy();
+  region.mass.resize(size);
+  for (Eigen::Index k = 0; k < size; ++k)
+    region.mass[k] =
+        1 / grid.interpolation->inverse_masses()[2 * region.own[static_cast<std::size_t>(k / 2)] +
+                                                 static_cast<std::size_t>(k % 2)];
+  Eigen::MatrixXd sum = region.inertia;
+  for (Eigen::Index k = 0; k < size; ++k) {
+    if (std::isfinite(region.mass[k])) {
+      sum(k, k) += region.mass[k];
+      continue;
+    }
+    sum.row(k).setZero();
+    sum.col(k).setZero();
+    sum(k, k) = 1;
+  }
+  region.step.compute(sum);
+  if (region.step.info() != Eigen::Success)
+    throw protocol::PeerLost(particles.connection->name(),
+                             "condensed its model to masses that are not positive");
+  region.any_prescribed = !region.mass.allFinite();
+  region.restoring.setZero(size);
+  region.kick.setZero(size);
+  const bool goes_on = region.q.size() > 0;
+  for (auto* vector : {&region.q, &region.before, &region.velocities, &region.impulses, &region.q_told}) {
+    if (!goes_on) vector->setZero(size);
+    state::require_of_model(vector->size() == size, "region_motion");
+  }
+  region.restoring_told = region.stiffness * region.q_told;
+  if (!goes_on) region.demand = told.demand();
+}
+
+std::optional<GridMotion> CondensedRegions::step(std::uint64_t n, Wanted wanted) {
+  fill_request(request_, n, model_.dt, wanted);
+  ask(Role::kContinuum);
+  {
+    const Stopwatch solving(cost_.solve);
+    for (Participant& participant : model_.participants)
+      if (participant.member.role == Role::kContinuum) std::ranges::fill(participant.correction.renew(), 0.0);
+    for (Region& region : regions_) move(region, n);
+    book_grids(wanted);
+  }
+  const bool near =
+      std::ranges::any_of(regions_, [this](const Region& region) { return may_be_near(region); });
+  if (near || wanted.histories || wanted.peaks) follow(n, wanted);
+  if (wanted.energies) {
+    for (const Region& region : regions_) ledger_.take_condensed(region.particles, energies_of(region));
+    ledger_.compare();
+  }
+  const auto first =
+      std::ranges::find_if(regions_, [](const Region& region) { return region.demand >= region.share; });
+  if (first == regions_.end()) return std::nullopt;
+  return begin(n, *first);
+}
+
+void CondensedRegions::ask(Role role) {
+  const Stopwatch waiting(cost_.wait);
+  for (Participant& participant : model_.participants)
+    if (participant.member.role == role) post_advance(participant, request_);
+  for (Participant& participant : model_.participants)
+    if (participant.member.role == role) receive_prediction(participant);
+}
+
+// At the prescribed points of the grid the region is moved; what that takes is told to the grid as well.
+void CondensedRegions::move(Region& region, std::uint64_t n) {
+  Participant& grid = model_.participants[region.grid];
+  const double dt = n == 0 ? model_.dt / 2 : model_.dt;
+  const auto size = region.mass.size();
+  if (n > 0) {
+    region.before = region.velocities;
+    region.q += dt * region.before;
+  }
+  region.restoring.noalias() = region.stiffness * region.q;
+  const auto at = [&region](Eigen::Index k) {
+    return 2 * region.place[static_cast<std::size_t>(k / 2)] + static_cast<std::size_t>(k % 2);
+  };
+  for (Eigen::Index k = 0; k < size; ++k) region.kick[k] = grid.predicted[at(k)] - region.before[k];
+  const Eigen::VectorXd force = dt * (region.force - region.restoring);
+  Eigen::VectorXd prescribed = Eigen::VectorXd::Zero(size), change = force;
+  for (Eigen::Index k = 0; k < size; ++k)
+    if (region.prescribed(k)) prescribed[k] = region.kick[k];
+  if (region.any_prescribed) change -= region.inertia * prescribed;
+  for (Eigen::Index k = 0; k < size; ++k)
+    change[k] = region.prescribed(k) ? prescribed[k] : change[k] + region.mass[k] * region.kick[k];
+  region.step.solveInPlace(change);
+  const Eigen::VectorXd impulses = region.inertia * change - force;
+  if (n == 0) {
+    region.velocities = change;
+    region.before = -change;
+    region.kick *= 2;
+    region.impulses = 2 * impulses;
+  } else {
+    region.velocities = region.before + change;
+    region.work += 0.5 * region.before.dot(region.impulses + impulses);
+    region.impulses = impulses;
+  }
+  const std::span<double> corrections = grid.correction.renew();
+  for (Eigen::Index k = 0; k < size; ++k) corrections[at(k)] = -impulses[k];
+}
+
+void CondensedRegions::book_grids(Wanted wanted) {
+  for (std::size_t s = 0; s < model_.participants.size(); ++s) {
+    Participant& participant = model_.participants[s];
+    if (participant.member.role != Role::kContinuum) continue;
+    correct_velocities(participant);
+    if (wanted.energies) ledger_.take_energies(s, participant);
+    ledger_.close_step(s, participant);
+  }
+}
+
+ParticipantEnergies CondensedRegions::energies_of(const Region& region) {
+  const double followed = 0.5 * region.q.dot(region.restoring) - region.q.dot(region.force);
+  return {.kinetic = 0.5 * region.before.dot(region.inertia * region.velocities),
+          .strain = region.strain_at_rest + followed + region.external_work,
+          .external_work = region.external_work,
+          .multiplier_work = region.work};
+}
+
+bool CondensedRegions::may_be_near(const Region& region) {
+  const double square = (region.q - region.q_told).dot(region.restoring - region.restoring_told);
+  return region.demand + kSafety * region.rate * std::sqrt(std::max(0.0, square)) >= region.share;
+}
+
+// The particles' velocities are those half of their own step before and later.
+void CondensedRegions::follow(std::uint64_t n, Wanted wanted) {
+  fill_request(request_, n * model_.substeps, particles_dt(), wanted);
+  const double share = 0.5 / model_.substeps;
+  for (const Region& region : regions_) {
+    Participant& particles = model_.participants[region.particles];
+    particles.correction.withhold();
+    const Eigen::VectorXd middle = 0.5 * (region.before + region.velocities),
+                          change = region.velocities - region.before;
+    wire::Following& following = *request_.mutable_follow();
+    assign(*following.mutable_displacements(), region.q);
+    assign(*following.mutable_velocities_before(), middle - share * change);
+    assign(*following.mutable_velocities(), middle + share * change);
+    post_advance(particles, request_);
+  }
+  const Stopwatch waiting(cost_.wait);
+  for (Region& region : regions_) {
+    Participant& particles = model_.participants[region.particles];
+    receive_prediction(particles);
+    particles.corrected = particles.predicted;
+    const wire::Predicted& told = particles.prediction();
+    if (told.has_energies()) region.external_work = told.energies().external_work();
+    const double square = (region.q - region.q_told).dot(region.restoring - region.restoring_told);
+    if (square > 0)
+      region.rate = std::max(region.rate, std::abs(told.demand() - region.demand) / std::sqrt(square));
+    region.demand = told.demand();
+    region.q_told = region.q;
+    region.restoring_told = region.restoring;
+  }
+  ++followings_;
+}
+
+// What the grid gets is as if it had been stepped by the other scheme all along: with several steps of the
+// particles in one of its own, its prediction is made of its velocity at the time of the step and half of its
+// own kick (shared_kick.hpp).
+GridMotion CondensedRegions::begin(std::uint64_t n, const Region& first) {
+  waits_ = false;
+  beginning_ = {n, first.demand, model_.participants[first.particles].member.name};
+  GridMotion motion{std::vector<double>(model_.coupling_points.size()),
+                    std::vector<double>(model_.coupling_points.size())};
+  for (const Region& region : regions_) {
+    Participant &grid = model_.participants[region.grid], &particles = model_.participants[region.particles];
+    ledger_.begin(region.particles, particles, region.work);
+    const Eigen::VectorXd velocities = 0.5 * (region.before + region.velocities) +
+                                       0.5 / model_.substeps * (region.velocities - region.before);
+    spread(region, velocities, motion.velocities);
+    spread(region, region.kick, motion.kicks);
+    if (model_.substeps == 1) continue;
+    const std::span<double> corrections = grid.correction.renew();
+    for (Eigen::Index k = 0; k < region.mass.size(); ++k)
+      if (!region.prescribed(k))
+        corrections[2 * region.place[static_cast<std::size_t>(k / 2)] + static_cast<std::size_t>(k % 2)] =
+            region.mass[k] * (velocities[k] - region.before[k] - 0.5 * region.kick[k]);
+  }
+  return motion;
+}
+
+// From the masters to the region's part of all coupling points.
+void CondensedRegions::spread(const Region& region, const Eigen::VectorXd& of_masters,
+                              std::vector<double>& at_points) const {
+  const Participant &grid = model_.participants[region.grid],
+                    &particles = model_.participants[region.particles];
+  std::vector<double> own(2 * grid.interpolation->own_points()), at_its(grid.places.size());
+  for (std::size_t k = 0; k < region.own.size(); ++k)
+    for (std::size_t component = 0; component < 2; ++component)
+      own[2 * region.own[k] + component] = of_masters[static_cast<Eigen::Index>(2 * k + component)];
+  grid.interpolation->interpolate(own, at_its);
+  for (const Segment& segment : grid.segments)
+    for (const Segment& its : particles.segments)
+      if (its.global == segment.global)
+        std::copy_n(at_its.begin() + static_cast<std::ptrdiff_t>(2 * segment.begin), 2 * segment.count,
+                    at_points.begin() + static_cast<std::ptrdiff_t>(2 * segment.global));
+}
+
+void CondensedRegions::exchange(state::Archive& archive) {
+  archive("regions_wait", waits_);
+  archive("followings", followings_);
+  bool began = beginning_.has_value();
+  archive("regions_began", began);
+  if (began) {
+    if (!beginning_) beginning_.emplace();
+    archive("beginning_step", beginning_->step);
+    archive("beginning_demand", beginning_->demand);
+    archive("beginning_region", beginning_->region);
+    archive("beginning_reason", beginning_->reason);
+  }
+  if (!waits_) return;
+  for (Region& region : regions_) {
+    for (Eigen::VectorXd* vector :
+         {&region.q, &region.before, &region.velocities, &region.impulses, &region.q_told}) {
+      std::vector<double> values(vector->begin(), vector->end());
+      archive("region_motion", values);
+      *vector = Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+    }
+    archive("region_work", region.work);
+    archive("region_demand", region.demand);
+    archive("region_rate", region.rate);
+    archive("region_external_work", region.external_work);
+  }
+}
+
+}  // namespace adit::coupler

@@ -1,0 +1,113 @@
+// Particles that wait, condensed to the grid points that move them, until something in them comes near its
+// strength (`particles.begin`).
+//
+// A region that is linear is, to the grid points q in its overlap, a mass M_c, a stiffness K_c and a steady
+// force p (wire.proto, Condense). With the grid points' own mass M, their predicted velocities V* and the
+// time step dt, one step of both is
+//     (M + M_c + ¼ dt² K_c) (V(n+½) − V(n−½)) = M (V* − V(n−½)) + dt (p − K_c q(n)),
+// the mean acceleration for the region: it is stable whatever the step, and only K_c and M_c, which are small
+// and constant, enter. The grid gets the impulses M (V(n+½) − V*) at its points. Nothing else is exchanged,
+// and the particles rest, but for the steps at which results are wanted or the demand is looked at: there
+// they are told how the grid points have moved and are put into the state into which they have followed.
+//
+// The demand is looked at with every row of results, and as soon as it may have come near: it changes by less
+// than its largest rate so far, per square root of strain energy, allows.
+//
+// Energy: with M' = M_c + ¼ dt² K_c the scheme is the leap-frog one of M', so that ½ V(n−½)·M' V(n+½) + ½
+// q·K_c q − p·q changes by the work of the grid's impulses exactly, as the ledger has it.
+#pragma once
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coupler/exchange/round_trip.hpp"
+#include "coupler/participants/set_up.hpp"
+#include "coupler/stepping/ledger.hpp"
+#include "protocol/state/archive.hpp"
+
+namespace adit::coupler {
+
+// How particles that waited began to be computed.
+struct Beginning {
+  std::uint64_t step;  // of the model
+  double demand;
+  std::string region;
+  std::string reason = {};  // why none could wait; empty: the demand was reached
+};
+
+// The motion of the grid at the coupling points when the particles begin, one pair each [m/s].
+struct GridMotion {
+  std::vector<double> velocities;  // at the time of the step, and a quarter of a particles' step later
+  std::vector<double> kicks;       // by the grid's own forces, of a whole step
+};
+
+class CondensedRegions {
+ public:
+  // Throws protocol::UserError at `begin` where some of the scene's regions wait and others do not, or one
+  // that waits is not joined to a continuum alone.
+  CondensedRegions(Model& model, Ledger& ledger, StepCost& cost);
+
+  bool asked() const { return !regions_.empty(); }  // by the scene
+  bool wait() const { return waits_; }
+  // Before a step. They wait no longer where it finds that they cannot.
+  void prepare() {
+    if (waits_ && !condensed_) condense();
+  }
+  // To step n = 0, 1, 2 …. Afterwards either the regions still wait, or all of them have begun: then the
+  // answer is the grid's motion from which the next step starts.
+  std::optional<GridMotion> step(std::uint64_t n, Wanted wanted);
+
+  const std::optional<Beginning>& beginning() const { return beginning_; }
+  std::uint64_t followings() const { return followings_; }  // steps at which particles were told
+
+  void exchange(state::Archive& archive);
+
+ private:
+  struct Region {
+    std::size_t particles = 0, grid = 0;  // participants
+    double share = 1;                     // of the demand, at which it begins
+    std::vector<std::size_t> own, place;  // of each master: among the grid's own points; its coupling point
+    Eigen::VectorXd mass;                 // M, infinite where a motion is prescribed [kg]
+    bool any_prescribed = false;
+    Eigen::MatrixXd stiffness, inertia;      // K_c, M' [N/m], [kg]
+    Eigen::VectorXd force;                   // p [N]
+    Eigen::LLT<Eigen::MatrixXd> step;        // of M + M'
+    double strain_at_rest = 0;               // [J]
+    Eigen::VectorXd q, before, velocities;   // V(n−½), V(n+½) [m], [m/s]
+    Eigen::VectorXd restoring, kick;         // K_c q(n) [N], V* − V(n−½) [m/s]
+    Eigen::VectorXd impulses;                // on it, of the last step [N s]
+    double work = 0;                         // of these [J]
+    double demand = 0, rate = 0;             // the latest, and its largest change per root of energy [J^-1/2]
+    Eigen::VectorXd q_told, restoring_told;  // when it was looked at last
+    double external_work = 0;                // that the particles told last [J]
+    bool prescribed(Eigen::Index k) const { return any_prescribed && std::isinf(mass[k]); }
+  };
+
+  void condense();
+  void require_own_points(const Region& region) const;
+  void read(Region& region, const wire::Condensed& told);
+  void ask(Role role);
+  void move(Region& region, std::uint64_t n);
+  void book_grids(Wanted wanted);
+  static ParticipantEnergies energies_of(const Region& region);
+  static bool may_be_near(const Region& region);
+  void follow(std::uint64_t n, Wanted wanted);
+  GridMotion begin(std::uint64_t n, const Region& first);
+  void spread(const Region& region, const Eigen::VectorXd& of_masters, std::vector<double>& at_points) const;
+  double particles_dt() const { return model_.dt / model_.substeps; }
+
+  Model& model_;
+  Ledger& ledger_;
+  StepCost& cost_;
+  std::vector<Region> regions_;
+  bool waits_ = false, condensed_ = false;
+  std::optional<Beginning> beginning_;
+  std::uint64_t followings_ = 0;
+  wire::Advance request_;
+};
+
+}  // namespace adit::coupler

@@ -1,0 +1,126 @@
+#include "dem_server/condensation/substructure.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace adit::dem {
+namespace {
+
+constexpr Eigen::Index kTogether = 8;  // right-hand sides that pass through the factor together
+
+}  // namespace
+
+Substructure::Substructure(const Tangent& tangent, std::vector<double> masses,
+                           std::span<const std::uint32_t> tied, protocol::SparseRows ties,
+                           std::size_t masters)
+    : stiffness_(tangent.stiffness),
+      masses_(Eigen::Map<const Eigen::VectorXd>(masses.data(), static_cast<Eigen::Index>(masses.size()))),
+      forces_(Eigen::Map<const Eigen::VectorXd>(tangent.forces.data(),
+                                                static_cast<Eigen::Index>(tangent.forces.size()))),
+      tied_(tied.begin(), tied.end()),
+      ties_(std::move(ties)),
+      masters_(masters) {
+  std::vector<int> place(masses.size(), 0);  // among the freedoms i, -1 of others
+  for (const std::uint32_t i : tied_) place[kFreedoms * i] = place[kFreedoms * i + 1] = -1;
+  for (std::size_t k = 0; k < place.size(); ++k) {
+    if (place[k] < 0 || !(masses[k] > 0)) {
+      place[k] = -1;
+      continue;
+    }
+    place[k] = static_cast<int>(free_.size());
+    free_.push_back(static_cast<Eigen::Index>(k));
+  }
+  std::vector<Eigen::Triplet<double>> lower;
+  for (const Eigen::Index column : free_)
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(stiffness_, column); entry; ++entry) {
+      const int row = place[static_cast<std::size_t>(entry.row())],
+                of = place[static_cast<std::size_t>(column)];
+      if (row >= of) lower.emplace_back(row, of, entry.value());
+    }
+  const auto size = static_cast<Eigen::Index>(free_.size());
+  Eigen::SparseMatrix<double> inner(size, size);
+  inner.setFromTriplets(lower.begin(), lower.end());
+  try {
+    factor_.emplace(inner);
+  } catch (const std::logic_error&) {
+    throw NotHeld{};
+  }
+}
+
+Substructure::Columns Substructure::inside(Columns rows) const {
+  using Block = Eigen::Array<double, kTogether, Eigen::Dynamic>;
+  Columns solution = Columns::Zero(rows.rows(), rows.cols());
+  Block block(kTogether, factor_->size());
+  for (Eigen::Index begin = 0; begin < rows.cols(); begin += kTogether) {
+    const Eigen::Index count = std::min(kTogether, rows.cols() - begin);
+    block.setZero();
+    for (std::size_t i = 0; i < free_.size(); ++i)
+      block.col(factor_->place(static_cast<Eigen::Index>(i))).head(count) =
+          rows.row(free_[i]).segment(begin, count).transpose().array();
+    factor_->solve<kTogether>(block);
+    for (std::size_t i = 0; i < free_.size(); ++i)
+      solution.row(free_[i]).segment(begin, count) =
+          block.col(factor_->place(static_cast<Eigen::Index>(i))).head(count).transpose().matrix();
+  }
+  return solution;
+}
+
+Substructure::Columns Substructure::follow(const Columns& masters) const {
+  Columns motion = Columns::Zero(masses_.size(), masters.cols());
+  for (std::size_t k = 0; k < tied_.size(); ++k) {
+    const auto columns = ties_.columns(k);
+    const auto values = ties_.values(k);
+    for (std::size_t e = 0; e < columns.size(); ++e)
+      for (Eigen::Index component = 0; component < 2; ++component)
+        motion.row(kFreedoms * tied_[k] + component) += values[e] * masters.row(2 * columns[e] + component);
+  }
+  return motion - inside(stiffness_ * motion);
+}
+
+Substructure::Columns Substructure::gather(const Columns& forces) const {
+  const Columns all = forces - stiffness_ * inside(forces);
+  Columns gathered = Columns::Zero(static_cast<Eigen::Index>(2 * masters_), forces.cols());
+  for (std::size_t k = 0; k < tied_.size(); ++k) {
+    const auto columns = ties_.columns(k);
+    const auto values = ties_.values(k);
+    for (std::size_t e = 0; e < columns.size(); ++e)
+      for (Eigen::Index component = 0; component < 2; ++component)
+        gathered.row(2 * columns[e] + component) += values[e] * all.row(kFreedoms * tied_[k] + component);
+  }
+  return gathered;
+}
+
+// In blocks of columns, since T has as many as there are masters, and a row for each freedom.
+Condensed Substructure::condense() const {
+  const auto size = static_cast<Eigen::Index>(2 * masters_);
+  Condensed condensed{Eigen::MatrixXd(size, size), Eigen::MatrixXd(size, size), gather(forces_)};
+  constexpr Eigen::Index kBlock = 4 * kTogether;
+  for (Eigen::Index begin = 0; begin < size; begin += kBlock) {
+    const Eigen::Index count = std::min(kBlock, size - begin);
+    Columns unit = Columns::Zero(size, count);
+    for (Eigen::Index k = 0; k < count; ++k) unit(begin + k, k) = 1;
+    const Columns motion = follow(unit);
+    condensed.stiffness.middleCols(begin, count) = gather(stiffness_ * motion);
+    condensed.mass.middleCols(begin, count) = gather(masses_.asDiagonal() * motion);
+  }
+  return condensed;
+}
+
+ParticlesMotion Substructure::recover(const MastersMotion& masters, double dt) const {
+  const auto size = static_cast<Eigen::Index>(2 * masters_);
+  Columns of_masters(size, 3);
+  const std::span<const double> columns[] = {masters.displacements, masters.velocities_before,
+                                             masters.velocities};
+  for (Eigen::Index k = 0; k < 3; ++k)
+    of_masters.col(k) = Eigen::Map<const Eigen::VectorXd>(columns[k].data(), size);
+  Columns motion = follow(of_masters);
+  const Columns acceleration = (motion.col(2) - motion.col(1)) / dt;
+  motion.col(0) -= inside(masses_.asDiagonal() * acceleration);
+  const auto values = [&motion](Eigen::Index k) {
+    return std::vector<double>(motion.col(k).begin(), motion.col(k).end());
+  };
+  return {values(0), values(1), values(2)};
+}
+
+}  // namespace adit::dem
