@@ -14,6 +14,16 @@ namespace adit::coupler {
 namespace {
 
 constexpr double kSafety = 1.5;  // of the largest rate of the demand so far
+// What they take on a core of 2023 [s]: a number of a matrix that does not fit its cache, a step of a cell.
+constexpr double kNumber = 0.8e-9, kParticleStep = 0.15e-6;
+
+// Visits the grid's segments that are also the particles'.
+template <class Visit>
+void for_each_shared(const Participant& grid, const Participant& particles, Visit&& visit) {
+  for (const Segment& segment : grid.segments)
+    for (const Segment& its : particles.segments)
+      if (its.global == segment.global) visit(segment);
+}
 
 Eigen::Map<const Eigen::VectorXd> as_vector(const google::protobuf::RepeatedField<double>& values) {
   return {values.data(), values.size()};
@@ -70,40 +80,11 @@ void CondensedRegions::condense() {
   condensed_ = true;
   for (Region& region : regions_) {
     Participant& particles = model_.participants[region.particles];
-    const Participant& grid = model_.participants[region.grid];
-    std::map<std::uint32_t, std::uint32_t> number;  // of a master, by its number among the grid's own points
-    wire::Condense& request = *particles.request.mutable_condense();
-    request.Clear();
-    request.add_row_starts(0);
-    region.own.clear();
-    for (const Segment& segment : grid.segments)
-      for (const Segment& its : particles.segments)
-        if (its.global == segment.global)
-          for (std::size_t row = segment.begin; row < segment.begin + segment.count; ++row) {
-            const auto columns = grid.interpolation->columns(row);
-            for (std::size_t k = 0; k < columns.size(); ++k) {
-              const auto [found, added] =
-                  number.try_emplace(columns[k], static_cast<std::uint32_t>(number.size()));
-              if (added) region.own.push_back(columns[k]);
-              request.add_columns(found->second);
-              request.add_values(grid.interpolation->values(row)[k]);
-            }
-            request.add_row_starts(static_cast<std::uint32_t>(request.columns_size()));
-          }
-    request.set_masters(static_cast<std::uint32_t>(region.own.size()));
-    std::map<std::size_t, std::size_t> place;  // of a grid's own point, among its coupling points
-    for (std::size_t k = grid.nodes_begin; k < grid.places.size() / 2; ++k)
-      place[grid.interpolation->columns(k)[0]] = k;
-    region.place.clear();
-    for (const std::size_t own : region.own) {
-      if (!place.contains(own))
-        throw protocol::UserError(
-            particles.interface_path + ".overlap",
-            "is narrower than the zones that it cuts, so that the grid points which move the "
-            "waiting particles lie beyond its width; widen it to a zone or more");
-      region.place.push_back(place[own]);
-    }
-    require_own_points(region);
+    find_masters(region, *particles.request.mutable_condense());
+    if (const std::string cost = costs_more(region); !cost.empty()) return cannot_wait(region, cost);
+  }
+  for (const Region& region : regions_) {
+    Participant& particles = model_.participants[region.particles];
     particles.drift.reset();
     particles.connection->post(particles.request);
   }
@@ -113,14 +94,62 @@ void CondensedRegions::condense() {
                                     [&] { return particles.connection->progress(); });
     collect(particles, wire::Frame::kCondensed);
     const wire::Condensed& told = particles.reply.condensed();
-    const bool near = told.demand() >= region.share;
-    if (waits_ && (near || !told.reason().empty()))
-      beginning_ = {
-          0, told.demand(), particles.member.name,
-          near ? fmt::format("{:.2g} of a strength is used at rest already", told.demand()) : told.reason()};
-    waits_ = waits_ && !beginning_;
-    if (waits_) read(region, told);
+    if (!told.reason().empty())
+      cannot_wait(region, told.reason());
+    else if (waits_)
+      read(region, told);
   }
+}
+
+void CondensedRegions::cannot_wait(const Region& region, const std::string& reason) {
+  if (waits_) beginning_ = {0, 1, model_.participants[region.particles].member.name, reason};
+  waits_ = false;
+}
+
+// The masters are numbered as they come in the rows of N.
+void CondensedRegions::find_masters(Region& region, wire::Condense& request) const {
+  const Participant &particles = model_.participants[region.particles],
+                    &grid = model_.participants[region.grid];
+  std::map<std::uint32_t, std::uint32_t> number;  // of a master, by its number among the grid's own points
+  request.Clear();
+  request.add_row_starts(0);
+  region.own.clear();
+  for_each_shared(grid, particles, [&](const Segment& segment) {
+    for (std::size_t row = segment.begin; row < segment.begin + segment.count; ++row) {
+      const auto columns = grid.interpolation->columns(row);
+      for (std::size_t k = 0; k < columns.size(); ++k) {
+        const auto [found, added] = number.try_emplace(columns[k], static_cast<std::uint32_t>(number.size()));
+        if (added) region.own.push_back(columns[k]);
+        request.add_columns(found->second);
+        request.add_values(grid.interpolation->values(row)[k]);
+      }
+      request.add_row_starts(static_cast<std::uint32_t>(request.columns_size()));
+    }
+  });
+  request.set_masters(static_cast<std::uint32_t>(region.own.size()));
+  std::map<std::size_t, std::size_t> place;  // of a grid's own point, among its coupling points
+  for (std::size_t k = grid.nodes_begin; k < grid.places.size() / 2; ++k)
+    place[grid.interpolation->columns(k)[0]] = k;
+  region.place.clear();
+  for (const std::size_t own : region.own) {
+    if (!place.contains(own))
+      throw protocol::UserError(
+          particles.interface_path + ".overlap",
+          "is narrower than the zones that it cuts, so that the grid points which move the "
+          "waiting particles lie beyond its width; widen it to a zone or more");
+    region.place.push_back(place[own]);
+  }
+  require_own_points(region);
+}
+
+// A step of full matrices against as many steps of the particles as it replaces.
+std::string CondensedRegions::costs_more(const Region& region) const {
+  const Participant& particles = model_.participants[region.particles];
+  const double numbers = 2 * std::pow(2.0 * static_cast<double>(region.own.size()), 2);
+  const auto count = static_cast<double>(particles.counts.particles());
+  if (numbers * kNumber <= count * model_.substeps * kParticleStep) return {};
+  return fmt::format("{} grid points in its overlap would cost more than its {} particles in {} substeps",
+                     region.own.size(), particles.counts.particles(), model_.substeps);
 }
 
 // Two regions that share a point of the grid would have to be solved for together.
@@ -168,8 +197,9 @@ void CondensedRegions::read(Region& region, const wire::Condensed& told) {
     sum.col(k).setZero();
     sum(k, k) = 1;
   }
-  region.step.compute(sum);
-  if (region.step.info() != Eigen::Success)
+  const Eigen::LLT<Eigen::MatrixXd> factor(sum);
+  region.inverse = factor.solve(Eigen::MatrixXd::Identity(size, size));
+  if (factor.info() != Eigen::Success)
     throw protocol::PeerLost(particles.connection->name(),
                              "condensed its model to masses that are not positive");
   region.any_prescribed = !region.mass.allFinite();
@@ -196,7 +226,12 @@ std::optional<GridMotion> CondensedRegions::step(std::uint64_t n, Wanted wanted)
   }
   const bool near =
       std::ranges::any_of(regions_, [this](const Region& region) { return may_be_near(region); });
-  if (near || wanted.histories || wanted.peaks) follow(n, wanted);
+  const bool seen = std::ranges::any_of(regions_, [&](const Region& region) {
+    return wanted.peaks || (wanted.histories && !model_.participants[region.particles].histories.empty());
+  });
+  reached_ = n;
+  told_ = false;
+  if (n == 0 || near || seen) follow(wanted);
   if (wanted.energies) {
     for (const Region& region : regions_) ledger_.take_condensed(region.particles, energies_of(region));
     ledger_.compare();
@@ -236,8 +271,11 @@ void CondensedRegions::move(Region& region, std::uint64_t n) {
   if (region.any_prescribed) change -= region.inertia * prescribed;
   for (Eigen::Index k = 0; k < size; ++k)
     change[k] = region.prescribed(k) ? prescribed[k] : change[k] + region.mass[k] * region.kick[k];
-  region.step.solveInPlace(change);
-  const Eigen::VectorXd impulses = region.inertia * change - force;
+  change = region.inverse * change;
+  Eigen::VectorXd impulses(size);
+  for (Eigen::Index k = 0; k < size; ++k)
+    impulses[k] = region.prescribed(k) ? region.inertia.col(k).dot(change) - force[k]
+                                       : region.mass[k] * (region.kick[k] - change[k]);
   if (n == 0) {
     region.velocities = change;
     region.before = -change;
@@ -276,8 +314,10 @@ bool CondensedRegions::may_be_near(const Region& region) {
 }
 
 // The particles' velocities are those half of their own step before and later.
-void CondensedRegions::follow(std::uint64_t n, Wanted wanted) {
-  fill_request(request_, n * model_.substeps, particles_dt(), wanted);
+void CondensedRegions::follow(Wanted wanted) {
+  wanted.energies = true;
+  told_ = true;
+  fill_request(request_, reached_ * model_.substeps, particles_dt(), wanted);
   const double share = 0.5 / model_.substeps;
   for (const Region& region : regions_) {
     Participant& particles = model_.participants[region.particles];
@@ -296,7 +336,7 @@ void CondensedRegions::follow(std::uint64_t n, Wanted wanted) {
     receive_prediction(particles);
     particles.corrected = particles.predicted;
     const wire::Predicted& told = particles.prediction();
-    if (told.has_energies()) region.external_work = told.energies().external_work();
+    region.external_work = told.energies().external_work();
     const double square = (region.q - region.q_told).dot(region.restoring - region.restoring_told);
     if (square > 0)
       region.rate = std::max(region.rate, std::abs(told.demand() - region.demand) / std::sqrt(square));
@@ -342,16 +382,17 @@ void CondensedRegions::spread(const Region& region, const Eigen::VectorXd& of_ma
     for (std::size_t component = 0; component < 2; ++component)
       own[2 * region.own[k] + component] = of_masters[static_cast<Eigen::Index>(2 * k + component)];
   grid.interpolation->interpolate(own, at_its);
-  for (const Segment& segment : grid.segments)
-    for (const Segment& its : particles.segments)
-      if (its.global == segment.global)
-        std::copy_n(at_its.begin() + static_cast<std::ptrdiff_t>(2 * segment.begin), 2 * segment.count,
-                    at_points.begin() + static_cast<std::ptrdiff_t>(2 * segment.global));
+  for_each_shared(grid, particles, [&](const Segment& segment) {
+    std::copy_n(at_its.begin() + static_cast<std::ptrdiff_t>(2 * segment.begin), 2 * segment.count,
+                at_points.begin() + static_cast<std::ptrdiff_t>(2 * segment.global));
+  });
 }
 
 void CondensedRegions::exchange(state::Archive& archive) {
   archive("regions_wait", waits_);
   archive("followings", followings_);
+  archive("regions_reached", reached_);
+  archive("regions_told", told_);
   bool began = beginning_.has_value();
   archive("regions_began", began);
   if (began) {

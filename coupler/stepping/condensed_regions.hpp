@@ -10,8 +10,8 @@
 // and the particles rest, but for the steps at which results are wanted or the demand is looked at: there
 // they are told how the grid points have moved and are put into the state into which they have followed.
 //
-// The demand is looked at with every row of results, and as soon as it may have come near: it changes by less
-// than its largest rate so far, per square root of strain energy, allows.
+// The demand is looked at with every row of results of the particles, and as soon as it may have come near:
+// it changes by less than its largest rate so far, per square root of strain energy, allows.
 //
 // Energy: with M' = M_c + ¼ dt² K_c the scheme is the leap-frog one of M', so that ½ V(n−½)·M' V(n+½) + ½
 // q·K_c q − p·q changes by the work of the grid's impulses exactly, as the ledger has it.
@@ -61,6 +61,11 @@ class CondensedRegions {
   // answer is the grid's motion from which the next step starts.
   std::optional<GridMotion> step(std::uint64_t n, Wanted wanted);
 
+  // The particles are told how the grid has moved at the step reached, if they were not.
+  void tell() {
+    if (waits_ && condensed_ && !told_) follow({});
+  }
+
   const std::optional<Beginning>& beginning() const { return beginning_; }
   std::uint64_t followings() const { return followings_; }  // steps at which particles were told
 
@@ -75,7 +80,7 @@ class CondensedRegions {
     bool any_prescribed = false;
     Eigen::MatrixXd stiffness, inertia;      // K_c, M' [N/m], [kg]
     Eigen::VectorXd force;                   // p [N]
-    Eigen::LLT<Eigen::MatrixXd> step;        // of M + M'
+    Eigen::MatrixXd inverse;                 // of M + M' [1/kg]
     double strain_at_rest = 0;               // [J]
     Eigen::VectorXd q, before, velocities;   // V(n−½), V(n+½) [m], [m/s]
     Eigen::VectorXd restoring, kick;         // K_c q(n) [N], V* − V(n−½) [m/s]
@@ -88,6 +93,9 @@ class CondensedRegions {
   };
 
   void condense();
+  void cannot_wait(const Region& region, const std::string& reason);
+  void find_masters(Region& region, wire::Condense& request) const;
+  std::string costs_more(const Region& region) const;  // empty: it does not
   void require_own_points(const Region& region) const;
   void read(Region& region, const wire::Condensed& told);
   void ask(Role role);
@@ -95,7 +103,7 @@ class CondensedRegions {
   void book_grids(Wanted wanted);
   static ParticipantEnergies energies_of(const Region& region);
   static bool may_be_near(const Region& region);
-  void follow(std::uint64_t n, Wanted wanted);
+  void follow(Wanted wanted);
   GridMotion begin(std::uint64_t n, const Region& first);
   void spread(const Region& region, const Eigen::VectorXd& of_masters, std::vector<double>& at_points) const;
   double particles_dt() const { return model_.dt / model_.substeps; }
@@ -105,6 +113,8 @@ class CondensedRegions {
   StepCost& cost_;
   std::vector<Region> regions_;
   bool waits_ = false, condensed_ = false;
+  std::uint64_t reached_ = 0;  // step of the model
+  bool told_ = false;          // the particles, how the grid has moved at it
   std::optional<Beginning> beginning_;
   std::uint64_t followings_ = 0;
   wire::Advance request_;

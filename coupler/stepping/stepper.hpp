@@ -47,7 +47,10 @@ class Stepper {
   void relax(std::uint64_t n, const Relaxing& how);
 
   // The state at the step reached, of every participant in turn.
-  std::vector<wire::Snapshot> snapshots() { return take_snapshots(model_.participants); }
+  std::vector<wire::Snapshot> snapshots() {
+    regions_.tell();
+    return take_snapshots(model_.participants);
+  }
 
   void exchange(state::Archive& archive) {
     ledger_.exchange(archive);

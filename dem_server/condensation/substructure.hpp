@@ -49,7 +49,7 @@ class Substructure {
   // coupling point; `ties`: N. Throws NotHeld where nothing holds a particle that is there.
   struct NotHeld {};
   Substructure(const Tangent& tangent, std::vector<double> masses, std::span<const std::uint32_t> tied,
-               protocol::SparseRows ties, std::size_t masters);
+               const protocol::SparseRows& ties, std::size_t masters);
 
   Condensed condense() const;
   // `dt`: between both velocities [s].
@@ -59,12 +59,14 @@ class Substructure {
   using Columns = Eigen::MatrixXd;               // of freedoms, or of masters
   Columns follow(const Columns& masters) const;  // T
   Columns gather(const Columns& forces) const;   // T'
-  Columns inside(Columns rows) const;            // K_ii^-1, of rows of all freedoms; 0 at those that are tied
+  template <int kSides>
+  void solve_inside(const Columns& rows, Eigen::Index begin, Columns& solution) const;
+  Columns inside(const Columns& rows) const;  // K_ii^-1, of rows of all freedoms; 0 at those that are tied
 
-  Eigen::SparseMatrix<double> stiffness_;
+  Eigen::SparseMatrix<double> stiffness_, held_;  // K; its columns of the freedoms at coupling points
   Eigen::VectorXd masses_, forces_;
   std::vector<std::uint32_t> tied_;
-  protocol::SparseRows ties_;
+  Eigen::SparseMatrix<double> ties_;  // N for x and y
   std::size_t masters_;
   std::vector<Eigen::Index> free_;  // freedoms i
   std::optional<protocol::SymmetricFactor> factor_;

@@ -89,9 +89,9 @@ class Engine {
 
   // Condensation of an engine that can: at rest, or with nothing stored if a run is resumed that waited.
   // `ties`: how the coupling points follow the masters. Returns why the particles cannot be condensed as they
-  // are.
+  // are: their demand reaches this share, or they are not linear.
   virtual std::variant<Condensed, std::string> condense(const protocol::SparseRows& /*ties*/,
-                                                        std::size_t /*masters*/) {
+                                                        std::size_t /*masters*/, double /*share*/) {
     return "this engine condenses none";
   }
   // The particles follow masters that have moved like this, `dt` [s] between both velocities: they get the

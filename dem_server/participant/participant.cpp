@@ -153,7 +153,7 @@ void DemParticipant::condense_solver(const wire::Condense& request, wire::Conden
   const protocol::SparseRows ties({request.row_starts().begin(), request.row_starts().end()},
                                   {request.columns().begin(), request.columns().end()},
                                   {request.values().begin(), request.values().end()});
-  const auto condensed = engine_->condense(ties, request.masters());
+  const auto condensed = engine_->condense(ties, request.masters(), scene_.particles().begin().demand());
   if (const auto* reason = std::get_if<std::string>(&condensed)) return answer.set_reason(*reason);
   const auto& [stiffness, mass, force] = std::get<Condensed>(condensed);
   for (Eigen::Index row = 0; row < stiffness.rows(); ++row)

@@ -1,6 +1,8 @@
 // The general engine while its particles wait, condensed (condensation/substructure.hpp): they are put where
 // they have followed their masters, from the state in which they began to wait, in one step by the code of
 // every step.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -29,11 +31,17 @@ double share_of_friction(const WornFacet& touching, const FacetLaw& law) {
 
 }  // namespace
 
+// What softened in statics is on its way to crack: it counts by how far it has come.
 double GeneralEngine::demand() const {
   double largest = 0;
-  for_each_bond(
-      [&largest](const ObservedPair& pair) { largest = std::max(largest, pair.demand.value_or(0)); });
   const FacetSet& set = solver_.facets().set();
+  for (const std::uint32_t k : solver_.facets().joining()) {
+    const WornFacet* worn = set.worn_facet(k);
+    if (worn && waiting_ && std::ranges::binary_search(waiting_->softened, k))
+      for (const WornFacet::End& end : worn->ends) largest = std::max(largest, end.point.wear / kCracked);
+    else
+      see_facet(k, [&](const ObservedPair& pair) { largest = std::max(largest, pair.demand.value_or(0)); });
+  }
   for (const std::uint32_t k : solver_.facets().touching()) {
     const WornFacet* worn = set.worn_facet(k);
     largest = std::max(largest, worn ? share_of_friction(*worn, set.laws[set.law[k]]) : 1);
@@ -44,21 +52,26 @@ double GeneralEngine::demand() const {
 }
 
 std::variant<Condensed, std::string> GeneralEngine::condense(const protocol::SparseRows& ties,
-                                                             std::size_t masters) {
+                                                             std::size_t masters, double share) {
   std::vector<std::uint32_t> tied;  // of each coupling point
   for (std::size_t k = 0; k < coupling().rows(); ++k) {
     if (coupling().matrix().columns(k).size() != 1) return "other models interpolate its coupling points";
     tied.push_back(coupling().points()[coupling().matrix().columns(k)[0]]);
   }
-  const bool resumed = waiting_.has_value();
-  state::Archive now;  // of a run that is resumed, where the particles are by then
+  state::Archive now;
   exchange_mechanics(now);
   const state::Parts present = now.take();
-  if (!resumed) waiting_ = Waiting{.rest = present};
-  return_to_rest();
-  if (demand() >= 1) {
+  const std::vector<double> at_rest(kFreedoms * particles().size(), 0.0);
+  if (!waiting_) waiting_ = Waiting{.rest = present, .reached = at_rest};
+  const std::vector<double> reached = std::exchange(waiting_->reached, at_rest);
+  put_mechanics(waiting_->rest);
+  waiting_->softened.clear();
+  for (const std::uint32_t k : solver_.facets().joining())
+    if (solver_.facets().set().worn_facet(k)) waiting_->softened.push_back(k);
+  if (const double used = demand(); used >= share) {
     waiting_.reset();
-    return "something breaks, slides or is open at rest already";
+    return used < 1 ? fmt::format("{:.2g} of a strength is used at rest already", used)
+                    : "something has cracked, slides or is open at rest already";
   }
   const FacetSet& set = solver_.facets().set();
   std::vector<std::uint32_t> first(set.first.begin(), set.first.end()),
@@ -70,8 +83,7 @@ std::variant<Condensed, std::string> GeneralEngine::condense(const protocol::Spa
   const Particles& p = particles();
   const Tangent tangent =
       tangent_of(p.radius, neighbourhood_of(p.size(), first, second), [this](std::span<const double> motion) {
-        return_to_rest();
-        displace(motion);
+        displace_to(motion);
         return forces();
       });
   std::vector<double> masses;
@@ -85,23 +97,22 @@ std::variant<Condensed, std::string> GeneralEngine::condense(const protocol::Spa
       waiting_->substructure.emplace(tangent, std::move(masses), tied, ties, masters);
       answer = waiting_->substructure->condense();
     } catch (const Substructure::NotHeld&) {
-      answer = "parts of it are not joined to the rest";
+      answer = "parts of it are held by nothing, or soften";
     }
   }
-  state::Archive back(present);
-  exchange_mechanics(back);
+  put_mechanics(present);
+  waiting_->reached = reached;
   if (std::holds_alternative<std::string>(answer)) waiting_.reset();
   return answer;
 }
 
 void GeneralEngine::follow(const MastersMotion& masters, double dt) {
   waiting_->motion = waiting_->substructure->recover(masters, dt);
-  return_to_rest();
   set_velocities(waiting_->motion.velocities_before);
 }
 
 void GeneralEngine::arrive(const protocol::Step& step) {
-  displace(waiting_->motion.displacements);
+  displace_to(waiting_->motion.displacements);
   require_finite(step);
   note_cracks();
   set_velocities(waiting_->motion.velocities);
@@ -118,13 +129,16 @@ void GeneralEngine::exchange_mechanics(state::Archive& archive) {
   motions_.exchange(archive);
 }
 
-void GeneralEngine::return_to_rest() {
-  state::Archive archive(waiting_->rest);
+void GeneralEngine::put_mechanics(const state::Parts& state) {
+  state::Archive archive(state);
   exchange_mechanics(archive);
 }
 
-void GeneralEngine::displace(std::span<const double> motion) {
-  set_velocities(motion);
+void GeneralEngine::displace_to(std::span<const double> motion) {
+  std::vector<double>& reached = waiting_->reached;
+  for (std::size_t k = 0; k < reached.size(); ++k) reached[k] = motion[k] - reached[k];
+  set_velocities(reached);
+  reached.assign(motion.begin(), motion.end());
   solver_.displace(loads_, motions_);
 }
 
@@ -155,6 +169,8 @@ void GeneralEngine::exchange_waiting(state::Archive& archive) {
   state::require_of_model(parts <= kMostParts, "rest_parts");
   waiting_->rest.resize(parts);
   for (std::string& part : waiting_->rest) archive("rest", part);
+  waiting_->reached.resize(kFreedoms * particles().size());
+  archive("rest_displacements", std::span(waiting_->reached));
 }
 
 }  // namespace adit::dem

@@ -58,8 +58,8 @@ class GeneralEngine final : public LocalEngine {
   void stop() override;
   void begin_stage(std::uint32_t stage) override;
   void start_over(const protocol::Drift& drift) override;
-  std::variant<Condensed, std::string> condense(const protocol::SparseRows& ties,
-                                                std::size_t masters) override;
+  std::variant<Condensed, std::string> condense(const protocol::SparseRows& ties, std::size_t masters,
+                                                double share) override;
   void follow(const MastersMotion& masters, double dt) override;
   void arrive(const protocol::Step& step) override;
   void go_on() override;
@@ -75,11 +75,12 @@ class GeneralEngine final : public LocalEngine {
     return solver_.bonds().size() + solver_.facets().size() + solver_.contacts().size();
   }
 
+  void see_facet(std::uint32_t facet, const SeePair& see) const;
   void exchange_mechanics(state::Archive& archive);
   void exchange_waiting(state::Archive& archive);
-  void return_to_rest();
-  // Moves the particles from where they are [m], [rad], and finds their forces.
-  void displace(std::span<const double> motion);
+  void put_mechanics(const state::Parts& state);
+  // Moves the particles that wait to where they are so far from rest [m], [rad], and finds their forces.
+  void displace_to(std::span<const double> motion);
   std::vector<double> forces() const;
   void set_velocities(std::span<const double> velocities);
 
@@ -98,9 +99,12 @@ class GeneralEngine final : public LocalEngine {
   bool escaped_ = false;
   std::uint32_t stage_ = 0;  // reached
   SpringBreaks spring_breaks_;
-  // Of particles that wait: the state from which they follow, how, and where they are to be.
+  // Of particles that wait: the state from which they follow, how far they are from it, how they follow, and
+  // where they are to be.
   struct Waiting {
     state::Parts rest;
+    std::vector<double> reached;               // of each freedom [m], [rad]
+    std::vector<std::uint32_t> softened = {};  // facets that were beyond their strength there, ascending
     std::optional<Substructure> substructure = {};
     ParticlesMotion motion = {};
   };

@@ -74,7 +74,11 @@ ObservedCrack crack_of(std::uint32_t facet, const Facets& facets, const Particle
 // Facets come after the bonds of discs.
 void GeneralEngine::for_each_bond(const SeePair& see) const {
   for (std::uint32_t k = 0; k < solver_.bonds().size(); ++k) see(forces_of(k, solver_, solver_.bonds()));
-  for (const std::uint32_t k : solver_.facets().joining()) see(forces_of(k, solver_));
+  for (const std::uint32_t k : solver_.facets().joining()) see_facet(k, see);
+}
+
+void GeneralEngine::see_facet(std::uint32_t facet, const SeePair& see) const {
+  see(forces_of(facet, solver_));
 }
 
 void GeneralEngine::see_bonds(std::span<const std::uint32_t> bonds, const SeePair& see) const {

@@ -98,6 +98,8 @@ void FacetSet::exchange(state::Archive& archive) {
   archive("worn_facets", all);
   if (!archive.reads()) return;
   std::ranges::fill(worn_place, 0u);
+  for (auto& block : worn) block.clear();
+  any_worn = false;
   std::vector<std::vector<WornFacet>> blocks(worn.size());
   for (const WornFacet& one : all) {
     state::require_below(std::array{one.facet}, size(), "worn_facets");
