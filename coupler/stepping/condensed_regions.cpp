@@ -13,6 +13,7 @@
 namespace adit::coupler {
 namespace {
 
+constexpr std::size_t kNowhere = ~std::size_t{0};
 constexpr double kSafety = 1.5;  // of the largest rate of the demand so far
 // What they take on a core of 2023 [s]: a number of a matrix that does not fit its cache, a step of a cell.
 constexpr double kNumber = 0.8e-9, kParticleStep = 0.15e-6;
@@ -81,7 +82,8 @@ void CondensedRegions::condense() {
   for (Region& region : regions_) {
     Participant& particles = model_.participants[region.particles];
     find_masters(region, *particles.request.mutable_condense());
-    if (const std::string cost = costs_more(region); !cost.empty()) return cannot_wait(region, cost);
+    for (const std::string& reason : {why_not_moved(region), costs_more(region)})
+      if (!reason.empty()) return cannot_wait(region, reason);
   }
   for (const Region& region : regions_) {
     Participant& particles = model_.participants[region.particles];
@@ -131,15 +133,22 @@ void CondensedRegions::find_masters(Region& region, wire::Condense& request) con
   for (std::size_t k = grid.nodes_begin; k < grid.places.size() / 2; ++k)
     place[grid.interpolation->columns(k)[0]] = k;
   region.place.clear();
-  for (const std::size_t own : region.own) {
-    if (!place.contains(own))
-      throw protocol::UserError(
-          particles.interface_path + ".overlap",
-          "is narrower than the zones that it cuts, so that the grid points which move the "
-          "waiting particles lie beyond its width; widen it to a zone or more");
-    region.place.push_back(place[own]);
+  for (const std::size_t own : region.own)
+    region.place.push_back(place.contains(own) ? place[own] : kNowhere);
+}
+
+// Two regions that share a point of the grid would have to be solved for together.
+std::string CondensedRegions::why_not_moved(const Region& region) const {
+  if (std::ranges::find(region.place, kNowhere) != region.place.end())
+    return "its overlap is narrower than a zone, and grid points that move it lie beyond its width";
+  for (const Region& other : regions_) {
+    if (&other == &region) break;
+    if (other.grid == region.grid && std::ranges::any_of(region.own, [&](std::size_t own) {
+          return std::ranges::find(other.own, own) != other.own.end();
+        }))
+      return fmt::format("the same zone moves it and `{}`", model_.participants[other.particles].member.name);
   }
-  require_own_points(region);
+  return {};
 }
 
 // A step of full matrices against as many steps of the particles as it replaces.
@@ -150,22 +159,6 @@ std::string CondensedRegions::costs_more(const Region& region) const {
   if (numbers * kNumber <= count * model_.substeps * kParticleStep) return {};
   return fmt::format("{} grid points in its overlap would cost more than its {} particles in {} substeps",
                      region.own.size(), particles.counts.particles(), model_.substeps);
-}
-
-// Two regions that share a point of the grid would have to be solved for together.
-void CondensedRegions::require_own_points(const Region& region) const {
-  for (const Region& other : regions_) {
-    if (&other == &region) return;
-    if (other.grid == region.grid && std::ranges::any_of(region.own, [&](std::size_t own) {
-          return std::ranges::find(other.own, own) != other.own.end();
-        }))
-      throw protocol::UserError(
-          model_.participants[region.particles].interface_path + ".overlap",
-          fmt::format(
-              "lies in zones that the overlap of `{}` reaches too, and both regions wait; move them apart by "
-              "a zone, or leave out `begin`",
-              model_.participants[other.particles].member.name));
-  }
 }
 
 void CondensedRegions::read(Region& region, const wire::Condensed& told) {

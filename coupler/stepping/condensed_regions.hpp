@@ -95,8 +95,8 @@ class CondensedRegions {
   void condense();
   void cannot_wait(const Region& region, const std::string& reason);
   void find_masters(Region& region, wire::Condense& request) const;
-  std::string costs_more(const Region& region) const;  // empty: it does not
-  void require_own_points(const Region& region) const;
+  std::string why_not_moved(const Region& region) const;  // empty: it can be
+  std::string costs_more(const Region& region) const;     // empty: it does not
   void read(Region& region, const wire::Condensed& told);
   void ask(Role role);
   void move(Region& region, std::uint64_t n);

@@ -29,8 +29,9 @@
 namespace adit::dem {
 
 struct Condensed {
-  Eigen::MatrixXd stiffness, mass;  // over x0 y0 x1 y1 … of the masters [N/m], [kg]
-  Eigen::VectorXd force;            // [N]
+  Eigen::MatrixXd stiffness, mass;       // over x0 y0 x1 y1 … of the masters [N/m], [kg]
+  Eigen::VectorXd force;                 // [N]
+  double strain_energy = 0, demand = 0;  // of the state from which displacements count [J], [1]
 };
 
 // How the masters have moved: pairs (x, y) [m], [m/s].

@@ -100,8 +100,6 @@ class Engine {
   virtual void arrive(const protocol::Step& /*step*/) {}
   // The first step follows that is no motion of masters.
   virtual void go_on() {}
-  // Strain energy in the present state, weighted [J].
-  virtual double stored_strain() const { return 0; }
   // The largest share of its strength that anything uses, 1 where it breaks, slides or opens.
   virtual double demand() const { return 0; }
 

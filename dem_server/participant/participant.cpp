@@ -155,15 +155,15 @@ void DemParticipant::condense_solver(const wire::Condense& request, wire::Conden
                                   {request.values().begin(), request.values().end()});
   const auto condensed = engine_->condense(ties, request.masters(), scene_.particles().begin().demand());
   if (const auto* reason = std::get_if<std::string>(&condensed)) return answer.set_reason(*reason);
-  const auto& [stiffness, mass, force] = std::get<Condensed>(condensed);
+  const auto& [stiffness, mass, force, strain_energy, demand] = std::get<Condensed>(condensed);
   for (Eigen::Index row = 0; row < stiffness.rows(); ++row)
     for (Eigen::Index column = 0; column <= row; ++column) {
       answer.add_stiffness(stiffness(row, column));
       answer.add_mass(mass(row, column));
     }
   assign(*answer.mutable_force(), std::span(force.data(), static_cast<std::size_t>(force.size())));
-  answer.set_strain_energy(engine_->stored_strain());
-  answer.set_demand(engine_->demand());
+  answer.set_strain_energy(strain_energy);
+  answer.set_demand(demand);
 }
 
 void DemParticipant::follow(const protocol::Step& step, const wire::Following& masters) {

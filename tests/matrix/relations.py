@@ -215,7 +215,7 @@ def by_numbers(world, row, scene, folder, base):
     table 4.1.5 (E_c), fib Model Code 2010, eq. 5.1-9. Its strengths in a laboratory are told alike."""
     of_mean = 1e6 / (1 - 1.645 * 0.233)
     c15 = {"young_modulus": 22e9, "poisson_ratio": 0.2}
-    if row["particles"] == "cells":  # discs take the elastic constants only
+    if row["particles"] != "lattice":  # discs take the elastic constants only
         c15["fracture"] = {"compressive_strength": 10.0 * of_mean, "tensile_strength": 1.27 * of_mean,
                            "fracture_energy": 73 * (10.0 * of_mean / 1e6)**0.18}
     changed = copy.deepcopy(scene)
@@ -459,7 +459,7 @@ OF_GRAINS = {
     general: lambda row: row["engine"] == "automatic",
 }
 OF_TUNNELS = {
-    balanced: always, mirrored: lambda row: row["particles"] != "cells", moved: lambda row: row["particles"] != "cells" and not tunnels.is_idle(row),
+    balanced: always, mirrored: lambda row: row["particles"] == "lattice", moved: lambda row: row["particles"] == "lattice" and not tunnels.is_idle(row),
     # Bond, dowels and fracture energy of a section follow formulas of the strength in MPa.
     scaled: lambda row: row["lining"] not in ("concrete", "reinforced"), scaled_stress: lambda row: row["lining"] not in ("concrete", "reinforced"),
     by_numbers: lambda row: row["lining"] == "concrete",

@@ -14,7 +14,7 @@ import schema
 FACTORS = {
     "plane": ["plane_strain", "plane_stress"],
     "shape": ["circle", "horseshoe", "box"],
-    "particles": ["lattice", "cells"],
+    "particles": ["lattice", "cells", "waiting"],
     "lining": ["solid", "breakable", "concrete", "reinforced", "segments", "bolts", "gasket", "keys", "neighbours"],
     "to_ground": ["touches", "bonded"],
     "tunnels": ["one", "two"],
@@ -44,6 +44,8 @@ REFUSED = (
     [({"shape": shape, **lining}, "segments") for shape in ("horseshoe", "box") for lining in ({"lining": "segments"}, {"as": "beam", "lining": "rings"})]
     + [({"plane": "plane_stress", "ground": "plastic"}, "plane strain")]
     + [({"particles": "lattice", "lining": "reinforced"}, "lattice of discs")]
+    + [({"particles": "waiting", "load": "body"}, "loads that change"), ({"particles": "waiting", "lining": "reinforced"}, "bars")]
+    + [({"particles": "waiting", "lining": lining}, "springs") for lining in ("bolts", "gasket", "keys", "neighbours")]
     + [({"as": "zones", "lining": lining, "stage": stage}, "tied to what lies outside") for lining in ("slips", "layers") for stage in ("stage", "released")]
     + [({"as": "zones", "lining": lining}, "segments") for lining in ("segments", "rings")]
 )
@@ -67,6 +69,7 @@ def is_idle(row):
 
 
 ROCK = {"young_modulus": 1e9, "poisson_ratio": 0.2, "density": 2000.0}
+STRENGTH = {"tensile_strength": 0.5e6, "fracture_energy": 50.0, "compressive_strength": 5e6}  # of ground that could break
 CONCRETE = {"young_modulus": 20e9, "poisson_ratio": 0.2, "density": 2500.0}
 CLASS = "C15"
 LOW, HIGH, WEST = -4.0, 4.0, -4.0
@@ -75,7 +78,8 @@ APART = 6.5  # of the two tunnels
 
 def scene(row):
     """The scene of a row."""
-    whole = {"plane": row["plane"], "material": dict(ROCK), "time": {"duration": 0.03, "substeps": int(row["substeps"])},
+    rock = {**ROCK, "fracture": STRENGTH} if row["particles"] == "waiting" else dict(ROCK)
+    whole = {"plane": row["plane"], "material": rock, "time": {"duration": 0.03, "substeps": int(row["substeps"])},
              "continuum": _continuum(row), "tunnels": _tunnels(row), "output": ground.output(row)}
     if row["rest"] in STATICS:
         whole["statics"] = {"unbalanced_ratio": 1e-6, "max_steps": 40000, "damping": row["rest"]}
@@ -179,7 +183,7 @@ def _lining(row):
     if row["to_ground"] == "bonded":
         lining["to_ground"] = {}
     kind = row["lining"]
-    if kind == "breakable" and row["particles"] == "cells":
+    if kind == "breakable" and row["particles"] != "lattice":
         lining["material"]["fracture"] = {"tensile_strength": 0.3e6, "fracture_energy": 20.0, "cohesion": 1e6}
     elif kind == "concrete":
         lining["material"] = {"concrete": CLASS, "density": 2500.0}
@@ -197,8 +201,10 @@ def _lining(row):
 
 
 def _region(row):
-    grains = {"size": 0.2, "ground_size": 0.3} if row["particles"] == "cells" else {"radius": 0.08}
+    grains = {"radius": 0.08} if row["particles"] == "lattice" else {"size": 0.2, "ground_size": 0.3}
     region = {**grains, "ground": 0.9, "overlap": 0.5, "bonds": {}}
+    if row["particles"] == "waiting":
+        region["begin"] = {"demand": 0.8}
     if row["ground"] == "stated":
         region["material"] = {**ROCK, "young_modulus": 1.02e9}
     if row["ground"] == "gouge":

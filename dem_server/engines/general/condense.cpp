@@ -68,7 +68,8 @@ std::variant<Condensed, std::string> GeneralEngine::condense(const protocol::Spa
   waiting_->softened.clear();
   for (const std::uint32_t k : solver_.facets().joining())
     if (solver_.facets().set().worn_facet(k)) waiting_->softened.push_back(k);
-  if (const double used = demand(); used >= share) {
+  const double used = demand(), strain_energy = solver_.strain_energy().sum();
+  if (used >= share) {
     waiting_.reset();
     return used < 1 ? fmt::format("{:.2g} of a strength is used at rest already", used)
                     : "something has cracked, slides or is open at rest already";
@@ -95,7 +96,10 @@ std::variant<Condensed, std::string> GeneralEngine::condense(const protocol::Spa
   } else {
     try {
       waiting_->substructure.emplace(tangent, std::move(masses), tied, ties, masters);
-      answer = waiting_->substructure->condense();
+      Condensed condensed = waiting_->substructure->condense();
+      condensed.strain_energy = strain_energy;
+      condensed.demand = used;
+      answer = std::move(condensed);
     } catch (const Substructure::NotHeld&) {
       answer = "parts of it are held by nothing, or soften";
     }

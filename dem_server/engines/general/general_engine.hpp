@@ -63,7 +63,6 @@ class GeneralEngine final : public LocalEngine {
   void follow(const MastersMotion& masters, double dt) override;
   void arrive(const protocol::Step& step) override;
   void go_on() override;
-  double stored_strain() const override { return solver_.strain_energy().sum(); }
   double demand() const override;
   void exchange(state::Archive& archive) override;
 

@@ -55,7 +55,7 @@ def zoom(run, share, size, out):
         raise Unusable(f"{run.folder}: the zones that reach {share:g} of their strength, the worst at ({x:.4g}, {y:.4g}) m, all lie where the grid is "
                        "held, loaded or absorbs waves, or within four zones of it; move that edge farther away.")
     require_ground(run, zones, found)
-    changes, counts, notes = differences(run, zones, found, size)
+    changes, counts, notes = differences(run, zones, found, share, size)
     out.parent.mkdir(parents=True, exist_ok=True)
     text = yaml.safe_dump({"extends": os.path.relpath(run.folder / "scene.yaml", out.parent)} | changes, sort_keys=False, default_flow_style=None, width=120)
     out.write_text(f"# Particles where the demand reached {share:g}, by {programs.command('zoom')}.\n{text}", encoding="utf-8")

@@ -15,9 +15,9 @@ MEANS = ("stress_xx", "stress_yy", "stress_xy")
 CIRCLE = 3  # cells in the radius of a mean
 
 
-def differences(run, zones, found, size=None):
-    """(mapping of the differences, [number of cells of each place], [notes]) for the Places found; `size` of the cells [m], which follows
-    from zones and materials where it is None."""
+def differences(run, zones, found, share, size=None):
+    """(mapping of the differences, [number of cells of each place], [notes]) for the Places found, which wait until their demand reaches
+    `share`; `size` of the cells [m], which follows from zones and materials where it is None."""
     continuum, notes = run.scene["continuum"], []
     materials = [continuum.get("material", run.scene.get("material")), *(area["material"] for area in continuum.get("materials", []))]
     numbers = run.fields()["grid"]["material"].astype(int)
@@ -25,8 +25,11 @@ def differences(run, zones, found, size=None):
     left = list(continuum.get("histories", []))
     for place in found:
         model, count = _particles(zones, place, size, numbers, materials)
-        if loads := continuum.get("body_loads"):
+        loads = continuum.get("body_loads", [])
+        if loads:
             model["body_loads"] = loads
+        if not any("time" in load for load in loads):
+            model["begin"] = {"demand": share}
         moved = [(history, _as_of_particles(history, zones, place, model["cells"]["size"], notes)) for history in left if _lies_in(history, zones, place)]
         if histories := [other for _, other in moved if other]:
             model["histories"] = histories

@@ -51,5 +51,14 @@ TEST(AnswerBounds, OfAStepHoldAllVelocitiesAndCracks) {
   EXPECT_EQ(bounds.longest(Frame::kAdvance), kMaxRunBytes + 8 * 200 + 256 * 4000);
 }
 
+TEST(AnswerBounds, OfACondensedModelHoldTwoTrianglesAndAForce) {
+  AnswerBounds bounds;
+  wire::Frame frame;
+  frame.mutable_condense()->set_masters(300);
+  bounds.asked(frame);
+  const std::uint64_t numbers = 600 * 601 + 600;  // of stiffness, mass and force
+  EXPECT_EQ(bounds.longest(Frame::kCondense), kMaxRunBytes + 8 * numbers + 8 * 600);
+}
+
 }  // namespace
 }  // namespace adit::coupler::answer_bounds_test

@@ -7,6 +7,8 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "protocol/errors.hpp"
 
@@ -61,6 +63,19 @@ class PointMass : public SteppedParticipant {
     note(fmt::format("take_peaks {}", step.number));
     peaks.push_back(velocity_);
   }
+  void condense_solver(const wire::Condense& request, wire::Condensed& condensed) override {
+    note(fmt::format("condense {}", request.masters()));
+    condensed.add_stiffness(1);
+  }
+  void follow(const Step& step, const wire::Following& masters) override {
+    note(fmt::format("follow {}", step.number));
+    velocity_ = masters.velocities(0);
+  }
+  double arrive(const Step& step) override {
+    note(fmt::format("arrive {}", step.number));
+    return 0.25;
+  }
+  void go_on() override { note("go_on"); }
   void prepare(const Step& step, const wire::Advance&) override {
     note(fmt::format("prepare {}", step.number));
   }
@@ -361,6 +376,83 @@ TEST(SteppedParticipant, RefusesOtherMassesInMotion) {
   expect_refused(run, scaling, "`scale_masses` changed without `stop`");
   scaling.set_stop(true);
   run.advance(scaling);
+}
+
+// A model with one coupling point, which follows two masters.
+wire::Frame condensing(std::vector<std::uint32_t> row_starts = {0, 2},
+                       std::vector<std::uint32_t> columns = {0, 1}, std::uint32_t masters = 2) {
+  wire::Frame request;
+  wire::Condense& condense = *request.mutable_condense();
+  condense.set_masters(masters);
+  condense.mutable_row_starts()->Add(row_starts.begin(), row_starts.end());
+  condense.mutable_columns()->Add(columns.begin(), columns.end());
+  for (std::size_t k = 0; k < columns.size(); ++k) condense.add_values(0.5);
+  return request;
+}
+
+wire::Advance following(std::uint64_t step, int numbers = 4) {
+  wire::Advance advance;
+  advance.set_step(step);
+  advance.set_dt(kDt);
+  for (int k = 0; k < numbers; ++k) {
+    advance.mutable_follow()->add_displacements(0);
+    advance.mutable_follow()->add_velocities_before(0);
+    advance.mutable_follow()->add_velocities(3);
+  }
+  return advance;
+}
+
+TEST(SteppedParticipant, WaitsAndFollowsItsMastersUntilItGoesOn) {
+  PointRun run;
+  run.conversation.answer(condensing(), run.reply);
+  EXPECT_EQ(run.reply.condensed().stiffness(0), 1);
+  EXPECT_THAT(run.participant.calls, ElementsAre("condense 2"));
+  const wire::Predicted& told = run.advance(following(0));
+  EXPECT_EQ(told.demand(), 0.25);
+  EXPECT_EQ(told.velocities(0), 3);
+  EXPECT_THAT(run.participant.calls, ElementsAre("follow 0", "prepare 0", "arrive 0"));
+  wire::Advance seen = following(7);  // steps in between are not told
+  seen.set_want_peaks(true);
+  run.advance(seen);
+  EXPECT_THAT(run.participant.calls, ElementsAre("follow 7", "prepare 7", "remember_for_peaks", "arrive 7"));
+  wire::Advance next;
+  next.set_step(8);
+  next.set_dt(kDt);
+  run.advance(next);
+  EXPECT_THAT(run.participant.calls, ElementsAre("go_on", "take_peaks 7", "prepare 8", "step_interface 8"));
+  EXPECT_EQ(run.reply.predicted().velocities(0), 3 + kDt * kForce / kMass);
+}
+
+TEST(SteppedParticipant, WaitsFromTheEndOfStatics) {
+  PointRun run;
+  wire::Advance relax;
+  relax.set_dt(kDt);
+  relax.set_relax(true);
+  run.advance(relax);
+  run.participant.calls.clear();
+  run.conversation.answer(condensing(), run.reply);
+  EXPECT_THAT(run.participant.calls, ElementsAre("start_over", "true_masses", "condense 2"));
+  EXPECT_EQ(run.advance(following(0)).demand(), 0.25);
+}
+
+TEST(SteppedParticipant, RefusesMastersThatDoNotFit) {
+  for (const auto& request :
+       {condensing({0}), condensing({0, 1}), condensing({1, 2}), condensing({0, 2}, {0, 2}),
+        condensing({0, 2}, {0, 0}, 0), condensing({0, 2}, {0, 1}, 3)}) {
+    PointRun run;
+    EXPECT_THROW(run.conversation.answer(request, run.reply), RequestError);
+  }
+  PointRun run;
+  EXPECT_THROW(run.advance(following(0)), RequestError);  // it does not wait
+  PointRun waiting;
+  waiting.conversation.answer(condensing(), waiting.reply);
+  EXPECT_THROW(waiting.advance(following(0, 3)), RequestError);
+  wire::Advance pushed = following(0);
+  pushed.add_impulses(1);
+  pushed.add_impulses(1);
+  EXPECT_THROW(waiting.advance(pushed), RequestError);
+  waiting.advance(following(5));
+  EXPECT_THROW(waiting.advance(following(5)), RequestError);  // again
 }
 
 }  // namespace

@@ -1,0 +1,134 @@
+"""Particles that wait (`particles.begin`): while a region is linear it is as if its cells were computed; they begin where something comes
+near its strength, with their energy, and crack as they would have; in any number of steps, threads and pieces of a run."""
+
+import copy
+import json
+import unittest
+
+import numpy as np
+
+from figures.computed import ComputedTest
+from programs import coupler
+
+from adit import Run
+
+STRONG = {"tensile_strength": 3e5, "fracture_energy": 60.0, "compressive_strength": 6e6, "friction_angle": 0.6}
+MATERIAL = {"young_modulus": 2e9, "poisson_ratio": 0.25, "density": 2200.0, "fracture": STRONG}
+WEIGHT = [{"acceleration": {"y": -9.81}}]
+WAVE = 3.0  # m/s^2, by which nothing comes near its strength; twenty times as much cracks the region
+CELL = 0.4  # m
+
+
+def scene(wave=WAVE, demand=0.8, substeps=1, size=CELL, **particles):
+    """Ground under its weight with a region of cells, sheared from below. Waves are eight times as long as the region is wide."""
+    begin = {} if demand is None else {"begin": {"demand": demand}}
+    return {
+        "material": MATERIAL, "time": {"duration": 0.1, "dt_factor": 0.8, "substeps": substeps}, "statics": {"unbalanced_ratio": 1e-6},
+        "initial_stress": {"yy_per_metre": 21582, "xx_per_metre": 12000},
+        "continuum": {
+            "block": {"x_min": -12, "x_max": 12, "y_min": -16, "y_max": 0, "zones_x": 24, "zones_y": 16}, "body_loads": WEIGHT,
+            "free_field": {"left": True, "right": True},
+            "base": {"kind": "compliant", "acceleration": {"ricker": {"frequency": 10, "time": 0.06}, "peak": wave}},
+            "histories": [{"name": "surface", "quantity": "velocity_x", "at": {"x": 6, "y": 0}}]},
+        "particles": {
+            "cells": {"x_min": -4, "x_max": 4, "y_min": -11, "y_max": -3, "size": size}, "body_loads": WEIGHT, **begin,
+            "sections": [{"name": "cut", "from": {"x": 0, "y": -8}, "to": {"x": 0, "y": -6}}],
+            "histories": [{"name": "middle", "quantity": quantity, "at": {"x": 0, "y": -7}} for quantity in ("displacement_x", "velocity_x")]
+            + [{"name": "middle", "quantity": "stress_xy", "at": {"x": 0, "y": -7}, "radius": 1.5},
+               {"name": "cut", "quantity": "shear_force", "section": "cut"}], **particles},
+        "interface": {"overlap": {"around": {"box": {"x_min": -2, "x_max": 2, "y_min": -9, "y_max": -5}}, "width": 2}, "solve": "split"},
+        "output": {"history_interval": 1e-3, "peaks": {"highest_frequency": 50}}}
+
+
+class Begin(ComputedTest):
+    def runs(self, **changes):
+        """The run of a scene whose region waits, and that of the same scene in which it does not."""
+        return self.run_of("waiting", **changes), self.run_of("computed", **{**changes, "demand": None})
+
+    def run_of(self, name, **changes):
+        return Run(self.run_scene(self.scene(json.dumps(scene(**changes))), out=name))
+
+    def differ(self, one, other, column):
+        a, b = one.histories[column], other.histories[column]
+        return np.abs(a - b).max() / np.abs(b - b[0]).max()
+
+    def assert_alike(self, one, other, **tolerances):
+        for column, tolerance in tolerances.items():
+            self.assertLess(self.differ(one, other, column), tolerance, column)
+
+    def test_a_region_that_waits_moves_as_its_cells_do(self):
+        for substeps in (1, 4):
+            with self.subTest(substeps=substeps):
+                waiting, computed = self.runs(substeps=substeps)
+                self.assertNotIn("particles_began_s", waiting.summary)
+                self.assert_alike(waiting, computed, surface_vx_m_per_s=2e-3, middle_ux_m=1e-3, middle_sxy_Pa=5e-3, cut_shear_N=1e-2)
+                self.assert_alike(waiting, computed, middle_vx_m_per_s=2e-2)  # they have no own oscillations
+                self.assertLess(np.abs(waiting.histories["energy_drift"]).max(), 1e-12)
+                for key in ("sections_smallest_thrust_N", "sections_largest_moment_Nm"):
+                    self.assertAlmostEqual(waiting.summary[key], computed.summary[key], delta=2e-2 * abs(computed.summary[key]), msg=key)
+                for column in ("kinetic_J", "strain_J", "multiplier_work_J"):
+                    self.assert_alike(waiting, computed, **{f"particles_{column}": 3e-2})
+
+    def test_cells_begin_before_they_crack_and_crack_as_they_would_have(self):
+        for substeps in (1, 4):
+            with self.subTest(substeps=substeps):
+                began, computed = self.runs(wave=20 * WAVE, substeps=substeps)
+                first, expected = began.table("cracks.csv"), computed.table("cracks.csv")
+                self.assertGreater(len(expected["time_s"]), 100)
+                self.assertLess(began.summary["particles_began_s"], first["time_s"][0])
+                self.assertGreaterEqual(began.summary["particles_began_demand"], 0.8)
+                self.assertLess(began.summary["particles_began_demand"], 0.9)
+                self.assertAlmostEqual(first["time_s"][0], expected["time_s"][0], delta=1e-3)
+                self.assertAlmostEqual(len(first["time_s"]) / len(expected["time_s"]), 1, delta=0.1)  # with another number of substeps they differ as much
+                self.assertLess(abs(began.summary["particles_began_energy_change"]), 2e-3)
+                before = began.histories["time_s"] < began.summary["particles_began_s"]
+                self.assertLess(np.abs(began.histories["energy_drift"][before]).max(), 1e-12)
+
+    def test_what_is_near_its_strength_at_rest_begins_at_once(self):
+        began, computed = self.runs(demand=0.01)
+        self.assertEqual(began.summary["particles_began_s"], 0)
+        self.assertIn("at rest", began.summary["particles_began_because"])
+        self.assert_alike(began, computed, middle_ux_m=1e-4, middle_vx_m_per_s=1e-3)
+
+    def test_threads_and_resumed_runs_change_no_bit(self):
+        """Checkpoints of before and after the beginning. The end of a run enters its peaks, and at it cells are put where they are."""
+        given = scene(wave=20 * WAVE, substeps=4)
+        del given["output"]["peaks"]
+        path = self.scene(json.dumps(given))
+        whole = self.run_scene(path, "--dem-threads", 2, out="whole")
+        began = json.loads((whole / "summary.json").read_text())["particles_began_s"]
+        for duration in (round(began / 2, 3), round(began + 0.005, 3)):
+            with self.subTest(duration=duration):
+                part = copy.deepcopy(given)
+                part["time"]["duration"] = duration
+                part["output"]["checkpoint"] = {}
+                run = self.run_scene(self.scene(json.dumps(part)), "--dem-threads", 1, out=f"to_{duration}")
+                resumed = coupler("resume", run, "--until", "100 ms", "--dem-threads", 1)
+                self.assertEqual(resumed.returncode, 0, resumed.stderr)
+                for name in ("histories.csv", "cracks.csv", "energies.csv"):
+                    self.assertEqual((run / name).read_bytes(), (whole / name).read_bytes(), name)
+
+    def test_a_recording_replays(self):
+        recording = self.folder / "run.rec"
+        self.run_scene(self.scene(json.dumps(scene(wave=20 * WAVE))), "--record", recording, out="recorded")
+        replayed = coupler("replay", recording)
+        self.assertEqual(replayed.returncode, 0, replayed.stdout + replayed.stderr)
+
+    def refusal(self, drop=None, **particles):
+        given = scene(**particles)
+        given["particles"].pop(drop, None)
+        told = coupler("run", self.scene(json.dumps(given)), "--out", self.folder / "refused")
+        self.assertEqual(told.returncode, 2, told.stderr)
+        self.assert_one_line(told.stderr)
+        return told.stderr
+
+    def test_what_cannot_wait_is_refused(self):
+        discs = {"packing": {"x_min": -4, "x_max": 4, "y_min": -11, "y_max": -3, "radius": 0.2}}
+        self.assertIn("pack `cells`", self.refusal(packing=discs["packing"], drop="cells"))
+        self.assertIn("`fracture`", self.refusal(material={key: value for key, value in MATERIAL.items() if key != "fracture"}))
+        self.assertIn("loads that change with time",
+                      self.refusal(body_loads=[{"acceleration": {"x": 1.0}, "time": {"sine": {"frequency": 10, "end": 0.1}}}]))
+
+
+if __name__ == "__main__":
+    unittest.main()
