@@ -19,7 +19,7 @@ def histories(results):
         lines = [line for line in lines if line[0] not in of_sections]
         if lines:
             left_out = len(lines) - time_pictures.MOST_LINES
-            told = f"{left_out} more histories of this quantity, which stay smaller, are in histories.csv."
+            told = f"{left_out} more histories of this quantity are in histories.csv."
             drawn.append(pictures.figure(time_pictures.histories(results, {name: (units, lines)}, f"{name} over time"),
                                          tag("p", told, class_="note") if left_out > 0 else None))
     return section("histories", "Histories", drawn)
