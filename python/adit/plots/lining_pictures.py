@@ -238,7 +238,7 @@ def _right_normals(linings):
     return np.stack([mean[:, 1], -mean[:, 0]], axis=1)
 
 
-def _range(values, scale, rounding):
+def _range(values, scale=1e3, rounding=0):
     size = max(np.abs(values).max(), rounding / ROUNDING)
     low, high = (settled(end, size) / scale for end in (values.min(), values.max()))
     return f"{low:,.4g} to {high:,.4g}"

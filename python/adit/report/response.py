@@ -1,6 +1,6 @@
 """The response of the model: histories, envelopes, cracks, energy."""
 from adit import Unusable
-from adit.plots import time_pictures, tunnel_pictures
+from adit.plots import lining_pictures, time_pictures, tunnel_pictures
 from adit.report import around, pictures
 from adit.report.markup import details, section, table, tag
 from adit.report.quantities import figure, place, quantity, unit_of
@@ -26,7 +26,7 @@ def histories(results):
 
 
 def envelopes(results):
-    """Along the tunnel, and around rings and linings."""
+    """Along the tunnel, around rings and along linings; thrust and moment against the capacity."""
     drawn = []
     if results.is_simplified:
         try:
@@ -36,6 +36,8 @@ def envelopes(results):
             results.faults.append(str(reason))
     linings = around.of_linings(results, results.last_pieces.get("linings"))
     drawn += [pictures.figure(each) for each in (*around.of_sections(results), *linings)]
+    capacities = (lining_pictures.lining_capacity, lining_pictures.member_capacity, lining_pictures.section_capacity)
+    drawn += [pictures.figure(drawing) for each in capacities if not results.is_simplified and (drawing := each(results))]
     return section("envelopes", "Envelopes", drawn)
 
 
