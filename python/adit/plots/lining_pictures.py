@@ -182,7 +182,7 @@ def _capacity(run, kind, whose, chains_of):
                        loc="lower center", ncol=3)]
 
     layout = Panels(1, len(shown), (5.2 * len(shown) + 0.6, 4.4), title_above=True, dense=True,
-                    margins={"left": 0.14 / len(shown), "right": 0.98, "top": 0.87, "bottom": 0.21, "wspace": 0.25})
+                    margins={"left": 0.14 / len(shown), "right": 1 - 0.05 / len(shown), "top": 0.87, "bottom": 0.21, "wspace": 0.25})
     return Drawing(run.name, f"thrust and moment against the capacity, {whose}", layout, paint)
 
 
