@@ -17,7 +17,7 @@ BESIDE = {"loc": "upper left", "bbox_to_anchor": (1.01, 1.03)}  # of a panel: it
 def drawn(title, runs):
     """{chapter of the page: {name of the file: drawing}}; chapters without a drawing are empty."""
     shared, found = shared_motions(runs), cracks(title, runs)
-    return {"comparison": {quantity.replace(" ", "_"): histories(title, quantity, *what)
+    return {"comparison": {quantity.replace(",", "").replace(" ", "_"): histories(title, quantity, *what)
                            for quantity, what in shared_histories(runs).items()},
             "motions": {"motions": motions.picture(title, shared)} if shared else {},
             "envelopes": dict(envelopes(title, runs)),
@@ -135,22 +135,24 @@ def envelopes(title, runs):
         yield "along_the_axis", tunnel_pictures.comparison(title, tunnels)
     found = {}
     for i, run in enumerate(runs):
-        for what, angle, peaks in around.largest(run):
-            found.setdefault(what, []).append((i, run, angle, peaks))
+        for what, places, peaks in around.largest(run):
+            found.setdefault(what, []).append((i, run, places, peaks))
     for number, (what, several) in enumerate(found.items(), 1):
         if len(several) > 1:
             yield f"around_{number}", _around(title, what, several)
 
 
 def _around(title, what, several):
+    first = several[0][2]
+
     def paint(*panels):
-        for i, run, angle, peaks in several:
+        for i, run, places, peaks in several:
             for axes, values in zip(panels, peaks):
-                axes.plot(angle, values, marker=".", ms=3, label=style.literal(run.name), **look(i))
-        around.label(panels)
+                axes.plot(places.at, values, marker=".", ms=3, label=style.literal(run.name), **look(i))
+        around.label(panels, first)
         return [legend(panels[0], **BESIDE)]
 
-    return Drawing(title, f"largest forces around {what}, without sign", Panels(3, 1, (8.0, 6.0), sharex=True), paint)
+    return Drawing(title, f"largest forces {around.words(first)} {what}, without sign", Panels(3, 1, (8.0, 6.0), sharex=True), paint)
 
 
 def shared_motions(runs):

@@ -70,11 +70,13 @@ def _with_field(pieces, field):
 
 
 def yield_state(run, time, pieces):
-    """Which zones yield now and which did before, and how; None if all ground is hysteretic."""
+    """Which zones yield now and which did before, and how; None if none does and no material of the scene may."""
     grid = pieces.get("grid")
     state = None if grid is None else grid.field("yield_state")
     heavy = grid is not None and heavy_cells(grid)
     if state is None or np.all(state[heavy] == HYSTERETIC):
+        return None
+    if not np.any(state[heavy].astype(int) & ~HYSTERETIC) and not _may_yield(run):
         return None
     found, left = [], heavy
     for bits, name, colour in YIELD:
@@ -92,6 +94,13 @@ def yield_state(run, time, pieces):
         return [legend(None, handles, ncol=min(len(handles), 4))]
 
     return Drawing(run.name, f"what yields at t = {style.instant(time)}", Sheet(style.bounds_of(grid.points)), paint)
+
+
+def _may_yield(run):
+    """Whether the scene states a material with a strength."""
+    parts = (run.scene, *(model for _, model in run.models))
+    materials = [each.get("material") or {} for part in parts for each in (part, *part.get("materials", []), *part.get("groups", []))]
+    return any(law in material for law in ("mohr_coulomb", "weak_plane") for material in materials)
 
 
 def _coloured(run, what, pieces, cells, values, unit, marked, near=None):

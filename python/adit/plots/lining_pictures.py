@@ -1,4 +1,6 @@
 """What linings, members and interfaces bear, drawn across them where it acts; thrust and moment against the capacity."""
+import re
+
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.lines import Line2D
@@ -7,7 +9,7 @@ from matplotlib.patches import Patch
 from adit.plots import style
 from adit.plots.drawing import Drawing, Panels, legend
 from adit.results.chains import chains
-from adit.results.rounding import settled
+from adit.results.rounding import ROUNDING, settled
 
 # Fields with their names, units, and a unit in those of the field.
 FORCES = (("thrust_N", "thrust N", "kN", 1e3), ("moment_Nm", "moment M", "kN m", 1e3), ("shear_N", "shear force Q", "kN", 1e3))
@@ -32,17 +34,35 @@ def member_forces(run, time, pieces):
 
 def _layers(run, linings):
     """[(names, whether each beam is one of theirs)] of linings that lie on the ground, on these, and so on; of rings beside them."""
+    return _by_layers(run, len(linings.cells), [(name, np.isin(linings.cells[:, 0], nodes)) for name, nodes in chains(run, linings)])
+
+
+def _faces(run, interfaces):
+    """The same of the interfaces of these linings; those between zones stand among those on the ground."""
+    number, models = interfaces.field("interface"), [model for _, model in run.models if model.get("linings") or model.get("interfaces")]
+    if number is None or len(models) != 1:
+        return _all_in_one(run, interfaces)
+    names = [each["name"] for each in (*models[0].get("interfaces", []), *(one for one in models[0].get("linings", []) if "interface" in one))]
+    return _by_layers(run, len(number), [(name, number == k) for k, name in enumerate(names) if (number == k).any()])
+
+
+def _all_in_one(run, lines):
+    return [("", np.full(len(lines.cells), True))]
+
+
+def _by_layers(run, count, parts):
+    """Rows of `count` lines from [(name, which lines are of it)]."""
     stated = {lining["name"]: lining for _, model in run.models for lining in model.get("linings", [])}
 
     def depth(name):
         return 1 + depth(stated[name]["on"]) if "on" in stated.get(name, {}) else 0
 
     found = {}
-    for name, nodes in chains(run, linings):
+    for name, of_it in parts:
         row = depth(name), "beside" in stated.get(name, {})
-        names, shown = found.setdefault(row, ([], np.zeros(len(linings.cells), bool)))
+        names, shown = found.setdefault(row, ([], np.zeros(count, bool)))
         names.append(name)
-        shown |= np.isin(linings.cells[:, 0], nodes)
+        shown |= of_it
     return [(", ".join(names), shown) for _, (names, shown) in sorted(found.items())]
 
 
@@ -67,7 +87,7 @@ def lining_joints(run, time, pieces):
         for joint in joints:
             side, opening = (1, outer[joint]) if outer[joint] >= inner[joint] else (-1, inner[joint])
             x, y = lines.points[joint] + side * size * (REACH * max(opening, 0) / largest + 0.1) * normals[joint]
-            axes.text(x, y, f"{opening / 1e-3:.2f}", ha="center", va="center", fontsize=8.5)
+            axes.text(x, y, f"{max(opening, 0) / 1e-3:.2f}", ha="center", va="center", fontsize=8.5)
         return [legend(None, [Line2D([], [], color=style.RED, lw=5, alpha=0.7, label="outer face"),
                               Line2D([], [], color=style.BLUE, lw=5, alpha=0.7, label="inner face")], loc="lower center", ncol=2)]
 
@@ -76,26 +96,27 @@ def lining_joints(run, time, pieces):
 
 
 def interfaces(run, time, pieces):
-    """One panel for each quantity of the interfaces, positive values to the right of the path."""
+    """One panel for each quantity of the interfaces, positive values to the right of the path; a row for each layer of linings."""
     return _across(run, pieces.get("interfaces"), OF_INTERFACES, f"interfaces at t = {style.instant(time)}", [
         Patch(fc=style.RED, alpha=0.5, label="positive: tension, or the left face moved along the path"),
-        Patch(fc=style.BLUE, alpha=0.5, label="negative")])
+        Patch(fc=style.BLUE, alpha=0.5, label="negative")], _faces)
 
 
-def _across(run, lines, quantities, title, entries, rows_of=lambda run, lines: [("", np.full(len(lines.cells), True))]):
+def _across(run, lines, quantities, title, entries, rows_of=_all_in_one):
     if lines is None or len(lines.cells) == 0:
         return None
     size = max(np.ptp(lines.points, axis=0))
     aside = np.array([max(size - np.ptp(lines.points[:, 0]), 0) / 2, 0])  # beside a column, for titles
     bounds = style.bounds_of(lines.points - REACH * size - aside, lines.points + REACH * size + aside)
     normals, rows = _right_normals(lines), rows_of(run, lines)
+    rounding = {name: ROUNDING * _beside(lines, name, size) for name, *_ in quantities}
 
     def paint(*panels):
         of_panels = [(*row, *quantity) for row in rows for quantity in quantities]
         for axes, (of, shown, name, what, unit, scale) in zip(panels, of_panels):
             axes.set(xlim=bounds[:2], ylim=bounds[2:], aspect="equal")
-            _draw(axes, lines, shown, normals, name, REACH * size)
-            values = _range(lines.field(name)[np.unique(lines.cells[shown])], scale)
+            _draw(axes, lines, shown, normals, name, REACH * size, rounding[name])
+            values = _range(lines.field(name)[np.unique(lines.cells[shown])], scale, rounding[name])
             axes.set_title(f"{what}: {values} {unit}", loc="left")
         for axes, (of, _) in zip(panels[::len(quantities)], rows):
             axes.set_ylabel(f"{of}\ny [m]" if len(rows) > 1 else "y [m]")
@@ -147,25 +168,52 @@ def _capacity(run, kind, whose, chains_of):
             if (kind, name) in limits:
                 axes.fill(*(limits[kind, name].T / 1e3), fc="none", ec=style.BLACK, lw=1.2)
             axes.plot(thrust, moment, color=style.RED, lw=0.9, marker=".", ms=3)
+            at_most = [found for what in ("thrust", "moment") if (found := _at_most(run, kind, name, what)) is not None]
+            if len(at_most) == 2:
+                axes.plot(*at_most, color=style.BLUE, ls="", marker="o", mfc="none", ms=6)
             axes.axhline(0, color=style.GREY, lw=0.4, zorder=0)
             axes.axvline(0, color=style.GREY, lw=0.4, zorder=0)
             x, y = pieces[-1].points[worst][:2]
             axes.set_title(f"{name}, ({x:.4g}, {y:.4g}) m: {peaks[worst]:.3g} of its capacity", loc="left")
             axes.set(xlabel="thrust N [kN], tension positive", ylabel="moment M [kN m]")
         return [legend(None, [Line2D([], [], color=style.BLACK, label="capacity"),
-                              Line2D([], [], color=style.RED, marker=".", label="where it is used most, at field times")],
-                       loc="lower center", ncol=2)]
+                              Line2D([], [], color=style.RED, marker=".", label="where it is used most, at field times"),
+                              Line2D([], [], color=style.BLUE, ls="", marker="o", mfc="none", label="when it is used most")],
+                       loc="lower center", ncol=3)]
 
     layout = Panels(1, len(shown), (5.2 * len(shown) + 0.6, 4.4), title_above=True, dense=True,
-                    margins={"left": 0.14 / len(shown), "right": 0.98, "top": 0.87, "bottom": 0.21, "wspace": 0.25})
+                    margins={"left": 0.14 / len(shown), "right": 1 - 0.05 / len(shown), "top": 0.87, "bottom": 0.21, "wspace": 0.25})
     return Drawing(run.name, f"thrust and moment against the capacity, {whose}", layout, paint)
 
 
-def _draw(axes, linings, shown, normals, name, reach):
-    """Draws a quantity across the shown beams, as large as in all of them together."""
-    values, cells = linings.field(name), linings.cells[shown]
-    peaks = [peak for end in ("least", "largest") if (peak := linings.field(f"peak_{end}_{name}")) is not None]
+def _beside(lines, name, size):
+    """The largest force that the lines bear, or its moment over their size: beside it a force or moment may be rounding. 0 of others."""
+    lever = {"thrust_N": 1, "moment_Nm": size, "shear_N": 1}
+    if name not in lever:
+        return 0
+    return lever[name] * max(np.abs(values).max() / lever[force] for force, values in _with_peaks(lines, lever))
+
+
+def _with_peaks(lines, names):
+    """(name, values) of fields, with their least and largest so far."""
+    return [(name, values) for name in names for end in ("", "peak_least_", "peak_largest_")
+            if (values := lines.field(f"{end}{name}")) is not None]
+
+
+def _at_most(run, kind, name, what):
+    """Thrust [kN] or moment [kN m] at the largest utilisation of a lining, a member or all sections."""
+    unit = {"thrust": "N", "moment": "Nm"}[what]
+    of = "sections" if kind == "section" else f"{kind}_{name}"
+    found = [value for key, value in run.summary.items() if re.fullmatch(rf"(.+_)?{re.escape(of)}_{what}_at_largest_utilisation_{unit}", key)]
+    return found[0] / 1e3 if len(found) == 1 else None
+
+
+def _draw(axes, linings, shown, normals, name, reach, rounding):
+    """Draws a quantity across the shown beams, as large as in all of them together; as 0 where all of it is `rounding`."""
+    (_, values), *rest = _with_peaks(linings, [name])
+    peaks, cells = [peak for _, peak in rest], linings.cells[shown]
     largest = np.abs([values, *peaks]).max()
+    largest = largest if largest > rounding else 0
     offset = normals * (reach * values / largest if largest > 0 else 0 * values)[:, None]
     ends = linings.points[cells]
     moved = (linings.points + offset)[cells]
@@ -190,6 +238,7 @@ def _right_normals(linings):
     return np.stack([mean[:, 1], -mean[:, 0]], axis=1)
 
 
-def _range(values, scale=1e3):
-    low, high = (settled(end / scale, np.abs(values).max() / scale) for end in (values.min(), values.max()))
+def _range(values, scale=1e3, rounding=0):
+    size = max(np.abs(values).max(), rounding / ROUNDING)
+    low, high = (settled(end, size) / scale for end in (values.min(), values.max()))
     return f"{low:,.4g} to {high:,.4g}"

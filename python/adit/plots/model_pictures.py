@@ -11,6 +11,7 @@ from adit.plots.particle_shapes import Shapes
 
 ZONE_FACE, ZONE_EDGE, DISC_FACE, DISC_EDGE = "#C6DBEF", style.BLUE, "#FDD9A0", "#A86400"
 OVERLAP_FACE = "#BDBDBD"
+LINES = {"linings": style.BLACK, "members": style.RED}
 CLOSE_UP = 0.36  # of the area
 LEVELS = 40  # of the widths of force chains
 LINES_OF_A_PATH = 5000  # longer paths overflow the memory of the renderer
@@ -37,6 +38,10 @@ def deformed(run, time, pieces, scale):
             width = min(0.7, 0.06 * style.length_in_points(axes, np.ptp(grid.points[grid.cells], axis=1).max(axis=1)))
             _draw_zones(axes, grid, moved["grid"], fc="none", ec=ZONE_EDGE, lw=width, zorder=3)  # over the particles
             handles.append(Patch(fc=ZONE_FACE, ec=ZONE_EDGE, label="zones"))
+        for kind, colour in LINES.items():
+            if (lines := pieces.get(kind)) is not None and len(lines.cells):
+                axes.add_collection(LineCollection(lines.moved(scale, common)[lines.cells], color=colour, lw=1.6, zorder=4))
+                handles.append(Line2D([], [], color=colour, lw=1.6, label=kind))
         if shapes is not None:
             handles += _draw_particles(axes, run, shapes, kept["particles"])
         return [legend(None, handles)]

@@ -8,6 +8,7 @@ LINES = ("-", "--", "-.", (0, (3, 1, 1, 1, 1, 1)))  # line styles of the models,
 KINDS = {"kinetic": style.BLUE, "strain": style.ORANGE, "released": style.PINK, "dissipated": style.RED, "external_work": style.GREEN,
          "multiplier_work": style.SKY}
 STORED = ("kinetic", "strain")
+STRENGTH = "shear_strength_N"  # ending of the columns of what sections resist
 
 # The quantities in histories.csv: endings of the columns' names, name of the quantity, and its units with their sizes.
 QUANTITIES = (
@@ -15,13 +16,14 @@ QUANTITIES = (
     (("vx_m_per_s", "vy_m_per_s"), "velocity", (("mm/s", 1e-3), ("m/s", 1))),
     (("ax_m_per_s2", "ay_m_per_s2"), "acceleration", (("mm/s²", 1e-3), ("m/s²", 1))),
     (("sxx_Pa", "syy_Pa", "szz_Pa", "sxy_Pa"), "stress", (("Pa", 1), ("kPa", 1e3), ("MPa", 1e6))),
+    (("normal_stress_Pa", "shear_stress_Pa"), "stress of faces", (("Pa", 1), ("kPa", 1e3), ("MPa", 1e6))),
     (("exx", "eyy", "gxy"), "strain", (("10⁻⁶", 1e-6), ("10⁻³", 1e-3))),
     (("thrust_N",), "thrust", (("N/m", 1), ("kN/m", 1e3), ("MN/m", 1e6))),
     (("moment_Nm",), "moment", (("N m/m", 1), ("kN m/m", 1e3), ("MN m/m", 1e6))),
-    (("shear_N", "shear_strength_N"), "shear force", (("N/m", 1), ("kN/m", 1e3), ("MN/m", 1e6))),
+    (("shear_N", STRENGTH), "shear force", (("N/m", 1), ("kN/m", 1e3), ("MN/m", 1e6))),
     (("utilisation",), "utilisation", (("-", 1),)),
     (("curvature_per_m",), "curvature", (("10⁻³/m", 1e-3), ("1/m", 1))),
-    (("opening_m", "offset_m"), "joint", (("µm", 1e-6), ("mm", 1e-3), ("m", 1))),
+    (("opening_m", "offset_m"), "opening, offset", (("µm", 1e-6), ("mm", 1e-3), ("m", 1))),
     (("tightness",), "tightness of gaskets", (("-", 1),)),
     (("crack_width_m",), "crack width", (("mm", 1e-3),)),
     (("rotation_rad",), "joint rotation", (("10⁻⁶ rad", 1e-6), ("10⁻³ rad", 1e-3))),
@@ -95,15 +97,15 @@ def said(column):
     if column == "max_bond_force_N":
         return "largest bond force"
     ending = _ending(column)
-    if ending == "shear_strength_N":
+    if ending == STRENGTH:
         return f"{column.removesuffix('_' + ending)}, shear strength"
     first, *others = ending.split("_")
     return f"{column.removesuffix('_' + ending)}, {others[0] if others and others[0] in ('lateral', 'vertical') else first}"
 
 
 def _largest(lines):
-    """The lines of largest magnitude, in the order given."""
-    order = sorted(range(len(lines)), key=lambda i: -np.nanmax(np.abs(lines[i][1]), initial=0))
+    """The lines of largest magnitude, forces before strengths, in the order given."""
+    order = sorted(range(len(lines)), key=lambda i: (_ending(lines[i][0]) == STRENGTH, -np.nanmax(np.abs(lines[i][1]), initial=0)))
     return [lines[i] for i in sorted(order[:MOST_LINES])]
 
 

@@ -24,7 +24,7 @@ SMOOTH = (("normal_stiffness", "normal stiffness", "Pa/m"), ("shear_stiffness", 
 PROPERTIES = (("thickness", "thickness", "m"), ("young_modulus", "E", "Pa"), ("stiffness", "stiffness", "N/m"),
               ("pretension", "pretension", "N"), ("strength", "strength", "N"), ("area", "area", "m²"),
               ("axial_stiffness", "axial stiffness", "N/m"), ("rotation_stiffness", "rotation stiffness", "N m/rad"),
-              ("seal_limit", "limit of the seal", "m"), ("stage", "stage", ""))
+              ("seal_limit", "limit of the seal", "m"), ("spacing", "spacing", "m"), ("width", "width", "m"), ("stage", "stage", ""))
 MEMBERS = ("gasket", "cables", "lateral_keys", "vertical_keys")  # of a joint of a whole tunnel
 OF_MEMBERS = (("installed_force", "installed force", "N"), ("stiffness", "stiffness", "N/m"), ("clearance", "clearance", "m"))
 MANY = 8  # rows that a table may have without being closed at first
@@ -116,5 +116,18 @@ def _properties(part):
     law = next((law for law in ("open", "smooth", "bonds") if law in part), None)
     inner = part[law] if law and isinstance(part[law], dict) else {}
     inside = _values(inner, SMOOTH if law == "smooth" else BONDS)
+    faces = f"slips: {_values(part['interface'], STRENGTH)}".removesuffix(": ") if "interface" in part else ""
     members = [f"{name.replace('_', ' ')}: {_values(part[name], OF_MEMBERS)}" for name in MEMBERS if name in part]
-    return "; ".join(filter(None, (f"{law} joint" if law else "", inside, *members, _values(part, PROPERTIES))))
+    return "; ".join(filter(None, (f"{law} joint" if law else "", inside, *members, _values(part, PROPERTIES), _reinforced(part.get("section")), faces)))
+
+
+def _reinforced(section):
+    """The thickness of a section, its concrete and steel by class or strength, and its bars."""
+    if not section:
+        return ""
+    made = [f"{what} {section[what].get('class') or quantity(section[what][strength], 'Pa')}"
+            for what, strength in (("concrete", "compressive_strength"), ("steel", "yield_strength"))
+            if section.get(what, {}).get("class") or strength in section.get(what, {})]
+    bars = [f"{face} bars of {quantity(section[face]['diameter'], 'm')} every {quantity(section[face]['spacing'], 'm')}"
+            for face in ("inner", "outer") if {"diameter", "spacing"} <= section.get(face, {}).keys()]
+    return f"section of {', '.join([quantity(section['thickness'], 'm'), *made, *bars])}"

@@ -86,6 +86,12 @@ OF_A_LINING = (  # the same of each lining of a continuum, by its name before
     ("largest offset of the rings at a dowel [mm]", "largest_ring_offset_m", 1e-3, "{:z.2f}"),
     ("least tightness of a gasket", "least_tightness", 1, "{:z.2f}"),
 )
+OF_AN_INTERFACE = (  # the same of each interface, between zones or of a lining
+    ("largest offset [mm]", "largest_offset_m", 1e-3, "{:z.2f}"),
+    ("largest opening [mm]", "largest_opening_m", 1e-3, "{:z.2f}"),
+    ("largest pressure [kPa]", "largest_pressure_Pa", 1e3, "{:z,.0f}"),
+    ("largest shear stress [kPa]", "largest_shear_stress_Pa", 1e3, "{:z,.0f}"),
+)
 PLACES = (("_time_s", ": time"), ("_x_m", ": x"), ("_y_m", ": y"), ("_chainage_m", ": chainage"))
 GAP = 0.01  # of the energy, above which the user guide calls for smaller steps
 
@@ -157,13 +163,24 @@ def lines(runs):
 
 
 def _rows(runs):
-    """ROWS, and OF_A_LINING for each lining and member of the runs before what follows the forces of sections."""
-    last = "_largest_moment_Nm"
-    linings = dict.fromkeys(key.removesuffix(last) for run in runs for key in run.summary
-                            if re.fullmatch(rf"(.+_)?(lining|member)_.+{last}", key))
+    """ROWS, and those of each lining, member and interface of the runs before what follows the forces of sections."""
+    linings, faces = _named(runs, "lining|member", "_largest_moment_Nm"), _named(runs, "interface", "_largest_offset_m")
     after = next(i for i, row in enumerate(ROWS) if row[1] == "ovals_largest_diameter_change_m")
     of_linings = [row for lining in linings for row in _of_a_lining(lining)]
-    return [*ROWS[:after], *of_linings, *ROWS[after:]]
+    of_faces = [row for name in faces for row in _of_an_interface(name)]
+    return [*ROWS[:after], *of_linings, *of_faces, *ROWS[after:]]
+
+
+def _named(runs, kinds, last):
+    """The beginnings of the keys of all linings, members or interfaces, before the ending that each of them has."""
+    return dict.fromkeys(key.removesuffix(last) for run in runs for key in run.summary if re.fullmatch(rf"(.+_)?({kinds})_.+{last}", key))
+
+
+def _of_an_interface(name):
+    """The rows of `interface_<name>`."""
+    region, _, called = re.fullmatch("(.*?)(interface)_(.*)", name).groups()
+    for what, key, *shown in OF_AN_INTERFACE:
+        yield f"{region}interface {called}: {what}", f"{name}_{key}", *shown
 
 
 def _of_a_lining(name):

@@ -1,6 +1,6 @@
 """The response of the model: histories, envelopes, cracks, energy."""
 from adit import Unusable
-from adit.plots import time_pictures, tunnel_pictures
+from adit.plots import lining_pictures, time_pictures, tunnel_pictures
 from adit.report import around, pictures
 from adit.report.markup import details, section, table, tag
 from adit.report.quantities import figure, place, quantity, unit_of
@@ -19,14 +19,14 @@ def histories(results):
         lines = [line for line in lines if line[0] not in of_sections]
         if lines:
             left_out = len(lines) - time_pictures.MOST_LINES
-            told = f"{left_out} more histories of this quantity, which stay smaller, are in histories.csv."
+            told = f"{left_out} more histories of this quantity are in histories.csv."
             drawn.append(pictures.figure(time_pictures.histories(results, {name: (units, lines)}, f"{name} over time"),
                                          tag("p", told, class_="note") if left_out > 0 else None))
     return section("histories", "Histories", drawn)
 
 
 def envelopes(results):
-    """Along the tunnel, and around rings and linings."""
+    """Along the tunnel, around rings and along linings; thrust and moment against the capacity."""
     drawn = []
     if results.is_simplified:
         try:
@@ -36,6 +36,8 @@ def envelopes(results):
             results.faults.append(str(reason))
     linings = around.of_linings(results, results.last_pieces.get("linings"))
     drawn += [pictures.figure(each) for each in (*around.of_sections(results), *linings)]
+    capacities = (lining_pictures.lining_capacity, lining_pictures.member_capacity, lining_pictures.section_capacity)
+    drawn += [pictures.figure(drawing) for each in capacities if not results.is_simplified and (drawing := each(results))]
     return section("envelopes", "Envelopes", drawn)
 
 

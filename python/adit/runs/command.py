@@ -48,7 +48,7 @@ def run(options, others):
         return run_study(given / "study", options, others)
     scenes = scenes_of(given)
     programs.bring_up_to_date("coupler", "fdm_server", "dem_server")  # at once: each may wait for few large sources
-    solvers = [program_of(scene) for scene in scenes]
+    solvers = [program_of(scene, others) for scene in scenes]
     programs.bring_up_to_date(*sorted({name for solver in solvers for name in NEEDED[solver]}))
     if len(scenes) > 1 and options.vary:
         raise Unusable(f"--vary needs one scene, and {given} holds {len(scenes)}.")
@@ -116,9 +116,11 @@ def scenes_of(given):
     return scenes
 
 
-def program_of(scene):
-    """The program that computes a scene, by the reader of scenes itself."""
-    asked = subprocess.run([programs.program("coupler"), "check", scene, "--which"], stdout=subprocess.PIPE, text=True)
+def program_of(scene, others):
+    """The program that computes a scene with the `--set` among the options, by the reader of scenes itself."""
+    from adit.accuracy.scene import sets_of
+
+    asked = subprocess.run([programs.program("coupler"), "check", scene, "--which", *sets_of(others)], stdout=subprocess.PIPE, text=True)
     if asked.returncode:
         sys.exit(asked.returncode)  # the reader has told why
     return asked.stdout.strip()

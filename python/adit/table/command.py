@@ -3,10 +3,12 @@
 %(prog)s RUN_DIR NAME
     at the last time of the fields: place, angle about the middle, thrust, moment and shear force, their least and largest so far
     with their signs, and what a reinforced section or joints tell.
-%(prog)s RUN_DIR NAME --time 2.5
-    at another time [s] of output.field_times.
+%(prog)s RUN_DIR NAME --time '2.5 s'
+    at another time of output.field_times.
 """
+import argparse
 import csv
+import re
 import sys
 
 from adit import Run, Unusable, programs
@@ -26,11 +28,20 @@ def rows(run, name, time=None):
     return list(columns), zip(*columns.values())
 
 
+def seconds(text):
+    """A time [s], in s where it has no unit."""
+    try:
+        value, unit = re.fullmatch(r"\s*(\S+?)\s*(s|ms|)\s*", text).groups()
+        return float(value) * (1e-3 if unit == "ms" else 1)
+    except (AttributeError, ValueError):
+        raise argparse.ArgumentTypeError(f"`{text}` is no time; write for example `2.5 s`") from None
+
+
 def main(words):
     parser = programs.parser("table", __doc__)
     parser.add_argument("folder", metavar="RUN_DIR", help="folder of a run")
     parser.add_argument("name", metavar="NAME", help="name of a lining or member")
-    parser.add_argument("--time", type=float, metavar="S", help="a time of the fields [s]; the last one if it is left out")
+    parser.add_argument("--time", type=seconds, metavar="TIME", help="a time of the fields, such as `2.5 s`; the last one if it is left out")
     options = parser.parse_args(words)
     header, values = rows(Run(options.folder), options.name, options.time)
     writer = csv.writer(sys.stdout, lineterminator="\n")

@@ -281,6 +281,12 @@ class Models(PictureTest):
         still = column(lambda points: 0 * points[:, :1], yield_state=np.full(25, 256))
         self.assertIsNone(colour_pictures.yield_state(run_named("site"), 1.0, {"grid": still}))
         state = np.full(25, 256)
+        state[:10] = 0
+        partly = column(lambda points: 0 * points[:, :1], yield_state=np.array(state))
+        for law, drawn in (("hysteretic", False), ("mohr_coulomb", True)):
+            run = run_named("site", {"materials": [{"material": {law: {}}}]})
+            run.scene = {"material": {}}
+            self.assertEqual(colour_pictures.yield_state(run, 1.0, {"grid": partly}) is not None, drawn)
         state[:10] = [0, 0, 0, 0, 1 | 4, 1 | 4, 4, 8, 8, 8]
         mixed = column(lambda points: 0 * points[:, :1], yield_state=state)
         figure = png.figure(colour_pictures.yield_state(run_named("site"), 1.0, {"grid": mixed}))
@@ -373,6 +379,24 @@ class Pages(PictureTest):
         drawn = png.figure(lining_pictures.lining_forces(run_named("ring"), 1.0, {"linings": ring})).axes[0].collections
         radii = [np.hypot(*line.get_paths()[0].vertices.T).max() for line in drawn[-2:]]
         np.testing.assert_allclose(radii, [1 - 2 * lining_pictures.REACH * part for part in (1, 2 / 9)])
+
+    def test_forces_of_walls_are_drawn_along_them_and_none_where_they_are_rounding(self):
+        points = np.array([(2.0, 0), (2, 1), (2, 3)])
+        forces = {"thrust_N": -4e6, "moment_Nm": 4e-8, "shear_N": 1e-8}
+        fields = {f"{when}{force}": np.full(3, value) for force, value in forces.items() for when in ("", "peak_least_", "peak_largest_")}
+        wall = piece(points, [(0, 1), (1, 2)], fields, {"lining": np.zeros(2)})
+        envelopes, _ = pictures.painted(next(around.of_linings(run_named("wall"), wall)))
+        np.testing.assert_allclose(envelopes.axes[0].get_lines()[0].get_xdata(), (0, 1, 3))
+        figure = png.figure(lining_pictures.member_forces(run_named("wall"), 1.0, {"members": wall}))
+        titles = [axes.get_title(loc="left") for axes in figure.axes]
+        self.assertEqual(titles, ["thrust N: -4,000 to -4,000 kN", "moment M: 0 to 0 kN m", "shear force Q: 0 to 0 kN"])
+
+    def test_interfaces_of_layers_have_a_row_each(self):
+        run = run_named("layers", {"linings": [{"name": "shotcrete", "interface": {}}, {"name": "concrete", "on": "shotcrete", "interface": {}}]})
+        fields = {name: np.array([-3.0, -3, 5, 5]) for name, *_ in lining_pictures.OF_INTERFACES}
+        faces = piece([(0, 0), (1, 0), (0, 0), (1, 0)], [(0, 1), (2, 3)], fields, {"interface": np.array([0.0, 1])})
+        figure = png.figure(lining_pictures.interfaces(run, 1.0, {"interfaces": faces}))
+        self.assertEqual([axes.get_ylabel().partition("\n")[0] for axes in figure.axes[::4]], ["shotcrete", "concrete"])
 
     def test_joints_are_drawn_as_wide_as_they_stand_open(self):
         """Outwards where the outer face opens, inwards where the inner one does, the largest as far as forces reach."""
