@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t kNowhere = ~std::size_t{0};
 constexpr double kSafety = 1.5;  // of the largest rate of the demand so far
-// What they take on a core of 2023 [s]: a number of a matrix that does not fit its cache, a step of a cell.
-constexpr double kNumber = 0.8e-9, kParticleStep = 0.15e-6;
+// What they take on a core of 2023 [s]: a number of a matrix, a step of a cell.
+constexpr double kNumber = 0.4e-9, kParticleStep = 0.15e-6;
 
 // Visits the grid's segments that are also the particles'.
 template <class Visit>

@@ -1,10 +1,21 @@
 #include "fdm_server/model/supports/reinforced_section.hpp"
 
-#include <optional>
+#include <fmt/format.h>
 
+#include <optional>
+#include <utility>
+
+#include "protocol/errors.hpp"
 #include "protocol/sections/read_section.hpp"
 
 namespace adit::fdm {
+namespace {
+
+const char* name_of(scene::ReinforcedSection::Values values) {
+  return values == scene::ReinforcedSection::DESIGN ? "design" : "mean";
+}
+
+}  // namespace
 
 std::shared_ptr<const LiningSection> read_reinforced_section(const scene::ReinforcedSection& section,
                                                              double width, double core,
@@ -21,6 +32,23 @@ std::shared_ptr<const LiningSection> read_reinforced_section(const scene::Reinfo
   return std::make_shared<const LiningSection>(LiningSection{
       std::make_shared<const sections::FibreSection>(shape, law, steel_law(steel), within), section.elastic(),
       sections::strength_of(read), section.cover(), concrete.young_modulus, concrete.tensile});
+}
+
+void require_same_values(const scene::Continuum& continuum) {
+  std::optional<std::pair<scene::ReinforcedSection::Values, std::string>> first;
+  const auto compare = [&first](const auto& supports, const char* kind) {
+    for (int i = 0; i < supports.size(); ++i) {
+      if (!supports[i].has_section()) continue;
+      const std::string path = fmt::format("continuum.{}[{}].section.values", kind, i);
+      const auto values = supports[i].section().values();
+      if (!first) first = {values, path};
+      protocol::require(values == first->first, path,
+                        fmt::format("is {}, but {} is {}; state the same for all sections of a scene",
+                                    name_of(values), first->second, name_of(first->first)));
+    }
+  };
+  compare(continuum.linings(), "linings");
+  compare(continuum.members(), "members");
 }
 
 }  // namespace adit::fdm

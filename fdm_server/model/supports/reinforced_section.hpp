@@ -16,4 +16,9 @@ std::shared_ptr<const LiningSection> read_reinforced_section(const scene::Reinfo
                                                              double width, double core,
                                                              const std::string& path);
 
+// All sections of linings and members take the same values of their classes: forces at capacities by mean
+// values beside one by design values would not be those of one structure. UserError at the first that
+// differs.
+void require_same_values(const scene::Continuum& continuum);
+
 }  // namespace adit::fdm

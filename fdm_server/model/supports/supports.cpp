@@ -20,6 +20,7 @@
 #include "fdm_server/model/supports/meetings.hpp"
 #include "fdm_server/model/supports/members.hpp"
 #include "fdm_server/model/supports/place_on_path.hpp"
+#include "fdm_server/model/supports/reinforced_section.hpp"
 #include "fdm_server/model/supports/rings.hpp"
 #include "fdm_server/model/supports/segments.hpp"
 #include "fdm_server/model/supports/stated_section.hpp"
@@ -270,6 +271,7 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
   Supports supports;
   if (linings.empty() && bolts.empty() && interfaces.empty() && scene.continuum().members().empty())
     return supports;
+  require_same_values(scene.continuum());
   Occupied occupied(grid);
   Edges edges = number_edges(grid);
   const std::vector<int> below = read_layers(linings);

@@ -47,11 +47,22 @@ const std::string kLining =
     "young_modulus: 30e9 } ";
 const std::string kSegments =
     kLining.substr(0, kLining.size() - 2) + "joints { at { x: 3 y: 1 } contact { height: 0.4 } } } ";
+// A reinforced wall; `more` belongs to its section.
+std::string reinforced(const std::string& name, const std::string& y, const std::string& more) {
+  return "linings { name: '" + name + "' along { line { points { x: 0 y: " + y + " } points { x: 6 y: " + y +
+         " } } } section { thickness: 0.4 cover: 0.04 concrete { class: 'C30/37' } steel { class: 'B500B' } "
+         "inner { diameter: "
+         "0.02 spacing: 0.2 } outer { diameter: 0.02 spacing: 0.2 } " +
+         more + " } } ";
+}
 const std::string kZones = "zones_x: 4 zones_y: 2", kNowhere = "where { x_min: 7 } ";
 
 INSTANTIATE_TEST_SUITE_P(
     Scenes, SceneError,
     testing::Values(
+        Case{"mixed_values", reinforced("top", "1", "") + reinforced("bottom", "0", "values: DESIGN"),
+             "continuum.linings[1].section.values",
+             "is design, but continuum.linings[0].section.values is mean; state the same for all"},
         Case{"empty_width", "", "continuum.block.x_max", "is 1 m, expected a length above `x_min` = 2 m",
              block("2", "1", "1", kZones)},
         Case{"empty_height", "", "continuum.block.y_max", "is 0 m, expected a length above `y_min` = 0 m",
