@@ -59,10 +59,9 @@ using ParticipantFactory = std::function<std::unique_ptr<Participant>()>;
 
 // One run as seen by a participant: hands it the requests, and only in their order:
 //
-//   setup, weights, [couple], [condense], then any number of advance (steps 0, 1, 2 ...) and snapshot; where the first
-//   steps relax, they are numbered from 0, and those that follow from 0 again
-//   restore, in parts, before the first step; save, in parts, after any
-//   finish at any time after setup
+//   setup, weights, [couple], [condense], then any number of advance (steps 0, 1, 2 ...) and snapshot; where
+//   the first steps relax, they are numbered from 0, and those that follow from 0 again restore, in parts,
+//   before the first step; save, in parts, after any finish at any time after setup
 class Conversation {
  public:
   explicit Conversation(Participant& participant) : participant_(participant) {}

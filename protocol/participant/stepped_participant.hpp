@@ -12,8 +12,8 @@
 //      participant is coupled and nothing that is wanted needs the whole step
 //   7. the answer: read_velocities, and what else is wanted
 //
-// A step in which a condensed model follows its masters becomes follow, prepare, remember_for_peaks and arrive
-// in place of these.
+// A step in which a condensed model follows its masters becomes follow, prepare, remember_for_peaks and
+// arrive in place of these.
 //
 // A correction arrives one message late, with the next step or with a snapshot: peaks wait for it.
 #pragma once
@@ -65,8 +65,9 @@ class SteppedParticipant : public Participant {
   virtual void remember_for_peaks() {}
   virtual void take_peaks(const Step& /*step*/) {}
 
-  // A model that can wait, condensed (wire.proto, Condense and Following): says what it is to its masters; gets
-  // the velocities of half a step before, then everything of this step, demand included; goes on by itself.
+  // A model that can wait, condensed (wire.proto, Condense and Following): says what it is to its masters;
+  // gets the velocities of half a step before, then everything of this step, demand included; goes on by
+  // itself.
   virtual void condense_solver(const wire::Condense& /*request*/, wire::Condensed& condensed) {
     condensed.set_reason("this model cannot wait");
   }
