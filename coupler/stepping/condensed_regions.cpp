@@ -9,11 +9,13 @@
 #include "protocol/errors.hpp"
 #include "protocol/log/waiting.hpp"
 #include "protocol/messages/spans.hpp"
+#include "protocol/wire/bounds.hpp"
 
 namespace adit::coupler {
 namespace {
 
 constexpr std::size_t kNowhere = ~std::size_t{0};
+constexpr std::uint64_t kLooks = 500;  // at the demand in a run, at least
 constexpr double kSafety = 1.5;  // of the largest rate of the demand so far
 // What they take on a core of 2023 [s]: a number of a matrix with the exchange that it makes wait, a step of
 // a cell; and what is little beside a round trip.
@@ -155,6 +157,9 @@ std::string CondensedRegions::why_not_moved(const Region& region) const {
 std::string CondensedRegions::costs_more(const Region& region) const {
   const Participant& particles = model_.participants[region.particles];
   const double numbers = 2 * std::pow(2.0 * static_cast<double>(region.own.size()), 2);
+  if (protocol::condensed_bytes(region.own.size()) > protocol::kMaxFrameBytes)
+    return fmt::format("the matrices of {} grid points in its overlap are longer than a message may be",
+                       region.own.size());
   const auto count = static_cast<double>(particles.counts.particles());
   if (numbers * kNumber <= std::max(kLittle, count * model_.substeps * kParticleStep)) return {};
   return fmt::format("{} grid points in its overlap would cost more than its {} particles in {} substeps",
@@ -219,12 +224,10 @@ std::optional<GridMotion> CondensedRegions::step(std::uint64_t n, Wanted wanted)
   }
   const bool near =
       std::ranges::any_of(regions_, [this](const Region& region) { return may_be_near(region); });
-  const bool seen = std::ranges::any_of(regions_, [&](const Region& region) {
-    return wanted.peaks || (wanted.histories && !model_.participants[region.particles].histories.empty());
-  });
+  const bool due = n % std::max<std::uint64_t>(1, model_.steps / kLooks) == 0;
   reached_ = n;
   told_ = false;
-  if (n == 0 || near || seen) follow(wanted);
+  if (due || near || wanted.histories || wanted.peaks) follow(wanted);
   if (wanted.energies) {
     for (const Region& region : regions_) ledger_.take_condensed(region.particles, energies_of(region));
     ledger_.compare();

@@ -7,6 +7,7 @@
 
 #include "protocol/errors.hpp"
 #include "protocol/messages/spans.hpp"
+#include "protocol/wire/bounds.hpp"
 
 namespace adit::protocol {
 namespace {
@@ -19,7 +20,7 @@ void require_rows(const wire::Condense& n, std::size_t rows) {
       !std::ranges::is_sorted(starts) || *starts.rbegin() != entries || n.values_size() != n.columns_size())
     throw RequestError(
         fmt::format("condense: its rows are not those of a matrix for {} coupling points", rows));
-  if (n.masters() == 0 || n.masters() > entries ||
+  if (n.masters() == 0 || n.masters() > entries || condensed_bytes(n.masters()) > kMaxFrameBytes ||
       std::ranges::any_of(n.columns(), [&](std::uint32_t column) { return column >= n.masters(); }))
     throw RequestError(fmt::format("condense: {} masters do not fit its {} entries", n.masters(), entries));
 }

@@ -78,14 +78,17 @@ APART = 6.5  # of the two tunnels
 
 def scene(row):
     """The scene of a row."""
-    rock = {**ROCK, "fracture": STRENGTH} if row["particles"] == "waiting" else dict(ROCK)
-    whole = {"plane": row["plane"], "material": rock, "time": {"duration": 0.03, "substeps": int(row["substeps"])},
+    whole = {"plane": row["plane"], "material": _rock(row), "time": {"duration": 0.03, "substeps": int(row["substeps"])},
              "continuum": _continuum(row), "tunnels": _tunnels(row), "output": ground.output(row)}
     if row["rest"] in STATICS:
         whole["statics"] = {"unbalanced_ratio": 1e-6, "max_steps": 40000, "damping": row["rest"]}
     if row["rest"] == "stressed":
         whole["initial_stress"] = {"xx": -20e3, "yy": -80e3, "yy_per_metre": 20e3, "xx_per_metre": 5e3}
     return whole
+
+
+def _rock(row):
+    return {**ROCK, "fracture": STRENGTH} if row["particles"] == "waiting" else dict(ROCK)
 
 
 class Mirrored(changes.Mirrored):
@@ -206,7 +209,7 @@ def _region(row):
     if row["particles"] == "waiting":
         region["begin"] = {"demand": 0.8}
     if row["ground"] == "stated":
-        region["material"] = {**ROCK, "young_modulus": 1.02e9}
+        region["material"] = {**_rock(row), "young_modulus": 1.02e9}
     if row["ground"] == "gouge":
         region["groups"] = [{"name": "gouge", "where": {"y_max": -1.75}, "material": {**ROCK, "young_modulus": 0.97e9}}]
     if row["ground"] == "fault":
@@ -225,7 +228,7 @@ def _continuum(row):
     if row["ground"] == "layers":
         continuum["materials"] = [{"where": {"y_max": -0.5}, "material": {**ROCK, "young_modulus": 1.6e9}}]
     if row["ground"] == "plastic":
-        continuum["material"] = {**ROCK, "mohr_coulomb": {"cohesion": 60e3, "friction_angle": 0.5}}
+        continuum["material"] = {**_rock(row), "mohr_coulomb": {"cohesion": 60e3, "friction_angle": 0.5}}
     gravity = [{"acceleration": {"y": -4.0}}] if row["rest"] in STATICS else []
     time = {"sine": {"frequency": 50.0, "end": 0.02}}
     if row["load"] == "body":

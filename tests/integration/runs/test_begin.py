@@ -84,6 +84,14 @@ class Begin(ComputedTest):
                 before = began.histories["time_s"] < began.summary["particles_began_s"]
                 self.assertLess(np.abs(began.histories["energy_drift"][before]).max(), 1e-12)
 
+    def test_the_demand_is_looked_at_whatever_results_are_wanted(self):
+        given = scene(wave=20 * WAVE)
+        given["output"] = {"history_interval": 0.1}
+        del given["particles"]["histories"]
+        began = Run(self.run_scene(self.scene(json.dumps(given)), out="two_rows"))
+        self.assertLess(began.summary["particles_began_s"], began.summary["first_crack_time_s"])
+        self.assertLess(began.summary["particles_began_demand"], 0.95)
+
     def test_what_is_near_its_strength_at_rest_begins_at_once(self):
         began, computed = self.runs(demand=0.01)
         self.assertEqual(began.summary["particles_began_s"], 0)

