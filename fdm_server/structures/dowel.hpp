@@ -15,6 +15,7 @@
 #include <cstdint>
 
 #include "fdm_server/structures/strain_form.hpp"
+#include "fdm_server/zones/kernel/zone_runs.hpp"
 #include "protocol/participant/step.hpp"
 #include "protocol/state/archive.hpp"
 

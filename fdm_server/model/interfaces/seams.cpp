@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "fdm_server/model/interfaces/law.hpp"
+
 namespace adit::fdm {
 namespace {
 

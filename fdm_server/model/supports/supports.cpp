@@ -28,6 +28,7 @@
 #include "fdm_server/supports/trace.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/geometry/read_path.hpp"
+#include "protocol/ground/stages.hpp"
 
 namespace adit::fdm {
 namespace {
