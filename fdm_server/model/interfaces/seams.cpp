@@ -138,7 +138,7 @@ Interface Seams::add(std::vector<End> ends, bool closed, const ContactLaw& law, 
   };
   std::erase_if(ends, [](const End& end) { return end.points[0] == end.points[1]; });
   if (closed && ends.size() > 2 && belong(ends.front(), ends.back()))
-    std::ranges::rotate(ends, ends.end() - 1);
+    std::rotate(ends.begin(), ends.end() - 1, ends.end());
   Interface joined{{}, 0, 0, closed};
   for (std::size_t i = 0; i < ends.size();) {
     const std::size_t next = i + 1 < ends.size() && belong(ends[i], ends[i + 1]) ? i + 2 : i + 1;
