@@ -7,7 +7,6 @@
 #include <map>
 #include <memory>
 #include <numbers>
-#include <ranges>
 #include <set>
 #include <utility>
 
@@ -343,7 +342,7 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
         1 / share};
   }
   std::vector<LiningPlan> from_inside;  // members stand on the last layer
-  for (const auto number : order | std::views::reverse) from_inside.push_back(plans[number]);
+  for (auto number = order.rbegin(); number != order.rend(); ++number) from_inside.push_back(plans[*number]);
   const std::vector<LiningPlan> members = plan_members(scene, from_inside, names, grid);
   rings.require_free_of_members(plans, members);
   require_clear_joints(plans, members, grid);
