@@ -19,11 +19,6 @@ const scene::Region* region_of(const scene::Scene& scene, const Member& member) 
   return nullptr;
 }
 
-const scene::Particles& particles_of(const scene::Scene& scene, const Member& member) {
-  const scene::Region* region = region_of(scene, member);
-  return region ? region->particles() : scene.particles();
-}
-
 bool has_own_material(const scene::Scene& scene, const Member& member) {
   return member.role == Role::kContinuum ? continuum_of(scene, member).has_material()
                                          : particles_of(scene, member).has_material();
@@ -128,6 +123,11 @@ std::vector<Join> joins(const scene::Scene& scene, const std::vector<Member>& me
     add_join(scene.interfaces(i), fmt::format("interfaces[{}]", i));
   require_all_joined(members, joins, scene);
   return joins;
+}
+
+const scene::Particles& particles_of(const scene::Scene& scene, const Member& member) {
+  const scene::Region* region = region_of(scene, member);
+  return region ? region->particles() : scene.particles();
 }
 
 scene::Scene part_of(const scene::Scene& scene, const Member& member) {

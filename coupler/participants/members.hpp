@@ -44,6 +44,9 @@ scene::Scene part_of(const scene::Scene& scene, const Member& member);
 // The continuum of a member whose role it is.
 const scene::Continuum& continuum_of(const scene::Scene& scene, const Member& member);
 
+// The particles of a member whose role it is.
+const scene::Particles& particles_of(const scene::Scene& scene, const Member& member);
+
 // What the scene wants to know of a model, in the order of its answers.
 const google::protobuf::RepeatedPtrField<scene::History>& histories_of(const scene::Scene& scene,
                                                                        const Member& member);

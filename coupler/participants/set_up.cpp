@@ -113,7 +113,7 @@ void check_overlaps(Model& model) {
 
 bool waits(const Model& model, std::size_t participant) {
   const Member& member = model.participants[participant].member;
-  return member.role == Role::kParticles && part_of(model.scene, member).particles().has_begin();
+  return member.role == Role::kParticles && particles_of(model.scene, member).has_begin();
 }
 
 // How far beside an overlap grid points move particles that wait: they are corners of zones that the overlap

@@ -53,7 +53,7 @@ CondensedRegions::CondensedRegions(Model& model, Ledger& ledger, StepCost& cost)
   for (std::size_t s = 0; s < model.participants.size(); ++s) {
     const Participant& participant = model.participants[s];
     if (participant.member.role != Role::kParticles) continue;
-    const scene::Particles particles = part_of(model.scene, participant.member).particles();
+    const scene::Particles& particles = particles_of(model.scene, participant.member);
     const std::string path = participant.member.path + ".begin";
     if (!particles.has_begin()) {
       other = &participant;
@@ -256,10 +256,7 @@ void CondensedRegions::move(Region& region, std::uint64_t n) {
     region.q += dt * region.before;
   }
   region.restoring.noalias() = region.stiffness * region.q;
-  const auto at = [&region](Eigen::Index k) {
-    return 2 * region.place[static_cast<std::size_t>(k / 2)] + static_cast<std::size_t>(k % 2);
-  };
-  for (Eigen::Index k = 0; k < size; ++k) region.kick[k] = grid.predicted[at(k)] - region.before[k];
+  for (Eigen::Index k = 0; k < size; ++k) region.kick[k] = grid.predicted[region.at(k)] - region.before[k];
   const Eigen::VectorXd force = dt * (region.force - region.restoring);
   Eigen::VectorXd prescribed = Eigen::VectorXd::Zero(size), change = force;
   for (Eigen::Index k = 0; k < size; ++k)
@@ -283,7 +280,7 @@ void CondensedRegions::move(Region& region, std::uint64_t n) {
     region.impulses = impulses;
   }
   const std::span<double> corrections = grid.correction.renew();
-  for (Eigen::Index k = 0; k < size; ++k) corrections[at(k)] = -impulses[k];
+  for (Eigen::Index k = 0; k < size; ++k) corrections[region.at(k)] = -impulses[k];
 }
 
 void CondensedRegions::book_grids(Wanted wanted) {
@@ -305,8 +302,8 @@ ParticipantEnergies CondensedRegions::energies_of(const Region& region) {
 }
 
 bool CondensedRegions::may_be_near(const Region& region) {
-  const double square = (region.q - region.q_told).dot(region.restoring - region.restoring_told);
-  return region.demand + kSafety * region.rate * std::sqrt(std::max(0.0, square)) >= region.share;
+  return region.demand + kSafety * region.rate * std::sqrt(std::max(0.0, region.square_since_told())) >=
+         region.share;
 }
 
 // The particles' velocities are those half of their own step before and later.
@@ -318,12 +315,10 @@ void CondensedRegions::follow(Wanted wanted) {
   for (const Region& region : regions_) {
     Participant& particles = model_.participants[region.particles];
     particles.correction.withhold();
-    const Eigen::VectorXd middle = 0.5 * (region.before + region.velocities),
-                          change = region.velocities - region.before;
     wire::Following& following = *request_.mutable_follow();
     assign(*following.mutable_displacements(), region.q);
-    assign(*following.mutable_velocities_before(), middle - share * change);
-    assign(*following.mutable_velocities(), middle + share * change);
+    assign(*following.mutable_velocities_before(), region.velocities_after(-share));
+    assign(*following.mutable_velocities(), region.velocities_after(share));
     post_advance(particles, request_);
   }
   const Stopwatch waiting(cost_.wait);
@@ -333,8 +328,7 @@ void CondensedRegions::follow(Wanted wanted) {
     particles.corrected = particles.predicted;
     const wire::Predicted& told = particles.prediction();
     region.external_work = told.energies().external_work();
-    const double square = (region.q - region.q_told).dot(region.restoring - region.restoring_told);
-    if (square > 0)
+    if (const double square = region.square_since_told(); square > 0)
       region.rate = std::max(region.rate, std::abs(told.demand() - region.demand) / std::sqrt(square));
     region.demand = told.demand();
     region.q_told = region.q;
@@ -354,15 +348,14 @@ GridMotion CondensedRegions::begin(std::uint64_t n, const Region& first) {
   for (const Region& region : regions_) {
     Participant &grid = model_.participants[region.grid], &particles = model_.participants[region.particles];
     ledger_.begin(region.particles, particles, region.work);
-    const Eigen::VectorXd velocities = 0.5 * (region.before + region.velocities) +
-                                       0.5 / model_.substeps * (region.velocities - region.before);
+    const Eigen::VectorXd velocities = region.velocities_after(0.5 / model_.substeps);
     spread(region, velocities, motion.velocities);
     spread(region, region.kick, motion.kicks);
     if (model_.substeps == 1) continue;
     const std::span<double> corrections = grid.correction.renew();
     for (Eigen::Index k = 0; k < region.mass.size(); ++k)
       if (!region.prescribed(k))
-        corrections[2 * region.place[static_cast<std::size_t>(k / 2)] + static_cast<std::size_t>(k % 2)] =
+        corrections[region.at(k)] =
             region.mass[k] * (velocities[k] - region.before[k] - 0.5 * region.kick[k]);
   }
   return motion;

@@ -91,6 +91,16 @@ class CondensedRegions {
     Eigen::VectorXd q_told, restoring_told;  // when it was looked at last
     double external_work = 0;                // that the particles told last [J]
     bool prescribed(Eigen::Index k) const { return any_prescribed && std::isinf(mass[k]); }
+    // Of a component of the masters, among those of the grid's coupling points.
+    std::size_t at(Eigen::Index k) const {
+      return 2 * place[static_cast<std::size_t>(k / 2)] + static_cast<std::size_t>(k % 2);
+    }
+    // Twice the strain energy of the motion since the particles were told [J].
+    double square_since_told() const { return (q - q_told).dot(restoring - restoring_told); }
+    // A share of the grid's step after the time of the step.
+    Eigen::VectorXd velocities_after(double share) const {
+      return 0.5 * (before + velocities) + share * (velocities - before);
+    }
   };
 
   void condense();

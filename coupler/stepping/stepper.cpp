@@ -82,7 +82,7 @@ void Stepper::step(std::uint64_t n, Wanted wanted) {
     return;
   }
   // The first step of the particles shows what their beginning did to the energy.
-  wanted.energies = wanted.energies || std::exchange(just_began_, false);
+  wanted.energies |= std::exchange(just_began_, false);
   scheme_->step(n, wanted);
 }
 
