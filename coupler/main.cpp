@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,6 +21,7 @@
 #include "coupler/run.hpp"
 #include "coupler/servers/join.hpp"
 #include "coupler/tunnel/expand.hpp"
+#include "coupler/variants/variants.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/release.hpp"
 #include "protocol/results/run_directory.hpp"
@@ -30,6 +32,7 @@
 #include "protocol/scene/hash.hpp"
 #include "protocol/scene/origin.hpp"
 #include "protocol/scene/program.hpp"
+#include "protocol/scene/study.hpp"
 #include "protocol/scene/writer.hpp"
 #include "protocol/standard_streams.hpp"
 #include "protocol/threads/most_threads.hpp"
@@ -54,6 +57,7 @@ struct Options : protocol::SceneCommandLine {
   std::string recording;  // that is replayed, or compared with another one
   std::string other_recording;
   std::string only;        // of its models
+  Measured measured;       // of the ground motions of variants
   std::string address;     // of the server that is examined
   std::size_t points = 1;  // coupling points of the model for that
 };
@@ -244,12 +248,35 @@ std::vector<Command> add_commands_without_scene(Options& options) {
       ->default_val(kExampleOfPoints)
       ->check(CLI::Range(std::size_t{1}, kMostPoints));
   add_trust(*doctor_command, options.servers.trust);
+  CLI::App* study_command =
+      options.app.add_subcommand("study", "prints a study (adit study) as it is read, in SI units");
+  study_command->add_option("study", options.scene, "file of the study (YAML)")->required();
+  CLI::App* variants_command = options.app.add_subcommand(
+      "variants",
+      "tells for each line of standard input, an object of JSON {path: text} of values as by --set, "
+      "what identifies the scene that it makes, and measures its ground motion");
+  variants_command->add_option("scene", options.scene, "scene file (YAML)")->required();
+  variants_command->add_flag("--motion", options.measured.asked, "measure the ground motion");
+  variants_command->add_option("--key", options.measured.key,
+                               "path of that motion [default: of the base, or of the excitation]");
+  variants_command->add_option("--period", options.measured.periods, "of spectral accelerations [s]")
+      ->check(CLI::PositiveNumber);
   return {
       {replay_command, [&] { return replay(options.recording, options.servers, options.only); }},
       {diff_command, [&] { return diff(options.recording, options.other_recording); }},
       {doctor_command,
        [&] {
          doctor(options.address, options.servers.trust, options.points);
+         return int{protocol::kSuccess};
+       }},
+      {study_command,
+       [&] {
+         protocol::print(protocol::to_yaml(protocol::read_study(options.scene)));
+         return int{protocol::kSuccess};
+       }},
+      {variants_command,
+       [&] {
+         tell_variants(options.scene, options.measured, std::cin, std::cout);
          return int{protocol::kSuccess};
        }},
   };

@@ -2,15 +2,13 @@
 
 #include <google/protobuf/util/message_differencer.h>
 
-#include <algorithm>
-#include <array>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "protocol/errors.hpp"
 #include "protocol/scene/attached_files.hpp"
 #include "protocol/scene/fields/path.hpp"
+#include "protocol/scene/hash.hpp"
 
 namespace adit::coupler {
 namespace {
@@ -42,30 +40,46 @@ class Differences : public MessageDifferencer::Reporter {
   }
 };
 
-bool may_differ(std::string_view path) {
-  constexpr std::array<std::string_view, 5> kFree{"name", "extends", "description", "time", "output"};
-  const std::string_view first = path.substr(0, path.find('.'));
-  if (path.starts_with("time.substeps")) return false;
-  return std::ranges::find(kFree, first) != kFree.end() ||
-         path.find("base.acceleration") != std::string_view::npos ||
-         path.find("base.across") != std::string_view::npos;
+// Leaves only what the state at rest depends on.
+void reduce(scene::Scene& scene) {
+  protocol::forget_file_names(scene);
+  scene.clear_name();
+  scene.clear_extends();
+  scene.clear_description();
+  scene.clear_questions();
+  scene.clear_accuracy();
+  scene.clear_output();
+  scene::Time time;
+  if (scene.time().has_substeps()) time.set_substeps(scene.time().substeps());
+  *scene.mutable_time() = time;
+  const auto reduce_base = [](scene::Continuum& continuum) {
+    if (!continuum.has_base()) return;
+    continuum.mutable_base()->clear_acceleration();
+    continuum.mutable_base()->clear_across();
+  };
+  if (scene.has_continuum()) reduce_base(*scene.mutable_continuum());
+  for (scene::Region& region : *scene.mutable_regions())
+    if (region.has_continuum()) reduce_base(*region.mutable_continuum());
 }
 
 }  // namespace
 
 void require_same_statics(scene::Scene before, scene::Scene now) {
-  for (scene::Scene* scene : {&before, &now}) protocol::forget_file_names(*scene);
+  for (scene::Scene* scene : {&before, &now}) reduce(*scene);
   Differences differences;
   MessageDifferencer differencer;
   differencer.ReportDifferencesTo(&differences);
   differencer.Compare(before, now);
-  for (const std::string& path : differences.paths)
-    if (!may_differ(path))
-      throw protocol::UserError(
-          path,
-          "is another than in the run whose state at rest is taken, or would be; only `time` without "
-          "`substeps`, "
-          "`output` and accelerations of a base may differ; leave out --from to compute statics anew");
+  if (differences.paths.empty()) return;
+  throw protocol::UserError(
+      differences.paths.front(),
+      "is another than in the run whose state at rest is taken, or would be; only `time` without `substeps`, "
+      "`output` and accelerations of a base may differ; leave out --from to compute statics anew");
+}
+
+std::string statics_hash(scene::Scene scene) {
+  reduce(scene);
+  return protocol::scene_hash(scene);
 }
 
 }  // namespace adit::coupler

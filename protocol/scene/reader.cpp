@@ -31,12 +31,6 @@ std::string obstacle(const fs::path& path) {
   return {};
 }
 
-YamlValue load(const fs::path& path) {
-  const auto content = file_content(path);
-  if (!content) throw UserError("", path.string() + ": the file cannot be read; name a scene file");
-  return parse_yaml(*content, path.string());
-}
-
 // The file that `extends` names, relative to the file `from` in which it stands.
 fs::path extended_path(const fs::path& from, const YamlValue& extends) {
   if (extends.kind != YamlValue::Kind::kScalar || extends.scalar.empty())
@@ -60,9 +54,7 @@ void rename_base(YamlValue& layer, std::vector<std::string>& warnings) {
 
 // The file and the chain of those that it extends, the file first.
 std::vector<YamlValue> load_layers(fs::path path, std::vector<std::string>& warnings) {
-  const std::string reason = obstacle(path);
-  if (!reason.empty()) throw UserError("", path.string() + ": " + reason);
-  std::vector<YamlValue> layers{load(path)};
+  std::vector<YamlValue> layers{load_yaml(path)};
   // Canonical paths, because a file can be reached by several spellings and links.
   std::set<fs::path> seen{fs::canonical(path)};
   while (true) {
@@ -73,7 +65,7 @@ std::vector<YamlValue> load_layers(fs::path path, std::vector<std::string>& warn
     if (!seen.insert(fs::canonical(path)).second)
       refuse_at(extends->place, "extends",
                 quote(path.string()) + " extends this file; no scene extends itself");
-    layers.push_back(load(path));
+    layers.push_back(load_yaml(path));
   }
 }
 
@@ -88,7 +80,15 @@ YamlValue merge_layers(std::vector<YamlValue> layers) {
 
 }  // namespace
 
-const YamlValue& SceneFile::nearest(std::string_view field) const {
+YamlValue load_yaml(const std::string& path) {
+  const std::string reason = obstacle(path);
+  if (!reason.empty()) throw UserError("", path + ": " + reason);
+  const auto content = file_content(path);
+  if (!content) throw UserError("", path + ": the file cannot be read; name a scene file");
+  return parse_yaml(*content, path);
+}
+
+const YamlValue& nearest(const YamlValue& tree, std::string_view field) {
   const YamlValue* value = &tree;
   const auto steps = parse_path(field);
   for (const PathStep& step : steps ? *steps : std::vector<PathStep>{}) {
@@ -103,11 +103,11 @@ const YamlValue& SceneFile::nearest(std::string_view field) const {
 }
 
 std::string SceneFile::locate(std::string_view field) const {
-  return nearest(field).place.text();
+  return nearest(tree, field).place.text();
 }
 
 std::string SceneFile::folder(std::string_view field) const {
-  const Place& place = nearest(field).place;
+  const Place& place = nearest(tree, field).place;
   return place.line > 0 ? fs::path(*place.source).parent_path().string() : "";
 }
 

@@ -25,10 +25,13 @@ struct SceneFile {
 
   // Folder of the file in which the field is given; paths in the field are relative to it. Empty for `--set`.
   std::string folder(std::string_view field) const;
-
- private:
-  const YamlValue& nearest(std::string_view field) const;
 };
+
+// What a file of YAML holds, each value with its place. Throws UserError without a path if it cannot be read.
+YamlValue load_yaml(const std::string& path);
+
+// The value that stands at the path of a field, or the innermost given one that contains it.
+const YamlValue& nearest(const YamlValue& tree, std::string_view field);
 
 // Larger files are refused: a list of short numbers needs some 120 bytes of memory for each byte of its file.
 constexpr std::uintmax_t kLargestSceneBytes = 4 << 20;

@@ -82,7 +82,7 @@ void emit(YAML::Emitter& out, const Message& message) {
 
 }  // namespace
 
-std::string to_yaml(const scene::Scene& scene) {
+std::string to_yaml(const Message& scene) {
   YAML::Emitter out;
   emit(out, scene);
   return std::string(out.c_str()) + "\n";
