@@ -18,6 +18,7 @@ COMMANDS = {  # name: (module with main(words), what it does)
     "table": ("adit.table.command", "writes the forces of a lining or member along its path, at a time of the fields, as CSV"),
     "paraview": ("adit.paraview.command", "writes a state by which ParaView shows a run"),
     "calibrate": ("adit.calibrate.command", "finds micro-properties of bonded discs for a given rock"),
+    "study": ("adit.study.command", "computes many runs of a scene: records, random ground; fragility curves and a report"),
     "trade": ("adit.trade.command", "measures what speed costs in accuracy"),
     "zoom": ("adit.zoom.command", "writes the coupled scene with particles where a run of a continuum came near its strength"),
     "cluster": ("adit.cluster.command", "writes a Slurm job that computes a scene on several nodes"),

@@ -28,7 +28,7 @@ def largest(results):
     """Yields (which ring or lining, its Places, [largest magnitudes of each of FORCES over time]) of all of a run."""
     for ring, places, least, greatest in _section_envelopes(results):
         yield ring, places, _magnitudes(least, greatest)
-    for which, places, least, greatest in _lining_envelopes(results, results.last_pieces.get("linings")):
+    for which, places, least, greatest in lining_envelopes(results, results.last_pieces.get("linings")):
         yield which, places, _magnitudes(least, greatest)
 
 
@@ -52,11 +52,12 @@ def columns(results):
 
 def of_linings(run, linings):
     """Yields a drawing for each lining: its least and greatest forces so far, around its middle or along its path."""
-    for which, places, least, greatest in _lining_envelopes(run, linings):
+    for which, places, least, greatest in lining_envelopes(run, linings):
         yield _drawn(f"envelopes {words(places)} {which}", places, least, greatest)
 
 
-def _lining_envelopes(run, linings):
+def lining_envelopes(run, linings):
+    """Yields (which lining, its Places, least of each of FORCES over time, greatest) of a piece of linings."""
     if linings is None or len(linings.cells) == 0 or linings.field("peak_largest_thrust_N") is None:
         return
     for name, nodes in chains(run, linings):

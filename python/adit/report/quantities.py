@@ -27,8 +27,8 @@ def quantity(value, unit=""):
         return f"{value:,}"
     if not isinstance(value, (int, float)) or not math.isfinite(value):
         return str(value)
-    prefix, size = _prefix(abs(value), unit)
-    return f"{digits(value / size)} {prefix}{unit}".strip()
+    symbol, size = prefix(abs(value), unit)
+    return f"{digits(value / size)} {symbol}{unit}".strip()
 
 
 def figure(summary, key):
@@ -54,11 +54,12 @@ def sentence(text):
     return text[:1].upper() + text[1:] + ("" if text.endswith(".") else ".")
 
 
-def _prefix(size, unit):
-    for prefix, factor in PREFIXES:
+def prefix(size, unit):
+    """(prefix, its factor) with which an engineer writes a quantity of this size in this unit."""
+    for symbol, factor in PREFIXES:
         usable = factor == 1 or (factor > 1 and unit in LARGE) or (factor < 1 and unit in SMALL)
         if usable and size >= factor:
-            return prefix, factor
+            return symbol, factor
     return "", 1
 
 

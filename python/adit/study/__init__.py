@@ -1,0 +1,1 @@
+"""Many runs of one scene, and what follows from them: `adit study`."""
