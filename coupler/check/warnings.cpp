@@ -51,7 +51,8 @@ void warn_of_absent_statics(const Model& model, std::vector<std::string>& warnin
 }
 
 // Zones by their centres; none where the participant does not draw their materials.
-std::vector<GroundHere> drawn_ground(const wire::Snapshot& snapshot, const Side& side) {
+std::vector<GroundHere> drawn_ground(const wire::Snapshot& snapshot, const Side& side,
+                                     const StatedGround& stated) {
   std::vector<GroundHere> zones;
   const double materials = side.part.continuum().materials_size();
   for (const wire::Piece& piece : snapshot.pieces()) {
@@ -67,6 +68,7 @@ std::vector<GroundHere> drawn_ground(const wire::Snapshot& snapshot, const Side&
         here.x += piece.points(2 * point) / 4;
         here.y += piece.points(2 * point + 1) / 4;
       }
+      here.ground = stated.scattered(here.ground, here.x, here.y);
       zones.push_back(std::move(here));
     }
   }
@@ -95,11 +97,12 @@ void compare_ground(Model& model) {
   for (const Interface& interface : model.interfaces) {
     const Side outer = side_of(model.scene, model.participants[interface.outer]);
     const Side inner = side_of(model.scene, model.participants[interface.inner]);
-    const bool is_known = StatedGround(outer.part, outer.path).is_known();
+    const StatedGround stated(outer.part, outer.path);
+    const bool is_known = stated.is_known();
     if (!is_known && snapshots.empty()) snapshots = take_snapshots(model.participants);
     const auto warning = ground_warning(
         interface.overlap, outer, inner,
-        is_known ? std::vector<GroundHere>{} : drawn_ground(snapshots[interface.outer], outer));
+        is_known ? std::vector<GroundHere>{} : drawn_ground(snapshots[interface.outer], outer, stated));
     if (warning) model.warnings.push_back(*warning);
   }
 }

@@ -85,7 +85,11 @@ Ground ground_of_zones(const scene::Scene& part, const std::string& path, std::s
                                   : ground("material", part.material());
 }
 
-StatedGround::StatedGround(const scene::Scene& part, std::string path) : part_(part), path_(std::move(path)) {
+StatedGround::StatedGround(const scene::Scene& part, std::string path)
+    : part_(part),
+      path_(std::move(path)),
+      stiffness_(part.has_continuum() ? part.continuum().scatter() : part.particles().scatter(),
+                 scene::Scatter::STIFFNESS, path_ + ".scatter") {
   if (part.has_continuum())
     add_zones();
   else
@@ -130,8 +134,17 @@ void StatedGround::add(const scene::Area& where, const Ground& ground) {
 
 Ground StatedGround::at(double x, double y) const {
   for (auto other = others_.rbegin(); other != others_.rend(); ++other)
-    if (other->first.hold(x, y)) return other->second;
-  return own_;
+    if (other->first.hold(x, y)) return scattered(other->second, x, y);
+  return scattered(own_, x, y);
+}
+
+Ground StatedGround::scattered(Ground ground, double x, double y) const {
+  if (ground.stiffness) {
+    const double factor = stiffness_.at(x, y);
+    ground.stiffness->young *= factor;
+    ground.stiffness->shear *= factor;
+  }
+  return ground;
 }
 
 }  // namespace adit::coupler

@@ -8,6 +8,7 @@
 
 #include "protocol/geometry/selection.hpp"
 #include "protocol/messages/scene.pb.h"
+#include "protocol/scatter/scattering.hpp"
 
 namespace adit::coupler {
 
@@ -38,6 +39,8 @@ class StatedGround {
 
   // At a place [m], where is_known(). Zones are as they are at first; the groups of all stages count.
   Ground at(double x, double y) const;
+  // What a material is there, with the factors of `scatter`.
+  Ground scattered(Ground ground, double x, double y) const;
 
  private:
   void add_zones();
@@ -46,6 +49,7 @@ class StatedGround {
 
   const scene::Scene& part_;
   std::string path_;
+  protocol::Scattering stiffness_;
   bool known_ = true;
   Ground own_;
   std::vector<std::pair<protocol::Places, Ground>> others_;  // the last one that holds a place has it

@@ -127,6 +127,15 @@ void add_particles(const scene::LinedTunnel& given, const std::string& path,
   add_note_on_elastic_ground(tunnel, ground.elastic, expansion.notes);
 }
 
+// Zones and particles of a lining lie in the field of the ground, but are no ground.
+void require_beams(const scene::LinedTunnel& tunnel, const std::string& path) {
+  if (tunnel.lining().as() != scene::TunnelLining::BEAM)
+    throw UserError(
+        path + ".lining.as",
+        "is not beam, but `continuum.scatter` would scatter the zones or particles of the lining as the "
+        "ground; write `as: beam`, or leave `scatter` out");
+}
+
 }  // namespace
 
 Expansion expand_tunnels(const scene::Scene& given) {
@@ -135,6 +144,9 @@ Expansion expand_tunnels(const scene::Scene& given) {
   expansion.scene.clear_tunnels();
   if (!given.has_continuum())
     throw UserError("tunnels", "lie in no ground; give the scene a `continuum` around them");
+  if (!given.continuum().scatter().empty())
+    for (int k = 0; k < given.tunnels_size(); ++k)
+      require_beams(given.tunnels(k), fmt::format("tunnels[{}]", k));
   const auto of_particles = std::ranges::count_if(given.tunnels(), is_of_particles);
   const bool alone = of_particles == 1 && !given.has_particles() && !given.has_interface();
   for (int k = 0; k < given.tunnels_size(); ++k)

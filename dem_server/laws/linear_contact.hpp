@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 
 #include "dem_server/laws/pair_kinematics.hpp"
 
@@ -16,7 +17,7 @@ struct LinearContact {
   double normal_stiffness, shear_stiffness;      // [N/m]
   double friction;                               // coefficient
   double normal_damping = 0, shear_damping = 0;  // beta, shares of the critical damping of the pair
-  bool operator==(const LinearContact&) const = default;
+  auto operator<=>(const LinearContact&) const = default;
 };
 
 inline LinearContact without_dashpots(LinearContact law) {

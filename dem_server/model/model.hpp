@@ -156,6 +156,7 @@ struct Model {
   std::vector<FacetBond> facets;  // one a bond of this law, from its first cell to its second
   std::vector<FacetLaw> facet_laws;
   std::vector<CellElasticity> cell_elasticity;  // of each group; empty without cells
+  std::vector<double> cell_stiffness;  // of each cell: by which that of its group is multiplied; empty: all 1
 
   std::vector<LinearContact> contacts;  // of discs of two groups, see contact()
   // Overlaps at the start bear no force; else the contacts do, and so do contact bonds that begin compressed.
@@ -182,6 +183,11 @@ struct Model {
   bool is_there(std::size_t disc) const { return present.empty() || present[disc]; }
   // Area of the cell that a disc stands for, without its weight [m^2].
   double cell_area(std::size_t disc) const { return mass[disc] / density[group[disc]]; }
+  CellElasticity elasticity_of(std::size_t cell) const {
+    const auto& [stiffness, lambda] = cell_elasticity[group[cell]];
+    const double factor = cell_stiffness.empty() ? 1 : cell_stiffness[cell];
+    return {factor * stiffness, factor * lambda};
+  }
   // Moment of inertia of a disc without its weight [kg m^2]: m R^2 / 2, or that of the cell.
   double inertia(std::size_t disc) const { return inertia(disc, mass[disc]); }
   // If it had this mass [kg].

@@ -30,6 +30,7 @@ std::vector<std::uint32_t> keep_discs(std::span<const double> weights, Model& mo
   keep_only(keep, model.mass, model.weight, model.id, model.group, model.present);
   if (!model.gyration_square.empty()) keep_only(keep, model.gyration_square);
   if (!model.outlines.empty()) keep_only(keep, model.outlines);
+  if (!model.cell_stiffness.empty()) keep_only(keep, model.cell_stiffness);
   for (ParticleStage& stage : model.stages)
     keep_only(keep, stage.present, stage.group, stage.held, stage.fresh, stage.mass);
   return place;

@@ -42,7 +42,7 @@ std::vector<Squares> squares(const Model& model, const std::vector<ElasticBond>&
   std::vector<Squares> sums(model.discs.size());
   if (!model.cell_elasticity.empty())
     for (std::size_t i = 0; i < sums.size(); ++i)
-      sums[i].p = model.cell_elasticity[model.group[i]].lambda / model.density[model.group[i]];
+      sums[i].p = model.elasticity_of(i).lambda / model.density[model.group[i]];
   for (const ElasticBond& bond : bonds) {
     const double x = model.discs.x[bond.second] - model.discs.x[bond.first],
                  y = model.discs.y[bond.second] - model.discs.y[bond.first];

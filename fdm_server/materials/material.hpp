@@ -35,11 +35,32 @@ struct Ground {
   std::vector<std::uint32_t> of_zone;  // number of each zone's material
   bool plane_stress = false;           // linear materials in small strain only
   bool large_strain = false;
+  // By which the stiffness of each zone's material is multiplied, and its strength; empty: 1 everywhere.
+  std::vector<double> stiffness_factor = {}, strength_factor = {};
 
+  bool scattered() const { return !stiffness_factor.empty() || !strength_factor.empty(); }
+  const Material& material(std::size_t zone) const { return materials[of_zone[zone]]; }
+  double stiffness_of(std::size_t zone) const {
+    return stiffness_factor.empty() ? 1 : stiffness_factor[zone];
+  }
+  double strength_of(std::size_t zone) const { return strength_factor.empty() ? 1 : strength_factor[zone]; }
   PlaneLaw plane_law(const Material& material) const {
     return plane_stress ? fdm::plane_stress(material.young, material.poisson)
                         : plane_strain(material.young, material.poisson);
   }
+  // Of a zone, with its factor.
+  PlaneLaw plane_law(std::size_t zone) const {
+    const auto [bulk, shear] = plane_law(material(zone));
+    return {stiffness_of(zone) * bulk, stiffness_of(zone) * shear};
+  }
+  // Another zone at the end, of the ground of a zone of `other`, which has the same materials.
+  void add_zone(const Ground& other, std::size_t zone) {
+    of_zone.push_back(other.of_zone[zone]);
+    if (!other.stiffness_factor.empty()) stiffness_factor.push_back(other.stiffness_factor[zone]);
+    if (!other.strength_factor.empty()) strength_factor.push_back(other.strength_factor[zone]);
+  }
+  // The same materials without zones.
+  Ground without_zones() const { return {materials, {}, plane_stress, large_strain}; }
   bool states_strength() const { return std::ranges::any_of(materials, &Material::states_strength); }
   // Whether its zones' stress is a linear function of the displacements.
   bool is_elastic(const Material& material) const { return material.linear() && !large_strain; }

@@ -37,6 +37,11 @@ struct YieldCone {
   double sin_friction, sin_dilation, twice_c_cos, tension;
 };
 
+// Of so many times the cohesion and tension.
+[[gnu::always_inline]] inline YieldCone times(double factor, const YieldCone& cone) {
+  return {cone.sin_friction, cone.sin_dilation, factor * cone.twice_c_cos, factor * cone.tension};
+}
+
 class MohrCoulomb {
  public:
   explicit MohrCoulomb(const Strength& strength) : MohrCoulomb({{0.0, strength}}) {}

@@ -16,6 +16,9 @@ inline SolidStress operator-(const SolidStress& a, const SolidStress& b) {
 inline SolidStress operator+(const SolidStress& a, const SolidStress& b) {
   return {a.xx + b.xx, a.yy + b.yy, a.zz + b.zz, a.xy + b.xy};
 }
+inline SolidStress operator*(double factor, const SolidStress& s) {
+  return {factor * s.xx, factor * s.yy, factor * s.zz, factor * s.xy};
+}
 
 // An increment of strain; xy is the engineering shear strain. Total strain has no zz, plastic strain may.
 struct Strain {

@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace adit::fdm {
 
 WaveSpeeds wave_speeds(const Ground& ground) {
   WaveSpeeds fastest{0, 0};
-  for (const std::uint32_t number : std::set(ground.of_zone.begin(), ground.of_zone.end())) {
-    const Material& material = ground.materials[number];
-    const PlaneLaw law = ground.plane_law(material);
-    fastest.p = std::max(fastest.p, std::sqrt((law.bulk + law.shear) / material.density));
-    fastest.s = std::max(fastest.s, std::sqrt(law.shear / material.density));
+  for (std::size_t zone = 0; zone < ground.of_zone.size(); ++zone) {
+    const PlaneLaw law = ground.plane_law(zone);
+    const double density = ground.material(zone).density;
+    fastest.p = std::max(fastest.p, std::sqrt((law.bulk + law.shear) / density));
+    fastest.s = std::max(fastest.s, std::sqrt(law.shear / density));
   }
   return fastest;
 }

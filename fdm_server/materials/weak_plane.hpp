@@ -18,6 +18,11 @@ struct PlaneStrength {
   double cohesion, tan_friction, tan_dilation, tension;
 };
 
+// Of so many times the cohesion and tension.
+[[gnu::always_inline]] inline PlaneStrength times(double factor, const PlaneStrength& plane) {
+  return {factor * plane.cohesion, plane.tan_friction, plane.tan_dilation, factor * plane.tension};
+}
+
 // The planes' direction as the cosine and sine of twice its angle from x, counter-clockwise.
 struct PlaneDirection {
   double cosine, sine;

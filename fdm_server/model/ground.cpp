@@ -7,10 +7,12 @@
 #include <numeric>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "fdm_server/model/grid/selection.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/materials/fracture.hpp"
+#include "protocol/scatter/scattering.hpp"
 
 namespace adit::fdm {
 namespace {
@@ -196,10 +198,12 @@ std::vector<std::string> notes_on_strength(const Ground& ground) {
     const Material& material = ground.materials[m];
     if (const auto end = end_of_curve(material))
       notes.push_back(fmt::format(
-          "the curve of {} reaches a shear stress of {:.3g} kPa, at {:.3g} % of shear strain, and no more at "
+          "the curve of {} reaches a shear stress of {:.3g} kPa{}, at {:.3g} % of shear strain, and no more "
+          "at "
           "any "
           "depth",
-          name_of_material(m), end->stress * material.elasticity().shear / 1e3, 100 * end->strain));
+          name_of_material(m), end->stress * material.elasticity().shear / 1e3,
+          ground.stiffness_factor.empty() ? "" : " times the factor of stiffness", 100 * end->strain));
   }
   return notes;
 }
@@ -249,11 +253,33 @@ std::vector<std::uint32_t> materials_of_zones(const scene::Continuum& scene, con
   return numbers;
 }
 
+namespace {
+
+std::vector<double> factors_of_zones(const scene::Continuum& scene, scene::Scatter::Property property,
+                                     const Grid& grid) {
+  const protocol::Scattering scattering(scene.scatter(), property, "continuum.scatter");
+  if (scattering.empty()) return {};
+  std::vector<double> factors;
+  for (std::size_t z = 0; z < grid.zones.size(); ++z) {
+    const auto [x, y] = centroid(corners(grid, z));
+    factors.push_back(scattering.at(x, y));
+  }
+  return factors;
+}
+
+}  // namespace
+
+void assign_zones(const scene::Continuum& scene, const Grid& grid, Ground& ground) {
+  ground.of_zone = materials_of_zones(scene, grid);
+  ground.stiffness_factor = factors_of_zones(scene, scene::Scatter::STIFFNESS, grid);
+  ground.strength_factor = factors_of_zones(scene, scene::Scatter::STRENGTH, grid);
+}
+
 void compact(Ground& ground, std::span<const double> weights) {
-  std::size_t kept = 0;
+  Ground kept = ground.without_zones();
   for (std::size_t z = 0; z < weights.size(); ++z)
-    if (weights[z] != 0) ground.of_zone[kept++] = ground.of_zone[z];
-  ground.of_zone.resize(kept);
+    if (weights[z] != 0) kept.add_zone(ground, z);
+  ground = std::move(kept);
 }
 
 }  // namespace adit::fdm

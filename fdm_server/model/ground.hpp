@@ -32,6 +32,10 @@ std::vector<std::string> notes_on_loops(const scene::Scene& scene, const Ground&
 // UserError for an area that holds none.
 std::vector<std::uint32_t> materials_of_zones(const scene::Continuum& scene, const Grid& grid);
 
+// Gives the ground the grid's zones: their materials, and the factors of `scatter` at their centres.
+// UserError also for a field that cannot be read.
+void assign_zones(const scene::Continuum& scene, const Grid& grid, Ground& ground);
+
 // Removes the zones of weight 0.
 void compact(Ground& ground, std::span<const double> weights);
 

@@ -30,8 +30,7 @@ Resolution resolution(const Grid& grid, const Ground& ground) {
   const auto box = bounds(grid);
   Resolution least{HUGE_VAL, 0, 0, 0};
   for (std::size_t z = 0; z < grid.zones.size(); ++z) {
-    const Material& material = ground.materials[ground.of_zone[z]];
-    const double speed = std::sqrt(ground.plane_law(material).shear / material.density);
+    const double speed = std::sqrt(ground.plane_law(z).shear / ground.material(z).density);
     const double size = longest_side(corners(grid, z), box.x_max - box.x_min, box.y_max - box.y_min);
     const double frequency = speed / (kZonesAWavelength * size);
     if (frequency < least.frequency) least = {frequency, speed, size, ground.of_zone[z]};

@@ -71,7 +71,7 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   setup_ = read_setup(scene_);
   require_statics_for_motions(scene_);
   grid_ = read_grid(scene_.continuum());
-  setup_.ground.of_zone = materials_of_zones(scene_.continuum(), grid_);
+  assign_zones(scene_.continuum(), grid_, setup_.ground);
   Grid grid = grid_;  // with what interfaces add
   const Supports supports = resolve_supports(scene_, setup_.ground, {}, grid);
   damping_ = resolve_damping(scene_.continuum());
@@ -185,7 +185,7 @@ void FdmParticipant::make_continuum() {
   const auto edges = outline(grid_);
   columns_ = add_columns(conditions, edges, grid_);
   for (const auto& column : columns_)
-    for (const auto& edge : column.edges) setup_.ground.of_zone.push_back(setup_.ground.of_zone[edge.zone]);
+    for (const auto& edge : column.edges) setup_.ground.add_zone(setup_.ground, edge.zone);
   weights_.resize(grid_.zones.size(), 1.0);
   zones_there_ = grid_.zones.size();
 
@@ -196,8 +196,7 @@ void FdmParticipant::make_continuum() {
       conditions, base_accelerations_, grid_, edges, columns_,
       [this](std::uint32_t zone) {
         const Ground& ground = setup_.ground;
-        const Material& material = ground.materials[ground.of_zone[zone]];
-        return impedance(ground.plane_law(material), material.density, weights_[zone]);
+        return impedance(ground.plane_law(zone), ground.material(zone).density, weights_[zone]);
       },
       motions);
   std::ranges::move(boundaries.motions, std::back_inserter(motions));

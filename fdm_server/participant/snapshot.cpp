@@ -241,6 +241,10 @@ void add_ground(const Grid& grid, const Ground& ground, const ZoneSet& zones, st
   };
   add("material", [&](std::size_t z) { return ground.of_zone[z]; });
   add("group", [&](std::size_t z) { return groups[z]; });
+  if (!ground.stiffness_factor.empty())
+    add("stiffness_factor", [&](std::size_t z) { return ground.stiffness_of(z); });
+  if (!ground.strength_factor.empty())
+    add("strength_factor", [&](std::size_t z) { return ground.strength_of(z); });
   if (ground.states_strength()) add("demand", [&](std::size_t z) { return zones.demand(z); });
   if (std::ranges::all_of(ground.materials, &Material::linear)) return;
   add("yield_state", [&](std::size_t z) { return zones.field(z, ZoneField::kYieldState); });

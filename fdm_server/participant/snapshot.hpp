@@ -24,9 +24,9 @@ void fill_snapshot(const Grid& grid, const Continuum& continuum, std::span<const
                    wire::Snapshot& snapshot);
 
 // Adds to that piece the cell fields material and group, numbers in the lists of the model (wire.proto), a
-// zone of several groups having the last one; where a material states a strength, demand
-// (materials/demand.hpp); where one follows a law beyond elasticity, yield_state (the bits of
-// materials/solid.hpp) and plastic_shear_strain.
+// zone of several groups having the last one; where zones are scattered, stiffness_factor and
+// strength_factor; where a material states a strength, demand (materials/demand.hpp); where one follows a law
+// beyond elasticity, yield_state (the bits of materials/solid.hpp) and plastic_shear_strain.
 void add_ground(const Grid& grid, const Ground& ground, const ZoneSet& zones, std::span<const double> weights,
                 wire::Piece& piece);
 

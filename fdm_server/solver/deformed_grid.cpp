@@ -17,12 +17,11 @@ void require_stable_shapes(ZoneKind kind, const Grid& grid, const Ground& ground
     left.x[i] += continuum.ux()[i];
     left.y[i] += continuum.uy()[i];
   }
-  Ground own = ground;
-  own.of_zone.clear();
+  Ground own = ground.without_zones();
   for (std::size_t z = 0; z < grid.own_zones(); ++z) {
     if (weights[z] == 0) continue;
     left.zones.push_back(grid.zones[z]);
-    own.of_zone.push_back(ground.of_zone[z]);
+    own.add_zone(ground, z);
     if (const Corners now = corners(left, left.zones.size() - 1); !(area(now) > 0)) {
       const auto [x, y] = centroid(corners(grid, z));
       throw protocol::Unstable(fmt::format(

@@ -107,7 +107,7 @@ std::vector<double> zone_steps(ZoneKind kind, const Grid& grid, const Ground& gr
                                                        : nonlinear_zones(kind, material);
     const std::vector<double> own = steps_of(zones_of_material(grid, ground, m), material.density, make);
     for (std::size_t z = 0, k = 0; z < steps.size(); ++z)
-      if (ground.of_zone[z] == m) steps[z] = own[k++];
+      if (ground.of_zone[z] == m) steps[z] = own[k++] / std::sqrt(ground.stiffness_of(z));
   }
   return steps;
 }

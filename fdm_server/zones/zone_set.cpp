@@ -14,11 +14,13 @@ namespace adit::fdm {
 namespace {
 
 std::unique_ptr<ZoneKernel> make_kernel(ZoneKind kind, const Grid& grid, const Ground& ground,
-                                        const Material& material, std::span<const double> weights) {
+                                        const Material& material, std::span<const double> weights,
+                                        std::span<const double> strengths) {
   if (ground.is_elastic(material))
     return std::make_unique<ElasticZones>(kind, grid, ground.plane_law(material), weights,
-                                          ground.plane_stress ? 0 : material.poisson, material.fracture);
-  return std::make_unique<NonlinearZones>(kind, grid, material, weights, ground.large_strain);
+                                          ground.plane_stress ? 0 : material.poisson, material.fracture,
+                                          strengths);
+  return std::make_unique<NonlinearZones>(kind, grid, material, weights, ground.large_strain, strengths);
 }
 
 std::vector<std::uint32_t> numbers_of(const Ground& ground, std::size_t material,
@@ -27,6 +29,14 @@ std::vector<std::uint32_t> numbers_of(const Ground& ground, std::size_t material
   for (std::size_t z = 0; z < chosen.size(); ++z)
     if (chosen[z] && ground.of_zone[z] == material) numbers.push_back(static_cast<std::uint32_t>(z));
   return numbers;
+}
+
+Stress times(double factor, const Stress& s) {
+  return {factor * s.xx, factor * s.yy, factor * s.xy};
+}
+
+BorneStress times(double factor, const BorneStress& b) {
+  return {times(factor, b.mean), factor * b.across, factor * b.pattern_x, factor * b.pattern_y};
 }
 
 Grid some_zones(const Grid& grid, std::span<const std::uint32_t> numbers) {
@@ -55,7 +65,7 @@ ZoneSet::ZoneSet(ZoneKind kind, const Grid& grid, const PlaneLaw& law, std::span
     : places_(grid.zones.size()) {
   std::vector<std::uint32_t> numbers(grid.zones.size());
   std::iota(numbers.begin(), numbers.end(), 0u);
-  add_part(std::make_unique<ElasticZones>(kind, grid, law, weights), std::move(numbers));
+  add_part({std::make_unique<ElasticZones>(kind, grid, law, weights), std::move(numbers), {}});
   collect_runs();
   collect_pieces();
 }
@@ -65,18 +75,24 @@ void ZoneSet::add_parts(ZoneKind kind, const Grid& grid, const Ground& ground,
   for (std::size_t m = 0; m < ground.materials.size(); ++m) {
     std::vector<std::uint32_t> numbers = numbers_of(ground, m, chosen);
     if (numbers.empty()) continue;
-    std::vector<double> own_weights;
-    for (const auto z : numbers) own_weights.push_back(weights[z]);
-    auto kernel = make_kernel(kind, some_zones(grid, numbers), ground, ground.materials[m], own_weights);
-    add_part(std::move(kernel), std::move(numbers));
+    const Material& material = ground.materials[m];
+    const bool scattered = ground.scattered(), strong = scattered && material.states_strength();
+    std::vector<double> own_weights, stiffness, strengths;
+    for (const auto z : numbers) {
+      const double factor = ground.stiffness_of(z);
+      own_weights.push_back(factor * weights[z]);
+      if (scattered) stiffness.push_back(factor);
+      if (strong) strengths.push_back(ground.strength_of(z) / factor);
+    }
+    auto kernel = make_kernel(kind, some_zones(grid, numbers), ground, material, own_weights, strengths);
+    add_part({std::move(kernel), std::move(numbers), std::move(stiffness)});
   }
 }
 
-void ZoneSet::add_part(std::unique_ptr<ZoneKernel> kernel, std::vector<std::uint32_t> numbers) {
-  const auto part = static_cast<std::uint32_t>(parts_.size());
-  for (std::size_t z = 0; z < numbers.size(); ++z)
-    places_[numbers[z]] = {part, static_cast<std::uint32_t>(z)};
-  parts_.push_back({std::move(kernel), std::move(numbers)});
+void ZoneSet::add_part(Part part) {
+  for (std::size_t z = 0; z < part.numbers.size(); ++z)
+    places_[part.numbers[z]] = {static_cast<std::uint32_t>(parts_.size()), static_cast<std::uint32_t>(z)};
+  parts_.push_back(std::move(part));
 }
 
 // In the order of the grid's zones.
@@ -136,12 +152,18 @@ void ZoneSet::add_forces_of(const std::vector<bool>& zones, double dt, const Poi
   }
 }
 
+void ZoneSet::Part::scale(const protocol::IndexRange& batch, PlaneStresses& stresses) const {
+  if (stiffness.empty()) return;
+  for (auto* values : {&stresses.mean, &stresses.difference, &stresses.shear})
+    for (std::uint32_t z = batch.begin; z < batch.end; ++z) (*values)[z - batch.begin] *= stiffness[z];
+}
+
 void ZoneSet::set_stress(std::size_t zone, const Stress& stress) {
-  parts_[places_[zone].part].kernel->set_stress(places_[zone].zone, stress);
+  parts_[places_[zone].part].kernel->set_stress(places_[zone].zone, times(1 / factor(zone), stress));
 }
 
 void ZoneSet::set_stress_zz(std::size_t zone, double zz) {
-  parts_[places_[zone].part].kernel->set_stress_zz(places_[zone].zone, zz);
+  parts_[places_[zone].part].kernel->set_stress_zz(places_[zone].zone, zz / factor(zone));
 }
 
 void ZoneSet::remove(const std::vector<bool>& gone) {
@@ -173,7 +195,8 @@ void ZoneSet::renew(ZoneKind kind, const Grid& grid, const Ground& ground,
   add_parts(kind, grid, ground, std::vector<double>(count(), 1.0), renewed);
   for (Part& part : std::span(parts_).subspan(first_new)) part.kernel->follow(ux, uy);
   for (std::size_t i = 0; i < zones.size(); ++i)
-    parts_[places_[zones[i]].part].kernel->set_borne(places_[zones[i]].zone, before[i]);
+    parts_[places_[zones[i]].part].kernel->set_borne(places_[zones[i]].zone,
+                                                     times(1 / factor(zones[i]), before[i]));
   collect_runs();
   collect_pieces();
 }
@@ -212,11 +235,14 @@ double ZoneSet::dissipated() const {
 }
 
 Stress ZoneSet::stress(std::size_t zone) const {
-  return parts_[places_[zone].part].kernel->stress(places_[zone].zone);
+  return times(factor(zone), parts_[places_[zone].part].kernel->stress(places_[zone].zone));
 }
 
 ZoneForces ZoneSet::forces(std::size_t zone) const {
-  return parts_[places_[zone].part].kernel->forces(places_[zone].zone);
+  ZoneForces forces = parts_[places_[zone].part].kernel->forces(places_[zone].zone);
+  for (auto* component : {&forces.x, &forces.y})
+    for (double& force : *component) force *= factor(zone);
+  return forces;
 }
 
 double ZoneSet::demand(std::size_t zone) const {
@@ -224,7 +250,8 @@ double ZoneSet::demand(std::size_t zone) const {
 }
 
 double ZoneSet::field(std::size_t zone, ZoneField field) const {
-  return parts_[places_[zone].part].kernel->field(places_[zone].zone, field);
+  const double value = parts_[places_[zone].part].kernel->field(places_[zone].zone, field);
+  return field == ZoneField::kStressZz ? factor(zone) * value : value;
 }
 
 }  // namespace adit::fdm

@@ -1,6 +1,12 @@
 // The zones of a grid of one or several materials, by number in the grid. One kernel computes those of each
 // material: elastic ones in small strain the fast kernel (elastic/), others the general one (nonlinear/).
 // Runs carry the number of their part, so that the choice costs one virtual call for many zones.
+//
+// Zones of one material may differ in stiffness and in strength by factors (Ground). Every law bears f times
+// the stress at the same strain where its stiffness is multiplied by f and its strength is, too. So kernels
+// compute the stress over f, weights times f make of it what the zone pulls with and stores, and of a
+// strength s times the material's the kernel sees s / f. This costs no more than zones of one stiffness that
+// are weighted.
 #pragma once
 
 #include <algorithm>
@@ -63,11 +69,16 @@ class ZoneSet {
   struct Part {
     std::unique_ptr<ZoneKernel> kernel;
     std::vector<std::uint32_t> numbers;  // of its zones in the grid
+    std::vector<double> stiffness;       // factors of its zones; empty: all 1
 
     // Flags of the grid's zones as flags of the part's, whose kernel and runs count zones from 0.
     std::vector<bool> own(const std::vector<bool>& zones) const;
+    double factor(std::size_t zone) const { return stiffness.empty() ? 1 : stiffness[zone]; }
+    // Of a batch, from what its kernel computes.
+    void scale(const protocol::IndexRange& batch, PlaneStresses& stresses) const;
   };
-  void add_part(std::unique_ptr<ZoneKernel> kernel, std::vector<std::uint32_t> numbers);
+  double factor(std::size_t zone) const { return parts_[places_[zone].part].factor(places_[zone].zone); }
+  void add_part(Part part);
   // A part for each material of the chosen zones.
   void add_parts(ZoneKind kind, const Grid& grid, const Ground& ground, std::span<const double> weights,
                  const std::vector<bool>& chosen);
@@ -86,6 +97,7 @@ class ZoneSet {
     for (std::uint32_t begin = piece.zones.begin; begin < piece.zones.end; begin += kBatch) {
       const protocol::IndexRange batch{begin, std::min(begin + kBatch, piece.zones.end)};
       part.kernel->find_stresses(batch, stresses);
+      part.scale(batch, stresses);
       see(std::span(part.numbers).subspan(batch.begin, batch.end - batch.begin), stresses);
     }
   }

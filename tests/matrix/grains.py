@@ -11,7 +11,7 @@ FACTORS = {
     "plane": ["plane_strain", "plane_stress"],
     "packing": ["placed", "hexagonal", "square", "random", "cells"],
     "engine": ["automatic", "general"],
-    "bonds": ["contact", "breakable", "friction", "parallel", "grains"],
+    "bonds": ["contact", "breakable", "friction", "parallel", "grains", "scattered"],
     "line": ["none", "weak", "open", "smooth"],
     "groups": ["none", "soft", "later", "apart"],
     "spring": ["none", "linear", "tension", "curve", "across", "bar"],
@@ -73,7 +73,7 @@ def scene(row):
                             "damping": row["rest"] if row["rest"] != "unscaled" else "local", "scale_masses": row["rest"] != "unscaled"}
     if row["rest"] == "stressed":
         whole["initial_stress"] = {"xx": -20e3, "yy": -80e3, "yy_per_metre": 20e3}
-    if row["packing"] == "cells" and row["bonds"] == "breakable":
+    if row["packing"] == "cells" and row["bonds"] in ("breakable", "scattered"):
         whole["particles"]["material"] = {**ROCK, "fracture": FRACTURE}
     return whole
 
@@ -93,8 +93,9 @@ def _particles(row):
         "friction": {"bonds": {}, "contacts": {"friction": 0.5, "normal_damping": 0.1}},
         "parallel": {"bonds": {"parallel": {"normal_stiffness": 4e9, "shear_stiffness": 1.5e9, "cohesion": 2e6, "tensile_strength": 1e6}},
                      "contacts": {"friction": 0.5}},
+        "scattered": {"bonds": {"tensile_strength": 100e3, "shear_strength": 300e3}, **ground.scatter()},
     }[row["bonds"]]
-    if row["packing"] == "cells" and row["bonds"] == "breakable":
+    if row["packing"] == "cells" and row["bonds"] in ("breakable", "scattered"):
         bonds = {"bonds": {}}
     model.update({**bonds, "bonds": {**model.get("bonds", {}), **bonds["bonds"]}, "engine": row["engine"]})
     if row["bonds"] == "grains":
@@ -134,7 +135,7 @@ def _add_groups(row, model):
     if row["groups"] == "none":
         return
     group = {"name": "part", "where": {"x_min": 2.5, "y_max": 2.05}}
-    rock = {**ROCK, "fracture": FRACTURE} if row["packing"] == "cells" and row["bonds"] == "breakable" else ROCK
+    rock = {**ROCK, "fracture": FRACTURE} if row["packing"] == "cells" and row["bonds"] in ("breakable", "scattered") else ROCK
     group.update({"soft": {"material": {**rock, "young_modulus": 0.4e9}}, "apart": {}, "later": {"material": {**rock, "young_modulus": 4e9}, "stage": 1}}[row["groups"]])
     model.setdefault("groups", []).append(group)
     if row["groups"] == "apart":  # which only touches what lies above

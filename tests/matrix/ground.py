@@ -10,7 +10,7 @@ FACTORS = {
     "plane": ["plane_strain", "plane_stress"],
     "grid": ["block", "blocks", "mesh", "ring", "skewed"],
     "zone": ["assumed_strain", "mixed_discretization"],
-    "law": ["elastic", "layers", "mohr_coulomb", "weak_plane", "elements", "reversals", "limited"],
+    "law": ["elastic", "layers", "mohr_coulomb", "weak_plane", "elements", "reversals", "limited", "scattered"],
     "damping": ["none", "rayleigh", "maxwell", "local"],
     "sides": ["free", "rollers", "quiet", "springs", "free_field"],
     "base": ["held", "rigid", "compliant"],
@@ -47,7 +47,7 @@ STAGED = {"stage", "side", "two_stages", "released", "filled"}
 
 # What the programs refuse, and a word of the refusal.
 REFUSED = (
-    [({"plane": "plane_stress", "law": law}, "plane strain") for law in ("mohr_coulomb", "weak_plane", "elements", "reversals", "limited")]
+    [({"plane": "plane_stress", "law": law}, "plane strain") for law in ("mohr_coulomb", "weak_plane", "elements", "reversals", "limited", "scattered")]
     + [({"plane": "plane_stress", "large": "yes"}, "plane strain")]
     + [({"large": "yes", "inside": inside}, "large_strain") for inside in ("strip", "ring", "both_ends", "grid")]
     + [({"solve": "lumped", "rest": rest}, "lumped") for rest in sorted(STATICS)]
@@ -97,6 +97,7 @@ LAWS = {
     "limited": {"hysteretic": {"hyperbola": {"reference_strain": 5e-4}, "elements": 20}, "mohr_coulomb": {"cohesion": 60e3, "friction_angle": 0.5}},
     "reversals": {"hysteretic": {"hyperbola": {"reference_strain": 5e-4}, "memory": "reversals", "damping": {"darendeli": {}}}},
 }
+LAWS["scattered"] = {**LAWS["limited"], **LAWS["weak_plane"]}
 HOLE = {"x_min": -1.0, "x_max": 1.0, "y_min": 1.0, "y_max": 3.0}
 CENTRE = {"x": 0.0, "y": 2.0}
 
@@ -106,6 +107,11 @@ def passes_thresholds(row):
     return (row["law"] not in ("elastic", "layers") or row["bonds"] not in ("contact", "spring") or row["packing"] == "random"
             or row["support"] in ("jointed", "bolt", "slipping", "layered", "reinforced") or row.get("bedding", "none") != "none"
             or row["foundation"] == "springs" or row["damping"] == "local")
+
+
+def scatter():
+    """Fields of stiffness and of strength (runs.py)."""
+    return {"scatter": [{"of": of, "path": f"field_{of}.csv"} for of in ("stiffness", "strength")]}
 
 
 def output(row):
@@ -151,6 +157,8 @@ class Ground:
         if row["damping"] != "none":
             band = {"ratio": 0.03, "low_frequency": 20.0, "high_frequency": 100.0}
             continuum["damping"] = {row["damping"]: {"alpha": 0.2} if row["damping"] == "local" else band}
+        if row["law"] == "scattered":
+            continuum.update(scatter())
         continuum.update(self.sides())
         continuum.update(self.base())
         continuum.update(self.loads())
@@ -331,7 +339,7 @@ class Ground:
     def histories(self):
         quantities = ["displacement_x", "displacement_y", "velocity_x", "velocity_y", "acceleration_x", "acceleration_y", "stress_xx", "stress_yy",
                       "stress_xy", "stress_zz", "strain_xx", "strain_yy", "shear_strain_xy"]
-        if self.row["law"] in ("mohr_coulomb", "weak_plane", "limited"):
+        if self.row["law"] in ("mohr_coulomb", "weak_plane", "limited", "scattered"):
             quantities.append("demand")
         found = [{"name": name, "quantity": quantity, "at": {"x": x, "y": y}}
                  for name, x, y in (("low", -1.72, 0.63), ("high", 1.61, 3.34)) for quantity in quantities]
@@ -372,6 +380,8 @@ class Ground:
             "cells": {"cells": {**box, "size": 2 * radius}},
         }[row["packing"]]
         model["body_loads"] = self.gravity()
+        if row["law"] == "scattered":
+            model.update(scatter())
         if row["foundation"] == "springs" and row["inside"] != "ring":
             model["foundations"] = [{"where": {"x_min": 5.0} if x > 0 else {"x_max": -5.0}, "x": {"stiffness": 20e6, "dashpot": 1e5}}]
         if row["rest"] in STATICS and row["inside"] != "ring":  # beyond the overlap they stand on rock that does not move
@@ -423,7 +433,7 @@ class Ground:
     def add_grid(self, scene):
         scene["regions"] = [{"name": "fine", "continuum": {
             "block": {"x_min": 2.0, "x_max": 5.0, "y_min": self.low, "y_max": self.high, "zones_x": 12, "zones_y": round(4 * (self.high - self.low))},
-            "body_loads": self.gravity(),
+            "body_loads": self.gravity(), **(scatter() if self.row["law"] == "scattered" else {}),
             "histories": [{"name": "end", "quantity": quantity, "at": {"x": 4.6, "y": 2.1}} for quantity in ("velocity_x", "stress_xx", "stress_xy")]}}]
         scene["interfaces"] = [{**self.interface({"particles_begin": {"x": 2.0, "y": 0.0}, "continuum_ends": {"x": 4.0, "y": 0.0}}),
                                 "outer": "continuum", "inner": "fine"}]

@@ -41,7 +41,7 @@ def write_scene(scene, folder, change):
     folder.mkdir(parents=True, exist_ok=True)
     text = json.dumps(scene, indent=1)
     for name in set(re.findall(r'"path": "([^"]+)"', text)):
-        (folder / name).write_text({"mesh": mesh, "placed": placed, "grains": grains}.get(name.split("_")[0].split(".")[0], record)(name, change))
+        (folder / name).write_text({"mesh": mesh, "placed": placed, "grains": grains, "field": field}.get(name.split("_")[0].split(".")[0], record)(name, change))
     path = folder / "scene.yaml"
     path.write_text(text)
     return path
@@ -79,6 +79,17 @@ def placed(name, change):
         for column in range(int(columns) - row % 2):
             at = change.place(x + radius * (2 * column + 1 + row % 2), low + radius * math.sqrt(3) * (row + 0.5))
             rows.append("{!r},{!r},{!r}".format(*at, change.number("PlacedParticles", "radius", "m", radius)))
+    return "\n".join(rows) + "\n"
+
+
+def field(name, change):
+    """Factors of stiffness or strength from place to place, field_<of>.csv: from 0.5 to 1.5."""
+    phase = {"field_stiffness.csv": 0.0, "field_strength.csv": 2.0}[name]
+    rows = ["x_m,y_m,factor"]
+    for x in range(-7, 8):
+        for y in range(-2, 7):
+            factor = 1 + 0.5 * math.sin(1.3 * x + phase) * math.cos(0.9 * y + phase)
+            rows.append("{!r},{!r},{!r}".format(*change.place(float(x), float(y)), factor))
     return "\n".join(rows) + "\n"
 
 

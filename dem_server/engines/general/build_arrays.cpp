@@ -75,6 +75,7 @@ Bonded bonds_of(const Model& model) {
   Bonded out;
   const Discs& d = model.discs;
   std::map<std::tuple<Bond::Law, std::uint32_t, std::uint32_t>, std::uint32_t> numbers;
+  std::map<PairLaw, std::uint32_t> known;
   std::vector<std::uint32_t> laws;
   for (std::uint32_t k = 0; k < model.bonds.size(); ++k) {
     const Bond& pair = model.bonds[k];
@@ -87,8 +88,9 @@ Bonded bonds_of(const Model& model) {
     const auto [found, fresh] = numbers.try_emplace({pair.law, pair.number, contact});
     if (fresh) {
       const PairLaw law = law_of(model, pair, contact);
-      found->second = static_cast<std::uint32_t>(std::ranges::find(out.laws, law) - out.laws.begin());
-      if (found->second == out.laws.size()) out.laws.push_back(law);
+      const auto [same, is_new] = known.try_emplace(law, static_cast<std::uint32_t>(out.laws.size()));
+      if (is_new) out.laws.push_back(law);
+      found->second = same->second;
     }
     laws.push_back(found->second);
     out.bonds.first.push_back(pair.first);

@@ -83,6 +83,7 @@ void renumber(Model& model) {
     take_in_order(order, *column);
   for (auto* column : {&model.id, &model.group}) take_in_order(order, *column);
   if (!model.gyration_square.empty()) take_in_order(order, model.gyration_square);
+  if (!model.cell_stiffness.empty()) take_in_order(order, model.cell_stiffness);
   if (!model.outlines.empty()) take_in_order(order, model.outlines);
   if (!model.present.empty()) take_in_order(order, model.present);
   for (ParticleStage& stage : model.stages) {

@@ -17,6 +17,7 @@
 #include "dem_server/model/reading/conditions.hpp"
 #include "dem_server/model/reading/edges.hpp"
 #include "dem_server/model/reading/join.hpp"
+#include "dem_server/model/reading/scatter.hpp"
 #include "dem_server/model/reading/springs.hpp"
 #include "dem_server/model/reading/walls.hpp"
 #include "dem_server/model/solid/bends_as_solid.hpp"
@@ -258,6 +259,7 @@ Model read_model(const scene::Scene& scene, const protocol::Progress& progress, 
   if (particles.packing().bends_as_solid()) bend_as_solid(scene, model);
   model.extent = placement.extent;
   set_masses(groups, placement, model);
+  scatter(particles, model);
   note_estimates(particles, groups, model);
   note_cut_tensions(particles, groups, model);
   note_thin_ring(particles, model);

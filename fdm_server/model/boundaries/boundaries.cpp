@@ -121,8 +121,7 @@ double spring_stiffness(const scene::Continuum& scene, const Grid& grid, const G
     const std::string path = fmt::format("continuum.quiet[{}].where", i);
     for (const std::size_t e : set.numbers(select_edges(grid, quiet.where(), path), path)) {
       const std::uint32_t zone = edges[e].zone;
-      const Material& material = ground.materials[ground.of_zone[zone]];
-      stiffness[zone] += 2 * edges[e].length / area(corners(grid, zone)) * ground.plane_law(material).shear /
+      stiffness[zone] += 2 * edges[e].length / area(corners(grid, zone)) * ground.plane_law(zone).shear /
                          quiet.source_distance();
     }
   }

@@ -53,7 +53,7 @@ std::uint32_t Seams::copy(std::uint32_t point, std::uint32_t zone) const {
 }
 
 double Seams::stiffness_of(std::uint32_t zone, double side) const {
-  const PlaneLaw law = ground_.plane_law(ground_.materials[ground_.of_zone[zone]]);
+  const PlaneLaw law = ground_.plane_law(zone);
   return (law.bulk + law.shear) / (area(corners(grid_, zone)) / side);
 }
 

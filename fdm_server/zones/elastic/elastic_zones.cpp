@@ -45,7 +45,7 @@ ElasticShape elastic_shape(ZoneKind kind, const Corners& c, const PlaneLaw& law)
 
 ElasticZones::ElasticZones(ZoneKind kind, const Grid& grid, const PlaneLaw& law,
                            std::span<const double> weights, double across,
-                           const std::optional<YieldCone>& strength)
+                           const std::optional<YieldCone>& strength, std::span<const double> factors)
     : weights_(weights.begin(), weights.end()),
       weighted_(std::ranges::any_of(weights, [](double weight) { return weight != 1; })),
       across_(across) {
@@ -53,7 +53,7 @@ ElasticZones::ElasticZones(ZoneKind kind, const Grid& grid, const PlaneLaw& law,
   runs_ = std::move(layout.runs);
   for (const auto& shape : layout.shapes) shapes_.push_back(elastic_shape(kind, shape, law));
   if (strength) {
-    strength_.emplace(Strength{*strength, {}, {}});
+    strength_.emplace(Strength{*strength, {factors.begin(), factors.end()}, {}, {}});
     for (const auto& shape : layout.shapes) strength_->patterns.push_back(pattern_stresses(kind, shape, law));
     for (const auto& run : runs_)
       strength_->pattern_of.insert(strength_->pattern_of.end(), run.count, run.shape);
@@ -224,7 +224,8 @@ ZoneForces ElasticZones::forces(std::size_t zone) const {
 
 double ElasticZones::demand(std::size_t zone) const {
   if (!strength_ || weights_[zone] == 0) return 0;
-  const auto& [cone, patterns, pattern_of] = *strength_;
+  const auto& [common, factors, patterns, pattern_of] = *strength_;
+  const YieldCone cone = factors.empty() ? common : times(factors[zone], common);
   const ZoneRun& run = run_of(zone);
   const auto [mean, difference, shear, x, y] = state(run, static_cast<std::uint32_t>(zone) - run.first);
   double largest = 0;

@@ -29,9 +29,10 @@ ElasticShape elastic_shape(ZoneKind kind, const Corners& corners, const PlaneLaw
 class ElasticZones final : public ZoneKernel {
  public:
   // `across`: the stress across the plane over sxx + syy, nu in plane strain. `strength`: that demand is
-  // measured by.
+  // measured by, times the factor of each zone if `factors` are given.
   ElasticZones(ZoneKind kind, const Grid& grid, const PlaneLaw& law, std::span<const double> weights,
-               double across = 0, const std::optional<YieldCone>& strength = {});
+               double across = 0, const std::optional<YieldCone>& strength = {},
+               std::span<const double> factors = {});
   std::size_t count() const override { return weights_.size(); }
   std::span<const ZoneRun> runs() const override { return runs_; }
   void follow(const double* ux, const double* uy) override;
@@ -69,6 +70,7 @@ class ElasticZones final : public ZoneKernel {
 
   struct Strength {
     YieldCone cone;
+    std::vector<double> factors;                         // of each zone; empty: all 1
     std::vector<std::array<PatternStress, 4>> patterns;  // of each shape of the grid
     std::vector<std::uint32_t> pattern_of;               // of each zone
   };

@@ -24,8 +24,11 @@ namespace adit::fdm {
 class LimitedLaw final : public ZoneLaw {
  public:
   // `chain`: a law whose stress turns back with the elastic constants.
-  LimitedLaw(std::unique_ptr<ZoneLaw> chain, const Material& material, std::size_t zones, bool large_strain)
-      : ZoneLaw(material.elasticity()), chain_(std::move(chain)), strength_(material, zones, large_strain) {}
+  LimitedLaw(std::unique_ptr<ZoneLaw> chain, const Material& material, std::size_t zones, bool large_strain,
+             std::span<const double> strengths = {})
+      : ZoneLaw(material.elasticity()),
+        chain_(std::move(chain)),
+        strength_(material, zones, large_strain, strengths) {}
 
   void advance(const LawStep& step) override;
   void prefetch(std::size_t first) const override { chain_->prefetch(first); }

@@ -40,7 +40,8 @@ namespace {
 template <bool kSoftens, bool kPlane>
 [[gnu::always_inline]] inline Outside outside_of(const Plasticity& law, std::uint32_t count,
                                                  const StressView& stresses, const ConeView& cones,
-                                                 const DirectionView& directions, BatchFlags& outside) {
+                                                 const DirectionView& directions, const double* strength,
+                                                 BatchFlags& outside) {
   const double *mean = stresses.mean, *across = stresses.across;
   const auto difference = stresses.difference, shear = stresses.shear;
   // In the order of YieldCone; the dilation tells nothing here.
@@ -52,14 +53,16 @@ template <bool kSoftens, bool kPlane>
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < count; ++i) {
     bool zone_holds = true, zone_torn = false;
+    const YieldCone common = times(strength[i], same);
     const auto point = [&](std::size_t k) {
       const PointStress s{mean[i], difference[k][i], shear[k][i], across[i]};
-      const YieldCone cone{kSoftens ? friction[k][i] : same.sin_friction, 0,
-                           kSoftens ? cohesion[k][i] : same.twice_c_cos,
-                           kSoftens ? tension[k][i] : same.tension};
+      const YieldCone cone{kSoftens ? friction[k][i] : common.sin_friction, 0,
+                           kSoftens ? cohesion[k][i] : common.twice_c_cos,
+                           kSoftens ? tension[k][i] : common.tension};
       zone_holds = zone_holds & within(cone, s, 0);
       zone_torn = zone_torn | torn(cone, s);
-      if constexpr (kPlane) zone_holds = zone_holds & within(plane, traction({cosine[i], sine[i]}, s), 0);
+      if constexpr (kPlane)
+        zone_holds = zone_holds & within(times(strength[i], plane), traction({cosine[i], sine[i]}, s), 0);
     };
     point(0);
     point(1);
@@ -146,7 +149,7 @@ template <bool kPlane, Regions kRegions>
 template <bool kSoftens, bool kPlane, Regions kRegions>
 [[gnu::always_inline]] inline bool returned(const Plasticity& law, Returning& z) {
   const double *mean = z.mean.data(), *across = z.across.data(), *cosine = z.cosine.data(),
-               *sine = z.sine.data();
+               *sine = z.sine.data(), *strength = z.strength.data();
   const Elasticity elasticity = law.elasticity;
   const YieldCone same = law.cone;
   const PlaneStrength plane = law.plane;
@@ -162,11 +165,12 @@ template <bool kSoftens, bool kPlane, Regions kRegions>
 #pragma GCC ivdep
     for (std::uint32_t i = 0; i < z.count; ++i) {
       const PointStress from{mean[i], difference[i], shear[i], across[i]};
+      const YieldCone common = times(strength[i], same);
       const YieldCone cone{
-          kSoftens ? sin_friction[i] : same.sin_friction, kSoftens ? sin_dilation[i] : same.sin_dilation,
-          kSoftens ? twice_c_cos[i] : same.twice_c_cos, kSoftens ? tension[i] : same.tension};
-      const PointReturn back =
-          to_strength<kPlane, kRegions>(elasticity, plane, cone, {cosine[i], sine[i]}, from);
+          kSoftens ? sin_friction[i] : common.sin_friction, kSoftens ? sin_dilation[i] : common.sin_dilation,
+          kSoftens ? twice_c_cos[i] : common.twice_c_cos, kSoftens ? tension[i] : common.tension};
+      const PointReturn back = to_strength<kPlane, kRegions>(elasticity, times(strength[i], plane), cone,
+                                                             {cosine[i], sine[i]}, from);
       to_mean[i] = back.stress.mean;
       to_difference[i] = back.stress.difference;
       to_shear[i] = back.stress.shear;
@@ -196,12 +200,14 @@ template <bool kSoftens, bool kPlane>
 
 ADIT_VECTOR_CLONES Outside find_outside(const Plasticity& law, std::uint32_t count,
                                         const StressView& stresses, const ConeView& cones,
-                                        const DirectionView& directions, BatchFlags& outside) {
+                                        const DirectionView& directions, const double* strength,
+                                        BatchFlags& outside) {
   if (law.softens)
-    return law.has_plane ? outside_of<true, true>(law, count, stresses, cones, directions, outside)
-                         : outside_of<true, false>(law, count, stresses, cones, directions, outside);
-  return law.has_plane ? outside_of<false, true>(law, count, stresses, cones, directions, outside)
-                       : outside_of<false, false>(law, count, stresses, cones, directions, outside);
+    return law.has_plane
+               ? outside_of<true, true>(law, count, stresses, cones, directions, strength, outside)
+               : outside_of<true, false>(law, count, stresses, cones, directions, strength, outside);
+  return law.has_plane ? outside_of<false, true>(law, count, stresses, cones, directions, strength, outside)
+                       : outside_of<false, false>(law, count, stresses, cones, directions, strength, outside);
 }
 
 ADIT_VECTOR_CLONES bool return_points(const Plasticity& law, Regions regions, Returning& zones) {

@@ -36,14 +36,17 @@ struct DirectionView {
 
 // Which zones have a point beyond its strength, and how: bits. Returns those of all.
 enum Outside : std::int64_t { kHolds = 0, kSheared = 1, kTorn = 3 };
+// `strength`: by which the strength of each zone is multiplied; cones of points that soften have it already.
 Outside find_outside(const Plasticity& law, std::uint32_t count, const StressView& stresses,
-                     const ConeView& cones, const DirectionView& directions, BatchFlags& outside);
+                     const ConeView& cones, const DirectionView& directions, const double* strength,
+                     BatchFlags& outside);
 
 // Zones that return together.
 struct Returning {
   std::uint32_t count;
-  // The elastic predictor and what is behind it: increments of strain, areas, cones, directions.
-  alignas(64) BatchValues mean, across, volume, cosine, sine;
+  // The elastic predictor and what is behind it: increments of strain, areas, cones, directions, factors of
+  // strength.
+  alignas(64) BatchValues mean, across, volume, cosine, sine, strength;
   PointValues difference, shear, strain_difference, strain_shear, area;
   std::array<PointValues, kConeFields> cones;
   // What becomes of each point: its stress, what its plastic shear strain grows by, and bits of Yield, kOpen

@@ -23,17 +23,20 @@ Plasticity plasticity(const Material& material) {
 
 }  // namespace
 
-PlasticLaw::PlasticLaw(const Material& material, std::size_t zones, bool large_strain)
+PlasticLaw::PlasticLaw(const Material& material, std::size_t zones, bool large_strain,
+                       std::span<const double> strengths)
     : ZoneLaw(material.elasticity()),
       material_(material),
       law_(plasticity(material)),
       strains_(zones),
-      yields_(zones, 0) {
+      yields_(zones, 0),
+      strengths_(strengths.begin(), strengths.end()) {
   if (law_.softens) {
     cones_.emplace(zones);
     for (std::size_t zone = 0; zone < zones; ++zone)
       for (std::size_t k = 0; k < 4; ++k) soften(zone, k);
   }
+  ones_.fill(1);
   if (!material.weak_plane) return;
   const auto [cosine, sine] = material.weak_plane->direction();
   cosine_.fill(cosine);
@@ -65,8 +68,8 @@ void PlasticLaw::advance(const LawStep& step) {
 bool PlasticLaw::return_to_strength(const LawStep& step) {
   for (std::uint32_t i = 0; i < step.count; ++i) yields_[step.first + i] &= kPast;
   BatchFlags outside;
-  const Outside how =
-      find_outside(law_, step.count, step.stresses, cones(step.first), directions(step.first), outside);
+  const Outside how = find_outside(law_, step.count, step.stresses, cones(step.first), directions(step.first),
+                                   strengths(step.first), outside);
   if (how == kHolds) return false;
 
   Returning zones;
@@ -95,6 +98,7 @@ void PlasticLaw::pack(const LawStep& step, const Numbers& numbers, Returning& zo
   take(step.stresses.mean, zones.mean);
   take(step.stresses.across, zones.across);
   take(step.strains.volume.data(), zones.volume);
+  take(strengths(step.first), zones.strength);
   for (std::size_t k = 0; k < 4; ++k) {
     take(step.stresses.difference[k], zones.difference[k]);
     take(step.stresses.shear[k], zones.shear[k]);
@@ -111,16 +115,18 @@ void PlasticLaw::pack(const LawStep& step, const Numbers& numbers, Returning& zo
   }
 }
 
+// A stress within so many times the strength is so many times one within the strength.
 void PlasticLaw::return_one_by_one(const LawStep& step, const Numbers& numbers, Returning& zones) const {
   for (std::size_t k = 0; k < 4; ++k)
     for (std::uint32_t i = 0; i < zones.count; ++i) {
       if (zones.yields[k][i] != kOpen) continue;
-      const double strain = strains_[k][step.first + numbers[i]];
+      const std::size_t zone = step.first + numbers[i];
+      const double factor = strength(zone);
       const auto [stress, sheared, yields] =
-          admissible(material_, elasticity_, strain, solid_stress(zones.predicted(k, i)),
-                     {zones.cosine[i], zones.sine[i]});
-      zones.set(k, i, point_stress(stress));
-      zones.sheared[k][i] = sheared;
+          admissible(material_, elasticity_, strains_[k][zone],
+                     1 / factor * solid_stress(zones.predicted(k, i)), {zones.cosine[i], zones.sine[i]});
+      zones.set(k, i, point_stress(factor * stress));
+      zones.sheared[k][i] = factor * sheared;
       zones.yields[k][i] = yields;
     }
 }
@@ -160,8 +166,7 @@ void PlasticLaw::unpack(const LawStep& step, const Numbers& numbers, const Retur
 }
 
 void PlasticLaw::soften(std::size_t zone, std::size_t k) {
-  const auto [sin_friction, sin_dilation, twice_c_cos, tension] =
-      material_.mohr_coulomb->cone(strains_[k][zone]);
+  const auto [sin_friction, sin_dilation, twice_c_cos, tension] = cone(zone, k);
   auto& cones = *cones_;
   cones[k][zone] = sin_friction;
   cones[4 + k][zone] = sin_dilation;
@@ -171,13 +176,12 @@ void PlasticLaw::soften(std::size_t zone, std::size_t k) {
 
 double PlasticLaw::demand(std::size_t zone, std::size_t point, const PointStress& stress) const {
   double largest = 0;
-  if (material_.mohr_coulomb)
-    largest = fdm::demand(material_.mohr_coulomb->cone(strains_[point][zone]), stress);
+  if (material_.mohr_coulomb) largest = fdm::demand(cone(zone, point), stress);
   if (law_.has_plane) {
     const std::size_t first = zone - zone % kBatch;
     const DirectionView to = directions(first);
-    largest =
-        std::max(largest, fdm::demand(law_.plane, {to.cosine[zone - first], to.sine[zone - first]}, stress));
+    largest = std::max(largest, fdm::demand(times(strength(zone), law_.plane),
+                                            {to.cosine[zone - first], to.sine[zone - first]}, stress));
   }
   return largest;
 }

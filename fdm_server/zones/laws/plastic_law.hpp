@@ -14,7 +14,9 @@ namespace adit::fdm {
 
 class PlasticLaw final : public ZoneLaw {
  public:
-  PlasticLaw(const Material& material, std::size_t zones, bool large_strain);
+  // `strengths`: by which cohesion and tension are multiplied in each zone; empty: 1.
+  PlasticLaw(const Material& material, std::size_t zones, bool large_strain,
+             std::span<const double> strengths = {});
 
   void advance(const LawStep& step) override;
   // The second half of advance(), of stresses that hold those of the step's strain. Says whether any yields.
@@ -33,6 +35,13 @@ class PlasticLaw final : public ZoneLaw {
   using Numbers = std::array<std::uint32_t, kBatch>;  // of zones in the batch
   ConeView cones(std::size_t first) const;
   DirectionView directions(std::size_t first) const;
+  const double* strengths(std::size_t first) const {
+    return strengths_.empty() ? ones_.data() : &strengths_[first];
+  }
+  double strength(std::size_t zone) const { return strengths_.empty() ? 1 : strengths_[zone]; }
+  YieldCone cone(std::size_t zone, std::size_t point) const {
+    return times(strength(zone), material_.mohr_coulomb->cone(strains_[point][zone]));
+  }
   void pack(const LawStep& step, const Numbers& numbers, Returning& zones) const;
   void return_one_by_one(const LawStep& step, const Numbers& numbers, Returning& zones) const;
   void unpack(const LawStep& step, const Numbers& numbers, const Returning& zones);
@@ -42,10 +51,11 @@ class PlasticLaw final : public ZoneLaw {
   Plasticity law_;
   FieldArrays<4> strains_;             // plastic shear strain of each point
   std::vector<std::uint32_t> yields_;  // of each zone: bits of Yield of its points, a byte each
+  std::vector<double> strengths_;      // of each zone; empty: all 1
   std::optional<ConeFields> cones_;    // where it softens
   // Of the weak plane: in large strain of each zone, else the same for all.
   std::optional<FieldArrays<2>> directions_;
-  BatchValues cosine_{}, sine_{};
+  BatchValues cosine_{}, sine_{}, ones_{};
 };
 
 }  // namespace adit::fdm

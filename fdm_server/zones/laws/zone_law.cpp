@@ -7,17 +7,18 @@
 
 namespace adit::fdm {
 
-std::unique_ptr<ZoneLaw> make_law(const Material& material, std::size_t zones, bool large_strain) {
+std::unique_ptr<ZoneLaw> make_law(const Material& material, std::size_t zones, bool large_strain,
+                                  std::span<const double> strengths) {
   const bool limited = material.mohr_coulomb || material.weak_plane;
   if (material.hysteretic) {
     auto chain =
         std::make_unique<HystereticLaw>(material.elasticity(), *material.hysteretic, zones, large_strain);
     if (!limited) return chain;
-    return std::make_unique<LimitedLaw>(std::move(chain), material, zones, large_strain);
+    return std::make_unique<LimitedLaw>(std::move(chain), material, zones, large_strain, strengths);
   }
   if (material.reversals)
     return std::make_unique<ReversalLaw>(material.elasticity(), *material.reversals, zones, large_strain);
-  if (limited) return std::make_unique<PlasticLaw>(material, zones, large_strain);
+  if (limited) return std::make_unique<PlasticLaw>(material, zones, large_strain, strengths);
   return std::make_unique<ZoneLaw>(material.elasticity());
 }
 

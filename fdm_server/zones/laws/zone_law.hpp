@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "fdm_server/materials/material.hpp"
 #include "fdm_server/zones/batch/batch.hpp"
@@ -60,7 +61,9 @@ class ZoneLaw {
   Elasticity elasticity_;
 };
 
-// The law of a material, for so many zones.
-std::unique_ptr<ZoneLaw> make_law(const Material& material, std::size_t zones, bool large_strain);
+// The law of a material, for so many zones. `strengths`: by which its cohesion and tension are multiplied in
+// each zone; empty: 1.
+std::unique_ptr<ZoneLaw> make_law(const Material& material, std::size_t zones, bool large_strain,
+                                  std::span<const double> strengths = {});
 
 }  // namespace adit::fdm

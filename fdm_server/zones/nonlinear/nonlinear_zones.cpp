@@ -10,7 +10,8 @@
 namespace adit::fdm {
 
 NonlinearZones::NonlinearZones(ZoneKind kind, const Grid& grid, const Material& material,
-                               std::span<const double> weights, bool large_strain)
+                               std::span<const double> weights, bool large_strain,
+                               std::span<const double> strengths)
     : kind_(kind),
       elasticity_(material.elasticity()),
       poisson_(material.poisson),
@@ -18,8 +19,9 @@ NonlinearZones::NonlinearZones(ZoneKind kind, const Grid& grid, const Material& 
       weights_(weights.begin(), weights.end()),
       stresses_(weights.size()),
       dissipated_(weights.size(), 0.0),
-      law_(make_law(material, weights.size(), large_strain)),
-      fracture_(material.fracture) {
+      law_(make_law(material, weights.size(), large_strain, strengths)),
+      fracture_(material.fracture),
+      strengths_(strengths.begin(), strengths.end()) {
   auto layout = lay_out(grid);
   runs_ = std::move(layout.runs);
   for (const auto& corners : layout.shapes) shapes_.push_back(sampling_shape(kind, corners, bending_factor_));
@@ -295,7 +297,10 @@ double NonlinearZones::demand(std::size_t zone) const {
   for (std::size_t k = 0; k < 4; ++k) {
     const PointStress stress = stress_at(zone, k);
     largest = std::max(largest, law_->demand(zone, k, stress));
-    if (fracture_) largest = std::max(largest, fdm::demand(*fracture_, stress));
+    if (fracture_)
+      largest = std::max(
+          largest,
+          fdm::demand(strengths_.empty() ? *fracture_ : times(strengths_[zone], *fracture_), stress));
   }
   return largest;
 }

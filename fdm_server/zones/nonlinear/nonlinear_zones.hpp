@@ -35,9 +35,9 @@ namespace adit::fdm {
 
 class NonlinearZones final : public ZoneKernel {
  public:
-  // Plane strain.
+  // Plane strain. `strengths`: by which the strengths of the material are multiplied in each zone; empty: 1.
   NonlinearZones(ZoneKind kind, const Grid& grid, const Material& material, std::span<const double> weights,
-                 bool large_strain);
+                 bool large_strain, std::span<const double> strengths = {});
 
   std::size_t count() const override { return weights_.size(); }
   std::span<const ZoneRun> runs() const override { return runs_; }
@@ -91,6 +91,7 @@ class NonlinearZones final : public ZoneKernel {
   std::vector<double> dissipated_;  // of each zone, unweighted
   std::unique_ptr<ZoneLaw> law_;
   std::optional<YieldCone> fracture_;  // of cells of its material
+  std::vector<double> strengths_;      // factors
 };
 
 }  // namespace adit::fdm

@@ -26,7 +26,7 @@ void set_bulk(const Model& model, FacetSet& set) {
       doubled[i] += set.length[k] * set.half_distance[k];
   for (std::uint32_t i = 0; i < set.cells(); ++i) {
     if (doubled[i] == 0 || !model.is_there(i)) continue;
-    const CellElasticity& elasticity = model.cell_elasticity[model.group[i]];
+    const CellElasticity elasticity = model.elasticity_of(i);
     const double area = model.cell_area(i);
     const double free = std::max(0.0, 2 - doubled[i] / area);
     set.bulk[i] =
@@ -60,8 +60,8 @@ FacetSet facets_of(const Model& model) {
     set.rest_n.push_back(bond.at_rest.normal / facet.length);
     set.rest_t.push_back(bond.at_rest.shear / facet.length);
     const double mean = facet.stiffness * 2 * facet.half_distance;
-    set.share_1.push_back(share_of(mean / model.cell_elasticity[model.group[bond.first]].stiffness));
-    set.share_2.push_back(share_of(mean / model.cell_elasticity[model.group[bond.second]].stiffness));
+    set.share_1.push_back(share_of(mean / model.elasticity_of(bond.first).stiffness));
+    set.share_2.push_back(share_of(mean / model.elasticity_of(bond.second).stiffness));
   }
   if (set.size() == 0) return set;
   for (auto* column : {&set.start_n, &set.start_t, &set.start_turn}) column->assign(set.size(), 0.0);

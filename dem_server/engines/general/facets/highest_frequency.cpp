@@ -79,6 +79,7 @@ Model elastic(const Model& model) {
   plain.present = model.present;
   plain.gyration_square = model.gyration_square;
   plain.cell_elasticity = model.cell_elasticity;
+  plain.cell_stiffness = model.cell_stiffness;
   plain.facets = model.facets;
   plain.facet_laws.assign(model.facet_laws.size(), unbroken());
   for (const Bond& bond : model.bonds)

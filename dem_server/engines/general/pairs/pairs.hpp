@@ -10,6 +10,7 @@
 // pairs do to a disc of another block waits in `away` until that block gathers it, in a fixed order.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -41,7 +42,7 @@ struct PairLaw {
   double tan_friction_angle = 0;
   bool contact_beside_bond = false;  // the contact acts while the bond is intact, too
   LinearContact contact{};
-  bool operator==(const PairLaw&) const = default;
+  auto operator<=>(const PairLaw&) const = default;
 };
 
 struct Pairs {

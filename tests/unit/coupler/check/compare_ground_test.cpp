@@ -112,6 +112,18 @@ TEST(CompareGround, OfAGroupOfAMesh) {
               ElementsAre(HasSubstr("0.1 GPa and 2000 kg/m^3 of `continuum` (continuum.material)")));
 }
 
+// Requirement: ground counts with its factors, also where a mesh names its zones.
+TEST(CompareGround, OfScatteredModels) {
+  const std::string field = "scatter { path: 'field.csv' content: 'x_m,y_m,factor\\n0,0,1\\n4,0,3\\n' } ";
+  const std::string right = "mesh { path: 'bar.msh' } materials { where { group: 'right' } " + kSoft + " } ",
+                    soft = "groups { name: 'soft' where { x_min: 2 } " + kSoft + " } ";
+  for (const auto& [zones, particles] : {std::pair{kBlock, std::string()}, {right, soft}}) {
+    EXPECT_THAT(warnings(zones + field, particles),
+                ElementsAre(HasSubstr("GPa and 2000 kg/m^3 of `particles`")));
+    EXPECT_THAT(warnings(zones + field, particles + field), IsEmpty());
+  }
+}
+
 // Requirement: particles that have the shear modulus of ground beyond their Poisson's ratios are like it, and
 // stiffnesses that bonds state themselves are not compared.
 TEST(CompareGround, WhatBondsCannotHave) {

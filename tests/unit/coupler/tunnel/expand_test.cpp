@@ -432,6 +432,14 @@ TEST(ExpandTunnels, WhatCannotBeBuiltIsRefused) {
   scene::Scene nowhere = test::scene_with({test::circular()});
   nowhere.clear_continuum();
   test::expect_refusal([&] { expand_tunnels(nowhere); }, "tunnels", "lie in no ground");
+  scene::Scene scattered = test::scene_with({test::circular()});
+  scattered.mutable_continuum()->add_scatter()->set_path("field.csv");
+  for (const auto as : {scene::TunnelLining::PARTICLES, scene::TunnelLining::ZONES}) {
+    scattered.mutable_tunnels(0)->mutable_lining()->set_as(as);
+    test::expect_refusal(
+        [&] { expand_tunnels(scattered); }, "tunnels[0].lining.as",
+        "is not beam, but `continuum.scatter` would scatter the zones or particles of the lining");
+  }
 }
 
 scene::Scene layered(const std::string& where, const std::string& tunnel) {
