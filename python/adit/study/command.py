@@ -28,6 +28,7 @@ def main(words):
     parser = programs.parser("study", __doc__)
     parser.add_argument("study", metavar="STUDY.yaml", type=Path)
     parser.add_argument("--out", metavar="DIR", type=Path, help="another folder of the results")
+    parser.add_argument("--set", metavar="KEY=VALUE", action="append", default=[], help="replace a value of the scene in all runs; may be repeated")
     parser.add_argument("--records", metavar="DIR", type=Path, help="folder of records that are further motions of the study")
     parser.add_argument("--jobs", metavar="N", type=int, help="runs at once on this machine [default: as many as cores and memory allow]")
     parser.add_argument("--dask", metavar="HOST:PORT", help="compute on the workers of this scheduler of Dask, which see the folder of the results")
@@ -41,7 +42,7 @@ def main(words):
     if options.jobs is not None and options.jobs < 1:
         parser.error(f"--jobs {options.jobs}: at least 1 is needed")
     programs.bring_up_to_date("coupler", "fdm_server", "dem_server", "simplified")
-    study = load(options.study, options.records)
+    study = load(options.study, options.set, options.records)
     out = (options.out or programs.RUNS / study.folder.name / study.name).resolve()
     target = until.target(options.until) if options.until else None
     children.end_with_this_process()
@@ -128,7 +129,8 @@ class Plan:
         took = time.monotonic() - begun
         if progress.new:
             where = "on Dask" if options.dask else f"{jobs} at once"
-            print(f"  {progress.new} runs computed in {took:.1f} s, {where}; their programs took {progress.cpu:.1f} s of CPU", flush=True)
+            cpu = f"; their programs took {progress.cpu:.1f} s of CPU" if progress.cpu else ""  # `simplified` does not tell
+            print(f"  {progress.new} runs computed in {took:.1f} s, {where}{cpu}", flush=True)
         return computed
 
 

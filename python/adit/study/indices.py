@@ -59,6 +59,8 @@ def indices(inputs, answers, level=0.95, subsamples=SUBSAMPLES, seed=SEED):
     if np.ptp(answers) == 0 or (np.ptp(inputs, axis=0) == 0).any():
         raise Unusable("An answer or an input is the same in all runs: leave it out.")
     rng = np.random.default_rng(seed)
+    order = rng.permutation(len(answers))  # where an input has few values, neighbours must have nothing else in common
+    inputs, answers = inputs[order], answers[order]
     halves = np.sort([rng.permutation(len(answers))[:len(answers) // 2] for _ in range(subsamples)], axis=1)
     factor = norm.ppf(0.5 + level / 2) * np.sqrt((len(answers) // 2) / (len(answers) - len(answers) // 2))
     found = {}

@@ -18,9 +18,10 @@ MEASURES = ("pga", "pgv", "arias", "sa")
 
 @dataclass(frozen=True)
 class Damage:
-    """The states of one answer, the lightest first."""
+    """The states of one answer, the lightest first; `set`: the name of theirs in the literature, or empty."""
     of: str
     states: tuple
+    set: str = ""
 
     def reached(self, answer):
         """The number of states that an answer exceeds."""
@@ -127,16 +128,17 @@ def _damage(given, answers):
     states = tuple(sets.DamageState(each["name"], each["above"]) for each in given.get("states", [])) or sets.DAMAGE_SETS[given["set"]].states
     if any(b.above <= a.above for a, b in zip(states, states[1:])):
         raise Unusable(f"damage of {given['of']}: the thresholds do not rise; state the lightest damage first.")
-    return Damage(given["of"], states)
+    return Damage(given["of"], states, given.get("set", ""))
 
 
-def load(path, records=None):
-    """The Study in a file, with a folder of records in place of its own. Ends with the exit code of the reader where it is refused; raises
+def load(path, settings=(), records=None):
+    """The Study in a file, with further texts of its `set`, and a folder of records in place of its own. Ends with the exit code of the reader where it is refused; raises
     Unusable where its parts do not agree."""
     done = subprocess.run([programs.program("coupler"), "study", path], stdout=subprocess.PIPE, text=True)
     if done.returncode:
         sys.exit(done.returncode)  # the reader has told why
     read = yaml.load(done.stdout, SceneLoader)
+    read.setdefault("set", []).extend(settings)
     if records:
         read.setdefault("motions", {})["folder"] = str(records.resolve())
     return Study(path, read)

@@ -52,6 +52,13 @@ class Indices(unittest.TestCase):
         self.assertAlmostEqual(found[0].value, 0.75, delta=0.1)
         self.assertAlmostEqual(found[1].value, 0, delta=0.1)
 
+    def test_inputs_that_vary_in_order_tell_no_more_than_their_share(self):
+        """Stripes are listed motion by motion, level by level: the motion has no share of an answer that only the level makes."""
+        motion, level = np.repeat(np.arange(20), 40), np.tile(np.repeat(np.arange(8.0), 5), 20)
+        found = indices(np.column_stack([motion, level]), level + 0.1 * np.random.default_rng(5).normal(size=800), subsamples=20)["first_order"]
+        self.assertAlmostEqual(found[0].value, 0, delta=0.1)
+        self.assertAlmostEqual(found[1].value, 1, delta=0.02)
+
     def test_too_few_runs_and_constants_are_refused(self):
         with self.assertRaisesRegex(Unusable, "12 runs do not tell"):
             indices(np.random.default_rng(4).normal(size=(12, 2)), np.arange(12))

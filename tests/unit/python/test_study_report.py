@@ -136,14 +136,17 @@ class Fragility(Made):
         self.assertTrue(((y > 1) | (y < 0)).all())
         np.testing.assert_array_equal(x, outcome.intensity)
 
-    def test_published_curves_stand_beside_those_over_peak_acceleration_only(self):
-        lines, legend = self.lines(self.of(self.stripes()))
+    def test_published_curves_stand_beside_named_states_over_peak_acceleration_only(self):
+        named = {"motions": STRIPES, "damage": [{"of": "drift_ux_m", "set": "argyroudis_pitilakis"}]}
+        lines, legend = self.lines(self.of(self.outcome(self.stripes().listed, **named)))
         name = "HAZUS, bored tunnels, slight: median 0.6 g, dispersion 0.6"
         self.assertIn(name, legend)
         self.assertAlmostEqual(np.interp(0.6, *lines[name]), 50, delta=0.1)
         rows = [row | {"pgv_m_per_s": row["pga_m_per_s2"] / 10} for row in self.cloud().listed]
-        of_velocity = self.outcome(rows, motions={"of": [{}], "intensity": {"measure": "pgv"}}, damage=DAMAGE)
-        self.assertEqual((fragility.published(of_velocity), fragility.notes(of_velocity)), ([], []))
+        of_velocity = self.outcome(rows, motions={"of": [{}], "intensity": {"measure": "pgv"}}, damage=named["damage"])
+        for outcome in (of_velocity, self.stripes()):
+            damage = outcome.study.damage[0]
+            self.assertEqual((fragility.published(outcome, damage), fragility.notes(outcome, damage)), ([], []))
 
     def test_bands_are_those_of_the_motions_drawn_again(self):
         """At the lowest and the highest computed intensity the filled part ends, at the limits of the bootstrap there."""

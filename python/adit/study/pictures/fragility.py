@@ -30,7 +30,7 @@ def drawing(outcome, damage, states):
     where = axis.of_intensity(outcome)
     grid = np.linspace(0, BEYOND * outcome.intensity.max(), POINTS + 1)[1:]
     within = np.linspace(outcome.intensity.min(), outcome.intensity.max(), POINTS)
-    beside, seen = published(outcome), observed(outcome, states)
+    beside, seen = published(outcome, damage), observed(outcome, states)
     bands = [band(each, within) for each in states]
     handles = [state(outcome, number, *each) for number, each in enumerate(zip(states, bands))]
     if any(bands):
@@ -56,7 +56,7 @@ def drawing(outcome, damage, states):
         panel.grid(**axis.GRID)
         return [legend(panel, handles, **axis.BESIDE)]
 
-    return Drawing("", f"fragility by {axis.said(damage.of)}", axis.rows(1, 4.0), paint, notes=notes(outcome))
+    return Drawing("", f"fragility by {axis.said(damage.of)}", axis.rows(1, 4.0), paint, notes=notes(outcome, damage))
 
 
 def band(each, intensity):
@@ -103,22 +103,22 @@ def of_runs(outcome, number, each):
     return outcome.intensity[~np.isnan(answers)], np.where(answers > each.state.above, 1 + apart, -apart)[~np.isnan(answers)]
 
 
-def fitting(outcome):
-    """Published curves over the same measure in the same unit."""
+def fitting(outcome, damage):
+    """Published curves over the same measure in the same unit, beside states of a lining that the literature names."""
     measure = outcome.study.intensity[0]
-    return [each for each in sets.PUBLISHED.values() if each.measure == measure.upper() and each.unit == outcome.unit[0]]
+    return [each for each in sets.PUBLISHED.values() if each.measure == measure.upper() and each.unit == outcome.unit[0]] if damage.set else []
 
 
-def published(outcome):
+def published(outcome, damage):
     """[(label, Curve in the unit of intensities, look of its line)] of the literature."""
     found = [(f"{each.title}, {name}: median {curve.median:.3g} {each.unit}, dispersion {curve.dispersion:.3g}", curve)
-             for each in fitting(outcome) for name, curve in each.curves.items()]
+             for each in fitting(outcome, damage) for name, curve in each.curves.items()]
     return [(*each, dict(zip(("ls", "color"), look))) for each, look in zip(found, cycle(OF_PUBLISHED))]
 
 
-def notes(outcome):
+def notes(outcome, damage):
     """Where the published curves come from, and what they are over."""
-    if known := fitting(outcome):
+    if known := fitting(outcome, damage):
         place = outcome.study.intensity[2]
         own = f"at {place}" if place else "of the motion as it is given to the scene"
         sources = "; ".join(f"{each.title}: {each.source}" for each in known)
