@@ -81,10 +81,15 @@ class Plan:
 
     def next_round(self):
         """The climbs of a further round; empty where it would only compute the same runs again."""
-        known = {row.hash for each in self.rounds for climb in each.climbs for row in climb}
+        known = {self._told_by(row) for each in self.rounds for climb in each.climbs for row in climb}
         further = self._round(len(self.rounds))
         self.rounds.append(further)
-        return [climb for climb in further.climbs if any(row.hash not in known for row in climb)]
+        return [climb for climb in further.climbs if any(self._told_by(row) not in known for row in climb)]
+
+    @staticmethod
+    def _told_by(row):
+        """What the answers of a row depend on: its scene, and what functions are given."""
+        return row.hash, tuple(row.drawn.items())
 
     def shared(self, climbs):
         """States at rest from which more than one run begins."""

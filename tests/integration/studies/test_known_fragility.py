@@ -38,7 +38,7 @@ WAYS = {
 class KnownFragility(ProgramTest):
     def setUp(self):
         super().setUp()
-        self.scene(COLUMN.replace("4 s", "5 s"), "column.yaml")
+        self.scene(COLUMN.replace("2.5 s", "5 s"), "column.yaml")
         (self.folder / "answers.py").write_text(ANSWERS)
         self.run_scene(self.scene(COLUMN, "one.yaml"), out="one")
         self.drift = float(np.abs(Run(self.folder / "one").histories["drift_ux_m"]).max())  # at 1 m/s^2
