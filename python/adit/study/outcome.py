@@ -158,6 +158,8 @@ def conclude(study, listed, out, pictures):
     outcome = Outcome(study, listed)
     if outcome.failed:
         yield f"failed             {outcome.failed} of {len(listed)} runs; the column `failed` of the table says why"
+    if not outcome.good:
+        return
     if outcome.curves:
         yield from _fragility(outcome, out)
     else:
@@ -169,7 +171,7 @@ def conclude(study, listed, out, pictures):
                 share, (low, high) = outcome.exceeded(damage, state)
                 yield f"{state.name}: {100 * share:.3g} % of the runs ({100 * low:.2g} to {100 * high:.2g} %)"
     yield from _indices(outcome, out)
-    if pictures and outcome.good:
+    if pictures:
         from adit.study import page, pictures as drawing  # matplotlib is imported only where something is drawn
 
         drawn = drawing.draw(outcome, out)

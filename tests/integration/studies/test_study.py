@@ -122,6 +122,11 @@ class Computes(StudyTest):
         self.assertEqual({row["dt"] for row in failed}, {"20 ms"})
         self.assertEqual({row["dt"] for row in self.rows() if not row["failed"]}, {"1 ms"})
 
+    def test_where_all_runs_fail_the_table_says_why(self):
+        self.study(STRIPES + "set: [time.dt=20 ms]\n", code=1)
+        for row in self.rows():
+            self.assertIn("critical", row["failed"])
+
     def test_functions_are_asked_of_runs_with_what_was_drawn(self):
         (self.folder / "answers.py").write_text("def twice(run, drawn):\n    return 2 * drawn['capacity'] + 0 * run.summary['duration_s']\n")
         self.study(MOTIONS + "functions: [{name: twice, file: answers.py}]\nrandom: [{name: capacity, uniform: {from: 1, to: 2}}]\n")
