@@ -8,6 +8,7 @@ from adit.accuracy.choices import Choices, softens
 from adit.accuracy.page import csv_rows, markdown, verdict
 from adit.accuracy.runs import Runs
 from adit.accuracy.search import Search, coarsest
+from adit.accuracy.shares import share_of
 from adit.results.files import Unusable
 from adit.runs import children
 from adit.trade.table import write_csv
@@ -16,15 +17,6 @@ NOT_REACHED = 6  # exit code
 BUDGET = 1200.0  # [s]
 LOWEST = -3  # level of the first model
 UNITS = {"": 1, "s": 1, "min": 60, "h": 3600}
-
-
-def share_of(text):
-    """0.05 of `5%` or `0.05`."""
-    found = re.fullmatch(r"\s*(\d*\.?\d+|\d+\.)\s*(%?)\s*", text)
-    value = float(found[1]) / (100 if found[2] else 1) if found else 0
-    if not 0 < value < 1:
-        raise Unusable(f"--within {text} is no share between 0 and 1; write for example --within 5%.")
-    return value
 
 
 def seconds_of(text):
@@ -39,6 +31,8 @@ def asked_of(read, options):
     """(questions, within, budget [s]) of the command line, or of the scene where it does not say; None where neither asks for an
     accuracy."""
     within = share_of(options.within) if options.within else read.get("accuracy", {}).get("within")
+    if options.within and within is None:
+        raise Unusable(f"--within {options.within} is no share between 0 and 1; write for example --within 5%.")
     questions = options.figure or read.get("questions", [])
     if within is None:
         return None

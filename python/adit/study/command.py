@@ -11,6 +11,9 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections import Counter
+from contextlib import contextmanager
+from functools import cached_property
 from pathlib import Path
 
 from adit import programs
@@ -65,8 +68,7 @@ class Plan:
 
     def __init__(self, study, out, fields):
         self.study, self.out, self.fields = study, out, fields
-        stated = scenes.read(study.scene, [f"--set={key}={value}" for key, value in study.set.items()])
-        self.stated = stated
+        self.stated = scenes.read(study.scene, [f"--set={key}={value}" for key, value in study.set.items()])
         self.program = programs.program(program_of(study.scene, []))
         self.release = release(self.program)
         self.rounds = [self._round(0)]
@@ -74,6 +76,11 @@ class Plan:
     def _round(self, number):
         moving = ground.read(self.study, number) if self.study.motions else []
         return design.of_round(self.study, self.stated, moving, number, self.fields)
+
+    @cached_property
+    def expected(self):
+        """What a run takes."""
+        return scheduler.expected(self.program, self.study.scene)
 
     @property
     def first(self):
@@ -95,8 +102,8 @@ class Plan:
         """States at rest from which more than one run begins."""
         if "statics" not in self.stated:
             return set()
-        begun = [row.statics for climb in climbs for row in climb]
-        return {each for each in begun if begun.count(each) > 1} if len(set(begun)) < len(begun) else set()
+        begun = Counter(row.statics for climb in climbs for row in climb)
+        return {each for each, runs in begun.items() if runs > 1}
 
     def _missing(self, climbs):
         """Runs that are not there."""
@@ -111,10 +118,10 @@ class Plan:
             yield f"states at rest     {len(shared)}, shared by {sum(row.statics in shared for row in every)} runs"
         missing = self._missing(self.first)
         yield f"computed before    {len(every) - missing}"
-        expected = scheduler.expected(self.program, self.study.scene)
-        yield f"at once            {expected.at_once}"
-        if expected.time and missing:
-            yield f"time to expect     about {expected.time * missing / expected.at_once / 60:.2g} min, as the scene itself takes {expected.time:g} s"
+        yield f"at once            {self.expected.at_once}"
+        if self.expected.time and missing:
+            minutes = self.expected.time * missing / self.expected.at_once / 60
+            yield f"time to expect     about {minutes:.2g} min, as the scene itself takes {self.expected.time:g} s"
         for left_out in self.rounds[0].left_out:
             yield f"note: {left_out}"
         yield f"{self.study.path} can be computed"
@@ -128,7 +135,7 @@ class Plan:
             return rows.task_of(self.study, row, self.out, self.program, self.release, row.statics in shared)
 
         begun = time.monotonic()
-        jobs = options.jobs or (scheduler.expected(self.program, self.study.scene).at_once if self._missing(climbs) and not options.dask else 1)
+        jobs = options.jobs or (self.expected.at_once if self._missing(climbs) and not options.dask else 1)
         with scheduler.on_dask(options.dask) if options.dask else scheduler.here(jobs) as pool:
             computed = scheduler.compute(self.study, climbs, task_of, pool, progress)
         took = time.monotonic() - begun
@@ -176,26 +183,20 @@ def release(program):
     return subprocess.run([program, "--version"], capture_output=True, text=True).stdout.strip()
 
 
-class held:
+@contextmanager
+def held(study, out, whole):
     """The folder of a study, for one process at a time unless it computes a part; refused if it is that of another study."""
-
-    def __init__(self, study, out, whole):
-        self.study, self.out, self.whole = study, out, whole
-
-    def __enter__(self):
-        self.out.mkdir(parents=True, exist_ok=True)
-        of = self.out / "study.txt"
-        own = f"{self.study.path.resolve()}\n"
-        if of.exists() and of.read_text() != own:
-            raise Unusable(f"--out {self.out} holds the study {of.read_text().strip()}; give another folder.")
-        if not of.exists() and any(path.name not in ("fields", "study.lock") for path in self.out.iterdir()):
-            raise Unusable(f"--out {self.out} holds something else than a study; give another folder.")
-        self.lock = open(self.out / "study.lock", "w")
+    out.mkdir(parents=True, exist_ok=True)
+    of = out / "study.txt"
+    own = f"{study.path.resolve()}\n"
+    if of.exists() and of.read_text() != own:
+        raise Unusable(f"--out {out} holds the study {of.read_text().strip()}; give another folder.")
+    if not of.exists() and any(path.name not in ("fields", "study.lock") for path in out.iterdir()):
+        raise Unusable(f"--out {out} holds something else than a study; give another folder.")
+    with open(out / "study.lock", "w") as lock:
         try:
-            fcntl.flock(self.lock, (fcntl.LOCK_EX if self.whole else fcntl.LOCK_SH) | fcntl.LOCK_NB)
+            fcntl.flock(lock, (fcntl.LOCK_EX if whole else fcntl.LOCK_SH) | fcntl.LOCK_NB)
         except OSError:
-            raise Unusable(f"--out {self.out}: another process computes this study at this moment; wait for its end.") from None
+            raise Unusable(f"--out {out}: another process computes this study at this moment; wait for its end.") from None
         of.write_text(own)
-
-    def __exit__(self, *_):
-        self.lock.close()
+        yield

@@ -80,9 +80,7 @@ def _row(motion, name=None, level=None):
     if level is None:
         return Row(motion.name, settings={motion.key: motion.as_stated}, measures=dict(motion.measures))
     text, factor = motion.at(name, level)
-    peak = (level / motion.at_unit_peak[name])**(0.5 if name == "arias" else 1)
-    measures = {key: value * (peak**2 if key == "arias" else peak) for key, value in motion.at_unit_peak.items()}
-    return Row(motion.name, level, factor, settings={motion.key: text}, measures=measures)
+    return Row(motion.name, level, factor, settings={motion.key: text}, measures=motion.measures_at(name, level))
 
 
 def settings(study, stated, drawn):

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from adit.results.files import Unusable
 from adit.study.study import variants
 
+POWERS = {"arias": 2}  # of the motion with which a measure grows; of others 1
 SEEDS_APART = 1000  # of synthetic motions in further rounds
 
 
@@ -24,9 +25,16 @@ class Motion:
 
     def at(self, measure, level):
         """(the motion at this level as the text of a value, the factor by which it is scaled)."""
-        root = 0.5 if measure == "arias" else 1
-        peak = (level / self.at_unit_peak[measure])**root
-        return json.dumps(self.given | {"peak": peak}), (level / self.measures[measure])**root
+        peak = self._peak(measure, level)
+        return json.dumps(self.given | {"peak": peak}), (level / self.measures[measure])**(1 / POWERS.get(measure, 1))
+
+    def measures_at(self, measure, level):
+        """All measures of the motion at this level."""
+        peak = self._peak(measure, level)
+        return {key: value * peak**POWERS.get(key, 1) for key, value in self.at_unit_peak.items()}
+
+    def _peak(self, measure, level):
+        return (level / self.at_unit_peak[measure])**(1 / POWERS.get(measure, 1))
 
     @property
     def as_stated(self):

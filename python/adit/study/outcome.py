@@ -10,7 +10,7 @@ from scipy.stats import beta
 from adit.results.files import Unusable
 from adit.study import indices as influence, table
 from adit.study.fragility import bootstrap, cloud, curves as fitting, goodness, nrml, observations, pelicun, states
-from adit.study.fragility.measures import G
+from adit.study.fragility.measures import unit_of
 from adit.study.fragility.sets import DamageState
 from adit.study.study import Damage
 
@@ -59,7 +59,7 @@ class Outcome:
     @property
     def unit(self):
         """(name, what one of it is in SI) of intensities as engineers write them."""
-        return ("g", G) if self.study.intensity[0] in ("pga", "sa") else ("m/s", 1.0)
+        return unit_of(self.study.intensity[0])
 
     def answers(self, name):
         return np.abs(table.column(self.good, name))

@@ -14,6 +14,7 @@ from adit.results.run import SceneLoader
 from adit.study.fragility import sets
 
 MEASURES = ("pga", "pgv", "arias", "sa")
+DISTRIBUTIONS = ("normal", "lognormal", "uniform", "triangular", "discrete")
 
 
 @dataclass(frozen=True)
@@ -104,7 +105,7 @@ class Study:
                 if name not in known:
                     raise Unusable(f"{self.path}: correlations[{number}].between: {name} is no random quantity; {nearest(name, known)}")
         for each in self.random:
-            if not any(kind in each for kind in ("normal", "lognormal", "uniform", "triangular", "discrete")):
+            if not any(kind in each for kind in DISTRIBUTIONS):
                 raise Unusable(f"{self.path}: random: {each['name']} has no distribution; give normal, lognormal, uniform, triangular or discrete.")
         if self.levels and self.levels[0] == "increments" and not self.damage:
             raise Unusable(f"{self.path}: motions.increments: motions climb until a damage state is exceeded, but `damage` states none.")
@@ -132,8 +133,8 @@ def _damage(given, answers):
 
 
 def load(path, settings=(), records=None):
-    """The Study in a file, with further texts of its `set`, and a folder of records in place of its own. Ends with the exit code of the reader where it is refused; raises
-    Unusable where its parts do not agree."""
+    """The Study in a file, with further texts of its `set`, and a folder of records in place of its own. Ends with the exit code of the
+    reader where it is refused; raises Unusable where its parts do not agree."""
     done = subprocess.run([programs.program("coupler"), "study", path], stdout=subprocess.PIPE, text=True)
     if done.returncode:
         sys.exit(done.returncode)  # the reader has told why

@@ -1,15 +1,17 @@
 """The table of a study: inputs, intensities and answers of each run, as CSV and HDF5. It holds no clocks: the same study has the same
 table, byte for byte, however often it was stopped."""
 import csv
+import functools
 
 import numpy as np
 
 from adit.plots.oscillators import pseudo_acceleration
 from adit.results.files import Unusable, nearest
+from adit.results.run import Run
+from adit.study.fragility.measures import G
 from adit.study.motions import sa
 
 UNITS = {"pga": "m_per_s2", "pgv": "m_per_s", "pgd": "m", "arias": "m_per_s", "cav": "m_per_s"}  # others, sa: m/s²
-G = 9.80665  # [m/s²]
 
 
 def column_of(measure):
@@ -40,10 +42,9 @@ def intensity_column(study):
     return f"{place}_{column_of(name)}" if place else column_of(name)
 
 
+@functools.cache  # a run does not change, and `--until` asks again and again
 def measured(folder, place, measure, period):
     """The intensity [SI] of a history of horizontal acceleration."""
-    from adit.results.run import Run
-
     run = Run(folder)
     column = f"{place}_ax_m_per_s2"
     if column not in run.histories:

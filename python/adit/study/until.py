@@ -1,6 +1,7 @@
 """`--until 'median within 10 %'`: runs are added, a motion at a time, until every median that the runs tell is known as well."""
 import re
 
+from adit.accuracy.shares import share_of
 from adit.results.files import Unusable
 from adit.study import table
 from adit.study.fragility import needed
@@ -11,9 +12,9 @@ AT_A_TIME = 4  # climbs, or more where a motion has more; the same on every mach
 
 def target(text):
     """The share of `median within 10 %`."""
-    found = re.fullmatch(r"\s*median\s+within\s+(\d*\.?\d+)\s*(%?)\s*", text)
-    share = float(found[1]) / (100 if found[2] else 1) if found else 0
-    if not 0 < share < 1:
+    found = re.fullmatch(r"\s*median\s+within\s+(\d*\.?\d+\s*%?)\s*", text)
+    share = share_of(found[1]) if found else None
+    if share is None:
         raise Unusable(f"--until '{text}' is not understood; write for example --until 'median within 10 %'.")
     return share
 

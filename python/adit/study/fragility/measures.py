@@ -4,6 +4,11 @@ from dataclasses import dataclass
 G = 9.80665  # [m/s^2]
 
 
+def unit_of(measure):
+    """(name, what one of it is in SI) of an intensity as engineers write it; measures as a study states them."""
+    return ("g", G) if measure in ("pga", "sa") else ("m/s", 1.0)
+
+
 @dataclass(frozen=True)
 class Measure:
     """`openquake`, `pelicun`: names, to which the period of a spectral acceleration is added; None where a program has none. `per_si`: what

@@ -2,9 +2,9 @@
 from adit.report.markup import bullets, table
 from adit.report.quantities import digits, quantity, unit_of
 from adit.study.pictures import axes as axis
+from adit.study.study import DISTRIBUTIONS
 from adit.study.table import column_of
 
-DISTRIBUTIONS = ("normal", "lognormal", "uniform", "triangular", "discrete")
 MEASURES = {"pga": "PGA", "pgv": "PGV", "pgd": "PGD", "arias": "Arias intensity", "cav": "CAV"}
 
 

@@ -7,7 +7,7 @@ from matplotlib.ticker import LogLocator, NullLocator, StrMethodFormatter
 from adit.plots import style
 from adit.plots.drawing import Panels
 from adit.report.quantities import ENDINGS, prefix
-from adit.study.fragility.measures import G
+from adit.study.fragility.measures import unit_of
 
 MEASURES = {"pga": "peak ground acceleration", "pgv": "peak ground velocity", "arias": "Arias intensity", "sa": "spectral acceleration"}
 OF_STATES = (style.BLUE, style.ORANGE, style.RED, style.PINK, style.GREEN, style.BLACK)  # the lightest damage first
@@ -53,8 +53,8 @@ def of_intensity(outcome):
 
 def of_level(study, level):
     """A level of the motions as an engineer writes it."""
-    in_g = study.levels[1] in ("pga", "sa")
-    return f"{level / G:.3g} g" if in_g else f"{level:.3g} m/s"
+    unit, si = unit_of(study.levels[1])
+    return f"{level / si:.3g} {unit}"
 
 
 def logarithmic(axis):
