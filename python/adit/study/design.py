@@ -35,7 +35,7 @@ class Design:
 def of_round(study, stated, motions, number, folder):
     """The Design of a round. `stated`: the scene as it is read; `folder`: where random fields are written. Raises Unusable where a run
     cannot be made so."""
-    design = _with_motions(study, motions) if motions else Design([[Row()] for _ in range(study.samples)], [])
+    design = with_motions(study, motions) if motions else Design([[Row()] for _ in range(study.samples)], [])
     one_draw = study.levels is not None and study.levels[0] == "increments"  # a climb meets the same tunnel at all levels
     drawn = quantities.drawn(study, len(design.climbs) if one_draw else sum(map(len, design.climbs)), number)
     sample = 0
@@ -52,10 +52,10 @@ def of_round(study, stated, motions, number, folder):
     return design
 
 
-def _with_motions(study, motions):
+def with_motions(study, motions):
+    """The Design of rows that have their motion and its intensity, and no samples yet."""
     if study.levels is None:  # as they are: they take turns in the samples
-        count = math.lcm(len(motions), max(study.samples, 1)) if study.samples < len(motions) else study.samples
-        count = len(motions) if study.samples == 1 else count
+        count = max(study.samples, len(motions))
         return Design([[_row(motions[number % len(motions)])] for number in range(count)], [])
     how, measure, levels, period = study.levels
     name = ground.sa(period) if measure == "sa" else measure

@@ -122,6 +122,12 @@ class Motions(unittest.TestCase):
     def test_scaled_too_far_up_or_down_are_excessive(self):
         self.assertEqual([motions.excessive(factor, 4.0) for factor in (0.2, 0.25, 1, 4, 5)], [True, False, False, False, True])
 
+    def test_of_a_cloud_take_turns_in_the_samples_and_each_has_a_run(self):
+        several = [motions.Motion(name, "base", {}, {"pga": 1.0}, {"pga": 1.0}) for name in "abc"]
+        for samples, turns in ((1, "abc"), (2, "abc"), (5, "abcab")):
+            found = design.with_motions(study(levels=None, samples=samples), several)
+            self.assertEqual("".join(row.motion for (row,) in found.climbs), turns)
+
     def test_names_tell_them_apart(self):
         given = [{"file": {"path": "/a/KOBE.AT2"}}, {"file": {"path": "/b/KOBE.AT2"}}, {"synthetic": {"spectrum": "ec8_type_1", "ground": "b", "seed": 3}},
                  {"sine": {"frequency": 2}}]
