@@ -25,8 +25,8 @@ function(precompile target)
   endforeach()
 endfunction()
 
-# compile_quickly(TARGET...): of sources that run once before a computation and bring in the headers of CLI11 and YAML, which
-# take a third longer at -O3.
+# compile_quickly(TARGET...): of sources that run once before a computation and bring in the headers of CLI11 and YAML, or of
+# GoogleTest, which take a third longer at -O3.
 function(compile_quickly)
   foreach(target ${ARGN})
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
