@@ -8,6 +8,6 @@ int main(int argc, char** argv) {
   std::size_t threads = 0;
   return adit::protocol::server_main(
       argc, argv, "fdm_server",
-      {"name", "description", "plane", "material", "time", "initial_stress", "statics", "continuum"},
+      {"name", "description", "plane", "material", "time", "initial_stress", "statics", "continuum", "water"},
       [&] { return std::make_unique<adit::fdm::FdmParticipant>(threads); }, &threads);
 }

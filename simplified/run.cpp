@@ -35,6 +35,7 @@ void refuse_other_models(const scene::Scene& scene) {
                       : scene.regions_size() > 0    ? "regions"
                       : scene.has_interface()       ? "interface"
                       : scene.interfaces_size() > 0 ? "interfaces"
+                      : scene.has_water()           ? "water"
                                                     : nullptr;
   if (other)
     throw UserError(

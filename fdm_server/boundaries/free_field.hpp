@@ -24,6 +24,7 @@ struct FreeFieldColumn {
   std::uint32_t first_point, first_zone;  // its own, from below
 
   std::uint32_t point(std::size_t k) const { return first_point + static_cast<std::uint32_t>(k); }
+  std::uint32_t top() const { return point(side.size() - 1); }
   std::uint32_t zone(std::size_t k) const { return first_zone + static_cast<std::uint32_t>(k); }
 };
 

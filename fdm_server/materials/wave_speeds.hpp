@@ -9,7 +9,7 @@ struct WaveSpeeds {
 };
 
 // Speeds of the fastest waves in the zones, elastic and of small strain: c_p = sqrt((kappa + mu) / density),
-// c_s = sqrt(mu / density), in either plane condition.
+// c_s = sqrt(mu / density), in either plane condition; in wet ground with the stiffness of the water.
 WaveSpeeds wave_speeds(const Ground& ground);
 
 }  // namespace adit::fdm

@@ -52,7 +52,7 @@ std::optional<std::uint32_t> surface_of(const FreeFieldColumn& column, const Edg
   };
   if (on_side(edge.from) == on_side(edge.to)) return std::nullopt;
   const std::uint32_t meeting = on_side(edge.from) ? edge.from : edge.to;
-  if (meeting == column.side.back()) return column.point(column.side.size() - 1);
+  if (meeting == column.side.back()) return column.top();
   if (meeting == column.side.front()) return column.point(0);
   return std::nullopt;
 }

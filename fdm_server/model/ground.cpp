@@ -10,7 +10,9 @@
 #include <utility>
 
 #include "fdm_server/model/grid/selection.hpp"
+#include "fdm_server/zones/laws/cyclic_driver.hpp"
 #include "protocol/errors.hpp"
+#include "protocol/ground/stated_stress.hpp"
 #include "protocol/materials/fracture.hpp"
 #include "protocol/scatter/scattering.hpp"
 
@@ -36,6 +38,17 @@ Strength read_strength(const Scene& scene, const Strength& before, const std::st
                       most));
   strength.tension = std::min(scene.has_tension() ? scene.tension() : before.tension, most);
   return strength;
+}
+
+const scene::Material& material_of(const scene::Scene& scene, std::size_t number) {
+  const scene::Continuum& continuum = scene.continuum();
+  if (number > 0) return continuum.materials(static_cast<int>(number) - 1).material();
+  return continuum.has_material() ? continuum.material() : scene.material();
+}
+
+std::string path_of_material(const scene::Scene& scene, std::size_t number) {
+  if (number > 0) return fmt::format("continuum.materials[{}].material", number - 1);
+  return scene.continuum().has_material() ? "continuum.material" : "material";
 }
 
 constexpr Strength kNoStrength{0, 0, 0, HUGE_VAL};
@@ -125,6 +138,46 @@ YieldCone read_fracture(const scene::Fracture& scene, const std::string& path) {
       .cone(0);
 }
 
+Pm4Sand read_pm4sand(const scene::Material& scene, const std::string& path) {
+  const char* beside = scene.has_mohr_coulomb()         ? "mohr_coulomb"
+                       : scene.has_hysteretic()         ? "hysteretic"
+                       : scene.has_weak_plane()         ? "weak_plane"
+                       : scene.has_fracture()           ? "fracture"
+                       : scene.pores().has_compaction() ? "pores.compaction"
+                                                        : nullptr;
+  require(
+      !beside, path + ".pm4sand",
+      fmt::format("is given beside {}, but has a strength and a compaction of its own; leave one of them out",
+                  beside ? beside : ""));
+  const scene::Pm4Sand& sand = scene.pm4sand();
+  return {sand.relative_density(), sand.modulus_coefficient(), sand.contraction_rate(),
+          sand.largest_pressure()};
+}
+
+Compaction read_compaction(const scene::Compaction& scene, const Material& material,
+                           const std::string& path) {
+  require(scene.resistance_case() != scene::Compaction::RESISTANCE_NOT_SET, path,
+          "states no resistance; give `cyclic_resistance`, or `blow_count`");
+  require(material.mohr_coulomb.has_value(), path,
+          "needs the friction that the pressure of the water takes away; give the material `mohr_coulomb`");
+  if (scene.has_blow_count()) {
+    require(!material.hysteretic, path + ".blow_count",
+            "is for strains of ground of one stiffness, not of a hysteretic law; give `cyclic_resistance`");
+    return from_blow_count(scene.blow_count());
+  }
+  const Calibration found = calibrated(material, scene.cyclic_resistance());
+  require(
+      found.outcome != Calibration::kBeyondStrength, path + ".cyclic_resistance",
+      fmt::format("is {:g}, beyond the strength of the material, which fails at {:.3g} by itself; lower it, "
+                  "or raise the friction angle",
+                  scene.cyclic_resistance(), found.largest_resistance));
+  require(found.outcome != Calibration::kFirm, path + ".cyclic_resistance",
+          fmt::format("is {:g}, at which no compaction liquefies this material in {:g} cycles; raise it, or "
+                      "lower the cohesion",
+                      scene.cyclic_resistance(), kLiquefyingCycles));
+  return found.compaction;
+}
+
 Material read_material(const scene::Material& scene, const scene::Scene& whole, const std::string& path) {
   Material material{scene.density(), scene.young_modulus(), scene.poisson_ratio()};
   const bool reversals = scene.hysteretic().memory() == scene::Hysteretic::REVERSALS;
@@ -142,6 +195,9 @@ Material read_material(const scene::Material& scene, const scene::Scene& whole, 
         WeakPlane(plane.dip_angle(), read_strength(plane, kNoStrength, path + ".weak_plane"));
   }
   if (scene.has_fracture()) material.fracture = read_fracture(scene.fracture(), path + ".fracture");
+  if (scene.has_pm4sand()) material.pm4sand = read_pm4sand(scene, path);
+  if (scene.pores().has_compaction())
+    material.compaction = read_compaction(scene.pores().compaction(), material, path + ".pores.compaction");
   require(material.linear() || whole.plane() == scene::PLANE_STRAIN, path,
           "has a strength or a hysteretic curve, which is computed in plane strain only; write `plane: "
           "plane_strain`, "
@@ -149,32 +205,53 @@ Material read_material(const scene::Material& scene, const scene::Scene& whole, 
   return material;
 }
 
+// The same material with water in its pores.
+Material read_wet(Material dry, const scene::Pores& pores, const scene::Water& water,
+                  const std::string& path) {
+  dry.density = pores.has_saturated_density() ? pores.saturated_density() : dry.density;
+  require(dry.density > pores.porosity() * water.density(), path,
+          fmt::format("makes ground of {:g} kg/m^3, no heavier than the water in it, {:g} kg/m^3; raise "
+                      "saturated_density",
+                      dry.density, pores.porosity() * water.density()));
+  const double weight = water.density() * protocol::kStandardGravity;
+  const double along_y = pores.has_conductivity_y() ? pores.conductivity_y() : pores.conductivity();
+  dry.pores = Pores{water.has_bulk_modulus() ? water.bulk_modulus() / pores.porosity() : 0,
+                    pores.conductivity() / weight, along_y / weight};
+  return dry;
+}
+
+// Numbers of wet materials follow those of all stated ones.
+void add_wet(const scene::Scene& scene, Ground& ground) {
+  const std::size_t count = ground.materials.size();
+  for (std::uint32_t m = 0; m < count; ++m) ground.stated.push_back(m);
+  if (!scene.has_water()) return;
+  for (std::uint32_t m = 0; m < count; ++m) {
+    const scene::Material& stated = material_of(scene, m);
+    if (!stated.has_pores()) continue;
+    ground.materials.push_back(
+        read_wet(ground.materials[m], stated.pores(), scene.water(), path_of_material(scene, m) + ".pores"));
+    ground.stated.push_back(m);
+  }
+}
+
 }  // namespace
 
 Ground read_ground(const scene::Scene& scene) {
   const auto& continuum = scene.continuum();
-  const bool own = continuum.has_material();
-  const std::string path = own ? "continuum.material" : "material";
-  require(own || scene.has_material(), path, "is missing; give it, or continuum.material");
+  require(continuum.has_material() || scene.has_material(), "material",
+          "is missing; give it, or continuum.material");
   Ground ground;
   ground.plane_stress = scene.plane() == scene::PLANE_STRESS;
   ground.large_strain = continuum.large_strain();
-  ground.materials.push_back(read_material(own ? continuum.material() : scene.material(), scene, path));
-  for (int i = 0; i < continuum.materials_size(); ++i)
-    ground.materials.push_back(read_material(continuum.materials(i).material(), scene,
-                                             fmt::format("continuum.materials[{}].material", i)));
+  for (std::size_t m = 0; m <= static_cast<std::size_t>(continuum.materials_size()); ++m)
+    ground.materials.push_back(read_material(material_of(scene, m), scene, path_of_material(scene, m)));
+  add_wet(scene, ground);
   require(!ground.large_strain || !ground.plane_stress, "continuum.large_strain",
           "is computed in plane strain only; write `plane: plane_strain`, or leave large_strain out");
   return ground;
 }
 
 namespace {
-
-const scene::Material& material_of(const scene::Scene& scene, std::size_t number) {
-  const scene::Continuum& continuum = scene.continuum();
-  if (number > 0) return continuum.materials(static_cast<int>(number) - 1).material();
-  return continuum.has_material() ? continuum.material() : scene.material();
-}
 
 std::string name_of_material(std::size_t number) {
   return number > 0 ? fmt::format("continuum.materials[{}]", number - 1) : "the material";
@@ -194,7 +271,7 @@ std::optional<BackbonePoint> end_of_curve(const Material& material) {
 
 std::vector<std::string> notes_on_strength(const Ground& ground) {
   std::vector<std::string> notes;
-  for (std::size_t m = 0; m < ground.materials.size(); ++m) {
+  for (std::size_t m = 0; m < ground.stated_materials(); ++m) {
     const Material& material = ground.materials[m];
     if (const auto end = end_of_curve(material))
       notes.push_back(fmt::format(
@@ -210,7 +287,7 @@ std::vector<std::string> notes_on_strength(const Ground& ground) {
 
 std::optional<std::string> note_on_fracture(const Ground& ground) {
   std::vector<std::string> names;
-  for (std::size_t m = 0; m < ground.materials.size(); ++m)
+  for (std::size_t m = 0; m < ground.stated_materials(); ++m)
     if (const Material& material = ground.materials[m];
         material.fracture && !material.mohr_coulomb && !material.weak_plane)
       names.push_back(name_of_material(m));
@@ -223,7 +300,7 @@ std::optional<std::string> note_on_fracture(const Ground& ground) {
 std::vector<std::string> notes_on_loops(const scene::Scene& scene, const Ground& ground) {
   constexpr double kLittle = 0.005;  // of critical damping, as at smallest strains
   std::vector<std::string> notes;
-  for (std::size_t m = 0; m < ground.materials.size(); ++m) {
+  for (std::size_t m = 0; m < ground.stated_materials(); ++m) {
     const scene::DampingTable& asked = material_of(scene, m).hysteretic().damping().table();
     double worst = kLittle;
     std::string note;
@@ -273,6 +350,10 @@ void assign_zones(const scene::Continuum& scene, const Grid& grid, Ground& groun
   ground.of_zone = materials_of_zones(scene, grid);
   ground.stiffness_factor = factors_of_zones(scene, scene::Scatter::STIFFNESS, grid);
   ground.strength_factor = factors_of_zones(scene, scene::Scatter::STRENGTH, grid);
+  require(!ground.scattered() ||
+              std::ranges::none_of(ground.materials, [](const Material& m) { return m.pm4sand.has_value(); }),
+          "continuum.scatter",
+          "is given beside pm4sand, whose stiffness follows the pressure; leave one of them out");
 }
 
 void compact(Ground& ground, std::span<const double> weights) {

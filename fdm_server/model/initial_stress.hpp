@@ -18,6 +18,7 @@ namespace adit::fdm {
 std::optional<std::string> warn_of_imbalance(const scene::Scene& scene, const Grid& grid,
                                              const Ground& ground);
 
-void set_initial_stress(const scene::Stress& stress, const Grid& grid, ZoneSet& zones);
+// Of zones that know the pressure of their water.
+void set_initial_stress(const scene::Scene& scene, const Grid& grid, ZoneSet& zones);
 
 }  // namespace adit::fdm

@@ -33,7 +33,7 @@ Resolution resolution(const Grid& grid, const Ground& ground) {
     const double speed = std::sqrt(ground.plane_law(z).shear / ground.material(z).density);
     const double size = longest_side(corners(grid, z), box.x_max - box.x_min, box.y_max - box.y_min);
     const double frequency = speed / (kZonesAWavelength * size);
-    if (frequency < least.frequency) least = {frequency, speed, size, ground.of_zone[z]};
+    if (frequency < least.frequency) least = {frequency, speed, size, ground.stated_of(z)};
   }
   if (!std::isfinite(least.frequency)) least.frequency = 0;  // a single zone, or a single row across the grid
   return least;

@@ -20,9 +20,14 @@ bool is_stress(scene::Quantity quantity) {
   return quantity == scene::STRESS_XX || quantity == scene::STRESS_YY || quantity == scene::STRESS_XY;
 }
 
+bool is_of_water(scene::Quantity quantity) {
+  return quantity == scene::PORE_PRESSURE || quantity == scene::PRESSURE_RATIO ||
+         quantity == scene::EFFECTIVE_STRESS_XX || quantity == scene::EFFECTIVE_STRESS_YY;
+}
+
 bool is_of_zones(scene::Quantity quantity) {
-  return is_stress(quantity) || quantity == scene::STRESS_ZZ || quantity == scene::STRAIN_XX ||
-         quantity == scene::STRAIN_YY || quantity == scene::SHEAR_STRAIN_XY;
+  return is_stress(quantity) || is_of_water(quantity) || quantity == scene::STRESS_ZZ ||
+         quantity == scene::STRAIN_XX || quantity == scene::STRAIN_YY || quantity == scene::SHEAR_STRAIN_XY;
 }
 
 std::span<const double> velocity(const Continuum& continuum, scene::Quantity quantity) {
@@ -187,6 +192,17 @@ double Histories::value(const Probe& probe, const Grid& grid, const Supports& su
       });
     case scene::STRESS_ZZ:
       return sum(zones, [&](std::uint32_t z) { return continuum.zones().field(z, ZoneField::kStressZz); });
+    case scene::PORE_PRESSURE:
+      return sum(zones, [&](std::uint32_t z) { return continuum.zones().pore_pressure(z); });
+    case scene::PRESSURE_RATIO:
+      return sum(zones, [&](std::uint32_t z) { return continuum.zones().pressure_ratio(z); });
+    case scene::EFFECTIVE_STRESS_XX:
+    case scene::EFFECTIVE_STRESS_YY:
+      return sum(zones, [&, quantity = quantity](std::uint32_t z) {
+        const Stress total = continuum.zones().stress(z);
+        return (quantity == scene::EFFECTIVE_STRESS_XX ? total.xx : total.yy) +
+               continuum.zones().pore_pressure(z);
+      });
     case scene::DEMAND:
       return continuum.zones().demand(zones.zones.front());
     case scene::STRAIN_XX:

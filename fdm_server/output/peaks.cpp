@@ -50,14 +50,15 @@ ADIT_VECTOR_CLONES void raise_principal(std::span<const std::uint32_t> numbers, 
 
 }  // namespace
 
-Peaks::Peaks(const Grid& grid, bool strength)
+Peaks::Peaks(const Grid& grid, const Ground& ground)
     : points_(grid.own_points()),
       motion_(points_),
       shear_strain_(grid.own_zones()),
       largest_principal_(grid.own_zones(), -std::numeric_limits<double>::infinity()),
       smallest_principal_(grid.own_zones(), std::numeric_limits<double>::infinity()),
-      demand_(strength ? grid.own_zones() : 0),
-      demand_time_(demand_.size()) {
+      demand_(ground.states_strength() ? grid.own_zones() : 0),
+      demand_time_(demand_.size()),
+      pressure_ratio_(ground.any_wet() ? grid.own_zones() : 0) {
   for (std::size_t z = 0; z < grid.own_zones(); ++z) {
     const auto [x0, x1, y0, y1] = mean_gradient(corners(grid, z));
     const std::array gradient{x0, x1, y0, y1};
@@ -80,6 +81,11 @@ void Peaks::raise_demand(std::size_t begin, std::size_t end, const ZoneSet& zone
     }
 }
 
+void Peaks::raise_pressure_ratio(std::size_t begin, std::size_t end, const ZoneSet& zones) {
+  for (std::size_t z = begin; z < end; ++z)
+    pressure_ratio_[z] = std::max(pressure_ratio_[z], zones.pressure_ratio(z));
+}
+
 void Peaks::take(Continuum& continuum, const protocol::Step& step) {
   const auto ux = continuum.ux(), uy = continuum.uy();
   motion_.take([&](std::size_t i) { return std::array{ux[i], uy[i]}; }, velocities(continuum, points_), step);
@@ -92,6 +98,8 @@ void Peaks::take(Continuum& continuum, const protocol::Step& step) {
         shear_strain_.data());
     raise_demand(demand_.size() * piece / pieces, demand_.size() * (piece + 1) / pieces, continuum.zones(),
                  step.time());
+    raise_pressure_ratio(pressure_ratio_.size() * piece / pieces,
+                         pressure_ratio_.size() * (piece + 1) / pieces, continuum.zones());
   });
   continuum.zones().see_stresses(
       continuum.team(), [&](std::span<const std::uint32_t> numbers, const PlaneStresses& stresses) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fdm_server/grid/grid.hpp"
+#include "fdm_server/materials/material.hpp"
 #include "fdm_server/solver/continuum.hpp"
 #include "protocol/participant/peak_motion.hpp"
 #include "protocol/state/archive.hpp"
@@ -16,8 +17,9 @@ namespace adit::fdm {
 
 class Peaks {
  public:
-  // Peaks of the grid without its free-field columns; of the demand where materials state a strength.
-  Peaks(const Grid& grid, bool strength);
+  // Peaks of the grid without its free-field columns; of the demand where materials state a strength, of the
+  // pressure ratio where zones are wet.
+  Peaks(const Grid& grid, const Ground& ground);
 
   // Before a step to look at, after the correction of the step before.
   void remember(const Continuum& continuum);
@@ -32,6 +34,8 @@ class Peaks {
   // Largest share of its strength (materials/demand.hpp), and when the zone reached it [s]; empty without.
   std::span<const double> demand() const { return demand_; }
   std::span<const double> demand_time() const { return demand_time_; }
+  // Largest growth of the water's pressure over the effective vertical pressure; empty without.
+  std::span<const double> pressure_ratio() const { return pressure_ratio_; }
 
   void exchange(state::Archive& archive) {
     motion_.exchange(archive);
@@ -40,9 +44,11 @@ class Peaks {
     archive("zone_peaks_smallest_principal", std::span(smallest_principal_));
     archive("zone_peaks_demand", std::span(demand_));
     archive("zone_peaks_demand_time", std::span(demand_time_));
+    archive("zone_peaks_pressure_ratio", std::span(pressure_ratio_));
   }
 
  private:
+  void raise_pressure_ratio(std::size_t begin, std::size_t end, const ZoneSet& zones);
   void raise_demand(std::size_t begin, std::size_t end, const ZoneSet& zones, double time);
 
   std::size_t points_;
@@ -50,7 +56,8 @@ class Peaks {
   // Of each zone: numbers of its corners, mean gradient of the first two (hourglass.hpp).
   std::array<std::vector<std::int32_t>, 4> corners_;
   std::array<std::vector<double>, 4> gradients_;
-  std::vector<double> shear_strain_, largest_principal_, smallest_principal_, demand_, demand_time_;
+  std::vector<double> shear_strain_, largest_principal_, smallest_principal_, demand_, demand_time_,
+      pressure_ratio_;
 };
 
 }  // namespace adit::fdm

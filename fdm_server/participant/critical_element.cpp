@@ -38,8 +38,11 @@ CriticalElement critical_element(ZoneKind kind, const Grid& grid, const Ground& 
   const CriticalZone zone = critical_zone(kind, grid, ground);
   const auto structure = structures.critical_element(known_early.of_structures);
   const double zone_step = on_foundation(zone.step), structure_step = on_foundation(structure.step);
+  const double drained_step = ground.any_wet()
+                                  ? on_foundation(critical_zone(kind, grid, ground, Drainage::kDrained).step)
+                                  : zone_step;
   const double damped_zone_step = critical_step(damping, zone_step),
-               static_step = std::min(on_foundation(structures.critical_step()), zone_step);
+               static_step = std::min(on_foundation(structures.critical_step()), drained_step);
   const std::string where = foundation_stiffness > 0 ? " on its foundation" : "";
   const auto contact = stiffest_contact(grid, ground, supports, known_early.of_contacts);
   if (contact.square > 0) {
@@ -62,7 +65,7 @@ CriticalElement critical_element(ZoneKind kind, const Grid& grid, const Ground& 
 
 std::vector<double> static_zone_steps(ZoneKind kind, const Grid& grid, const Ground& ground,
                                       double foundation_stiffness) {
-  std::vector<double> steps = zone_steps(kind, grid, ground);
+  std::vector<double> steps = zone_steps(kind, grid, ground, Drainage::kDrained);
   for (std::size_t z = 0; z < steps.size(); ++z)
     steps[z] = foundation::critical_step(steps[z],
                                          foundation_stiffness / ground.materials[ground.of_zone[z]].density);

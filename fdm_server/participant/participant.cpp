@@ -24,6 +24,7 @@
 #include "fdm_server/model/resolution.hpp"
 #include "fdm_server/model/supports/meetings.hpp"
 #include "fdm_server/model/supports/supports.hpp"
+#include "fdm_server/model/water.hpp"
 #include "fdm_server/participant/critical_element.hpp"
 #include "fdm_server/participant/demand_figures.hpp"
 #include "fdm_server/participant/dowel_figures.hpp"
@@ -72,8 +73,13 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   require_statics_for_motions(scene_);
   grid_ = read_grid(scene_.continuum());
   assign_zones(scene_.continuum(), grid_, setup_.ground);
+  fill_pores(scene_, grid_, setup_.ground);
+  require_water(scene_, setup_.ground, setup.alone());
   Grid grid = grid_;  // with what interfaces add
   const Supports supports = resolve_supports(scene_, setup_.ground, {}, grid);
+  protocol::require(!scene_.has_water() || supports.contacts.empty(), "water",
+                    "is given beside interfaces, whose friction does not know its pressure; leave "
+                    "continuum.interfaces and interfaces of linings out, or the water");
   damping_ = resolve_damping(scene_.continuum());
   base_accelerations_ = base_accelerations(scene_.continuum().base(), scene_.time().duration());
   const KnownEarly early = known_early(supports, grid, setup.alone());
@@ -84,7 +90,7 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   };
   Ground last = setup_.ground;  // of time; of statics each stage's counts
   CriticalElement critical = critical_in(last);
-  const ZoneStages changes(scene_, grid_, last.of_zone);
+  const ZoneStages changes(scene_, grid_, last.stated_of_zones());
   for (const auto& [number, stage] : changes.stages()) {
     if (stage.renewed.empty()) continue;
     renew(stage, last.of_zone);
@@ -119,6 +125,7 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
     model.add_notes(*note);
   if (const auto warning = warn_of_imbalance(scene_, grid_, setup_.ground)) model.add_notes(*warning);
   for (const std::string& note : notes_on_strength(setup_.ground)) model.add_notes(note);
+  if (const auto note = note_on_stiffness(scene_, setup_.ground)) model.add_notes(*note);
   if (setup.alone())
     if (const auto note = note_on_fracture(setup_.ground)) model.add_notes(*note);
   for (const std::string& note : notes_on_loops(scene_, setup_.ground)) model.add_notes(note);
@@ -167,7 +174,7 @@ void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
   supports_ = resolve_supports(scene_, setup_.ground, weights_, grid_);
   const auto& conditions = scene_.continuum();
   make_continuum();
-  zone_stages_ = ZoneStages(scene_, grid_, setup_.ground.of_zone);
+  zone_stages_ = ZoneStages(scene_, grid_, setup_.ground.stated_of_zones());
   require_free_field_stays();
   require_renewed_apart();
   if (zone_stages_.stages().contains(0)) begin_stage(0);
@@ -196,7 +203,7 @@ void FdmParticipant::make_continuum() {
       conditions, base_accelerations_, grid_, edges, columns_,
       [this](std::uint32_t zone) {
         const Ground& ground = setup_.ground;
-        return impedance(ground.plane_law(zone), ground.material(zone).density, weights_[zone]);
+        return impedance(ground.undrained_law(zone), ground.material(zone).density, weights_[zone]);
       },
       motions);
   std::ranges::move(boundaries.motions, std::back_inserter(motions));
@@ -206,7 +213,8 @@ void FdmParticipant::make_continuum() {
     for (const DashpotShare& share : dashpot.shares) absorbing_[share.zone] = true;
 
   ZoneSet zones(setup_.kind, grid_, setup_.ground, weights_);
-  if (scene_.has_initial_stress()) set_initial_stress(scene_.initial_stress(), grid_, zones);
+  if (scene_.has_water()) zones.set_rest(pressures_at_rest(scene_, grid_, 0));
+  if (scene_.has_initial_stress()) set_initial_stress(scene_, grid_, zones);
   const auto masses = this->masses();
   continuum_ = std::make_unique<Continuum>(std::move(zones), masses, loads(masses), std::move(motions),
                                            threads_ > 0 ? threads_ : useful_threads(grid_.zones.size()),
@@ -215,10 +223,22 @@ void FdmParticipant::make_continuum() {
                            scene_.has_statics() || scene_.has_initial_stress());
   continuum_->set_damping(damping_);
   continuum_->set_foundations(resolve_foundations(conditions, grid_, weights_));
+  if (!scene_.has_statics()) begin_time();
+}
+
+void FdmParticipant::begin_time() {
+  continuum_->zones().begin_time();
+  if (auto flow = this->flow()) continuum_->set_flow(std::move(*flow));
+}
+
+std::optional<Flow> FdmParticipant::flow() const {
+  if (!scene_.has_water()) return std::nullopt;
+  return resolve_flow(scene_.water(), grid_, setup_.ground, weights_, columns_, supports_.linings);
 }
 
 std::vector<Load> FdmParticipant::loads(std::span<const double> masses) const {
   auto loads = resolve_loads(scene_.continuum(), grid_, masses, columns_);
+  if (scene_.has_water()) loads.push_back(weight_of_sea(scene_.water(), grid_, weights_, columns_));
   loads.insert(loads.end(), base_loads_.begin(), base_loads_.end());
   return loads;
 }
@@ -374,12 +394,13 @@ void FdmParticipant::start_over(const protocol::Drift& drift) {
   relaxation_.reset();
   travel_.reset();
   continuum_->start_over();
+  begin_time();
   const protocol::CountedFrom counted = protocol::counted_from(scene_.statics());
   if (!counted.stage_given || stage_ < counted.stage) continuum_->reset_displacements();
 }
 
 void FdmParticipant::remember_for_peaks() {
-  if (!peaks_) peaks_.emplace(grid_, setup_.ground.states_strength());
+  if (!peaks_) peaks_.emplace(grid_, setup_.ground);
   peaks_->remember(*continuum_);
 }
 
@@ -484,6 +505,11 @@ void FdmParticipant::exchange_solver(state::Archive& archive) {
   std::uint32_t stage = stage_;
   archive("stage", stage);
   if (archive.reads()) excavate(stage);  // builds what stands in this stage
+  if (scene_.has_water()) {
+    bool flows = continuum_->flows();
+    archive("flows", flows);
+    if (auto flow = this->flow(); archive.reads() && flows && flow) continuum_->set_flow(std::move(*flow));
+  }
   continuum_->exchange(archive);
   peak_forces_.exchange(supports_.linings, archive);
   contact_peaks_.exchange(supports_.contacts.size(), archive);
@@ -494,7 +520,7 @@ void FdmParticipant::exchange_solver(state::Archive& archive) {
   peak_dowels_.exchange(supports_.structures.dowels().size(), archive);
   peak_shapes_->exchange(archive);
   histories_->exchange(archive);
-  archive("peaks", peaks_, [this] { return Peaks(grid_, setup_.ground.states_strength()); });
+  archive("peaks", peaks_, [this] { return Peaks(grid_, setup_.ground); });
   archive("relaxation", relaxation_, [this] { return Relaxation(grid_, weights_); });
   archive("travel", travel_, [this] { return protocol::Travel(continuum_->ux(), continuum_->uy()); });
   archive("steps_done", steps_done_);

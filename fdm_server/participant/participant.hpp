@@ -79,6 +79,9 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   void make_continuum();
   // Takes away its zones, changes and adds others, installs its linings and bolts.
   void begin_stage(std::uint32_t stage);
+  // Statics are over, or there are none: the water is free to follow the ground, and to flow.
+  void begin_time();
+  std::optional<Flow> flow() const;
   // Loads on the zones that are left; those of the base are the last.
   std::vector<Load> loads(std::span<const double> masses) const;
   std::vector<double> masses() const;  // of the points, with those of the structures

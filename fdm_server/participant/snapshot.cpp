@@ -239,12 +239,16 @@ void add_ground(const Grid& grid, const Ground& ground, const ZoneSet& zones, st
     for (std::size_t z = 0; z < grid.own_zones(); ++z)
       if (weights[z] > 0) *values++ = value_of(z);
   };
-  add("material", [&](std::size_t z) { return ground.of_zone[z]; });
+  add("material", [&](std::size_t z) { return ground.stated_of(z); });
   add("group", [&](std::size_t z) { return groups[z]; });
   if (!ground.stiffness_factor.empty())
     add("stiffness_factor", [&](std::size_t z) { return ground.stiffness_of(z); });
   if (!ground.strength_factor.empty())
     add("strength_factor", [&](std::size_t z) { return ground.strength_of(z); });
+  if (ground.any_wet()) {
+    add("pore_pressure_Pa", [&](std::size_t z) { return zones.pore_pressure(z); });
+    add("pressure_ratio", [&](std::size_t z) { return zones.pressure_ratio(z); });
+  }
   if (ground.states_strength()) add("demand", [&](std::size_t z) { return zones.demand(z); });
   if (std::ranges::all_of(ground.materials, &Material::linear)) return;
   add("yield_state", [&](std::size_t z) { return zones.field(z, ZoneField::kYieldState); });
@@ -301,6 +305,7 @@ void add_peaks(const Peaks& peaks, std::span<const double> weights, wire::Piece&
   add("peak_shear_strain", peaks.shear_strain());
   add("peak_largest_principal_stress_Pa", peaks.largest_principal());
   add("peak_smallest_principal_stress_Pa", peaks.smallest_principal());
+  if (!peaks.pressure_ratio().empty()) add("peak_pressure_ratio", peaks.pressure_ratio());
   if (peaks.demand().empty()) return;
   add("peak_demand", peaks.demand());
   add("peak_demand_time_s", peaks.demand_time());

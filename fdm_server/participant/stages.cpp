@@ -41,6 +41,7 @@ void FdmParticipant::begin_stage(std::uint32_t stage) {
     continuum_->renew(setup_.kind, grid_, setup_.ground, renewed);
     zone_steps_.clear();
   }
+  if (scene_.has_water()) continuum_->zones().set_rest(pressures_at_rest(scene_, grid_, stage));
   scaled_ = false;
   if (relaxes_) set_masses();  // of the contacts that stand now
   relaxation_.emplace(grid_, weights_);
@@ -48,7 +49,7 @@ void FdmParticipant::begin_stage(std::uint32_t stage) {
 }
 
 std::vector<std::uint32_t> FdmParticipant::zone_kinds() const {
-  std::vector<std::uint32_t> kinds = setup_.ground.of_zone;
+  std::vector<std::uint32_t> kinds = setup_.ground.of_zone;  // wet ground is of another kind than dry
   for (const auto& [number, stage] : zone_stages_.stages()) renew(stage, kinds);
   const std::vector<bool> there = zone_stages_.there_at_last();
   for (std::size_t z = 0; z < kinds.size(); ++z)

@@ -113,6 +113,12 @@ void Continuum::set_foundations(std::vector<foundation::Springs> foundations) {
   plan(std::vector<bool>(points_.size(), false));
 }
 
+void Continuum::set_flow(Flow flow) {
+  flow_ = std::move(flow);
+  excess_.assign(zones_.count(), 0.0);
+  inflow_.assign(zones_.count(), 0.0);
+}
+
 void Continuum::set_interface(std::span<const std::uint32_t> points) {
   std::vector<bool> chosen(points_.size(), false);
   for (const auto point : points) chosen[point] = true;
@@ -254,6 +260,7 @@ void Continuum::step(const protocol::Step& step, Energies* wanted) {
   predict(interior_, step);
   if (step.relax) ++step_of_stage_;
   if (wanted) *wanted = energies(step);
+  flow(step);
 }
 
 void Continuum::step_interface(const protocol::Step& step) {
@@ -265,6 +272,15 @@ void Continuum::step_interior(const protocol::Step& step) {
   pull(interior_, step);
   predict(interior_, step);
   if (step.relax) ++step_of_stage_;
+  flow(step);
+}
+
+// Of the pressures that this step ends with, into the next one.
+void Continuum::flow(const protocol::Step& step) {
+  if (!flow_ || step.relax) return;
+  zones_.read_excess(excess_);
+  flow_->step(team_, step.dt, excess_, inflow_);
+  zones_.set_inflow(inflow_);
 }
 
 void Continuum::pull(Part& part, const protocol::Step& step) {
@@ -389,7 +405,7 @@ Energies Continuum::energies(const protocol::Step& step) {
                        twice_kinetic_energy_of_points(step);
   Energies sum{twice / 2,
                zones_.strain_energy(team_) + structures_.strain_energy() + contacts_.strain_energy(),
-               external_work_ + steady_work() + boundary_work_.external,
+               external_work_ + steady_work() + zones_.external_work() + boundary_work_.external,
                zones_.dissipated() + structures_.dissipated() + contacts_.dissipated() +
                    boundary_work_.dissipated + damped_};
   for (const Part* part : {&interface_, &interior_})

@@ -37,6 +37,7 @@
 #include "fdm_server/solver/sweep.hpp"
 #include "fdm_server/structures/mean_acceleration.hpp"
 #include "fdm_server/structures/structures.hpp"
+#include "fdm_server/water/flow.hpp"
 #include "fdm_server/zones/zone_set.hpp"
 #include "protocol/foundation/springs.hpp"
 #include "protocol/participant/step.hpp"
@@ -65,6 +66,10 @@ class Continuum {
   void set_damping(const DampingLaw& law);
   // Likewise.
   void set_foundations(std::vector<foundation::Springs> foundations);
+
+  // From now on water flows from zone to zone after each step of time.
+  void set_flow(Flow flow);
+  bool flows() const { return flow_.has_value(); }
 
   // Makes these points the interface, before the first step.
   void set_interface(std::span<const std::uint32_t> points);
@@ -134,6 +139,7 @@ class Continuum {
   std::span<const double> inverse_mass_x() const { return points_[kInverseMassX]; }  // 0: prescribed [1/kg]
   std::span<const double> inverse_mass_y() const { return points_[kInverseMassY]; }
   const ZoneSet& zones() const { return zones_; }
+  ZoneSet& zones() { return zones_; }
   const Structures& structures() const { return structures_; }
   const Contacts& contacts() const { return contacts_; }
   // Whether the structures move by mean acceleration in time steps so long [s].
@@ -217,6 +223,7 @@ class Continuum {
   double twice_kinetic_energy_of_points(const protocol::Step& step);
   double twice_kinetic_energy_of_average(const protocol::Step& step) const;
   void predict(const Part& part, const protocol::Step& step);
+  void flow(const protocol::Step& step);
   double steady_work() const;
 
   ZoneSet zones_;
@@ -237,6 +244,8 @@ class Continuum {
   // Of the interior: by mean acceleration, in pairs of points and together, and explicitly.
   Contacts::Part contact_pairs_, averaged_contacts_, moving_contacts_;
   std::size_t first_contact_strain_ = 0;  // of those of the average
+  std::optional<Flow> flow_;
+  std::vector<double> excess_, inflow_;  // of each zone, where water flows
   Damping damping_{{}, 0};
   bool supports_ = false;
   BoundaryWork boundary_work_;

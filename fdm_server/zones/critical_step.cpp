@@ -12,6 +12,7 @@
 
 #include "fdm_server/zones/elastic/elastic_zones.hpp"
 #include "fdm_server/zones/nonlinear/nonlinear_zones.hpp"
+#include "fdm_server/zones/shape/hourglass.hpp"
 #include "fdm_server/zones/zone_set.hpp"
 
 namespace adit::fdm {
@@ -28,7 +29,10 @@ MakeZones elastic_zones(ZoneKind kind, const PlaneLaw& law) {
 
 // The stiffness is measured on displacements of 1 m, hence without the law's strength and in small strain.
 MakeZones nonlinear_zones(ZoneKind kind, const Material& material) {
-  return [kind, elastic = Material{material.density, material.young, material.poisson}](const Grid& grid) {
+  const auto [bulk, shear] = material.stiffest();
+  const Material stiffest{material.density, 9 * bulk * shear / (3 * bulk + shear),
+                          (3 * bulk - 2 * shear) / (6 * bulk + 2 * shear)};
+  return [kind, elastic = stiffest](const Grid& grid) {
     return std::make_unique<NonlinearZones>(kind, grid, elastic, std::vector<double>(grid.zones.size(), 1.0),
                                             false);
   };
@@ -66,8 +70,15 @@ std::vector<Stiffness> stiffnesses(std::span<const Corners> shapes, const MakeZo
   return found;
 }
 
-// Of each zone.
-std::vector<double> steps_of(const Grid& grid, double density, const MakeZones& make) {
+// Of water that follows the volume of the pores (water/pore_water.hpp): M A b b^T.
+Stiffness water_stiffness(const Corners& zone, double stiffness) {
+  const MeanGradient b = mean_gradient(zone);
+  const Eigen::Vector<double, 8> gradient{b.x0, b.y0, b.x1, b.y1, -b.x0, -b.y0, -b.x1, -b.y1};
+  return stiffness * area(zone) * gradient * gradient.transpose();
+}
+
+// Of each zone. `water`: the stiffness of what its pores hold [Pa].
+std::vector<double> steps_of(const Grid& grid, double density, double water, const MakeZones& make) {
   constexpr std::size_t kAtOnce = 1024;  // few enough for the cache
   const ZoneLayout layout = lay_out(grid);
   std::vector<double> of_shape, of_zone;
@@ -76,7 +87,8 @@ std::vector<double> steps_of(const Grid& grid, double density, const MakeZones& 
         std::span(layout.shapes).subspan(begin, std::min(kAtOnce, layout.shapes.size() - begin));
     const auto found = stiffnesses(some, make);
     for (std::size_t s = 0; s < some.size(); ++s) {
-      const Eigen::SelfAdjointEigenSolver<Stiffness> solver(found[s], Eigen::EigenvaluesOnly);
+      const Eigen::SelfAdjointEigenSolver<Stiffness> solver(found[s] + water_stiffness(some[s], water),
+                                                            Eigen::EigenvaluesOnly);
       if (solver.info() != Eigen::Success) {  // a stiffness beyond all numbers, which allows no step
         of_shape.push_back(0);
         continue;
@@ -96,24 +108,26 @@ Eigen::Matrix<double, 8, 8> zone_stiffness(ZoneKind kind, const Corners& corners
 }
 
 double critical_step(ZoneKind kind, const Grid& grid, const PlaneLaw& law, double density) {
-  return std::ranges::min(steps_of(grid, density, elastic_zones(kind, law)));
+  return std::ranges::min(steps_of(grid, density, 0, elastic_zones(kind, law)));
 }
 
-std::vector<double> zone_steps(ZoneKind kind, const Grid& grid, const Ground& ground) {
+std::vector<double> zone_steps(ZoneKind kind, const Grid& grid, const Ground& ground, Drainage drainage) {
   std::vector<double> steps(grid.zones.size());
   for (std::size_t m = 0; m < ground.materials.size(); ++m) {
     const Material& material = ground.materials[m];
     const MakeZones make = ground.is_elastic(material) ? elastic_zones(kind, ground.plane_law(material))
                                                        : nonlinear_zones(kind, material);
-    const std::vector<double> own = steps_of(zones_of_material(grid, ground, m), material.density, make);
+    const double water = drainage == Drainage::kUndrained ? material.water_stiffness() : 0;
+    const std::vector<double> own =
+        steps_of(zones_of_material(grid, ground, m), material.density, water, make);
     for (std::size_t z = 0, k = 0; z < steps.size(); ++z)
       if (ground.of_zone[z] == m) steps[z] = own[k++] / std::sqrt(ground.stiffness_of(z));
   }
   return steps;
 }
 
-CriticalZone critical_zone(ZoneKind kind, const Grid& grid, const Ground& ground) {
-  const std::vector<double> steps = zone_steps(kind, grid, ground);
+CriticalZone critical_zone(ZoneKind kind, const Grid& grid, const Ground& ground, Drainage drainage) {
+  const std::vector<double> steps = zone_steps(kind, grid, ground, drainage);
   if (steps.empty()) return {};
   const auto smallest = std::ranges::min_element(steps);
   return {*smallest, centroid(corners(grid, static_cast<std::size_t>(smallest - steps.begin())))};

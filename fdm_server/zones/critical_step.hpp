@@ -23,9 +23,13 @@ Eigen::Matrix<double, 8, 8> zone_stiffness(ZoneKind kind, const Corners& corners
 // neither do prescribed motions, which restrict u. 0 where a stiffness is beyond all numbers.
 double critical_step(ZoneKind kind, const Grid& grid, const PlaneLaw& law, double density);
 
+// Whether the water in the pores leaves at once, as in statics, or stays and adds its stiffness.
+enum class Drainage { kDrained, kUndrained };
+
 // That of every zone by itself [s], of all the ground's materials: their elastic stiffness bounds every
 // law's.
-std::vector<double> zone_steps(ZoneKind kind, const Grid& grid, const Ground& ground);
+std::vector<double> zone_steps(ZoneKind kind, const Grid& grid, const Ground& ground,
+                               Drainage drainage = Drainage::kUndrained);
 
 // The zone with the smallest critical step [s], by its centre [m].
 struct CriticalZone {
@@ -33,7 +37,8 @@ struct CriticalZone {
   std::array<double, 2> centre{};
 };
 
-CriticalZone critical_zone(ZoneKind kind, const Grid& grid, const Ground& ground);
+CriticalZone critical_zone(ZoneKind kind, const Grid& grid, const Ground& ground,
+                           Drainage drainage = Drainage::kUndrained);
 inline double critical_step(ZoneKind kind, const Grid& grid, const Ground& ground) {
   return critical_zone(kind, grid, ground).step;
 }

@@ -35,6 +35,11 @@ Stress times(double factor, const Stress& s) {
   return {factor * s.xx, factor * s.yy, factor * s.xy};
 }
 
+// With the pressure of the water instead of the effective stress, or the other way round.
+Stress plus(const Stress& s, double pressure) {
+  return {s.xx + pressure, s.yy + pressure, s.xy};
+}
+
 BorneStress times(double factor, const BorneStress& b) {
   return {times(factor, b.mean), factor * b.across, factor * b.pattern_x, factor * b.pattern_y};
 }
@@ -84,8 +89,15 @@ void ZoneSet::add_parts(ZoneKind kind, const Grid& grid, const Ground& ground,
       if (scattered) stiffness.push_back(factor);
       if (strong) strengths.push_back(ground.strength_of(z) / factor);
     }
-    auto kernel = make_kernel(kind, some_zones(grid, numbers), ground, material, own_weights, strengths);
-    add_part({std::move(kernel), std::move(numbers), std::move(stiffness)});
+    const Grid own = some_zones(grid, numbers);
+    auto kernel = make_kernel(kind, own, ground, material, own_weights, strengths);
+    std::optional<PoreWater> water;
+    if (material.pores) {
+      std::vector<double> whole;  // weights without the stiffness
+      for (const auto z : numbers) whole.push_back(weights[z]);
+      water.emplace(own, material.pores->stiffness, whole, ground.large_strain);
+    }
+    add_part({std::move(kernel), std::move(numbers), std::move(stiffness), std::move(water)});
   }
 }
 
@@ -125,7 +137,7 @@ void ZoneSet::collect_pieces() {
 }
 
 void ZoneSet::follow(const double* ux, const double* uy) {
-  for (auto& part : parts_) part.kernel->follow(ux, uy);
+  for (auto& part : parts_) part.follow(ux, uy);
 }
 
 void ZoneSet::add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) {
@@ -133,7 +145,7 @@ void ZoneSet::add_forces(std::span<const ZoneRun> runs, double dt, const PointVi
     const auto part = runs.front().part;
     const auto own = std::ranges::find_if(runs, [part](const ZoneRun& run) { return run.part != part; });
     const auto count = static_cast<std::size_t>(own - runs.begin());
-    parts_[part].kernel->add_forces(runs.first(count), dt, points);
+    parts_[part].add_forces(runs.first(count), dt, points);
     runs = runs.subspan(count);
   }
 }
@@ -148,26 +160,46 @@ void ZoneSet::add_forces_of(const std::vector<bool>& zones, double dt, const Poi
   for (auto& part : parts_) {
     std::vector<bool> others = part.own(zones);
     others.flip();
-    part.kernel->add_forces(without(part.kernel->runs(), others), dt, points);
+    part.add_forces(without(part.kernel->runs(), others), dt, points);
   }
 }
 
-void ZoneSet::Part::scale(const protocol::IndexRange& batch, PlaneStresses& stresses) const {
-  if (stiffness.empty()) return;
-  for (auto* values : {&stresses.mean, &stresses.difference, &stresses.shear})
-    for (std::uint32_t z = batch.begin; z < batch.end; ++z) (*values)[z - batch.begin] *= stiffness[z];
+void ZoneSet::Part::follow(const double* ux, const double* uy) {
+  kernel->follow(ux, uy);
+  if (water) water->follow(ux, uy);
+}
+
+void ZoneSet::Part::add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) {
+  kernel->add_forces(runs, dt, points);
+  if (water) water->add_forces(runs, dt, points);
+}
+
+void ZoneSet::Part::remove(const std::vector<bool>& gone) {
+  kernel->remove(gone);
+  if (water) water->remove(gone);
+}
+
+void ZoneSet::Part::complete(const protocol::IndexRange& batch, PlaneStresses& stresses) const {
+  if (!stiffness.empty())
+    for (auto* values : {&stresses.mean, &stresses.difference, &stresses.shear})
+      for (std::uint32_t z = batch.begin; z < batch.end; ++z) (*values)[z - batch.begin] *= stiffness[z];
+  if (water)
+    for (std::uint32_t z = batch.begin; z < batch.end; ++z)
+      stresses.mean[z - batch.begin] -= water->pressure(z);
 }
 
 void ZoneSet::set_stress(std::size_t zone, const Stress& stress) {
-  parts_[places_[zone].part].kernel->set_stress(places_[zone].zone, times(1 / factor(zone), stress));
+  parts_[places_[zone].part].kernel->set_stress(places_[zone].zone,
+                                                times(1 / factor(zone), plus(stress, pore_pressure(zone))));
 }
 
 void ZoneSet::set_stress_zz(std::size_t zone, double zz) {
-  parts_[places_[zone].part].kernel->set_stress_zz(places_[zone].zone, zz / factor(zone));
+  parts_[places_[zone].part].kernel->set_stress_zz(places_[zone].zone,
+                                                   (zz + pore_pressure(zone)) / factor(zone));
 }
 
 void ZoneSet::remove(const std::vector<bool>& gone) {
-  for (auto& part : parts_) part.kernel->remove(part.own(gone));
+  for (auto& part : parts_) part.remove(part.own(gone));
   collect_runs();
 }
 
@@ -190,10 +222,10 @@ void ZoneSet::renew(ZoneKind kind, const Grid& grid, const Ground& ground,
     before.push_back(borne(zone));
     renewed[zone] = true;
   }
-  for (auto& part : parts_) part.kernel->remove(part.own(renewed));
+  for (auto& part : parts_) part.remove(part.own(renewed));
   const std::size_t first_new = parts_.size();
   add_parts(kind, grid, ground, std::vector<double>(count(), 1.0), renewed);
-  for (Part& part : std::span(parts_).subspan(first_new)) part.kernel->follow(ux, uy);
+  for (Part& part : std::span(parts_).subspan(first_new)) part.follow(ux, uy);
   for (std::size_t i = 0; i < zones.size(); ++i)
     parts_[places_[zones[i]].part].kernel->set_borne(places_[zones[i]].zone,
                                                      times(1 / factor(zones[i]), before[i]));
@@ -202,7 +234,34 @@ void ZoneSet::renew(ZoneKind kind, const Grid& grid, const Ground& ground,
 }
 
 void ZoneSet::start_over() {
-  for (auto& part : parts_) part.kernel->start_over();
+  for (auto& part : parts_) {
+    part.kernel->start_over();
+    if (part.water) part.water->start_over();
+  }
+}
+
+void ZoneSet::set_rest(std::span<const double> pressures) {
+  for (auto& part : parts_)
+    if (part.water)
+      for (std::size_t z = 0; z < part.numbers.size(); ++z)
+        part.water->set_rest(z, pressures[part.numbers[z]]);
+}
+
+void ZoneSet::begin_time() {
+  for (auto& part : parts_) {
+    part.kernel->begin_time();
+    if (!part.water) continue;
+    std::vector<double> pressures;  // effective vertical ones
+    for (const auto zone : part.numbers) pressures.push_back(-(stress(zone).yy + pore_pressure(zone)));
+    part.water->seal(pressures);
+  }
+}
+
+void ZoneSet::exchange(state::Archive& archive) {
+  for (Part& part : parts_) {
+    part.kernel->exchange(archive);
+    if (part.water) part.water->exchange(archive);
+  }
 }
 
 double ZoneSet::sum(protocol::Team& team, const auto& of) const {
@@ -212,7 +271,11 @@ double ZoneSet::sum(protocol::Team& team, const auto& of) const {
 }
 
 double ZoneSet::strain_energy(protocol::Team& team) const {
-  return sum(team, [&](const Piece& piece) { return parts_[piece.part].kernel->strain_energy(piece.zones); });
+  return sum(team, [&](const Piece& piece) {
+    const Part& part = parts_[piece.part];
+    return part.kernel->strain_energy(piece.zones) +
+           (part.water ? part.water->strain_energy(piece.zones) : 0);
+  });
 }
 
 double ZoneSet::internal_force(protocol::Team& team, std::span<const double> sizes) const {
@@ -230,18 +293,55 @@ double ZoneSet::internal_force(protocol::Team& team, std::span<const double> siz
 
 double ZoneSet::dissipated() const {
   double sum = 0;
-  for (const auto& part : parts_) sum += part.kernel->dissipated();
+  for (const auto& part : parts_)
+    sum += part.kernel->dissipated() + (part.water ? part.water->dissipated() : 0);
+  return sum;
+}
+
+double ZoneSet::external_work() const {
+  double sum = 0;
+  for (const auto& part : parts_) sum += part.water ? part.water->external_work() : 0;
   return sum;
 }
 
 Stress ZoneSet::stress(std::size_t zone) const {
-  return times(factor(zone), parts_[places_[zone].part].kernel->stress(places_[zone].zone));
+  const Stress effective = parts_[places_[zone].part].kernel->stress(places_[zone].zone);
+  return plus(times(factor(zone), effective), -pore_pressure(zone));
+}
+
+double ZoneSet::pore_pressure(std::size_t zone) const {
+  return parts_[places_[zone].part].pressure(places_[zone].zone);
+}
+
+void ZoneSet::read_excess(std::span<double> excess) const {
+  for (const auto& part : parts_)
+    if (part.water)
+      for (std::size_t z = 0; z < part.numbers.size(); ++z) excess[part.numbers[z]] = part.water->excess(z);
+}
+
+void ZoneSet::set_inflow(std::span<const double> inflow) {
+  for (auto& part : parts_)
+    if (part.water)
+      for (std::size_t z = 0; z < part.numbers.size(); ++z)
+        part.water->set_inflow(z, inflow[part.numbers[z]]);
+}
+
+double ZoneSet::pressure_ratio(std::size_t zone) const {
+  const auto& water = parts_[places_[zone].part].water;
+  return water ? water->ratio(places_[zone].zone) : 0;
 }
 
 ZoneForces ZoneSet::forces(std::size_t zone) const {
   ZoneForces forces = parts_[places_[zone].part].kernel->forces(places_[zone].zone);
   for (auto* component : {&forces.x, &forces.y})
     for (double& force : *component) force *= factor(zone);
+  if (const auto& water = parts_[places_[zone].part].water) {
+    const ZoneForces more = water->forces(places_[zone].zone);
+    for (std::size_t c = 0; c < 4; ++c) {
+      forces.x[c] += more.x[c];
+      forces.y[c] += more.y[c];
+    }
+  }
   return forces;
 }
 
@@ -251,7 +351,7 @@ double ZoneSet::demand(std::size_t zone) const {
 
 double ZoneSet::field(std::size_t zone, ZoneField field) const {
   const double value = parts_[places_[zone].part].kernel->field(places_[zone].zone, field);
-  return field == ZoneField::kStressZz ? factor(zone) * value : value;
+  return field == ZoneField::kStressZz ? factor(zone) * value - pore_pressure(zone) : value;
 }
 
 }  // namespace adit::fdm

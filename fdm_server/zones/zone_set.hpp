@@ -7,17 +7,22 @@
 // compute the stress over f, weights times f make of it what the zone pulls with and stores, and of a
 // strength s times the material's the kernel sees s / f. This costs no more than zones of one stiffness that
 // are weighted.
+//
+// Where the pores of a material hold water, its kernel computes effective stresses, and PoreWater adds the
+// pressure: what goes in and out here, forces too, is total.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "fdm_server/materials/material.hpp"
 #include "fdm_server/zones/kernel/zone_kernel.hpp"
+#include "fdm_server/zones/water/pore_water.hpp"
 #include "protocol/threads/team.hpp"
 
 namespace adit::fdm {
@@ -44,18 +49,30 @@ class ZoneSet {
   void renew(ZoneKind kind, const Grid& grid, const Ground& ground, std::span<const std::uint32_t> zones,
              const double* ux, const double* uy);
   void start_over();
-  void exchange(state::Archive& archive) {
-    for (Part& part : parts_) part.kernel->exchange(archive);
-  }
+  // The pressure of water at rest in each zone [Pa], of which those of dry zones do not count: before
+  // stresses are set. Effective stresses stay as they are.
+  void set_rest(std::span<const double> pressures);
+  // Time begins: from now on the water follows the volume of the pores, and ground may compact.
+  void begin_time();
+  void exchange(state::Archive& archive);
   // This and the internal force, the sum over the zones of |stress| · size, |stress| its Frobenius norm, are
   // summed by the team, in the same order whoever computes what.
   double strain_energy(protocol::Team& team) const;
   double dissipated() const;
+  // Of the pressure of water at rest since displacements were 0.
+  double external_work() const;
   Stress stress(std::size_t zone) const;
   ZoneForces forces(std::size_t zone) const;
   double internal_force(protocol::Team& team, std::span<const double> sizes) const;
   double demand(std::size_t zone) const;
   double field(std::size_t zone, ZoneField field) const;
+  double pore_pressure(std::size_t zone) const;  // [Pa]; 0 of dry ground
+  // What flow asks and tells: the growth of the pressure since time began [Pa], 0 of dry ground; the volume
+  // of water that comes into each zone in the next step, over that of the zone.
+  void read_excess(std::span<double> excess) const;
+  void set_inflow(std::span<const double> inflow);
+  // The growth over the effective vertical pressure when time began.
+  double pressure_ratio(std::size_t zone) const;
   // The team calls see(numbers, stresses) for the stresses of these zones, batch by batch for all zones.
   template <class See>
   void see_stresses(protocol::Team& team, const See& see) const {
@@ -70,12 +87,17 @@ class ZoneSet {
     std::unique_ptr<ZoneKernel> kernel;
     std::vector<std::uint32_t> numbers;  // of its zones in the grid
     std::vector<double> stiffness;       // factors of its zones; empty: all 1
+    std::optional<PoreWater> water = {};
 
     // Flags of the grid's zones as flags of the part's, whose kernel and runs count zones from 0.
     std::vector<bool> own(const std::vector<bool>& zones) const;
     double factor(std::size_t zone) const { return stiffness.empty() ? 1 : stiffness[zone]; }
-    // Of a batch, from what its kernel computes.
-    void scale(const protocol::IndexRange& batch, PlaneStresses& stresses) const;
+    void follow(const double* ux, const double* uy);
+    void add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points);
+    void remove(const std::vector<bool>& gone);
+    double pressure(std::size_t zone) const { return water ? water->pressure(zone) : 0; }
+    // Of a batch, from what its kernel computes: its stiffness, and the water's pressure.
+    void complete(const protocol::IndexRange& batch, PlaneStresses& stresses) const;
   };
   double factor(std::size_t zone) const { return parts_[places_[zone].part].factor(places_[zone].zone); }
   void add_part(Part part);
@@ -97,7 +119,7 @@ class ZoneSet {
     for (std::uint32_t begin = piece.zones.begin; begin < piece.zones.end; begin += kBatch) {
       const protocol::IndexRange batch{begin, std::min(begin + kBatch, piece.zones.end)};
       part.kernel->find_stresses(batch, stresses);
-      part.scale(batch, stresses);
+      part.complete(batch, stresses);
       see(std::span(part.numbers).subspan(batch.begin, batch.end - batch.begin), stresses);
     }
   }

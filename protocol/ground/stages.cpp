@@ -53,6 +53,7 @@ std::set<std::uint32_t> stages_of(const scene::Scene& scene) {
   };
   merge(scene);
   for (const scene::Region& region : scene.regions()) merge(region);
+  add(scene.water().places(), stages);
   return stages;
 }
 

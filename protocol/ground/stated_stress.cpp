@@ -9,6 +9,7 @@
 #include <string>
 
 #include "protocol/errors.hpp"
+#include "protocol/ground/water_at_rest.hpp"
 
 namespace adit::protocol {
 namespace {
@@ -41,6 +42,12 @@ double top_of(const scene::Stress& stress) {
       ->y();
 }
 
+double lowest_surface(const scene::Stress& stress) {
+  double lowest = top_of(stress);
+  for (const scene::Point& point : stress.surface_line()) lowest = std::min(lowest, point.y());
+  return lowest;
+}
+
 void check(const scene::Stress& stress) {
   if (stress.layers().empty()) {
     const char* of_layers = stress.has_surface()             ? "surface"
@@ -70,9 +77,19 @@ void check(const scene::Stress& stress) {
 
 }  // namespace
 
-StatedStress::StatedStress(const scene::Stress& stress)
+StatedStress::StatedStress(const scene::Stress& stress, const scene::Water* water)
     : surface_(stress.layers().empty() ? kInfinity : top_of(stress)), surcharge_(stress.surcharge()) {
   check(stress);
+  if (water && !stress.layers().empty()) {
+    const double sea = pressure_at_rest(*water, water->level(), lowest_surface(stress));
+    if (sea > 0 && !stress.surface_line().empty())
+      throw UserError(
+          "initial_stress.surface_line",
+          fmt::format("lies below the water, whose level is {:g} m; state a level `surface` or the "
+                      "components of the stress",
+                      water->level()));
+    surcharge_ += sea;
+  }
   for (const scene::Point& point : stress.surface_line()) line_.emplace_back(point.x(), point.y());
   if (stress.layers().empty()) {
     Piece piece{
@@ -82,7 +99,7 @@ StatedStress::StatedStress(const scene::Stress& stress)
     pieces_.push_back(piece);
     return;
   }
-  double top = surface_, vertical = -stress.surcharge();
+  double top = surface_, vertical = -surcharge_;
   for (const scene::GroundLayer& layer : stress.layers()) {
     const double weight = layer.density() * kStandardGravity;
     const Linear yy{vertical - weight * top, weight};
@@ -91,6 +108,11 @@ StatedStress::StatedStress(const scene::Stress& stress)
     vertical = yy.at(layer.bottom());
     top = layer.bottom();
   }
+}
+
+const StatedStress::Piece& StatedStress::piece_at(double y) const {
+  const auto found = std::ranges::find_if(pieces_, [&](const Piece& p) { return y >= p.bottom; });
+  return found != pieces_.end() ? *found : pieces_.back();
 }
 
 GroundStress StatedStress::below_line(double x, double y) const {
@@ -115,11 +137,19 @@ GroundStress StatedStress::below_line(double x, double y) const {
   return {horizontal, vertical, 0, horizontal};
 }
 
-GroundStress StatedStress::at(double x, double y) const {
-  if (!line_.empty()) return below_line(x, y);
+GroundStress StatedStress::at(double x, double y, double pore_pressure) const {
+  GroundStress stress = line_.empty() ? below_level(y) : below_line(x, y);
+  if (surface_ == kInfinity || pore_pressure == 0) return stress;
+  // k0 (yy + p) - p
+  const double k0 = piece_at(y).k0;
+  stress.xx += (k0 - 1) * pore_pressure;
+  stress.zz = *stress.zz + (k0 - 1) * pore_pressure;
+  return stress;
+}
+
+GroundStress StatedStress::below_level(double y) const {
   const double height = std::min(y, surface_);
-  const auto found = std::ranges::find_if(pieces_, [&](const Piece& p) { return height >= p.bottom; });
-  const Piece& piece = found != pieces_.end() ? *found : pieces_.back();
+  const Piece& piece = piece_at(height);
   GroundStress stress{piece.xx.at(height), piece.yy.at(height), piece.xy.at(height), {}};
   if (piece.zz) stress.zz = piece.zz->at(height);
   return stress;

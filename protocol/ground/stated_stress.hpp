@@ -4,6 +4,9 @@
 // the weight of each layer, from the surcharge on; both horizontal pressures are k0 times the vertical one.
 // The last layer goes on below its lower side. Above the surface the ground bears the surcharge alone.
 //
+// Where the pores hold water, k0 is that of the effective stress: the vertical pressure less that of the
+// water, times k0, and the water's again. Water that stands on the surface weighs on it.
+//
 // Below a line instead of a level surface, each place bears the layers between it and the line above it.
 // Layers end at the line, which may lie below some of them. Beside the line's slopes this is not in
 // equilibrium: the horizontal pressure changes along x, and nothing bears it but shear, which statics find.
@@ -28,10 +31,12 @@ struct GroundStress {
 
 class StatedStress {
  public:
-  // UserError at initial_stress for layers beside components, or out of order, and for a line that is none.
-  explicit StatedStress(const scene::Stress& stress);
+  // `water`: null where there is none. UserError at initial_stress for layers beside components, or out of
+  // order, for a line that is none, and for a line below water.
+  explicit StatedStress(const scene::Stress& stress, const scene::Water* water = nullptr);
 
-  GroundStress at(double x, double y) const;
+  // `pore_pressure`: of the water in the ground there [Pa], which components do not see.
+  GroundStress at(double x, double y, double pore_pressure = 0) const;
 
  private:
   struct Linear {
@@ -45,6 +50,8 @@ class StatedStress {
     Linear xx, yy, xy;
     std::optional<Linear> zz;
   };
+  const Piece& piece_at(double y) const;
+  GroundStress below_level(double y) const;
   GroundStress below_line(double x, double y) const;
 
   std::vector<Piece> pieces_;  // downwards

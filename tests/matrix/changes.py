@@ -171,6 +171,8 @@ class Moved(Same):
                 value["surface"] = value.get("surface", 0.0) + self.by["y"]
         if name == "GroundLayer":
             value["bottom"] += self.by["y"]
+        if name in ("Water", "WaterPlace") and "level" in value:
+            value["level"] += self.by["y"]
         if name == "ParticleSpring" and "direction" in value:  # which is no place
             value["direction"] = {axis: value["direction"][axis] - self.by[axis] for axis in value["direction"]}
         return value
@@ -195,6 +197,11 @@ class Scaled(Same):
         # A bolt or dowel is one of many at a distance, which is scaled, too.
         in_plane = (unit in self.IN_PLANE and name not in ("Bolt", "SecondRing")) or (name == "Lining" and key in ("area", "inertia")) or name == "FoundationSpring"
         return value * self.times(unit, in_plane)
+
+    def message(self, name, value):
+        if name == "Water":  # whose weight is that of gravity on earth
+            value["density"] *= self.times("m/s^2", False)
+        return value
 
     def factor(self, column):
         unit = schema.column_unit(column)

@@ -10,7 +10,7 @@ FACTORS = {
     "plane": ["plane_strain", "plane_stress"],
     "grid": ["block", "blocks", "mesh", "ring", "skewed"],
     "zone": ["assumed_strain", "mixed_discretization"],
-    "law": ["elastic", "layers", "mohr_coulomb", "weak_plane", "elements", "reversals", "limited", "scattered"],
+    "law": ["elastic", "layers", "mohr_coulomb", "weak_plane", "elements", "reversals", "limited", "scattered", "sand"],
     "damping": ["none", "rayleigh", "maxwell", "local"],
     "sides": ["free", "rollers", "quiet", "springs", "free_field"],
     "base": ["held", "rigid", "compliant"],
@@ -22,6 +22,7 @@ FACTORS = {
     "support": ["none", "lining", "jointed", "segments", "arcs", "bolt", "propped"],
     "foundation": ["none", "springs"],
     "large": ["no", "yes"],
+    "water": ["none", "table", "sealed", "flows"],
     "inside": ["none", "strip", "ring", "both_ends", "grid"],
     "packing": ["hexagonal", "square", "placed", "random", "cells"],
     "bonds": ["contact", "breakable", "friction", "parallel", "smooth_joint", "spring", "wall"],
@@ -47,13 +48,15 @@ STAGED = {"stage", "side", "two_stages", "released", "filled"}
 
 # What the programs refuse, and a word of the refusal.
 REFUSED = (
-    [({"plane": "plane_stress", "law": law}, "plane strain") for law in ("mohr_coulomb", "weak_plane", "elements", "reversals", "limited", "scattered")]
+    [({"plane": "plane_stress", "law": law}, "plane strain") for law in ("mohr_coulomb", "weak_plane", "elements", "reversals", "limited", "scattered", "sand")]
     + [({"plane": "plane_stress", "large": "yes"}, "plane strain")]
     + [({"large": "yes", "inside": inside}, "large_strain") for inside in ("strip", "ring", "both_ends", "grid")]
     + [({"solve": "lumped", "rest": rest}, "lumped") for rest in sorted(STATICS)]
     + [({"foundation": "springs", "hole": hole}, "foundations") for hole in sorted(STAGED)]
     + [({"sides": "free_field", "hole": "side"}, "free_field")]
     + [({"large": "yes", "hole": "filled"}, "small strain")]
+    + [({"plane": "plane_stress", "water": water}, "plane strain") for water in ("table", "sealed", "flows")]
+    + [({"water": water, "inside": inside}, "water") for water in ("table", "sealed", "flows") for inside in ("strip", "ring", "both_ends", "grid")]
 )
 
 
@@ -82,6 +85,9 @@ def meaningless(row):
     yield has("bedding", "none") != "none" and (has("grid", "block") not in ("block", "blocks") or has("inside") == "ring")
     # A lining that slips needs ground on one side where it is installed.
     yield has("support") in ("slipping", "reinforced") and has("hole") not in (None, "never", "stage")
+    yield has("law") == "sand" and has("hole", "none") != "none"  # which has no cohesion to stand around it
+    # Ground that is grouted around the opening of a ring reaches the overlap of a random packing.
+    yield has("grid") == "ring" and has("hole") == "filled" and has("inside") == "both_ends" and has("packing") == "random"
     # A wall bears no part of a stated stress.
     yield has("bonds") == "wall" and has("rest") == "stressed"
 
@@ -97,6 +103,7 @@ LAWS = {
     "limited": {"hysteretic": {"hyperbola": {"reference_strain": 5e-4}, "elements": 20}, "mohr_coulomb": {"cohesion": 60e3, "friction_angle": 0.5}},
     "reversals": {"hysteretic": {"hyperbola": {"reference_strain": 5e-4}, "memory": "reversals", "damping": {"darendeli": {}}}},
 }
+LAWS["sand"] = {"pm4sand": {"relative_density": 0.5, "modulus_coefficient": 600.0, "contraction_rate": 0.5}}
 LAWS["scattered"] = {**LAWS["limited"], **LAWS["weak_plane"]}
 HOLE = {"x_min": -1.0, "x_max": 1.0, "y_min": 1.0, "y_max": 3.0}
 CENTRE = {"x": 0.0, "y": 2.0}
@@ -135,12 +142,25 @@ class Ground:
         if row["rest"] in STATICS:
             scene["statics"] = {"unbalanced_ratio": 1e-6 if passes_thresholds(row) else 1e-8, "max_steps": 20000, "damping": row["rest"] if row["rest"] != "unscaled" else "local",
                                 "scale_masses": row["rest"] != "unscaled"}
+        if row["water"] != "none":
+            scene["water"] = self.water()
         if row["rest"] == "stressed":
             scene["initial_stress"] = {"xx": -20e3, "yy": -80e3, "yy_per_metre": 20e3, "xx_per_metre": 5e3, "xy": 4e3}
         {"none": lambda _: None, "strip": self.add_strip, "ring": self.add_ring, "both_ends": self.add_both, "grid": self.add_grid}[row["inside"]](scene)
         if row["substeps"] != "1":
             scene["time"]["substeps"] = int(row["substeps"])
         return scene
+
+    def water(self):
+        """Light water, since gravity is: a table in the ground, or the sea on it from which water comes and goes; wells beside an opening."""
+        modulus = {} if self.row["water"] == "table" else {"bulk_modulus": 0.4e9}
+        wells = [{"where": {"x_min": -2.0, "x_max": 2.0}, "level": 2.0, "stage": 1}] * (self.row["hole"] in STAGED - {"side"})
+        return {"level": 6.5 if self.row["water"] == "flows" else 3.0, "density": 300.0, **modulus, **({"places": wells} if wells else {})}
+
+    def pores(self):
+        compaction = {"compaction": {"blow_count": 8.0}} if self.row["law"] == "mohr_coulomb" else {}
+        flow = {"conductivity": 2e-3, "conductivity_y": 1e-3, **compaction} if self.row["water"] == "flows" else {}
+        return {"porosity": 0.4, "saturated_density": 2200.0, **flow}
 
     def gravity(self):
         return [{"acceleration": {"y": -4.0}}] if self.row["rest"] in STATICS else []
@@ -151,6 +171,8 @@ class Ground:
         row = self.row
         continuum = {**self.grid(), "zone": row["zone"], "material": {**ROCK, **LAWS[row["law"]]}, "large_strain": row["large"] == "yes",
                      "body_loads": self.gravity(), "motions": self.supports(), "histories": self.histories()}
+        if row["water"] != "none":
+            continuum["material"]["pores"] = self.pores()
         if row["law"] == "layers":
             continuum["materials"] = [{"where": {"y_min": self.low, "y_max": 1.6}, "material": {**ROCK, "young_modulus": 2e9}},
                                       {"where": {"y_min": 2.9}, "material": {**ROCK, "young_modulus": 0.4e9, "density": 1700.0}}]
@@ -341,6 +363,8 @@ class Ground:
                       "stress_xy", "stress_zz", "strain_xx", "strain_yy", "shear_strain_xy"]
         if self.row["law"] in ("mohr_coulomb", "weak_plane", "limited", "scattered"):
             quantities.append("demand")
+        if self.row["water"] != "none":
+            quantities += ["pore_pressure", "pressure_ratio", "effective_stress_xx", "effective_stress_yy"]
         found = [{"name": name, "quantity": quantity, "at": {"x": x, "y": y}}
                  for name, x, y in (("low", -1.72, 0.63), ("high", 1.61, 3.34)) for quantity in quantities]
         found += [{"name": "across", "quantity": quantity, "at": {"x": 1.61, "y": 3.34}, "relative_to": {"x": -1.72, "y": 0.63}}

@@ -152,7 +152,8 @@ def turned(world, row, scene, folder, base):
 def can_be_turned(row):
     # Bases and free fields are below and beside the ground; rows of packings lie along x.
     turns = row["packing"] == "placed" or row["inside"] in ("none", "grid")
-    return turns and row["base"] == "held" and row["sides"] != "free_field" and row["rest"] != "stressed"
+    level = row.get("water", "none") == "none"  # the surface of water is level
+    return turns and level and row["base"] == "held" and row["sides"] != "free_field" and row["rest"] != "stressed"
 
 
 def moved(world, row, scene, folder, base):
@@ -178,8 +179,9 @@ def _scaled(change, scene, folder, base):
 
 
 def can_be_scaled(row):
-    # A synthetic motion follows a spectrum over periods in seconds; classes of concrete and steel have their strengths.
-    return row["motion"] != "synthetic" and row["support"] != "reinforced"
+    # A synthetic motion follows a spectrum over periods in seconds; classes of concrete and steel have their strengths; PM4Sand knows the
+    # pressure of the atmosphere.
+    return row["motion"] != "synthetic" and row["support"] != "reinforced" and row.get("law") != "sand"
 
 
 def reordered(world, row, scene, folder, base):
@@ -306,7 +308,8 @@ def doubled(world, row, scene, folder, base):
 def is_linear(row):
     """Contacts of particles turn with them: what they do is linear in small motions only."""
     return (row.get("inside", "none") in ("none", "grid") and row["law"] in ("elastic", "layers")
-            and row["support"] in ("none", "lining", "arcs", "bonded") and row["foundation"] == "none" and row["large"] == "no" and row.get("bedding", "none") == "none")
+            and row["support"] in ("none", "lining", "arcs", "bonded") and row["foundation"] == "none"
+            and row["large"] == "no" and row.get("bedding", "none") == "none" and row["water"] == "none")
 
 
 def superposed(world, row, scene, folder, base):

@@ -355,7 +355,8 @@ Supports resolve_supports(const scene::Scene& scene, const Ground& ground, std::
     supports.structures.set_stage(scene.continuum().members(i).stage());
     supports.members.push_back(add_lining(members[static_cast<std::size_t>(i)], grid, supports.structures));
   }
-  const auto stages = seam_paths.of_lining.empty() ? ZoneStages() : ZoneStages(scene, grid, ground.of_zone);
+  const auto stages =
+      seam_paths.of_lining.empty() ? ZoneStages() : ZoneStages(scene, grid, ground.stated_of_zones());
   for (const auto& [i, number] : seam_paths.of_lining) {
     const auto& lining = linings[i];
     const Path& along = seam_paths.seams[number].path;

@@ -60,6 +60,8 @@ class ZoneKernel {
   virtual void remove(const std::vector<bool>& gone) = 0;
   // The displacements are about to become 0; stresses stay.
   virtual void start_over() = 0;
+  // Statics are over: what counts from time 0 on begins.
+  virtual void begin_time() {}
   // What changes from step to step, of zones of which as many were taken away.
   virtual void exchange(state::Archive& archive) = 0;
   // Weighted elastic energy of some of the zones, or of all [J]. Several threads may ask at once.

@@ -43,6 +43,8 @@ class ZoneLaw {
   virtual void turn(std::size_t /*first*/, std::uint32_t /*count*/, const HalfTurns& /*turns*/) {}
   // Before the first step.
   virtual void set_stress(std::size_t /*zone*/, std::size_t /*point*/, const PointStress& /*stress*/) {}
+  // Statics are over.
+  virtual void begin_time() {}
   virtual void exchange(state::Archive& /*archive*/) {}
   // Energy of zones `first` … `first + count` whose points have these undeformed areas and stresses,
   // unweighted [J]. Elastic, unless a law says otherwise.

@@ -50,6 +50,7 @@ class NonlinearZones final : public ZoneKernel {
   void set_borne(std::size_t zone, const BorneStress& borne) override;
   void remove(const std::vector<bool>& gone) override;
   void start_over() override;
+  void begin_time() override { law_->begin_time(); }
   void exchange(state::Archive& archive) override;
   using ZoneKernel::strain_energy;
   double strain_energy(const protocol::IndexRange& zones) const override;

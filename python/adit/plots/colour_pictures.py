@@ -19,6 +19,7 @@ PEAKS = {  # field: name, unit, size of the unit, function whose largest value i
     "peak_shear_strain": ("largest shear strain", "10⁻³", 1e-3, np.abs),
     "peak_largest_principal_stress_Pa": ("largest principal stress (tension)", "MPa", 1e6, np.positive),
     "peak_smallest_principal_stress_Pa": ("smallest principal stress (compression)", "MPa", 1e6, np.negative),
+    "peak_pressure_ratio": ("largest pressure ratio", "of the effective vertical pressure", 1, np.positive),
     "peak_demand": ("largest demand", "of the strength", 1, np.positive)}
 
 HYSTERETIC = 256
@@ -62,6 +63,16 @@ def principal_stress(run, time, pieces):
     near = [shown["particles"]] if "particles" in shown else None
     return _coloured(run, f"largest principal stress (tension) at t = {style.instant(time)}", shown, pieces.get("cells"), values,
                      "MPa", np.positive, near)
+
+
+def pressure_ratio(run, time, pieces):
+    """What the pressure of the water has grown by since time 0 over the effective vertical pressure of then."""
+    shown = _with_field(pieces, "pressure_ratio")
+    if not shown:
+        return None
+    values = {kind: piece["pressure_ratio"] for kind, piece in shown.items()}
+    return _coloured(run, f"pressure ratio of the water at t = {style.instant(time)}", shown, None, values,
+                     "of the effective vertical pressure", np.positive)
 
 
 def _with_field(pieces, field):

@@ -22,7 +22,8 @@ from adit.plots.setup.checked import Checked
 
 OF_AN_INSTANT = (model_pictures.force_chains, model_pictures.bonds, crack_pictures.cracks, lining_pictures.lining_forces, lining_pictures.member_forces,
                  lining_pictures.lining_joints, lining_pictures.interfaces,
-                 colour_pictures.displacement, colour_pictures.principal_stress, colour_pictures.yield_state)
+                 colour_pictures.displacement, colour_pictures.principal_stress, colour_pictures.yield_state,
+                 colour_pictures.pressure_ratio)
 OVER_TIME = (time_pictures.histories, time_pictures.energy, lining_pictures.lining_capacity, lining_pictures.member_capacity,
              lining_pictures.section_capacity)
 

@@ -79,7 +79,7 @@ TEST(Peaks, AreTheAmplitudesOfAStandingWave) {
   const Grid grid = make_grid(StandingWave::block(64));
   const double dt = 0.5 * critical_step(ZoneKind::kAssumedStrain, grid, wave.law, kDensity);
   const auto continuum = wave.start(ZoneKind::kAssumedStrain, grid, dt);
-  Peaks peaks(grid, false);
+  Peaks peaks(grid, Ground{});
   protocol::Step step{0, dt};
   while (step.time() < 2 * std::numbers::pi / wave.w) {
     ++step.number;

@@ -37,6 +37,9 @@ struct StandingWave {
 
   // At step 0, with the velocities of dt / 2.
   std::unique_ptr<Continuum> start(ZoneKind kind, const Grid& grid, double dt) const {
+    return start(ZoneSet(kind, grid, law, ones(grid)), grid, dt);
+  }
+  std::unique_ptr<Continuum> start(ZoneSet zones, const Grid& grid, double dt) const {
     std::vector<PrescribedMotion> rollers;
     for (const auto& [axis, side] :
          {std::pair{Axis::kX, 0.0}, {Axis::kX, kWidth}, {Axis::kY, 0.0}, {Axis::kY, kHeight}}) {
@@ -46,8 +49,8 @@ struct StandingWave {
       rollers.push_back(std::move(roller));
     }
     const auto masses = lumped_masses(grid, ones(grid), kDensity);
-    auto continuum = std::make_unique<Continuum>(ZoneSet(kind, grid, law, ones(grid)), masses,
-                                                 std::vector<Load>{}, std::move(rollers));
+    auto continuum =
+        std::make_unique<Continuum>(std::move(zones), masses, std::vector<Load>{}, std::move(rollers));
     continuum->step({0, dt});
     for (std::uint32_t i = 0; i < grid.x.size(); ++i) {
       const State state = at(grid.x[i], grid.y[i], dt / 2);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "protocol/ground/stated_stress.hpp"
+#include "protocol/ground/water_at_rest.hpp"
 #include "tests/support/refusals.hpp"
 
 namespace adit::protocol::stated_stress_test {
@@ -69,6 +70,30 @@ TEST(StatedStress, IsTheWeightBelowALine) {
     EXPECT_NEAR(level.at(3, y).yy, surface.at(3, y).yy, 1e-6) << y;
     EXPECT_NEAR(level.at(3, y).xx, surface.at(3, y).xx, 1e-6) << y;
   }
+}
+
+// k0 is that of effective stresses where the pores hold water, and the sea weighs on the ground without
+// changing them; components are what is stated.
+TEST(StatedStress, HoldsTheWater) {
+  scene::Water water;
+  water.set_level(12);
+  const scene::Stress layer = parse("surface: 4 layers { bottom: -10 density: 2000 k0: 0.5 }");
+  const StatedStress below_sea(layer, &water), dry(layer);
+  const double sea = pressure_at_rest(water, 12, 4), pore = pressure_at_rest(water, 12, -1);
+  EXPECT_NEAR(sea, 8 * 1000 * kStandardGravity, 1e-6);
+  const GroundStress wet = below_sea.at(0, -1, pore);
+  EXPECT_NEAR(wet.yy, dry.at(0, -1).yy - sea, 1e-6);
+  EXPECT_NEAR(wet.xx + pore, (wet.yy + pore) / 2, 1e-6);
+  EXPECT_NEAR(*wet.zz + pore, (wet.yy + pore) / 2, 1e-6);
+  EXPECT_NEAR(below_sea.at(0, -1).xx, below_sea.at(0, -1).yy / 2, 1e-6) << "tight ground under the sea";
+  EXPECT_DOUBLE_EQ(StatedStress(parse("xx: -1e3 yy: -2e3"), &water).at(0, 0, 500).xx, -1e3);
+  test::expect_refusal(
+      [&] {
+        StatedStress stated(parse("surface_line { x: 0 y: 4 } surface_line { x: 9 y: 0 } "
+                                  "layers { bottom: -10 density: 2000 k0: 0.5 }"),
+                            &water);
+      },
+      "initial_stress.surface_line", "lies below the water, whose level is 12 m");
 }
 
 TEST(StatedStress, RefusesWhatContradictsItself) {

@@ -34,7 +34,7 @@ TEST(SceneErrors, UnknownKeyGetsTheNearestNameAndTheKnownOnes) {
       about("fluid: 3\n"),
       "x.yaml:3:1: fluid: unknown; known here: extends, name, description, plane, material, time, continuum, "
       "particles, interface, output, simplified, regions, interfaces, initial_stress, statics, tunnels, "
-      "questions, accuracy");
+      "questions, accuracy, water");
 }
 
 TEST(SceneErrors, NumberBeyondItsLimit) {
