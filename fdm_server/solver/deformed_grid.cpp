@@ -30,7 +30,8 @@ void require_stable_shapes(ZoneKind kind, const Grid& grid, const Ground& ground
           step.number, x, y));
     }
   }
-  const double critical = critical_step(damping, critical_step(kind, left, own));
+  const Drainage drainage = step.relax ? Drainage::kDrained : Drainage::kUndrained;
+  const double critical = critical_step(damping, critical_zone(kind, left, own, drainage).step);
   if (step.dt > critical)
     throw protocol::Unstable(
         fmt::format("step {}: the zones have deformed so far that the time step of {:g} s is above their "
