@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <string>
 #include <utility>
 
+#include "fdm_server/grid/edges.hpp"
 #include "fdm_server/model/grid/selection.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/ground/stages.hpp"
@@ -31,24 +31,16 @@ void require_place(const scene::Scene& scene, int i) {
 }
 
 // Sides of one zone that is there.
-std::vector<Edge> edges_of(const Grid& grid, std::span<const double> weights) {
-  std::map<std::pair<std::int32_t, std::int32_t>, Edge> open;
-  for (std::uint32_t z = 0; z < grid.own_zones(); ++z) {
-    if (weights[z] == 0) continue;
-    for (std::size_t c = 0; c < 4; ++c) {
-      const std::int32_t from = grid.zones[z][c], to = grid.zones[z][(c + 1) % 4];
-      if (open.erase({to, from}) == 0) open[{from, to}] = {from, to, z};
-    }
-  }
-  std::vector<Edge> edges;
-  for (const auto& [points, edge] : open) edges.push_back(edge);
-  return edges;
+std::vector<Edge> outer_edges(const Grid& grid, std::span<const double> weights) {
+  Grid left{grid.x, grid.y, {}};
+  for (std::size_t z = 0; z < grid.own_zones(); ++z)
+    if (weights[z] != 0) left.zones.push_back(grid.zones[z]);
+  return boundary(number_edges(left));
 }
 
-bool has_ground_above(const Grid& grid, std::span<const double> weights, double x, double y,
-                      std::uint32_t own) {
-  for (std::uint32_t z = 0; z < grid.own_zones(); ++z) {
-    if (weights[z] == 0 || z == own) continue;
+bool has_ground_above(const Grid& grid, std::span<const double> weights, double x, double y) {
+  for (std::size_t z = 0; z < grid.own_zones(); ++z) {
+    if (weights[z] == 0) continue;
     const Corners zone = corners(grid, z);
     const auto [left, right] = std::ranges::minmax(zone.x);
     if (left < x && x < right && centroid(zone)[1] > y) return true;
@@ -70,12 +62,12 @@ std::vector<PointPair> edges_under_sea(const scene::Water& water, const Grid& gr
   constexpr double kUpwards = 1e-6;  // of the normal
   const double level = water.level() + tolerance(grid);
   std::vector<PointPair> edges;
-  for (const auto& [first, second, zone] : edges_of(grid, weights)) {
+  for (const auto& [first, second, zone] : outer_edges(grid, weights)) {
     const auto from = static_cast<std::uint32_t>(first), to = static_cast<std::uint32_t>(second);
     const double dx = grid.x[to] - grid.x[from], dy = grid.y[to] - grid.y[from];
     const double x = (grid.x[from] + grid.x[to]) / 2, y = (grid.y[from] + grid.y[to]) / 2;
     if (-dx > kUpwards * std::hypot(dx, dy) && std::max(grid.y[from], grid.y[to]) <= level &&
-        !has_ground_above(grid, weights, x, y, zone))
+        !has_ground_above(grid, weights, x, y))
       edges.push_back({from, to});
   }
   return edges;

@@ -508,7 +508,8 @@ void FdmParticipant::exchange_solver(state::Archive& archive) {
   if (scene_.has_water()) {
     bool flows = continuum_->flows();
     archive("flows", flows);
-    if (auto flow = this->flow(); archive.reads() && flows && flow) continuum_->set_flow(std::move(*flow));
+    if (archive.reads() && flows)
+      if (auto flow = this->flow()) continuum_->set_flow(std::move(*flow));
   }
   continuum_->exchange(archive);
   peak_forces_.exchange(supports_.linings, archive);
