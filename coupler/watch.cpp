@@ -62,7 +62,7 @@ std::string remedy(const Model& model, const Participant& fastest) {
 void Watch::look(std::uint64_t n) {
   const Ledger::Loss loss = stepper_.ledger().loss();
   // Written so that what is not a number ends the run.
-  if (!(stepper_.ledger().excess() <= kRunawayShare)) end_growing(n);
+  if (!(stepper_.ledger().drift() <= kRunawayShare)) end_growing(n);
   if (!(loss.share <= kRunawayShare)) end_losing(n, loss);
   last_good_ = n;
 }
@@ -76,7 +76,7 @@ void Watch::end_growing(std::uint64_t n) {
       fmt::format("step {} (t = {:g} s): the energy of the model exceeds the work done on it by {:.0f} % "
                   "of its peak; the fastest point is at ({:g}, {:g}) m of `{}` with {:g} m/s; {}; the run is "
                   "unstable: {}",
-                  n, time_of(n), 100 * stepper_.ledger().excess(), fastest.x, fastest.y, where.member.name,
+                  n, time_of(n), 100 * stepper_.ledger().drift(), fastest.x, fastest.y, where.member.name,
                   fastest.speed, last_good(), remedy(model_, where)));
 }
 

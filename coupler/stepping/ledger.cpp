@@ -154,11 +154,6 @@ double Ledger::unexplained() const {
 }
 
 double Ledger::drift() const {
-  const double scale = std::max(peak_stored_, kRounded * first_turnover_);
-  return scale > 0 ? unexplained() / scale : 0;
-}
-
-double Ledger::excess() const {
   const double scale = std::max({peak_stored_, rounding_, kRounded * first_turnover_});
   return scale > 0 ? unexplained() / scale : 0;
 }

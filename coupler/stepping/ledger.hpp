@@ -68,11 +68,10 @@ class Ledger {
   double stored() const;  // kinetic, strain and released energy of all participants
   // Stored and dissipated minus external work, since the start: what drifted, or what a lossy solve took.
   double unexplained() const;
-  double drift() const;      // the same relative to the largest stored energy so far
+  // The same relative to the largest stored energy so far, or to the rounding energy where that is larger:
+  // nothing is known of a model that moves by rounding errors only.
+  double drift() const;
   double max_drift() const;  // the largest |unexplained| relative to the largest stored energy
-  // What the energies exceed the work by, relative to the largest stored energy so far, or to the rounding
-  // energy where that is larger: nothing is known of a model that moves by rounding errors only.
-  double excess() const;
   // By which energy rose when particles that waited began, relative to the largest stored energy by then.
   double change() const { return change_; }
   double kept() const;  // stored over external work; 1 where there was none
