@@ -79,14 +79,54 @@ Contacts::Stiffest Contacts::stiffest(std::span<const double> masses, const std:
   return found;
 }
 
-void Contacts::take_stress(const std::function<Stress(std::uint32_t zone)>& stress_of) {
+// Of the zones beside that have water, the mean by the lengths of their sides.
+std::optional<double> Contacts::pressure_in_gap(const Contact& contact, const PressureOf& pressure_of) {
+  double sum = 0, length = 0;
+  for (const Half& half : contact.halves)
+    for (const auto zone : {half.first_zone, half.second_zone}) {
+      const auto pressure = zone == kNoZone ? std::nullopt : pressure_of(zone);
+      if (!pressure) continue;
+      sum += half.side * *pressure;
+      length += half.side;
+    }
+  if (length == 0) return std::nullopt;
+  return sum / length;
+}
+
+double Contacts::push_apart(const Part& part, const protocol::Step& step, const PressureOf& pressure_of,
+                            const PointView& points) {
+  double work = 0;
+  for (const auto i : part) {
+    Contact& contact = contacts_[i];
+    const auto pressure = pressure_in_gap(contact, pressure_of);
+    if (!pressure) continue;
+    const double opens = step.from_rest() ? 0 : moved(contact, step.dt, points.vx, points.vy)[0];
+    work += contact.length * opens * (contact.water + *pressure) / 2;
+    if (contact.filled && contact.state.status != ContactStatus::kOpen) {
+      const double before = fdm::strain_energy(contact.law, contact.state);
+      contact.state.closure += (*pressure - contact.water) / contact.law.normal;
+      work += contact.length * (fdm::strain_energy(contact.law, contact.state) - before);
+    }
+    contact.water = *pressure;
+    contact.filled = true;
+    pull(contact, {-contact.water, 0}, points);
+  }
+  return work;
+}
+
+void Contacts::take_stress(const std::function<Stress(std::uint32_t zone)>& stress_of,
+                           const PressureOf& pressure_of) {
   for (Contact& contact : contacts_) {
     if (contact.length == 0 || contact.halves[0].first_zone == kNoZone) continue;
+    if (const auto pressure = pressure_in_gap(contact, pressure_of)) {
+      contact.water = *pressure;
+      contact.filled = true;
+    }
     const Half& half = contact.halves[0];
     const Stress a = stress_of(half.first_zone), b = stress_of(half.second_zone);
     const double xx = (a.xx + b.xx) / 2, yy = (a.yy + b.yy) / 2, xy = (a.xy + b.xy) / 2;
     const double tx = xx * contact.nx + xy * contact.ny, ty = xy * contact.nx + yy * contact.ny;
-    contact.state.closure = (tx * contact.nx + ty * contact.ny) / contact.law.normal;
+    contact.state.closure = (tx * contact.nx + ty * contact.ny + contact.water) / contact.law.normal;
     if (contact.sliding) contact.sliding->preload = contact.state.closure;
     // The second face holds the first back along the tangent (ny, -nx) with -t.tangent.
     contact.state.shear = tx * contact.ny - ty * contact.nx;
@@ -111,13 +151,13 @@ void Contacts::add_forces(const Part& part, double dt, const PointView& points) 
     stroke.shear = (before.shear + contact.stress[1]) / 2;
     dissipated_ += contact.length * fdm::dissipated(contact.law, before, stroke, contact.state);
     contact.offset += ds;
-    pull(contact, points);
+    pull(contact, contact.stress, points);
   }
 }
 
 // Stresses pull the first face to the second.
-void Contacts::pull(const Contact& contact, const PointView& points) const {
-  const auto [normal, shear] = contact.stress;
+void Contacts::pull(const Contact& contact, const std::array<double, 2>& stress, const PointView& points) {
+  const auto [normal, shear] = stress;
   const double nx = contact.nx, ny = contact.ny;
   const double fx = contact.length * (normal * nx + shear * ny),
                fy = contact.length * (normal * ny - shear * nx);
@@ -279,7 +319,7 @@ void Contacts::follow(Contact& contact, const std::array<double, 2>& lead, const
   contact.offset += contact.motion[1];
   contact.ahead = place_ahead(contact, lead);
   contact.lead = lead;
-  pull(contact, points);
+  pull(contact, contact.stress, points);
 }
 
 void Contacts::add_held(const std::function<double(std::uint32_t zone)>& share_of, std::span<double> fx,
@@ -288,7 +328,8 @@ void Contacts::add_held(const std::function<double(std::uint32_t zone)>& share_o
   for (const Contact& contact : contacts_) {
     if (contact.length == 0) continue;
     for (const Half& half : contact.halves) {
-      const double normal = normal_stress(contact.law, contact.state), shear = contact.state.shear;
+      const double normal = normal_stress(contact.law, contact.state) - contact.water,
+                   shear = contact.state.shear;
       const double x = normal * half.nx + shear * half.ny, y = normal * half.ny - shear * half.nx;
       // What is taken away on one side goes on holding the other.
       const double of_first = share(half.first_zone), of_second = share(half.second_zone);
@@ -342,7 +383,7 @@ void Contacts::reset_offsets() {
 
 void Contacts::exchange(state::Archive& archive) {
   archive.members("contacts", std::span(contacts_), &Contact::state, &Contact::offset, &Contact::stress,
-                  &Contact::lead, &Contact::ahead);
+                  &Contact::lead, &Contact::ahead, &Contact::water, &Contact::filled);
   if (slides()) exchange_feet(archive);
   archive("contacts_dissipated", dissipated_);
 }
@@ -356,7 +397,8 @@ double Contacts::side(std::uint32_t contact) const {
 Contacts::Reading Contacts::read(std::uint32_t i) const {
   const Contact& contact = contacts_[i];
   if (contact.length == 0) return {};
-  return {contact.stress[0], contact.stress[1], std::max(0.0, opening(contact.state)), contact.offset};
+  return {contact.stress[0] - contact.water, contact.stress[1], std::max(0.0, opening(contact.state)),
+          contact.offset};
 }
 
 }  // namespace adit::fdm

@@ -22,6 +22,13 @@
 // stored at step n is what is stored at the end less the stresses times the way ahead; of faces that slide it
 // is what is dissipated that is less.
 //
+// Water in the pores of the zones beside fills the gap: it pushes the faces apart with its pressure p, and
+// the law is that of the effective stress, which is the stress plus p. As p grows by dp between two steps,
+// faces that touch go on bearing the same stress: the closure of the law grows by dp/k_n. So p acts on
+// friction and on parting, and the springs of the faces alone answer their motion: forces of a lining that
+// follow the volume of the zone beside it, but not the other way round, would derive from no energy. The work
+// of p on the gap and what dp stores are work from outside.
+//
 // In large strain a contact is between a point of one face and the side of the other, the guide, that lies
 // opposite now (face.hpp): with the share xi of the way along it, the motion is v - (1 - xi) v_a - xi v_b
 // along the present normal and tangent, and the forces are shared alike, so that they make no couple. Shares
@@ -97,8 +104,14 @@ class Contacts {
   };
   Stiffest stiffest(std::span<const double> masses, const std::vector<bool>& chosen) const;
 
+  // Of water in the pores of a zone [Pa]; nothing of dry ones.
+  using PressureOf = std::function<std::optional<double>(std::uint32_t zone)>;
   // The tractions at the start: of the mean stress of the zones on both sides. Linings start without.
-  void take_stress(const std::function<Stress(std::uint32_t zone)>& stress_of);
+  void take_stress(const std::function<Stress(std::uint32_t zone)>& stress_of, const PressureOf& pressure_of);
+  // Water of the pressures of this step comes between the faces, before their forces. Returns its work since
+  // the last step [J].
+  double push_apart(const Part& part, const protocol::Step& step, const PressureOf& pressure_of,
+                    const PointView& points);
 
   // Moves these contacts to the present places of their faces and adds their forces.
   void add_forces(const Part& part, double dt, const PointView& points);
@@ -136,7 +149,7 @@ class Contacts {
 
   // What acts between the faces of one that stands, and how they lie; zeros where it does not stand.
   struct Reading {
-    double normal_stress, shear_stress;  // [Pa], tension positive
+    double normal_stress, shear_stress;  // [Pa], tension positive; with the pressure of water
     double opening, offset;              // [m]
   };
   Reading read(std::uint32_t contact) const;
@@ -165,7 +178,9 @@ class Contacts {
     std::uint32_t stage;
     ContactState state;
     double offset = 0;               // along the tangent, since displacements were 0 [m]
-    std::array<double, 2> stress{};  // at this step, along normal and tangent [Pa]
+    std::array<double, 2> stress{};  // at this step, along normal and tangent, less the water's [Pa]
+    double water = 0;                // pressure in the gap [Pa]
+    bool filled = false;             // water has come into it
     std::array<double, 2> lead{};    // [m]
     std::array<double, 2> ahead{};   // the state's place, of that of the faces [m]
     std::array<double, 2> motion{};  // of the faces in this step [m]
@@ -194,7 +209,8 @@ class Contacts {
   void settle(Contact& contact, double c, const std::array<double, 2>& free, const PointView& points);
   void follow(Contact& contact, const std::array<double, 2>& lead, const Trial& trial,
               const PointView& points);
-  void pull(const Contact& contact, const PointView& points) const;
+  static void pull(const Contact& contact, const std::array<double, 2>& stress, const PointView& points);
+  static std::optional<double> pressure_in_gap(const Contact& contact, const PressureOf& pressure_of);
   // Whether it has a chosen point, now or wherever it may slide.
   bool touches(const Contact& contact, const std::vector<bool>& chosen) const;
 

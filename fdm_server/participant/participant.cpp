@@ -77,9 +77,10 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   require_water(scene_, setup_.ground, setup.alone());
   Grid grid = grid_;  // with what interfaces add
   const Supports supports = resolve_supports(scene_, setup_.ground, {}, grid);
-  protocol::require(!scene_.has_water() || supports.contacts.empty(), "water",
-                    "is given beside interfaces, whose friction does not know its pressure; leave "
-                    "continuum.interfaces and interfaces of linings out, or the water");
+  protocol::require(
+      !scene_.has_water() || supports.contacts.empty() || !setup_.ground.large_strain, "water",
+      "is given beside interfaces in large strain, which is not computed; leave `large_strain` out, or "
+      "the interfaces");
   damping_ = resolve_damping(scene_.continuum());
   base_accelerations_ = base_accelerations(scene_.continuum().base(), scene_.time().duration());
   const KnownEarly early = known_early(supports, grid, setup.alone());

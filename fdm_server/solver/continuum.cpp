@@ -53,7 +53,8 @@ Continuum::Continuum(ZoneSet zones, std::span<const double> masses, std::vector<
     points_[kInverseMassX][i] = points_[kInverseMassY][i] = masses[i] > 0 ? 1 / masses[i] : 0;
   }
   zones_.follow(points_[kUx].data(), points_[kUy].data());
-  contacts_.take_stress([this](std::uint32_t zone) { return zones_.stress(zone); });
+  contacts_.take_stress([this](std::uint32_t zone) { return zones_.stress(zone); },
+                        [this](std::uint32_t zone) { return zones_.water_pressure(zone); });
   place(std::move(loads));
   for (auto& motion : motions) {
     for (const auto point : motion.points)
@@ -300,6 +301,10 @@ void Continuum::pull(Part& part, const protocol::Step& step) {
   }
   if (damping_.acts()) damping_.add_viscous(part.kept, step, points);  // before any force but the zones'
   structures_.add_forces(part.structures, step.dt, {points.vx, points.vy, points.fx, points.fy});
+  if (zones_.any_water())
+    external_work_ += contacts_.push_apart(part.contacts, step,
+                                           [this](std::uint32_t zone) { return zones_.water_pressure(zone); },
+                                           {points.vx, points.vy, points.fx, points.fy});
   contacts_.add_forces(average_here ? moving_contacts_ : part.contacts, step.dt,
                        {points.vx, points.vy, points.fx, points.fy});
   apply_loads(part, step);

@@ -313,6 +313,15 @@ double ZoneSet::pore_pressure(std::size_t zone) const {
   return parts_[places_[zone].part].pressure(places_[zone].zone);
 }
 
+std::optional<double> ZoneSet::water_pressure(std::size_t zone) const {
+  if (!parts_[places_[zone].part].water) return std::nullopt;
+  return pore_pressure(zone);
+}
+
+bool ZoneSet::any_water() const {
+  return std::ranges::any_of(parts_, [](const Part& part) { return part.water.has_value(); });
+}
+
 void ZoneSet::read_excess(std::span<double> excess) const {
   for (const auto& part : parts_)
     if (part.water)

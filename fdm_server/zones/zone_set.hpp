@@ -66,7 +66,9 @@ class ZoneSet {
   double internal_force(protocol::Team& team, std::span<const double> sizes) const;
   double demand(std::size_t zone) const;
   double field(std::size_t zone, ZoneField field) const;
-  double pore_pressure(std::size_t zone) const;  // [Pa]; 0 of dry ground
+  double pore_pressure(std::size_t zone) const;                  // [Pa]; 0 of dry ground
+  std::optional<double> water_pressure(std::size_t zone) const;  // the same; nothing of dry ground
+  bool any_water() const;
   // What flow asks and tells: the growth of the pressure since time began [Pa], 0 of dry ground; the volume
   // of water that comes into each zone in the next step, over that of the zone.
   void read_excess(std::span<double> excess) const;

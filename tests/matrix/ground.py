@@ -10,7 +10,7 @@ FACTORS = {
     "plane": ["plane_strain", "plane_stress"],
     "grid": ["block", "blocks", "mesh", "ring", "skewed"],
     "zone": ["assumed_strain", "mixed_discretization"],
-    "law": ["elastic", "layers", "mohr_coulomb", "weak_plane", "elements", "reversals", "limited", "scattered", "sand"],
+    "law": ["elastic", "layers", "mohr_coulomb", "weak_plane", "elements", "reversals", "limited", "scattered", "sand", "clay"],
     "damping": ["none", "rayleigh", "maxwell", "local"],
     "sides": ["free", "rollers", "quiet", "springs", "free_field"],
     "base": ["held", "rigid", "compliant"],
@@ -36,7 +36,7 @@ PLAIN = {name: values[:1] for name, values in FACTORS.items()}
 # Ground with interfaces: planes that slip and open, linings that slip.
 WITH_INTERFACES = {
     **PLAIN,
-    **{name: FACTORS[name] for name in ("plane", "zone", "sides", "direction", "load", "rows", "output")},
+    **{name: FACTORS[name] for name in ("plane", "zone", "sides", "direction", "load", "water", "rows", "output")},
     "damping": ["none", "rayleigh", "maxwell"],
     "grid": ["block", "blocks"], "law": ["elastic", "mohr_coulomb", "reversals"], "base": ["held", "rigid", "compliant"],
     "motion": ["none", "record", "ricker", "velocity"], "rest": ["none", "stressed", "kinetic", "adaptive"], "hole": ["none", "never", "stage"],
@@ -48,7 +48,7 @@ STAGED = {"stage", "side", "two_stages", "released", "filled"}
 
 # What the programs refuse, and a word of the refusal.
 REFUSED = (
-    [({"plane": "plane_stress", "law": law}, "plane strain") for law in ("mohr_coulomb", "weak_plane", "elements", "reversals", "limited", "scattered", "sand")]
+    [({"plane": "plane_stress", "law": law}, "plane strain") for law in ("mohr_coulomb", "weak_plane", "elements", "reversals", "limited", "scattered", "sand", "clay")]
     + [({"plane": "plane_stress", "large": "yes"}, "plane strain")]
     + [({"large": "yes", "inside": inside}, "large_strain") for inside in ("strip", "ring", "both_ends", "grid")]
     + [({"solve": "lumped", "rest": rest}, "lumped") for rest in sorted(STATICS)]
@@ -104,6 +104,7 @@ LAWS = {
     "reversals": {"hysteretic": {"hyperbola": {"reference_strain": 5e-4}, "memory": "reversals", "damping": {"darendeli": {}}}},
 }
 LAWS["sand"] = {"pm4sand": {"relative_density": 0.5, "modulus_coefficient": 600.0, "contraction_rate": 0.5}}
+LAWS["clay"] = {"mohr_coulomb": {"cohesion": 40e3, "remoulding": {"sensitivity": 4.0, "strain_95": 0.05}}}
 LAWS["scattered"] = {**LAWS["limited"], **LAWS["weak_plane"]}
 HOLE = {"x_min": -1.0, "x_max": 1.0, "y_min": 1.0, "y_max": 3.0}
 CENTRE = {"x": 0.0, "y": 2.0}

@@ -22,7 +22,7 @@ def rectangle(name, x, y, zones):
 class Incline(ComputedTest):
     """A block on its base, under gravity whose part along the base grows beyond friction at once."""
 
-    def slide(self, law, along=7.0, damping=DAMPED):
+    def slide(self, law, along=7.0, damping=DAMPED, water=None):
         continuum = {
             "blocks": [rectangle("base", (0.0, 4.0), (-1.0, 0.0), (8, 2)), rectangle("block", (0.0, 4.0), (0.0, 2.0), (8, 4))],
             "motions": [{"where": {"y_max": -1.0}, "velocity": {"x": 0.0, "y": 0.0}}],
@@ -32,7 +32,8 @@ class Incline(ComputedTest):
             + [{"name": "foot", "quantity": quantity, "interface": "foot", "at": {"x": 2.0, "y": 0.0}}
                for quantity in ("offset", "opening", "normal_stress", "shear_stress")],
             **({"damping": damping} if damping else {})}
-        run = self.computed({"material": ROCK, "time": {"duration": 0.4}, "continuum": continuum,
+        ground = {"material": ROCK} if water is None else {"material": {**ROCK, "pores": {"porosity": 0.3}}, "water": water}
+        run = self.computed({**ground, "time": {"duration": 0.4}, "continuum": continuum,
                              "initial_stress": {"yy": -2 * 2500 * GRAVITY, "yy_per_metre": 2500 * GRAVITY}})
         self.assertLess(run.summary["max_energy_drift"], 1e-10)
         return run
@@ -47,6 +48,17 @@ class Incline(ComputedTest):
         expected = h["block_vx_m_per_s"][late][0] * t[-1] + acceleration * t[-1]**2 / 2
         self.assertAlmostEqual(offset[-1] / expected, 1, delta=1e-3)
         np.testing.assert_allclose(h["foot_shear_stress_Pa"][late], -h["foot_normal_stress_Pa"][late] * math.tan(math.radians(30)), rtol=1e-3)
+
+    def test_water_in_the_gap_bears_its_part_of_the_block(self):
+        friction, total, pressure = math.tan(math.radians(30)), 2 * 2500 * GRAVITY, 2 * 1000 * 9.80665
+        h = self.slide({"friction_angle": math.radians(30)}, water={"level": 2.0}).histories
+        late = self.time > 0.2
+        acceleration = np.polyfit(self.time[late], h["block_vx_m_per_s"][late], 1)[0]
+        self.assertAlmostEqual(acceleration / (7 - (total - pressure) * friction / (2 * 2500)), 1, delta=1e-3)
+        np.testing.assert_allclose(h["foot_shear_stress_Pa"][late], -(h["foot_normal_stress_Pa"][late] + pressure) * friction, rtol=1e-3)
+
+    def test_energy_is_kept_while_faces_chatter_in_stiff_water(self):
+        self.slide({"friction_angle": math.radians(30)}, damping=None, water={"level": 2.0, "bulk_modulus": 2.2e9})
 
     def test_a_block_below_its_friction_stays(self):
         # A load that comes at once counts twice, and friction bears 2.5 times the load.
@@ -92,6 +104,40 @@ class Wave(ComputedTest):
         self.assertAlmostEqual(h["joint_normal_stress_Pa"].min() / -stress, 1, delta=0.02)
         # The faces met nothing again and rubbed nowhere.
         self.assertLess(abs(h["continuum_dissipated_J"][-1]), 1e-3 * h["continuum_external_work_J"][-1])
+
+
+class AtRest(ComputedTest):
+    """A tunnel whose lining slips, below a water table and in dry ground: the contacts bear the weight of the lining."""
+
+    def missing(self, pores, water):
+        """What the forces of the contacts lack of the weight, over the sum of their sizes."""
+        sides, radius, centre = 48, 3.0, np.array([0.0, -9.0])
+        run = self.computed({
+            "time": {"duration": 0.002}, "statics": {"unbalanced_ratio": 1e-12}, "output": {"field_times": [0.0]}, **water,
+            "material": {"young_modulus": 80e6, "poisson_ratio": 0.3, "density": 1800.0, "mohr_coulomb": {"cohesion": 10e3, "friction_angle": 0.576}, **pores},
+            "initial_stress": {"layers": [{"bottom": -1.0, "density": 1800.0, "k0": 0.5}, {"bottom": -18.0, "density": 2000.0, "k0": 0.5}]},
+            "continuum": {
+                "blocks": [{"ring": {"centre": {"x": 0.0, "y": -9.0}, "inner_radius": radius, "outer_side": 18.0}, "along": {"zones": sides},
+                            "across": {"zones": 12, "ratio": 1.1}}],
+                "linings": [{"name": "ring", "along": {"circle": {"centre": {"x": 0.0, "y": -9.0}, "radius": radius}}, "thickness": 0.3,
+                             "young_modulus": 30e9, "density": 2500.0, "interface": {"friction_angle": 0.35}}],
+                "body_loads": [{"acceleration": {"y": -9.80665}}],
+                "motions": [{"where": {"y_max": -18.0}, "velocity": {"x": 0.0, "y": 0.0}}]
+                + [{"where": {key: at}, "velocity": {"x": 0.0}} for key, at in (("x_max", -9.0), ("x_min", 9.0))]}})
+        contacts = run.fields()["interfaces"]
+        normal, shear = (np.array(contacts[name]) for name in ("normal_stress_Pa", "shear_stress_Pa"))
+        outwards = np.array(contacts.points)[:, :2] - centre
+        outwards /= np.linalg.norm(outwards, axis=1)[:, None]
+        side = 2 * radius * math.sin(math.pi / sides)
+        # The normal of a contact is the mean of its two sides', whose length is shorter than theirs.
+        forces = side * math.cos(math.pi / sides) * (normal[:, None] * outwards + shear[:, None] * outwards[:, ::-1] * [1, -1])
+        weight = sides * side * 0.3 * 2500 * 9.80665
+        return np.linalg.norm(forces.sum(axis=0) - [0, weight]) / np.linalg.norm(forces, axis=1).sum()
+
+    def test_contact_forces_bear_the_lining_with_and_without_water(self):
+        wet = self.missing({"pores": {"porosity": 0.4, "saturated_density": 2000.0}}, {"water": {"level": -1.0}})
+        self.assertLess(wet, 1e-10)
+        self.assertLess(self.missing({}, {}), 1e-10)
 
 
 class Staged(ComputedTest):

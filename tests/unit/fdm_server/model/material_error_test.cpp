@@ -63,6 +63,14 @@ INSTANTIATE_TEST_SUITE_P(
              "mohr_coulomb { cohesion: 1e3 friction_angle: 0.5 dilation_angle: 0.2 softening { "
              "plastic_shear_strain: 0.1 friction_angle: 0.1 } }",
              "material.mohr_coulomb.softening[0].dilation_angle", "would gain energy"},
+        Case{"remoulding_beside_softening",
+             "mohr_coulomb { cohesion: 1e3 softening { plastic_shear_strain: 0.1 } remoulding { sensitivity: "
+             "4 } "
+             "}",
+             "material.mohr_coulomb.remoulding", "beside `softening`"},
+        Case{"remoulding_with_friction",
+             "mohr_coulomb { cohesion: 1e3 friction_angle: 0.5 remoulding { sensitivity: 4 } }",
+             "material.mohr_coulomb.remoulding", "leave `friction_angle` out"},
         Case{"no_curve", "hysteretic {}", "material.hysteretic", "names no curve; give table or hyperbola"},
         Case{"masing_damping", "hysteretic { hyperbola { reference_strain: 1e-3 } damping { darendeli {} } }",
              "material.hysteretic.damping", "needs `memory: reversals`"},
@@ -164,6 +172,18 @@ TEST(Materials, SofteningRowsKeepWhatTheyLeaveOut) {
   EXPECT_DOUBLE_EQ(law.strength(0.02).friction_angle, 0.45);
   EXPECT_DOUBLE_EQ(law.strength(1).friction_angle, 0.4);
   EXPECT_DOUBLE_EQ(law.strength(1).tension, 100 / std::tan(0.5));
+}
+
+// The strength of remoulded clay follows Einav and Randolph's curve, from the undisturbed to the remoulded
+// one.
+TEST(Materials, ClayIsRemoulded) {
+  const auto setup = ground_of("mohr_coulomb { cohesion: 40e3 remoulding { sensitivity: 4 strain_95: 20 } }");
+  const auto ground = read_ground(setup.scene());
+  const auto& law = *ground.materials[0].mohr_coulomb;
+  for (const double strain : {0.0, 0.3, 1.0, 5.0, 20.0, 33.0})
+    EXPECT_NEAR(law.strength(strain).cohesion, 10e3 + 30e3 * std::exp(-3 * strain / 20), 0.005 * 30e3)
+        << strain;
+  EXPECT_NEAR(law.strength(1000).cohesion, 10e3, 0.003 * 30e3);
 }
 
 }  // namespace

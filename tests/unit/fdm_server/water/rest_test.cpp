@@ -25,6 +25,10 @@ const std::string kFields = "free_field { left: true right: true } ";
 const std::string kRollers =
     "motions { where { x_max: 0 } velocity { x: 0 } } motions { where { x_min: 6 } velocity { x: 0 } } ";
 
+const std::string kPlane =
+    "interfaces { name: 'plane' along { line { points { x: 0 y: -5 } points { x: 6 y: -5 } } } law { "
+    "friction_angle: 0.5 } } ";
+
 wire::Setup wet_setup(const std::string& water, const std::string& layers, const std::string& conditions,
                       const std::string& block = kDeep) {
   wire::Setup setup =
@@ -95,6 +99,20 @@ TEST(WaterAtRest, BelowTheSea) {
   }
 }
 
+// A plane through wet ground bears its total stress, which is that of the layers.
+TEST(WaterAtRest, AcrossAnInterface) {
+  for (const std::string& sides : {kRollers, kFields}) {
+    const auto values = at_rest(wet_setup(
+        "level: 0 bulk_modulus: 2.2e9", "layers { bottom: -10 density: 2000 k0: 0.5 }",
+        kHeld + sides + kPlane + kAsked +
+            "histories { name: 'a' quantity: NORMAL_STRESS interface: 'plane' at { x: 3 y: -5 } } "
+            "histories { name: 'a' quantity: SHEAR_STRESS interface: 'plane' at { x: 3 y: -5 } } "));
+    EXPECT_NEAR(values[2], -kG * 7.5 * 1000, 1e-6);
+    EXPECT_NEAR(values[7], -kG * 5 * 2000, 1e-6);
+    EXPECT_NEAR(values[8], 0, 1e-6);
+  }
+}
+
 // A light body in the place of wet ground takes off with exactly the weight that lacks, 2,000 - 500 kg/m^3.
 TEST(WaterAtRest, LightBodyRisesByTheUnbalancedForce) {
   const wire::Setup setup =
@@ -138,11 +156,8 @@ TEST(WaterAtRest, RefusesWhatItDoesNotCompute) {
          "either a `level` or a `pressure`");
   refuse(wet_setup("level: 0 places { where { y_max: -5 } level: -5 stage: 1 }", layers, kHeld),
          "water.places[0].stage", "no statics");
-  refuse(wet_setup("level: 0", layers,
-                   kHeld + "interfaces { name: 'plane' along { line { points { x: 0 y: -5 } points { x: 6 y: "
-                           "-5 } } } law { "
-                           "friction_angle: 0.5 } } "),
-         "water", "beside interfaces");
+  refuse(wet_setup("level: 0", layers, kHeld + kPlane + "large_strain: true "), "water",
+         "beside interfaces in large strain");
   wire::Setup filled = wet_setup(
       "level: 0", layers,
       kHeld +
