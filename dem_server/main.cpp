@@ -8,6 +8,6 @@ int main(int argc, char** argv) {
   std::size_t threads = 0;
   return adit::protocol::server_main(
       argc, argv, "dem_server",
-      {"name", "description", "plane", "material", "time", "initial_stress", "statics", "particles"},
+      {"name", "description", "plane", "material", "time", "initial_stress", "statics", "water", "particles"},
       [&] { return std::make_unique<adit::dem::DemParticipant>(threads); }, &threads);
 }

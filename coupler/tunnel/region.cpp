@@ -78,10 +78,12 @@ scene::Material as_bonds_have_it(scene::Material material, const scene::Bonds& b
                                  const std::string& path, std::vector<std::string>& elastic) {
   const bool strength = material.has_mohr_coulomb() && !bonds.strength_of_material();
   if (!cells) material.clear_fracture();
-  if ((strength && !material.has_fracture()) || material.has_hysteretic() || material.has_weak_plane())
+  if ((strength && !material.has_fracture()) || material.has_hysteretic() || material.has_weak_plane() ||
+      material.has_pm4sand() || material.pores().has_compaction())
     elastic.push_back(path);
   material.clear_hysteretic();
   material.clear_weak_plane();
+  material.clear_pm4sand();
   if (strength) material.clear_mohr_coulomb();
   return material;
 }

@@ -12,11 +12,11 @@
 #include "dem_server/model/reading/read_model.hpp"
 #include "dem_server/model/sample_points.hpp"
 #include "dem_server/model/solid/thin_strip.hpp"
+#include "dem_server/model/solid/wet_ground.hpp"
 #include "dem_server/model/weigh.hpp"
 #include "dem_server/participant/messages.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/ground/stages.hpp"
-#include "protocol/ground/stated_stress.hpp"
 #include "protocol/messages/spans.hpp"
 
 namespace adit::dem {
@@ -38,7 +38,9 @@ void tell(const Unrest::Farthest& farthest, std::span<const std::string> groups,
 
 void DemParticipant::set_up(const wire::Setup& setup, wire::Model& answer) {
   scene_ = setup.scene();
+  const std::vector<std::string> notes = fill_pores(scene_);
   model_ = read_model(scene_, progress(), engines_->threads());
+  model_.notes.insert(model_.notes.end(), notes.begin(), notes.end());
   if (scene_.particles().has_begin()) require_linear(model_);
   const std::string engine = engines_->choose(scene_, model_);
   engine_ = engines_->make(model_);
@@ -95,8 +97,7 @@ void DemParticipant::weigh(const wire::Weights& weights, wire::Interface& interf
 void DemParticipant::balance_under_weights(std::span<const double> centres) {
   std::vector<double> weights;
   for (const std::uint32_t place : model_.id) weights.push_back(centres[place]);
-  const protocol::StatedStress stated(scene_.initial_stress());
-  balance_in_overlap([&stated](double x, double y) { return stated.at(x, y); }, weights, model_);
+  balance_in_overlap(stated_stress(scene_), weights, model_);
 }
 
 void DemParticipant::couple(const wire::Couple& couple, wire::Operator& op) {

@@ -33,9 +33,15 @@ void require_place(const scene::Scene& scene, int i) {
 // Sides of one zone that is there.
 std::vector<Edge> outer_edges(const Grid& grid, std::span<const double> weights) {
   Grid left{grid.x, grid.y, {}};
-  for (std::size_t z = 0; z < grid.own_zones(); ++z)
-    if (weights[z] != 0) left.zones.push_back(grid.zones[z]);
-  return boundary(number_edges(left));
+  std::vector<std::size_t> numbers;
+  for (std::size_t z = 0; z < grid.own_zones(); ++z) {
+    if (weights[z] == 0) continue;
+    left.zones.push_back(grid.zones[z]);
+    numbers.push_back(z);
+  }
+  std::vector<Edge> edges = boundary(number_edges(left));
+  for (Edge& edge : edges) edge.zone = numbers[edge.zone];
+  return edges;
 }
 
 bool has_ground_above(const Grid& grid, std::span<const double> weights, double x, double y) {
@@ -67,8 +73,14 @@ std::vector<PointPair> edges_under_sea(const scene::Water& water, const Grid& gr
     const double dx = grid.x[to] - grid.x[from], dy = grid.y[to] - grid.y[from];
     const double x = (grid.x[from] + grid.x[to]) / 2, y = (grid.y[from] + grid.y[to]) / 2;
     if (-dx > kUpwards * std::hypot(dx, dy) && std::max(grid.y[from], grid.y[to]) <= level &&
-        !has_ground_above(grid, weights, x, y))
+        !has_ground_above(grid, weights, x, y)) {
+      require(
+          weights[zone] == 1, "water",
+          fmt::format("stands on the ground at ({:g}, {:g}) m, in an overlap with another model, which would "
+                      "not bear it; lower its level, or keep the overlap below the surface",
+                      x, y));
       edges.push_back({from, to});
+    }
   }
   return edges;
 }
@@ -77,7 +89,6 @@ std::vector<PointPair> edges_under_sea(const scene::Water& water, const Grid& gr
 
 void require_water(const scene::Scene& scene, const Ground& ground, bool alone) {
   if (!scene.has_water()) return;
-  require(alone, "water", "is computed in one continuum by itself; leave the water or the other models out");
   require(!ground.plane_stress, "water", "is computed in plane strain only; write `plane: plane_strain`");
   for (int i = 0; i < scene.water().places_size(); ++i) require_place(scene, i);
   for (int i = 0; i < scene.continuum().materials_size(); ++i)
@@ -85,7 +96,7 @@ void require_water(const scene::Scene& scene, const Ground& ground, bool alone) 
         scene.continuum().materials(i).stage() == 0 || !scene.continuum().materials(i).material().has_pores(),
         fmt::format("continuum.materials[{}].stage", i),
         "comes with pores, but what is placed later is dry or tight; leave its pores out, or give stage 0");
-  require(ground.any_wet(), "water",
+  require(ground.any_wet() || !alone, "water",
           fmt::format("whose level is y = {:g} m, reaches no zone of a material with `pores`; raise the "
                       "level, give the material `pores: {{porosity: 0.4}}`, or leave the water out",
                       scene.water().level()));

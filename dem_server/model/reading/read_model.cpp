@@ -24,9 +24,9 @@
 #include "dem_server/model/solid/facets_of_material.hpp"
 #include "dem_server/model/solid/ring_faces.hpp"
 #include "dem_server/model/solid/strength_of_material.hpp"
+#include "dem_server/model/solid/wet_ground.hpp"
 #include "dem_server/model/stages/read_stages.hpp"
 #include "protocol/errors.hpp"
-#include "protocol/ground/stated_stress.hpp"
 #include "protocol/participant/warnings.hpp"
 
 namespace adit::dem {
@@ -231,8 +231,7 @@ void start_under_stress(const scene::Scene& scene, Model& model) {
         "particles.random_packing.keep_stress",
         "is set, but initial_stress says under which stress the particles start; give one of both");
   refuse_walls_that_bear(model);
-  const protocol::StatedStress stated(scene.initial_stress());
-  set_initial_state([&stated](double x, double y) { return stated.at(x, y); }, model);
+  set_initial_state(stated_stress(scene), model);
 }
 
 }  // namespace
@@ -275,6 +274,7 @@ Model read_model(const scene::Scene& scene, const protocol::Progress& progress, 
   model.loads = read_loads(particles, placement);
   model.motions = read_motions(particles, placement);
   model.foundations = read_foundations(particles, placement);
+  require_in_water(scene, model);
   if (scene.has_initial_stress()) start_under_stress(scene, model);
   return model;
 }

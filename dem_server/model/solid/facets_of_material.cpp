@@ -13,12 +13,11 @@ namespace adit::dem {
 using protocol::UserError;
 
 CellElasticity elasticity_of(const MaterialAt& at, Plane plane) {
-  constexpr double kLargest = 0.45;
   const double nu = at.material.poisson_ratio();
-  if (!(nu >= 0 && nu <= kLargest))
-    throw UserError(
-        at.path + ".poisson_ratio",
-        fmt::format("is {}, but cells deform like a solid only from 0 to {}; change it", nu, kLargest));
+  if (!(nu >= 0 && nu <= kLargestPoissonRatio))
+    throw UserError(at.path + ".poisson_ratio",
+                    fmt::format("is {}, but cells deform like a solid only from 0 to {}; change it", nu,
+                                kLargestPoissonRatio));
   return cell_elasticity(at.material.young_modulus(), nu, plane);
 }
 
