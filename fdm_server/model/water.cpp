@@ -40,7 +40,7 @@ std::vector<Edge> outer_edges(const Grid& grid, std::span<const double> weights)
     numbers.push_back(z);
   }
   std::vector<Edge> edges = boundary(number_edges(left));
-  for (Edge& edge : edges) edge.zone = numbers[edge.zone];
+  for (Edge& edge : edges) edge.zone = static_cast<std::uint32_t>(numbers[edge.zone]);
   return edges;
 }
 
@@ -65,7 +65,8 @@ std::vector<bool> have_pores(const Ground& ground) {
 // Edges up to which the sea reaches, and that nothing but the sea lies above.
 std::vector<PointPair> edges_under_sea(const scene::Water& water, const Grid& grid,
                                        std::span<const double> weights) {
-  constexpr double kUpwards = 1e-6;  // of the normal
+  constexpr double kUpwards = 1e-6;     // of the normal
+  constexpr double kShared = 1 - 1e-9;  // less than the weight of what no overlap shares, but for rounding
   const double level = water.level() + tolerance(grid);
   std::vector<PointPair> edges;
   for (const auto& [first, second, zone] : outer_edges(grid, weights)) {
@@ -75,7 +76,7 @@ std::vector<PointPair> edges_under_sea(const scene::Water& water, const Grid& gr
     if (-dx > kUpwards * std::hypot(dx, dy) && std::max(grid.y[from], grid.y[to]) <= level &&
         !has_ground_above(grid, weights, x, y)) {
       require(
-          weights[zone] == 1, "water",
+          weights[zone] > kShared, "water",
           fmt::format("stands on the ground at ({:g}, {:g}) m, in an overlap with another model, which would "
                       "not bear it; lower its level, or keep the overlap below the surface",
                       x, y));

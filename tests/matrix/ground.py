@@ -56,7 +56,7 @@ REFUSED = (
     + [({"sides": "free_field", "hole": "side"}, "free_field")]
     + [({"large": "yes", "hole": "filled"}, "small strain")]
     + [({"plane": "plane_stress", "water": water}, "plane strain") for water in ("table", "sealed", "flows")]
-    + [({"water": "flows", "inside": inside}, "in an overlap") for inside in ("strip", "both_ends", "grid")]  # below its sea
+    + [({"water": "flows", "inside": inside}, "in an overlap") for inside in ("strip", "ring", "both_ends", "grid")]  # below its sea
 )
 
 
@@ -86,8 +86,8 @@ def meaningless(row):
     # A lining that slips needs ground on one side where it is installed.
     yield has("support") in ("slipping", "reinforced") and has("hole") not in (None, "never", "stage")
     yield has("law") == "sand" and has("hole", "none") != "none"  # which has no cohesion to stand around it
-    # Ground that is grouted around the opening of a ring reaches the overlap of a random packing.
-    yield has("grid") == "ring" and has("hole") == "filled" and has("inside") == "both_ends" and has("packing") == "random"
+    # Ground that is grouted around an opening reaches the overlap of irregular packings where zones are oblique.
+    yield has("grid") in ("ring", "skewed") and has("hole") == "filled" and has("inside") == "both_ends" and has("packing") in ("random", "cells")
     # A wall bears no part of a stated stress.
     yield has("bonds") == "wall" and has("rest") == "stressed"
 
@@ -156,7 +156,12 @@ class Ground:
         """Light water, since gravity is: a table in the ground, or the sea on it from which water comes and goes; wells beside an opening."""
         modulus = {} if self.row["water"] == "table" else {"bulk_modulus": 0.4e9}
         wells = [{"where": {"x_min": -2.0, "x_max": 2.0}, "level": 2.0, "stage": 1}] * (self.row["hole"] in STAGED - {"side"})
-        return {"level": 6.5 if self.row["water"] == "flows" else 3.0, "density": 300.0, **modulus, **({"places": wells} if wells else {})}
+        table = self.high - 1e-3 if self.has_wet_cells() else 3.0
+        return {"level": 6.5 if self.row["water"] == "flows" else table, "density": 300.0, **modulus, **({"places": wells} if wells else {})}
+
+    def has_wet_cells(self):
+        """Cells have pores; other particles are tight."""
+        return self.row["inside"] in ("strip", "ring", "both_ends") and self.row["packing"] == "cells"
 
     def pores(self):
         compaction = {"compaction": {"blow_count": 8.0}} if self.row["law"] == "mohr_coulomb" else {}
@@ -425,7 +430,7 @@ class Ground:
         if row["packing"] == "cells" and row["bonds"] == "breakable":
             bonds = {"bonds": {"fracture": {"tensile_strength": 2 * strength, "fracture_energy": 100.0, "cohesion": 6 * strength}}}
         model.update({**bonds, "bonds": {**model.get("bonds", {}), **bonds.get("bonds", {})}})
-        if row["water"] == "flows" and row["packing"] == "cells":  # of a ring; others reach out of the water, and are tight
+        if row["water"] != "none" and row["packing"] == "cells":
             model["material"] = {**ROCK, "pores": self.pores()}
         if row["bonds"] == "smooth_joint":
             model["joints"] = [{"name": "plane", "from": {"x": 4.4, "y": low - 0.1}, "to": {"x": 4.4, "y": high + 0.1},

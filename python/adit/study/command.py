@@ -23,7 +23,7 @@ from adit.accuracy.runs import OF_CRACKS
 from adit.results.files import Unusable, nearest
 from adit.runs import children
 from adit.runs.command import program_of
-from adit.study import design, motions as ground, outcome, rows, scheduler, slurm, table, until
+from adit.study import design, detail, motions as ground, outcome, rows, scheduler, search, slurm, table, until
 from adit.study.study import load
 
 
@@ -69,6 +69,8 @@ class Plan:
     def __init__(self, study, out, fields):
         self.study, self.out, self.fields = study, out, fields
         self.stated = scenes.read(study.scene, [f"--set={key}={value}" for key, value in study.set.items()])
+        if study.detail:
+            detail.check(study, self.stated)
         self.program = programs.program(program_of(study.scene, []))
         self.release = release(self.program)
         self.rounds = [self._round(0)]
@@ -103,41 +105,59 @@ class Plan:
         if "statics" not in self.stated:
             return set()
         begun = Counter(row.statics for climb in climbs for row in climb)
-        return {each for each, runs in begun.items() if runs > 1}
+        return {each for each, runs in begun.items() if runs > 1 or self.study.searches}
 
     def _missing(self, climbs):
         """Runs that are not there."""
         return sum(not (self.out / "runs" / row.hash).exists() for climb in climbs for row in climb)
 
+    def _to_compute(self):
+        """(the least, the largest) number of runs of the first round that are not there; which a search makes, it knows only then."""
+        missing = self._missing(self.first)
+        return search.runs_of(self.study, self.first) if self.study.searches else (missing, missing)
+
     def told(self):
         """Yields what the user is told of the runs before the first one."""
         every = [row for climb in self.first for row in climb]
-        yield f"runs               {len(every)}, {len({row.hash for row in every})} different" + (
-            f"; {len(self.first)} climbs" if len(self.first) < len(every) else "")
+        least, most = self._to_compute()
+        runs = f"at least {least}, at most {most}" if self.study.searches else f"{len(every)}, {len({row.hash for row in every})} different"
+        yield f"runs               {runs}" + (f"; {len(self.first)} climbs" if len(self.first) < len(every) else "")
         if shared := self.shared(self.first):
             yield f"states at rest     {len(shared)}, shared by {sum(row.statics in shared for row in every)} runs"
-        missing = self._missing(self.first)
-        yield f"computed before    {len(every) - missing}"
+        if not self.study.searches:
+            yield f"computed before    {len(every) - most}"
         yield f"at once            {self.expected.at_once}"
-        if self.expected.time and missing:
-            minutes = self.expected.time * missing / self.expected.at_once / 60
-            yield f"time to expect     about {minutes:.2g} min, as the scene itself takes {self.expected.time:g} s"
+        if self.expected.time and most:
+            minutes = " to ".join(f"{self.expected.time * runs / self.expected.at_once / 60:.2g}" for runs in dict.fromkeys((least, most)))
+            yield f"time to expect     about {minutes} min, as the scene itself takes {self.expected.time:g} s"
+        if self.study.detail:
+            yield f"in detail          {self.study.detail.runs} with the largest {self.study.detail.of}"
         for left_out in self.rounds[0].left_out:
             yield f"note: {left_out}"
         yield f"{self.study.path} can be computed"
 
+    def way(self, climb, progress):
+        """The way through a climb."""
+        return search.climb(self.study, climb, self.out, progress) if self.study.searches else scheduler.in_turn(self.study, climb, progress)
+
     def compute(self, climbs, options):
         """[(row, result)] of climbs."""
         shared = self.shared(climbs)
+        at_once = self.expected.at_once if self._missing(climbs) and not options.dask else 1
         progress = scheduler.Progress(sum(map(len, climbs)))
 
         def task_of(row):
             return rows.task_of(self.study, row, self.out, self.program, self.release, row.statics in shared)
 
+        return self.go([self.way(climb, progress) for climb in climbs], task_of, progress, at_once, options)
+
+    @staticmethod
+    def go(ways, task_of, progress, at_once, options):
+        """[(row, result)] of ways (scheduler.py), on this machine or on Dask."""
         begun = time.monotonic()
-        jobs = options.jobs or (self.expected.at_once if self._missing(climbs) and not options.dask else 1)
+        jobs = options.jobs or at_once
         with scheduler.on_dask(options.dask) if options.dask else scheduler.here(jobs) as pool:
-            computed = scheduler.compute(self.study, climbs, task_of, pool, progress)
+            computed = scheduler.compute(ways, task_of, pool, progress)
         took = time.monotonic() - begun
         if progress.new:
             where = "on Dask" if options.dask else f"{jobs} at once"
@@ -149,17 +169,21 @@ class Plan:
 def whole(plan, options, target):
     """Computes the study, adds runs as asked, and writes what follows; the exit code."""
     study, out = plan.study, plan.out
-    print(f"study: {os.path.relpath(study.path)}, {sum(map(len, plan.first))} runs of {os.path.relpath(study.scene)}", flush=True)
+    count = f"at least {search.runs_of(study, plan.first)[0]}" if study.searches else sum(map(len, plan.first))
+    print(f"study: {os.path.relpath(study.path)}, {count} runs of {os.path.relpath(study.scene)}", flush=True)
     for left_out in plan.rounds[0].left_out:
         print(f"note: {left_out}", flush=True)
     computed = plan.compute(plan.first, options)
+    design.require_some(study, computed)
     require_answers(study, computed, out)
     told = []
     if target:
         computed, told = until.add_runs(plan, options, target, computed)
     listed = table.rows_of(study, computed, out)
     files = table.write(listed, out)
-    for line in ("", *told, *outcome.conclude(study, listed, out, pictures=not options.no_pictures), f"table              {', '.join(str(out / name) for name in files)}"):
+    closer = detail.compute(plan, options, computed, listed) if study.detail else []
+    told += outcome.conclude(study, listed, closer, out, pictures=not options.no_pictures)
+    for line in ("", *told, f"table              {', '.join(str(out / name) for name in files)}"):
         print(line, flush=True)
     for name in ("work", "locks"):  # of processes that were killed, too
         shutil.rmtree(out / name, ignore_errors=True)

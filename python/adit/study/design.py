@@ -1,10 +1,10 @@
 """Which runs a study makes: climbs of runs, and what each run has."""
 import math
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from adit.results.files import Unusable
-from adit.study import fields, motions as ground, quantities
+from adit.study import component, fields, motions as ground, quantities
 from adit.study.study import variants
 
 
@@ -13,6 +13,7 @@ class Row:
     """A run: {key: text} of its scene, and what it was drawn for. After identify(), what it is known by: the hash of its scene, and
     of the state at rest that it begins from."""
     motion: str = ""
+    scalable: ground.Motion = None  # the same, where it is scaled
     level: float = None
     factor: float = 1.0
     sample: str = "0"
@@ -23,11 +24,17 @@ class Row:
     hash: str = ""
     statics: str = ""
 
+    def scaled(self, factor):
+        """The row with its motion scaled by another factor, not identified yet."""
+        return replace(self, factor=factor, settings=self.settings | self.scalable.settings_at(factor),
+                       measures=self.scalable.measures_at(factor))
+
 
 @dataclass
 class Design:
-    """The runs of a round as climbs: lists of rows of which each is computed after the one before, if that reached no end. `left_out`:
-    a sentence for each motion that would have to be scaled too far."""
+    """The runs of a round as climbs: lists of rows of which each is computed after the one before, if that reached no end. Where factors
+    are searched for (search.py), that of a row is where the search may begin. `left_out`: a sentence for each motion that would have to
+    be scaled too far."""
     climbs: list
     left_out: list
 
@@ -36,7 +43,7 @@ def of_round(study, stated, motions, number, folder):
     """The Design of a round. `stated`: the scene as it is read; `folder`: where random fields are written. Raises Unusable where a run
     cannot be made so."""
     design = with_motions(study, motions) if motions else Design([[Row()] for _ in range(study.samples)], [])
-    one_draw = study.levels is not None and study.levels[0] == "increments"  # a climb meets the same tunnel at all levels
+    one_draw = study.climbs  # of a climb, which meets the same tunnel at all levels
     drawn = quantities.drawn(study, len(design.climbs) if one_draw else sum(map(len, design.climbs)), number)
     sample = 0
     for climb in design.climbs:
@@ -57,30 +64,34 @@ def with_motions(study, motions):
     if study.levels is None:  # as they are: they take turns in the samples
         count = max(study.samples, len(motions))
         return Design([[_row(motions[number % len(motions)])] for number in range(count)], [])
-    how, measure, levels, period = study.levels
-    name = ground.sa(period) if measure == "sa" else measure
-    largest, left_out, climbs = study.motions.get("largest_factor", math.inf), [], []
+    measure = component.sa(study.levels.period) if study.levels.measure == "sa" else study.levels.measure
+    largest, left_out, climbs = study.largest_factor, [], []
     for motion in motions:
-        rows = [_row(motion, name, level) for level in levels for _ in range(study.samples)]
-        kept = [row for row in rows if not ground.excessive(row.factor, largest)]
+        rows = [_row(motion, measure, level) for level in study.levels.values for _ in range(study.samples)]
+        kept = [row for row in rows if study.searches or not ground.excessive(row.factor, largest)]
         if len(kept) < len(rows):
             worst = max((row.factor for row in rows if row not in kept), key=lambda factor: abs(math.log(factor)))
             left_out.append(f"{motion.name}: {len(rows) - len(kept)} of {len(rows)} runs are left out; it would be scaled by up to {worst:.3g}")
-        if how == "increments":  # each sample climbs by itself
+        if study.climbs or study.searches:  # each sample climbs by itself
             climbs += [climb for sample in range(study.samples) if (climb := [row for row in rows[sample::study.samples] if row in kept])]
         else:
             climbs += [[row] for row in kept]
-    if not climbs:
-        raise Unusable(f"{study.path}: no motion can be scaled to any of the levels by a factor of at most {largest:g}; "
-                       "raise motions.largest_factor, or choose other motions or levels.")
+    require_some(study, climbs)
     return Design(climbs, left_out)
 
 
-def _row(motion, name=None, level=None):
+def require_some(study, found):
+    """Raises Unusable where all runs are left out."""
+    if not found:
+        raise Unusable(f"{study.path}: no motion can be scaled to any of the levels by a factor of at most {study.largest_factor:g}; "
+                       "raise motions.largest_factor, or choose other motions or levels.")
+
+
+def _row(motion, measure=None, level=None):
     if level is None:
-        return Row(motion.name, settings={motion.key: motion.as_stated}, measures=dict(motion.measures))
-    text, factor = motion.at(name, level)
-    return Row(motion.name, level, factor, settings={motion.key: text}, measures=motion.measures_at(name, level))
+        return Row(motion.name, settings=motion.as_stated, measures=dict(motion.measures))
+    scaled = Row(motion.name, motion, level).scaled(motion.factor_at(measure, level))
+    return replace(scaled, measures=scaled.measures | {measure: level})  # to the last digit, in which motions would differ
 
 
 def settings(study, stated, drawn):

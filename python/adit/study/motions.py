@@ -1,13 +1,12 @@
 """The ground motions of a study, and the factors that give them an intensity.
 
-All measures but the Arias intensity grow with the motion, and that with its square. A motion is scaled by the `peak` of the scene's
-ground motion: the measure M1 at a peak of 1 m/s² gives the peak L/M1 for the level L, or sqrt(L/M1) for the Arias intensity.
+All measures but the Arias intensity grow with the motion, and that with its square.
 """
-import json
 import math
 from dataclasses import dataclass, field
 
 from adit.results.files import Unusable
+from adit.study import component
 from adit.study.study import variants
 
 POWERS = {"arias": 2}  # of the motion with which a measure grows; of others 1
@@ -16,29 +15,31 @@ SEEDS_APART = 1000  # of synthetic motions in further rounds
 
 @dataclass(frozen=True)
 class Motion:
-    """A motion as the scene takes it, with its measures [SI] as it is stated: at key `key` of the scene, {key: value} in `given`."""
+    """A motion: its Components, and the measures [SI] of the first one as it is stated. A factor scales all of them."""
     name: str
-    key: str
-    given: dict
+    components: tuple
     measures: dict = field(hash=False)
-    at_unit_peak: dict = field(hash=False)
 
-    def at(self, measure, level):
-        """(the motion at this level as the text of a value, the factor by which it is scaled)."""
-        peak = self._peak(measure, level)
-        return json.dumps(self.given | {"peak": peak}), (level / self.measures[measure])**(1 / POWERS.get(measure, 1))
+    def factor_at(self, measure, level):
+        """The factor by which the motion has a level."""
+        return (level / self.measures[measure])**(1 / power_of(measure))
 
-    def measures_at(self, measure, level):
-        """All measures of the motion at this level."""
-        peak = self._peak(measure, level)
-        return {key: value * peak**POWERS.get(key, 1) for key, value in self.at_unit_peak.items()}
+    def measures_at(self, factor):
+        """All measures of the motion that is scaled by a factor."""
+        return {measure: value * factor**power_of(measure) for measure, value in self.measures.items()}
 
-    def _peak(self, measure, level):
-        return (level / self.at_unit_peak[measure])**(1 / POWERS.get(measure, 1))
+    def settings_at(self, factor):
+        """{key: text} of the scene."""
+        return {each.key: each.scaled(factor) for each in self.components}
 
     @property
     def as_stated(self):
-        return json.dumps(self.given)
+        """{key: text} of the scene without a factor."""
+        return {each.key: each.as_stated for each in self.components}
+
+
+def power_of(measure):
+    return POWERS.get(measure, 1)
 
 
 def read(study, number):
@@ -49,27 +50,9 @@ def read(study, number):
             each["file"] = each["file"] | {"path": str((study.folder / each["file"]["path"]).resolve())}
     given += [{"file": {"path": str(path)}} for path in _records(study)]
     names = _names(given)
-    key = ["--key", study.motions["key"]] if "key" in study.motions else []
-    period = [study.levels[3] if study.levels else None, study.intensity[1]]
-    periods = [word for value in dict.fromkeys(period) if value for word in ("--period", f"{value!r}")]
-    at = study.motions.get("key") or _key(study)
-    rows = [{at: json.dumps(each | peak)} for each in given for peak in ({}, {"peak": 1.0})]
-    told = variants(study, rows, "--motion", *key, *periods)
-    for number, one in enumerate(told):
-        if "error" in one:
-            raise Unusable(f"{study.path}: motion {names[number // 2]}: {one['error']}")
-    measures = [_flat(one["motion"], dict.fromkeys(value for value in period if value)) for one in told]
-    return [Motion(name, at, each, stated, unit) for name, each, stated, unit in zip(names, given, measures[::2], measures[1::2])]
-
-
-def sa(period):
-    """The name of a spectral acceleration among the measures."""
-    return f"sa({period:g}s)" if period else "sa"
-
-
-def _flat(told, periods):
-    found = {key: value for key, value in told.items() if key in ("pga", "pgv", "pgd", "arias", "cav")}
-    return found | dict(zip(map(sa, periods), told.get("sa", [])))
+    firsts = component.read(study, study.motions.get("key") or _key(study), names, given, study.path)
+    further = component.beside(study, names, [first for first, _ in firsts])
+    return [Motion(name, (first, *others), measures) for name, (first, measures), others in zip(names, firsts, further)]
 
 
 def _key(study):

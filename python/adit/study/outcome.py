@@ -8,7 +8,7 @@ import numpy as np
 from scipy.stats import beta
 
 from adit.results.files import Unusable
-from adit.study import indices as influence, table
+from adit.study import detail, indices as influence, search, table
 from adit.study.fragility import bootstrap, cloud, curves as fitting, goodness, nrml, observations, pelicun, states
 from adit.study.fragility.measures import unit_of
 from adit.study.fragility.sets import DamageState
@@ -44,10 +44,10 @@ class StateCurve:
 
 
 class Outcome:
-    """Of the rows of a table (table.rows_of); those that failed count nowhere."""
+    """Of the rows of a table (table.rows_of), those that failed count nowhere; and of the runs that are computed in detail (detail.compute)."""
 
-    def __init__(self, study, listed):
-        self.study, self.listed = study, listed
+    def __init__(self, study, listed, closer=()):
+        self.study, self.listed, self.closer = study, listed, closer
         self.good = [row for row in listed if not row["failed"]]
         self.failed = len(listed) - len(self.good)
 
@@ -153,13 +153,16 @@ class Outcome:
         return found
 
 
-def conclude(study, listed, out, pictures):
-    """Writes what follows from the rows; yields what the user is told."""
-    outcome = Outcome(study, listed)
+def conclude(study, listed, closer, out, pictures):
+    """Writes what follows from the rows; yields what the user is told. `closer`: the runs that are computed in detail."""
+    outcome = Outcome(study, listed, closer)
     if outcome.failed:
         yield f"failed             {outcome.failed} of {len(listed)} runs; the column `failed` of the table says why"
     if not outcome.good:
         return
+    if missed := search.missed(study, outcome.good):
+        yield (f"levels             {len(missed)} of {len(outcome.good)} runs have not reached theirs within {100 * search.WITHIN:g} %; "
+               f"{table.level_column(study)} tells what they have reached")
     if outcome.curves:
         yield from _fragility(outcome, out)
     else:
@@ -171,6 +174,7 @@ def conclude(study, listed, out, pictures):
                 share, (low, high) = outcome.exceeded(damage, state)
                 yield f"{state.name}: {100 * share:.3g} % of the runs ({100 * low:.2g} to {100 * high:.2g} %)"
     yield from _indices(outcome, out)
+    yield from detail.told(study, closer)
     if pictures:
         from adit.study import page, pictures as drawing  # matplotlib is imported only where something is drawn
 

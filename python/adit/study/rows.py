@@ -41,10 +41,12 @@ class Task:
     functions: dict = field(default_factory=dict)  # {name: file}
     drawn: dict = field(default_factory=dict)
     keep: list = field(default_factory=list)
+    options: list = field(default_factory=list)  # further words for the program
+    room: str = "runs"  # of the folder
 
     @property
     def place(self):
-        return Path(self.folder) / "runs" / self.hash
+        return Path(self.folder) / self.room / self.hash
 
 
 def compute(task):
@@ -131,7 +133,8 @@ def _of_function(task, name, run):
 def _run(task, out, settings, begin):
     sets = [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
     threads = () if task.program.endswith("simplified") else ("--fdm-threads", "1", "--dem-threads", "1")
-    code, said = children.run([*END_WITH_PARENT, task.program, "run", task.scene, "--out", out, *threads, *(["--from", begin] if begin else []), *sets])
+    begins = ["--from", begin] if begin else []
+    code, said = children.run([*END_WITH_PARENT, task.program, "run", task.scene, "--out", out, *threads, *begins, *task.options, *sets])
     return code, (said.strip() or "it said nothing").splitlines()[-1].removeprefix("error: ")
 
 

@@ -89,9 +89,13 @@ class Progress:
         else:
             programs.tell_progress(line)
 
-    def fewer(self, number):
-        """A climb has ended before its last level."""
-        self.total -= number
+    def expect(self, number):
+        """More runs come than were expected, or fewer."""
+        self.total += number
+
+    @staticmethod
+    def leave_out(row, factor):
+        print(f"  {name_of(row)} is left out: it would be scaled by {factor:.3g}", flush=True)
 
     def _left(self):
         took = time.monotonic() - self.begun
@@ -105,35 +109,46 @@ def name_of(row):
     return f"{row.motion or 'sample'}{level} ({row.sample})"
 
 
-def compute(study, climbs, task_of, pool, progress):
-    """Computes climbs; returns [(row, result)] in their order. `task_of(row)`: the task of a run. A climb ends when the last of the
-    damage states is exceeded, or a run fails."""
-    at, results = [0] * len(climbs), [[] for _ in climbs]
+def compute(ways, task_of, pool, progress):
+    """Computes climbs; returns [(row, result)] in their order. `ways`: generators, each of which yields the rows of a climb one after the
+    other, is sent what came of each, and returns [(row, result)]. `task_of(row)`: the task of a run."""
+    results = [[] for _ in ways]
     pending = {}
 
-    def submit(number):
-        pending[pool.submit(rows.compute, task_of(climbs[number][at[number]]))] = number
+    def go_on(number, result=None):
+        try:
+            row = ways[number].send(result)
+            pending[pool.submit(rows.compute, task_of(row))] = number, row
+        except StopIteration as end:
+            results[number] = end.value
 
-    for number in range(len(climbs)):
-        submit(number)
+    for number in range(len(ways)):
+        go_on(number)
     while pending:
         for future in wait(pending, return_when=FIRST_COMPLETED).done:
-            number = pending.pop(future)
-            row, result = climbs[number][at[number]], future.result()
-            results[number].append((row, result))
-            progress.take(row, result)
-            at[number] += 1
-            if ended(study, result):
-                progress.fewer(len(climbs[number]) - at[number])
-            elif at[number] < len(climbs[number]):
-                submit(number)
+            number, row = pending.pop(future)
+            progress.take(row, future.result())
+            go_on(number, future.result())
     programs.tell_progress()
     return [pair for climb in results for pair in climb]
 
 
+def in_turn(study, climb, progress):
+    """The way through a climb whose rows are known: up to its end, or the row at which it ends."""
+    found = []
+    for row in climb:
+        found.append((row, (yield row)))
+        if ended(study, found[-1][1]):
+            break
+    progress.expect(len(found) - len(climb))
+    return found
+
+
 def ended(study, result):
-    """Whether a climb goes no further after this result."""
+    """Whether a climb goes no further after this result: a run failed, or exceeds all damage states."""
+    if not study.climbs:
+        return False
     if "failed" in result:
         return True
-    return bool(study.damage) and all(result["answers"][damage.of] is not None and damage.reached(result["answers"][damage.of]) == len(damage.states)
-                                      for damage in study.damage)
+    answers = [(damage, result["answers"][damage.of]) for damage in study.damage]
+    return all(answer is not None and damage.reached(answer) == len(damage.states) for damage, answer in answers)

@@ -1,10 +1,12 @@
 """The file of a study, as the reader of scenes reads it (study.proto), and what its parts must agree in."""
 import json
+import math
 import subprocess
 import sys
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+from typing import NamedTuple
 
 import yaml
 
@@ -29,6 +31,27 @@ class Damage:
         return sum(abs(answer) > state.above for state in self.states)
 
 
+class Detail(NamedTuple):
+    """How many runs are computed in detail, those with the largest of one answer."""
+    of: str
+    runs: int = 1
+
+
+class Levels(NamedTuple):
+    """Levels of a measure [SI], with the period of `sa`, that motions are scaled to: as `stripes` or `increments`; reached in the history
+    `at` of the scene, or, where that is empty, by the motion as it is given to the scene."""
+    how: str
+    measure: str
+    values: list
+    period: float
+    at: str
+
+    @property
+    def intensity(self):
+        """(measure, period, place) as that of a Study."""
+        return self.measure, self.period, self.at
+
+
 class Study:
     """A study: `read`, as mappings and lists in SI units."""
 
@@ -38,6 +61,7 @@ class Study:
         self.scene = self.folder / read["scene"]
         self.set = dict(_setting(text) for text in read.get("set", []))
         self.motions = read.get("motions")
+        self.largest_factor = (self.motions or {}).get("largest_factor", math.inf)
         self.random = read.get("random", [])
         self.fields = read.get("fields", [])
         self.seeds = read.get("seeds", [])
@@ -47,6 +71,7 @@ class Study:
         sampling = read.get("sampling", {})
         self.method, self.samples, self.seed = (sampling.get("method", "latin_hypercube"), sampling.get("samples", 1), sampling.get("seed", 1))
         self.damage = [_damage(each, self.answers) for each in read.get("damage", [])]
+        self.detail = Detail(**read["detail"]) if "detail" in read else None
         self._check()
 
     @property
@@ -56,7 +81,7 @@ class Study:
 
     @cached_property
     def levels(self):
-        """(how, measure, [level], period) of motions that are scaled; None where they are not."""
+        """The Levels of motions that are scaled; None where they are not."""
         for how in ("stripes", "increments"):
             if self.motions and how in self.motions:
                 given = self.motions[how]
@@ -64,8 +89,19 @@ class Study:
                 if len(measures) != 1:
                     raise Unusable(f"{self.path}: motions.{how}: states {' and '.join(measures) or 'no level'}; "
                                    "give levels of one of pga, pgv, arias, sa.")
-                return how, measures[0], given[measures[0]], self._period(f"motions.{how}", measures[0], given)
+                period = self._period(f"motions.{how}", measures[0], given)
+                return Levels(how, measures[0], given[measures[0]], period, given.get("at", ""))
         return None
+
+    @property
+    def climbs(self):
+        """Whether motions climb until all damage states are exceeded."""
+        return self.levels is not None and self.levels.how == "increments"
+
+    @property
+    def searches(self):
+        """Whether the factors of motions are searched for, run by run."""
+        return self.levels is not None and self.levels.at != ""
 
     @cached_property
     def intensity(self):
@@ -73,7 +109,7 @@ class Study:
         is given to the scene."""
         given = (self.motions or {}).get("intensity", {})
         if not given and self.levels:
-            return self.levels[1], self.levels[3], ""
+            return self.levels.intensity
         measure = given.get("measure", "pga")
         return measure, self._period("motions.intensity", measure, given), given.get("at", "")
 
@@ -95,6 +131,8 @@ class Study:
             raise Unusable(f"{self.path}: {twice} is the name of two quantities or answers; give each its own.")
         if not self.answers:
             raise Unusable(f"{self.path}: asks nothing of its runs; name figures of summary.json in `questions`.")
+        if self.detail and self.detail.of not in self.answers:
+            raise Unusable(f"{self.path}: detail.of: {self.detail.of} is not asked of a run; {nearest(self.detail.of, self.answers)}")
         if not (self.motions or self.random or self.fields or self.seeds):
             raise Unusable(f"{self.path}: nothing varies from run to run; give motions, random quantities, fields or seeds.")
         if self.motions and not (self.motions.get("of") or "folder" in self.motions):
@@ -107,7 +145,7 @@ class Study:
         for each in self.random:
             if not any(kind in each for kind in DISTRIBUTIONS):
                 raise Unusable(f"{self.path}: random: {each['name']} has no distribution; give normal, lognormal, uniform, triangular or discrete.")
-        if self.levels and self.levels[0] == "increments" and not self.damage:
+        if self.climbs and not self.damage:
             raise Unusable(f"{self.path}: motions.increments: motions climb until a damage state is exceeded, but `damage` states none.")
         self.intensity  # refuses what is wrong in it
 

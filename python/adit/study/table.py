@@ -9,7 +9,7 @@ from adit.plots.oscillators import pseudo_acceleration
 from adit.results.files import Unusable, nearest
 from adit.results.run import Run
 from adit.study.fragility.measures import G
-from adit.study.motions import sa
+from adit.study.component import sa
 
 UNITS = {"pga": "m_per_s2", "pgv": "m_per_s", "pgd": "m", "arias": "m_per_s", "cav": "m_per_s"}  # others, sa: m/s²
 
@@ -26,20 +26,35 @@ def rows_of(study, computed, folder):
         one = {"run": number, "motion": row.motion, "level": row.level, "factor": row.factor if row.motion else None, "sample": row.sample}
         one |= {column_of(measure): value for measure, value in row.measures.items()}
         one |= row.drawn | row.seeds
-        measure, period, place = study.intensity
-        if study.motions and place:
-            one[intensity_column(study)] = None if "failed" in result else measured(folder / "runs" / row.hash, place, measure, period)
+        for measure, period, place in in_histories(study):
+            one[column_at(measure, period, place)] = None if "failed" in result else measured(folder / "runs" / row.hash, place, measure, period)
         one |= answers
         one |= {f"{damage.of}_state": None if answers[damage.of] is None else damage.reached(answers[damage.of]) for damage in study.damage}
         found.append(one | {"failed": result.get("failed", ""), "folder": f"runs/{row.hash}"})
     return found
 
 
-def intensity_column(study):
-    """The column that fragility is told over."""
-    measure, period, place = study.intensity
+def in_histories(study):
+    """[(measure, period, place)] of intensities that are measured in histories: over which fragility is told, and where levels
+    are reached."""
+    known = [study.intensity, *([study.levels.intensity] if study.levels else [])]
+    return [each for each in dict.fromkeys(known) if each[2]]
+
+
+def column_at(measure, period, place):
+    """The column of an intensity in the history `place`, or of the motion as it is given to the scene."""
     name = sa(period) if measure == "sa" else measure
     return f"{place}_{column_of(name)}" if place else column_of(name)
+
+
+def intensity_column(study):
+    """The column that fragility is told over."""
+    return column_at(*study.intensity)
+
+
+def level_column(study):
+    """The column of the intensity that the levels are of."""
+    return column_at(*study.levels.intensity)
 
 
 @functools.cache  # a run does not change, and `--until` asks again and again
@@ -48,7 +63,7 @@ def measured(folder, place, measure, period):
     run = Run(folder)
     column = f"{place}_ax_m_per_s2"
     if column not in run.histories:
-        raise Unusable(f"motions.intensity.at: {place} is no history of acceleration_x of the scene; "
+        raise Unusable(f"motions: at: {place} is no history of acceleration_x of the scene; "
                        + nearest(column, [name for name in run.histories if name.endswith("_ax_m_per_s2")]))
     acceleration, times = run.histories[column], run.histories["time_s"]
     if measure == "pga":
@@ -69,11 +84,7 @@ def column(rows, name):
 
 def write(rows, folder):
     """Writes study.csv and, where h5py is installed, study.h5 with an array for each column."""
-    with open(folder / "study.csv", "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n", restval="")
-        writer.writeheader()
-        writer.writerows({key: "" if value is None else repr(value) if isinstance(value, float) else value for key, value in row.items()}
-                         for row in rows)
+    write_csv(rows, folder / "study.csv")
     try:
         import h5py
     except ImportError:
@@ -86,3 +97,11 @@ def write(rows, folder):
             else:
                 file.create_dataset(name, data=column(rows, name))
     return ["study.csv", "study.h5"]
+
+
+def write_csv(rows, path):
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n", restval="")
+        writer.writeheader()
+        writer.writerows({key: "" if value is None else repr(value) if isinstance(value, float) else value for key, value in row.items()}
+                         for row in rows)

@@ -279,7 +279,9 @@ class WhatIsWrong(StudyTest):
         self.scene(STRIPES, "study.yaml")
         first = subprocess.Popen(self.command("out"), stdout=subprocess.DEVNULL)
         wait_until((self.folder / "out" / "runs").exists)
+        first.send_signal(signal.SIGSTOP)  # or it might end before it is met
         self.assertIn("another process computes this study", self.refused(STRIPES))
+        first.send_signal(signal.SIGCONT)
         self.assertEqual(first.wait(PATIENCE_S * 3), 0)
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from scipy import stats
 
 from adit.results.files import Unusable
-from adit.study import design, fields, motions, quantities, table
+from adit.study import design, fields, quantities, table
 
 QUANTITIES = [
     {"name": "modulus", "lognormal": {"median": 2.0, "dispersion": 0.5}},
@@ -108,30 +108,6 @@ class Keys(unittest.TestCase):
 
     def test_values_have_their_unit(self):
         self.assertEqual(self.settings(keys=["time.dt"], unit="ms"), {"time.dt": "0.5 ms"})
-
-
-class Motions(unittest.TestCase):
-    MOTION = motions.Motion("m", "base", {"ricker": {}}, {"pga": 3.0, "arias": 0.9}, {"pga": 1.0, "arias": 0.1})
-
-    def test_grow_with_their_measure_and_the_arias_intensity_with_its_root(self):
-        self.assertEqual(self.MOTION.at("pga", 6.0), ('{"ricker": {}, "peak": 6.0}', 2.0))
-        text, factor = self.MOTION.at("arias", 3.6)
-        self.assertAlmostEqual(factor, 2)
-        self.assertIn('"peak": 6.0', text)
-
-    def test_scaled_too_far_up_or_down_are_excessive(self):
-        self.assertEqual([motions.excessive(factor, 4.0) for factor in (0.2, 0.25, 1, 4, 5)], [True, False, False, False, True])
-
-    def test_of_a_cloud_take_turns_in_the_samples_and_each_has_a_run(self):
-        several = [motions.Motion(name, "base", {}, {"pga": 1.0}, {"pga": 1.0}) for name in "abc"]
-        for samples, turns in ((1, "abc"), (2, "abc"), (5, "abcab")):
-            found = design.with_motions(study(levels=None, samples=samples), several)
-            self.assertEqual("".join(row.motion for (row,) in found.climbs), turns)
-
-    def test_names_tell_them_apart(self):
-        given = [{"file": {"path": "/a/KOBE.AT2"}}, {"file": {"path": "/b/KOBE.AT2"}}, {"synthetic": {"spectrum": "ec8_type_1", "ground": "b", "seed": 3}},
-                 {"sine": {"frequency": 2}}]
-        self.assertEqual(motions._names(given), ["KOBE_1", "KOBE_2", "ec8_type_1_b_3", "sine_2Hz"])
 
 
 class Intensities(unittest.TestCase):

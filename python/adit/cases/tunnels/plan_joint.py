@@ -4,6 +4,10 @@ Both are (times [s], {quantity: values}); forces and moments are those of the wh
 """
 import numpy as np
 
+COLUMNS = {  # {quantity: its name in a table, with the unit}
+    "opening": "opening_m", "opening of the edge": "edge_opening_m", "offset": "offset_m", "rotation": "rotation_rad",
+    "axial force": "axial_force_N", "key force": "key_force_N", "moment": "moment_Nm"}
+
 
 def half_width(run):
     """The distance of the gasket from the axis [m]: half the width of the first section."""
@@ -30,3 +34,9 @@ def of_model(run, half_width):
         "axial force": sum((force for _, force in axial), zero),
         "key force": sum((force for name, (_, force) in springs.items() if name.startswith("key")), zero),
         "moment": sum((-y * force for y, force in axial), zero)}
+
+
+def largest(quantities):
+    """{column: largest value over time} of {quantities: values}, by size but for openings: a joint that closes does not leak."""
+    return {column: float((values if column.endswith("opening_m") else np.abs(values)).max())
+            for quantity, column in COLUMNS.items() for values in (quantities[quantity],)}

@@ -3,11 +3,11 @@ from adit.report import page, pictures, study as of_studies
 from adit.report.markup import bullets, details, paragraphs, section, table, tag
 from adit.report.quantities import digits
 from adit.report.results import Results
-from adit.study.page import answers, fragility, stated
+from adit.study.page import answers, detail, fragility, stated
 from adit.study.pictures import axes as axis
 
 LISTED = 20  # rows of long tables
-FILES = ("study.csv", "study.h5", "fragility.csv", "indices.csv", "*.xml", "*_pelicun.csv")
+FILES = ("study.csv", "study.h5", "detail.csv", "fragility.csv", "indices.csv", "*.xml", "*_pelicun.csv")
 
 
 def write(outcome, drawn, out):
@@ -16,6 +16,7 @@ def write(outcome, drawn, out):
     chapters = [
         section("fragility", "Fragility", fragility.told(outcome), shown["fragility"]),
         section("answers", "Answers", answers.shares(outcome), answers.spread(outcome), shown["answers"], answers.at_levels(outcome)),
+        section("detail", "The worst places in detail", detail.told(outcome), shown["detail"]),
         section("inputs", "Which input matters", answers.indices(outcome), shown["inputs"]),
         section("time", "Answers over time", shown["time"]),
         section("linings", "Forces along linings", shown["linings"]),

@@ -20,7 +20,7 @@ def motions(outcome):
 
 def factors(outcome, of):
     levels = sorted({row["level"] for row in outcome.listed})
-    what = axis.in_words(outcome.study.levels[1], outcome.study.levels[3])
+    what = axis.in_words(*outcome.study.levels.intensity)
     rows = [(name, *(factor(each, level) for level in levels)) for name, each in of.items()]
     return table(f"Factors by which the motions are scaled to levels of the {what}",
                  ("motion", *(axis.of_level(outcome.study, level) for level in levels)), rows)

@@ -1,8 +1,8 @@
-"""Pictures of a study: fragility, answers, which input matters, answers over time and along linings."""
+"""Pictures of a study: fragility, answers, joints in detail, which input matters, answers over time and along linings."""
 from adit.plots import png
-from adit.study.pictures import answers, fragility, inputs, linings, over_time
+from adit.study.pictures import answers, detail, fragility, inputs, linings, over_time
 
-CHAPTERS = {"fragility": fragility.curves, "answers": answers.drawings, "inputs": inputs.indices, "time": over_time.histories,
+CHAPTERS = {"fragility": fragility.curves, "answers": answers.drawings, "detail": detail.joints, "inputs": inputs.indices, "time": over_time.histories,
             "linings": linings.envelopes}
 
 

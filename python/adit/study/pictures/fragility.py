@@ -79,7 +79,7 @@ def state(outcome, number, each, ends):
 def on_levels(outcome):
     """Whether the motions are scaled to levels of the intensity that fragility is told over."""
     levels = outcome.study.levels
-    return levels is not None and outcome.study.intensity == (levels[1], levels[3], "")
+    return levels is not None and outcome.study.intensity == levels.intensity
 
 
 def observed(outcome, states):
