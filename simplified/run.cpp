@@ -14,6 +14,7 @@
 #include "simplified/output/results.hpp"
 #include "simplified/run_summary.hpp"
 #include "simplified/scene/joint.hpp"
+#include "simplified/scene/liquefaction.hpp"
 #include "simplified/zoom/write.hpp"
 
 namespace adit::simplified {
@@ -110,6 +111,7 @@ Setup set_up(const scene::Scene& scene) {
   setup.scene = &scene.simplified();
   setup.clock = clock_of(scene);
   if (setup.scene->has_ground()) check(setup.scene->ground());
+  check_liquefaction(*setup.scene);
   if (setup.scene->model() == Scene::COLUMN)
     set_up_column(setup);
   else

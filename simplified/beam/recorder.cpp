@@ -54,8 +54,9 @@ Recorder::Recorder(const Stepper& stepper, const RunOptions& options, Results& r
   const Structure& structure = stepper.structure();
   const std::size_t elements = structure.elements.size();
   for (std::size_t e = 0; e < elements; ++e) results.chainage.push_back(structure.middle(e));
-  for (Envelope* envelope : {&results.axial_force, &results.moment_lateral, &results.moment_vertical,
-                             &results.shear_lateral, &results.shear_vertical, &results.strain})
+  for (Envelope* envelope :
+       {&results.axial_force, &results.moment_lateral, &results.moment_vertical, &results.shear_lateral,
+        &results.shear_vertical, &results.strain, &results.vertical_displacement, &results.pressure_ratio})
     *envelope = empty_envelope(elements);
   for (std::size_t j = 0; j < stepper.joints().size(); ++j) {
     JointResult joint;
@@ -89,8 +90,9 @@ void Recorder::record(long step) {
   const Energy& e = stepper_.energy();
   const double error = e.error();
   largest_error_ = std::max(largest_error_, std::abs(error));
-  largest_energy_ = std::max({largest_energy_, std::abs(e.input), std::abs(e.kinetic), std::abs(e.strain),
-                              std::abs(e.soil), std::abs(e.joints), std::abs(e.loads), e.slip, e.dashpots});
+  largest_energy_ =
+      std::max({largest_energy_, std::abs(e.input), std::abs(e.kinetic), std::abs(e.strain), std::abs(e.soil),
+                std::abs(e.joints), std::abs(e.loads), e.slip, e.weakening, e.dashpots});
   // Only a gain stops the run: a loss is the numerical damping of a scheme like HHT and cannot blow up.
   if (error > kLargestGrowth * largest_energy_ + kSmallestEnergy)
     throw protocol::Unstable(
@@ -110,6 +112,10 @@ void Recorder::update_envelopes(double time) {
     widen(results_.shear_vertical, e, f.shear_vertical, f.shear_vertical, time);
     // The fibres on both sides count: one gives the least strain, the other the greatest.
     widen(results_.strain, e, f.strain_low, f.strain_high, time);
+    const double z = stepper_.structure().middle_displacement(e, kVertical, stepper_.displacement());
+    widen(results_.vertical_displacement, e, z, z, time);
+    const double ratio = stepper_.soil().pressure_ratio(e);
+    widen(results_.pressure_ratio, e, ratio, ratio, time);
   }
 }
 
@@ -141,6 +147,7 @@ Record Recorder::snapshot(double time, std::span<const std::size_t> elements) co
     record.moment_vertical.push_back(forces_[e].moment_vertical);
     record.shear_lateral.push_back(forces_[e].shear_lateral);
     record.shear_vertical.push_back(forces_[e].shear_vertical);
+    record.pressure_ratio.push_back(stepper_.soil().pressure_ratio(e));
   }
   for (std::size_t j = 0; j < stepper_.joints().size(); ++j)
     record.joints.push_back(stepper_.joints().action(j, stepper_.displacement()));

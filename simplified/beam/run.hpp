@@ -39,6 +39,7 @@ struct Record {
   std::vector<double> moment_vertical;  // [N m]
   std::vector<double> shear_lateral;    // [N]
   std::vector<double> shear_vertical;   // [N]
+  std::vector<double> pressure_ratio;   // of the ground
   std::vector<JointAction> joints;      // of every joint
 };
 
@@ -60,6 +61,7 @@ struct Results {
   std::vector<double> chainage;
   Envelope axial_force, moment_lateral, moment_vertical, shear_lateral, shear_vertical;
   Envelope strain;  // axial strain of the outermost fibre: minimum compressive, maximum tensile
+  Envelope vertical_displacement, pressure_ratio;
   std::vector<JointResult> joints;
   std::vector<Record> histories;  // by record; places are the elements and nodes nearest to the stations
   std::vector<Record> fields;     // by record; places are `chainage`

@@ -51,6 +51,7 @@ Stepper::Stepper(const Tunnel& tunnel, const GroundMotion& motion, const Scheme&
   supports_.push_back(structure_.mesh.nodes.back());
   for (auto* kind : {&ground_.displacement, &ground_.velocity})
     for (auto& values : *kind) values.resize(supports_.size());
+  ground_.pressure_ratio.resize(supports_.size());
   for (auto* vector : {&u0_, &v0_, &a0_, &u1_, &v1_, &a1_, &blended_, &product_, &residual_, &correction_,
                        &reaction0_, &reaction1_, &scaling_})
     vector->resize(structure_.dofs());
@@ -242,8 +243,10 @@ void Stepper::commit() {
   const SoilWork soil = soil_.commit(scheme_);
   energy_.soil += soil.stored;
   energy_.slip += soil.slip;
+  energy_.weakening += soil.weakening;
   energy_.dashpots += soil.dashpots;
   energy_.input += soil.input;
+  energy_.loads += soil.uplift;
   energy_.joints += joints_.commit();
   for (const std::size_t node : structure_.fixed_nodes)
     for (std::size_t i = kDofs * node; i < kDofs * (node + 1); ++i)

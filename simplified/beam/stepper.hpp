@@ -1,5 +1,5 @@
 // The equation of motion of the tube on its springs, step by step:
-//     M a + K u + Σ Nᵀ f_soil(N u − u_g) + Σ Nᵀ c (N v − v_g) + Σ Bᵀ f_joint(B u) = p.
+//     M a + K u + Σ Nᵀ f_soil(N u − u_g) + Σ Nᵀ m c (N v − v_g) + Σ Bᵀ f_joint(B u) = p + Σ Nᵀ r_u p_uplift.
 // Each step is solved for the displacement at its end by Newton's method with the consistent tangent. All
 // forces rise with elongation, so a step minimizes a convex function, and a line search makes Newton's method
 // converge. The matrix is factored again only if Newton's method is slow with the old factor, and then only
@@ -30,6 +30,7 @@ class Stepper {
   std::span<const double> displacement() const { return u0_; }
   const Structure& structure() const { return structure_; }
   const JointSprings& joints() const { return joints_; }
+  const SoilSprings& soil() const { return soil_; }
   const Energy& energy() const { return energy_; }
   long newton_iterations() const { return newton_iterations_; }
   long factorizations() const { return factorizations_; }

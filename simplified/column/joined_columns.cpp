@@ -197,29 +197,36 @@ void JoinedColumns::correct() {
 }
 
 JoinedColumns::Place JoinedColumns::place(std::size_t column, double depth) const {
-  Place place{column, {1}};
-  const std::vector<double> oscillators = shapes_at(columns_[column], depth);
-  place.shapes.insert(place.shapes.end(), oscillators.begin(), oscillators.end());
-  return place;
+  const auto with_base = [](double of_base, std::vector<double> of_oscillators) {
+    of_oscillators.insert(of_oscillators.begin(), of_base);
+    return of_oscillators;
+  };
+  return {column, with_base(1, shapes_at(columns_[column], depth)),
+          with_base(0, stresses_at(columns_[column], depth))};
 }
 
-double JoinedColumns::sum(const Place& place, const std::vector<double>& coordinates) const {
-  const double* own = coordinates.data() + first_[place.column];
+double JoinedColumns::sum(std::size_t column, const std::vector<double>& factors,
+                          const std::vector<double>& coordinates) const {
+  const double* own = coordinates.data() + first_[column];
   double sum = 0;
-  for (std::size_t n = 0; n < place.shapes.size(); ++n) sum += place.shapes[n] * own[n];
+  for (std::size_t n = 0; n < factors.size(); ++n) sum += factors[n] * own[n];
   return sum;
 }
 
 double JoinedColumns::displacement(const Place& place) const {
-  return ground_displacement_[place.column] + sum(place, displacement_);
+  return ground_displacement_[place.column] + sum(place.column, place.shapes, displacement_);
 }
 
 double JoinedColumns::velocity(const Place& place) const {
-  return ground_velocity_[place.column] + sum(place, velocity_);
+  return ground_velocity_[place.column] + sum(place.column, place.shapes, velocity_);
 }
 
 double JoinedColumns::acceleration(const Place& place) const {
-  return ground_acceleration_[place.column] + sum(place, acceleration_);
+  return ground_acceleration_[place.column] + sum(place.column, place.shapes, acceleration_);
+}
+
+double JoinedColumns::stress(const Place& place) const {
+  return sum(place.column, place.stresses, displacement_);
 }
 
 }  // namespace adit::simplified::column

@@ -60,7 +60,8 @@ class JoinedColumns {
   // A place in a column, with the values of the shapes there.
   struct Place {
     std::size_t column;
-    std::vector<double> shapes;  // 1, psi_1 ... psi_N
+    std::vector<double> shapes;    // 1, psi_1 ... psi_N
+    std::vector<double> stresses;  // 0, G psi_1' ... G psi_N'
   };
   Place place(std::size_t column, double depth) const;
 
@@ -68,6 +69,8 @@ class JoinedColumns {
   double displacement(const Place& place) const;
   double velocity(const Place& place) const;
   double acceleration(const Place& place) const;
+  // The stress G du/dz there [Pa], of shear where the columns move horizontally.
+  double stress(const Place& place) const;
 
   std::size_t columns() const { return columns_.size(); }
   const ModalColumn& modal(std::size_t column) const { return columns_[column]; }
@@ -80,7 +83,8 @@ class JoinedColumns {
   void predict();
   void load();
   void correct();
-  double sum(const Place& place, const std::vector<double>& coordinates) const;
+  double sum(std::size_t column, const std::vector<double>& factors,
+             const std::vector<double>& coordinates) const;
 
   std::vector<ModalColumn> columns_;
   std::vector<std::size_t> first_;  // coordinate of each column's base

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "protocol/errors.hpp"
 #include "simplified/beam/run.hpp"
@@ -11,6 +13,7 @@
 #include "simplified/models/solve.hpp"
 #include "simplified/scene/along_chainage.hpp"
 #include "simplified/scene/joint.hpp"
+#include "simplified/scene/liquefaction.hpp"
 
 namespace adit::simplified {
 namespace {
@@ -38,7 +41,13 @@ beam::SoilStation soil_station(const scene::Simplified& scene, double chainage,
   const auto spring = [&](double k) {
     return beam::SoilSpring{k, given.slip_force(), given.hardening(), given.dashpot_time() * k};
   };
-  return {chainage, {spring(stiffness.axial), spring(stiffness.lateral), spring(stiffness.vertical)}};
+  beam::SoilStation station{chainage,
+                            {spring(stiffness.axial), spring(stiffness.lateral), spring(stiffness.vertical)}};
+  if (may_liquefy(scene)) {
+    station.liquefied = given.liquefied();
+    station.uplift = uplift(scene, chainage, section);
+  }
+  return station;
 }
 
 beam::Portal portal(scene::Portal portal) {
@@ -66,10 +75,12 @@ beam::Scheme scheme(const scene::Integration& integration) {
 }
 
 // The ground motion for the beam, whose time steps are those of the field.
-beam::GroundMotion motion_of(const GroundField& ground, const Clock& clock) {
+beam::GroundMotion motion_of(const scene::Simplified& scene, const GroundField& ground, const Clock& clock) {
   std::optional<AlongChainage> along;  // made in the first call, which gives the chainages
-  return [&ground, clock, along](double time, std::span<const double> chainages,
-                                 beam::GroundState& state) mutable {
+  std::vector<double> pressure;
+  if (may_liquefy(scene)) pressure = pressure_at_tunnel(scene, ground);
+  return [&ground, clock, along, pressure](double time, std::span<const double> chainages,
+                                           beam::GroundState& state) mutable {
     if (!along) along.emplace(ground.chainage, std::vector(chainages.begin(), chainages.end()));
     // The time is a product of a step and dt, which division may turn into a number just below the step.
     const auto step = static_cast<std::size_t>(std::lround(time / clock.dt));
@@ -84,6 +95,9 @@ beam::GroundMotion motion_of(const GroundField& ground, const Clock& clock) {
       fill(shaking.displacement, state.displacement[d]);
       fill(shaking.velocity, state.velocity[d]);
     }
+    if (!pressure.empty())
+      along->interpolate_linearly(pressure.data() + step * ground.chainage.size(),
+                                  state.pressure_ratio.data());
   };
 }
 
@@ -94,17 +108,24 @@ Envelope envelope(const char* name, const char* unit, const beam::Envelope& of) 
 Table histories(const scene::Simplified& scene, const std::vector<beam::Record>& records) {
   Table table;
   table.columns = {"time_s"};
+  std::vector<const char*> quantities = {"ux_m",
+                                         "uy_m",
+                                         "uz_m",
+                                         "axial_force_N",
+                                         "moment_lateral_N_m",
+                                         "moment_vertical_N_m",
+                                         "shear_lateral_N",
+                                         "shear_vertical_N"};
+  if (may_liquefy(scene)) quantities.push_back("pressure_ratio");
   for (const scene::Station& station : scene.stations())
-    for (const char* quantity : {"ux_m", "uy_m", "uz_m", "axial_force_N", "moment_lateral_N_m",
-                                 "moment_vertical_N_m", "shear_lateral_N", "shear_vertical_N"})
-      table.columns.push_back(station.name() + "_" + quantity);
+    for (const char* quantity : quantities) table.columns.push_back(station.name() + "_" + quantity);
   for (const beam::Record& record : records) {
     auto& row = table.rows.emplace_back(1, record.time);
+    const std::array values = {&record.displacement[0], &record.displacement[1], &record.displacement[2],
+                               &record.axial_force,     &record.moment_lateral,  &record.moment_vertical,
+                               &record.shear_lateral,   &record.shear_vertical,  &record.pressure_ratio};
     for (std::size_t s = 0; s < static_cast<std::size_t>(scene.stations_size()); ++s)
-      for (const auto* values :
-           {&record.displacement[0], &record.displacement[1], &record.displacement[2], &record.axial_force,
-            &record.moment_lateral, &record.moment_vertical, &record.shear_lateral, &record.shear_vertical})
-        row.push_back((*values)[s]);
+      for (std::size_t q = 0; q < quantities.size(); ++q) row.push_back((*values[q])[s]);
   }
   return table;
 }
@@ -165,7 +186,7 @@ beam::Results run(const scene::Simplified& scene, const Line& line, const Ground
   for (const scene::Station& station : scene.stations()) options.stations.push_back(station.chainage());
   const beam::Tunnel tunnel = beam_model(scene, line);
   try {
-    return beam::run(tunnel, motion_of(ground, clock), options);
+    return beam::run(tunnel, motion_of(scene, ground, clock), options);
     // The kernels know nothing of the scene, so their paths are repeated in the message below the scene's
     // path.
   } catch (const UserError& error) {
@@ -209,6 +230,10 @@ Response solve_beam(const scene::Simplified& scene, const Line& line, const Grou
                         envelope("shear_lateral", "N", results.shear_lateral),
                         envelope("shear_vertical", "N", results.shear_vertical),
                         envelope("strain", "", results.strain)};
+  if (may_liquefy(scene)) {
+    response.envelopes.push_back(envelope("uplift", "m", results.vertical_displacement));
+    response.envelopes.push_back(envelope("pressure_ratio", "", results.pressure_ratio));
+  }
   response.joints = joints(line, results.joints);
   response.histories = histories(scene, results.histories);
   response.fields = fields(results);

@@ -10,6 +10,7 @@
 #include "simplified/chain/simulation.hpp"
 #include "simplified/scene/along_chainage.hpp"
 #include "simplified/scene/joint.hpp"
+#include "simplified/scene/liquefaction.hpp"
 
 namespace adit::simplified {
 namespace {
@@ -60,6 +61,11 @@ void check_limits_of_the_chain(const scene::Simplified& scene) {
     throw UserError("simplified.soil_springs.slip_force",
                     "needs the model beam, because the chain's ground springs are linear; leave it out or "
                     "write `model: beam`");
+  if (may_liquefy(scene))
+    throw UserError(
+        "simplified.ground",
+        "has a layer with `liquefaction`, which needs the model beam, because the chain's ground springs "
+        "do not weaken; leave it out or write `model: beam`");
   if (!scene.tunnel().inertia())
     throw UserError(
         "simplified.tunnel.inertia",

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "simplified/column/modes/modes.hpp"
 #include "simplified/models/solve.hpp"
@@ -30,6 +31,11 @@ Envelope fundamental_frequencies(const scene::Ground& ground, const std::vector<
     envelope.least.push_back(column::modes(column.deposit, 1)[0].frequency / (2 * std::numbers::pi));
   envelope.greatest = envelope.least;
   return envelope;
+}
+
+// Of the layer, counted from 1 as in soil_profile.csv.
+std::string pressure_name(const LayerPressure& layer) {
+  return "pressure_ratio_layer_" + std::to_string(layer.number + 1);
 }
 
 // The steps of the rows: every `stride`, and the last.
@@ -68,6 +74,16 @@ Response solve_column(const scene::Simplified& scene, const GroundField& ground,
         response.histories.rows[row].insert(response.histories.rows[row].end(),
                                             {shaking.displacement[at], shaking.acceleration[at]});
       }
+    }
+  }
+  for (const LayerPressure& layer : ground.pressure) {
+    const std::size_t places = ground.chainage.size();
+    response.envelopes.push_back(envelope(pressure_name(layer), "", layer.ratio, places));
+    for (const scene::Station& station : scene.stations()) {
+      response.histories.columns.push_back(station.name() + "_" + pressure_name(layer));
+      for (std::size_t row = 0; row < rows.size(); ++row)
+        response.histories.rows[row].push_back(
+            layer.ratio[rows[row] * places + nearest(ground.chainage, station.chainage())]);
     }
   }
   response.figures = {{"columns", static_cast<double>(ground.chainage.size())}};

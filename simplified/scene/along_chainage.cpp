@@ -42,4 +42,9 @@ void AlongChainage::interpolate(const double* values, double* to) {
   }
 }
 
+void AlongChainage::interpolate_linearly(const double* values, double* to) const {
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    to[i] = points_[i].a * values[points_[i].before] + points_[i].b * values[points_[i].before + 1];
+}
+
 }  // namespace adit::simplified

@@ -19,6 +19,8 @@ class AlongChainage {
 
   // Sets to[i] to the value at chainage i, from one value for each place.
   void interpolate(const double* values, double* to);
+  // The same along straight lines, for values that must not leave the range of those at the places.
+  void interpolate_linearly(const double* values, double* to) const;
 
  private:
   // The value between the places k and k + 1 is a v_k + b v_k+1 + c v''_k + d v''_k+1.

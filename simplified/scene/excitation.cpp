@@ -10,6 +10,7 @@
 #include "protocol/motion/excitation/stations.hpp"
 #include "protocol/motion/processing/processing.hpp"
 #include "protocol/stop_signals.hpp"
+#include "simplified/scene/liquefaction.hpp"
 #include "simplified/scene/tunnel.hpp"
 
 namespace adit::simplified {
@@ -40,15 +41,32 @@ Shaking direct(const std::vector<Motion>& motions, double factor, std::size_t st
   return shaking;
 }
 
+// The places whose shear stress raises the pressure of a layer; in columns without wet sand, the surface,
+// which has none.
+std::vector<column::JoinedColumns::Place> places_in_sand(const scene::Ground& scene, int layer,
+                                                         const std::vector<column::Column>& columns,
+                                                         const column::JoinedColumns& ground) {
+  std::vector<column::JoinedColumns::Place> places;
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    const auto sand = wet_sand(scene, profile_at(scene, columns[j].chainage), layer);
+    places.push_back(ground.place(j, sand ? sand->middle() : 0));
+  }
+  return places;
+}
+
 // The motions are those of the rock; soil columns transmit them to the depth of the tunnel.
 Shaking through_ground(const scene::Simplified& scene, const std::vector<column::Column>& columns,
-                       const std::vector<Motion>& motions, double factor, std::size_t steps) {
+                       const std::vector<Motion>& motions, double factor, std::size_t steps,
+                       const std::vector<int>& sands) {
   column::JoinedColumns ground(columns, scene.ground().joined(), motions[0].dt, "simplified.ground.profiles");
   std::vector<column::JoinedColumns::Place> places;
   for (std::size_t j = 0; j < columns.size(); ++j)
     places.push_back(ground.place(j, axis_depth(scene.tunnel(), columns[j].chainage)));
+  std::vector<std::vector<column::JoinedColumns::Place>> in_sand;
+  for (const int layer : sands) in_sand.push_back(places_in_sand(scene.ground(), layer, columns, ground));
   Shaking shaking;
   resize(shaking, columns.size(), steps);
+  shaking.stress.assign(sands.size(), std::vector<double>(columns.size() * (steps + 1)));
   for (std::size_t n = 0; n <= steps; ++n)
     for (const Motion& motion : motions) shaking.rock.push_back(factor * motion.acceleration[n]);
   // Row 0 of the ground's motion stays zero: the columns begin at rest.
@@ -60,6 +78,7 @@ Shaking through_ground(const scene::Simplified& scene, const std::vector<column:
       shaking.displacement[at] = ground.displacement(places[j]);
       shaking.velocity[at] = ground.velocity(places[j]);
       shaking.acceleration[at] = ground.acceleration(places[j]);
+      for (std::size_t k = 0; k < in_sand.size(); ++k) shaking.stress[k][at] = ground.stress(in_sand[k][j]);
     }
   }
   return shaking;
@@ -104,13 +123,18 @@ GroundField shake(const scene::Simplified& scene, const Motion& motion, double b
                                     .seed = incidence.coherency().seed()});
   });
   for (Motion& station : motions) station = motion::lasting(station, motion.dt * static_cast<double>(steps));
+  const std::vector<int> sands = scene.has_ground() ? liquefiable_layers(scene.ground()) : std::vector<int>{};
   for (const Direction direction : {kAxial, kLateral, kVertical}) {
     if (factors[direction] == 0) continue;
-    field.shaking[direction] = excitation.through_ground()
-                                   ? through_ground(scene, columns(scene.ground(), begin, end, direction),
-                                                    motions, factors[direction], steps)
-                                   : direct(motions, factors[direction], steps);
+    field.shaking[direction] =
+        excitation.through_ground()
+            ? through_ground(scene, columns(scene.ground(), begin, end, direction), motions,
+                             factors[direction], steps, direction == kVertical ? std::vector<int>{} : sands)
+            : direct(motions, factors[direction], steps);
   }
+  for (const int layer : sands)
+    field.pressure.push_back({layer, std::vector<double>(field.chainage.size() * (steps + 1))});
+  raise_pressure(scene, field);
   return field;
 }
 

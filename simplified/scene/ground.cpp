@@ -8,7 +8,6 @@
 
 #include "protocol/errors.hpp"
 #include "simplified/scene/along_chainage.hpp"
-#include "simplified/scene/tunnel.hpp"
 
 namespace adit::simplified {
 namespace {
@@ -53,19 +52,25 @@ column::Deposit deposit(const scene::Ground& ground, double chainage, Direction 
   return deposit;
 }
 
-// Mean of G (1 - nu) / (3 - 4 nu) between two depths; the lowest layer continues below its bottom.
-double mean_modulus(const scene::SoilProfile& profile, double top, double bottom) {
-  double sum = 0, begin = 0;
-  for (const scene::Layer& layer : profile.layers()) {
-    const bool lowest = &layer == &*profile.layers().rbegin();
-    // The profile ends at the rock, and a tunnel may reach below it.
-    const double end = lowest ? bottom : std::min(bottom, begin + layer.thickness());
-    const double nu = layer.poisson_ratio();
-    const double modulus = layer.density() * layer.shear_velocity() * layer.shear_velocity();
-    sum += std::max(0.0, end - std::max(begin, top)) * modulus * (1 - nu) / (3 - 4 * nu);
-    begin += layer.thickness();
-  }
-  return sum / (bottom - top);
+// G (1 - nu) / (3 - 4 nu)
+double spring_modulus(const scene::Layer& layer) {
+  const double nu = layer.poisson_ratio();
+  const double modulus = layer.density() * layer.shear_velocity() * layer.shear_velocity();
+  return modulus * (1 - nu) / (3 - 4 * nu);
+}
+
+void blend_liquefaction(scene::Layer& layer, const scene::Layer& other, const Bracket& at) {
+  const auto weakness = [](const scene::Layer& of) {
+    return of.has_liquefaction() ? 1 / of.liquefaction().cyclic_resistance() : 0;
+  };
+  const double blended = at.blend(weakness(layer), weakness(other));
+  if (blended == 0) return layer.clear_liquefaction();
+  const double exponent = !layer.has_liquefaction() ? other.liquefaction().exponent()
+                          : !other.has_liquefaction()
+                              ? layer.liquefaction().exponent()
+                              : at.blend(layer.liquefaction().exponent(), other.liquefaction().exponent());
+  layer.mutable_liquefaction()->set_cyclic_resistance(1 / blended);
+  layer.mutable_liquefaction()->set_exponent(exponent);
 }
 
 }  // namespace
@@ -99,6 +104,7 @@ scene::SoilProfile profile_at(const scene::Ground& ground, double chainage) {
     layer.set_density(at.blend(layer.density(), other.density()));
     layer.set_poisson_ratio(at.blend(layer.poisson_ratio(), other.poisson_ratio()));
     layer.set_damping_ratio(at.blend(layer.damping_ratio(), other.damping_ratio()));
+    blend_liquefaction(layer, other, at);
   }
   return profile;
 }
@@ -112,6 +118,20 @@ std::vector<column::Column> columns(const scene::Ground& ground, double begin, d
     columns.push_back({chainage, deposit(ground, chainage, direction), ground.modes()});
   }
   return columns;
+}
+
+double mean_over(const scene::SoilProfile& profile, Heights heights,
+                 const std::function<double(const scene::Layer&)>& value) {
+  const auto [top, bottom] = heights;
+  double sum = 0, begin = 0;
+  for (const scene::Layer& layer : profile.layers()) {
+    const bool lowest = &layer == &*profile.layers().rbegin();
+    // The profile ends at the rock, and a tunnel may reach below it.
+    const double end = lowest ? bottom : std::min(bottom, begin + layer.thickness());
+    sum += std::max(0.0, end - std::max(begin, top)) * value(layer);
+    begin += layer.thickness();
+  }
+  return sum / (bottom - top);
 }
 
 SoilStiffness soil_stiffness(const scene::Simplified& scene, double chainage, const scene::Section& section) {
@@ -128,9 +148,8 @@ SoilStiffness soil_stiffness(const scene::Simplified& scene, double chainage, co
         "simplified.soil_springs",
         "needs `wavelength` to derive the stiffnesses that are not given; write for example `wavelength: "
         "400 m`");
-  const double depth = axis_depth(scene.tunnel(), chainage), half = section.height() / 2;
-  const double modulus =
-      mean_modulus(profile_at(scene.ground(), chainage), std::max(0.0, depth - half), depth + half);
+  const double modulus = mean_over(profile_at(scene.ground(), chainage),
+                                   heights(scene.tunnel(), chainage, section), spring_modulus);
   const double derived = 16 * std::numbers::pi * modulus * section.width() / given.wavelength();
   return {given.has_axial() ? given.axial() : derived, given.has_lateral() ? given.lateral() : derived,
           given.has_vertical() ? given.vertical() : derived};

@@ -120,4 +120,15 @@ double axis_depth(const scene::Tunnel& tunnel, double chainage) {
   return at.blend(tunnel.axis(at.before).depth(), tunnel.axis(at.after).depth());
 }
 
+const scene::Section& section_at(const scene::Tunnel& tunnel, double chainage) {
+  int s = 0;
+  while (s + 1 < tunnel.sections_size() && tunnel.sections(s).to() < chainage) ++s;
+  return tunnel.sections(s);
+}
+
+Heights heights(const scene::Tunnel& tunnel, double chainage, const scene::Section& section) {
+  const double depth = axis_depth(tunnel, chainage), half = section.height() / 2;
+  return {std::max(0.0, depth - half), depth + half};
+}
+
 }  // namespace adit::simplified

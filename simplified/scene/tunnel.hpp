@@ -28,4 +28,13 @@ Line divide(const scene::Tunnel& tunnel);
 // Depth of the axis below the ground's surface [m].
 double axis_depth(const scene::Tunnel& tunnel, double chainage);
 
+// The section at a chainage; where two meet, the first of them. Beyond the portals, that of the portal.
+const scene::Section& section_at(const scene::Tunnel& tunnel, double chainage);
+
+// The depths between which a section lies there, below the ground's surface [m].
+struct Heights {
+  double top, bottom;
+};
+Heights heights(const scene::Tunnel& tunnel, double chainage, const scene::Section& section);
+
 }  // namespace adit::simplified

@@ -12,6 +12,7 @@
 #include "protocol/scene/writer.hpp"
 #include "protocol/text.hpp"
 #include "simplified/scene/along_chainage.hpp"
+#include "simplified/scene/liquefaction.hpp"
 #include "simplified/zoom/places.hpp"
 #include "simplified/zoom/plan_scene.hpp"
 #include "simplified/zoom/site.hpp"
@@ -65,6 +66,11 @@ void check_zoom(const Setup& setup, const std::string& place) {
     throw UserError("--zoom",
                     "needs the model beam, whose joints it models closely; write `model: beam`, or leave it "
                     "out: the ground at the worst places is written for every model");
+  if (may_liquefy(*setup.scene))
+    throw UserError(
+        "--zoom",
+        "writes soil springs that stay as they are, but a layer states `liquefaction`; leave it out: the "
+        "ground at the worst places is written for every scene");
   if (setup.line.joints.empty())
     throw UserError("--zoom", "needs a joint to model closely, but `tunnel.joints` are missing; give them");
   if (!setup.scene->has_zoom())

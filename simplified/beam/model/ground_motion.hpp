@@ -12,10 +12,13 @@ namespace adit::simplified::beam {
 struct GroundState {
   std::array<std::vector<double>, 3> displacement;  // [m]
   std::array<std::vector<double>, 3> velocity;      // [m/s]
+  // By point: the share of the effective pressure at rest that the pore pressure has taken, 1 in liquefied
+  // ground.
+  std::vector<double> pressure_ratio;
 };
 
 // Fills the state, which has the size of `chainages` [m] (ascending, the same in every call of a run), for a
-// time [s].
+// time [s]. The pressure ratio may be left as it is, at first 0.
 using GroundMotion = std::function<void(double time, std::span<const double> chainages, GroundState& state)>;
 
 // Motions known at stations and equal steps of time; linear between stations and between steps, constant

@@ -72,6 +72,9 @@ void check_soil(const Tunnel& tunnel) {
   for (std::size_t i = 0; i < soil.size(); ++i) {
     const std::string path = fmt::format("soil[{}]", i);
     for (int d = 0; d < 3; ++d) check_spring(soil[i].springs[d], fmt::format("{}.springs[{}]", path, d));
+    require(soil[i].liquefied > 0 && soil[i].liquefied <= 1, path + ".liquefied",
+            fmt::format("must be above 0 and at most 1, got {:g}", soil[i].liquefied));
+    require(std::isfinite(soil[i].uplift), path + ".uplift", "a load must be finite");
     if (i > 0)
       require(soil[i].chainage >= soil[i - 1].chainage, path + ".chainage",
               fmt::format("stations must be in order: {:g} m follows {:g} m", soil[i].chainage,

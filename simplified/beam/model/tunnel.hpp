@@ -43,11 +43,14 @@ struct SoilSpring {
   double dashpot = 0;                                           // [N s/m²]
 };
 
-// The ground at a chainage; linear between stations, a jump is two stations at one chainage. Stations
-// are in order and reach from portal to portal.
+// The ground at a chainage; with the pressure ratio its springs and dashpots weaken linearly, to the share
+// `liquefied` at 1, and a load grows, to `uplift` at 1. Linear between stations, a jump is two stations at
+// one chainage. Stations are in order and reach from portal to portal.
 struct SoilStation {
   double chainage = 0;
   std::array<SoilSpring, 3> springs;  // by Direction
+  double liquefied = 1;               // share of stiffness, slip force and dashpot
+  double uplift = 0;                  // [N/m], downward if negative
 };
 
 // A joint across which the tube is cut: springs in parallel, at points of the cross-section.

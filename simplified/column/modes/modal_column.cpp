@@ -15,4 +15,11 @@ std::vector<double> shapes_at(const ModalColumn& column, double depth) {
   return shapes;
 }
 
+std::vector<double> stresses_at(const ModalColumn& column, double depth) {
+  std::vector<double> stresses;
+  for (const Mode& mode : column.modes)
+    stresses.push_back(mode.participation * stress(column.deposit, mode, depth));
+  return stresses;
+}
+
 }  // namespace adit::simplified::column

@@ -29,4 +29,8 @@ ModalColumn modal_column(const Deposit& deposit, std::size_t count);
 // psi_n at depth z [m], one value for each mode; zero at the rock and below.
 std::vector<double> shapes_at(const ModalColumn& column, double depth);
 
+// G psi_n' at depth z within the deposit [Pa/m]: the shear stress is their sum over q_n. That of the
+// dashpots, which is 2 xi_n of it at the resonance of mode n and a quarter of a cycle away, is left out.
+std::vector<double> stresses_at(const ModalColumn& column, double depth);
+
 }  // namespace adit::simplified::column

@@ -95,6 +95,24 @@ Mode mode_of(const Deposit& deposit, double frequency) {
   return mode;
 }
 
+struct WaveAt {
+  Harmonic wave;  // with s counted from the depth
+  double modulus;
+};
+
+// Within the deposit; zero at the rock and below.
+WaveAt wave_at(const Deposit& deposit, const Mode& mode, double depth) {
+  double top = 0;
+  for (std::size_t i = 0; i < deposit.layers.size(); ++i) {
+    const Layer& layer = deposit.layers[i];
+    if (depth < top + layer.thickness)
+      return {further_down({mode.amplitudes[i], mode.frequency / layer.wave_velocity}, depth - top),
+              layer.modulus()};
+    top += layer.thickness;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<Mode> modes(const Deposit& deposit, std::size_t count) {
@@ -104,15 +122,12 @@ std::vector<Mode> modes(const Deposit& deposit, std::size_t count) {
 }
 
 double shape(const Deposit& deposit, const Mode& mode, double depth) {
-  double top = 0;
-  for (std::size_t i = 0; i < deposit.layers.size(); ++i) {
-    const Layer& layer = deposit.layers[i];
-    if (depth < top + layer.thickness)
-      return further_down({mode.amplitudes[i], mode.frequency / layer.wave_velocity}, depth - top)
-          .amplitude.real();
-    top += layer.thickness;
-  }
-  return 0;
+  return wave_at(deposit, mode, depth).wave.amplitude.real();
+}
+
+double stress(const Deposit& deposit, const Mode& mode, double depth) {
+  const WaveAt at = wave_at(deposit, mode, depth);
+  return at.modulus * derivative(at.wave).amplitude.real();
 }
 
 }  // namespace adit::simplified::column

@@ -27,4 +27,7 @@ std::vector<Mode> modes(const Deposit& deposit, std::size_t count);
 // phi at depth z [m]; 0 at the rock and below.
 double shape(const Deposit& deposit, const Mode& mode, double depth);
 
+// The stress G phi' of the mode at depth z [Pa/m], within the deposit.
+double stress(const Deposit& deposit, const Mode& mode, double depth);
+
 }  // namespace adit::simplified::column

@@ -35,6 +35,7 @@ std::vector<double> frequencies(const Tunnel& tunnel) {
   GroundState ground;
   for (auto* kind : {&ground.displacement, &ground.velocity})
     for (auto& values : *kind) values.assign(soil.chainages().size() + 2 * SoilSprings::first_support, 0.0);
+  ground.pressure_ratio = ground.displacement[kAxial];
   // Newmark's tangents are those of the springs; those of mean forces are half as large.
   soil.evaluate(newmark(), rest, rest, ground, forces);
   BlockTridiagonal stiffness = structure.stiffness;

@@ -70,6 +70,17 @@ TEST(UserError, JointsOutOfOrderOrOutside) {
   expect_error(tunnel, "joints[0].hydrostatic_force", "no gasket to carry it");
 }
 
+TEST(UserError, GroundThatLiquefiesOutOfRange) {
+  for (const double share : {0.0, 1.1}) {
+    Tunnel tunnel = good();
+    tunnel.soil[1].liquefied = share;
+    expect_error(tunnel, "soil[1].liquefied", "above 0 and at most 1");
+  }
+  Tunnel tunnel = good();
+  tunnel.soil[0].uplift = std::numeric_limits<double>::infinity();
+  expect_error(tunnel, "soil[0].uplift", "must be finite");
+}
+
 TEST(UserError, ValuesOutOfRange) {
   Tunnel tunnel = good();
   tunnel.sections[1].area = 0;

@@ -35,10 +35,11 @@ void expect_delayed_outcrop(const char* direction, double velocity) {
   const scene::Scene scene = half_space(direction, velocity * kDelay);
   const simplified::Setup setup = set_up(scene);
   const Response response = solve(setup, shake(setup));
+  const motion::Motion outcrops = motion::lasting(setup.motion.motion, scene.time().duration());
   const auto delay = static_cast<std::size_t>(std::lround(kDelay / kStep));
   double largest = 0, difference = 0;
   for (std::size_t n = delay; n < response.histories.rows.size(); ++n) {
-    const double outcrop = setup.motion.motion.acceleration[n - delay];
+    const double outcrop = outcrops.acceleration[n - delay];
     largest = std::max(largest, std::abs(outcrop));
     difference = std::max(difference, std::abs(response.histories.rows[n][2] - outcrop));
   }
