@@ -35,6 +35,11 @@ DAMAGE_SETS = {
         states=(DamageState("minor", 1.0), DamageState("moderate", 1.5), DamageState("extensive", 2.5), DamageState("collapse", 3.5)),
         source="S.A. Argyroudis, K.D. Pitilakis: Seismic fragility curves of shallow tunnels in alluvial deposits. "
                "Soil Dynamics and Earthquake Engineering 35 (2012) 1-12"),
+    "metro_station_drift": DamageSet(
+        of="the largest drift of a storey of a box over its height",
+        states=(DamageState("slight", 0.0014), DamageState("moderate", 0.0032), DamageState("severe", 0.0066), DamageState("collapse", 0.0112)),
+        source="Seismic vulnerability evaluation of metro station complex structures in TOD mode based on IDA method. Buildings 15 (2025) 699; "
+               "from a pushover of one station"),
 }
 
 HAZUS = "Hazus Earthquake Model Technical Manual 5.1 (FEMA 2022), as in SimCenter's Damage and Loss Model Library, rows "
