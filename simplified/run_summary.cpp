@@ -58,6 +58,12 @@ void print(const scene::Scene& scene, const Setup& setup, const Response& respon
   for (const Place& place : largest_responses(response))
     print(fmt::format("largest {:<10} {:.4g} {} at {:.1f} m\n", place.name, place.value, place.unit,
                       place.chainage));
+  if (const Envelope* uplift = find(response, "uplift"), *pressure = find(response, "pressure_ratio");
+      uplift && pressure) {
+    const Peak highest = peak(response.chainage, *uplift), most = peak(response.chainage, *pressure);
+    print(fmt::format("largest uplift     {:.4g} m at {:.1f} m\n", highest.value, highest.chainage));
+    print(fmt::format("pressure ratio     up to {:.2g}, at {:.1f} m\n", most.value, most.chainage));
+  }
   print(fmt::format("wall time          {:.2f} s for {:g} s of motion ({:.0f} times as fast)\n", wall_s,
                     scene.time().duration(), scene.time().duration() / wall_s));
 }

@@ -14,6 +14,13 @@ QUANTITIES = (
     ("lateral_displacement", "m", "lateral displ.", "m"),
     ("lateral_acceleration", "m_per_s2", "lateral acc.", "m/s²"),
 )
+# Of a single run in ground that liquefies, in which the tunnel floats.
+OF_LIQUEFIED_GROUND = (
+    QUANTITIES[0],
+    ("moment_vertical", "N_m", "vertical moment", "N m"),
+    ("uplift", "m", "uplift", "m"),
+    ("pressure_ratio", "", "pressure ratio", ""),
+)
 SHOWN = 4  # panels below the soil at most
 APART = {"w_pad": 0.1, "h_pad": 0.06, "wspace": 0.06}  # so that labels touch neither the edge nor other panels
 BESIDE = {"loc": "upper left", "bbox_to_anchor": (1.01, 1.0)}  # of a panel: its legend
@@ -62,7 +69,8 @@ def _along_the_axis(runs, of, title):
     tables = [table(run, "envelopes.csv") for run in runs]
     if any(t is None for t in tables):
         raise Unusable(f"{runs[0].folder} lacks envelopes.csv: run the scene again.")
-    rows = [q for q in QUANTITIES if any(f"{q[0]}_max_{q[1]}" in t for t in tables)][:SHOWN]
+    floats = len(runs) == 1 and "pressure_ratio_max" in tables[0]
+    rows = [q for q in (OF_LIQUEFIED_GROUND if floats else QUANTITIES) if any(_columns(q)[1] in t for t in tables)][:SHOWN]
     joints = [table(run, "joints.csv") for run in runs]
     with_joints = any(j is not None for j in joints)
     units = [_unit(tables, quantity) for quantity in rows]
@@ -86,29 +94,34 @@ def _along_the_axis(runs, of, title):
     return Drawing(of, title, Panels(count, 1, (9, 1.9 * count + 0.6), sharex=True, pads=APART), paint)
 
 
+def _columns(quantity):
+    """The columns of its least and its greatest values."""
+    column, unit = quantity[:2]
+    return [f"{column}_{end}{'_' * bool(unit)}{unit}" for end in ("min", "max")]
+
+
 def _unit(tables, quantity):
     """Divisor and name of the unit in which the largest value of a quantity is at least 1."""
-    column, unit, _, base = quantity
-    names = [f"{column}_{end}_{unit}" for end in ("min", "max")]
-    largest = max(np.max(np.abs(values[name])) for values in tables for name in names if name in values)
+    base = quantity[3]
+    largest = max(np.max(np.abs(values[name])) for values in tables for name in _columns(quantity) if name in values)
     if not base.startswith("N") or largest < 1e3:
         return 1, base
     return (1e6, f"M{base}") if largest >= 1e6 else (1e3, f"k{base}")
 
 
 def _draw_envelope(axes, values, quantity, shown, color, name, both):
-    (column, unit, label, _), (divisor, symbol) = quantity, shown
-    if f"{column}_max_{unit}" not in values:
+    label, (divisor, symbol) = quantity[2], shown
+    if not all(name in values for name in _columns(quantity)):
         return
     chainage = values["chainage_m"] / 1e3
-    least, greatest = values[f"{column}_min_{unit}"] / divisor, values[f"{column}_max_{unit}"] / divisor
+    least, greatest = (values[name] / divisor for name in _columns(quantity))
     if both:
         axes.fill_between(chainage, least, greatest, color=style.SKY, alpha=0.35, lw=0)
         axes.plot(chainage, least, color=style.BLUE, lw=0.8, label="least")
         axes.plot(chainage, greatest, color=style.RED, lw=0.8, label="greatest")
     else:
         axes.plot(chainage, np.maximum(np.abs(least), np.abs(greatest)), color=color, lw=0.9, label=name)
-    axes.set_ylabel(f"{label} [{symbol}]")
+    axes.set_ylabel(f"{label} [{symbol}]" if symbol else label)
 
 
 def _draw_openings(axes, joints, color):

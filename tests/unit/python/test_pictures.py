@@ -9,7 +9,7 @@ from matplotlib.colors import to_rgb
 
 from adit import Table
 from adit.plots import (colour_pictures, deformation, lining_pictures, model_pictures, particle_groups, png, spectra_pictures, style,
-                        time_pictures)
+                        time_pictures, tunnel_pictures)
 from adit.plots.colour_scale import Scale
 from adit.plots.drawing import Drawing, Panels, legend
 from adit.plots.particle_shapes import Shapes
@@ -47,6 +47,20 @@ def texts_of(legend):
 def box_of(figure, artist):
     figure.canvas.draw()
     return artist.get_window_extent()
+
+
+class WholeTunnels(PictureTest):
+    def test_of_ground_that_liquefies_the_pressure_and_the_uplift_are_shown(self):
+        columns = ["axial_force_{}_N", "moment_lateral_{}_N_m", "moment_vertical_{}_N_m", "shear_lateral_{}_N", "uplift_{}_m", "pressure_ratio_{}"]
+        values = {"chainage_m": np.arange(3.0), **{name.format(end): np.full(3, 0.5) for name in columns for end in ("min", "max")}}
+
+        def labels(table):
+            run = types.SimpleNamespace(name="tube", folder="tube", has=lambda name: name == "envelopes.csv", table=lambda name: table)
+            return [axes.get_ylabel() for axes in png.figure(tunnel_pictures.envelopes(run)).axes[1:]]
+
+        self.assertEqual(labels(values), ["axial force [N]", "vertical moment [N m]", "uplift [m]", "pressure ratio"])
+        sound = {name: column for name, column in values.items() if not name.startswith(("uplift", "pressure"))}
+        self.assertEqual(labels(sound), ["axial force [N]", "lateral moment [N m]", "lateral shear [N]"])
 
 
 class Titles(PictureTest):
