@@ -24,9 +24,10 @@
 // would count for ever.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
+
+#include "fdm_server/materials/vector_functions.hpp"
 
 namespace adit::fdm {
 
@@ -51,15 +52,9 @@ struct HalfCycle {
   double t, s;            // now
   double from_t, from_s;  // at the last reversal
   double far_t, far_s;    // at the farthest point from there
+  double distance;        // D
   double largest;         // M
   double before;          // D'
-};
-
-struct Way {
-  double length;  // dW
-  // 1 or 0, of a width with which loops over zones become vector code.
-  std::int64_t reverses;  // a reversal counts, and begins the next half cycle
-  std::int64_t widens;    // a grows
 };
 
 // sqrt(t^2 + s^2)
@@ -67,35 +62,46 @@ struct Way {
   return std::sqrt(t * t + s * s);
 }
 
-// Strains by dt and ds.
-[[gnu::always_inline]] inline Way follow(double dt, double ds, HalfCycle& h) {
-  h.t += dt;
-  h.s += ds;
-  const double size = shear_size(h.t, h.s), distance = shear_size(h.t - h.from_t, h.s - h.from_s),
-               farthest = shear_size(h.far_t - h.from_t, h.far_s - h.from_s),
-               back = shear_size(h.t - h.far_t, h.s - h.far_s);
-  h.largest = size > h.largest ? size : h.largest;
-  const double counts = 2 * kReversalShare * h.largest;
-  const auto way = [counts](double d) {
-    const double late = 2 * (d - counts), least = late < d ? late : d;
-    return least > 0 ? least : 0;
-  };
-  const bool advances = distance > farthest, reverses = (distance <= farthest) & (back > counts),
-             moves = advances | reverses, widens = advances & (distance > h.before);
-  const double to = reverses ? back : distance, from = reverses ? 0 : farthest, first = h.before > 0 ? 1 : 2;
-  const double ways = way(to) - way(from);
-  h.from_t = reverses ? h.far_t : h.from_t;
-  h.from_s = reverses ? h.far_s : h.from_s;
-  h.far_t = moves ? h.t : h.far_t;
-  h.far_s = moves ? h.s : h.far_s;
-  h.before = reverses ? first * farthest : h.before;
-  return {moves ? ways : 0, reverses, widens};
+// A step of the strain follows in this order. It is `larger` than M; a reversal counts, and begins the next
+// half cycle; the strain goes on from the farthest point. Lengths are compared by their squares where this
+// saves the root.
+[[gnu::always_inline]] inline bool larger(const HalfCycle& h) {
+  return h.t * h.t + h.s * h.s > h.largest * h.largest;
+}
+// G is that of the larger of M and the strain's size.
+[[gnu::always_inline]] inline bool reverses(const HalfCycle& h) {
+  const auto square = [](double t, double s) { return t * t + s * s; };
+  const double size = square(h.t, h.s), most = h.largest * h.largest, largest = size > most ? size : most;
+  return (square(h.t - h.from_t, h.s - h.from_s) <= h.distance * h.distance) &
+         (square(h.t - h.far_t, h.s - h.far_s) > 4 * kReversalShare * kReversalShare * largest);
+}
+[[gnu::always_inline]] inline void reverse(HalfCycle& h) {
+  h.before = h.before > 0 ? h.distance : 2 * h.distance;
+  h.from_t = h.far_t;
+  h.from_s = h.far_s;
+  h.distance = 0;
 }
 
-// d(ev)/dW, which is constant while a is; `settled` is ev0.
-inline double compaction_by_way(const Compaction& law, const HalfCycle& h, double settled) {
-  const double distance = std::hypot(h.far_t - h.from_t, h.far_s - h.from_s);
-  return law.c1 / 4 * std::exp(-law.c2 * settled / (std::max(distance, h.before) / 2));
+struct Way {
+  double length;        // dW
+  std::int64_t widens;  // 1 where a grows, else 0: of a width with which loops over zones become vector code
+};
+[[gnu::always_inline]] inline Way advance(HalfCycle& h) {
+  const double counts = 2 * kReversalShare * h.largest;
+  const auto way = [counts](double d) { return vectors::positive(vectors::smaller(2 * (d - counts), d)); };
+  const double from = h.distance, to = shear_size(h.t - h.from_t, h.s - h.from_s);
+  const bool advances = to > from;
+  h.far_t = advances ? h.t : h.far_t;
+  h.far_s = advances ? h.s : h.far_s;
+  h.distance = vectors::larger(to, from);
+  return {way(h.distance) - way(from), to > vectors::larger(from, h.before)};
+}
+
+// d(ev)/dW, which is constant while a is; `settled` is ev0. 0 before any way.
+[[gnu::always_inline]] inline double compaction_by_way(const Compaction& law, const HalfCycle& h,
+                                                       double settled) {
+  const double amplitude = (h.distance > h.before ? h.distance : h.before) / 2;
+  return amplitude > 0 ? law.c1 / 4 * vectors::exponential(-law.c2 * settled / amplitude) : 0;
 }
 
 }  // namespace adit::fdm

@@ -279,9 +279,9 @@ void Continuum::step_interior(const protocol::Step& step) {
 // Of the pressures that this step ends with, into the next one.
 void Continuum::flow(const protocol::Step& step) {
   if (!flow_ || step.relax) return;
-  zones_.read_excess(excess_);
+  zones_.read_excess(team_, excess_);
   flow_->step(team_, step.dt, excess_, inflow_);
-  zones_.set_inflow(inflow_);
+  zones_.set_inflow(team_, inflow_);
 }
 
 void Continuum::pull(Part& part, const protocol::Step& step) {

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "protocol/kernels/sums.hpp"
+
 namespace adit::fdm {
 namespace {
 
@@ -39,15 +41,22 @@ bool has_passage(const WaterPassages& passages) {
 }  // namespace
 
 Flow::Flow(const Grid& grid, Faces faces, std::span<const double> stiffness)
-    : faces_(std::move(faces)), stiffness_(stiffness.begin(), stiffness.end()), per_area_(grid.zones.size()) {
+    : faces_(std::move(faces)),
+      transmissibilities_(grid.zones.size()),
+      stiffness_(stiffness.begin(), stiffness.end()),
+      per_area_(grid.zones.size()) {
   std::vector<bool> flows(grid.zones.size());
   for (std::uint32_t z = 0; z < grid.zones.size(); ++z) {
     flows[z] = has_passage(faces_.of_zone[z]);
     per_area_[z] = 1 / area(corners(grid, z));
-    for (const WaterPassage& side : faces_.of_zone[z])
-      if (side.beyond == kOpenSide) outlets_.push_back({z, side.transmissibility});
+    for (std::size_t c = 0; c < 4; ++c) {
+      const auto [transmissibility, beyond] = faces_.of_zone[z][c];
+      transmissibilities_[c][z] = transmissibility;
+      if (beyond == kOpenSide) outlets_.push_back({z, transmissibility});
+    }
   }
   chunks_ = pieces(protocol::index_ranges(flows, true));
+  for (const IndexRange& chunk : chunks_) runs_.push_back(lay_out(chunk, faces_.of_zone));
   energies_.resize(chunks_.size());
   if (!faces_.skewed.empty()) {
     const IndexRange all{0, static_cast<std::uint32_t>(faces_.skewed.size())};
@@ -56,6 +65,26 @@ Flow::Flow(const Grid& grid, Faces faces, std::span<const double> stiffness)
     crossing_.resize(grid.zones.size());
   }
   critical_step_ = 1 / largest_row();
+}
+
+std::vector<Flow::Run> Flow::lay_out(const IndexRange& zones, std::span<const WaterPassages> passages) {
+  std::vector<Run> runs;
+  const auto continues = [&](std::uint32_t zone) {
+    if (runs.empty() || runs.back().count == kBatch) return false;
+    for (std::size_t c = 0; c < 4; ++c) {
+      const std::uint32_t first = runs.back().beyond[c];
+      if (passages[zone][c].beyond != (first == kOpenSide ? first : first + runs.back().count)) return false;
+    }
+    return true;
+  };
+  for (std::uint32_t z = zones.begin; z < zones.end; ++z)
+    if (continues(z)) {
+      ++runs.back().count;
+    } else {
+      Run& run = runs.emplace_back(Run{z, 1, {}});
+      for (std::size_t c = 0; c < 4; ++c) run.beyond[c] = passages[z][c].beyond;
+    }
+  return runs;
 }
 
 // Where u is within -1 and 1, |-du/dt| is at most the sum of magnitudes in a row.
@@ -152,20 +181,35 @@ void Flow::factor(double dt) {
   end_.resize(per_area_.size());
 }
 
-// The energy that a zone loses is that of the mean pressure of the step, u + M zeta/2.
 void Flow::gather(protocol::Team& team, double dt, std::span<const double> flowing,
                   std::span<const double> excess, std::span<double> inflow) {
   team.run(chunks_.size(), [&](std::size_t chunk, std::size_t) {
     double energy = 0;
-    for (std::uint32_t z = chunks_[chunk].begin; z < chunks_[chunk].end; ++z) {
-      double rate = crossing_.empty() ? 0 : crossing_[z];
-      for (const WaterPassage& side : faces_.of_zone[z])
-        rate += side.transmissibility * rise(side, flowing, flowing[z]);
-      const double volume = dt * rate;
-      inflow[z] = volume * per_area_[z];
-      energy -= volume * (excess[z] + 0.5 * stiffness_[z] * inflow[z]);
-    }
+    for (const Run& run : runs_[chunk]) energy += gather(run, dt, flowing, excess, inflow);
     energies_[chunk] = energy;
+  });
+}
+
+// The energy that a zone loses is that of the mean pressure of the step, u + M zeta/2.
+double Flow::gather(const Run& run, double dt, std::span<const double> flowing,
+                    std::span<const double> excess, std::span<double> inflow) const {
+  const auto own = [&](std::span<const double> values) { return values.data() + run.first; };
+  const auto beyond = [&](std::size_t c) {
+    return run.beyond[c] == kOpenSide ? zeros_.data() : flowing.data() + run.beyond[c];
+  };
+  const auto transmissibility = [&](std::size_t c) { return own(transmissibilities_[c]); };
+  const double *t0 = transmissibility(0), *t1 = transmissibility(1), *t2 = transmissibility(2),
+               *t3 = transmissibility(3), *u0 = beyond(0), *u1 = beyond(1), *u2 = beyond(2), *u3 = beyond(3);
+  const double *u = own(flowing), *before = own(excess), *stiffness = own(stiffness_),
+               *per_area = own(per_area_), *crossing = crossing_.empty() ? zeros_.data() : own(crossing_);
+  double* zeta = inflow.data() + run.first;
+  return protocol::eight_sums(0, run.count, [&](std::size_t i) {
+    const double rate =
+        (((crossing[i] + t0[i] * (u0[i] - u[i])) + t1[i] * (u1[i] - u[i])) + t2[i] * (u2[i] - u[i])) +
+        t3[i] * (u3[i] - u[i]);
+    const double volume = dt * rate;
+    zeta[i] = volume * per_area[i];
+    return -volume * (before[i] + 0.5 * stiffness[i] * zeta[i]);
   });
 }
 

@@ -22,13 +22,16 @@
 // mobilities 100 to 1 and zones 10 to 1.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "fdm_server/grid/field_arrays.hpp"
 #include "fdm_server/grid/grid.hpp"
 #include "fdm_server/water/faces.hpp"
+#include "fdm_server/zones/batch/batch.hpp"
 #include "protocol/kernels/symmetric_factor.hpp"
 #include "protocol/threads/index_ranges.hpp"
 #include "protocol/threads/team.hpp"
@@ -64,6 +67,13 @@ class Flow {
     double transmissibility;
   };
 
+  // Consecutive zones, at most kBatch, whose neighbours are consecutive, too.
+  struct Run {
+    std::uint32_t first, count;
+    std::array<std::uint32_t, 4> beyond;  // the sides of the first zone, as of WaterPassage
+  };
+
+  static std::vector<Run> lay_out(const protocol::IndexRange& zones, std::span<const WaterPassages> passages);
   double storage(std::size_t zone) const { return 1 / (per_area_[zone] * stiffness_[zone]); }  // [m^2/Pa]
   double largest_row() const;
   void cross(protocol::Team& team, std::span<const double> excess);
@@ -72,10 +82,17 @@ class Flow {
   void gather(protocol::Team& team, double dt, std::span<const double> flowing,
               std::span<const double> excess, std::span<double> inflow);
 
+  // Of a run: adds up the inflow, and returns the energy that is lost.
+  double gather(const Run& run, double dt, std::span<const double> flowing, std::span<const double> excess,
+                std::span<double> inflow) const;
+
   Faces faces_;
   std::vector<Outlet> outlets_;
   std::vector<protocol::IndexRange> chunks_, skewed_chunks_;  // of zones with passages, of faces_.skewed
-  std::vector<double> stiffness_, per_area_;                  // of each zone: M [Pa], 1/area [1/m^2]
+  std::vector<std::vector<Run>> runs_;                        // of each chunk
+  FieldArrays<4> transmissibilities_;                         // of each zone's sides
+  BatchValues zeros_{};
+  std::vector<double> stiffness_, per_area_;  // of each zone: M [Pa], 1/area [1/m^2]
   double critical_step_;
   std::vector<Eigen::Vector2d> gradients_;  // of u in skewed zones [Pa/m]; none where no zone is skewed
   std::vector<double> crossing_;            // into each zone by the correction [m^2/s]; likewise

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "fdm_server/zones/batch/zone_kernels.hpp"
@@ -15,12 +16,15 @@ namespace {
 
 std::unique_ptr<ZoneKernel> make_kernel(ZoneKind kind, const Grid& grid, const Ground& ground,
                                         const Material& material, std::span<const double> weights,
-                                        std::span<const double> strengths) {
-  if (ground.is_elastic(material))
+                                        std::span<const double> strengths, PoreWater* water) {
+  if (ground.is_elastic(material) && !water)
     return std::make_unique<ElasticZones>(kind, grid, ground.plane_law(material), weights,
                                           ground.plane_stress ? 0 : material.poisson, material.fracture,
                                           strengths);
-  return std::make_unique<NonlinearZones>(kind, grid, material, weights, ground.large_strain, strengths);
+  auto kernel =
+      std::make_unique<NonlinearZones>(kind, grid, material, weights, ground.large_strain, strengths);
+  kernel->hold(water);
+  return kernel;
 }
 
 std::vector<std::uint32_t> numbers_of(const Ground& ground, std::size_t material,
@@ -90,13 +94,14 @@ void ZoneSet::add_parts(ZoneKind kind, const Grid& grid, const Ground& ground,
       if (strong) strengths.push_back(ground.strength_of(z) / factor);
     }
     const Grid own = some_zones(grid, numbers);
-    auto kernel = make_kernel(kind, own, ground, material, own_weights, strengths);
-    std::optional<PoreWater> water;
+    std::unique_ptr<PoreWater> water;
     if (material.pores) {
-      std::vector<double> whole;  // weights without the stiffness
+      std::vector<double> whole, shares;  // weights without the stiffness; its inverse
       for (const auto z : numbers) whole.push_back(weights[z]);
-      water.emplace(own, material.pores->stiffness, whole, ground.large_strain);
+      for (const double factor : stiffness) shares.push_back(1 / factor);
+      water = std::make_unique<PoreWater>(own, material.pores->stiffness, whole, shares, ground.large_strain);
     }
+    auto kernel = make_kernel(kind, own, ground, material, own_weights, strengths, water.get());
     add_part({std::move(kernel), std::move(numbers), std::move(stiffness), std::move(water)});
   }
 }
@@ -145,7 +150,7 @@ void ZoneSet::add_forces(std::span<const ZoneRun> runs, double dt, const PointVi
     const auto part = runs.front().part;
     const auto own = std::ranges::find_if(runs, [part](const ZoneRun& run) { return run.part != part; });
     const auto count = static_cast<std::size_t>(own - runs.begin());
-    parts_[part].add_forces(runs.first(count), dt, points);
+    parts_[part].kernel->add_forces(runs.first(count), dt, points);
     runs = runs.subspan(count);
   }
 }
@@ -160,18 +165,13 @@ void ZoneSet::add_forces_of(const std::vector<bool>& zones, double dt, const Poi
   for (auto& part : parts_) {
     std::vector<bool> others = part.own(zones);
     others.flip();
-    part.add_forces(without(part.kernel->runs(), others), dt, points);
+    part.kernel->add_forces(without(part.kernel->runs(), others), dt, points);
   }
 }
 
 void ZoneSet::Part::follow(const double* ux, const double* uy) {
   kernel->follow(ux, uy);
   if (water) water->follow(ux, uy);
-}
-
-void ZoneSet::Part::add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) {
-  kernel->add_forces(runs, dt, points);
-  if (water) water->add_forces(runs, dt, points);
 }
 
 void ZoneSet::Part::remove(const std::vector<bool>& gone) {
@@ -319,20 +319,25 @@ std::optional<double> ZoneSet::water_pressure(std::size_t zone) const {
 }
 
 bool ZoneSet::any_water() const {
-  return std::ranges::any_of(parts_, [](const Part& part) { return part.water.has_value(); });
+  return std::ranges::any_of(parts_, [](const Part& part) { return part.water != nullptr; });
 }
 
-void ZoneSet::read_excess(std::span<double> excess) const {
-  for (const auto& part : parts_)
-    if (part.water)
-      for (std::size_t z = 0; z < part.numbers.size(); ++z) excess[part.numbers[z]] = part.water->excess(z);
+void ZoneSet::read_excess(protocol::Team& team, std::span<double> excess) const {
+  team.run(pieces_.size(), [&](std::size_t i, std::size_t) {
+    const auto& [part, zones] = pieces_[i];
+    const auto& [numbers, water] = std::tie(parts_[part].numbers, parts_[part].water);
+    for (std::uint32_t z = zones.begin; water && z < zones.end; ++z) excess[numbers[z]] = water->excess(z);
+  });
 }
 
-void ZoneSet::set_inflow(std::span<const double> inflow) {
+void ZoneSet::set_inflow(protocol::Team& team, std::span<const double> inflow) {
   for (auto& part : parts_)
-    if (part.water)
-      for (std::size_t z = 0; z < part.numbers.size(); ++z)
-        part.water->set_inflow(z, inflow[part.numbers[z]]);
+    if (part.water) part.water->begin_flow();
+  team.run(pieces_.size(), [&](std::size_t i, std::size_t) {
+    const auto& [part, zones] = pieces_[i];
+    const auto& [numbers, water] = std::tie(parts_[part].numbers, parts_[part].water);
+    for (std::uint32_t z = zones.begin; water && z < zones.end; ++z) water->set_inflow(z, inflow[numbers[z]]);
+  });
 }
 
 double ZoneSet::pressure_ratio(std::size_t zone) const {

@@ -1,5 +1,5 @@
 // The zones of a grid of one or several materials, by number in the grid. One kernel computes those of each
-// material: elastic ones in small strain the fast kernel (elastic/), others the general one (nonlinear/).
+// material: dry elastic ones in small strain the fast kernel (elastic/), others the general one (nonlinear/).
 // Runs carry the number of their part, so that the choice costs one virtual call for many zones.
 //
 // Zones of one material may differ in stiffness and in strength by factors (Ground). Every law bears f times
@@ -8,8 +8,8 @@
 // strength s times the material's the kernel sees s / f. This costs no more than zones of one stiffness that
 // are weighted.
 //
-// Where the pores of a material hold water, its kernel computes effective stresses, and PoreWater adds the
-// pressure: what goes in and out here, forces too, is total.
+// Where the pores of a material hold water, its kernel computes effective stresses and pulls with the total
+// ones (PoreWater): what goes in and out here is total.
 #pragma once
 
 #include <algorithm>
@@ -71,8 +71,8 @@ class ZoneSet {
   bool any_water() const;
   // What flow asks and tells: the growth of the pressure since time began [Pa], 0 of dry ground; the volume
   // of water that comes into each zone in the next step, over that of the zone.
-  void read_excess(std::span<double> excess) const;
-  void set_inflow(std::span<const double> inflow);
+  void read_excess(protocol::Team& team, std::span<double> excess) const;
+  void set_inflow(protocol::Team& team, std::span<const double> inflow);
   // The growth over the effective vertical pressure when time began.
   double pressure_ratio(std::size_t zone) const;
   // The team calls see(numbers, stresses) for the stresses of these zones, batch by batch for all zones.
@@ -87,15 +87,14 @@ class ZoneSet {
   };
   struct Part {
     std::unique_ptr<ZoneKernel> kernel;
-    std::vector<std::uint32_t> numbers;  // of its zones in the grid
-    std::vector<double> stiffness;       // factors of its zones; empty: all 1
-    std::optional<PoreWater> water = {};
+    std::vector<std::uint32_t> numbers;     // of its zones in the grid
+    std::vector<double> stiffness;          // factors of its zones; empty: all 1
+    std::unique_ptr<PoreWater> water = {};  // which the kernel holds
 
     // Flags of the grid's zones as flags of the part's, whose kernel and runs count zones from 0.
     std::vector<bool> own(const std::vector<bool>& zones) const;
     double factor(std::size_t zone) const { return stiffness.empty() ? 1 : stiffness[zone]; }
     void follow(const double* ux, const double* uy);
-    void add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points);
     void remove(const std::vector<bool>& gone);
     double pressure(std::size_t zone) const { return water ? water->pressure(zone) : 0; }
     // Of a batch, from what its kernel computes: its stiffness, and the water's pressure.

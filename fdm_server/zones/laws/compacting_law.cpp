@@ -5,54 +5,104 @@
 namespace adit::fdm {
 namespace {
 
-// From one zone on.
-struct HalfCycleView {
-  double *t, *s, *from_t, *from_s, *far_t, *far_s, *largest, *before;
+using Flags = std::array<std::int64_t, kBatch>;
+
+// From one zone on: HalfCycle, ev at the last reversal, d(ev)/dW, ev.
+struct Memory {
+  double *t, *s, *from_t, *from_s, *far_t, *far_s, *distance, *largest, *before, *settled, *by_way,
+      *compaction;
+
+  [[gnu::always_inline]] HalfCycle half_cycle(std::uint32_t i) const {
+    return {t[i], s[i], from_t[i], from_s[i], far_t[i], far_s[i], distance[i], largest[i], before[i]};
+  }
 };
 
-struct WayBatch {
-  BatchValues& length;
-  alignas(64) std::array<std::int64_t, kBatch> reverses, changes;  // changes: the compaction by way
-};
+[[gnu::always_inline]] inline bool any(const Flags& flags, std::uint32_t count) {
+  std::int64_t all = 0;
+  for (std::uint32_t i = 0; i < count; ++i) all |= flags[i];
+  return all != 0;
+}
 
-// Says whether any changes.
-ADIT_VECTOR_CLONES bool follow_batch(const LawStep& step, const HalfCycleView& cycles, WayBatch& way) {
+// Says which strains are larger than any before, or reverse.
+[[gnu::always_inline]] inline bool strain(const LawStep& step, const Memory& memory, Flags& turns) {
   const auto& [a0, a1, a2, a3] = step.areas;
   const auto& [t0, t1, t2, t3] = step.strains.difference;
   const auto& [s0, s1, s2, s3] = step.strains.shear;
-  double* length = way.length.data();
-  const auto [t, s, from_t, from_s, far_t, far_s, largest, before] = cycles;
-  std::int64_t *reverses = way.reverses.data(), *changes = way.changes.data();
-  const std::uint32_t count = step.count;
+  const Memory m = memory;
 #pragma GCC ivdep
-  for (std::uint32_t i = 0; i < count; ++i) {
+  for (std::uint32_t i = 0; i < step.count; ++i) {
     const double by_area = 1 / ((a0[i] + a1[i]) + (a2[i] + a3[i]));
-    HalfCycle h{t[i], s[i], from_t[i], from_s[i], far_t[i], far_s[i], largest[i], before[i]};
-    const Way of_zone =
-        follow(by_area * ((a0[i] * t0[i] + a1[i] * t1[i]) + (a2[i] * t2[i] + a3[i] * t3[i])),
-               by_area * ((a0[i] * s0[i] + a1[i] * s1[i]) + (a2[i] * s2[i] + a3[i] * s3[i])), h);
-    t[i] = h.t;
-    s[i] = h.s;
-    from_t[i] = h.from_t;
-    from_s[i] = h.from_s;
-    far_t[i] = h.far_t;
-    far_s[i] = h.far_s;
-    largest[i] = h.largest;
-    before[i] = h.before;
-    length[i] = of_zone.length;
-    reverses[i] = of_zone.reverses;
-    changes[i] = of_zone.reverses | of_zone.widens;
+    m.t[i] += by_area * ((a0[i] * t0[i] + a1[i] * t1[i]) + (a2[i] * t2[i] + a3[i] * t3[i]));
+    m.s[i] += by_area * ((a0[i] * s0[i] + a1[i] * s1[i]) + (a2[i] * s2[i] + a3[i] * s3[i]));
+    const HalfCycle h = m.half_cycle(i);
+    turns[i] = larger(h) | reverses(h);
   }
-  std::int64_t any = 0;
-  for (std::uint32_t i = 0; i < count; ++i) any |= changes[i];
-  return any != 0;
+  return any(turns, step.count);
 }
 
-ADIT_VECTOR_CLONES void compact_batch(const LawStep& step, double bulk, const BatchValues& way,
-                                      const double* by_way, double* compaction) {
+[[gnu::always_inline]] inline void reverse(std::uint32_t count, const Memory& memory, Flags& reversed) {
+  const Memory m = memory;
+#pragma GCC ivdep
+  for (std::uint32_t i = 0; i < count; ++i) {
+    HalfCycle h = m.half_cycle(i), next = h;
+    const bool turns = reverses(h);
+    fdm::reverse(next);
+    m.from_t[i] = turns ? next.from_t : h.from_t;
+    m.from_s[i] = turns ? next.from_s : h.from_s;
+    m.distance[i] = turns ? next.distance : h.distance;
+    m.before[i] = turns ? next.before : h.before;
+    m.settled[i] = turns ? m.compaction[i] : m.settled[i];
+    m.largest[i] = larger(h) ? shear_size(h.t, h.s) : h.largest;
+    reversed[i] = turns;
+  }
+}
+
+// Says whether any amplitude grows.
+[[gnu::always_inline]] inline bool advance(std::uint32_t count, const Memory& memory, BatchValues& lengths) {
+  const Memory m = memory;
+  Flags widens;
+  double* length = lengths.data();
+#pragma GCC ivdep
+  for (std::uint32_t i = 0; i < count; ++i) {
+    HalfCycle h = m.half_cycle(i);
+    const Way way = fdm::advance(h);
+    m.far_t[i] = h.far_t;
+    m.far_s[i] = h.far_s;
+    m.distance[i] = h.distance;
+    length[i] = way.length;
+    widens[i] = way.widens;
+  }
+  return any(widens, count);
+}
+
+[[gnu::always_inline]] inline void find_compaction_by_way(std::uint32_t count, const Compaction& compaction,
+                                                          const Memory& memory) {
+  const Compaction law = compaction;
+  const Memory m = memory;
+#pragma GCC ivdep
+  for (std::uint32_t i = 0; i < count; ++i)
+    m.by_way[i] = compaction_by_way(law, m.half_cycle(i), m.settled[i]);
+}
+
+// Memory of what seldom changes is written only where it does, for it costs as much to write as to read.
+ADIT_VECTOR_CLONES void follow_batch(const LawStep& step, const Compaction& law, const Memory& memory,
+                                     BatchValues& lengths) {
+  Flags turns, reversed;
+  bool changes = false;
+  if (strain(step, memory, turns)) {
+    reverse(step.count, memory, reversed);
+    changes = any(reversed, step.count);
+  }
+  changes |= advance(step.count, memory, lengths);
+  if (changes) find_compaction_by_way(step.count, law, memory);
+}
+
+ADIT_VECTOR_CLONES void compact_batch(const LawStep& step, double bulk, const BatchValues& lengths,
+                                      const Memory& memory) {
   const auto& [a0, a1, a2, a3] = step.areas;
-  const double *volume = step.strains.volume.data(), *length = way.data();
-  double *mean = step.stresses.mean, *across = step.stresses.across, *dissipated = step.dissipated;
+  const double *volume = step.strains.volume.data(), *length = lengths.data(), *by_way = memory.by_way;
+  double *mean = step.stresses.mean, *across = step.stresses.across, *dissipated = step.dissipated,
+         *compaction = memory.compaction;
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < step.count; ++i) {
     const double p = (2 * mean[i] + across[i]) * (1.0 / 3);
@@ -71,37 +121,14 @@ ADIT_VECTOR_CLONES void compact_batch(const LawStep& step, double bulk, const Ba
 
 void CompactingLaw::advance(const LawStep& step) {
   if (counts_) {
-    BatchValues way;
-    follow_strains(step, way);
-    compact(step, way);
+    const auto of = [&](Field which) { return field(which, step.first); };
+    const Memory memory{of(kT),        of(kS),       of(kFromT),  of(kFromS),   of(kFarT),  of(kFarS),
+                        of(kDistance), of(kLargest), of(kBefore), of(kSettled), of(kByWay), of(kCompaction)};
+    BatchValues lengths;
+    follow_batch(step, compaction_, memory, lengths);
+    compact_batch(step, elasticity_.bulk, lengths, memory);
   }
   law_->advance(step);
-}
-
-HalfCycle CompactingLaw::half_cycle(std::size_t zone) const {
-  return {memory_.at(kT, zone),       memory_.at(kS, zone),     memory_.at(kFromT, zone),
-          memory_.at(kFromS, zone),   memory_.at(kFarT, zone),  memory_.at(kFarS, zone),
-          memory_.at(kLargest, zone), memory_.at(kBefore, zone)};
-}
-
-void CompactingLaw::follow_strains(const LawStep& step, BatchValues& length) {
-  WayBatch way{length, {}, {}};
-  const std::size_t first = step.first;
-  if (!follow_batch(step,
-                    {field(kT, first), field(kS, first), field(kFromT, first), field(kFromS, first),
-                     field(kFarT, first), field(kFarS, first), field(kLargest, first), field(kBefore, first)},
-                    way))
-    return;
-  for (std::uint32_t i = 0; i < step.count; ++i) {
-    if (!way.changes[i]) continue;
-    const std::size_t zone = first + i;
-    if (way.reverses[i]) memory_.at(kSettled, zone) = memory_.at(kCompaction, zone);
-    memory_.at(kByWay, zone) = compaction_by_way(compaction_, half_cycle(zone), memory_.at(kSettled, zone));
-  }
-}
-
-void CompactingLaw::compact(const LawStep& step, const BatchValues& way) {
-  compact_batch(step, elasticity_.bulk, way, field(kByWay, step.first), field(kCompaction, step.first));
 }
 
 // Strains turn as stresses do (zone_kernels.hpp).

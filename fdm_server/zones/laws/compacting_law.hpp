@@ -70,6 +70,7 @@ class CompactingLaw final : public ZoneLaw {
     kFromS,
     kFarT,
     kFarS,
+    kDistance,
     kLargest,
     kBefore,
     kSettled,
@@ -77,12 +78,7 @@ class CompactingLaw final : public ZoneLaw {
     kCompaction,
     kFields
   };
-  HalfCycle half_cycle(std::size_t zone) const;
   double* field(Field which, std::size_t first) { return &memory_.at(which, first); }
-  // Follows the strain: the way that compacts of each zone.
-  void follow_strains(const LawStep& step, BatchValues& way);
-  // Compacts by the way.
-  void compact(const LawStep& step, const BatchValues& way);
 
   std::unique_ptr<ZoneLaw> law_;
   Compaction compaction_;

@@ -15,6 +15,7 @@ NonlinearZones::NonlinearZones(ZoneKind kind, const Grid& grid, const Material& 
     : kind_(kind),
       elasticity_(material.elasticity()),
       poisson_(material.poisson),
+      linear_(material.linear() && !large_strain),
       bending_factor_(bending_factor(plane_strain(material.young, material.poisson))),
       weights_(weights.begin(), weights.end()),
       stresses_(weights.size()),
@@ -51,6 +52,7 @@ struct NonlinearZones::Batch {
   ShapeBatch shapes;                    // undeformed
   const SamplingShape* same = nullptr;  // what all of `shapes` is
   StrainBatch strains;
+  BatchValues pressures, mean;  // of the water; of the total stress
   CornerForces forces;
 };
 
@@ -119,8 +121,16 @@ void NonlinearZones::compute(Batch& b) {
   const StressView stresses = view(stresses_, b.first);
   find_strains(kind_, b.count, b.shapes, b.moved, b.strains);
   law_->advance({b.first, b.count, b.shapes.point_area, b.strains, stresses, &dissipated_[b.first]});
-  find_forces(kind_, b.count, b.shapes, b.shapes, view(std::as_const(stresses_), b.first), &weights_[b.first],
-              b.forces);
+  if (water_) water_->advance(b.first, b.count, b.strains.volume, b.pressures);
+  find_forces(kind_, b.count, b.shapes, b.shapes, total(b), &weights_[b.first], b.forces);
+}
+
+ConstStressView NonlinearZones::total(Batch& b) const {
+  ConstStressView stresses = view(stresses_, b.first);
+  if (!water_) return stresses;
+  for (std::uint32_t i = 0; i < b.count; ++i) b.mean[i] = stresses.mean[i] - b.pressures[i];
+  stresses.mean = b.mean.data();
+  return stresses;
 }
 
 void NonlinearZones::compute_in_large_strain(Batch& b) {
@@ -135,14 +145,21 @@ void NonlinearZones::compute_in_large_strain(Batch& b) {
   find_shapes(kind_, b.count, corners, 0.5, bending_factor_, deformed);
   find_half_turns(b.count, deformed, b.moved, turns);
   find_strains(kind_, b.count, deformed, b.moved, b.strains);
+  if (water_) {
+    BatchValues growths;  // of the undeformed area
+    for (std::uint32_t i = 0; i < b.count; ++i)
+      growths[i] = b.strains.volume[i] * (deformed.area[i] / b.shapes.area[i]);
+    water_->advance(b.first, b.count, growths, b.pressures);
+  }
   turn(b.count, turns, stresses);
   law_->turn(b.first, b.count, turns);
   law_->advance({b.first, b.count, b.shapes.point_area, b.strains, stresses, &dissipated_[b.first]});
   turn(b.count, turns, stresses);
   law_->turn(b.first, b.count, turns);
   find_shapes(kind_, b.count, corners, 0, bending_factor_, deformed);
-  find_forces(kind_, b.count, b.shapes, deformed, view(std::as_const(stresses_), b.first), &weights_[b.first],
-              b.forces);
+  if (water_)
+    for (std::uint32_t i = 0; i < b.count; ++i) b.pressures[i] *= deformed.area[i] / b.shapes.area[i];
+  find_forces(kind_, b.count, b.shapes, deformed, total(b), &weights_[b.first], b.forces);
 }
 
 void NonlinearZones::set_stress(std::size_t zone, const Stress& stress) {
@@ -151,10 +168,10 @@ void NonlinearZones::set_stress(std::size_t zone, const Stress& stress) {
     stresses_[kDifference + k][zone] = (stress.xx - stress.yy) / 2;
     stresses_[kShearStress + k][zone] = stress.xy;
   }
-  set_stress_zz(zone, poisson_ * (stress.xx + stress.yy));
+  set_across(zone, poisson_ * (stress.xx + stress.yy));
 }
 
-void NonlinearZones::set_stress_zz(std::size_t zone, double zz) {
+void NonlinearZones::set_across(std::size_t zone, double zz) {
   stresses_[kAcross][zone] = zz;
   for (std::size_t k = 0; k < 4; ++k) law_->set_stress(zone, k, stress_at(zone, k));
 }

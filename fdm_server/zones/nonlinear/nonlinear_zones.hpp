@@ -30,6 +30,7 @@
 #include "fdm_server/materials/material.hpp"
 #include "fdm_server/zones/kernel/zone_kernel.hpp"
 #include "fdm_server/zones/laws/zone_law.hpp"
+#include "fdm_server/zones/water/pore_water.hpp"
 
 namespace adit::fdm {
 
@@ -39,13 +40,20 @@ class NonlinearZones final : public ZoneKernel {
   NonlinearZones(ZoneKind kind, const Grid& grid, const Material& material, std::span<const double> weights,
                  bool large_strain, std::span<const double> strengths = {});
 
+  // Water in the pores of the zones, which from now on follows their volume and pulls on their points with
+  // them: forces are those of the total stress. What else the kernel is asked for is of the effective one.
+  void hold(PoreWater* water) { water_ = water; }
+
   std::size_t count() const override { return weights_.size(); }
   std::span<const ZoneRun> runs() const override { return runs_; }
   void follow(const double* ux, const double* uy) override;
   using ZoneKernel::add_forces;
   void add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) override;
   void set_stress(std::size_t zone, const Stress& stress) override;
-  void set_stress_zz(std::size_t zone, double zz) override;
+  // Not where the stress is a linear function of the displacements: it is in plane strain.
+  void set_stress_zz(std::size_t zone, double zz) override {
+    if (!linear_) set_across(zone, zz);
+  }
   // In small strain.
   void set_borne(std::size_t zone, const BorneStress& borne) override;
   void remove(const std::vector<bool>& gone) override;
@@ -69,6 +77,9 @@ class NonlinearZones final : public ZoneKernel {
                const PointView& points, Batch& batch) const;
   void compute(Batch& batch);
   void compute_in_large_strain(Batch& batch);
+  // The stress that pulls on the points, with the pressure of the batch.
+  ConstStressView total(Batch& batch) const;
+  void set_across(std::size_t zone, double zz);
   // Undeformed, of the points of zones.
   PointValues areas(std::size_t first, std::uint32_t count) const;
   PointStress stress_at(std::size_t zone, std::size_t point) const;
@@ -80,6 +91,7 @@ class NonlinearZones final : public ZoneKernel {
   ZoneKind kind_;
   Elasticity elasticity_;
   double poisson_;
+  bool linear_;
   double bending_factor_;
   std::vector<ZoneRun> runs_;
   std::vector<SamplingShape> shapes_;      // undeformed
@@ -91,6 +103,7 @@ class NonlinearZones final : public ZoneKernel {
   StressFields stresses_;
   std::vector<double> dissipated_;  // of each zone, unweighted
   std::unique_ptr<ZoneLaw> law_;
+  PoreWater* water_ = nullptr;
   std::optional<YieldCone> fracture_;  // of cells of its material
   std::vector<double> strengths_;      // factors
 };

@@ -1,85 +1,55 @@
 #include "fdm_server/zones/water/pore_water.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "protocol/threads/vector_clones.hpp"
 
 namespace adit::fdm {
 namespace {
 
-using Corners4 = std::array<const double*, 4>;
-
-// Some zones of a run: what they hold from the first of them on, and their corners.
+// From one zone on.
 struct Water {
-  const double *rest, *inflow, *weight, *area, *dx, *dy, *ex, *ey;
+  const double *rest, *inflow, *share;
   double *excess, *lost;
-  Corners4 vx, vy, ux, uy;
 };
 
-// Pressures and forces at the end of a step in which the corners moved by dt v. `stiffness`: 0 where the
-// water is not sealed in.
-template <bool kLarge>
-[[gnu::always_inline]] inline void push(std::uint32_t count, double dt, double stiffness, const Water& water,
-                                        CornerForces& forces) {
-  const auto [rest, inflow, weight, area, dx, dy, ex, ey, excess, lost, vx, vy, ux, uy] = water;
-  const auto [vx0, vx1, vx2, vx3] = vx;
-  const auto [vy0, vy1, vy2, vy3] = vy;
-  const auto [ux0, ux1, ux2, ux3] = ux;
-  const auto [uy0, uy1, uy2, uy3] = uy;
-  auto& [fx, fy] = forces;
+// `stiffness`: 0 where the water is not sealed in.
+template <bool kFlows>
+[[gnu::always_inline]] inline void advance(std::uint32_t count, double stiffness, const Water& water,
+                                           const BatchValues& growths, BatchValues& pressures) {
+  const auto [rest, inflow, share, excess, lost] = water;
+  const double* growth = growths.data();
+  double* pressure = pressures.data();
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < count; ++i) {
-    const double mdx = dt * (vx2[i] - vx0[i]), mex = dt * (vx3[i] - vx1[i]);
-    const double mdy = dt * (vy2[i] - vy0[i]), mey = dt * (vy3[i] - vy1[i]);
-    double ndx = dx[i], ndy = dy[i], nex = ex[i], ney = ey[i];  // at the end
-    double hdx = ndx, hdy = ndy, hex = nex, hey = ney;          // half way
-    if constexpr (kLarge) {
-      ndx += ux2[i] - ux0[i];
-      ndy += uy2[i] - uy0[i];
-      nex += ux3[i] - ux1[i];
-      ney += uy3[i] - uy1[i];
-      hdx = ndx - mdx / 2;
-      hdy = ndy - mdy / 2;
-      hex = nex - mex / 2;
-      hey = ney - mey / 2;
-    }
-    const double grown = (hdx * mey + mdx * hey - (hex * mdy + mex * hdy)) / 2;
-    const double before = excess[i], after = before + stiffness * (inflow[i] - grown / area[i]);
+    const double volume = kFlows ? inflow[i] - growth[i] : -growth[i];
+    const double before = excess[i], after = before + stiffness * volume;
     excess[i] = after;
-    lost[i] -= area[i] * ((before + after) / 2 * inflow[i]);
-    const double half = weight[i] * (rest[i] + after) / 2;
-    fx[0][i] = -half * ney;
-    fx[1][i] = half * ndy;
-    fx[2][i] = half * ney;
-    fx[3][i] = -half * ndy;
-    fy[0][i] = half * nex;
-    fy[1][i] = -half * ndx;
-    fy[2][i] = -half * nex;
-    fy[3][i] = half * ndx;
+    if constexpr (kFlows) lost[i] -= (before + after) / 2 * inflow[i];
+    pressure[i] = share[i] * (rest[i] + after);
   }
 }
 
-ADIT_VECTOR_CLONES void push_small(std::uint32_t count, double dt, double stiffness, const Water& water,
-                                   CornerForces& forces) {
-  push<false>(count, dt, stiffness, water, forces);
+ADIT_VECTOR_CLONES void advance_flowing(std::uint32_t count, double stiffness, const Water& water,
+                                        const BatchValues& growths, BatchValues& pressures) {
+  advance<true>(count, stiffness, water, growths, pressures);
 }
 
-ADIT_VECTOR_CLONES void push_large(std::uint32_t count, double dt, double stiffness, const Water& water,
-                                   CornerForces& forces) {
-  push<true>(count, dt, stiffness, water, forces);
-}
-
-Corners4 corners_of(const double* values, const ZoneRun& run, std::uint32_t done) {
-  Corners4 corners;
-  for (std::size_t c = 0; c < 4; ++c) corners[c] = values + run.points[c] + done;
-  return corners;
+ADIT_VECTOR_CLONES void advance_closed(std::uint32_t count, double stiffness, const Water& water,
+                                       const BatchValues& growths, BatchValues& pressures) {
+  advance<false>(count, stiffness, water, growths, pressures);
 }
 
 }  // namespace
 
-PoreWater::PoreWater(const Grid& grid, double stiffness, std::span<const double> weights, bool large_strain)
-    : stiffness_(stiffness), large_strain_(large_strain), fields_(grid.zones.size()), points_(grid.zones) {
+PoreWater::PoreWater(const Grid& grid, double stiffness, std::span<const double> weights,
+                     std::span<const double> shares, bool large_strain)
+    : stiffness_(stiffness),
+      large_strain_(large_strain),
+      fields_(grid.zones.size()),
+      shares_(shares.begin(), shares.end()),
+      points_(grid.zones) {
+  ones_.fill(1);
   std::ranges::copy(weights, fields_[kWeight].begin());
   for (std::size_t z = 0; z < points_.size(); ++z) {
     const Corners at = corners(grid, z);
@@ -101,18 +71,13 @@ void PoreWater::follow(const double* ux, const double* uy) {
   uy_ = uy;
 }
 
-void PoreWater::add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points) {
-  const double stiffness = sealed_ ? stiffness_ : 0;
-  const auto push = large_strain_ ? push_large : push_small;
-  add_batches(
-      runs, points, [&](const ZoneRun& run, std::uint32_t done, std::uint32_t count, CornerForces& forces) {
-        const auto at = [&](Field field) { return &fields_[field][run.first + done]; };
-        push(count, dt, stiffness,
-             {at(kRest), at(kInflow), at(kWeight), at(kArea), at(kDx), at(kDy), at(kEx), at(kEy), at(kExcess),
-              at(kLost), corners_of(points.vx, run, done), corners_of(points.vy, run, done),
-              corners_of(ux_, run, done), corners_of(uy_, run, done)},
-             forces);
-      });
+void PoreWater::advance(std::size_t first, std::uint32_t count, const BatchValues& growths,
+                        BatchValues& pressures) {
+  const auto at = [&](Field field) { return &fields_[field][first]; };
+  const Water water{at(kRest), at(kInflow), shares_.empty() ? ones_.data() : &shares_[first], at(kExcess),
+                    at(kLost)};
+  const auto advance = flows_ ? advance_flowing : advance_closed;
+  advance(count, sealed_ ? stiffness_ : 0, water, growths, pressures);
 }
 
 void PoreWater::remove(const std::vector<bool>& gone) {
@@ -134,6 +99,7 @@ void PoreWater::start_over() {
 
 void PoreWater::exchange(state::Archive& archive) {
   archive("sealed", sealed_);
+  archive("flows", flows_);
   for (const Field field : {kRest, kExcess, kInflow, kLost, kVertical}) archive("water", fields_[field]);
   if (large_strain_)
     for (const Field field : {kDx, kDy, kEx, kEy}) archive("diagonals", fields_[field]);
@@ -175,7 +141,8 @@ double PoreWater::external_work() const {
 
 double PoreWater::dissipated() const {
   double sum = 0;
-  for (std::size_t z = 0; z < points_.size(); ++z) sum += fields_[kWeight][z] * fields_[kLost][z];
+  for (std::size_t z = 0; z < points_.size(); ++z)
+    sum += fields_[kWeight][z] * fields_[kArea][z] * fields_[kLost][z];
   return sum;
 }
 

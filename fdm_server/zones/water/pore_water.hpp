@@ -6,11 +6,14 @@
 // share (sampling_shape.hpp). Sealed in, water follows the volume of the pores and what flows in:
 //   du = M (dz - dA/A),   M = K_w / n,
 // dz being the volume of the inflow over that of the zone. Until the water is sealed in, u stays 0. The
-// corner forces are w p dA/dx_c, w the zone's weight; with the diagonals d = x_2 - x_0 and e = x_3 - x_1,
+// zones' kernel takes p off the mean effective stress, so that what pulls on the corners is the total stress.
+// In large strain, where its stress is Kirchhoff's, that is p times the area over the undeformed one; the
+// change of area comes from the shape half way, which is exact; A stays that of the beginning.
+//
+// For energies, and forces that are asked for: with the diagonals d = x_2 - x_0 and e = x_3 - x_1,
 //   A = (d_x e_y - e_x d_y)/2,   dA/dx_0 = -e_y/2,   dA/dx_1 = d_y/2,   dA/dy_0 = e_x/2,   dA/dy_1 = -d_x/2,
-// and corners 2 and 3 have the negatives of 0 and 1. In small strain the diagonals are those of the grid. In
-// large strain forces have those of the end of the step, and the change of area those half way, which is
-// exact; A stays that of the beginning.
+// and corners 2 and 3 have the negatives of 0 and 1; the corner forces are w p dA/dx_c, w the zone's weight.
+// In small strain the diagonals are those of the grid.
 //
 // Energy: with corner forces of both ends the scheme books the work of (p(n) + p(n+1))/2 against the change
 // of area. Of it A u^2/(2 M) is stored; p_rest times the growth of the area since displacements were 0 is
@@ -25,6 +28,7 @@
 
 #include "fdm_server/grid/field_arrays.hpp"
 #include "fdm_server/grid/grid.hpp"
+#include "fdm_server/zones/batch/batch.hpp"
 #include "fdm_server/zones/kernel/zone_runs.hpp"
 #include "protocol/state/archive.hpp"
 #include "protocol/threads/index_ranges.hpp"
@@ -33,8 +37,10 @@ namespace adit::fdm {
 
 class PoreWater {
  public:
-  // `stiffness`: M [Pa]; 0: the pressure never changes. `weights`: one a zone.
-  PoreWater(const Grid& grid, double stiffness, std::span<const double> weights, bool large_strain);
+  // `stiffness`: M [Pa]; 0: the pressure never changes. `weights`: one a zone. `shares`: what the kernel's
+  // stress is of the stress, one a zone; empty: 1.
+  PoreWater(const Grid& grid, double stiffness, std::span<const double> weights,
+            std::span<const double> shares, bool large_strain);
 
   // The pressure of water at rest [Pa].
   void set_rest(std::size_t zone, double pressure) { fields_[kRest][zone] = pressure; }
@@ -42,10 +48,15 @@ class PoreWater {
   void seal(std::span<const double> vertical);
   // Volume of water that comes in during the next step over that of the zone.
   void set_inflow(std::size_t zone, double inflow) { fields_[kInflow][zone] = inflow; }
+  // Some zone will have an inflow.
+  void begin_flow() { flows_ = true; }
+
+  // A step in which zones `first` … `first + count` grew by these shares of their area: the pressures at its
+  // end, as shares of the kernel's stress.
+  void advance(std::size_t first, std::uint32_t count, const BatchValues& growths, BatchValues& pressures);
 
   // As ZoneKernel explains them.
   void follow(const double* ux, const double* uy);
-  void add_forces(std::span<const ZoneRun> runs, double dt, const PointView& points);
   void remove(const std::vector<bool>& gone);
   void start_over();
   void exchange(state::Archive& archive);
@@ -72,8 +83,10 @@ class PoreWater {
   double growth(std::size_t zone) const;
 
   double stiffness_;
-  bool large_strain_, sealed_ = false;
-  FieldArrays<kFields> fields_;
+  bool large_strain_, sealed_ = false, flows_ = false;
+  FieldArrays<kFields> fields_;  // kLost: over the area
+  std::vector<double> shares_;   // empty: all 1
+  BatchValues ones_;
   std::vector<ZonePoints> points_;
   const double *ux_ = nullptr, *uy_ = nullptr;
 };

@@ -128,7 +128,7 @@ TEST_P(WetZones, LedgerClosesWithInflow) {
     std::vector<double> inflow;
     for (std::size_t z = 0; z < grid_.zones.size(); ++z)
       inflow.push_back(1e-7 * std::sin(0.5 * static_cast<double>(z) + step));
-    zones.set_inflow(inflow);
+    zones.set_inflow(team, inflow);
     at.move(dt);
     zones.add_forces(zones.runs(), dt, at.view());
     for (std::size_t i = 0; i < grid_.x.size(); ++i)
