@@ -272,7 +272,7 @@ void Contacts::settle(Contact& contact, double c, const std::array<double, 2>& f
     if (place.missed() <= kSame * largest) break;
     const double rr = 1 + c * of_normal.by_normal, rs = c * of_normal.by_shear, sr = c * of_shear.by_normal,
                  ss = 1 + c * of_shear.by_shear;
-    const auto go = [&](double part) {
+    const auto go = [&, lead = place.lead, r = place.r, s = place.s](double part) {
       const double way = part / (rr * ss - rs * sr);
       return at({lead[0] + way * (ss * r - rs * s), lead[1] + way * (rr * s - sr * r)});
     };
