@@ -21,10 +21,6 @@ std::optional<double> gravity(const scene::Continuum& continuum) {
   return sum;
 }
 
-protocol::StatedStress stated_stress(const scene::Scene& scene) {
-  return protocol::StatedStress(scene.initial_stress(), scene.has_water() ? &scene.water() : nullptr);
-}
-
 }  // namespace
 
 // In balance d yy/dy + d xy/dx + density * gravity = 0. What is left of it over the height of the ground is
@@ -35,7 +31,7 @@ std::optional<std::string> warn_of_imbalance(const scene::Scene& scene, const Gr
   constexpr double kLittle = 0.05;
   const auto acceleration = gravity(scene.continuum());
   if (!scene.has_initial_stress() || !scene.has_statics() || !acceleration) return std::nullopt;
-  const protocol::StatedStress stated = stated_stress(scene);
+  const protocol::StatedStress stated(scene);
   const auto [y_min, y_max] = std::ranges::minmax(grid.y);
   double whole = 0, lacking = 0, stress = 0;  // integrals over the ground
   for (std::size_t z = 0; z < grid.zones.size(); ++z) {
@@ -60,7 +56,7 @@ std::optional<std::string> warn_of_imbalance(const scene::Scene& scene, const Gr
 }
 
 void set_initial_stress(const scene::Scene& scene, const Grid& grid, ZoneSet& zones) {
-  const protocol::StatedStress stated = stated_stress(scene);
+  const protocol::StatedStress stated(scene);
   for (std::size_t z = 0; z < grid.zones.size(); ++z) {
     const auto [x, y] = centroid(corners(grid, z));
     const auto [xx, yy, xy, zz] = stated.at(x, y, zones.pore_pressure(z));

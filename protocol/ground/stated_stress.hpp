@@ -31,6 +31,9 @@ struct GroundStress {
 
 class StatedStress {
  public:
+  // Of a scene, below its water.
+  explicit StatedStress(const scene::Scene& scene)
+      : StatedStress(scene.initial_stress(), scene.has_water() ? &scene.water() : nullptr) {}
   // `water`: null where there is none. UserError at initial_stress for layers beside components, or out of
   // order, for a line that is none, and for a line below water.
   explicit StatedStress(const scene::Stress& stress, const scene::Water* water = nullptr);

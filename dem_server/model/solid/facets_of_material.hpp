@@ -14,8 +14,9 @@
 
 namespace adit::dem {
 
-// UserError below the material's path for a Poisson's ratio that cells do not reach.
 inline constexpr double kLargestPoissonRatio = 0.45;  // of cells, which deform like a solid up to there
+
+// UserError below the material's path for a Poisson's ratio that cells do not reach.
 CellElasticity elasticity_of(const MaterialAt& material, Plane plane);
 
 // UserError below `path` for strengths of which the compressive one is not the larger, or is not stated or

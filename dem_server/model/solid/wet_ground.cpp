@@ -98,12 +98,10 @@ void require_in_water(const scene::Scene& scene, const Model& model) {
 }
 
 StressAt stated_stress(const scene::Scene& scene) {
+  const protocol::StatedStress stated(scene);
   if (!scene.has_water() || !any_pores(scene))
-    return [stated = protocol::StatedStress(scene.initial_stress())](double x, double y) {
-      return stated.at(x, y);
-    };
-  return [stated = protocol::StatedStress(scene.initial_stress(), &scene.water()), water = scene.water()](
-             double x, double y) {
+    return [stated](double x, double y) { return stated.at(x, y); };
+  return [stated, water = scene.water()](double x, double y) {
     return stated.at(x, y, protocol::pressure_at_rest(water, water.level(), y));
   };
 }

@@ -23,7 +23,7 @@ std::vector<std::string> fill_pores(scene::Scene& scene);
 // elsewhere.
 void require_in_water(const scene::Scene& scene, const Model& model);
 
-// The stress that the scene states, where particles have pores with k0 of the effective one.
+// The stress that the scene states; where particles have pores with k0 of the effective one.
 StressAt stated_stress(const scene::Scene& scene);
 
 }  // namespace adit::dem

@@ -78,6 +78,10 @@ TEST(WetGround, BearsTheTotalStress) {
   const auto stress = stated_stress(scene)(0, -19);
   EXPECT_NEAR(stress.yy, -total, 1e-6);
   EXPECT_NEAR(stress.xx, -(total - pressure) / 2 - pressure, 1e-6);
+  scene.mutable_material()->clear_pores();  // tight ground below the same sea
+  const auto tight = stated_stress(scene)(0, -19);
+  EXPECT_NEAR(tight.yy, -total, 1e-6);
+  EXPECT_NEAR(tight.xx, -total / 2, 1e-6);
 }
 
 TEST(WetGround, RefusesWhatItDoesNotCompute) {
