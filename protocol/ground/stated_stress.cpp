@@ -42,12 +42,6 @@ double top_of(const scene::Stress& stress) {
       ->y();
 }
 
-double lowest_surface(const scene::Stress& stress) {
-  double lowest = top_of(stress);
-  for (const scene::Point& point : stress.surface_line()) lowest = std::min(lowest, point.y());
-  return lowest;
-}
-
 void check(const scene::Stress& stress) {
   if (stress.layers().empty()) {
     const char* of_layers = stress.has_surface()             ? "surface"
@@ -80,16 +74,7 @@ void check(const scene::Stress& stress) {
 StatedStress::StatedStress(const scene::Stress& stress, const scene::Water* water)
     : surface_(stress.layers().empty() ? kInfinity : top_of(stress)), surcharge_(stress.surcharge()) {
   check(stress);
-  if (water && !stress.layers().empty()) {
-    const double sea = pressure_at_rest(*water, water->level(), lowest_surface(stress));
-    if (sea > 0 && !stress.surface_line().empty())
-      throw UserError(
-          "initial_stress.surface_line",
-          fmt::format("lies below the water, whose level is {:g} m; state a level `surface` or the "
-                      "components of the stress",
-                      water->level()));
-    surcharge_ += sea;
-  }
+  if (water) water_ = *water;
   for (const scene::Point& point : stress.surface_line()) line_.emplace_back(point.x(), point.y());
   if (stress.layers().empty()) {
     Piece piece{
@@ -99,7 +84,7 @@ StatedStress::StatedStress(const scene::Stress& stress, const scene::Water* wate
     pieces_.push_back(piece);
     return;
   }
-  double top = surface_, vertical = -surcharge_;
+  double top = surface_, vertical = -load_on(surface_);
   for (const scene::GroundLayer& layer : stress.layers()) {
     const double weight = layer.density() * kStandardGravity;
     const Linear yy{vertical - weight * top, weight};
@@ -108,6 +93,10 @@ StatedStress::StatedStress(const scene::Stress& stress, const scene::Water* wate
     vertical = yy.at(layer.bottom());
     top = layer.bottom();
   }
+}
+
+double StatedStress::load_on(double y) const {
+  return surcharge_ + (water_ ? pressure_at_rest(*water_, water_->level(), y) : 0);
 }
 
 const StatedStress::Piece& StatedStress::piece_at(double y) const {
@@ -123,7 +112,7 @@ GroundStress StatedStress::below_line(double x, double y) const {
     above = std::lerp(y0, right->second, (x - x0) / (right->first - x0));
   }
   const double height = std::min(y, above);
-  double vertical = -surcharge_, horizontal = 0;
+  double vertical = -load_on(above), horizontal = 0;
   for (const Piece& layer : pieces_) {
     const bool last = &layer == &pieces_.back() || height >= layer.bottom;
     const double lower = last ? height : layer.bottom;

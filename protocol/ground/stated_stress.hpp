@@ -8,8 +8,9 @@
 // water, times k0, and the water's again. Water that stands on the surface weighs on it.
 //
 // Below a line instead of a level surface, each place bears the layers between it and the line above it.
-// Layers end at the line, which may lie below some of them. Beside the line's slopes this is not in
-// equilibrium: the horizontal pressure changes along x, and nothing bears it but shear, which statics find.
+// Layers end at the line, which may lie below some of them; the sea is as deep as the line is there. Beside
+// the line's slopes this is not in equilibrium: the horizontal pressure changes along x, and nothing bears it
+// but shear, which statics find.
 #pragma once
 
 #include <optional>
@@ -35,7 +36,7 @@ class StatedStress {
   explicit StatedStress(const scene::Scene& scene)
       : StatedStress(scene.initial_stress(), scene.has_water() ? &scene.water() : nullptr) {}
   // `water`: null where there is none. UserError at initial_stress for layers beside components, or out of
-  // order, for a line that is none, and for a line below water.
+  // order, and for a line that is none.
   explicit StatedStress(const scene::Stress& stress, const scene::Water* water = nullptr);
 
   // `pore_pressure`: of the water in the ground there [Pa], which components do not see.
@@ -54,11 +55,13 @@ class StatedStress {
     std::optional<Linear> zz;
   };
   const Piece& piece_at(double y) const;
+  double load_on(double y) const;  // vertical pressure on a surface there: the surcharge, and the sea's
   GroundStress below_level(double y) const;
   GroundStress below_line(double x, double y) const;
 
   std::vector<Piece> pieces_;  // downwards
   double surface_, surcharge_;
+  std::optional<scene::Water> water_;
   std::vector<std::pair<double, double>> line_;  // from left to right; none: the surface is level
 };
 

@@ -1,6 +1,6 @@
 // Requirement: ground below a gentle slope that starts from the weight of the layers above each place comes
 // to rest with little movement, little of what it takes to put the weight on; a level line is the level
-// surface.
+// surface; below the sea it bears its weight less that of the water.
 #include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
 
@@ -18,12 +18,12 @@ struct Rested {
   std::uint64_t steps;
   double largest;  // displacement [m]
 };
-Rested rested(const std::string& stress, const std::string& models) {
+const std::string kGround = "density: 2000 } ";
+Rested rested(const std::string& stress, const std::string& models, const std::string& ground = kGround) {
   scene::Scene scene;
   EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(
-      "material { young_modulus: 1e8 poisson_ratio: 0.25 density: 2000 } time { duration: 0.01 } statics { "
-      "unbalanced_ratio: 1e-5 count_from_stage: 0 } " +
-          stress + models,
+      "material { young_modulus: 1e8 poisson_ratio: 0.25 " + ground +
+          "time { duration: 0.01 } statics { unbalanced_ratio: 1e-5 count_from_stage: 0 } " + stress + models,
       &scene));
   coupler::Model model = test::local_model(scene);
   coupler::Stepper stepper(model);
@@ -51,6 +51,16 @@ TEST(Slope, ComesToRestWithLittleMovement) {
       rested("initial_stress { surface_line { x: 0 y: 0 } surface_line { x: 40 y: 5 }" + kLayer, kZones);
   const Rested from_nothing = rested("", kZones);
   EXPECT_LT(stated.largest, 0.1 * from_nothing.largest);
+}
+
+// Below the sea it moves as ground that weighs less by the weight of the water would in air.
+TEST(Slope, HasItsBuoyantWeightBelowTheSea) {
+  const std::string line = "initial_stress { surface_line { x: 0 y: 0 } surface_line { x: 40 y: 5 }";
+  const Rested below_sea = rested("water { level: 12 } " + line + kLayer, kZones,
+                                  "density: 2000 pores { porosity: 0.4 saturated_density: 2000 } } ");
+  const Rested buoyant =
+      rested(line + " layers { bottom: -20 density: 1000 k0: 0.5 } } ", kZones, "density: 1000 } ");
+  EXPECT_NEAR(below_sea.largest, buoyant.largest, 0.01 * buoyant.largest);
 }
 
 TEST(Slope, OfNoInclinationIsLevelGround) {

@@ -87,13 +87,22 @@ TEST(StatedStress, HoldsTheWater) {
   EXPECT_NEAR(*wet.zz + pore, (wet.yy + pore) / 2, 1e-6);
   EXPECT_NEAR(below_sea.at(0, -1).xx, below_sea.at(0, -1).yy / 2, 1e-6) << "tight ground under the sea";
   EXPECT_DOUBLE_EQ(StatedStress(parse("xx: -1e3 yy: -2e3"), &water).at(0, 0, 500).xx, -1e3);
-  test::expect_refusal(
-      [&] {
-        StatedStress stated(parse("surface_line { x: 0 y: 4 } surface_line { x: 9 y: 0 } "
-                                  "layers { bottom: -10 density: 2000 k0: 0.5 }"),
-                            &water);
-      },
-      "initial_stress.surface_line", "lies below the water, whose level is 12 m");
+}
+
+// The sea is deeper above the lower parts of a slope, and ends where the slope rises out of it.
+TEST(StatedStress, BearsTheSeaAboveASlope) {
+  scene::Water water;
+  water.set_level(2);
+  const StatedStress slope(parse("surface_line { x: 0 y: 4 } surface_line { x: 8 y: -4 } "
+                                 "layers { bottom: -10 density: 2000 k0: 0.5 }"),
+                           &water);
+  const double ground = 2000 * kStandardGravity, sea = 1000 * kStandardGravity;
+  EXPECT_NEAR(slope.at(1, 1).yy, -2 * ground, 1e-6) << "above the sea";
+  EXPECT_NEAR(slope.at(4, -3).yy, -(2 * sea + 3 * ground), 1e-6);
+  const double pore = pressure_at_rest(water, 2, -6);
+  const GroundStress foot = slope.at(12, -6, pore);
+  EXPECT_NEAR(foot.yy, -(6 * sea + 2 * ground), 1e-6);
+  EXPECT_NEAR(foot.xx + pore, (foot.yy + pore) / 2, 1e-6);
 }
 
 TEST(StatedStress, RefusesWhatContradictsItself) {
