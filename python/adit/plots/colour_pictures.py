@@ -1,4 +1,5 @@
-"""Fields in colours over the undeformed model: peaks over time; displacement, principal stress and yield state at an instant."""
+"""Fields in colours over the undeformed model: peaks over time; displacement, principal stress, yield state and
+pressure of the water at an instant."""
 import numpy as np
 from matplotlib.collections import PolyCollection
 from matplotlib.patches import Patch
@@ -8,8 +9,10 @@ from adit.plots.colour_scale import Scale, number
 from adit.plots.deformation import common_motion, heavy_cells, told
 from adit.plots.drawing import Colours, Drawing, Sheet, legend
 from adit.plots.particle_shapes import Shapes
-from adit.results.rounding import settled
+from adit.results.rounding import STILL, settled
 
+OF_PRESSURE, OF_STRENGTH = "of the effective vertical pressure", "of the strength"
+SHARES = OF_PRESSURE, OF_STRENGTH  # units of what is 0 at rest and 1 at the limit: in every run the scale is from 0 to 1
 HALF_WEIGHT = 0.5  # particles with less weight: the zones below them are shown instead
 
 PEAKS = {  # field: name, unit, size of the unit, function whose largest value is marked
@@ -19,8 +22,8 @@ PEAKS = {  # field: name, unit, size of the unit, function whose largest value i
     "peak_shear_strain": ("largest shear strain", "10⁻³", 1e-3, np.abs),
     "peak_largest_principal_stress_Pa": ("largest principal stress (tension)", "MPa", 1e6, np.positive),
     "peak_smallest_principal_stress_Pa": ("smallest principal stress (compression)", "MPa", 1e6, np.negative),
-    "peak_pressure_ratio": ("largest pressure ratio", "of the effective vertical pressure", 1, np.positive),
-    "peak_demand": ("largest demand", "of the strength", 1, np.positive)}
+    "peak_pressure_ratio": ("largest pressure ratio", OF_PRESSURE, 1, np.positive),
+    "peak_demand": ("largest demand", OF_STRENGTH, 1, np.positive)}
 
 HYSTERETIC = 256
 # Bits of yield_state (fdm_server/materials/solid.hpp) of each kind, its name and colour; the first match counts.
@@ -35,6 +38,7 @@ def peaks(run, time, pieces):
         shown = _with_field(pieces, field)
         if shown:
             values = {kind: piece[field] / size for kind, piece in shown.items()}
+            what = _total(what, pieces)
             yield field.partition("_m_per")[0].removesuffix("_m").removesuffix("_Pa"), _coloured(
                 run, f"{what} until t = {style.instant(time)}", shown, pieces.get("cells"), values, unit, marked)
 
@@ -45,7 +49,9 @@ def displacement(run, time, pieces):
     if not shown:
         return None
     common = common_motion(shown)
-    values = {kind: 1e3 * np.hypot(*(piece["displacement_m"][:, :2] - common).T) for kind, piece in shown.items()}
+    lengths = {kind: np.hypot(*(piece["displacement_m"][:, :2] - common).T) for kind, piece in shown.items()}
+    size = max(np.abs(piece.points).max() for piece in shown.values())
+    values = {kind: 1e3 * settled(length, max(np.hypot(*common), STILL * size)) for kind, length in lengths.items()}
     return _coloured(run, f"displacement at t = {style.instant(time)}{told(common)}", shown, pieces.get("cells"), values, "mm",
                      np.abs)
 
@@ -56,13 +62,28 @@ def principal_stress(run, time, pieces):
     shown = _with_field(pieces, "stress_Pa")
     if not shown:
         return None
-    values = {}
+    values, largest = {}, max(np.abs(piece["stress_Pa"]).max() for piece in shown.values())
     for kind, piece in shown.items():
         xx, yy, xy = piece["stress_Pa"].T
-        values[kind] = ((xx + yy) / 2 + np.hypot((xx - yy) / 2, xy)) / 1e6
+        values[kind] = settled((xx + yy) / 2 + np.hypot((xx - yy) / 2, xy), largest) / 1e6
     near = [shown["particles"]] if "particles" in shown else None
-    return _coloured(run, f"largest principal stress (tension) at t = {style.instant(time)}", shown, pieces.get("cells"), values,
+    what = _total("largest principal stress (tension)", pieces)
+    return _coloured(run, f"{what} at t = {style.instant(time)}", shown, pieces.get("cells"), values,
                      "MPa", np.positive, near)
+
+
+def _total(what, pieces):
+    """The name of a principal stress says that it is the total one where the ground has pores with water."""
+    return what.replace("principal", "total principal") if _with_field(pieces, "pore_pressure_Pa") else what
+
+
+def pore_pressure(run, time, pieces):
+    """The pressure of the water in the pores; None where there is none."""
+    shown = _with_field(pieces, "pore_pressure_Pa")
+    values = {kind: piece["pore_pressure_Pa"] / 1e3 for kind, piece in shown.items()}
+    if not any(each.any() for each in values.values()):
+        return None
+    return _coloured(run, f"pore pressure at t = {style.instant(time)}", shown, None, values, "kPa", np.positive)
 
 
 def pressure_ratio(run, time, pieces):
@@ -72,7 +93,7 @@ def pressure_ratio(run, time, pieces):
         return None
     values = {kind: piece["pressure_ratio"] for kind, piece in shown.items()}
     return _coloured(run, f"pressure ratio of the water at t = {style.instant(time)}", shown, None, values,
-                     "of the effective vertical pressure", np.positive)
+                     OF_PRESSURE, np.positive)
 
 
 def _with_field(pieces, field):
@@ -115,28 +136,33 @@ def _may_yield(run):
 
 
 def _coloured(run, what, pieces, cells, values, unit, marked, near=None):
-    """`cells`: the polygons of the particles, None of discs; `marked`: the largest of this function of the values is marked; `near`: the
-    pieces whose extent is drawn, else all."""
+    """`cells`: the polygons of the particles, None of discs; `marked`: the largest of this function of the values is marked, where they
+    are not the same everywhere; `near`: the pieces whose extent is drawn, else all."""
+    if unit in SHARES:
+        values = {kind: settled(each, 1) for kind, each in values.items()}
     bounds = style.bounds_of(*(piece.points for piece in near or pieces.values()))
     what += style.cut(bounds, pieces)
     heavy = {kind: _heavy(piece, values[kind]) for kind, piece in pieces.items()}
     seen = {kind: heavy[kind] & style.inside(bounds, _places(piece, values[kind])) for kind, piece in pieces.items()}
-    scale = Scale(np.concatenate([values[kind][seen[kind]] for kind in pieces]))
+    scale = Scale(np.concatenate([values[kind][seen[kind]] for kind in pieces]), (0, 1) if unit in SHARES else None)
     norm = scale.look()["norm"]
     colours = Colours("", norm.vmin, norm.vmax, unit)
     value, *place = _largest(pieces, values, seen, marked)
     x, y = (settled(each, max(map(abs, bounds))) for each in place)
-    notes = ((f"○ {number(value)} {unit} at x = {x:.4g} m, y = {y:.4g} m", style.RED), (scale.beyond(unit), style.BLACK))
+    largest = (f"{number(value)} {unit} everywhere", style.BLACK) if scale.is_constant else (
+        f"○ {number(value)} {unit} at x = {x:.4g} m, y = {y:.4g} m", style.RED)
+    notes = (largest, (scale.beyond(unit), style.BLACK))
 
     def paint(axes, beside):
         for kind, piece in pieces.items():
             drawn = _draw(axes, piece, cells, values[kind], heavy[kind], scale)
         bar = axes.figure.colorbar(drawn, extend=scale.extend(), cax=beside, label=colours.label)
-        if scale.low == scale.high:
+        if scale.is_single:
             bar.set_ticks([scale.low])
-        axes.plot(x, y, "o", ms=9, mfc="none", mec=style.RED, mew=1.3, zorder=5, clip_on=False)
+        if not scale.is_constant:
+            axes.plot(x, y, "o", ms=9, mfc="none", mec=style.RED, mew=1.3, zorder=5, clip_on=False)
 
-    return Drawing(run.name, what, Sheet(bounds, has_bar=True), paint, notes, (colours,))
+    return Drawing(run.name, what, Sheet(bounds, has_bar=True), paint, notes, () if scale.is_single else (colours,))
 
 
 def _draw(axes, piece, cells, values, heavy, scale):

@@ -1,12 +1,12 @@
 """Draws a run's pictures, or the models of a case in one picture.
 
 %(prog)s RUN_DIR
-    writes RUN_DIR/pictures/: deformed model, force chains, bonds, cracks, linings, displacement, principal stress and yield state at
-    the field times, eight of them or --all; histories, energy, peaks over time and spectra. A run of a whole tunnel gives
-    envelopes along the axis and motion over time and distance.
+    writes RUN_DIR/pictures/: deformed model, force chains, bonds, cracks, linings, displacement, principal stress, yield state and
+    pore pressure at the field times, eight of them or --all; histories, energy, peaks over time and spectra. A run of a whole
+    tunnel gives envelopes along the axis and motion over time and distance.
 %(prog)s --model SCENE.yaml
-    draws the model before it runs (`coupler check`): materials and groups, stages, joints, supports, boundaries, loads, probes,
-    overlap. The pictures are in runs/CASE/SCENE_model/pictures/. The folder of a `coupler check --out` may replace the scene.
+    draws the model before it runs (`coupler check`): materials and groups, stages, joints, supports, water, boundaries, loads,
+    probes, overlap. The pictures are in runs/CASE/SCENE_model/pictures/. The folder of a `coupler check --out` may replace the scene.
 """
 import subprocess
 import sys
@@ -23,7 +23,7 @@ from adit.plots.setup.checked import Checked
 OF_AN_INSTANT = (model_pictures.force_chains, model_pictures.bonds, crack_pictures.cracks, lining_pictures.lining_forces, lining_pictures.member_forces,
                  lining_pictures.lining_joints, lining_pictures.interfaces,
                  colour_pictures.displacement, colour_pictures.principal_stress, colour_pictures.yield_state,
-                 colour_pictures.pressure_ratio)
+                 colour_pictures.pore_pressure, colour_pictures.pressure_ratio)
 OVER_TIME = (time_pictures.histories, time_pictures.energy, lining_pictures.lining_capacity, lining_pictures.member_capacity,
              lining_pictures.section_capacity)
 

@@ -18,6 +18,9 @@ OF_INTERFACES = (("normal_stress_Pa", "normal stress", "kPa", 1e3), ("shear_stre
 OF_FORCES = (Patch(fc=style.RED, alpha=0.5, label="positive: tension, or the right-hand side of the path stretched"),
              Patch(fc=style.BLUE, alpha=0.5, label="negative"),
              Line2D([], [], color=style.GREY, ls="--", label="least and largest so far"))
+# What has one dimension, and the field of the model that has it, too: beside the largest of them others may be rounding.
+FAMILIES = ((("thrust_N", "moment_Nm", "shear_N"), None), (("normal_stress_Pa", "shear_stress_Pa"), "stress_Pa"),
+            (("opening_m", "offset_m"), "displacement_m"))
 REACH = 0.3  # length at which the largest value is drawn, relative to the size of the lining
 
 
@@ -99,17 +102,18 @@ def interfaces(run, time, pieces):
     """One panel for each quantity of the interfaces, positive values to the right of the path; a row for each layer of linings."""
     return _across(run, pieces.get("interfaces"), OF_INTERFACES, f"interfaces at t = {style.instant(time)}", [
         Patch(fc=style.RED, alpha=0.5, label="positive: tension, or the left face moved along the path"),
-        Patch(fc=style.BLUE, alpha=0.5, label="negative")], _faces)
+        Patch(fc=style.BLUE, alpha=0.5, label="negative")], _faces, pieces.get("grid"))
 
 
-def _across(run, lines, quantities, title, entries, rows_of=_all_in_one):
+def _across(run, lines, quantities, title, entries, rows_of=_all_in_one, grid=None):
+    """`grid`: the zones beside whose fields those of the lines may be rounding."""
     if lines is None or len(lines.cells) == 0:
         return None
     size = max(np.ptp(lines.points, axis=0))
     aside = np.array([max(size - np.ptp(lines.points[:, 0]), 0) / 2, 0])  # beside a column, for titles
     bounds = style.bounds_of(lines.points - REACH * size - aside, lines.points + REACH * size + aside)
     normals, rows = _right_normals(lines), rows_of(run, lines)
-    rounding = {name: ROUNDING * _beside(lines, name, size) for name, *_ in quantities}
+    rounding = {name: ROUNDING * _beside(lines, name, size, grid) for name, *_ in quantities}
 
     def paint(*panels):
         of_panels = [(*row, *quantity) for row in rows for quantity in quantities]
@@ -186,12 +190,14 @@ def _capacity(run, kind, whose, chains_of):
     return Drawing(run.name, f"thrust and moment against the capacity, {whose}", layout, paint)
 
 
-def _beside(lines, name, size):
-    """The largest force that the lines bear, or its moment over their size: beside it a force or moment may be rounding. 0 of others."""
-    lever = {"thrust_N": 1, "moment_Nm": size, "shear_N": 1}
-    if name not in lever:
-        return 0
-    return lever[name] * max(np.abs(values).max() / lever[force] for force, values in _with_peaks(lines, lever))
+def _beside(lines, name, size, grid):
+    """The largest of what has the dimension of a quantity, a moment being a force at a lever as long as the lines: beside it the
+    quantity may be rounding."""
+    names, of_grid = next(family for family in FAMILIES if name in family[0])
+    lever = {each: size if each == "moment_Nm" else 1 for each in names}
+    largest = max(np.abs(values).max() / lever[each] for each, values in _with_peaks(lines, names))
+    field = None if grid is None else grid.field(of_grid)
+    return lever[name] * largest if field is None else max(largest, np.abs(field).max())
 
 
 def _with_peaks(lines, names):

@@ -1,8 +1,11 @@
 """Pictures over time: the histories and the energies of a run."""
+import re
+
 import numpy as np
 
 from adit.plots import style
 from adit.plots.drawing import Drawing, Panels, legend
+from adit.results.rounding import ROUNDING, STILL
 
 LINES = ("-", "--", "-.", (0, (3, 1, 1, 1, 1, 1)))  # line styles of the models, in turn
 KINDS = {"kinetic": style.BLUE, "strain": style.ORANGE, "released": style.PINK, "dissipated": style.RED, "external_work": style.GREEN,
@@ -20,20 +23,32 @@ QUANTITIES = (
     (("pressure_ratio",), "pressure ratio", (("-", 1),)),
     (("sxx_Pa", "syy_Pa", "szz_Pa", "sxy_Pa"), "stress", (("Pa", 1), ("kPa", 1e3), ("MPa", 1e6))),
     (("normal_stress_Pa", "shear_stress_Pa"), "stress of faces", (("Pa", 1), ("kPa", 1e3), ("MPa", 1e6))),
+    (("bar_stress_Pa",), "stress of bars", (("Pa", 1), ("kPa", 1e3), ("MPa", 1e6))),
+    (("demand",), "demand", (("-", 1),)),
     (("exx", "eyy", "gxy"), "strain", (("10⁻⁶", 1e-6), ("10⁻³", 1e-3))),
+    (("exx_per_s", "eyy_per_s", "gxy_per_s"), "strain rate", (("10⁻⁶/s", 1e-6), ("10⁻³/s", 1e-3), ("1/s", 1))),
+    (("contacts",), "coordination", (("-", 1),)),
+    (("porosity",), "porosity", (("-", 1),)),
     (("thrust_N",), "thrust", (("N/m", 1), ("kN/m", 1e3), ("MN/m", 1e6))),
     (("moment_Nm",), "moment", (("N m/m", 1), ("kN m/m", 1e3), ("MN m/m", 1e6))),
     (("shear_N", STRENGTH), "shear force", (("N/m", 1), ("kN/m", 1e3), ("MN/m", 1e6))),
     (("utilisation",), "utilisation", (("-", 1),)),
     (("curvature_per_m",), "curvature", (("10⁻³/m", 1e-3), ("1/m", 1))),
-    (("opening_m", "offset_m"), "opening, offset", (("µm", 1e-6), ("mm", 1e-3), ("m", 1))),
+    (("opening_m", "outer_opening_m", "inner_opening_m", "gasket_opening_m", "offset_m", "ring_offset_m"), "opening, offset",
+     (("µm", 1e-6), ("mm", 1e-3), ("m", 1))),
+    (("bar_slip_m",), "slip of bars", (("µm", 1e-6), ("mm", 1e-3))),
+    (("largest_diameter_change_m", "smallest_diameter_change_m"), "change of diameters", (("µm", 1e-6), ("mm", 1e-3), ("m", 1))),
+    (("largest_diameter_direction_rad",), "direction", (("°", np.pi / 180),)),
     (("tightness",), "tightness of gaskets", (("-", 1),)),
     (("crack_width_m",), "crack width", (("mm", 1e-3),)),
     (("rotation_rad",), "joint rotation", (("10⁻⁶ rad", 1e-6), ("10⁻³ rad", 1e-3))),
-    (("force_N", "fx_N", "fy_N"), "force", (("N", 1), ("kN", 1e3), ("MN", 1e6))),
+    (("force_N", "bolt_force_N", "dowel_force_N", "fx_N", "fy_N"), "force", (("N", 1), ("kN", 1e3), ("MN", 1e6))),
     (("axial_force_N",), "axial force", (("N", 1), ("kN", 1e3), ("MN", 1e6))),
     (("moment_lateral_N_m", "moment_vertical_N_m"), "moment", (("N m", 1), ("kN m", 1e3), ("MN m", 1e6))),
     (("shear_lateral_N", "shear_vertical_N"), "shear force", (("N", 1), ("kN", 1e3), ("MN", 1e6))))
+UNIT = re.compile(r"_(m_per_s2?|per_m|N_m|Nm|rad|Pa|N|m)$")  # at the end of a column's name
+SAID = {"shear": "shear force", "moment_lateral": "lateral moment", "moment_vertical": "vertical moment",  # others as their columns
+        "shear_lateral": "lateral shear force", "shear_vertical": "vertical shear force"}
 MOST_LINES = 12  # in one panel
 ROW = 0.16  # inches of a line of a legend
 BESIDE = {"loc": "upper left", "bbox_to_anchor": (1.01, 1.04), "labelspacing": 0.25}  # of a panel: its legend
@@ -70,7 +85,8 @@ def _rows(heights, height, **margins):
 
 
 def quantities_of(run):
-    """{quantity: (its units, [(column, values)])} of the histories of the scene."""
+    """{quantity: (its units, [(column, values)])} of the histories of the scene. Curves that are rounding beside others of their
+    dimension are 0."""
     found, members = {}, _histories_of_members(run)
     for endings, quantity, units in QUANTITIES:
         for name, values in run.histories.items() if len(run.histories["time_s"]) else ():
@@ -81,7 +97,28 @@ def quantities_of(run):
             else:
                 of, scale = quantity, units
             found.setdefault(of, (scale, []))[1].append((name, values))
-    return found
+    return _without_rounding(found)
+
+
+def _without_rounding(found):
+    """The quantities with 0 for curves that are rounding beside the largest of their dimension."""
+    largest = {"m": STILL}  # coordinates are those of a model of unknown size, which is at least 1 m
+    for quantity, (_, lines) in found.items():
+        for name, values in lines:
+            of = _dimension(quantity, name)
+            largest[of] = max(largest.get(of, 0), _size(values))
+    return {quantity: (units, [(name, values if _size(values) > ROUNDING * largest[_dimension(quantity, name)] else 0 * values)
+                               for name, values in lines]) for quantity, (units, lines) in found.items()}
+
+
+def _dimension(quantity, column):
+    """The unit of a column, of a moment that of the force at a lever of 1 m; of a column without a unit its quantity."""
+    unit = UNIT.search(column)
+    return quantity if unit is None else "N" if unit[1] in ("Nm", "N_m") else unit[1]
+
+
+def _size(values):
+    return np.nanmax(np.abs(values), initial=0)
 
 
 def _histories_of_members(run):
@@ -96,25 +133,23 @@ def _ending(name):
 
 
 def said(column):
-    """The text of a column in a legend: its place, and its direction or quantity."""
+    """The text of a column in a legend: its place, and its quantity with the direction."""
     if column == "max_bond_force_N":
         return "largest bond force"
     ending = _ending(column)
-    if ending == STRENGTH:
-        return f"{column.removesuffix('_' + ending)}, shear strength"
-    first, *others = ending.split("_")
-    return f"{column.removesuffix('_' + ending)}, {others[0] if others and others[0] in ('lateral', 'vertical') else first}"
+    what = UNIT.sub("", ending)
+    return f"{column.removesuffix('_' + ending)}, {SAID.get(what, what.replace('_', ' '))}"
 
 
 def _largest(lines):
     """The lines of largest magnitude, forces before strengths, in the order given."""
-    order = sorted(range(len(lines)), key=lambda i: (_ending(lines[i][0]) == STRENGTH, -np.nanmax(np.abs(lines[i][1]), initial=0)))
+    order = sorted(range(len(lines)), key=lambda i: (_ending(lines[i][0]) == STRENGTH, -_size(lines[i][1])))
     return [lines[i] for i in sorted(order[:MOST_LINES])]
 
 
 def unit_for(units, series):
     """The unit in which the largest value is at least 1: (its name, its size)."""
-    largest = max(np.nanmax(np.abs(values), initial=0) for values in series)
+    largest = max(_size(values) for values in series)
     fitting = [unit for unit in units if largest >= unit[1]]
     return fitting[-1] if fitting else units[0]
 

@@ -10,7 +10,8 @@ from adit.report.markup import Markup, section, tag
 
 VIEWS = (colour_pictures.displacement, model_pictures.force_chains, model_pictures.bonds, crack_pictures.cracks, lining_pictures.lining_forces,
          lining_pictures.member_forces, lining_pictures.lining_joints, lining_pictures.interfaces,
-         colour_pictures.principal_stress, colour_pictures.yield_state, colour_pictures.pressure_ratio)  # beside the deformed model
+         colour_pictures.principal_stress, colour_pictures.yield_state, colour_pictures.pore_pressure,
+         colour_pictures.pressure_ratio)  # beside the deformed model
 
 
 class Instant(NamedTuple):

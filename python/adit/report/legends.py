@@ -8,6 +8,7 @@ from matplotlib.patches import Patch
 from adit.report.markup import Markup, bullets, safe, tag
 
 MARKERS = {"o": '<circle cx="16" cy="6" r="4" {}/>', "^": '<path d="M11 10L16 2L21 10Z" {}/>',
+           "v": '<path d="M11 2L16 10L21 2Z" {}/>',
            "x": '<path d="M12 2L20 10M20 2L12 10" {}/>', "+": '<path d="M16 1V11M11 6H21" {}/>',
            ".": '<circle cx="16" cy="6" r="2" {}/>'}
 ARROW = '<path d="M8 6H24M19 2L24 6L19 10" {}/>'

@@ -1,11 +1,13 @@
 """Numbers that are 0 but for rounding."""
+import numpy as np
 
 ROUNDING = 1e-10  # share of a size, below which a number beside it is 0
+STILL = np.finfo(float).eps / ROUNDING  # share of a coordinate: beside it a displacement is 0 that is too small to change the coordinate
 
 
 def settled(value, size):
-    """The value; 0 where it is rounding beside this size, such as a coordinate beside that of the model."""
-    return 0.0 if abs(value) <= ROUNDING * abs(size) else value
+    """The value, or array of values; 0 where it is rounding beside this size, such as a coordinate beside that of the model."""
+    return np.where(np.abs(value) <= ROUNDING * abs(size), 0.0, value)[()]
 
 
 def coordinate(value, *others):

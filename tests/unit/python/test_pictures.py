@@ -1,6 +1,7 @@
 """Pictures of results stay readable: titles, legends, scales and marks, for models that had spoiled them."""
 
 import pathlib
+import re
 import types
 import unittest
 
@@ -162,7 +163,7 @@ class Colours(PictureTest):
         self.assertRegex(self.marked(drawing), r"^○ 0\.17 MPa at x = 1 m, y = -35 m$")
 
     def test_light_zones_set_no_scale_and_no_mark(self):
-        weight, strain = np.ones(25), np.full(25, 0.012)
+        weight, strain = np.ones(25), np.linspace(0.006, 0.012, 25)
         weight[3], strain[3] = 0.002, 0.67
         grid = column(lambda p: 0 * p[:, :1], peak_shear_strain=strain)
         grid.cell_fields["weight"] = weight
@@ -172,6 +173,50 @@ class Colours(PictureTest):
     def test_a_field_of_zeros_has_a_scale_of_one_tick(self):
         drawing = colour_pictures.displacement(run_named("rest"), 1.0, {"grid": column(lambda points: 0 * points[:, :1])})
         self.assertEqual(list(png.figure(drawing).axes[1].get_yticks()), [0])
+
+    def test_a_field_that_is_the_same_everywhere_has_no_largest_place(self):
+        for value, told in ((0, "0 mm everywhere"), (3e-3, "3 mm everywhere")):
+            moved = np.column_stack([np.full(52, value) * (1 + 1e-15 * np.arange(52)), np.zeros(52)])
+            moved[0, 0], moved[1, 0] = value, value  # at rest it would be the common motion
+            grid = column(lambda points: moved)
+            grid.point_fields["peak_displacement_m"] = moved[:, 0]
+            (_, drawing), = colour_pictures.peaks(run_named("rest"), 1.0, {"grid": grid})
+            self.assertEqual([text for text, _ in drawing.notes], [told, ""])
+            axes, bar = png.figure(drawing).axes
+            self.assertEqual((len(axes.get_lines()), list(bar.get_yticks())), (0, [moved[:, 0].min() * 1e3]))
+
+    def test_shares_have_the_same_scale_in_every_run(self):
+        """0 to 1, whatever the values are; those outside are told, unless no colour can show how far."""
+        def of(field, values):
+            grid = column(lambda points: 0 * points[:, :1], **{field: np.resize(values, 25)})
+            return colour_pictures.pressure_ratio(run_named("sand"), 1.0, {"grid": grid}) if field == "pressure_ratio" else next(
+                drawing for _, drawing in colour_pictures.peaks(run_named("sand"), 1.0, {"grid": grid}))
+
+        looks = set()
+        for field in ("pressure_ratio", "peak_pressure_ratio", "peak_demand"):
+            for values, told in (([0.0], ""), ([-1e-17, 1e-17], ""), ([0.02, 0.1], ""), ([-2e-6, 1.002], ""),
+                                 ([0.97] * 24 + [-0.36], "1 below, down to -0.36"), ([0.4, 0, 0, 0, 1.2], "5 above, up to 1.2")):
+                drawing = of(field, values)
+                self.assertIn(told, drawing.notes[1][0])
+                self.assertEqual(bool(drawing.notes[1][0]), bool(told))
+                zones = next(each for each in png.figure(drawing).axes[0].collections if each.get_array() is not None)
+                looks.add((zones.cmap.name, zones.norm.vmin, zones.norm.vmax))
+                self.assertEqual(zones.to_rgba(-0.36), zones.to_rgba(0.0))
+        self.assertEqual([look[1:] for look in looks], [(0, 1)])
+
+    def test_stresses_of_wet_ground_are_total_and_the_pressure_of_its_water_is_drawn(self):
+        def grid(pressure):
+            wet = {} if pressure is None else {"pore_pressure_Pa": np.full(25, pressure) * np.arange(25)}
+            stress = {"stress_Pa": np.outer(np.arange(1, 26), (-2e3, -4e3, 0)), "peak_largest_principal_stress_Pa": np.arange(25)}
+            return {"grid": column(lambda points: 0 * points[:, :1], **stress, **wet)}
+
+        for pressure, total, drawn in ((None, "", False), (0, "total ", False), (2e3, "total ", True)):
+            run, pieces, what = run_named("sand"), grid(pressure), f"largest {total}principal stress (tension)"
+            self.assertTrue(colour_pictures.principal_stress(run, 1.0, pieces).title.startswith(what))
+            self.assertIn(f"{what} until", next(drawing.title for _, drawing in colour_pictures.peaks(run, 1.0, pieces)))
+            shown = colour_pictures.pore_pressure(run, 1.0, pieces)
+            self.assertEqual(shown is not None, drawn)
+        self.assertEqual((shown.title, self.marked(shown)), ("pore pressure at t = 1 s", "○ 48 kPa at x = 1 m, y = -1 m"))
 
     def test_a_few_peaks_do_not_rule_the_scale_and_are_told(self):
         stress = np.zeros((400, 3))
@@ -208,6 +253,11 @@ class Colours(PictureTest):
         self.assertAlmostEqual(norm(0), 0.5)
         self.assertGreater(norm(-0.2), 0.45)
         self.assertEqual(norm(19), 1)
+
+    def test_a_sign_that_cannot_be_seen_beside_the_other_does_not_change_the_colours(self):
+        for least, greatest, map_ in ((0, 34, "viridis"), (-8e-6, 34, "viridis"), (-34, 0, "viridis_r"), (-34, 8e-6, "viridis_r"),
+                                      (-1, 34, "RdBu_r"), (-34, 1, "RdBu_r"), (2, 34, "viridis"), (-34, -2, "viridis_r")):
+            self.assertEqual(Scale(np.linspace(least, greatest, 50)).look()["cmap"], map_, (least, greatest))
 
     def test_displacement_is_that_beside_the_common_motion(self):
         grid = column(lambda points: 4 + 1e-3 * (points[:, 1:] / 50) ** 2)
@@ -339,6 +389,25 @@ class Times(PictureTest):
         for end, label, shown in ((30, "t [s]", 30), (0.05, "t [ms]", 50)):
             axes = png.figure(time_pictures.histories(self.run_with(["tip_ux_m"], end))).axes[0]
             self.assertEqual((axes.get_xlabel(), round(axes.get_xlim()[1], 9)), (label, shown))
+
+    def test_histories_of_every_quantity_are_drawn_and_told_apart_in_whole_words(self):
+        """Of all quantities of the protocol at one place: each has a line, and no two have the same text."""
+        scene = (pathlib.Path(__file__).resolve().parents[3] / "protocol" / "messages" / "scene.proto").read_text()
+        stated = scene.partition("enum Quantity {")[2].partition("\n}")[0]
+        columns = re.findall(r'\[\(column\) = "(\w+)"\]', stated)
+        self.assertEqual(len(columns), len(re.findall(r"^  [A-Z_]+ = \d+", stated, re.MULTILINE)))
+        columns += ["uz_m", "axial_force_N"]  # and those of whole tunnels
+        columns += ["moment_lateral_N_m", "moment_vertical_N_m", "shear_lateral_N", "shear_vertical_N"]
+        figure = png.figure(time_pictures.histories(self.run_with([f"p_{column}" for column in columns], 30)))
+        texts = [text for axes in figure.axes for text in texts_of(axes.get_legend())]
+        self.assertEqual(sorted(texts), sorted({time_pictures.said(f"p_{column}") for column in columns}))
+        self.assertEqual(len(texts), len(columns))
+        for column in columns:
+            words = set(column.split("_")) - {"m", "s", "s2", "N", "Nm", "Pa", "rad", "per"}
+            self.assertLessEqual(words, set(time_pictures.said(f"p_{column}").split()), column)
+        for name, text in (("effective_sxx_Pa", "p, effective sxx"), ("pressure_ratio", "p, pressure ratio"), ("ux_m", "p, ux"),
+                           ("shear_strength_N", "p, shear strength"), ("moment_lateral_N_m", "p, lateral moment")):
+            self.assertEqual(time_pictures.said(f"p_{name}"), text)
 
     def test_energies_that_are_small_beside_the_work_have_a_panel_of_their_own(self):
         run = self.run_with([], 30)

@@ -4,9 +4,10 @@ import types
 import unittest
 
 import numpy as np
+from matplotlib.colors import to_hex
 
 from adit.plots import png, style
-from adit.plots.setup import sheets, supports
+from adit.plots.setup import sheets, supports, water
 from adit.plots.setup.checked import Checked, Member
 
 from pieces import PictureTest, piece
@@ -34,9 +35,16 @@ def hatched(figure, hatch):
     return [0.5 * abs(np.sum(x[:-1] * y[1:] - x[1:] * y[:-1])) for x, y in (corners.T for corners in found)]
 
 
+def areas_of(axes, colour):
+    """Areas of the shapes of this colour."""
+    found = [path.vertices for drawn in axes.collections for face in drawn.get_facecolor()[:1] if to_hex(face) == colour.lower()
+             for path in drawn.get_paths()]
+    return [0.5 * abs(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)) for x, y in (corners.T for corners in found)]
+
+
 class Setup(PictureTest):
-    def drawn(self, pieces, *members):
-        checked = types.SimpleNamespace(name="model", pieces=lambda: pieces, members=lambda: members)
+    def drawn(self, pieces, *members, **scene):
+        checked = types.SimpleNamespace(name="model", scene=scene, pieces=lambda: pieces, members=lambda: members)
         (_, drawing), = sheets.model(checked)
         figure = png.figure(drawing)
         return figure, [text.get_text() for text in figure.legends[0].get_texts()]
@@ -100,6 +108,43 @@ class Setup(PictureTest):
         regions = [{"name": name, "particles": {"groups": [{"name": "lining"}]}} for name in ("west", "east")]
         members = Checked.members(types.SimpleNamespace(scene={"continuum": {}, "regions": regions}))
         self.assertEqual([member.first_colour for member in members], [0, 0, 2])
+
+    def test_water_stands_on_the_ground_up_to_its_level(self):
+        """On a square of 4 by 4 m with an opening, which stays dry, and a slit of 1 by 2 m; drawn no deeper than the model is high."""
+        grid = block(4, material=np.zeros(16))
+        gone = [5, 10, 14]  # an opening, and a slit from the top
+        grid.cells, grid.cell_fields["material"] = np.delete(grid.cells, gone, axis=0), np.zeros(13)
+        member = Member("", "continuum", {}, {})
+        for level, top, area, told in ((6.0, 6.0, 4 * 2 + 2, "water level: y = 6 m"), (3.0, 3.0, 1, "water level: y = 3 m"),
+                                       (50.0, None, 4 * 46 + 2, "water level: y = 50 m, above the picture"),
+                                       (-50.0, None, 0, "water level: y = -50 m, below the picture")):
+            figure, legend = self.drawn({"grid": grid}, member, water={"level": level})
+            axes = figure.axes[0]
+            self.assertIn(told, legend)
+            self.assertEqual("water above the ground" in legend, area > 0)
+            self.assertAlmostEqual(sum(areas_of(axes, water.SEA)), area, delta=0.02 * area)
+            levels = [line for line in axes.get_lines() if len(line.get_xdata()) == 2 and not np.ptp(line.get_ydata())]
+            self.assertEqual([list(line.get_ydata()) for line in levels], [[top, top]] if top is not None else [])
+            self.assertGreaterEqual(axes.get_ylim()[1], top or 0)
+            self.assertLess(axes.get_ylim()[1], 10)
+        self.assertFalse([each for each in self.drawn({"grid": grid}, member)[1] if "water" in each])
+
+    def test_water_stands_on_particles(self):
+        discs, zones = packing(4, 0.5), block(4, material=np.zeros(16))
+        zones.points = zones.points - (5, 0)
+        members = [Member("", kind, {}, {}) for kind in ("continuum", "particles")]
+        figure, _ = self.drawn({"grid": zones, "particles": discs}, *members, water={"level": 4.5})
+        self.assertAlmostEqual(sum(areas_of(figure.axes[0], water.SEA)), 4 * 0.5 + 4 * 1.0, delta=0.05)
+
+    def test_places_with_water_of_their_own_are_told_with_level_or_pressure_and_stage(self):
+        grid = block(4, group=np.repeat([1, 2], 8), material=np.zeros(16))
+        member = Member("", "continuum", {"blocks": [{"name": "bench"}, {"name": "heading"}]}, {})
+        places = [{"where": {"x_max": 2}, "level": 1.0, "stage": 2}, {"where": {"group": "heading"}, "pressure": 2e4}]
+        figure, legend = self.drawn({"grid": grid}, member, water={"level": 4.0, "places": places})
+        self.assertEqual([each for each in legend if "level" in each or "water" in each],
+                         ["water level: y = 4 m", "water of its own level", "its level, stage 2: y = 1 m", "water at 20 kPa"])
+        self.assertEqual([sum(areas_of(figure.axes[0], colour)) for colour in water.PLACES[:2]], [8, 8])
+        self.assertIn(([0, 2], [1, 1]), [(list(line.get_xdata()), list(line.get_ydata())) for line in figure.axes[0].get_lines()])
 
 
 if __name__ == "__main__":

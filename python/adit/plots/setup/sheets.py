@@ -1,4 +1,4 @@
-"""Pictures of a model before it runs: materials, groups, joints, supports, boundaries, loads, probes, overlap."""
+"""Pictures of a model before it runs: materials, groups, joints, supports, water, boundaries, loads, probes, overlap."""
 import numpy as np
 from matplotlib.collections import PolyCollection
 from matplotlib.lines import Line2D
@@ -7,7 +7,7 @@ from matplotlib.patches import Patch
 from adit.plots import style
 from adit.plots.drawing import Drawing, Sheet, legend
 from adit.plots.particle_shapes import Shapes
-from adit.plots.setup import conditions, supports
+from adit.plots.setup import conditions, supports, water
 from adit.plots.setup.areas import zones_in
 from adit.plots.setup.labels import add_labels
 from adit.plots.setup.checked import in_stages
@@ -23,7 +23,7 @@ def model(checked):
     """Yields (name, drawing): the whole model, and where particles fill a small part of it, a sheet cut to them."""
     pieces = checked.pieces()
     points = [piece.points for name, piece in pieces.items() if name.endswith(("grid", "particles"))]
-    whole = style.bounds_of(*points)
+    whole = water.raised(style.bounds_of(*points), checked.scene.get("water", {}))
     discs = [piece.points for name, piece in pieces.items() if name.endswith("particles")]
     cut = style.bounds_of(*discs) if discs else whole
     both = cut[1] - cut[0] < OWN_SHEET * (whole[1] - whole[0])
@@ -49,6 +49,7 @@ def _sheet(checked, pieces, bounds, title, elsewhere):
                         _draw_particles(axes, member, Shapes(piece, pieces.get(member.called("cells")))))
         handles += _shade_overlap(axes, pieces)
         handles += supports.draw(axes, members, pieces)
+        handles += water.draw(axes, members, pieces, checked.scene.get("water", {}))
         drawn, notes = conditions.draw(axes, members, pieces, span)
         return [legend(None, handles + drawn + _draw_probes(axes, members, bounds, elsewhere) + notes)]
 
