@@ -63,6 +63,23 @@ std::vector<double> zone_weights(const Grid& grid, std::span<const double> sampl
   return weights;
 }
 
+std::vector<std::array<double, 4>> side_shares(const Grid& grid, std::span<const double> samples,
+                                               std::span<const double> weights) {
+  const auto edges = number_edges(grid);
+  const auto at_edges = samples.subspan(grid.x.size(), edges.list.size());
+  std::vector<double> share(at_edges.begin(), at_edges.end());
+  for (std::size_t z = 0; z < weights.size(); ++z)
+    if (weights[z] == 0)
+      for (const auto e : edges.of_zone[z]) share[e] = 0;
+  std::vector<std::array<double, 4>> shares;
+  for (std::size_t z = 0; z < weights.size(); ++z) {
+    if (weights[z] == 0) continue;
+    auto& sides = shares.emplace_back();
+    for (std::size_t c = 0; c < 4; ++c) sides[c] = share[edges.of_zone[z][c]];
+  }
+  return shares;
+}
+
 std::vector<Corners> drop_slivers(const Grid& grid, std::span<const double> samples,
                                   std::vector<double>& weights) {
   constexpr double kLight = 0.01;

@@ -1,6 +1,7 @@
 // Where the energy weight of an overlap is sampled, and the weights that the zones get of it.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,11 @@ std::vector<double> sample_points(const Grid& grid);
 // uniform strain passes through the overlap; at least `floor`. A zone whose samples are all 0 has 0.
 // Throws protocol::RequestError where there is not one sample for each point.
 std::vector<double> zone_weights(const Grid& grid, std::span<const double> samples, double floor);
+
+// Of each zone with a weight: the samples in the middles of its sides, from its point c to c + 1; 0 beside
+// zones without weight.
+std::vector<std::array<double, 4>> side_shares(const Grid& grid, std::span<const double> samples,
+                                               std::span<const double> weights);
 
 // Zones of which the edge of the overlap leaves a sliver: their middle has no weight, and they weigh less
 // than 0.01. Their weights become 0, and their shapes are returned, for interpolation.hpp.

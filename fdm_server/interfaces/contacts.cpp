@@ -101,10 +101,14 @@ double Contacts::push_apart(const Part& part, const protocol::Step& step, const 
     const auto pressure = pressure_in_gap(contact, pressure_of);
     if (!pressure) continue;
     const double opens = step.from_rest() ? 0 : moved(contact, step.dt, points.vx, points.vy)[0];
-    work += contact.length * opens * (contact.water + *pressure) / 2;
+    // The pressure of the step before acted along its normal.
+    const double opened = contact.sliding ? opens - 2 * contact.sliding->turned[0] : opens;
+    work += contact.length * (opened * contact.water + opens * *pressure) / 2;
     if (contact.filled && contact.state.status != ContactStatus::kOpen) {
-      const double before = fdm::strain_energy(contact.law, contact.state);
-      contact.state.closure += (*pressure - contact.water) / contact.law.normal;
+      const double before = fdm::strain_energy(contact.law, contact.state),
+                   closes = (*pressure - contact.water) / contact.law.normal;
+      contact.state.closure += closes;
+      contact.preload += closes;
       work += contact.length * (fdm::strain_energy(contact.law, contact.state) - before);
     }
     contact.water = *pressure;
@@ -127,7 +131,7 @@ void Contacts::take_stress(const std::function<Stress(std::uint32_t zone)>& stre
     const double xx = (a.xx + b.xx) / 2, yy = (a.yy + b.yy) / 2, xy = (a.xy + b.xy) / 2;
     const double tx = xx * contact.nx + xy * contact.ny, ty = xy * contact.nx + yy * contact.ny;
     contact.state.closure = (tx * contact.nx + ty * contact.ny + contact.water) / contact.law.normal;
-    if (contact.sliding) contact.sliding->preload = contact.state.closure;
+    contact.preload = contact.state.closure;
     // The second face holds the first back along the tangent (ny, -nx) with -t.tangent.
     contact.state.shear = tx * contact.ny - ty * contact.nx;
   }

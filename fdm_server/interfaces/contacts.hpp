@@ -27,16 +27,17 @@
 // faces that touch go on bearing the same stress: the closure of the law grows by dp/k_n. So p acts on
 // friction and on parting, and the springs of the faces alone answer their motion: forces of a lining that
 // follow the volume of the zone beside it, but not the other way round, would derive from no energy. The work
-// of p on the gap and what dp stores are work from outside.
+// of p on the gap and what dp stores are work from outside. In large strain p is that of the zones that lay
+// there at the start.
 //
 // In large strain a contact is between a point of one face and the side of the other, the guide, that lies
 // opposite now (face.hpp): with the share xi of the way along it, the motion is v - (1 - xi) v_a - xi v_b
 // along the present normal and tangent, and the forces are shared alike, so that they make no couple. Shares
 // and normal hold over the stroke of a step, whose work stays that of the stresses; from one step to the next
 // the way ahead turns with them, from B(n-1) dt v/2 to B(n) dt v/2. The closure is what strokes add up to. Of
-// open faces it is the gap between their present places, from what they bore at the start on, but never one
-// that has closed already: what differs ends with each opening. A point past the end of the guide is free,
-// and what it stored is dissipated. Lengths are those before deformation.
+// open faces it is the gap between their present places, from what they bore at the start on and what dp
+// added, but never one that has closed already: what differs ends with each opening. A point past the end of
+// the guide is free, and what it stored is dissipated. Lengths are those before deformation.
 #pragma once
 
 #include <array>
@@ -168,7 +169,6 @@ class Contacts {
     std::uint32_t guide, point;
     double sense;                  // 1 where the point is of the first face, -1 of the second
     std::array<double, 2> turned;  // the way ahead, by shares and normal of this step [m]
-    double preload;                // closure at the start, where the faces are drawn in touch [m]
   };
   struct Contact {
     std::array<std::uint32_t, 2> points;
@@ -189,6 +189,7 @@ class Contacts {
     std::uint32_t share_count = 2;  // 0: free
     std::uint32_t side = 0;         // of the guide
     double xi = 0;                  // the share of the way along it
+    double preload = 0;             // closure where faces are drawn in touch: of the start and by water [m]
     std::optional<Sliding> sliding{};
 
     std::span<const Share> shared() const { return std::span(shares).first(share_count); }

@@ -15,7 +15,7 @@ void Contacts::slide(std::uint32_t first, std::uint32_t count, bool of_first, Fa
   for (std::uint32_t i = first; i < first + count; ++i) {
     Contact& contact = contacts_[i];
     const auto point = contact.points[of_first ? 0 : 1];
-    contact.sliding = {static_cast<std::uint32_t>(guides_.size()), point, of_first ? 1.0 : -1.0, {}, 0};
+    contact.sliding = {static_cast<std::uint32_t>(guides_.size()), point, of_first ? 1.0 : -1.0, {}};
     if (const auto foot = guide.foot(point, std::nullopt, {x, y, rest, rest})) contact.side = foot->side;
   }
   guides_.push_back(std::move(guide));
@@ -41,7 +41,7 @@ void Contacts::find_feet(const protocol::Step& step, std::span<const double> ux,
       return step.from_rest() ? std::array{0.0, 0.0} : moved(contact, step.dt, vx.data(), vy.data());
     };
     const auto before = motion();
-    auto& [guide, point, sense, turned, preload] = *contact.sliding;
+    auto& [guide, point, sense, turned] = *contact.sliding;
     const bool open = contact.state.status == ContactStatus::kOpen;
     const auto foot = guides_[guide].foot(point, open ? std::nullopt : std::optional(contact.side), places);
     if (!foot) {
@@ -58,13 +58,13 @@ void Contacts::find_feet(const protocol::Step& step, std::span<const double> ux,
     turned = {(now[0] - before[0]) / 2, (now[1] - before[1]) / 2};
     // The stroke of this step ends at the present place and what lies ahead of it.
     if (open)
-      contact.state.closure = std::max(
-          contact.state.dilated, preload + sense * foot->height - now[0] + contact.ahead[0] + turned[0]);
+      contact.state.closure = std::max(contact.state.dilated, contact.preload + sense * foot->height -
+                                                                  now[0] + contact.ahead[0] + turned[0]);
   }
 }
 
 void Contacts::share(Contact& contact) const {
-  const auto& [guide, point, sense, turned, preload] = *contact.sliding;
+  const auto& [guide, point, sense, turned] = *contact.sliding;
   const auto& [a, b] = guides_[guide].side(contact.side);
   contact.shares = {{{point, sense}, {a, -sense * (1 - contact.xi)}, {b, -sense * contact.xi}}};
   contact.share_count = 3;
@@ -72,7 +72,7 @@ void Contacts::share(Contact& contact) const {
 
 void Contacts::exchange_feet(state::Archive& archive) {
   archive.members("contacts_feet", std::span(contacts_), &Contact::share_count, &Contact::side, &Contact::xi,
-                  &Contact::nx, &Contact::ny);
+                  &Contact::nx, &Contact::ny, &Contact::preload);
   for (Contact& contact : contacts_) {
     if (!contact.sliding || contact.share_count == 0) continue;
     if (contact.side >= guides_[contact.sliding->guide].size())

@@ -228,7 +228,17 @@ Material read_material(const scene::Material& scene, const scene::Scene& whole, 
 // The same material with water in its pores.
 Material read_wet(Material dry, const scene::Pores& pores, const scene::Water& water,
                   const std::string& path) {
-  dry.density = pores.has_saturated_density() ? pores.saturated_density() : dry.density;
+  const double most = dry.density + pores.porosity() * water.density();
+  const double saturated = pores.has_saturated_density() ? pores.saturated_density() : dry.density;
+  constexpr double kRounding = 0.01;  // of stated densities
+  require(dry.density * (1 - kRounding) <= saturated && saturated <= most * (1 + kRounding),
+          path + ".saturated_density",
+          fmt::format("is {:g} kg/m^3, but water in pores of {:g} of the volume makes ground of {:g} kg/m^3 "
+                      "at most {:g} kg/m^3, and no lighter; correct one of the densities, or the porosity",
+                      saturated, pores.porosity(), dry.density, most));
+  require(pores.has_conductivity() || !pores.has_conductivity_y(), path + ".conductivity_y",
+          "is given without `conductivity`, which is the one along x; state both");
+  dry.density = saturated;
   require(dry.density > pores.porosity() * water.density(), path,
           fmt::format("makes ground of {:g} kg/m^3, no heavier than the water in it, {:g} kg/m^3; raise "
                       "saturated_density",

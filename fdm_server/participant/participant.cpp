@@ -24,7 +24,7 @@
 #include "fdm_server/model/resolution.hpp"
 #include "fdm_server/model/supports/meetings.hpp"
 #include "fdm_server/model/supports/supports.hpp"
-#include "fdm_server/model/water.hpp"
+#include "fdm_server/model/water/water.hpp"
 #include "fdm_server/participant/critical_element.hpp"
 #include "fdm_server/participant/demand_figures.hpp"
 #include "fdm_server/participant/dowel_figures.hpp"
@@ -74,13 +74,9 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   grid_ = read_grid(scene_.continuum());
   assign_zones(scene_.continuum(), grid_, setup_.ground);
   fill_pores(scene_, grid_, setup_.ground);
-  require_water(scene_, setup_.ground, setup.alone());
+  require_water(scene_, grid_, setup_.ground, setup.alone());
   Grid grid = grid_;  // with what interfaces add
   const Supports supports = resolve_supports(scene_, setup_.ground, {}, grid);
-  protocol::require(
-      !scene_.has_water() || supports.contacts.empty() || !setup_.ground.large_strain, "water",
-      "is given beside interfaces in large strain, which is not computed; leave `large_strain` out, or "
-      "the interfaces");
   damping_ = resolve_damping(scene_.continuum());
   base_accelerations_ = base_accelerations(scene_.continuum().base(), scene_.time().duration());
   const KnownEarly early = known_early(supports, grid, setup.alone());
@@ -126,7 +122,7 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
     model.add_notes(*note);
   if (const auto warning = warn_of_imbalance(scene_, grid_, setup_.ground)) model.add_notes(*warning);
   for (const std::string& note : notes_on_strength(setup_.ground)) model.add_notes(note);
-  if (const auto note = note_on_stiffness(scene_, setup_.ground)) model.add_notes(*note);
+  for (const std::string& note : notes_on_water(scene_, setup_.ground)) model.add_notes(note);
   if (setup.alone())
     if (const auto note = note_on_fracture(setup_.ground)) model.add_notes(*note);
   for (const std::string& note : notes_on_loops(scene_, setup_.ground)) model.add_notes(note);
@@ -164,7 +160,10 @@ KnownEarly FdmParticipant::known_early(const Supports& supports, const Grid& gri
 
 void FdmParticipant::weigh(const wire::Weights& weights, wire::Interface& interface) {
   weights_ = read_weights(weights, grid_);
-  if (!weights.weights().empty()) slivers_ = drop_slivers(grid_, view(weights.weights()), weights_);
+  if (!weights.weights().empty()) {
+    slivers_ = drop_slivers(grid_, view(weights.weights()), weights_);
+    side_shares_ = side_shares(grid_, view(weights.weights()), weights_);
+  }
   compact(setup_.ground, weights_);
   compact(grid_, weights_);
   if (grid_.zones.empty())
@@ -214,7 +213,7 @@ void FdmParticipant::make_continuum() {
     for (const DashpotShare& share : dashpot.shares) absorbing_[share.zone] = true;
 
   ZoneSet zones(setup_.kind, grid_, setup_.ground, weights_);
-  if (scene_.has_water()) zones.set_rest(pressures_at_rest(scene_, grid_, 0));
+  if (scene_.has_water()) zones.set_rest(water_at_rest().pressures(grid_));
   if (scene_.has_initial_stress()) set_initial_stress(scene_, grid_, zones);
   const auto masses = this->masses();
   continuum_ = std::make_unique<Continuum>(std::move(zones), masses, loads(masses), std::move(motions),
@@ -234,12 +233,18 @@ void FdmParticipant::begin_time() {
 
 std::optional<Flow> FdmParticipant::flow() const {
   if (!scene_.has_water()) return std::nullopt;
-  return resolve_flow(scene_.water(), grid_, setup_.ground, weights_, columns_, supports_.linings);
+  return resolve_flow(scene_, grid_, setup_.ground, stage_, weights_, side_shares_, columns_,
+                      supports_.linings);
+}
+
+WaterAtRest FdmParticipant::water_at_rest() const {
+  return {scene_.water(), grid_, columns_, stage_};
 }
 
 std::vector<Load> FdmParticipant::loads(std::span<const double> masses) const {
   auto loads = resolve_loads(scene_.continuum(), grid_, masses, columns_);
-  if (scene_.has_water()) loads.push_back(weight_of_sea(scene_.water(), grid_, weights_, columns_));
+  if (scene_.has_water())
+    loads.push_back(weight_of_sea(scene_.water(), water_at_rest(), grid_, weights_, side_shares_, columns_));
   loads.insert(loads.end(), base_loads_.begin(), base_loads_.end());
   return loads;
 }

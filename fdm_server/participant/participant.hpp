@@ -19,6 +19,7 @@
 #include "fdm_server/model/conditions.hpp"
 #include "fdm_server/model/grid/zone_stages.hpp"
 #include "fdm_server/model/setup.hpp"
+#include "fdm_server/model/water/sea.hpp"
 #include "fdm_server/output/histories.hpp"
 #include "fdm_server/output/peaks.hpp"
 #include "fdm_server/participant/critical_element.hpp"
@@ -82,6 +83,7 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   // Statics are over, or there are none: the water is free to follow the ground, and to flow.
   void begin_time();
   std::optional<Flow> flow() const;
+  WaterAtRest water_at_rest() const;  // in the present stage
   // Loads on the zones that are left; those of the base are the last.
   std::vector<Load> loads(std::span<const double> masses) const;
   std::vector<double> masses() const;  // of the points, with those of the structures
@@ -123,6 +125,7 @@ class FdmParticipant final : public protocol::SteppedParticipant {
   std::vector<double> weights_;   // of the zones; 0 where they were taken away
   std::size_t zones_there_ = 0;   // not taken away
   std::vector<Corners> slivers_;  // zones that an overlap leaves next to nothing of (samples.hpp)
+  SideShares side_shares_;        // by the overlap
   Supports supports_;
   std::vector<FreeFieldColumn> columns_;
   BaseAccelerations base_accelerations_;

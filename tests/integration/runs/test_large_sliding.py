@@ -14,7 +14,8 @@ FRICTION = math.radians(30)
 class Incline(ComputedTest):
     """A block of 4 m at rest on a longer base, which gravity then draws along it."""
 
-    def slide(self, along=8.0, *, large_strain=True, duration=1.0, load=1.0, within=0.05, rest=True, **law):
+    def slide(self, along=8.0, *, large_strain=True, duration=1.0, load=1.0, within=0.05, rest=True, water=None, **law):
+        ground = {"material": ROCK} if water is None else {"material": {**ROCK, "pores": {"porosity": 0.3}}, "water": water}
         continuum = {
             "large_strain": large_strain,
             "blocks": [rectangle("base", (0.0, 12.0), (-1.0, 0.0), (24, 2)), rectangle("block", (1.0, 5.0), (0.0, 2.0), (8, 4))],
@@ -29,7 +30,7 @@ class Incline(ComputedTest):
             "damping": DAMPED}
         # What friction is left with at rest depends on the way there, which is another one in large strain.
         begin = {"statics": {}} if rest else {"initial_stress": {"yy": -2 * 2500 * GRAVITY * load, "yy_per_metre": 2500 * GRAVITY * load}}
-        return self.computed({"material": ROCK, **begin, "time": {"duration": duration}, "continuum": continuum})
+        return self.computed({**ground, **begin, "time": {"duration": duration}, "continuum": continuum})
 
     def acceleration(self, run):
         late = self.time > 0.3
@@ -49,13 +50,21 @@ class Incline(ComputedTest):
         self.assertAlmostEqual(friction, 1, delta=5e-3)  # the pressure is uneven, and faces that part slip unheld
         self.assertGreater(run.histories["foot_offset_m"][-1], 3 * 0.5)
 
+    def test_below_water_friction_is_that_of_the_effective_weight(self):
+        run = self.slide(duration=1.2, water={"level": 2.0, "bulk_modulus": 50e6})
+        self.assertLess(run.summary["max_energy_drift"], 1e-8)
+        friction = (8 - self.acceleration(run)) / (GRAVITY * (1 - 1000 / 2500) * math.tan(FRICTION))
+        self.assertAlmostEqual(friction, 1, delta=5e-3)
+        self.assertGreater(run.histories["foot_offset_m"][-1], 3 * 0.5)
+
     def test_small_motions_are_those_of_small_strain(self):
-        def difference(load):
-            large, small = (self.slide(4.0, large_strain=kind, duration=0.02, load=load, within=1e-6, rest=False).histories for kind in (True, False))
-            return np.max(np.abs(large["block_vx_m_per_s"] - small["block_vx_m_per_s"])) / np.max(np.abs(small["block_vx_m_per_s"]))
-        coarse, fine = difference(200.0), difference(100.0)
-        self.assertLess(coarse, 0.01)
-        self.assertAlmostEqual(fine / coarse, 0.5, delta=0.05)
+        for water in (None, {"level": 2.0, "bulk_modulus": 50e6}):
+            def difference(load):
+                large, small = (self.slide(4.0, large_strain=kind, duration=0.02, load=load, within=1e-6, rest=False, water=water).histories for kind in (True, False))
+                return np.max(np.abs(large["block_vx_m_per_s"] - small["block_vx_m_per_s"])) / np.max(np.abs(small["block_vx_m_per_s"]))
+            coarse, fine = difference(200.0), difference(100.0)
+            self.assertLess(coarse, 0.01)
+            self.assertAlmostEqual(fine / coarse, 0.5, delta=0.05)
 
 
 class Disc(ComputedTest):

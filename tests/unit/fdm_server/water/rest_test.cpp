@@ -87,6 +87,19 @@ TEST(WaterAtRest, BelowATable) {
     }
 }
 
+// The columns of free fields have the places of their side.
+TEST(WaterAtRest, BelowTheLevelOfAPlace) {
+  for (const std::string& sides : {kRollers, kFields}) {
+    const auto values =
+        at_rest(wet_setup("level: 0 bulk_modulus: 2.2e9 places { where { y_max: 0 } level: -4 }",
+                          "layers { bottom: -4 density: 1800 k0: 0.5 } "
+                          "layers { bottom: -10 density: 2000 k0: 0.5 }",
+                          kHeld + sides + kAsked));
+    EXPECT_NEAR(values[1], 1000 * kG * 3.5, 1e-6);
+    EXPECT_NEAR(values[2], -kG * (4 * 1800 + 3.5 * 1000), 1e-6);
+  }
+}
+
 // 30 m of sea add nothing to effective stresses.
 TEST(WaterAtRest, BelowTheSea) {
   for (const std::string& sides : {kRollers, kFields}) {
@@ -101,7 +114,7 @@ TEST(WaterAtRest, BelowTheSea) {
 
 // A plane through wet ground bears its total stress, which is that of the layers.
 TEST(WaterAtRest, AcrossAnInterface) {
-  for (const std::string& sides : {kRollers, kFields}) {
+  for (const std::string& sides : {kRollers, kFields, kRollers + "large_strain: true "}) {
     const auto values = at_rest(wet_setup(
         "level: 0 bulk_modulus: 2.2e9", "layers { bottom: -10 density: 2000 k0: 0.5 }",
         kHeld + sides + kPlane + kAsked +
@@ -156,8 +169,6 @@ TEST(WaterAtRest, RefusesWhatItDoesNotCompute) {
          "either a `level` or a `pressure`");
   refuse(wet_setup("level: 0 places { where { y_max: -5 } level: -5 stage: 1 }", layers, kHeld),
          "water.places[0].stage", "no statics");
-  refuse(wet_setup("level: 0", layers, kHeld + kPlane + "large_strain: true "), "water",
-         "beside interfaces in large strain");
   wire::Setup filled = wet_setup(
       "level: 0", layers,
       kHeld +
@@ -166,8 +177,18 @@ TEST(WaterAtRest, RefusesWhatItDoesNotCompute) {
   filled.mutable_scene()->mutable_statics();
   refuse(filled, "continuum.materials[0].stage", "dry or tight");
   wire::Setup light = wet_setup("level: 0", layers, kHeld);
+  light.mutable_scene()->mutable_material()->mutable_pores()->set_saturated_density(1700);
+  refuse(light, "material.pores.saturated_density", "at most 2200 kg/m^3, and no lighter");
+  light.mutable_scene()->mutable_material()->mutable_pores()->set_saturated_density(2300);
+  refuse(light, "material.pores.saturated_density", "at most 2200 kg/m^3, and no lighter");
   light.mutable_scene()->mutable_material()->mutable_pores()->set_saturated_density(390);
+  light.mutable_scene()->mutable_material()->set_density(390);
   refuse(light, "material.pores", "no heavier than the water in it");
+  wire::Setup layered = wet_setup("level: 0", layers, kHeld);
+  layered.mutable_scene()->mutable_material()->mutable_pores()->set_conductivity_y(1e-5);
+  refuse(layered, "material.pores.conductivity_y", "without `conductivity`");
+  refuse(wet_setup("level: 0 places { where { x_min: 9 } level: -5 }", layers, kHeld),
+         "water.places[0].where", "selects no zones");
 }
 
 }  // namespace
