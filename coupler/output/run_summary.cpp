@@ -170,6 +170,8 @@ void RunSummary::add_participant(const Participant& participant, const wire::Bye
     figures_.emplace_back(region + figure.name(), figure.value());
   for (const wire::CrackPath& path : bye.crack_paths())
     if (crack_paths_++ == 0 || path.length() > longest_path_.length()) longest_path_ = path;
+  for (const std::string& warning : bye.warnings())
+    warn(fmt::format("{}: {}", participant.member.name, warning));
   (participant.member.role == Role::kContinuum ? zone_updates_ : particle_updates_) += bye.updates();
 }
 

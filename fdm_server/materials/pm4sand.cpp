@@ -15,7 +15,7 @@ constexpr std::uint32_t kTogether = 64;  // points whose parts are taken in turn
 constexpr double kMostParts = 1000;      // so that a run that has lost its way ends
 constexpr std::size_t kChanging = kPm4SandFields - 3;
 
-Constants constants(const Pm4Sand& sand) {
+Constants constants(const Pm4Sand& sand, bool reconsolidates = false) {
   const double density = sand.relative_density, over = density - 0.26;
   const double loss = std::clamp(0.5 - 1.5 * (density - 0.55), 0.2, 0.5);
   const double voids = kMostVoids - (kMostVoids - kLeastVoids) * density;
@@ -26,7 +26,8 @@ Constants constants(const Pm4Sand& sand) {
           (1 + voids) / (kMostVoids - kLeastVoids),
           std::min(5 + 25 * (density - 0.35), 10.0),
           std::clamp(5 + 220 * over * over * over, 4.0, 35.0),
-          loss * loss};
+          loss * loss,
+          reconsolidates ? std::min(0.03 * std::exp(2.6 * density), 0.99) : 1};
 }
 
 // Points that have more than `part` parts take one.
@@ -38,7 +39,7 @@ ADIT_VECTOR_CLONES void strain_part(const Constants& c, const Pm4SandPoints& poi
   for (std::uint32_t i = 0; i < count; ++i) {
     const auto pair = [&](std::size_t n) { return PlaneVector{f[n][i], f[n + 1][i]}; };
     Pm4SandState q{pair(0),  pair(2),  pair(4),  pair(6),  pair(8),  pair(10), pair(12), pair(14), f[16][i],
-                   f[17][i], f[18][i], f[19][i], f[20][i], f[21][i], f[22][i], f[23][i], f[24][i]};
+                   f[17][i], f[18][i], f[19][i], f[20][i], f[21][i], f[22][i], f[23][i], f[24][i], f[25][i]};
     Pm4SandStress stress{pressure[i], {shear_t[i], shear_s[i]}};
     const double share = 1 / parts[i];
     strain(c, share * compaction[i], {share * difference[i], share * shear[i]}, stress, q);
@@ -47,7 +48,7 @@ ADIT_VECTOR_CLONES void strain_part(const Constants& c, const Pm4SandPoints& poi
         q.alpha.t,         q.alpha.s,        q.start.t,        q.start.s,        q.apparent.t, q.apparent.s,
         q.before.t,        q.before.s,       q.least.t,        q.least.s,        q.most.t,     q.most.s,
         q.fabric.t,        q.fabric.s,       q.fabric_start.t, q.fabric_start.s, q.fabric_sum, q.fabric_peak,
-        q.fabric_pressure, q.fabric_product, q.density,        q.shear_modulus};
+        q.fabric_pressure, q.fabric_product, q.density,        q.shear_modulus,  q.reduction};
     static_assert(std::size(changed) == kChanging);
 #pragma GCC unroll 32
     for (std::size_t n = 0; n < kChanging; ++n) f[n][i] = vectors::choose(takes, changed[n], f[n][i]);
@@ -68,6 +69,10 @@ Pm4SandPoints some_of(const Pm4SandPoints& points, std::uint32_t first, std::uin
 }
 
 }  // namespace
+
+double modulus_coefficient(double relative_density) {
+  return 167 * std::sqrt(46 * relative_density * relative_density + 2.5);
+}
 
 Pm4SandState begin(const Pm4Sand& sand, Pm4SandStress& stress) {
   const double p_min = std::max(stress.pressure, kAtmosphere) / 200, p = std::max(stress.pressure, p_min);
@@ -91,11 +96,12 @@ Pm4SandState begin(const Pm4Sand& sand, Pm4SandStress& stress) {
                       ? 1.5
                       : 2.5 * (std::asin(bounding / 2) - std::asin(kCritical / 2)) / (bounding - dilating);
   q.shear_modulus = shear_modulus(constants(sand), q, stress, bounding);
+  q.reduction = 1;
   return q;
 }
 
-void advance(const Pm4Sand& sand, const Pm4SandPoints& points) {
-  const Constants c = constants(sand);
+void advance(const Pm4Sand& sand, const Pm4SandPoints& points, bool reconsolidates) {
+  const Constants c = constants(sand, reconsolidates);
   for (std::uint32_t first = 0; first < points.count; first += kTogether) {
     const Pm4SandPoints some = some_of(points, first, std::min(points.count - first, kTogether));
     std::array<double, kTogether> parts;

@@ -11,11 +11,17 @@
 // contracts the more after the next reversal.
 //
 // Elasticity is that of plane strain, with G ~ sqrt(p) and nu = 0.3; the plastic change of volume is the same
-// in all directions. The secondary parameters are the report's defaults (pm4sand_point.hpp). The modulus that
-// the report lowers for consolidation after shaking (F_sed) is not here.
+// in all directions. The secondary parameters are the report's defaults (pm4sand_point.hpp).
+//
+// After shaking, sand that has liquefied reconsolidates by more than its moduli would let it. G and K are
+// multiplied by
+//   F_sed = F_min + (1 - F_min) (p/(20 p_sed))^2 <= 1,   F_min = 0.03 exp(2.6 D_R) <= 0.99,
+//   p_sed = pA/5 z_cum/(z_cum + z_max) <1 - M_cur/M^d>^(1/4),   M_cur = 2 |s|/p.
+// The time from which they are is the user's. OpenSees has p/(20 p_sed) without the square.
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -32,7 +38,12 @@ struct Pm4Sand {
   double modulus_coefficient;      // G0: G = G0 pA sqrt(p/pA) at small strains
   double contraction_rate;         // h_po
   double largest_pressure = 22e6;  // beyond which G stays [Pa]
+  // From when on it reconsolidates [s]: G and K then are F_sed of what they would be.
+  double reconsolidation_from = HUGE_VAL;
 };
+
+// The report's G0 of sand of this relative density: 167 sqrt((N1)60 + 2.5), (N1)60 = 46 D_R^2.
+double modulus_coefficient(double relative_density);
 
 // A deviatoric tensor in the plane, by its xx and xy.
 struct PlaneVector {
@@ -55,7 +66,8 @@ struct Pm4SandState {
   double fabric_pressure;            // p_zp, where z p was largest at a reversal [Pa]
   double fabric_product;             // that z p; below 0 before the first reversal
   double density;                    // D_R
-  double shear_modulus;              // G [Pa]
+  double shear_modulus;              // G, without F_sed [Pa]
+  double reduction;                  // F_sed, 1 before the sand reconsolidates
   // From the stress at the begin.
   double least_pressure;  // p_min [Pa]
   double largest_fabric;  // z_max
@@ -79,8 +91,9 @@ struct Pm4SandPoints {
 
 // Strains the points. An increment whose compaction or shear strain exceeds kLargestPart is taken in equal
 // parts, each by a step of Euler's: cycles to liquefaction then are those of the limit to 3 %.
+// `reconsolidates`: whether the shaking is over.
 inline constexpr double kLargestPart = 1e-5;
-void advance(const Pm4Sand& sand, const Pm4SandPoints& points);
+void advance(const Pm4Sand& sand, const Pm4SandPoints& points, bool reconsolidates = false);
 
 // K, and G = G0 pA sqrt(p/pA) up to the largest pressure, which the law reaches without shear stress and
 // fabric and never exceeds at p.

@@ -37,6 +37,7 @@ struct Constants {
   double fabric_shear;           // C_DR
   double fabric_stiffening;      // C_kaf
   double dilatancy_loss;         // c_eps^2
+  double least_reduction;        // the least F_sed: 1 if the shaking goes on
 };
 
 [[gnu::always_inline]] inline double dot(PlaneVector a, PlaneVector b) {
@@ -85,6 +86,16 @@ struct Surfaces {
          (z_max + q.fabric_sum) / (z_max + kFabricSoftening * q.fabric_sum);
 }
 
+// F_sed, M^d being `dilating`. (p/(20 p_sed))^2 in one division: by p_sed^2 (z_cum + z_max)^2.
+[[gnu::always_inline]] inline double reduction(const Constants& c, const Pm4SandState& q,
+                                               const Pm4SandStress& stress, double dilating) {
+  const double p = larger(stress.pressure, q.least_pressure), z_sum = q.fabric_sum;
+  const double below = positive(1 - 2 * length(stress.shear) / (p * dilating));  // 1 - M_cur/M^d
+  const double share = square(stress.pressure * (z_sum + q.largest_fabric)) /
+                       larger(square(4 * kAtmosphere * z_sum) * root(below), 1e-30);
+  return smaller(c.least_reduction + (1 - c.least_reduction) * share, 1);
+}
+
 // Plastic loading along u.
 struct Loading {
   double plastic_modulus;  // K_p/2
@@ -92,6 +103,7 @@ struct Loading {
   double pull;             // of alpha towards alpha^b, by shear strain
   double fabric_rate;      // of z towards -z_max u/sqrt(2), by shear strain
   double bounding;         // M^b
+  double dilating;         // M^d
 };
 
 [[gnu::always_inline]] inline Loading loading(const Constants& c, const Pm4SandState& q,
@@ -115,7 +127,7 @@ struct Loading {
   const double by_apparent =
       vectors::choose(alpha - along(q.before, u) <= 0, (from_apparent + c_g1) / (from_start + c_g1), 1);
   const double hardening =  // 2/3 h p
-      q.shear_modulus * c.hardening * c_ka * by_apparent /
+      q.reduction * q.shear_modulus * c.hardening * c_ka * by_apparent /
       ((exponential(from_apparent) - 1 + c_g1) * larger(root(to_bounding), 1e-5) *
        (1 + 2 * by_z * z_peak * positive(to_bounding) * root(1 - c_zpk2)));
   const double plastic = hardening * to_bounding;
@@ -152,10 +164,12 @@ struct Loading {
   const double dilatancy = vectors::choose(
       dilates, vectors::choose(p <= 2 * p_min, smaller(dilation, at_low_pressure), dilation), contraction);
   const bool fabric_grows = (to_dilating < 0) & (dilatancy < 0);
-  return {0.5 * vectors::choose(dilates, plastic, positive(plastic)), dilatancy / kRoot2,
+  return {0.5 * vectors::choose(dilates, plastic, positive(plastic)),
+          dilatancy / kRoot2,
           hardening * by_p / kRoot2,
           vectors::choose(fabric_grows, kFabricRate / kRoot2 / (1 + positive(z_sum * by_z / 2 - 1)), 0),
-          bounding};
+          bounding,
+          dilating};
 }
 
 // Where loading turns back: alpha has gone back, along the new u, behind where the way began. The apparent
@@ -184,7 +198,7 @@ struct Loading {
 // Elastic until the yield surface is met, then a step of Euler's.
 [[gnu::always_inline]] inline void strain(const Constants& c, double compaction, PlaneVector shear,
                                           Pm4SandStress& stress, Pm4SandState& q) {
-  const double g = q.shear_modulus, k = kPm4SandBulk * g, p = stress.pressure;
+  const double g = q.reduction * q.shear_modulus, k = kPm4SandBulk * g, p = stress.pressure;
   // With K + G/3 ~ sqrt(p) to its end.
   const double squeezed = p * (square(positive(1 + (k + g / 3) * compaction / (2 * p))) - 1);
   q.density += c.density_by_compaction * compaction;
@@ -218,6 +232,7 @@ struct Loading {
   stress.pressure = larger(stress.pressure + rest * squeezed - k * l.dilatancy * slip, q.least_pressure / 5);
   stress.shear = choose(yields, stress.pressure * (q.alpha + 0.5 * kYield * u), stress.shear);
   q.shear_modulus = shear_modulus(c, q, stress, l.bounding);
+  q.reduction = reduction(c, q, stress, l.dilating);
 }
 
 }  // namespace adit::fdm::pm4sand

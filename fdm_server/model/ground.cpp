@@ -11,6 +11,7 @@
 
 #include "fdm_server/model/grid/selection.hpp"
 #include "fdm_server/zones/laws/cyclic_driver.hpp"
+#include "fdm_server/zones/laws/pm4sand_calibration.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/ground/stated_stress.hpp"
 #include "protocol/materials/fracture.hpp"
@@ -158,6 +159,23 @@ YieldCone read_fracture(const scene::Fracture& scene, const std::string& path) {
       .cone(0);
 }
 
+// h_po of the sand, which has the other parameters.
+double read_contraction_rate(const scene::Pm4Sand& scene, const Pm4Sand& sand, const std::string& path) {
+  require(scene.contraction_case() != scene::Pm4Sand::CONTRACTION_NOT_SET, path,
+          "states no resistance; give `cyclic_resistance`, or `contraction_rate`");
+  if (scene.has_contraction_rate()) return scene.contraction_rate();
+  const auto found = contraction_rate(sand, scene.cyclic_resistance());
+  if (found) return *found;
+  // By a hundredth inside, so that the figures may be given as they are told.
+  const double least = 1.01 * cyclic_resistance(sand, kLeastContractionRate),
+               most = 0.99 * cyclic_resistance(sand, kMostContractionRate);
+  throw protocol::UserError(
+      path + ".cyclic_resistance",
+      fmt::format("is {:g}, but with relative_density {:g} and modulus_coefficient {:.4g} only {:.3g} to "
+                  "{:.3g} can be reached; give one of these, or another density",
+                  scene.cyclic_resistance(), sand.relative_density, sand.modulus_coefficient, least, most));
+}
+
 Pm4Sand read_pm4sand(const scene::Material& scene, const std::string& path) {
   const char* beside = scene.has_mohr_coulomb()         ? "mohr_coulomb"
                        : scene.has_hysteretic()         ? "hysteretic"
@@ -169,9 +187,14 @@ Pm4Sand read_pm4sand(const scene::Material& scene, const std::string& path) {
       !beside, path + ".pm4sand",
       fmt::format("is given beside {}, but has a strength and a compaction of its own; leave one of them out",
                   beside ? beside : ""));
-  const scene::Pm4Sand& sand = scene.pm4sand();
-  return {sand.relative_density(), sand.modulus_coefficient(), sand.contraction_rate(),
-          sand.largest_pressure()};
+  const scene::Pm4Sand& stated = scene.pm4sand();
+  const double density = stated.relative_density();
+  Pm4Sand sand{density,
+               stated.has_modulus_coefficient() ? stated.modulus_coefficient() : modulus_coefficient(density),
+               0, stated.largest_pressure()};
+  sand.contraction_rate = read_contraction_rate(stated, sand, path + ".pm4sand");
+  if (stated.has_reconsolidation_from()) sand.reconsolidation_from = stated.reconsolidation_from();
+  return sand;
 }
 
 Compaction read_compaction(const scene::Compaction& scene, const Material& material,
@@ -311,6 +334,20 @@ std::vector<std::string> notes_on_strength(const Ground& ground) {
           "depth",
           name_of_material(m), end->stress * material.elasticity().shear / 1e3,
           ground.stiffness_factor.empty() ? "" : " times the factor of stiffness", 100 * end->strain));
+  }
+  return notes;
+}
+
+std::vector<std::string> notes_on_sand(const scene::Scene& scene, const Ground& ground) {
+  std::vector<std::string> notes;
+  for (std::size_t m = 0; m < ground.stated_materials(); ++m) {
+    const scene::Pm4Sand& stated = material_of(scene, m).pm4sand();
+    if (!stated.has_cyclic_resistance()) continue;
+    const Pm4Sand& sand = *ground.materials[m].pm4sand;
+    notes.push_back(fmt::format(
+        "pm4sand of {}: cyclic_resistance {:g} makes a contraction_rate of {:.3g}, with modulus_coefficient "
+        "{:.4g}",
+        name_of_material(m), stated.cyclic_resistance(), sand.contraction_rate, sand.modulus_coefficient));
   }
   return notes;
 }

@@ -30,6 +30,7 @@
 #include "fdm_server/participant/dowel_figures.hpp"
 #include "fdm_server/participant/interface_figures.hpp"
 #include "fdm_server/participant/joint_figures.hpp"
+#include "fdm_server/participant/large_motion.hpp"
 #include "fdm_server/participant/lining_figures.hpp"
 #include "fdm_server/participant/snapshot.hpp"
 #include "fdm_server/solver/deformed_grid.hpp"
@@ -126,6 +127,7 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   if (setup.alone())
     if (const auto note = note_on_fracture(setup_.ground)) model.add_notes(*note);
   for (const std::string& note : notes_on_loops(scene_, setup_.ground)) model.add_notes(note);
+  for (const std::string& note : notes_on_sand(scene_, setup_.ground)) model.add_notes(note);
   const Resolution resolution = fdm::resolution(grid_, last);
   model.set_highest_frequency(resolution.frequency);
   if (const auto note = note_on_resolution(resolution, scene_.continuum(), base_accelerations_.along.motion))
@@ -545,6 +547,8 @@ void FdmParticipant::finish(wire::Bye& bye) {
   if (!supports_.members.empty()) add_failures(grid_, supports_.members, continuum_->structures(), bye);
   add_figures(grid_, supports_.interfaces, supports_.contacts, contact_peaks_, bye);
   if (peaks_) add_largest_demand(grid_, *peaks_, bye);
+  if (!setup_.ground.large_strain)
+    warn_of_large_motion(grid_, weights_, continuum_->ux(), continuum_->uy(), bye);
 }
 
 }  // namespace adit::fdm

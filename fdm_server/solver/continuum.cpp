@@ -290,6 +290,7 @@ void Continuum::pull(Part& part, const protocol::Step& step) {
     tie_y_.assign(points_.size(), 0.0);
   }
   damps_ = step.local_damping > 0;
+  zones_.set_time(step.time());
   const bool average_here = &part == &interior_ && averages(step);
   const bool slides = &part == &interior_ && contacts_.slides();
   if (average_here && !slides && (!average_ || average_->dt() != step.dt)) plan_average(step.dt);

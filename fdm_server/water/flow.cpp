@@ -61,7 +61,7 @@ Flow::Flow(const Grid& grid, Faces faces, std::span<const double> stiffness)
   if (!faces_.skewed.empty()) {
     const IndexRange all{0, static_cast<std::uint32_t>(faces_.skewed.size())};
     skewed_chunks_ = pieces({&all, 1});
-    gradients_.resize(grid.zones.size());
+    gradients_.resize(grid.zones.size(), Eigen::Vector2d::Zero());  // also beyond, where no zone is skewed
     crossing_.resize(grid.zones.size());
   }
   critical_step_ = 1 / largest_row();

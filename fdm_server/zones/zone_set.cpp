@@ -257,6 +257,10 @@ void ZoneSet::begin_time() {
   }
 }
 
+void ZoneSet::set_time(double time) {
+  for (Part& part : parts_) part.kernel->set_time(time);
+}
+
 void ZoneSet::exchange(state::Archive& archive) {
   for (Part& part : parts_) {
     part.kernel->exchange(archive);

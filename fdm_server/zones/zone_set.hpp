@@ -54,6 +54,7 @@ class ZoneSet {
   void set_rest(std::span<const double> pressures);
   // Time begins: from now on the water follows the volume of the pores, and ground may compact.
   void begin_time();
+  void set_time(double time);
   void exchange(state::Archive& archive);
   // This and the internal force, the sum over the zones of |stress| · size, |stress| its Frobenius norm, are
   // summed by the team, in the same order whoever computes what.

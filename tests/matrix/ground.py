@@ -103,7 +103,7 @@ LAWS = {
     "limited": {"hysteretic": {"hyperbola": {"reference_strain": 5e-4}, "elements": 20}, "mohr_coulomb": {"cohesion": 60e3, "friction_angle": 0.5}},
     "reversals": {"hysteretic": {"hyperbola": {"reference_strain": 5e-4}, "memory": "reversals", "damping": {"darendeli": {}}}},
 }
-LAWS["sand"] = {"pm4sand": {"relative_density": 0.5, "modulus_coefficient": 600.0, "contraction_rate": 0.5}}
+LAWS["sand"] = {"pm4sand": {"relative_density": 0.5, "modulus_coefficient": 600.0, "contraction_rate": 0.5, "reconsolidation_from": 0.017}}
 LAWS["clay"] = {"mohr_coulomb": {"cohesion": 40e3, "remoulding": {"sensitivity": 4.0, "strain_95": 0.05}}}
 LAWS["scattered"] = {**LAWS["limited"], **LAWS["weak_plane"]}
 HOLE = {"x_min": -1.0, "x_max": 1.0, "y_min": 1.0, "y_max": 3.0}

@@ -62,6 +62,8 @@ class ZoneKernel {
   virtual void start_over() = 0;
   // Statics are over: what counts from time 0 on begins.
   virtual void begin_time() {}
+  // The time at the begin of the step that comes [s]; 0 in statics.
+  virtual void set_time(double /*time*/) {}
   // What changes from step to step, of zones of which as many were taken away.
   virtual void exchange(state::Archive& archive) = 0;
   // Weighted elastic energy of some of the zones, or of all [J]. Several threads may ask at once.

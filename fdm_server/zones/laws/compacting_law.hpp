@@ -43,6 +43,7 @@ class CompactingLaw final : public ZoneLaw {
     law_->begin_time();
     counts_ = true;
   }
+  void set_time(double time) override { law_->set_time(time); }
   void exchange(state::Archive& archive) override {
     law_->exchange(archive);
     memory_.exchange(archive);

@@ -4,11 +4,12 @@
 #include <cmath>
 
 #include "fdm_server/zones/laws/compacting_law.hpp"
+#include "fdm_server/zones/laws/last_that_holds.hpp"
 
 namespace adit::fdm {
 namespace {
 
-constexpr double kLeftOfPressure = 0.05, kLargestStrain = 0.03;
+constexpr double kLeftOfPressure = 0.05;
 constexpr double kLeastC1 = 1e-6, kMostC1 = 1e3;
 
 // A zone of a square metre that is sheared uniformly.
@@ -44,17 +45,6 @@ class ShearedZone {
   double strain_ = 0, dissipated_ = 0;
 };
 
-// The largest value between positive bounds below which a statement holds, to a thousandth: by bisection of
-// the logarithm.
-template <class Holds>
-double last_that_holds(double least, double most, Holds&& holds) {
-  while (most > 1.001 * least) {
-    const double middle = std::sqrt(least * most);
-    (holds(middle) ? least : most) = middle;
-  }
-  return least;
-}
-
 }  // namespace
 
 std::optional<double> cycles_to_liquefaction(const Material& material, const Compaction& compaction,
@@ -70,7 +60,7 @@ std::optional<double> cycles_to_liquefaction(const Material& material, const Com
       zone.shear(sense * std::max(least, std::abs(zone.shear_strain() - begin) / (2 * test.steps)));
       reached = sense * std::max(sense * reached, sense * zone.shear_stress());
       if (zone.vertical_pressure() <= kLeftOfPressure * test.pressure ||
-          std::abs(zone.shear_strain()) >= kLargestStrain) {
+          std::abs(zone.shear_strain()) >= kLiquefyingStrain) {
         cycles += whole * std::min((reached - from) / (sense * amplitude - from), 1.0);
         return cycles <= most ? std::optional(cycles) : std::nullopt;
       }

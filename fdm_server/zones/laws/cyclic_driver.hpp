@@ -24,7 +24,8 @@ struct CyclicTest {
   int steps = 100;
 };
 
-inline constexpr double kLiquefyingCycles = 15;  // of the cyclic resistance
+inline constexpr double kLiquefyingCycles = 15;    // of the cyclic resistance
+inline constexpr double kLiquefyingStrain = 0.03;  // shear strain to one side
 
 // Cycles at the ratio R until the ground liquefies. The last half cycle counts by the share of its stress
 // that was reached. Nothing where the ground holds for `most` cycles.

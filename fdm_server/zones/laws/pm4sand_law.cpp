@@ -150,7 +150,7 @@ void Pm4SandLaw::advance(const LawStep& step) {
                        stress.s.data(),
                        {}};
   for (std::size_t n = 0; n < kPm4SandFields; ++n) points.state[n] = &memory_.at(n, step.first);
-  fdm::advance(sand_, points);
+  fdm::advance(sand_, points, reconsolidates_);
   spread(step, before, strains, stress, &memory_.at(kStiffness, step.first));
   book(step, now, -1, energy);
   for (std::uint32_t i = 0; i < step.count; ++i) step.dissipated[i] += energy[i];

@@ -15,7 +15,9 @@
 //
 // Energy: the zone stores 2/3 p^2/(K + G/3) + s.s/(2 G) of all points, with the present moduli. What else the
 // work (s(n) + s(n+1))/2 : de holds is booked as dissipated. As the moduli follow the pressure and the
-// fabric, elasticity by itself is not conservative, and the dissipated energy may fall for a while.
+// fabric, elasticity by itself is not conservative, and the dissipated energy may fall for a while. The
+// moduli that count are those without F_sed: nothing changes in the moment when the shaking is over, and the
+// work of what sand is compressed more as it reconsolidates is dissipated.
 #pragma once
 
 #include <cstddef>
@@ -39,6 +41,7 @@ class Pm4SandLaw final : public ZoneLaw {
   }
   void turn(std::size_t first, std::uint32_t count, const HalfTurns& turns) override;
   void begin_time() override { statics_.reset(); }
+  void set_time(double time) override { reconsolidates_ = time >= sand_.reconsolidation_from; }
   void exchange(state::Archive& archive) override;
   void find_energies(std::size_t first, std::uint32_t count, const PointValues& areas,
                      const ConstStressView& stresses, BatchValues& energies) const override;
@@ -59,6 +62,7 @@ class Pm4SandLaw final : public ZoneLaw {
   void take_up(std::size_t zone, Pm4SandStress& stress);
 
   Pm4Sand sand_;
+  bool reconsolidates_ = false;                              // in the step that comes
   std::optional<PlasticLaw> statics_;                        // until time begins
   static constexpr std::size_t kStiffness = kPm4SandFields;  // of what points differ from the mean [Pa]
   ZoneFields<kPm4SandFields + 1> memory_;

@@ -45,6 +45,8 @@ class ZoneLaw {
   virtual void set_stress(std::size_t /*zone*/, std::size_t /*point*/, const PointStress& /*stress*/) {}
   // Statics are over.
   virtual void begin_time() {}
+  // The time at the begin of the step that comes [s]; 0 in statics.
+  virtual void set_time(double /*time*/) {}
   virtual void exchange(state::Archive& /*archive*/) {}
   // Energy of zones `first` … `first + count` whose points have these undeformed areas and stresses,
   // unweighted [J]. Elastic, unless a law says otherwise.

@@ -59,6 +59,7 @@ class NonlinearZones final : public ZoneKernel {
   void remove(const std::vector<bool>& gone) override;
   void start_over() override;
   void begin_time() override { law_->begin_time(); }
+  void set_time(double time) override { law_->set_time(time); }
   void exchange(state::Archive& archive) override;
   using ZoneKernel::strain_energy;
   double strain_energy(const protocol::IndexRange& zones) const override;

@@ -59,6 +59,24 @@ TEST(NotesOnStrength, TellTheLargestStressOfEveryCurve) {
                                        HasSubstr(" 18.2 kPa, at 0.5 % of"))));
 }
 
+// Requirement: what follows from a cyclic resistance is told, in the words of the keys that would state it.
+TEST(NotesOnSand, TellWhatFollowsFromACyclicResistance) {
+  const std::string constants = "young_modulus: 104e6 poisson_ratio: 0.3 density: 1800 ";
+  scene::Scene scene;
+  ASSERT_TRUE(google::protobuf::TextFormat::ParseFromString(
+      "material { " + constants +
+          "pm4sand { relative_density: 0.55 modulus_coefficient: 677 contraction_rate: 0.4 } } "
+          "continuum { materials { material { " +
+          constants + "pm4sand { relative_density: 0.65 cyclic_resistance: 0.199 } } } }",
+      &scene));
+  const Ground ground = read_ground(scene);
+  EXPECT_THAT(
+      notes_on_sand(scene, ground),
+      ElementsAre(AllOf(HasSubstr("continuum.materials[0]: cyclic_resistance 0.199 makes"),
+                        HasSubstr("contraction_rate of 0.41"), HasSubstr("modulus_coefficient 782"))));
+  EXPECT_EQ(ground.materials[0].pm4sand->contraction_rate, 0.4);
+}
+
 // Zones that only state a fracture do not break: told of each material, not where a law yields instead.
 TEST(NoteOnFracture, NamesWhatStaysElastic) {
   const std::string constants = "young_modulus: 104e6 poisson_ratio: 0.3 density: 1800 ",

@@ -256,6 +256,40 @@ TEST(Motion, ImpulseIsDividedByTheMass) {
   EXPECT_DOUBLE_EQ(continuum.vy()[6], -20 / masses[6]);
 }
 
+// A zone of liquefied sand is squeezed from 1.6 s on by points that are too heavy to mind: its pressure after
+// another 0.1 s, if it reconsolidates from `time` on.
+double pressure_of_squeezed_sand(double time) {
+  constexpr double kDt = 1e-4;
+  Material sand{2000, 60e6, 0.3};
+  sand.pm4sand = Pm4Sand{.relative_density = 0.55,
+                         .modulus_coefficient = 677,
+                         .contraction_rate = 0.4,
+                         .reconsolidation_from = time};
+  const Grid grid = make_grid({0, 1, 0, 1, 1, 1});
+  const std::vector<double> weights{1}, masses(grid.x.size(), 1e15);
+  Continuum continuum(ZoneSet(ZoneKind::kAssumedStrain, grid, Ground{{sand}, {0}}, weights), masses, {}, {});
+  continuum.zones().set_stress(0, {-50e3, -100e3, 0});
+  continuum.zones().begin_time();
+  for (std::uint64_t n = 0; n < 17000; ++n) {
+    for (std::size_t i = 0; i < grid.x.size(); ++i) {
+      if (grid.y[i] == 0) continue;
+      continuum.vx()[i] = n >= 16000 ? 0 : n % 4000 < 2000 ? 0.1 : -0.1;
+      continuum.vy()[i] = n >= 16000 ? -0.02 : 0;
+    }
+    continuum.step({n, kDt});
+  }
+  return -continuum.zones().stress(0).yy;
+}
+
+TEST(Motion, TellsTheGroundTheTime) {
+  const double never = pressure_of_squeezed_sand(HUGE_VAL), all_the_time = pressure_of_squeezed_sand(1.6);
+  EXPECT_LT(all_the_time, 0.2 * never);
+  const double half = pressure_of_squeezed_sand(1.65);
+  EXPECT_GT(half, all_the_time);
+  EXPECT_LT(half, never);
+  EXPECT_EQ(pressure_of_squeezed_sand(1.8), never);
+}
+
 // The same run twice gives the same bits.
 TEST(Motion, IsReproducibleToTheLastBit) {
   const auto run = [] {

@@ -23,8 +23,8 @@ constexpr double kVertical = 101.3e3, kK0 = 0.5;
 // Zones of a square metre each.
 class Zones {
  public:
-  explicit Zones(std::size_t count)
-      : law_(kStatics, kSand, count), stresses_(count), dissipated_(count, 0.0) {
+  explicit Zones(std::size_t count, const Pm4Sand& sand = kSand)
+      : law_(kStatics, sand, count), stresses_(count), dissipated_(count, 0.0) {
     for (std::size_t i = 0; i < count; ++i) {
       stresses_[kMeanStress][i] = -(1 + kK0) / 2 * kVertical * (1 + 0.01 * static_cast<double>(i));
       stresses_[kAcross][i] = -kK0 * kVertical;
@@ -199,6 +199,43 @@ TEST(Pm4SandLaw, CompressionDissipatesNothing) {
   EXPECT_LT(std::abs(zones.dissipated(0)), 1e-5 * compressed);
 }
 
+StrainBatch squeezed(double compaction) {
+  StrainBatch strains{};
+  strains.volume.fill(-compaction);
+  for (auto& of_point : strains.difference) of_point.fill(compaction);
+  return strains;
+}
+
+// A zone that has liquefied settles from the stated time on: neither its stress nor its energies change in
+// that moment, it takes less stress from then on, all work is booked, and most of it dissipated.
+TEST(Pm4SandLaw, ReconsolidatesFromItsTimeOn) {
+  Pm4Sand settling = kSand;
+  settling.reconsolidation_from = 10;
+  Zones before(1), after(1, settling);
+  for (Zones* zones : {&before, &after}) {
+    zones->law().begin_time();
+    zones->law().set_time(9.9);
+    for (int step = 0; step < 60000; ++step) zones->advance(sheared(step % 4000 < 2000 ? 1e-5 : -1e-5));
+  }
+  EXPECT_TRUE(before == after);
+  const double stored = after.energies()[0], dissipated = after.dissipated(0);
+  double work = 0;
+  for (Zones* zones : {&before, &after}) zones->law().set_time(10);
+  EXPECT_EQ(after.energies()[0], stored);
+  for (int step = 0; step < 1000; ++step) {
+    const StrainBatch strains = squeezed(2e-6);
+    work += after.half_work(strains, 0);
+    before.advance(strains);
+    after.advance(strains);
+    work += after.half_work(strains, 0);
+  }
+  EXPECT_LT(before.stresses()[kMeanStress][0], -0.5 * kVertical);
+  EXPECT_GT(after.stresses()[kMeanStress][0], -0.1 * kVertical);
+  const double grown = after.energies()[0] - stored, lost = after.dissipated(0) - dissipated;
+  EXPECT_NEAR(work, grown + lost, 1e-9 * work);
+  EXPECT_GT(lost, 0.8 * work);
+}
+
 // What points differ is elastic where the zone is, and no more than friction bears where it has liquefied.
 TEST(Pm4SandLaw, BendingIsElasticWithinFriction) {
   Zones zones(1);
@@ -270,10 +307,13 @@ TEST(Pm4SandLaw, ZonesDoNotDependOnTheirBatch) {
   EXPECT_TRUE(together == apart);
 }
 
+// Before time, in it, and after the shaking.
 TEST(Pm4SandLaw, GoesOnFromACheckpoint) {
   for (const int begins : {0, 150}) {
-    Zones whole(kBatch);
-    auto split = std::make_unique<Zones>(kBatch);
+    Pm4Sand sand = kSand;
+    sand.reconsolidation_from = 50;
+    Zones whole(kBatch, sand);
+    auto split = std::make_unique<Zones>(kBatch, sand);
     Shaking shaking;
     for (int step = 0; step < 300; ++step) {
       if (step == begins) {
@@ -281,10 +321,12 @@ TEST(Pm4SandLaw, GoesOnFromACheckpoint) {
         split->law().begin_time();
       }
       if (step == 100) {
-        auto resumed = std::make_unique<Zones>(kBatch);
+        auto resumed = std::make_unique<Zones>(kBatch, sand);
         resumed->resume(*split);
         split = std::move(resumed);
       }
+      whole.law().set_time(step);
+      split->law().set_time(step);
       const StrainBatch& strains = shaking.next(step);
       whole.advance(strains);
       split->advance(strains);
