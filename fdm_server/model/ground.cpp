@@ -338,16 +338,23 @@ std::vector<std::string> notes_on_strength(const Ground& ground) {
   return notes;
 }
 
-std::vector<std::string> notes_on_sand(const scene::Scene& scene, const Ground& ground) {
+std::vector<std::string> notes_on_resistance(const scene::Scene& scene, const Ground& ground) {
   std::vector<std::string> notes;
   for (std::size_t m = 0; m < ground.stated_materials(); ++m) {
-    const scene::Pm4Sand& stated = material_of(scene, m).pm4sand();
-    if (!stated.has_cyclic_resistance()) continue;
-    const Pm4Sand& sand = *ground.materials[m].pm4sand;
-    notes.push_back(fmt::format(
-        "pm4sand of {}: cyclic_resistance {:g} makes a contraction_rate of {:.3g}, with modulus_coefficient "
-        "{:.4g}",
-        name_of_material(m), stated.cyclic_resistance(), sand.contraction_rate, sand.modulus_coefficient));
+    const scene::Material& stated = material_of(scene, m);
+    if (stated.pm4sand().has_cyclic_resistance()) {
+      const Pm4Sand& sand = *ground.materials[m].pm4sand;
+      notes.push_back(
+          fmt::format("pm4sand of {}: cyclic_resistance {:g} makes a contraction_rate of {:.3g}, with "
+                      "modulus_coefficient "
+                      "{:.4g}",
+                      name_of_material(m), stated.pm4sand().cyclic_resistance(), sand.contraction_rate,
+                      sand.modulus_coefficient));
+    }
+    if (const scene::Compaction& compaction = stated.pores().compaction(); compaction.has_cyclic_resistance())
+      notes.push_back(fmt::format("compaction of {}: cyclic_resistance {:g} makes C1 = {:.3g}",
+                                  name_of_material(m), compaction.cyclic_resistance(),
+                                  ground.materials[m].compaction->c1));
   }
   return notes;
 }

@@ -20,9 +20,9 @@ Ground read_ground(const scene::Scene& scene);
 // strain at which it is reached: one sentence for each material that has one.
 std::vector<std::string> notes_on_strength(const Ground& ground);
 
-// Where PM4Sand is stated by its cyclic resistance, the parameters that follow: one sentence for each
-// material.
-std::vector<std::string> notes_on_sand(const scene::Scene& scene, const Ground& ground);
+// Where a cyclic resistance is stated, of PM4Sand or of compaction, the constants that follow: one sentence
+// for each material.
+std::vector<std::string> notes_on_resistance(const scene::Scene& scene, const Ground& ground);
 
 // That zones do not break by `fracture`: one sentence that names the materials, where any states it and
 // follows no strength itself.

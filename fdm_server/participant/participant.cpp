@@ -127,7 +127,7 @@ void FdmParticipant::set_up(const wire::Setup& setup, wire::Model& model) {
   if (setup.alone())
     if (const auto note = note_on_fracture(setup_.ground)) model.add_notes(*note);
   for (const std::string& note : notes_on_loops(scene_, setup_.ground)) model.add_notes(note);
-  for (const std::string& note : notes_on_sand(scene_, setup_.ground)) model.add_notes(note);
+  for (const std::string& note : notes_on_resistance(scene_, setup_.ground)) model.add_notes(note);
   const Resolution resolution = fdm::resolution(grid_, last);
   model.set_highest_frequency(resolution.frequency);
   if (const auto note = note_on_resolution(resolution, scene_.continuum(), base_accelerations_.along.motion))

@@ -73,10 +73,9 @@ std::optional<std::string> note_on_stiffness(const scene::Water& water, const Gr
   }
   if (shortens < kLittle || enough >= water.bulk_modulus()) return std::nullopt;
   return fmt::format(
-      "water.bulk_modulus: P waves are up to {:.2g} times as fast as in drained ground, and the time step "
-      "may "
-      "be as much shorter; {:.2g} MPa would be {:g} times the stiffness of the skeleton times the porosity, "
-      "which changes pressures by less than a twentieth",
+      "water.bulk_modulus: P waves are up to {:.2g} times as fast as in drained ground, and the time "
+      "step may be as much shorter; {:.2g} MPa would be {:g} times the stiffness of the skeleton times "
+      "the porosity, which changes pressures by less than a twentieth",
       shortens, enough / 1e6, kEnough);
 }
 

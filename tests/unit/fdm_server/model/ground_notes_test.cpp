@@ -67,13 +67,18 @@ TEST(NotesOnSand, TellWhatFollowsFromACyclicResistance) {
       "material { " + constants +
           "pm4sand { relative_density: 0.55 modulus_coefficient: 677 contraction_rate: 0.4 } } "
           "continuum { materials { material { " +
-          constants + "pm4sand { relative_density: 0.65 cyclic_resistance: 0.199 } } } }",
+          constants +
+          "pm4sand { relative_density: 0.65 cyclic_resistance: 0.199 } } } materials { where {} material { " +
+          constants +
+          "mohr_coulomb { cohesion: 0 friction_angle: 0.576 } pores { porosity: 0.4 compaction { "
+          "cyclic_resistance: 0.147 } } } } }",
       &scene));
   const Ground ground = read_ground(scene);
   EXPECT_THAT(
-      notes_on_sand(scene, ground),
+      notes_on_resistance(scene, ground),
       ElementsAre(AllOf(HasSubstr("continuum.materials[0]: cyclic_resistance 0.199 makes"),
-                        HasSubstr("contraction_rate of 0.41"), HasSubstr("modulus_coefficient 782"))));
+                        HasSubstr("contraction_rate of 0.41"), HasSubstr("modulus_coefficient 782")),
+                  HasSubstr("compaction of continuum.materials[1]: cyclic_resistance 0.147 makes C1 = 0.2")));
   EXPECT_EQ(ground.materials[0].pm4sand->contraction_rate, 0.4);
 }
 
